@@ -1,0 +1,59 @@
+/* method.h - what every hand method is: one entry in one list.
+ *
+ * A method says what one opening gives, as its source has it; the sum over openings and
+ * the settling of glass, frame and dirt (model/allowance.h) are done once for all, in
+ * methods/evaluate.c.
+ */
+#ifndef PP_METHODS_METHOD_H
+#define PP_METHODS_METHOD_H
+
+#include "model/allowance.h"
+#include "model/reading.h"
+#include "model/world.h"
+
+enum pp_gives {
+    PP_GIVES_DIRECT,   /* sky and externally reflected component, at a point */
+    PP_GIVES_INTERNAL, /* internally reflected component */
+    PP_GIVES_WHOLE,    /* the daylight factor in one step */
+};
+
+enum pp_speaks_for {
+    PP_FOR_POINT,
+    PP_FOR_ROOM, /* an average: a point's value by it is that average */
+};
+
+/* What one opening gives, before allowances are settled. */
+struct pp_part {
+    double sky;      /* of PP_GIVES_DIRECT */
+    double external; /* of PP_GIVES_DIRECT */
+    double value;    /* of PP_GIVES_INTERNAL and PP_GIVES_WHOLE */
+};
+
+struct pp_method {
+    const char *name;    /* as typed on the command line */
+    const char *summary; /* one line, without a full stop */
+    const char *source;  /* key in docs/SOURCES.md */
+    enum pp_gives gives;
+    enum pp_speaks_for speaks_for;
+    unsigned allowances; /* what its figures already contain, enum pp_allowance */
+
+    /* Why the method does not cover this opening for this receiver (NULL for the room),
+     * as one sentence, or NULL if it does. */
+    const char *(*refuses)(const struct pp_world *world,
+                           const struct pp_opening *opening,
+                           const struct pp_receiver *receiver);
+
+    /* What the opening gives; called only where refuses() has nothing to say. */
+    enum pp_status (*evaluate)(const struct pp_world *world,
+                               const struct pp_opening *opening,
+                               const struct pp_receiver *receiver, struct pp_part *part,
+                               struct pp_error *err);
+};
+
+/* All methods, in the order in which results show them; ends with NULL. */
+extern const struct pp_method *const pp_methods[];
+
+/* The method of that name, or NULL. */
+const struct pp_method *pp_method_find(const char *name);
+
+#endif

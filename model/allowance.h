@@ -1,0 +1,35 @@
+/* allowance.h - the one place that settles glass, frame and dirt.
+ *
+ * Published figures differ in what they already contain. A method declares that; what
+ * is still missing for an opening is multiplied on here, and nothing is counted twice:
+ *
+ *     DF = (SC + ERC) M G B + IRC M G D                                      [BRE310]
+ *
+ * M maintenance, G glass type over clear single glass, B net glass area over opening
+ * area, D deterioration of decorations. In formulae that work with the net glass area
+ * W, B is in W already (PP_ALLOWS_FRAME).
+ */
+#ifndef PP_MODEL_ALLOWANCE_H
+#define PP_MODEL_ALLOWANCE_H
+
+#include "model/world.h"
+
+enum pp_allowance {
+    PP_ALLOWS_NOTHING = 0,
+    PP_ALLOWS_CLEAR_GLASS =
+        1 << 0,                   /* clear single glass, its angular losses included */
+    PP_ALLOWS_OWN_GLASS = 1 << 1, /* the opening's own glazing */
+    PP_ALLOWS_FRAME = 1 << 2,     /* frame and bars */
+    PP_ALLOWS_DIRT = 1 << 3,      /* dirt on the glass */
+};
+
+/* The factor that a figure which contains `allowances` still needs for this opening.
+ * Figures for clear glass are turned into the opening's own by the ratio G of the
+ * diffuse transmittances; for an unglazed opening by 1/0.85. */
+double pp_allowance_factor(unsigned allowances, const struct pp_opening *opening);
+
+/* The diffuse transmittance that the reflected-component formulae take: 0.85 G, 1 for
+ * an unglazed opening. */
+double pp_allowance_reflected_glass(const struct pp_opening *opening);
+
+#endif

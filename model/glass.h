@@ -1,0 +1,50 @@
+/* glass.h - how much light a glazing lets through, by angle of incidence.
+ *
+ * Clear glass is a stack of like plane panes with Fresnel reflection at each face and
+ * absorption between, each polarisation on its own [TS93]:
+ *
+ *     tau = (1 - rho)^2 a / (1 - rho^2 a^2),  R = rho (1 + a tau)
+ *     a = exp(-KL / cos r),  sin i = n sin r
+ *     a pane behind a stack: T = T1 T2 / (1 - R1 R2),  R = R1 + T1^2 R2 / (1 - R1 R2)
+ *
+ * A glazing of which only the normal transmittance t is known is t/tau(0) of such a
+ * stack. A diffusing one is Lambertian and has a hemispherical transmittance only.
+ */
+#ifndef PP_MODEL_GLASS_H
+#define PP_MODEL_GLASS_H
+
+#include <stdbool.h>
+
+struct pp_glass {
+    int panes;      /* 0: no glass at all, an unglazed opening */
+    double n;       /* refractive index of a pane */
+    double kl;      /* absorption coefficient times thickness of a pane */
+    double scale;   /* of the stack's own transmittance */
+    bool diffusing; /* Lambertian; then normal and diffuse are the same */
+    double normal;  /* transmittance at normal incidence */
+    double diffuse; /* transmittance of uniformly diffuse light */
+};
+
+/* The BRS clear single pane: n = 1.52, KL = 0.02; normal 0.900, diffuse 0.827. */
+struct pp_glass pp_glass_clear_single(void);
+
+struct pp_glass pp_glass_none(void);
+
+/* panes > 0, n > 1, kl >= 0. */
+struct pp_glass pp_glass_panes(int panes, double n, double kl);
+
+/* As pp_glass_panes, but with the normal transmittance `normal`, in (0, 1]. */
+struct pp_glass pp_glass_of_normal(int panes, double n, double kl, double normal);
+
+/* Hemispherical transmittance in (0, 1]. */
+struct pp_glass pp_glass_diffusing(double transmittance);
+
+/* At the cosine of the angle of incidence, 0 to 1. A diffusing pane answers with its
+ * hemispherical transmittance. */
+double pp_glass_transmittance(const struct pp_glass *glass, double cos_incidence);
+
+/* Specular reflectance, the same from both sides; at most 1 - transmittance.
+ * A diffusing pane answers with 0.1, of a diffuse kind. */
+double pp_glass_reflectance(const struct pp_glass *glass, double cos_incidence);
+
+#endif

@@ -1,0 +1,32 @@
+/* mistakes.h - all that is wrong with an input file, gathered before anything is said.
+ */
+#ifndef PP_MODEL_MISTAKES_H
+#define PP_MODEL_MISTAKES_H
+
+#include <stdbool.h>
+
+struct pp_mistake {
+    int line;   /* in the file, from 1; 0 where the file as a whole is meant */
+    char *text; /* what is wrong, and what was expected */
+};
+
+struct pp_mistakes {
+    char *file; /* as the user named it */
+    struct pp_mistake *list;
+    int count;
+    bool truncated; /* more than PP_MISTAKES_MOST, or memory was out */
+};
+
+enum { PP_MISTAKES_MOST = 1000 };
+
+void pp_mistakes_init(struct pp_mistakes *mistakes, const char *file);
+void pp_mistakes_clear(struct pp_mistakes *mistakes);
+
+/* Notes one; the same text on the same line is noted once. */
+void pp_mistake(struct pp_mistakes *mistakes, int line, const char *format, ...)
+    __attribute__((format(printf, 3, 4)));
+
+/* In order of line, mistakes of one line in order of noting. */
+void pp_mistakes_sort(struct pp_mistakes *mistakes);
+
+#endif

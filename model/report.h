@@ -1,0 +1,42 @@
+/* report.h - all that was found out about one room, for whoever prints or draws it.
+ *
+ * A column is one entry of the results: a component by a method ("exact"), by a pair
+ * ("exact+bre"), or by the simulation ("traced").
+ */
+#ifndef PP_MODEL_REPORT_H
+#define PP_MODEL_REPORT_H
+
+#include <stdbool.h>
+
+#include "model/reading.h"
+#include "model/world.h"
+
+struct pp_column {
+    enum pp_component component;
+    char name[48];
+    struct pp_reading average; /* over the whole working plane */
+    struct pp_reading
+        *points; /* one for each receiver; NULL: speaks for the room only */
+};
+
+struct pp_report {
+    const struct pp_world *world;        /* not owned */
+    const struct pp_receiver *receivers; /* not owned */
+    int receiver_count;
+    struct pp_column *columns; /* in order of component, then as asked for */
+    int column_count;
+    bool finished; /* false: interrupted, what is there is good */
+};
+
+/* A new column at the end with room for the points' readings (or for none), all "not
+ * computed"; NULL when memory is out. The pointer is good until the next call. */
+struct pp_column *pp_report_add(struct pp_report *report, enum pp_component component,
+                                const char *name, bool for_points);
+
+/* The column of that component and name, or NULL. */
+const struct pp_column *pp_report_find(const struct pp_report *report,
+                                       enum pp_component component, const char *name);
+
+void pp_report_clear(struct pp_report *report); /* frees the columns */
+
+#endif

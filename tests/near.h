@@ -1,0 +1,25 @@
+/* near.h - what every test of a number needs, with cmocka and its many headers. */
+#ifndef PP_TESTS_NEAR_H
+#define PP_TESTS_NEAR_H
+
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <string.h>
+
+#include <cmocka.h>
+#include <math.h>
+
+#define assert_near(value, expected, tolerance)                                        \
+    do {                                                                               \
+        double value_ = (value), expected_ = (expected);                               \
+        if (!(fabs(value_ - expected_) <= (tolerance)))                                \
+            fail_msg("%s is %.17g, expected %.17g +- %g", #value, value_, expected_,   \
+                     (double)(tolerance));                                             \
+    } while (0)
+
+#define assert_relative(value, expected, tolerance)                                    \
+    assert_near(value, expected, (tolerance)*fabs(expected))
+
+#endif
