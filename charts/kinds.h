@@ -1,0 +1,18 @@
+/* kinds.h - the charts there are, in one list, for the command line and the manual. */
+#ifndef PP_CHARTS_KINDS_H
+#define PP_CHARTS_KINDS_H
+
+#include <stdbool.h>
+
+struct pp_chart_kind {
+    const char *name;    /* as typed on the command line */
+    const char *summary; /* one line, without a full stop */
+};
+
+/* Ends with a NULL name. */
+extern const struct pp_chart_kind pp_chart_kinds[];
+
+/* The kind of that name, or NULL. */
+const struct pp_chart_kind *pp_chart_kind_find(const char *name);
+
+#endif

@@ -1,0 +1,33 @@
+#include "model/curve.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "model/daylight_plan.h"
+
+void pp_curves_clear(struct pp_curves *curves)
+{
+    for (int i = 0; i < curves->count; i++)
+        free(curves->list[i].xy);
+    free(curves->list);
+    *curves = (struct pp_curves){0};
+}
+
+double pp_curve_length(const struct pp_curve *curve)
+{
+    double length = 0.0;
+    for (int i = curve->closed ? 0 : 1; i < curve->count; i++) {
+        const double *a = curve->xy[i > 0 ? i - 1 : curve->count - 1];
+        const double *b = curve->xy[i];
+        length += hypot(b[0] - a[0], b[1] - a[1]);
+    }
+    return length;
+}
+
+void pp_daylight_plan_clear(struct pp_daylight_plan *plan)
+{
+    pp_curves_clear(&plan->contours);
+    pp_curves_clear(&plan->no_sky);
+    pp_curves_clear(&plan->dark);
+    *plan = (struct pp_daylight_plan){0};
+}
