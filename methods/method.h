@@ -37,13 +37,22 @@ struct pp_method {
     enum pp_speaks_for speaks_for;
     unsigned allowances; /* what its figures already contain, enum pp_allowance */
 
+    /* Why the method says nothing of this room, or of this receiver in it (NULL: of the
+     * room as a whole): a static sentence ("the table holds the overcast sky only"), or
+     * NULL if it does say something. May be left out (NULL): it covers all. */
+    const char *(*refuses_room)(const struct pp_world *world,
+                                const struct pp_receiver *receiver);
+
     /* Why the method does not cover this opening for this receiver (NULL for the room),
-     * as one sentence, or NULL if it does. */
+     * as the static end of a sentence that begins with "the opening on line 12"
+     * ("slopes; the table holds vertical openings only"), or NULL if it does. May be
+     * left out. */
     const char *(*refuses)(const struct pp_world *world,
                            const struct pp_opening *opening,
                            const struct pp_receiver *receiver);
 
-    /* What the opening gives; called only where refuses() has nothing to say. */
+    /* What the opening gives; called only where nothing refuses. Several threads may be
+     * in it at once. */
     enum pp_status (*evaluate)(const struct pp_world *world,
                                const struct pp_opening *opening,
                                const struct pp_receiver *receiver, struct pp_part *part,

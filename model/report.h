@@ -25,11 +25,14 @@ struct pp_report {
     int receiver_count;
     struct pp_column *columns; /* in order of component, then as asked for */
     int column_count;
-    bool finished; /* false: interrupted, what is there is good */
+    bool finished;    /* false: interrupted, what is there is good */
+    char **sentences; /* what readings' why points to, where it is not static */
+    int sentence_count;
 };
 
-/* A new column at the end with room for the points' readings (or for none), all "not
- * computed"; NULL when memory is out. The pointer is good until the next call. */
+/* A new column behind the others of its component, with room for the points' readings
+ * (or for none), all "not computed"; NULL when memory is out. The pointer is good until
+ * the next call. */
 struct pp_column *pp_report_add(struct pp_report *report, enum pp_component component,
                                 const char *name, bool for_points);
 
@@ -37,6 +40,12 @@ struct pp_column *pp_report_add(struct pp_report *report, enum pp_component comp
 const struct pp_column *pp_report_find(const struct pp_report *report,
                                        enum pp_component component, const char *name);
 
-void pp_report_clear(struct pp_report *report); /* frees the columns */
+/* A sentence for a reading's why, kept (once) by the report until it is cleared; NULL
+ * when memory is out. */
+const char *pp_report_say(struct pp_report *report, const char *format, ...)
+    __attribute__((format(printf, 2, 3)));
+
+/* Frees the columns and sentences; what else is in the report stays. */
+void pp_report_clear(struct pp_report *report);
 
 #endif
