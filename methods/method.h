@@ -62,6 +62,10 @@ struct pp_method {
 /* All methods, in the order in which results show them; ends with NULL. */
 extern const struct pp_method *const pp_methods[];
 
+/* pp_methods[index], for programs that link the shared library, which exports functions
+ * only; NULL at the end of the list. index is at most one past the last method. */
+const struct pp_method *pp_method_at(int index);
+
 /* The method of that name, or NULL. */
 const struct pp_method *pp_method_find(const char *name);
 
