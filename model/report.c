@@ -17,8 +17,8 @@ struct pp_column *pp_report_add(struct pp_report *report, enum pp_component comp
         for (int i = 0; i < report->receiver_count; i++)
             points[i] = pp_reading_none("not computed");
     }
-    struct pp_column *columns = realloc(
-        report->columns, ((size_t)report->column_count + 1) * sizeof *columns);
+    struct pp_column *columns =
+        realloc(report->columns, ((size_t)report->column_count + 1) * sizeof *columns);
     if (!columns) {
         free(points);
         return NULL;
@@ -62,8 +62,8 @@ const char *pp_report_say(struct pp_report *report, const char *format, ...)
             free(sentence);
             return report->sentences[i];
         }
-    char **sentences = realloc(
-        report->sentences, ((size_t)report->sentence_count + 1) * sizeof *sentences);
+    char **sentences = realloc(report->sentences, ((size_t)report->sentence_count + 1)
+                                                      * sizeof *sentences);
     if (!sentences) {
         free(sentence);
         return NULL;
