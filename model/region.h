@@ -17,7 +17,8 @@ struct pp_ring {
 };
 
 /* Outer rings run counter-clockwise, holes clockwise, so that a signed sum over all
- * rings is the figure's. No rings: the empty figure. */
+ * rings is the figure's; an outer ring is followed by its own holes. No rings: the
+ * empty figure. */
 struct pp_region {
     int count;
     struct pp_ring *rings;
