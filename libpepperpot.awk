@@ -1,0 +1,51 @@
+# libpepperpot.awk HEADER ... - the names of the functions that headers declare, one a
+# line: what the shared library exports. Comments, preprocessor lines and bodies are
+# left out; of the rest, a declaration is what stands before a semicolon, and its name
+# is the word before the first parenthesis. Not static ones, not typedefs.
+
+function declared(statement,    name) {
+    gsub(/[ \t]+/, " ", statement)
+    sub(/^ /, "", statement)
+    if (statement ~ /^(static|typedef) / || !match(statement, /[A-Za-z_0-9]+ ?\(/))
+        return
+    name = substr(statement, RSTART, RLENGTH)
+    gsub(/[ (]/, "", name)
+    if (name != "" && name !~ /^__/)
+        print name
+}
+
+FNR == 1 { comment = 0; depth = 0; continued = 0; statement = "" }
+
+!comment && (continued || /^[ \t]*#/) {
+    continued = /\\$/
+    next
+}
+
+{
+    line = $0 " "
+    while (line != "") {
+        if (comment) {
+            if (!(end = index(line, "*/")))
+                break
+            line = substr(line, end + 2)
+            comment = 0
+        } else if (line ~ /^\/\*/) {
+            comment = 1
+            line = substr(line, 3)
+        } else {
+            c = substr(line, 1, 1)
+            line = substr(line, 2)
+            if (c == "{")
+                depth++
+            else if (c == "}") {
+                # An inline function's body ends its declaration, a struct's does not.
+                if (--depth == 0 && statement ~ /^[ \t]*static /)
+                    statement = ""
+            } else if (depth == 0 && c == ";") {
+                declared(statement)
+                statement = ""
+            } else if (depth == 0)
+                statement = statement c
+        }
+    }
+}
