@@ -1,0 +1,50 @@
+/* sobol.h - Owen-scrambled Sobol points, drawn vertex by vertex along a path.
+ *
+ * Six dimensions of the Sobol sequence with the direction numbers of Joe and Kuo [JK08]
+ * serve each vertex of a path; vertices are padded: each has its own shuffle of the
+ * order and its own scramble, so that they are independent of each other. Scrambles are
+ * nested uniform ones [OWEN97] by hashing [LK11], as laid out by Burley [BURLEY20],
+ * with Vegdahl's hash [VEGDAHL21]. An aligned run of 2^k points is a net in the first
+ * two dimensions of every vertex, in the order 0, 1, 2, ...: a sum may be extended.
+ */
+#ifndef PP_SIMULATE_SOBOL_H
+#define PP_SIMULATE_SOBOL_H
+
+#include <stdint.h>
+
+enum {
+    PP_SOBOL_DIMENSIONS = 6,
+    PP_SOBOL_KEPT = 6, /* vertices whose seeds are worked out once */
+};
+
+/* The sequence itself: for each dimension and each byte of the index (both with their
+ * bits reversed) what it adds. The same for all; 24 kB. */
+struct pp_sobol {
+    uint32_t table[PP_SOBOL_DIMENSIONS][4][256];
+};
+
+/* One randomisation of it. */
+struct pp_sequence {
+    const struct pp_sobol *sobol; /* not owned */
+    uint64_t seed;
+    uint32_t kept[PP_SOBOL_KEPT][PP_SOBOL_DIMENSIONS + 1];
+};
+
+void pp_sobol_init(struct pp_sobol *sobol);
+
+/* sobol must live as long as the sequence. */
+void pp_sequence_init(struct pp_sequence *sequence, const struct pp_sobol *sobol,
+                      uint64_t seed);
+
+/* The first `count` (at most PP_SOBOL_DIMENSIONS) coordinates of point `index` at path
+ * vertex `vertex`, each in (0, 1). */
+void pp_sequence_draw(const struct pp_sequence *sequence, uint32_t index, int vertex,
+                      int count, double u[]);
+
+/* The scramble alone: a number whose bits are reversed (the first binary digit lowest);
+ * digit k of the result hangs on digits 0 to k only. */
+uint32_t pp_owen_scramble_reversed(uint32_t reversed, uint32_t seed);
+
+uint32_t pp_reverse_bits(uint32_t x);
+
+#endif
