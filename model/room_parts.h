@@ -4,6 +4,10 @@
  * Angles are radians, everything else is as in the file. Every part has the line of its
  * element. A number that the file left out and that has no default is NAN; a string is
  * NULL. Lists are grown by the reader and owned by the room.
+ *
+ * A part that the reader found a mistake in is left out: nothing further is to be said
+ * of it. A plan or envelope left out so (line 0) leaves nothing to be judged by it; the
+ * reader has noted why, as it notes that a room has neither or both.
  */
 #ifndef PP_MODEL_ROOM_PARTS_H
 #define PP_MODEL_ROOM_PARTS_H

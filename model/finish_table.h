@@ -1,0 +1,18 @@
+/* finish_table.h - the finishes that have a name (tables/finishes.csv). */
+#ifndef PP_MODEL_FINISH_TABLE_H
+#define PP_MODEL_FINISH_TABLE_H
+
+struct pp_finish {
+    const char *name;
+    double reflectance;
+    const char *source; /* key of the table's own list of sources */
+    const char *description;
+};
+
+int pp_finish_count(void);
+const struct pp_finish *pp_finish_at(int index); /* in the table's order */
+
+/* The finish of that name, or NULL. */
+const struct pp_finish *pp_finish_find(const char *name);
+
+#endif

@@ -1,0 +1,328 @@
+/* room_form.c - elements read by the table of room_schema.h, and told what is wrong. */
+#include "model/room_schema.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "model/finish_table.h"
+#include "model/glazing_table.h"
+#include "model/nearest.h"
+#include "model/number.h"
+
+enum { NAMES_MOST = 64, SENTENCE = 1024 };
+
+bool pp_is(const struct pp_xml_element *element, const struct pp_element_rule *rule)
+{
+    return strcmp(element->name, rule->name) == 0;
+}
+
+/* Where one value is being read, for its messages. */
+struct place {
+    const char *element, *attribute;
+    const struct pp_value_kind *kind;
+    const char *text;
+    int line;
+    struct pp_mistakes *mistakes;
+};
+
+static bool wrong(const struct place *at, const char *more)
+{
+    char shown[160];
+    pp_mistake(at->mistakes, at->line, "%s: %s is \"%s\"; expected %s%s", at->element,
+               at->attribute, pp_excerpt(shown, sizeof shown, at->text),
+               at->kind->expected, more);
+    return false;
+}
+
+static bool in_range(const struct pp_value_kind *kind, double value)
+{
+    bool low = kind->above_least ? value > kind->least : value >= kind->least;
+    bool high = kind->below_most ? value < kind->most : value <= kind->most;
+    return low && high;
+}
+
+static bool read_number(double *value, const struct place *at)
+{
+    if (!pp_number_parse(at->text, value))
+        return wrong(at,
+                     strchr(at->text, ',') ? " (with a decimal point, no comma)" : "");
+    if (!in_range(at->kind, *value))
+        return wrong(at, "");
+    return true;
+}
+
+/* An unknown name: what it may have meant, and all that there are. */
+static bool unknown(const struct place *at, const char *const *names, int count)
+{
+    char more[SENTENCE], list[SENTENCE];
+    const char *meant = pp_nearest(at->text, names, count);
+    snprintf(more, sizeof more, "%s%s%s (%s)", meant ? "; did you mean \"" : "",
+             meant ? meant : "", meant ? "\"?" : "",
+             pp_name_list(list, sizeof list, names, count));
+    return wrong(at, more);
+}
+
+static bool read_reflectance(double *value, const struct place *at)
+{
+    const struct pp_finish *finish = pp_finish_find(at->text);
+    if (finish) {
+        *value = finish->reflectance;
+        return true;
+    }
+    if (pp_number_parse(at->text, value))
+        return in_range(at->kind, *value) || wrong(at, "");
+    if (strpbrk(at->text, "0123456789"))
+        return wrong(at, "");
+    const char *names[NAMES_MOST];
+    int count = 0;
+    while (count < pp_finish_count() && count < NAMES_MOST) {
+        names[count] = pp_finish_at(count)->name;
+        count++;
+    }
+    return unknown(at, names, count);
+}
+
+static bool read_glazing(const char **name, const struct place *at)
+{
+    *name = at->text;
+    if (strcmp(at->text, "none") == 0 || pp_glazing_find(at->text))
+        return true;
+    const char *names[NAMES_MOST] = {"none"};
+    int count = 1;
+    while (count <= pp_glazing_count() && count < NAMES_MOST) {
+        names[count] = pp_glazing_at(count - 1)->name;
+        count++;
+    }
+    return unknown(at, names, count);
+}
+
+static bool read_choice(int *index, const struct place *at)
+{
+    const char *const *words = at->kind->words;
+    for (*index = 0; words[*index]; ++*index)
+        if (strcmp(words[*index], at->text) == 0)
+            return true;
+    const char *meant = pp_nearest(at->text, words, -1);
+    char more[64] = "";
+    if (meant)
+        snprintf(more, sizeof more, "; did you mean \"%s\"?", meant);
+    return wrong(at, more);
+}
+
+static bool read_pair(double *pair, const struct place *at)
+{
+    char half[2][64];
+    char excess[2];
+    if (strlen(at->text) >= 128
+        || sscanf(at->text, "%63s %63s %1s", half[0], half[1], excess) != 2)
+        return wrong(at, "");
+    for (int i = 0; i < 2; i++)
+        if (!pp_number_parse(half[i], &pair[i]) || !in_range(at->kind, pair[i]))
+            return wrong(at, "");
+    return true;
+}
+
+static bool read_count(int *count, const struct place *at)
+{
+    double value;
+    if (!read_number(&value, at))
+        return false;
+    if (value != floor(value))
+        return wrong(at, "");
+    *count = (int)value;
+    return true;
+}
+
+static bool read_value(void *field, const struct place *at)
+{
+    double number = NAN, pair[2];
+    int index = 0;
+    const char *name = at->text;
+    bool good = true;
+    switch (at->kind->reading) {
+    case PP_VALUE_NAME:
+        good = name[0] != '\0' || wrong(at, "");
+        break;
+    case PP_VALUE_TEXT:
+        break;
+    case PP_VALUE_NUMBER:
+        good = read_number(&number, at);
+        number *= at->kind->unit;
+        break;
+    case PP_VALUE_REFLECTANCE:
+        good = read_reflectance(&number, at);
+        break;
+    case PP_VALUE_MAINTENANCE:
+        good = strcmp(name, "auto") == 0 || read_number(&number, at);
+        break;
+    case PP_VALUE_GLAZING:
+        good = read_glazing(&name, at);
+        break;
+    case PP_VALUE_PAIR:
+        good = read_pair(pair, at);
+        if (good)
+            memcpy(field, pair, sizeof pair);
+        return good;
+    case PP_VALUE_CHOICE:
+        good = read_choice(&index, at);
+        memcpy(field, &index, sizeof index);
+        return good;
+    case PP_VALUE_COUNT:
+        good = read_count(&index, at);
+        memcpy(field, &index, sizeof index);
+        return good;
+    }
+    enum pp_reading_of_value reading = at->kind->reading;
+    if (reading == PP_VALUE_TEXT || reading == PP_VALUE_NAME
+        || reading == PP_VALUE_GLAZING)
+        memcpy(field, &name, sizeof name);
+    else
+        memcpy(field, &number, sizeof number);
+    return good;
+}
+
+static void store_fallback(void *field, const struct pp_attribute_rule *row)
+{
+    const char *no_text = NULL;
+    int index = isnan(row->fallback) ? -1 : (int)row->fallback;
+    double pair[2] = {row->fallback, row->fallback};
+    switch (row->kind->reading) {
+    case PP_VALUE_TEXT:
+    case PP_VALUE_NAME:
+    case PP_VALUE_GLAZING:
+        memcpy(field, &no_text, sizeof no_text);
+        break;
+    case PP_VALUE_NUMBER:
+    case PP_VALUE_REFLECTANCE:
+    case PP_VALUE_MAINTENANCE:
+        memcpy(field, &row->fallback, sizeof row->fallback);
+        break;
+    case PP_VALUE_PAIR:
+        memcpy(field, pair, sizeof pair);
+        break;
+    case PP_VALUE_COUNT:
+    case PP_VALUE_CHOICE:
+        memcpy(field, &index, sizeof index);
+        break;
+    }
+}
+
+static const struct pp_xml_attribute *find_attribute(
+    const struct pp_xml_element *element, const char *name)
+{
+    for (int i = 0; i < element->attribute_count; i++)
+        if (strcmp(element->attributes[i].name, name) == 0)
+            return &element->attributes[i];
+    return NULL;
+}
+
+/* Notes that `what` ("attribute", "element") `name` has no place in `within`. */
+static void note_unknown(struct pp_mistakes *mistakes, int line, const char *what,
+                         const char *name, const char *within, const char *const *names,
+                         int count)
+{
+    char shown[160], list[SENTENCE];
+    const char *meant = pp_nearest(name, names, count);
+    pp_name_list(list, sizeof list, names, count);
+    pp_mistake(mistakes, line, "%s: %s \"%s\" is not known; %s%s%s%s%s", within, what,
+               pp_excerpt(shown, sizeof shown, name), meant ? "did you mean \"" : "",
+               meant ? meant : "", meant ? "\"? (" : "expected ",
+               count > 0 ? list : "none", meant ? ")" : "");
+}
+
+static bool attributes_known(const struct pp_element_rule *rule,
+                             const struct pp_xml_element *element,
+                             struct pp_mistakes *mistakes)
+{
+    const char *names[NAMES_MOST];
+    for (int i = 0; i < rule->attribute_count; i++)
+        names[i] = rule->attributes[i].name;
+    bool good = true;
+    for (int k = 0; k < element->attribute_count; k++) {
+        const struct pp_xml_attribute *attribute = &element->attributes[k];
+        bool known = false;
+        for (int i = 0; i < rule->attribute_count && !known; i++)
+            known = strcmp(names[i], attribute->name) == 0;
+        if (!known)
+            note_unknown(mistakes, attribute->line, "attribute", attribute->name,
+                         rule->name, names, rule->attribute_count);
+        good = good && known;
+    }
+    return good;
+}
+
+bool pp_form_fill(void *form, const struct pp_element_rule *rule,
+                  const struct pp_xml_element *element, struct pp_mistakes *mistakes)
+{
+    bool good = attributes_known(rule, element, mistakes);
+    for (int i = 0; i < rule->attribute_count; i++) {
+        const struct pp_attribute_rule *row = &rule->attributes[i];
+        void *field = (char *)form + row->offset;
+        const struct pp_xml_attribute *attribute = find_attribute(element, row->name);
+        store_fallback(field, row);
+        if (attribute) {
+            struct place at = {rule->name,       row->name,       row->kind,
+                               attribute->value, attribute->line, mistakes};
+            good = read_value(field, &at) && good;
+        } else if (row->required) {
+            pp_mistake(mistakes, element->line, "%s: %s is missing; expected %s",
+                       rule->name, row->name, row->kind->expected);
+            good = false;
+        }
+    }
+    return good;
+}
+
+static bool children_known(const struct pp_element_rule *rule,
+                           const struct pp_xml_element *element,
+                           struct pp_mistakes *mistakes)
+{
+    const char *names[NAMES_MOST];
+    for (int i = 0; i < rule->child_count; i++)
+        names[i] = rule->children[i].rule->name;
+    int unknown_count = 0;
+    for (const struct pp_xml_element *c = element->child;
+         c && unknown_count < PP_MISTAKES_MOST; c = c->next) {
+        bool known = false;
+        for (int i = 0; i < rule->child_count && !known; i++)
+            known = strcmp(names[i], c->name) == 0;
+        if (!known)
+            note_unknown(mistakes, c->line, "element", c->name, rule->name, names,
+                         rule->child_count);
+        unknown_count += !known;
+    }
+    return unknown_count == 0;
+}
+
+bool pp_children_check(const struct pp_element_rule *rule,
+                       const struct pp_xml_element *element,
+                       struct pp_mistakes *mistakes)
+{
+    bool good = children_known(rule, element, mistakes);
+    for (int i = 0; i < rule->child_count; i++) {
+        const struct pp_child_rule *child = &rule->children[i];
+        const char *name = child->rule->name;
+        int count = 0, first = 0;
+        for (const struct pp_xml_element *c = element->child; c; c = c->next) {
+            if (!pp_is(c, child->rule))
+                continue;
+            if (++count == 1)
+                first = c->line;
+            if (child->most == 1 && count == 2)
+                pp_mistake(mistakes, c->line,
+                           "%s: a second <%s>, after that of line %d; expected one "
+                           "at most",
+                           rule->name, name, first);
+            else if (child->most > 1 && count == child->most + 1)
+                pp_mistake(mistakes, c->line, "%s: more than %d <%s>, the most allowed",
+                           rule->name, child->most, name);
+        }
+        if (count < child->least && element->ended)
+            pp_mistake(mistakes, element->line, "%s: %d <%s>; expected at least %d",
+                       rule->name, count, name, child->least);
+        good = good && (child->most == 0 || count <= child->most)
+               && (count >= child->least || !element->ended);
+    }
+    return good;
+}

@@ -1,0 +1,25 @@
+/* room_read.h - from the elements of a room file to the parts of its rooms. */
+#ifndef PP_MODEL_ROOM_READ_H
+#define PP_MODEL_ROOM_READ_H
+
+#include "model/error.h"
+#include "model/mistakes.h"
+#include "model/room_parts.h"
+#include "model/xml_input.h"
+
+/* What one file holds. */
+struct pp_building {
+    char *name; /* NULL: a lone room, or not given */
+    struct pp_room *rooms;
+    int room_count;
+};
+
+/* Fills building, which is empty, from the file's elements. PP_OK also where there are
+ * mistakes; fails when memory is out. What building holds is to be cleared anyway. */
+enum pp_status pp_building_fill(struct pp_building *building, const struct pp_xml *xml,
+                                struct pp_mistakes *mistakes, struct pp_error *err);
+
+/* Frees what the room holds, not the room. */
+void pp_room_clear(struct pp_room *room);
+
+#endif
