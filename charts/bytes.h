@@ -1,0 +1,29 @@
+/* bytes.h - a growing block of bytes, and what cairo's files lack until they are good.
+ */
+#ifndef PP_CHARTS_BYTES_H
+#define PP_CHARTS_BYTES_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+struct pp_bytes {
+    unsigned char *list;
+    size_t count, room;
+};
+
+/* False: memory is out, and nothing was added. */
+bool pp_bytes_add(struct pp_bytes *bytes, const void *more, size_t count);
+void pp_bytes_clear(struct pp_bytes *bytes);
+
+/* Copies an SVG file of cairo's into svg (empty at first): the root gives its size in
+ * mm, <title> and <desc> come first, and ids are renumbered in order of appearance with
+ * a prefix made from the drawing. False: memory is out. */
+bool pp_bytes_name_svg(struct pp_bytes *svg, const struct pp_bytes *cairo,
+                       double width_mm, double height_mm, const char *title,
+                       const char *description);
+
+/* Copies a PNG file into png (empty at first), its resolution noted in it. */
+bool pp_bytes_resolve_png(struct pp_bytes *png, const struct pp_bytes *cairo,
+                          double dots_per_mm);
+
+#endif

@@ -1,0 +1,46 @@
+#include "charts/page.h"
+
+#include <math.h>
+
+struct pp_style pp_page_style(const struct pp_canvas *canvas)
+{
+    return pp_style_for(fmin(pp_canvas_width_mm(canvas), pp_canvas_height_mm(canvas)));
+}
+
+struct pp_box pp_page_draw(struct pp_canvas *canvas, const struct pp_style *style,
+                           const struct pp_page *page)
+{
+    cairo_t *cr = pp_canvas_cairo(canvas);
+    double margin = style->margin;
+    double width = pp_canvas_width_mm(canvas) - 2.0 * margin;
+    double top = margin, bottom = pp_canvas_height_mm(canvas) - margin;
+
+    if (page->title) {
+        struct pp_text title = {
+            .size = PP_TEXT_TITLE, .bold = true, .width = width, .lines = 2};
+        top += pp_text_draw(cr, style, &title, margin, top, page->title).height;
+        top += 0.6 * style->scale;
+    }
+    if (page->subtitle) {
+        struct pp_text subtitle = {
+            .size = PP_TEXT_HEAD, .grey = PP_GREY_TEXT, .width = width, .lines = 3};
+        top += pp_text_draw(cr, style, &subtitle, margin, top, page->subtitle).height;
+    }
+    if (page->foot && *page->foot) {
+        int lines = (int)(0.22 * pp_canvas_height_mm(canvas)
+                          / (1.25 * style->text[PP_TEXT_SMALL]));
+        struct pp_text foot = {.size = PP_TEXT_SMALL,
+                               .grey = PP_GREY_TEXT,
+                               .down = 1.0,
+                               .width = width,
+                               .lines = lines};
+        bottom -= pp_text_draw(cr, style, &foot, margin, bottom, page->foot).height;
+        bottom -= 1.2 * style->scale;
+        pp_style_line(cr, style->hair, PP_GREY_LINE);
+        cairo_move_to(cr, margin, bottom);
+        cairo_line_to(cr, margin + width, bottom);
+        cairo_stroke(cr);
+    }
+    double gap = 4.0 * style->scale;
+    return (struct pp_box){margin, top + gap, width, bottom - top - 2.0 * gap};
+}

@@ -1,0 +1,84 @@
+/* style.h - how charts look: weights, tints, dashes, markers, sizes of text.
+ *
+ * Made for black and white and the photocopier: lines are told apart by dash and
+ * marker, never by tint alone; no line is thinner than 0.1 mm, no tint that has to be
+ * seen lighter than 12 % black. All sizes are millimetres on paper. They grow with the
+ * square root of the sheet's width, so that an A2 on the wall and an A5 in a book are
+ * both read at their own distance.
+ */
+#ifndef PP_CHARTS_STYLE_H
+#define PP_CHARTS_STYLE_H
+
+#include <stddef.h>
+
+#include <cairo.h>
+
+enum pp_text_size { PP_TEXT_SMALL, PP_TEXT_BODY, PP_TEXT_HEAD, PP_TEXT_TITLE };
+
+struct pp_style {
+    double scale;                     /* of everything below, 1 for A4 */
+    double text[4];                   /* size of type, by enum pp_text_size */
+    double hair, thin, medium, thick; /* weights of lines */
+    double marker;                    /* size of a point's marker */
+    double margin;                    /* round the sheet */
+};
+
+/* For a sheet whose shorter side is short_mm. */
+struct pp_style pp_style_for(double short_mm);
+
+/* Greys, as the share of white: text of the second rank, lines that stand back, fills.
+ */
+#define PP_INK 0.0
+#define PP_GREY_TEXT 0.30
+#define PP_GREY_LINE 0.55
+#define PP_GREY_GRID 0.80
+#define PP_GREY_FILL 0.88
+
+void pp_style_grey(cairo_t *cr, double grey);
+
+/* How the curve of number `index` is drawn; different for the first 24, at least. */
+struct pp_curve_style {
+    int dash_count;   /* 0: a full line */
+    double dashes[6]; /* mm, for A4 */
+    double weight;    /* times style.medium */
+    int marker;       /* enum pp_marker */
+};
+
+enum pp_marker {
+    PP_DISC,
+    PP_CIRCLE,
+    PP_FULL_SQUARE,
+    PP_SQUARE,
+    PP_FULL_TRIANGLE,
+    PP_TRIANGLE,
+    PP_FULL_DIAMOND,
+    PP_DIAMOND,
+    PP_PLUS,
+    PP_CROSS,
+    PP_MARKER_COUNT
+};
+
+struct pp_curve_style pp_style_curve(int index);
+
+/* Sets pen and dash of a curve. */
+void pp_style_pen(cairo_t *cr, const struct pp_style *style,
+                  const struct pp_curve_style *curve);
+
+/* A full line of that weight, in that grey. */
+void pp_style_line(cairo_t *cr, double weight_mm, double grey);
+
+/* Draws a marker centred at x, y; open ones are filled white. */
+void pp_style_marker(cairo_t *cr, const struct pp_style *style, enum pp_marker marker,
+                     double x, double y);
+
+/* A fraction as per cent with the digits that its size calls for, three significant at
+ * most: "0.0012 %", "0.35 %", "2.1 %", "48 %". */
+void pp_style_percent(char *text, size_t room, double fraction);
+
+/* A level as per cent, as short as it is exact to four digits: "0.5", "2", "12.5". */
+void pp_style_level(char *text, size_t room, double fraction);
+
+/* A length in metres to the centimetre, without idle zeros: "2.7 m", "14 m". */
+void pp_style_metres(char *text, size_t room, double metres);
+
+#endif
