@@ -81,13 +81,18 @@ struct pp_glass pp_glass_panes(int panes, double n, double kl)
     return glass;
 }
 
-struct pp_glass pp_glass_of_normal(int panes, double n, double kl, double normal)
+struct pp_glass pp_glass_scaled(struct pp_glass glass, double normal)
 {
-    struct pp_glass glass = pp_glass_panes(panes, n, kl);
-    glass.scale = normal / glass.normal;
-    glass.diffuse *= glass.scale;
+    double more = normal / glass.normal;
+    glass.scale *= more;
+    glass.diffuse *= more;
     glass.normal = normal;
     return glass;
+}
+
+struct pp_glass pp_glass_of_normal(int panes, double n, double kl, double normal)
+{
+    return pp_glass_scaled(pp_glass_panes(panes, n, kl), normal);
 }
 
 struct pp_glass pp_glass_clear_single(void)

@@ -33,6 +33,10 @@ struct pp_glass pp_glass_none(void);
 /* panes > 0, n > 1, kl >= 0. */
 struct pp_glass pp_glass_panes(int panes, double n, double kl);
 
+/* The same law of incidence, with the normal transmittance `normal`, in (0, 1]; not for
+ * diffusing panes. */
+struct pp_glass pp_glass_scaled(struct pp_glass glass, double normal);
+
 /* As pp_glass_panes, but with the normal transmittance `normal`, in (0, 1]. */
 struct pp_glass pp_glass_of_normal(int panes, double n, double kl, double normal);
 

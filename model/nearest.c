@@ -50,14 +50,23 @@ const char *pp_nearest(const char *typed, const char *const *names, int count)
 {
     const char *nearest = NULL;
     int least = INT_MAX;
+    size_t letters = strlen(typed);
     for (int i = 0; count < 0 ? names[i] != NULL : i < count; i++) {
+        size_t length = strlen(names[i]);
+        size_t longer = letters > length ? letters : length;
+        size_t allowed = longer / 3 > 1 ? longer / 3 : 1;
+        if (letters > length + allowed || letters + allowed < length)
+            continue;
         int distance = pp_edit_distance(typed, names[i]);
-        int allowed = (int)(strlen(names[i]) / 3);
-        if (distance < least && distance <= (allowed > 1 ? allowed : 1)) {
+        if (distance < least && distance <= (int)allowed) {
             nearest = names[i];
             least = distance;
         }
     }
+    for (int i = 0;
+         !nearest && letters >= 3 && (count < 0 ? names[i] != NULL : i < count); i++)
+        if (strstr(names[i], typed))
+            nearest = names[i];
     return nearest;
 }
 

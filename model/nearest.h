@@ -9,8 +9,8 @@
 int pp_edit_distance(const char *a, const char *b);
 
 /* The nearest of `count` names (count < 0: up to a NULL) to what was typed, the first
- * of several as near, or NULL where none is like it: more than a third of its letters
- * differ, and more than one. */
+ * of several as near: at most one letter differs, or a third of the longer's letters;
+ * else the first that contains it ("oak": "oak-floor"). NULL where none is like it. */
 const char *pp_nearest(const char *typed, const char *const *names, int count);
 
 /* Writes the names as "a, b or c" to text, cut to its size. Returns text. */

@@ -231,13 +231,26 @@ static void note_unknown(struct pp_mistakes *mistakes, int line, const char *wha
                count > 0 ? list : "none", meant ? ")" : "");
 }
 
+static int attribute_names(const char **names, const struct pp_element_rule *rule)
+{
+    for (int i = 0; i < rule->attribute_count; i++)
+        names[i] = rule->attributes[i].name;
+    return rule->attribute_count;
+}
+
+static int child_names(const char **names, const struct pp_element_rule *rule)
+{
+    for (int i = 0; i < rule->child_count; i++)
+        names[i] = rule->children[i].rule->name;
+    return rule->child_count;
+}
+
 static bool attributes_known(const struct pp_element_rule *rule,
                              const struct pp_xml_element *element,
                              struct pp_mistakes *mistakes)
 {
     const char *names[NAMES_MOST];
-    for (int i = 0; i < rule->attribute_count; i++)
-        names[i] = rule->attributes[i].name;
+    attribute_names(names, rule);
     bool good = true;
     for (int k = 0; k < element->attribute_count; k++) {
         const struct pp_xml_attribute *attribute = &element->attributes[k];
@@ -250,6 +263,20 @@ static bool attributes_known(const struct pp_element_rule *rule,
         good = good && known;
     }
     return good;
+}
+
+/* Did an attribute that is not known mean this one? Then it is not missing too. */
+static bool is_misspelt(const struct pp_element_rule *rule,
+                        const struct pp_xml_element *element, const char *name)
+{
+    const char *names[NAMES_MOST];
+    int count = attribute_names(names, rule);
+    for (int k = 0; k < element->attribute_count; k++) {
+        const char *meant = pp_nearest(element->attributes[k].name, names, count);
+        if (meant && strcmp(meant, name) == 0)
+            return true;
+    }
+    return false;
 }
 
 bool pp_form_fill(void *form, const struct pp_element_rule *rule,
@@ -266,9 +293,11 @@ bool pp_form_fill(void *form, const struct pp_element_rule *rule,
                                attribute->value, attribute->line, mistakes};
             good = read_value(field, &at) && good;
         } else if (row->required) {
+            good = false;
+            if (is_misspelt(rule, element, row->name))
+                continue;
             pp_mistake(mistakes, element->line, "%s: %s is missing; expected %s",
                        rule->name, row->name, row->kind->expected);
-            good = false;
         }
     }
     return good;
@@ -279,8 +308,7 @@ static bool children_known(const struct pp_element_rule *rule,
                            struct pp_mistakes *mistakes)
 {
     const char *names[NAMES_MOST];
-    for (int i = 0; i < rule->child_count; i++)
-        names[i] = rule->children[i].rule->name;
+    child_names(names, rule);
     int unknown_count = 0;
     for (const struct pp_xml_element *c = element->child;
          c && unknown_count < PP_MISTAKES_MOST; c = c->next) {
@@ -295,34 +323,55 @@ static bool children_known(const struct pp_element_rule *rule,
     return unknown_count == 0;
 }
 
+/* Of how many unknown children the child by that rule seems to be meant. */
+static int misspelt_children(const struct pp_element_rule *rule,
+                             const struct pp_xml_element *element, const char *name)
+{
+    const char *names[NAMES_MOST];
+    int count = child_names(names, rule), found = 0;
+    for (const struct pp_xml_element *c = element->child; c; c = c->next) {
+        const char *meant = pp_nearest(c->name, names, count);
+        found += meant && strcmp(meant, c->name) != 0 && strcmp(meant, name) == 0;
+    }
+    return found;
+}
+
+/* Too many or too few of one kind of child? */
+static bool count_is_good(const struct pp_element_rule *rule,
+                          const struct pp_child_rule *child,
+                          const struct pp_xml_element *element,
+                          struct pp_mistakes *mistakes)
+{
+    const char *name = child->rule->name;
+    int count = 0, first = 0;
+    for (const struct pp_xml_element *c = element->child; c; c = c->next) {
+        if (!pp_is(c, child->rule))
+            continue;
+        if (++count == 1)
+            first = c->line;
+        if (child->most == 1 && count == 2)
+            pp_mistake(mistakes, c->line,
+                       "%s: a second <%s>, after that of line %d; expected one at most",
+                       rule->name, name, first);
+        else if (child->most > 1 && count == child->most + 1)
+            pp_mistake(mistakes, c->line, "%s: more than %d <%s>, the most allowed",
+                       rule->name, child->most, name);
+    }
+    if (count < child->least && element->ended
+        && count + misspelt_children(rule, element, name) < child->least) {
+        pp_mistake(mistakes, element->line, "%s: %d <%s>; expected at least %d",
+                   rule->name, count, name, child->least);
+        return false;
+    }
+    return child->most == 0 || count <= child->most;
+}
+
 bool pp_children_check(const struct pp_element_rule *rule,
                        const struct pp_xml_element *element,
                        struct pp_mistakes *mistakes)
 {
     bool good = children_known(rule, element, mistakes);
-    for (int i = 0; i < rule->child_count; i++) {
-        const struct pp_child_rule *child = &rule->children[i];
-        const char *name = child->rule->name;
-        int count = 0, first = 0;
-        for (const struct pp_xml_element *c = element->child; c; c = c->next) {
-            if (!pp_is(c, child->rule))
-                continue;
-            if (++count == 1)
-                first = c->line;
-            if (child->most == 1 && count == 2)
-                pp_mistake(mistakes, c->line,
-                           "%s: a second <%s>, after that of line %d; expected one "
-                           "at most",
-                           rule->name, name, first);
-            else if (child->most > 1 && count == child->most + 1)
-                pp_mistake(mistakes, c->line, "%s: more than %d <%s>, the most allowed",
-                           rule->name, child->most, name);
-        }
-        if (count < child->least && element->ended)
-            pp_mistake(mistakes, element->line, "%s: %d <%s>; expected at least %d",
-                       rule->name, count, name, child->least);
-        good = good && (child->most == 0 || count <= child->most)
-               && (count >= child->least || !element->ended);
-    }
+    for (int i = 0; i < rule->child_count; i++)
+        good = count_is_good(rule, &rule->children[i], element, mistakes) && good;
     return good;
 }

@@ -8,11 +8,16 @@
 #include "model/nearest.h"
 #include "model/room_schema.h"
 
+enum { GLASSES_MOST = 64 };
+
 struct reader {
     struct pp_mistakes *mistakes;
     int bad_elements;
     bool out_of_memory;
     void *moved; /* RESERVE's */
+
+    /* The table's glazings, once met (panes > 0): each takes an integral. */
+    struct pp_glass glasses[GLASSES_MOST];
 };
 
 /* Nothing more to be gained by reading on? */
@@ -243,6 +248,19 @@ static void read_finish(struct reader *r, struct pp_room *room,
             (struct pp_finish_part){copy_text(r, form.wall), form.reflectance, e->line};
 }
 
+static struct pp_glass named_glass(struct reader *r, const char *name)
+{
+    const struct pp_glazing *glazing = pp_glazing_find(name);
+    if (!glazing)
+        return pp_glass_none(); /* the form has let through no other name */
+    size_t index = (size_t)(glazing - pp_glazing_at(0));
+    if (index >= GLASSES_MOST)
+        return pp_glazing_glass(glazing);
+    if (r->glasses[index].panes == 0)
+        r->glasses[index] = pp_glazing_glass(glazing);
+    return r->glasses[index];
+}
+
 /* The glass that the attributes describe; false where they contradict each other. */
 static bool glass_of(struct reader *r, struct pp_glass *glass,
                      const struct pp_opening_form *form, const struct pp_xml_element *e)
@@ -255,14 +273,13 @@ static bool glass_of(struct reader *r, struct pp_glass *glass,
         return false;
     }
     if (by_number) {
-        *glass = form->diffusing == 1
-                     ? pp_glass_diffusing(form->transmittance)
-                     : pp_glass_of_normal(1, 1.52, 0.02, form->transmittance);
+        *glass = form->diffusing == 1 ? pp_glass_diffusing(form->transmittance)
+                                      : pp_glass_scaled(named_glass(r, "clear-single"),
+                                                        form->transmittance);
         return true;
     }
     const char *name = form->glazing ? form->glazing : "clear-single";
-    const struct pp_glazing *glazing = pp_glazing_find(name);
-    *glass = glazing ? pp_glazing_glass(glazing) : pp_glass_none();
+    *glass = named_glass(r, name);
     if (form->diffusing < 0 || form->diffusing == (int)glass->diffusing)
         return true;
     pp_mistake(r->mistakes, e->line,
@@ -464,6 +481,10 @@ static void check_outline(struct reader *r, const struct pp_xml_element *e)
         }
         outline = outline ? outline : c;
     }
+    static const char *const shapes[] = {"plan", "envelope", NULL};
+    for (const struct pp_xml_element *c = e->child; c && !outline; c = c->next)
+        if (pp_nearest(c->name, shapes, -1))
+            outline = c; /* misspelt: it has been said */
     if (!outline && e->ended)
         pp_mistake(r->mistakes, e->line,
                    "room: it has no shape; expected a <plan> or an <envelope>");
@@ -535,7 +556,7 @@ enum pp_status pp_building_fill(struct pp_building *building, const struct pp_xm
             building->room_count = 1;
             read_room(&r, building->rooms, root, true);
         }
-    } else {
+    } else if (xml->whole) {
         char shown[160];
         pp_mistake(mistakes, root->line,
                    "the file holds a <%s>; expected a <room> or a <building>",

@@ -72,11 +72,12 @@ struct builder {
 
     size_t counted; /* bytes[0 .. counted) hold line - 1 line ends */
     int line;
-    int text_line; /* of the text last complained of */
 
     bool stopped; /* a limit was passed or the file broken: said already */
     bool out_of_memory;
-    bool bad_namespace; /* of the element that comes */
+    bool text_noted;      /* since the last tag */
+    bool bad_namespace;   /* of the element that comes */
+    bool namespace_noted; /* in the file */
 };
 
 static void stop(struct builder *b)
@@ -116,7 +117,28 @@ static size_t tag_start(const struct builder *b)
     return p;
 }
 
-/* Copies the attributes, each with the line of its name in the tag at `start`. */
+static bool is_white(char c)
+{
+    return c == ' ' || c == '\t' || c == '\r' || c == '\n';
+}
+
+/* The name of the next attribute behind p, in a well-formed tag; *next is behind its
+ * value. */
+static const char *next_attribute(const char *p, const char *end, const char **next)
+{
+    while (p < end && is_white(*p))
+        p++;
+    const char *open = p;
+    while (open < end && *open != '"' && *open != '\'')
+        open++;
+    const char *close =
+        open < end ? memchr(open + 1, *open, (size_t)(end - open - 1)) : NULL;
+    *next = close ? close + 1 : end;
+    return p;
+}
+
+/* Copies the attributes, each with the line of its name in the tag at `start`. Prefixes
+ * have been complained of and are dropped; xml:lang and its like could be no others. */
 static bool take_attributes(struct builder *b, struct pp_xml_element *element,
                             int count, const xmlChar **attributes, size_t start)
 {
@@ -124,29 +146,23 @@ static bool take_attributes(struct builder *b, struct pp_xml_element *element,
     if (!element->attributes)
         return false;
     const char *p = b->bytes + start, *end = b->bytes + b->length;
-    while (p < end && !strchr(" \t\r\n>", *p))
+    while (p < end && !is_white(*p) && *p != '>')
         p++;
     for (int i = 0; i < count; i++) {
         const xmlChar **from = attributes + 5 * i;
-        struct pp_xml_attribute *attribute = &element->attributes[i];
-        bool hidden;
-        do { /* to the next name, past the xmlns that the parser keeps to itself */
-            while (p < end && strchr(" \t\r\n", *p))
-                p++;
-            attribute->line = line_at(b, (size_t)(p - b->bytes));
-            hidden = end - p > 5 && memcmp(p, "xmlns", 5) == 0;
-            while (p < end && *p != '"' && *p != '\'')
-                p++;
-            const char *close =
-                p < end ? memchr(p + 1, *p, (size_t)(end - p - 1)) : NULL;
-            p = close ? close + 1 : end;
-        } while (hidden && p < end);
-        attribute->name = take_text(b->xml, from[0], strlen((const char *)from[0]));
-        attribute->value = take_text(b->xml, from[3], (size_t)(from[4] - from[3]));
-        if (!attribute->name || !attribute->value)
+        const char *name = next_attribute(p, end, &p);
+        while (end - name > 5 && memcmp(name, "xmlns", 5) == 0)
+            name = next_attribute(p, end, &p); /* the parser keeps it to itself */
+        if (from[1] && xmlStrEqual(from[1], BAD_CAST "xml"))
+            continue;
+        struct pp_xml_attribute *taken =
+            &element->attributes[element->attribute_count++];
+        taken->line = line_at(b, (size_t)(name - b->bytes));
+        taken->name = take_text(b->xml, from[0], strlen((const char *)from[0]));
+        taken->value = take_text(b->xml, from[3], (size_t)(from[4] - from[3]));
+        if (!taken->name || !taken->value)
             return false;
     }
-    element->attribute_count = count;
     return true;
 }
 
@@ -185,13 +201,15 @@ static void on_start(void *context, const xmlChar *name, const xmlChar *prefix,
         return;
     }
 
+    b->text_noted = false;
     bool foreign = prefix || namespace_count > 0 || b->bad_namespace;
     for (int i = 0; i < attribute_count; i++)
         foreign = foreign || attributes[5 * i + 1];
-    if (foreign)
+    if (foreign && !b->namespace_noted) {
         pp_mistake(b->mistakes, line,
                    "a room file has no namespaces; leave out xmlns and prefixes");
-    b->bad_namespace = false;
+        b->namespace_noted = true;
+    }
 
     struct pp_xml_element *element = take(b->xml, sizeof *element);
     const char *copy = take_text(b->xml, name, strlen((const char *)name));
@@ -224,35 +242,41 @@ static void on_end(void *context, const xmlChar *name, const xmlChar *prefix,
 {
     (void)name, (void)prefix, (void)uri;
     struct builder *b = ((xmlParserCtxtPtr)context)->_private;
+    b->text_noted = false;
     if (!b->stopped && b->depth > 0)
         b->open[--b->depth]->ended = true;
 }
 
-/* Text between the elements: only white space may stand there. */
+/* Text between the elements: only white space may stand there. It comes in pieces. */
 static void on_text(void *context, const xmlChar *text, int length)
 {
     struct builder *b = ((xmlParserCtxtPtr)context)->_private;
-    int white = 0;
-    while (white < length && strchr(" \t\r\n", text[white]))
-        white++;
-    if (b->stopped || white == length)
+    const char *p = (const char *)text, *end = p + length;
+    while (p < end && is_white(*p))
+        p++;
+    if (b->stopped || b->text_noted || p == end)
         return;
-    /* The parser stands at or behind the end of the text. */
+    b->text_noted = true;
+
+    /* The parser stands at or behind the end of this piece. */
     size_t start = position(b);
     while (start > 0 && b->bytes[start - 1] != '>')
         start--;
-    while (start < b->length && strchr(" \t\r\n", b->bytes[start]))
+    while (start < b->length && is_white(b->bytes[start]))
         start++;
-    int line = line_at(b, start);
-    if (line == b->text_line)
-        return;
-    b->text_line = line;
-    char copy[64] = "", shown[64];
-    size_t bytes = (size_t)(length - white);
-    memcpy(copy, text + white, bytes < sizeof copy ? bytes : sizeof copy - 1);
-    pp_mistake(b->mistakes, line,
+
+    while (is_white(end[-1]))
+        end--;
+    char copy[64], shown[64];
+    size_t bytes =
+        (size_t)(end - p) < sizeof copy ? (size_t)(end - p) : sizeof copy - 1;
+    memcpy(copy, p, bytes);
+    copy[bytes] = '\0';
+    pp_mistake(b->mistakes, line_at(b, start),
                "text \"%s\" between elements; everything is said in attributes here",
                pp_excerpt(shown, sizeof shown, copy));
+    if (b->mistakes->truncated)
+        stop(b);
 }
 
 static void on_doctype(void *context, const xmlChar *name, const xmlChar *external,
@@ -267,6 +291,29 @@ static void on_doctype(void *context, const xmlChar *name, const xmlChar *extern
     stop(b);
 }
 
+/* Does nothing but white space follow where the parser stands, or the / of an unclosed
+ * tag? */
+static bool at_the_end(const struct builder *b)
+{
+    size_t p = position(b);
+    if (p < b->length && b->bytes[p] == '/')
+        p++;
+    while (p < b->length && is_white(b->bytes[p]))
+        p++;
+    return p == b->length;
+}
+
+/* The line to look at for an error that comes up here. A value whose closing quotation
+ * mark is missing runs on to the next tag: look at its opening one. */
+static int error_line(struct builder *b, int code)
+{
+    size_t p = position(b);
+    if (code == XML_ERR_LT_IN_ATTRIBUTE || code == XML_ERR_ATTRIBUTE_NOT_FINISHED)
+        while (p > 0 && b->bytes[p - 1] != '"' && b->bytes[p - 1] != '\'')
+            p--;
+    return line_at(b, p);
+}
+
 #if LIBXML_VERSION >= 21200
 static void on_error(void *context, const xmlError *error)
 #else
@@ -276,17 +323,17 @@ static void on_error(void *context, xmlErrorPtr error)
     struct builder *b = ((xmlParserCtxtPtr)context)->_private;
     if (b->stopped || error->level == XML_ERR_WARNING)
         return;
-    if (error->code == XML_ERR_NO_MEMORY) {
-        b->out_of_memory = true;
-    } else if (error->domain == XML_FROM_NAMESPACE) {
+    if (error->domain == XML_FROM_NAMESPACE) {
         b->bad_namespace = true; /* said with the line of the element, which comes */
         return;
+    }
+    if (error->code == XML_ERR_NO_MEMORY) {
+        b->out_of_memory = true;
     } else {
-        const struct pp_xml_element *open = b->depth ? b->open[b->depth - 1] : NULL;
-        int line = xmlSAX2GetLineNumber(b->parser);
-        char sentence[256];
-        pp_xml_sentence(sentence, sizeof sentence, error, open);
-        pp_mistake(b->mistakes, line, "%s", sentence);
+        char sentence[512];
+        pp_xml_sentence(sentence, sizeof sentence, error, at_the_end(b),
+                        b->depth ? b->open[b->depth - 1] : NULL);
+        pp_mistake(b->mistakes, error_line(b, error->code), "%s", sentence);
     }
     stop(b);
 }

@@ -19,7 +19,7 @@
 enum {
     PP_XML_BYTES_MOST = 16 << 20,   /* a file: 16 MiB */
     PP_XML_DEPTH_MOST = 8,          /* elements within elements */
-    PP_XML_ELEMENTS_MOST = 500000,  /* in a file */
+    PP_XML_ELEMENTS_MOST = 200000,  /* in a file */
     PP_XML_ATTRIBUTES_MOST = 64,    /* of an element */
     PP_XML_TAG_BYTES_MOST = 1 << 16 /* from < to > */
 };

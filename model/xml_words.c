@@ -19,7 +19,9 @@ static const struct {
      "an attribute's value has no closing quotation mark"},
     {XML_ERR_ATTRIBUTE_WITHOUT_VALUE,
      "an attribute has no value; write name=\"value\""},
-    {XML_ERR_SPACE_REQUIRED, "a space is missing between two attributes"},
+    {XML_ERR_SPACE_REQUIRED,
+     "a tag is malformed here; expected a space, > or />, or is a "
+     "quotation mark missing?"},
     {XML_ERR_GT_REQUIRED, "a tag is not closed; expected > or />"},
     {XML_ERR_NAME_REQUIRED,
      "a name was expected after < or &; write &lt; or &amp; for the sign itself"},
@@ -44,28 +46,55 @@ static const struct {
     {XML_ERR_XMLDECL_NOT_FINISHED, "the <?xml ...?> at the start is not closed by ?>"},
     {XML_ERR_VERSION_MISSING,
      "the <?xml ...?> at the start has no version; write version=\"1.0\""},
-    {XML_ERR_DOCUMENT_EMPTY, "this is no XML; expected a <room> or a <building>"},
-    {XML_ERR_DOCUMENT_START, "this is no XML; expected a <room> or a <building>"},
+    {XML_ERR_DOCUMENT_EMPTY, "this is not XML; expected a <room> or a <building>"},
+    {XML_ERR_DOCUMENT_START, "this is not XML; expected a <room> or a <building>"},
     {XML_ERR_DOCUMENT_END,
      "something stands behind the end of the room; a file holds one room or building"},
 };
 
-void pp_xml_sentence(char *text, size_t size, const xmlError *error,
+/* Errors that are but the end of the file, in the middle of a tag. */
+static bool breaks_off(int code)
+{
+    switch (code) {
+    case XML_ERR_TAG_NOT_FINISHED:
+    case XML_ERR_SPACE_REQUIRED:
+    case XML_ERR_GT_REQUIRED:
+    case XML_ERR_NAME_REQUIRED:
+    case XML_ERR_ATTRIBUTE_NOT_STARTED:
+    case XML_ERR_ATTRIBUTE_NOT_FINISHED:
+    case XML_ERR_ATTRIBUTE_WITHOUT_VALUE:
+    case XML_ERR_LT_IN_ATTRIBUTE:
+    case XML_ERR_ENTITYREF_SEMICOL_MISSING:
+    case XML_ERR_INVALID_CHARREF:
+    case XML_ERR_INVALID_DEC_CHARREF:
+    case XML_ERR_INVALID_HEX_CHARREF:
+        return true;
+    default:
+        return false;
+    }
+}
+
+void pp_xml_sentence(char *text, size_t size, const xmlError *error, bool at_the_end,
                      const struct pp_xml_element *open)
 {
     char one[160], other[160];
+    if (at_the_end && breaks_off(error->code)) {
+        if (open)
+            snprintf(text, size,
+                     "the file breaks off within <%s> of line %d; expected "
+                     "</%s>",
+                     pp_excerpt(one, sizeof one, open->name), open->line,
+                     pp_excerpt(other, sizeof other, open->name));
+        else
+            snprintf(text, size, "the file breaks off within a tag");
+        return;
+    }
     switch (error->code) {
     case XML_ERR_TAG_NAME_MISMATCH:
         snprintf(text, size, "</%s> where </%s> was expected, to close line %d",
                  pp_excerpt(other, sizeof other, error->str2 ? error->str2 : ""),
                  pp_excerpt(one, sizeof one, open ? open->name : ""),
                  open ? open->line : 1);
-        return;
-    case XML_ERR_TAG_NOT_FINISHED:
-        snprintf(text, size, "the file ends within <%s> of line %d; expected </%s>",
-                 pp_excerpt(one, sizeof one, open ? open->name : ""),
-                 open ? open->line : 1,
-                 pp_excerpt(other, sizeof other, open ? open->name : ""));
         return;
     case XML_ERR_ATTRIBUTE_REDEFINED:
         snprintf(text, size, "the attribute \"%s\" is given twice",

@@ -7,9 +7,9 @@
 
 #include "model/xml_input.h"
 
-/* Writes one sentence on the error to text. open is the innermost element that had not
- * ended when it came up, or NULL. */
-void pp_xml_sentence(char *text, size_t size, const xmlError *error,
+/* Writes one sentence on the error to text. at_the_end: it came up where the file ends.
+ * open: the innermost element that had not ended there, or NULL. */
+void pp_xml_sentence(char *text, size_t size, const xmlError *error, bool at_the_end,
                      const struct pp_xml_element *open);
 
 #endif
