@@ -18,6 +18,28 @@ enum pp_status pp_outside_sky_on_plane(double *share, const struct pp_world *wor
                                        struct pp_vec3 normal, const struct pp_sky *sky,
                                        struct pp_error *err);
 
+/* Illuminances of a plane, over Eh. */
+struct pp_outside {
+    double sky;      /* from the sky alone */
+    double external; /* from what hides it (equivalent sky component times luminance
+                      * factor, and exitance) and from the ground */
+};
+
+/* What falls on a plane through any position outside, with unit normal `normal`; what
+ * lies behind it does not count. `face` is the surface that the plane is part of, by
+ * index: it hides nothing, and its skylines are those that count; -1: none and none.
+ * Closed form for the overcast and uniform skies (errors of 1e-13), else quadrature to
+ * PP_QUADRATURE_UNGLAZED. */
+enum pp_status pp_outside_at(struct pp_outside *outside, const struct pp_world *world,
+                             const struct pp_sky *sky, struct pp_vec3 position,
+                             struct pp_vec3 normal, int face, struct pp_error *err);
+
+/* Solid angle (sr) of the sky that is seen directly from a point in the room through
+ * all its openings, whatever their glass; diffusing panes show none. Exactly 0 where
+ * there is none. */
+enum pp_status pp_outside_sky_seen(double *solid_angle, const struct pp_world *world,
+                                   struct pp_vec3 eye, struct pp_error *err);
+
 /* The part of the opening through which light from outside comes straight to
  * `position`: within both outlines and hidden by nothing inside the room. Drawn as seen
  * from there, on the plane at unit distance: x along opening->along, y along
