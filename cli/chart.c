@@ -1,0 +1,289 @@
+/* chart - draws one chart of each room to a PDF, SVG or PNG. */
+#include <string.h>
+#include <unistd.h>
+
+#include "cli/commands.h"
+#include "cli/draw_chart.h"
+#include "cli/interrupt.h"
+#include "cli/messages.h"
+#include "cli/output.h"
+#include "methods/evaluate.h"
+#include "model/nearest.h"
+#include "model/number.h"
+
+static enum pp_status read_format(const char *text, void *place, struct pp_error *err)
+{
+    if (strcmp(text, "pdf") != 0 && strcmp(text, "svg") != 0
+        && strcmp(text, "png") != 0)
+        return pp_fail(err, PP_BAD_INPUT, "pdf, svg or png");
+    *(const char **)place = text;
+    return PP_OK;
+}
+
+static enum pp_status read_paper(const char *text, void *place, struct pp_error *err)
+{
+    if (pp_paper_of(place, text, NULL) == PP_OK)
+        return PP_OK;
+    return pp_fail(err, PP_BAD_INPUT, "a5, a4, a3 or a2");
+}
+
+static enum pp_status read_orientation(const char *text, void *place,
+                                       struct pp_error *err)
+{
+    if (strcmp(text, "portrait") != 0 && strcmp(text, "landscape") != 0)
+        return pp_fail(err, PP_BAD_INPUT, "portrait or landscape");
+    *(enum pp_orientation *)place = text[0] == 'p' ? PP_PORTRAIT : PP_LANDSCAPE;
+    return PP_OK;
+}
+
+static enum pp_status read_dpi(const char *text, void *place, struct pp_error *err)
+{
+    double dpi;
+    if (!pp_number_parse(text, &dpi) || dpi < 20.0 || dpi > 1200.0)
+        return pp_fail(err, PP_BAD_INPUT, "a number of dots per inch from 20 to 1200");
+    *(double *)place = dpi;
+    return PP_OK;
+}
+
+#define PLACE(member) offsetof(struct pp_chart_options, member)
+
+static const struct pp_option sheet_options[] = {
+    {"list", 'l', NULL, "List the kinds of chart and stop.", NULL, PLACE(list)},
+    {"format", 'f', "FORMAT", "pdf, svg or png (default: by the ending of -o FILE).",
+     read_format, PLACE(format)},
+    {"paper", 0, "SIZE", "a5, a4 (default), a3 or a2.", read_paper, PLACE(paper)},
+    {"orientation", 0, "WAY", "portrait or landscape (default: as the room fits best).",
+     read_orientation, PLACE(orientation)},
+    {"dpi", 0, "N", "Dots per inch of a PNG, 20 to 1200 (default 200).", read_dpi,
+     PLACE(dpi)},
+    {"log", 0, NULL, "Section: daylight factors on a logarithmic scale.", NULL,
+     PLACE(logarithmic)},
+    {0},
+};
+
+static const char about[] =
+    "Draws a chart of a room to -o FILE.pdf, FILE.svg or FILE.png. The rooms of a "
+    "building, or of several files, get a page each of a PDF. FILE is a room file; - "
+    "is "
+    "standard input.";
+
+static void print_kinds(void)
+{
+    for (const struct pp_chart_kind *kind = pp_chart_kinds; kind->name; kind++)
+        printf("  %-10s %s\n", kind->name, kind->summary);
+}
+
+/* The kind that was typed, or NULL and err. */
+static const struct pp_chart_kind *find_kind(const char *typed, struct pp_error *err)
+{
+    const struct pp_chart_kind *kind = pp_chart_kind_find(typed);
+    if (kind)
+        return kind;
+    const char *names[32];
+    char known[256];
+    int count = 0;
+    for (kind = pp_chart_kinds; kind->name && count < 32; kind++)
+        names[count++] = kind->name;
+    const char *guess = pp_nearest(typed, names, count);
+    if (guess)
+        pp_fail(err, PP_BAD_INPUT, "there is no chart \"%.100s\"; did you mean %s?",
+                typed, guess);
+    else
+        pp_fail(err, PP_BAD_INPUT, "there is no chart \"%.100s\"; expected %s", typed,
+                pp_name_list(known, sizeof known, names, count));
+    return NULL;
+}
+
+/* By --format, or by the file's ending. */
+static enum pp_status choose_format(enum pp_chart_format *format,
+                                    const struct pp_room_options *room_options,
+                                    const struct pp_chart_options *options,
+                                    struct pp_error *err)
+{
+    const char *output = room_options->output;
+    if (options->format) {
+        char ending[8];
+        snprintf(ending, sizeof ending, ".%s", options->format);
+        return pp_chart_format_of(format, ending, err);
+    }
+    if (!output || strcmp(output, "-") == 0)
+        return pp_fail(err, PP_BAD_INPUT,
+                       "expected -o FILE.pdf, FILE.svg or FILE.png, or --format");
+    return pp_chart_format_of(format, output, err);
+}
+
+/* A sheet for each room, on one canvas. */
+static enum pp_status draw_rooms(struct pp_canvas *canvas,
+                                 const struct pp_chart_kind *kind,
+                                 struct pp_rooms *rooms,
+                                 const struct pp_room_options *room_options,
+                                 const struct pp_chart_options *options, bool *finished,
+                                 struct pp_error *err)
+{
+    if (room_options->simulate)
+        pp_interrupt_watch();
+    enum pp_status status = PP_OK;
+    for (int i = 0; i < rooms->count && status == PP_OK; i++) {
+        if (i > 0)
+            status = pp_canvas_next_sheet(canvas, err);
+        if (status == PP_OK)
+            status = pp_draw_chart(kind, canvas, &rooms->list[i], room_options, options,
+                                   finished, err);
+    }
+    return status;
+}
+
+static enum pp_status draw(const struct pp_chart_kind *kind,
+                           enum pp_chart_format format, struct pp_rooms *rooms,
+                           const struct pp_room_options *room_options,
+                           const struct pp_chart_options *options, FILE *out,
+                           bool *finished, struct pp_error *err)
+{
+    const struct pp_world *world = rooms->list[0].world;
+    char description[256];
+    snprintf(description, sizeof description, "%s; sky: %s", kind->summary,
+             pp_sky_name(&world->sky));
+    const struct pp_sheet sheet = {.format = format,
+                                   .paper = options->paper,
+                                   .landscape = options->orientation == PP_LANDSCAPE
+                                                || (options->orientation == PP_AS_FITS
+                                                    && pp_chart_landscape(kind, world)),
+                                   .dpi = options->dpi,
+                                   .title = world->name,
+                                   .description = description};
+    struct pp_canvas *canvas;
+    enum pp_status status = pp_canvas_create(&canvas, &sheet, err);
+    if (status != PP_OK)
+        return status;
+
+    const unsigned char *bytes;
+    size_t length;
+    status = draw_rooms(canvas, kind, rooms, room_options, options, finished, err);
+    if (status == PP_OK)
+        status = pp_canvas_finish(canvas, &bytes, &length, err);
+    if (status == PP_OK && fwrite(bytes, 1, length, out) != length)
+        status = pp_fail_memory(err);
+    pp_canvas_destroy(canvas);
+    return status;
+}
+
+static enum pp_exit draw_to_file(const struct pp_chart_kind *kind,
+                                 enum pp_chart_format format, struct pp_rooms *rooms,
+                                 const struct pp_room_options *room_options,
+                                 const struct pp_chart_options *options)
+{
+    struct pp_error err = {0};
+    struct pp_output output;
+    bool finished = true;
+    enum pp_status status = pp_output_open(&output, room_options->output, &err);
+    if (status == PP_OK)
+        status = draw(kind, format, rooms, room_options, options, output.stream,
+                      &finished, &err);
+    if (status == PP_OK)
+        status = pp_output_commit(&output, &err);
+    if (status != PP_OK) {
+        pp_output_abandon(&output);
+        return pp_say_error(&err);
+    }
+    if (finished)
+        return PP_EXIT_DONE;
+    pp_say("interrupted; the chart shows what was reached so far");
+    return PP_EXIT_INTERRUPTED;
+}
+
+static enum pp_exit run(const struct pp_chart_kind *kind,
+                        const struct pp_room_options *room_options,
+                        const struct pp_chart_options *options, char **files,
+                        int file_count)
+{
+    struct pp_error err = {0};
+    enum pp_chart_format format;
+    if (choose_format(&format, room_options, options, &err) != PP_OK)
+        return pp_say_usage("chart", &err);
+    bool to_standard_output =
+        !room_options->output || strcmp(room_options->output, "-") == 0;
+    if (to_standard_output && isatty(STDOUT_FILENO)) {
+        pp_fail(&err, PP_BAD_INPUT,
+                "a chart is not for the terminal; expected -o FILE");
+        return pp_say_usage("chart", &err);
+    }
+
+    struct pp_rooms rooms;
+    enum pp_exit exit_status =
+        pp_rooms_load(&rooms, "chart", files, file_count, room_options);
+    if (exit_status != PP_EXIT_DONE)
+        return exit_status;
+    if (rooms.count > 1 && format != PP_CHART_PDF) {
+        pp_fail(
+            &err, PP_BAD_INPUT,
+            "there are %d rooms, and only a PDF has a page for each; expected --room "
+            "NAME or -o FILE.pdf",
+            rooms.count);
+        exit_status = pp_say_usage("chart", &err);
+    } else {
+        exit_status = draw_to_file(kind, format, &rooms, room_options, options);
+    }
+    pp_rooms_clear(&rooms);
+    return exit_status;
+}
+
+/* What the words say, before any file is opened. */
+static enum pp_status check(char **words, int word_count,
+                            const struct pp_room_options *options,
+                            const struct pp_chart_kind **kind, struct pp_error *err)
+{
+    if (word_count == 0)
+        return pp_fail(err, PP_BAD_INPUT,
+                       "expected a kind of chart; --list names them");
+    *kind = find_kind(words[0], err);
+    if (!*kind)
+        return PP_BAD_INPUT;
+    if (word_count == 1)
+        return pp_fail(err, PP_BAD_INPUT,
+                       "expected a room file, or - for standard input");
+    enum pp_status status = pp_room_options_check(options, err);
+    if (status == PP_OK && options->methods)
+        status = pp_methods_check(options->methods, err);
+    return status;
+}
+
+enum pp_exit cmd_chart(int argc, char **argv)
+{
+    struct pp_room_options room_options = pp_room_options_none;
+    struct pp_chart_options options = {.paper = PP_PAPER_A4};
+    const struct pp_option_group groups[] = {
+        {"The sheet", sheet_options, &options},
+        {"What is computed", pp_room_choice_options, &room_options},
+        {"Simulation", pp_room_simulation_options, &room_options},
+        {"Output", pp_room_output_options, &room_options},
+        {0},
+    };
+    const struct pp_command_line line = {"chart", "KIND FILE...", about, groups};
+
+    struct pp_error err = {0};
+    const struct pp_chart_kind *kind = NULL;
+    int word_count;
+    bool wants_help;
+    enum pp_exit exit_status = PP_EXIT_DONE;
+    enum pp_status status =
+        pp_options_read(&line, argc, argv, &word_count, &wants_help, &err);
+    bool only_says = wants_help || options.list;
+    if (status == PP_OK && !only_says)
+        status = check(argv, word_count, &room_options, &kind, &err);
+
+    if (status == PP_SYSTEM) {
+        exit_status = pp_say_error(&err);
+    } else if (status != PP_OK) {
+        exit_status = pp_say_usage("chart", &err);
+    } else if (only_says) {
+        if (wants_help) {
+            pp_options_help(&line, stdout);
+            puts("\nKinds of chart:");
+        }
+        print_kinds();
+    } else {
+        exit_status = run(kind, &room_options, &options, argv + 1, word_count - 1);
+    }
+    pp_room_options_clear(&room_options);
+    return exit_status;
+}

@@ -1,0 +1,201 @@
+/* df - daylight factors at the reference points, and their average. */
+#include <stdlib.h>
+#include <string.h>
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+#include "cli/commands.h"
+#include "cli/gather.h"
+#include "cli/interrupt.h"
+#include "cli/messages.h"
+#include "cli/output.h"
+#include "cli/print.h"
+#include "cli/utf8.h"
+#include "methods/evaluate.h"
+#include "methods/method.h"
+
+enum format { TEXT, JSON, CSV };
+
+static enum pp_status read_format(const char *text, void *place, struct pp_error *err)
+{
+    static const char *const names[] = {"text", "json", "csv"};
+    for (int i = 0; i < 3; i++)
+        if (strcmp(text, names[i]) == 0) {
+            *(enum format *)place = (enum format)i;
+            return PP_OK;
+        }
+    return pp_fail(err, PP_BAD_INPUT, "text, json or csv");
+}
+
+static const struct pp_option format_option[] = {
+    {"format", 'f', "FORMAT", "text (default), json or csv.", read_format, 0},
+    {0},
+};
+
+static const char about[] =
+    "Daylight factors at the reference points of each room, and their average over the "
+    "working plane, in per cent: by hand methods, and with --simulate by tracing light "
+    "paths as well. FILE is a room file; - is standard input.";
+
+/* Lines as wide as the terminal, else 80. */
+static int line_width(const struct pp_room_options *options)
+{
+    struct winsize size;
+    bool to_terminal = !options->output && isatty(STDOUT_FILENO);
+    if (!to_terminal || ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) != 0)
+        return 80;
+    return size.ws_col < 60    ? (size.ws_col ? 60 : 80)
+           : size.ws_col > 200 ? 200
+                               : size.ws_col;
+}
+
+static void help(const struct pp_command_line *line)
+{
+    pp_options_help(line, stdout);
+    puts("\nMethods:");
+    const struct pp_method *method;
+    for (int i = 0; (method = pp_method_at(i)) != NULL; i++)
+        printf("  %-20s  %s\n", method->name, method->summary);
+    puts("  A+B                   direct component by A, internally reflected by B\n"
+         "  default               exact+bre, brs-table+bre, average-df\n"
+         "  all                   every direct method with bre, exact with every "
+         "internal one");
+}
+
+/* Hand methods of all rooms first: they take milliseconds, and are there whatever
+ * happens to the simulation. */
+static enum pp_status compute(struct pp_results *results, const struct pp_rooms *rooms,
+                              struct pp_error *err)
+{
+    for (int i = 0; i < rooms->count; i++) {
+        struct pp_result *result = &results->list[results->count++];
+        result->file = rooms->list[i].file;
+        enum pp_status status =
+            pp_gather_methods(&result->report, &rooms->list[i], results->options, err);
+        if (status != PP_OK)
+            return status;
+    }
+    if (!results->options->simulate)
+        return PP_OK;
+
+    pp_interrupt_watch();
+    for (int i = 0; i < results->count; i++) {
+        enum pp_status status =
+            pp_gather_traced(&results->list[i].report, results->options, err);
+        if (status != PP_OK)
+            return status;
+    }
+    return PP_OK;
+}
+
+static enum pp_status print(const struct pp_results *results, enum format format,
+                            FILE *out, struct pp_error *err)
+{
+    switch (format) {
+    case JSON:
+        return pp_print_json(results, out, err);
+    case CSV:
+        return pp_print_csv(results, out, err);
+    case TEXT:
+        break;
+    }
+    return pp_print_text(results, line_width(results->options), pp_utf8_terminal(), out,
+                         err);
+}
+
+static enum pp_exit compute_and_print(struct pp_results *results,
+                                      const struct pp_rooms *rooms, enum format format)
+{
+    struct pp_error err = {0};
+    struct pp_output output;
+    enum pp_status status = pp_output_open(&output, results->options->output, &err);
+    if (status == PP_OK)
+        status = compute(results, rooms, &err);
+    if (status == PP_OK)
+        status = print(results, format, output.stream, &err);
+    if (status == PP_OK)
+        status = pp_output_commit(&output, &err);
+    if (status != PP_OK) {
+        pp_output_abandon(&output);
+        return pp_say_error(&err);
+    }
+    for (int i = 0; i < results->count; i++)
+        if (!results->list[i].report.finished) {
+            pp_say("interrupted; what was reached so far is marked as not finished");
+            return PP_EXIT_INTERRUPTED;
+        }
+    return PP_EXIT_DONE;
+}
+
+static enum pp_exit run(const struct pp_room_options *options, enum format format,
+                        char **files, int file_count)
+{
+    struct pp_rooms rooms;
+    enum pp_exit exit_status = pp_rooms_load(&rooms, "df", files, file_count, options);
+    if (exit_status != PP_EXIT_DONE)
+        return exit_status;
+
+    struct pp_results results = {.several = rooms.several,
+                                 .more_than_one_file = rooms.more_than_one_file,
+                                 .options = options};
+    results.list = calloc((size_t)rooms.count, sizeof *results.list);
+    if (results.list) {
+        exit_status = compute_and_print(&results, &rooms, format);
+    } else {
+        struct pp_error err;
+        pp_fail_memory(&err);
+        exit_status = pp_say_error(&err);
+    }
+    for (int i = 0; i < results.count; i++)
+        pp_report_clear(&results.list[i].report);
+    free(results.list);
+    pp_rooms_clear(&rooms);
+    return exit_status;
+}
+
+/* What the options say, before any file is opened. */
+static enum pp_status check(const struct pp_room_options *options, int file_count,
+                            struct pp_error *err)
+{
+    if (file_count == 0)
+        return pp_fail(err, PP_BAD_INPUT,
+                       "expected a room file, or - for standard input");
+    enum pp_status status = pp_room_options_check(options, err);
+    if (status == PP_OK && options->methods)
+        status = pp_methods_check(options->methods, err);
+    return status;
+}
+
+enum pp_exit cmd_df(int argc, char **argv)
+{
+    struct pp_room_options options = pp_room_options_none;
+    enum format format = TEXT;
+    const struct pp_option_group groups[] = {
+        {"What is computed", pp_room_choice_options, &options},
+        {"Simulation", pp_room_simulation_options, &options},
+        {"Output", pp_room_output_options, &options},
+        {"Format", format_option, &format},
+        {0},
+    };
+    const struct pp_command_line line = {"df", "FILE...", about, groups};
+
+    struct pp_error err = {0};
+    int file_count;
+    bool wants_help;
+    enum pp_exit exit_status;
+    enum pp_status status =
+        pp_options_read(&line, argc, argv, &file_count, &wants_help, &err);
+    if (status == PP_OK && !wants_help)
+        status = check(&options, file_count, &err);
+
+    if (status == PP_SYSTEM)
+        exit_status = pp_say_error(&err);
+    else if (status != PP_OK)
+        exit_status = pp_say_usage("df", &err);
+    else if (wants_help)
+        exit_status = (help(&line), PP_EXIT_DONE);
+    else
+        exit_status = run(&options, format, argv, file_count);
+    pp_room_options_clear(&options);
+    return exit_status;
+}

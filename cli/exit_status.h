@@ -1,0 +1,30 @@
+/* exit_status.h - what the program says to the shell when it ends. */
+#ifndef PP_CLI_EXIT_STATUS_H
+#define PP_CLI_EXIT_STATUS_H
+
+#include "model/error.h"
+
+enum pp_exit {
+    PP_EXIT_DONE = 0,
+    PP_EXIT_INPUT = 1,   /* the input or its data is wrong */
+    PP_EXIT_USAGE = 2,   /* the command line is wrong */
+    PP_EXIT_MACHINE = 3, /* the machine failed: disk full, no memory, no permission */
+    PP_EXIT_INTERRUPTED = 130, /* what there was is given, marked as unfinished */
+};
+
+static inline enum pp_exit pp_exit_of(enum pp_status status)
+{
+    switch (status) {
+    case PP_OK:
+        return PP_EXIT_DONE;
+    case PP_BAD_INPUT:
+        return PP_EXIT_INPUT;
+    case PP_INTERRUPTED:
+        return PP_EXIT_INTERRUPTED;
+    case PP_SYSTEM:
+        break;
+    }
+    return PP_EXIT_MACHINE;
+}
+
+#endif

@@ -1,0 +1,33 @@
+#include "cli/interrupt.h"
+
+#include <signal.h>
+#include <stddef.h>
+
+/* The one variable of the program at file scope: a signal handler has no other way to
+ * say that it was called. */
+static volatile sig_atomic_t interrupted;
+
+static void note(int signal_number)
+{
+    (void)signal_number;
+    interrupted = 1;
+}
+
+void pp_interrupt_watch(void)
+{
+    static const int watched[] = {SIGINT, SIGTERM};
+    for (size_t i = 0; i < sizeof watched / sizeof watched[0]; i++) {
+        struct sigaction before;
+        if (sigaction(watched[i], NULL, &before) != 0 || before.sa_handler == SIG_IGN)
+            continue;
+        struct sigaction action = {.sa_handler = note,
+                                   .sa_flags = SA_RESTART | SA_RESETHAND};
+        sigemptyset(&action.sa_mask);
+        sigaction(watched[i], &action, NULL);
+    }
+}
+
+bool pp_interrupt_came(void)
+{
+    return interrupted;
+}

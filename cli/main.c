@@ -1,0 +1,99 @@
+/* pepperpot - daylight factors by hand and by ray. */
+#include "config.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <locale.h>
+#include <stdio.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "cli/commands.h"
+#include "cli/messages.h"
+#include "model/nearest.h"
+
+struct command {
+    const char *name;
+    pp_command *run;
+    const char *does;
+};
+
+static const struct command commands[] = {
+    {"df", cmd_df, "daylight factors at the reference points and their average"},
+    {"chart", cmd_chart, "one chart of a room as PDF, SVG or PNG"},
+};
+enum { COMMAND_COUNT = sizeof commands / sizeof commands[0] };
+
+static void print_help(void)
+{
+    puts("Usage: pepperpot COMMAND [OPTIONS] [FILE...]\n\n"
+         "Daylight factors of rooms by the classic hand methods, the charts they are\n"
+         "worked on, and a simulation of the same room to set beside them.\n\n"
+         "Commands:");
+    for (int i = 0; i < COMMAND_COUNT; i++)
+        printf("  %-8s %s\n", commands[i].name, commands[i].does);
+    puts("\nOptions:\n"
+         "  -h, --help     Print this help and stop; after a command: its own.\n"
+         "      --version  Print the version and stop.\n\n"
+         "Exit status: 0 done, 1 the input is wrong, 2 the command line is wrong,\n"
+         "3 the machine failed, 130 interrupted.");
+}
+
+static enum pp_exit fail_unknown(const char *word)
+{
+    const char *names[COMMAND_COUNT];
+    for (int i = 0; i < COMMAND_COUNT; i++)
+        names[i] = commands[i].name;
+    const char *guess = pp_nearest(word, names, COMMAND_COUNT);
+    if (guess)
+        pp_say("there is no %s \"%s\"; did you mean %s?",
+               word[0] == '-' ? "option" : "command", word, guess);
+    else
+        pp_say("there is no %s \"%s\"", word[0] == '-' ? "option" : "command", word);
+    fputs("Try: pepperpot --help\n", stderr);
+    return PP_EXIT_USAGE;
+}
+
+static enum pp_exit run(int argc, char **argv)
+{
+    const char *word = argc > 1 ? argv[1] : NULL;
+    if (!word) {
+        pp_say("expected a command: df or chart");
+        fputs("Try: pepperpot --help\n", stderr);
+        return PP_EXIT_USAGE;
+    }
+    if (strcmp(word, "--help") == 0 || strcmp(word, "-h") == 0) {
+        print_help();
+        return PP_EXIT_DONE;
+    }
+    if (strcmp(word, "--version") == 0) {
+        puts(PACKAGE_NAME " " PACKAGE_VERSION);
+        return PP_EXIT_DONE;
+    }
+    for (int i = 0; i < COMMAND_COUNT; i++)
+        if (strcmp(word, commands[i].name) == 0)
+            return commands[i].run(argc - 1, argv + 1);
+    return fail_unknown(word);
+}
+
+/* A standard stream that was closed would lend its number to the next file opened,
+ * which would then get our messages. What stands in for it refuses to be used. */
+static void occupy_standard_streams(void)
+{
+    for (int file = STDIN_FILENO; file <= STDERR_FILENO; file++)
+        if (fcntl(file, F_GETFD) < 0)
+            open("/dev/null", file == STDIN_FILENO ? O_WRONLY : O_RDONLY);
+}
+
+int main(int argc, char **argv)
+{
+    occupy_standard_streams();
+    setlocale(LC_CTYPE, ""); /* the terminal's characters; numbers keep their point */
+
+    enum pp_exit status = run(argc, argv);
+    if (fflush(stdout) != 0 || ferror(stdout)) {
+        pp_say("standard output can't be written: %s", strerror(errno));
+        return PP_EXIT_MACHINE;
+    }
+    return status;
+}

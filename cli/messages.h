@@ -1,0 +1,21 @@
+/* messages.h - what went wrong, said on standard error. */
+#ifndef PP_CLI_MESSAGES_H
+#define PP_CLI_MESSAGES_H
+
+#include "cli/exit_status.h"
+#include "model/error.h"
+#include "model/mistakes.h"
+
+/* "pepperpot: what the error says". Returns the exit status that goes with it. */
+enum pp_exit pp_say_error(const struct pp_error *err);
+
+/* "pepperpot df: what is wrong", and where help is. Returns PP_EXIT_USAGE. */
+enum pp_exit pp_say_usage(const char *command, const struct pp_error *err);
+
+/* "pepperpot: ..." */
+void pp_say(const char *format, ...) __attribute__((format(printf, 1, 2)));
+
+/* Each as "FILE:LINE: what is wrong, and what was expected". Returns PP_EXIT_INPUT. */
+enum pp_exit pp_say_mistakes(struct pp_mistakes *mistakes);
+
+#endif

@@ -1,0 +1,292 @@
+#include "cli/options.h"
+
+#include <errno.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "cli/utf8.h"
+#include "model/nearest.h"
+#include "model/number.h"
+
+enum { HELP_WIDTH = 80, HELP_INDENT = 24, MOST_OPTIONS = 64 };
+
+static const struct pp_option help_option = {
+    .name = "help", .letter = 'h', .help = "Print this help and stop."};
+
+/* Where an option was found, and where its value goes. */
+struct found {
+    const struct pp_option *option;
+    void *place;
+};
+
+static bool is_named(const struct pp_option *option, const char *name, size_t length)
+{
+    return strlen(option->name) == length && memcmp(option->name, name, length) == 0;
+}
+
+/* The option with that name, or with that letter if name is NULL. */
+static struct found find(const struct pp_command_line *line, const char *name,
+                         size_t length, char letter)
+{
+    for (const struct pp_option_group *group = line->groups; group->title; group++)
+        for (const struct pp_option *option = group->options; option->name; option++)
+            if (name ? is_named(option, name, length) : option->letter == letter)
+                return (struct found){option, (char *)group->values + option->offset};
+    if (name ? is_named(&help_option, name, length) : letter == help_option.letter)
+        return (struct found){&help_option, NULL};
+    return (struct found){NULL, NULL};
+}
+
+static enum pp_status fail_unknown(const struct pp_command_line *line, const char *word,
+                                   size_t length, struct pp_error *err)
+{
+    const char *names[MOST_OPTIONS];
+    int count = 0;
+    for (const struct pp_option_group *group = line->groups; group->title; group++)
+        for (const struct pp_option *option = group->options; option->name; option++)
+            if (count < MOST_OPTIONS)
+                names[count++] = option->name;
+
+    char typed[64];
+    snprintf(typed, sizeof typed, "%.*s", (int)length, word);
+    const char *guess = pp_nearest(typed, names, count);
+    if (guess)
+        return pp_fail(err, PP_BAD_INPUT, "there is no option --%s; did you mean --%s?",
+                       typed, guess);
+    return pp_fail(err, PP_BAD_INPUT, "there is no option --%s", typed);
+}
+
+static enum pp_status set(struct found found, const char *shown, const char *value,
+                          struct pp_error *err)
+{
+    if (!found.option->value) {
+        *(bool *)found.place = true;
+        return PP_OK;
+    }
+    struct pp_error expected = {0};
+    enum pp_status status = found.option->read(value, found.place, &expected);
+    if (status == PP_BAD_INPUT)
+        return pp_fail(err, status, "%s is \"%.200s\"; expected %s", shown, value,
+                       expected.message);
+    if (status != PP_OK && err)
+        *err = expected;
+    return status;
+}
+
+/* One option word and, where it takes one from there, the value in the next word.
+ * *taken is how many words that were. */
+static enum pp_status read_option(const struct pp_command_line *line, char **words,
+                                  int count, int *taken, bool *help,
+                                  struct pp_error *err)
+{
+    const char *word = words[0];
+    bool is_long = word[1] == '-';
+    const char *name = word + 2;
+    size_t length = is_long ? strcspn(name, "=") : 0;
+    struct found found = find(line, is_long ? name : NULL, length, word[1]);
+    const char *value = is_long   ? (name[length] ? name + length + 1 : NULL)
+                        : word[2] ? word + 2
+                                  : NULL;
+    *taken = 1;
+
+    if (!found.option && is_long)
+        return fail_unknown(line, name, length, err);
+    if (!found.option)
+        return pp_fail(err, PP_BAD_INPUT, "there is no option %.*s",
+                       1 + pp_utf8_length(word + 1), word);
+
+    char shown[64];
+    snprintf(shown, sizeof shown, is_long ? "--%s" : "-%.1s",
+             is_long ? found.option->name : &found.option->letter);
+    if (!found.option->value && value)
+        return pp_fail(err, PP_BAD_INPUT, "%s takes no value, but got \"%.200s\"",
+                       shown, value);
+    if (found.option == &help_option) {
+        *help = true;
+        return PP_OK;
+    }
+    if (found.option->value && !value) {
+        if (count < 2)
+            return pp_fail(err, PP_BAD_INPUT, "%s needs a value: %s %s", shown, shown,
+                           found.option->value);
+        value = words[1];
+        *taken = 2;
+    }
+    return set(found, shown, value, err);
+}
+
+enum pp_status pp_options_read(const struct pp_command_line *line, int argc,
+                               char **argv, int *operand_count, bool *help,
+                               struct pp_error *err)
+{
+    *operand_count = 0;
+    *help = false;
+    bool options_over = false;
+    for (int i = 1; i < argc;) {
+        char *word = argv[i];
+        if (options_over || word[0] != '-' || word[1] == '\0') {
+            argv[(*operand_count)++] = word;
+            i++;
+        } else if (strcmp(word, "--") == 0) {
+            options_over = true;
+            i++;
+        } else {
+            int taken;
+            enum pp_status status =
+                read_option(line, argv + i, argc - i, &taken, help, err);
+            if (status != PP_OK || *help)
+                return status;
+            i += taken;
+        }
+    }
+    return PP_OK;
+}
+
+/* Words of text from column `column` on, wrapped; lines after the first are indented.
+ */
+static void wrap(FILE *out, const char *text, int column, int indent)
+{
+    while (*text) {
+        int length = (int)strcspn(text, " \n");
+        if (column > indent && column + 1 + length > HELP_WIDTH) {
+            fprintf(out, "\n%*s", indent, "");
+            column = indent;
+        } else if (column > indent) {
+            fputc(' ', out);
+            column++;
+        }
+        fwrite(text, 1, (size_t)length, out);
+        column += length;
+        text += length;
+        if (*text == '\n') {
+            fprintf(out, "\n%*s", indent, "");
+            column = indent;
+        }
+        text += *text != '\0';
+    }
+    fputc('\n', out);
+}
+
+static void help_on_option(const struct pp_option *option, FILE *out)
+{
+    char typed[80];
+    int length = 2;
+    length += snprintf(typed, sizeof typed, option->letter ? "-%.1s, " : "    ",
+                       &option->letter);
+    length += snprintf(typed + length - 2, sizeof typed - 8, "--%s%s%s", option->name,
+                       option->value ? " " : "", option->value ? option->value : "");
+    fprintf(out, "  %s", typed);
+    if (length + 2 > HELP_INDENT) {
+        fputc('\n', out);
+        length = 0;
+    }
+    fprintf(out, "%*s", HELP_INDENT - length, "");
+    wrap(out, option->help, HELP_INDENT, HELP_INDENT);
+}
+
+void pp_options_help(const struct pp_command_line *line, FILE *out)
+{
+    fprintf(out, "Usage: pepperpot %s [OPTIONS] %s\n\n", line->command, line->operands);
+    wrap(out, line->about, 0, 0);
+    for (const struct pp_option_group *group = line->groups; group->title; group++) {
+        fprintf(out, "\n%s:\n", group->title);
+        for (const struct pp_option *option = group->options; option->name; option++)
+            help_on_option(option, out);
+    }
+    fputc('\n', out);
+    help_on_option(&help_option, out);
+}
+
+/* A whole number from 0 up. */
+static bool read_whole(const char *text, uint64_t *number)
+{
+    if (!*text || strspn(text, "0123456789") != strlen(text))
+        return false;
+    errno = 0;
+    unsigned long long whole = strtoull(text, NULL, 10);
+    *number = whole;
+    return errno == 0 && whole <= UINT64_MAX;
+}
+
+enum pp_status pp_read_text(const char *text, void *place, struct pp_error *err)
+{
+    if (!*text)
+        return pp_fail(err, PP_BAD_INPUT, "something that is not empty");
+    *(const char **)place = text;
+    return PP_OK;
+}
+
+enum pp_status pp_read_count(const char *text, void *place, struct pp_error *err)
+{
+    uint64_t count;
+    if (!read_whole(text, &count) || count < 1 || count > 1000000000000000)
+        return pp_fail(err, PP_BAD_INPUT, "a whole number from 1 to 1000000000000000");
+    *(long *)place = (long)count;
+    return PP_OK;
+}
+
+enum pp_status pp_read_threads(const char *text, void *place, struct pp_error *err)
+{
+    uint64_t count;
+    if (!read_whole(text, &count) || count < 1 || count > 1024)
+        return pp_fail(err, PP_BAD_INPUT, "a whole number from 1 to 1024");
+    *(int *)place = (int)count;
+    return PP_OK;
+}
+
+enum pp_status pp_read_seed(const char *text, void *place, struct pp_error *err)
+{
+    if (!read_whole(text, (uint64_t *)place))
+        return pp_fail(err, PP_BAD_INPUT,
+                       "a whole number from 0 to 18446744073709551615");
+    return PP_OK;
+}
+
+/* The number before one of the endings, which the whole of text must be; its index in
+ * *which. */
+static bool read_with_unit(const char *text, const char *const endings[],
+                           double *number, int *which)
+{
+    char digits[64];
+    size_t length = strlen(text);
+    for (int i = 0; endings[i]; i++) {
+        size_t end = strlen(endings[i]);
+        if (length < end || strcmp(text + length - end, endings[i]) != 0
+            || length - end >= sizeof digits)
+            continue;
+        memcpy(digits, text, length - end);
+        digits[length - end] = '\0';
+        *which = i;
+        if (pp_number_parse(digits, number))
+            return true;
+    }
+    return false;
+}
+
+enum pp_status pp_read_per_cent(const char *text, void *place, struct pp_error *err)
+{
+    static const char *const endings[] = {"%", "", NULL};
+    double per_cent;
+    int which;
+    if (!read_with_unit(text, endings, &per_cent, &which) || !(per_cent > 0.0)
+        || per_cent > 100.0)
+        return pp_fail(err, PP_BAD_INPUT,
+                       "a number of per cent above 0 and up to 100, such as 1%%");
+    *(double *)place = per_cent / 100.0;
+    return PP_OK;
+}
+
+enum pp_status pp_read_seconds(const char *text, void *place, struct pp_error *err)
+{
+    static const char *const endings[] = {"ms", "s", "m", "h", "", NULL};
+    static const double seconds[] = {1e-3, 1.0, 60.0, 3600.0, 1.0};
+    double number;
+    int which;
+    if (!read_with_unit(text, endings, &number, &which) || !(number > 0.0)
+        || number * seconds[which] > 1e9)
+        return pp_fail(err, PP_BAD_INPUT,
+                       "a time above 0, such as 10s, 500ms, 2m or 1h");
+    *(double *)place = number * seconds[which];
+    return PP_OK;
+}

@@ -1,0 +1,62 @@
+/* options.h - the words behind a command, read by tables that also make its help.
+ *
+ * Long options take their value behind "=" or as the next word; a letter takes it
+ * directly behind or as the next word. "--" ends the options, "-" alone is a file.
+ */
+#ifndef PP_CLI_OPTIONS_H
+#define PP_CLI_OPTIONS_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdio.h>
+
+#include "model/error.h"
+
+/* Puts the value `text` in its place, or fails with what was expected, as the end of
+ * the sentence "--error is "x"; expected ...". */
+typedef enum pp_status pp_option_reader(const char *text, void *place,
+                                        struct pp_error *err);
+
+struct pp_option {
+    const char *name;  /* "error" is typed as --error; NULL ends a list */
+    char letter;       /* 'o' is typed as -o; 0: none */
+    const char *value; /* what the help calls its value; NULL: a switch */
+    const char *help;
+    pp_option_reader *read; /* NULL for a switch, which makes its bool true */
+    size_t offset;          /* of its place in the group's values */
+};
+
+/* Options that stand together in the help and write to the same struct. */
+struct pp_option_group {
+    const char *title; /* NULL ends a list of groups */
+    const struct pp_option *options;
+    void *values;
+};
+
+struct pp_command_line {
+    const char *command; /* "df" */
+    const char *operands;
+    const char *about; /* what the command does, in a paragraph or more */
+    const struct pp_option_group *groups;
+};
+
+/* Reads argv[1] to argv[argc - 1]. The operands end up, in their order, at the start of
+ * argv, *operand_count of them. *help: --help or -h was there; then nothing else has
+ * been checked. A wrong word is PP_BAD_INPUT. */
+enum pp_status pp_options_read(const struct pp_command_line *line, int argc,
+                               char **argv, int *operand_count, bool *help,
+                               struct pp_error *err);
+
+/* The help of a command. */
+void pp_options_help(const struct pp_command_line *line, FILE *out);
+
+/* Readers, by the type of the place. */
+pp_option_reader pp_read_text;     /* const char *, not empty; borrowed from argv */
+pp_option_reader pp_read_count;    /* long, 1 to 1e15 */
+pp_option_reader pp_read_threads;  /* int, 1 to 1024 */
+pp_option_reader pp_read_seed;     /* uint64_t, any */
+pp_option_reader pp_read_per_cent; /* double, a fraction, above 0 to 1; "1%" or "1" */
+pp_option_reader
+    pp_read_seconds; /* double, above 0; "10s", "2m", "500ms", "1h", "10" */
+
+#endif

@@ -1,0 +1,35 @@
+/* output.h - a result that appears whole or not at all.
+ *
+ * What is printed is gathered in memory. pp_output_commit writes it: to standard
+ * output, or to a new file beside the one that was named, which then takes its place in
+ * one step. Until that step an existing file stays as it was, and so does a file behind
+ * a symbolic link; its permissions are kept. What is not an ordinary file (a terminal,
+ * a pipe, /dev/null) is written to directly.
+ */
+#ifndef PP_CLI_OUTPUT_H
+#define PP_CLI_OUTPUT_H
+
+#include <stddef.h>
+#include <stdio.h>
+
+#include "model/error.h"
+
+struct pp_output {
+    FILE *stream; /* print here */
+    char *path;   /* the file itself, links followed; NULL: standard output */
+    char *bytes;
+    size_t size;
+};
+
+/* path NULL or "-": standard output. Fails early where the file could not be written
+ * later on: no such directory, a directory, no permission. */
+enum pp_status pp_output_open(struct pp_output *output, const char *path,
+                              struct pp_error *err);
+
+/* Writes what was printed, and closes the output whether it succeeds or not. */
+enum pp_status pp_output_commit(struct pp_output *output, struct pp_error *err);
+
+/* Closes the output and leaves everything as it was. May follow a commit. */
+void pp_output_abandon(struct pp_output *output);
+
+#endif

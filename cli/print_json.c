@@ -1,0 +1,197 @@
+#include "cli/print.h"
+
+#include <json.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "cli/utf8.h"
+#include "model/sky.h"
+
+enum { STYLE = JSON_C_TO_STRING_SPACED | JSON_C_TO_STRING_NOSLASHESCAPE };
+
+/* Each of these adds to an object, and answers false when memory is out. `value` is
+ * handed over. */
+static bool add(struct json_object *object, const char *key, struct json_object *value)
+{
+    if (value && json_object_object_add(object, key, value) == 0)
+        return true;
+    json_object_put(value);
+    return false;
+}
+
+static bool add_null(struct json_object *object, const char *key)
+{
+    return json_object_object_add(object, key, NULL) == 0;
+}
+
+static bool add_number(struct json_object *object, const char *key, double number)
+{
+    char digits[40];
+    if (!isfinite(number))
+        return add_null(object, key);
+    snprintf(digits, sizeof digits, "%.10g", number + 0.0);
+    return add(object, key, json_object_new_double_s(number, digits));
+}
+
+static bool add_text(struct json_object *object, const char *key, const char *text)
+{
+    if (!text)
+        return add_null(object, key);
+    char *repaired = pp_utf8_repair(text);
+    if (!repaired)
+        return false;
+    bool added = add(object, key, json_object_new_string(repaired));
+    free(repaired);
+    return added;
+}
+
+/* Prints an object on one line, within one that is printed over many. */
+static int on_one_line(struct json_object *object, struct printbuf *buffer, int level,
+                       int flags)
+{
+    (void)level;
+    (void)flags;
+    json_object_set_serializer(object, NULL, NULL, NULL);
+    const char *text = json_object_to_json_string_ext(object, STYLE);
+    return text ? printbuf_memappend(buffer, text, (int)strlen(text)) : -1;
+}
+
+/* { "value": 1.25, "se": 0.01 } or { "value": null, "why": "..." } */
+static struct json_object *entry(const struct pp_reading *reading)
+{
+    struct json_object *object = json_object_new_object();
+    bool good = object && add_number(object, "value", 100.0 * reading->value);
+    if (good && isfinite(reading->std_error))
+        good = add_number(object, "se", 100.0 * reading->std_error);
+    if (good && !isfinite(reading->value))
+        good = add_text(object, "why", reading->why ? reading->why : "not computed");
+    if (good)
+        return object;
+    json_object_put(object);
+    return NULL;
+}
+
+/* Adds "sc" ... "df" with what every method says at receiver `index`, or of the average
+ * for -1; a component that no method speaks of is left out. */
+static bool add_readings(struct json_object *object, const struct pp_report *report,
+                         int index)
+{
+    struct json_object *components[PP_COMPONENT_COUNT] = {NULL};
+    for (int i = 0; i < report->column_count; i++) {
+        const struct pp_column *column = &report->columns[i];
+        if (index >= 0 && !column->points)
+            continue;
+        struct json_object **component = &components[column->component];
+        if (!*component) {
+            *component = json_object_new_object();
+            if (!add(object, pp_component_names[column->component], *component))
+                return false;
+            json_object_set_serializer(*component, on_one_line, NULL, NULL);
+        }
+        if (!add(*component, column->name,
+                 entry(index < 0 ? &column->average : &column->points[index])))
+            return false;
+    }
+    return true;
+}
+
+static struct json_object *point(const struct pp_report *report, int index)
+{
+    const struct pp_receiver *receiver = &report->receivers[index];
+    struct json_object *object = json_object_new_object();
+    bool good = object && add_number(object, "x", receiver->position.x)
+                && add_number(object, "y", receiver->position.y)
+                && add_number(object, "z", receiver->position.z);
+    if (good && receiver->normal.z != 1.0)
+        good = add_number(object, "nx", receiver->normal.x)
+               && add_number(object, "ny", receiver->normal.y)
+               && add_number(object, "nz", receiver->normal.z);
+    if (good && add_readings(object, report, index))
+        return object;
+    json_object_put(object);
+    return NULL;
+}
+
+static bool add_points(struct json_object *object, const struct pp_report *report)
+{
+    struct json_object *points = json_object_new_array();
+    if (!add(object, "points", points))
+        return false;
+    for (int i = 0; i < report->receiver_count; i++) {
+        struct json_object *one = point(report, i);
+        if (!one || json_object_array_add(points, one) != 0) {
+            json_object_put(one);
+            return false;
+        }
+    }
+    return true;
+}
+
+/* How the simulation was stopped, so that it can be done again. */
+static bool add_simulation(struct json_object *object,
+                           const struct pp_room_options *options)
+{
+    struct json_object *simulation = json_object_new_object();
+    if (!add(object, "simulation", simulation))
+        return false;
+    json_object_set_serializer(simulation, on_one_line, NULL, NULL);
+    bool good = add(simulation, "seed", json_object_new_uint64(options->seed));
+    if (good && options->error > 0.0)
+        good = add_number(simulation, "error", 100.0 * options->error);
+    if (good && options->samples > 0)
+        good = add(simulation, "samples", json_object_new_int64(options->samples));
+    if (good && options->seconds > 0.0)
+        good = add_number(simulation, "time", options->seconds);
+    return good;
+}
+
+static struct json_object *room(const struct pp_results *results,
+                                const struct pp_result *result)
+{
+    const struct pp_report *report = &result->report;
+    struct json_object *object = json_object_new_object();
+    bool good = object && add_text(object, "format", "pepperpot-df-1");
+    if (good && results->more_than_one_file)
+        good = add_text(object, "file", result->file);
+    if (good)
+        good = add_text(object, "room", report->world->name)
+               && add_text(object, "sky", pp_sky_name(&report->world->sky));
+    if (good && results->options->simulate)
+        good = add_simulation(object, results->options);
+    if (good && !report->finished)
+        good = add(object, "finished", json_object_new_boolean(false));
+    struct json_object *average = NULL;
+    if (good)
+        good = add_points(object, report)
+               && add(object, "average", average = json_object_new_object())
+               && add_readings(average, report, -1);
+    if (good)
+        return object;
+    json_object_put(object);
+    return NULL;
+}
+
+enum pp_status pp_print_json(const struct pp_results *results, FILE *out,
+                             struct pp_error *err)
+{
+    struct json_object *whole = results->several ? json_object_new_array() : NULL;
+    for (int i = 0; i < results->count; i++) {
+        struct json_object *one = room(results, &results->list[i]);
+        if (!results->several) {
+            whole = one;
+        } else if (!one || !whole || json_object_array_add(whole, one) != 0) {
+            json_object_put(one);
+            json_object_put(whole);
+            whole = NULL;
+            break;
+        }
+    }
+    const char *text =
+        whole ? json_object_to_json_string_ext(whole, STYLE | JSON_C_TO_STRING_PRETTY)
+              : NULL;
+    if (text)
+        fprintf(out, "%s\n", text);
+    json_object_put(whole);
+    return text ? PP_OK : pp_fail_memory(err);
+}

@@ -1,0 +1,319 @@
+#include "cli/print.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "cli/print_places.h"
+#include "cli/utf8.h"
+
+struct titles {
+    const char *full, *brief;
+};
+
+static const struct titles titles[PP_COMPONENT_COUNT] = {
+    [PP_SC] = {"sky component", "SC"},
+    [PP_ERC] = {"externally reflected", "ERC"},
+    [PP_IRC] = {"internally reflected", "IRC"},
+    [PP_DF] = {"daylight factor", "DF"},
+};
+
+static const char off_title[] = "from traced, %";
+static const char off_brief[] = "off, %";
+
+/* ---- numbers as people read them ---- */
+
+/* Per cent with two decimals; a dash where there is no value. */
+static void put_value(char cell[PP_CELL_BYTES], const struct pp_reading *reading)
+{
+    if (isfinite(reading->value))
+        snprintf(cell, PP_CELL_BYTES, "%.2f", 100.0 * reading->value + 0.0);
+    else
+        snprintf(cell, PP_CELL_BYTES, "-");
+}
+
+/* With its standard error, rounded up to what can be shown. */
+static void put_sampled(char cell[PP_CELL_BYTES], const struct pp_reading *reading,
+                        bool utf8)
+{
+    put_value(cell, reading);
+    if (!isfinite(reading->value) || !isfinite(reading->std_error))
+        return;
+    double shown = ceil(1e4 * reading->std_error - 1e-9) / 100.0;
+    size_t length = strlen(cell);
+    snprintf(cell + length, PP_CELL_BYTES - length, " %s%.2f", utf8 ? "\xc2\xb1" : "+-",
+             shown);
+}
+
+/* How far a value is from the traced one, in per cent of that; a dash where the traced
+ * one is not known well enough to say. */
+static void put_distance(char cell[PP_CELL_BYTES], const struct pp_reading *reading,
+                         const struct pp_reading *traced)
+{
+    double off = 100.0 * (reading->value - traced->value) / traced->value;
+    bool known = isfinite(off) && traced->value > 4.0 * traced->std_error;
+    if (!known)
+        snprintf(cell, PP_CELL_BYTES, "-");
+    else if (fabs(off) < 0.05)
+        snprintf(cell, PP_CELL_BYTES, "0.0");
+    else
+        snprintf(cell, PP_CELL_BYTES, fabs(off) < 99.95 ? "%+.1f" : "%+.0f", off);
+}
+
+/* ---- the table ---- */
+
+/* The reading of row `row`: a point's, or the average's for the last one. NULL where
+ * the column has nothing to say of points. */
+static const struct pp_reading *reading_at(const struct pp_report *report,
+                                           const struct pp_column *column, int row)
+{
+    if (row == report->receiver_count)
+        return &column->average;
+    return column->points ? &column->points[row] : NULL;
+}
+
+static bool is_traced(const struct pp_column *column)
+{
+    return strcmp(column->name, "traced") == 0;
+}
+
+static bool add_values(struct pp_table *table, const struct pp_report *report,
+                       const struct pp_column *column, bool utf8)
+{
+    const struct titles *title = &titles[column->component];
+    struct pp_table_column *shown =
+        pp_table_add(table, title->full, title->brief, column->name);
+    if (!shown)
+        return false;
+    bool with_error = is_traced(column) && column->component == PP_DF;
+    for (int row = 0; row <= report->receiver_count; row++) {
+        const struct pp_reading *reading = reading_at(report, column, row);
+        if (reading && with_error)
+            put_sampled(shown->cells[row], reading, utf8);
+        else if (reading)
+            put_value(shown->cells[row], reading);
+    }
+    return true;
+}
+
+static bool add_distances(struct pp_table *table, const struct pp_report *report,
+                          const struct pp_column *column,
+                          const struct pp_column *traced)
+{
+    struct pp_table_column *shown =
+        pp_table_add(table, off_title, off_brief, column->name);
+    if (!shown)
+        return false;
+    for (int row = 0; row <= report->receiver_count; row++) {
+        const struct pp_reading *reading = reading_at(report, column, row);
+        if (reading)
+            put_distance(shown->cells[row], reading, reading_at(report, traced, row));
+    }
+    return true;
+}
+
+/* Is the whole component 0, as externally reflected light is where nothing stands
+ * outside? Then a sentence does for its columns. */
+static bool is_zero(const struct pp_report *report, enum pp_component component)
+{
+    bool any = false;
+    for (int i = 0; i < report->column_count; i++) {
+        const struct pp_column *column = &report->columns[i];
+        if (column->component != component)
+            continue;
+        any = true;
+        for (int row = 0; row <= report->receiver_count; row++) {
+            const struct pp_reading *reading = reading_at(report, column, row);
+            if (reading && reading->value != 0.0)
+                return false;
+        }
+    }
+    return any;
+}
+
+static bool fill_table(struct pp_table *table, const struct pp_report *report,
+                       bool utf8)
+{
+    for (int i = 0; i < report->column_count; i++)
+        if ((report->columns[i].component != PP_ERC || !is_zero(report, PP_ERC))
+            && !add_values(table, report, &report->columns[i], utf8))
+            return false;
+    const struct pp_column *traced = pp_report_find(report, PP_DF, "traced");
+    for (int i = 0; traced && i < report->column_count; i++) {
+        const struct pp_column *column = &report->columns[i];
+        if (column->component == PP_DF && column != traced
+            && !add_distances(table, report, column, traced))
+            return false;
+    }
+    return true;
+}
+
+/* ---- notes ---- */
+
+/* Rows of a column that are missing for that reason, up to row `end`. */
+static int count_why(const struct pp_report *report, const struct pp_column *column,
+                     const char *why, int end)
+{
+    int count = 0;
+    for (int row = 0; row < end; row++) {
+        const struct pp_reading *reading = reading_at(report, column, row);
+        count += reading && !isfinite(reading->value) && reading->why
+                 && strcmp(reading->why, why) == 0;
+    }
+    return count;
+}
+
+/* Has a column of that name and for that reason come before this one? A method's parts
+ * share its reasons. */
+static bool is_named_before(const struct pp_report *report,
+                            const struct pp_column *column, const char *why)
+{
+    for (const struct pp_column *c = report->columns; c < column; c++)
+        if (strcmp(c->name, column->name) == 0
+            && count_why(report, c, why, report->receiver_count + 1) > 0)
+            return true;
+    return false;
+}
+
+/* "- brs-table, brs-table+bre: the table holds vertical openings only (3 of 17
+ * points)" */
+static void print_note(const struct pp_report *report, const char *why, int width,
+                       FILE *out)
+{
+    char text[1024] = "", names[512] = "";
+    int points = report->receiver_count, most = 0;
+    bool of_points = false;
+    for (int i = 0; i < report->column_count; i++) {
+        const struct pp_column *column = &report->columns[i];
+        int missing = count_why(report, column, why, points);
+        if (count_why(report, column, why, points + 1) == 0
+            || is_named_before(report, column, why))
+            continue;
+        size_t length = strlen(names);
+        snprintf(names + length, sizeof names - length, "%s%s", length ? ", " : "",
+                 column->name);
+        of_points |= column->points != NULL;
+        most = missing > most ? missing : most;
+    }
+    int used = snprintf(text, sizeof text, "%s: %s", names, why);
+    if (of_points && most == 0 && used < (int)sizeof text)
+        snprintf(text + used, sizeof text - (size_t)used, " (the average)");
+    else if (of_points && most < points && used < (int)sizeof text)
+        snprintf(text + used, sizeof text - (size_t)used, " (%d of %d points)", most,
+                 points);
+    fputs("  - ", out);
+    pp_print_wrapped(text, 4, 4, width, out);
+}
+
+/* Is this reading the first with its reason? */
+static bool is_first(const struct pp_report *report, int column, int row)
+{
+    const struct pp_reading *reading =
+        reading_at(report, &report->columns[column], row);
+    for (int c = 0; c <= column; c++)
+        for (int r = 0; r <= report->receiver_count; r++) {
+            if (c == column && r == row)
+                return true;
+            const struct pp_reading *before =
+                reading_at(report, &report->columns[c], r);
+            if (before && !isfinite(before->value) && before->why
+                && strcmp(before->why, reading->why) == 0)
+                return false;
+        }
+    return true;
+}
+
+static void print_notes(const struct pp_report *report, int width, FILE *out)
+{
+    bool any = is_zero(report, PP_ERC);
+    if (any)
+        fputs("\n  - The externally reflected component is 0 everywhere.\n", out);
+    for (int c = 0; c < report->column_count; c++)
+        for (int row = 0; row <= report->receiver_count; row++) {
+            const struct pp_reading *reading =
+                reading_at(report, &report->columns[c], row);
+            if (!reading || isfinite(reading->value) || !reading->why
+                || !is_first(report, c, row))
+                continue;
+            if (!any)
+                fputc('\n', out);
+            any = true;
+            print_note(report, reading->why, width, out);
+        }
+}
+
+static void print_simulation(const struct pp_report *report,
+                             const struct pp_room_options *options, bool utf8,
+                             int width, FILE *out)
+{
+    char text[512];
+    int length = snprintf(text, sizeof text,
+                          "traced: by simulation, %s one standard error, seed %llu",
+                          utf8 ? "\xc2\xb1" : "+-", (unsigned long long)options->seed);
+    if (!report->finished)
+        snprintf(text + length, sizeof text - (size_t)length,
+                 "; NOT FINISHED, interrupted");
+    else if (options->seconds > 0.0)
+        snprintf(text + length, sizeof text - (size_t)length,
+                 "; stopped by the clock (--time), another run will differ");
+    fputs("\n  ", out);
+    pp_print_wrapped(text, 2, 2, width, out);
+}
+
+/* ---- a room ---- */
+
+static void print_title(const struct pp_result *result, FILE *out)
+{
+    const char *name = result->report.world->name;
+    const char *file = strcmp(result->file, "-") == 0 ? "standard input" : result->file;
+    if (name && *name) {
+        pp_utf8_put(out, name);
+        fputs("  (", out);
+        pp_utf8_put(out, file);
+        fputs(")\n", out);
+    } else {
+        pp_utf8_put(out, file);
+        fputc('\n', out);
+    }
+}
+
+static enum pp_status print_room(const struct pp_result *result,
+                                 const struct pp_room_options *options, int width,
+                                 bool utf8, FILE *out, struct pp_error *err)
+{
+    const struct pp_report *report = &result->report;
+    print_title(result, out);
+    fputc('\n', out);
+    pp_print_assumed(report->world, width, out);
+    fputc('\n', out);
+
+    struct pp_table table;
+    pp_table_init(&table, report->receiver_count + 1);
+    table.last_label = "average";
+    bool good =
+        pp_print_places(&table, report, width, out) && fill_table(&table, report, utf8);
+    if (good) {
+        fputc('\n', out);
+        pp_table_print(&table, width, out);
+    }
+    pp_table_clear(&table);
+    if (!good)
+        return pp_fail_memory(err);
+
+    if (pp_report_find(report, PP_DF, "traced"))
+        print_simulation(report, options, utf8, width, out);
+    print_notes(report, width, out);
+    return PP_OK;
+}
+
+enum pp_status pp_print_text(const struct pp_results *results, int width, bool utf8,
+                             FILE *out, struct pp_error *err)
+{
+    enum pp_status status = PP_OK;
+    for (int i = 0; i < results->count && status == PP_OK; i++) {
+        if (i > 0)
+            fputs("\n\n", out);
+        status = print_room(&results->list[i], results->options, width, utf8, out, err);
+    }
+    return status;
+}

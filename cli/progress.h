@@ -1,0 +1,26 @@
+/* progress.h - how far a long computation is, on a terminal only. */
+#ifndef PP_CLI_PROGRESS_H
+#define PP_CLI_PROGRESS_H
+
+#include <stdbool.h>
+
+struct pp_progress {
+    bool shown;        /* is standard error a terminal, and was it asked for? */
+    double started_s;  /* by pp_progress_clock */
+    double last_s;     /* when the line was last drawn */
+    const char *label; /* the room's name; not owned */
+};
+
+/* Seconds by a clock that never jumps. */
+double pp_progress_clock(void);
+
+void pp_progress_begin(struct pp_progress *progress, const char *label, bool quiet);
+
+/* Draws the line anew, ten times a second at most. done: 0 to 1; error: the largest
+ * standard error over daylight factor so far, NAN where there is none. */
+void pp_progress_show(struct pp_progress *progress, double done, double error);
+
+/* Wipes the line. */
+void pp_progress_end(struct pp_progress *progress);
+
+#endif

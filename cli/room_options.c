@@ -1,0 +1,136 @@
+#include "cli/room_options.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "model/number.h"
+
+const struct pp_room_options pp_room_options_none = {.seed = 1};
+
+#define PLACE(member) offsetof(struct pp_room_options, member)
+
+/* One "X,Y" or "X,Y,Z" of `length` bytes. */
+static bool read_point(const char *text, size_t length, struct pp_vec3 *point)
+{
+    char copy[128];
+    if (length >= sizeof copy)
+        return false;
+    memcpy(copy, text, length);
+    copy[length] = '\0';
+
+    double xyz[3] = {NAN, NAN, NAN};
+    int count = 0;
+    for (char *rest = copy, *part; (part = strsep(&rest, ",")) != NULL; count++)
+        if (count == 3 || !pp_number_parse(part, &xyz[count]) || fabs(xyz[count]) > 1e6)
+            return false;
+    *point = pp_vec(xyz[0], xyz[1], xyz[2]);
+    return count >= 2;
+}
+
+/* Adds the points of text to those there are. */
+static enum pp_status read_points(const char *text, void *place, struct pp_error *err)
+{
+    static const char blanks[] = " \t\n;";
+    struct pp_point_list *points = place;
+    int before = points->count;
+    for (text += strspn(text, blanks); *text; text += strspn(text, blanks)) {
+        size_t length = strcspn(text, blanks);
+        struct pp_vec3 point;
+        if (!read_point(text, length, &point))
+            break;
+        struct pp_vec3 *grown =
+            realloc(points->list, ((size_t)points->count + 1) * sizeof *grown);
+        if (!grown)
+            return pp_fail_memory(err);
+        points->list = grown;
+        points->list[points->count++] = point;
+        text += length;
+    }
+    if (*text || points->count == before)
+        return pp_fail(
+            err, PP_BAD_INPUT,
+            "points X,Y or X,Y,Z in metres with a space between two of them, "
+            "such as \"1.5,0.5 1.5,2\"");
+    return PP_OK;
+}
+
+const struct pp_option pp_room_choice_options[] = {
+    {"methods", 'm', "LIST",
+     "The methods to use, by name and with commas between, or "
+     "\"all\", or \"default\".",
+     pp_read_text, PLACE(methods)},
+    {"points", 'p', "X,Y[,Z]",
+     "Reference points in metres instead of the file's; several "
+     "with spaces between, or the option repeated. Without Z "
+     "they lie on the working plane.",
+     read_points, PLACE(points)},
+    {"sky", 0, "TYPE",
+     "Another sky than the file's: overcast, uniform, or iso-1 to iso-15, "
+     "with \",ALTITUDE,BEARING\" of the sun in degrees behind it where "
+     "the type needs one.",
+     pp_read_text, PLACE(sky)},
+    {"room", 0, "NAME", "Only the room of that name.", pp_read_text, PLACE(room)},
+    {0},
+};
+
+const struct pp_option pp_room_simulation_options[] = {
+    {"simulate", 's', NULL,
+     "Trace light paths too, and set the result beside the methods.", NULL,
+     PLACE(simulate)},
+    {"error", 0, "PER CENT",
+     "Stop when the standard error of the daylight factor is down "
+     "to that share of it, or to 0.002 % daylight factor, at "
+     "every point (default 1%).",
+     pp_read_per_cent, PLACE(error)},
+    {"samples", 0, "N",
+     "Stop after N paths a point in each randomisation, instead of "
+     "--error.",
+     pp_read_count, PLACE(samples)},
+    {"time", 0, "TIME",
+     "Stop after that time a room: 10s, 500ms, 2m, 1h. The result then "
+     "depends on the machine.",
+     pp_read_seconds, PLACE(seconds)},
+    {"seed", 0, "N",
+     "Start of the random numbers (default 1); the same seed gives the "
+     "same result.",
+     pp_read_seed, PLACE(seed)},
+    {"threads", 'j', "N",
+     "Threads to work with (default: one for each processor); the "
+     "result does not depend on it.",
+     pp_read_threads, PLACE(threads)},
+    {0},
+};
+
+const struct pp_option pp_room_output_options[] = {
+    {"output", 'o', "FILE",
+     "Write to FILE instead of standard output, whole or not at "
+     "all; - is standard output.",
+     pp_read_text, PLACE(output)},
+    {"quiet", 'q', NULL, "No progress bar.", NULL, PLACE(quiet)},
+    {0},
+};
+
+enum pp_status pp_room_options_check(const struct pp_room_options *options,
+                                     struct pp_error *err)
+{
+    const char *needs_simulate = options->error > 0.0     ? "--error"
+                                 : options->samples > 0   ? "--samples"
+                                 : options->seconds > 0.0 ? "--time"
+                                                          : NULL;
+    if (needs_simulate && !options->simulate)
+        return pp_fail(err, PP_BAD_INPUT,
+                       "%s says when the simulation stops; it needs --simulate",
+                       needs_simulate);
+    if (options->error > 0.0 && options->samples > 0)
+        return pp_fail(err, PP_BAD_INPUT,
+                       "--error and --samples are two ways to say the same; expected "
+                       "one of them");
+    return PP_OK;
+}
+
+void pp_room_options_clear(struct pp_room_options *options)
+{
+    free(options->points.list);
+    options->points = (struct pp_point_list){0};
+}

@@ -1,0 +1,196 @@
+#include "cli/rooms.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "cli/messages.h"
+#include "model/nearest.h"
+#include "model/room.h"
+
+/* What goes from file to file while all are read. */
+struct loading {
+    struct pp_rooms *rooms;
+    const char *command;
+    const struct pp_room_options *options;
+};
+
+static enum pp_exit add_world(struct loading *loading, const char *file,
+                              struct pp_world *world)
+{
+    struct pp_rooms *rooms = loading->rooms;
+    struct pp_loaded_room *grown =
+        realloc(rooms->list, ((size_t)rooms->count + 1) * sizeof *grown);
+    if (!grown) {
+        struct pp_error err;
+        pp_world_destroy(world);
+        pp_fail_memory(&err);
+        return pp_say_error(&err);
+    }
+    rooms->list = grown;
+    rooms->list[rooms->count++] = (struct pp_loaded_room){.file = file, .world = world};
+    return PP_EXIT_DONE;
+}
+
+/* One room of a file; what does not make sense in it goes to mistakes. */
+static enum pp_exit resolve_room(struct loading *loading, const char *file,
+                                 struct pp_room *room, struct pp_mistakes *mistakes)
+{
+    struct pp_error err = {0};
+    const char *sky = loading->options->sky;
+    if (sky && pp_room_set_sky(room, sky, &err) != PP_OK) {
+        struct pp_error usage;
+        pp_fail(&usage, PP_BAD_INPUT, "--sky: %s", err.message);
+        return err.status == PP_BAD_INPUT ? pp_say_usage(loading->command, &usage)
+                                          : pp_say_error(&err);
+    }
+
+    struct pp_world *world = NULL;
+    enum pp_status status = pp_world_create(&world, room, mistakes, &err);
+    if (status == PP_BAD_INPUT && mistakes->count > 0)
+        return PP_EXIT_DONE; /* they are said with those of the rest of the file */
+    if (status != PP_OK)
+        return pp_say_error(&err);
+    return add_world(loading, file, world);
+}
+
+static enum pp_exit load_file(struct loading *loading, const char *file)
+{
+    struct pp_mistakes mistakes;
+    pp_mistakes_init(&mistakes, strcmp(file, "-") == 0 ? "standard input" : file);
+    struct pp_error err = {0};
+    struct pp_building *building = NULL;
+    enum pp_status status = pp_building_read(&building, file, &mistakes, &err);
+
+    enum pp_exit result = PP_EXIT_DONE;
+    if (status != PP_OK && (status != PP_BAD_INPUT || mistakes.count == 0))
+        result = pp_say_error(&err);
+    int count = building ? pp_building_room_count(building) : 0;
+    for (int i = 0; i < count && result == PP_EXIT_DONE; i++)
+        result = resolve_room(loading, file, pp_building_room(building, i), &mistakes);
+    if (mistakes.count > 0 && result == PP_EXIT_DONE)
+        result = pp_say_mistakes(&mistakes);
+    loading->rooms->several |= building && pp_building_name(building);
+    loading->rooms->several |= count > 1;
+    pp_building_destroy(building);
+    pp_mistakes_clear(&mistakes);
+    return result;
+}
+
+/* The points of --points in this room, facing up. */
+static enum pp_exit place_points(struct pp_loaded_room *room,
+                                 const struct pp_point_list *points)
+{
+    struct pp_error err;
+    struct pp_receiver *receivers = calloc((size_t)points->count, sizeof *receivers);
+    if (!receivers) {
+        pp_fail_memory(&err);
+        return pp_say_error(&err);
+    }
+    room->receivers = receivers;
+    room->receiver_count = points->count;
+    for (int i = 0; i < points->count; i++) {
+        struct pp_vec3 at = points->list[i];
+        if (isnan(at.z))
+            at.z = room->world->working_plane_m;
+        receivers[i].position = at;
+        receivers[i].normal = pp_vec(0.0, 0.0, 1.0);
+        const char *fault = pp_world_receiver_fault(room->world, at);
+        if (fault) {
+            pp_fail(&err, PP_BAD_INPUT,
+                    "%s: the point %g,%g,%g of --points %s; expected a place in the "
+                    "room's free space",
+                    room->file, at.x, at.y, at.z, fault);
+            return pp_say_error(&err);
+        }
+    }
+    return PP_EXIT_DONE;
+}
+
+static enum pp_exit say_no_such_room(const struct pp_rooms *rooms, const char *wanted)
+{
+    struct pp_error err;
+    const char **names = calloc((size_t)rooms->count + 1, sizeof *names);
+    if (!names) {
+        pp_fail_memory(&err);
+        return pp_say_error(&err);
+    }
+    int count = 0;
+    for (int i = 0; i < rooms->count; i++)
+        if (rooms->list[i].world->name)
+            names[count++] = rooms->list[i].world->name;
+    char known[512];
+    const char *guess = pp_nearest(wanted, names, count);
+    if (guess)
+        pp_fail(&err, PP_BAD_INPUT,
+                "no room is named \"%.200s\"; did you mean \"%.200s\"?", wanted, guess);
+    else
+        pp_fail(&err, PP_BAD_INPUT, "no room is named \"%.200s\"; the names are %s",
+                wanted, pp_name_list(known, sizeof known, names, count));
+    free(names);
+    return pp_say_error(&err);
+}
+
+/* Leaves only the rooms of that name. */
+static enum pp_exit choose_room(struct pp_rooms *rooms, const char *wanted)
+{
+    int kept = 0;
+    for (int i = 0; i < rooms->count; i++) {
+        const char *name = rooms->list[i].world->name;
+        kept += name && strcmp(name, wanted) == 0;
+    }
+    if (kept == 0)
+        return say_no_such_room(rooms, wanted);
+    kept = 0;
+    for (int i = 0; i < rooms->count; i++) {
+        struct pp_world *world = rooms->list[i].world;
+        if (world->name && strcmp(world->name, wanted) == 0)
+            rooms->list[kept++] = rooms->list[i];
+        else
+            pp_world_destroy(world);
+    }
+    rooms->count = kept;
+    return PP_EXIT_DONE;
+}
+
+enum pp_exit pp_rooms_load(struct pp_rooms *rooms, const char *command, char **files,
+                           int file_count, const struct pp_room_options *options)
+{
+    *rooms = (struct pp_rooms){.several = file_count > 1,
+                               .more_than_one_file = file_count > 1};
+    struct loading loading = {rooms, command, options};
+
+    /* A machine that fails ends it at once; mistakes are said of all files. */
+    enum pp_exit result = PP_EXIT_DONE;
+    for (int i = 0; i < file_count; i++) {
+        enum pp_exit of_file = load_file(&loading, files[i]);
+        if (of_file != PP_EXIT_DONE)
+            result = of_file;
+        if (of_file > PP_EXIT_INPUT)
+            break;
+    }
+    if (result == PP_EXIT_DONE && options->room)
+        result = choose_room(rooms, options->room);
+    for (int i = 0; i < rooms->count && result == PP_EXIT_DONE; i++) {
+        struct pp_loaded_room *room = &rooms->list[i];
+        room->receivers = room->world->receivers;
+        room->receiver_count = room->world->receiver_count;
+        if (options->points.count > 0)
+            result = place_points(room, &options->points);
+    }
+    if (result != PP_EXIT_DONE)
+        pp_rooms_clear(rooms);
+    return result;
+}
+
+void pp_rooms_clear(struct pp_rooms *rooms)
+{
+    for (int i = 0; i < rooms->count; i++) {
+        struct pp_loaded_room *room = &rooms->list[i];
+        if (room->receivers != room->world->receivers)
+            free(room->receivers);
+        pp_world_destroy(room->world);
+    }
+    free(rooms->list);
+    *rooms = (struct pp_rooms){0};
+}

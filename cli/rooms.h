@@ -1,0 +1,32 @@
+/* rooms.h - the room files of a command line, read and resolved. */
+#ifndef PP_CLI_ROOMS_H
+#define PP_CLI_ROOMS_H
+
+#include <stdbool.h>
+
+#include "cli/exit_status.h"
+#include "cli/room_options.h"
+#include "model/world.h"
+
+struct pp_loaded_room {
+    const char *file; /* as typed; not owned */
+    struct pp_world *world;
+    struct pp_receiver *receivers; /* the world's, or those of --points */
+    int receiver_count;
+};
+
+struct pp_rooms {
+    struct pp_loaded_room *list;
+    int count;
+    bool several; /* a building, or more than one file: results come as a list */
+    bool more_than_one_file;
+};
+
+/* Reads all files and resolves all their rooms, with the sky and points of the options.
+ * All mistakes of all files are said on standard error; then nothing is loaded. */
+enum pp_exit pp_rooms_load(struct pp_rooms *rooms, const char *command, char **files,
+                           int file_count, const struct pp_room_options *options);
+
+void pp_rooms_clear(struct pp_rooms *rooms);
+
+#endif
