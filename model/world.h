@@ -126,12 +126,18 @@ struct pp_world {
 
 void pp_world_destroy(struct pp_world *world); /* NULL is allowed */
 
-/* Does a point lie within the room's envelope (not on it)? */
+/* Does a point lie within the room's envelope? Of one on it to the bit, either. */
 bool pp_world_contains(const struct pp_world *world, struct pp_vec3 point);
 
 /* What is wrong with measuring at this position, as the end of a sentence ("lies
  * outside the room", "lies in an opening"), or NULL if nothing is. */
 const char *pp_world_receiver_fault(const struct pp_world *world,
                                     struct pp_vec3 position);
+
+/* A receiver that faces up at (x, y, z), z NAN: on the working plane, as the command
+ * line asks for one; PP_BAD_INPUT where one can't measure there. */
+enum pp_status pp_world_place_receiver(const struct pp_world *world, double x, double y,
+                                       double z, struct pp_receiver *receiver,
+                                       struct pp_error *err);
 
 #endif

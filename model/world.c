@@ -1,0 +1,129 @@
+/* world.c - from a room to its world, step by step, and the end of a world. */
+#include "model/world.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "model/resolve.h"
+
+void pp_world_destroy(struct pp_world *world)
+{
+    if (!world)
+        return;
+    for (int i = 0; i < world->surface_count; i++) {
+        pp_polygon_clear(&world->surfaces[i].outline);
+        free((char *)world->surfaces[i].name);
+    }
+    for (int i = 0; i < world->opening_count; i++) {
+        pp_polygon_clear(&world->openings[i].inner);
+        pp_polygon_clear(&world->openings[i].outer);
+    }
+    free(world->surfaces);
+    free(world->openings);
+    free(world->skylines);
+    free(world->blocks);
+    free(world->receivers);
+    free(world->name);
+    pp_region_destroy(&world->plane);
+    free(world);
+}
+
+/* Where a bearing points to in the room's own axes: clockwise from true north, and +y
+ * lies at north_rad. */
+static struct pp_vec3 direction_of(double bearing_rad, double altitude_rad,
+                                   double north_rad)
+{
+    double turn = bearing_rad - north_rad, c = cos(altitude_rad);
+    return pp_vec(c * sin(turn), c * cos(turn), sin(altitude_rad));
+}
+
+static void resolve_sky(struct pp_resolver *r)
+{
+    const struct pp_sky_part *part = &r->room->sky;
+    struct pp_world *world = r->world;
+    struct pp_error fault = {0};
+    struct pp_vec3 sun = {0.0, 0.0, 1.0};
+    switch (part->kind) {
+    case PP_SKY_OVERCAST:
+        world->sky = pp_sky_overcast();
+        return;
+    case PP_SKY_UNIFORM:
+        world->sky = pp_sky_uniform();
+        return;
+    case PP_SKY_ISO:
+        break;
+    }
+    if (pp_sky_iso_has_sun(part->iso)) {
+        if (isnan(part->sun_altitude_rad) || isnan(part->sun_bearing_rad)) {
+            pp_mistake(r->mistakes, part->line,
+                       "sky: iso-%d needs to know where the sun stands; expected "
+                       "sun-altitude and sun-bearing",
+                       part->iso);
+            return;
+        }
+        sun = direction_of(part->sun_bearing_rad, part->sun_altitude_rad,
+                           r->room->north_rad);
+    }
+    if (pp_sky_iso(&world->sky, part->iso, sun, &fault) != PP_OK)
+        pp_mistake(r->mistakes, part->line, "sky: %s", fault.message);
+}
+
+static enum pp_status resolve_site(struct pp_resolver *r, struct pp_error *err)
+{
+    const struct pp_room *room = r->room;
+    struct pp_world *world = r->world;
+    world->north_rad = room->north_rad;
+    world->latitude_rad = room->site.latitude_rad;
+    world->longitude_rad = room->site.longitude_rad;
+    world->surroundings = room->site.surroundings;
+    world->ground_reflectance = room->site.ground_reflectance;
+    world->ground_level_m = room->site.ground_level_m;
+    resolve_sky(r);
+    if (room->name) {
+        world->name = strdup(room->name);
+        if (!world->name)
+            return pp_fail_memory(err);
+    }
+    return PP_OK;
+}
+
+static enum pp_status resolve(struct pp_resolver *r, struct pp_error *err)
+{
+    static enum pp_status (*const steps[])(struct pp_resolver *, struct pp_error *) = {
+        resolve_site,        pp_resolve_envelope,      pp_resolve_closed,
+        pp_resolve_openings, pp_resolve_blocks,        pp_resolve_skylines,
+        pp_resolve_loose,    pp_resolve_working_plane, pp_resolve_receivers};
+    enum pp_status status = pp_clipper_create(&r->clipper, err);
+    for (size_t i = 0; i < sizeof steps / sizeof *steps && status == PP_OK; i++)
+        status = steps[i](r, err);
+
+    pp_clipper_destroy(r->clipper);
+    for (int i = 0; i < r->wall_count; i++)
+        free(r->walls[i]);
+    free(r->walls);
+    free(r->wall_faces);
+    free(r->corners);
+    return status;
+}
+
+enum pp_status pp_world_create(struct pp_world **world, const struct pp_room *room,
+                               struct pp_mistakes *mistakes, struct pp_error *err)
+{
+    *world = NULL;
+    struct pp_world *made = calloc(1, sizeof *made);
+    if (!made)
+        return pp_fail_memory(err);
+    struct pp_resolver r = {.room = room, .world = made, .mistakes = mistakes};
+    enum pp_status status = resolve(&r, err);
+    int count = mistakes->count;
+    if (status == PP_OK && (count > 0 || mistakes->truncated))
+        status = pp_fail(err, PP_BAD_INPUT, "%s: %d mistake%s",
+                         mistakes->file ? mistakes->file : "room file", count,
+                         count == 1 ? "" : "s");
+    if (status != PP_OK) {
+        pp_world_destroy(made);
+        return status;
+    }
+    *world = made;
+    return PP_OK;
+}
