@@ -1,0 +1,28 @@
+# pepperpot - completion for bash: commands, options, files. The program itself is asked,
+# by --help, what it has.
+_pepperpot()
+{
+    local program=$1 word=$2 previous=$3 command=${COMP_WORDS[1]}
+    COMPREPLY=()
+    if [ "$COMP_CWORD" -eq 1 ]; then
+        local commands
+        commands=$("$program" --help 2>/dev/null | sed -n 's/^  \([a-z][a-z]*\) .*/\1/p')
+        mapfile -t COMPREPLY < <(compgen -W "$commands --help --version" -- "$word")
+    elif [ "$previous" = --format ] || [ "$previous" = -f ]; then
+        local formats='text json csv'
+        [ "$command" != chart ] || formats='pdf svg png'
+        mapfile -t COMPREPLY < <(compgen -W "$formats" -- "$word")
+    elif [ "$previous" = --sky ]; then
+        local skies
+        skies="overcast uniform $(printf 'iso-%d ' {1..15})"
+        mapfile -t COMPREPLY < <(compgen -W "$skies" -- "$word")
+    elif [ "${word:0:1}" = - ]; then
+        local options
+        options=$("$program" "$command" --help 2>/dev/null | grep -o -- '--[a-z][a-z-]*')
+        mapfile -t COMPREPLY < <(compgen -W "$options" -- "$word")
+    elif [ "$command" = chart ] && [ "$COMP_CWORD" -eq 2 ]; then
+        mapfile -t COMPREPLY < <(compgen -W \
+            "$("$program" chart --list 2>/dev/null | awk '{ print $1 }')" -- "$word")
+    fi
+}
+complete -o default -o filenames -F _pepperpot pepperpot
