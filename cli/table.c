@@ -217,8 +217,12 @@ static int next_column(const struct panel *panel, int i)
 static void put_gap(struct writer *writer, const struct panel *panel, int i)
 {
     const struct pp_table_column *columns = panel->table->columns;
+    if (i == 0) {
+        writer->blanks += INDENT;
+        return;
+    }
     bool starts_group = i == panel->first || !same_group(&columns[i], &columns[i - 1]);
-    writer->blanks += i == 0 ? INDENT : starts_group ? GROUP_GAP : GAP;
+    writer->blanks += starts_group ? GROUP_GAP : GAP;
 }
 
 /* Group titles, and below them the rules that show how far each reaches. */
