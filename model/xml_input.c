@@ -303,15 +303,39 @@ static bool at_the_end(const struct builder *b)
     return p == b->length;
 }
 
-/* The line to look at for an error that comes up here. A value whose closing quotation
- * mark is missing runs on to the next tag: look at its opening one. */
-static int error_line(struct builder *b, int code)
+/* The last `what` before `from`, or `from` if there is none. */
+static size_t find_back(const struct builder *b, size_t from, const char *what)
 {
-    size_t p = position(b);
-    if (code == XML_ERR_LT_IN_ATTRIBUTE || code == XML_ERR_ATTRIBUTE_NOT_FINISHED)
-        while (p > 0 && b->bytes[p - 1] != '"' && b->bytes[p - 1] != '\'')
-            p--;
-    return line_at(b, p);
+    size_t length = strlen(what);
+    for (size_t p = from; p-- > 0;)
+        if (b->length - p >= length && memcmp(b->bytes + p, what, length) == 0)
+            return p;
+    return from;
+}
+
+/* Where to look for the cause of an error that comes up here: what has no end is named
+ * by its beginning. A value without its closing quotation mark runs on to the next tag:
+ * look at the opening one. */
+static size_t error_cause(const struct builder *b, int code)
+{
+    size_t p = position(b), twice, once;
+    switch (code) {
+    case XML_ERR_LT_IN_ATTRIBUTE:
+    case XML_ERR_ATTRIBUTE_NOT_FINISHED:
+        twice = find_back(b, p, "\"");
+        once = find_back(b, p, "'");
+        return once == p || (twice != p && twice > once) ? twice : once;
+    case XML_ERR_COMMENT_NOT_FINISHED:
+        return find_back(b, p, "<!--");
+    case XML_ERR_PI_NOT_FINISHED:
+        return find_back(b, p, "<?");
+    case XML_ERR_CDATA_NOT_FINISHED:
+        return find_back(b, p, "<![CDATA[");
+    case XML_ERR_NAME_REQUIRED: /* for an attribute, but a < stands there */
+        return p < b->length && b->bytes[p] == '<' ? find_back(b, p, "<") : p;
+    default:
+        return p;
+    }
 }
 
 #if LIBXML_VERSION >= 21200
@@ -331,9 +355,13 @@ static void on_error(void *context, xmlErrorPtr error)
         b->out_of_memory = true;
     } else {
         char sentence[512];
+        size_t cause = error_cause(b, error->code), here = position(b);
+        bool unclosed = error->code == XML_ERR_NAME_REQUIRED && cause < here;
         pp_xml_sentence(sentence, sizeof sentence, error, at_the_end(b),
                         b->depth ? b->open[b->depth - 1] : NULL);
-        pp_mistake(b->mistakes, error_line(b, error->code), "%s", sentence);
+        pp_mistake(b->mistakes, line_at(b, cause), "%s",
+                   unclosed ? "this tag is not closed; expected > or /> at its end"
+                            : sentence);
     }
     stop(b);
 }
