@@ -185,7 +185,7 @@ static bool read_value(void *field, const struct place *at)
 static void store_fallback(void *field, const struct pp_attribute_rule *row)
 {
     const char *no_text = NULL;
-    int index = isnan(row->fallback) ? -1 : (int)row->fallback;
+    int index = isfinite(row->fallback) ? (int)row->fallback : -1;
     double pair[2] = {row->fallback, row->fallback};
     switch (row->kind->reading) {
     case PP_VALUE_TEXT:
