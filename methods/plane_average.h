@@ -1,0 +1,30 @@
+/* plane_average.h - the mean of a quantity over a room's working plane.
+ */
+#ifndef PP_METHODS_PLANE_AVERAGE_H
+#define PP_METHODS_PLANE_AVERAGE_H
+
+#include "model/world.h"
+
+enum { PP_PLANE_VALUES = 2 };
+
+/* The values (not negative) at a point of the working plane, for a receiver that faces
+ * up. Called from several threads at once; false stops the integration. */
+typedef bool pp_plane_function(void *data, const struct pp_receiver *receiver,
+                               double values[PP_PLANE_VALUES]);
+
+/* mean[k] is the integral of values[k] over world->plane, over its area.
+ *
+ * Adaptive cubature (degree 7) over the plane as a rectangle, or over its triangles,
+ * until the estimated error of the integrals is `relative_error` of their sum, but of
+ * no more than about `most_points` points: where something cuts the light off sharply
+ * that comes first. The points do not depend on the number of threads.
+ *
+ * *stopped tells whether the function did (then mean means nothing). Fails where the
+ * plane is empty (PP_BAD_INPUT) and on want of memory. */
+enum pp_status pp_plane_average(double mean[PP_PLANE_VALUES], bool *stopped,
+                                const struct pp_world *world,
+                                pp_plane_function *function, void *data,
+                                double relative_error, int most_points,
+                                struct pp_error *err);
+
+#endif
