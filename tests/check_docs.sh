@@ -6,8 +6,8 @@ scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 cd "$srcdir" || exit 1
 
-# A key is capitals and then a year or a number: [MS42], [ISO15469].
-key='\[[A-Z][A-Z]*[0-9][0-9][0-9]*[A-Za-z]*\]'
+# A key is capitals and then a year or a number: [MS42], [ISO15469]. One work has none.
+key='\[\(GEEBELEN\|[A-Z][A-Z]*[0-9][0-9][0-9]*[A-Za-z]*\)\]'
 
 # Files of the project, in a clone or in an unpacked tarball.
 cat model/*.[ch] methods/*.[ch] simulate/*.[ch] charts/*.[ch] cli/*.[ch] tables/*.csv \
