@@ -114,6 +114,7 @@ struct pp_room {
     struct pp_plan_part plan;
     double floor, walls, ceiling; /* reflectances */
     double working_plane_m;
+    int working_plane_line; /* 0 where not given */
     struct pp_finish_part *finishes;
     int finish_count;
     struct pp_opening_part *openings; /* windows, rooflights, openings in file order */

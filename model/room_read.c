@@ -372,8 +372,10 @@ static void read_working_plane(struct reader *r, struct pp_room *room,
                                const struct pp_xml_element *e)
 {
     struct pp_plane_form form;
-    if (read_form(r, &form, &pp_rule_working_plane, e))
-        room->working_plane_m = form.height_m;
+    if (!read_form(r, &form, &pp_rule_working_plane, e))
+        return;
+    room->working_plane_m = form.height_m;
+    room->working_plane_line = e->line;
 }
 
 /* Fills in the normal, (0, 0, 1) if none is given; false where it is given in part or

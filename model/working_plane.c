@@ -224,10 +224,12 @@ enum pp_status pp_resolve_working_plane(struct pp_resolver *r, struct pp_error *
         for (int k = 0; k < world->surfaces[i].outline.count; k++)
             low = fmin(low, world->surfaces[i].outline.vertices[k].z);
     if (!(z > low) || !(z < world->height_m)) {
-        pp_mistake(r->mistakes, r->room->line,
-                   "working-plane: its height is %g m (0.85 m where none is given); "
-                   "expected it between the room's floor at %g m and its top at %g m",
-                   z, low, world->height_m);
+        int line = r->room->working_plane_line;
+        pp_mistake(
+            r->mistakes, line ? line : r->room->line,
+            "working-plane: its height is %g m%s; expected it between the room's "
+            "floor at %g m and its top at %g m",
+            z, line ? "" : ", since none is given", low, world->height_m);
         return PP_OK;
     }
 
