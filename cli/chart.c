@@ -102,9 +102,9 @@ static enum pp_status choose_format(enum pp_chart_format *format,
 {
     const char *output = room_options->output;
     if (options->format) {
-        char ending[8];
-        snprintf(ending, sizeof ending, ".%s", options->format);
-        return pp_chart_format_of(format, ending, err);
+        char name[16];
+        snprintf(name, sizeof name, "chart.%s", options->format);
+        return pp_chart_format_of(format, name, err);
     }
     if (!output || strcmp(output, "-") == 0)
         return pp_fail(err, PP_BAD_INPUT,

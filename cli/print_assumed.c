@@ -7,7 +7,7 @@
 
 #include "cli/utf8.h"
 
-enum { LABEL = 14, TEXT_BYTES = 512 };
+enum { LABEL = 15, TEXT_BYTES = 512 };
 
 void pp_print_wrapped(const char *text, int column, int indent, int width, FILE *out)
 {
@@ -94,7 +94,7 @@ static void print_size(const struct pp_world *world, int width, FILE *out)
             floor_m2 += face->outline.area_m2;
     }
     put_fact("room", width, out,
-             "%.2f x %.2f m, %.2f m high; floor %.1f m2, all surfaces %.1f m2",
+             "%.2f x %.2f m, %.2f m high; floor %.1f m2, surfaces %.1f m2",
              high.x - low.x, high.y - low.y, high.z - low.z, floor_m2, all_m2);
 }
 
@@ -157,7 +157,7 @@ static void describe_opening(const struct pp_world *world,
     else if (glass->diffusing)
         append(text, "; diffusing, transmittance %.3g", glass->diffuse);
     else
-        append(text, "; %d pane%s, transmittance %.2f square on, %.2f diffuse",
+        append(text, "; %d pane%s, normal transmittance %.2f, diffuse %.2f",
                glass->panes, glass->panes > 1 ? "s" : "", glass->normal,
                glass->diffuse);
     append(text, "; frame factor %.3g, maintenance %.3g", opening->frame_factor,
@@ -222,7 +222,6 @@ void pp_print_assumed(const struct pp_world *world, int width, FILE *out)
     print_reflectances(world, width, out);
     print_openings(world, width, out);
     print_outside(world, width, out);
-    put_fact("plane", width, out,
-             "working plane at %.2f m; the average is over all of it",
+    put_fact("working plane", width, out, "at %.2f m; the average is over all of it",
              world->working_plane_m);
 }
