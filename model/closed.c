@@ -1,104 +1,43 @@
 /* closed.c - do the faces of an envelope close the room?
  *
  * They do if every edge belongs to two faces that run along it in opposite directions.
- * Points nearer than PP_SAME_M are one and become equal to the bit, so that later steps
- * can follow edges from face to face. With all normals into the room, the volume
+ * With all normals into the room, the volume
  *
  *     V = -1/3 sum A n . c    (c any point of the face)
  *
- * is positive; if it is not, the envelope is inside out.
+ * is positive. A face that turns the wrong way round is found by going from neighbour
+ * to neighbour; it is turned round, so that whatever else is wrong with the room is
+ * found as well.
  */
-#include <stdint.h>
 #include <stdlib.h>
 
+#include "model/cross.h"
 #include "model/resolve.h"
 #include "model/tolerance.h"
-
-/* Points by the cube of space they are in, to find near ones without looking at all. */
-struct cubes {
-    struct pp_vec3 *points;
-    int *next;  /* of the points in the same bucket; -1: the last */
-    int *first; /* of a bucket */
-    int count;
-    unsigned bucket_count;
-};
-
-static const double cube_m = 4.0 * PP_SAME_M;
-
-static unsigned bucket_of(const struct cubes *cubes, double x, double y, double z)
-{
-    uint64_t hash = (uint64_t)(int64_t)x * 0x9E3779B97F4A7C15u;
-    hash = (hash ^ (uint64_t)(int64_t)y) * 0xC2B2AE3D27D4EB4Fu;
-    hash = (hash ^ (uint64_t)(int64_t)z) * 0x165667B19E3779F9u;
-    return (hash >> 32) % cubes->bucket_count;
-}
-
-/* The number of the point that p is one with, or of p as a new one. */
-static int point_number(struct cubes *cubes, struct pp_vec3 p)
-{
-    double low[3] = {floor((p.x - PP_SAME_M) / cube_m),
-                     floor((p.y - PP_SAME_M) / cube_m),
-                     floor((p.z - PP_SAME_M) / cube_m)};
-    double high[3] = {floor((p.x + PP_SAME_M) / cube_m),
-                      floor((p.y + PP_SAME_M) / cube_m),
-                      floor((p.z + PP_SAME_M) / cube_m)};
-    for (double x = low[0]; x <= high[0]; x++)
-        for (double y = low[1]; y <= high[1]; y++)
-            for (double z = low[2]; z <= high[2]; z++)
-                for (int i = cubes->first[bucket_of(cubes, x, y, z)]; i >= 0;
-                     i = cubes->next[i])
-                    if (pp_length(pp_sub(cubes->points[i], p)) < PP_SAME_M)
-                        return i;
-    unsigned bucket =
-        bucket_of(cubes, floor(p.x / cube_m), floor(p.y / cube_m), floor(p.z / cube_m));
-    int number = cubes->count++;
-    cubes->points[number] = p;
-    cubes->next[number] = cubes->first[bucket];
-    cubes->first[bucket] = number;
-    return number;
-}
-
-/* Makes near corners one, and fills r->corners with their numbers. */
-static enum pp_status join_corners(struct pp_resolver *r, int corner_count,
-                                   struct pp_error *err)
-{
-    struct pp_world *world = r->world;
-    struct cubes cubes = {.bucket_count = 2 * corner_count + 1};
-    cubes.points = malloc(corner_count * sizeof *cubes.points);
-    cubes.next = malloc(corner_count * sizeof *cubes.next);
-    cubes.first = malloc(cubes.bucket_count * sizeof *cubes.first);
-    free(r->corners);
-    r->corners = malloc(corner_count * sizeof *r->corners);
-    enum pp_status status = PP_OK;
-    if (cubes.points && cubes.next && cubes.first && r->corners) {
-        for (unsigned i = 0; i < cubes.bucket_count; i++)
-            cubes.first[i] = -1;
-        int corner = 0;
-        for (int i = 0; i < world->face_count; i++) {
-            struct pp_polygon *outline = &world->surfaces[i].outline;
-            for (int k = 0; k < outline->count; k++) {
-                int number = point_number(&cubes, outline->vertices[k]);
-                outline->vertices[k] = cubes.points[number];
-                r->corners[corner++] = number;
-            }
-            struct pp_vec3 area = pp_area_vector(outline->vertices, outline->count);
-            outline->area_m2 = pp_length(area);
-            outline->normal = pp_scale(area, 1.0 / outline->area_m2);
-        }
-    } else {
-        status = pp_fail_memory(err);
-    }
-    free(cubes.points);
-    free(cubes.next);
-    free(cubes.first);
-    return status;
-}
 
 struct edge {
     int low, high; /* the corners' numbers */
     bool upward;   /* does the face run from low to high? */
     int face;
     struct pp_vec3 from, to;
+};
+
+/* What is known of each face while its neighbours are visited. */
+struct visit {
+    int part;       /* number of the connected part it belongs to; -1: not visited */
+    bool turned;    /* does it turn the other way than the first of its part? */
+    int first;      /* its edges in the list of neighbours */
+    int loose;      /* edges that it shares with none */
+    int loose_edge; /* the first of them */
+};
+
+struct closing {
+    struct edge *edges; /* sorted, those that join the same two corners together */
+    int edge_count;
+    struct visit *faces;
+    int *neighbours; /* across the face's edges; -1: none */
+    bool *same_way;  /* and does that run along the edge in the same direction? */
+    int part_count;
 };
 
 static int compare_edges(const void *left, const void *right)
@@ -108,76 +47,114 @@ static int compare_edges(const void *left, const void *right)
         return a->low < b->low ? -1 : 1;
     if (a->high != b->high)
         return a->high < b->high ? -1 : 1;
-    return a->face != b->face ? (a->face < b->face ? -1 : 1) : 0;
+    return (a->face > b->face) - (a->face < b->face);
 }
 
-static void list_edges(const struct pp_resolver *r, struct edge *edges)
+static void list_edges(const struct pp_resolver *r, struct closing *c)
 {
     int corner = 0;
     for (int i = 0; i < r->world->face_count; i++) {
         const struct pp_polygon *outline = &r->world->surfaces[i].outline;
         const int *numbers = r->corners + corner;
+        c->faces[i] = (struct visit){.part = -1, .first = corner};
         for (int k = 0; k < outline->count; k++, corner++) {
             int next = (k + 1) % outline->count;
             int from = numbers[k], to = numbers[next];
-            edges[corner] = (struct edge){.low = from < to ? from : to,
-                                          .high = from < to ? to : from,
-                                          .upward = from < to,
-                                          .face = i,
-                                          .from = outline->vertices[k],
-                                          .to = outline->vertices[next]};
+            c->neighbours[corner] = -1;
+            c->edges[corner] = (struct edge){.low = from < to ? from : to,
+                                             .high = from < to ? to : from,
+                                             .upward = from < to,
+                                             .face = i,
+                                             .from = outline->vertices[k],
+                                             .to = outline->vertices[next]};
+        }
+    }
+    c->edge_count = corner;
+    qsort(c->edges, corner, sizeof *c->edges, compare_edges);
+}
+
+/* Puts b among a's neighbours. */
+static void join(struct closing *c, const struct edge *a, const struct edge *b)
+{
+    int at = c->faces[a->face].first;
+    while (c->neighbours[at] >= 0)
+        at++;
+    c->neighbours[at] = b->face;
+    c->same_way[at] = a->upward == b->upward;
+}
+
+/* Edges that are shared by two faces make them neighbours; others are mistakes. */
+static void match_edges(struct pp_resolver *r, struct closing *c)
+{
+    const struct pp_surface *faces = r->world->surfaces;
+    r->closed = true;
+    for (int i = 0, end; i < c->edge_count; i = end) {
+        const struct edge *edge = &c->edges[i];
+        for (end = i + 1; end < c->edge_count && c->edges[end].low == edge->low
+                          && c->edges[end].high == edge->high;)
+            end++;
+        if (end - i == 2 && edge[0].face != edge[1].face) {
+            join(c, &edge[0], &edge[1]);
+            join(c, &edge[1], &edge[0]);
+            continue;
+        }
+        r->closed = false;
+        if (end - i == 1) {
+            if (c->faces[edge->face].loose++ == 0)
+                c->faces[edge->face].loose_edge = i;
+            continue;
+        }
+        pp_mistake(r->mistakes, faces[c->edges[end - 1].face].line,
+                   "face: its edge from (%g, %g, %g) to (%g, %g, %g) is shared by %d "
+                   "faces, first by that of line %d; expected two",
+                   edge->from.x, edge->from.y, edge->from.z, edge->to.x, edge->to.y,
+                   edge->to.z, end - i, faces[edge->face].line);
+    }
+    for (int i = 0; i < r->world->face_count; i++) {
+        if (c->faces[i].loose == 0)
+            continue;
+        const struct edge *edge = &c->edges[c->faces[i].loose_edge];
+        pp_mistake(
+            r->mistakes, faces[i].line,
+            "face: the envelope does not close at %d of its edges, such as that "
+            "from (%g, %g, %g) to (%g, %g, %g); expected every edge to be shared "
+            "by two faces, corner to corner",
+            c->faces[i].loose, edge->from.x, edge->from.y, edge->from.z, edge->to.x,
+            edge->to.y, edge->to.z);
+    }
+}
+
+/* Visits the faces that hang together with the first, in waves. */
+static void visit_part(const struct pp_resolver *r, struct closing *c, int first,
+                       int *queue)
+{
+    int head = 0, tail = 0;
+    c->faces[first].part = c->part_count++;
+    queue[tail++] = first;
+    while (head < tail) {
+        int face = queue[head++];
+        for (int k = 0; k < r->world->surfaces[face].outline.count; k++) {
+            int at = c->faces[face].first + k, next = c->neighbours[at];
+            if (next < 0 || c->faces[next].part >= 0)
+                continue;
+            c->faces[next].part = c->faces[face].part;
+            c->faces[next].turned = c->faces[face].turned != c->same_way[at];
+            queue[tail++] = next;
         }
     }
 }
 
-/* What is wrong with the `count` edges that join the same two corners. */
-static bool check_shared_edge(struct pp_resolver *r, const struct edge *edges,
-                              int count)
+static void turn_round(struct pp_polygon *outline, int *corners)
 {
-    const struct pp_surface *faces = r->world->surfaces;
-    const struct edge *edge = &edges[0];
-    struct pp_vec3 from = edge->from, to = edge->to;
-    int line = faces[edge->face].line;
-    if (count == 2 && edges[0].upward != edges[1].upward)
-        return true;
-    if (count == 1)
-        pp_mistake(r->mistakes, line,
-                   "envelope does not close: the edge from (%g, %g, %g) to (%g, %g, "
-                   "%g) of this face belongs to no other; every edge must be shared by "
-                   "two faces",
-                   from.x, from.y, from.z, to.x, to.y, to.z);
-    else if (count == 2)
-        pp_mistake(r->mistakes, faces[edges[1].face].line,
-                   "this face and the one of line %d run the same way along the edge "
-                   "from (%g, %g, %g) to (%g, %g, %g); one of them is not "
-                   "counter-clockwise seen from inside",
-                   line, from.x, from.y, from.z, to.x, to.y, to.z);
-    else
-        pp_mistake(r->mistakes, faces[edges[count - 1].face].line,
-                   "the edge from (%g, %g, %g) to (%g, %g, %g) is shared by %d faces, "
-                   "first by that of line %d; it must be by two",
-                   from.x, from.y, from.z, to.x, to.y, to.z, count, line);
-    return false;
-}
-
-static enum pp_status check_edges(struct pp_resolver *r, int corner_count,
-                                  struct pp_error *err)
-{
-    struct edge *edges = malloc(corner_count * sizeof *edges);
-    if (!edges)
-        return pp_fail_memory(err);
-    list_edges(r, edges);
-    qsort(edges, corner_count, sizeof *edges, compare_edges);
-    r->closed = true;
-    for (int i = 0, end; i < corner_count; i = end) {
-        for (end = i + 1; end < corner_count && edges[end].low == edges[i].low
-                          && edges[end].high == edges[i].high;)
-            end++;
-        if (!check_shared_edge(r, edges + i, end - i))
-            r->closed = false;
+    outline->normal = pp_scale(outline->normal, -1.0);
+    for (int a = 0, b = outline->count - 1; a < b; a++, b--) {
+        struct pp_vec3 vertex = outline->vertices[a];
+        outline->vertices[a] = outline->vertices[b];
+        outline->vertices[b] = vertex;
+        int corner = corners[a];
+        corners[a] = corners[b];
+        corners[b] = corner;
     }
-    free(edges);
-    return PP_OK;
 }
 
 static double volume_m3(const struct pp_world *world)
@@ -192,41 +169,107 @@ static double volume_m3(const struct pp_world *world)
     return sum / 3.0;
 }
 
-static void turn_inside_out(struct pp_world *world)
+/* Turns those faces round that are so in the smaller number of each part, then all of
+ * them if the room is inside out, and notes those that are not as they were. */
+static void turn_faces(struct pp_resolver *r, struct closing *c, int *turned_in_part)
 {
+    struct pp_world *world = r->world;
+    for (int i = 0; i < world->face_count; i++)
+        turned_in_part[c->faces[i].part] += c->faces[i].turned ? 1 : -1;
     for (int i = 0; i < world->face_count; i++) {
-        struct pp_polygon *outline = &world->surfaces[i].outline;
-        outline->normal = pp_scale(outline->normal, -1.0);
-        for (int a = 0, b = outline->count - 1; a < b; a++, b--) {
-            struct pp_vec3 swap = outline->vertices[a];
-            outline->vertices[a] = outline->vertices[b];
-            outline->vertices[b] = swap;
-        }
+        c->faces[i].turned ^= turned_in_part[c->faces[i].part] > 0;
+        if (c->faces[i].turned)
+            turn_round(&world->surfaces[i].outline, r->corners + c->faces[i].first);
     }
+    bool inside_out = volume_m3(world) < 0.0;
+    bool all = true;
+    for (int i = 0; i < world->face_count; i++) {
+        if (inside_out) {
+            turn_round(&world->surfaces[i].outline, r->corners + c->faces[i].first);
+            c->faces[i].turned = !c->faces[i].turned;
+        }
+        all = all && c->faces[i].turned;
+    }
+    if (all)
+        pp_mistake(r->mistakes, r->room->plan.line,
+                   "envelope: is inside out, all its faces turn clockwise seen from "
+                   "inside; expected counter-clockwise");
+    for (int i = 0; i < world->face_count && !all; i++)
+        if (c->faces[i].turned)
+            pp_mistake(r->mistakes, world->surfaces[i].line,
+                       "face: turns clockwise seen from inside; expected "
+                       "counter-clockwise");
+}
+
+static enum pp_status check_closing(struct pp_resolver *r, struct closing *c,
+                                    struct pp_error *err)
+{
+    struct pp_world *world = r->world;
+    list_edges(r, c);
+    match_edges(r, c);
+    if (!r->closed)
+        return PP_OK;
+    int *queue = calloc(world->face_count, sizeof *queue);
+    if (!queue)
+        return pp_fail_memory(err);
+    for (int i = 0; i < world->face_count; i++)
+        if (c->faces[i].part < 0)
+            visit_part(r, c, i, queue);
+    for (int i = 0; i < world->face_count; i++)
+        queue[i] = 0;
+    turn_faces(r, c, queue);
+    free(queue);
+    return PP_OK;
+}
+
+/* Faces that go through each other: all pairs that are near, but those of a plan, which
+ * can't. */
+static enum pp_status check_crossings(struct pp_resolver *r, struct pp_error *err)
+{
+    const struct pp_world *world = r->world;
+    for (int i = 0; i < world->face_count; i++)
+        for (int k = 0; k < i; k++) {
+            bool cross;
+            struct pp_vec3 where;
+            if (pp_polygons_cross(&cross, &world->surfaces[i].outline,
+                                  &world->surfaces[k].outline, &where, err)
+                != PP_OK)
+                return PP_SYSTEM;
+            if (!cross)
+                continue;
+            r->closed = false;
+            pp_mistake(r->mistakes, world->surfaces[i].line,
+                       "face: goes through that of line %d at (%g, %g, %g); expected "
+                       "faces to meet in their edges only",
+                       world->surfaces[k].line, where.x, where.y, where.z);
+        }
+    return PP_OK;
 }
 
 enum pp_status pp_resolve_closed(struct pp_resolver *r, struct pp_error *err)
 {
-    struct pp_world *world = r->world;
-    int corner_count = 0;
+    const struct pp_world *world = r->world;
+    if (world->face_count <= 0 || r->faces_missing)
+        return PP_OK;
+    size_t corner_count = 0;
     for (int i = 0; i < world->face_count; i++)
         corner_count += world->surfaces[i].outline.count;
-    if (corner_count == 0 || r->faces_missing)
-        return PP_OK;
-    if (join_corners(r, corner_count, err) != PP_OK
-        || check_edges(r, corner_count, err) != PP_OK)
-        return PP_SYSTEM;
-    if (!r->closed)
-        return PP_OK;
-
-    double volume = volume_m3(world);
-    if (volume < 0.0) {
-        pp_mistake(r->mistakes, r->room->plan.line,
-                   "envelope is inside out: its faces run clockwise seen from inside; "
-                   "give their vertices counter-clockwise");
-        turn_inside_out(world);
-        /* The numbers of each face's corners run the other way now, too. */
-        return join_corners(r, corner_count, err);
-    }
-    return PP_OK;
+    struct closing c = {
+        .edges = malloc(corner_count * sizeof *c.edges),
+        .faces = malloc((size_t)world->face_count * sizeof *c.faces),
+        .neighbours = malloc(corner_count * sizeof *c.neighbours),
+        .same_way = malloc(corner_count * sizeof *c.same_way),
+    };
+    enum pp_status status = PP_OK;
+    if (c.edges && c.faces && c.neighbours && c.same_way)
+        status = check_closing(r, &c, err);
+    else
+        status = pp_fail_memory(err);
+    free(c.edges);
+    free(c.faces);
+    free(c.neighbours);
+    free(c.same_way);
+    if (status == PP_OK && r->closed && r->room->plan.envelope)
+        status = check_crossings(r, err);
+    return status;
 }

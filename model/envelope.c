@@ -55,10 +55,11 @@ static bool is_second_wall(struct pp_resolver *r, const struct pp_face_part *wal
         if (face->role == PP_WALL && face->name
             && strcmp(face->name, wall->name) == 0) {
             char name[64];
-            pp_mistake(r->mistakes, wall->line,
-                       "a second wall \"%s\"; the first is at line %d, and every wall "
-                       "needs a name of its own",
-                       pp_excerpt(name, sizeof name, wall->name), face->line);
+            pp_mistake(
+                r->mistakes, wall->line,
+                "face: a second wall \"%s\", after that of line %d; expected a name "
+                "of its own for every wall",
+                pp_excerpt(name, sizeof name, wall->name), face->line);
             return true;
         }
     return false;
@@ -130,8 +131,8 @@ static enum pp_status resolve_rectangle(struct pp_resolver *r, struct pp_error *
     if (plan->width_m < PP_SAME_M || plan->depth_m < PP_SAME_M
         || plan->height_m < PP_SAME_M) {
         pp_mistake(r->mistakes, plan->line,
-                   "plan is %g m wide, %g m deep and %g m high; each must be 1 mm or "
-                   "more",
+                   "plan: is %g m wide, %g m deep and %g m high; expected 1 mm or more "
+                   "each way",
                    plan->width_m, plan->depth_m, plan->height_m);
         return PP_OK;
     }
@@ -156,8 +157,8 @@ static enum pp_status resolve_plan(struct pp_resolver *r, struct pp_error *err)
     }
     bool good = pp_resolve_good_outline(r, "plan", plan->line, &plan->vertices);
     if (isfinite(plan->height_m) && plan->height_m < PP_SAME_M) {
-        pp_mistake(r->mistakes, plan->line,
-                   "plan is %g m high; it must be 1 mm or more", plan->height_m);
+        pp_mistake(r->mistakes, plan->line, "plan: is %g m high; expected 1 mm or more",
+                   plan->height_m);
         good = false;
     }
     if (!good || !isfinite(plan->height_m))
@@ -168,8 +169,7 @@ static enum pp_status resolve_plan(struct pp_resolver *r, struct pp_error *err)
 
     /* Go on with the plan turned round, to find what else is wrong. */
     pp_mistake(r->mistakes, plan->line,
-               "plan turns clockwise seen from above; give its vertices "
-               "counter-clockwise");
+               "plan: turns clockwise seen from above; expected counter-clockwise");
     struct pp_vec3 *turned = malloc(count * sizeof *turned);
     if (!turned)
         return pp_fail_memory(err);
@@ -224,7 +224,9 @@ static void check_finishes(struct pp_resolver *r)
             if (room->finishes[k].wall
                 && strcmp(room->finishes[k].wall, finish->wall) == 0) {
                 pp_mistake(r->mistakes, finish->line,
-                           "finish: that wall has one already, at line %d",
+                           "finish: a second one for that wall, after line %d; "
+                           "expected one at "
+                           "most",
                            room->finishes[k].line);
                 break;
             }
@@ -232,10 +234,11 @@ static void check_finishes(struct pp_resolver *r)
             const struct pp_face_part *face = &room->plan.faces[k];
             if (face->role == PP_WALL && face->name && !isnan(face->reflectance)
                 && strcmp(face->name, finish->wall) == 0) {
-                pp_mistake(r->mistakes, finish->line,
-                           "finish: that wall has a reflectance of its own already, at "
-                           "line %d",
-                           face->line);
+                pp_mistake(
+                    r->mistakes, finish->line,
+                    "finish: that wall has a reflectance of its own, at line %d; "
+                    "expected one or the other",
+                    face->line);
                 break;
             }
         }

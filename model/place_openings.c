@@ -475,10 +475,11 @@ static void check_reveal(struct pp_resolver *r, const struct pp_opening *opening
                                    : pp_polygon_middle(&opening->outer);
         if (!pp_world_contains(r->world, point))
             continue;
-        pp_mistake(r->mistakes, opening->line,
-                   "the reveal, %g m deep, reaches into another part of the room at "
-                   "(%g, %g, %g); expected the glass to stand outside",
-                   opening->reveal_m, point.x, point.y, point.z);
+        pp_mistake(
+            r->mistakes, opening->line,
+            "reveal: %g m deep, it puts the glass into another part of the room, "
+            "at (%g, %g, %g); expected it outside",
+            opening->reveal_m, point.x, point.y, point.z);
         return;
     }
 }

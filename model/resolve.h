@@ -35,8 +35,12 @@ struct pp_resolver {
  * finishes' reflectances. */
 enum pp_status pp_resolve_envelope(struct pp_resolver *r, struct pp_error *err);
 
-/* closed.c: do the envelope's surfaces close the room? Makes vertices one that are
- * meant to be one, turns an envelope that is inside out, sets r->closed. */
+/* corners.c: makes the envelope's vertices one that are meant to be one, and fills
+ * r->corners. */
+enum pp_status pp_resolve_corners(struct pp_resolver *r, struct pp_error *err);
+
+/* closed.c: do the envelope's surfaces close the room? Sets r->closed; turns faces
+ * round that turn the wrong way. */
 enum pp_status pp_resolve_closed(struct pp_resolver *r, struct pp_error *err);
 
 /* place_openings.c */

@@ -12,7 +12,11 @@ enum pp_status pp_sheet_open(struct pp_sheet *sheet, const struct pp_surface *fa
 {
     int count = face->outline.count;
     *sheet = (struct pp_sheet){.face = face, .count = count, .convex = true};
+    /* Where the face is not quite plane, from its best plane. */
     sheet->origin = face->outline.vertices[0];
+    double height = pp_polygon_height(&face->outline, sheet->origin);
+    if (fabs(height) > PP_ROUNDING_M)
+        sheet->origin = pp_along(sheet->origin, -height, face->outline.normal);
     pp_plane_axes(face->outline.normal, &sheet->along, &sheet->up);
     sheet->xy = malloc(count * sizeof *sheet->xy);
     if (!sheet->xy)

@@ -32,7 +32,7 @@ static double reach_beyond(const struct pp_world *world, int face, struct pp_vec
     double reach = 0.0;
     for (int i = 0; i < world->surface_count; i++) {
         const struct pp_polygon *outline = &world->surfaces[i].outline;
-        for (int k = 0; k < outline->count; k++)
+        for (int k = 0; k < outline->count && world->surfaces[i].inside; k++)
             reach = fmax(reach, pp_dot(out, pp_sub(outline->vertices[k], wall)));
     }
     return reach;

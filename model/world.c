@@ -90,9 +90,10 @@ static enum pp_status resolve_site(struct pp_resolver *r, struct pp_error *err)
 static enum pp_status resolve(struct pp_resolver *r, struct pp_error *err)
 {
     static enum pp_status (*const steps[])(struct pp_resolver *, struct pp_error *) = {
-        resolve_site,        pp_resolve_envelope,      pp_resolve_closed,
-        pp_resolve_openings, pp_resolve_blocks,        pp_resolve_skylines,
-        pp_resolve_loose,    pp_resolve_working_plane, pp_resolve_receivers};
+        resolve_site,        pp_resolve_envelope, pp_resolve_corners,
+        pp_resolve_closed,   pp_resolve_openings, pp_resolve_blocks,
+        pp_resolve_skylines, pp_resolve_loose,    pp_resolve_working_plane,
+        pp_resolve_receivers};
     enum pp_status status = pp_clipper_create(&r->clipper, err);
     for (size_t i = 0; i < sizeof steps / sizeof *steps && status == PP_OK; i++)
         status = steps[i](r, err);
