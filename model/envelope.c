@@ -223,11 +223,11 @@ static void check_finishes(struct pp_resolver *r)
         for (int k = 0; k < i; k++)
             if (room->finishes[k].wall
                 && strcmp(room->finishes[k].wall, finish->wall) == 0) {
-                pp_mistake(r->mistakes, finish->line,
-                           "finish: a second one for that wall, after line %d; "
-                           "expected one at "
-                           "most",
-                           room->finishes[k].line);
+                pp_mistake(
+                    r->mistakes, finish->line,
+                    "finish: that wall has one already, at line %d; expected one at "
+                    "most",
+                    room->finishes[k].line);
                 break;
             }
         for (int k = 0; k < room->plan.face_count; k++) {
