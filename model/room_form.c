@@ -294,7 +294,8 @@ bool pp_form_fill(void *form, const struct pp_element_rule *rule,
             good = read_value(field, &at) && good;
         } else if (row->required) {
             good = false;
-            if (is_misspelt(rule, element, row->name))
+            /* A tag that breaks off may have been about to say it. */
+            if (!element->ended || is_misspelt(rule, element, row->name))
                 continue;
             pp_mistake(mistakes, element->line, "%s: %s is missing; expected %s",
                        rule->name, row->name, row->kind->expected);

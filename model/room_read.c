@@ -51,7 +51,9 @@ static char *copy_text(struct reader *r, const char *text)
     return copy;
 }
 
-/* Attributes into form, and the children's names and numbers checked. */
+/* Attributes into form, and the children's names and numbers checked. False where
+ * there is a mistake, or where the file breaks off within the element: then there is
+ * nothing more to be said of it. */
 static bool read_form(struct reader *r, void *form, const struct pp_element_rule *rule,
                       const struct pp_xml_element *element)
 {
@@ -60,7 +62,7 @@ static bool read_form(struct reader *r, void *form, const struct pp_element_rule
     bool good = pp_form_fill(form, rule, element, r->mistakes);
     good = pp_children_check(rule, element, r->mistakes) && good;
     r->bad_elements += !good;
-    return good;
+    return good && element->ended;
 }
 
 static void clear_vertices(struct pp_vertices *vertices)
@@ -161,7 +163,7 @@ static void read_plan(struct reader *r, struct pp_room *room,
     struct pp_plan_part plan = {.line = e->line};
     bool good = read_form(r, &form, &pp_rule_plan, e);
     good = read_vertices(r, &plan.vertices, &pp_rule_plan_vertex, e) && good;
-    if (good && e->ended) {
+    if (good) {
         const char *fault = plan_fault(&form, plan.vertices.count);
         if (fault)
             pp_mistake(r->mistakes, e->line, "plan: %s", fault);
@@ -502,7 +504,7 @@ static void read_room(struct reader *r, struct pp_room *room,
 {
     struct pp_room_form form;
     bool good = read_form(r, &form, &pp_rule_room, e);
-    if (root && form.version < 0 && !gives_up(r))
+    if (root && form.version < 0 && e->ended && !gives_up(r))
         pp_mistake(r->mistakes, e->line, "room: version is missing; expected \"1\"");
     room->line = e->line;
     room->north_rad = good ? form.north_rad : 0.0;

@@ -17,7 +17,7 @@
 #include "model/mistakes.h"
 
 enum {
-    PP_XML_BYTES_MOST = 16 << 20,   /* a file: 16 MiB */
+    PP_XML_BYTES_MOST = 8 << 20,    /* a file: 8 MiB */
     PP_XML_DEPTH_MOST = 8,          /* elements within elements */
     PP_XML_ELEMENTS_MOST = 200000,  /* in a file */
     PP_XML_ATTRIBUTES_MOST = 64,    /* of an element */
