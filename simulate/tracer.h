@@ -27,6 +27,7 @@ struct pp_tracer_options {
     uint64_t seed;
     int threads;  /* 0: as many as the machine has processors */
     bool average; /* the average over the working plane too */
+    bool every_ray; /* trace also the rays whose end is known beforehand: for checks */
 };
 
 struct pp_tracer;
@@ -53,6 +54,13 @@ double pp_tracer_error(const struct pp_tracer *tracer);
  * for index -1: readings[PP_SC] ... readings[PP_DF]. */
 void pp_tracer_read(const struct pp_tracer *tracer, int index,
                     struct pp_reading readings[PP_COMPONENT_COUNT]);
+
+/* What has been done so far. A leak is a ray that left the room through a crack between
+ * surfaces and was given up. */
+struct pp_tracer_work {
+    long long paths, rays, leaks;
+};
+struct pp_tracer_work pp_tracer_work(const struct pp_tracer *tracer);
 
 void pp_tracer_destroy(struct pp_tracer *tracer); /* NULL is allowed */
 
