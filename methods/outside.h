@@ -6,6 +6,8 @@
 #ifndef PP_METHODS_OUTSIDE_H
 #define PP_METHODS_OUTSIDE_H
 
+#include <stdbool.h>
+
 #include "model/world.h"
 
 /* Illuminance over Eh that a plane through the middle of the opening's outline (its
@@ -29,10 +31,14 @@ struct pp_outside {
  * lies behind it does not count. `face` is the surface that the plane is part of, by
  * index: it hides nothing, and its skylines are those that count; -1: none and none.
  * Closed form for the overcast and uniform skies (errors of 1e-13), else quadrature to
- * PP_QUADRATURE_UNGLAZED. */
+ * 1e-9. */
 enum pp_status pp_outside_at(struct pp_outside *outside, const struct pp_world *world,
                              const struct pp_sky *sky, struct pp_vec3 position,
                              struct pp_vec3 normal, int face, struct pp_error *err);
+
+/* Does the same fall on all of an opening's outside: is there nothing before it but
+ * sky, ground and skylines without a distance? */
+bool pp_outside_is_even(const struct pp_world *world, const struct pp_opening *opening);
 
 /* Solid angle (sr) of the sky that is seen directly from a point in the room through
  * all its openings, whatever their glass; diffusing panes show none. Exactly 0 where

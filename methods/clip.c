@@ -1,0 +1,46 @@
+/* clip.c - see clip.h. */
+#include "methods/clip.h"
+
+int pp_clip_convex(struct pp_vec3 *out, const struct pp_vec3 *in, int count,
+                   struct pp_vec3 normal, double offset)
+{
+    int left = 0;
+    if (count < 3)
+        return 0;
+    struct pp_vec3 last = in[count - 1];
+    double last_depth = pp_dot(normal, last) - offset;
+    for (int i = 0; i < count; i++) {
+        double depth = pp_dot(normal, in[i]) - offset;
+        if (last_depth > 0.0 && !(depth > 0.0))
+            out[left++] =
+                pp_along(last, last_depth / (last_depth - depth), pp_sub(in[i], last));
+        else if (depth > 0.0 && !(last_depth > 0.0))
+            out[left++] =
+                pp_along(in[i], depth / (depth - last_depth), pp_sub(last, in[i]));
+        if (depth > 0.0)
+            out[left++] = in[i];
+        last = in[i];
+        last_depth = depth;
+    }
+    return left < 3 ? 0 : left;
+}
+
+int pp_clip_tidy(double (*xy)[2], int count, double grain)
+{
+    int left = 0;
+    for (int i = 0; i < count; i++) {
+        const double *last = left > 0 ? xy[left - 1] : xy[count - 1];
+        if (hypot(xy[i][0] - last[0], xy[i][1] - last[1]) > grain) {
+            xy[left][0] = xy[i][0];
+            xy[left++][1] = xy[i][1];
+        }
+    }
+    double twice = 0.0, longest = 0.0;
+    for (int i = 1; i < left; i++) {
+        double ax = xy[i][0] - xy[0][0], ay = xy[i][1] - xy[0][1];
+        longest = fmax(longest, hypot(ax, ay));
+        if (i > 1)
+            twice += (xy[i - 1][0] - xy[0][0]) * ay - ax * (xy[i - 1][1] - xy[0][1]);
+    }
+    return left >= 3 && fabs(twice) > grain * longest ? left : 0;
+}

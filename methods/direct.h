@@ -1,0 +1,45 @@
+/* direct.h - what the patches of a view give a receiver: the conventions of the direct
+ * component at work.
+ *
+ *     sky       integral of L tau(i) (n.u) over what shows the sky
+ *     external  luminance factor f times the same over what hides it (its equivalent
+ *               sky component), f = rho for the overcast sky, else rho / 2;
+ *               hidden below the horizon: f times the luminance at the horizon;
+ *               ground that is seen: rho_ground / pi times integral tau (n.u);
+ *               exitance M of what hides: M / pi times integral tau (n.u)
+ *
+ * with tau the transmittance of the glass at its angle of incidence, 1 where there is
+ * none. Closed form where sky and glass allow it, else quadrature.
+ */
+#ifndef PP_METHODS_DIRECT_H
+#define PP_METHODS_DIRECT_H
+
+#include "methods/solid_angle.h"
+#include "methods/visible.h"
+#include "model/error.h"
+#include "model/world.h"
+
+struct pp_direct {
+    double sky, external; /* over Eh */
+    double error;         /* of both, the bound that the quadrature claims; 0 for closed
+                           * forms */
+};
+
+/* Adds to *sum. Glass lies square to the view's `toward`. Nothing is allocated for
+ * closed forms over rings of at most 64 corners. */
+enum pp_status pp_direct_add(struct pp_direct *sum, const struct pp_visible *visible,
+                             struct pp_vec3 normal, const struct pp_glass *glass,
+                             const struct pp_world *world, const struct pp_sky *sky,
+                             struct pp_error *err);
+
+/* Luminance factor of what hides the sky, from its reflectance. */
+double pp_direct_factor(const struct pp_sky *sky, double reflectance);
+
+/* Moments of what lies of a patch within `more` half-spaces, at most three, too. */
+enum pp_status pp_direct_moments(struct pp_moments *moments,
+                                 const struct pp_visible *visible,
+                                 const struct pp_patch *patch, struct pp_vec3 normal,
+                                 const struct pp_vec3 *more, int more_count,
+                                 struct pp_error *err);
+
+#endif
