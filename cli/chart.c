@@ -1,4 +1,5 @@
 /* chart - draws one chart of each room to a PDF, SVG or PNG. */
+#include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 
@@ -63,9 +64,8 @@ static const struct pp_option sheet_options[] = {
 
 static const char about[] =
     "Draws a chart of a room to -o FILE.pdf, FILE.svg or FILE.png. The rooms of a "
-    "building, or of several files, get a page each of a PDF. FILE is a room file; - "
-    "is "
-    "standard input.";
+    "building, or of several files, get a page each of a PDF, and a file each of the "
+    "other formats: FILE-1.png, FILE-2.png. FILE is a room file; - is standard input.";
 
 static void print_kinds(void)
 {
@@ -112,42 +112,46 @@ static enum pp_status choose_format(enum pp_chart_format *format,
     return pp_chart_format_of(format, output, err);
 }
 
+/* What is drawn, of which rooms, and how it ended. */
+struct drawing {
+    const struct pp_chart_kind *kind;
+    enum pp_chart_format format;
+    const struct pp_room_options *room_options;
+    const struct pp_chart_options *options;
+    struct pp_loaded_room *rooms;
+    int count;
+    bool finished; /* false: a simulation was interrupted */
+};
+
 /* A sheet for each room, on one canvas. */
-static enum pp_status draw_rooms(struct pp_canvas *canvas,
-                                 const struct pp_chart_kind *kind,
-                                 struct pp_rooms *rooms,
-                                 const struct pp_room_options *room_options,
-                                 const struct pp_chart_options *options, bool *finished,
+static enum pp_status draw_rooms(struct drawing *drawing, struct pp_canvas *canvas,
                                  struct pp_error *err)
 {
-    if (room_options->simulate)
-        pp_interrupt_watch();
     enum pp_status status = PP_OK;
-    for (int i = 0; i < rooms->count && status == PP_OK; i++) {
+    for (int i = 0; i < drawing->count && status == PP_OK; i++) {
         if (i > 0)
             status = pp_canvas_next_sheet(canvas, err);
         if (status == PP_OK)
-            status = pp_draw_chart(kind, canvas, &rooms->list[i], room_options, options,
-                                   finished, err);
+            status = pp_draw_chart(drawing->kind, canvas, &drawing->rooms[i],
+                                   drawing->room_options, drawing->options,
+                                   &drawing->finished, err);
     }
     return status;
 }
 
-static enum pp_status draw(const struct pp_chart_kind *kind,
-                           enum pp_chart_format format, struct pp_rooms *rooms,
-                           const struct pp_room_options *room_options,
-                           const struct pp_chart_options *options, FILE *out,
-                           bool *finished, struct pp_error *err)
+static enum pp_status draw(struct drawing *drawing, FILE *out, struct pp_error *err)
 {
-    const struct pp_world *world = rooms->list[0].world;
+    const struct pp_world *world = drawing->rooms[0].world;
+    const struct pp_chart_options *options = drawing->options;
     char description[256];
-    snprintf(description, sizeof description, "%s; sky: %s", kind->summary,
+    snprintf(description, sizeof description, "%s; sky: %s", drawing->kind->summary,
              pp_sky_name(&world->sky));
-    const struct pp_sheet sheet = {.format = format,
+    const struct pp_sheet sheet = {.format = drawing->format,
                                    .paper = options->paper,
-                                   .landscape = options->orientation == PP_LANDSCAPE
-                                                || (options->orientation == PP_AS_FITS
-                                                    && pp_chart_landscape(kind, world)),
+                                   .landscape =
+                                       options->orientation == PP_LANDSCAPE
+                                       || (options->orientation == PP_AS_FITS
+                                           && pp_chart_landscape(drawing->kind, world)),
                                    .dpi = options->dpi,
                                    .title = world->name,
                                    .description = description};
@@ -158,7 +162,7 @@ static enum pp_status draw(const struct pp_chart_kind *kind,
 
     const unsigned char *bytes;
     size_t length;
-    status = draw_rooms(canvas, kind, rooms, room_options, options, finished, err);
+    status = draw_rooms(drawing, canvas, err);
     if (status == PP_OK)
         status = pp_canvas_finish(canvas, &bytes, &length, err);
     if (status == PP_OK && fwrite(bytes, 1, length, out) != length)
@@ -167,25 +171,67 @@ static enum pp_status draw(const struct pp_chart_kind *kind,
     return status;
 }
 
-static enum pp_exit draw_to_file(const struct pp_chart_kind *kind,
-                                 enum pp_chart_format format, struct pp_rooms *rooms,
-                                 const struct pp_room_options *room_options,
-                                 const struct pp_chart_options *options)
+static enum pp_status draw_to_file(struct drawing *drawing, const char *path,
+                                   struct pp_error *err)
+{
+    struct pp_output output;
+    enum pp_status status = pp_output_open(&output, path, err);
+    if (status == PP_OK)
+        status = draw(drawing, output.stream, err);
+    if (status == PP_OK)
+        status = pp_output_commit(&output, err);
+    else
+        pp_output_abandon(&output);
+    return status;
+}
+
+/* "plan.png" with "-3" before its ending; to be freed. NULL when memory is out. */
+static char *numbered(const char *path, int number)
+{
+    const char *name = strrchr(path, '/');
+    const char *dot = strrchr(name ? name : path, '.');
+    if (!dot)
+        dot = path + strlen(path);
+    char *made;
+    int length = asprintf(&made, "%.*s-%d%s", (int)(dot - path), path, number, dot);
+    return length < 0 ? NULL : made;
+}
+
+/* A file for each room, in a format that has no pages. */
+static enum pp_status draw_numbered(struct drawing *all, struct pp_error *err)
+{
+    enum pp_status status = PP_OK;
+    for (int i = 0; i < all->count && status == PP_OK; i++) {
+        struct drawing one = *all;
+        one.rooms = &all->rooms[i];
+        one.count = 1;
+        char *path = numbered(all->room_options->output, i + 1);
+        status = path ? draw_to_file(&one, path, err) : pp_fail_memory(err);
+        free(path);
+        all->finished &= one.finished;
+    }
+    return status;
+}
+
+static enum pp_exit draw_all(struct drawing *drawing, bool to_standard_output)
 {
     struct pp_error err = {0};
-    struct pp_output output;
-    bool finished = true;
-    enum pp_status status = pp_output_open(&output, room_options->output, &err);
-    if (status == PP_OK)
-        status = draw(kind, format, rooms, room_options, options, output.stream,
-                      &finished, &err);
-    if (status == PP_OK)
-        status = pp_output_commit(&output, &err);
-    if (status != PP_OK) {
-        pp_output_abandon(&output);
-        return pp_say_error(&err);
+    bool pages = drawing->format == PP_CHART_PDF || drawing->count == 1;
+    if (!pages && to_standard_output) {
+        pp_fail(&err, PP_BAD_INPUT,
+                "there are %d rooms, and only a PDF has a page for each; expected -o "
+                "FILE, --format pdf or --room NAME",
+                drawing->count);
+        return pp_say_usage("chart", &err);
     }
-    if (finished)
+    if (drawing->room_options->simulate)
+        pp_interrupt_watch();
+    enum pp_status status =
+        pages ? draw_to_file(drawing, drawing->room_options->output, &err)
+              : draw_numbered(drawing, &err);
+    if (status != PP_OK)
+        return pp_say_error(&err);
+    if (drawing->finished)
         return PP_EXIT_DONE;
     pp_say("interrupted; the chart shows what was reached so far");
     return PP_EXIT_INTERRUPTED;
@@ -213,23 +259,21 @@ static enum pp_exit run(const struct pp_chart_kind *kind,
         pp_rooms_load(&rooms, "chart", files, file_count, room_options);
     if (exit_status != PP_EXIT_DONE)
         return exit_status;
-    if (rooms.count > 1 && format != PP_CHART_PDF) {
-        pp_fail(
-            &err, PP_BAD_INPUT,
-            "there are %d rooms, and only a PDF has a page for each; expected --room "
-            "NAME or -o FILE.pdf",
-            rooms.count);
-        exit_status = pp_say_usage("chart", &err);
-    } else {
-        exit_status = draw_to_file(kind, format, &rooms, room_options, options);
-    }
+    struct drawing drawing = {.kind = kind,
+                              .format = format,
+                              .room_options = room_options,
+                              .options = options,
+                              .rooms = rooms.list,
+                              .count = rooms.count,
+                              .finished = true};
+    exit_status = draw_all(&drawing, to_standard_output);
     pp_rooms_clear(&rooms);
     return exit_status;
 }
 
 /* What the words say, before any file is opened. */
 static enum pp_status check(char **words, int word_count,
-                            const struct pp_room_options *options,
+                            struct pp_room_options *options,
                             const struct pp_chart_kind **kind, struct pp_error *err)
 {
     if (word_count == 0)
@@ -241,7 +285,7 @@ static enum pp_status check(char **words, int word_count,
     if (word_count == 1)
         return pp_fail(err, PP_BAD_INPUT,
                        "expected a room file, or - for standard input");
-    enum pp_status status = pp_room_options_check(options, err);
+    enum pp_status status = pp_room_options_settle(options, err);
     if (status == PP_OK && options->methods)
         status = pp_methods_check(options->methods, err);
     return status;

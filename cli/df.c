@@ -154,13 +154,13 @@ static enum pp_exit run(const struct pp_room_options *options, enum format forma
 }
 
 /* What the options say, before any file is opened. */
-static enum pp_status check(const struct pp_room_options *options, int file_count,
+static enum pp_status check(struct pp_room_options *options, int file_count,
                             struct pp_error *err)
 {
     if (file_count == 0)
         return pp_fail(err, PP_BAD_INPUT,
                        "expected a room file, or - for standard input");
-    enum pp_status status = pp_room_options_check(options, err);
+    enum pp_status status = pp_room_options_settle(options, err);
     if (status == PP_OK && options->methods)
         status = pp_methods_check(options->methods, err);
     return status;
@@ -173,8 +173,8 @@ enum pp_exit cmd_df(int argc, char **argv)
     const struct pp_option_group groups[] = {
         {"What is computed", pp_room_choice_options, &options},
         {"Simulation", pp_room_simulation_options, &options},
+        {"Output", format_option, &format},
         {"Output", pp_room_output_options, &options},
-        {"Format", format_option, &format},
         {0},
     };
     const struct pp_command_line line = {"df", "FILE...", about, groups};

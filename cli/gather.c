@@ -10,8 +10,6 @@
 /* Between two looks at the clock, the interrupt and the progress bar. */
 static const double slice_s = 0.1;
 
-static const double default_error = 0.01;
-
 enum pp_status pp_gather_methods(struct pp_report *report,
                                  const struct pp_loaded_room *room,
                                  const struct pp_room_options *options,
@@ -24,19 +22,6 @@ enum pp_status pp_gather_methods(struct pp_report *report,
     if (options->threads > 0)
         omp_set_num_threads(options->threads);
     return pp_methods_evaluate(report, options->methods, err);
-}
-
-/* Of what was asked for; an error of 1 % where nothing was. */
-static struct pp_tracer_options tracer_options(const struct pp_room_options *options)
-{
-    struct pp_tracer_options tracer = {.error = options->error,
-                                       .samples = options->samples,
-                                       .seed = options->seed,
-                                       .threads = options->threads,
-                                       .average = true};
-    if (options->error == 0.0 && options->samples == 0 && options->seconds == 0.0)
-        tracer.error = default_error;
-    return tracer;
 }
 
 /* Until the tracer is done, the time is over, or somebody interrupts. */
@@ -95,7 +80,11 @@ enum pp_status pp_gather_traced(struct pp_report *report,
     struct pp_progress progress;
     pp_progress_begin(&progress, name ? name : "room", options->quiet);
 
-    struct pp_tracer_options traced = tracer_options(options);
+    const struct pp_tracer_options traced = {.error = options->error,
+                                             .samples = options->samples,
+                                             .seed = options->seed,
+                                             .threads = options->threads,
+                                             .average = true};
     struct pp_tracer *tracer;
     enum pp_status status = pp_tracer_create(&tracer, report->world, report->receivers,
                                              report->receiver_count, &traced, err);

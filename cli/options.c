@@ -189,8 +189,11 @@ void pp_options_help(const struct pp_command_line *line, FILE *out)
 {
     fprintf(out, "Usage: pepperpot %s [OPTIONS] %s\n\n", line->command, line->operands);
     wrap(out, line->about, 0, 0);
+    const char *title = "";
     for (const struct pp_option_group *group = line->groups; group->title; group++) {
-        fprintf(out, "\n%s:\n", group->title);
+        if (strcmp(group->title, title) != 0)
+            fprintf(out, "\n%s:\n", group->title);
+        title = group->title;
         for (const struct pp_option *option = group->options; option->name; option++)
             help_on_option(option, out);
     }

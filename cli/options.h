@@ -26,7 +26,8 @@ struct pp_option {
     size_t offset;          /* of its place in the group's values */
 };
 
-/* Options that stand together in the help and write to the same struct. */
+/* Options that write to the same struct. In the help, groups that follow one another
+ * under the same title stand together. */
 struct pp_option_group {
     const char *title; /* NULL ends a list of groups */
     const struct pp_option *options;

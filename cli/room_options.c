@@ -78,7 +78,7 @@ const struct pp_option pp_room_simulation_options[] = {
     {"simulate", 's', NULL,
      "Trace light paths too, and set the result beside the methods.", NULL,
      PLACE(simulate)},
-    {"error", 0, "PER CENT",
+    {"error", 0, "E%",
      "Stop when the standard error of the daylight factor is down "
      "to that share of it, or to 0.002 % daylight factor, at "
      "every point (default 1%).",
@@ -111,8 +111,8 @@ const struct pp_option pp_room_output_options[] = {
     {0},
 };
 
-enum pp_status pp_room_options_check(const struct pp_room_options *options,
-                                     struct pp_error *err)
+enum pp_status pp_room_options_settle(struct pp_room_options *options,
+                                      struct pp_error *err)
 {
     const char *needs_simulate = options->error > 0.0     ? "--error"
                                  : options->samples > 0   ? "--samples"
@@ -126,6 +126,10 @@ enum pp_status pp_room_options_check(const struct pp_room_options *options,
         return pp_fail(err, PP_BAD_INPUT,
                        "--error and --samples are two ways to say the same; expected "
                        "one of them");
+    bool has_end =
+        options->error > 0.0 || options->samples > 0 || options->seconds > 0.0;
+    if (options->simulate && !has_end)
+        options->error = 0.01;
     return PP_OK;
 }
 

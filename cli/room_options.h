@@ -39,9 +39,10 @@ extern const struct pp_option pp_room_choice_options[];     /* methods, points, 
 extern const struct pp_option pp_room_simulation_options[]; /* simulate ... threads */
 extern const struct pp_option pp_room_output_options[];     /* output, quiet */
 
-/* Do the options make sense together? PP_BAD_INPUT if not. */
-enum pp_status pp_room_options_check(const struct pp_room_options *options,
-                                     struct pp_error *err);
+/* Do the options make sense together? PP_BAD_INPUT if not. A simulation without an end
+ * gets an error of 1 %. */
+enum pp_status pp_room_options_settle(struct pp_room_options *options,
+                                      struct pp_error *err);
 
 void pp_room_options_clear(struct pp_room_options *options);
 

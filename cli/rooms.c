@@ -97,10 +97,12 @@ static enum pp_exit place_points(struct pp_loaded_room *room,
         receivers[i].normal = pp_vec(0.0, 0.0, 1.0);
         const char *fault = pp_world_receiver_fault(room->world, at);
         if (fault) {
+            const char *name = room->world->name;
             pp_fail(&err, PP_BAD_INPUT,
-                    "%s: the point %g,%g,%g of --points %s; expected a place in the "
-                    "room's free space",
-                    room->file, at.x, at.y, at.z, fault);
+                    "%s: the point %g,%g,%g of --points %s%s%.100s; expected a place "
+                    "in the room's free space",
+                    room->file, at.x, at.y, at.z, fault, name ? " of " : "",
+                    name ? name : "");
             return pp_say_error(&err);
         }
     }
@@ -125,8 +127,8 @@ static enum pp_exit say_no_such_room(const struct pp_rooms *rooms, const char *w
         pp_fail(&err, PP_BAD_INPUT,
                 "no room is named \"%.200s\"; did you mean \"%.200s\"?", wanted, guess);
     else
-        pp_fail(&err, PP_BAD_INPUT, "no room is named \"%.200s\"; the names are %s",
-                wanted, pp_name_list(known, sizeof known, names, count));
+        pp_fail(&err, PP_BAD_INPUT, "no room is named \"%.200s\"; expected %s", wanted,
+                pp_name_list(known, sizeof known, names, count));
     free(names);
     return pp_say_error(&err);
 }

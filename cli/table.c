@@ -118,19 +118,21 @@ static bool same_group(const struct pp_table_column *a, const struct pp_table_co
     return a->group == b->group;
 }
 
-/* What column i takes with the gap before it, where it is not the first of a panel. */
-static int full_width(const struct pp_table *table, int i)
+/* The gap before column i where column `first` stands next to the keys. */
+static int gap_before(const struct pp_table *table, int i, int first)
 {
-    const struct pp_table_column *column = &table->columns[i];
-    bool starts_group = i > 0 && !same_group(column, column - 1);
-    return column->width + (i == 0 ? 0 : starts_group ? GROUP_GAP : GAP);
+    if (i == 0)
+        return INDENT;
+    bool starts_group =
+        i == first || !same_group(&table->columns[i], &table->columns[i - 1]);
+    return starts_group ? GROUP_GAP : GAP;
 }
 
 static int keys_width(const struct pp_table *table)
 {
-    int width = INDENT;
+    int width = 0;
     for (int i = 0; i < table->key_count; i++)
-        width += full_width(table, i);
+        width += gap_before(table, i, table->key_count) + table->columns[i].width;
     return width;
 }
 
@@ -153,7 +155,7 @@ static int panel_end(const struct pp_table *table, int first, int width)
     while (end < table->column_count) {
         int next = group_end(table, end), needed = 0;
         for (int i = end; i < next; i++)
-            needed += full_width(table, i);
+            needed += gap_before(table, i, first) + table->columns[i].width;
         if (used + needed > width)
             break;
         used += needed;
@@ -161,9 +163,11 @@ static int panel_end(const struct pp_table *table, int first, int width)
     }
     if (end > first)
         return end;
-    while (end < group_end(table, first)
-           && (end == first || used + full_width(table, end) <= width))
-        used += full_width(table, end++);
+    for (; end < group_end(table, first); end++) {
+        used += gap_before(table, end, first) + table->columns[end].width;
+        if (end > first && used > width)
+            break;
+    }
     return end;
 }
 
@@ -213,16 +217,9 @@ static int next_column(const struct panel *panel, int i)
     return i + 1 == panel->table->key_count ? panel->first : i + 1;
 }
 
-/* The blanks before column i. */
 static void put_gap(struct writer *writer, const struct panel *panel, int i)
 {
-    const struct pp_table_column *columns = panel->table->columns;
-    if (i == 0) {
-        writer->blanks += INDENT;
-        return;
-    }
-    bool starts_group = i == panel->first || !same_group(&columns[i], &columns[i - 1]);
-    writer->blanks += starts_group ? GROUP_GAP : GAP;
+    writer->blanks += gap_before(panel->table, i, panel->first);
 }
 
 /* Group titles, and below them the rules that show how far each reaches. */
@@ -304,9 +301,9 @@ static void print_panel(const struct panel *panel, FILE *out)
     print_groups(panel, &writer);
     print_headings(panel, &writer);
 
-    int width = keys_width(table) - INDENT + GROUP_GAP;
+    int width = keys_width(table) - INDENT;
     for (int i = panel->first; i < panel->end; i++)
-        width += i == panel->first ? table->columns[i].width : full_width(table, i);
+        width += gap_before(table, i, panel->first) + table->columns[i].width;
     for (int row = 0; row < table->row_count; row++) {
         bool labelled = table->last_label && row == table->row_count - 1;
         if (labelled || row == 0) {

@@ -10,7 +10,7 @@
 enum { PP_CELL_BYTES = 32 };
 
 struct pp_table_column {
-    const char *group;       /* not owned; NULL for key columns */
+    const char *group; /* not owned; the same pointer is the same group; NULL: keys */
     const char *group_short; /* where `group` is wider than its columns */
     char heading[48];        /* broken before "+" and behind "-" to be narrow */
     char (*cells)[PP_CELL_BYTES];

@@ -223,11 +223,26 @@ static void limits_of_the_simulation_need_a_simulation(void **state)
     (void)state;
     struct pp_room_options options = pp_room_options_none;
     options.error = 0.01;
-    assert_int_equal(pp_room_options_check(&options, NULL), PP_BAD_INPUT);
+    assert_int_equal(pp_room_options_settle(&options, NULL), PP_BAD_INPUT);
     options.simulate = true;
-    assert_int_equal(pp_room_options_check(&options, NULL), PP_OK);
+    assert_int_equal(pp_room_options_settle(&options, NULL), PP_OK);
+    assert_near(options.error, 0.01, 0.0);
     options.samples = 64;
-    assert_int_equal(pp_room_options_check(&options, NULL), PP_BAD_INPUT);
+    assert_int_equal(pp_room_options_settle(&options, NULL), PP_BAD_INPUT);
+}
+
+static void a_simulation_without_an_end_stops_at_one_per_cent(void **state)
+{
+    (void)state;
+    struct pp_room_options options = pp_room_options_none;
+    options.simulate = true;
+    assert_int_equal(pp_room_options_settle(&options, NULL), PP_OK);
+    assert_near(options.error, 0.01, 0.0);
+    options = pp_room_options_none;
+    options.simulate = true;
+    options.seconds = 2.5;
+    assert_int_equal(pp_room_options_settle(&options, NULL), PP_OK);
+    assert_near(options.error, 0.0, 0.0);
 }
 
 int main(void)
@@ -243,6 +258,7 @@ int main(void)
         cmocka_unit_test(counts_are_whole_and_in_range),
         cmocka_unit_test(points_add_up_and_may_leave_out_their_height),
         cmocka_unit_test(points_that_are_none_are_refused),
+        cmocka_unit_test(a_simulation_without_an_end_stops_at_one_per_cent),
         cmocka_unit_test(limits_of_the_simulation_need_a_simulation),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
