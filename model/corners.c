@@ -77,9 +77,7 @@ enum pp_status pp_resolve_corners(struct pp_resolver *r, struct pp_error *err)
                 outline->vertices[k] = cubes.points[number];
                 r->corners[corner++] = number;
             }
-            struct pp_vec3 area = pp_area_vector(outline->vertices, outline->count);
-            outline->area_m2 = pp_length(area);
-            outline->normal = pp_scale(area, 1.0 / outline->area_m2);
+            pp_polygon_measure(outline);
         }
     } else {
         status = pp_fail_memory(err);

@@ -24,11 +24,19 @@ enum pp_status pp_polygon_of(struct pp_polygon *polygon, const struct pp_vec3 *v
         return pp_fail_memory(err);
     if (count > 0)
         memcpy(polygon->vertices, vertices, count * sizeof *vertices);
-    struct pp_vec3 area = pp_area_vector(vertices, count);
-    polygon->area_m2 = pp_length(area);
-    if (polygon->area_m2 > 0.0)
-        polygon->normal = pp_scale(area, 1.0 / polygon->area_m2);
+    pp_polygon_measure(polygon);
     return PP_OK;
+}
+
+void pp_polygon_measure(struct pp_polygon *polygon)
+{
+    struct pp_vec3 area = pp_area_vector(polygon->vertices, polygon->count);
+    double m2 = pp_length(area);
+    polygon->area_m2 = m2;
+    polygon->normal = pp_vec(0.0, 0.0, 0.0);
+    /* Divided, so that a normal along an axis is 1 to the bit. */
+    if (m2 > 0.0)
+        polygon->normal = pp_vec(area.x / m2, area.y / m2, area.z / m2);
 }
 
 void pp_polygon_clear(struct pp_polygon *polygon)

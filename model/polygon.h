@@ -24,6 +24,8 @@ struct pp_vec3 pp_area_vector(const struct pp_vec3 *vertices, int count);
  * pp_polygon_clear. */
 enum pp_status pp_polygon_of(struct pp_polygon *polygon, const struct pp_vec3 *vertices,
                              int count, struct pp_error *err);
+/* Works them out anew from vertices that have been moved. */
+void pp_polygon_measure(struct pp_polygon *polygon);
 void pp_polygon_clear(struct pp_polygon *polygon);
 
 /* The mean of the vertices (not the centre of area). */
