@@ -5,7 +5,7 @@
 struct pp_finish {
     const char *name;
     double reflectance;
-    const char *source; /* key of the table's own list of sources */
+    const char *source; /* as the head of the table explains it */
     const char *description;
 };
 

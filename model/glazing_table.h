@@ -9,7 +9,7 @@ struct pp_glazing {
     double panes, n, kl;
     double normal;         /* NAN: as the panes give it */
     const char *diffusing; /* "yes": normal is its hemispherical transmittance */
-    const char *source;    /* key of the table's own list of sources */
+    const char *source;    /* as the head of the table explains it */
     const char *description;
 };
 
