@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "cli/print_notes.h"
 #include "cli/print_places.h"
 #include "cli/utf8.h"
 
@@ -62,16 +63,6 @@ static void put_distance(char cell[PP_CELL_BYTES], const struct pp_reading *read
 
 /* ---- the table ---- */
 
-/* The reading of row `row`: a point's, or the average's for the last one. NULL where
- * the column has nothing to say of points. */
-static const struct pp_reading *reading_at(const struct pp_report *report,
-                                           const struct pp_column *column, int row)
-{
-    if (row == report->receiver_count)
-        return &column->average;
-    return column->points ? &column->points[row] : NULL;
-}
-
 static bool is_traced(const struct pp_column *column)
 {
     return strcmp(column->name, "traced") == 0;
@@ -87,7 +78,7 @@ static bool add_values(struct pp_table *table, const struct pp_report *report,
         return false;
     bool with_error = is_traced(column) && column->component == PP_DF;
     for (int row = 0; row <= report->receiver_count; row++) {
-        const struct pp_reading *reading = reading_at(report, column, row);
+        const struct pp_reading *reading = pp_reading_at(report, column, row);
         if (reading && with_error)
             put_sampled(shown->cells[row], reading, utf8);
         else if (reading)
@@ -105,37 +96,19 @@ static bool add_distances(struct pp_table *table, const struct pp_report *report
     if (!shown)
         return false;
     for (int row = 0; row <= report->receiver_count; row++) {
-        const struct pp_reading *reading = reading_at(report, column, row);
+        const struct pp_reading *reading = pp_reading_at(report, column, row);
         if (reading)
-            put_distance(shown->cells[row], reading, reading_at(report, traced, row));
+            put_distance(shown->cells[row], reading,
+                         pp_reading_at(report, traced, row));
     }
     return true;
-}
-
-/* Is the whole component 0, as externally reflected light is where nothing stands
- * outside? Then a sentence does for its columns. */
-static bool is_zero(const struct pp_report *report, enum pp_component component)
-{
-    bool any = false;
-    for (int i = 0; i < report->column_count; i++) {
-        const struct pp_column *column = &report->columns[i];
-        if (column->component != component)
-            continue;
-        any = true;
-        for (int row = 0; row <= report->receiver_count; row++) {
-            const struct pp_reading *reading = reading_at(report, column, row);
-            if (reading && reading->value != 0.0)
-                return false;
-        }
-    }
-    return any;
 }
 
 static bool fill_table(struct pp_table *table, const struct pp_report *report,
                        bool utf8)
 {
     for (int i = 0; i < report->column_count; i++)
-        if ((report->columns[i].component != PP_ERC || !is_zero(report, PP_ERC))
+        if ((report->columns[i].component != PP_ERC || !pp_is_nothing(report, PP_ERC))
             && !add_values(table, report, &report->columns[i], utf8))
             return false;
     const struct pp_column *traced = pp_report_find(report, PP_DF, "traced");
@@ -148,107 +121,14 @@ static bool fill_table(struct pp_table *table, const struct pp_report *report,
     return true;
 }
 
-/* ---- notes ---- */
-
-/* Rows of a column that are missing for that reason, up to row `end`. */
-static int count_why(const struct pp_report *report, const struct pp_column *column,
-                     const char *why, int end)
-{
-    int count = 0;
-    for (int row = 0; row < end; row++) {
-        const struct pp_reading *reading = reading_at(report, column, row);
-        count += reading && !isfinite(reading->value) && reading->why
-                 && strcmp(reading->why, why) == 0;
-    }
-    return count;
-}
-
-/* Has a column of that name and for that reason come before this one? A method's parts
- * share its reasons. */
-static bool is_named_before(const struct pp_report *report,
-                            const struct pp_column *column, const char *why)
-{
-    for (const struct pp_column *c = report->columns; c < column; c++)
-        if (strcmp(c->name, column->name) == 0
-            && count_why(report, c, why, report->receiver_count + 1) > 0)
-            return true;
-    return false;
-}
-
-/* "- brs-table, brs-table+bre: the table holds vertical openings only (3 of 17
- * points)" */
-static void print_note(const struct pp_report *report, const char *why, int width,
-                       FILE *out)
-{
-    char text[1024] = "", names[512] = "";
-    int points = report->receiver_count, most = 0;
-    bool of_points = false;
-    for (int i = 0; i < report->column_count; i++) {
-        const struct pp_column *column = &report->columns[i];
-        int missing = count_why(report, column, why, points);
-        if (count_why(report, column, why, points + 1) == 0
-            || is_named_before(report, column, why))
-            continue;
-        size_t length = strlen(names);
-        snprintf(names + length, sizeof names - length, "%s%s", length ? ", " : "",
-                 column->name);
-        of_points |= column->points != NULL;
-        most = missing > most ? missing : most;
-    }
-    int used = snprintf(text, sizeof text, "%s: %s", names, why);
-    if (of_points && most == 0 && used < (int)sizeof text)
-        snprintf(text + used, sizeof text - (size_t)used, " (the average)");
-    else if (of_points && most < points && used < (int)sizeof text)
-        snprintf(text + used, sizeof text - (size_t)used, " (%d of %d points)", most,
-                 points);
-    fputs("  - ", out);
-    pp_print_wrapped(text, 4, 4, width, out);
-}
-
-/* Is this reading the first with its reason? */
-static bool is_first(const struct pp_report *report, int column, int row)
-{
-    const struct pp_reading *reading =
-        reading_at(report, &report->columns[column], row);
-    for (int c = 0; c <= column; c++)
-        for (int r = 0; r <= report->receiver_count; r++) {
-            if (c == column && r == row)
-                return true;
-            const struct pp_reading *before =
-                reading_at(report, &report->columns[c], r);
-            if (before && !isfinite(before->value) && before->why
-                && strcmp(before->why, reading->why) == 0)
-                return false;
-        }
-    return true;
-}
-
-static void print_notes(const struct pp_report *report, int width, FILE *out)
-{
-    bool any = is_zero(report, PP_ERC);
-    if (any)
-        fputs("\n  - The externally reflected component is 0 everywhere.\n", out);
-    for (int c = 0; c < report->column_count; c++)
-        for (int row = 0; row <= report->receiver_count; row++) {
-            const struct pp_reading *reading =
-                reading_at(report, &report->columns[c], row);
-            if (!reading || isfinite(reading->value) || !reading->why
-                || !is_first(report, c, row))
-                continue;
-            if (!any)
-                fputc('\n', out);
-            any = true;
-            print_note(report, reading->why, width, out);
-        }
-}
-
 static void print_simulation(const struct pp_report *report,
                              const struct pp_room_options *options, bool utf8,
                              int width, FILE *out)
 {
     char text[512];
     int length = snprintf(text, sizeof text,
-                          "traced: by simulation, %s one standard error, seed %llu",
+                          "traced: by simulation, %s one standard error, seed %llu; "
+                          "off: how far a method is from it",
                           utf8 ? "\xc2\xb1" : "+-", (unsigned long long)options->seed);
     if (!report->finished)
         snprintf(text + length, sizeof text - (size_t)length,
@@ -302,8 +182,7 @@ static enum pp_status print_room(const struct pp_result *result,
 
     if (pp_report_find(report, PP_DF, "traced"))
         print_simulation(report, options, utf8, width, out);
-    print_notes(report, width, out);
-    return PP_OK;
+    return pp_print_notes(report, width, out) ? PP_OK : pp_fail_memory(err);
 }
 
 enum pp_status pp_print_text(const struct pp_results *results, int width, bool utf8,

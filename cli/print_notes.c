@@ -1,0 +1,142 @@
+#include "cli/print_notes.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "cli/print.h"
+
+const struct pp_reading *pp_reading_at(const struct pp_report *report,
+                                       const struct pp_column *column, int row)
+{
+    if (row == report->receiver_count)
+        return &column->average;
+    return column->points ? &column->points[row] : NULL;
+}
+
+bool pp_is_nothing(const struct pp_report *report, enum pp_component component)
+{
+    bool any = false;
+    for (int i = 0; i < report->column_count; i++) {
+        const struct pp_column *column = &report->columns[i];
+        if (column->component != component)
+            continue;
+        any = true;
+        for (int row = 0; row <= report->receiver_count; row++) {
+            const struct pp_reading *reading = pp_reading_at(report, column, row);
+            if (reading && reading->value != 0.0)
+                return false;
+        }
+    }
+    return any;
+}
+
+/* Why there is no value in that row, or NULL. */
+static const char *why_at(const struct pp_report *report,
+                          const struct pp_column *column, int row)
+{
+    const struct pp_reading *reading = pp_reading_at(report, column, row);
+    return reading && !isfinite(reading->value) ? reading->why : NULL;
+}
+
+/* The reasons of a report, each once, in the order of its columns; borrowed. */
+struct reasons {
+    const char **list;
+    int count;
+};
+
+static bool add_reason(struct reasons *reasons, const char *why)
+{
+    for (int i = 0; i < reasons->count; i++)
+        if (reasons->list[i] == why || strcmp(reasons->list[i], why) == 0)
+            return true;
+    const char **grown =
+        realloc(reasons->list, ((size_t)reasons->count + 1) * sizeof *grown);
+    if (!grown)
+        return false;
+    reasons->list = grown;
+    grown[reasons->count++] = why;
+    return true;
+}
+
+static bool collect_reasons(struct reasons *reasons, const struct pp_report *report)
+{
+    for (int c = 0; c < report->column_count; c++)
+        for (int row = 0; row <= report->receiver_count; row++) {
+            const char *why = why_at(report, &report->columns[c], row);
+            if (why && !add_reason(reasons, why))
+                return false;
+        }
+    return true;
+}
+
+/* Rows before `end` in which a column gives that reason. */
+static int count_rows(const struct pp_report *report, const struct pp_column *column,
+                      const char *why, int end)
+{
+    int count = 0;
+    for (int row = 0; row < end; row++) {
+        const char *own = why_at(report, column, row);
+        count += own && (own == why || strcmp(own, why) == 0);
+    }
+    return count;
+}
+
+/* Is the column's name in a list of names with commas? A method's components share its
+ * reasons. */
+static bool is_listed(const char *names, const char *name)
+{
+    size_t length = strlen(name);
+    for (const char *at = names; (at = strstr(at, name)) != NULL; at += length)
+        if ((at == names || at[-1] == ' ') && (at[length] == ',' || !at[length]))
+            return true;
+    return false;
+}
+
+/* "- brs-table, brs-table+bre: the table holds vertical openings only (3 of 17
+ * points)" */
+static void print_note(const struct pp_report *report, const char *why, int width,
+                       FILE *out)
+{
+    char text[1024], names[512] = "";
+    int points = report->receiver_count, most = 0;
+    bool of_points = false;
+    for (int i = 0; i < report->column_count; i++) {
+        const struct pp_column *column = &report->columns[i];
+        if (count_rows(report, column, why, points + 1) == 0)
+            continue;
+        int missing = count_rows(report, column, why, points);
+        most = missing > most ? missing : most;
+        of_points |= column->points != NULL;
+        size_t length = strlen(names);
+        if (!is_listed(names, column->name))
+            snprintf(names + length, sizeof names - length, "%s%s", length ? ", " : "",
+                     column->name);
+    }
+    int used = snprintf(text, sizeof text, "%s: %s", names, why);
+    if (of_points && most == 0 && used < (int)sizeof text)
+        snprintf(text + used, sizeof text - (size_t)used, " (the average)");
+    else if (of_points && most < points && used < (int)sizeof text)
+        snprintf(text + used, sizeof text - (size_t)used, " (%d of %d points)", most,
+                 points);
+    fputs("  - ", out);
+    pp_print_wrapped(text, 4, 4, width, out);
+}
+
+bool pp_print_notes(const struct pp_report *report, int width, FILE *out)
+{
+    struct reasons reasons = {0};
+    if (!collect_reasons(&reasons, report)) {
+        free(reasons.list);
+        return false;
+    }
+    bool nothing_outside = pp_is_nothing(report, PP_ERC);
+    if (reasons.count > 0 || nothing_outside)
+        fputc('\n', out);
+    if (nothing_outside)
+        fputs("  - The externally reflected component is 0 everywhere.\n", out);
+    for (int i = 0; i < reasons.count; i++)
+        print_note(report, reasons.list[i], width, out);
+    free(reasons.list);
+    return true;
+}
