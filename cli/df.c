@@ -80,8 +80,9 @@ static enum pp_status compute(struct pp_results *results, const struct pp_rooms 
 
     pp_interrupt_watch();
     for (int i = 0; i < results->count; i++) {
+        struct pp_result *result = &results->list[i];
         enum pp_status status =
-            pp_gather_traced(&results->list[i].report, results->options, err);
+            pp_gather_traced(&result->report, results->options, &result->by_clock, err);
         if (status != PP_OK)
             return status;
     }

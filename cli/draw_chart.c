@@ -154,9 +154,10 @@ enum pp_status pp_draw_chart(const struct pp_chart_kind *kind, struct pp_canvas 
 
     struct pp_report report;
     struct notes notes = {0};
+    bool by_clock;
     enum pp_status status = pp_gather_methods(&report, room, room_options, err);
     if (status == PP_OK && room_options->simulate)
-        status = pp_gather_traced(&report, room_options, err);
+        status = pp_gather_traced(&report, room_options, &by_clock, err);
     if (status == PP_OK)
         status = collect_notes(&notes, &report, err);
     if (status == PP_OK)

@@ -27,8 +27,10 @@ enum pp_status pp_gather_methods(struct pp_report *report,
 /* Until the tracer is done, the time is over, or somebody interrupts. */
 static enum pp_status trace(struct pp_tracer *tracer, struct pp_report *report,
                             const struct pp_room_options *options,
-                            struct pp_progress *progress, struct pp_error *err)
+                            struct pp_progress *progress, bool *by_clock,
+                            struct pp_error *err)
 {
+    *by_clock = false;
     while (!pp_tracer_done(tracer)) {
         if (pp_interrupt_came()) {
             report->finished = false;
@@ -37,7 +39,8 @@ static enum pp_status trace(struct pp_tracer *tracer, struct pp_report *report,
         double spent = pp_progress_clock() - progress->started_s;
         double slice = slice_s;
         if (options->seconds > 0.0) {
-            if (spent >= options->seconds)
+            *by_clock = spent >= options->seconds;
+            if (*by_clock)
                 break;
             slice = fmin(slice, options->seconds - spent);
         }
@@ -73,7 +76,7 @@ static enum pp_status add_columns(struct pp_report *report,
 }
 
 enum pp_status pp_gather_traced(struct pp_report *report,
-                                const struct pp_room_options *options,
+                                const struct pp_room_options *options, bool *by_clock,
                                 struct pp_error *err)
 {
     const char *name = report->world->name;
@@ -90,7 +93,7 @@ enum pp_status pp_gather_traced(struct pp_report *report,
                                              report->receiver_count, &traced, err);
     if (status != PP_OK)
         return status;
-    status = trace(tracer, report, options, &progress, err);
+    status = trace(tracer, report, options, &progress, by_clock, err);
     pp_progress_end(&progress);
     if (status == PP_OK)
         status = add_columns(report, tracer, err);

@@ -16,9 +16,10 @@ enum pp_status pp_gather_methods(struct pp_report *report,
                                  struct pp_error *err);
 
 /* Adds the columns "traced" of all components; a progress bar shows meanwhile. An
- * interrupt leaves what there is so far, and finished is false. */
+ * interrupt leaves what there is so far, and finished is false. *by_clock: the time was
+ * over before the simulation was done. */
 enum pp_status pp_gather_traced(struct pp_report *report,
-                                const struct pp_room_options *options,
+                                const struct pp_room_options *options, bool *by_clock,
                                 struct pp_error *err);
 
 #endif

@@ -16,6 +16,8 @@
 struct pp_result {
     struct pp_report report;
     const char *file; /* as typed; not owned */
+    bool by_clock;    /* the simulation was stopped by --time, so that it can't be done
+                       * again to the digit */
 };
 
 struct pp_results {

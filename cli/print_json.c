@@ -129,7 +129,7 @@ static bool add_points(struct json_object *object, const struct pp_report *repor
 }
 
 /* How the simulation was stopped, so that it can be done again. */
-static bool add_simulation(struct json_object *object,
+static bool add_simulation(struct json_object *object, const struct pp_result *result,
                            const struct pp_room_options *options)
 {
     struct json_object *simulation = json_object_new_object();
@@ -143,6 +143,8 @@ static bool add_simulation(struct json_object *object,
         good = add(simulation, "samples", json_object_new_int64(options->samples));
     if (good && options->seconds > 0.0)
         good = add_number(simulation, "time", options->seconds);
+    if (good && result->by_clock)
+        good = add_text(simulation, "stopped", "time");
     return good;
 }
 
@@ -158,7 +160,7 @@ static struct json_object *room(const struct pp_results *results,
         good = add_text(object, "room", report->world->name)
                && add_text(object, "sky", pp_sky_name(&report->world->sky));
     if (good && results->options->simulate)
-        good = add_simulation(object, results->options);
+        good = add_simulation(object, result, results->options);
     if (good && !report->finished)
         good = add(object, "finished", json_object_new_boolean(false));
     struct json_object *average = NULL;

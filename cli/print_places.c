@@ -72,11 +72,13 @@ static int axis_from_wall(const struct pp_report *report, const struct pp_surfac
     return -1;
 }
 
-/* Coordinates that change from point to point get a column; a single point shows where
- * it is. */
+/* Coordinates that change from point to point get a column; where none does, x and y.
+ */
 static bool is_shown(const struct pp_report *report, int axis)
 {
-    return !is_constant(report, axis) || (axis < 2 && report->receiver_count == 1);
+    bool one_place = axis < 2 && is_constant(report, 0) && is_constant(report, 1)
+                     && is_constant(report, 2);
+    return one_place || !is_constant(report, axis);
 }
 
 static bool add_coordinate(struct pp_table *table, const struct pp_report *report,

@@ -121,7 +121,7 @@ static bool fill_table(struct pp_table *table, const struct pp_report *report,
     return true;
 }
 
-static void print_simulation(const struct pp_report *report,
+static void print_simulation(const struct pp_result *result,
                              const struct pp_room_options *options, bool utf8,
                              int width, FILE *out)
 {
@@ -130,10 +130,10 @@ static void print_simulation(const struct pp_report *report,
                           "traced: by simulation, %s one standard error, seed %llu; "
                           "off: how far a method is from it",
                           utf8 ? "\xc2\xb1" : "+-", (unsigned long long)options->seed);
-    if (!report->finished)
+    if (!result->report.finished)
         snprintf(text + length, sizeof text - (size_t)length,
                  "; NOT FINISHED, interrupted");
-    else if (options->seconds > 0.0)
+    else if (result->by_clock)
         snprintf(text + length, sizeof text - (size_t)length,
                  "; stopped by the clock (--time), another run will differ");
     fputs("\n  ", out);
@@ -181,7 +181,7 @@ static enum pp_status print_room(const struct pp_result *result,
         return pp_fail_memory(err);
 
     if (pp_report_find(report, PP_DF, "traced"))
-        print_simulation(report, options, utf8, width, out);
+        print_simulation(result, options, utf8, width, out);
     return pp_print_notes(report, width, out) ? PP_OK : pp_fail_memory(err);
 }
 
