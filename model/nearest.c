@@ -2,7 +2,6 @@
 #include "model/nearest.h"
 
 #include <limits.h>
-#include <stdbool.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -99,6 +98,14 @@ static bool is_control(const char *p)
 {
     unsigned char first = (unsigned char)p[0], second = (unsigned char)p[1];
     return first < 0x20 || first == 0x7F || (first == 0xC2 && second < 0xA0);
+}
+
+bool pp_is_plain(const char *text)
+{
+    for (; *text; text++)
+        if (is_control(text))
+            return false;
+    return true;
 }
 
 const char *pp_excerpt(char *text, size_t size, const char *written)

@@ -2,6 +2,7 @@
 #ifndef PP_MODEL_NEAREST_H
 #define PP_MODEL_NEAREST_H
 
+#include <stdbool.h>
 #include <stddef.h>
 
 /* Letters to insert, leave out, change or swap with their neighbour to turn a into b,
@@ -15,6 +16,9 @@ const char *pp_nearest(const char *typed, const char *const *names, int count);
 
 /* Writes the names as "a, b or c" to text, cut to its size. Returns text. */
 const char *pp_name_list(char *text, size_t size, const char *const *names, int count);
+
+/* Has the text no control characters (which a terminal would obey)? */
+bool pp_is_plain(const char *text);
 
 /* A copy of what a user wrote, fit for a message: control characters as '?', and cut
  * to some 40 letters with "..." behind. Returns text. */

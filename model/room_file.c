@@ -41,9 +41,9 @@ enum pp_status pp_building_parse(struct pp_building **building, const char *byte
         return status;
     int count = mistakes->count - before;
     if (count > 0 || mistakes->truncated)
-        return pp_fail(err, PP_BAD_INPUT, "%s: %d mistake%s",
+        return pp_fail(err, PP_BAD_INPUT, "%s: %d mistake%s%s",
                        mistakes->file ? mistakes->file : "room file", count,
-                       count == 1 ? "" : "s");
+                       count == 1 ? "" : "s", mistakes->truncated ? " or more" : "");
     return PP_OK;
 }
 

@@ -112,14 +112,17 @@ static bool read_choice(int *index, const struct place *at)
 
 static bool read_pair(double *pair, const struct place *at)
 {
-    char half[2][64];
-    char excess[2];
-    if (strlen(at->text) >= 128
-        || sscanf(at->text, "%63s %63s %1s", half[0], half[1], excess) != 2)
+    static const char white[] = " \t\r\n";
+    const char *first = at->text + strspn(at->text, white);
+    size_t length = strcspn(first, white);
+    char copy[64];
+    if (length >= sizeof copy)
         return wrong(at, "");
-    for (int i = 0; i < 2; i++)
-        if (!pp_number_parse(half[i], &pair[i]) || !in_range(at->kind, pair[i]))
-            return wrong(at, "");
+    memcpy(copy, first, length);
+    copy[length] = '\0';
+    if (!pp_number_parse(copy, &pair[0]) || !pp_number_parse(first + length, &pair[1])
+        || !in_range(at->kind, pair[0]) || !in_range(at->kind, pair[1]))
+        return wrong(at, "");
     return true;
 }
 
@@ -143,8 +146,10 @@ static bool read_value(void *field, const struct place *at)
     switch (at->kind->reading) {
     case PP_VALUE_NAME:
         good = name[0] != '\0' || wrong(at, "");
+        good = good && (pp_is_plain(name) || wrong(at, " without control characters"));
         break;
     case PP_VALUE_TEXT:
+        good = pp_is_plain(name) || wrong(at, "");
         break;
     case PP_VALUE_NUMBER:
         good = read_number(&number, at);

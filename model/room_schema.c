@@ -8,8 +8,8 @@
 
 /* Kinds of value */
 
-static const struct pp_value_kind text = {.reading = PP_VALUE_TEXT,
-                                          .expected = "a text"};
+static const struct pp_value_kind text = {
+    .reading = PP_VALUE_TEXT, .expected = "a text without control characters"};
 static const struct pp_value_kind wall = {.reading = PP_VALUE_NAME,
                                           .expected = "the name of a wall"};
 static const struct pp_value_kind face_name = {.reading = PP_VALUE_NAME,
@@ -70,6 +70,7 @@ static const struct pp_value_kind version = {
 static const char *const no_yes[] = {"no", "yes", NULL};
 static const struct pp_value_kind yes_no = {
     .reading = PP_VALUE_CHOICE, .expected = "\"yes\" or \"no\"", .words = no_yes};
+/* In the order of enum pp_role, and of enum pp_surroundings. */
 static const char *const roles[] = {"floor", "wall", "ceiling", NULL};
 static const struct pp_value_kind role = {.reading = PP_VALUE_CHOICE,
                                           .expected =

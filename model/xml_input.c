@@ -291,53 +291,6 @@ static void on_doctype(void *context, const xmlChar *name, const xmlChar *extern
     stop(b);
 }
 
-/* Does nothing but white space follow where the parser stands, or the / of an unclosed
- * tag? */
-static bool at_the_end(const struct builder *b)
-{
-    size_t p = position(b);
-    if (p < b->length && b->bytes[p] == '/')
-        p++;
-    while (p < b->length && is_white(b->bytes[p]))
-        p++;
-    return p == b->length;
-}
-
-/* The last `what` before `from`, or `from` if there is none. */
-static size_t find_back(const struct builder *b, size_t from, const char *what)
-{
-    size_t length = strlen(what);
-    for (size_t p = from; p-- > 0;)
-        if (b->length - p >= length && memcmp(b->bytes + p, what, length) == 0)
-            return p;
-    return from;
-}
-
-/* Where to look for the cause of an error that comes up here: what has no end is named
- * by its beginning. A value without its closing quotation mark runs on to the next tag:
- * look at the opening one. */
-static size_t error_cause(const struct builder *b, int code)
-{
-    size_t p = position(b), twice, once;
-    switch (code) {
-    case XML_ERR_LT_IN_ATTRIBUTE:
-    case XML_ERR_ATTRIBUTE_NOT_FINISHED:
-        twice = find_back(b, p, "\"");
-        once = find_back(b, p, "'");
-        return once == p || (twice != p && twice > once) ? twice : once;
-    case XML_ERR_COMMENT_NOT_FINISHED:
-        return find_back(b, p, "<!--");
-    case XML_ERR_PI_NOT_FINISHED:
-        return find_back(b, p, "<?");
-    case XML_ERR_CDATA_NOT_FINISHED:
-        return find_back(b, p, "<![CDATA[");
-    case XML_ERR_NAME_REQUIRED: /* for an attribute, but a < stands there */
-        return p < b->length && b->bytes[p] == '<' ? find_back(b, p, "<") : p;
-    default:
-        return p;
-    }
-}
-
 #if LIBXML_VERSION >= 21200
 static void on_error(void *context, const xmlError *error)
 #else
@@ -355,13 +308,10 @@ static void on_error(void *context, xmlErrorPtr error)
         b->out_of_memory = true;
     } else {
         char sentence[512];
-        size_t cause = error_cause(b, error->code), here = position(b);
-        bool unclosed = error->code == XML_ERR_NAME_REQUIRED && cause < here;
-        pp_xml_sentence(sentence, sizeof sentence, error, at_the_end(b),
-                        b->depth ? b->open[b->depth - 1] : NULL);
-        pp_mistake(b->mistakes, line_at(b, cause), "%s",
-                   unclosed ? "this tag is not closed; expected > or /> at its end"
-                            : sentence);
+        struct pp_xml_place place = {b->bytes, b->length, position(b),
+                                     b->depth ? b->open[b->depth - 1] : NULL};
+        size_t cause = pp_xml_sentence(sentence, sizeof sentence, error, &place);
+        pp_mistake(b->mistakes, line_at(b, cause), "%s", sentence);
     }
     stop(b);
 }
@@ -395,8 +345,8 @@ enum pp_status pp_xml_parse(struct pp_xml *xml, const char *bytes, size_t length
                                    .cdataBlock = on_text,
                                    .serror = on_error};
     parser->_private = &b;
-    xmlDocPtr none = xmlCtxtReadMemory(parser, bytes, (int)length, NULL, NULL,
-                                       XML_PARSE_NONET | XML_PARSE_COMPACT);
+    xmlDocPtr none =
+        xmlCtxtReadMemory(parser, bytes, (int)length, NULL, NULL, XML_PARSE_NONET);
     xmlFreeDoc(none);
     bool well_formed = parser->wellFormed;
     xmlFreeParserCtxt(parser);

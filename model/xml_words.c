@@ -74,19 +74,72 @@ static bool breaks_off(int code)
     }
 }
 
-void pp_xml_sentence(char *text, size_t size, const xmlError *error, bool at_the_end,
-                     const struct pp_xml_element *open)
+/* Does nothing but white space follow, or the / of an unclosed tag? */
+static bool at_the_end(const struct pp_xml_place *place)
 {
+    const char *p = place->bytes + place->position;
+    const char *end = place->bytes + place->length;
+    if (p < end && *p == '/')
+        p++;
+    while (p < end && (*p == ' ' || *p == '\t' || *p == '\r' || *p == '\n'))
+        p++;
+    return p == end;
+}
+
+/* Where the last of `what` begins before the place, or the place if there is none. */
+static size_t find_back(const struct pp_xml_place *place, const char *what)
+{
+    size_t length = strlen(what);
+    for (size_t p = place->position; p-- > 0;)
+        if (place->length - p >= length && memcmp(place->bytes + p, what, length) == 0)
+            return p;
+    return place->position;
+}
+
+/* An attribute's name was expected, but the next tag begins. */
+static bool is_unclosed_tag(int code, const struct pp_xml_place *place)
+{
+    return code == XML_ERR_NAME_REQUIRED && place->position < place->length
+           && place->bytes[place->position] == '<';
+}
+
+static size_t cause_of(int code, const struct pp_xml_place *place)
+{
+    size_t here = place->position, twice, once;
+    switch (code) {
+    case XML_ERR_LT_IN_ATTRIBUTE: /* a value without its end runs on to the next tag */
+    case XML_ERR_ATTRIBUTE_NOT_FINISHED:
+        twice = find_back(place, "\"");
+        once = find_back(place, "'");
+        return once == here || (twice != here && twice > once) ? twice : once;
+    case XML_ERR_COMMENT_NOT_FINISHED:
+        return find_back(place, "<!--");
+    case XML_ERR_PI_NOT_FINISHED:
+        return find_back(place, "<?");
+    case XML_ERR_CDATA_NOT_FINISHED:
+        return find_back(place, "<![CDATA[");
+    default:
+        return is_unclosed_tag(code, place) ? find_back(place, "<") : here;
+    }
+}
+
+static void write_sentence(char *text, size_t size, const xmlError *error,
+                           const struct pp_xml_place *place)
+{
+    const struct pp_xml_element *open = place->open;
     char one[160], other[160];
-    if (at_the_end && breaks_off(error->code)) {
+    if (at_the_end(place) && breaks_off(error->code)) {
         if (open)
             snprintf(text, size,
-                     "the file breaks off within <%s> of line %d; expected "
-                     "</%s>",
+                     "the file breaks off within <%s> of line %d; expected </%s>",
                      pp_excerpt(one, sizeof one, open->name), open->line,
                      pp_excerpt(other, sizeof other, open->name));
         else
             snprintf(text, size, "the file breaks off within a tag");
+        return;
+    }
+    if (is_unclosed_tag(error->code, place)) {
+        snprintf(text, size, "this tag is not closed; expected > or /> at its end");
         return;
     }
     switch (error->code) {
@@ -118,4 +171,11 @@ void pp_xml_sentence(char *text, size_t size, const xmlError *error, bool at_the
     snprintf(copy, sizeof copy, "%s", error->message ? error->message : "");
     copy[strcspn(copy, "\n")] = '\0';
     snprintf(text, size, "not well-formed XML: %s", copy);
+}
+
+size_t pp_xml_sentence(char *text, size_t size, const xmlError *error,
+                       const struct pp_xml_place *place)
+{
+    write_sentence(text, size, error, place);
+    return cause_of(error->code, place);
 }

@@ -7,9 +7,17 @@
 
 #include "model/xml_input.h"
 
-/* Writes one sentence on the error to text. at_the_end: it came up where the file ends.
- * open: the innermost element that had not ended there, or NULL. */
-void pp_xml_sentence(char *text, size_t size, const xmlError *error, bool at_the_end,
-                     const struct pp_xml_element *open);
+/* Where in the file an error came up. */
+struct pp_xml_place {
+    const char *bytes; /* not owned */
+    size_t length;
+    size_t position;                   /* of the parser, up to length */
+    const struct pp_xml_element *open; /* the innermost not ended there, or NULL */
+};
+
+/* Writes one sentence on the error to text. Returns where in the bytes its cause is to
+ * be looked for: what has no end is named by its beginning. */
+size_t pp_xml_sentence(char *text, size_t size, const xmlError *error,
+                       const struct pp_xml_place *place);
 
 #endif
