@@ -113,9 +113,10 @@ enum pp_status pp_canvas_create(struct pp_canvas **canvas_out,
 {
     *canvas_out = 0;
     double dpi = sheet->dpi == 0.0 ? 200.0 : sheet->dpi;
-    if (!(dpi >= 20.0 && dpi <= 600.0))
+    if (!(dpi >= 20.0 && dpi <= 1200.0))
         return pp_fail(err, PP_BAD_INPUT,
-                       "resolution is %g dots an inch; it must be from 20 to 600", dpi);
+                       "resolution is %g dots an inch; it must be from 20 to 1200",
+                       dpi);
     if (!has_fonts())
         return pp_fail(err, PP_SYSTEM,
                        "no font is installed; charts need one, such as DejaVu Sans "
@@ -240,7 +241,7 @@ enum pp_status pp_chart_format_of(enum pp_chart_format *format, const char *path
         [PP_CHART_PDF] = ".pdf", [PP_CHART_SVG] = ".svg", [PP_CHART_PNG] = ".png"};
     size_t length = strlen(path);
     for (int i = 0; i < 3; i++)
-        if (length > 4 && strcasecmp(path + length - 4, endings[i]) == 0) {
+        if (length >= 4 && strcasecmp(path + length - 4, endings[i]) == 0) {
             *format = (enum pp_chart_format)i;
             return PP_OK;
         }

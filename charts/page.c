@@ -1,10 +1,51 @@
 #include "charts/page.h"
 
 #include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
 
 struct pp_style pp_page_style(const struct pp_canvas *canvas)
 {
     return pp_style_for(fmin(pp_canvas_width_mm(canvas), pp_canvas_height_mm(canvas)));
+}
+
+void pp_page_say(char *text, size_t room, const char *format, ...)
+{
+    size_t length = strlen(text);
+    if (length && length + 1 < room) {
+        text[length++] = ' ';
+        text[length] = 0;
+    }
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(text + length, room - length, format, arguments);
+    va_end(arguments);
+}
+
+void pp_page_sky(char *text, size_t room, const struct pp_world *world)
+{
+    const struct pp_sky *sky = &world->sky;
+    switch (sky->kind) {
+    case PP_SKY_OVERCAST:
+        snprintf(text, room, "CIE overcast sky");
+        return;
+    case PP_SKY_UNIFORM:
+        snprintf(text, room, "uniform sky");
+        return;
+    case PP_SKY_ISO:
+        break;
+    }
+    if (!pp_sky_has_azimuth(sky)) {
+        snprintf(text, room, "ISO 15469 sky of type %d", sky->iso);
+        return;
+    }
+    double bearing = world->north_rad + atan2(sky->sun.x, sky->sun.y);
+    bearing = fmod(bearing + 4.0 * PP_PI, 2.0 * PP_PI);
+    snprintf(text, room,
+             "ISO 15469 sky of type %d, sun %.0f\u00b0 high at bearing "
+             "%.0f\u00b0",
+             sky->iso, asin(fmin(sky->sun.z, 1.0)) / PP_RAD, bearing / PP_RAD);
 }
 
 struct pp_box pp_page_draw(struct pp_canvas *canvas, const struct pp_style *style,

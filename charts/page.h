@@ -6,6 +6,7 @@
 #include "charts/canvas.h"
 #include "charts/style.h"
 #include "charts/text.h"
+#include "model/world.h"
 
 struct pp_page {
     const char *title;    /* the room's name; may be long; NULL: no line for it */
@@ -16,6 +17,15 @@ struct pp_page {
 /* Draws title and notes and returns what is left of the sheet between them. */
 struct pp_box pp_page_draw(struct pp_canvas *canvas, const struct pp_style *style,
                            const struct pp_page *page);
+
+/* Adds a sentence to what is in `text` (of `room` bytes), after a space; what does not
+ * fit is cut. */
+void pp_page_say(char *text, size_t room, const char *format, ...)
+    __attribute__((format(printf, 3, 4)));
+
+/* The sky as people call it: "CIE overcast sky", "ISO 15469 sky of type 12, sun 30°
+ * high at 180°". */
+void pp_page_sky(char *text, size_t room, const struct pp_world *world);
 
 /* The style for the canvas' sheet. */
 struct pp_style pp_page_style(const struct pp_canvas *canvas);

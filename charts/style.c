@@ -106,6 +106,11 @@ void pp_style_marker(cairo_t *cr, const struct pp_style *style, enum pp_marker m
         polygon_path(cr, x, y, 1.3 * r, 4, 0.0);
         break;
     case PP_PLUS:
+    case PP_POINT_MARK:
+        if (marker == PP_POINT_MARK) {
+            r *= 0.7;
+            pp_style_line(cr, style->hair, PP_GREY_LINE);
+        }
         cairo_move_to(cr, x - 1.2 * r, y);
         cairo_line_to(cr, x + 1.2 * r, y);
         cairo_move_to(cr, x, y - 1.2 * r);
@@ -113,7 +118,6 @@ void pp_style_marker(cairo_t *cr, const struct pp_style *style, enum pp_marker m
         cairo_stroke(cr);
         return;
     case PP_CROSS:
-    default:
         cairo_move_to(cr, x - r, y - r);
         cairo_line_to(cr, x + r, y + r);
         cairo_move_to(cr, x - r, y + r);
@@ -136,7 +140,7 @@ void pp_style_percent(char *text, size_t room, double fraction)
     int decimals = size >= 9.95 ? 0 : size >= 0.995 ? 1 : 2;
     if (size > 0.0 && size < 0.0995)
         decimals = 1 - (int)floor(log10(size));
-    snprintf(text, room, "%.*f %%", decimals > 9 ? 9 : decimals, percent);
+    snprintf(text, room, "%.*f\u00a0%%", decimals > 9 ? 9 : decimals, percent);
 }
 
 void pp_style_level(char *text, size_t room, double fraction)
@@ -153,5 +157,5 @@ void pp_style_metres(char *text, size_t room, double metres)
         number[--length] = 0;
     if (length && number[length - 1] == '.')
         number[--length] = 0;
-    snprintf(text, room, "%s m", strcmp(number, "-0") == 0 ? "0" : number);
+    snprintf(text, room, "%s\u00a0m", strcmp(number, "-0") == 0 ? "0" : number);
 }

@@ -55,7 +55,7 @@ enum pp_marker {
     PP_DIAMOND,
     PP_PLUS,
     PP_CROSS,
-    PP_MARKER_COUNT
+    PP_POINT_MARK, /* a small grey plus: a place, not a value */
 };
 
 struct pp_curve_style pp_style_curve(int index);
@@ -72,7 +72,8 @@ void pp_style_marker(cairo_t *cr, const struct pp_style *style, enum pp_marker m
                      double x, double y);
 
 /* A fraction as per cent with the digits that its size calls for, three significant at
- * most: "0.0012 %", "0.35 %", "2.1 %", "48 %". */
+ * most: "0.0012 %", "0.35 %", "2.1 %", "48 %", with a
+ * space that does not break. */
 void pp_style_percent(char *text, size_t room, double fraction);
 
 /* A level as per cent, as short as it is exact to four digits: "0.5", "2", "12.5". */

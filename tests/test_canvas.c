@@ -306,7 +306,7 @@ static void names_of_files_and_papers_are_understood_or_refused(void **state)
     assert_int_equal(format, PP_CHART_SVG);
     assert_int_equal(pp_chart_format_of(&format, "room.jpg", &err), PP_BAD_INPUT);
     assert_non_null(strstr(err.message, "room.jpg"));
-    assert_int_equal(pp_chart_format_of(&format, ".pdf", 0), PP_BAD_INPUT);
+    assert_int_equal(pp_chart_format_of(&format, "pdf", 0), PP_BAD_INPUT);
     assert_int_equal(pp_paper_of(&paper, "A3", 0), PP_OK);
     assert_int_equal(paper, PP_PAPER_A3);
     assert_int_equal(pp_paper_of(&paper, "letter", &err), PP_BAD_INPUT);

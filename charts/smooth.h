@@ -1,0 +1,14 @@
+/* smooth.h - a curve through points that never leaves the range of its neighbours.
+ */
+#ifndef PP_CHARTS_SMOOTH_H
+#define PP_CHARTS_SMOOTH_H
+
+#include <cairo.h>
+
+/* Adds to the path the piecewise cubic through the points, with slopes after Fritsch
+ * and Butland [FB84]: monotone wherever the points are, smooth elsewhere. The x of the
+ * points must ascend strictly; count is 1 or more, of one only the point is moved to.
+ */
+void pp_smooth_path(cairo_t *cr, const double (*xy)[2], int count);
+
+#endif
