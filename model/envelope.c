@@ -211,38 +211,34 @@ static enum pp_status resolve_faces(struct pp_resolver *r, struct pp_error *err)
     return PP_OK;
 }
 
-/* A finish must be of a wall that there is, and its only one. */
-static void check_finishes(struct pp_resolver *r)
+/* A finish must be of a wall that there is, and the wall's only one. */
+static enum pp_status check_finishes(struct pp_resolver *r, struct pp_error *err)
 {
     const struct pp_room *room = r->room;
+    int *lines = calloc(r->wall_count + 1, sizeof *lines); /* of each wall's finish */
+    if (!lines)
+        return pp_fail_memory(err);
+    for (int i = 0; i < room->plan.face_count; i++) {
+        const struct pp_face_part *face = &room->plan.faces[i];
+        if (face->role != PP_WALL || !face->name || isnan(face->reflectance))
+            continue;
+        int wall = pp_resolve_wall_index(r, face->name, "face", face->line);
+        if (wall >= 0)
+            lines[wall] = face->line;
+    }
     for (int i = 0; i < room->finish_count; i++) {
         const struct pp_finish_part *finish = &room->finishes[i];
-        if (!finish->wall)
-            continue;
-        pp_resolve_wall(r, finish->wall, "finish", finish->line);
-        for (int k = 0; k < i; k++)
-            if (room->finishes[k].wall
-                && strcmp(room->finishes[k].wall, finish->wall) == 0) {
-                pp_mistake(
-                    r->mistakes, finish->line,
-                    "finish: that wall has one already, at line %d; expected one at "
-                    "most",
-                    room->finishes[k].line);
-                break;
-            }
-        for (int k = 0; k < room->plan.face_count; k++) {
-            const struct pp_face_part *face = &room->plan.faces[k];
-            if (face->role == PP_WALL && face->name && !isnan(face->reflectance)
-                && strcmp(face->name, finish->wall) == 0) {
-                pp_mistake(
-                    r->mistakes, finish->line,
-                    "finish: that wall has a reflectance of its own, at line %d; "
-                    "expected one or the other",
-                    face->line);
-                break;
-            }
-        }
+        int wall = pp_resolve_wall_index(r, finish->wall, "finish", finish->line);
+        if (wall >= 0 && lines[wall] > 0)
+            pp_mistake(r->mistakes, finish->line,
+                       "finish: that wall has one already, at line %d; expected one at "
+                       "most",
+                       lines[wall]);
+        else if (wall >= 0)
+            lines[wall] = finish->line;
     }
+    free(lines);
+    return PP_OK;
 }
 
 enum pp_status pp_resolve_envelope(struct pp_resolver *r, struct pp_error *err)
@@ -256,7 +252,8 @@ enum pp_status pp_resolve_envelope(struct pp_resolver *r, struct pp_error *err)
     if (status != PP_OK)
         return status;
 
-    check_finishes(r);
+    if (check_finishes(r, err) != PP_OK)
+        return PP_SYSTEM;
     struct pp_world *world = r->world;
     world->face_count = world->surface_count;
     for (int i = 0; i < world->face_count; i++)

@@ -12,8 +12,9 @@
 /* Of the default grid, in both. */
 static const double default_spacing_m = 0.5;
 
-/* More would take any method minutes. */
-enum { RECEIVERS_MOST = 1000000 };
+/* Of a room, in all; and every one is compared with every surface. */
+enum { RECEIVERS_MOST = 100000 };
+static const double comparisons_most = 1e8;
 
 struct list {
     struct pp_receiver *items;
@@ -47,6 +48,29 @@ enum pp_status pp_world_place_receiver(const struct pp_world *world, double x, d
     if (fault)
         return pp_fail(err, PP_BAD_INPUT, "the point (%g, %g, %g) %s", x, y, z, fault);
     return PP_OK;
+}
+
+/* Notes a part of so many points that the room would have too many. */
+static bool is_too_much(struct pp_resolver *r, const struct list *list,
+                        const struct pp_receiver_part *part, double count)
+{
+    static const char *const kinds[] = {"point", "line", "grid"};
+    double most =
+        fmin(RECEIVERS_MOST, comparisons_most / fmax(r->world->surface_count, 1.0));
+    if (list->count + count <= most)
+        return false;
+    int line = part->line ? part->line : r->room->line;
+    if (part->kind == PP_GRID)
+        pp_mistake(r->mistakes, line,
+                   "grid: %s of %g m makes %.0f cells%s; expected %.0f points at "
+                   "most in this room",
+                   part->line ? "its spacing" : "the default spacing", part->spacing_m,
+                   count, list->count ? ", besides the points before" : "", most);
+    else
+        pp_mistake(r->mistakes, line,
+                   "%s: the room has %.0f points with it; expected %.0f at most",
+                   kinds[part->kind], list->count + count, most);
+    return true;
 }
 
 /* Notes, once for the part, those of its points where one can't measure. */
@@ -87,6 +111,8 @@ static enum pp_status resolve_point(struct pp_resolver *r, struct list *list,
                    "point: its normal is 0; expected a direction");
         return PP_OK;
     }
+    if (is_too_much(r, list, part, 1.0))
+        return PP_OK;
     double z = isnan(part->z) ? r->room->working_plane_m : part->z;
     struct pp_receiver receiver = {.position = pp_vec(part->x, part->y, z),
                                    .normal = pp_scale(part->normal, 1.0 / length),
@@ -108,6 +134,8 @@ static enum pp_status resolve_line(struct pp_resolver *r, struct list *list,
                    hypot(dx, dy));
         return PP_OK;
     }
+    if (is_too_much(r, list, part, part->points))
+        return PP_OK;
     int first = list->count;
     for (int i = 0; i < part->points; i++) {
         double t = part->points > 1 ? (double)i / (part->points - 1) : 0.0;
@@ -137,28 +165,23 @@ static void plane_extent(const struct pp_region *plane, double low[2], double hi
             }
 }
 
-/* How many cells, and whether there may be so many. */
-static bool count_cells(const double low[2], const double high[2], double spacing_m,
-                        double margin_m, int cells[2], double *wanted)
+/* How many cells each way; returns how many in all, 0 where the margin leaves none. */
+static double count_cells(const double low[2], const double high[2],
+                          const struct pp_receiver_part *grid, double cells[2])
 {
-    *wanted = 1.0;
     for (int k = 0; k < 2; k++) {
-        double extent = high[k] - low[k] - 2.0 * margin_m;
-        if (extent < -PP_ROUNDING_M) {
-            *wanted = 0.0;
-            return false;
-        }
+        double extent = high[k] - low[k] - 2.0 * grid->margin_m;
+        if (extent < -PP_ROUNDING_M)
+            return 0.0;
         /* 3.0000000001 cells are three. */
-        double count = fmax(ceil(extent / spacing_m - 1e-6), 1.0);
-        *wanted *= count;
-        cells[k] = count <= RECEIVERS_MOST ? (int)count : RECEIVERS_MOST;
+        cells[k] = fmax(ceil(extent / grid->spacing_m - 1e-6), 1.0);
     }
-    return *wanted <= RECEIVERS_MOST;
+    return cells[0] * cells[1];
 }
 
 static enum pp_status lay_grid(struct pp_resolver *r, struct list *list,
                                const double low[2], const double high[2],
-                               const int cells[2], double margin_m, int line,
+                               const double cells[2], double margin_m, int line,
                                struct pp_error *err)
 {
     const struct pp_world *world = r->world;
@@ -191,19 +214,16 @@ static enum pp_status resolve_grid(struct pp_resolver *r, struct list *list,
     const struct pp_region *plane = &r->world->plane;
     if (plane->count == 0 || !isfinite(part->spacing_m) || !isfinite(part->margin_m))
         return PP_OK;
-    double low[2], high[2], wanted;
-    int cells[2] = {0, 0}, first = list->count;
+    double low[2], high[2], cells[2];
+    int first = list->count;
     plane_extent(plane, low, high);
-    if (count_cells(low, high, part->spacing_m, part->margin_m, cells, &wanted)) {
-        if (lay_grid(r, list, low, high, cells, part->margin_m, part->line, err)
-            != PP_OK)
-            return PP_SYSTEM;
-    } else if (wanted > RECEIVERS_MOST) {
-        pp_mistake(r->mistakes, part->line,
-                   "grid: its spacing of %g m makes %.0f cells; expected %d at most",
-                   part->spacing_m, wanted, RECEIVERS_MOST);
+    double count = count_cells(low, high, part, cells);
+    if (is_too_much(r, list, part, count))
         return PP_OK;
-    }
+    if (count > 0.0
+        && lay_grid(r, list, low, high, cells, part->margin_m, part->line, err)
+               != PP_OK)
+        return PP_SYSTEM;
     if (list->count == first && part->line > 0)
         pp_mistake(r->mistakes, part->line,
                    "grid: no point of it lies in the room and %g m or more from the "

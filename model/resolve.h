@@ -28,6 +28,7 @@ struct pp_resolver {
                    * in one; face after face in the order of their vertices */
     bool faces_missing; /* faces that were too wrong to be made */
     bool closed;        /* the envelope is whole: inside and outside are known */
+    int unknown_walls;  /* how often one was asked for that there is not */
     int surface_space;  /* how many surfaces there is memory for */
 };
 
@@ -57,9 +58,12 @@ enum pp_status pp_resolve_receivers(struct pp_resolver *r, struct pp_error *err)
 
 /* What the steps share: resolve.c. */
 
-/* The surface of the wall so named: -1 where it could not be made; where there is no
- * such wall, notes a mistake that names those there are and gives -1. `what` begins the
- * sentence: "window". */
+/* The index of the wall so named among r->walls; where there is none, notes a mistake
+ * that names those there are and gives -1. `what` begins the sentence: "window". */
+int pp_resolve_wall_index(struct pp_resolver *r, const char *name, const char *what,
+                          int line);
+
+/* The same, but the wall's surface; -1 also where it could not be made. */
 int pp_resolve_wall(struct pp_resolver *r, const char *name, const char *what,
                     int line);
 

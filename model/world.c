@@ -87,8 +87,38 @@ static enum pp_status resolve_site(struct pp_resolver *r, struct pp_error *err)
     return PP_OK;
 }
 
+/* Faces are compared with each other and with all that is near them, corner by corner;
+ * a room of more pairs than this would take many seconds. */
+static const double corner_pairs_most = 3e8;
+
+static bool is_comparable(struct pp_resolver *r)
+{
+    const struct pp_room *room = r->room;
+    double faces = 6.0 * room->plan.vertices.count + 24.0, openings = 0.0,
+           surfaces = 0.0;
+    for (int i = 0; i < room->plan.face_count; i++)
+        faces += room->plan.faces[i].vertices.count;
+    for (int i = 0; i < room->opening_count; i++)
+        openings += 4.0 + room->openings[i].vertices.count;
+    for (int i = 0; i < room->surface_count; i++)
+        surfaces += 4.0 * room->surfaces[i].vertices.count;
+    double others = openings + surfaces + 8.0 * room->block_count + room->finish_count
+                    + room->skyline_count;
+    if (faces * (faces + others) + openings * openings <= corner_pairs_most)
+        return true;
+    pp_mistake(
+        r->mistakes, room->line,
+        "room: has %d faces, %d openings, %d blocks and %d surfaces, too many to "
+        "compare with each other; expected fewer",
+        room->plan.face_count, room->opening_count, room->block_count,
+        room->surface_count);
+    return false;
+}
+
 static enum pp_status resolve(struct pp_resolver *r, struct pp_error *err)
 {
+    if (!is_comparable(r))
+        return PP_OK;
     static enum pp_status (*const steps[])(struct pp_resolver *, struct pp_error *) = {
         resolve_site,        pp_resolve_envelope, pp_resolve_corners,
         pp_resolve_closed,   pp_resolve_openings, pp_resolve_blocks,
