@@ -4,56 +4,20 @@
 #include <cubature.h>
 #include <stdlib.h>
 
-/* A piece of the plane: origin + s (a + t b) for s and t from 0 to 1 is a triangle,
- * origin + s a + t b a parallelogram. */
+/* A piece of the plane, of points origin + s a + t b: a rectangle for s and t from 0 to
+ * 1, a triangle where t goes from 0 to s. */
 struct piece {
     double origin[2], a[2], b[2];
     bool triangle;
     double area_m2;
 };
 
-struct integral {
-    const struct pp_world *world;
-    pp_plane_function *function;
-    void *data;
-    const struct piece *piece;
+struct pieces {
+    int count;
+    struct piece *list;
 };
 
-/* Value at (s, t) times the area element. */
-static bool at_point(const struct integral *integral, const double st[2],
-                     double values[PP_PLANE_VALUES])
-{
-    const struct piece *piece = integral->piece;
-    double s = st[0], t = piece->triangle ? st[0] * st[1] : st[1];
-    double element = piece->triangle ? 2.0 * piece->area_m2 * st[0] : piece->area_m2;
-    struct pp_receiver receiver = {
-        .position = {piece->origin[0] + s * piece->a[0] + t * piece->b[0],
-                     piece->origin[1] + s * piece->a[1] + t * piece->b[1],
-                     integral->world->working_plane_m},
-        .normal = {0.0, 0.0, 1.0},
-    };
-    if (!integral->function(integral->data, &receiver, values))
-        return false;
-    for (int k = 0; k < PP_PLANE_VALUES; k++)
-        values[k] *= element;
-    return true;
-}
-
-static int at_points(unsigned dim, size_t count, const double *st, void *data,
-                     unsigned fdim, double *values)
-{
-    (void)dim, (void)fdim;
-    int stopped = 0;
-#pragma omp parallel for schedule(dynamic, 4) if (count > 8)
-    for (size_t i = 0; i < count; i++)
-        if (!at_point(data, st + 2 * i, values + PP_PLANE_VALUES * i)) {
-#pragma omp atomic write
-            stopped = 1;
-        }
-    return stopped;
-}
-
-/* Is the region one rectangle with level and upright edges? */
+/* Is the region one rectangle with edges along x and y? */
 static bool is_upright_rectangle(const struct pp_region *region)
 {
     if (region->count != 1 || region->rings[0].count != 4)
@@ -67,61 +31,126 @@ static bool is_upright_rectangle(const struct pp_region *region)
     return true;
 }
 
-/* The pieces of the plane, to be freed. */
-static enum pp_status cut_up(struct piece **pieces, int *count,
-                             const struct pp_region *plane, struct pp_error *err)
+/* Uneven, so that no cut falls on the middle of a room: windows like to be there, and
+ * what is even about it makes the estimated errors too small. */
+static enum pp_status cut_rectangle(struct pieces *pieces, const double (*corners)[2],
+                                    struct pp_error *err)
 {
-    if (is_upright_rectangle(plane)) {
-        double(*xy)[2] = plane->rings[0].xy;
-        *pieces = malloc(sizeof **pieces);
-        if (!*pieces)
-            return pp_fail_memory(err);
-        *count = 1;
-        **pieces = (struct piece){
-            .origin = {xy[0][0], xy[0][1]},
-            .a = {xy[1][0] - xy[0][0], xy[1][1] - xy[0][1]},
-            .b = {xy[3][0] - xy[0][0], xy[3][1] - xy[0][1]},
-            .area_m2 = pp_region_area(plane),
+    static const double cuts[4] = {0.0, 0.27, 0.69, 1.0};
+    const double *o = corners[0];
+    double a[2] = {corners[1][0] - o[0], corners[1][1] - o[1]};
+    double b[2] = {corners[3][0] - o[0], corners[3][1] - o[1]};
+    double area_m2 = fabs(a[0] * b[1] - a[1] * b[0]);
+    pieces->list = malloc(9 * sizeof *pieces->list);
+    if (!pieces->list)
+        return pp_fail_memory(err);
+    pieces->count = 9;
+    for (int i = 0; i < 9; i++) {
+        double s = cuts[i % 3], t = cuts[i / 3];
+        double ds = cuts[i % 3 + 1] - s, dt = cuts[i / 3 + 1] - t;
+        pieces->list[i] = (struct piece){
+            .origin = {o[0] + s * a[0] + t * b[0], o[1] + s * a[1] + t * b[1]},
+            .a = {ds * a[0], ds * a[1]},
+            .b = {dt * b[0], dt * b[1]},
+            .area_m2 = ds * dt * area_m2,
         };
-        return PP_OK;
     }
+    return PP_OK;
+}
 
+static enum pp_status cut_figure(struct pieces *pieces, const struct pp_region *plane,
+                                 struct pp_error *err)
+{
     struct pp_clipper *clipper = NULL;
     double(*triangles)[3][2] = NULL;
     enum pp_status status = pp_clipper_create(&clipper, err);
     if (status == PP_OK)
-        status = pp_region_triangulate(clipper, &triangles, count, plane, err);
+        status = pp_region_triangulate(clipper, &triangles, &pieces->count, plane, err);
     pp_clipper_destroy(clipper);
     if (status != PP_OK)
         return status;
-    *pieces = malloc(((size_t)*count + 1) * sizeof **pieces);
-    if (!*pieces) {
+    pieces->list = malloc(((size_t)pieces->count + 1) * sizeof *pieces->list);
+    if (!pieces->list) {
         free(triangles);
         return pp_fail_memory(err);
     }
-    for (int i = 0; i < *count; i++) {
+    for (int i = 0; i < pieces->count; i++) {
         double(*p)[2] = triangles[i];
-        struct piece *piece = *pieces + i;
-        *piece = (struct piece){
+        double a[2] = {p[1][0] - p[0][0], p[1][1] - p[0][1]};
+        double b[2] = {p[2][0] - p[1][0], p[2][1] - p[1][1]};
+        pieces->list[i] = (struct piece){
             .origin = {p[0][0], p[0][1]},
-            .a = {p[1][0] - p[0][0], p[1][1] - p[0][1]},
-            .b = {p[2][0] - p[1][0], p[2][1] - p[1][1]},
+            .a = {a[0], a[1]},
+            .b = {b[0], b[1]},
             .triangle = true,
+            .area_m2 = fabs(a[0] * b[1] - a[1] * b[0]) / 2.0,
         };
-        piece->area_m2 =
-            fabs(piece->a[0] * piece->b[1] - piece->a[1] * piece->b[0]) / 2.0;
     }
     free(triangles);
     return PP_OK;
 }
 
-/* One piece's integrals, to an absolute or a relative error of their sum. */
-static int integrate(struct integral *integral, int most_points, double absolute,
-                     double relative, double value[PP_PLANE_VALUES])
+/* What the integral over one piece needs at each point. */
+struct integral {
+    const struct piece *piece;
+    double z;
+    pp_plane_function *function;
+    void *data;
+};
+
+/* Values at a point of the unit square times the area element; 1: stopped. */
+static int at_point(unsigned dim, const double *square, void *data, unsigned fdim,
+                    double *values)
 {
-    double low[2] = {0.0, 0.0}, high[2] = {1.0, 1.0}, error[PP_PLANE_VALUES];
-    return hcubature_v(PP_PLANE_VALUES, at_points, integral, 2, low, high,
-                       (size_t)most_points, absolute, relative, ERROR_L1, value, error);
+    (void)dim, (void)fdim;
+    const struct integral *integral = data;
+    const struct piece *piece = integral->piece;
+    double s = square[0], t = square[1], element = piece->area_m2;
+    if (piece->triangle) {
+        t *= s;
+        element *= 2.0 * s;
+    }
+    struct pp_receiver receiver = {
+        .position = {piece->origin[0] + s * piece->a[0] + t * piece->b[0],
+                     piece->origin[1] + s * piece->a[1] + t * piece->b[1], integral->z},
+        .normal = {0.0, 0.0, 1.0},
+    };
+    if (!integral->function(integral->data, &receiver, values))
+        return 1;
+    for (int k = 0; k < PP_PLANE_VALUES; k++)
+        values[k] *= element;
+    return 0;
+}
+
+/* Those of the cubature rule: what the first sight of a piece takes. */
+enum { FIRST_POINTS = 17 };
+
+/* The integrals over all pieces, summed in their order, each to an absolute error of
+ * the sum of its values and with so many points. False: stopped. */
+static bool integrate(double sum[PP_PLANE_VALUES], const struct pieces *pieces,
+                      const struct integral *integral, double absolute, int points,
+                      double (*values)[PP_PLANE_VALUES])
+{
+    int stopped = 0;
+#pragma omp parallel for schedule(dynamic, 1) if (points > FIRST_POINTS)
+    for (int i = 0; i < pieces->count; i++) {
+        const double low[2] = {0.0, 0.0}, high[2] = {1.0, 1.0};
+        double error[PP_PLANE_VALUES];
+        struct integral own = *integral;
+        own.piece = pieces->list + i;
+        if (hcubature(PP_PLANE_VALUES, at_point, &own, 2, low, high, (size_t)points,
+                      absolute, 0.0, ERROR_L1, values[i], error)
+            != 0) {
+#pragma omp atomic write
+            stopped = 1;
+        }
+    }
+    for (int k = 0; k < PP_PLANE_VALUES; k++) {
+        sum[k] = 0.0;
+        for (int i = 0; i < pieces->count; i++)
+            sum[k] += values[i][k];
+    }
+    return !stopped;
 }
 
 enum pp_status pp_plane_average(double mean[PP_PLANE_VALUES], bool *stopped,
@@ -130,47 +159,44 @@ enum pp_status pp_plane_average(double mean[PP_PLANE_VALUES], bool *stopped,
                                 double relative_error, int most_points,
                                 struct pp_error *err)
 {
-    struct piece *pieces = NULL;
-    int count = 0;
-    *stopped = false;
-    enum pp_status status = cut_up(&pieces, &count, &world->plane, err);
+    struct pieces pieces = {0};
+    enum pp_status status =
+        is_upright_rectangle(&world->plane)
+            ? cut_rectangle(&pieces, (const double(*)[2])world->plane.rings[0].xy, err)
+            : cut_figure(&pieces, &world->plane, err);
     if (status != PP_OK)
         return status;
     double area_m2 = 0.0;
-    for (int i = 0; i < count; i++)
-        area_m2 += pieces[i].area_m2;
-    if (!(area_m2 > 0.0)) {
-        free(pieces);
-        return pp_fail(err, PP_BAD_INPUT,
-                       "the room has no working plane at a height of %g m",
-                       world->working_plane_m);
+    for (int i = 0; i < pieces.count; i++)
+        area_m2 += pieces.list[i].area_m2;
+    double(*values)[PP_PLANE_VALUES] =
+        malloc(((size_t)pieces.count + 1) * sizeof *values);
+    if (!values || !(area_m2 > 0.0)) {
+        free(values);
+        free(pieces.list);
+        return values ? pp_fail(err, PP_BAD_INPUT,
+                                "the room has no working plane at a height of %g m",
+                                world->working_plane_m)
+                      : pp_fail_memory(err);
     }
 
-    /* A first sight of the whole tells how exact each piece has to be. */
-    struct integral integral = {world, function, data, NULL};
-    double absolute = 0.0;
-    enum { FIRST_POINTS = 17 };
-    for (int i = 0; i < count && count > 1 && !*stopped; i++) {
-        double value[PP_PLANE_VALUES] = {0};
-        integral.piece = pieces + i;
-        *stopped = integrate(&integral, FIRST_POINTS, 0.0, 1.0, value) != 0;
-        for (int k = 0; k < PP_PLANE_VALUES; k++)
-            absolute += relative_error * value[k];
-    }
-
-    double sum[PP_PLANE_VALUES] = {0};
-    for (int i = 0; i < count && !*stopped; i++) {
-        double value[PP_PLANE_VALUES] = {0};
-        double share = pieces[i].area_m2 / area_m2;
-        integral.piece = pieces + i;
-        *stopped = integrate(&integral, (int)fmax(most_points * share, FIRST_POINTS),
-                             absolute * share, relative_error, value)
-                   != 0;
-        for (int k = 0; k < PP_PLANE_VALUES; k++)
-            sum[k] += value[k];
-    }
+    /* A first sight of the whole, one rule a piece, tells what error each may have:
+     * they add up as if by chance. */
+    struct integral integral = {NULL, world->working_plane_m, function, data};
+    double sum[PP_PLANE_VALUES];
+    bool done = integrate(sum, &pieces, &integral, INFINITY, FIRST_POINTS, values);
+    double total = 0.0;
+    for (int k = 0; k < PP_PLANE_VALUES; k++)
+        total += sum[k];
+    double absolute = relative_error / 2.0 * total / sqrt(pieces.count);
+    int points = most_points / pieces.count;
+    if (done && total > 0.0)
+        done = integrate(sum, &pieces, &integral, absolute,
+                         points > FIRST_POINTS ? points : FIRST_POINTS, values);
     for (int k = 0; k < PP_PLANE_VALUES; k++)
         mean[k] = sum[k] / area_m2;
-    free(pieces);
+    *stopped = !done;
+    free(values);
+    free(pieces.list);
     return PP_OK;
 }

@@ -14,10 +14,12 @@ typedef bool pp_plane_function(void *data, const struct pp_receiver *receiver,
 
 /* mean[k] is the integral of values[k] over world->plane, over its area.
  *
- * Adaptive cubature (degree 7) over the plane as a rectangle, or over its triangles,
- * until the estimated error of the integrals is `relative_error` of their sum, but of
- * no more than about `most_points` points: where something cuts the light off sharply
- * that comes first. The points do not depend on the number of threads.
+ * Adaptive cubature of degree 7 over the plane's pieces, nine uneven rectangles of one
+ * rectangle or the triangles of any other figure. A piece is done when its estimated
+ * error is its part of relative_error/2 times the sum of the integrals, but after about
+ * most_points over the number of pieces in any case: where something cuts the light off
+ * sharply that comes first. Pieces are dealt out to OpenMP's threads; the points and
+ * the sum do not depend on how many.
  *
  * *stopped tells whether the function did (then mean means nothing). Fails where the
  * plane is empty (PP_BAD_INPUT) and on want of memory. */

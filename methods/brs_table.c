@@ -1,0 +1,144 @@
+/* brs_table.c - `brs-table`: sky component and externally reflected component by the
+ * BRS simplified daylight table.                                            [HLG58]
+ *
+ * The table, T(h/d, w/d), gives the sky component at a point of the working plane of a
+ * vertical, clear-glazed window under the CIE overcast sky: the window's sill is level
+ * with the point, its head h above it, one jamb is on the normal through the point, the
+ * other w to the side, d is the distance. As published:
+ *
+ *   - a window on both sides of the normal: the two halves added
+ *   - a window to one side: the wider less the narrower
+ *   - a sill above the point: head less sill
+ *   - an obstruction: as if it were the sill; what that takes away is the equivalent
+ *     sky component of the obstruction, and 0.2 (its reflectance) times that the
+ *     externally reflected component
+ *
+ * Read so: linear between neighbours in both directions, in the reciprocal between the
+ * last printed column or row and infinity, to zero below the first. What is a rectangle
+ * and what an obstruction's outline is in elevation.h; a part that the table makes less
+ * than nothing counts as nothing.
+ *
+ * For vertical openings with clear glass, or none, and points that face up under the
+ * CIE overcast sky. It contains clear single glass; no frame, no dirt. From 1 to 7 m
+ * off, readings of 1 % and more are 1.4 % low on average against the exact direct
+ * component with that glass, 3.4 % rms; a window far to one side, the small difference
+ * of two cells, can be 20 % off, and nearer than the table's last row twice that.
+ */
+#include "methods/brs_table.h"
+
+#include <stddef.h>
+
+#include "methods/elevation.h"
+#include "methods/methods.h"
+#include "methods/refusals.h"
+
+/* A first row of w/d, then rows of h/d and per cent, from infinity down. */
+static const double printed[][21] = {
+#include "tables/brs_simplified_table.inc"
+};
+
+enum {
+    ROWS = sizeof printed / sizeof printed[0],
+    COLUMNS = sizeof printed[0] / sizeof printed[0][0]
+};
+
+/* Where x lies between two printed values: 0 at low, 1 at high. */
+static double between(double x, double low, double high)
+{
+    return isinf(high) ? 1.0 - low / x : (x - low) / (high - low);
+}
+
+/* The table's row h/d = `row` at w/d, in per cent. */
+static double read_row(const double *row, double w_over_d)
+{
+    const double *head = printed[0];
+    int k = 1;
+    while (k < COLUMNS - 1 && w_over_d > head[k])
+        k++;
+    double low = k > 1 ? head[k - 1] : 0.0, low_value = k > 1 ? row[k - 1] : 0.0;
+    return low_value + between(w_over_d, low, head[k]) * (row[k] - low_value);
+}
+
+double pp_brs_table_read(double h_over_d, double w_over_d)
+{
+    if (!(h_over_d > 0.0 && w_over_d > 0.0))
+        return 0.0;
+    int i = ROWS - 1;
+    while (i > 1 && h_over_d > printed[i][0])
+        i--;
+    bool first = i == ROWS - 1;
+    double low = first ? 0.0 : printed[i + 1][0];
+    double low_value = first ? 0.0 : read_row(printed[i + 1], w_over_d);
+    double high_value = read_row(printed[i], w_over_d);
+    double t = between(h_over_d, low, printed[i][0]);
+    return (low_value + t * (high_value - low_value)) / 100.0;
+}
+
+/* From the normal to x/d, to the right positive, to the left negative. */
+static double to_one_side(double h_over_d, double x_over_d)
+{
+    return copysign(pp_brs_table_read(h_over_d, fabs(x_over_d)), x_over_d);
+}
+
+static double of_rectangle(const struct pp_upright *part)
+{
+    double head =
+        to_one_side(part->high, part->right) - to_one_side(part->high, part->left);
+    double sill =
+        to_one_side(part->low, part->right) - to_one_side(part->low, part->left);
+    return head - sill;
+}
+
+static const char *refuses_room(const struct pp_world *world,
+                                const struct pp_receiver *receiver)
+{
+    const char *why = pp_refuse_unless_overcast_and_up(world, receiver);
+    return why ? why : pp_refuse_if_luminous(world);
+}
+
+static const char *refuses(const struct pp_world *world,
+                           const struct pp_opening *opening,
+                           const struct pp_receiver *receiver)
+{
+    (void)world, (void)receiver;
+    if (opening->glass.diffusing)
+        return "has diffusing glass; the table holds clear glass only";
+    return pp_refuse_unless_vertical(opening);
+}
+
+static enum pp_status evaluate(const struct pp_world *world,
+                               const struct pp_opening *opening,
+                               const struct pp_receiver *receiver, struct pp_part *part,
+                               struct pp_error *err)
+{
+    struct pp_elevation elevation;
+    enum pp_status status =
+        pp_elevation_create(&elevation, world, opening, receiver->position, err);
+    if (status != PP_OK)
+        return status;
+    double sky = 0.0, external = 0.0;
+    for (int i = 0; i < elevation.count; i++) {
+        const struct pp_upright *seen = elevation.parts + i;
+        double equivalent_sky = of_rectangle(seen);
+        if (isnan(seen->reflectance))
+            sky += equivalent_sky;
+        else
+            external += seen->reflectance * equivalent_sky;
+    }
+    part->sky = fmax(sky, 0.0);
+    part->external = fmax(external, 0.0);
+    pp_elevation_clear(&elevation);
+    return PP_OK;
+}
+
+const struct pp_method pp_method_brs_table = {
+    .name = "brs-table",
+    .summary = "direct component by the BRS simplified daylight table",
+    .source = "HLG58",
+    .gives = PP_GIVES_DIRECT,
+    .speaks_for = PP_FOR_POINT,
+    .allowances = PP_ALLOWS_CLEAR_GLASS,
+    .refuses_room = refuses_room,
+    .refuses = refuses,
+    .evaluate = evaluate,
+};

@@ -1,0 +1,281 @@
+/* evaluate.c - see evaluate.h. */
+#include "methods/evaluate.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "methods/plane_average.h"
+#include "methods/selection.h"
+
+/* A method at work on one world. */
+struct work {
+    const struct pp_method *method;
+    const struct pp_world *world;
+    double *factors; /* what the method's figures still need, an opening each */
+};
+
+/* What a method says in all, allowances settled, or why it says nothing. */
+struct answer {
+    struct pp_part part;
+    const char *why;                  /* static, not owned; NULL: there is a part */
+    const struct pp_opening *opening; /* that why speaks of; NULL: of the room */
+};
+
+static enum pp_status work_create(struct work *work, const struct pp_method *method,
+                                  const struct pp_world *world, struct pp_error *err)
+{
+    *work = (struct work){method, world, NULL};
+    work->factors = malloc(((size_t)world->opening_count + 1) * sizeof(double));
+    if (!work->factors)
+        return pp_fail_memory(err);
+    for (int i = 0; i < world->opening_count; i++)
+        work->factors[i] = pp_allowance_factor(method->allowances, world->openings + i);
+    return PP_OK;
+}
+
+/* Sums the method over the openings for a receiver (NULL: for the room). */
+static enum pp_status sum_openings(const struct work *work,
+                                   const struct pp_receiver *receiver,
+                                   struct answer *answer, struct pp_error *err)
+{
+    const struct pp_method *method = work->method;
+    const struct pp_world *world = work->world;
+    *answer = (struct answer){0};
+    if (method->refuses_room)
+        answer->why = method->refuses_room(world, receiver);
+    if (answer->why)
+        return PP_OK;
+    for (int i = 0; i < world->opening_count && method->refuses; i++) {
+        answer->why = method->refuses(world, world->openings + i, receiver);
+        answer->opening = world->openings + i;
+        if (answer->why)
+            return PP_OK;
+    }
+    answer->opening = NULL;
+    for (int i = 0; i < world->opening_count; i++) {
+        struct pp_part part = {0};
+        enum pp_status status =
+            method->evaluate(world, world->openings + i, receiver, &part, err);
+        if (status != PP_OK)
+            return status;
+        answer->part.sky += work->factors[i] * part.sky;
+        answer->part.external += work->factors[i] * part.external;
+        answer->part.value += work->factors[i] * part.value;
+    }
+    return PP_OK;
+}
+
+/* The figure of an answer that belongs to a component. */
+static double figure(const struct pp_method *method, const struct pp_part *part,
+                     enum pp_component component)
+{
+    if (method->gives != PP_GIVES_DIRECT)
+        return part->value;
+    return component == PP_SC ? part->sky : part->external;
+}
+
+/* An answer as a reading of one component; its why goes to the report's keeping. */
+static enum pp_status to_reading(struct pp_reading *reading, struct pp_report *report,
+                                 const struct pp_method *method,
+                                 const struct answer *answer,
+                                 enum pp_component component, struct pp_error *err)
+{
+    if (!answer->why) {
+        *reading = pp_reading_of(figure(method, &answer->part, component));
+        return PP_OK;
+    }
+    const char *why =
+        answer->opening
+            ? pp_report_say(report, "%s: the opening on line %d %s", method->name,
+                            answer->opening->line, answer->why)
+            : pp_report_say(report, "%s: %s", method->name, answer->why);
+    *reading = pp_reading_none(why);
+    return why ? PP_OK : pp_fail_memory(err);
+}
+
+/* What the integral over the working plane needs at each point. */
+struct plane_sum {
+    const struct work *work;
+    struct answer refusal; /* the last one; all points refuse for one reason */
+    bool failed;
+};
+
+static bool plane_sum_at(void *data, const struct pp_receiver *receiver,
+                         double values[PP_PLANE_VALUES])
+{
+    struct plane_sum *sum = data;
+    struct answer answer;
+    bool failed = sum_openings(sum->work, receiver, &answer, NULL) != PP_OK;
+    if (failed || answer.why) {
+#pragma omp critical(pp_plane_sum)
+        {
+            sum->failed |= failed;
+            if (!failed)
+                sum->refusal = answer;
+        }
+        return false;
+    }
+    bool direct = sum->work->method->gives == PP_GIVES_DIRECT;
+    values[0] = direct ? answer.part.sky : answer.part.value;
+    values[1] = direct ? answer.part.external : 0.0;
+    return true;
+}
+
+/* The average over the working plane, of a method that speaks for a point. */
+static enum pp_status average_of_points(const struct work *work, struct answer *answer,
+                                        struct pp_error *err)
+{
+    struct plane_sum sum = {.work = work};
+    double mean[PP_PLANE_VALUES];
+    bool stopped;
+    *answer = (struct answer){0};
+    if (pp_region_area(&work->world->plane) <= 0.0) {
+        answer->why = "the room has no working plane at that height";
+        return PP_OK;
+    }
+    enum pp_status status =
+        pp_plane_average(mean, &stopped, work->world, plane_sum_at, &sum,
+                         PP_AVERAGE_ERROR, PP_AVERAGE_POINTS, err);
+    if (status != PP_OK)
+        return status;
+    if (sum.refusal.why) {
+        *answer = sum.refusal;
+        return PP_OK;
+    }
+    if (stopped)
+        return pp_fail(err, PP_SYSTEM,
+                       "%s could not be averaged over the working plane",
+                       work->method->name);
+    answer->part =
+        (struct pp_part){.sky = mean[0], .external = mean[1], .value = mean[0]};
+    return PP_OK;
+}
+
+/* The answers at each receiver, and of the room's average behind them. */
+static enum pp_status answer_all(const struct work *work,
+                                 const struct pp_report *report, struct answer *answers,
+                                 struct pp_error *err)
+{
+    int count = report->receiver_count, failed = count;
+    bool by_point = work->method->speaks_for == PP_FOR_POINT;
+    struct answer *average = answers + count;
+    enum pp_status status = by_point ? average_of_points(work, average, err)
+                                     : sum_openings(work, NULL, average, err);
+    if (status != PP_OK)
+        return status;
+
+    for (int i = 0; i < count && !by_point; i++) {
+        const char *why = NULL;
+        if (work->method->refuses_room)
+            why = work->method->refuses_room(work->world, report->receivers + i);
+        answers[i] = why ? (struct answer){.why = why} : *average;
+    }
+    if (!by_point)
+        return PP_OK;
+#pragma omp parallel for schedule(dynamic, 1) if (count > 64)
+    for (int i = 0; i < count; i++)
+        if (sum_openings(work, report->receivers + i, answers + i, NULL) != PP_OK) {
+#pragma omp critical(pp_answer_all)
+            failed = i < failed ? i : failed;
+        }
+    /* Once more in order, for what the first that failed has to say. */
+    for (int i = failed; i < count && status == PP_OK; i++)
+        status = sum_openings(work, report->receivers + i, answers + i, err);
+    return status;
+}
+
+/* Adds one component's column from a method's answers. */
+static enum pp_status add_column(struct pp_report *report,
+                                 const struct pp_method *method,
+                                 const struct answer *answers,
+                                 enum pp_component component, struct pp_error *err)
+{
+    if (pp_report_find(report, component, method->name))
+        return PP_OK;
+    int count = report->receiver_count;
+    bool whole_room =
+        method->gives == PP_GIVES_WHOLE && method->speaks_for == PP_FOR_ROOM;
+    struct pp_column *column =
+        pp_report_add(report, component, method->name, !whole_room);
+    if (!column)
+        return pp_fail_memory(err);
+    enum pp_status status =
+        to_reading(&column->average, report, method, answers + count, component, err);
+    for (int i = 0; i < count && column->points && status == PP_OK; i++)
+        status =
+            to_reading(column->points + i, report, method, answers + i, component, err);
+    return status;
+}
+
+static enum pp_status add_method(struct pp_report *report,
+                                 const struct pp_method *method, struct pp_error *err)
+{
+    static const enum pp_component given_by[] = {
+        [PP_GIVES_DIRECT] = PP_SC,
+        [PP_GIVES_INTERNAL] = PP_IRC,
+        [PP_GIVES_WHOLE] = PP_DF,
+    };
+    enum pp_component component = given_by[method->gives];
+    if (pp_report_find(report, component, method->name))
+        return PP_OK;
+
+    struct work work;
+    enum pp_status status = work_create(&work, method, report->world, err);
+    if (status != PP_OK)
+        return status;
+    struct answer *answers =
+        malloc(((size_t)report->receiver_count + 1) * sizeof *answers);
+    status = answers ? answer_all(&work, report, answers, err) : pp_fail_memory(err);
+    if (status == PP_OK)
+        status = add_column(report, method, answers, component, err);
+    if (status == PP_OK && method->gives == PP_GIVES_DIRECT)
+        status = add_column(report, method, answers, PP_ERC, err);
+    free(answers);
+    free(work.factors);
+    return status;
+}
+
+/* sc + erc + irc, or why there is none: the direct part's reason first. */
+static struct pp_reading pair_of(struct pp_reading sc, struct pp_reading erc,
+                                 struct pp_reading irc)
+{
+    if (sc.why)
+        return sc;
+    return irc.why ? irc : pp_reading_of(sc.value + erc.value + irc.value);
+}
+
+static enum pp_status add_pair(struct pp_report *report, const struct pp_method *direct,
+                               const struct pp_method *internal, struct pp_error *err)
+{
+    char name[sizeof report->columns->name];
+    snprintf(name, sizeof name, "%s+%s", direct->name, internal->name);
+    if (pp_report_find(report, PP_DF, name))
+        return PP_OK;
+    struct pp_column *df = pp_report_add(report, PP_DF, name, true);
+    if (!df)
+        return pp_fail_memory(err);
+    const struct pp_column *sc = pp_report_find(report, PP_SC, direct->name);
+    const struct pp_column *erc = pp_report_find(report, PP_ERC, direct->name);
+    const struct pp_column *irc = pp_report_find(report, PP_IRC, internal->name);
+    df->average = pair_of(sc->average, erc->average, irc->average);
+    for (int i = 0; i < report->receiver_count; i++)
+        df->points[i] = pair_of(sc->points[i], erc->points[i], irc->points[i]);
+    return PP_OK;
+}
+
+enum pp_status pp_methods_evaluate(struct pp_report *report, const char *selection,
+                                   struct pp_error *err)
+{
+    struct pp_selection parsed;
+    enum pp_status status = pp_selection_parse(&parsed, selection, err);
+    for (int i = 0; i < parsed.count && status == PP_OK; i++) {
+        struct pp_choice choice = parsed.choices[i];
+        status = add_method(report, choice.method, err);
+        if (status == PP_OK && choice.internal)
+            status = add_method(report, choice.internal, err);
+        if (status == PP_OK && choice.internal)
+            status = add_pair(report, choice.method, choice.internal, err);
+    }
+    pp_selection_clear(&parsed);
+    return status;
+}

@@ -1,0 +1,23 @@
+/* list.c - the hand methods, in the order in which results show them. */
+#include "methods/methods.h"
+
+#include <stddef.h>
+#include <string.h>
+
+const struct pp_method *const pp_methods[] = {
+    &pp_method_exact,      &pp_method_brs_table,  &pp_method_bre,
+    &pp_method_split_flux, &pp_method_average_df, NULL,
+};
+
+const struct pp_method *pp_method_at(int index)
+{
+    return pp_methods[index];
+}
+
+const struct pp_method *pp_method_find(const char *name)
+{
+    for (int i = 0; pp_methods[i]; i++)
+        if (strcmp(pp_methods[i]->name, name) == 0)
+            return pp_methods[i];
+    return NULL;
+}

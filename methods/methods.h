@@ -1,0 +1,13 @@
+/* methods.h - each hand method's own entry, for the list and for tests. */
+#ifndef PP_METHODS_METHODS_H
+#define PP_METHODS_METHODS_H
+
+#include "methods/exact.h"
+#include "methods/method.h"
+
+extern const struct pp_method pp_method_brs_table;
+extern const struct pp_method pp_method_bre;
+extern const struct pp_method pp_method_split_flux;
+extern const struct pp_method pp_method_average_df;
+
+#endif

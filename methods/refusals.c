@@ -1,0 +1,35 @@
+/* refusals.c - see refusals.h. */
+#include "methods/refusals.h"
+
+#include <stddef.h>
+
+/* A direction is level, or up, to this: it changes no figure's third digit, and corners
+ * written with three decimals pass. */
+static const double angle_tolerance_rad = 1e-3;
+
+const char *pp_refuse_unless_overcast_and_up(const struct pp_world *world,
+                                             const struct pp_receiver *receiver)
+{
+    if (world->sky.kind != PP_SKY_OVERCAST)
+        return "it is made for the CIE overcast sky only";
+    if (receiver && hypot(receiver->normal.x, receiver->normal.y) > angle_tolerance_rad)
+        return "it is made for points that face up only";
+    if (receiver && receiver->normal.z < 0.0)
+        return "it is made for points that face up only";
+    return NULL;
+}
+
+const char *pp_refuse_if_luminous(const struct pp_world *world)
+{
+    for (int i = 0; i < world->surface_count; i++)
+        if (world->surfaces[i].exitance > 0.0)
+            return "it knows no surface that gives off light by itself";
+    return NULL;
+}
+
+const char *pp_refuse_unless_vertical(const struct pp_opening *opening)
+{
+    if (fabs(opening->slope_rad - PP_PI / 2.0) > angle_tolerance_rad)
+        return "is not vertical, and no other is covered";
+    return NULL;
+}

@@ -1,0 +1,21 @@
+/* refusals.h - reasons that several methods have for not answering, in one wording. */
+#ifndef PP_METHODS_REFUSALS_H
+#define PP_METHODS_REFUSALS_H
+
+#include "model/world.h"
+
+/* Sentences of refuses_room(); NULL where there is no such reason. */
+
+/* For methods made for the CIE overcast sky and a plane facing up. receiver may be
+ * NULL. */
+const char *pp_refuse_unless_overcast_and_up(const struct pp_world *world,
+                                             const struct pp_receiver *receiver);
+
+/* For methods that know no source of light but the sky: does a surface give off light
+ * by itself? */
+const char *pp_refuse_if_luminous(const struct pp_world *world);
+
+/* The end of a sentence of refuses(): for methods that hold vertical openings only. */
+const char *pp_refuse_unless_vertical(const struct pp_opening *opening);
+
+#endif

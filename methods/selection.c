@@ -1,0 +1,164 @@
+/* selection.c - see selection.h. */
+#include "methods/selection.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "methods/evaluate.h"
+#include "model/nearest.h"
+
+static const char default_selection[] = "exact+bre,brs-table+bre,average-df";
+
+static enum pp_status add(struct pp_selection *selection,
+                          const struct pp_method *method,
+                          const struct pp_method *internal, struct pp_error *err)
+{
+    for (int i = 0; i < selection->count; i++)
+        if (selection->choices[i].method == method
+            && selection->choices[i].internal == internal)
+            return PP_OK;
+    struct pp_choice *choices =
+        realloc(selection->choices, ((size_t)selection->count + 1) * sizeof *choices);
+    if (!choices)
+        return pp_fail_memory(err);
+    selection->choices = choices;
+    choices[selection->count++] = (struct pp_choice){method, internal};
+    return PP_OK;
+}
+
+/* "'exat' is no method; did you mean 'exact'? The methods are exact, ..." */
+static enum pp_status unknown(const char *name, struct pp_error *err)
+{
+    enum { MOST = 32 };
+    const char *names[MOST + 2] = {0};
+    char known[512] = "";
+    int count = 0;
+    for (; pp_methods[count] && count < MOST; count++) {
+        size_t used = strlen(known);
+        names[count] = pp_methods[count]->name;
+        snprintf(known + used, sizeof known - used, "%s%s", count ? ", " : "",
+                 names[count]);
+    }
+    names[count++] = "default";
+    names[count++] = "all";
+    const char *nearest = pp_nearest(name, names, count);
+    return pp_fail(err, PP_BAD_INPUT,
+                   "\"%s\" is no method%s%s%s; the methods are %s, pairs of them "
+                   "(exact+bre), default and all",
+                   name, nearest ? " (did you mean \"" : "", nearest ? nearest : "",
+                   nearest ? "\"?)" : "", known);
+}
+
+static enum pp_status find(const struct pp_method **method, const char *name,
+                           struct pp_error *err)
+{
+    *method = pp_method_find(name);
+    return *method ? PP_OK : unknown(name, err);
+}
+
+static enum pp_status add_pair(struct pp_selection *selection, const char *direct_name,
+                               const char *internal_name, struct pp_error *err)
+{
+    const struct pp_method *direct, *internal;
+    enum pp_status status = find(&direct, direct_name, err);
+    if (status == PP_OK)
+        status = find(&internal, internal_name, err);
+    if (status != PP_OK)
+        return status;
+    if (direct->gives != PP_GIVES_DIRECT)
+        return pp_fail(err, PP_BAD_INPUT,
+                       "\"%s+%s\": %s does not give the direct component, which the "
+                       "first of a pair must",
+                       direct_name, internal_name, direct_name);
+    if (internal->gives != PP_GIVES_INTERNAL)
+        return pp_fail(err, PP_BAD_INPUT,
+                       "\"%s+%s\": %s does not give the internally reflected "
+                       "component, which the second of a pair must",
+                       direct_name, internal_name, internal_name);
+    return add(selection, direct, internal, err);
+}
+
+/* Every direct method with bre, exact with every internal one, all whole ones. */
+static enum pp_status add_all(struct pp_selection *selection, struct pp_error *err)
+{
+    const struct pp_method *exact = pp_method_find("exact");
+    const struct pp_method *bre = pp_method_find("bre");
+    enum pp_status status = PP_OK;
+    for (int i = 0; pp_methods[i] && status == PP_OK; i++)
+        if (pp_methods[i]->gives == PP_GIVES_DIRECT)
+            status = add(selection, pp_methods[i], bre, err);
+    for (int i = 0; pp_methods[i] && status == PP_OK; i++)
+        if (pp_methods[i]->gives == PP_GIVES_INTERNAL)
+            status = add(selection, exact, pp_methods[i], err);
+    for (int i = 0; pp_methods[i] && status == PP_OK; i++)
+        if (pp_methods[i]->gives == PP_GIVES_WHOLE)
+            status = add(selection, pp_methods[i], NULL, err);
+    return status;
+}
+
+static enum pp_status add_list(struct pp_selection *selection, char *list,
+                               struct pp_error *err);
+
+static enum pp_status add_item(struct pp_selection *selection, char *item,
+                               struct pp_error *err)
+{
+    char *plus = strchr(item, '+');
+    if (plus) {
+        *plus = '\0';
+        return add_pair(selection, item, plus + 1, err);
+    }
+    if (strcmp(item, "all") == 0)
+        return add_all(selection, err);
+    if (strcmp(item, "default") == 0) {
+        char list[sizeof default_selection];
+        memcpy(list, default_selection, sizeof list);
+        return add_list(selection, list, err);
+    }
+    const struct pp_method *method;
+    enum pp_status status = find(&method, item, err);
+    return status == PP_OK ? add(selection, method, NULL, err) : status;
+}
+
+/* Adds what a list separated by commas names; takes the list apart. */
+static enum pp_status add_list(struct pp_selection *selection, char *list,
+                               struct pp_error *err)
+{
+    enum pp_status status = PP_OK;
+    while (list && status == PP_OK) {
+        char *item = strsep(&list, ",");
+        item += strspn(item, " ");
+        item[strcspn(item, " ")] = '\0';
+        status = add_item(selection, item, err);
+    }
+    return status;
+}
+
+enum pp_status pp_selection_parse(struct pp_selection *selection, const char *text,
+                                  struct pp_error *err)
+{
+    *selection = (struct pp_selection){0};
+    char *list = strdup(text ? text : default_selection);
+    if (!list)
+        return pp_fail_memory(err);
+    enum pp_status status = add_list(selection, list, err);
+    free(list);
+    if (status != PP_OK)
+        pp_selection_clear(selection);
+    return status;
+}
+
+void pp_selection_clear(struct pp_selection *selection)
+{
+    free(selection->choices);
+    *selection = (struct pp_selection){0};
+}
+
+enum pp_status pp_methods_check(const char *selection, struct pp_error *err)
+{
+    struct pp_selection parsed;
+    enum pp_status status = pp_selection_parse(&parsed, selection, err);
+    if (status == PP_OK)
+        pp_selection_clear(&parsed);
+    return status;
+}

@@ -1,0 +1,87 @@
+/* test_average_df.c - the average daylight factor formula. */
+#include "methods/methods.h"
+
+#include "tests/near.h"
+
+#include "tests/box_room.h"
+
+static double average_df_of(struct box_room *box, int index)
+{
+    struct pp_part part = {0};
+    const struct pp_opening *opening = box->openings + index;
+    assert_null(pp_method_average_df.refuses_room(&box->world, NULL));
+    assert_null(pp_method_average_df.refuses(&box->world, opening, NULL));
+    assert_int_equal(
+        pp_method_average_df.evaluate(&box->world, opening, NULL, &part, NULL), PP_OK);
+    return part.value;
+}
+
+static void build_worked_room(struct box_room *box)
+{
+    box_room_build(box, 4.0, 6.0, 3.0, 0.2, 0.5, 0.7);
+    struct pp_opening *window = box_room_south(box, 0.2, 0.9, 3.6, 1.5);
+    window->glass = pp_glass_diffusing(0.68); /* T by its diffuse transmittance */
+    window->maintenance = 0.9;
+}
+
+static void worked_room_has_2_5163_per_cent(void **state)
+{
+    (void)state;
+    struct box_room box;
+    build_worked_room(&box);
+    box_room_skyline(&box, 25.0 * PP_RAD, 1.65, INFINITY);     /* theta 65 degrees */
+    assert_near(100.0 * average_df_of(&box, 0), 2.5163, 5e-5); /* as printed */
+}
+
+static void proportional_to_glass_frame_dirt_and_angle(void **state)
+{
+    (void)state;
+    struct box_room box;
+    build_worked_room(&box);
+    double base = average_df_of(&box, 0);
+    box.openings[0].frame_factor = 0.71;
+    assert_relative(average_df_of(&box, 0), 0.71 * base, 1e-14);
+    box.openings[0].maintenance = 0.45;
+    assert_relative(average_df_of(&box, 0), 0.71 * 0.5 * base, 1e-14);
+    box.openings[0].glass = pp_glass_none();
+    assert_relative(average_df_of(&box, 0), 0.71 * 0.5 / 0.68 * base, 1e-14);
+    box_room_skyline(&box, 27.0 * PP_RAD, 1.65, INFINITY);
+    assert_relative(average_df_of(&box, 0), 0.7 * 0.71 * 0.5 / 0.68 * base, 1e-14);
+}
+
+/* From the middle of a window 1.5 m high, 0.75 m under the head: a reveal of as much
+ * leaves 45 degrees. */
+static void reveal_cuts_the_angle_from_above(void **state)
+{
+    (void)state;
+    struct box_room box;
+    build_worked_room(&box);
+    double base = average_df_of(&box, 0);
+    box_room_reveal(&box, 0, 0.75);
+    assert_relative(average_df_of(&box, 0), base / 2.0, 1e-14);
+    box_room_skyline(&box, 46.0 * PP_RAD, 1.65, INFINITY);
+    assert_near(average_df_of(&box, 0), 0.0, 0.0);
+}
+
+static void other_skies_and_slopes_are_refused(void **state)
+{
+    (void)state;
+    struct box_room box;
+    build_worked_room(&box);
+    box.world.sky = pp_sky_uniform();
+    assert_non_null(pp_method_average_df.refuses_room(&box.world, NULL));
+    struct pp_opening *rooflight =
+        box_room_open(&box, BOX_CEILING, pp_vec(1.0, 2.4, 3.0), 1.1, 0.7);
+    assert_non_null(pp_method_average_df.refuses(&box.world, rooflight, NULL));
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(worked_room_has_2_5163_per_cent),
+        cmocka_unit_test(proportional_to_glass_frame_dirt_and_angle),
+        cmocka_unit_test(reveal_cuts_the_angle_from_above),
+        cmocka_unit_test(other_skies_and_slopes_are_refused),
+    };
+    return cmocka_run_group_tests_name("average daylight factor", tests, NULL, NULL);
+}
