@@ -70,27 +70,6 @@ struct pp_reading pp_estimate(const struct pp_item *items, int count, int compon
 
 /* ---- what could come at all ---- */
 
-static bool any_reflects(const struct pp_scene *scene)
-{
-    for (int i = 0; i < scene->facet_count; i++) {
-        const struct pp_facet *facet = &scene->facets[i];
-        if (facet->reflectance[PP_FRONT] > 0.0
-            || (!facet->skin && facet->reflectance[PP_BACK] > 0.0)
-            || (facet->opening >= 0
-                && scene->panes[facet->opening].opening->glass.panes > 0))
-            return true;
-    }
-    return false;
-}
-
-static double most_exitance(const struct pp_scene *scene)
-{
-    double most = 0.0;
-    for (int i = 0; i < scene->facet_count; i++)
-        most = fmax(most, scene->facets[i].exitance);
-    return most;
-}
-
 /* Share of the lobe that the opening may fill. */
 static double share_of(const struct pp_scene *scene, const struct pp_start *start,
                        const struct pp_pane *pane)
@@ -98,8 +77,8 @@ static double share_of(const struct pp_scene *scene, const struct pp_start *star
     if (start->anywhere)
         return fmin(1.0, pane->target.area_m2 / scene->plane_area_m2);
     struct pp_brightness even = {1.0};
-    return fmin(1.0, pp_target_importance(&pane->target, start->position,
-                                          start->normal, even));
+    return fmin(
+        1.0, pp_target_importance(&pane->target, start->position, start->normal, even));
 }
 
 /* Does the opening show the point a direction that rises (falls)? To be on the safe
@@ -124,7 +103,7 @@ static bool shows(const struct pp_start *start, const struct pp_pane *pane, bool
 struct pp_most pp_most_at(const struct pp_scene *scene, const struct pp_start *start)
 {
     struct pp_most most = {{0.0, 0.0, 0.0}};
-    double exitance = most_exitance(scene);
+    double exitance = scene->most_exitance;
     if (!scene->has_room) {
         most.part[PP_SC] = 1.0;
         most.part[PP_ERC] = 1.0 + exitance;
@@ -141,7 +120,7 @@ struct pp_most pp_most_at(const struct pp_scene *scene, const struct pp_start *s
             most.part[PP_ERC] += share * (1.0 + exitance);
         area += pane->target.area_m2;
     }
-    if (exitance > 0.0 || (area > 0.0 && any_reflects(scene)))
+    if (exitance > 0.0 || (area > 0.0 && scene->reflects))
         most.part[PP_IRC] =
             exitance + fmin(1.0, area / (scene->size_m * scene->size_m));
     return most;

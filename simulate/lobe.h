@@ -53,7 +53,8 @@ static inline struct pp_vec3 pp_sample_cosine_hemisphere(double u1, double u2)
         r = b;
         pp_small_sincos(PP_PI / 4.0 * (b != 0.0 ? a / b : 0.0), &x, &y);
     }
-    return pp_vec(r * x, r * y, sqrt(fmax(0.0, 1.0 - r * r)));
+    double z2 = 1.0 - r * r;
+    return pp_vec(r * x, r * y, z2 > 0.0 ? sqrt(z2) : 0.0);
 }
 
 /* The same about n, with the frame (a, b, n). */

@@ -8,7 +8,7 @@
 #include "simulate/lobe.h"
 
 enum {
-    UNSORTED = -1,     /* nothing met yet: sky will be PP_SC, a surface PP_ERC */
+    UNSORTED = -1,      /* nothing met yet: sky will be PP_SC, a surface PP_ERC */
     BEYOND_STEP = 1024, /* vertex numbers for what follows outside of each vertex */
     MOST_VERTICES = 1 << 20, /* where nothing ever absorbs */
     /* Directions from each surface met, where a guess leaves a small difference of two
@@ -277,6 +277,14 @@ static bool leave_by(struct pp_walk *walk, const struct pp_pane *pane,
     return ray->weight > 0.0;
 }
 
+static bool is_aimed(const struct pp_aim *aim, const struct pp_target *target,
+                     struct pp_vec3 p, struct pp_vec3 n)
+{
+    return aim->target == target && aim->from.x == p.x && aim->from.y == p.y
+           && aim->from.z == p.z && aim->facing.x == n.x && aim->facing.y == n.y
+           && aim->facing.z == n.z;
+}
+
 void pp_path_openings(struct pp_walk *walk, struct pp_vec3 p, struct pp_vec3 n,
                       const double u[3], int vertex, double weight, int kind,
                       struct pp_light *light)
@@ -287,9 +295,9 @@ void pp_path_openings(struct pp_walk *walk, struct pp_vec3 p, struct pp_vec3 n,
     if (chosen < 0)
         return;
     const struct pp_pane *pane = &scene->panes[chosen];
-    struct pp_aim aim;
-    pp_aim_init(&aim, &pane->target, p, n, scene->brightness);
-    struct pp_aimed aimed = pp_aim_sample(&aim, u[0], u[1]);
+    if (!is_aimed(&walk->aim, &pane->target, p, n))
+        pp_aim_init(&walk->aim, &pane->target, p, n, scene->brightness);
+    struct pp_aimed aimed = pp_aim_sample(&walk->aim, u[0], u[1]);
 
     int beyond = BEYOND_STEP * (vertex + 1);
     struct ray ray = {

@@ -55,6 +55,7 @@ struct pp_walk {
     uint32_t index;                   /* which path of it */
     bool every_ray;         /* trace also where the answer is known beforehand */
     struct pp_ray_log *log; /* not owned; NULL: none */
+    struct pp_aim aim;      /* the last one: often the next is from the same point */
     long rays;              /* traced so far */
     long leaks;             /* rays that left the room through a crack: lost */
 };

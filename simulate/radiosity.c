@@ -277,9 +277,14 @@ void pp_radiosity_destroy(struct pp_radiosity *guess)
     free(guess);
 }
 
-static int clamp(int i, int count)
+/* A coordinate in cells, kept between the first and the last centre; its whole part
+ * goes to *cell. No floor(): that would be a call. */
+static double within(double x, int count, int *cell)
 {
-    return i < 0 ? 0 : i < count ? i : count - 1;
+    double last = count - 1;
+    x = x > 0.0 ? x < last ? x : last : 0.0;
+    *cell = (int)x;
+    return x - *cell;
 }
 
 double pp_radiosity_at(const struct pp_radiosity *guess, const struct pp_scene *scene,
@@ -291,17 +296,15 @@ double pp_radiosity_at(const struct pp_radiosity *guess, const struct pp_scene *
     if (patch->first < 0)
         return 0.0;
     const struct pp_facet *facet = &scene->facets[contact->facet];
-    double a = (pp_dot(contact->point, facet->a) - patch->a0) * patch->per_a;
-    double b = (pp_dot(contact->point, facet->b) - patch->b0) * patch->per_b;
-    double floor_a = floor(a), floor_b = floor(b);
-    int column = (int)floor_a, row = (int)floor_b;
-    double s = a - floor_a, t = b - floor_b;
-    int left = clamp(column, patch->columns), right = clamp(column + 1, patch->columns);
-    const double *low =
-        &guess->values[patch->first + clamp(row, patch->rows) * patch->columns];
-    const double *high =
-        &guess->values[patch->first + clamp(row + 1, patch->rows) * patch->columns];
-    double below = low[left] + s * (low[right] - low[left]);
-    double above = high[left] + s * (high[right] - high[left]);
-    return below + t * (above - below);
+    int column, row;
+    double s = within((pp_dot(contact->point, facet->a) - patch->a0) * patch->per_a,
+                      patch->columns, &column);
+    double t = within((pp_dot(contact->point, facet->b) - patch->b0) * patch->per_b,
+                      patch->rows, &row);
+    int right = column + 1 < patch->columns, above = row + 1 < patch->rows;
+    const double *low = &guess->values[patch->first + row * patch->columns + column];
+    const double *high = low + above * patch->columns;
+    double below = low[0] + s * (low[right] - low[0]);
+    double over = high[0] + s * (high[right] - high[0]);
+    return below + t * (over - below);
 }

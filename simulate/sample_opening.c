@@ -316,6 +316,7 @@ void pp_aim_init(struct pp_aim *aim, const struct pp_target *target,
 {
     aim->target = target;
     aim->from = from;
+    aim->facing = n;
     aim->distance_m = height_over(target, from);
     if (target->rectangle) {
         rectangle_init(aim);

@@ -38,7 +38,7 @@ struct pp_brightness {
 /* A target as it is seen from one point of a surface. */
 struct pp_aim {
     const struct pp_target *target; /* not owned */
-    struct pp_vec3 from;
+    struct pp_vec3 from, facing;    /* the point, and the normal of its surface */
     bool by_area;
     double distance_m;          /* to the target's plane, greater than 0 */
     double x0, x1, y0, y1;      /* rectangle, from the foot of the point */

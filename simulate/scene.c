@@ -147,6 +147,22 @@ static void make_panes(struct pp_scene *scene, const struct pp_world *world)
     }
 }
 
+static bool facet_reflects(const struct pp_scene *scene, const struct pp_facet *facet)
+{
+    return facet->reflectance[PP_FRONT] > 0.0
+           || (!facet->skin && facet->reflectance[PP_BACK] > 0.0)
+           || (facet->opening >= 0
+               && scene->panes[facet->opening].opening->glass.panes > 0);
+}
+
+static void sum_up(struct pp_scene *scene)
+{
+    for (int i = 0; i < scene->facet_count; i++) {
+        scene->most_exitance = fmax(scene->most_exitance, scene->facets[i].exitance);
+        scene->reflects |= facet_reflects(scene, &scene->facets[i]);
+    }
+}
+
 /* ---- triangles ---- */
 
 static enum pp_status make_triangles(struct pp_scene *scene,
@@ -219,6 +235,7 @@ enum pp_status pp_scene_create(struct pp_scene **result, const struct pp_world *
         find_centre(scene, world);
         make_facets(scene, world);
         make_panes(scene, world);
+        sum_up(scene);
         status = make_triangles(scene, world, err);
     }
     if (status == PP_OK)
@@ -268,7 +285,7 @@ struct pp_vec3 pp_scene_plane_point(const struct pp_scene *scene, double u, doub
  * can't meet that plane again. */
 static struct pp_vec3 lift(struct pp_vec3 p, struct pp_vec3 n)
 {
-    double reach = fmax(fabs(p.x), fmax(fabs(p.y), fabs(p.z)));
+    double reach = fabs(p.x) + fabs(p.y) + fabs(p.z);
     return pp_along(p, 0x1p-20 + 0x1p-20 * reach, n);
 }
 

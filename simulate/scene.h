@@ -56,6 +56,9 @@ struct pp_scene {
     int plane_count;
     double plane_area_m2;
 
+    double most_exitance; /* of any surface by itself */
+    bool reflects;        /* does anything that the room sees? */
+
     struct pp_outside outside;
     struct pp_brightness brightness; /* a guess of what lies beyond the openings */
 };

@@ -1,0 +1,243 @@
+/* bench_tracer.c - what tracing costs: whole rooms, and rays against the bare kernels.
+ */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+
+#include "model/room.h"
+#include "simulate/hash.h"
+#include "simulate/item.h"
+#include "simulate/tracer.h"
+
+static void must(enum pp_status status, const struct pp_error *err)
+{
+    if (status != PP_OK) {
+        fprintf(stderr, "bench_tracer: %s\n", err->message);
+        exit(3);
+    }
+}
+
+/* Processor time of all threads: other work on the machine does not count. */
+static double seconds(void)
+{
+    struct timespec t;
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
+    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+}
+
+static struct pp_world *world_of(const char *xml)
+{
+    struct pp_building *building = NULL;
+    struct pp_world *world = NULL;
+    struct pp_mistakes mistakes;
+    struct pp_error err = {0};
+    pp_mistakes_init(&mistakes, "bench");
+    must(pp_building_parse(&building, xml, strlen(xml), &mistakes, &err), &err);
+    must(pp_world_create(&world, pp_building_room(building, 0), &mistakes, &err), &err);
+    pp_mistakes_clear(&mistakes);
+    pp_building_destroy(building);
+    return world;
+}
+
+/* Daylight factors of all receivers (and the average behind them); seconds taken. */
+static double trace(const struct pp_world *world, double error, int threads,
+                    uint64_t seed, struct pp_reading *df, struct pp_tracer_work *work)
+{
+    struct pp_tracer_options options = {
+        .error = error, .seed = seed, .threads = threads, .average = true};
+    struct pp_tracer *tracer;
+    struct pp_error err;
+    double start = seconds();
+    must(pp_tracer_create(&tracer, world, world->receivers, world->receiver_count,
+                          &options, &err),
+         &err);
+    while (!pp_tracer_done(tracer))
+        must(pp_tracer_advance(tracer, 10.0, &err), &err);
+    double taken = seconds() - start;
+    for (int i = 0; i < world->receiver_count; i++) {
+        struct pp_reading readings[PP_COMPONENT_COUNT];
+        pp_tracer_read(tracer, i, readings);
+        df[i] = readings[PP_DF];
+    }
+    *work = pp_tracer_work(tracer);
+    pp_tracer_destroy(tracer);
+    return taken;
+}
+
+static void bench_room(const char *name, const char *xml)
+{
+    struct pp_world *world = world_of(xml);
+    int count = world->receiver_count;
+    struct pp_reading *fine = calloc((size_t)count, sizeof *fine);
+    struct pp_reading *quick = calloc((size_t)count, sizeof *quick);
+    if (!fine || !quick)
+        exit(3);
+    struct pp_tracer_work work;
+    trace(world, 0.002, 0, 77, fine, &work);
+    enum { RUNS = 5 };
+    double sum = 0.0, worst = 0.0, best = INFINITY;
+    for (uint64_t seed = 0; seed < RUNS; seed++) {
+        double taken = trace(world, 0.01, 1, seed, quick, &work);
+        best = fmin(best, taken);
+        for (int i = 0; i < count; i++) {
+            double off = quick[i].value / fine[i].value - 1.0;
+            sum += off * off;
+            worst = fmax(worst, fabs(off));
+        }
+    }
+    printf("%s: %d points and the average at 1 %%: %.3f s of one core (best of %d)\n",
+           name, count, best, (int)RUNS);
+    printf("  RMS error %.2f %%, worst %.2f %%, against a run at 0.2 %%\n",
+           100.0 * sqrt(sum / (RUNS * count)), 100.0 * worst);
+    printf("  %.2f million paths, %.2f million rays, %lld leaks\n", 1e-6 * work.paths,
+           1e-6 * work.rays, work.leaks);
+    free(fine);
+    free(quick);
+    pp_world_destroy(world);
+}
+
+/* ---- rays against the bare kernels ---- */
+
+/* 32 randomisations of `paths` paths of each kind at all receivers, with rays logged
+ * where there is a log. */
+static void run_items(const struct pp_world *world, const struct pp_scene *scene,
+                      const struct pp_radiosity *guess, const struct pp_sobol *sobol,
+                      uint32_t paths, bool every_ray, struct pp_walk *walk,
+                      struct pp_ray_log *log)
+{
+    *walk = (struct pp_walk){
+        .scene = scene, .guess = guess, .every_ray = every_ray, .log = log};
+    struct pp_counts counts = {{paths, paths, paths / 4}};
+    for (int i = 0; i < world->receiver_count; i++)
+        for (uint64_t k = 0; k < 32; k++) {
+            struct pp_start start = {
+                .position = pp_sub(world->receivers[i].position, scene->centre),
+                .normal = world->receivers[i].normal};
+            struct pp_item item = {.seed = pp_hash(k, (uint64_t)i)};
+            pp_item_run(&item, walk, sobol, &start, counts, paths);
+        }
+}
+
+static void bench_rays(const char *name, const struct pp_world *world, uint32_t paths,
+                       bool every_ray)
+{
+    struct pp_error err;
+    struct pp_scene *scene;
+    struct pp_radiosity *guess;
+    static struct pp_sobol sobol;
+    pp_sobol_init(&sobol);
+    must(pp_scene_create(&scene, world, &err), &err);
+    must(pp_radiosity_create(&guess, scene, world, &sobol, 1, 1, &err), &err);
+    struct pp_walk walk;
+    run_items(world, scene, guess, &sobol, paths, every_ray, &walk, NULL);
+    struct pp_ray_log log = {NULL, 0, walk.rays};
+    log.rays = malloc(sizeof *log.rays * (size_t)walk.rays);
+    float(*bare)[6] = malloc(sizeof *bare * (size_t)walk.rays);
+    if (!log.rays || !bare)
+        exit(3);
+    run_items(world, scene, guess, &sobol, paths, every_ray, &walk, &log);
+    for (long i = 0; i < log.count; i++) {
+        struct pp_vec3 p = pp_along(log.rays[i].point, 1e-5, log.rays[i].normal);
+        struct pp_vec3 u = log.rays[i].direction;
+        const double six[6] = {p.x, p.y, p.z, u.x, u.y, u.z};
+        for (int k = 0; k < 6; k++)
+            bare[i][k] = (float)six[k];
+    }
+    double traced = INFINITY, kernels = INFINITY, t;
+    long hits = 0;
+    for (int repeat = 0; repeat < 3; repeat++) {
+        double start = seconds();
+        run_items(world, scene, guess, &sobol, paths, every_ray, &walk, NULL);
+        traced = fmin(traced, seconds() - start);
+        start = seconds();
+        for (long i = 0; i < log.count; i++) {
+            float distance;
+            hits +=
+                pp_rays_first(scene->rays, &bare[i][0], &bare[i][3], &distance) >= 0;
+        }
+        t = seconds() - start;
+        kernels = fmin(kernels, t);
+    }
+    printf("%s%s: %ld rays (%.0f %% hit), %.0f ns a ray traced, %.0f ns bare: "
+           "ratio %.2f\n",
+           name, every_ray ? ", every ray" : "", log.count,
+           100.0 * hits / (3.0 * log.count), 1e9 * traced / log.count,
+           1e9 * kernels / log.count, kernels / traced);
+    free(bare);
+    free(log.rays);
+    pp_radiosity_destroy(guess);
+    pp_scene_destroy(scene);
+}
+
+/* The world with a million small triangles in the air of its room. */
+static void fill_with_triangles(struct pp_world *world, int count)
+{
+    int there = world->surface_count;
+    struct pp_surface *surfaces =
+        realloc(world->surfaces, sizeof *surfaces * (size_t)(there + count));
+    if (!surfaces)
+        exit(3);
+    world->surfaces = surfaces;
+    uint64_t state = 1;
+    for (int i = there; i < there + count; i++) {
+        double r[9];
+        for (int k = 0; k < 9; k++) {
+            state = pp_hash(state, 3);
+            r[k] = (double)(state >> 11) * 0x1p-53;
+        }
+        struct pp_vec3 *v = malloc(3 * sizeof *v);
+        if (!v)
+            exit(3);
+        v[0] = pp_vec(0.1 + 4.7 * r[0], 0.1 + 1.7 * r[1], 1.0 + 1.4 * r[2]);
+        v[1] = pp_along(v[0], 0.01, pp_vec(r[3], r[4], r[5]));
+        v[2] = pp_along(v[0], 0.01, pp_vec(r[6], -r[7], r[8]));
+        struct pp_vec3 normal = pp_cross(pp_sub(v[1], v[0]), pp_sub(v[2], v[0]));
+        double length = pp_length(normal);
+        surfaces[i] = (struct pp_surface){
+            .outline = {3, v, pp_scale(normal, 1.0 / length), length / 2.0},
+            .role = PP_LOOSE,
+            .inside = true,
+            .front = 0.5,
+            .back = 0.5,
+            .owner = -1};
+    }
+    world->surface_count += count;
+}
+
+#define L_SHAPED                                                                       \
+    "<room version='1'><plan height='2.6'><vertex x='0' y='0'/>"                       \
+    "<vertex x='5' y='0'/><vertex x='5' y='2'/><vertex x='2' y='2'/>"                  \
+    "<vertex x='2' y='6'/><vertex x='0' y='6'/></plan>"                                \
+    "<window wall='2' left='0.2' sill='0.9' width='1.6' height='1.4'/>"                \
+    "<grid spacing='0.5'/></room>"
+
+int main(void)
+{
+    bench_room("deep room, 3 x 9 x 2.7 m",
+               "<room version='1'><plan width='3' depth='9' height='2.7'/>"
+               "<finishes floor='0.2' walls='0.7' ceiling='0.8'/>"
+               "<window wall='south' left='0.2' sill='0.8' width='2.6' height='1.5' "
+               "glazing='clear-single'/>"
+               "<line from='1.5 0.5' to='1.5 8.5' points='17'/></room>");
+    bench_room("grid of 0.25 m, 4 x 6 x 3 m",
+               "<room version='1'><plan width='4' depth='6' height='3'/>"
+               "<finishes floor='0.2' walls='0.5' ceiling='0.7'/>"
+               "<window wall='south' left='0.5' sill='0.9' width='3' height='1.5' "
+               "glazing='none'/><grid spacing='0.25' margin='0'/></room>");
+
+    struct pp_world *world =
+        world_of("<room version='1'><plan width='4' depth='6' height='3'/>"
+                 "<window wall='south' left='0.5' sill='0.9' width='3' height='1.5'/>"
+                 "<grid spacing='1'/></room>");
+    bench_rays("seven polygons, known rays left out", world, 64, false);
+    bench_rays("seven polygons", world, 64, true);
+    pp_world_destroy(world);
+    world = world_of(L_SHAPED);
+    bench_rays("nine polygons", world, 64, false);
+    fill_with_triangles(world, 1000000);
+    bench_rays("a million polygons", world, 16, false);
+    pp_world_destroy(world);
+    return 0;
+}
