@@ -133,11 +133,13 @@ static enum pp_status by_quadrature(double *value, const struct task *task,
     int count = limits_of(sides, task, side);
     count = gather(limits, task->patch, sides, count);
     struct pp_integrand integrand = {luminance, &task->lights, cusp};
+    double relative_error = task->sum->rough    ? PP_QUADRATURE_ROUGH
+                            : is_unglazed(task) ? PP_QUADRATURE_UNGLAZED
+                                                : PP_QUADRATURE_GLAZED;
     struct pp_quadrature result;
-    enum pp_status status = pp_quadrature_over(
-        &result, &task->visible->view, &task->patch->region, limits, count,
-        task->normal, &integrand,
-        is_unglazed(task) ? PP_QUADRATURE_UNGLAZED : PP_QUADRATURE_GLAZED, err);
+    enum pp_status status =
+        pp_quadrature_over(&result, &task->visible->view, &task->patch->region, limits,
+                           count, task->normal, &integrand, relative_error, err);
     task->sum->error += result.error;
     *value = result.value;
     return status;

@@ -21,12 +21,13 @@
 
 struct pp_direct {
     double sky, external; /* over Eh */
+    bool rough;           /* asked for: fast, to about PP_QUADRATURE_ROUGH */
     double error;         /* of both, the bound that the quadrature claims; 0 for closed
                            * forms */
 };
 
-/* Adds to *sum. Glass lies square to the view's `toward`. Nothing is allocated for
- * closed forms over rings of at most 64 corners. */
+/* Adds to *sum, of which the caller has set `rough`. Glass lies square to the view's
+ * `toward`. Nothing is allocated for closed forms over rings of at most 64 corners. */
 enum pp_status pp_direct_add(struct pp_direct *sum, const struct pp_visible *visible,
                              struct pp_vec3 normal, const struct pp_glass *glass,
                              const struct pp_world *world, const struct pp_sky *sky,

@@ -12,6 +12,7 @@ struct work {
     const struct pp_method *method;
     const struct pp_world *world;
     double *factors; /* what the method's figures still need, an opening each */
+    bool roughly;    /* for an average */
 };
 
 /* What a method says in all, allowances settled, or why it says nothing. */
@@ -24,7 +25,7 @@ struct answer {
 static enum pp_status work_create(struct work *work, const struct pp_method *method,
                                   const struct pp_world *world, struct pp_error *err)
 {
-    *work = (struct work){method, world, NULL};
+    *work = (struct work){.method = method, .world = world};
     work->factors = malloc(((size_t)world->opening_count + 1) * sizeof(double));
     if (!work->factors)
         return pp_fail_memory(err);
@@ -54,8 +55,9 @@ static enum pp_status sum_openings(const struct work *work,
     answer->opening = NULL;
     for (int i = 0; i < world->opening_count; i++) {
         struct pp_part part = {0};
-        enum pp_status status =
-            method->evaluate(world, world->openings + i, receiver, &part, err);
+        bool roughly = work->roughly && method->evaluate_roughly;
+        enum pp_status status = (roughly ? method->evaluate_roughly : method->evaluate)(
+            world, world->openings + i, receiver, &part, err);
         if (status != PP_OK)
             return status;
         answer->part.sky += work->factors[i] * part.sky;
@@ -125,7 +127,9 @@ static bool plane_sum_at(void *data, const struct pp_receiver *receiver,
 static enum pp_status average_of_points(const struct work *work, struct answer *answer,
                                         struct pp_error *err)
 {
-    struct plane_sum sum = {.work = work};
+    struct work rough_work = *work;
+    rough_work.roughly = true;
+    struct plane_sum sum = {.work = &rough_work};
     double mean[PP_PLANE_VALUES];
     bool stopped;
     *answer = (struct answer){0};

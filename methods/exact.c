@@ -177,12 +177,12 @@ static enum pp_status from_diffusing_pane(struct pp_direct *sum,
 
 /* ---- the method ---- */
 
-static enum pp_status evaluate(const struct pp_world *world,
-                               const struct pp_opening *opening,
-                               const struct pp_receiver *receiver, struct pp_part *part,
-                               struct pp_error *err)
+static enum pp_status direct_of(const struct pp_world *world,
+                                const struct pp_opening *opening,
+                                const struct pp_receiver *receiver, bool rough,
+                                struct pp_part *part, struct pp_error *err)
 {
-    struct pp_direct sum = {0};
+    struct pp_direct sum = {.rough = rough};
     enum pp_status status;
     if (opening->glass.diffusing) {
         status = from_diffusing_pane(&sum, world, opening, receiver, err);
@@ -200,6 +200,22 @@ static enum pp_status evaluate(const struct pp_world *world,
     return status;
 }
 
+static enum pp_status evaluate(const struct pp_world *world,
+                               const struct pp_opening *opening,
+                               const struct pp_receiver *receiver, struct pp_part *part,
+                               struct pp_error *err)
+{
+    return direct_of(world, opening, receiver, false, part, err);
+}
+
+static enum pp_status evaluate_roughly(const struct pp_world *world,
+                                       const struct pp_opening *opening,
+                                       const struct pp_receiver *receiver,
+                                       struct pp_part *part, struct pp_error *err)
+{
+    return direct_of(world, opening, receiver, true, part, err);
+}
+
 const struct pp_method pp_method_exact = {
     .name = "exact",
     .summary = "direct component by closed form or quadrature",
@@ -208,4 +224,5 @@ const struct pp_method pp_method_exact = {
     .speaks_for = PP_FOR_POINT,
     .allowances = PP_ALLOWS_OWN_GLASS,
     .evaluate = evaluate,
+    .evaluate_roughly = evaluate_roughly,
 };

@@ -57,6 +57,13 @@ struct pp_method {
                                const struct pp_opening *opening,
                                const struct pp_receiver *receiver, struct pp_part *part,
                                struct pp_error *err);
+
+    /* The same to about 1e-3 and fast, where evaluate takes pains: for averages. May be
+     * left out. */
+    enum pp_status (*evaluate_roughly)(const struct pp_world *world,
+                                       const struct pp_opening *opening,
+                                       const struct pp_receiver *receiver,
+                                       struct pp_part *part, struct pp_error *err);
 };
 
 /* All methods, in the order in which results show them; ends with NULL. */

@@ -96,6 +96,7 @@ struct integral {
     double z;
     pp_plane_function *function;
     void *data;
+    bool worth_threads;
 };
 
 /* Values at a point of the unit square times the area element; 1: stopped. */
@@ -132,7 +133,7 @@ static bool integrate(double sum[PP_PLANE_VALUES], const struct pieces *pieces,
                       double (*values)[PP_PLANE_VALUES])
 {
     int stopped = 0;
-#pragma omp parallel for schedule(dynamic, 1) if (points > FIRST_POINTS)
+#pragma omp parallel for schedule(dynamic, 1) if (integral->worth_threads)
     for (int i = 0; i < pieces->count; i++) {
         const double low[2] = {0.0, 0.0}, high[2] = {1.0, 1.0};
         double error[PP_PLANE_VALUES];
@@ -182,7 +183,8 @@ enum pp_status pp_plane_average(double mean[PP_PLANE_VALUES], bool *stopped,
 
     /* A first sight of the whole, one rule a piece, tells what error each may have:
      * they add up as if by chance. */
-    struct integral integral = {NULL, world->working_plane_m, function, data};
+    struct integral integral = {
+        .z = world->working_plane_m, .function = function, .data = data};
     double sum[PP_PLANE_VALUES];
     bool done = integrate(sum, &pieces, &integral, INFINITY, FIRST_POINTS, values);
     double total = 0.0;
@@ -190,6 +192,8 @@ enum pp_status pp_plane_average(double mean[PP_PLANE_VALUES], bool *stopped,
         total += sum[k];
     double absolute = relative_error / 2.0 * total / sqrt(pieces.count);
     int points = most_points / pieces.count;
+    /* A bare box is done before other threads have come to life. */
+    integral.worth_threads = world->surface_count > 6;
     if (done && total > 0.0)
         done = integrate(sum, &pieces, &integral, absolute,
                          points > FIRST_POINTS ? points : FIRST_POINTS, values);

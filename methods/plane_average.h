@@ -18,8 +18,8 @@ typedef bool pp_plane_function(void *data, const struct pp_receiver *receiver,
  * rectangle or the triangles of any other figure. A piece is done when its estimated
  * error is its part of relative_error/2 times the sum of the integrals, but after about
  * most_points over the number of pieces in any case: where something cuts the light off
- * sharply that comes first. Pieces are dealt out to OpenMP's threads; the points and
- * the sum do not depend on how many.
+ * sharply that comes first. Pieces are dealt out to OpenMP's threads where the room is
+ * more than a box; the points and the sum do not depend on how many.
  *
  * *stopped tells whether the function did (then mean means nothing). Fails where the
  * plane is empty (PP_BAD_INPUT) and on want of memory. */

@@ -21,6 +21,12 @@
 #define PP_QUADRATURE_GLAZED 1e-5
 #define PP_QUADRATURE_UNGLAZED 1e-9
 
+/* From this bound on fixed Gauss-Legendre rules take the place of the adaptive ones,
+ * four to twenty times as fast and without an estimate of their error. Over random
+ * windows with clear glass the rms error is 2e-3 at 0.1 to 0.3 m from the pane, 2e-4 to
+ * 1 m, 1e-6 beyond; at a few centimetres, where the glass dims light steeply, 2e-2. */
+#define PP_QUADRATURE_ROUGH 1e-3
+
 /* Luminance towards the eye from direction u (unit, room's axes). */
 typedef double pp_luminance_function(const void *context, struct pp_vec3 u);
 
@@ -32,7 +38,7 @@ struct pp_integrand {
 
 struct pp_quadrature {
     double value;
-    double error; /* estimated bound of the absolute error */
+    double error; /* estimated bound of the absolute error; 0 of a rough value */
     long evaluations;
 };
 
