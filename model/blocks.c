@@ -75,8 +75,11 @@ static enum pp_status area_in_box(double *area_m2, const struct box *box,
     return PP_OK;
 }
 
-static enum pp_status check_clear(struct pp_resolver *r, const struct pp_block *block,
-                                  const struct box *box, struct pp_error *err)
+/* Notes a block that stands in the room or in an opening's depth; *clear if it does
+ * neither. */
+static enum pp_status check_clear(bool *clear, struct pp_resolver *r,
+                                  const struct pp_block *block, const struct box *box,
+                                  struct pp_error *err)
 {
     const struct pp_world *world = r->world;
     struct pp_vec3 middle = box->corner;
@@ -89,6 +92,7 @@ static enum pp_status check_clear(struct pp_resolver *r, const struct pp_block *
             return PP_SYSTEM;
         overlaps = area_m2 > PP_ROUNDING_M;
     }
+    *clear = !overlaps;
     if (overlaps) {
         pp_mistake(r->mistakes, block->line,
                    "block: overlaps the room; expected it outside (x %g, y %g, base %g "
@@ -101,11 +105,13 @@ static enum pp_status check_clear(struct pp_resolver *r, const struct pp_block *
         double area_m2 = 0.0;
         if (area_in_box(&area_m2, box, &opening->outer, err) != PP_OK)
             return PP_SYSTEM;
-        if (area_m2 > PP_ROUNDING_M)
-            pp_mistake(r->mistakes, block->line,
-                       "block: stands in the depth of the opening of line %d; expected "
-                       "it outside the glass",
-                       opening->line);
+        if (!(area_m2 > PP_ROUNDING_M))
+            continue;
+        *clear = false;
+        pp_mistake(r->mistakes, block->line,
+                   "block: stands in the depth of the opening of line %d; expected it "
+                   "outside the glass",
+                   opening->line);
     }
     return PP_OK;
 }
@@ -182,8 +188,11 @@ enum pp_status pp_resolve_blocks(struct pp_resolver *r, struct pp_error *err)
         if (!is_read(block))
             continue;
         struct box box = box_of(block);
-        if (r->closed && check_clear(r, block, &box, err) != PP_OK)
+        bool clear = true;
+        if (r->closed && check_clear(&clear, r, block, &box, err) != PP_OK)
             return PP_SYSTEM;
+        if (!clear)
+            continue;
         world->blocks[world->block_count++] = *block;
         if (add_sides(r, world->block_count - 1, &box, err) != PP_OK)
             return PP_SYSTEM;

@@ -176,8 +176,9 @@ enum pp_status pp_resolve_loose(struct pp_resolver *r, struct pp_error *err)
         if (!pp_resolve_good_outline(r, "surface", part->line, &part->vertices)
             || !r->closed || !isfinite(part->reflectance) || !isfinite(part->exitance))
             continue;
-        if (resolve_surface(r, part, err) != PP_OK)
-            return PP_SYSTEM;
+        enum pp_status status = resolve_surface(r, part, err);
+        if (status != PP_OK)
+            return status;
     }
     return PP_OK;
 }

@@ -44,8 +44,9 @@ enum pp_status pp_resolve_corners(struct pp_resolver *r, struct pp_error *err);
  * round that turn the wrong way. */
 enum pp_status pp_resolve_closed(struct pp_resolver *r, struct pp_error *err);
 
-/* place_openings.c */
+/* place_openings.c, reveals.c */
 enum pp_status pp_resolve_openings(struct pp_resolver *r, struct pp_error *err);
+enum pp_status pp_resolve_reveals(struct pp_resolver *r, struct pp_error *err);
 
 /* blocks.c, skylines.c, loose.c: what stands round the room, and loose in it. */
 enum pp_status pp_resolve_blocks(struct pp_resolver *r, struct pp_error *err);

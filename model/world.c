@@ -120,9 +120,11 @@ static enum pp_status resolve(struct pp_resolver *r, struct pp_error *err)
     if (!is_comparable(r))
         return PP_OK;
     static enum pp_status (*const steps[])(struct pp_resolver *, struct pp_error *) = {
-        resolve_site,        pp_resolve_envelope, pp_resolve_corners,
-        pp_resolve_closed,   pp_resolve_openings, pp_resolve_blocks,
-        pp_resolve_skylines, pp_resolve_loose,    pp_resolve_working_plane,
+        resolve_site,        pp_resolve_envelope,
+        pp_resolve_corners,  pp_resolve_closed,
+        pp_resolve_openings, pp_resolve_reveals,
+        pp_resolve_blocks,   pp_resolve_skylines,
+        pp_resolve_loose,    pp_resolve_working_plane,
         pp_resolve_receivers};
     enum pp_status status = pp_clipper_create(&r->clipper, err);
     for (size_t i = 0; i < sizeof steps / sizeof *steps && status == PP_OK; i++)
@@ -145,9 +147,15 @@ enum pp_status pp_world_create(struct pp_world **world, const struct pp_room *ro
     if (!made)
         return pp_fail_memory(err);
     struct pp_resolver r = {.room = room, .world = made, .mistakes = mistakes};
-    enum pp_status status = resolve(&r, err);
+    struct pp_error fault = {0};
+    enum pp_status status = resolve(&r, &fault);
+    /* What a step could not settle by itself, polygons that GEOS gives up on, say. */
+    if (status == PP_BAD_INPUT)
+        pp_mistake(mistakes, room->line, "room: %s", fault.message);
+    else if (status != PP_OK)
+        pp_fail(err, status, "%s", fault.message);
     int count = mistakes->count;
-    if (status == PP_OK && (count > 0 || mistakes->truncated))
+    if (status != PP_SYSTEM && (count > 0 || mistakes->truncated))
         status = pp_fail(err, PP_BAD_INPUT, "%s: %d mistake%s",
                          mistakes->file ? mistakes->file : "room file", count,
                          count == 1 ? "" : "s");
