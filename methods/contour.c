@@ -426,7 +426,7 @@ static bool is_near(const struct pp_field *field, int triangle)
     return low - more <= field->level && field->level <= high + more;
 }
 
-/* Halves triangles near the level down to half the coarse size. */
+/* Halves triangles near the level down to three quarters of the coarse size. */
 static enum pp_status halve_near(struct pp_field *field, struct pp_error *err)
 {
     bool changed = true;
@@ -434,7 +434,7 @@ static enum pp_status halve_near(struct pp_field *field, struct pp_error *err)
         changed = false;
         for (int t = 0; t < field->mesh.triangle_count; t++) {
             if (!is_near(field, t)
-                || pp_mesh_longest(&field->mesh, t) <= 0.5 * field->coarse)
+                || pp_mesh_longest(&field->mesh, t) <= 0.75 * field->coarse)
                 continue;
             enum pp_status status = pp_mesh_halve(&field->mesh, t, err);
             if (status == PP_OK)

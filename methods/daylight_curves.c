@@ -13,6 +13,12 @@
  * metre by a micrometre shows at 30 m. */
 #define NO_SKY_SR 1e-9
 
+/* How far off the walls the plane's edge is evaluated (m). On it, in a window's plane
+ * or under one, the daylight factor has no value of its own, and glass that is seen
+ * edge on takes long to integrate over; two centimetres are less than a drawn wall. */
+#define DAYLIGHT_INSET_M 0.02
+#define SKY_INSET_M 0.001
+
 struct scene {
     const struct pp_world *world;
     double irc;
@@ -179,7 +185,7 @@ enum pp_status pp_daylight_curves(struct pp_daylight_plan *plan,
                                   int level_count, struct pp_error *err)
 {
     *plan = (struct pp_daylight_plan){0};
-    struct scene scene = {world, irc_name ? irc : 0.0, 1e-3};
+    struct scene scene = {world, irc_name ? irc : 0.0, DAYLIGHT_INSET_M};
     if (irc_name && !(isfinite(irc) && irc >= 0.0))
         return pp_fail(err, PP_BAD_INPUT,
                        "internally reflected component is %g; contours need a number "
@@ -190,6 +196,7 @@ enum pp_status pp_daylight_curves(struct pp_daylight_plan *plan,
     double tolerance = tolerance_of(&world->plane);
     enum pp_status status =
         add_contours(plan, &scene, tolerance, levels, level_count, err);
+    scene.inset_m = SKY_INSET_M;
     if (status == PP_OK)
         status = add_no_sky_line(plan, &scene, tolerance, err);
     if (status != PP_OK)

@@ -6,7 +6,8 @@
  * can be seen directly; it does not ask how bright the sky or how clear the glass is.
  *
  * Curves are true to a tolerance of a millimetre, or of 1/5000 of the plane's diagonal
- * where that is more; they begin and end on the plane's edge or are closed.
+ * where that is more; they begin and end on the plane's edge or are closed. Within 20 mm
+ * of a wall the daylight factor is taken as at 20 mm from it.
  */
 #ifndef PP_METHODS_DAYLIGHT_CURVES_H
 #define PP_METHODS_DAYLIGHT_CURVES_H
