@@ -2,8 +2,8 @@
 #include "methods/elevation.h"
 
 #include <stdlib.h>
-#include <string.h>
 
+#include "methods/extent.h"
 #include "methods/outside.h"
 
 /* The opening's own axes, from the point: x along, y out through the glass, z up. */
@@ -39,79 +39,8 @@ struct drawing {
     struct obstructions obstructions;
 };
 
-/* Area, centroid, bounding box of a figure on the drawing, as it is gathered. */
-struct extent {
-    double area, x_moment, z_moment;
-    double left, right, low, high;
-};
-
-static const struct extent no_extent = {0.0,       0.0,      0.0,      INFINITY,
-                                        -INFINITY, INFINITY, -INFINITY};
-
-/* Adds an edge of the figure. Edges add up to the figure's area as seen from the
- * origin; those that lie on a line through it may be left out. */
-static void extend(struct extent *extent, const double a[2], const double b[2])
-{
-    double cross = a[0] * b[1] - a[1] * b[0];
-    extent->area += cross / 2.0;
-    extent->x_moment += cross * (a[0] + b[0]) / 6.0;
-    extent->z_moment += cross * (a[1] + b[1]) / 6.0;
-    extent->left = fmin(extent->left, fmin(a[0], b[0]));
-    extent->right = fmax(extent->right, fmax(a[0], b[0]));
-    extent->low = fmin(extent->low, fmin(a[1], b[1]));
-    extent->high = fmax(extent->high, fmax(a[1], b[1]));
-}
-
-/* Is b the tip of a spike, where the line runs to and back? */
-static bool is_spike(const double a[2], const double b[2], const double c[2])
-{
-    double to[2] = {b[0] - a[0], b[1] - a[1]}, back[2] = {c[0] - b[0], c[1] - b[1]};
-    double cross = to[0] * back[1] - to[1] * back[0];
-    double dot = to[0] * back[0] + to[1] * back[1];
-    return dot <= 0.0 && fabs(cross) <= 1e-9 * fabs(dot);
-}
-
-/* Takes spikes off a ring: overlays leave them, and they have no area but an extent. */
-static void take_spikes_off(struct pp_ring *ring)
-{
-    for (int i = 0, passed = 0; passed < ring->count && ring->count > 2; i++) {
-        int count = ring->count, at = i % count;
-        if (!is_spike(ring->xy[(at + count - 1) % count], ring->xy[at],
-                      ring->xy[(at + 1) % count])) {
-            passed++;
-            continue;
-        }
-        memmove(ring->xy + at, ring->xy + at + 1,
-                (size_t)(count - at - 1) * sizeof *ring->xy);
-        ring->count--;
-        i = at - 2 + ring->count; /* its neighbours may have become one */
-        passed = 0;
-    }
-}
-
-/* Of a figure with holes, what lies above the horizon z = 0. */
-static struct extent above_horizon(const struct pp_region *region)
-{
-    struct extent extent = no_extent;
-    for (int r = 0; r < region->count; r++)
-        for (int i = 0; i < region->rings[r].count; i++) {
-            const double *p = region->rings[r].xy[i];
-            const double *q = region->rings[r].xy[(i + 1) % region->rings[r].count];
-            double a[2] = {p[0], p[1]}, b[2] = {q[0], q[1]};
-            if (a[1] <= 0.0 && b[1] <= 0.0)
-                continue;
-            double *under = a[1] < 0.0 ? a : b[1] < 0.0 ? b : NULL;
-            if (under) {
-                under[0] = p[0] + (q[0] - p[0]) * p[1] / (p[1] - q[1]);
-                under[1] = 0.0;
-            }
-            extend(&extent, a, b);
-        }
-    return extent;
-}
-
 /* The rectangle of equal area with the bounding box' proportions, same centroid. */
-static struct pp_upright equal_rectangle(const struct extent *extent)
+static struct pp_upright equal_rectangle(const struct pp_extent *extent)
 {
     double width = extent->right - extent->left, height = extent->high - extent->low;
     double scale = sqrt(extent->area / (width * height));
@@ -150,11 +79,11 @@ static struct pp_upright through_rectangle(const struct pp_opening *opening,
         .left = -INFINITY, .right = INFINITY, .low = 0.0, .high = INFINITY};
     const struct pp_polygon *outlines[2] = {&opening->inner, &opening->outer};
     for (int k = 0; k < 2; k++) {
-        struct extent extent = no_extent;
+        struct pp_extent extent = pp_extent_none();
         for (int i = 0; i < outlines[k]->count; i++) {
             struct pp_vec3 p = in_frame(frame, outlines[k]->vertices[i]);
             double xz[2] = {p.x / p.y, p.z / p.y};
-            extend(&extent, xz, xz);
+            pp_extent_add(&extent, xz, xz);
         }
         seen.left = fmax(seen.left, extent.left);
         seen.right = fmin(seen.right, extent.right);
@@ -181,9 +110,7 @@ static enum pp_status see(struct drawing *drawing, struct pp_error *err)
         &visible, drawing->world, drawing->opening, drawing->frame.point, err);
     if (status != PP_OK)
         return status;
-    for (int i = 0; i < visible.count; i++)
-        take_spikes_off(visible.rings + i);
-    struct extent extent = above_horizon(&visible);
+    struct pp_extent extent = pp_extent_above_horizon(&visible);
     if (extent.area > 0.0)
         drawing->seen = equal_rectangle(&extent);
     pp_region_destroy(&visible);
@@ -230,54 +157,6 @@ static enum pp_status note_skylines(struct drawing *drawing, struct pp_error *er
     return PP_OK;
 }
 
-/* Cuts a polygon of the drawing by one side: keeps sign * p[axis] <= sign * limit.
- * Returns the number of points, at most half as many again. */
-static int cut_by_side(double (*to)[2], double (*from)[2], int count, int axis,
-                       double sign, double limit)
-{
-    int kept = 0;
-    for (int i = 0; i < count; i++) {
-        const double *a = from[i], *b = from[(i + 1) % count];
-        double over_a = sign * (a[axis] - limit), over_b = sign * (b[axis] - limit);
-        if (over_a <= 0.0) {
-            memcpy(to[kept], a, sizeof to[kept]);
-            kept++;
-        }
-        if ((over_a < 0.0 && over_b > 0.0) || (over_a > 0.0 && over_b < 0.0)) {
-            double t = over_a / (over_a - over_b);
-            to[kept][axis] = limit;
-            to[kept][1 - axis] = a[1 - axis] + t * (b[1 - axis] - a[1 - axis]);
-            kept++;
-        }
-    }
-    return kept;
-}
-
-/* Extent of what a polygon of `count` points, in the first buffer, cuts from a
- * rectangle. Both buffers have room for what four cuts may make of it. */
-static struct extent within(double (*points)[2], double (*spare)[2], int count,
-                            const struct pp_upright *seen)
-{
-    const struct {
-        int axis;
-        double sign, limit;
-    } sides[4] = {{0, -1.0, seen->left},
-                  {0, 1.0, seen->right},
-                  {1, -1.0, seen->low},
-                  {1, 1.0, seen->high}};
-    for (int k = 0; k < 4; k++) {
-        count = cut_by_side(spare, points, count, sides[k].axis, sides[k].sign,
-                            sides[k].limit);
-        double(*swap)[2] = points;
-        points = spare;
-        spare = swap;
-    }
-    struct extent extent = no_extent;
-    for (int i = 0; i < count; i++)
-        extend(&extent, points[i], points[(i + 1) % count]);
-    return extent;
-}
-
 /* The part of a surface beyond the glass, drawn. Returns the number of its points. */
 static int draw_beyond(double (*drawn)[2], const struct pp_polygon *outline,
                        const struct frame *frame, double glass_m)
@@ -303,29 +182,31 @@ static int draw_beyond(double (*drawn)[2], const struct pp_polygon *outline,
 /* What is seen of one thing outside, surface by surface: none of its surfaces that face
  * the point hides another. */
 struct silhouette {
-    struct extent extent;
+    struct pp_extent extent;
     double distance_m; /* of the nearest corner */
 };
 
-static const struct silhouette no_silhouette = {
-    {0.0, 0.0, 0.0, INFINITY, -INFINITY, INFINITY, -INFINITY}, INFINITY};
+static struct silhouette no_silhouette(void)
+{
+    return (struct silhouette){pp_extent_none(), INFINITY};
+}
 
 static enum pp_status add_surface(struct silhouette *silhouette,
                                   const struct drawing *drawing,
                                   const struct pp_polygon *outline,
                                   struct pp_error *err)
 {
-    /* Five cuts, each of which leaves at most half as many points again. */
-    enum { CUT_GROWTH = 8 };
-    size_t room = (size_t)outline->count * CUT_GROWTH;
+    const struct pp_upright *seen = &drawing->seen;
+    size_t room = (size_t)outline->count * PP_EXTENT_ROOM;
     double(*points)[2] = malloc(2 * room * sizeof *points);
     if (!points)
         return pp_fail_memory(err);
     int count = draw_beyond(points, outline, &drawing->frame, drawing->glass_m);
-    struct extent extent = within(points, points + room, count, &drawing->seen);
+    struct pp_extent extent = pp_extent_within(points, points + room, count, seen->left,
+                                               seen->right, seen->low, seen->high);
     free(points);
 
-    struct extent *sum = &silhouette->extent;
+    struct pp_extent *sum = &silhouette->extent;
     sum->area += fabs(extent.area);
     sum->left = fmin(sum->left, extent.left);
     sum->right = fmax(sum->right, extent.right);
@@ -342,7 +223,7 @@ static enum pp_status note_silhouette(struct drawing *drawing,
                                       const struct silhouette *silhouette,
                                       double reflectance, struct pp_error *err)
 {
-    const struct extent *extent = &silhouette->extent;
+    const struct pp_extent *extent = &silhouette->extent;
     double width = extent->right - extent->left;
     if (!(extent->area > 0.0 && width > 0.0))
         return PP_OK;
@@ -368,7 +249,7 @@ static enum pp_status note_surfaces(struct drawing *drawing, struct pp_error *er
         bool loose_outside = surface->role == PP_LOOSE && !surface->inside;
         if (i == drawing->opening->face || !(i < world->face_count || loose_outside))
             continue;
-        struct silhouette silhouette = no_silhouette;
+        struct silhouette silhouette = no_silhouette();
         bool front = faces(&surface->outline, drawing->frame.point);
         status = add_surface(&silhouette, drawing, &surface->outline, err);
         if (status == PP_OK)
@@ -384,7 +265,7 @@ static enum pp_status note_blocks(struct drawing *drawing, struct pp_error *err)
     const struct pp_world *world = drawing->world;
     enum pp_status status = PP_OK;
     for (int b = 0; b < world->block_count && status == PP_OK; b++) {
-        struct silhouette silhouette = no_silhouette;
+        struct silhouette silhouette = no_silhouette();
         for (int i = 0; i < world->surface_count && status == PP_OK; i++) {
             const struct pp_surface *side = world->surfaces + i;
             if (side->role == PP_BLOCK && side->owner == b
@@ -439,7 +320,7 @@ static enum pp_status cut_up(struct pp_elevation *elevation,
                              const struct drawing *drawing, struct pp_error *err)
 {
     size_t most = 2 * (size_t)drawing->obstructions.count + 2;
-    double *across = malloc(2 * most * sizeof *across), *up = across + most;
+    double *across = malloc(2 * most * sizeof *across);
     struct pp_upright *parts = malloc(most * most * sizeof *parts);
     if (!across || !parts) {
         free(across);
@@ -447,6 +328,7 @@ static enum pp_status cut_up(struct pp_elevation *elevation,
         return pp_fail_memory(err);
     }
     int columns = edges_of(across, drawing, true) - 1;
+    double *up = across + most;
     int rows = edges_of(up, drawing, false) - 1;
     for (int i = 0; i < columns; i++)
         for (int k = 0; k < rows; k++) {

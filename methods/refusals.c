@@ -30,6 +30,6 @@ const char *pp_refuse_if_luminous(const struct pp_world *world)
 const char *pp_refuse_unless_vertical(const struct pp_opening *opening)
 {
     if (fabs(opening->slope_rad - PP_PI / 2.0) > angle_tolerance_rad)
-        return "is not vertical, and no other is covered";
+        return "is not vertical, and only vertical ones are covered";
     return NULL;
 }

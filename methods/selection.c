@@ -1,7 +1,6 @@
 /* selection.c - see selection.h. */
 #include "methods/selection.h"
 
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -27,27 +26,28 @@ static enum pp_status add(struct pp_selection *selection,
     return PP_OK;
 }
 
-/* "'exat' is no method; did you mean 'exact'? The methods are exact, ..." */
+/* Says which methods there are, and which one may have been meant. */
 static enum pp_status unknown(const char *name, struct pp_error *err)
 {
     enum { MOST = 32 };
-    const char *names[MOST + 2] = {0};
-    char known[512] = "";
+    const char *names[MOST + 2];
     int count = 0;
-    for (; pp_methods[count] && count < MOST; count++) {
-        size_t used = strlen(known);
+    for (; pp_methods[count] && count < MOST; count++)
         names[count] = pp_methods[count]->name;
-        snprintf(known + used, sizeof known - used, "%s%s", count ? ", " : "",
-                 names[count]);
-    }
     names[count++] = "default";
     names[count++] = "all";
+    char written[64], known[512];
+    pp_excerpt(written, sizeof written, name);
+    pp_name_list(known, sizeof known, names, count);
     const char *nearest = pp_nearest(name, names, count);
+    if (nearest)
+        return pp_fail(err, PP_BAD_INPUT,
+                       "\"%s\" is no method (did you mean \"%s\"?); expected %s, or "
+                       "a pair such as exact+bre",
+                       written, nearest, known);
     return pp_fail(err, PP_BAD_INPUT,
-                   "\"%s\" is no method%s%s%s; the methods are %s, pairs of them "
-                   "(exact+bre), default and all",
-                   name, nearest ? " (did you mean \"" : "", nearest ? nearest : "",
-                   nearest ? "\"?)" : "", known);
+                   "\"%s\" is no method; expected %s, or a pair such as exact+bre",
+                   written, known);
 }
 
 static enum pp_status find(const struct pp_method **method, const char *name,

@@ -1,6 +1,7 @@
 /* test_evaluate.c - sums over openings, allowances, pairs, averages, refusals. */
 #include "methods/evaluate.h"
 
+#include <omp.h>
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -232,8 +233,8 @@ static void one_opening_that_is_not_covered_is_named_by_its_line(void **state)
         "height=\"1\"/>\n"
         "<rooflight x=\"1\" y=\"4\" width=\"1\" depth=\"0.8\"/>\n" ROOM_POINTS);
     struct pp_report report = evaluate(world, NULL);
-    const char *why = "brs-table: the opening on line 6 is not vertical, and no other "
-                      "is covered";
+    const char *why = "brs-table: the opening on line 6 is not vertical, and only "
+                      "vertical ones are covered";
     assert_string_equal(column_of(&report, PP_SC, "brs-table")->points[2].why, why);
     assert_string_equal(column_of(&report, PP_ERC, "brs-table")->average.why, why);
     assert_string_equal(column_of(&report, PP_DF, "brs-table+bre")->points[0].why, why);
@@ -325,6 +326,57 @@ static void averages_agree_with_a_fine_sum_over_the_plane(void **state)
     pp_world_destroy(world);
 }
 
+/* What averages are taken of: fixed rules in place of adaptive quadrature. */
+static void a_rough_value_is_near_the_exact_one(void **state)
+{
+    (void)state;
+    struct pp_world *world = room_with_window("");
+    const struct pp_method *exact = pp_method_find("exact");
+    for (double y = 0.3; y < 6.0; y += 0.4)
+        for (double x = 0.1; x < 3.7; x += 0.6) {
+            struct pp_receiver receiver = {{x, y, 0.85}, {0, 0, 1}, 0};
+            struct pp_part precise = {0}, rough = {0};
+            assert_int_equal(
+                exact->evaluate(world, world->openings, &receiver, &precise, NULL),
+                PP_OK);
+            assert_int_equal(exact->evaluate_roughly(world, world->openings, &receiver,
+                                                     &rough, NULL),
+                             PP_OK);
+            /* the worst of random windows from 0.3 m and from 1 m on: quadrature.h */
+            assert_relative(rough.sky, precise.sky, y < 1.0 ? 6e-3 : 3e-5);
+        }
+    pp_world_destroy(world);
+}
+
+static void the_numbers_do_not_depend_on_the_number_of_threads(void **state)
+{
+    (void)state;
+    struct pp_world *world = pp_test_world(
+        "<room version=\"1\"><plan height=\"2.9\"><vertex x=\"0\" y=\"0\"/>"
+        "<vertex x=\"4\" y=\"0\"/><vertex x=\"4\" y=\"3\"/><vertex x=\"6.3\" y=\"3\"/>"
+        "<vertex x=\"6.3\" y=\"6\"/><vertex x=\"0\" y=\"6\"/></plan>"
+        "<window wall=\"1\" left=\"0.7\" sill=\"1\" width=\"2.6\" height=\"1.4\"/>"
+        "<block x=\"-3\" y=\"-14\" width=\"9\" depth=\"4\" height=\"7\"/></room>");
+    assert_true(world->receiver_count > 64); /* fewer are not dealt out */
+    struct pp_report reports[2];
+    int threads = omp_get_max_threads();
+    for (int i = 0; i < 2; i++) {
+        omp_set_num_threads(1 + 3 * i);
+        reports[i] = evaluate(world, "default");
+    }
+    omp_set_num_threads(threads);
+    for (int c = 0; c < reports[0].column_count; c++) {
+        const struct pp_column *a = reports[0].columns + c, *b = reports[1].columns + c;
+        assert_memory_equal(&a->average.value, &b->average.value, sizeof(double));
+        for (int i = 0; i < world->receiver_count && a->points; i++)
+            assert_memory_equal(&a->points[i].value, &b->points[i].value,
+                                sizeof(double));
+    }
+    pp_report_clear(&reports[0]);
+    pp_report_clear(&reports[1]);
+    pp_world_destroy(world);
+}
+
 static void unknown_names_are_answered_with_the_known_ones(void **state)
 {
     (void)state;
@@ -394,6 +446,8 @@ int main(void)
         cmocka_unit_test(a_sky_that_is_not_covered_is_said_without_an_opening),
         cmocka_unit_test(a_receiver_that_is_not_covered_leaves_the_others),
         cmocka_unit_test(averages_agree_with_a_fine_sum_over_the_plane),
+        cmocka_unit_test(a_rough_value_is_near_the_exact_one),
+        cmocka_unit_test(the_numbers_do_not_depend_on_the_number_of_threads),
         cmocka_unit_test(unknown_names_are_answered_with_the_known_ones),
         cmocka_unit_test(all_is_every_direct_with_bre_and_exact_with_every_internal),
         cmocka_unit_test(every_method_is_found_by_its_name),
