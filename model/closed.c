@@ -157,11 +157,14 @@ static void turn_round(struct pp_polygon *outline, int *corners)
     }
 }
 
-static double volume_m3(const struct pp_world *world)
+/* Of the part of that number, -1: of all. */
+static double volume_m3(const struct pp_world *world, const struct closing *c, int part)
 {
     double sum = 0.0;
     struct pp_vec3 origin = world->surfaces[0].outline.vertices[0];
     for (int i = 0; i < world->face_count; i++) {
+        if (part >= 0 && c->faces[i].part != part)
+            continue;
         const struct pp_polygon *outline = &world->surfaces[i].outline;
         struct pp_vec3 from = pp_sub(pp_polygon_middle(outline), origin);
         sum -= outline->area_m2 * pp_dot(outline->normal, from);
@@ -181,7 +184,7 @@ static void turn_faces(struct pp_resolver *r, struct closing *c, int *turned_in_
         if (c->faces[i].turned)
             turn_round(&world->surfaces[i].outline, r->corners + c->faces[i].first);
     }
-    bool inside_out = volume_m3(world) < 0.0;
+    bool inside_out = volume_m3(world, c, -1) < 0.0;
     bool all = true;
     for (int i = 0; i < world->face_count; i++) {
         if (inside_out) {
@@ -199,6 +202,20 @@ static void turn_faces(struct pp_resolver *r, struct closing *c, int *turned_in_
             pp_mistake(r->mistakes, world->surfaces[i].line,
                        "face: turns clockwise seen from inside; expected "
                        "counter-clockwise");
+}
+
+/* A part by itself is a solid in the room, with its faces round it and so a negative
+ * volume; but one part must hold all. */
+static void check_parts(struct pp_resolver *r, const struct closing *c)
+{
+    int rooms = 0;
+    for (int part = 0; part < c->part_count; part++)
+        rooms += volume_m3(r->world, c, part) > 0.0;
+    if (rooms > 1)
+        pp_mistake(r->mistakes, r->room->plan.line,
+                   "envelope: its faces make %d rooms apart from each other; expected "
+                   "one",
+                   rooms);
 }
 
 static enum pp_status check_closing(struct pp_resolver *r, struct closing *c,
@@ -219,6 +236,7 @@ static enum pp_status check_closing(struct pp_resolver *r, struct closing *c,
         queue[i] = 0;
     turn_faces(r, c, queue);
     free(queue);
+    check_parts(r, c);
     return PP_OK;
 }
 

@@ -46,20 +46,20 @@ static double distance_to_segment(const double p[2], const double a[2],
     return pp_ring_edge_distance(ends, 2, p[0], p[1], NULL);
 }
 
-/* Do the segments ab and cd meet, by crossing or by touching? */
+/* Do the segments ab and cd meet, by crossing or by coming too near? */
 static bool segments_meet(const double a[2], const double b[2], const double c[2],
                           const double d[2])
 {
     for (int k = 0; k < 2; k++)
-        if (fmin(a[k], b[k]) > fmax(c[k], d[k]) + PP_ROUNDING_M
-            || fmin(c[k], d[k]) > fmax(a[k], b[k]) + PP_ROUNDING_M)
+        if (fmin(a[k], b[k]) > fmax(c[k], d[k]) + PP_SAME_M
+            || fmin(c[k], d[k]) > fmax(a[k], b[k]) + PP_SAME_M)
             return false;
     bool ab_parts = (turn(a, b, c) > 0.0) != (turn(a, b, d) > 0.0);
     bool cd_parts = (turn(c, d, a) > 0.0) != (turn(c, d, b) > 0.0);
-    return (ab_parts && cd_parts) || distance_to_segment(a, c, d) < PP_ROUNDING_M
-           || distance_to_segment(b, c, d) < PP_ROUNDING_M
-           || distance_to_segment(c, a, b) < PP_ROUNDING_M
-           || distance_to_segment(d, a, b) < PP_ROUNDING_M;
+    return (ab_parts && cd_parts) || distance_to_segment(a, c, d) < PP_SAME_M
+           || distance_to_segment(b, c, d) < PP_SAME_M
+           || distance_to_segment(c, a, b) < PP_SAME_M
+           || distance_to_segment(d, a, b) < PP_SAME_M;
 }
 
 /* The first two edges that meet where they should not, numbered from 0. Neighbours
@@ -73,11 +73,11 @@ static bool edges_that_meet(const double (*xy)[2], int count, int *first, int *s
             const double *c = xy[k], *d = xy[(k + 1) % count];
             bool meet;
             if (k == i + 1)
-                meet = distance_to_segment(d, a, b) < PP_ROUNDING_M
-                       || distance_to_segment(a, c, d) < PP_ROUNDING_M;
+                meet = distance_to_segment(d, a, b) < PP_SAME_M
+                       || distance_to_segment(a, c, d) < PP_SAME_M;
             else if (i == 0 && k == count - 1)
-                meet = distance_to_segment(c, a, b) < PP_ROUNDING_M
-                       || distance_to_segment(b, c, d) < PP_ROUNDING_M;
+                meet = distance_to_segment(c, a, b) < PP_SAME_M
+                       || distance_to_segment(b, c, d) < PP_SAME_M;
             else
                 meet = segments_meet(a, b, c, d);
             if (meet) {

@@ -75,6 +75,19 @@ static void a_bad_plan_does_not_drag_the_rest_along(void **state)
         "6 has no area");
 }
 
+/* Two walls half a millimetre apart are one by every measure that people type. */
+static void a_plan_does_not_come_too_near_to_itself(void **state)
+{
+    (void)state;
+    assert_mistake(
+        "<room version=\"1\">\n<plan height=\"2.9\"><vertex x=\"0\" y=\"0\"/>"
+        "<vertex x=\"6\" y=\"0\"/><vertex x=\"6\" y=\"5\"/>"
+        "<vertex x=\"3.0005\" y=\"5\"/><vertex x=\"3.0005\" y=\"2\"/>"
+        "<vertex x=\"2\" y=\"2\"/><vertex x=\"3\" y=\"5\"/>"
+        "<vertex x=\"0\" y=\"5\"/></plan></room>",
+        "2 crosses or touches itself");
+}
+
 /* A clockwise plan is gone on with, turned round: its walls keep their names. */
 static void a_clockwise_plan_keeps_its_walls(void **state)
 {
@@ -142,6 +155,58 @@ static void a_skyline_keeps_clear_of_the_room(void **state)
         "<skyline wall=\"3\" angle=\"20\" distance=\"2.5\"/>\n"
         "<skyline wall=\"5\" angle=\"20\" distance=\"2.5\"/>\n</room>",
         "3 reach 3 m beyond that wall");
+}
+
+/* A box of these faces, from one corner to the other; where it is `solid`, its faces
+ * look outwards. */
+static int add_box(char *xml, size_t space, const double a[3], const double b[3],
+                   bool solid, const char *name)
+{
+    static const int corners[6][4] = {{0, 1, 3, 2}, {4, 6, 7, 5}, {1, 0, 4, 5},
+                                      {3, 1, 5, 7}, {2, 3, 7, 6}, {0, 2, 6, 4}};
+    static const char *const roles[] = {"floor", "ceiling", "wall",
+                                        "wall",  "wall",    "wall"};
+    int length = 0;
+    for (int i = 0; i < 6; i++) {
+        length += snprintf(xml + length, space - length,
+                           "<face role=\"%s\" name=\"%s%d\">", roles[i], name, i);
+        for (int k = 0; k < 4; k++) {
+            int corner = corners[i][solid ? 3 - k : k];
+            length += snprintf(xml + length, space - length,
+                               "<vertex x=\"%g\" y=\"%g\" z=\"%g\"/>",
+                               corner & 1 ? b[0] : a[0], corner & 2 ? b[1] : a[1],
+                               corner & 4 ? b[2] : a[2]);
+        }
+        length += snprintf(xml + length, space - length, "</face>\n");
+    }
+    return length;
+}
+
+/* A pillar that does not reach the ceiling is part of a room; a second room is not. */
+static void an_envelope_is_one_room_and_what_stands_in_it(void **state)
+{
+    (void)state;
+    static const double room[2][3] = {{0, 0, 0}, {5, 4, 3}};
+    static const double pillar[2][3] = {{2, 2, 0.1}, {2.4, 2.4, 2.5}};
+    static const double other[2][3] = {{7, 0, 0}, {9, 4, 3}};
+    char xml[8192];
+    for (int k = 0; k < 2; k++) {
+        int length = snprintf(xml, sizeof xml, "<room version=\"1\">\n<envelope>\n");
+        length +=
+            add_box(xml + length, sizeof xml - length, room[0], room[1], false, "a");
+        length += add_box(xml + length, sizeof xml - length, k ? other[0] : pillar[0],
+                          k ? other[1] : pillar[1], k == 0, "b");
+        snprintf(xml + length, sizeof xml - length, "</envelope></room>");
+        if (k == 1) {
+            assert_mistake(xml, "2 2 rooms apart from each other");
+            continue;
+        }
+        struct pp_world *world = pp_test_world(xml);
+        assert_near(pp_region_area(&world->plane), 5.0 * 4.0 - 0.16, 1e-12);
+        assert_false(pp_world_contains(world, pp_vec(2.2, 2.2, 1.0)));
+        assert_true(pp_world_contains(world, pp_vec(2.2, 2.2, 2.6)));
+        pp_world_destroy(world);
+    }
 }
 
 /* Every edge is shared by two faces, but the roof hangs down in a funnel through the
@@ -220,11 +285,13 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(all_mistakes_are_found_at_once),
         cmocka_unit_test(a_bad_plan_does_not_drag_the_rest_along),
+        cmocka_unit_test(a_plan_does_not_come_too_near_to_itself),
         cmocka_unit_test(a_clockwise_plan_keeps_its_walls),
         cmocka_unit_test(surfaces_stay_on_one_side_of_the_room_s_faces),
         cmocka_unit_test(a_reveal_may_not_reach_into_the_other_wing),
         cmocka_unit_test(a_block_keeps_clear_of_the_glass),
         cmocka_unit_test(a_skyline_keeps_clear_of_the_room),
+        cmocka_unit_test(an_envelope_is_one_room_and_what_stands_in_it),
         cmocka_unit_test(faces_meet_in_their_edges_only),
         cmocka_unit_test(far_too_many_parts_are_refused_at_once),
     };
