@@ -137,6 +137,13 @@ static const char *next_attribute(const char *p, const char *end, const char **n
     return p;
 }
 
+/* Does xmlns="..." or xmlns:p="..." stand there? */
+static bool is_declaration(const char *p, const char *end)
+{
+    return end - p > 5 && memcmp(p, "xmlns", 5) == 0
+           && (p[5] == ':' || p[5] == '=' || is_white(p[5]));
+}
+
 /* Copies the attributes, each with the line of its name in the tag at `start`. Prefixes
  * have been complained of and are dropped; xml:lang and its like could be no others. */
 static bool take_attributes(struct builder *b, struct pp_xml_element *element,
@@ -151,7 +158,7 @@ static bool take_attributes(struct builder *b, struct pp_xml_element *element,
     for (int i = 0; i < count; i++) {
         const xmlChar **from = attributes + 5 * i;
         const char *name = next_attribute(p, end, &p);
-        while (end - name > 5 && memcmp(name, "xmlns", 5) == 0)
+        while (is_declaration(name, end))
             name = next_attribute(p, end, &p); /* the parser keeps it to itself */
         if (from[1] && xmlStrEqual(from[1], BAD_CAST "xml"))
             continue;
@@ -185,6 +192,21 @@ static bool within_limits(struct builder *b, int attribute_count, int line)
     return false;
 }
 
+/* The element under the innermost open one, and open itself. */
+static void attach(struct builder *b, struct pp_xml_element *element)
+{
+    if (b->depth == 0)
+        b->xml->root = element;
+    else if (!b->newest[b->depth])
+        b->open[b->depth - 1]->child = element;
+    else
+        b->newest[b->depth]->next = element;
+    b->newest[b->depth] = element;
+    b->open[b->depth++] = element;
+    b->newest[b->depth] = NULL;
+    b->elements++;
+}
+
 static void on_start(void *context, const xmlChar *name, const xmlChar *prefix,
                      const xmlChar *uri, int namespace_count,
                      const xmlChar **namespaces, int attribute_count,
@@ -194,6 +216,7 @@ static void on_start(void *context, const xmlChar *name, const xmlChar *prefix,
     struct builder *b = ((xmlParserCtxtPtr)context)->_private;
     if (b->stopped)
         return;
+    b->text_noted = false;
     size_t start = tag_start(b);
     int line = line_at(b, start);
     if (!within_limits(b, attribute_count, line)) {
@@ -201,7 +224,6 @@ static void on_start(void *context, const xmlChar *name, const xmlChar *prefix,
         return;
     }
 
-    b->text_noted = false;
     bool foreign = prefix || namespace_count > 0 || b->bad_namespace;
     for (int i = 0; i < attribute_count; i++)
         foreign = foreign || attributes[5 * i + 1];
@@ -213,28 +235,15 @@ static void on_start(void *context, const xmlChar *name, const xmlChar *prefix,
 
     struct pp_xml_element *element = take(b->xml, sizeof *element);
     const char *copy = take_text(b->xml, name, strlen((const char *)name));
-    if (!element || !copy) {
-        b->out_of_memory = true;
-        stop(b);
-        return;
+    if (element && copy) {
+        *element = (struct pp_xml_element){.name = copy, .line = line};
+        if (take_attributes(b, element, attribute_count, attributes, start)) {
+            attach(b, element);
+            return;
+        }
     }
-    *element = (struct pp_xml_element){.name = copy, .line = line};
-    if (!take_attributes(b, element, attribute_count, attributes, start)) {
-        b->out_of_memory = true;
-        stop(b);
-        return;
-    }
-
-    if (b->depth == 0)
-        b->xml->root = element;
-    else if (!b->newest[b->depth])
-        b->open[b->depth - 1]->child = element;
-    else
-        b->newest[b->depth]->next = element;
-    b->newest[b->depth] = element;
-    b->open[b->depth++] = element;
-    b->newest[b->depth] = NULL;
-    b->elements++;
+    b->out_of_memory = true;
+    stop(b);
 }
 
 static void on_end(void *context, const xmlChar *name, const xmlChar *prefix,
