@@ -184,11 +184,15 @@ static void leave_surface(const struct pp_facet *facet, struct ray *ray,
     ray->to = lobe(facet, met->side, u[0], u[1]);
 }
 
-/* Follows a ray to its end without sampling openings, in and out of the room. */
+/* Follows a ray to its end without sampling openings, in and out of the room. Roulette
+ * goes by what is left of the ray's weight, not by the weight itself: far from a window
+ * that is small from the start, and a façade opposite would be seen by one path in
+ * hundreds, as bright as hundreds. */
 static void follow(struct pp_walk *walk, struct ray ray, int vertex,
                    struct pp_light *light)
 {
     const struct pp_scene *scene = walk->scene;
+    double least = LEAST_WEIGHT * ray.weight;
     for (;; vertex++) {
         struct pp_contact met = pp_path_first(walk, ray.from, ray.normal, ray.to);
         if (!ray.inside && add_near_skyline(scene, &ray, &met, light))
@@ -214,7 +218,7 @@ static void follow(struct pp_walk *walk, struct ray ray, int vertex,
             ray.kind = seen;
         if (facet->opening < 0)
             leave_surface(facet, &ray, &met, u, light);
-        if (!goes_on(&ray, ray.weight / LEAST_WEIGHT, u[3]))
+        if (!goes_on(&ray, ray.weight / least, u[3]))
             return;
     }
 }
