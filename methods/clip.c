@@ -1,6 +1,19 @@
 /* clip.c - see clip.h. */
 #include "methods/clip.h"
 
+#include <stdbool.h>
+
+/* Where an edge meets the plane: reckoned from the end that comes first in x, y, z, so
+ * that neither the edge's direction nor the plane's changes a bit of it. */
+static struct pp_vec3 crossing(struct pp_vec3 a, double depth_a, struct pp_vec3 b,
+                               double depth_b)
+{
+    bool swap = a.x != b.x ? a.x > b.x : a.y != b.y ? a.y > b.y : a.z > b.z;
+    if (swap)
+        return pp_along(b, depth_b / (depth_b - depth_a), pp_sub(a, b));
+    return pp_along(a, depth_a / (depth_a - depth_b), pp_sub(b, a));
+}
+
 int pp_clip_convex(struct pp_vec3 *out, const struct pp_vec3 *in, int count,
                    struct pp_vec3 normal, double offset)
 {
@@ -11,12 +24,8 @@ int pp_clip_convex(struct pp_vec3 *out, const struct pp_vec3 *in, int count,
     double last_depth = pp_dot(normal, last) - offset;
     for (int i = 0; i < count; i++) {
         double depth = pp_dot(normal, in[i]) - offset;
-        if (last_depth > 0.0 && !(depth > 0.0))
-            out[left++] =
-                pp_along(last, last_depth / (last_depth - depth), pp_sub(in[i], last));
-        else if (depth > 0.0 && !(last_depth > 0.0))
-            out[left++] =
-                pp_along(in[i], depth / (depth - last_depth), pp_sub(last, in[i]));
+        if ((depth > 0.0) != (last_depth > 0.0))
+            out[left++] = crossing(last, last_depth, in[i], depth);
         if (depth > 0.0)
             out[left++] = in[i];
         last = in[i];

@@ -6,8 +6,8 @@
 
 /* What lies of a convex polygon where normal.v > offset [SH74]. Returns how many
  * vertices are left, 0 if nothing; out has room for count + 1 and is not `in`. Where an
- * edge is cut does not depend on the direction in which it is run through, so that
- * polygons which share an edge share its cut to the bit. */
+ * edge is cut depends neither on its direction nor on the plane's, so that polygons
+ * which share an edge, and the two parts of one polygon, share the cut to the bit. */
 int pp_clip_convex(struct pp_vec3 *out, const struct pp_vec3 *in, int count,
                    struct pp_vec3 normal, double offset);
 

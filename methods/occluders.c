@@ -6,9 +6,9 @@
 
 #include "methods/clip.h"
 
-/* Coordinates in the view's plane that agree to this share of its extent are one: a
- * hundred thousand times the rounding of a double. */
-#define GRAIN 1e-11
+/* Coordinates in the view's plane that agree to this share of its extent are one: some
+ * roundings of a double. */
+#define GRAIN 2e-15
 
 /* Room for the planes that may cut a polygon: four of the pyramid, two of depth. */
 enum { CUTS = 6, ON_STACK = 32 };

@@ -114,6 +114,15 @@ struct clip {
 
 static void feed(struct clip *clip, int index, struct pp_vec3 v);
 
+/* How far v lies within a half-space; 0 for what is in its plane but for rounding, so
+ * that a patch that only touches it leaves no sliver there. */
+static double depth_in(struct pp_vec3 half_space, struct pp_vec3 v)
+{
+    double x = half_space.x * v.x, y = half_space.y * v.y, z = half_space.z * v.z;
+    double depth = x + y + z;
+    return fabs(depth) > 4e-16 * (fabs(x) + fabs(y) + fabs(z)) ? depth : 0.0;
+}
+
 /* Where the edge from the inner point to the outer meets the stage's plane. Always
  * reckoned from the inner one, so that two polygons agree on an edge they share. */
 static struct pp_vec3 crossing(struct pp_vec3 inner, double inner_depth,
@@ -140,7 +149,7 @@ static void feed(struct clip *clip, int index, struct pp_vec3 v)
         return;
     }
     struct stage *stage = &clip->stages[index];
-    double depth = pp_dot(stage->half_space, v);
+    double depth = depth_in(stage->half_space, v);
     if (stage->begun) {
         feed_crossing(clip, index, stage->last, stage->last_depth, v, depth);
     } else {
@@ -171,7 +180,7 @@ void pp_moments_add(struct pp_moments *sum, const struct pp_vec3 *vertices, int 
     for (int h = 0; h < half_space_count; h++) {
         int inside = 0;
         for (int i = 0; i < count; i++)
-            inside += pp_dot(half_spaces[h], vertices[i]) > 0.0;
+            inside += depth_in(half_spaces[h], vertices[i]) > 0.0;
         if (inside == 0)
             return;
         if (inside < count) {

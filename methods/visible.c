@@ -196,7 +196,7 @@ static enum pp_status part_in_front(struct pp_pieces *parts,
         xy[i][1] = left[i].y;
         extent = fmax(extent, hypot(left[i].x - left[0].x, left[i].y - left[0].y));
     }
-    count = pp_clip_tidy(xy, count, 1e-11 * extent);
+    count = pp_clip_tidy(xy, count, 2e-15 * extent);
     free(from);
     free(left);
     if (count == 0) {
@@ -353,6 +353,17 @@ static void divide_by_skyline(struct pp_visible *visible, struct pp_region regio
     visible->patches[2] = hidden;
 }
 
+/* The grid on which figures are overlaid: a power of two, 2^-50 of the largest
+ * coordinate. */
+static double grid_of(const struct pp_scene *scene)
+{
+    int exponent;
+    frexp(fmax(fmax(fabs(scene->low[0]), fabs(scene->high[0])),
+               fmax(fabs(scene->low[1]), fabs(scene->high[1]))),
+          &exponent);
+    return ldexp(1.0, exponent - 50);
+}
+
 /* Fills visible from a scene whose outline is known: as work->open, or (rectangles) as
  * the ring in visible. */
 static enum pp_status fill(struct pp_visible *visible, struct work *work,
@@ -384,6 +395,8 @@ static enum pp_status fill(struct pp_visible *visible, struct work *work,
 
     if (!work->clipper)
         status = pp_clipper_create(&work->clipper, err);
+    if (status == PP_OK)
+        pp_clipper_set_grid(work->clipper, grid_of(scene));
     if (status == PP_OK && by_ring) {
         struct pp_region ring = {1, &visible->ring};
         status = pp_region_copy(&work->open, &ring, err);

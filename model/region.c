@@ -14,6 +14,7 @@
 
 struct pp_clipper {
     GEOSContextHandle_t geos;
+    double grid;    /* 0: none */
     char said[256]; /* GEOS's own words on the last failure */
 };
 
@@ -44,6 +45,11 @@ void pp_clipper_destroy(struct pp_clipper *clipper)
         return;
     GEOS_finish_r(clipper->geos);
     free(clipper);
+}
+
+void pp_clipper_set_grid(struct pp_clipper *clipper, double grid)
+{
+    clipper->grid = grid;
 }
 
 static enum pp_status fail_geos(struct pp_clipper *clipper, const char *what,
@@ -171,10 +177,20 @@ static int ring_count(GEOSContextHandle_t geos, const GEOSGeometry *shape)
     return count;
 }
 
-/* Appends one ring, turned the way `outer` asks for. */
-static bool append_ring(GEOSContextHandle_t geos, struct pp_region *region,
+static double perimeter(const double (*xy)[2], int count)
+{
+    double sum = 0.0;
+    for (int i = 0, k = count - 1; i < count; k = i++)
+        sum += hypot(xy[i][0] - xy[k][0], xy[i][1] - xy[k][1]);
+    return sum;
+}
+
+/* Appends one ring, turned the way `outer` asks for; one that is less than two steps of
+ * the grid wide is rounding and left out. */
+static bool append_ring(const struct pp_clipper *clipper, struct pp_region *region,
                         const GEOSGeometry *line, bool outer)
 {
+    GEOSContextHandle_t geos = clipper->geos;
     const GEOSCoordSequence *points = GEOSGeom_getCoordSeq_r(geos, line);
     unsigned size = 0;
     if (!points || !GEOSCoordSeq_getSize_r(geos, points, &size))
@@ -187,7 +203,12 @@ static bool append_ring(GEOSContextHandle_t geos, struct pp_region *region,
         return false;
     for (int i = 0; i < count; i++)
         GEOSCoordSeq_getXY_r(geos, points, (unsigned)i, &xy[i][0], &xy[i][1]);
-    if ((ring_area((const double(*)[2])xy, count) > 0.0) != outer)
+    double area = ring_area((const double(*)[2])xy, count);
+    if (fabs(area) <= clipper->grid * perimeter((const double(*)[2])xy, count)) {
+        free(xy);
+        return true;
+    }
+    if ((area > 0.0) != outer)
         for (int i = 0, k = count - 1; i < k; i++, k--)
             for (int axis = 0; axis < 2; axis++) {
                 double swap = xy[i][axis];
@@ -198,23 +219,27 @@ static bool append_ring(GEOSContextHandle_t geos, struct pp_region *region,
     return true;
 }
 
-static bool append_shape(GEOSContextHandle_t geos, struct pp_region *region,
+static bool append_shape(const struct pp_clipper *clipper, struct pp_region *region,
                          const GEOSGeometry *shape)
 {
+    GEOSContextHandle_t geos = clipper->geos;
     bool whole = true;
+    int known = region->count;
     switch (GEOSGeomTypeId_r(geos, shape)) {
     case GEOS_POLYGON:
         if (GEOSisEmpty_r(geos, shape))
             break;
-        whole = append_ring(geos, region, GEOSGetExteriorRing_r(geos, shape), true);
-        for (int i = 0; whole && i < GEOSGetNumInteriorRings_r(geos, shape); i++)
-            whole = append_ring(geos, region, GEOSGetInteriorRingN_r(geos, shape, i),
+        whole = append_ring(clipper, region, GEOSGetExteriorRing_r(geos, shape), true);
+        for (int i = 0; whole && region->count > known
+                        && i < GEOSGetNumInteriorRings_r(geos, shape);
+             i++)
+            whole = append_ring(clipper, region, GEOSGetInteriorRingN_r(geos, shape, i),
                                 false);
         break;
     case GEOS_MULTIPOLYGON:
     case GEOS_GEOMETRYCOLLECTION:
         for (int i = 0; whole && i < GEOSGetNumGeometries_r(geos, shape); i++)
-            whole = append_shape(geos, region, GEOSGetGeometryN_r(geos, shape, i));
+            whole = append_shape(clipper, region, GEOSGetGeometryN_r(geos, shape, i));
         break;
     default:
         break; /* points and lines have no area */
@@ -231,7 +256,7 @@ static enum pp_status region_from(struct pp_clipper *clipper, struct pp_region *
     bool whole = true;
     if (count > 0) {
         region->rings = calloc((size_t)count, sizeof *region->rings);
-        whole = region->rings && append_shape(clipper->geos, region, shape);
+        whole = region->rings && append_shape(clipper, region, shape);
     }
     GEOSGeom_destroy_r(clipper->geos, shape);
     if (!whole) {
@@ -365,19 +390,24 @@ enum pp_status pp_region_union(struct pp_clipper *clipper, struct pp_region *res
     GEOSGeometry *all = geos_polygons(clipper->geos, parts, count);
     if (!all)
         return pp_fail_memory(err);
-    GEOSGeometry *one = GEOSUnaryUnion_r(clipper->geos, all);
+    GEOSGeometry *one = clipper->grid > 0.0
+                            ? GEOSUnaryUnionPrec_r(clipper->geos, all, clipper->grid)
+                            : GEOSUnaryUnion_r(clipper->geos, all);
     GEOSGeom_destroy_r(clipper->geos, all);
     if (!one)
         return fail_geos(clipper, "the union of outlines", err);
     return region_from(clipper, result, one, err);
 }
 
-typedef GEOSGeometry *overlay_fn(GEOSContextHandle_t geos, const GEOSGeometry *a,
-                                 const GEOSGeometry *b);
+typedef GEOSGeometry *overlay_function(GEOSContextHandle_t geos, const GEOSGeometry *a,
+                                       const GEOSGeometry *b);
+typedef GEOSGeometry *grid_function(GEOSContextHandle_t geos, const GEOSGeometry *a,
+                                    const GEOSGeometry *b, double grid);
 
 static enum pp_status overlay(struct pp_clipper *clipper, struct pp_region *result,
                               const struct pp_region *a, const struct pp_region *b,
-                              overlay_fn *how, const char *what, struct pp_error *err)
+                              overlay_function *how, grid_function *how_on_grid,
+                              const char *what, struct pp_error *err)
 {
     *result = (struct pp_region){0};
     GEOSGeometry *one = geos_polygons(clipper->geos, a, 1);
@@ -385,7 +415,9 @@ static enum pp_status overlay(struct pp_clipper *clipper, struct pp_region *resu
     GEOSGeometry *shape = NULL;
     bool whole = one && other;
     if (whole)
-        shape = how(clipper->geos, one, other);
+        shape = clipper->grid > 0.0
+                    ? how_on_grid(clipper->geos, one, other, clipper->grid)
+                    : how(clipper->geos, one, other);
     if (one)
         GEOSGeom_destroy_r(clipper->geos, one);
     if (other)
@@ -402,7 +434,7 @@ enum pp_status pp_region_intersection(struct pp_clipper *clipper,
                                       const struct pp_region *a,
                                       const struct pp_region *b, struct pp_error *err)
 {
-    return overlay(clipper, result, a, b, GEOSIntersection_r,
+    return overlay(clipper, result, a, b, GEOSIntersection_r, GEOSIntersectionPrec_r,
                    "the intersection of outlines", err);
 }
 
@@ -410,7 +442,7 @@ enum pp_status pp_region_difference(struct pp_clipper *clipper,
                                     struct pp_region *result, const struct pp_region *a,
                                     const struct pp_region *minus, struct pp_error *err)
 {
-    return overlay(clipper, result, a, minus, GEOSDifference_r,
+    return overlay(clipper, result, a, minus, GEOSDifference_r, GEOSDifferencePrec_r,
                    "the difference of outlines", err);
 }
 
