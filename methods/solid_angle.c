@@ -114,13 +114,17 @@ struct clip {
 
 static void feed(struct clip *clip, int index, struct pp_vec3 v);
 
+static double size_of(struct pp_vec3 v)
+{
+    return fabs(v.x) + fabs(v.y) + fabs(v.z);
+}
+
 /* How far v lies within a half-space; 0 for what is in its plane but for rounding, so
  * that a patch that only touches it leaves no sliver there. */
 static double depth_in(struct pp_vec3 half_space, struct pp_vec3 v)
 {
-    double x = half_space.x * v.x, y = half_space.y * v.y, z = half_space.z * v.z;
-    double depth = x + y + z;
-    return fabs(depth) > 4e-16 * (fabs(x) + fabs(y) + fabs(z)) ? depth : 0.0;
+    double depth = pp_dot(half_space, v);
+    return fabs(depth) > 1e-15 * size_of(half_space) * size_of(v) ? depth : 0.0;
 }
 
 /* Where the edge from the inner point to the outer meets the stage's plane. Always

@@ -416,7 +416,7 @@ static void weave(struct web *web, const struct sight *sight, struct pp_vec3 eye
 struct pp_meridian_sums pp_meridians(const struct pp_world *world,
                                      const struct pp_opening *opening,
                                      const struct pp_receiver *receiver,
-                                     double relative_error)
+                                     double relative_error, int parts)
 {
     struct sight sight = {.world = world,
                           .opening = opening,
@@ -458,14 +458,12 @@ struct pp_meridian_sums pp_meridians(const struct pp_world *world,
     }
     free(web);
     qsort(stops, (size_t)count, sizeof *stops, by_size);
-    /* Each stretch in three, of uneven length, in case it hides a bend that none of the
-     * above is the reason of. */
-    for (int k = 0; k + 1 < 3 * count - 2; k++) {
-        static const double thirds[] = {0.0, 0.29, 0.63};
-        int i = k / 3;
-        double width = stops[i + 1] - stops[i], value[2], error[2];
-        double low = stops[i] + width * thirds[k % 3];
-        double high = k % 3 == 2 ? stops[i + 1] : stops[i] + width * thirds[k % 3 + 1];
+    /* Each stretch in parts, in case it hides a narrow turn, as of an edge that passes
+     * close to the zenith. */
+    for (int k = 0; k < (count - 1) * parts; k++) {
+        int i = k / parts;
+        double width = (stops[i + 1] - stops[i]) / parts, value[2], error[2];
+        double low = stops[i] + width * (k % parts), high = low + width;
         if (!(width > 1e-15))
             continue;
         hcubature(2, at_azimuth, &sight, 1, &low, &high, 20000, 1e-17, relative_error,

@@ -17,10 +17,11 @@ struct pp_meridian_sums {
 };
 
 /* What one opening of the world gives the receiver, by the conventions, to about
- * relative_error. */
+ * relative_error; the rule over azimuth starts with `parts` to each stretch between two
+ * corners: narrow features need more. */
 struct pp_meridian_sums pp_meridians(const struct pp_world *world,
                                      const struct pp_opening *opening,
                                      const struct pp_receiver *receiver,
-                                     double relative_error);
+                                     double relative_error, int parts);
 
 #endif

@@ -8,6 +8,7 @@
 
 #ifndef SCENES
 #define SCENES 1000
+#define PARTS 3
 #endif
 
 /* ---- a scene: one opening in a face, anything round it ---- */
@@ -273,8 +274,8 @@ static bool compare(int seed, double *worst)
                                  &err)
         != PP_OK)
         fail_msg("scene %d: %s", seed, err.message);
-    struct pp_meridian_sums sums =
-        pp_meridians(&scene.world, &scene.opening, &scene.receiver, 1e-2 * relative);
+    struct pp_meridian_sums sums = pp_meridians(
+        &scene.world, &scene.opening, &scene.receiver, 1e-2 * relative, PARTS);
     double sky = disagreement(part.sky, sums.sky, relative);
     double external = disagreement(part.external, sums.external, relative);
     if (!(sky <= 1.0) || !(external <= 1.0))

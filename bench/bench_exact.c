@@ -1,0 +1,115 @@
+/* How fast the direct component is, on one core: rates and times, no verdict. */
+#include <stdio.h>
+#include <time.h>
+
+#include "methods/exact.h"
+#include "methods/solid_angle.h"
+#include "model/room.h"
+
+static double now(void)
+{
+    struct timespec t;
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
+    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+}
+
+/* A window's moments alone, from a row of points. */
+static void closed_form(void)
+{
+    enum { POINTS = 4000000 };
+    const struct pp_vec3 zenith = {0.0, 0.0, 1.0};
+    struct pp_sky sky = pp_sky_overcast();
+    double sum = 0.0, start = now();
+    for (int i = 0; i < POINTS; i++) {
+        double y = 0.5 + 8.0 * i / POINTS;
+        const struct pp_vec3 window[4] = {
+            {-0.9, y, 0.1}, {1.7, y, 0.1}, {1.7, y, 1.5}, {-0.9, y, 1.5}};
+        struct pp_moments moments = {0};
+        pp_moments_add(&moments, window, 4, zenith, &zenith, 1);
+        sum += pp_moments_sky(&moments, &sky);
+    }
+    double seconds = now() - start;
+    printf(
+        "closed form, overcast           %8.2f million window-points/s (mean %.6f)\n",
+        POINTS / seconds / 1e6, sum / POINTS);
+}
+
+static struct pp_world *world_of(const char *xml)
+{
+    struct pp_mistakes mistakes;
+    struct pp_building *building = NULL;
+    struct pp_world *world = NULL;
+    pp_mistakes_init(&mistakes, "bench");
+    size_t length = 0;
+    while (xml[length])
+        length++;
+    if (pp_building_parse(&building, xml, length, &mistakes, NULL) == PP_OK)
+        pp_world_create(&world, pp_building_room(building, 0), &mistakes, NULL);
+    pp_building_destroy(building);
+    pp_mistakes_clear(&mistakes);
+    return world;
+}
+
+/* The whole method, over a grid of points, for about a second. */
+static void rooms(const char *name, const char *parts)
+{
+    char xml[4096];
+    snprintf(xml, sizeof xml,
+             "<room version='1'><plan width='3.0' depth='9.0' height='2.7'/>%s</room>",
+             parts);
+    struct pp_world *world = world_of(xml);
+    if (!world) {
+        printf("%s: no world\n", name);
+        return;
+    }
+    enum { COLUMNS = 24, ROWS = 72 };
+    long points = 0;
+    double sum = 0.0, start = now(), seconds;
+    do {
+        for (int i = 0; i < COLUMNS * ROWS; i++) {
+            struct pp_receiver receiver = {{3.0 * (i % COLUMNS + 0.5) / COLUMNS,
+                                            9.0 * (i / COLUMNS + 0.5) / ROWS, 0.85},
+                                           {0.0, 0.0, 1.0},
+                                           0};
+            struct pp_part part;
+            if (pp_method_exact.evaluate(world, &world->openings[0], &receiver, &part,
+                                         NULL)
+                != PP_OK)
+                continue;
+            sum += part.sky + part.external;
+            points++;
+        }
+        seconds = now() - start;
+    } while (seconds < 0.7);
+    printf("%-31s %8.3f us a point (mean %.6f)\n", name, 1e6 * seconds / (double)points,
+           sum / (double)points);
+    pp_world_destroy(world);
+}
+
+#define WINDOW(glazing)                                                                \
+    "<window wall='south' left='0.2' sill='0.8' width='2.6' height='1.5' "             \
+    "glazing='" glazing "'/>"
+#define BLOCK "<block x='-4' y='-14' width='10' depth='6' height='8'/>"
+#define SKYLINE "<skyline wall='south' angle='20'/>"
+#define SUN(type) "<sky type='" type "' sun-altitude='40' sun-bearing='160'/>"
+
+int main(void)
+{
+    closed_form();
+    rooms("unglazed", WINDOW("none"));
+    rooms("unglazed, skyline", WINDOW("none") SKYLINE);
+    rooms("unglazed, block", WINDOW("none") BLOCK);
+    rooms("unglazed, 5 blocks", WINDOW("none") BLOCK
+          "<block x='-9' y='-10' width='3' depth='6' height='5'/>"
+          "<block x='7' y='-12' width='5' depth='5' height='9' rotate='20'/>"
+          "<block x='0' y='-30' width='5' depth='5' height='25'/>"
+          "<block x='-14' y='-20' width='4' depth='5' height='12' rotate='50'/>");
+    rooms("clear glass", WINDOW("clear-single"));
+    rooms("clear glass, skyline", WINDOW("clear-single") SKYLINE);
+    rooms("clear glass, block", WINDOW("clear-single") BLOCK);
+    rooms("iso-5, unglazed", "<sky type='iso-5'/>" WINDOW("none"));
+    rooms("iso-1, unglazed", "<sky type='iso-1'/>" WINDOW("none"));
+    rooms("iso-12, clear glass", SUN("iso-12") WINDOW("clear-single"));
+    rooms("iso-12, unglazed", SUN("iso-12") WINDOW("none"));
+    return 0;
+}
