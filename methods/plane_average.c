@@ -97,14 +97,17 @@ struct integral {
     pp_plane_function *function;
     void *data;
     bool worth_threads;
+    bool stopped;
 };
 
-/* Values at a point of the unit square times the area element; 1: stopped. */
+/* Values at a point of the unit square times the area element. Once the function has
+ * stopped they are zero, which ends the work at once (hcubature itself leaks memory
+ * when its integrand fails). */
 static int at_point(unsigned dim, const double *square, void *data, unsigned fdim,
                     double *values)
 {
     (void)dim, (void)fdim;
-    const struct integral *integral = data;
+    struct integral *integral = data;
     const struct piece *piece = integral->piece;
     double s = square[0], t = square[1], element = piece->area_m2;
     if (piece->triangle) {
@@ -116,10 +119,10 @@ static int at_point(unsigned dim, const double *square, void *data, unsigned fdi
                      piece->origin[1] + s * piece->a[1] + t * piece->b[1], integral->z},
         .normal = {0.0, 0.0, 1.0},
     };
-    if (!integral->function(integral->data, &receiver, values))
-        return 1;
+    if (!integral->stopped)
+        integral->stopped = !integral->function(integral->data, &receiver, values);
     for (int k = 0; k < PP_PLANE_VALUES; k++)
-        values[k] *= element;
+        values[k] = integral->stopped ? 0.0 : values[k] * element;
     return 0;
 }
 
@@ -141,7 +144,8 @@ static bool integrate(double sum[PP_PLANE_VALUES], const struct pieces *pieces,
         own.piece = pieces->list + i;
         if (hcubature(PP_PLANE_VALUES, at_point, &own, 2, low, high, (size_t)points,
                       absolute, 0.0, ERROR_L1, values[i], error)
-            != 0) {
+                != 0
+            || own.stopped) {
 #pragma omp atomic write
             stopped = 1;
         }
