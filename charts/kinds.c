@@ -2,16 +2,22 @@
 
 #include <string.h>
 
-const struct pp_chart_kind pp_chart_kinds[] = {
+static const struct pp_chart_kind kinds[] = {
     {"section", "daylight factor against distance from the window, over the section"},
     {"plan", "contours of the daylight factor and the no-sky line, on the plan"},
-    {0, 0},
 };
+
+enum { KINDS = sizeof kinds / sizeof kinds[0] };
+
+const struct pp_chart_kind *pp_chart_kind_at(int index)
+{
+    return index < KINDS ? &kinds[index] : 0;
+}
 
 const struct pp_chart_kind *pp_chart_kind_find(const char *name)
 {
-    for (const struct pp_chart_kind *kind = pp_chart_kinds; kind->name; kind++)
-        if (strcmp(kind->name, name) == 0)
-            return kind;
+    for (int i = 0; i < KINDS; i++)
+        if (strcmp(kinds[i].name, name) == 0)
+            return &kinds[i];
     return 0;
 }

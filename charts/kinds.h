@@ -9,8 +9,8 @@ struct pp_chart_kind {
     const char *summary; /* one line, without a full stop */
 };
 
-/* Ends with a NULL name. */
-extern const struct pp_chart_kind pp_chart_kinds[];
+/* In order; NULL at the end of the list, one past the last. */
+const struct pp_chart_kind *pp_chart_kind_at(int index);
 
 /* The kind of that name, or NULL. */
 const struct pp_chart_kind *pp_chart_kind_find(const char *name);

@@ -69,7 +69,8 @@ static const char about[] =
 
 static void print_kinds(void)
 {
-    for (const struct pp_chart_kind *kind = pp_chart_kinds; kind->name; kind++)
+    const struct pp_chart_kind *kind;
+    for (int i = 0; (kind = pp_chart_kind_at(i)) != NULL; i++)
         printf("  %-10s %s\n", kind->name, kind->summary);
 }
 
@@ -82,8 +83,8 @@ static const struct pp_chart_kind *find_kind(const char *typed, struct pp_error 
     const char *names[32];
     char known[256];
     int count = 0;
-    for (kind = pp_chart_kinds; kind->name && count < 32; kind++)
-        names[count++] = kind->name;
+    for (; count < 32 && (kind = pp_chart_kind_at(count)) != NULL; count++)
+        names[count] = kind->name;
     const char *guess = pp_nearest(typed, names, count);
     if (guess)
         pp_fail(err, PP_BAD_INPUT, "there is no chart \"%.100s\"; did you mean %s?",

@@ -50,4 +50,13 @@ check "the compiler finds every exported name in an installed header" undeclared
 check "every installed header stands alone among the installed ones" each_header_alone
 check "every exported name begins with pp_" \
     nothing "$(grep -v '^pp_' "$scratch/exported")"
+
+# Names that the command's objects ask of others and do not have among themselves.
+$NM -g cli/*.o .libs/libcli.a 2>/dev/null | awk '$1 == "U" && $2 ~ /^pp_/ { print $2 }' |
+    LC_ALL=C sort -u >"$scratch/asked"
+$NM -g --defined-only cli/*.o .libs/libcli.a 2>/dev/null | awk 'NF == 3 { print $3 }' |
+    LC_ALL=C sort -u >"$scratch/own"
+check "the command gets by with what the library exports" \
+    nothing "$(LC_ALL=C comm -23 "$scratch/asked" "$scratch/own" |
+        LC_ALL=C comm -23 - "$scratch/exported")"
 tap_done

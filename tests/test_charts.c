@@ -463,7 +463,8 @@ static void per_cent_have_the_digits_that_their_size_calls_for(void **state)
 static void every_kind_of_chart_has_a_name_and_a_summary(void **state)
 {
     (void)state;
-    for (const struct pp_chart_kind *kind = pp_chart_kinds; kind->name; kind++) {
+    const struct pp_chart_kind *kind;
+    for (int i = 0; (kind = pp_chart_kind_at(i)) != NULL; i++) {
         assert_ptr_equal(pp_chart_kind_find(kind->name), kind);
         assert_true(strlen(kind->summary) > 10);
         assert_true(kind->summary[strlen(kind->summary) - 1] != '.');
