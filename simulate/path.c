@@ -18,8 +18,9 @@ enum {
     LOBES = 8
 };
 
-/* Paths of less weight than this go on by Russian roulette only. */
-static const double LEAST_WEIGHT = 0.3;
+/* Paths that have come down to this share of the weight they began with go on by
+ * Russian roulette only. */
+static const double LEAST_SHARE = 0.3;
 
 /* Share of the paths that go on, for each unit of weight, where a guess stands for
  * what they would bring. Flat between 0.5 and 1. */
@@ -192,7 +193,7 @@ static void follow(struct pp_walk *walk, struct ray ray, int vertex,
                    struct pp_light *light)
 {
     const struct pp_scene *scene = walk->scene;
-    double least = LEAST_WEIGHT * ray.weight;
+    double least = LEAST_SHARE * ray.weight;
     for (;; vertex++) {
         struct pp_contact met = pp_path_first(walk, ray.from, ray.normal, ray.to);
         if (!ray.inside && add_near_skyline(scene, &ray, &met, light))
@@ -377,6 +378,7 @@ static bool to_surface(struct pp_walk *walk, struct ray *ray, int vertex,
                        struct pp_contact *met, bool *at_once, struct pp_light *light)
 {
     const struct pp_scene *scene = walk->scene;
+    double least = LEAST_SHARE * ray->weight;
     bool count_through = false;
     *at_once = true;
     for (;; vertex++) {
@@ -404,7 +406,7 @@ static bool to_surface(struct pp_walk *walk, struct ray *ray, int vertex,
         double roulette;
         pp_sequence_draw(&walk->sequence, walk->index, vertex + BEYOND_STEP / 4, 1,
                          &roulette);
-        if (!goes_on(ray, ray->weight / LEAST_WEIGHT, roulette))
+        if (!goes_on(ray, ray->weight / least, roulette))
             return false;
     }
 }
@@ -471,7 +473,7 @@ static void correct(struct pp_walk *walk, const struct pp_start *start,
         double chance = 1.0, roulette = 0.0;
         if (vertex > 1) {
             pp_sequence_draw(&walk->sequence, walk->index, vertex + 2, 1, &roulette);
-            chance = walk->guess ? GOING_ON * ray.weight : ray.weight / LEAST_WEIGHT;
+            chance = walk->guess ? GOING_ON * ray.weight : ray.weight / LEAST_SHARE;
         }
         if (!goes_on(&ray, chance, roulette))
             return;
