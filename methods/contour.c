@@ -9,6 +9,9 @@
 
 /* Longest edge of the first triangles, over the figure's diagonal. */
 #define COARSE (1.0 / 24.0)
+/* The same along the figure's edge, over that: what comes in there is steepest there.
+ */
+#define FINE_EDGE 0.25
 /* How often a chord between two crossings is halved at most. */
 enum { DEEPEST = 10 };
 
@@ -100,12 +103,28 @@ static double diagonal_of(const struct pp_region *region)
     return hypot(high[0] - low[0], high[1] - low[1]);
 }
 
+/* Has the triangle a side on the figure's edge? */
+static bool is_on_edge(const struct pp_mesh *mesh, int triangle)
+{
+    const int *t = mesh->triangles[triangle];
+    for (int i = 0; i < 3; i++) {
+        const int *two =
+            mesh->edges[pp_mesh_edge(mesh, t[i], t[(i + 1) % 3])].triangles;
+        if (two[0] < 0 || two[1] < 0)
+            return true;
+    }
+    return false;
+}
+
 static enum pp_status halve_coarse(struct pp_field *field, struct pp_error *err)
 {
+    struct pp_mesh *mesh = &field->mesh;
     enum pp_status status = PP_OK;
-    for (int t = 0; t < field->mesh.triangle_count && status == PP_OK; t++)
-        while (pp_mesh_longest(&field->mesh, t) > field->coarse && status == PP_OK)
-            status = pp_mesh_halve(&field->mesh, t, err);
+    for (int t = 0; t < mesh->triangle_count && status == PP_OK; t++)
+        while (status == PP_OK
+               && pp_mesh_longest(mesh, t)
+                      > (is_on_edge(mesh, t) ? FINE_EDGE : 1.0) * field->coarse)
+            status = pp_mesh_halve(mesh, t, err);
     return status;
 }
 

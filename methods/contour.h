@@ -7,7 +7,8 @@
  * the curve is followed across the triangle, points being put in until it strays from
  * its chords by no more than the tolerance. Features smaller than a triangle that no
  * corner falls on are missed: corners are at most 1/24 of the figure's diagonal apart,
- * and three quarters of that near a level.
+ * and three quarters of that near a level, a
+ * quarter along the figure's edge.
  *
  * The function is evaluated inside the figure and on its edge, nowhere else, and never
  * twice at a corner. It need not be smooth: of a step, the curve is where it jumps.

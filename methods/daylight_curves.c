@@ -13,10 +13,11 @@
  * metre by a micrometre shows at 30 m. */
 #define NO_SKY_SR 1e-9
 
-/* How far off the walls the plane's edge is evaluated (m). On it, in a window's plane
- * or under one, the daylight factor has no value of its own, and glass that is seen
- * edge on takes long to integrate over; two centimetres are less than a drawn wall. */
-#define DAYLIGHT_INSET_M 0.02
+/* How far off the walls the plane's edge is evaluated, over its diagonal, and at most
+ * (m). On it, in a window's plane or under one, the daylight factor has no value of its
+ * own, and just before it all levels crowd together; this is less than a drawn wall. */
+#define DAYLIGHT_INSET (1.0 / 500.0)
+#define DAYLIGHT_INSET_MOST_M 0.02
 #define SKY_INSET_M 0.001
 
 struct scene {
@@ -62,7 +63,7 @@ static enum pp_status daylight_at(void *context, double x, double y, double *val
         const struct pp_opening *opening = &world->openings[i];
         struct pp_part part = {0};
         enum pp_status status =
-            pp_method_exact.evaluate(world, opening, &receiver, &part, err);
+            pp_method_exact.evaluate_roughly(world, opening, &receiver, &part, err);
         if (status != PP_OK)
             return status;
         *value += (part.sky + part.external)
@@ -167,7 +168,7 @@ static enum pp_status add_no_sky_line(struct pp_daylight_plan *plan,
     return status;
 }
 
-static double tolerance_of(const struct pp_region *plane)
+static double diagonal_of(const struct pp_region *plane)
 {
     double low[2] = {INFINITY, INFINITY}, high[2] = {-INFINITY, -INFINITY};
     for (int r = 0; r < plane->count; r++)
@@ -176,7 +177,7 @@ static double tolerance_of(const struct pp_region *plane)
                 low[k] = fmin(low[k], plane->rings[r].xy[i][k]);
                 high[k] = fmax(high[k], plane->rings[r].xy[i][k]);
             }
-    return fmax(1e-3, hypot(high[0] - low[0], high[1] - low[1]) / 5000.0);
+    return plane->count ? hypot(high[0] - low[0], high[1] - low[1]) : 0.0;
 }
 
 enum pp_status pp_daylight_curves(struct pp_daylight_plan *plan,
@@ -185,7 +186,7 @@ enum pp_status pp_daylight_curves(struct pp_daylight_plan *plan,
                                   int level_count, struct pp_error *err)
 {
     *plan = (struct pp_daylight_plan){0};
-    struct scene scene = {world, irc_name ? irc : 0.0, DAYLIGHT_INSET_M};
+    struct scene scene = {world, irc_name ? irc : 0.0, 0.0};
     if (irc_name && !(isfinite(irc) && irc >= 0.0))
         return pp_fail(err, PP_BAD_INPUT,
                        "internally reflected component is %g; contours need a number "
@@ -193,7 +194,9 @@ enum pp_status pp_daylight_curves(struct pp_daylight_plan *plan,
                        irc);
     snprintf(plan->name, sizeof plan->name, "%s%s%s", pp_method_exact.name,
              irc_name ? "+" : "", irc_name ? irc_name : "");
-    double tolerance = tolerance_of(&world->plane);
+    double diagonal = diagonal_of(&world->plane);
+    double tolerance = fmax(1e-3, diagonal / 5000.0);
+    scene.inset_m = fmin(DAYLIGHT_INSET * diagonal, DAYLIGHT_INSET_MOST_M);
     enum pp_status status =
         add_contours(plan, &scene, tolerance, levels, level_count, err);
     scene.inset_m = SKY_INSET_M;

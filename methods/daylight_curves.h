@@ -6,8 +6,10 @@
  * can be seen directly; it does not ask how bright the sky or how clear the glass is.
  *
  * Curves are true to a tolerance of a millimetre, or of 1/5000 of the plane's diagonal
- * where that is more; they begin and end on the plane's edge or are closed. Within 20 mm
- * of a wall the daylight factor is taken as at 20 mm from it.
+ * where that is more; they begin and end on the plane's edge or are closed. Next to
+ * a wall, within 20 mm or 1/500 of that diagonal, the daylight factor is taken as it is
+ * there. It is evaluated roughly: to 1e-4 of itself, to some 1e-3 close to a pane,
+ * where it changes so fast that this is less than a millimetre of the curve's place.
  */
 #ifndef PP_METHODS_DAYLIGHT_CURVES_H
 #define PP_METHODS_DAYLIGHT_CURVES_H
