@@ -48,6 +48,65 @@ void pp_page_sky(char *text, size_t room, const struct pp_world *world)
              sky->iso, asin(fmin(sky->sun.z, 1.0)) / PP_RAD, bearing / PP_RAD);
 }
 
+/* "0.9", or "0.6 to 0.9". */
+static const char *range_text(char *text, size_t room, double low, double high)
+{
+    if (high - low < 5e-4)
+        snprintf(text, room, "%.3g", high);
+    else
+        snprintf(text, room, "%.3g to %.3g", low, high);
+    return text;
+}
+
+static void say_openings(char *text, size_t room, const struct pp_world *world)
+{
+    enum { GLASS, FRAME, DIRT, COUNT };
+    double low[COUNT] = {1.0, 1.0, 1.0}, high[COUNT] = {0.0, 0.0, 0.0};
+    bool unglazed = world->opening_count > 0;
+    for (int i = 0; i < world->opening_count; i++) {
+        const struct pp_opening *opening = &world->openings[i];
+        double values[COUNT] = {opening->glass.normal, opening->frame_factor,
+                                opening->maintenance};
+        unglazed = unglazed && opening->glass.panes == 0 && !opening->glass.diffusing;
+        for (int k = 0; k < COUNT; k++) {
+            low[k] = fmin(low[k], values[k]);
+            high[k] = fmax(high[k], values[k]);
+        }
+    }
+    char glass[32], frame[32], dirt[32];
+    range_text(frame, sizeof frame, low[FRAME], high[FRAME]);
+    range_text(dirt, sizeof dirt, low[DIRT], high[DIRT]);
+    if (unglazed)
+        pp_page_say(text, room, "Openings without glass, frame factor %s.", frame);
+    else if (world->opening_count)
+        pp_page_say(
+            text, room,
+            "Normal transmittance of the glass %s, frame factor %s, maintenance "
+            "%s.",
+            range_text(glass, sizeof glass, low[GLASS], high[GLASS]), frame, dirt);
+}
+
+void pp_page_assumptions(char *text, size_t room, const struct pp_world *world)
+{
+    static const char *const parts[] = {
+        [PP_FLOOR] = "floor", [PP_WALL] = "walls", [PP_CEILING] = "ceiling"};
+    say_openings(text, room, world);
+    char sentence[160] = "Reflectances:";
+    for (enum pp_role role = PP_FLOOR; role <= PP_CEILING; role++) {
+        double low = INFINITY, high = -INFINITY;
+        for (int i = 0; i < world->face_count; i++)
+            if (world->surfaces[i].role == role) {
+                low = fmin(low, world->surfaces[i].front);
+                high = fmax(high, world->surfaces[i].front);
+            }
+        char range[32];
+        if (high >= low)
+            pp_page_say(sentence, sizeof sentence, "%s %s,", parts[role],
+                        range_text(range, sizeof range, low, high));
+    }
+    pp_page_say(text, room, "%s ground %.3g.", sentence, world->ground_reflectance);
+}
+
 struct pp_box pp_page_draw(struct pp_canvas *canvas, const struct pp_style *style,
                            const struct pp_page *page)
 {
@@ -57,8 +116,13 @@ struct pp_box pp_page_draw(struct pp_canvas *canvas, const struct pp_style *styl
     double top = margin, bottom = pp_canvas_height_mm(canvas) - margin;
 
     if (page->title) {
-        struct pp_text title = {
-            .size = PP_TEXT_TITLE, .bold = true, .width = width, .lines = 2};
+        /* A long name is set smaller, in up to four lines. */
+        struct pp_text title = {.size = PP_TEXT_TITLE, .bold = true, .width = width};
+        if (pp_text_measure(cr, style, &title, 0, 0, page->title).height
+            > 2.7 * style->text[PP_TEXT_TITLE]) {
+            title.size = PP_TEXT_HEAD;
+            title.lines = 4;
+        }
         top += pp_text_draw(cr, style, &title, margin, top, page->title).height;
         top += 0.6 * style->scale;
     }

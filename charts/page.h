@@ -27,6 +27,10 @@ void pp_page_say(char *text, size_t room, const char *format, ...)
  * high at 180°". */
 void pp_page_sky(char *text, size_t room, const struct pp_world *world);
 
+/* Adds what the figures rest on to a text, as pp_page_say: glazing, frame and dirt,
+ * reflectances. */
+void pp_page_assumptions(char *text, size_t room, const struct pp_world *world);
+
 /* The style for the canvas' sheet. */
 struct pp_style pp_page_style(const struct pp_canvas *canvas);
 

@@ -200,6 +200,7 @@ static void say_foot(const struct pp_plan_chart *chart, char *foot, size_t room)
         pp_page_say(foot, room, "Skyline of %.3g\u00b0 before wall %s.",
                     skyline->angle_rad / PP_RAD, wall ? wall : "of the window");
     }
+    pp_page_assumptions(foot, room, chart->world);
     for (int i = 0; i < chart->note_count; i++)
         pp_page_say(foot, room, "%s", chart->notes[i]);
 }

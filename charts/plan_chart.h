@@ -17,7 +17,7 @@ struct pp_plan_chart {
     const struct pp_daylight_plan *plan; /* not owned */
     const struct pp_report
         *report;              /* its receivers are marked; NULL: none; not owned */
-    const char *const *notes; /* sentences for the foot of the sheet; not owned */
+    const char *const *notes; /* further sentences for the foot; not owned */
     int note_count;
 };
 

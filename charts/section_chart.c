@@ -419,6 +419,7 @@ bool pp_section_chart_landscape(const struct pp_section_chart *chart)
 
 static void say_notes(struct plot *plot, const struct pp_section_chart *chart)
 {
+    pp_page_assumptions(plot->foot, sizeof plot->foot, chart->report->world);
     for (int i = 0; i < chart->note_count; i++)
         pp_page_say(plot->foot, sizeof plot->foot, "%s", chart->notes[i]);
     if (!chart->report->finished)

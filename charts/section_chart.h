@@ -22,7 +22,7 @@
 struct pp_section_chart {
     const struct pp_report *report; /* with world; not owned */
     bool logarithmic;               /* daylight factors; else linear from 0 */
-    const char *const *notes;       /* sentences for the foot of the sheet; not owned */
+    const char *const *notes;       /* further sentences for the foot; not owned */
     int note_count;
 };
 

@@ -141,19 +141,21 @@ static void a_section_names_room_sky_methods_scale_and_notes(void **state)
     add_columns(&report);
     size_t length;
     char *pdf = section(&report, false, PP_CHART_PDF, &length);
-    static const char *const sayings[] = {"B\xc3\xbcro \xce\xa9 \xe2\x80\x94 12",
-                                          "CIE overcast sky",
-                                          "Daylight factor (%)",
-                                          "exact+bre",
-                                          "brs-table+bre",
-                                          "traced \xc2\xb1 standard error",
-                                          "average-df, room average 2.1 %",
-                                          "Distance from the window wall (m)",
-                                          "Section 1:50.",
-                                          "sill 0.9 m, head 2.3 m",
-                                          "22\xc2\xb0 at 15 m",
-                                          "Clear single glass.",
-                                          NULL};
+    static const char *const sayings[] = {
+        "B\xc3\xbcro \xce\xa9 \xe2\x80\x94 12",
+        "CIE overcast sky",
+        "Daylight factor (%)",
+        "exact+bre",
+        "brs-table+bre",
+        "traced \xc2\xb1 standard error",
+        "average-df, room average 2.1 %",
+        "Distance from the window wall (m)",
+        "Section 1:50.",
+        "sill 0.9 m, head 2.3 m",
+        "22\xc2\xb0 at 15 m",
+        "Normal transmittance of the glass 0.9, frame factor 1,",
+        "ground 0.2. Clear single glass.",
+        NULL};
     assert_says(pdf, length, sayings);
     pp_report_clear(&report);
     pp_world_destroy(world);
