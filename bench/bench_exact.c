@@ -71,9 +71,9 @@ static void rooms(const char *name, const char *parts)
                                             9.0 * (i / COLUMNS + 0.5) / ROWS, 0.85},
                                            {0.0, 0.0, 1.0},
                                            0};
-            struct pp_part part;
-            if (pp_method_exact.evaluate(world, &world->openings[0], &receiver, &part,
-                                         NULL)
+            struct pp_part part = {0};
+            if (pp_method_exact.evaluate(world, &world->openings[0], &receiver, NULL,
+                                         &part, NULL)
                 != PP_OK)
                 continue;
             sum += part.sky + part.external;

@@ -108,9 +108,10 @@ static const char *refuses(const struct pp_world *world,
 
 static enum pp_status evaluate(const struct pp_world *world,
                                const struct pp_opening *opening,
-                               const struct pp_receiver *receiver, struct pp_part *part,
-                               struct pp_error *err)
+                               const struct pp_receiver *receiver, const void *tools,
+                               struct pp_part *part, struct pp_error *err)
 {
+    (void)tools;
     struct pp_elevation elevation;
     enum pp_status status =
         pp_elevation_create(&elevation, world, opening, receiver->position, err);

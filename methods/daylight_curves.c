@@ -62,8 +62,8 @@ static enum pp_status daylight_at(void *context, double x, double y, double *val
     for (int i = 0; i < world->opening_count; i++) {
         const struct pp_opening *opening = &world->openings[i];
         struct pp_part part = {0};
-        enum pp_status status =
-            pp_method_exact.evaluate_roughly(world, opening, &receiver, &part, err);
+        enum pp_status status = pp_method_exact.evaluate_roughly(
+            world, opening, &receiver, NULL, &part, err);
         if (status != PP_OK)
             return status;
         *value += (part.sky + part.external)

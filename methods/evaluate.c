@@ -12,6 +12,7 @@ struct work {
     const struct pp_method *method;
     const struct pp_world *world;
     double *factors; /* what the method's figures still need, an opening each */
+    void *tools;     /* what it prepared; NULL for a room that it refuses */
     bool roughly;    /* for an average */
 };
 
@@ -31,7 +32,20 @@ static enum pp_status work_create(struct work *work, const struct pp_method *met
         return pp_fail_memory(err);
     for (int i = 0; i < world->opening_count; i++)
         work->factors[i] = pp_allowance_factor(method->allowances, world->openings + i);
-    return PP_OK;
+    bool refused = method->refuses_room && method->refuses_room(world, NULL);
+    enum pp_status status = PP_OK;
+    if (method->prepare && !refused)
+        status = method->prepare(&work->tools, world, err);
+    if (status != PP_OK)
+        free(work->factors);
+    return status;
+}
+
+static void work_clear(struct work *work)
+{
+    if (work->method->put_away)
+        work->method->put_away(work->tools);
+    free(work->factors);
 }
 
 /* Sums the method over the openings for a receiver (NULL: for the room). */
@@ -57,7 +71,7 @@ static enum pp_status sum_openings(const struct work *work,
         struct pp_part part = {0};
         bool roughly = work->roughly && method->evaluate_roughly;
         enum pp_status status = (roughly ? method->evaluate_roughly : method->evaluate)(
-            world, world->openings + i, receiver, &part, err);
+            world, world->openings + i, receiver, work->tools, &part, err);
         if (status != PP_OK)
             return status;
         answer->part.sky += work->factors[i] * part.sky;
@@ -235,7 +249,7 @@ static enum pp_status add_method(struct pp_report *report,
     if (status == PP_OK && method->gives == PP_GIVES_DIRECT)
         status = add_column(report, method, answers, PP_ERC, err);
     free(answers);
-    free(work.factors);
+    work_clear(&work);
     return status;
 }
 

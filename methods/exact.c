@@ -202,17 +202,20 @@ static enum pp_status direct_of(const struct pp_world *world,
 
 static enum pp_status evaluate(const struct pp_world *world,
                                const struct pp_opening *opening,
-                               const struct pp_receiver *receiver, struct pp_part *part,
-                               struct pp_error *err)
+                               const struct pp_receiver *receiver, const void *tools,
+                               struct pp_part *part, struct pp_error *err)
 {
+    (void)tools;
     return direct_of(world, opening, receiver, false, part, err);
 }
 
 static enum pp_status evaluate_roughly(const struct pp_world *world,
                                        const struct pp_opening *opening,
                                        const struct pp_receiver *receiver,
-                                       struct pp_part *part, struct pp_error *err)
+                                       const void *tools, struct pp_part *part,
+                                       struct pp_error *err)
 {
+    (void)tools;
     return direct_of(world, opening, receiver, true, part, err);
 }
 

@@ -9,6 +9,7 @@
 
 #include "model/allowance.h"
 #include "model/reading.h"
+#include "model/steps.h"
 #include "model/world.h"
 
 enum pp_gives {
@@ -24,9 +25,10 @@ enum pp_speaks_for {
 
 /* What one opening gives, before allowances are settled. */
 struct pp_part {
-    double sky;      /* of PP_GIVES_DIRECT */
-    double external; /* of PP_GIVES_DIRECT */
-    double value;    /* of PP_GIVES_INTERNAL and PP_GIVES_WHOLE */
+    double sky;             /* of PP_GIVES_DIRECT */
+    double external;        /* of PP_GIVES_DIRECT */
+    double value;           /* of PP_GIVES_INTERNAL and PP_GIVES_WHOLE */
+    struct pp_steps *steps; /* where readings on the way are set down; NULL: nowhere */
 };
 
 struct pp_method {
@@ -51,19 +53,27 @@ struct pp_method {
                            const struct pp_opening *opening,
                            const struct pp_receiver *receiver);
 
-    /* What the opening gives; called only where nothing refuses. Several threads may be
-     * in it at once. */
+    /* Makes what the method works with all over one world that it does not refuse: a
+     * diagram, drawn once. May be left out: then tools is NULL. On success *tools is
+     * given back to put_away. */
+    enum pp_status (*prepare)(void **tools, const struct pp_world *world,
+                              struct pp_error *err);
+    void (*put_away)(void *tools); /* NULL tools are allowed */
+
+    /* What the opening gives; called only where nothing refuses, part zeroed but for
+     * its steps. Several threads may be in it at once. */
     enum pp_status (*evaluate)(const struct pp_world *world,
                                const struct pp_opening *opening,
-                               const struct pp_receiver *receiver, struct pp_part *part,
-                               struct pp_error *err);
+                               const struct pp_receiver *receiver, const void *tools,
+                               struct pp_part *part, struct pp_error *err);
 
     /* The same to about 1e-3 and fast, where evaluate takes pains: for averages. May be
      * left out. */
     enum pp_status (*evaluate_roughly)(const struct pp_world *world,
                                        const struct pp_opening *opening,
                                        const struct pp_receiver *receiver,
-                                       struct pp_part *part, struct pp_error *err);
+                                       const void *tools, struct pp_part *part,
+                                       struct pp_error *err);
 };
 
 /* All methods, in the order in which results show them; ends with NULL. */

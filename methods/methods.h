@@ -6,6 +6,8 @@
 #include "methods/method.h"
 
 extern const struct pp_method pp_method_brs_table;
+extern const struct pp_method pp_method_waldram;
+extern const struct pp_method pp_method_pepper_pot;
 extern const struct pp_method pp_method_bre;
 extern const struct pp_method pp_method_split_flux;
 extern const struct pp_method pp_method_average_df;

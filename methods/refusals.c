@@ -7,16 +7,21 @@
  * written with three decimals pass. */
 static const double angle_tolerance_rad = 1e-3;
 
+const char *pp_refuse_unless_up(const struct pp_receiver *receiver)
+{
+    if (receiver
+        && (hypot(receiver->normal.x, receiver->normal.y) > angle_tolerance_rad
+            || receiver->normal.z < 0.0))
+        return "it is made for points that face up only";
+    return NULL;
+}
+
 const char *pp_refuse_unless_overcast_and_up(const struct pp_world *world,
                                              const struct pp_receiver *receiver)
 {
     if (world->sky.kind != PP_SKY_OVERCAST)
         return "it is made for the CIE overcast sky only";
-    if (receiver && hypot(receiver->normal.x, receiver->normal.y) > angle_tolerance_rad)
-        return "it is made for points that face up only";
-    if (receiver && receiver->normal.z < 0.0)
-        return "it is made for points that face up only";
-    return NULL;
+    return pp_refuse_unless_up(receiver);
 }
 
 const char *pp_refuse_if_luminous(const struct pp_world *world)

@@ -11,6 +11,9 @@
 const char *pp_refuse_unless_overcast_and_up(const struct pp_world *world,
                                              const struct pp_receiver *receiver);
 
+/* For methods made for a plane facing up; receiver may be NULL. */
+const char *pp_refuse_unless_up(const struct pp_receiver *receiver);
+
 /* For methods that know no source of light but the sky: does a surface give off light
  * by itself? */
 const char *pp_refuse_if_luminous(const struct pp_world *world);

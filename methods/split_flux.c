@@ -73,10 +73,10 @@ static double over(double x, double y)
 
 static enum pp_status evaluate(const struct pp_world *world,
                                const struct pp_opening *opening,
-                               const struct pp_receiver *receiver, struct pp_part *part,
-                               struct pp_error *err)
+                               const struct pp_receiver *receiver, const void *tools,
+                               struct pp_part *part, struct pp_error *err)
 {
-    (void)receiver;
+    (void)receiver, (void)tools;
     double alpha_rad;
     enum pp_status status = pp_obstruction_angle(&alpha_rad, world, opening, err);
     if (status != PP_OK)

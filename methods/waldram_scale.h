@@ -25,6 +25,7 @@
 
 #include <stdbool.h>
 
+#include "methods/window_drawing.h"
 #include "model/error.h"
 #include "model/glass.h"
 #include "model/region.h"
@@ -55,14 +56,7 @@ double pp_waldram_y(const struct pp_waldram *waldram, double altitude_rad);
 /* Area of the map from azimuth -pi/2 to pi/2: 1/2 without glass. */
 double pp_waldram_whole(const struct pp_waldram *waldram);
 
-/* A window's own plane in the world, as seen from the point: a place (a, b) on it at
- * unit distance lies in the direction a along + b up + out. */
-struct pp_window_axes {
-    struct pp_vec3 along, up; /* unit, in the plane; along is horizontal */
-    struct pp_vec3 out;       /* unit, square to the plane, away from the point */
-};
-
-/* Area on the diagram of a region of the window's plane, exact for the diagram's own
+/* Area on the diagram of a region of a window's drawing, exact for the diagram's own
  * scales (relative error 1e-9): what lies below the horizon has none. Straight lines
  * of the plane become droop lines. A region round the zenith counts as it should. */
 double pp_waldram_area(const struct pp_waldram *waldram,

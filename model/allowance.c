@@ -20,9 +20,10 @@ double pp_allowance_reflected_glass(const struct pp_opening *opening)
 double pp_allowance_factor(unsigned allowances, const struct pp_opening *opening)
 {
     double factor = 1.0;
+    bool bare = opening->glass.panes == 0 && allowances & PP_ALLOWS_NO_GLASS;
     if (!(allowances & PP_ALLOWS_OWN_GLASS))
         factor *= pp_allowance_reflected_glass(opening);
-    if (allowances & PP_ALLOWS_CLEAR_GLASS)
+    if (allowances & PP_ALLOWS_CLEAR_GLASS && !bare)
         factor /= printed_diffuse;
     if (!(allowances & PP_ALLOWS_FRAME))
         factor *= opening->frame_factor;

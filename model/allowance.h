@@ -21,11 +21,14 @@ enum pp_allowance {
     PP_ALLOWS_OWN_GLASS = 1 << 1, /* the opening's own glazing */
     PP_ALLOWS_FRAME = 1 << 2,     /* frame and bars */
     PP_ALLOWS_DIRT = 1 << 3,      /* dirt on the glass */
+    PP_ALLOWS_NO_GLASS = 1 << 4,    /* with CLEAR_GLASS: has figures of its own, which
+                                     * contain no glass, for unglazed openings */
 };
 
 /* The factor that a figure which contains `allowances` still needs for this opening.
  * Figures for clear glass are turned into the opening's own by the ratio G of the
- * diffuse transmittances; for an unglazed opening by 1/0.85. */
+ * diffuse transmittances; for an unglazed opening by 1/0.85, unless the method has
+ * figures without glass (PP_ALLOWS_NO_GLASS). */
 double pp_allowance_factor(unsigned allowances, const struct pp_opening *opening);
 
 /* The diffuse transmittance that the reflected-component formulae take: 0.85 G, 1 for

@@ -12,7 +12,8 @@ static double average_df_of(struct box_room *box, int index)
     assert_null(pp_method_average_df.refuses_room(&box->world, NULL));
     assert_null(pp_method_average_df.refuses(&box->world, opening, NULL));
     assert_int_equal(
-        pp_method_average_df.evaluate(&box->world, opening, NULL, &part, NULL), PP_OK);
+        pp_method_average_df.evaluate(&box->world, opening, NULL, NULL, &part, NULL),
+        PP_OK);
     return part.value;
 }
 

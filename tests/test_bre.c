@@ -16,8 +16,8 @@ static double bre_of(struct box_room *box, int index)
     const struct pp_opening *opening = box->openings + index;
     assert_null(pp_method_bre.refuses_room(&box->world, NULL));
     assert_null(pp_method_bre.refuses(&box->world, opening, NULL));
-    assert_int_equal(pp_method_bre.evaluate(&box->world, opening, NULL, &part, NULL),
-                     PP_OK);
+    assert_int_equal(
+        pp_method_bre.evaluate(&box->world, opening, NULL, NULL, &part, NULL), PP_OK);
     return part.value;
 }
 

@@ -22,9 +22,9 @@ static struct pp_part brs_at(const struct box_room *box, int index,
     const struct pp_opening *opening = box->openings + index;
     assert_null(pp_method_brs_table.refuses_room(&box->world, &receiver));
     assert_null(pp_method_brs_table.refuses(&box->world, opening, &receiver));
-    assert_int_equal(
-        pp_method_brs_table.evaluate(&box->world, opening, &receiver, &part, NULL),
-        PP_OK);
+    assert_int_equal(pp_method_brs_table.evaluate(&box->world, opening, &receiver, NULL,
+                                                  &part, NULL),
+                     PP_OK);
     return part;
 }
 
@@ -232,9 +232,9 @@ static struct pp_part brs_in(const struct pp_world *world, struct pp_vec3 positi
 {
     struct pp_part part = {0};
     struct pp_receiver receiver = {.position = position, .normal = {0, 0, 1}};
-    assert_int_equal(
-        pp_method_brs_table.evaluate(world, world->openings, &receiver, &part, NULL),
-        PP_OK);
+    assert_int_equal(pp_method_brs_table.evaluate(world, world->openings, &receiver,
+                                                  NULL, &part, NULL),
+                     PP_OK);
     return part;
 }
 
@@ -385,9 +385,9 @@ static void from_a_metre_on_the_table_is_a_little_low(void **state)
             pp_vec(10.0 * random_number(&seed), 1.0 + 6.0 * random_number(&seed), 0.85);
         struct pp_part exact = {0};
         struct pp_part table = brs_at(&box, 0, receiver.position);
-        assert_int_equal(
-            pp_method_exact.evaluate(&box.world, box.openings, &receiver, &exact, NULL),
-            PP_OK);
+        assert_int_equal(pp_method_exact.evaluate(&box.world, box.openings, &receiver,
+                                                  NULL, &exact, NULL),
+                         PP_OK);
         if (exact.sky < 0.01)
             continue;
         double off = table.sky / exact.sky - 1.0;

@@ -138,12 +138,12 @@ static void exact_gives_the_figures_of_cie_171(void **state)
         }
         struct pp_receiver receiver = {
             {figure->x, figure->y, figure->z}, {figure->nx, figure->ny, figure->nz}, 0};
-        struct pp_part part;
+        struct pp_part part = {0};
         if (strstr(figure->scene, "glass"))
             part = glazed(world, &receiver);
         else
             assert_int_equal(pp_method_exact.evaluate(world, &world->openings[0],
-                                                      &receiver, &part, NULL),
+                                                      &receiver, NULL, &part, NULL),
                              PP_OK);
         double percent = 100.0 * (part.sky + part.external);
         double off = fabs(percent - figure->check) - 0.0006;

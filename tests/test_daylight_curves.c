@@ -144,10 +144,10 @@ static void points_of_a_contour_have_its_daylight_factor(void **state)
             if (curve->xy[k][1] < 0.4 || curve->xy[k][0] < 0.01
                 || curve->xy[k][0] > 4.09 || curve->xy[k][1] > 6.29)
                 continue;
-            struct pp_part part;
-            assert_int_equal(
-                pp_method_exact.evaluate(world, world->openings, &receiver, &part, 0),
-                PP_OK);
+            struct pp_part part = {0};
+            assert_int_equal(pp_method_exact.evaluate(world, world->openings, &receiver,
+                                                      NULL, &part, 0),
+                             PP_OK);
             double factor =
                 pp_allowance_factor(pp_method_exact.allowances, world->openings);
             /* A millimetre or so at up to 0.2 of itself a centimetre. */

@@ -268,10 +268,10 @@ static bool compare(int seed, double *worst)
     deal(&scene, (uint64_t)seed);
     bool glazed = scene.opening.glass.panes > 0;
     double relative = glazed ? 1e-6 : 1e-9;
-    struct pp_part part;
+    struct pp_part part = {0};
     struct pp_error err = {0};
-    if (pp_method_exact.evaluate(&scene.world, &scene.opening, &scene.receiver, &part,
-                                 &err)
+    if (pp_method_exact.evaluate(&scene.world, &scene.opening, &scene.receiver, NULL,
+                                 &part, &err)
         != PP_OK)
         fail_msg("scene %d: %s", seed, err.message);
     struct pp_meridian_sums sums = pp_meridians(

@@ -13,7 +13,8 @@ static double split_flux_of(struct box_room *box, int index)
     assert_null(pp_method_split_flux.refuses_room(&box->world, NULL));
     assert_null(pp_method_split_flux.refuses(&box->world, opening, NULL));
     assert_int_equal(
-        pp_method_split_flux.evaluate(&box->world, opening, NULL, &part, NULL), PP_OK);
+        pp_method_split_flux.evaluate(&box->world, opening, NULL, NULL, &part, NULL),
+        PP_OK);
     return part.value;
 }
 
