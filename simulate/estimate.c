@@ -70,15 +70,17 @@ struct pp_reading pp_estimate(const struct pp_item *items, int count, int compon
 
 /* ---- what could come at all ---- */
 
-/* Share of the lobe that the opening may fill. */
+/* About what an opening would bring if nothing stood before it: pi times the luminance
+ * of an overcast horizon is 3/7 of Eh, and importance counts by that. */
 static double share_of(const struct pp_scene *scene, const struct pp_start *start,
                        const struct pp_pane *pane)
 {
     if (start->anywhere)
         return fmin(1.0, pane->target.area_m2 / scene->plane_area_m2);
     struct pp_brightness even = {1.0};
-    return fmin(
-        1.0, pp_target_importance(&pane->target, start->position, start->normal, even));
+    return fmin(1.0, 3.0 / (7.0 * PP_PI)
+                         * pp_target_importance(&pane->target, start->position,
+                                                start->normal, even));
 }
 
 /* Does the opening show the point a direction that rises (falls)? To be on the safe

@@ -8,7 +8,8 @@
  * s their standard deviation: the root is the spread of Student's t with R - 1 degrees
  * of freedom, so that one and two standard errors hold 69 and 95 % although s is itself
  * estimated. Where all randomisations agree to the last bit, and light could come, the
- * error is that of one path in all that might have brought the most: an upper bound.
+ * error is an upper bound: what one path among all would have brought if openings stood
+ * free.
  */
 #ifndef PP_SIMULATE_ESTIMATE_H
 #define PP_SIMULATE_ESTIMATE_H
@@ -24,8 +25,8 @@ enum {
 /* The least standard error that is asked for, over Eh: 0.002 % daylight factor. */
 extern const double PP_LEAST_ERROR;
 
-/* What one path could bring at most to each component, roughly; 0: no light path
- * exists. */
+/* What each component would be, roughly and on the safe side, if nothing stood before
+ * the openings; 0: no light path exists. */
 struct pp_most {
     double part[3];
 };
