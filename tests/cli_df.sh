@@ -1,0 +1,71 @@
+#!/bin/sh
+# What df computes and how it is laid out; its JSON is looked at by test_df_json.
+. "$srcdir/tests/tap.sh"
+. "$srcdir/tests/cli.sh"
+
+check "a room's text has its name" shows "Deep office" df "$deep"
+check "and says what was assumed" grep -q "sill 0.80 m" "$scratch/out"
+check "and has a row for the average" grep -q "^  average" "$scratch/out"
+check "and one for each of its 17 points" \
+    test "$(grep -cE '^ +[0-9]+\.[05]0 ' "$scratch/out")" -eq 17
+check "no line is wider than 80 columns" nothing "$(awk 'length > 80' "$scratch/out")"
+check "no line ends with a blank" nothing "$(grep -n ' $' "$scratch/out")"
+gives df --methods all "$deep" >/dev/null
+check "all methods fit in 80 columns too" nothing "$(awk 'length > 80' "$scratch/out")"
+
+for example in "$examples"/*.xml; do
+    check "$(basename "$example") is computed by all methods" \
+        gives df --methods all "$example"
+    check "$(basename "$example") holds no nan" \
+        nothing "$(grep -inE '(^|[^a-z])-?(nan|inf)([^a-z]|$)' "$scratch/out")"
+done
+
+check "points from the command line replace the file's" \
+    gives df --points "1.5,1 1.5,2.25" -p 1,3,0.5 --format csv "$deep"
+check "and are all there" test "$(grep -c ',point,' "$scratch/out")" -eq \
+    $((3 * $(grep -c '^[^,]*,[^,]*,point,1.5,1,' "$scratch/out")))
+check "one with its own height" grep -q ',point,1,3,0.5,' "$scratch/out"
+check "another sky than the file's" shows "uniform" df --sky uniform "$deep"
+check "a sky with a sun" shows "type 12, sun 30 deg high, bearing 180" \
+    df --sky iso-12,30,180 --methods exact "$deep"
+check "one room of a building" shows "Kitchen" df --room Kitchen "$examples/building.xml"
+check "and no other" nothing "$(grep Bedroom "$scratch/out")"
+check "several files" shows "l-shaped.xml" df "$deep" "$examples/l-shaped.xml"
+
+# CSV: the same number of fields everywhere, lines that end as RFC 4180 says.
+check "CSV has 15 fields a line" gives df --format csv --methods all "$deep"
+check "on every line without quotes" \
+    nothing "$(grep -v '"' "$scratch/out" | awk -F, 'NF != 15')"
+check "and ends lines with CR LF" \
+    test "$(tr -dc '\r' <"$scratch/out" | wc -c)" -eq "$(wc -l <"$scratch/out")"
+
+# The simulation: bytes do not depend on threads; the clock is marked.
+for threads in 1 2 4; do
+    "$pepperpot" df --simulate --samples 16 --threads $threads --format json "$deep" \
+        >"$scratch/threads.$threads"
+done
+check "2 threads give the same bytes as 1" same "$scratch/threads.1" "$scratch/threads.2"
+check "4 threads give the same bytes as 1" same "$scratch/threads.1" "$scratch/threads.4"
+"$pepperpot" df --simulate --samples 16 --seed 2 --format json "$deep" >"$scratch/seed"
+check "another seed gives other bytes" \
+    sh -c "! cmp -s '$scratch/seed' '$scratch/threads.1'"
+check "the traced value stands beside the methods" \
+    shows "from traced, %" df --simulate --error 5% "$deep"
+check "--time stops" shows "stopped by the clock" df -s --time 300ms "$deep"
+check "no progress bar but on a terminal" nothing "$(cat "$scratch/err")"
+
+if script -qec true /dev/null >/dev/null 2>&1 </dev/null; then
+    # seen WORDS: what a terminal shows of a run of a second.
+    seen() {
+        script -qec "'$pepperpot' df $* --simulate --time 1s '$deep' >/dev/null" \
+            /dev/null </dev/null
+    }
+    seen >"$scratch/bar"
+    check "on a terminal there is one, with the error and the time left" \
+        grep -q 'error .* left' "$scratch/bar"
+    seen --quiet >"$scratch/bar"
+    check "but not with --quiet" nothing "$(cat "$scratch/bar")"
+else
+    skip "on a terminal there is one" "there is no script(1) to make one"
+fi
+tap_done
