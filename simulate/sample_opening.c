@@ -193,7 +193,7 @@ static double angle_at(struct pp_vec3 a, struct pp_vec3 b, struct pp_vec3 c)
     return atan2(pp_length(pp_cross(ab, ac)), pp_dot(ab, ac));
 }
 
-/* Uniform in the spherical triangle abc of solid angle `solid` [ARVO95T]. */
+/* Uniform in the spherical triangle abc of solid angle `solid` [ARVO95b]. */
 static struct pp_vec3 spherical_triangle(struct pp_vec3 a, struct pp_vec3 b,
                                          struct pp_vec3 c, double solid, double u,
                                          double v)

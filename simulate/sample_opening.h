@@ -1,7 +1,7 @@
 /* sample_opening.h - directions towards an opening, more of them where it counts.
  *
  * A rectangle is sampled uniformly in solid angle by the area-preserving map of Ureña,
- * Fajardo and King [URENA13], a triangle by Arvo's [ARVO95T]; where the opening looks
+ * Fajardo and King [URENA13], a triangle by Arvo's [ARVO95b]; where the opening looks
  * small both by area. On top of the map a bilinear density over the unit square [PJH23]
  * makes the sampling follow, corner to corner, the cosine at the receiving surface and
  * the brightness behind the opening. All of it only guides: whatever the guess, the
