@@ -249,8 +249,8 @@ static enum pp_status collect_surface(struct pp_pieces *inside,
     double nearest = INFINITY, farthest = -INFINITY;
     for (int i = 0; i < outline->count; i++) {
         double depth = pp_dot(pp_sub(outline->vertices[i], view->eye), view->toward);
-        nearest = fmin(nearest, depth);
-        farthest = fmax(farthest, depth);
+        nearest = depth < nearest ? depth : nearest;
+        farthest = depth > farthest ? depth : farthest;
     }
     if (!(farthest > PP_HAIR))
         return PP_OK;

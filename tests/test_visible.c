@@ -20,9 +20,10 @@ static struct pp_part part_of(const struct pp_world *world,
 {
     struct pp_part sum = {0};
     for (int i = 0; i < world->opening_count; i++) {
-        struct pp_part part;
+        struct pp_part part = {0};
         struct pp_error err = {0};
-        if (pp_method_exact.evaluate(world, &world->openings[i], receiver, &part, &err)
+        if (pp_method_exact.evaluate(world, &world->openings[i], receiver, NULL, &part,
+                                     &err)
             != PP_OK)
             fail_msg("exact: %s", err.message);
         sum.sky += part.sky;
