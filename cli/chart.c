@@ -71,7 +71,7 @@ static void print_kinds(void)
 {
     const struct pp_chart_kind *kind;
     for (int i = 0; (kind = pp_chart_kind_at(i)) != NULL; i++)
-        printf("  %-10s %s\n", kind->name, kind->summary);
+        pp_options_help_word(kind->name, kind->summary, stdout);
 }
 
 /* The kind that was typed, or NULL and err. */

@@ -55,11 +55,14 @@ static void help(const struct pp_command_line *line)
     puts("\nMethods:");
     const struct pp_method *method;
     for (int i = 0; (method = pp_method_at(i)) != NULL; i++)
-        printf("  %-20s  %s\n", method->name, method->summary);
-    puts("  A+B                   direct component by A, internally reflected by B\n"
-         "  default               exact+bre, brs-table+bre, average-df\n"
-         "  all                   every direct method with bre, exact with every "
-         "internal one");
+        pp_options_help_word(method->name, method->summary, stdout);
+    pp_options_help_word("A+B", "direct component by A, internally reflected by B",
+                         stdout);
+    pp_options_help_word("default", "exact+bre, brs-table+bre, average-df", stdout);
+    pp_options_help_word("all",
+                         "every direct method with bre, exact with every internally "
+                         "reflected one, and every method that gives the whole",
+                         stdout);
 }
 
 /* Hand methods of all rooms first: they take milliseconds, and are there whatever

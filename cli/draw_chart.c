@@ -46,7 +46,12 @@ static enum pp_status collect_notes(struct notes *notes, struct pp_report *repor
                 missing = &column->points[r];
         if (column->component != PP_DF || isfinite(missing->value) || !missing->why)
             continue;
-        const char *note = pp_report_say(report, "%s: %s", column->name, missing->why);
+        size_t length = strlen(column->name);
+        bool named = strncmp(missing->why, column->name, length) == 0
+                     && missing->why[length] == ':';
+        const char *note =
+            named ? missing->why
+                  : pp_report_say(report, "%s: %s", column->name, missing->why);
         status = note ? add_note(notes, note, err) : pp_fail_memory(err);
     }
     return status;

@@ -185,6 +185,12 @@ static void help_on_option(const struct pp_option *option, FILE *out)
     wrap(out, option->help, HELP_INDENT, HELP_INDENT);
 }
 
+void pp_options_help_word(const char *word, const char *text, FILE *out)
+{
+    fprintf(out, "  %-*s", HELP_INDENT - 2, word);
+    wrap(out, text, HELP_INDENT, HELP_INDENT);
+}
+
 void pp_options_help(const struct pp_command_line *line, FILE *out)
 {
     fprintf(out, "Usage: pepperpot %s [OPTIONS] %s\n\n", line->command, line->operands);

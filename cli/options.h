@@ -51,6 +51,9 @@ enum pp_status pp_options_read(const struct pp_command_line *line, int argc,
 /* The help of a command. */
 void pp_options_help(const struct pp_command_line *line, FILE *out);
 
+/* A line of help on some other word, laid out as those on options are. */
+void pp_options_help_word(const char *word, const char *text, FILE *out);
+
 /* Readers, by the type of the place. */
 pp_option_reader pp_read_text;     /* const char *, not empty; borrowed from argv */
 pp_option_reader pp_read_count;    /* long, 1 to 1e15 */

@@ -93,6 +93,18 @@ static bool is_listed(const char *names, const char *name)
     return false;
 }
 
+/* Does the reason begin with the name of one of its columns ("bre: ...")? Those of
+ * pairs do, and are their part's. */
+static bool names_itself(const char *names, const char *why)
+{
+    char first[64];
+    const char *colon = strchr(why, ':');
+    if (!colon || colon - why >= (int)sizeof first)
+        return false;
+    snprintf(first, sizeof first, "%.*s", (int)(colon - why), why);
+    return is_listed(names, first);
+}
+
 /* "- brs-table, brs-table+bre: the table holds vertical openings only (3 of 17
  * points)" */
 static void print_note(const struct pp_report *report, const char *why, int width,
@@ -113,7 +125,9 @@ static void print_note(const struct pp_report *report, const char *why, int widt
             snprintf(names + length, sizeof names - length, "%s%s", length ? ", " : "",
                      column->name);
     }
-    int used = snprintf(text, sizeof text, "%s: %s", names, why);
+    int used = names_itself(names, why)
+                   ? snprintf(text, sizeof text, "%s", why)
+                   : snprintf(text, sizeof text, "%s: %s", names, why);
     if (of_points && most == 0 && used < (int)sizeof text)
         snprintf(text + used, sizeof text - (size_t)used, " (the average)");
     else if (of_points && most < points && used < (int)sizeof text)

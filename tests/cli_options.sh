@@ -19,6 +19,8 @@ for command in df chart; do
     check "$command suggests the nearest option" \
         refuses 2 "did you mean --simulate?" $command --simulat "$deep"
     check "$command wants a file" refuses 2 "expected" $command
+    check "$command's help fits in 80 columns" \
+        nothing "$("$pepperpot" $command --help | awk 'length > 80')"
 done
 check "df's help lists the methods" shows "brs-table" df --help
 
