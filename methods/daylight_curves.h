@@ -8,7 +8,7 @@
  * Curves are true to a tolerance of a millimetre, or of 1/5000 of the plane's diagonal
  * where that is more; they begin and end on the plane's edge or are closed. Next to
  * a wall, within 20 mm or 1/500 of that diagonal, the daylight factor is taken as it is
- * there. It is evaluated roughly: to 1e-4 of itself, to some 1e-3 close to a pane,
+ * there. It is evaluated by fixed rules: to 1e-5 of itself, to some 1e-4 close to a pane,
  * where it changes so fast that this is less than a millimetre of the curve's place.
  */
 #ifndef PP_METHODS_DAYLIGHT_CURVES_H

@@ -67,7 +67,7 @@ struct pp_method {
                                const struct pp_receiver *receiver, const void *tools,
                                struct pp_part *part, struct pp_error *err);
 
-    /* The same to about 1e-3 and fast, where evaluate takes pains: for averages. May be
+    /* The same to about 1e-4 and fast, where evaluate takes pains: for averages. May be
      * left out. */
     enum pp_status (*evaluate_roughly)(const struct pp_world *world,
                                        const struct pp_opening *opening,

@@ -312,29 +312,32 @@ enum { NODES = 4 };
 static const double gauss[NODES / 2][2] = {{0.33998104358485626, 0.65214515486254614},
                                            {0.86113631159405258, 0.34785484513745386}};
 
-/* From low to high in equal stretches of at most this (radians), a rule each: glass
- * dims light from full to nothing over little more. */
-#define STRETCH 0.7
-
+/* Places and weights of a rule from one angle to another. */
+enum { STRETCHES_MOST = 16 };
 struct places {
-    double low, step; /* of a stretch */
     int count;
+    double at[STRETCHES_MOST * NODES], weight[STRETCHES_MOST * NODES];
 };
 
+/* Equal stretches of at most 0.7, a rule each; shorter ones towards 90 degrees, where
+ * glass dims light from full to nothing. */
 static struct places places_of(double low, double high)
 {
-    int stretches = 1 + (int)((high - low) / STRETCH);
-    return (struct places){low, (high - low) / stretches, stretches * NODES};
-}
-
-/* The i-th place and its weight. */
-static double gauss_place(double *weight, const struct places *places, int i)
-{
-    const double *node = gauss[i % NODES / 2];
-    double half = places->step / 2.0;
-    *weight = node[1] * half;
-    return places->low + places->step * (i / NODES) + half
-           + (i % 2 ? half : -half) * node[0];
+    static const double border[] = {-PP_PI / 2.0, -1.5, -1.35, -1.1,
+                                    1.1,          1.35, 1.5,   PP_PI / 2.0};
+    struct places places = {0};
+    for (int b = 0; b + 1 < (int)(sizeof border / sizeof border[0]); b++) {
+        double from = fmax(low, border[b]), to = fmin(high, border[b + 1]);
+        int stretches = to > from ? 1 + (int)((to - from) / 0.7) : 0;
+        double half = stretches ? (to - from) / stretches / 2.0 : 0.0;
+        for (int i = 0; i < stretches * NODES; i++) {
+            const double *node = gauss[i % NODES / 2];
+            double middle = from + half * (2 * (i / NODES) + 1);
+            places.at[places.count] = middle + (i % 2 ? half : -half) * node[0];
+            places.weight[places.count++] = node[1] * half;
+        }
+    }
+    return places;
 }
 
 /* The integral over a cell by fixed rules, up in the altitude itself: towards 90
@@ -344,19 +347,18 @@ static double roughly(struct walk *walk)
     double sum = 0.0;
     struct places across = places_of(walk->alpha[0], walk->alpha[1]);
     for (int i = 0; i < across.count; i++) {
-        double across_weight, up_weight, value, column = 0.0;
-        double alpha = gauss_place(&across_weight, &across, i);
-        double c = cos(alpha), s = sin(alpha);
+        double value, column = 0.0;
+        double c = cos(across.at[i]), s = sin(across.at[i]);
         walk->cos_alpha = c;
         walk->sin_alpha = s;
         struct places up = places_of(asin(sine_of(walk->lower, s / c, 1.0 / c)),
                                      asin(sine_of(walk->upper, s / c, 1.0 / c)));
         for (int k = 0; k < up.count; k++) {
-            double altitude = gauss_place(&up_weight, &up, k), sine = sin(altitude);
+            double sine = sin(up.at[k]);
             at_sine(1, &sine, walk, 1, &value);
-            column += up_weight * cos(altitude) * value;
+            column += up.weight[k] * cos(up.at[k]) * value;
         }
-        sum += across_weight * column;
+        sum += across.weight[i] * column;
     }
     return sum;
 }

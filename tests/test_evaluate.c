@@ -342,8 +342,8 @@ static void a_rough_value_is_near_the_exact_one(void **state)
             assert_int_equal(exact->evaluate_roughly(world, world->openings, &receiver,
                                                      NULL, &rough, NULL),
                              PP_OK);
-            /* the worst of random windows from 0.3 m and from 1 m on: quadrature.h */
-            assert_relative(rough.sky, precise.sky, y < 1.0 ? 6e-3 : 3e-5);
+            /* the worst of random windows from 0.1 m on: quadrature.h */
+            assert_relative(rough.sky, precise.sky, 2e-5);
         }
     pp_world_destroy(world);
 }
