@@ -21,6 +21,13 @@ void pp_pieces_clear(struct pp_pieces *pieces)
     *pieces = (struct pp_pieces){0};
 }
 
+/* What is cut at the edge of the extent lies on it, to the bit. */
+static double settle(double at, double low, double high)
+{
+    double grain = GRAIN * fmax(fabs(low), fabs(high));
+    return fabs(at - low) <= grain ? low : fabs(at - high) <= grain ? high : at;
+}
+
 static enum pp_status add_piece(struct pp_pieces *pieces, const struct pp_piece *like,
                                 const struct pp_vec3 *corners, int count,
                                 const struct pp_scene *scene, struct pp_error *err)
@@ -30,8 +37,8 @@ static enum pp_status add_piece(struct pp_pieces *pieces, const struct pp_piece 
         return pp_fail_memory(err);
     for (int i = 0; i < count; i++) {
         double scale = scene->view->distance_m / corners[i].z;
-        xy[i][0] = corners[i].x * scale;
-        xy[i][1] = corners[i].y * scale;
+        xy[i][0] = settle(corners[i].x * scale, scene->low[0], scene->high[0]);
+        xy[i][1] = settle(corners[i].y * scale, scene->low[1], scene->high[1]);
     }
     double extent =
         fmax(scene->high[0] - scene->low[0], scene->high[1] - scene->low[1]);

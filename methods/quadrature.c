@@ -9,6 +9,10 @@
 /* Coordinates that agree to this share of the whole extent are one. */
 #define GRAIN 1e-13
 
+/* What a whole integral may err by however small it is: a slit as narrow as rounding
+ * has no digits to work for. */
+#define ABSOLUTE 1e-17
+
 /* Evaluations after which a column, and columns after which a cell, is left as it is;
  * the error bound then says so. */
 enum { COLUMN_MOST = 3000, COLUMNS_MOST = 3000 };
@@ -428,7 +432,7 @@ enum pp_status pp_quadrature_over(struct pp_quadrature *result,
             status = pp_fail_memory(err);
         idea += fabs(value) * (walk.alpha[1] - walk.alpha[0]);
     }
-    double enough = 0.1 * relative_error * idea / cells.count;
+    double enough = fmax(0.1 * relative_error * idea, ABSOLUTE) / cells.count;
     for (int i = 0; i < cells.count && status == PP_OK; i++) {
         struct walk walk = walk_of(view, &cells.list[i], normal, what);
         double width = walk.alpha[1] - walk.alpha[0], value, error;
