@@ -50,7 +50,7 @@ check "a file whose name is an option, behind --" \
 # What others wrote reaches no terminal as it is.
 escape=$(printf '\033[31m')
 check "a message with a control character" refuses 1 '\x1b[31m' df "no${escape}such"
-check "shows it in letters" nothing "$(grep "$escape" "$scratch/err")"
+check "shows it in letters" nothing "$(grep -F "$escape" "$scratch/err")"
 
 # Rooms without any window have no light, and that is no mistake.
 printf '<room version="1" name="a,&quot;b"><plan width="3" depth="4" height="2.7"/>%s</room>' \
