@@ -32,6 +32,14 @@ static const struct pp_option format_option[] = {
     {0},
 };
 
+static const struct pp_option explain_option[] = {
+    {"explain", 'e', NULL,
+     "Set out how each figure comes about, step by step as on paper; of one point, "
+     "in text or JSON.",
+     NULL, offsetof(struct pp_room_options, explain)},
+    {0},
+};
+
 static const char about[] =
     "Daylight factors at the reference points of each room, and their average over the "
     "working plane, in per cent: by hand methods, and with --simulate by tracing light "
@@ -131,6 +139,23 @@ static enum pp_exit compute_and_print(struct pp_results *results,
     return PP_EXIT_DONE;
 }
 
+/* A sum is set out for one point a room. */
+static enum pp_exit check_explained(const struct pp_room_options *options,
+                                    const struct pp_rooms *rooms)
+{
+    for (int i = 0; options->explain && i < rooms->count; i++) {
+        if (rooms->list[i].receiver_count == 1)
+            continue;
+        struct pp_error err;
+        pp_fail(&err, PP_BAD_INPUT,
+                "--explain sets out the sums of one point, and there are %d; expected "
+                "one, by --points X,Y",
+                rooms->list[i].receiver_count);
+        return pp_say_usage("df", &err);
+    }
+    return PP_EXIT_DONE;
+}
+
 static enum pp_exit run(const struct pp_room_options *options, enum format format,
                         char **files, int file_count)
 {
@@ -139,6 +164,11 @@ static enum pp_exit run(const struct pp_room_options *options, enum format forma
     if (exit_status != PP_EXIT_DONE)
         return exit_status;
 
+    exit_status = check_explained(options, &rooms);
+    if (exit_status != PP_EXIT_DONE) {
+        pp_rooms_clear(&rooms);
+        return exit_status;
+    }
     struct pp_results results = {.several = rooms.several,
                                  .more_than_one_file = rooms.more_than_one_file,
                                  .options = options};
@@ -158,12 +188,15 @@ static enum pp_exit run(const struct pp_room_options *options, enum format forma
 }
 
 /* What the options say, before any file is opened. */
-static enum pp_status check(struct pp_room_options *options, int file_count,
-                            struct pp_error *err)
+static enum pp_status check(struct pp_room_options *options, enum format format,
+                            int file_count, struct pp_error *err)
 {
     if (file_count == 0)
         return pp_fail(err, PP_BAD_INPUT,
                        "expected a room file, or - for standard input");
+    if (options->explain && format == CSV)
+        return pp_fail(err, PP_BAD_INPUT,
+                       "--explain has no place in CSV; expected --format text or json");
     enum pp_status status = pp_room_options_settle(options, err);
     if (status == PP_OK && options->methods)
         status = pp_methods_check(options->methods, err);
@@ -176,6 +209,7 @@ enum pp_exit cmd_df(int argc, char **argv)
     enum format format = TEXT;
     const struct pp_option_group groups[] = {
         {"What is computed", pp_room_choice_options, &options},
+        {"What is computed", explain_option, &options},
         {"Simulation", pp_room_simulation_options, &options},
         {"Output", format_option, &format},
         {"Output", pp_room_output_options, &options},
@@ -190,7 +224,7 @@ enum pp_exit cmd_df(int argc, char **argv)
     enum pp_status status =
         pp_options_read(&line, argc, argv, &file_count, &wants_help, &err);
     if (status == PP_OK && !wants_help)
-        status = check(&options, file_count, &err);
+        status = check(&options, format, file_count, &err);
 
     if (status == PP_SYSTEM)
         exit_status = pp_say_error(&err);

@@ -18,7 +18,8 @@ enum pp_status pp_gather_methods(struct pp_report *report,
     *report = (struct pp_report){.world = room->world,
                                  .receivers = room->receivers,
                                  .receiver_count = room->receiver_count,
-                                 .finished = true};
+                                 .finished = true,
+                                 .explain = options->explain};
     if (options->threads > 0)
         omp_set_num_threads(options->threads);
     return pp_methods_evaluate(report, options->methods, err);

@@ -46,6 +46,10 @@ enum pp_status pp_print_csv(const struct pp_results *results, FILE *out,
 /* The names of components in JSON and CSV: "sc", "erc", "irc", "df". */
 extern const char *const pp_component_names[PP_COMPONENT_COUNT];
 
+/* How the figures of the report's first point come about, method by method, one step a
+ * line; nothing where no steps were asked for. */
+void pp_print_steps(const struct pp_report *report, int width, bool utf8, FILE *out);
+
 /* What was assumed of the room, one fact a line; the first part of the text. */
 void pp_print_assumed(const struct pp_world *world, int width, FILE *out);
 

@@ -57,6 +57,39 @@ static int on_one_line(struct json_object *object, struct printbuf *buffer, int 
     return text ? printbuf_memappend(buffer, text, (int)strlen(text)) : -1;
 }
 
+/* As numbers and units are written outside: per cent and degrees. */
+static bool add_step(struct json_object *object, const struct pp_step *step)
+{
+    static const struct {
+        double scale;
+        const char *name;
+    } units[] = {
+        [PP_UNIT_SHARE] = {100.0, "%"},   [PP_UNIT_NUMBER] = {1.0, ""},
+        [PP_UNIT_COUNT] = {1.0, "count"}, [PP_UNIT_ANGLE] = {1.0 / PP_RAD, "degrees"},
+        [PP_UNIT_METRE] = {1.0, "m"},
+    };
+    return add_text(object, "step", step->what)
+           && add_number(object, "value", units[step->unit].scale * step->value)
+           && add_text(object, "unit", units[step->unit].name);
+}
+
+/* Adds "steps": [{ "step": "...", "value": 1.25, "unit": "%" }]. */
+static bool add_steps(struct json_object *object, const struct pp_steps *steps)
+{
+    struct json_object *list = json_object_new_array();
+    if (!add(object, "steps", list))
+        return false;
+    for (int i = 0; i < steps->count; i++) {
+        struct json_object *step = json_object_new_object();
+        if (!step || !add_step(step, &steps->list[i])
+            || json_object_array_add(list, step) != 0) {
+            json_object_put(step);
+            return false;
+        }
+    }
+    return true;
+}
+
 /* { "value": 1.25, "se": 0.01 } or { "value": null, "why": "..." } */
 static struct json_object *entry(const struct pp_reading *reading)
 {
@@ -66,6 +99,8 @@ static struct json_object *entry(const struct pp_reading *reading)
         good = add_number(object, "se", 100.0 * reading->std_error);
     if (good && !isfinite(reading->value))
         good = add_text(object, "why", reading->why ? reading->why : "not computed");
+    if (good && reading->steps)
+        good = add_steps(object, reading->steps);
     if (good)
         return object;
     json_object_put(object);

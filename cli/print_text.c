@@ -182,6 +182,7 @@ static enum pp_status print_room(const struct pp_result *result,
 
     if (pp_report_find(report, PP_DF, "traced"))
         print_simulation(result, options, utf8, width, out);
+    pp_print_steps(report, width, utf8, out);
     return pp_print_notes(report, width, out) ? PP_OK : pp_fail_memory(err);
 }
 

@@ -27,6 +27,8 @@ struct pp_room_options {
     uint64_t seed;
     int threads; /* 0: as many as there are processors */
 
+    bool explain; /* df: set out the sums of its one point */
+
     const char *output; /* NULL: standard output */
     bool quiet;
 };

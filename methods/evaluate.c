@@ -21,6 +21,7 @@ struct answer {
     struct pp_part part;
     const char *why;                  /* static, not owned; NULL: there is a part */
     const struct pp_opening *opening; /* that why speaks of; NULL: of the room */
+    struct pp_steps *steps;           /* where the sum is set down; NULL: nowhere */
 };
 
 static enum pp_status work_create(struct work *work, const struct pp_method *method,
@@ -48,14 +49,70 @@ static void work_clear(struct work *work)
     free(work->factors);
 }
 
-/* Sums the method over the openings for a receiver (NULL: for the room). */
+static const char *const component_names[PP_COMPONENT_COUNT] = {
+    [PP_SC] = "sky component",
+    [PP_ERC] = "externally reflected component",
+    [PP_IRC] = "internally reflected component",
+    [PP_DF] = "daylight factor",
+};
+
+/* The component that a method's part.sky or part.value belongs to. */
+static enum pp_component component_of(const struct pp_method *method)
+{
+    static const enum pp_component given_by[] = {
+        [PP_GIVES_DIRECT] = PP_SC,
+        [PP_GIVES_INTERNAL] = PP_IRC,
+        [PP_GIVES_WHOLE] = PP_DF,
+    };
+    return given_by[method->gives];
+}
+
+/* Sets down what a part has of the method's components; `of` goes before their names.
+ */
+static void set_down(struct pp_steps *steps, const struct pp_method *method,
+                     const struct pp_part *part, const char *of)
+{
+    enum pp_component component = component_of(method);
+    pp_step(steps, PP_UNIT_SHARE, component == PP_SC ? part->sky : part->value, "%s%s",
+            of, component_names[component]);
+    if (component == PP_SC && part->external != 0.0)
+        pp_step(steps, PP_UNIT_SHARE, part->external, "%s%s", of,
+                component_names[PP_ERC]);
+}
+
+/* Adds what one opening gives, times the factor that settles its glass, frame and
+ * dirt. */
+static void add_opening(struct answer *answer, const struct work *work, int index,
+                        const struct pp_part *part)
+{
+    double factor = work->factors[index];
+    const struct pp_part settled = {.sky = factor * part->sky,
+                                    .external = factor * part->external,
+                                    .value = factor * part->value};
+    answer->part.sky += settled.sky;
+    answer->part.external += settled.external;
+    answer->part.value += settled.value;
+    if (!answer->steps)
+        return;
+    char of[40];
+    snprintf(of, sizeof of, "opening on line %d: ", work->world->openings[index].line);
+    if (factor != 1.0) {
+        set_down(answer->steps, work->method, part, of);
+        pp_step(answer->steps, PP_UNIT_NUMBER, factor,
+                "%sfactor for its glass, frame and dirt", of);
+    }
+    set_down(answer->steps, work->method, &settled, of);
+}
+
+/* Sums the method over the openings for a receiver (NULL: for the room). The answer's
+ * steps are the caller's. */
 static enum pp_status sum_openings(const struct work *work,
                                    const struct pp_receiver *receiver,
                                    struct answer *answer, struct pp_error *err)
 {
     const struct pp_method *method = work->method;
     const struct pp_world *world = work->world;
-    *answer = (struct answer){0};
+    *answer = (struct answer){.steps = answer->steps};
     if (method->refuses_room)
         answer->why = method->refuses_room(world, receiver);
     if (answer->why)
@@ -68,16 +125,18 @@ static enum pp_status sum_openings(const struct work *work,
     }
     answer->opening = NULL;
     for (int i = 0; i < world->opening_count; i++) {
-        struct pp_part part = {0};
+        struct pp_part part = {.steps = answer->steps};
         bool roughly = work->roughly && method->evaluate_roughly;
         enum pp_status status = (roughly ? method->evaluate_roughly : method->evaluate)(
             world, world->openings + i, receiver, work->tools, &part, err);
         if (status != PP_OK)
             return status;
-        answer->part.sky += work->factors[i] * part.sky;
-        answer->part.external += work->factors[i] * part.external;
-        answer->part.value += work->factors[i] * part.value;
+        add_opening(answer, work, i, &part);
     }
+    if (world->opening_count != 1)
+        set_down(answer->steps, method, &answer->part, "all openings: ");
+    if (answer->steps && answer->steps->failed)
+        return pp_fail_memory(err);
     return PP_OK;
 }
 
@@ -98,6 +157,9 @@ static enum pp_status to_reading(struct pp_reading *reading, struct pp_report *r
 {
     if (!answer->why) {
         *reading = pp_reading_of(figure(method, &answer->part, component));
+        /* Both direct components come of one sum, which stands with the first. */
+        if (component != PP_ERC)
+            reading->steps = answer->steps;
         return PP_OK;
     }
     const char *why =
@@ -120,7 +182,7 @@ static bool plane_sum_at(void *data, const struct pp_receiver *receiver,
                          double values[PP_PLANE_VALUES])
 {
     struct plane_sum *sum = data;
-    struct answer answer;
+    struct answer answer = {0};
     bool failed = sum_openings(sum->work, receiver, &answer, NULL) != PP_OK;
     if (failed || answer.why) {
 #pragma omp critical(pp_plane_sum)
@@ -225,15 +287,24 @@ static enum pp_status add_column(struct pp_report *report,
     return status;
 }
 
+/* Lists for the sums where they are asked for: one a receiver, or one of the room. */
+static bool give_steps(struct answer *answers, struct pp_report *report,
+                       const struct pp_method *method)
+{
+    if (!report->explain)
+        return true;
+    int count = report->receiver_count;
+    bool by_point = method->speaks_for == PP_FOR_POINT;
+    for (int i = by_point ? 0 : count; i < (by_point ? count : count + 1); i++)
+        if (!(answers[i].steps = pp_report_steps(report)))
+            return false;
+    return true;
+}
+
 static enum pp_status add_method(struct pp_report *report,
                                  const struct pp_method *method, struct pp_error *err)
 {
-    static const enum pp_component given_by[] = {
-        [PP_GIVES_DIRECT] = PP_SC,
-        [PP_GIVES_INTERNAL] = PP_IRC,
-        [PP_GIVES_WHOLE] = PP_DF,
-    };
-    enum pp_component component = given_by[method->gives];
+    enum pp_component component = component_of(method);
     if (pp_report_find(report, component, method->name))
         return PP_OK;
 
@@ -242,8 +313,11 @@ static enum pp_status add_method(struct pp_report *report,
     if (status != PP_OK)
         return status;
     struct answer *answers =
-        malloc(((size_t)report->receiver_count + 1) * sizeof *answers);
-    status = answers ? answer_all(&work, report, answers, err) : pp_fail_memory(err);
+        calloc((size_t)report->receiver_count + 1, sizeof *answers);
+    status =
+        answers && give_steps(answers, report, method) ? PP_OK : pp_fail_memory(err);
+    if (status == PP_OK)
+        status = answer_all(&work, report, answers, err);
     if (status == PP_OK)
         status = add_column(report, method, answers, component, err);
     if (status == PP_OK && method->gives == PP_GIVES_DIRECT)
@@ -262,6 +336,14 @@ static struct pp_reading pair_of(struct pp_reading sc, struct pp_reading erc,
     return irc.why ? irc : pp_reading_of(sc.value + erc.value + irc.value);
 }
 
+/* One of a pair's parts at a point. */
+static void set_down_column(struct pp_steps *steps, const struct pp_column *column,
+                            int point)
+{
+    pp_step(steps, PP_UNIT_SHARE, column->points[point].value, "%s by %s",
+            component_names[column->component], column->name);
+}
+
 static enum pp_status add_pair(struct pp_report *report, const struct pp_method *direct,
                                const struct pp_method *internal, struct pp_error *err)
 {
@@ -276,8 +358,20 @@ static enum pp_status add_pair(struct pp_report *report, const struct pp_method 
     const struct pp_column *erc = pp_report_find(report, PP_ERC, direct->name);
     const struct pp_column *irc = pp_report_find(report, PP_IRC, internal->name);
     df->average = pair_of(sc->average, erc->average, irc->average);
-    for (int i = 0; i < report->receiver_count; i++)
+    for (int i = 0; i < report->receiver_count; i++) {
         df->points[i] = pair_of(sc->points[i], erc->points[i], irc->points[i]);
+        if (!report->explain || df->points[i].why)
+            continue;
+        struct pp_steps *steps = pp_report_steps(report);
+        set_down_column(steps, sc, i);
+        set_down_column(steps, erc, i);
+        set_down_column(steps, irc, i);
+        pp_step(steps, PP_UNIT_SHARE, df->points[i].value, "%s",
+                component_names[PP_DF]);
+        if (!steps || steps->failed)
+            return pp_fail_memory(err);
+        df->points[i].steps = steps;
+    }
     return PP_OK;
 }
 

@@ -24,7 +24,12 @@
 #define PP_AVERAGE_ERROR 1e-3
 enum { PP_AVERAGE_POINTS = 2000 };
 
-/* Adds to `report`, of which the caller has set world, receivers and receiver_count,
+/* With report->explain each point's readings (of methods that speak for the room: the
+ * average's too) have the steps of their sum, each opening as the method has it and
+ * then with its allowances settled. The externally reflected component's are those of
+ * the sky component.
+ *
+ * Adds to `report`, of which the caller has set world, receivers and receiver_count,
  * the columns of a selection, a list separated by commas of
  *
  *     default   exact+bre, brs-table+bre, average-df; the same as NULL

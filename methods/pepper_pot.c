@@ -87,6 +87,9 @@ static void count_dots(struct pp_part *part, const struct pp_pepper_pot *pot,
         *(drawn->hidden ? &part->external : &part->sky) += share;
         pp_step(part->steps, PP_UNIT_COUNT, dots, "opening on line %d: dots on %s",
                 line, drawn->hidden ? "an obstruction" : "the sky");
+        if (drawn->hidden)
+            pp_step(part->steps, PP_UNIT_NUMBER, drawn->factor,
+                    "opening on line %d: luminance factor of the obstruction", line);
     }
     pp_step(part->steps, PP_UNIT_SHARE, pot->worth, "a dot is worth");
 }

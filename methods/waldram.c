@@ -84,6 +84,10 @@ static enum pp_status evaluate(const struct pp_world *world,
         pp_step(part->steps, PP_UNIT_COUNT, count.squares,
                 "opening on line %d: squares of %s", opening->line,
                 drawn->hidden ? "obstruction" : "sky");
+        if (drawn->hidden)
+            pp_step(part->steps, PP_UNIT_NUMBER, drawn->factor,
+                    "opening on line %d: luminance factor of the obstruction",
+                    opening->line);
         pp_waldram_count_clear(&count);
     }
     pp_step(part->steps, PP_UNIT_SHARE, PP_WALDRAM_WORTH, "a square is worth");

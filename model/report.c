@@ -73,6 +73,19 @@ const char *pp_report_say(struct pp_report *report, const char *format, ...)
     return sentence;
 }
 
+struct pp_steps *pp_report_steps(struct pp_report *report)
+{
+    struct pp_steps **grown =
+        realloc(report->steps, ((size_t)report->steps_count + 1) * sizeof *grown);
+    if (!grown)
+        return NULL;
+    report->steps = grown;
+    struct pp_steps *steps = calloc(1, sizeof *steps);
+    if (steps)
+        grown[report->steps_count++] = steps;
+    return steps;
+}
+
 void pp_report_clear(struct pp_report *report)
 {
     for (int i = 0; i < report->column_count; i++)
@@ -81,8 +94,15 @@ void pp_report_clear(struct pp_report *report)
     for (int i = 0; i < report->sentence_count; i++)
         free(report->sentences[i]);
     free(report->sentences);
+    for (int i = 0; i < report->steps_count; i++) {
+        pp_steps_clear(report->steps[i]);
+        free(report->steps[i]);
+    }
+    free(report->steps);
     report->columns = NULL;
     report->column_count = 0;
     report->sentences = NULL;
     report->sentence_count = 0;
+    report->steps = NULL;
+    report->steps_count = 0;
 }

@@ -9,6 +9,7 @@
 #include <stdbool.h>
 
 #include "model/reading.h"
+#include "model/steps.h"
 #include "model/world.h"
 
 struct pp_column {
@@ -26,8 +27,11 @@ struct pp_report {
     struct pp_column *columns; /* in order of component, then as asked for */
     int column_count;
     bool finished;    /* false: interrupted, what is there is good */
+    bool explain;     /* are the methods to set down their steps? */
     char **sentences; /* what readings' why points to, where it is not static */
     int sentence_count;
+    struct pp_steps **steps; /* what readings' steps point to */
+    int steps_count;
 };
 
 /* A new column behind the others of its component, with room for the points' readings
@@ -45,7 +49,11 @@ const struct pp_column *pp_report_find(const struct pp_report *report,
 const char *pp_report_say(struct pp_report *report, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 
-/* Frees the columns and sentences; what else is in the report stays. */
+/* An empty list of steps, kept by the report until it is cleared; NULL when memory is
+ * out. */
+struct pp_steps *pp_report_steps(struct pp_report *report);
+
+/* Frees the columns, sentences and steps; what else is in the report stays. */
 void pp_report_clear(struct pp_report *report);
 
 #endif

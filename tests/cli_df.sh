@@ -25,6 +25,13 @@ check "points from the command line replace the file's" \
 check "and are all there" test "$(grep -c ',point,' "$scratch/out")" -eq \
     $((3 * $(grep -c '^[^,]*,[^,]*,point,1.5,1,' "$scratch/out")))
 check "one with its own height" grep -q ',point,1,3,0.5,' "$scratch/out"
+check "a sum is set out step by step" shows "a square is worth" \
+    df --explain --points 1.5,1 --methods waldram+bre "$deep"
+check "in 80 columns" nothing "$(awk 'length > 80' "$scratch/out")"
+check "in JSON too" shows '"unit": "%"' \
+    df --explain --points 1.5,1 --methods waldram+bre --format json "$deep"
+check "of one point, not of 17" refuses 2 "--points" df --explain "$deep"
+check "not in CSV" refuses 2 "CSV" df --explain --points 1.5,1 --format csv "$deep"
 check "another sky than the file's" shows "uniform" df --sky uniform "$deep"
 check "a sky with a sun" shows "type 12, sun 30 deg high, bearing 180" \
     df --sky iso-12,30,180 --methods exact "$deep"

@@ -418,6 +418,83 @@ static void all_is_every_direct_with_bre_and_exact_with_every_internal(void **st
     pp_selection_clear(&selection);
 }
 
+/* The value of the first step that ends with those words, from `from` on. */
+static double step_value(const struct pp_steps *steps, int *from, const char *words)
+{
+    for (; *from < steps->count; ++*from) {
+        const char *what = steps->list[*from].what;
+        size_t length = strlen(what), wanted = strlen(words);
+        if (length >= wanted && strcmp(what + length - wanted, words) == 0)
+            return steps->list[(*from)++].value;
+    }
+    fail_msg("no step ends with %s", words);
+    return NAN;
+}
+
+/* Two windows, the second with half its area frame: what the steps say adds up. */
+static void explained_figures_are_the_sum_of_their_steps(void **state)
+{
+    (void)state;
+    struct pp_world *world = pp_test_world(
+        ROOM_BEGIN "<window wall=\"south\" left=\"0.3\" sill=\"0.9\" width=\"1.1\" "
+                   "height=\"1.4\"/>\n"
+                   "<window wall=\"south\" left=\"1.9\" sill=\"0.9\" width=\"1.3\" "
+                   "height=\"1.2\" frame-factor=\"0.5\"/>\n"
+                   "<skyline wall=\"south\" angle=\"20\"/>\n" ROOM_POINTS);
+    struct pp_report report = {.world = world,
+                               .receivers = world->receivers,
+                               .receiver_count = world->receiver_count,
+                               .explain = true};
+    struct pp_error err = {0};
+    if (pp_methods_evaluate(&report, "waldram+bre,average-df", &err) != PP_OK)
+        fail_msg("%s", err.message);
+    for (int i = 0; i < report.receiver_count; i++) {
+        const struct pp_reading *sc = &column_of(&report, PP_SC, "waldram")->points[i];
+        const struct pp_steps *steps = sc->steps;
+        int at = 0;
+        step_value(steps, &at, "a square is worth");
+        double first = step_value(steps, &at, ": sky component");
+        step_value(steps, &at, "a square is worth");
+        double read = step_value(steps, &at, ": sky component");
+        double factor = step_value(steps, &at, "factor for its glass, frame and dirt");
+        double second = step_value(steps, &at, ": sky component");
+        assert_near(factor, 0.5, 0.0);
+        assert_near(second, factor * read, ROUNDING);
+        assert_near(step_value(steps, &at, "all openings: sky component"), sc->value,
+                    ROUNDING);
+        assert_near(first + second, sc->value, ROUNDING);
+        assert_null(column_of(&report, PP_ERC, "waldram")->points[i].steps);
+
+        const struct pp_reading *df =
+            &column_of(&report, PP_DF, "waldram+bre")->points[i];
+        at = 0;
+        double sum = step_value(df->steps, &at, "sky component by waldram")
+                     + step_value(df->steps, &at, "reflected component by waldram")
+                     + step_value(df->steps, &at, "reflected component by bre");
+        assert_near(sum, df->value, ROUNDING);
+    }
+    const struct pp_column *room = column_of(&report, PP_DF, "average-df");
+    int at = 0;
+    assert_near(step_value(room->average.steps, &at, "all openings: daylight factor"),
+                room->average.value, 0.0);
+    pp_report_clear(&report);
+    pp_world_destroy(world);
+}
+
+static void figures_have_no_steps_unless_asked_for(void **state)
+{
+    (void)state;
+    struct pp_world *world = room_with_window("");
+    struct pp_report report = evaluate(world, "all");
+    for (int c = 0; c < report.column_count; c++) {
+        assert_null(report.columns[c].average.steps);
+        for (int i = 0; report.columns[c].points && i < report.receiver_count; i++)
+            assert_null(report.columns[c].points[i].steps);
+    }
+    pp_report_clear(&report);
+    pp_world_destroy(world);
+}
+
 static void every_method_is_found_by_its_name(void **state)
 {
     (void)state;
@@ -450,6 +527,8 @@ int main(void)
         cmocka_unit_test(the_numbers_do_not_depend_on_the_number_of_threads),
         cmocka_unit_test(unknown_names_are_answered_with_the_known_ones),
         cmocka_unit_test(all_is_every_direct_with_bre_and_exact_with_every_internal),
+        cmocka_unit_test(explained_figures_are_the_sum_of_their_steps),
+        cmocka_unit_test(figures_have_no_steps_unless_asked_for),
         cmocka_unit_test(every_method_is_found_by_its_name),
     };
     return cmocka_run_group_tests_name("evaluate", tests, NULL, NULL);

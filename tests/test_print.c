@@ -32,9 +32,9 @@ static void add_column(struct pp_report *report, enum pp_component component,
 {
     struct pp_column *column = pp_report_add(report, component, name, values != NULL);
     assert_non_null(column);
-    column->average = (struct pp_reading){average, std_error, NULL};
+    column->average = (struct pp_reading){average, std_error, NULL, NULL};
     for (int i = 0; values && i < report->receiver_count; i++)
-        column->points[i] = (struct pp_reading){values[i], std_error, NULL};
+        column->points[i] = (struct pp_reading){values[i], std_error, NULL, NULL};
 }
 
 static int set_up(void **state)
