@@ -72,6 +72,11 @@ static bool is_free(const struct pp_labels *labels, struct pp_box box, int owner
     return true;
 }
 
+bool pp_labels_is_free(const struct pp_labels *labels, struct pp_box box)
+{
+    return is_free(labels, box, -2, 0.5);
+}
+
 /* Distance to the nearest place of anybody else from the line a-b. */
 static double clearance(const struct pp_labels *labels, const double a[2],
                         const double b[2], int owner)

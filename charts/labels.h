@@ -39,6 +39,9 @@ void pp_labels_note_box(struct pp_labels *labels, struct pp_box box);
 bool pp_labels_is_near(const struct pp_labels *labels, int owner, double x, double y,
                        double distance);
 
+/* Is a box within the field and clear of all that is noted? */
+bool pp_labels_is_free(const struct pp_labels *labels, struct pp_box box);
+
 /* Looks for a place for a box of that size next to one of the owner's places, clear of
  * all others' by more than of its own; *anchor is where a leader points to. */
 bool pp_labels_find(const struct pp_labels *labels, const struct pp_style *style,

@@ -21,6 +21,14 @@ struct series {
     struct pp_key key;
 };
 
+/* More names than that go to a legend below the section; at most so many a column. */
+enum { KEYS_INSIDE = 6, KEYS_MOST = 64 };
+
+struct legend {
+    int columns, rows; /* 0: there is none */
+    double wide, height;
+};
+
 struct plot {
     cairo_t *cr;
     struct pp_style style;
@@ -33,6 +41,7 @@ struct plot {
     struct series *series;
     int series_count, curve_count;
     struct pp_labels *labels;
+    struct legend legend;
     char foot[4096];
 };
 
@@ -311,14 +320,76 @@ static struct pp_box draw_name(struct plot *plot, const struct series *series, d
                                                     series->key.words);
 }
 
+/* A legend of some of the names, on white. */
+static void draw_keys(struct plot *plot, int first, int count, double x, double y,
+                      double width)
+{
+    struct pp_key keys[KEYS_MOST];
+    for (int i = 0; i < count; i++)
+        keys[i] = plot->series[first + i].key;
+    struct pp_box box =
+        pp_legend_measure(plot->cr, &plot->style, keys, count, x, y, width);
+    pp_style_grey(plot->cr, 1.0);
+    cairo_rectangle(plot->cr, box.x - 1.0, box.y, box.width + 2.0, box.height);
+    cairo_fill(plot->cr);
+    pp_legend_draw(plot->cr, &plot->style, keys, count, x, y, width);
+}
+
+/* The columns that the legend needs at the foot of the body, and their size. */
+static void lay_legend(struct plot *plot, double width)
+{
+    struct legend *legend = &plot->legend;
+    legend->columns = 0;
+    legend->height = 0.0;
+    if (plot->series_count <= KEYS_INSIDE)
+        return;
+    double gap = 5.0 * plot->style.scale, row = 0.0;
+    legend->wide = 0.0;
+    for (int i = 0; i < plot->series_count; i++) {
+        struct pp_box box = pp_legend_measure(plot->cr, &plot->style,
+                                              &plot->series[i].key, 1, 0, 0, width);
+        legend->wide = fmax(legend->wide, box.width + gap);
+        row = fmax(row, box.height + 0.7 * plot->style.scale);
+    }
+    legend->columns = (int)fmax(1.0, floor((width + gap) / legend->wide));
+    legend->rows = (plot->series_count + legend->columns - 1) / legend->columns;
+    legend->rows = legend->rows < KEYS_MOST ? legend->rows : KEYS_MOST;
+    legend->height = legend->rows * row;
+}
+
+/* In the field's emptiest corner, or beside it. */
+static void draw_legend_inside(struct plot *plot, struct pp_box aside)
+{
+    struct pp_box field = plot->field;
+    struct pp_key keys[KEYS_INSIDE];
+    for (int i = 0; i < plot->series_count; i++)
+        keys[i] = plot->series[i].key;
+    struct pp_box size = pp_legend_measure(plot->cr, &plot->style, keys,
+                                           plot->series_count, 0, 0, aside.width);
+    double pad = 1.5 * plot->style.scale;
+    double left = field.x + pad, right = field.x + field.width - size.width - pad;
+    double top = field.y + pad, bottom = field.y + field.height - size.height - pad;
+    const double corners[][2] = {
+        {right, top}, {left, bottom}, {left, top}, {right, bottom}};
+    for (int i = 0; i < 4 && aside.x < field.x + field.width; i++) {
+        struct pp_box box = {corners[i][0], corners[i][1], size.width, size.height};
+        if (pp_labels_is_free(plot->labels, box)) {
+            aside.x = box.x;
+            aside.y = box.y;
+            break;
+        }
+    }
+    draw_keys(plot, 0, plot->series_count, aside.x, aside.y, aside.width);
+}
+
 /* Names next to the curves where there is room for all, else a legend. */
 static void name_curves(struct plot *plot, struct pp_box aside)
 {
     struct pp_labels *labels = plot->labels;
-    struct pp_box boxes[6];
-    double anchors[6][2];
+    struct pp_box boxes[KEYS_INSIDE];
+    double anchors[KEYS_INSIDE][2];
     int count = plot->series_count, before = labels->count;
-    bool all = count <= 6;
+    bool all = true;
     for (int i = 0; i < count && all; i++) {
         struct pp_box size = draw_name(plot, &plot->series[i], 0, 0, false);
         all = pp_labels_find(labels, &plot->style, size.width, size.height, i,
@@ -337,19 +408,7 @@ static void name_curves(struct plot *plot, struct pp_box aside)
     if (all)
         return;
     labels->count = before;
-    struct pp_key *keys = malloc((size_t)count * sizeof *keys);
-    for (int i = 0; i < count && keys; i++)
-        keys[i] = plot->series[i].key;
-    if (keys) {
-        struct pp_box box = pp_legend_measure(plot->cr, &plot->style, keys, count,
-                                              aside.x, aside.y, aside.width);
-        pp_style_grey(plot->cr, 1.0);
-        cairo_rectangle(plot->cr, box.x - 1.0, box.y, box.width + 2.0, box.height);
-        cairo_fill(plot->cr);
-        pp_legend_draw(plot->cr, &plot->style, keys, count, aside.x, aside.y,
-                       aside.width);
-    }
-    free(keys);
+    draw_legend_inside(plot, aside);
 }
 
 static void say_nothing_there(struct plot *plot)
@@ -397,7 +456,7 @@ static void draw_plot(struct plot *plot, struct pp_box aside)
     plot->labels->field = plot->field;
     if (plot->series_count == 0)
         say_nothing_there(plot);
-    else
+    else if (plot->legend.columns == 0)
         name_curves(plot, aside);
 }
 
@@ -441,6 +500,10 @@ static void draw_sheet(struct plot *plot, struct pp_canvas *canvas,
     struct pp_page page = {world->name, subtitle, plot->foot};
     struct pp_box body = pp_page_draw(canvas, &plot->style, &page);
 
+    lay_legend(plot, body.width);
+    if (plot->legend.columns)
+        body.height -= plot->legend.height + 4.0 * plot->style.scale;
+
     /* The section takes what its scale needs; the curves stand above it to the same
      * scale across. */
     struct pp_style *style = &plot->style;
@@ -476,6 +539,13 @@ static void draw_sheet(struct plot *plot, struct pp_canvas *canvas,
     section.left_mm = left;
     section.right_mm = right;
     pp_room_section_draw(plot->cr, style, &section);
+    double below = section.y + section.height_mm + 4.0 * style->scale;
+    for (int i = 0; i < plot->legend.columns; i++) {
+        int first = i * plot->legend.rows, rest = plot->series_count - first;
+        if (rest > 0)
+            draw_keys(plot, first, rest < plot->legend.rows ? rest : plot->legend.rows,
+                      body.x + i * plot->legend.wide, below, body.width);
+    }
 }
 
 enum pp_status pp_section_chart_draw(struct pp_canvas *canvas,

@@ -2,6 +2,7 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "model/daylight_plan.h"
 
@@ -11,6 +12,27 @@ void pp_curves_clear(struct pp_curves *curves)
         free(curves->list[i].xy);
     free(curves->list);
     *curves = (struct pp_curves){0};
+}
+
+void pp_curve_add_point(struct pp_curve *curve, const double xy[2])
+{
+    if (curve->count && memcmp(curve->xy[curve->count - 1], xy, sizeof(double[2])) == 0)
+        return;
+    memcpy(curve->xy[curve->count++], xy, sizeof(double[2]));
+}
+
+enum pp_status pp_curves_add(struct pp_curves *curves, struct pp_curve curve,
+                             struct pp_error *err)
+{
+    struct pp_curve *list =
+        realloc(curves->list, (size_t)(curves->count + 1) * sizeof *list);
+    if (!list) {
+        free(curve.xy);
+        return pp_fail_memory(err);
+    }
+    curves->list = list;
+    list[curves->count++] = curve;
+    return PP_OK;
 }
 
 double pp_curve_length(const struct pp_curve *curve)

@@ -5,6 +5,8 @@
 
 #include <stdbool.h>
 
+#include "model/error.h"
+
 /* A polyline. It runs so that higher values lie on its left. */
 struct pp_curve {
     double level; /* of the function, in its own unit */
@@ -19,6 +21,13 @@ struct pp_curves {
 };
 
 void pp_curves_clear(struct pp_curves *curves); /* leaves none */
+
+/* Adds a point to a curve that has room for it, unless it is the one before. */
+void pp_curve_add_point(struct pp_curve *curve, const double xy[2]);
+
+/* Adds a curve, whose points are from then on the list's; they are freed on failure. */
+enum pp_status pp_curves_add(struct pp_curves *curves, struct pp_curve curve,
+                             struct pp_error *err);
 
 /* Length of the line, in the unit of its points. */
 double pp_curve_length(const struct pp_curve *curve);
