@@ -61,8 +61,7 @@ static bool add_escaped(struct pp_bytes *bytes, const char *string)
     return good;
 }
 
-/* --- SVG ---------------------------------------------------------------------------
- */
+/* ---- SVG ---- */
 
 /* A piece of the file, not ended by a zero. */
 struct piece {
@@ -189,8 +188,7 @@ bool pp_bytes_name_svg(struct pp_bytes *svg, const struct pp_bytes *cairo,
     return good;
 }
 
-/* --- PNG ---------------------------------------------------------------------------
- */
+/* ---- PNG ---- */
 
 static void big_endian(unsigned char four[4], uint32_t value)
 {

@@ -31,8 +31,7 @@ bool pp_plan_chart_landscape(const struct pp_world *world)
     return plan.high[0] - plan.low[0] > 1.1 * (plan.high[1] - plan.low[1]);
 }
 
-/* --- the plane -----------------------------------------------------------------------
- */
+/* ---- the plane ---- */
 
 static void draw_dark(struct sheet *sheet)
 {
@@ -146,8 +145,7 @@ static void say_flat(struct sheet *sheet)
                  pp_room_plan_y(&sheet->plan, middle[1]), words);
 }
 
-/* --- round about ---------------------------------------------------------------------
- */
+/* ---- round about ---- */
 
 static void add_key(struct sheet *sheet, enum pp_legend_kind kind, int look,
                     double weight, double grey, const char *words)

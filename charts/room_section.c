@@ -123,8 +123,7 @@ void pp_room_section_fit(struct pp_room_section *section, const struct pp_style 
     section->height_mm = section->mm_per_m * (high - low) + caption_mm(style);
 }
 
-/* --- drawing -------------------------------------------------------------------------
- */
+/* ---- drawing ---- */
 
 struct frame {
     const struct pp_room_section *section;

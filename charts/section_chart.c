@@ -5,143 +5,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "charts/axes.h"
-#include "charts/labels.h"
-#include "charts/legend.h"
 #include "charts/page.h"
 #include "charts/room_section.h"
-#include "charts/section_cut.h"
+#include "charts/section_plot.h"
 #include "charts/smooth.h"
-
-/* One column of the report on the chart. */
-struct series {
-    const struct pp_column *column;
-    enum { CURVE, SAMPLED, LEVEL } kind;
-    struct pp_curve_style look;
-    struct pp_key key;
-};
-
-/* More names than that go to a legend below the section; at most so many a column. */
-enum { KEYS_INSIDE = 6, KEYS_MOST = 64 };
-
-struct legend {
-    int columns, rows; /* 0: there is none */
-    double wide, height;
-};
-
-struct plot {
-    cairo_t *cr;
-    struct pp_style style;
-    const struct pp_report *report;
-    struct pp_section_cut cut;
-    struct pp_axis across, up;
-    struct pp_box field; /* of the curves */
-    int *order;          /* receivers by their distance */
-    double *distance;    /* of each receiver */
-    struct series *series;
-    int series_count, curve_count;
-    struct pp_labels *labels;
-    struct legend legend;
-    char foot[4096];
-};
-
-/* --- what there is to draw -----------------------------------------------------------
- */
-
-static bool is_sampled(const struct pp_report *report, const struct pp_column *column)
-{
-    for (int i = 0; i < report->receiver_count; i++)
-        if (isfinite(column->points[i].value) && isfinite(column->points[i].std_error))
-            return true;
-    return false;
-}
-
-static int values_in(const struct pp_report *report, const struct pp_column *column,
-                     const char **why)
-{
-    int count = 0;
-    *why = 0;
-    for (int i = 0; i < report->receiver_count; i++) {
-        if (isfinite(column->points[i].value))
-            count++;
-        else if (!*why)
-            *why = column->points[i].why;
-    }
-    return count;
-}
-
-/* A column without all its values is accounted for at the foot. */
-static void account(struct plot *plot, const struct pp_column *column, int count,
-                    const char *why)
-{
-    int all = column->points ? plot->report->receiver_count : 1;
-    if (count == all)
-        return;
-    char where[64] = "";
-    if (column->points && count > 0)
-        snprintf(where, sizeof where, " at %d of %d points", all - count, all);
-    pp_page_say(plot->foot, sizeof plot->foot, "%s has no value%s%s%s.", column->name,
-                where, why ? ": " : "", why ? why : "");
-}
-
-static void name_series(struct series *series)
-{
-    struct pp_key *key = &series->key;
-    const struct pp_column *column = series->column;
-    key->curve = series->look;
-    key->grey = PP_INK;
-    if (series->kind == SAMPLED) {
-        key->kind = PP_KEY_SAMPLED;
-        snprintf(key->words, sizeof key->words, "%s \u00b1 standard error",
-                 column->name);
-    } else if (series->kind == LEVEL) {
-        char percent[32];
-        pp_style_percent(percent, sizeof percent, column->average.value);
-        key->kind = PP_KEY_LINE;
-        snprintf(key->words, sizeof key->words, "%s, room average %s", column->name,
-                 percent);
-    } else {
-        key->kind = PP_KEY_LINE;
-        snprintf(key->words, sizeof key->words, "%s", column->name);
-    }
-}
-
-/* Columns of daylight factors that have a value. Sampled ones are points with error
- * bars, the others lines; where these are more than four, they get markers too. */
-static void choose_series(struct plot *plot)
-{
-    int lines = 0;
-    for (int i = 0; i < plot->report->column_count; i++) {
-        const struct pp_column *column = &plot->report->columns[i];
-        if (column->component != PP_DF)
-            continue;
-        struct series *series = &plot->series[plot->series_count];
-        *series = (struct series){.column = column, .kind = CURVE};
-        const char *why = column->average.why;
-        int count = isfinite(column->average.value);
-        if (!column->points) {
-            series->kind = LEVEL;
-        } else {
-            count = values_in(plot->report, column, &why);
-            if (is_sampled(plot->report, column))
-                series->kind = SAMPLED;
-        }
-        account(plot, column, count, why);
-        if (count == 0)
-            continue;
-        series->look = series->kind == SAMPLED
-                           ? (struct pp_curve_style){.marker = PP_CIRCLE}
-                           : pp_style_curve(lines++);
-        if (series->kind == LEVEL)
-            series->look.weight *= 0.6;
-        plot->curve_count += series->kind == CURVE;
-        name_series(series);
-        plot->series_count++;
-    }
-    for (int i = 0; i < plot->series_count; i++)
-        if (plot->series[i].kind == CURVE && plot->curve_count > 4)
-            plot->series[i].key.kind = PP_KEY_MARKED_LINE;
-}
 
 /* Per cent, with what the error bar adds (a sign) standard errors away. */
 static double percent_of(const struct pp_reading *reading, double errors)
@@ -150,7 +17,7 @@ static double percent_of(const struct pp_reading *reading, double errors)
     return 100.0 * (reading->value + errors * error);
 }
 
-static void range_of(const struct plot *plot, double *low, double *high)
+static void range_of(const struct pp_section_plot *plot, double *low, double *high)
 {
     *low = INFINITY;
     *high = 0.0;
@@ -169,8 +36,7 @@ static void range_of(const struct plot *plot, double *low, double *high)
     }
 }
 
-/* --- layout --------------------------------------------------------------------------
- */
+/* ---- layout ---- */
 
 static int compare_distances(const void *a, const void *b, void *distances)
 {
@@ -181,7 +47,7 @@ static int compare_distances(const void *a, const void *b, void *distances)
     return *(const int *)a - *(const int *)b;
 }
 
-static enum pp_status sort_points(struct plot *plot, struct pp_error *err)
+static enum pp_status sort_points(struct pp_section_plot *plot, struct pp_error *err)
 {
     int count = plot->report->receiver_count;
     plot->order = malloc((size_t)count * sizeof *plot->order);
@@ -202,7 +68,7 @@ static enum pp_status sort_points(struct plot *plot, struct pp_error *err)
 }
 
 /* The axes: curves in `field` less what the labels of the upright axis take. */
-static void lay_axes(struct plot *plot, bool logarithmic)
+static void lay_axes(struct pp_section_plot *plot, bool logarithmic)
 {
     const struct pp_style *style = &plot->style;
     struct pp_box field = plot->field;
@@ -220,14 +86,13 @@ static void lay_axes(struct plot *plot, bool logarithmic)
                                   field.x + field.width, 13.0 * style->scale, false);
 }
 
-/* --- curves --------------------------------------------------------------------------
- */
+/* ---- curves ---- */
 
 /* Draws points first ... last of the order, which all have values, as one curve, and
  * notes where it runs. Points at one distance are drawn once. */
-static void draw_run(struct plot *plot, int index, int first, int last)
+static void draw_run(struct pp_section_plot *plot, int index, int first, int last)
 {
-    const struct series *series = &plot->series[index];
+    const struct pp_series *series = &plot->series[index];
     double(*xy)[2] = malloc((size_t)(last - first + 1) * sizeof *xy);
     int count = 0;
     for (int i = first; i <= last && xy; i++) {
@@ -258,7 +123,7 @@ static void draw_run(struct plot *plot, int index, int first, int last)
     free(xy);
 }
 
-static void draw_curve(struct plot *plot, int index)
+static void draw_curve(struct pp_section_plot *plot, int index)
 {
     const struct pp_reading *points = plot->series[index].column->points;
     int count = plot->report->receiver_count;
@@ -272,9 +137,9 @@ static void draw_curve(struct plot *plot, int index)
     }
 }
 
-static void draw_samples(struct plot *plot, int index)
+static void draw_samples(struct pp_section_plot *plot, int index)
 {
-    const struct series *series = &plot->series[index];
+    const struct pp_series *series = &plot->series[index];
     for (int i = 0; i < plot->report->receiver_count; i++) {
         const struct pp_reading *reading = &series->column->points[plot->order[i]];
         if (!isfinite(reading->value))
@@ -292,9 +157,9 @@ static void draw_samples(struct plot *plot, int index)
     }
 }
 
-static void draw_level(struct plot *plot, int index)
+static void draw_level(struct pp_section_plot *plot, int index)
 {
-    const struct series *series = &plot->series[index];
+    const struct pp_series *series = &plot->series[index];
     double y = pp_axis_at(&plot->up, percent_of(&series->column->average, 0.0));
     pp_style_pen(plot->cr, &plot->style, &series->look);
     cairo_move_to(plot->cr, plot->across.from, y);
@@ -303,115 +168,7 @@ static void draw_level(struct plot *plot, int index)
     cairo_stroke(plot->cr);
 }
 
-/* --- words ---------------------------------------------------------------------------
- */
-
-/* A curve's name has a sample of its line with it, since curves may lie on each other;
- * the others stand next to what they name. */
-static struct pp_box draw_name(struct plot *plot, const struct series *series, double x,
-                               double y, bool drawn)
-{
-    const struct pp_text text = {.size = PP_TEXT_BODY};
-    double wide = plot->field.width;
-    if (series->kind == CURVE)
-        return (drawn ? pp_legend_draw : pp_legend_measure)(
-            plot->cr, &plot->style, &series->key, 1, x, y, wide);
-    return (drawn ? pp_text_draw : pp_text_measure)(plot->cr, &plot->style, &text, x, y,
-                                                    series->key.words);
-}
-
-/* A legend of some of the names, on white. */
-static void draw_keys(struct plot *plot, int first, int count, double x, double y,
-                      double width)
-{
-    struct pp_key keys[KEYS_MOST];
-    for (int i = 0; i < count; i++)
-        keys[i] = plot->series[first + i].key;
-    struct pp_box box =
-        pp_legend_measure(plot->cr, &plot->style, keys, count, x, y, width);
-    pp_style_grey(plot->cr, 1.0);
-    cairo_rectangle(plot->cr, box.x - 1.0, box.y, box.width + 2.0, box.height);
-    cairo_fill(plot->cr);
-    pp_legend_draw(plot->cr, &plot->style, keys, count, x, y, width);
-}
-
-/* The columns that the legend needs at the foot of the body, and their size. */
-static void lay_legend(struct plot *plot, double width)
-{
-    struct legend *legend = &plot->legend;
-    legend->columns = 0;
-    legend->height = 0.0;
-    if (plot->series_count <= KEYS_INSIDE)
-        return;
-    double gap = 5.0 * plot->style.scale, row = 0.0;
-    legend->wide = 0.0;
-    for (int i = 0; i < plot->series_count; i++) {
-        struct pp_box box = pp_legend_measure(plot->cr, &plot->style,
-                                              &plot->series[i].key, 1, 0, 0, width);
-        legend->wide = fmax(legend->wide, box.width + gap);
-        row = fmax(row, box.height + 0.7 * plot->style.scale);
-    }
-    legend->columns = (int)fmax(1.0, floor((width + gap) / legend->wide));
-    legend->rows = (plot->series_count + legend->columns - 1) / legend->columns;
-    legend->rows = legend->rows < KEYS_MOST ? legend->rows : KEYS_MOST;
-    legend->height = legend->rows * row;
-}
-
-/* In the field's emptiest corner, or beside it. */
-static void draw_legend_inside(struct plot *plot, struct pp_box aside)
-{
-    struct pp_box field = plot->field;
-    struct pp_key keys[KEYS_INSIDE];
-    for (int i = 0; i < plot->series_count; i++)
-        keys[i] = plot->series[i].key;
-    struct pp_box size = pp_legend_measure(plot->cr, &plot->style, keys,
-                                           plot->series_count, 0, 0, aside.width);
-    double pad = 1.5 * plot->style.scale;
-    double left = field.x + pad, right = field.x + field.width - size.width - pad;
-    double top = field.y + pad, bottom = field.y + field.height - size.height - pad;
-    const double corners[][2] = {
-        {right, top}, {left, bottom}, {left, top}, {right, bottom}};
-    for (int i = 0; i < 4 && aside.x < field.x + field.width; i++) {
-        struct pp_box box = {corners[i][0], corners[i][1], size.width, size.height};
-        if (pp_labels_is_free(plot->labels, box)) {
-            aside.x = box.x;
-            aside.y = box.y;
-            break;
-        }
-    }
-    draw_keys(plot, 0, plot->series_count, aside.x, aside.y, aside.width);
-}
-
-/* Names next to the curves where there is room for all, else a legend. */
-static void name_curves(struct plot *plot, struct pp_box aside)
-{
-    struct pp_labels *labels = plot->labels;
-    struct pp_box boxes[KEYS_INSIDE];
-    double anchors[KEYS_INSIDE][2];
-    int count = plot->series_count, before = labels->count;
-    bool all = true;
-    for (int i = 0; i < count && all; i++) {
-        struct pp_box size = draw_name(plot, &plot->series[i], 0, 0, false);
-        all = pp_labels_find(labels, &plot->style, size.width, size.height, i,
-                             &boxes[i], anchors[i]);
-        if (all)
-            pp_labels_note_box(labels, boxes[i]);
-    }
-    for (int i = 0; i < count && all; i++) {
-        pp_style_grey(plot->cr, 1.0);
-        cairo_rectangle(plot->cr, boxes[i].x, boxes[i].y, boxes[i].width,
-                        boxes[i].height);
-        cairo_fill(plot->cr);
-        pp_labels_lead(plot->cr, &plot->style, boxes[i], anchors[i]);
-        draw_name(plot, &plot->series[i], boxes[i].x, boxes[i].y, true);
-    }
-    if (all)
-        return;
-    labels->count = before;
-    draw_legend_inside(plot, aside);
-}
-
-static void say_nothing_there(struct plot *plot)
+static void say_nothing_there(struct pp_section_plot *plot)
 {
     struct pp_text text = {.size = PP_TEXT_HEAD,
                            .grey = PP_GREY_TEXT,
@@ -423,7 +180,7 @@ static void say_nothing_there(struct plot *plot)
                  "There are no daylight factors to draw.");
 }
 
-static void draw_plot(struct plot *plot, struct pp_box aside)
+static void draw_plot(struct pp_section_plot *plot, struct pp_box aside)
 {
     cairo_t *cr = plot->cr;
     const struct pp_style *style = &plot->style;
@@ -442,13 +199,13 @@ static void draw_plot(struct plot *plot, struct pp_box aside)
                  plot->cut.near_window ? "Distance from the window wall (m)"
                                        : "Distance from the wall (m)");
 
-    for (int kind = LEVEL; kind >= CURVE; kind--)
+    for (int kind = PP_LEVEL; kind >= PP_CURVE; kind--)
         for (int i = 0; i < plot->series_count; i++) {
             if ((int)plot->series[i].kind != kind)
                 continue;
-            if (kind == LEVEL)
+            if (kind == PP_LEVEL)
                 draw_level(plot, i);
-            else if (kind == SAMPLED)
+            else if (kind == PP_SAMPLED)
                 draw_samples(plot, i);
             else
                 draw_curve(plot, i);
@@ -457,11 +214,10 @@ static void draw_plot(struct plot *plot, struct pp_box aside)
     if (plot->series_count == 0)
         say_nothing_there(plot);
     else if (plot->legend.columns == 0)
-        name_curves(plot, aside);
+        pp_section_name_curves(plot, aside);
 }
 
-/* --- the sheet -----------------------------------------------------------------------
- */
+/* ---- the sheet ---- */
 
 bool pp_section_chart_landscape(const struct pp_section_chart *chart)
 {
@@ -476,7 +232,8 @@ bool pp_section_chart_landscape(const struct pp_section_chart *chart)
     return landscape;
 }
 
-static void say_notes(struct plot *plot, const struct pp_section_chart *chart)
+static void say_notes(struct pp_section_plot *plot,
+                      const struct pp_section_chart *chart)
 {
     pp_page_assumptions(plot->foot, sizeof plot->foot, chart->report->world);
     for (int i = 0; i < chart->note_count; i++)
@@ -487,7 +244,7 @@ static void say_notes(struct plot *plot, const struct pp_section_chart *chart)
                     "far.");
 }
 
-static void draw_sheet(struct plot *plot, struct pp_canvas *canvas,
+static void draw_sheet(struct pp_section_plot *plot, struct pp_canvas *canvas,
                        const struct pp_section_chart *chart)
 {
     const struct pp_world *world = chart->report->world;
@@ -500,7 +257,7 @@ static void draw_sheet(struct plot *plot, struct pp_canvas *canvas,
     struct pp_page page = {world->name, subtitle, plot->foot};
     struct pp_box body = pp_page_draw(canvas, &plot->style, &page);
 
-    lay_legend(plot, body.width);
+    pp_section_lay_legend(plot, body.width);
     if (plot->legend.columns)
         body.height -= plot->legend.height + 4.0 * plot->style.scale;
 
@@ -543,8 +300,9 @@ static void draw_sheet(struct plot *plot, struct pp_canvas *canvas,
     for (int i = 0; i < plot->legend.columns; i++) {
         int first = i * plot->legend.rows, rest = plot->series_count - first;
         if (rest > 0)
-            draw_keys(plot, first, rest < plot->legend.rows ? rest : plot->legend.rows,
-                      body.x + i * plot->legend.wide, below, body.width);
+            pp_section_draw_keys(plot, first,
+                                 rest < plot->legend.rows ? rest : plot->legend.rows,
+                                 body.x + i * plot->legend.wide, below, body.width);
     }
 }
 
@@ -553,16 +311,16 @@ enum pp_status pp_section_chart_draw(struct pp_canvas *canvas,
                                      struct pp_error *err)
 {
     const struct pp_report *report = chart->report;
-    struct plot plot = {.cr = pp_canvas_cairo(canvas),
-                        .style = pp_page_style(canvas),
-                        .report = report};
+    struct pp_section_plot plot = {.cr = pp_canvas_cairo(canvas),
+                                   .style = pp_page_style(canvas),
+                                   .report = report};
     enum pp_status status = pp_section_cut_create(
         &plot.cut, report->world, report->receivers, report->receiver_count, err);
     if (status != PP_OK)
         return status;
     status = sort_points(&plot, err);
     if (status == PP_OK) {
-        choose_series(&plot);
+        pp_section_choose(&plot);
         draw_sheet(&plot, canvas, chart);
     }
     pp_section_cut_clear(&plot.cut);

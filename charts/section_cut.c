@@ -26,8 +26,7 @@ static double off_plane(const struct pp_section_cut *cut, struct pp_vec3 point)
            - (point.x - cut->origin[0]) * cut->along[1];
 }
 
-/* --- the line ------------------------------------------------------------------------
- */
+/* ---- the line ---- */
 
 /* Square to the opening whose middle is nearest; along y where there is none. */
 static void aim_at_opening(struct pp_section_cut *cut, const struct pp_world *world,
@@ -102,8 +101,7 @@ static enum pp_status find_line(struct pp_section_cut *cut,
     return PP_OK;
 }
 
-/* --- the cut -------------------------------------------------------------------------
- */
+/* ---- the cut ---- */
 
 static bool add_cut(struct pp_section_cut *cut, struct pp_cut one)
 {
@@ -215,8 +213,7 @@ static bool cut_world(struct pp_section_cut *cut, const struct pp_world *world)
     return good;
 }
 
-/* --- which end is the window's -------------------------------------------------------
- */
+/* ---- which end is the window's ---- */
 
 static bool has_opening(const struct pp_world *world, int face)
 {

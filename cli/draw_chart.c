@@ -1,7 +1,6 @@
 #include "cli/draw_chart.h"
 
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "charts/plan_chart.h"
@@ -9,53 +8,6 @@
 #include "cli/gather.h"
 #include "cli/section_line.h"
 #include "methods/daylight_curves.h"
-
-/* Sentences for the foot of the sheet; borrowed. */
-struct notes {
-    const char **list;
-    int count;
-};
-
-static enum pp_status add_note(struct notes *notes, const char *note,
-                               struct pp_error *err)
-{
-    for (int i = 0; i < notes->count; i++)
-        if (strcmp(notes->list[i], note) == 0)
-            return PP_OK;
-    const char **grown =
-        realloc(notes->list, ((size_t)notes->count + 1) * sizeof *grown);
-    if (!grown)
-        return pp_fail_memory(err);
-    notes->list = grown;
-    grown[notes->count++] = note;
-    return PP_OK;
-}
-
-/* Why daylight factors are missing, and whether the simulation was cut short. */
-static enum pp_status collect_notes(struct notes *notes, struct pp_report *report,
-                                    struct pp_error *err)
-{
-    enum pp_status status = PP_OK;
-    if (!report->finished)
-        status = add_note(notes, "The simulation was interrupted.", err);
-    for (int i = 0; i < report->column_count && status == PP_OK; i++) {
-        const struct pp_column *column = &report->columns[i];
-        const struct pp_reading *missing = &column->average;
-        for (int r = 0; column->points && r < report->receiver_count; r++)
-            if (!isfinite(column->points[r].value))
-                missing = &column->points[r];
-        if (column->component != PP_DF || isfinite(missing->value) || !missing->why)
-            continue;
-        size_t length = strlen(column->name);
-        bool named = strncmp(missing->why, column->name, length) == 0
-                     && missing->why[length] == ':';
-        const char *note =
-            named ? missing->why
-                  : pp_report_say(report, "%s: %s", column->name, missing->why);
-        status = note ? add_note(notes, note, err) : pp_fail_memory(err);
-    }
-    return status;
-}
 
 /* The internally reflected component that the first pair "exact+B" of the report adds
  * to `exact`: B's average of the room; NULL where there is none. */
@@ -77,19 +29,17 @@ static const struct pp_column *reflected(const struct pp_report *report)
 static enum pp_status draw_section(struct pp_canvas *canvas,
                                    const struct pp_report *report,
                                    const struct pp_chart_options *options,
-                                   const struct notes *notes, struct pp_error *err)
+                                   struct pp_error *err)
 {
     const struct pp_section_chart chart = {.report = report,
-                                           .logarithmic = options->logarithmic,
-                                           .notes = notes->list,
-                                           .note_count = notes->count};
+                                           .logarithmic = options->logarithmic};
     return pp_section_chart_draw(canvas, &chart, err);
 }
 
 static enum pp_status draw_plan(struct pp_canvas *canvas,
                                 const struct pp_report *report,
                                 const struct pp_chart_options *options,
-                                const struct notes *notes, struct pp_error *err)
+                                struct pp_error *err)
 {
     (void)options;
     const struct pp_column *irc = reflected(report);
@@ -98,11 +48,8 @@ static enum pp_status draw_plan(struct pp_canvas *canvas,
         pp_daylight_curves(&plan, report->world, irc ? irc->average.value : 0.0,
                            irc ? irc->name : NULL, NULL, 0, err);
     if (status == PP_OK) {
-        const struct pp_plan_chart chart = {.world = report->world,
-                                            .plan = &plan,
-                                            .report = report,
-                                            .notes = notes->list,
-                                            .note_count = notes->count};
+        const struct pp_plan_chart chart = {
+            .world = report->world, .plan = &plan, .report = report};
         status = pp_plan_chart_draw(canvas, &chart, err);
     }
     pp_daylight_plan_clear(&plan);
@@ -122,7 +69,7 @@ struct drawer {
     bool (*landscape)(const struct pp_world *world);
     enum pp_status (*draw)(struct pp_canvas *canvas, const struct pp_report *report,
                            const struct pp_chart_options *options,
-                           const struct notes *notes, struct pp_error *err);
+                           struct pp_error *err);
 };
 
 static const struct drawer drawers[] = {
@@ -158,17 +105,13 @@ enum pp_status pp_draw_chart(const struct pp_chart_kind *kind, struct pp_canvas 
     }
 
     struct pp_report report;
-    struct notes notes = {0};
     bool by_clock;
     enum pp_status status = pp_gather_methods(&report, room, room_options, err);
     if (status == PP_OK && room_options->simulate)
         status = pp_gather_traced(&report, room_options, &by_clock, err);
     if (status == PP_OK)
-        status = collect_notes(&notes, &report, err);
-    if (status == PP_OK)
-        status = drawer->draw(canvas, &report, options, &notes, err);
+        status = drawer->draw(canvas, &report, options, err);
     *finished &= report.finished;
-    free(notes.list);
     pp_report_clear(&report);
     return status;
 }

@@ -26,8 +26,7 @@ struct scene {
     double inset_m; /* the plane's edge itself is in the walls */
 };
 
-/* --- what is contoured ---------------------------------------------------------------
- */
+/* ---- what is contoured ---- */
 
 /* A point as far inside the plane as the inset: moved along the inward normals of the
  * edges that it is nearer to. The plane's interior lies on the left of its rings. */
@@ -79,8 +78,7 @@ static enum pp_status sky_seen_at(void *context, double x, double y, double *val
     return pp_outside_sky_seen(value, scene->world, inset(scene, x, y), err);
 }
 
-/* --- levels --------------------------------------------------------------------------
- */
+/* ---- levels ---- */
 
 enum { LEVELS_MOST = 9 };
 
@@ -110,8 +108,7 @@ static int choose_levels(double levels[LEVELS_MOST], double low, double high)
     return count;
 }
 
-/* --- the plan ------------------------------------------------------------------------
- */
+/* ---- the plan ---- */
 
 static enum pp_status add_contours(struct pp_daylight_plan *plan, struct scene *scene,
                                    double tolerance, const double *levels,

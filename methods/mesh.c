@@ -27,8 +27,7 @@ void pp_mesh_clear(struct pp_mesh *mesh)
     *mesh = (struct pp_mesh){0};
 }
 
-/* --- edges by their nodes ------------------------------------------------------------
- */
+/* ---- edges by their nodes ---- */
 
 /* Where the edge of nodes a < b stands in the table, or would. */
 static unsigned slot_of(const struct pp_mesh *mesh, int a, int b)
@@ -96,8 +95,7 @@ static bool put(struct pp_mesh *mesh, int a, int b, int before, int now)
     return true;
 }
 
-/* --- making --------------------------------------------------------------------------
- */
+/* ---- making ---- */
 
 /* The node at a point, made where there is none; -1: memory is out. */
 static int need_node(struct pp_mesh *mesh, const double xy[2])
@@ -163,8 +161,7 @@ enum pp_status pp_mesh_create(struct pp_mesh *mesh, const struct pp_region *regi
     return status;
 }
 
-/* --- halving -------------------------------------------------------------------------
- */
+/* ---- halving ---- */
 
 static double length2(const struct pp_mesh *mesh, int a, int b)
 {
