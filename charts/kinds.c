@@ -3,8 +3,8 @@
 #include <string.h>
 
 static const struct pp_chart_kind kinds[] = {
-    {"section", "daylight factor against distance from the window, over the section"},
-    {"plan", "contours of the daylight factor and the no-sky line, on the plan"},
+    {"section", "daylight factor against distance, over the section"},
+    {"plan", "daylight factor contours and no-sky line, on the plan"},
 };
 
 enum { KINDS = sizeof kinds / sizeof kinds[0] };
