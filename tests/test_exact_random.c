@@ -8,7 +8,6 @@
 
 #ifndef SCENES
 #define SCENES 1000
-#define PARTS 3
 #endif
 
 /* ---- a scene: one opening in a face, anything round it ---- */
@@ -43,11 +42,21 @@ static bool one_in(struct dice *dice, int n)
     return between(dice, 0.0, n) < 1.0;
 }
 
+/* One number after the other: the order of arguments is the compiler's. */
+static struct pp_vec3 any_point(struct dice *dice)
+{
+    struct pp_vec3 v;
+    v.x = between(dice, -1.0, 1.0);
+    v.y = between(dice, -1.0, 1.0);
+    v.z = between(dice, -1.0, 1.0);
+    return v;
+}
+
 static struct pp_vec3 any_direction(struct dice *dice)
 {
     struct pp_vec3 v;
     do
-        v = pp_vec(between(dice, -1, 1), between(dice, -1, 1), between(dice, -1, 1));
+        v = any_point(dice);
     while (pp_dot(v, v) > 1.0 || pp_dot(v, v) < 0.01);
     return pp_unit(v);
 }
@@ -90,8 +99,7 @@ static void deal_opening(struct scene *scene, struct dice *dice)
         opening->along = pp_scale(opening->along, -1.0);
 
     double w = between(dice, 0.3, 3.0), h = between(dice, 0.3, 2.5);
-    struct pp_vec3 corner =
-        pp_vec(between(dice, -1, 1), between(dice, -1, 1), between(dice, -1, 1));
+    struct pp_vec3 corner = any_point(dice);
     static const double plain[4][2] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
     static const double notched[7][2] = {{0.1, 0.0}, {0.9, 0.1},  {1.0, 0.8},
                                          {0.6, 0.9}, {0.55, 0.5}, {0.3, 0.7},
@@ -114,8 +122,8 @@ static void deal_opening(struct scene *scene, struct dice *dice)
     opening->glass = pp_glass_none();
 
     double distance = exp(between(dice, log(0.05), log(6.0)));
-    struct pp_vec3 eye = in_plane(corner, opening->along, between(dice, -2.0, 4.0),
-                                  opening->up, between(dice, -2.0, 4.0));
+    double aside = between(dice, -2.0, 4.0), above = between(dice, -2.0, 4.0);
+    struct pp_vec3 eye = in_plane(corner, opening->along, aside, opening->up, above);
     scene->receiver.position = pp_along(eye, -distance, out);
     scene->receiver.normal =
         one_in(dice, 2) ? any_direction(dice) : pp_vec(0.0, 0.0, 1.0);
@@ -136,9 +144,9 @@ static void deal_plate(struct scene *scene, struct dice *dice)
 {
     struct pp_surface *surface = deal_surface(scene);
     const struct pp_opening *opening = &scene->opening;
+    double aside = between(dice, -0.5, 2.0), above = between(dice, -0.5, 2.0);
     struct pp_vec3 target =
-        in_plane(opening->inner.vertices[0], opening->along, between(dice, -0.5, 2.0),
-                 opening->up, between(dice, -0.5, 2.0));
+        in_plane(opening->inner.vertices[0], opening->along, aside, opening->up, above);
     struct pp_vec3 path = pp_sub(target, scene->receiver.position);
     struct pp_vec3 middle =
         pp_along(scene->receiver.position, between(dice, 0.2, 3.0), path);
@@ -172,11 +180,11 @@ static void deal_block(struct scene *scene, struct dice *dice)
     struct pp_vec3 corner =
         pp_along(opening->inner.vertices[0], between(dice, 0.5, 8.0), out);
     corner.z -= between(dice, 0.0, 3.0);
-    *block = (struct pp_block){.corner = corner,
-                               .width_m = between(dice, 0.5, 4.0),
-                               .depth_m = between(dice, 0.5, 4.0),
-                               .height_m = between(dice, 0.5, 4.0),
-                               .rotate_rad = between(dice, 0.0, 2.0 * PP_PI)};
+    block->corner = corner;
+    block->width_m = between(dice, 0.5, 4.0);
+    block->depth_m = between(dice, 0.5, 4.0);
+    block->height_m = between(dice, 0.5, 4.0);
+    block->rotate_rad = between(dice, 0.0, 2.0 * PP_PI);
     struct pp_vec3 x = {cos(block->rotate_rad), sin(block->rotate_rad), 0.0};
     struct pp_vec3 y = {-x.y, x.x, 0.0};
     /* Corners by bits: 1 along x, 2 along y, 4 up. */
@@ -206,12 +214,13 @@ static void deal_skyline(struct scene *scene, struct dice *dice)
     double distance = one_in(dice, 2) ? INFINITY : between(dice, 2.0, 20.0);
     double angle = between(dice, 5.0, 60.0) * PP_RAD;
     double middle = scene->opening.inner.vertices[0].z + 0.5;
+    double reflectance = one_in(dice, 2) ? 0.2 : 0.35;
     scene->skyline = (struct pp_skyline){.face = 0,
                                          .angle_rad = angle,
                                          .middle_z_m = middle,
                                          .distance_m = distance,
                                          .head_z_m = middle + distance * tan(angle),
-                                         .reflectance = one_in(dice, 2) ? 0.2 : 0.35};
+                                         .reflectance = reflectance};
     scene->world.skylines = &scene->skyline;
     scene->world.skyline_count = 1;
 }
@@ -274,10 +283,16 @@ static bool compare(int seed, double *worst)
                                  &part, &err)
         != PP_OK)
         fail_msg("scene %d: %s", seed, err.message);
-    struct pp_meridian_sums sums = pp_meridians(
-        &scene.world, &scene.opening, &scene.receiver, 1e-2 * relative, PARTS);
-    double sky = disagreement(part.sky, sums.sky, relative);
-    double external = disagreement(part.external, sums.external, relative);
+    /* Where the two differ the sum over meridians may have stepped over something
+     * narrow: it is refined before anybody is blamed. */
+    double sky = INFINITY, external = INFINITY;
+    struct pp_meridian_sums sums = {0.0, 0.0};
+    for (int parts = 3; parts < 200 && fmax(sky, external) > 1.0; parts *= 8) {
+        sums = pp_meridians(&scene.world, &scene.opening, &scene.receiver,
+                            1e-2 * relative, parts);
+        sky = disagreement(part.sky, sums.sky, relative);
+        external = disagreement(part.external, sums.external, relative);
+    }
     if (!(sky <= 1.0) || !(external <= 1.0))
         print_message(
             "# scene %d, %s %s: sky %.17g or %.17g, external %.17g or %.17g\n", seed,
