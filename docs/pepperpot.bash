@@ -21,8 +21,9 @@ _pepperpot()
         options=$("$program" "$command" --help 2>/dev/null | grep -o -- '--[a-z][a-z-]*')
         mapfile -t COMPREPLY < <(compgen -W "$options" -- "$word")
     elif [ "$command" = chart ] && [ "$COMP_CWORD" -eq 2 ]; then
-        mapfile -t COMPREPLY < <(compgen -W \
-            "$("$program" chart --list 2>/dev/null | awk '{ print $1 }')" -- "$word")
+        local kinds
+        kinds=$("$program" chart --list 2>/dev/null | sed -n 's/^  \([a-z][a-z-]*\) .*/\1/p')
+        mapfile -t COMPREPLY < <(compgen -W "$kinds" -- "$word")
     fi
 }
 complete -o default -o filenames -F _pepperpot pepperpot
