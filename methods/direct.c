@@ -230,3 +230,19 @@ enum pp_status pp_direct_add(struct pp_direct *sum, const struct pp_visible *vis
     }
     return status;
 }
+
+enum pp_status pp_direct_through(struct pp_direct *sum, const struct pp_world *world,
+                                 const struct pp_opening *opening,
+                                 const struct pp_receiver *receiver,
+                                 const struct pp_glass *glass, struct pp_error *err)
+{
+    struct pp_visible visible;
+    enum pp_status status =
+        pp_visible_through(&visible, world, opening, receiver->position, err);
+    if (status != PP_OK)
+        return status;
+    status =
+        pp_direct_add(sum, &visible, receiver->normal, glass, world, &world->sky, err);
+    pp_visible_clear(&visible);
+    return status;
+}

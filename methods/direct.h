@@ -33,6 +33,13 @@ enum pp_status pp_direct_add(struct pp_direct *sum, const struct pp_visible *vis
                              const struct pp_world *world, const struct pp_sky *sky,
                              struct pp_error *err);
 
+/* The same for all that a receiver sees through an opening, as though its glass were
+ * `glass` (clear, or none). */
+enum pp_status pp_direct_through(struct pp_direct *sum, const struct pp_world *world,
+                                 const struct pp_opening *opening,
+                                 const struct pp_receiver *receiver,
+                                 const struct pp_glass *glass, struct pp_error *err);
+
 /* Luminance factor of what hides the sky, from its reflectance. */
 double pp_direct_factor(const struct pp_sky *sky, double reflectance);
 

@@ -1,4 +1,5 @@
-/* even_table.h - reading between the lines of a table with even steps. */
+/* even_table.h - tables with even steps: reading between their lines, filling them with
+ * a running integral, and finding where they reach a value. */
 #ifndef PP_METHODS_EVEN_TABLE_H
 #define PP_METHODS_EVEN_TABLE_H
 
@@ -8,5 +9,16 @@
  * step. */
 double pp_even_table(const double *values, int count, double low, double high,
                      double x);
+
+/* Fills values with the integral of a smooth function from low on: Gauss's rule of four
+ * points in each step, whose error falls with the eighth power of the step. */
+void pp_even_table_integrate(double *values, int count, double low, double high,
+                             double (*function)(const void *context, double x),
+                             const void *context);
+
+/* The x, within 1e-10 of high - low, at which an ascending table reaches `value`; low
+ * or high where it never does. */
+double pp_even_table_find(const double *values, int count, double low, double high,
+                          double value);
 
 #endif

@@ -184,17 +184,11 @@ static enum pp_status direct_of(const struct pp_world *world,
 {
     struct pp_direct sum = {.rough = rough};
     enum pp_status status;
-    if (opening->glass.diffusing) {
+    if (opening->glass.diffusing)
         status = from_diffusing_pane(&sum, world, opening, receiver, err);
-    } else {
-        struct pp_visible visible;
-        status = pp_visible_through(&visible, world, opening, receiver->position, err);
-        if (status != PP_OK)
-            return status;
-        status = pp_direct_add(&sum, &visible, receiver->normal, &opening->glass, world,
-                               &world->sky, err);
-        pp_visible_clear(&visible);
-    }
+    else
+        status =
+            pp_direct_through(&sum, world, opening, receiver, &opening->glass, err);
     part->sky = sum.sky;
     part->external = sum.external;
     return status;

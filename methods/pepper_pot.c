@@ -13,12 +13,13 @@
  */
 #include <stdlib.h>
 
+#include "methods/direct.h"
 #include "methods/methods.h"
 #include "methods/pepper_pot_dots.h"
 #include "methods/refusals.h"
 #include "methods/window_drawing.h"
 
-/* The diagrams for points that face up. */
+/* The diagrams for points that face up, those that the room's openings need. */
 struct diagrams {
     struct pp_pepper_pot *unglazed, *glazed;
 };
@@ -39,11 +40,14 @@ static enum pp_status prepare(void **tools, const struct pp_world *world,
     struct diagrams *diagrams = calloc(1, sizeof *diagrams);
     if (!diagrams)
         return pp_fail_memory(err);
-    enum pp_status status = pp_pepper_pot_create(
-        &diagrams->unglazed, &world->sky, false, false, 0.0, PP_PEPPER_POT_WORTH, err);
-    if (status == PP_OK)
-        status = pp_pepper_pot_create(&diagrams->glazed, &world->sky, true, false, 0.0,
-                                      PP_PEPPER_POT_WORTH, err);
+    enum pp_status status = PP_OK;
+    for (int i = 0; i < world->opening_count && status == PP_OK; i++) {
+        bool glazed = world->openings[i].glass.panes > 0;
+        struct pp_pepper_pot **pot = glazed ? &diagrams->glazed : &diagrams->unglazed;
+        if (!*pot)
+            status = pp_pepper_pot_create(pot, &world->sky, glazed, false, 0.0,
+                                          PP_PEPPER_POT_WORTH, err);
+    }
     if (status != PP_OK)
         put_away(diagrams);
     else
@@ -123,6 +127,25 @@ static enum pp_status evaluate(const struct pp_world *world,
     return status;
 }
 
+/* The mean of many counts is what the dots stand for: for averages over many points it
+ * is taken by quadrature instead of dots. */
+static enum pp_status evaluate_roughly(const struct pp_world *world,
+                                       const struct pp_opening *opening,
+                                       const struct pp_receiver *receiver,
+                                       const void *tools, struct pp_part *part,
+                                       struct pp_error *err)
+{
+    const struct diagrams *diagrams = tools;
+    const struct pp_glass *glass =
+        opening->glass.panes > 0 ? &diagrams->glazed->glass : &opening->glass;
+    struct pp_direct sum = {.rough = true};
+    enum pp_status status =
+        pp_direct_through(&sum, world, opening, receiver, glass, err);
+    part->sky = sum.sky;
+    part->external = sum.external;
+    return status;
+}
+
 const struct pp_method pp_method_pepper_pot = {
     .name = "pepper-pot",
     .summary = "direct component by counting dots on a pepper-pot diagram",
@@ -135,4 +158,5 @@ const struct pp_method pp_method_pepper_pot = {
     .refuses_room = refuses_room,
     .refuses = refuses,
     .evaluate = evaluate,
+    .evaluate_roughly = evaluate_roughly,
 };

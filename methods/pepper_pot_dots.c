@@ -1,13 +1,12 @@
 /* pepper_pot_dots.c - see pepper_pot_dots.h. */
 #include "methods/pepper_pot_dots.h"
 
-#include <cubature.h>
 #include <math.h>
 #include <stdlib.h>
 
 #include "methods/even_table.h"
 
-enum { PANELS = PP_PEPPER_POT_PANELS, MOST_EVALUATIONS = 20000 };
+enum { PANELS = PP_PEPPER_POT_PANELS, AZIMUTHS = 32 };
 
 /* The azimuths from which light of altitude gamma reaches the receiver. */
 static void azimuths(const struct pp_pepper_pot *pot, double *low, double *high)
@@ -38,110 +37,35 @@ static double by_azimuth(const struct pp_pepper_pot *pot, double cos_gamma, doub
                            cos_gamma * cos(phi));
 }
 
+/* One altitude, and what comes from the left of even azimuths in it. */
 struct ring_of_sky {
     const struct pp_pepper_pot *pot;
     double cos_gamma;
+    double low, high; /* azimuths */
+    double left[AZIMUTHS + 1];
 };
 
-static int azimuth_integrand(unsigned dim, const double *phi, void *data, unsigned fdim,
-                             double *value)
+static double of_ring(const void *context, double phi)
 {
-    (void)dim, (void)fdim;
-    const struct ring_of_sky *ring = data;
-    *value = by_azimuth(ring->pot, ring->cos_gamma, phi[0]);
-    return 0;
+    const struct ring_of_sky *ring = context;
+    return by_azimuth(ring->pot, ring->cos_gamma, phi);
 }
 
-/* Light from between two azimuths, over what depends on the altitude alone. */
-static double from_azimuths(const struct pp_pepper_pot *pot, double gamma, double low,
-                            double high)
+static void fill_ring(struct ring_of_sky *ring, const struct pp_pepper_pot *pot,
+                      double gamma)
 {
-    if (!pot->glazed && !pot->upright)
-        return high - low;
-    if (!pot->glazed)
-        return sin(high - pot->facing_rad) - sin(low - pot->facing_rad);
-    struct ring_of_sky ring = {pot, cos(gamma)};
-    double sum = 0.0, error;
-    hcubature(1, azimuth_integrand, &ring, 1, &low, &high, MOST_EVALUATIONS, 1e-9, 1e-8,
-              ERROR_INDIVIDUAL, &sum, &error);
-    return sum;
+    ring->pot = pot;
+    ring->cos_gamma = cos(gamma);
+    azimuths(pot, &ring->low, &ring->high);
+    pp_even_table_integrate(ring->left, AZIMUTHS + 1, ring->low, ring->high, of_ring,
+                            ring);
 }
 
-static double from_altitude(const struct pp_pepper_pot *pot, double gamma)
+static double from_altitude(const void *pot, double gamma)
 {
-    double low, high;
-    azimuths(pot, &low, &high);
-    return by_altitude(pot, gamma) * from_azimuths(pot, gamma, low, high);
-}
-
-/* Light of altitudes low to high, a panel or less: Gauss's rule of four points. */
-static double between_altitudes(const struct pp_pepper_pot *pot, double low,
-                                double high)
-{
-    static const double place[] = {0.069431844202973712, 0.330009478207571868};
-    static const double weight[] = {0.173927422568726929, 0.326072577431273071};
-    double sum = 0.0, span = high - low;
-    for (int i = 0; i < 2; i++)
-        sum += weight[i]
-               * (from_altitude(pot, low + place[i] * span)
-                  + from_altitude(pot, high - place[i] * span));
-    return sum * span;
-}
-
-static void fill_altitudes(struct pp_pepper_pot *pot)
-{
-    static const double panel = PP_PI / 2.0 / PANELS;
-    pot->below[0] = 0.0;
-    for (int i = 0; i < PANELS; i++)
-        pot->below[i + 1] =
-            pot->below[i] + between_altitudes(pot, i * panel, (i + 1) * panel);
-}
-
-static double share_below(const struct pp_pepper_pot *pot, double gamma)
-{
-    return pp_even_table(pot->below, PANELS + 1, 0.0, PP_PI / 2.0, gamma);
-}
-
-/* The altitude below which `share` comes, by bisection. */
-static double altitude_of(const struct pp_pepper_pot *pot, double share)
-{
-    double low = 0.0, high = PP_PI / 2.0;
-    while (high - low > 1e-9) {
-        double middle = (low + high) / 2.0;
-        if (share_below(pot, middle) < share)
-            low = middle;
-        else
-            high = middle;
-    }
-    return low;
-}
-
-/* The azimuth to whose left the part s of altitude gamma's light comes from. */
-static double azimuth_of(const struct pp_pepper_pot *pot, double gamma, double s)
-{
-    double low, high;
-    azimuths(pot, &low, &high);
-    double wanted = s * from_azimuths(pot, gamma, low, high);
-    double phi = low + s * (high - low), left = low, sum = 0.0;
-    double bracket_low = low, bracket_high = high;
-    for (int i = 0; i < 50; i++) {
-        /* Newton's step, or a halving where it would leave the bracket. */
-        sum += phi > left ? from_azimuths(pot, gamma, left, phi)
-                          : -from_azimuths(pot, gamma, phi, left);
-        left = phi;
-        if (sum < wanted)
-            bracket_low = phi;
-        else
-            bracket_high = phi;
-        double slope = by_azimuth(pot, cos(gamma), phi);
-        double next = slope > 0.0 ? phi + (wanted - sum) / slope : NAN;
-        if (!(next > bracket_low && next < bracket_high))
-            next = (bracket_low + bracket_high) / 2.0;
-        if (fabs(next - phi) < 1e-7)
-            return next;
-        phi = next;
-    }
-    return phi;
+    struct ring_of_sky ring;
+    fill_ring(&ring, pot, gamma);
+    return by_altitude(pot, gamma) * ring.left[AZIMUTHS];
 }
 
 static void place_dots(struct pp_pepper_pot *pot, int most)
@@ -150,8 +74,12 @@ static void place_dots(struct pp_pepper_pot *pot, int most)
     for (int i = 0; i < most; i++) {
         double share = (i + 0.5) * pot->worth, whole;
         double s = modf((i + 0.5) * golden, &whole);
-        double gamma = altitude_of(pot, share);
-        double phi = azimuth_of(pot, gamma, s);
+        double gamma =
+            pp_even_table_find(pot->below, PANELS + 1, 0.0, PP_PI / 2.0, share);
+        struct ring_of_sky ring;
+        fill_ring(&ring, pot, gamma);
+        double phi = pp_even_table_find(ring.left, AZIMUTHS + 1, ring.low, ring.high,
+                                        s * ring.left[AZIMUTHS]);
         pot->dots[i][0] = tan(phi);
         pot->dots[i][1] = tan(gamma) / cos(phi);
     }
@@ -191,7 +119,8 @@ enum pp_status pp_pepper_pot_create(struct pp_pepper_pot **pot,
     azimuths(made, &low, &high);
     int most = 0;
     if (high > low) {
-        fill_altitudes(made);
+        pp_even_table_integrate(made->below, PANELS + 1, 0.0, PP_PI / 2.0,
+                                from_altitude, made);
         made->whole = made->below[PANELS];
         most = (int)ceil(made->whole / worth - 0.5);
     }
@@ -224,11 +153,13 @@ int pp_pepper_pot_count(const struct pp_pepper_pot *pot, const struct pp_region 
 bool pp_pepper_pot_square(const struct pp_pepper_pot *pot, double a, double b,
                           double *s, double *t)
 {
-    double low, high, phi = atan(a), gamma = atan2(b, hypot(a, 1.0));
-    azimuths(pot, &low, &high);
-    if (!(gamma >= 0.0 && phi >= low && phi <= high))
+    double phi = atan(a), gamma = atan2(b, hypot(a, 1.0));
+    struct ring_of_sky ring;
+    fill_ring(&ring, pot, gamma);
+    if (!(gamma >= 0.0 && phi >= ring.low && phi <= ring.high))
         return false;
-    *s = from_azimuths(pot, gamma, low, phi) / from_azimuths(pot, gamma, low, high);
-    *t = share_below(pot, gamma) / pot->whole;
+    *s = pp_even_table(ring.left, AZIMUTHS + 1, ring.low, ring.high, phi)
+         / ring.left[AZIMUTHS];
+    *t = pp_even_table(pot->below, PANELS + 1, 0.0, PP_PI / 2.0, gamma) / pot->whole;
     return true;
 }

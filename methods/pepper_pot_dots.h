@@ -27,7 +27,7 @@
 #define PP_PEPPER_POT_WORTH 0.001       /* of a dot of the ordinary chart */
 #define PP_PEPPER_POT_FINE_WORTH 0.0001 /* of the fine one */
 
-enum { PP_PEPPER_POT_PANELS = 128, PP_PEPPER_POT_LOSSES = 513 };
+enum { PP_PEPPER_POT_PANELS = 64, PP_PEPPER_POT_LOSSES = 513 };
 
 struct pp_pepper_pot {
     struct pp_sky sky;     /* overcast or uniform */

@@ -8,11 +8,11 @@
 #include "methods/even_table.h"
 
 enum { MOST_EVALUATIONS = 50000 };
-static const double step = PP_PI / 2.0 / PP_WALDRAM_PANELS;
 
 /* dX/dphi: 1, or the losses by azimuth over those at normal incidence. */
-static double x_density(const struct pp_waldram *waldram, double azimuth)
+static double x_density(const void *context, double azimuth)
 {
+    const struct pp_waldram *waldram = context;
     if (!waldram->glazed)
         return 1.0;
     return pp_glass_transmittance(&waldram->glass, cos(azimuth))
@@ -20,39 +20,12 @@ static double x_density(const struct pp_waldram *waldram, double azimuth)
 }
 
 /* dY/dgamma. */
-static double y_density(const struct pp_waldram *waldram, double altitude)
+static double y_density(const void *context, double altitude)
 {
+    const struct pp_waldram *waldram = context;
     double s = sin(altitude), c = cos(altitude);
     double luminance = pp_sky_luminance(&waldram->sky, pp_vec(c, 0.0, s));
     return luminance * s * c * pp_glass_transmittance(&waldram->glass, c);
-}
-
-typedef double (*density_of)(const struct pp_waldram *waldram, double angle);
-
-struct density {
-    const struct pp_waldram *waldram;
-    density_of of;
-};
-
-static int density_integrand(unsigned dim, const double *angle, void *data,
-                             unsigned fdim, double *value)
-{
-    (void)dim, (void)fdim;
-    const struct density *density = data;
-    *value = density->of(density->waldram, angle[0]);
-    return 0;
-}
-
-static void fill_scale(const struct pp_waldram *waldram, density_of of, double *scale)
-{
-    struct density density = {waldram, of};
-    scale[0] = 0.0;
-    for (int i = 0; i < PP_WALDRAM_PANELS; i++) {
-        double low = i * step, high = (i + 1) * step, sum = 0.0, error;
-        hcubature(1, density_integrand, &density, 1, &low, &high, MOST_EVALUATIONS, 0.0,
-                  1e-11, ERROR_INDIVIDUAL, &sum, &error);
-        scale[i + 1] = scale[i] + sum;
-    }
 }
 
 static double read_scale(const double *scale, double angle)
@@ -72,8 +45,10 @@ enum pp_status pp_waldram_make(struct pp_waldram *waldram, const struct pp_sky *
     waldram->sky = *sky;
     waldram->glazed = glazed;
     waldram->glass = glazed ? pp_glass_clear_single() : pp_glass_none();
-    fill_scale(waldram, x_density, waldram->x);
-    fill_scale(waldram, y_density, waldram->y);
+    pp_even_table_integrate(waldram->x, PP_WALDRAM_PANELS + 1, 0.0, PP_PI / 2.0,
+                            x_density, waldram);
+    pp_even_table_integrate(waldram->y, PP_WALDRAM_PANELS + 1, 0.0, PP_PI / 2.0,
+                            y_density, waldram);
     return PP_OK;
 }
 
