@@ -213,9 +213,10 @@ static enum pp_status average_of_points(const struct work *work, struct answer *
         answer->why = "the room has no working plane at that height";
         return PP_OK;
     }
-    enum pp_status status =
-        pp_plane_average(mean, &stopped, work->world, plane_sum_at, &sum,
-                         PP_AVERAGE_ERROR, PP_AVERAGE_POINTS, err);
+    enum pp_status status = pp_plane_average(
+        mean, &stopped, work->world, plane_sum_at, &sum,
+        work->method->counts ? PP_AVERAGE_ERROR_COUNTS : PP_AVERAGE_ERROR,
+        PP_AVERAGE_POINTS, err);
     if (status != PP_OK)
         return status;
     if (sum.refusal.why) {

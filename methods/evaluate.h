@@ -13,7 +13,8 @@
  *
  * Averages over the working plane of methods that speak for a point are the integral of
  * what receivers facing up would read over the plane's area, by adaptive cubature to a
- * relative estimated error of PP_AVERAGE_ERROR, with at most PP_AVERAGE_POINTS points.
+ * relative estimated error of PP_AVERAGE_ERROR (of methods that count, whose readings
+ * are no finer, PP_AVERAGE_ERROR_COUNTS), with at most PP_AVERAGE_POINTS points.
  */
 #ifndef PP_METHODS_EVALUATE_H
 #define PP_METHODS_EVALUATE_H
@@ -22,6 +23,7 @@
 #include "model/report.h"
 
 #define PP_AVERAGE_ERROR 1e-3
+#define PP_AVERAGE_ERROR_COUNTS 1e-2
 enum { PP_AVERAGE_POINTS = 2000 };
 
 /* With report->explain each point's readings (of methods that speak for the room: the

@@ -7,6 +7,8 @@
 #ifndef PP_METHODS_METHOD_H
 #define PP_METHODS_METHOD_H
 
+#include <stdbool.h>
+
 #include "model/allowance.h"
 #include "model/reading.h"
 #include "model/steps.h"
@@ -38,6 +40,7 @@ struct pp_method {
     enum pp_gives gives;
     enum pp_speaks_for speaks_for;
     unsigned allowances; /* what its figures already contain, enum pp_allowance */
+    bool counts;         /* squares or dots: no finer than one of them */
 
     /* Why the method says nothing of this room, or of this receiver in it (NULL: of the
      * room as a whole): a static sentence ("the table holds the overcast sky only"), or

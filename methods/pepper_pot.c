@@ -153,6 +153,7 @@ const struct pp_method pp_method_pepper_pot = {
     .gives = PP_GIVES_DIRECT,
     .speaks_for = PP_FOR_POINT,
     .allowances = PP_ALLOWS_CLEAR_GLASS | PP_ALLOWS_NO_GLASS,
+    .counts = true,
     .prepare = prepare,
     .put_away = put_away,
     .refuses_room = refuses_room,

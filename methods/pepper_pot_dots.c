@@ -6,7 +6,7 @@
 
 #include "methods/even_table.h"
 
-enum { PANELS = PP_PEPPER_POT_PANELS, AZIMUTHS = 32 };
+enum { PANELS = PP_PEPPER_POT_PANELS, AZIMUTHS = 20 };
 
 /* The azimuths from which light of altitude gamma reaches the receiver. */
 static void azimuths(const struct pp_pepper_pot *pot, double *low, double *high)

@@ -173,6 +173,7 @@ const struct pp_method pp_method_waldram = {
     .gives = PP_GIVES_DIRECT,
     .speaks_for = PP_FOR_POINT,
     .allowances = PP_ALLOWS_CLEAR_GLASS | PP_ALLOWS_NO_GLASS,
+    .counts = true,
     .prepare = prepare,
     .put_away = free,
     .refuses_room = refuses_room,
