@@ -7,8 +7,9 @@
 const struct pp_method *const pp_methods[] = {
     &pp_method_exact,      &pp_method_brs_table,
     &pp_method_waldram,    &pp_method_pepper_pot,
-    &pp_method_bre,        &pp_method_split_flux,
-    &pp_method_average_df, NULL,
+    &pp_method_protractor, &pp_method_bre,
+    &pp_method_split_flux, &pp_method_average_df,
+    NULL,
 };
 
 const struct pp_method *pp_method_at(int index)

@@ -8,6 +8,7 @@
 extern const struct pp_method pp_method_brs_table;
 extern const struct pp_method pp_method_waldram;
 extern const struct pp_method pp_method_pepper_pot;
+extern const struct pp_method pp_method_protractor;
 extern const struct pp_method pp_method_bre;
 extern const struct pp_method pp_method_split_flux;
 extern const struct pp_method pp_method_average_df;

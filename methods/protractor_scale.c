@@ -50,10 +50,10 @@ double pp_protractor_range(const struct pp_protractor *protractor)
     return protractor->glass.panes == 0 ? PP_PI : PP_PI - protractor->slope_rad;
 }
 
-/* dSC / (dtheta dgamma) of the header. */
-static double density(const struct pp_protractor *protractor, double gamma,
-                      double theta)
+double pp_protractor_density(const struct pp_protractor *protractor, double gamma_rad,
+                             double theta_rad)
 {
+    double gamma = gamma_rad, theta = theta_rad;
     double across = cos(theta), up = sin(gamma);
     double cos_i = across * sin(gamma + protractor->slope_rad);
     if (protractor->glass.panes > 0 && !(cos_i > 0.0))
@@ -79,7 +79,7 @@ static int theta_integrand(unsigned dim, const double *x, void *data, unsigned f
 {
     (void)dim, (void)fdim;
     const struct strip *strip = data;
-    *value = density(strip->protractor, strip->gamma, x[0]);
+    *value = pp_protractor_density(strip->protractor, strip->gamma, x[0]);
     return 0;
 }
 
@@ -88,7 +88,7 @@ static int strip_integrand(unsigned dim, const double *x, void *data, unsigned f
 {
     (void)dim, (void)fdim;
     const struct strip *strip = data;
-    *value = density(strip->protractor, x[1], x[0]);
+    *value = pp_protractor_density(strip->protractor, x[1], x[0]);
     return 0;
 }
 

@@ -50,6 +50,10 @@ int pp_protractor_number(const struct pp_protractor *protractor);
  * glass, pi without. */
 double pp_protractor_range(const struct pp_protractor *protractor);
 
+/* dSC / (dtheta dgamma) of the head of this file. */
+double pp_protractor_density(const struct pp_protractor *protractor, double gamma_rad,
+                             double theta_rad);
+
 /* Primary scale: sky component of an endless strip from the horizon to gamma_rad, 0 to
  * pi (what lies beyond the range adds nothing). Relative error 1e-9. */
 double pp_protractor_primary(const struct pp_protractor *protractor, double gamma_rad);
