@@ -36,7 +36,7 @@ static double simpson(double a, double middle, double b, double step)
 /* dF/dgamma: the whole strip, both sides of the section. */
 static double strip(const struct pp_protractor *protractor, double gamma)
 {
-    enum { STEPS = 45 };
+    enum { STEPS = 90 };
     double step = PP_PI / 2.0 / STEPS, sum = 0.0;
     double low = pp_protractor_density(protractor, gamma, 0.0);
     for (int i = 0; i < STEPS; i++) {

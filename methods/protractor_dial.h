@@ -41,7 +41,7 @@ struct pp_dial {
     struct pp_semicircle semicircles[PP_DIAL_SEMICIRCLES];
 };
 
-/* Takes 5 ms. Readings are good to 1e-7 of the open sky, factors to 1e-7. */
+/* Takes 5 ms. Readings are good to 5e-7 of the open sky, factors to 1e-7. */
 void pp_dial_make(struct pp_dial *dial, const struct pp_protractor *protractor);
 
 /* Primary scale at gamma_rad, 0 to pi. */

@@ -20,8 +20,9 @@
  * (For beta = 90 degrees that is tan phi cos gamma.) A level opening has no level edges
  * of its own choice: its section is cut square to the longer ones, since the average
  * altitude serves long narrow strips best. What is not a rectangle is read as the
- * rectangle of its area; obstructions seen through it have the jambs and the lower edge
- * of what they hide, and an equal area, and their readings are taken off the opening's.
+ * rectangle of its area; obstructions seen through it have the jambs of what they hide
+ * and its edge nearer to the horizon, and an equal area; their readings are taken off
+ * the opening's.
  */
 #include <math.h>
 #include <stdlib.h>
@@ -75,6 +76,12 @@ static bool is_upright(double slope)
     return fabs(slope - PP_PI / 2.0) < slope_tolerance_rad;
 }
 
+static double section_altitude(double b, double slope)
+{
+    double up = b * sin(slope) + cos(slope), forward = sin(slope) - b * cos(slope);
+    return fmax(atan2(up, forward), 0.0);
+}
+
 static void read_rectangle(struct pp_protractor_reading *reading,
                            const struct pp_dial *dial, double slope,
                            struct rectangle at)
@@ -82,9 +89,7 @@ static void read_rectangle(struct pp_protractor_reading *reading,
     const double b[2] = {at.low, at.high}, x[2] = {at.left, at.right};
     bool turned_down = !is_upright(slope);
     for (int i = 0; i < 2; i++) {
-        double up = b[i] * sin(slope) + cos(slope);
-        double forward = sin(slope) - b[i] * cos(slope);
-        reading->edge_rad[i] = fmax(atan2(up, forward), 0.0);
+        reading->edge_rad[i] = section_altitude(b[i], slope);
         reading->share[i] = pp_dial_share(dial, reading->edge_rad[i]);
     }
     reading->initial = reading->share[1] - reading->share[0];
@@ -95,7 +100,7 @@ static void read_rectangle(struct pp_protractor_reading *reading,
         reading->correction[i] = pp_dial_factor(dial, reading->average_rad,
                                                 reading->jamb_rad[i], turned_down);
     }
-    reading->width_factor = reading->correction[1] - reading->correction[0];
+    reading->width_factor = fmax(reading->correction[1] - reading->correction[0], 0.0);
     reading->component = reading->initial * reading->width_factor * reading->factor;
 }
 
@@ -166,12 +171,16 @@ static enum pp_status add_ring(struct pp_extent *sum, const struct pp_ring *ring
     return PP_OK;
 }
 
-/* What hides the sky: jambs and lower edge kept, an equal area. */
-static struct rectangle standing(const struct pp_extent *extent)
+/* What hides the sky: its jambs, its head (the edge nearer to the zenith), and an equal
+ * area. */
+static struct rectangle hanging(const struct pp_extent *extent, double slope)
 {
-    double width = extent->right - extent->left;
-    return (struct rectangle){extent->left, extent->right, extent->low,
-                              extent->low + extent->area / width};
+    double height = extent->area / (extent->right - extent->left);
+    bool behind =
+        section_altitude(extent->low, slope) + section_altitude(extent->high, slope)
+        > PP_PI;
+    double low = behind ? extent->low : extent->high - height;
+    return (struct rectangle){extent->left, extent->right, low, low + height};
 }
 
 /* Equal area, the same middle and proportions. */
@@ -231,7 +240,7 @@ static enum pp_status read_sloping(struct pp_protractor_readings *readings,
         struct pp_protractor_reading *reading = &readings->list[readings->count++];
         reading->hidden = true;
         reading->factor = drawing->parts[i].factor;
-        read_rectangle(reading, dial, slope, standing(&extent));
+        read_rectangle(reading, dial, slope, hanging(&extent, slope));
         readings->sky -= reading->initial * reading->width_factor;
         readings->less_hidden = true;
         readings->external += reading->component;
