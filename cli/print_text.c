@@ -128,7 +128,7 @@ static void print_simulation(const struct pp_result *result,
     char text[512];
     int length = snprintf(text, sizeof text,
                           "traced: by simulation, %s one standard error, seed %llu; "
-                          "off: how far a method is from it",
+                          "off, from traced: how far a method is from it",
                           utf8 ? "\xc2\xb1" : "+-", (unsigned long long)options->seed);
     if (!result->report.finished)
         snprintf(text + length, sizeof text - (size_t)length,
