@@ -3,8 +3,10 @@
 #include <string.h>
 
 static const struct pp_chart_kind kinds[] = {
-    {"section", "daylight factor against distance, over the section"},
-    {"plan", "daylight factor contours and no-sky line, on the plan"},
+    {"section", "daylight factor against distance, over the section", false},
+    {"plan", "daylight factor contours and no-sky line, on the plan", false},
+    {"waldram", "Waldram diagram, blank or with a room's windows", true},
+    {"pepper-pot", "pepper-pot diagram, blank or with a room's windows", true},
 };
 
 enum { KINDS = sizeof kinds / sizeof kinds[0] };

@@ -7,6 +7,8 @@
 struct pp_chart_kind {
     const char *name;    /* as typed on the command line */
     const char *summary; /* one line, without a full stop */
+    bool board; /* worked at the drawing board: can be blank, without a room, and is
+                 * drawn from one point of a room */
 };
 
 /* In order; NULL at the end of the list, one past the last. */

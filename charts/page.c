@@ -25,7 +25,12 @@ void pp_page_say(char *text, size_t room, const char *format, ...)
 
 void pp_page_sky(char *text, size_t room, const struct pp_world *world)
 {
-    const struct pp_sky *sky = &world->sky;
+    pp_page_sky_words(text, room, &world->sky, world->north_rad);
+}
+
+void pp_page_sky_words(char *text, size_t room, const struct pp_sky *sky,
+                       double north_rad)
+{
     switch (sky->kind) {
     case PP_SKY_OVERCAST:
         snprintf(text, room, "CIE overcast sky");
@@ -40,7 +45,7 @@ void pp_page_sky(char *text, size_t room, const struct pp_world *world)
         snprintf(text, room, "ISO 15469 sky of type %d", sky->iso);
         return;
     }
-    double bearing = world->north_rad + atan2(sky->sun.x, sky->sun.y);
+    double bearing = north_rad + atan2(sky->sun.x, sky->sun.y);
     bearing = fmod(bearing + 4.0 * PP_PI, 2.0 * PP_PI);
     snprintf(text, room,
              "ISO 15469 sky of type %d, sun %.0f\u00b0 high at bearing "

@@ -27,6 +27,10 @@ void pp_page_say(char *text, size_t room, const char *format, ...)
  * high at 180°". */
 void pp_page_sky(char *text, size_t room, const struct pp_world *world);
 
+/* The same of a sky by itself; north_rad is the bearing of the plan's +y axis. */
+void pp_page_sky_words(char *text, size_t room, const struct pp_sky *sky,
+                       double north_rad);
+
 /* Adds what the figures rest on to a text, as pp_page_say: glazing, frame and dirt,
  * reflectances. */
 void pp_page_assumptions(char *text, size_t room, const struct pp_world *world);

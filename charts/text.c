@@ -45,7 +45,7 @@ static PangoLayout *layout_of(cairo_t *cr, const struct pp_style *style,
         pango_layout_set_wrap(layout, PANGO_WRAP_WORD_CHAR);
         pango_layout_set_ellipsize(layout, text->lines ? PANGO_ELLIPSIZE_END
                                                        : PANGO_ELLIPSIZE_NONE);
-        pango_layout_set_height(layout, -text->lines);
+        pango_layout_set_height(layout, text->lines ? -text->lines : -1);
     }
     if (text->across == 0.5)
         pango_layout_set_alignment(layout, PANGO_ALIGN_CENTER);

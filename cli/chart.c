@@ -62,10 +62,30 @@ static const struct pp_option sheet_options[] = {
     {0},
 };
 
+#define BOARD(member) PLACE(board.member)
+
+static const struct pp_option board_options[] = {
+    {"glazed", 0, "yes|no",
+     "Blank diagram: with the losses of clear single glass (default), or without.",
+     pp_read_yes_no, BOARD(glazed)},
+    {"fine", 0, NULL, "Pepper-pot: dots worth 0.01 % instead of 0.1 %.", NULL,
+     BOARD(fine)},
+    {"receiver", 0, "WAY",
+     "Blank pepper-pot diagram: horizontal (default), or vertical, facing the window.",
+     pp_read_receiver, BOARD(vertical)},
+    {"viewing-distance", 0, "MM",
+     "Pepper-pot: from the eye to the drawing, 5 to 200 mm (default 30, or less where "
+     "a window would leave the sheet).",
+     pp_read_viewing_distance, BOARD(viewing_mm)},
+    {0},
+};
+
 static const char about[] =
     "Draws a chart of a room to -o FILE.pdf, FILE.svg or FILE.png. The rooms of a "
     "building, or of several files, get a page each of a PDF, and a file each of the "
-    "other formats: FILE-1.png, FILE-2.png. FILE is a room file; - is standard input.";
+    "other formats: FILE-1.png, FILE-2.png. FILE is a room file; - is standard input. "
+    "The diagrams of the drawing board are blank without FILE, and with it are drawn "
+    "from one point, by --points X,Y.";
 
 static void print_kinds(void)
 {
@@ -129,6 +149,9 @@ static enum pp_status draw_rooms(struct drawing *drawing, struct pp_canvas *canv
                                  struct pp_error *err)
 {
     enum pp_status status = PP_OK;
+    if (drawing->count == 0)
+        return pp_draw_chart(drawing->kind, canvas, NULL, drawing->room_options,
+                             drawing->options, &drawing->finished, err);
     for (int i = 0; i < drawing->count && status == PP_OK; i++) {
         if (i > 0)
             status = pp_canvas_next_sheet(canvas, err);
@@ -142,11 +165,11 @@ static enum pp_status draw_rooms(struct drawing *drawing, struct pp_canvas *canv
 
 static enum pp_status draw(struct drawing *drawing, FILE *out, struct pp_error *err)
 {
-    const struct pp_world *world = drawing->rooms[0].world;
+    const struct pp_world *world = drawing->count ? drawing->rooms[0].world : NULL;
     const struct pp_chart_options *options = drawing->options;
     char description[256];
     snprintf(description, sizeof description, "%s; sky: %s", drawing->kind->summary,
-             pp_sky_name(&world->sky));
+             pp_sky_name(world ? &world->sky : &options->board.sky));
     const struct pp_sheet sheet = {.format = drawing->format,
                                    .paper = options->paper,
                                    .landscape =
@@ -154,7 +177,7 @@ static enum pp_status draw(struct drawing *drawing, FILE *out, struct pp_error *
                                        || (options->orientation == PP_AS_FITS
                                            && pp_chart_landscape(drawing->kind, world)),
                                    .dpi = options->dpi,
-                                   .title = world->name,
+                                   .title = world ? world->name : drawing->kind->name,
                                    .description = description};
     struct pp_canvas *canvas;
     enum pp_status status = pp_canvas_create(&canvas, &sheet, err);
@@ -217,7 +240,7 @@ static enum pp_status draw_numbered(struct drawing *all, struct pp_error *err)
 static enum pp_exit draw_all(struct drawing *drawing, bool to_standard_output)
 {
     struct pp_error err = {0};
-    bool pages = drawing->format == PP_CHART_PDF || drawing->count == 1;
+    bool pages = drawing->format == PP_CHART_PDF || drawing->count <= 1;
     if (!pages && to_standard_output) {
         pp_fail(&err, PP_BAD_INPUT,
                 "there are %d rooms, and only a PDF has a page for each; expected -o "
@@ -238,6 +261,23 @@ static enum pp_exit draw_all(struct drawing *drawing, bool to_standard_output)
     return PP_EXIT_INTERRUPTED;
 }
 
+/* A diagram of the drawing board is drawn from one point. */
+static enum pp_exit check_points(const struct pp_chart_kind *kind,
+                                 const struct pp_rooms *rooms)
+{
+    for (int i = 0; kind->board && i < rooms->count; i++) {
+        if (rooms->list[i].receiver_count == 1)
+            continue;
+        struct pp_error err;
+        pp_fail(&err, PP_BAD_INPUT,
+                "%s is drawn from one point, and there are %d; expected one, by "
+                "--points X,Y",
+                kind->name, rooms->list[i].receiver_count);
+        return pp_say_usage("chart", &err);
+    }
+    return PP_EXIT_DONE;
+}
+
 static enum pp_exit run(const struct pp_chart_kind *kind,
                         const struct pp_room_options *room_options,
                         const struct pp_chart_options *options, char **files,
@@ -255,11 +295,16 @@ static enum pp_exit run(const struct pp_chart_kind *kind,
         return pp_say_usage("chart", &err);
     }
 
-    struct pp_rooms rooms;
-    enum pp_exit exit_status =
-        pp_rooms_load(&rooms, "chart", files, file_count, room_options);
-    if (exit_status != PP_EXIT_DONE)
+    struct pp_rooms rooms = {0};
+    enum pp_exit exit_status = PP_EXIT_DONE;
+    if (file_count > 0)
+        exit_status = pp_rooms_load(&rooms, "chart", files, file_count, room_options);
+    if (exit_status == PP_EXIT_DONE)
+        exit_status = check_points(kind, &rooms);
+    if (exit_status != PP_EXIT_DONE) {
+        pp_rooms_clear(&rooms);
         return exit_status;
+    }
     struct drawing drawing = {.kind = kind,
                               .format = format,
                               .room_options = room_options,
@@ -275,6 +320,7 @@ static enum pp_exit run(const struct pp_chart_kind *kind,
 /* What the words say, before any file is opened. */
 static enum pp_status check(char **words, int word_count,
                             struct pp_room_options *options,
+                            struct pp_chart_options *chart_options,
                             const struct pp_chart_kind **kind, struct pp_error *err)
 {
     if (word_count == 0)
@@ -283,12 +329,15 @@ static enum pp_status check(char **words, int word_count,
     *kind = find_kind(words[0], err);
     if (!*kind)
         return PP_BAD_INPUT;
-    if (word_count == 1)
+    if (word_count == 1 && !(*kind)->board)
         return pp_fail(err, PP_BAD_INPUT,
                        "expected a room file, or - for standard input");
     enum pp_status status = pp_room_options_settle(options, err);
     if (status == PP_OK && options->methods)
         status = pp_methods_check(options->methods, err);
+    if (status == PP_OK && (*kind)->board)
+        status = pp_board_options_check(&chart_options->board, options, *kind,
+                                        word_count == 1, err);
     return status;
 }
 
@@ -298,12 +347,13 @@ enum pp_exit cmd_chart(int argc, char **argv)
     struct pp_chart_options options = {.paper = PP_PAPER_A4};
     const struct pp_option_group groups[] = {
         {"The sheet", sheet_options, &options},
+        {"Diagrams of the drawing board", board_options, &options},
         {"What is computed", pp_room_choice_options, &room_options},
         {"Simulation", pp_room_simulation_options, &room_options},
         {"Output", pp_room_output_options, &room_options},
         {0},
     };
-    const struct pp_command_line line = {"chart", "KIND FILE...", about, groups};
+    const struct pp_command_line line = {"chart", "KIND [FILE...]", about, groups};
 
     struct pp_error err = {0};
     const struct pp_chart_kind *kind = NULL;
@@ -314,7 +364,7 @@ enum pp_exit cmd_chart(int argc, char **argv)
         pp_options_read(&line, argc, argv, &word_count, &wants_help, &err);
     bool only_says = wants_help || options.list;
     if (status == PP_OK && !only_says)
-        status = check(argv, word_count, &room_options, &kind, &err);
+        status = check(argv, word_count, &room_options, &options, &kind, &err);
 
     if (status == PP_SYSTEM) {
         exit_status = pp_say_error(&err);

@@ -5,6 +5,7 @@
 
 #include "charts/plan_chart.h"
 #include "charts/section_chart.h"
+#include "cli/draw_board.h"
 #include "cli/gather.h"
 #include "cli/section_line.h"
 #include "methods/daylight_curves.h"
@@ -62,6 +63,12 @@ static bool never_landscape(const struct pp_world *world)
     return false;
 }
 
+static bool always_landscape(const struct pp_world *world)
+{
+    (void)world;
+    return true;
+}
+
 /* What is to be known of each kind in charts/kinds.h to draw it. */
 struct drawer {
     const char *kind;
@@ -70,11 +77,14 @@ struct drawer {
     enum pp_status (*draw)(struct pp_canvas *canvas, const struct pp_report *report,
                            const struct pp_chart_options *options,
                            struct pp_error *err);
+    pp_board_drawer *draw_board; /* of kinds worked at the drawing board, instead */
 };
 
 static const struct drawer drawers[] = {
-    {"section", true, never_landscape, draw_section},
-    {"plan", false, pp_plan_chart_landscape, draw_plan},
+    {"section", true, never_landscape, draw_section, NULL},
+    {"plan", false, pp_plan_chart_landscape, draw_plan, NULL},
+    {"waldram", false, always_landscape, NULL, pp_draw_waldram},
+    {"pepper-pot", false, always_landscape, NULL, pp_draw_pepper_pot},
 };
 
 static const struct drawer *drawer_of(const struct pp_chart_kind *kind)
@@ -97,6 +107,8 @@ enum pp_status pp_draw_chart(const struct pp_chart_kind *kind, struct pp_canvas 
                              struct pp_error *err)
 {
     const struct drawer *drawer = drawer_of(kind);
+    if (drawer->draw_board)
+        return drawer->draw_board(canvas, room, &options->board, err);
     if (drawer->on_a_line && room_options->points.count == 0
         && !pp_is_section_line(room->receivers, room->receiver_count)) {
         enum pp_status status = pp_section_line(room, err);

@@ -6,6 +6,7 @@
 
 #include "charts/canvas.h"
 #include "charts/kinds.h"
+#include "cli/board_options.h"
 #include "cli/rooms.h"
 
 enum pp_orientation { PP_AS_FITS, PP_PORTRAIT, PP_LANDSCAPE };
@@ -17,12 +18,14 @@ struct pp_chart_options {
     double dpi;       /* 0: the canvas's own choice */
     bool logarithmic; /* section: daylight factors */
     bool list;
+    struct pp_board_options board; /* of kinds worked at the drawing board */
 };
 
-/* Does the kind look better on a sheet that lies on its side for this room? */
+/* Does the kind look better on a sheet that lies on its side for this room (NULL: for
+ * a blank)? */
 bool pp_chart_landscape(const struct pp_chart_kind *kind, const struct pp_world *world);
 
-/* Computes what the chart shows of the room and draws it. A section of a room without a
+/* Computes what the chart shows of the room (NULL: a blank) and draws it. A section of a room without a
  * line of points gets one of its own (section_line.h). *finished becomes false where
  * the simulation was interrupted. */
 enum pp_status pp_draw_chart(const struct pp_chart_kind *kind, struct pp_canvas *canvas,

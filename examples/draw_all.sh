@@ -8,6 +8,7 @@ out=$2
 shift 2
 mkdir -p "$out"
 
+<<<<<<< HEAD
 # The rooms of a building have a file each, but for PDF: the first stands for all.
 is_drawn() {
     for file in "$1.$2" "$1-1.$2"; do
@@ -15,6 +16,36 @@ is_drawn() {
     done
     return 1
 }
+=======
+# The blanks of the drawing board.
+blank() {
+    name=$1
+    shift
+    for format in $formats; do
+        "$program" chart ${CHART_OPTIONS-} "$@" -o "$out/blank-$name.$format"
+    done
+}
+formats=$*
+blank waldram waldram
+blank waldram-unglazed waldram --glazed no
+blank waldram-uniform waldram --glazed no --sky uniform
+blank pepper-pot pepper-pot
+blank pepper-pot-unglazed pepper-pot --glazed no
+blank pepper-pot-fine pepper-pot --fine --viewing-distance 60
+blank pepper-pot-vertical pepper-pot --receiver vertical
+
+# From a point in some rooms.
+for kind in waldram pepper-pot; do
+    for format; do
+        for room in deep-office deep-office-obstructed office; do
+            "$program" chart $kind ${CHART_OPTIONS-} --points 1.4,1.5 \
+                "$(dirname "$0")/$room.xml" -o "$out/$room-$kind.$format"
+        done
+        "$program" chart $kind ${CHART_OPTIONS-} --points 2,2 \
+            "$(dirname "$0")/l-shaped.xml" -o "$out/l-shaped-$kind.$format"
+    done
+done
+>>>>>>> fa35df4 (charts: Waldram and pepper-pot diagrams, blank or with a room's windows)
 
 for room in "$(dirname "$0")"/*.xml; do
     for kind in section plan; do

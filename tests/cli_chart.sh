@@ -23,6 +23,12 @@ starts_with() {
     [ "$(head -c ${#1} "$2")" = "$1" ]
 }
 
+# quietly WORDS: status 0, and not a word.
+quietly() {
+    run "$@"
+    [ $status -eq 0 ] && [ ! -s "$scratch/out" ] && [ ! -s "$scratch/err" ] || told
+}
+
 for kind in section plan; do
     for format in pdf svg png; do
         file="$scratch/a $kind.$format"
@@ -43,6 +49,51 @@ for example in "$examples"/*.xml; do
         check "$kind of $(basename "$example")" test $status -eq 0
     done
 done
+for kind in waldram pepper-pot; do
+    for format in pdf svg png; do
+        file="$scratch/a $kind.$format"
+        check "a blank $kind becomes $format" quietly chart $kind -o "$file"
+        run chart $kind --format $format
+        check "blank $kind as $format is the same again" same "$file" "$scratch/out"
+        check "$kind from a point becomes $format" \
+            quietly chart $kind --points 1,1.5 -o "$file" "$deep"
+    done
+    for paper in a5 a4 a3 a2; do
+        check "$kind on $paper" quietly chart $kind --paper $paper \
+            --orientation portrait -p 2,2 -o "$file" "$examples/l-shaped.xml"
+    done
+    check "$kind without glass" quietly chart $kind --glazed no --sky uniform -o "$file"
+    check "$kind of a sky that changes with azimuth" \
+        refuses 1 "" chart $kind --sky iso-12,30,180 -o "$file"
+    check "$kind from 17 points" refuses 2 "--points" chart $kind -o "$file" "$deep"
+    check "$kind of glass that slopes" \
+        refuses 1 "the opening on line" chart $kind -p 3,3 -o "$file" "$examples/studio.xml"
+    check "$kind of a point outside" \
+        refuses 1 "free space" chart $kind -p 3,-3 -o "$file" "$deep"
+    check "a blank $kind has no points" \
+        refuses 2 "--points" chart $kind -p 1,1 -o "$file"
+    check "$kind is not simulated" \
+        refuses 2 "--simulate" chart $kind --simulate -p 1,1 -o "$file" "$deep"
+    check "a room has its own glass" \
+        refuses 2 "--glazed" chart $kind --glazed no -p 1,1 -o "$file" "$deep"
+    check "glass is there or not" refuses 2 "yes or no" chart $kind --glazed maybe -o "$file"
+done
+check "a fine pepper-pot from afar" quietly chart pepper-pot --fine --receiver vertical \
+    --viewing-distance 60 -o "$scratch/fine.pdf"
+check "a viewing distance of none" \
+    refuses 2 "from 5 to 200" chart pepper-pot --viewing-distance 1 -o "$scratch/x.pdf"
+check "a receiver that is neither" \
+    refuses 2 "horizontal" chart pepper-pot --receiver up -o "$scratch/x.pdf"
+check "Waldram's squares are not fine" \
+    refuses 2 "--fine" chart waldram --fine -o "$scratch/x.pdf"
+if command -v pdftotext >/dev/null; then
+    run chart waldram --points 1,1.5 -o "$scratch/words.pdf" "$deep"
+    pdftotext "$scratch/words.pdf" "$scratch/words.txt"
+    check "the sum is written below, as text" \
+        grep -q "Sky component .*together" "$scratch/words.txt"
+else
+    skip "the sum is written below, as text" "no pdftotext"
+fi
 run chart plan -o "$scratch/building.pdf" "$examples/building.xml"
 pages=$(grep -ac '/Type /Page[^s]' "$scratch/building.pdf")
 if [ "$pages" -gt 0 ]; then

@@ -1,0 +1,64 @@
+/* board.h - what the diagrams of the drawing board share on paper: pieces of windows,
+ * the sum that is written below them, a ruler. */
+#ifndef PP_CHARTS_BOARD_H
+#define PP_CHARTS_BOARD_H
+
+#include <stdbool.h>
+
+#include "charts/style.h"
+#include "charts/text.h"
+#include "model/region.h"
+
+/* From a diagram's own coordinates to paper: x0 + mm x, y0 - mm y. */
+struct pp_board_map {
+    double x0, y0, mm;
+};
+
+/* Adds the outline of a region to the path. */
+void pp_board_path(cairo_t *cr, const struct pp_board_map *map,
+                   const struct pp_region *region);
+
+/* Tints a region as sky or, darker and hatched, as obstruction; `within` bounds the
+ * hatching, mm on paper. */
+void pp_board_fill(cairo_t *cr, const struct pp_style *style,
+                   const struct pp_board_map *map, const struct pp_region *region,
+                   bool hidden, struct pp_box within);
+
+/* Draws its outline. */
+void pp_board_outline(cairo_t *cr, const struct pp_style *style,
+                      const struct pp_board_map *map, const struct pp_region *region);
+
+/* Samples of both tints with their words, from x, y on; nothing is drawn unless
+ * `drawn`. Returns the box. */
+struct pp_box pp_board_tint_keys(cairo_t *cr, const struct pp_style *style, double x,
+                                 double y, bool hidden_too, bool drawn);
+
+/* What was counted of one piece of a window. */
+struct pp_board_count {
+    bool hidden;
+    double factor; /* luminance factor of what hides it */
+    double count;
+};
+
+/* The sum of one window, with its letter and line, counts in `unit` ("squares") of that
+ * worth, and the allowance for its glass, frame and dirt; added to `text` as
+ * pp_page_say does. */
+void pp_board_say_window(char *text, size_t room, int index, int line, const char *unit,
+                         double worth, double allowance,
+                         const struct pp_board_count *counts, int count);
+
+/* "Sky component 4.73 %, externally reflected component 0.24 %." */
+void pp_board_say_total(char *text, size_t room, double sky, double external);
+
+/* "A", "B" ... of window number `index`. */
+const char *pp_board_letter(int index);
+
+/* A ruler of 100 mm with centimetres and millimetres, its left end at x, y its upper
+ * edge, and the note "print at 100 %". Returns its box. */
+struct pp_box pp_board_ruler(cairo_t *cr, const struct pp_style *style, double x,
+                             double y);
+
+/* How much height the ruler takes. */
+double pp_board_ruler_height(const struct pp_style *style);
+
+#endif

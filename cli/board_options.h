@@ -1,0 +1,30 @@
+/* board_options.h - options of the charts that are worked at the drawing board. */
+#ifndef PP_CLI_BOARD_OPTIONS_H
+#define PP_CLI_BOARD_OPTIONS_H
+
+#include "charts/kinds.h"
+#include "cli/room_options.h"
+#include "model/sky.h"
+
+enum pp_yes_no { PP_UNSAID, PP_YES, PP_NO };
+
+struct pp_board_options {
+    enum pp_yes_no glazed;   /* a blank: with clear single glass? unsaid: yes */
+    bool fine;               /* pepper-pot: dots worth 0.01 % */
+    enum pp_yes_no vertical; /* a blank pepper-pot's receiver; unsaid: no */
+    double viewing_mm;       /* pepper-pot: from the eye to the drawing; 0: 30 */
+    struct pp_sky sky;       /* of a blank; set by pp_board_options_check */
+};
+
+pp_option_reader pp_read_yes_no;           /* enum pp_yes_no, "yes" or "no" */
+pp_option_reader pp_read_receiver;         /* the same, "vertical" or "horizontal" */
+pp_option_reader pp_read_viewing_distance; /* double, 5 to 200 */
+
+/* Do the options make sense for the kind, blank or with a room? Sets what is left open
+ * and the blank's sky. */
+enum pp_status pp_board_options_check(struct pp_board_options *board,
+                                      const struct pp_room_options *options,
+                                      const struct pp_chart_kind *kind, bool blank,
+                                      struct pp_error *err);
+
+#endif

@@ -1,0 +1,41 @@
+#include "cli/draw_board.h"
+
+#include "charts/pepper_pot_chart.h"
+#include "charts/waldram_chart.h"
+#include "methods/pepper_pot_dots.h"
+#include "methods/pepper_pot_sheet_fill.h"
+#include "methods/waldram_sheet_fill.h"
+
+enum pp_status pp_draw_waldram(struct pp_canvas *canvas,
+                               const struct pp_loaded_room *room,
+                               const struct pp_board_options *options,
+                               struct pp_error *err)
+{
+    struct pp_waldram_sheet sheet;
+    enum pp_status status =
+        room ? pp_waldram_sheet_of(&sheet, room->world, room->receivers, err)
+             : pp_waldram_sheet_blank(&sheet, &options->sky, options->glazed != PP_NO,
+                                      err);
+    if (status == PP_OK)
+        status = pp_waldram_chart_draw(canvas, &sheet, err);
+    pp_waldram_sheet_clear(&sheet);
+    return status;
+}
+
+enum pp_status pp_draw_pepper_pot(struct pp_canvas *canvas,
+                                  const struct pp_loaded_room *room,
+                                  const struct pp_board_options *options,
+                                  struct pp_error *err)
+{
+    double worth = options->fine ? PP_PEPPER_POT_FINE_WORTH : PP_PEPPER_POT_WORTH;
+    struct pp_pepper_pot_sheet sheet;
+    enum pp_status status =
+        room
+            ? pp_pepper_pot_sheet_of(&sheet, room->world, room->receivers, worth, err)
+            : pp_pepper_pot_sheet_blank(&sheet, &options->sky, options->glazed != PP_NO,
+                                        options->vertical == PP_YES, worth, err);
+    if (status == PP_OK)
+        status = pp_pepper_pot_chart_draw(canvas, &sheet, options->viewing_mm, err);
+    pp_pepper_pot_sheet_clear(&sheet);
+    return status;
+}
