@@ -55,8 +55,9 @@ static void parts_of_squares_add_up_to_the_exact_area(void **state)
     uint64_t seed = 3;
     for (int i = 0; i < 300; i++) {
         double x = 4.0 * next(&seed) - 2.0, y = 1.5 * next(&seed) - 0.3;
-        struct tally tally = count_rectangle(&waldram, &upright, x, x + 3 * next(&seed),
-                                             y, y + 2 * next(&seed));
+        double width = 3.0 * next(&seed), height = 2.0 * next(&seed);
+        struct tally tally =
+            count_rectangle(&waldram, &upright, x, x + width, y, y + height);
         assert_near(tally.parts, tally.exact, 1e-5 * tally.outline + 1e-9);
     }
 }
@@ -75,8 +76,9 @@ static void counts_are_unbiased_and_close(void **state)
         double sum = 0.0, sum2 = 0.0, spread = 0.0;
         for (int i = 0; i < WINDOWS; i++) {
             double x = 5.0 * next(&seed) - 3.0, y = 1.2 * next(&seed);
-            struct tally tally = count_rectangle(
-                &waldram, &upright, x, x + 2.5 * next(&seed), y, y + 2.5 * next(&seed));
+            double width = 2.5 * next(&seed), height = 2.5 * next(&seed);
+            struct tally tally =
+                count_rectangle(&waldram, &upright, x, x + width, y, y + height);
             double error = tally.squares - tally.exact;
             sum += error;
             sum2 += error * error;
