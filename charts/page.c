@@ -13,7 +13,7 @@ struct pp_style pp_page_style(const struct pp_canvas *canvas)
 void pp_page_say(char *text, size_t room, const char *format, ...)
 {
     size_t length = strlen(text);
-    if (length && length + 1 < room) {
+    if (length && text[length - 1] != '\n' && length + 1 < room) {
         text[length++] = ' ';
         text[length] = 0;
     }

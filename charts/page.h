@@ -18,7 +18,8 @@ struct pp_page {
 struct pp_box pp_page_draw(struct pp_canvas *canvas, const struct pp_style *style,
                            const struct pp_page *page);
 
-/* Adds a sentence to what is in `text` (of `room` bytes), after a space; what does not
+/* Adds a sentence to what is in `text` (of `room` bytes), after a space unless a
+ * line begins; what does not
  * fit is cut. */
 void pp_page_say(char *text, size_t room, const char *format, ...)
     __attribute__((format(printf, 3, 4)));

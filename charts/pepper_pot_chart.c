@@ -467,15 +467,21 @@ static void titles(const struct drawing *drawing, char *title, char *subtitle,
              sheet->point.x, sheet->point.y, sheet->point.z, plane, sky);
 }
 
-/* The largest usual viewing distance at which all windows are within frames of that
- * size. */
+/* Dots worth less stand closer together. */
+static double default_viewing(const struct pp_pepper_pot_sheet *sheet)
+{
+    return sheet->worth < 0.0005 ? 60.0 : 30.0;
+}
+
+/* The largest usual viewing distance, up to the default, at which all windows are
+ * within frames of that size. */
 static double choose_viewing(const struct pp_pepper_pot_sheet *sheet, double width,
                              double height)
 {
-    static const double usual[] = {30.0, 25.0, 20.0, 15.0, 12.0, 10.0, 8.0,
-                                   6.0,  5.0,  4.0,  3.0,  2.0,  1.0};
+    static const double usual[] = {60.0, 50.0, 40.0, 30.0, 25.0, 20.0, 15.0, 12.0,
+                                   10.0, 8.0,  6.0,  5.0,  4.0,  3.0,  2.0,  1.0};
     enum { COUNT = sizeof usual / sizeof usual[0] };
-    double most = INFINITY;
+    double most = default_viewing(sheet);
     for (int i = 0; i < sheet->count; i++) {
         struct extent extent = panel_extent(&sheet->panels[i]);
         double wide = extent.high[0] - extent.low[0];
@@ -496,7 +502,8 @@ enum pp_status pp_pepper_pot_chart_draw(struct pp_canvas *canvas,
     struct drawing drawing = {.cr = pp_canvas_cairo(canvas),
                               .style = pp_page_style(canvas),
                               .sheet = sheet,
-                              .viewing = viewing_mm > 0.0 ? viewing_mm : 30.0};
+                              .viewing = viewing_mm > 0.0 ? viewing_mm
+                                                          : default_viewing(sheet)};
     char title[512], subtitle[512], foot[2048] = "";
     titles(&drawing, title, subtitle, sizeof title);
     say_foot(foot, sizeof foot, sheet);

@@ -6,7 +6,8 @@
 #include "charts/canvas.h"
 #include "model/pepper_pot_sheet.h"
 
-/* viewing_mm: from the eye to the drawing, 5 to 200; 0: 30, or the largest usual one
+/* viewing_mm: from the eye to the drawing, 5 to 200; 0: 30, for dots worth
+ * less than 0.05 % 60, or the largest usual one
  * at which the windows stay on the sheet. */
 enum pp_status pp_pepper_pot_chart_draw(struct pp_canvas *canvas,
                                         const struct pp_pepper_pot_sheet *sheet,

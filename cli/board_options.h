@@ -12,7 +12,7 @@ struct pp_board_options {
     enum pp_yes_no glazed;   /* a blank: with clear single glass? unsaid: yes */
     bool fine;               /* pepper-pot: dots worth 0.01 % */
     enum pp_yes_no vertical; /* a blank pepper-pot's receiver; unsaid: no */
-    double viewing_mm;       /* pepper-pot: from the eye to the drawing; 0: 30 */
+    double viewing_mm;       /* pepper-pot: from the eye to the drawing; 0: 30, fine 60 */
     struct pp_sky sky;       /* of a blank; set by pp_board_options_check */
 };
 

@@ -74,8 +74,9 @@ static const struct pp_option board_options[] = {
      "Blank pepper-pot diagram: horizontal (default), or vertical, facing the window.",
      pp_read_receiver, BOARD(vertical)},
     {"viewing-distance", 0, "MM",
-     "Pepper-pot: from the eye to the drawing, 5 to 200 mm (default 30, or less where "
-     "a window would leave the sheet).",
+     "Pepper-pot: from the eye to the drawing, 5 to 200 mm (default 30, with --fine "
+     "60, "
+     "or less where a window would leave the sheet).",
      pp_read_viewing_distance, BOARD(viewing_mm)},
     {0},
 };
