@@ -8,7 +8,11 @@
 #include <string.h>
 
 #ifdef HAVE_EMBREE4
+/* Its headers declare functions without a prototype. */
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wstrict-prototypes"
 #include <embree4/rtcore.h>
+#pragma GCC diagnostic pop
 #else
 #include <embree3/rtcore.h>
 #endif
