@@ -105,7 +105,8 @@ static void draw_letters(const struct drawing *drawing, const struct plot *plot)
 static void draw_dots(const struct drawing *drawing, const struct plot *plot)
 {
     double spacing = drawing->viewing / sqrt(densest * 0.001 / drawing->sheet->worth);
-    double radius = fmin(0.42 * drawing->style.scale, 0.17 * spacing);
+    double radius = fmin(0.42 * drawing->style.scale,
+                         fmax(0.17 * spacing, 0.11 * drawing->style.scale));
     for (int i = 0; i < plot->panel->dot_count; i++) {
         const struct pp_pepper_pot_dot *dot = &plot->panel->dots[i];
         double x = plot->map.x0 + plot->map.mm * dot->a;
@@ -516,15 +517,15 @@ enum pp_status pp_pepper_pot_chart_draw(struct pp_canvas *canvas,
     int columns = (int)ceil(sqrt(sheet->count));
     int rows = (sheet->count + columns - 1) / columns;
     double width = body.width / columns;
-    double height = (body.height - rulers - sums - gap) / rows;
+    double height = (body.height - rulers - sums) / rows;
     struct pp_box frame =
-        frame_within(&drawing, (struct pp_box){0.0, 0.0, width, height});
+        frame_within(&drawing, (struct pp_box){0.0, 0.0, width, height - gap});
     if (viewing_mm <= 0.0)
         drawing.viewing = choose_viewing(sheet, frame.width, frame.height);
     int first = 0;
     for (int i = 0; i < sheet->count; i++) {
         struct pp_box room = {body.x + i % columns * width,
-                              body.y + i / columns * height, width, height};
+                              body.y + i / columns * height, width, height - gap};
         struct plot plot = {.panel = &sheet->panels[i],
                             .frame = frame_within(&drawing, room),
                             .first = first};

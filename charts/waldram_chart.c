@@ -12,6 +12,9 @@
 
 enum { SUMS_MOST = 8, PIECES_MOST = 32 };
 
+/* Columns from azimuth 0 to 90 degrees. */
+enum { HALF_COLUMNS = 18 };
+
 /* Dash of the droop lines of edges perpendicular to the window, of style.c. */
 enum { ACROSS_DASH = 1 };
 
@@ -199,7 +202,7 @@ static void draw_azimuths(const struct drawing *drawing, const struct plot *plot
     const struct pp_style *style = &drawing->style;
     struct pp_box frame = frame_of(plot);
     double bottom = frame.y + frame.height, tick = 0.9 * style->scale;
-    int end = plot->panel->high > 18 ? 180 : 90;
+    int end = plot->panel->high > HALF_COLUMNS ? 180 : 90;
     double pitch = frame.width / (2 * end / 10);
     int step = pitch > 1.5 * label_width(drawing) ? 10 : 30;
     pp_style_line(drawing->cr, style->thin, PP_INK);
@@ -254,7 +257,7 @@ static void draw_tenths(const struct drawing *drawing, const struct plot *plot,
     }
 }
 
-/* A letter in the middle of what is seen of a window. */
+/* A letter in the middle of what is seen of a window, or above it. */
 static void draw_letter(const struct drawing *drawing, const struct plot *plot,
                         const struct pp_waldram_window *window, int index)
 {
@@ -270,24 +273,25 @@ static void draw_letter(const struct drawing *drawing, const struct plot *plot,
         }
     if (!(high[0] > low[0]))
         return;
-    const struct pp_text set = {
+    struct pp_text set = {
         .size = PP_TEXT_HEAD, .bold = true, .across = 0.5, .down = 0.5};
+    double y = at_y(plot, 0.5 * (low[1] + high[1]));
+    if ((high[1] - low[1]) * plot->map.mm < 1.8 * drawing->style.text[PP_TEXT_HEAD]) {
+        set.down = 1.0; /* too low for it: above */
+        y = at_y(plot, high[1]) - 0.4 * drawing->style.scale;
+    }
     pp_text_draw_clear(drawing->cr, &drawing->style, &set,
-                       at_x(plot, 0.5 * (low[0] + high[0])),
-                       at_y(plot, 0.5 * (low[1] + high[1])), pp_board_letter(index));
+                       at_x(plot, 0.5 * (low[0] + high[0])), y, pp_board_letter(index));
 }
 
-static void draw_windows(const struct drawing *drawing, const struct plot *plot,
-                         bool tints)
+/* All windows, tinted or outlined. */
+static void draw_pieces(const struct drawing *drawing, const struct plot *plot,
+                        bool tints)
 {
     struct pp_box frame = frame_of(plot);
-    cairo_save(drawing->cr);
-    cairo_rectangle(drawing->cr, frame.x, frame.y, frame.width, frame.height);
-    cairo_clip(drawing->cr);
-    for (int w = 0; w < plot->panel->count; w++) {
-        const struct pp_waldram_window *window = &plot->panel->windows[w];
-        for (int p = 0; p < window->count; p++) {
-            const struct pp_waldram_piece *piece = &window->pieces[p];
+    for (int w = 0; w < plot->panel->count; w++)
+        for (int p = 0; p < plot->panel->windows[w].count; p++) {
+            const struct pp_waldram_piece *piece = &plot->panel->windows[w].pieces[p];
             if (tints) {
                 pp_board_fill(drawing->cr, &drawing->style, &plot->map, &piece->outline,
                               piece->hidden, frame);
@@ -297,9 +301,29 @@ static void draw_windows(const struct drawing *drawing, const struct plot *plot,
                 draw_tenths(drawing, plot, piece);
             }
         }
-        if (!tints)
-            draw_letter(drawing, plot, window, plot->first + w);
+}
+
+static void draw_windows(const struct drawing *drawing, const struct plot *plot,
+                         bool tints)
+{
+    const struct pp_waldram_panel *panel = plot->panel;
+    struct pp_box frame = frame_of(plot);
+    cairo_save(drawing->cr);
+    cairo_rectangle(drawing->cr, frame.x, frame.y, frame.width, frame.height);
+    cairo_clip(drawing->cr);
+    draw_pieces(drawing, plot, tints);
+    /* What leaves a diagram of all azimuths on one side comes in on the other. */
+    for (int side = -1; side <= 1 && panel->high > HALF_COLUMNS; side += 2) {
+        struct plot turned = *plot;
+        turned.map.x0 += side * (panel->high - panel->low) * plot->map.mm;
+        cairo_save(drawing->cr);
+        cairo_rectangle(drawing->cr, frame.x, frame.y, frame.width, frame.height);
+        cairo_clip(drawing->cr);
+        draw_pieces(drawing, &turned, tints);
+        cairo_restore(drawing->cr);
     }
+    for (int w = 0; w < panel->count && !tints; w++)
+        draw_letter(drawing, plot, &panel->windows[w], plot->first + w);
     cairo_restore(drawing->cr);
 }
 
@@ -380,22 +404,41 @@ static void panel_words(char *words, size_t room, const struct pp_waldram_sheet 
                 panel->glazed ? "with clear single glass" : "without glass");
 }
 
+/* What a panel takes around its frame. */
+struct border {
+    double side, head, foot;
+};
+
+static struct border panel_border(const struct drawing *drawing)
+{
+    const struct pp_style *style = &drawing->style;
+    double small = label_height(drawing), tick = 0.9 * style->scale;
+    return (struct border){3.2 * tick + label_width(drawing) + small,
+                           1.6 * style->text[PP_TEXT_BODY], 2.2 * tick + 2.0 * small};
+}
+
+/* The largest side of a square at which a panel fits into a room of that size. */
+static double fitting_square(const struct drawing *drawing,
+                             const struct pp_waldram_panel *panel, double width,
+                             double height)
+{
+    struct border border = panel_border(drawing);
+    return fmin((width - 2.0 * border.side) / (panel->high - panel->low),
+                (height - border.head - border.foot) / panel->top);
+}
+
 /* Draws a panel in the middle of its part of the sheet. */
 static void draw_panel(const struct drawing *drawing, struct plot *plot,
                        struct pp_box room)
 {
     const struct pp_style *style = &drawing->style;
     const struct pp_waldram_panel *panel = plot->panel;
-    double small = label_height(drawing), tick = 0.9 * style->scale;
-    double side = 3.2 * tick + label_width(drawing) + small;
-    double head = 1.6 * style->text[PP_TEXT_BODY];
-    double foot = 2.2 * tick + 2.0 * small;
-    double mm = fmin((room.width - 2.0 * side) / (panel->high - panel->low),
-                     (room.height - head - foot) / panel->top);
-    double height = head + panel->top * mm + foot;
+    struct border border = panel_border(drawing);
+    double mm = fitting_square(drawing, panel, room.width, room.height);
+    double height = border.head + panel->top * mm + border.foot;
     double top = room.y + 0.5 * (room.height - height);
     plot->map = (struct pp_board_map){room.x + 0.5 * room.width,
-                                      top + head + panel->top * mm, mm};
+                                      top + border.head + panel->top * mm, mm};
     char words[128];
     panel_words(words, sizeof words, drawing->sheet, panel);
     const struct pp_text set = {.size = PP_TEXT_BODY, .bold = true, .across = 0.5};
@@ -466,6 +509,27 @@ static void titles(const struct pp_waldram_sheet *sheet, char *title, char *subt
              sheet->point.x, sheet->point.y, sheet->point.z, sky);
 }
 
+/* Into how many columns panels are put so that the smallest squares are largest. */
+static int choose_columns(const struct drawing *drawing, struct pp_box body, double gap)
+{
+    const struct pp_waldram_sheet *sheet = drawing->sheet;
+    int best = 1;
+    double best_mm = -INFINITY;
+    for (int columns = 1; columns <= sheet->count; columns++) {
+        int rows = (sheet->count + columns - 1) / columns;
+        double mm = INFINITY;
+        for (int i = 0; i < sheet->count; i++)
+            mm = fmin(mm,
+                      fitting_square(drawing, &sheet->panels[i], body.width / columns,
+                                     body.height / rows - gap));
+        if (mm > best_mm) {
+            best_mm = mm;
+            best = columns;
+        }
+    }
+    return best;
+}
+
 enum pp_status pp_waldram_chart_draw(struct pp_canvas *canvas,
                                      const struct pp_waldram_sheet *sheet,
                                      struct pp_error *err)
@@ -481,15 +545,17 @@ enum pp_status pp_waldram_chart_draw(struct pp_canvas *canvas,
 
     double gap = 3.0 * drawing.style.scale;
     double below = draw_below(&drawing, body.x, body.y, body.width, false);
-    double height = (body.height - below) / sheet->count;
-    int first = 0;
+    body.height -= below;
+    int columns = choose_columns(&drawing, body, gap);
+    int rows = (sheet->count + columns - 1) / columns, first = 0;
+    double width = body.width / columns, height = body.height / rows;
     for (int i = 0; i < sheet->count; i++) {
         struct plot plot = {.panel = &sheet->panels[i], .first = first};
-        draw_panel(
-            &drawing, &plot,
-            (struct pp_box){body.x, body.y + i * height, body.width, height - gap});
+        draw_panel(&drawing, &plot,
+                   (struct pp_box){body.x + i % columns * width,
+                                   body.y + i / columns * height, width, height - gap});
         first += sheet->panels[i].count;
     }
-    draw_below(&drawing, body.x, body.y + body.height - below, body.width, true);
+    draw_below(&drawing, body.x, body.y + body.height, body.width, true);
     return PP_OK;
 }
