@@ -183,8 +183,9 @@ static void panel_words(char *words, size_t room,
     *words = 0;
     if (!sheet->blank && panel->wall)
         pp_page_say(words, room, "Wall %s:", panel->wall);
-    pp_page_say(words, room,
-                panel->glazed ? "with clear single glass" : "without glass");
+    pp_page_say(words, room, "%s, %d dots in all, %.1f\u00a0%%",
+                panel->glazed ? "with clear single glass" : "without glass",
+                panel->dot_count, 100.0 * panel->whole);
 }
 
 /* What a panel takes around its frame: left, top, right, bottom. */
@@ -436,11 +437,9 @@ static double draw_sums(const struct drawing *drawing, struct pp_box room, bool 
 static void say_foot(char *foot, size_t room, const struct pp_pepper_pot_sheet *sheet)
 {
     pp_page_say(foot, room,
-                "Each dot is worth %.3g\u00a0%% daylight factor; those of the whole "
-                "half sky, %d of them, %.1f\u00a0%%. Most of the outermost are beyond "
-                "the frame.",
-                100.0 * sheet->worth, sheet->panels->dot_count,
-                100.0 * sheet->panels->whole);
+                "Each dot is worth %.3g\u00a0%% daylight factor; the outermost are "
+                "beyond the frame.",
+                100.0 * sheet->worth);
     if (!sheet->blank)
         pp_page_say(foot, room, "Dots in a window count wherever it reaches.");
     pp_page_say(foot, room,

@@ -370,12 +370,8 @@ static void say_sums(char *text, size_t room, const struct pp_waldram_sheet *she
 
 static void say_foot(char *foot, size_t room, const struct pp_waldram_sheet *sheet)
 {
-    const struct pp_waldram_panel *panel = sheet->panels;
-    pp_page_say(
-        foot, room,
-        "Each square is worth %.3g\u00a0%% daylight factor; the half sky before "
-        "the window has %.0f, together %.1f\u00a0%%.",
-        100.0 * sheet->worth, panel->whole / sheet->worth, 100.0 * panel->whole);
+    pp_page_say(foot, room, "Each square is worth %.3g\u00a0%% daylight factor.",
+                100.0 * sheet->worth);
     bool glazed = false;
     for (int i = 0; i < sheet->count; i++)
         glazed = glazed || sheet->panels[i].glazed;
@@ -400,8 +396,9 @@ static void panel_words(char *words, size_t room, const struct pp_waldram_sheet 
     *words = 0;
     if (!sheet->blank && panel->wall)
         pp_page_say(words, room, "Wall %s:", panel->wall);
-    pp_page_say(words, room,
-                panel->glazed ? "with clear single glass" : "without glass");
+    pp_page_say(words, room, "%s, %.0f squares, %.1f\u00a0%%",
+                panel->glazed ? "with clear single glass" : "without glass",
+                panel->whole / sheet->worth, 100.0 * panel->whole);
 }
 
 /* What a panel takes around its frame. */

@@ -49,7 +49,9 @@ static enum pp_status read_dpi(const char *text, void *place, struct pp_error *e
 #define PLACE(member) offsetof(struct pp_chart_options, member)
 
 static const struct pp_option sheet_options[] = {
-    {"list", 'l', NULL, "List the kinds of chart and stop.", NULL, PLACE(list)},
+    {"list", 'l', NULL,
+     "List the kinds of chart, behind KIND the options too, and stop.", NULL,
+     PLACE(list)},
     {"format", 'f', "FORMAT", "pdf, svg or png (default: by the ending of -o FILE).",
      read_format, PLACE(format)},
     {"paper", 0, "SIZE", "a5, a4 (default), a3 or a2.", read_paper, PLACE(paper)},
@@ -377,6 +379,10 @@ enum pp_exit cmd_chart(int argc, char **argv)
             puts("\nKinds of chart:");
         }
         print_kinds();
+        if (!wants_help && word_count > 0) {
+            putchar('\n');
+            pp_options_help(&line, stdout);
+        }
     } else {
         exit_status = run(kind, &room_options, &options, argv + 1, word_count - 1);
     }

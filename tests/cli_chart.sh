@@ -5,6 +5,7 @@
 
 check "the kinds are listed" shows "section" chart --list
 check "with a kind too" shows "plan" chart plan --list
+check "and then the options" grep -q -- "--viewing-distance" "$scratch/out"
 check "no kind" refuses 2 "--list" chart
 check "a kind without a room" refuses 2 "room file" chart plan
 check "an unknown kind suggests the nearest" \
