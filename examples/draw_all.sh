@@ -8,7 +8,6 @@ out=$2
 shift 2
 mkdir -p "$out"
 
-<<<<<<< HEAD
 # The rooms of a building have a file each, but for PDF: the first stands for all.
 is_drawn() {
     for file in "$1.$2" "$1-1.$2"; do
@@ -16,7 +15,6 @@ is_drawn() {
     done
     return 1
 }
-=======
 # The blanks of the drawing board.
 blank() {
     name=$1
@@ -45,7 +43,6 @@ for kind in waldram pepper-pot; do
             "$(dirname "$0")/l-shaped.xml" -o "$out/l-shaped-$kind.$format"
     done
 done
->>>>>>> fa35df4 (charts: Waldram and pepper-pot diagrams, blank or with a room's windows)
 
 for room in "$(dirname "$0")"/*.xml; do
     for kind in section plan; do
