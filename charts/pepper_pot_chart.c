@@ -199,7 +199,7 @@ static struct border panel_border(const struct drawing *drawing)
     const struct pp_text set = {.size = PP_TEXT_SMALL};
     struct pp_box label = pp_text_measure(drawing->cr, style, &set, 0.0, 0.0, "0.5");
     double tick = 1.4 * style->scale;
-    return (struct border){1.5 * tick + label.width + label.height,
+    return (struct border){2.0 * tick + label.width + label.height,
                            1.6 * style->text[PP_TEXT_BODY], 0.5 * label.width,
                            1.2 * tick + 2.0 * label.height};
 }
