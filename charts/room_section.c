@@ -100,6 +100,18 @@ static void heights_of(const struct pp_section_cut *cut, double *low, double *hi
     }
 }
 
+double pp_room_section_x(const struct pp_room_section *section, double s)
+{
+    return section->x + s * section->mm_per_m;
+}
+
+double pp_room_section_y(const struct pp_room_section *section, double z)
+{
+    double low, high;
+    heights_of(section->cut, &low, &high);
+    return section->y + (high - z) * section->mm_per_m;
+}
+
 static double caption_mm(const struct pp_style *style)
 {
     return 3.2 * style->text[PP_TEXT_SMALL];

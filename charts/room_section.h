@@ -29,6 +29,10 @@ bool pp_room_section_has_outside(const struct pp_room_section *section, bool nea
 void pp_room_section_fit(struct pp_room_section *section, const struct pp_style *style,
                          double length_mm, double height_mm);
 
+/* On paper: a place in the section, once fitted. */
+double pp_room_section_x(const struct pp_room_section *section, double s);
+double pp_room_section_y(const struct pp_room_section *section, double z);
+
 void pp_room_section_draw(cairo_t *cr, const struct pp_style *style,
                           const struct pp_room_section *section);
 

@@ -100,6 +100,14 @@ double pp_dial_share(const struct pp_dial *dial, double gamma_rad)
     return read_table(dial->primary, dial->slope, dial->range_rad, gamma_rad);
 }
 
+double pp_dial_slope(const struct pp_dial *dial, double gamma_rad)
+{
+    double place = gamma_rad / dial->range_rad * PP_DIAL_STEPS;
+    int k = (int)fmin(fmax(place, 0.0), PP_DIAL_STEPS - 1);
+    double t = fmin(place - k, 1.0);
+    return dial->slope[k] * (1.0 - t) + dial->slope[k + 1] * t;
+}
+
 double pp_dial_angle(const struct pp_dial *dial, double share, double start_rad)
 {
     double low = 0.0, high = dial->range_rad;
@@ -110,11 +118,7 @@ double pp_dial_angle(const struct pp_dial *dial, double share, double start_rad)
             low = gamma;
         else
             high = gamma;
-        double step = dial->range_rad / PP_DIAL_STEPS;
-        int k = (int)fmin(gamma / step, PP_DIAL_STEPS - 1);
-        double t = gamma / step - k;
-        double slope = dial->slope[k] * (1.0 - t) + dial->slope[k + 1] * t;
-        double next = gamma - off / slope;
+        double next = gamma - off / pp_dial_slope(dial, gamma);
         if (!(next > low && next < high))
             next = (low + high) / 2.0;
         if (fabs(next - gamma) < 1e-10)

@@ -47,6 +47,9 @@ void pp_dial_make(struct pp_dial *dial, const struct pp_protractor *protractor);
 /* Primary scale at gamma_rad, 0 to pi. */
 double pp_dial_share(const struct pp_dial *dial, double gamma_rad);
 
+/* dF/dgamma there, to 1e-3. */
+double pp_dial_slope(const struct pp_dial *dial, double gamma_rad);
+
 /* The angle at which the primary scale reads `share`, 0 to the whole scale's: Newton
  * from start_rad, as from the mark before. */
 double pp_dial_angle(const struct pp_dial *dial, double share, double start_rad);

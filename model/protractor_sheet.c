@@ -17,3 +17,9 @@ void pp_protractor_scale_clear(struct pp_protractor_scale *scale)
     free(scale->marks);
     *scale = (struct pp_protractor_scale){0};
 }
+
+void pp_protractor_sheet_clear(struct pp_protractor_sheet *sheet)
+{
+    pp_protractor_readings_clear(&sheet->read);
+    pp_protractor_scale_clear(&sheet->scale);
+}

@@ -56,25 +56,35 @@ struct pp_protractor_line {
 };
 
 struct pp_protractor_scale {
-    int number;      /* 1 to 10; 0: never published */
-    char name[160];  /* "Protractor 2: CIE overcast sky, vertical glazing ..." */
-    char sky[48];    /* "CIE overcast sky" */
-    char glass[112]; /* "vertical, clear single glass" */
+    int number;     /* 1 to 10; 0: never published */
+    char sky[48];   /* "CIE overcast sky" */
+    char glass[96]; /* "vertical, clear single glass" */
     double slope_rad;
     double range_rad;        /* the end of the primary scale */
     double whole;            /* its reading there, a fraction */
     bool turned_down;        /* is the auxiliary laid on the plan turned down? */
     bool symmetric;          /* average altitudes over 90 degrees read as 180 less */
     double last_average_rad; /* of the auxiliary */
-    struct pp_protractor_mark *marks; /* ascending; owned */
     int mark_count;
-    struct pp_protractor_line *lines; /* ascending factors, from the first over 0; owned
-                                       */
+    struct pp_protractor_mark *marks; /* ascending; owned */
     int line_count;
+    struct pp_protractor_line *lines; /* ascending factors over 0; owned */
+};
+
+/* A protractor by itself, or laid on a room at one point. */
+struct pp_protractor_sheet {
+    const struct pp_world *world;         /* NULL: by itself; not owned */
+    struct pp_vec3 point;
+    const struct pp_opening *opening;     /* that is read; not owned */
+    int others;                           /* further openings of the room */
+    struct pp_protractor_readings read;   /* of that opening */
+    double allowance;                     /* for its glass, frame and dirt */
+    struct pp_protractor_scale scale;
 };
 
 #define PP_LINE_STEP_RAD (2.5 * PP_RAD)
 
 void pp_protractor_scale_clear(struct pp_protractor_scale *scale);
+void pp_protractor_sheet_clear(struct pp_protractor_sheet *sheet);
 
 #endif
