@@ -7,6 +7,8 @@ static const struct pp_chart_kind kinds[] = {
     {"plan", "daylight factor contours and no-sky line, on the plan", false},
     {"waldram", "Waldram diagram, blank or with a room's windows", true},
     {"pepper-pot", "pepper-pot diagram, blank or with a room's windows", true},
+    {"protractor", "BRS daylight protractor, blank or laid on a room's section and plan",
+     true},
 };
 
 enum { KINDS = sizeof kinds / sizeof kinds[0] };

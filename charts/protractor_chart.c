@@ -75,8 +75,7 @@ static double write_line(cairo_t *cr, const struct pp_style *style,
                                 .down = 0.0,
                                 .width = width,
                                 .lines = 2};
-    return y
-           + pp_text_draw(cr, style, &set, x - 0.0, y, words).height;
+    return y + pp_text_draw(cr, style, &set, x, y, words).height;
 }
 
 /* What it is, on the disc itself, which may be cut out. */
@@ -84,16 +83,15 @@ static void write_name(cairo_t *cr, const struct pp_style *style,
                        const struct pp_protractor_disc *disc)
 {
     const struct pp_protractor_scale *scale = disc->scale;
-    double y = disc->y - 0.56 * disc->radius, width = 1.1 * disc->radius;
+    double y = disc->y - 0.58 * disc->radius, width = 1.1 * disc->radius;
     char words[64] = "Daylight protractor";
     if (scale->number)
         snprintf(words, sizeof words, "Daylight protractor %d", scale->number);
     y = write_line(cr, style, PP_TEXT_TITLE, true, disc->x, y, width, words);
     y = write_line(cr, style, PP_TEXT_HEAD, false, disc->x, y, width, scale->sky);
-    write_line(cr, style, PP_TEXT_HEAD, false, disc->x, y, width, scale->glass);
-    write_line(cr, style, PP_TEXT_SMALL, false, disc->x,
-               disc->y - 0.17 * disc->radius, 0.9 * width,
-               "section: sky component, per cent");
+    y = write_line(cr, style, PP_TEXT_HEAD, false, disc->x, y, width, scale->glass);
+    write_line(cr, style, PP_TEXT_SMALL, false, disc->x, y + 1.5 * style->scale, width,
+               "on the section: sky component, per cent");
 }
 
 enum pp_status pp_protractor_chart_draw(struct pp_canvas *canvas,
@@ -122,7 +120,7 @@ enum pp_status pp_protractor_chart_draw(struct pp_canvas *canvas,
                                             .radius = radius,
                                             .plan = {0.0, 1.0}};
     pp_protractor_disc_primary(cr, &style, &disc, true);
-    pp_protractor_disc_auxiliary(cr, &style, &disc);
+    pp_protractor_disc_auxiliary(cr, &style, &disc, true);
     write_name(cr, &style, &disc);
     return PP_OK;
 }

@@ -1,8 +1,8 @@
 /* protractor_chart.h - a daylight protractor to print and cut out: a disc with the
  * primary scale on one half and the auxiliary on the other.
  *
- * Angles have no scale: it is laid on drawings of any. Its radius is stated, the largest
- * multiple of 5 mm that the sheet holds.
+ * Angles have no scale: it is laid on drawings of any. Its radius is stated, the
+ * largest multiple of 5 mm that the sheet holds.
  */
 #ifndef PP_CHARTS_PROTRACTOR_CHART_H
 #define PP_CHARTS_PROTRACTOR_CHART_H

@@ -99,7 +99,7 @@ static void write_round(cairo_t *cr, const struct pp_style *style,
 /* Degrees on the rim, `low` to `high`; labels say how far from 0. */
 static void draw_rim(cairo_t *cr, const struct pp_style *style,
                      const struct pp_protractor_disc *disc, place_function *place,
-                     int low, int high)
+                     int low, int high, int first_label)
 {
     double tick = 0.8 * style->scale;
     pp_style_line(cr, style->thin, disc->grey);
@@ -110,7 +110,7 @@ static void draw_rim(cairo_t *cr, const struct pp_style *style,
     }
     arc(cr, disc, place, disc->radius, low * PP_RAD, high * PP_RAD);
     cairo_stroke(cr);
-    for (int degree = low; degree <= high; degree += 10) {
+    for (int degree = first_label; degree <= high + (low - first_label); degree += 10) {
         char words[16];
         snprintf(words, sizeof words, "%d\u00b0", abs(degree));
         write_round(cr, style, disc, place, degree * PP_RAD,
@@ -152,10 +152,10 @@ void pp_protractor_disc_primary(cairo_t *cr, const struct pp_style *style,
     other.to_right = !disc->to_right;
     bool twice = both && disc->scale->range_rad < PP_PI / 2.0 + 1e-6;
     int last = (int)floor(disc->scale->range_rad / PP_RAD + 1e-6);
-    draw_rim(cr, style, disc, pp_protractor_disc_section, 0, last);
+    draw_rim(cr, style, disc, pp_protractor_disc_section, 0, last, 0);
     primary_marks(cr, style, disc);
     if (twice) {
-        draw_rim(cr, style, &other, pp_protractor_disc_section, 0, last - 1);
+        draw_rim(cr, style, &other, pp_protractor_disc_section, 0, last - 1, 0);
         primary_marks(cr, style, &other);
         pp_style_line(cr, style->thin, disc->grey);
         arc(cr, &other, pp_protractor_disc_section, disc->radius, 0.0, PP_PI / 2.0);
@@ -205,8 +205,8 @@ static void write_factors(cairo_t *cr, const struct pp_style *style,
                           const struct pp_protractor_disc *disc)
 {
     const struct pp_protractor_scale *scale = disc->scale;
-    double at = pp_protractor_disc_arc(style, disc->radius)
-                + 0.58 * style->text[PP_TEXT_SMALL];
+    double at =
+        pp_protractor_disc_arc(style, disc->radius) + 0.58 * style->text[PP_TEXT_SMALL];
     for (int i = 0; i < scale->line_count; i++) {
         const struct pp_protractor_line *line = &scale->lines[i];
         if ((int)(100.0 * line->factor + 0.5) % 10 != 0)
@@ -240,9 +240,10 @@ static void write_averages(cairo_t *cr, const struct pp_style *style,
 }
 
 void pp_protractor_disc_auxiliary(cairo_t *cr, const struct pp_style *style,
-                                  const struct pp_protractor_disc *disc)
+                                  const struct pp_protractor_disc *disc, bool whole)
 {
-    draw_rim(cr, style, disc, pp_protractor_disc_plan, -90, 90);
+    /* On a whole disc the base's ends are labelled as the section's. */
+    draw_rim(cr, style, disc, pp_protractor_disc_plan, -90, 90, whole ? -80 : -90);
     int last = (int)(disc->scale->last_average_rad / PP_RAD + 0.5);
     pp_style_line(cr, style->thin, disc->grey);
     for (int degree = 0; degree <= last; degree += 10)

@@ -14,11 +14,11 @@
 
 struct pp_protractor_disc {
     const struct pp_protractor_scale *scale;
-    double x, y;      /* the centre, mm on paper */
-    double radius;    /* of the rim */
-    double grey;      /* of its lines and figures */
-    bool to_right;    /* does the section look to the right? else to the left */
-    double plan[2];   /* unit, on paper: the normal on the plan, out of the room */
+    double x, y;    /* the centre, mm on paper */
+    double radius;  /* of the rim */
+    double grey;    /* of its lines and figures */
+    bool to_right;  /* does the section look to the right? else to the left */
+    double plan[2]; /* unit, on paper: the normal on the plan, out of the room */
 };
 
 /* How far figures reach beyond the rim. */
@@ -34,14 +34,14 @@ void pp_protractor_disc_section(const struct pp_protractor_disc *disc, double an
 void pp_protractor_disc_plan(const struct pp_protractor_disc *disc, double angle_rad,
                              double distance, double xy[2]);
 
-/* The section's half, from 0 to the scale's end; `both`: a scale that ends at the zenith
- * is drawn to the left and to the right. */
+/* The section's half, from 0 to the scale's end; `both`: a scale that ends at the
+ * zenith is drawn to the left and to the right. */
 void pp_protractor_disc_primary(cairo_t *cr, const struct pp_style *style,
                                 const struct pp_protractor_disc *disc, bool both);
 
-/* The plan's half. */
+/* The plan's half; `whole`: the section's is there too. */
 void pp_protractor_disc_auxiliary(cairo_t *cr, const struct pp_style *style,
-                                  const struct pp_protractor_disc *disc);
+                                  const struct pp_protractor_disc *disc, bool whole);
 
 /* Radius of the semicircle of an average altitude. */
 double pp_protractor_disc_semicircle(const struct pp_style *style,

@@ -377,8 +377,8 @@ void pp_room_section_draw(cairo_t *cr, const struct pp_style *style,
     int beyond = draw_openings_beyond(&frame);
     draw_ground(&frame);
     stroke_cuts(&frame, PP_CUT_OUTSIDE, style->medium, PP_INK, CAIRO_LINE_CAP_SQUARE);
-    draw_sight(&frame, true);
-    draw_sight(&frame, false);
+    for (int near = 1; near >= 0 && !section->no_sights; near--)
+        draw_sight(&frame, near);
     stroke_cuts(&frame, PP_CUT_FACE, style->thick, PP_INK, CAIRO_LINE_CAP_SQUARE);
     stroke_cuts(&frame, PP_CUT_INSIDE, style->medium, PP_INK, CAIRO_LINE_CAP_BUTT);
     draw_openings_cut(&frame);

@@ -12,6 +12,7 @@ struct pp_room_section {
     const struct pp_world *world;
     const struct pp_section_cut *cut;
     const struct pp_report *report; /* its receivers are marked */
+    bool no_sights; /* leave out the angle of what stands outside */
 
     /* By pp_room_section_fit. */
     double mm_per_m;  /* a round scale: 1:20, 1:25, 1:30, 1:40 ... */

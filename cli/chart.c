@@ -80,6 +80,14 @@ static const struct pp_option board_options[] = {
      "60, "
      "or less where a window would leave the sheet).",
      pp_read_viewing_distance, BOARD(viewing_mm)},
+    {"number", 0, "N", "Blank protractor: 1 to 10 (default 2, vertical glass, overcast).",
+     pp_read_protractor_number, BOARD(number)},
+    {"glazing", 0, "NAME",
+     "Blank protractor of any glazing, by its name in the table; or none.", pp_read_text,
+     BOARD(glazing)},
+    {"slope", 0, "DEG",
+     "Blank protractor: slope of the glass, 0 horizontal to 90 vertical (default).",
+     pp_read_slope, PLACE(board)},
     {0},
 };
 

@@ -1,9 +1,12 @@
 #include "cli/draw_board.h"
 
 #include "charts/pepper_pot_chart.h"
+#include "charts/protractor_chart.h"
+#include "charts/protractor_worked.h"
 #include "charts/waldram_chart.h"
 #include "methods/pepper_pot_dots.h"
 #include "methods/pepper_pot_sheet_fill.h"
+#include "methods/protractor_sheet_fill.h"
 #include "methods/waldram_sheet_fill.h"
 
 enum pp_status pp_draw_waldram(struct pp_canvas *canvas,
@@ -37,5 +40,46 @@ enum pp_status pp_draw_pepper_pot(struct pp_canvas *canvas,
     if (status == PP_OK)
         status = pp_pepper_pot_chart_draw(canvas, &sheet, options->viewing_mm, err);
     pp_pepper_pot_sheet_clear(&sheet);
+    return status;
+}
+
+/* The protractor that the options ask for: a published one, or any. */
+static enum pp_status choose_protractor(struct pp_protractor *protractor,
+                                        const struct pp_board_options *options,
+                                        struct pp_error *err)
+{
+    if (options->any_protractor) {
+        *protractor =
+            (struct pp_protractor){options->sky, options->glass, options->slope_rad};
+        return PP_OK;
+    }
+    return pp_protractor_published(protractor, options->number ? options->number : 2,
+                                   err);
+}
+
+enum pp_status pp_draw_protractor(struct pp_canvas *canvas,
+                                  const struct pp_loaded_room *room,
+                                  const struct pp_board_options *options,
+                                  struct pp_error *err)
+{
+    double arc_mm = pp_protractor_chart_arc_mm(canvas, room != NULL);
+    struct pp_mark_spacing spacing = {0.75 / arc_mm, (3.2 + 0.03 * arc_mm) / arc_mm};
+    struct pp_protractor_sheet sheet = {0};
+    struct pp_protractor protractor;
+    enum pp_status status;
+    if (room) {
+        status =
+            pp_protractor_sheet_of(&sheet, room->world, room->receivers, spacing, err);
+        if (status == PP_OK)
+            status = pp_protractor_worked_draw(canvas, &sheet, err);
+    } else {
+        status = choose_protractor(&protractor, options, err);
+        if (status == PP_OK)
+            status = pp_protractor_sheet_blank(&sheet, &protractor,
+                                               options->glass_words, spacing, err);
+        if (status == PP_OK)
+            status = pp_protractor_chart_draw(canvas, &sheet, err);
+    }
+    pp_protractor_sheet_clear(&sheet);
     return status;
 }

@@ -15,5 +15,6 @@ typedef enum pp_status pp_board_drawer(struct pp_canvas *canvas,
 
 pp_board_drawer pp_draw_waldram;
 pp_board_drawer pp_draw_pepper_pot;
+pp_board_drawer pp_draw_protractor;
 
 #endif

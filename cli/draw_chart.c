@@ -85,6 +85,7 @@ static const struct drawer drawers[] = {
     {"plan", false, pp_plan_chart_landscape, draw_plan, NULL},
     {"waldram", false, always_landscape, NULL, pp_draw_waldram},
     {"pepper-pot", false, always_landscape, NULL, pp_draw_pepper_pot},
+    {"protractor", false, never_landscape, NULL, pp_draw_protractor},
 };
 
 static const struct drawer *drawer_of(const struct pp_chart_kind *kind)

@@ -44,7 +44,10 @@ static enum pp_status make_marks(struct pp_protractor_scale *scale,
         enum pp_mark_rank rank = PP_MARK_FINE;
         if (tenths % middle == 0)
             rank = PP_MARK_MIDDLE;
-        if (tenths % label == 0 && angle - labelled > 0.8 * spacing.label_rad) {
+        /* At a scale's end that meets its mirror image figures would meet, too. */
+        double left = scale->range_rad - angle;
+        if (tenths % label == 0 && angle - labelled > 0.8 * spacing.label_rad
+            && left > 0.6 * spacing.label_rad) {
             rank = PP_MARK_LABELLED;
             labelled = angle;
         }
@@ -183,10 +186,10 @@ static enum pp_status read_if_more(struct pp_protractor_sheet *sheet,
     status = pp_protractor_read(&read, dial, world, opening, sheet->point, err);
     if (status != PP_OK)
         return status;
-    bool more = read.count > 0
-                && (!sheet->opening
-                    || read.sky + read.external
-                           > sheet->read.sky + sheet->read.external);
+    bool more =
+        read.count > 0
+        && (!sheet->opening
+            || read.sky + read.external > sheet->read.sky + sheet->read.external);
     if (more) {
         pp_protractor_readings_clear(&sheet->read);
         sheet->read = read;
@@ -203,8 +206,7 @@ enum pp_status pp_protractor_sheet_of(struct pp_protractor_sheet *sheet,
                                       struct pp_mark_spacing spacing,
                                       struct pp_error *err)
 {
-    *sheet = (struct pp_protractor_sheet){.world = world,
-                                          .point = receiver->position};
+    *sheet = (struct pp_protractor_sheet){.world = world, .point = receiver->position};
     const char *why = pp_method_protractor.refuses_room(world, receiver);
     if (why)
         return pp_fail(err, PP_BAD_INPUT, "no protractor serves here: %s", why);

@@ -11,8 +11,8 @@ struct pp_mark_spacing {
 };
 
 /* Any glass but a diffusing one, slopes from 0 to pi/2, skies without azimuth; else
- * PP_BAD_INPUT. glass_words names the glass ("clear single glass"). On failure, too, the
- * sheet may be cleared. */
+ * PP_BAD_INPUT. glass_words names the glass ("clear single glass"). On failure, too,
+ * the sheet may be cleared. */
 enum pp_status pp_protractor_sheet_blank(struct pp_protractor_sheet *sheet,
                                          const struct pp_protractor *protractor,
                                          const char *glass_words,

@@ -73,12 +73,12 @@ struct pp_protractor_scale {
 
 /* A protractor by itself, or laid on a room at one point. */
 struct pp_protractor_sheet {
-    const struct pp_world *world;         /* NULL: by itself; not owned */
+    const struct pp_world *world; /* NULL: by itself; not owned */
     struct pp_vec3 point;
-    const struct pp_opening *opening;     /* that is read; not owned */
-    int others;                           /* further openings of the room */
-    struct pp_protractor_readings read;   /* of that opening */
-    double allowance;                     /* for its glass, frame and dirt */
+    const struct pp_opening *opening;   /* that is read; not owned */
+    int others;                         /* further openings of the room */
+    struct pp_protractor_readings read; /* of that opening */
+    double allowance;                   /* for its glass, frame and dirt */
     struct pp_protractor_scale scale;
 };
 
