@@ -83,14 +83,16 @@ static void write_name(cairo_t *cr, const struct pp_style *style,
                        const struct pp_protractor_disc *disc)
 {
     const struct pp_protractor_scale *scale = disc->scale;
-    double y = disc->y - 0.58 * disc->radius, width = 1.1 * disc->radius;
+    double end = scale->range_rad > PP_PI / 2.0 + 1e-6 ? scale->range_rad : PP_PI;
+    double x = disc->x - 0.5 * disc->radius * cos(end / 2.0);
+    double y = disc->y - 0.58 * disc->radius, width = 0.3 * disc->radius * end;
     char words[64] = "Daylight protractor";
     if (scale->number)
         snprintf(words, sizeof words, "Daylight protractor %d", scale->number);
-    y = write_line(cr, style, PP_TEXT_TITLE, true, disc->x, y, width, words);
-    y = write_line(cr, style, PP_TEXT_HEAD, false, disc->x, y, width, scale->sky);
-    y = write_line(cr, style, PP_TEXT_HEAD, false, disc->x, y, width, scale->glass);
-    write_line(cr, style, PP_TEXT_SMALL, false, disc->x, y + 1.5 * style->scale, width,
+    y = write_line(cr, style, PP_TEXT_TITLE, true, x, y, width, words);
+    y = write_line(cr, style, PP_TEXT_HEAD, false, x, y, width, scale->sky);
+    y = write_line(cr, style, PP_TEXT_HEAD, false, x, y, width, scale->glass);
+    write_line(cr, style, PP_TEXT_SMALL, false, x, y + 1.5 * style->scale, width,
                "on the section: sky component, per cent");
 }
 

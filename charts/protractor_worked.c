@@ -170,7 +170,8 @@ static enum pp_status draw_section(const struct drawing *drawing, struct pp_box 
     double words = 26.0 * style->scale, s = pp_section_cut_s(&cut, sheet->point);
 
     /* The scale, then what the protractor needs beside the room and above. */
-    double left = 0.0, right = 0.0, top = 0.0;
+    bool overhead = sheet->read.list[0].edge_rad[1] > 1.0;
+    double left = 0.0, right = 0.0, top = (overhead ? 10.0 : 3.0) * style->scale;
     for (int round = 0; round < 4; round++) {
         pp_room_section_fit(&section, style, box.width - left - right,
                             box.height - top);
@@ -180,7 +181,7 @@ static enum pp_status draw_section(const struct drawing *drawing, struct pp_box 
         double above = pp_room_section_y(&section, sheet->point.z);
         left = fmax(left, fmax(edge + 2.0 - near, to_right ? 4.0 : words));
         right = fmax(right, fmax(edge + 2.0 - far, to_right ? words : 4.0));
-        top = fmax(top, fmax(edge + 0.25 * words - above, 3.0 * style->scale));
+        top = fmax(top, edge + 0.25 * words - above);
     }
     double used = left + cut.length_m * section.mm_per_m + right;
     section.x = box.x + (box.width - used) / 2.0 + left;

@@ -31,9 +31,13 @@ blank pepper-pot pepper-pot
 blank pepper-pot-unglazed pepper-pot --glazed no
 blank pepper-pot-fine pepper-pot --fine --viewing-distance 60
 blank pepper-pot-vertical pepper-pot --receiver vertical
+for number in 1 2 3 4 5 6 7 8 9 10; do
+    blank protractor-$number protractor --number $number
+done
+blank protractor-double-45 protractor --glazing clear-double --slope 45
 
 # From a point in some rooms.
-for kind in waldram pepper-pot; do
+for kind in waldram pepper-pot protractor; do
     for format; do
         for room in deep-office deep-office-obstructed office; do
             "$program" chart $kind ${CHART_OPTIONS-} --points 1.4,1.5 \

@@ -56,7 +56,8 @@ double pp_protractor_density(const struct pp_protractor *protractor, double gamm
     double gamma = gamma_rad, theta = theta_rad;
     double across = cos(theta), up = sin(gamma);
     double cos_i = across * sin(gamma + protractor->slope_rad);
-    if (protractor->glass.panes > 0 && !(cos_i > 0.0))
+    /* Along the glass nothing comes through, and several panes leave 0/0. */
+    if (protractor->glass.panes > 0 && !(cos_i > 1e-12))
         return 0.0;
     struct pp_vec3 u = pp_vec(across * cos(gamma), sin(theta), across * up);
     return pp_sky_luminance(&protractor->sky, u)

@@ -87,6 +87,37 @@ check "a receiver that is neither" \
     refuses 2 "horizontal" chart pepper-pot --receiver up -o "$scratch/x.pdf"
 check "Waldram's squares are not fine" \
     refuses 2 "--fine" chart waldram --fine -o "$scratch/x.pdf"
+for format in pdf svg png; do
+    file="$scratch/a protractor.$format"
+    check "a blank protractor becomes $format" quietly chart protractor -o "$file"
+    run chart protractor --format $format
+    check "a blank protractor as $format is the same again" same "$file" "$scratch/out"
+    check "a worked protractor becomes $format" \
+        quietly chart protractor -p 1,1.5 -o "$file" "$deep"
+done
+for number in 1 2 3 4 5 6 7 8 9 10; do
+    check "protractor $number" quietly chart protractor --number $number -o "$file"
+done
+for paper in a5 a4 a3 a2; do
+    check "a worked protractor on $paper" quietly chart protractor --paper $paper -p 2,2 \
+        --orientation landscape -o "$file" "$examples/l-shaped.xml"
+done
+check "a protractor that was never sold" quietly chart protractor --glazing clear-double \
+    --slope 45 --sky iso-3 -o "$file"
+check "there is no protractor 11" \
+    refuses 2 "from 1 to 10" chart protractor --number 11 -o "$file"
+check "a numbered protractor has its slope" \
+    refuses 2 "one of the ten" chart protractor --number 3 --slope 20 -o "$file"
+check "a glazing that is not in the table" \
+    refuses 2 "table" chart protractor --glazing milk -o "$file"
+check "a protractor of a sky that changes with azimuth" \
+    refuses 2 "azimuths" chart protractor --sky iso-12,30,180 -o "$file"
+check "a room has its own protractor" \
+    refuses 2 "blank" chart protractor --number 2 -p 1,1 -o "$file" "$deep"
+check "no protractor for glass at such a slope" \
+    refuses 1 "the opening on line" chart protractor -p 3,3 -o "$file" "$examples/studio.xml"
+check "Waldram's diagram has no number" \
+    refuses 2 "--number" chart waldram --number 2 -o "$file"
 if command -v pdftotext >/dev/null; then
     run chart waldram --points 1,1.5 -o "$scratch/words.pdf" "$deep"
     pdftotext "$scratch/words.pdf" "$scratch/words.txt"
