@@ -179,8 +179,10 @@ static enum pp_status draw_section(const struct drawing *drawing, struct pp_box 
         double far = (cut.length_m - s) * section.mm_per_m;
         section.y = 0.0;
         double above = pp_room_section_y(&section, sheet->point.z);
-        left = fmax(left, fmax(edge + 2.0 - near, to_right ? 4.0 : words));
-        right = fmax(right, fmax(edge + 2.0 - far, to_right ? words : 4.0));
+        left = fmax(left, to_right ? fmax(edge + 2.0 - near, 4.0)
+                                   : fmax(edge + 0.8 * words - near, words));
+        right = fmax(right, to_right ? fmax(edge + 0.8 * words - far, words)
+                                     : fmax(edge + 2.0 - far, 4.0));
         top = fmax(top, edge + 0.25 * words - above);
     }
     double used = left + cut.length_m * section.mm_per_m + right;
