@@ -209,10 +209,10 @@ static void draw_openings_cut(const struct frame *frame)
     double half = 0.45 * frame->style->thick;
     for (int i = 0; i < cut->count; i++) {
         const struct pp_cut *glass = &cut->list[i];
-        bool reveal =
-            glass->kind != PP_CUT_FACE && world->openings[glass->of].reveal_m > 0.0;
-        if (!(glass->kind == PP_CUT_GLASS
-              || (glass->kind == PP_CUT_OPENING && !reveal)))
+        bool is_opening = glass->kind == PP_CUT_OPENING;
+        if (!is_opening && glass->kind != PP_CUT_GLASS)
+            continue;
+        if (is_opening && world->openings[glass->of].reveal_m > 0.0)
             continue;
         double x0 = at_s(frame, glass->s[0]), y0 = at_z(frame, glass->z[0]);
         double x1 = at_s(frame, glass->s[1]), y1 = at_z(frame, glass->z[1]);

@@ -385,7 +385,7 @@ static void say_foot(char *foot, size_t room, const struct pp_waldram_sheet *she
     if (!sheet->blank)
         pp_page_say(foot, room,
                     "Part squares are estimated to a tenth; the remainder is carried "
-                    "up the column.");
+                    "on to the next.");
     pp_page_say(foot, room, "After Waldram and Waldram, 1923.");
 }
 

@@ -200,19 +200,19 @@ static bool add_column(double *parts, int rows, const struct pp_ring *ring, doub
     return !failed;
 }
 
-/* Estimates one column's squares and appends those that hold anything. */
-static bool count_column(struct pp_waldram_count *count, const double *parts, int rows,
-                         int column, double square)
+/* Estimates one column's squares and appends those that hold anything; *carried is what
+ * estimates so far have left over. */
+static bool count_column(struct pp_waldram_count *count, double *carried,
+                         const double *parts, int rows, int column, double square)
 {
-    double carried = 0.0;
     for (int row = 0; row < rows; row++) {
         double part = parts[row] / square;
         if (part < 1e-9)
             continue;
-        double wanted = part + carried;
+        double wanted = part + *carried;
         double estimated = part > 1.0 - 1e-9 ? 1.0 : round(wanted * 10.0) / 10.0;
         estimated = fmin(fmax(estimated, 0.0), 1.0);
-        carried = wanted - estimated;
+        *carried = wanted - estimated;
         struct pp_waldram_square *list =
             realloc(count->list, (count->count + 1) * sizeof *list);
         if (!list)
@@ -244,14 +244,14 @@ enum pp_status pp_waldram_count_squares(struct pp_waldram_count *count,
             high = fmax(high, outline.rings[r].xy[i][0]);
         }
 
-    double *parts = malloc(rows * sizeof *parts);
+    double carried = 0.0, *parts = malloc(rows * sizeof *parts);
     bool ok = parts != NULL;
     for (int column = (int)floor(low / width); ok && column * width < high; column++) {
         memset(parts, 0, rows * sizeof *parts);
         for (int r = 0; ok && r < outline.count; r++)
             ok = add_column(parts, rows, &outline.rings[r], column * width, width,
                             height);
-        ok = ok && count_column(count, parts, rows, column, width * height);
+        ok = ok && count_column(count, &carried, parts, rows, column, width * height);
     }
     free(parts);
     pp_region_destroy(&outline);

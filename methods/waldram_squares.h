@@ -4,8 +4,9 @@
  * from azimuth -90 to 90 degrees, and rows from the horizon up, the last of which may
  * be cut off by the zenith. A window's outline is drawn on it; whole squares count one,
  * part squares are estimated to a tenth. Who sees the same sliver in square after
- * square down a jamb rounds it up in one and down in the next: within a column the
- * remainder of each estimate is carried on to the next.
+ * square down a jamb rounds it up in one and down in the next: the remainder of each
+ * estimate is carried on to the next square, up a column and from column to column, so
+ * that counts have no bias.
  */
 #ifndef PP_METHODS_WALDRAM_SQUARES_H
 #define PP_METHODS_WALDRAM_SQUARES_H

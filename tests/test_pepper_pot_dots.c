@@ -86,13 +86,13 @@ static void every_dot_is_where_its_lattice_has_it(void **state)
     }
 }
 
-/* Counts of 2,000 windows on each of four charts: no bias beyond three standard errors,
+/* Counts of 5,000 windows on each of four charts: no bias beyond three standard errors,
  * a spread of no more than half the square root of the outline's length in sides of a
  * dot's cell. */
 static void counts_are_unbiased_and_close(void **state)
 {
     (void)state;
-    enum { WINDOWS = 2000 };
+    enum { WINDOWS = 5000 };
     for (int kind = 0; kind < 4; kind++) {
         bool glazed = kind & 1, upright = kind & 2;
         struct pp_pepper_pot *pot = made(pp_sky_overcast(), glazed, upright,
