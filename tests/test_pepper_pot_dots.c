@@ -1,5 +1,6 @@
 /* test_pepper_pot_dots.c - dots of equal worth on the true perspective of a window. */
 #include "methods/pepper_pot_dots.h"
+#include "methods/waldram_scale.h"
 
 #include "tests/near.h"
 
@@ -131,6 +132,46 @@ static void counts_are_unbiased_and_close(void **state)
     }
 }
 
+/* 20,000 windows with a gabled house before them, on the chart without glass, against
+ * the exact area of what is left on Waldram's diagram. */
+static void counts_with_obstructions_are_unbiased_and_close(void **state)
+{
+    (void)state;
+    enum { WINDOWS = 20000 };
+    static const struct pp_window_axes axes = {{1, 0, 0}, {0, 0, 1}, {0, 1, 0}};
+    struct pp_sky sky = pp_sky_overcast();
+    struct pp_waldram waldram;
+    assert_int_equal(pp_waldram_make(&waldram, &sky, false, NULL), PP_OK);
+    struct pp_pepper_pot *pot = made(sky, false, false, 0.0, PP_PEPPER_POT_WORTH);
+    uint64_t seed = 41;
+    double sum = 0.0, sum2 = 0.0, most = 0.0;
+    for (int i = 0; i < WINDOWS; i++) {
+        double x0 = 4.0 * next(&seed) - 2.5, x1 = x0 + 0.3 + 2.0 * next(&seed);
+        double y0 = next(&seed), y1 = y0 + 0.2 + 1.8 * next(&seed);
+        double left = x0 + (x1 - x0) * 0.5 * next(&seed);
+        double right = x1 - (x1 - x0) * 0.45 * next(&seed);
+        double eaves = y0 + (y1 - y0) * 0.6 * next(&seed);
+        double ridge = eaves + (y1 - eaves) * 0.9 * next(&seed);
+        double xy[9][2] = {
+            {x0, y0},       {left, y0},  {left, eaves}, {(left + right) / 2, ridge},
+            {right, eaves}, {right, y0}, {x1, y0},      {x1, y1},
+            {x0, y1}};
+        struct pp_ring ring = {9, xy};
+        struct pp_region region = {1, &ring};
+        double exact = pp_waldram_area(&waldram, &axes, &region) / PP_PEPPER_POT_WORTH;
+        double error = pp_pepper_pot_count(pot, &region) - exact;
+        sum += error;
+        sum2 += error * error;
+        most = fmax(most, fabs(error));
+    }
+    double mean = sum / WINDOWS, rms = sqrt(sum2 / WINDOWS);
+    assert_true(fabs(mean) <= 3.0 * rms / sqrt(WINDOWS));
+    /* Outlines are 20 to 60 sides of a dot's cell long: half the root of 20. */
+    assert_true(rms <= 0.5 * sqrt(20.0));
+    assert_true(most < 12.0);
+    pp_pepper_pot_destroy(pot);
+}
+
 static void the_fine_chart_has_ten_dots_for_one(void **state)
 {
     (void)state;
@@ -165,6 +206,7 @@ int main(void)
         cmocka_unit_test(a_boundless_window_holds_all_dots),
         cmocka_unit_test(every_dot_is_where_its_lattice_has_it),
         cmocka_unit_test(counts_are_unbiased_and_close),
+        cmocka_unit_test(counts_with_obstructions_are_unbiased_and_close),
         cmocka_unit_test(the_fine_chart_has_ten_dots_for_one),
         cmocka_unit_test(other_skies_and_senseless_dots_are_refused),
     };
