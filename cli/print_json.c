@@ -66,14 +66,18 @@ static bool add_step(struct json_object *object, const struct pp_step *step)
     } units[] = {
         [PP_UNIT_SHARE] = {100.0, "%"},   [PP_UNIT_NUMBER] = {1.0, ""},
         [PP_UNIT_COUNT] = {1.0, "count"}, [PP_UNIT_ANGLE] = {1.0 / PP_RAD, "degrees"},
-        [PP_UNIT_METRE] = {1.0, "m"},
+        [PP_UNIT_METRE] = {1.0, "m"},     [PP_UNIT_SQUARE_METRE] = {1.0, "m2"},
+        [PP_UNIT_LUX] = {1.0, "lx"},
     };
     return add_text(object, "step", step->what)
+           && (!step->symbol[0] || add_text(object, "symbol", step->symbol))
+           && (!step->formula[0] || add_text(object, "formula", step->formula))
            && add_number(object, "value", units[step->unit].scale * step->value)
            && add_text(object, "unit", units[step->unit].name);
 }
 
-/* Adds "steps": [{ "step": "...", "value": 1.25, "unit": "%" }]. */
+/* Adds "steps": [{ "step": "...", "symbol": "W", "formula": "...", "value": 1.25,
+ * "unit": "%" }]; symbol and formula where there are any. */
 static bool add_steps(struct json_object *object, const struct pp_steps *steps)
 {
     struct json_object *list = json_object_new_array();

@@ -29,6 +29,12 @@ static const char *write_value(char *text, size_t room, const struct pp_step *st
     case PP_UNIT_METRE:
         snprintf(text, room, "%.2f", value);
         return " m";
+    case PP_UNIT_SQUARE_METRE:
+        snprintf(text, room, "%.3f", value);
+        return utf8 ? " m\xc2\xb2" : " m2";
+    case PP_UNIT_LUX:
+        snprintf(text, room, "%.1f", value);
+        return " lx";
     }
     return "";
 }

@@ -1,5 +1,15 @@
-/* steps.h - a calculation as it would be set out on paper: what was read or worked out,
- * in order, with its unit. */
+/* steps.h - a calculation as it would be set out on paper: what was read or put in, and
+ * what was worked out of it by which formula, in order, with its unit.
+ *
+ * A formula is written in the figures as they are printed: per cent, degrees, metres.
+ * It holds numbers, the symbols of steps before it (the latest of a name counts), + - *
+ * / ^, parentheses, and sqrt, exp, log, sin, cos, tan, atan (of degrees, to degrees),
+ * min, max, sum. Factors may stand side by side: "0.85 W / (A (1 - R)) (C R_fw + 5
+ * R_cw)"; products and quotients are worked from left to right. A symbol is a letter
+ * with letters, digits, _ and ' behind it, and is no function's name. Whoever
+ * recomputes a step from the printed figures gets its printed value, give or take their
+ * rounding; a test does so.
+ */
 #ifndef PP_MODEL_STEPS_H
 #define PP_MODEL_STEPS_H
 
@@ -11,10 +21,14 @@ enum pp_unit {
     PP_UNIT_COUNT,  /* of squares or dots; need not be whole */
     PP_UNIT_ANGLE,  /* radians */
     PP_UNIT_METRE,
+    PP_UNIT_SQUARE_METRE,
+    PP_UNIT_LUX,
 };
 
 struct pp_step {
-    char what[96]; /* "window on line 12: altitude of the head" */
+    char what[96];     /* "window on line 12: altitude of the head" */
+    char symbol[16];   /* "R_fw"; empty: has no name */
+    char formula[160]; /* what it was worked out by; empty: read or put in */
     double value;
     enum pp_unit unit;
 };
@@ -28,6 +42,16 @@ struct pp_steps {
 /* Sets down one step; steps may be NULL, then nothing is done. */
 void pp_step(struct pp_steps *steps, enum pp_unit unit, double value, const char *what,
              ...) __attribute__((format(printf, 4, 5)));
+
+/* The same of a figure that formulae further on name by its symbol. */
+void pp_step_named(struct pp_steps *steps, enum pp_unit unit, double value,
+                   const char *symbol, const char *what, ...)
+    __attribute__((format(printf, 5, 6)));
+
+/* The same of one that was worked out of figures before it by a formula. */
+void pp_step_worked(struct pp_steps *steps, enum pp_unit unit, double value,
+                    const char *symbol, const char *formula, const char *what, ...)
+    __attribute__((format(printf, 6, 7)));
 
 void pp_steps_clear(struct pp_steps *steps);
 

@@ -1,17 +1,18 @@
 #!/bin/sh
 # The arrows between the folders: by what the sources include and by what the objects
-# call. methods and simulate know nothing of each other, charts nothing of either, model
-# nothing of anyone; the library never prints, exits or looks at its surroundings, and
+# call. methods and simulate know nothing of each other, charts nothing of either, design
+# knows the methods, model nothing of anyone; the library never prints, exits or looks at its surroundings, and
 # keeps nothing in writable data.
 . "$srcdir/tests/tap.sh"
 
-library="model methods simulate charts"
+library="model methods design simulate charts"
 
 # may_use FOLDER: the folders whose headers and functions it may use.
 may_use() {
     case $1 in
     model) echo model ;;
-    cli) echo "cli model methods simulate charts" ;;
+    design) echo "design methods model" ;;
+    cli) echo "cli $library" ;;
     *) echo "model $1" ;;
     esac
 }

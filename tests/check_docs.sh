@@ -14,7 +14,7 @@ cd "$srcdir" || exit 1
 key='\[[A-Z][A-Z]*[0-9][0-9][0-9]*[A-Za-z]*\]'
 sed -n 's/^- \*\*\(\[.*\]\)\*\*.*/\1/p' docs/SOURCES.md >"$scratch/order"
 LC_ALL=C sort -u "$scratch/order" >"$scratch/listed"
-cat model/*.[ch] methods/*.[ch] simulate/*.[ch] charts/*.[ch] cli/*.[ch] tables/*.csv \
+cat model/*.[ch] methods/*.[ch] design/*.[ch] simulate/*.[ch] charts/*.[ch] cli/*.[ch] tables/*.csv \
     tests/*.[ch] bench/*.[ch] docs/manual.md docs/theory.md README.md ARCHITECTURE.md \
     2>/dev/null >"$scratch/text"
 {
@@ -81,6 +81,6 @@ check "every option is in the man page" \
 check "every chart is in the manual" nothing "$(not_in docs/manual.md <"$scratch/charts")"
 
 check "every source file is in ARCHITECTURE.md" \
-    nothing "$(ls model/*.c methods/*.c simulate/*.c charts/*.c cli/*.c |
+    nothing "$(ls model/*.c methods/*.c design/*.c simulate/*.c charts/*.c cli/*.c |
         sed 's|.*/||; s|\.c$||' | not_in ARCHITECTURE.md)"
 tap_done
