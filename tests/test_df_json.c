@@ -9,7 +9,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <sys/wait.h>
-#include <time.h>
 #include <unistd.h>
 
 /* The path of an example; to be freed. */
@@ -208,28 +207,60 @@ static void several_files_are_an_array_with_their_names(void **state)
     free(other);
 }
 
-/* How long the hand methods take here and now, in microseconds: under a sanitizer on a
- * busy machine it may be a second. */
-static useconds_t time_without_simulation(char *file)
+/* Does the process catch this signal by now? */
+static bool catches(pid_t pid, int signal_number)
 {
-    const char *const words[] = {"pepperpot", "df", "--format", "json", file, NULL};
-    struct timespec before, after;
-    clock_gettime(CLOCK_MONOTONIC, &before);
-    json_object_put(results(words));
-    clock_gettime(CLOCK_MONOTONIC, &after);
-    return (useconds_t)(1e6 * (double)(after.tv_sec - before.tv_sec)
-                        + 1e-3 * (double)(after.tv_nsec - before.tv_nsec));
+    char path[64], line[128];
+    unsigned long long caught = 0;
+    snprintf(path, sizeof path, "/proc/%ld/status", (long)pid);
+    FILE *file = fopen(path, "r");
+    assert_non_null(file);
+    while (fgets(line, sizeof line, file))
+        sscanf(line, "SigCgt: %llx", &caught);
+    fclose(file);
+    return caught >> (signal_number - 1) & 1;
+}
+
+/* What the process has used of the processors, in seconds. */
+static double busy_s(pid_t pid)
+{
+    char path[64];
+    unsigned long user = 0, system = 0;
+    snprintf(path, sizeof path, "/proc/%ld/stat", (long)pid);
+    FILE *file = fopen(path, "r");
+    assert_non_null(file);
+    int count =
+        fscanf(file, "%*d %*s %*c %*d %*d %*d %*d %*d %*u %*u %*u %*u %*u %lu %lu",
+               &user, &system);
+    fclose(file);
+    assert_int_equal(count, 2);
+    return (double)(user + system) / (double)sysconf(_SC_CLK_TCK);
+}
+
+/* Until a simulation is well under way, however slow the machine: it begins when the
+ * signals are caught, and has readings long before it has worked for a second. Two
+ * minutes of waiting are taken for a run that ended by itself. */
+static void wait_for_simulation(pid_t pid, int signal_number)
+{
+    double begun = INFINITY;
+    for (int tries = 0; tries < 12000; tries++) {
+        if (isinf(begun) && catches(pid, signal_number))
+            begun = busy_s(pid);
+        if (busy_s(pid) > begun + 1.0)
+            return;
+        usleep(10000);
+    }
+    fail_msg("there is no simulation to interrupt");
 }
 
 /* Interrupts a run that would take hours, soon after its simulation began. */
 static void interrupt(int signal_number, int rooms_wanted, const char *name)
 {
     char *file = example(name);
-    useconds_t before_it = time_without_simulation(file);
     const char *const words[] = {"pepperpot", "df",  "--format", "json", "--simulate",
                                  "--time",    "10h", file,       NULL};
     struct run run = start(words);
-    usleep(500000 + 3 * before_it);
+    wait_for_simulation(run.pid, signal_number);
     kill(run.pid, signal_number);
     int status;
     struct json_object *object = finish(run, &status);
