@@ -1,61 +1,11 @@
 #include "cli/print.h"
 
-#include <json.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "cli/utf8.h"
+#include "cli/json.h"
 #include "model/sky.h"
-
-enum { STYLE = JSON_C_TO_STRING_SPACED | JSON_C_TO_STRING_NOSLASHESCAPE };
-
-/* Each of these adds to an object, and answers false when memory is out. `value` is
- * handed over. */
-static bool add(struct json_object *object, const char *key, struct json_object *value)
-{
-    if (value && json_object_object_add(object, key, value) == 0)
-        return true;
-    json_object_put(value);
-    return false;
-}
-
-static bool add_null(struct json_object *object, const char *key)
-{
-    return json_object_object_add(object, key, NULL) == 0;
-}
-
-static bool add_number(struct json_object *object, const char *key, double number)
-{
-    char digits[40];
-    if (!isfinite(number))
-        return add_null(object, key);
-    snprintf(digits, sizeof digits, "%.10g", number + 0.0);
-    return add(object, key, json_object_new_double_s(number, digits));
-}
-
-static bool add_text(struct json_object *object, const char *key, const char *text)
-{
-    if (!text)
-        return add_null(object, key);
-    char *repaired = pp_utf8_repair(text);
-    if (!repaired)
-        return false;
-    bool added = add(object, key, json_object_new_string(repaired));
-    free(repaired);
-    return added;
-}
-
-/* Prints an object on one line, within one that is printed over many. */
-static int on_one_line(struct json_object *object, struct printbuf *buffer, int level,
-                       int flags)
-{
-    (void)level;
-    (void)flags;
-    json_object_set_serializer(object, NULL, NULL, NULL);
-    const char *text = json_object_to_json_string_ext(object, STYLE);
-    return text ? printbuf_memappend(buffer, text, (int)strlen(text)) : -1;
-}
 
 /* As numbers and units are written outside: per cent and degrees. */
 static bool add_step(struct json_object *object, const struct pp_step *step)
@@ -69,11 +19,11 @@ static bool add_step(struct json_object *object, const struct pp_step *step)
         [PP_UNIT_METRE] = {1.0, "m"},     [PP_UNIT_SQUARE_METRE] = {1.0, "m2"},
         [PP_UNIT_LUX] = {1.0, "lx"},
     };
-    return add_text(object, "step", step->what)
-           && (!step->symbol[0] || add_text(object, "symbol", step->symbol))
-           && (!step->formula[0] || add_text(object, "formula", step->formula))
-           && add_number(object, "value", units[step->unit].scale * step->value)
-           && add_text(object, "unit", units[step->unit].name);
+    return pp_json_text(object, "step", step->what)
+           && (!step->symbol[0] || pp_json_text(object, "symbol", step->symbol))
+           && (!step->formula[0] || pp_json_text(object, "formula", step->formula))
+           && pp_json_number(object, "value", units[step->unit].scale * step->value)
+           && pp_json_text(object, "unit", units[step->unit].name);
 }
 
 /* Adds "steps": [{ "step": "...", "symbol": "W", "formula": "...", "value": 1.25,
@@ -81,7 +31,7 @@ static bool add_step(struct json_object *object, const struct pp_step *step)
 static bool add_steps(struct json_object *object, const struct pp_steps *steps)
 {
     struct json_object *list = json_object_new_array();
-    if (!add(object, "steps", list))
+    if (!pp_json_add(object, "steps", list))
         return false;
     for (int i = 0; i < steps->count; i++) {
         struct json_object *step = json_object_new_object();
@@ -98,11 +48,12 @@ static bool add_steps(struct json_object *object, const struct pp_steps *steps)
 static struct json_object *entry(const struct pp_reading *reading)
 {
     struct json_object *object = json_object_new_object();
-    bool good = object && add_number(object, "value", 100.0 * reading->value);
+    bool good = object && pp_json_number(object, "value", 100.0 * reading->value);
     if (good && isfinite(reading->std_error))
-        good = add_number(object, "se", 100.0 * reading->std_error);
+        good = pp_json_number(object, "se", 100.0 * reading->std_error);
     if (good && !isfinite(reading->value))
-        good = add_text(object, "why", reading->why ? reading->why : "not computed");
+        good =
+            pp_json_text(object, "why", reading->why ? reading->why : "not computed");
     if (good && reading->steps)
         good = add_steps(object, reading->steps);
     if (good)
@@ -124,12 +75,12 @@ static bool add_readings(struct json_object *object, const struct pp_report *rep
         struct json_object **component = &components[column->component];
         if (!*component) {
             *component = json_object_new_object();
-            if (!add(object, pp_component_names[column->component], *component))
+            if (!pp_json_add(object, pp_component_names[column->component], *component))
                 return false;
-            json_object_set_serializer(*component, on_one_line, NULL, NULL);
+            pp_json_on_one_line(*component);
         }
-        if (!add(*component, column->name,
-                 entry(index < 0 ? &column->average : &column->points[index])))
+        if (!pp_json_add(*component, column->name,
+                         entry(index < 0 ? &column->average : &column->points[index])))
             return false;
     }
     return true;
@@ -139,13 +90,13 @@ static struct json_object *point(const struct pp_report *report, int index)
 {
     const struct pp_receiver *receiver = &report->receivers[index];
     struct json_object *object = json_object_new_object();
-    bool good = object && add_number(object, "x", receiver->position.x)
-                && add_number(object, "y", receiver->position.y)
-                && add_number(object, "z", receiver->position.z);
+    bool good = object && pp_json_number(object, "x", receiver->position.x)
+                && pp_json_number(object, "y", receiver->position.y)
+                && pp_json_number(object, "z", receiver->position.z);
     if (good && receiver->normal.z != 1.0)
-        good = add_number(object, "nx", receiver->normal.x)
-               && add_number(object, "ny", receiver->normal.y)
-               && add_number(object, "nz", receiver->normal.z);
+        good = pp_json_number(object, "nx", receiver->normal.x)
+               && pp_json_number(object, "ny", receiver->normal.y)
+               && pp_json_number(object, "nz", receiver->normal.z);
     if (good && add_readings(object, report, index))
         return object;
     json_object_put(object);
@@ -155,7 +106,7 @@ static struct json_object *point(const struct pp_report *report, int index)
 static bool add_points(struct json_object *object, const struct pp_report *report)
 {
     struct json_object *points = json_object_new_array();
-    if (!add(object, "points", points))
+    if (!pp_json_add(object, "points", points))
         return false;
     for (int i = 0; i < report->receiver_count; i++) {
         struct json_object *one = point(report, i);
@@ -172,18 +123,19 @@ static bool add_simulation(struct json_object *object, const struct pp_result *r
                            const struct pp_room_options *options)
 {
     struct json_object *simulation = json_object_new_object();
-    if (!add(object, "simulation", simulation))
+    if (!pp_json_add(object, "simulation", simulation))
         return false;
-    json_object_set_serializer(simulation, on_one_line, NULL, NULL);
-    bool good = add(simulation, "seed", json_object_new_uint64(options->seed));
+    pp_json_on_one_line(simulation);
+    bool good = pp_json_add(simulation, "seed", json_object_new_uint64(options->seed));
     if (good && options->error > 0.0)
-        good = add_number(simulation, "error", 100.0 * options->error);
+        good = pp_json_number(simulation, "error", 100.0 * options->error);
     if (good && options->samples > 0)
-        good = add(simulation, "samples", json_object_new_int64(options->samples));
+        good =
+            pp_json_add(simulation, "samples", json_object_new_int64(options->samples));
     if (good && options->seconds > 0.0)
-        good = add_number(simulation, "time", options->seconds);
+        good = pp_json_number(simulation, "time", options->seconds);
     if (good && result->by_clock)
-        good = add_text(simulation, "stopped", "time");
+        good = pp_json_text(simulation, "stopped", "time");
     return good;
 }
 
@@ -192,20 +144,20 @@ static struct json_object *room(const struct pp_results *results,
 {
     const struct pp_report *report = &result->report;
     struct json_object *object = json_object_new_object();
-    bool good = object && add_text(object, "format", "pepperpot-df-1");
+    bool good = object && pp_json_text(object, "format", "pepperpot-df-1");
     if (good && results->more_than_one_file)
-        good = add_text(object, "file", result->file);
+        good = pp_json_text(object, "file", result->file);
     if (good)
-        good = add_text(object, "room", report->world->name)
-               && add_text(object, "sky", pp_sky_name(&report->world->sky));
+        good = pp_json_text(object, "room", report->world->name)
+               && pp_json_text(object, "sky", pp_sky_name(&report->world->sky));
     if (good && results->options->simulate)
         good = add_simulation(object, result, results->options);
     if (good && !report->finished)
-        good = add(object, "finished", json_object_new_boolean(false));
+        good = pp_json_add(object, "finished", json_object_new_boolean(false));
     struct json_object *average = NULL;
     if (good)
         good = add_points(object, report)
-               && add(object, "average", average = json_object_new_object())
+               && pp_json_add(object, "average", average = json_object_new_object())
                && add_readings(average, report, -1);
     if (good)
         return object;
@@ -228,9 +180,9 @@ enum pp_status pp_print_json(const struct pp_results *results, FILE *out,
             break;
         }
     }
-    const char *text =
-        whole ? json_object_to_json_string_ext(whole, STYLE | JSON_C_TO_STRING_PRETTY)
-              : NULL;
+    const char *text = whole ? json_object_to_json_string_ext(
+                           whole, PP_JSON_STYLE | JSON_C_TO_STRING_PRETTY)
+                             : NULL;
     if (text)
         fprintf(out, "%s\n", text);
     json_object_put(whole);
