@@ -19,14 +19,16 @@ struct work {
 /* What a method says in all, allowances settled, or why it says nothing. */
 struct answer {
     struct pp_part part;
-    const char *why;                  /* static, not owned; NULL: there is a part */
+    const char *why;                  /* not owned; NULL: there is a part */
     const struct pp_opening *opening; /* that why speaks of; NULL: of the room */
     struct pp_steps *steps;           /* where the sum is set down; NULL: nowhere */
 };
 
 static enum pp_status work_create(struct work *work, const struct pp_method *method,
-                                  const struct pp_world *world, struct pp_error *err)
+                                  const struct pp_report *report, struct pp_error *err)
 {
+    static const struct pp_method_options nothing_asked;
+    const struct pp_world *world = report->world;
     *work = (struct work){.method = method, .world = world};
     work->factors = malloc(((size_t)world->opening_count + 1) * sizeof(double));
     if (!work->factors)
@@ -37,6 +39,10 @@ static enum pp_status work_create(struct work *work, const struct pp_method *met
     enum pp_status status = PP_OK;
     if (method->prepare && !refused)
         status = method->prepare(&work->tools, world, err);
+    if (method->prepare_by && !refused)
+        status =
+            method->prepare_by(&work->tools, world,
+                               report->options ? report->options : &nothing_asked, err);
     if (status != PP_OK)
         free(work->factors);
     return status;
@@ -131,6 +137,11 @@ static enum pp_status sum_openings(const struct work *work,
             world, world->openings + i, receiver, work->tools, &part, err);
         if (status != PP_OK)
             return status;
+        if (part.why) {
+            answer->why = part.why;
+            answer->opening = world->openings + i;
+            return PP_OK;
+        }
         add_opening(answer, work, i, &part);
     }
     if (world->opening_count != 1)
@@ -240,8 +251,9 @@ static enum pp_status answer_all(const struct work *work,
     int count = report->receiver_count, failed = count;
     bool by_point = work->method->speaks_for == PP_FOR_POINT;
     struct answer *average = answers + count;
-    enum pp_status status = by_point ? average_of_points(work, average, err)
-                                     : sum_openings(work, NULL, average, err);
+    bool integrated = by_point && !work->method->has_average;
+    enum pp_status status = integrated ? average_of_points(work, average, err)
+                                       : sum_openings(work, NULL, average, err);
     if (status != PP_OK)
         return status;
 
@@ -296,7 +308,8 @@ static bool give_steps(struct answer *answers, struct pp_report *report,
         return true;
     int count = report->receiver_count;
     bool by_point = method->speaks_for == PP_FOR_POINT;
-    for (int i = by_point ? 0 : count; i < (by_point ? count : count + 1); i++)
+    bool of_average = !by_point || method->has_average;
+    for (int i = by_point ? 0 : count; i < (of_average ? count + 1 : count); i++)
         if (!(answers[i].steps = pp_report_steps(report)))
             return false;
     return true;
@@ -310,7 +323,7 @@ static enum pp_status add_method(struct pp_report *report,
         return PP_OK;
 
     struct work work;
-    enum pp_status status = work_create(&work, method, report->world, err);
+    enum pp_status status = work_create(&work, method, report, err);
     if (status != PP_OK)
         return status;
     struct answer *answers =

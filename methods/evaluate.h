@@ -14,7 +14,8 @@
  * Averages over the working plane of methods that speak for a point are the integral of
  * what receivers facing up would read over the plane's area, by adaptive cubature to a
  * relative estimated error of PP_AVERAGE_ERROR (of methods that count, whose readings
- * are no finer, PP_AVERAGE_ERROR_COUNTS), with at most PP_AVERAGE_POINTS points.
+ * are no finer, PP_AVERAGE_ERROR_COUNTS), with at most PP_AVERAGE_POINTS points. A method
+ * that has an average of its own (has_average) gives that.
  */
 #ifndef PP_METHODS_EVALUATE_H
 #define PP_METHODS_EVALUATE_H

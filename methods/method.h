@@ -30,7 +30,15 @@ struct pp_part {
     double sky;             /* of PP_GIVES_DIRECT */
     double external;        /* of PP_GIVES_DIRECT */
     double value;           /* of PP_GIVES_INTERNAL and PP_GIVES_WHOLE */
+    const char *why;        /* set instead of a value: why there is none after all, as
+                             * the end of a sentence that begins with "the opening on
+                             * line 12"; static, or good as long as the tools */
     struct pp_steps *steps; /* where readings on the way are set down; NULL: nowhere */
+};
+
+/* What somebody asked for that changes a method's figures; all zero: nothing. */
+struct pp_method_options {
+    const struct pp_lumen_table *lumen_table; /* not owned; NULL: the program's own */
 };
 
 struct pp_method {
@@ -41,6 +49,8 @@ struct pp_method {
     enum pp_speaks_for speaks_for;
     unsigned allowances; /* what its figures already contain, enum pp_allowance */
     bool counts;         /* squares or dots: no finer than one of them */
+    bool has_average; /* of PP_FOR_POINT: evaluate without a receiver gives the average
+                       * over the working plane, in place of an integral over points */
 
     /* Why the method says nothing of this room, or of this receiver in it (NULL: of the
      * room as a whole): a static sentence ("the table holds the overcast sky only"), or
@@ -61,6 +71,10 @@ struct pp_method {
      * given back to put_away. */
     enum pp_status (*prepare)(void **tools, const struct pp_world *world,
                               struct pp_error *err);
+    /* The same of a method whose figures the options bear on; in place of prepare. */
+    enum pp_status (*prepare_by)(void **tools, const struct pp_world *world,
+                                 const struct pp_method_options *options,
+                                 struct pp_error *err);
     void (*put_away)(void *tools); /* NULL tools are allowed */
 
     /* What the opening gives; called only where nothing refuses, part zeroed but for

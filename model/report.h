@@ -20,9 +20,12 @@ struct pp_column {
         *points; /* one for each receiver; NULL: speaks for the room only */
 };
 
+struct pp_method_options; /* methods/method.h */
+
 struct pp_report {
-    const struct pp_world *world;        /* not owned */
-    const struct pp_receiver *receivers; /* not owned */
+    const struct pp_world *world;            /* not owned */
+    const struct pp_method_options *options; /* not owned; NULL: nothing asked for */
+    const struct pp_receiver *receivers;     /* not owned */
     int receiver_count;
     struct pp_column *columns; /* in order of component, then as asked for */
     int column_count;
