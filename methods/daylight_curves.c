@@ -8,6 +8,7 @@
 #include "methods/contour.h"
 #include "methods/exact.h"
 #include "methods/outside.h"
+#include "methods/plane_inset.h"
 
 /* Sky of a smaller solid angle than this (sr) is none: 1e-9 sr is what a slit of a
  * metre by a micrometre shows at 30 m. */
@@ -28,35 +29,15 @@ struct scene {
 
 /* ---- what is contoured ---- */
 
-/* A point as far inside the plane as the inset: moved along the inward normals of the
- * edges that it is nearer to. The plane's interior lies on the left of its rings. */
-static struct pp_vec3 inset(const struct scene *scene, double x, double y)
-{
-    const struct pp_region *plane = &scene->world->plane;
-    struct pp_vec3 moved = pp_vec(x, y, scene->world->working_plane_m);
-    for (int r = 0; r < plane->count; r++)
-        for (int i = 0; i < plane->rings[r].count; i++) {
-            const double *a = plane->rings[r].xy[i];
-            const double *b = plane->rings[r].xy[(i + 1) % plane->rings[r].count];
-            double dx = b[0] - a[0], dy = b[1] - a[1], length = hypot(dx, dy);
-            double share = ((x - a[0]) * dx + (y - a[1]) * dy) / (length * length);
-            share = fmin(fmax(share, 0.0), 1.0);
-            double off = hypot(a[0] + share * dx - x, a[1] + share * dy - y);
-            if (off >= scene->inset_m)
-                continue;
-            moved.x -= dy / length * (scene->inset_m - off);
-            moved.y += dx / length * (scene->inset_m - off);
-        }
-    return moved;
-}
-
 static enum pp_status daylight_at(void *context, double x, double y, double *value,
                                   struct pp_error *err)
 {
     const struct scene *scene = context;
     const struct pp_world *world = scene->world;
-    struct pp_receiver receiver = {.position = inset(scene, x, y),
-                                   .normal = pp_vec(0, 0, 1)};
+    struct pp_receiver receiver = {
+        .position =
+            pp_plane_inset(&world->plane, world->working_plane_m, scene->inset_m, x, y),
+        .normal = pp_vec(0, 0, 1)};
     *value = scene->irc;
     for (int i = 0; i < world->opening_count; i++) {
         const struct pp_opening *opening = &world->openings[i];
@@ -75,7 +56,10 @@ static enum pp_status sky_seen_at(void *context, double x, double y, double *val
                                   struct pp_error *err)
 {
     const struct scene *scene = context;
-    return pp_outside_sky_seen(value, scene->world, inset(scene, x, y), err);
+    const struct pp_world *world = scene->world;
+    struct pp_vec3 eye =
+        pp_plane_inset(&world->plane, world->working_plane_m, scene->inset_m, x, y);
+    return pp_outside_sky_seen(value, world, eye, err);
 }
 
 /* ---- levels ---- */
@@ -135,18 +119,6 @@ static enum pp_status add_contours(struct pp_daylight_plan *plan, struct scene *
     return status;
 }
 
-static double area_within(const struct pp_curves *outlines)
-{
-    double twice = 0.0;
-    for (int i = 0; i < outlines->count; i++)
-        for (int k = 0; k < outlines->list[i].count; k++) {
-            const double *a = outlines->list[i].xy[k];
-            const double *b = outlines->list[i].xy[(k + 1) % outlines->list[i].count];
-            twice += a[0] * b[1] - b[0] * a[1];
-        }
-    return 0.5 * twice;
-}
-
 static enum pp_status add_no_sky_line(struct pp_daylight_plan *plan,
                                       struct scene *scene, double tolerance,
                                       struct pp_error *err)
@@ -160,7 +132,7 @@ static enum pp_status add_no_sky_line(struct pp_daylight_plan *plan,
     if (status == PP_OK)
         status = pp_field_below(field, NO_SKY_SR, &plan->dark, err);
     pp_field_destroy(field);
-    double share = area_within(&plan->dark) / pp_region_area(&scene->world->plane);
+    double share = pp_curves_area(&plan->dark) / pp_region_area(&scene->world->plane);
     plan->sky_share = fmin(fmax(1.0 - share, 0.0), 1.0);
     return status;
 }
@@ -175,6 +147,11 @@ static double diagonal_of(const struct pp_region *plane)
                 high[k] = fmax(high[k], plane->rings[r].xy[i][k]);
             }
     return plane->count ? hypot(high[0] - low[0], high[1] - low[1]) : 0.0;
+}
+
+double pp_daylight_curves_tolerance(const struct pp_region *plane)
+{
+    return fmax(1e-3, diagonal_of(plane) / 5000.0);
 }
 
 enum pp_status pp_daylight_curves(struct pp_daylight_plan *plan,
@@ -192,13 +169,25 @@ enum pp_status pp_daylight_curves(struct pp_daylight_plan *plan,
     snprintf(plan->name, sizeof plan->name, "%s%s%s", pp_method_exact.name,
              irc_name ? "+" : "", irc_name ? irc_name : "");
     double diagonal = diagonal_of(&world->plane);
-    double tolerance = fmax(1e-3, diagonal / 5000.0);
+    double tolerance = pp_daylight_curves_tolerance(&world->plane);
     scene.inset_m = fmin(DAYLIGHT_INSET * diagonal, DAYLIGHT_INSET_MOST_M);
     enum pp_status status =
         add_contours(plan, &scene, tolerance, levels, level_count, err);
     scene.inset_m = SKY_INSET_M;
     if (status == PP_OK)
         status = add_no_sky_line(plan, &scene, tolerance, err);
+    if (status != PP_OK)
+        pp_daylight_plan_clear(plan);
+    return status;
+}
+
+enum pp_status pp_no_sky_line(struct pp_daylight_plan *plan,
+                              const struct pp_world *world, struct pp_error *err)
+{
+    *plan = (struct pp_daylight_plan){0};
+    struct scene scene = {world, 0.0, SKY_INSET_M};
+    enum pp_status status =
+        add_no_sky_line(plan, &scene, pp_daylight_curves_tolerance(&world->plane), err);
     if (status != PP_OK)
         pp_daylight_plan_clear(plan);
     return status;

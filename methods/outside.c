@@ -81,8 +81,9 @@ enum pp_status pp_outside_at(struct pp_outside *outside, const struct pp_world *
     return PP_OK;
 }
 
-static struct pp_vec3 centroid_of(const struct pp_polygon *outline)
+struct pp_vec3 pp_outside_middle(const struct pp_opening *opening)
 {
+    const struct pp_polygon *outline = &opening->outer;
     const struct pp_vec3 *v = outline->vertices;
     struct pp_vec3 sum = {0.0, 0.0, 0.0};
     double area = 0.0;
@@ -103,7 +104,7 @@ enum pp_status pp_outside_sky_on_plane(double *share, const struct pp_world *wor
 {
     struct pp_outside outside;
     enum pp_status status = pp_outside_at(
-        &outside, world, sky, centroid_of(&opening->outer), normal, opening->face, err);
+        &outside, world, sky, pp_outside_middle(opening), normal, opening->face, err);
     if (status == PP_OK)
         *share = outside.sky;
     return status;

@@ -10,6 +10,9 @@
 
 #include "model/world.h"
 
+/* The middle of an opening on its outside: the centroid of the outer outline. */
+struct pp_vec3 pp_outside_middle(const struct pp_opening *opening);
+
 /* Illuminance over Eh that a plane through the middle of the opening's outline (its
  * centroid), with the unit normal `normal` towards the outside, gets from `sky` (not
  * the world's) where nothing outside hides it: for a vertical normal the vertical sky

@@ -46,6 +46,18 @@ double pp_curve_length(const struct pp_curve *curve)
     return length;
 }
 
+double pp_curves_area(const struct pp_curves *curves)
+{
+    double twice = 0.0;
+    for (int i = 0; i < curves->count; i++)
+        for (int k = 0; k < curves->list[i].count; k++) {
+            const double *a = curves->list[i].xy[k];
+            const double *b = curves->list[i].xy[(k + 1) % curves->list[i].count];
+            twice += a[0] * b[1] - b[0] * a[1];
+        }
+    return 0.5 * twice;
+}
+
 void pp_daylight_plan_clear(struct pp_daylight_plan *plan)
 {
     pp_curves_clear(&plan->contours);

@@ -32,4 +32,7 @@ enum pp_status pp_curves_add(struct pp_curves *curves, struct pp_curve curve,
 /* Length of the line, in the unit of its points. */
 double pp_curve_length(const struct pp_curve *curve);
 
+/* Area within closed curves, counter-clockwise ones less clockwise ones. */
+double pp_curves_area(const struct pp_curves *curves);
+
 #endif

@@ -85,11 +85,9 @@ static enum pp_status add_segment(struct section *section, struct passage from,
     return PP_OK;
 }
 
-static enum pp_status cut_faces(struct section *section, const struct pp_resolver *r,
-                                double z, struct pp_error *err)
+static enum pp_status cut_faces(struct section *section, const struct pp_world *world,
+                                const int *corners, double z, struct pp_error *err)
 {
-    const struct pp_world *world = r->world;
-    const int *corners = r->corners;
     for (int i = 0; i < world->face_count; i++) {
         const struct pp_polygon *face = &world->surfaces[i].outline;
         struct passage *passages = malloc(face->count * sizeof *passages);
@@ -211,6 +209,24 @@ static enum pp_status sort_rings(struct pp_region *region, struct pp_error *err)
     return PP_OK;
 }
 
+/* `corners` numbers the envelope's points, face after face: the same for all faces that
+ * meet in one. */
+static enum pp_status cut_room(struct pp_region *region, const struct pp_world *world,
+                               const int *corners, double z, struct pp_error *err)
+{
+    struct section section = {0};
+    enum pp_status status = cut_faces(&section, world, corners, z, err);
+    if (status == PP_OK && section.count > 0) {
+        qsort(section.segments, section.count, sizeof *section.segments,
+              compare_segments);
+        status = chain(region, &section, err);
+    }
+    if (status == PP_OK)
+        status = sort_rings(region, err);
+    free(section.segments);
+    return status;
+}
+
 enum pp_status pp_resolve_working_plane(struct pp_resolver *r, struct pp_error *err)
 {
     struct pp_world *world = r->world;
@@ -233,15 +249,57 @@ enum pp_status pp_resolve_working_plane(struct pp_resolver *r, struct pp_error *
         return PP_OK;
     }
 
-    struct section section = {0};
-    enum pp_status status = cut_faces(&section, r, z, err);
-    if (status == PP_OK && section.count > 0) {
-        qsort(section.segments, section.count, sizeof *section.segments,
-              compare_segments);
-        status = chain(&world->plane, &section, err);
+    return cut_room(&world->plane, world, r->corners, z, err);
+}
+
+/* A corner of a face, by its place; those of one place have one number. */
+struct corner {
+    struct pp_vec3 place;
+    int at; /* in the list of all faces' vertices */
+};
+
+static int compare_corners(const void *left, const void *right)
+{
+    struct pp_vec3 a = ((const struct corner *)left)->place;
+    struct pp_vec3 b = ((const struct corner *)right)->place;
+    return a.x != b.x   ? (a.x > b.x) - (a.x < b.x)
+           : a.y != b.y ? (a.y > b.y) - (a.y < b.y)
+                        : (a.z > b.z) - (a.z < b.z);
+}
+
+/* Faces share their corners to the bit. */
+static void number_corners(int *numbers, struct corner *corners,
+                           const struct pp_world *world)
+{
+    int count = 0, number = 0;
+    for (int i = 0; i < world->face_count; i++)
+        for (int k = 0; k < world->surfaces[i].outline.count; k++, count++)
+            corners[count] =
+                (struct corner){world->surfaces[i].outline.vertices[k], count};
+    qsort(corners, count, sizeof *corners, compare_corners);
+    for (int i = 0; i < count; i++) {
+        number += i > 0 && compare_corners(&corners[i - 1], &corners[i]) != 0;
+        numbers[corners[i].at] = number;
     }
-    if (status == PP_OK)
-        status = sort_rings(&world->plane, err);
-    free(section.segments);
+}
+
+enum pp_status pp_world_section(struct pp_region *region, const struct pp_world *world,
+                                double z, struct pp_error *err)
+{
+    *region = (struct pp_region){0};
+    int count = 0;
+    for (int i = 0; i < world->face_count; i++)
+        count += world->surfaces[i].outline.count;
+    int *numbers = malloc((count + 1) * sizeof *numbers);
+    struct corner *corners = malloc((count + 1) * sizeof *corners);
+    enum pp_status status = numbers && corners ? PP_OK : pp_fail_memory(err);
+    if (status == PP_OK) {
+        number_corners(numbers, corners, world);
+        status = cut_room(region, world, numbers, z, err);
+    }
+    free(numbers);
+    free(corners);
+    if (status != PP_OK)
+        pp_region_destroy(region);
     return status;
 }

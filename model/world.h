@@ -129,6 +129,11 @@ void pp_world_destroy(struct pp_world *world); /* NULL is allowed */
 /* Does a point lie within the room's envelope? Of one on it to the bit, either. */
 bool pp_world_contains(const struct pp_world *world, struct pp_vec3 point);
 
+/* The room's section by the level plane at z (m), as world->plane is that of the working
+ * plane; empty where the room does not reach. The region is the caller's. */
+enum pp_status pp_world_section(struct pp_region *region, const struct pp_world *world,
+                                double z, struct pp_error *err);
+
 /* What is wrong with measuring at this position, as the end of a sentence ("lies
  * outside the room", "lies in an opening"), or NULL if nothing is. */
 const char *pp_world_receiver_fault(const struct pp_world *world,
