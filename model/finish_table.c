@@ -1,6 +1,7 @@
 /* finish_table.c - see finish_table.h. */
 #include "model/finish_table.h"
 
+#include <math.h>
 #include <stddef.h>
 #include <string.h>
 

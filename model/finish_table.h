@@ -4,8 +4,12 @@
 
 struct pp_finish {
     const char *name;
-    double reflectance;
-    const char *source; /* as the head of the table explains it */
+    double reflectance;      /* diffuse and gloss together */
+    double red, green, blue; /* the hue, in proportion; NAN: grey */
+    double specular;         /* the part of the reflectance that is gloss; NAN: none */
+    double along, across;    /* its roughness; across NAN: the same */
+    const char *metal;       /* "yes": the gloss has the hue too */
+    const char *source;      /* as the head of the table explains it */
     const char *description;
 };
 
