@@ -95,7 +95,8 @@ static enum pp_exit place_points(struct pp_loaded_room *room,
             at.z = room->world->working_plane_m;
         receivers[i].position = at;
         receivers[i].normal = pp_vec(0.0, 0.0, 1.0);
-        const char *fault = pp_world_receiver_fault(room->world, at);
+        const char *fault =
+            pp_world_receiver_fault(room->world, at, receivers[i].normal);
         if (fault) {
             const char *name = room->world->name;
             pp_fail(&err, PP_BAD_INPUT,

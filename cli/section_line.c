@@ -88,12 +88,12 @@ enum pp_status pp_section_line(struct pp_loaded_room *room, struct pp_error *err
     if (!receivers)
         return pp_fail_memory(err);
 
+    const struct pp_vec3 up = pp_vec(0.0, 0.0, 1.0);
     int good = 0;
     for (int i = 0; i < count; i++) {
         struct pp_vec3 at = pp_along(start, (i + 0.5) * length / count, way);
-        if (!pp_world_receiver_fault(room->world, at))
-            receivers[good++] =
-                (struct pp_receiver){.position = at, .normal = pp_vec(0.0, 0.0, 1.0)};
+        if (!pp_world_receiver_fault(room->world, at, up))
+            receivers[good++] = (struct pp_receiver){.position = at, .normal = up};
     }
     if (good < 2) {
         free(receivers);

@@ -77,11 +77,11 @@ static const char *fault_on_surface(enum pp_role role)
 {
     switch (role) {
     case PP_FLOOR:
-        return "lies in the floor";
+        return "lies in the floor without facing straight up from it";
     case PP_WALL:
-        return "lies in a wall";
+        return "lies in a wall without facing straight into the room";
     case PP_CEILING:
-        return "lies in the ceiling";
+        return "lies in the ceiling without facing straight down from it";
     case PP_REVEAL:
         return "lies in an opening";
     case PP_BLOCK:
@@ -92,9 +92,20 @@ static const char *fault_on_surface(enum pp_role role)
     return "lies in a surface";
 }
 
-const char *pp_world_receiver_fault(const struct pp_world *world,
-                                    struct pp_vec3 position)
+/* Does a receiver on that surface measure what falls on it from the room? */
+static bool lies_on(const struct pp_surface *surface, struct pp_vec3 normal)
 {
+    bool envelope = surface->role == PP_FLOOR || surface->role == PP_WALL
+                    || surface->role == PP_CEILING;
+    return envelope
+           && pp_length(pp_cross(surface->outline.normal, normal)) < PP_LEVEL_RAD
+           && pp_dot(surface->outline.normal, normal) > 0.0;
+}
+
+const char *pp_world_receiver_fault(const struct pp_world *world,
+                                    struct pp_vec3 position, struct pp_vec3 normal)
+{
+    bool on_face = false;
     for (int i = 0; i < world->opening_count; i++)
         if (is_in_opening(&world->openings[i], position))
             return fault_on_surface(PP_REVEAL);
@@ -103,11 +114,14 @@ const char *pp_world_receiver_fault(const struct pp_world *world,
             return fault_on_surface(PP_BLOCK);
     for (int i = 0; i < world->surface_count; i++) {
         const struct pp_surface *surface = &world->surfaces[i];
-        if (fabs(pp_polygon_height(&surface->outline, position)) < PP_TOUCH_M
-            && pp_polygon_distance(&surface->outline, position) < PP_TOUCH_M)
+        if (!(fabs(pp_polygon_height(&surface->outline, position)) < PP_TOUCH_M
+              && pp_polygon_distance(&surface->outline, position) < PP_TOUCH_M))
+            continue;
+        if (!lies_on(surface, normal))
             return fault_on_surface(surface->role);
+        on_face = true;
     }
-    if (!pp_world_contains(world, position))
+    if (!on_face && !pp_world_contains(world, position))
         return "lies outside the room";
     return NULL;
 }

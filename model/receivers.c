@@ -44,7 +44,8 @@ enum pp_status pp_world_place_receiver(const struct pp_world *world, double x, d
         z = world->working_plane_m;
     *receiver = (struct pp_receiver){.position = pp_vec(x, y, z),
                                      .normal = pp_vec(0.0, 0.0, 1.0)};
-    const char *fault = pp_world_receiver_fault(world, receiver->position);
+    const char *fault =
+        pp_world_receiver_fault(world, receiver->position, receiver->normal);
     if (fault)
         return pp_fail(err, PP_BAD_INPUT, "the point (%g, %g, %g) %s", x, y, z, fault);
     return PP_OK;
@@ -81,7 +82,8 @@ static void check_places(struct pp_resolver *r, const char *what, int line,
     const char *first_fault = NULL;
     struct pp_vec3 first = {0};
     for (int i = 0; i < count && r->closed; i++) {
-        const char *fault = pp_world_receiver_fault(r->world, receivers[i].position);
+        const char *fault = pp_world_receiver_fault(r->world, receivers[i].position,
+                                                    receivers[i].normal);
         if (fault && bad++ == 0) {
             first_fault = fault;
             first = receivers[i].position;
@@ -199,7 +201,7 @@ static enum pp_status lay_grid(struct pp_resolver *r, struct list *list,
             if (!pp_region_contains(&world->plane, x, y)
                 || pp_region_edge_distance(&world->plane, x, y)
                        < margin_m - PP_ROUNDING_M
-                || pp_world_receiver_fault(world, receiver.position))
+                || pp_world_receiver_fault(world, receiver.position, receiver.normal))
                 continue;
             if (add(list, receiver, err) != PP_OK)
                 return PP_SYSTEM;
@@ -252,7 +254,7 @@ static enum pp_status add_inmost(struct pp_resolver *r, struct list *list,
         double distance = pp_region_edge_distance(&world->plane, x, y);
         if (distance > farthest * (1.0 + 1e-9)
             && pp_region_contains(&world->plane, x, y)
-            && !pp_world_receiver_fault(world, place)) {
+            && !pp_world_receiver_fault(world, place, best.normal)) {
             farthest = distance;
             best.position = place;
         }

@@ -239,12 +239,12 @@ enum pp_status pp_resolve_working_plane(struct pp_resolver *r, struct pp_error *
     for (int i = 0; i < world->face_count; i++)
         for (int k = 0; k < world->surfaces[i].outline.count; k++)
             low = fmin(low, world->surfaces[i].outline.vertices[k].z);
-    if (!(z > low) || !(z < world->height_m)) {
+    if (!(z >= low) || !(z < world->height_m)) {
         int line = r->room->working_plane_line;
         pp_mistake(
             r->mistakes, line ? line : r->room->line,
-            "working-plane: its height is %g m%s; expected it between the room's "
-            "floor at %g m and its top at %g m",
+            "working-plane: its height is %g m%s; expected it from the room's "
+            "floor at %g m up to below its top at %g m",
             z, line ? "" : ", since none is given", low, world->height_m);
         return PP_OK;
     }

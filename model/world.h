@@ -134,10 +134,12 @@ bool pp_world_contains(const struct pp_world *world, struct pp_vec3 point);
 enum pp_status pp_world_section(struct pp_region *region, const struct pp_world *world,
                                 double z, struct pp_error *err);
 
-/* What is wrong with measuring at this position, as the end of a sentence ("lies
- * outside the room", "lies in an opening"), or NULL if nothing is. */
+/* What is wrong with a receiver at this position with that unit normal, as the end of a
+ * sentence ("lies outside the room", "lies in an opening"), or NULL if nothing is. On a
+ * floor, wall or ceiling one may measure what falls on it: facing straight into the
+ * room. */
 const char *pp_world_receiver_fault(const struct pp_world *world,
-                                    struct pp_vec3 position);
+                                    struct pp_vec3 position, struct pp_vec3 normal);
 
 /* A receiver that faces up at (x, y, z), z NAN: on the working plane, as the command
  * line asks for one; PP_BAD_INPUT where one can't measure there. */

@@ -230,7 +230,8 @@ static void a_shaft_is_a_hole_in_the_section(void **state)
     assert_false(pp_region_contains(&world->plane, 3.0, 3.0));
     assert_false(pp_world_contains(world, pp_vec(3.0, 3.0, 1.0)));
     assert_true(pp_world_contains(world, pp_vec(3.0, 1.0, 1.0)));
-    assert_string_equal(pp_world_receiver_fault(world, pp_vec(3.0, 3.0, 1.0)),
+    assert_string_equal(pp_world_receiver_fault(world, pp_vec(3.0, 3.0, 1.0),
+                                                pp_vec(0.0, 0.0, 1.0)),
                         "lies outside the room");
     pp_world_destroy(world);
 }

@@ -49,6 +49,22 @@ static void the_design_window_keeps_its_digits_in_a_room(void **state)
     pp_world_destroy(world);
 }
 
+/* The same window over a floor raised to the design's point: in the plane of a surface
+ * nothing of it stands in the way. */
+static void a_point_on_the_floor_sees_what_one_above_it_does(void **state)
+{
+    (void)state;
+    struct pp_world *world = pp_test_world(
+        "<room version='1'><plan width='3.0' depth='9.0' height='2.7'/>"
+        "<window wall='south' left='0.2' sill='0.1' width='2.6' height='1.4' "
+        "glazing='none'/><working-plane height='0'/>"
+        "<point x='1.1' y='2.0'/></room>");
+    assert_int_equal(world->receiver_count, 1);
+    assert_near(pp_region_area(&world->plane), 27.0, 1e-12);
+    assert_relative(facing_up(world, 1.1, 2.0, 0.0).sky, 0.04486082291318, 1e-12);
+    pp_world_destroy(world);
+}
+
 static void the_open_sky_is_one_and_a_closed_room_dark(void **state)
 {
     (void)state;
@@ -121,6 +137,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_design_window_keeps_its_digits_in_a_room),
+        cmocka_unit_test(a_point_on_the_floor_sees_what_one_above_it_does),
         cmocka_unit_test(the_open_sky_is_one_and_a_closed_room_dark),
         cmocka_unit_test(a_receiver_at_the_glass_sees_the_vertical_sky_component),
         cmocka_unit_test(behind_and_in_its_plane_a_window_gives_nothing),

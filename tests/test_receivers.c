@@ -94,7 +94,7 @@ static void a_grid_keeps_its_margin_round_a_corner(void **state)
     for (int i = 0; i < world->receiver_count; i++) {
         struct pp_vec3 p = world->receivers[i].position;
         assert_true(pp_region_edge_distance(&world->plane, p.x, p.y) > 0.6 - 1e-6);
-        assert_null(pp_world_receiver_fault(world, p));
+        assert_null(pp_world_receiver_fault(world, p, pp_vec(0.0, 0.0, 1.0)));
     }
     pp_world_destroy(world);
 }
@@ -163,6 +163,7 @@ static void a_place_is_refused_for_what_is_there(void **state)
     static const struct {
         struct pp_vec3 at;
         const char *fault;
+        struct pp_vec3 normal; /* (0, 0, 0): up */
     } cases[] = {
         {{1.5, 2.0, 0.85}, NULL},
         {{1.5, -0.1, 1.5}, "lies in an opening"},
@@ -171,11 +172,24 @@ static void a_place_is_refused_for_what_is_there(void **state)
         {{1.5, 0.0, 1.5}, "lies in an opening"},
         {{1.5, 4.0, 1.5}, "lies in an opening"},
         {{1.5, 3.999, 1.5}, NULL},
-        {{0.5, 0.0, 1.5}, "lies in a wall"},
+        {{0.5, 0.0, 1.5}, "lies in a wall without facing straight into the room"},
+        {{0.5, 0.0, 1.5}, NULL, {0.0, 1.0, 0.0}},
+        {{0.5, 0.0, 1.5},
+         "lies in a wall without facing straight into the room",
+         {0.0, -1.0, 0.0}},
+        {{0.5, 0.0, 1.5},
+         "lies in a wall without facing straight into the room",
+         {0.0, 0.8, 0.6}},
         {{0.5, 0.001, 1.5}, NULL},
-        {{0.5, 1.5, 0.0}, "lies in the floor"},
-        {{0.5, 1.5, 2.7}, "lies in the ceiling"},
-        {{3.0, 4.0, 2.7}, "lies in a wall"},
+        {{0.5, 1.5, 0.0}, NULL},
+        {{0.5, 1.5, 5e-5}, NULL},
+        {{0.5, 1.5, 0.0},
+         "lies in the floor without facing straight up from it",
+         {0.0, 1.0, 0.0}},
+        {{0.5, 1.5, 2.7}, "lies in the ceiling without facing straight down from it"},
+        {{0.5, 1.5, 2.7}, NULL, {0.0, 0.0, -1.0}},
+        {{3.0, 4.0, 2.7}, ""},
+        {{3.0, 1.5, 0.0}, "lies in a wall without facing straight into the room"},
         {{0.5, 1.5, 2.8}, "lies outside the room"},
         {{5.3, 1.2, 1.0}, "lies in a block"},
         {{6.9, 0.1, 1.0}, "lies outside the room"},
@@ -184,12 +198,16 @@ static void a_place_is_refused_for_what_is_there(void **state)
         {{1.7, 2.3, 0.71}, NULL},
     };
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
-        const char *fault = pp_world_receiver_fault(world, cases[i].at);
+        struct pp_vec3 normal = cases[i].normal;
+        if (pp_length(normal) == 0.0)
+            normal.z = 1.0;
+        const char *fault = pp_world_receiver_fault(world, cases[i].at, normal);
         if (!cases[i].fault)
             assert_null(fault);
-        else if (!fault || strcmp(fault, cases[i].fault) != 0)
-            /* In a corner it may be said of any of the faces that meet. */
-            assert_true(fault && i == 11);
+        else if (cases[i].fault[0])
+            assert_string_equal(fault, cases[i].fault);
+        else /* in a corner it may be said of any of the faces that meet */
+            assert_non_null(fault);
     }
 
     struct pp_receiver receiver;

@@ -242,6 +242,37 @@ static void a_window_shows_the_sky_of_the_closed_form(void **state)
     pp_world_destroy(world);
 }
 
+/* From the floor, a wall and the ceiling themselves: no ray is lost in them or behind
+ * them, and next to them it is the same. The ceiling sees no sky. */
+static void on_a_surface_one_measures_what_falls_on_it(void **state)
+{
+    (void)state;
+    struct pp_world *world =
+        pp_test_world("<room version='1'><plan width='3.1' depth='4.3' height='2.6'/>"
+                      "" WINDOW "'none'/></room>");
+    static const struct pp_receiver on[] = {
+        {{1.1, 2.0, 0.0}, {0.0, 0.0, 1.0}},
+        {{0.0, 1.7, 1.3}, {1.0, 0.0, 0.0}},
+        {{1.3, 4.3, 0.6}, {0.0, -1.0, 0.0}},
+        {{1.1, 2.0, 2.6}, {0.0, 0.0, -1.0}},
+    };
+    for (size_t i = 0; i < sizeof on / sizeof *on; i++) {
+        assert_null(pp_world_receiver_fault(world, on[i].position, on[i].normal));
+        struct pp_receiver off = on[i];
+        off.position = pp_along(off.position, 2e-3, off.normal);
+        struct pp_reading here[4], there[4];
+        trace_one(world, on[i], 256, here);
+        trace_one(world, off, 256, there);
+        assert_traced(here[PP_SC], sky_of(world, window, 4, on[i]), 2e-4);
+        /* Two millimetres are a thousandth of the distances here. */
+        double noise = hypot(here[PP_DF].std_error, there[PP_DF].std_error);
+        assert_near(here[PP_DF].value, there[PP_DF].value,
+                    4.0 * noise + 3e-3 * there[PP_DF].value);
+        assert_true(here[PP_IRC].value > 1e-3);
+    }
+    pp_world_destroy(world);
+}
+
 static void glass_takes_its_share_by_angle(void **state)
 {
     (void)state;
@@ -520,6 +551,7 @@ int main(void)
         cmocka_unit_test(equilibrium_behind_a_diffusing_pane),
         cmocka_unit_test(equilibrium_a_kilometre_away_from_the_origin),
         cmocka_unit_test(a_window_shows_the_sky_of_the_closed_form),
+        cmocka_unit_test(on_a_surface_one_measures_what_falls_on_it),
         cmocka_unit_test(glass_takes_its_share_by_angle),
         cmocka_unit_test(a_diffusing_pane_is_a_lamp),
         cmocka_unit_test(a_reveal_hides_the_edges_of_the_glass),
