@@ -114,7 +114,7 @@ static bool fill_table(struct pp_table *table, const struct pp_report *report,
     const struct pp_column *traced = pp_report_find(report, PP_DF, "traced");
     for (int i = 0; traced && i < report->column_count; i++) {
         const struct pp_column *column = &report->columns[i];
-        if (column->component == PP_DF && column != traced
+        if (column->component == PP_DF && column != traced && !column->of_all_surfaces
             && !add_distances(table, report, column, traced))
             return false;
     }

@@ -4,37 +4,39 @@
  *
  *   T      diffuse transmittance of the glass, 1 for an unglazed opening
  *   W      net glass area (m2): opening area times frame factor
- *   theta  vertical angle of visible sky (degrees) at the middle of the opening, in the
- *          plane of the wall's inside: from the obstruction's angle up to the upper
- * edge of the reveal, atan(height/2 / reveal) M      maintenance factor A      area of
- * all inside surfaces, openings included (m2) R      their area-weighted mean
- * reflectance, openings with 0.1
+ *   theta  angle of visible sky (degrees), visible_angle.h
+ *   M      maintenance factor
+ *   A      area of all inside surfaces, openings included (m2)
+ *   R      their area-weighted mean reflectance, openings with 0.1
  *
  * For vertical openings under the CIE overcast sky. Several openings add up, with the
  * common A and R. Nothing is left to allow for but decorations. The formula is not
  * meant for obstructions that one section angle does not describe; blocks are taken by
  * obstruction_angle.h.
  */
-#include <stddef.h>
-
+#include "methods/bre_terms.h"
 #include "methods/inside.h"
 #include "methods/methods.h"
-#include "methods/obstruction_angle.h"
 #include "methods/refusals.h"
+#include "methods/visible_angle.h"
 
-static const char *refuses_room(const struct pp_world *world,
-                                const struct pp_receiver *receiver)
+static void set_down(struct pp_steps *steps, const struct pp_visible_angle *angle,
+                     const struct pp_inside *all, const struct pp_opening *opening,
+                     double value)
 {
-    const char *why = pp_refuse_unless_overcast_and_up(world, receiver);
-    return why ? why : pp_refuse_if_luminous(world);
-}
-
-static const char *refuses(const struct pp_world *world,
-                           const struct pp_opening *opening,
-                           const struct pp_receiver *receiver)
-{
-    (void)world, (void)receiver;
-    return pp_refuse_unless_vertical(opening);
+    int line = opening->line;
+    pp_step_named(steps, PP_UNIT_NUMBER, opening->glass.diffuse, "T",
+                  "opening on line %d: diffuse transmittance", line);
+    pp_step_net_area(steps, opening, "W");
+    pp_visible_angle_steps(steps, angle, opening);
+    pp_step_named(steps, PP_UNIT_NUMBER, opening->maintenance, "M",
+                  "opening on line %d: maintenance", line);
+    pp_step_named(steps, PP_UNIT_SQUARE_METRE, all->area_m2, "A",
+                  "area of all inside surfaces, openings included");
+    pp_step_named(steps, PP_UNIT_NUMBER, all->reflectance, "R",
+                  "their mean reflectance, openings with 0.1");
+    pp_step_worked(steps, PP_UNIT_SHARE, value, "DF", "T W theta M / (A (1 - R^2))",
+                   "opening on line %d: average daylight factor", line);
 }
 
 static enum pp_status evaluate(const struct pp_world *world,
@@ -43,18 +45,18 @@ static enum pp_status evaluate(const struct pp_world *world,
                                struct pp_part *part, struct pp_error *err)
 {
     (void)receiver, (void)tools;
-    double alpha_rad;
-    enum pp_status status = pp_obstruction_angle(&alpha_rad, world, opening, err);
+    struct pp_visible_angle angle;
+    enum pp_status status = pp_visible_angle(&angle, world, opening, err);
     if (status != PP_OK)
         return status;
     struct pp_inside all = pp_inside_all(world);
 
     double T = opening->glass.diffuse, M = opening->maintenance;
     double W = opening->inner.area_m2 * opening->frame_factor;
+    double theta_deg = angle.theta_rad / PP_RAD;
     double A = all.area_m2, R = all.reflectance;
-    double head_rad = atan2(opening->height_m / 2.0, opening->reveal_m);
-    double theta_deg = fmax(head_rad - alpha_rad, 0.0) / PP_RAD;
     part->value = T * W * theta_deg * M / (A * (1.0 - R * R)) / 100.0;
+    set_down(part->steps, &angle, &all, opening, part->value);
     return PP_OK;
 }
 
@@ -65,7 +67,7 @@ const struct pp_method pp_method_average_df = {
     .gives = PP_GIVES_WHOLE,
     .speaks_for = PP_FOR_ROOM,
     .allowances = PP_ALLOWS_OWN_GLASS | PP_ALLOWS_FRAME | PP_ALLOWS_DIRT,
-    .refuses_room = refuses_room,
-    .refuses = refuses,
+    .refuses_room = pp_refuse_room_of_formula,
+    .refuses = pp_refuse_opening_unless_vertical,
     .evaluate = evaluate,
 };

@@ -250,6 +250,7 @@ static enum pp_status answer_all(const struct work *work,
 {
     int count = report->receiver_count, failed = count;
     bool by_point = work->method->speaks_for == PP_FOR_POINT;
+    bool minimum = work->method->speaks_for == PP_FOR_MINIMUM;
     struct answer *average = answers + count;
     bool integrated = by_point && !work->method->has_average;
     enum pp_status status = integrated ? average_of_points(work, average, err)
@@ -263,6 +264,8 @@ static enum pp_status answer_all(const struct work *work,
             why = work->method->refuses_room(work->world, report->receivers + i);
         answers[i] = why ? (struct answer){.why = why} : *average;
     }
+    if (minimum && !average->why)
+        *average = (struct answer){.why = "it gives the least in the room, no average"};
     if (!by_point)
         return PP_OK;
 #pragma omp parallel for schedule(dynamic, 1) if (count > 64)
@@ -292,6 +295,7 @@ static enum pp_status add_column(struct pp_report *report,
         pp_report_add(report, component, method->name, !whole_room);
     if (!column)
         return pp_fail_memory(err);
+    column->of_all_surfaces = method->of_all_surfaces;
     enum pp_status status =
         to_reading(&column->average, report, method, answers + count, component, err);
     for (int i = 0; i < count && column->points && status == PP_OK; i++)

@@ -120,6 +120,20 @@ struct pp_inside pp_inside_all(const struct pp_world *world)
     return split(world, INFINITY, -1, true).lower;
 }
 
+struct pp_inside pp_inside_role(const struct pp_world *world, enum pp_role role)
+{
+    struct sums sums = {0};
+    for (int i = 0; i < world->face_count; i++)
+        if (world->surfaces[i].role == role)
+            add(&sums, world->surfaces[i].outline.area_m2, world->surfaces[i].front);
+    for (int i = 0; i < world->opening_count; i++) {
+        const struct pp_surface *face = world->surfaces + world->openings[i].face;
+        if (face->role == role)
+            add(&sums, -world->openings[i].inner.area_m2, face->front);
+    }
+    return mean(sums);
+}
+
 struct pp_inside_parts pp_inside_split(const struct pp_world *world, double z)
 {
     return split(world, z, -1, false);

@@ -22,6 +22,9 @@ struct pp_inside {
 /* All inside surfaces, openings included: A and R. */
 struct pp_inside pp_inside_all(const struct pp_world *world);
 
+/* The faces of a role (floor, walls or ceiling) without their openings. */
+struct pp_inside pp_inside_role(const struct pp_world *world, enum pp_role role);
+
 struct pp_inside_parts {
     struct pp_inside lower, upper;
 };

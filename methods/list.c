@@ -4,13 +4,23 @@
 #include <stddef.h>
 #include <string.h>
 
+/* clang-format off */
 const struct pp_method *const pp_methods[] = {
-    &pp_method_exact,      &pp_method_brs_table,
-    &pp_method_waldram,    &pp_method_pepper_pot,
-    &pp_method_protractor, &pp_method_bre,
-    &pp_method_split_flux, &pp_method_average_df,
+    &pp_method_exact,
+    &pp_method_brs_table,
+    &pp_method_waldram,
+    &pp_method_pepper_pot,
+    &pp_method_protractor,
+    &pp_method_bre,
+    &pp_method_bre_min,
+    &pp_method_bre_table,
+    &pp_method_split_flux,
+    &pp_method_sphere,
+    &pp_method_average_df,
+    &pp_method_average_df_lynes,
     NULL,
 };
+/* clang-format on */
 
 const struct pp_method *pp_method_at(int index)
 {

@@ -22,7 +22,9 @@ enum pp_gives {
 
 enum pp_speaks_for {
     PP_FOR_POINT,
-    PP_FOR_ROOM, /* an average: a point's value by it is that average */
+    PP_FOR_ROOM,    /* an average: a point's value by it is that average */
+    PP_FOR_MINIMUM, /* the least in the room: it stands for each point, and tells no
+                     * average */
 };
 
 /* What one opening gives, before allowances are settled. */
@@ -47,6 +49,8 @@ struct pp_method {
     const char *source;  /* key in docs/SOURCES.md */
     enum pp_gives gives;
     enum pp_speaks_for speaks_for;
+    bool of_all_surfaces; /* an average over the room's surfaces, not its working plane:
+                           * not to be compared with one */
     unsigned allowances; /* what its figures already contain, enum pp_allowance */
     bool counts;         /* squares or dots: no finer than one of them */
     bool has_average; /* of PP_FOR_POINT: evaluate without a receiver gives the average

@@ -10,7 +10,11 @@ extern const struct pp_method pp_method_waldram;
 extern const struct pp_method pp_method_pepper_pot;
 extern const struct pp_method pp_method_protractor;
 extern const struct pp_method pp_method_bre;
+extern const struct pp_method pp_method_bre_min;
+extern const struct pp_method pp_method_bre_table;
 extern const struct pp_method pp_method_split_flux;
+extern const struct pp_method pp_method_sphere;
 extern const struct pp_method pp_method_average_df;
+extern const struct pp_method pp_method_average_df_lynes;
 
 #endif

@@ -32,9 +32,24 @@ const char *pp_refuse_if_luminous(const struct pp_world *world)
     return NULL;
 }
 
+const char *pp_refuse_room_of_formula(const struct pp_world *world,
+                                      const struct pp_receiver *receiver)
+{
+    const char *why = pp_refuse_unless_overcast_and_up(world, receiver);
+    return why ? why : pp_refuse_if_luminous(world);
+}
+
 const char *pp_refuse_unless_vertical(const struct pp_opening *opening)
 {
     if (fabs(opening->slope_rad - PP_PI / 2.0) > angle_tolerance_rad)
         return "is not vertical, and only vertical ones are covered";
     return NULL;
+}
+
+const char *pp_refuse_opening_unless_vertical(const struct pp_world *world,
+                                              const struct pp_opening *opening,
+                                              const struct pp_receiver *receiver)
+{
+    (void)world, (void)receiver;
+    return pp_refuse_unless_vertical(opening);
 }

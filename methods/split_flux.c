@@ -1,39 +1,33 @@
 /* split_flux.c - `split-flux`: internally reflected component by splitting the light
- * that enters into what falls on the upper and on the lower half of the room.
+ * that enters into what falls on the upper and on the lower part of the room first.
  *
- * Clear glass: light from above the horizon falls on the lower part first, light from
- * the ground on the upper one. The lower part's illuminance from the upper, over Eh:
- *
- *     IRC = tau Ag / (1 - rho_u rho_l)
- *         . [rho_u G / A_u + rho_u rho_l C / A_l]                [GEEBELEN] eq. 9
- *
- * A diffusing pane sends all that it lets through to both:
+ * Through clear glass (entering_light.h), the lower part's illuminance from the upper,
+ * over Eh:
  *
  *     IRC = tau Ag / (1 - rho_u rho_l)
- *         . (G + C) [u rho_u / A_u + (1 - u) rho_u rho_l / A_l]  [GEEBELEN] eq. 12
+ *         . [rho_u C_g / A_u + rho_u rho_l C / A_l]              [GEEBELEN] eq. 9
+ *
+ * Through a diffusing pane:
+ *
+ *     IRC = tau Ag / (1 - rho_u rho_l)
+ *         . (C_g + C) [u rho_u / A_u + (1 - u) rho_u rho_l / A_l]  [GEEBELEN] eq. 12
  *
  *   tau   diffuse transmittance: 0.85 times the glass type's factor, 1 for no glass
  *   Ag    net glass area (m2): opening area times frame factor
  *   A_u, rho_u   area (m2) and mean reflectance of what lies above the middle of the
  *         opening's height, window walls less their openings included; A_l, rho_l below
- *   C     illuminance of the glass from above the horizon, over Eh
- *   G     the same from the ground: rho_ground (1 - cos slope)/2, rho_ground/2 in print
- *   u     share of a diffusing pane's light that goes up: (1 - cos slope)/2, 1/2 in
- * print
+ *   C, C_g   illuminance of the glass from above the horizon and from the ground
+ *   u     share of a diffusing pane's light that goes up, 1/2 in print
  *
- * C of a vertical opening under the overcast sky is that of the BRE table
- * (obstruction_factor.h). Elsewhere it is C_hv (1 - alpha/90), as printed, with the
- * sky's exact ratio C_hv of the open sky on the glass's slope, in place of 0.39.
- *
- * For any sky, any slope, several openings (their sum). It contains the opening's glass
- * and, through Ag, the frame; no dirt, no deterioration of decorations.
+ * For any sky, any slope, several openings: each with its own parts, added up. It
+ * contains the opening's glass and, through Ag, the frame; no dirt, no deterioration of
+ * decorations.
  */
 #include <stddef.h>
 
+#include "methods/entering_light.h"
 #include "methods/inside.h"
 #include "methods/methods.h"
-#include "methods/obstruction_angle.h"
-#include "methods/obstruction_factor.h"
 #include "methods/refusals.h"
 
 static const char *refuses_room(const struct pp_world *world,
@@ -54,21 +48,38 @@ static const char *refuses(const struct pp_world *world,
     return NULL;
 }
 
-/* C: what comes to the glass from above the horizon, over Eh. */
-static double from_above(const struct pp_world *world, const struct pp_opening *opening,
-                         double alpha_rad)
-{
-    bool vertical = pp_refuse_unless_vertical(opening) == NULL;
-    if (vertical && world->sky.kind == PP_SKY_OVERCAST)
-        return pp_obstruction_factor(alpha_rad);
-    struct pp_vec3 outward = pp_scale(opening->inner.normal, -1.0);
-    return pp_sky_on_plane(&world->sky, outward) * (1.0 - alpha_rad / (PP_PI / 2.0));
-}
-
 /* x/y, and 0 where there is nothing to light. */
 static double over(double x, double y)
 {
     return y > 0.0 ? x / y : 0.0;
+}
+
+static void set_down(struct pp_steps *steps, const struct pp_entering_light *light,
+                     const struct pp_inside_parts *parts,
+                     const struct pp_opening *opening, double value)
+{
+    static const char clear[] =
+        "tau Ag / (1 - rho_u rho_l) (rho_u C_g / A_u + rho_u rho_l C / A_l)";
+    static const char diffusing[] =
+        "tau Ag / (1 - rho_u rho_l) (C_g + C) (u rho_u / A_u + (1 - u) rho_u rho_l / "
+        "A_l)";
+    pp_entering_light_steps(steps, light, opening);
+    pp_step_named(steps, PP_UNIT_SQUARE_METRE, parts->upper.area_m2, "A_u",
+                  "area of all above %.2f m, the middle of the opening",
+                  opening->middle_z_m);
+    pp_step_named(steps, PP_UNIT_NUMBER, parts->upper.reflectance, "rho_u",
+                  "its mean reflectance");
+    pp_step_named(steps, PP_UNIT_SQUARE_METRE, parts->lower.area_m2, "A_l",
+                  "area of all below it");
+    pp_step_named(steps, PP_UNIT_NUMBER, parts->lower.reflectance, "rho_l",
+                  "its mean reflectance");
+    bool both = parts->upper.area_m2 > 0.0 && parts->lower.area_m2 > 0.0;
+    pp_step_worked(steps, PP_UNIT_SHARE, value, "IRC",
+                   !both              ? "0"
+                   : light->diffusing ? diffusing
+                                      : clear,
+                   "opening on line %d: average internally reflected component",
+                   opening->line);
 }
 
 static enum pp_status evaluate(const struct pp_world *world,
@@ -77,27 +88,17 @@ static enum pp_status evaluate(const struct pp_world *world,
                                struct pp_part *part, struct pp_error *err)
 {
     (void)receiver, (void)tools;
-    double alpha_rad;
-    enum pp_status status = pp_obstruction_angle(&alpha_rad, world, opening, err);
+    struct pp_entering_light light;
+    enum pp_status status = pp_entering_light(&light, world, opening, err);
     if (status != PP_OK)
         return status;
     struct pp_inside_parts parts = pp_inside_split(world, opening->middle_z_m);
-
-    double tau = pp_allowance_reflected_glass(opening);
-    double Ag = opening->inner.area_m2 * opening->frame_factor;
-    double rho_u = parts.upper.reflectance, rho_l = parts.lower.reflectance;
-    double C = from_above(world, opening, alpha_rad);
-    double upward = (1.0 - cos(opening->slope_rad)) / 2.0;
-    double G = world->ground_reflectance * upward;
-
-    double to_upper = G, to_lower = C;
-    if (opening->glass.diffusing) {
-        to_upper = (G + C) * upward;
-        to_lower = (G + C) * (1.0 - upward);
-    }
-    part->value = tau * Ag / (1.0 - rho_u * rho_l)
-                  * (over(rho_u * to_upper, parts.upper.area_m2)
-                     + over(rho_u * rho_l * to_lower, parts.lower.area_m2));
+    double A_u = parts.upper.area_m2, rho_u = parts.upper.reflectance;
+    double A_l = parts.lower.area_m2, rho_l = parts.lower.reflectance;
+    part->value =
+        light.tau * light.Ag / (1.0 - rho_u * rho_l)
+        * (over(rho_u * light.up, A_u) + over(rho_u * rho_l * light.down, A_l));
+    set_down(part->steps, &light, &parts, opening, part->value);
     return PP_OK;
 }
 

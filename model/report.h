@@ -16,6 +16,8 @@ struct pp_column {
     enum pp_component component;
     char name[48];
     struct pp_reading average; /* over the whole working plane */
+    bool of_all_surfaces; /* an average over the room's surfaces: not to be compared with
+                           * those over its working plane */
     struct pp_reading
         *points; /* one for each receiver; NULL: speaks for the room only */
 };

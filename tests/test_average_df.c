@@ -1,20 +1,25 @@
 /* test_average_df.c - the average daylight factor formula. */
+#include "methods/inside.h"
 #include "methods/methods.h"
 
 #include "tests/near.h"
 
 #include "tests/box_room.h"
 
-static double average_df_of(struct box_room *box, int index)
+static double value_of(const struct pp_method *method, struct box_room *box, int index)
 {
     struct pp_part part = {0};
     const struct pp_opening *opening = box->openings + index;
-    assert_null(pp_method_average_df.refuses_room(&box->world, NULL));
-    assert_null(pp_method_average_df.refuses(&box->world, opening, NULL));
-    assert_int_equal(
-        pp_method_average_df.evaluate(&box->world, opening, NULL, NULL, &part, NULL),
-        PP_OK);
+    assert_null(method->refuses_room(&box->world, NULL));
+    assert_null(method->refuses(&box->world, opening, NULL));
+    assert_int_equal(method->evaluate(&box->world, opening, NULL, NULL, &part, NULL),
+                     PP_OK);
     return part.value;
+}
+
+static double average_df_of(struct box_room *box, int index)
+{
+    return value_of(&pp_method_average_df, box, index);
 }
 
 static void build_worked_room(struct box_room *box)
@@ -64,6 +69,23 @@ static void reveal_cuts_the_angle_from_above(void **state)
     assert_near(average_df_of(&box, 0), 0.0, 0.0);
 }
 
+/* (1 + R)/2 of the newer form, but for the dirt that it does not hold. By hand for the
+ * worked room: R 0.45778, 2.5163 / 0.9 / 2 * 1.45778 = 2.0379. */
+static void older_form_is_over_all_surfaces(void **state)
+{
+    (void)state;
+    struct box_room box;
+    build_worked_room(&box);
+    box_room_skyline(&box, 25.0 * PP_RAD, 1.65, INFINITY);
+    assert_near(100.0 * value_of(&pp_method_average_df_lynes, &box, 0), 2.0379, 2e-4);
+    double R = pp_inside_all(&box.world).reflectance, M = 0.9;
+    assert_near(R, 0.45778, 5e-6); /* as printed */
+    assert_relative(value_of(&pp_method_average_df_lynes, &box, 0),
+                    (1 + R) / 2 / M * average_df_of(&box, 0), 1e-14);
+    assert_true(pp_method_average_df_lynes.of_all_surfaces);
+    assert_int_equal(pp_method_average_df_lynes.allowances & PP_ALLOWS_DIRT, 0);
+}
+
 static void other_skies_and_slopes_are_refused(void **state)
 {
     (void)state;
@@ -82,6 +104,7 @@ int main(void)
         cmocka_unit_test(worked_room_has_2_5163_per_cent),
         cmocka_unit_test(proportional_to_glass_frame_dirt_and_angle),
         cmocka_unit_test(reveal_cuts_the_angle_from_above),
+        cmocka_unit_test(older_form_is_over_all_surfaces),
         cmocka_unit_test(other_skies_and_slopes_are_refused),
     };
     return cmocka_run_group_tests_name("average daylight factor", tests, NULL, NULL);

@@ -122,9 +122,14 @@ static void assert_all_scale(const char *attributes, double direct, double inter
         double factor = method->gives == PP_GIVES_DIRECT     ? direct
                         : method->gives == PP_GIVES_INTERNAL ? internal
                                                              : whole;
+        /* its table is no straight line: twice the glass has a little more than twice
+         * the light */
+        bool curved = method == pp_method_find("bre-table");
         if (factor > 0.0 && a->points)
-            assert_relative(b->points[0].value, factor * a->points[0].value, ROUNDING);
-        if (factor > 0.0)
+            assert_relative(b->points[0].value, factor * a->points[0].value,
+                            curved ? 0.1 : ROUNDING);
+        assert_true(isnan(a->average.value) == (method->speaks_for == PP_FOR_MINIMUM));
+        if (factor > 0.0 && method->speaks_for != PP_FOR_MINIMUM)
             assert_relative(b->average.value, factor * a->average.value, ROUNDING);
     }
     pp_report_clear(&before);
@@ -216,7 +221,10 @@ static void a_room_without_openings_is_dark(void **state)
     struct pp_report report = evaluate(world, "all");
     for (int i = 0; i < report.column_count; i++) {
         const struct pp_column *column = report.columns + i;
-        assert_near(column->average.value, 0.0, 0.0);
+        if (!column->average.why) /* a minimum tells no average */
+            assert_near(column->average.value, 0.0, 0.0);
+        else
+            assert_non_null(strstr(column->average.why, "no average"));
         for (int k = 0; k < report.receiver_count && column->points; k++)
             assert_near(column->points[k].value, 0.0, 0.0);
     }
