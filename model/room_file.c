@@ -1,13 +1,11 @@
 /* room_file.c - the room file's door to the world: see room.h. */
 #include "model/room.h"
 
-#include <errno.h>
-#include <fcntl.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 
+#include "model/file_bytes.h"
 #include "model/nearest.h"
 #include "model/number.h"
 #include "model/room_read.h"
@@ -47,51 +45,14 @@ enum pp_status pp_building_parse(struct pp_building **building, const char *byte
     return PP_OK;
 }
 
-/* All of a file, but never more than one byte above the limit: that tells. */
-static enum pp_status read_bytes(char **bytes, size_t *length, int file,
-                                 const char *name, struct pp_error *err)
-{
-    size_t room = 1 << 16;
-    *length = 0;
-    *bytes = malloc(room);
-    while (*bytes && *length <= PP_XML_BYTES_MOST) {
-        if (*length == room) {
-            room = room * 4 <= PP_XML_BYTES_MOST ? room * 4 : PP_XML_BYTES_MOST + 1;
-            char *moved = realloc(*bytes, room);
-            if (!moved)
-                break;
-            *bytes = moved;
-        }
-        ssize_t got = read(file, *bytes + *length, room - *length);
-        if (got == 0)
-            return PP_OK;
-        if (got < 0)
-            return errno == EINTR
-                       ? pp_fail(err, PP_INTERRUPTED, "%s: interrupted", name)
-                       : pp_fail(err, errno == EISDIR ? PP_BAD_INPUT : PP_SYSTEM,
-                                 "%s: cannot be read: %s", name, strerror(errno));
-        *length += (size_t)got;
-    }
-    return *length > PP_XML_BYTES_MOST ? PP_OK : pp_fail_memory(err);
-}
-
 enum pp_status pp_building_read(struct pp_building **building, const char *path,
                                 struct pp_mistakes *mistakes, struct pp_error *err)
 {
-    bool standard = strcmp(path, "-") == 0;
-    const char *name = standard ? "standard input" : path;
-    *building = NULL;
-    int file = standard ? STDIN_FILENO : open(path, O_RDONLY | O_CLOEXEC);
-    if (file < 0) {
-        bool missing = errno == ENOENT || errno == ENOTDIR || errno == ENAMETOOLONG;
-        return pp_fail(err, missing ? PP_BAD_INPUT : PP_SYSTEM,
-                       "%s: cannot be opened: %s", name, strerror(errno));
-    }
-    char *bytes = NULL;
+    char *bytes;
     size_t length;
-    enum pp_status status = read_bytes(&bytes, &length, file, name, err);
-    if (!standard)
-        close(file);
+    *building = NULL;
+    enum pp_status status =
+        pp_file_bytes(&bytes, &length, path, PP_XML_BYTES_MOST, err);
     if (status == PP_OK)
         status = pp_building_parse(building, bytes, length, mistakes, err);
     free(bytes);
