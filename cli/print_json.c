@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "cli/json.h"
+#include "methods/method.h"
 #include "model/sky.h"
 
 /* As numbers and units are written outside: per cent and degrees. */
@@ -23,11 +24,14 @@ static bool add_step(struct json_object *object, const struct pp_step *step)
            && (!step->symbol[0] || pp_json_text(object, "symbol", step->symbol))
            && (!step->formula[0] || pp_json_text(object, "formula", step->formula))
            && pp_json_number(object, "value", units[step->unit].scale * step->value)
-           && pp_json_text(object, "unit", units[step->unit].name);
+           && pp_json_text(object, "unit", units[step->unit].name)
+           && (!step->line
+               || pp_json_add(object, "opening", json_object_new_int(step->line)));
 }
 
 /* Adds "steps": [{ "step": "...", "symbol": "W", "formula": "...", "value": 1.25,
- * "unit": "%" }]; symbol and formula where there are any. */
+ * "unit": "%", "opening": 8 }]; symbol and formula where there are any, the line of the
+ * opening where it is one's. */
 static bool add_steps(struct json_object *object, const struct pp_steps *steps)
 {
     struct json_object *list = json_object_new_array();
@@ -44,8 +48,20 @@ static bool add_steps(struct json_object *object, const struct pp_steps *steps)
     return true;
 }
 
-/* { "value": 1.25, "se": 0.01 } or { "value": null, "why": "..." } */
-static struct json_object *entry(const struct pp_reading *reading)
+/* What a method's figures have in them already; nothing of a pair, which is of two. */
+static bool add_contents(struct json_object *object, const char *name)
+{
+    char contents[160];
+    const struct pp_method *method = pp_method_find(name);
+    if (!method)
+        return true;
+    pp_allowance_words(contents, sizeof contents, method->allowances);
+    return pp_json_text(object, "contains", contents);
+}
+
+/* { "value": 1.25, "se": 0.01 } or { "value": null, "why": "..." }; name is the
+ * column's. */
+static struct json_object *entry(const struct pp_reading *reading, const char *name)
 {
     struct json_object *object = json_object_new_object();
     bool good = object && pp_json_number(object, "value", 100.0 * reading->value);
@@ -55,7 +71,7 @@ static struct json_object *entry(const struct pp_reading *reading)
         good =
             pp_json_text(object, "why", reading->why ? reading->why : "not computed");
     if (good && reading->steps)
-        good = add_steps(object, reading->steps);
+        good = add_contents(object, name) && add_steps(object, reading->steps);
     if (good)
         return object;
     json_object_put(object);
@@ -80,7 +96,8 @@ static bool add_readings(struct json_object *object, const struct pp_report *rep
             pp_json_on_one_line(*component);
         }
         if (!pp_json_add(*component, column->name,
-                         entry(index < 0 ? &column->average : &column->points[index])))
+                         entry(index < 0 ? &column->average : &column->points[index],
+                               column->name)))
             return false;
     }
     return true;

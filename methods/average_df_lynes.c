@@ -29,7 +29,7 @@ static void set_down(struct pp_steps *steps, const struct pp_visible_angle *angl
                   "area of all inside surfaces, openings included");
     pp_step_named(steps, PP_UNIT_NUMBER, all->reflectance, "R",
                   "their mean reflectance, openings with 0.1");
-    pp_step_worked(steps, PP_UNIT_SHARE, value, "DF", "T W theta / (2 A (1 - R))",
+    pp_step_worked(steps, PP_UNIT_SHARE, value, "df", "T W theta / (2 A (1 - R))",
                    "opening on line %d: average over all surfaces", line);
 }
 

@@ -19,7 +19,7 @@ static enum pp_status evaluate(const struct pp_world *world,
     if (status != PP_OK)
         return status;
     part->value = pp_bre_average(&terms);
-    pp_bre_steps(part->steps, &terms, opening, "IRC");
+    pp_bre_steps(part->steps, &terms, opening, "irc");
     return PP_OK;
 }
 

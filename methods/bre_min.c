@@ -39,7 +39,7 @@ static enum pp_status evaluate(const struct pp_world *world,
                   "mean reflectance of the walls");
     pp_step_named(part->steps, PP_UNIT_NUMBER, k, "k",
                   "average over minimum for such walls, from the table");
-    pp_step_worked(part->steps, PP_UNIT_SHARE, part->value, "IRC", "IRC_av / k",
+    pp_step_worked(part->steps, PP_UNIT_SHARE, part->value, "irc", "IRC_av / k",
                    "opening on line %d: minimum internally reflected component",
                    opening->line);
     return PP_OK;

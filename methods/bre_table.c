@@ -95,7 +95,7 @@ static void set_down_opening(struct pp_steps *steps, const struct pp_opening *op
     pp_step_worked(steps, PP_UNIT_NUMBER, k_o, "k_o",
                    "(C R_fw + 5 R_cw) / (31 R_fw + 5 R_cw)",
                    "factor for the obstruction; the table has 20 degrees");
-    pp_step_worked(steps, PP_UNIT_SHARE, value, "IRC", "T k_F k_c k_o W / W_all",
+    pp_step_worked(steps, PP_UNIT_SHARE, value, "irc", "T k_F k_c k_o W / W_all",
                    "opening on line %d: minimum internally reflected component", line);
 }
 

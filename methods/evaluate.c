@@ -62,6 +62,10 @@ static const char *const component_names[PP_COMPONENT_COUNT] = {
     [PP_DF] = "daylight factor",
 };
 
+/* In formulae: of one opening as the method has it, and with all allowances. */
+static const char *const own_symbols[PP_COMPONENT_COUNT] = {"sc", "erc", "irc", "df"};
+static const char *const symbols[PP_COMPONENT_COUNT] = {"SC", "ERC", "IRC", "DF"};
+
 /* The component that a method's part.sky or part.value belongs to. */
 static enum pp_component component_of(const struct pp_method *method)
 {
@@ -73,41 +77,108 @@ static enum pp_component component_of(const struct pp_method *method)
     return given_by[method->gives];
 }
 
-/* Sets down what a part has of the method's components; `of` goes before their names.
- */
-static void set_down(struct pp_steps *steps, const struct pp_method *method,
-                     const struct pp_part *part, const char *of)
+/* The figure of a part that belongs to a component. */
+static double figure(const struct pp_part *part, enum pp_component component)
 {
-    enum pp_component component = component_of(method);
-    pp_step(steps, PP_UNIT_SHARE, component == PP_SC ? part->sky : part->value, "%s%s",
-            of, component_names[component]);
-    if (component == PP_SC && part->external != 0.0)
-        pp_step(steps, PP_UNIT_SHARE, part->external, "%s%s", of,
-                component_names[PP_ERC]);
+    return component == PP_SC    ? part->sky
+           : component == PP_ERC ? part->external
+                                 : part->value;
 }
 
-/* Adds what one opening gives, times the factor that settles its glass, frame and
- * dirt. */
-static void add_opening(struct answer *answer, const struct work *work, int index,
-                        const struct pp_part *part)
+/* The components that a method's sheet speaks of, at most two. Nothing reflected
+ * outside needs no line, unless the method has one. */
+static int components_of(enum pp_component list[2], const struct pp_method *method,
+                         const struct pp_part *part, const struct pp_steps *steps,
+                         int first)
 {
-    double factor = work->factors[index];
-    const struct pp_part settled = {.sky = factor * part->sky,
-                                    .external = factor * part->external,
-                                    .value = factor * part->value};
-    answer->part.sky += settled.sky;
-    answer->part.external += settled.external;
-    answer->part.value += settled.value;
-    if (!answer->steps)
-        return;
-    char of[40];
-    snprintf(of, sizeof of, "opening on line %d: ", work->world->openings[index].line);
-    if (factor != 1.0) {
-        set_down(answer->steps, work->method, part, of);
-        pp_step(answer->steps, PP_UNIT_NUMBER, factor,
-                "%sfactor for its glass, frame and dirt", of);
+    list[0] = component_of(method);
+    list[1] = PP_ERC;
+    bool reflects =
+        part->external != 0.0 || pp_steps_find(steps, first, own_symbols[PP_ERC]);
+    return list[0] == PP_SC && reflects ? 2 : 1;
+}
+
+/* Sets down one opening's corrections and what comes of them, behind the method's own
+ * steps, which begin with step `first`. */
+static void set_down_opening(struct answer *answer, const struct work *work, int index,
+                             const struct pp_part *part, const struct pp_part *settled,
+                             int first)
+{
+    struct pp_steps *steps = answer->steps;
+    const struct pp_opening *opening = &work->world->openings[index];
+    enum pp_component components[2];
+    int count = components_of(components, work->method, part, steps, first);
+    for (int i = 0; i < count; i++)
+        if (!pp_steps_find(steps, first, own_symbols[components[i]]))
+            pp_step_named(steps, PP_UNIT_SHARE, figure(part, components[i]),
+                          own_symbols[components[i]], "%s, as read",
+                          component_names[components[i]]);
+    char product[64];
+    pp_allowance_set_down(steps, work->method->allowances, opening, product,
+                          sizeof product);
+    for (int i = 0; i < count; i++) {
+        char symbol[16], formula[96];
+        bool alone = work->world->opening_count == 1;
+        snprintf(symbol, sizeof symbol, alone ? "%s" : "%s_%d", symbols[components[i]],
+                 index + 1);
+        snprintf(formula, sizeof formula, "%s%s", own_symbols[components[i]], product);
+        pp_step_worked(steps, PP_UNIT_SHARE, figure(settled, components[i]), symbol,
+                       formula, "%s", component_names[components[i]]);
     }
-    set_down(answer->steps, work->method, &settled, of);
+}
+
+/* Sets down the sums over several openings, or none. */
+static void set_down_sums(const struct answer *answer, const struct work *work)
+{
+    enum pp_component components[2];
+    int count =
+        components_of(components, work->method, &answer->part, answer->steps, 0);
+    answer->steps->line = 0;
+    for (int i = 0; i < count; i++)
+        pp_step_sum(answer->steps, 0, work->world->opening_count,
+                    symbols[components[i]], component_names[components[i]]);
+}
+
+/* What one opening gives, times the factor that settles its glass, frame and dirt. */
+static struct pp_part settle(const struct pp_part *part, double factor)
+{
+    return (struct pp_part){.sky = factor * part->sky,
+                            .external = factor * part->external,
+                            .value = factor * part->value};
+}
+
+/* Asks the method for each opening and adds up. */
+static enum pp_status add_openings(const struct work *work,
+                                   const struct pp_receiver *receiver,
+                                   struct answer *answer, struct pp_error *err)
+{
+    const struct pp_method *method = work->method;
+    const struct pp_world *world = work->world;
+    bool roughly = work->roughly && method->evaluate_roughly;
+    for (int i = 0; i < world->opening_count; i++) {
+        struct pp_part part = {.steps = answer->steps};
+        int first = 0;
+        if (answer->steps) {
+            first = answer->steps->count;
+            answer->steps->line = world->openings[i].line;
+        }
+        enum pp_status status = (roughly ? method->evaluate_roughly : method->evaluate)(
+            world, world->openings + i, receiver, work->tools, &part, err);
+        if (status != PP_OK)
+            return status;
+        if (part.why) {
+            answer->why = part.why;
+            answer->opening = world->openings + i;
+            return PP_OK;
+        }
+        const struct pp_part own = settle(&part, work->factors[i]);
+        answer->part.sky += own.sky;
+        answer->part.external += own.external;
+        answer->part.value += own.value;
+        if (answer->steps)
+            set_down_opening(answer, work, i, &part, &own, first);
+    }
+    return PP_OK;
 }
 
 /* Sums the method over the openings for a receiver (NULL: for the room). The answer's
@@ -130,34 +201,12 @@ static enum pp_status sum_openings(const struct work *work,
             return PP_OK;
     }
     answer->opening = NULL;
-    for (int i = 0; i < world->opening_count; i++) {
-        struct pp_part part = {.steps = answer->steps};
-        bool roughly = work->roughly && method->evaluate_roughly;
-        enum pp_status status = (roughly ? method->evaluate_roughly : method->evaluate)(
-            world, world->openings + i, receiver, work->tools, &part, err);
-        if (status != PP_OK)
-            return status;
-        if (part.why) {
-            answer->why = part.why;
-            answer->opening = world->openings + i;
-            return PP_OK;
-        }
-        add_opening(answer, work, i, &part);
-    }
+    enum pp_status status = add_openings(work, receiver, answer, err);
+    if (status != PP_OK || answer->why || !answer->steps)
+        return status;
     if (world->opening_count != 1)
-        set_down(answer->steps, method, &answer->part, "all openings: ");
-    if (answer->steps && answer->steps->failed)
-        return pp_fail_memory(err);
-    return PP_OK;
-}
-
-/* The figure of an answer that belongs to a component. */
-static double figure(const struct pp_method *method, const struct pp_part *part,
-                     enum pp_component component)
-{
-    if (method->gives != PP_GIVES_DIRECT)
-        return part->value;
-    return component == PP_SC ? part->sky : part->external;
+        set_down_sums(answer, work);
+    return answer->steps->failed ? pp_fail_memory(err) : PP_OK;
 }
 
 /* An answer as a reading of one component; its why goes to the report's keeping. */
@@ -167,7 +216,7 @@ static enum pp_status to_reading(struct pp_reading *reading, struct pp_report *r
                                  enum pp_component component, struct pp_error *err)
 {
     if (!answer->why) {
-        *reading = pp_reading_of(figure(method, &answer->part, component));
+        *reading = pp_reading_of(figure(&answer->part, component));
         /* Both direct components come of one sum, which stands with the first. */
         if (component != PP_ERC)
             reading->steps = answer->steps;
@@ -358,8 +407,9 @@ static struct pp_reading pair_of(struct pp_reading sc, struct pp_reading erc,
 static void set_down_column(struct pp_steps *steps, const struct pp_column *column,
                             int point)
 {
-    pp_step(steps, PP_UNIT_SHARE, column->points[point].value, "%s by %s",
-            component_names[column->component], column->name);
+    pp_step_named(steps, PP_UNIT_SHARE, column->points[point].value,
+                  symbols[column->component], "%s by %s",
+                  component_names[column->component], column->name);
 }
 
 static enum pp_status add_pair(struct pp_report *report, const struct pp_method *direct,
@@ -384,8 +434,8 @@ static enum pp_status add_pair(struct pp_report *report, const struct pp_method 
         set_down_column(steps, sc, i);
         set_down_column(steps, erc, i);
         set_down_column(steps, irc, i);
-        pp_step(steps, PP_UNIT_SHARE, df->points[i].value, "%s",
-                component_names[PP_DF]);
+        pp_step_worked(steps, PP_UNIT_SHARE, df->points[i].value, symbols[PP_DF],
+                       "SC + ERC + IRC", "%s", component_names[PP_DF]);
         if (!steps || steps->failed)
             return pp_fail_memory(err);
         df->points[i].steps = steps;

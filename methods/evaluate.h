@@ -28,9 +28,11 @@
 enum { PP_AVERAGE_POINTS = 2000 };
 
 /* With report->explain each point's readings (of methods that speak for the room: the
- * average's too) have the steps of their sum, each opening as the method has it and
- * then with its allowances settled. The externally reflected component's are those of
- * the sky component.
+ * average's too) have the steps of their sum, each opening as the method has it (sc,
+ * erc, irc or df in formulae) and then with its allowances settled, factor by factor,
+ * `SC_1 = sc M G B`, and what they come to, `SC = SC_1 + SC_2` (of one opening at once
+ * `SC = sc M G B`), `DF = SC + ERC + IRC`. The externally reflected component's are
+ * those of the sky component.
  *
  * Adds to `report`, of which the caller has set world, receivers and receiver_count,
  * the columns of a selection, a list separated by commas of

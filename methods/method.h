@@ -27,7 +27,10 @@ enum pp_speaks_for {
                      * average */
 };
 
-/* What one opening gives, before allowances are settled. */
+/* What one opening gives, before allowances are settled. A method that sets down how
+ * it comes to its figures calls the last of each "sc" and "erc", "irc", or "df", which
+ * formulae further on take up; one that does not has a step of that name made for it.
+ * Whose opening the steps are is known from pp_steps.line. */
 struct pp_part {
     double sky;             /* of PP_GIVES_DIRECT */
     double external;        /* of PP_GIVES_DIRECT */

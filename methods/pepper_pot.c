@@ -82,20 +82,19 @@ static const char *refuses(const struct pp_world *world,
 
 /* Dots on sky and on obstructions, of one diagram. */
 static void count_dots(struct pp_part *part, const struct pp_pepper_pot *pot,
-                       const struct pp_window_drawing *drawing, int line)
+                       const struct pp_window_drawing *drawing)
 {
+    pp_step_named(part->steps, PP_UNIT_SHARE, pot->worth, "w",
+                  "a dot of the diagram is worth");
+    struct pp_terms terms = pp_terms_begin(part->steps, drawing->count);
     for (int i = 0; i < drawing->count; i++) {
         const struct pp_drawn_part *drawn = &drawing->parts[i];
         int dots = pp_pepper_pot_count(pot, &drawn->region);
         double share = drawn->factor * dots * pot->worth;
         *(drawn->hidden ? &part->external : &part->sky) += share;
-        pp_step(part->steps, PP_UNIT_COUNT, dots, "opening on line %d: dots on %s",
-                line, drawn->hidden ? "an obstruction" : "the sky");
-        if (drawn->hidden)
-            pp_step(part->steps, PP_UNIT_NUMBER, drawn->factor,
-                    "opening on line %d: luminance factor of the obstruction", line);
+        pp_window_drawing_set_down(&terms, drawn, dots, "dots", share);
     }
-    pp_step(part->steps, PP_UNIT_SHARE, pot->worth, "a dot is worth");
+    pp_terms_end(&terms);
 }
 
 static enum pp_status evaluate(const struct pp_world *world,
@@ -117,11 +116,10 @@ static enum pp_status evaluate(const struct pp_world *world,
         status = pp_pepper_pot_create(&pot, &world->sky, glazed, true, facing,
                                       PP_PEPPER_POT_WORTH, err);
         if (status == PP_OK)
-            count_dots(part, pot, &drawing, opening->line);
+            count_dots(part, pot, &drawing);
         pp_pepper_pot_destroy(pot);
     } else {
-        count_dots(part, glazed ? diagrams->glazed : diagrams->unglazed, &drawing,
-                   opening->line);
+        count_dots(part, glazed ? diagrams->glazed : diagrams->unglazed, &drawing);
     }
     pp_window_drawing_clear(&drawing);
     return status;

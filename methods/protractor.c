@@ -18,10 +18,12 @@
  */
 #include "methods/protractor.h"
 
+#include <stdio.h>
 #include <stdlib.h>
 
 #include "methods/methods.h"
 #include "methods/refusals.h"
+#include "methods/terms.h"
 
 enum { GLAZED_90, GLAZED_0, GLAZED_30, GLAZED_60, BARE, DIALS };
 
@@ -100,32 +102,56 @@ static const char *refuses(const struct pp_world *world,
     return NULL;
 }
 
-static void set_down(struct pp_steps *steps, int line,
-                     const struct pp_protractor_reading *reading)
+/* Sets down an angle and what a scale reads there. */
+static void set_down_pair(const struct pp_terms *terms, double angle_rad,
+                          enum pp_unit unit, double read, const char *symbol,
+                          const char *what, const char *scale)
 {
-    const char *what = reading->hidden ? "obstruction" : "opening";
-    static const char *const edge[] = {"lower", "upper"};
-    static const char *const side[] = {"left", "right"};
-    for (int i = 1; i >= 0; i--) {
-        pp_step(steps, PP_UNIT_ANGLE, reading->edge_rad[i],
-                "opening on line %d: %s, %s edge: altitude", line, what, edge[i]);
-        pp_step(steps, PP_UNIT_SHARE, reading->share[i], "primary scale there");
+    pp_step(terms->steps, PP_UNIT_ANGLE, angle_rad, "%s", what);
+    pp_step_named(terms->steps, unit, read, pp_terms_name(terms, symbol).text, "%s",
+                  scale);
+}
+
+static void set_down(struct pp_terms *terms,
+                     const struct pp_protractor_reading *reading, bool off_sky)
+{
+    pp_terms_next(terms);
+    const char *of = reading->hidden ? "obstruction" : "opening";
+    char upper[48], lower[48];
+    snprintf(upper, sizeof upper, "%s, upper edge: altitude", of);
+    snprintf(lower, sizeof lower, "%s, lower edge: altitude", of);
+    set_down_pair(terms, reading->edge_rad[1], PP_UNIT_SHARE, reading->share[1], "p_u",
+                  upper, "primary scale there");
+    set_down_pair(terms, reading->edge_rad[0], PP_UNIT_SHARE, reading->share[0], "p_l",
+                  lower, "primary scale there");
+    pp_terms_figure(terms, PP_UNIT_SHARE, reading->initial, "i", "p_u# - p_l#",
+                    "initial component, of an endless opening");
+    pp_step(terms->steps, PP_UNIT_ANGLE, reading->average_rad,
+            "average altitude, for the auxiliary scale");
+    set_down_pair(terms, reading->jamb_rad[0], PP_UNIT_NUMBER, reading->correction[0],
+                  "k_l", "left jamb from the normal, right is positive",
+                  "auxiliary scale there");
+    set_down_pair(terms, reading->jamb_rad[1], PP_UNIT_NUMBER, reading->correction[1],
+                  "k_r", "right jamb from the normal", "auxiliary scale there");
+    pp_terms_figure(terms, PP_UNIT_NUMBER, reading->width_factor, "K",
+                    reading->correction[1] < reading->correction[0]
+                        ? "max(k_r# - k_l#, 0)"
+                        : "k_r# - k_l#",
+                    "correction factor for the width");
+    if (!reading->hidden) {
+        pp_terms_worked(terms, false, reading->component, "i# K#", "sky component");
+        return;
     }
-    pp_step(steps, PP_UNIT_SHARE, reading->initial,
-            "their difference: initial component");
-    pp_step(steps, PP_UNIT_ANGLE, reading->average_rad, "average altitude");
-    for (int i = 0; i < 2; i++) {
-        pp_step(steps, PP_UNIT_ANGLE, reading->jamb_rad[i],
-                "%s jamb from the normal, to the right positive", side[i]);
-        pp_step(steps, PP_UNIT_NUMBER, reading->correction[i], "auxiliary scale there");
-    }
-    pp_step(steps, PP_UNIT_NUMBER, reading->width_factor,
-            "right less left: correction factor");
-    if (reading->hidden)
-        pp_step(steps, PP_UNIT_NUMBER, reading->factor,
-                "luminance factor of the obstruction");
-    pp_step(steps, PP_UNIT_SHARE, reading->component, "%s",
-            reading->hidden ? "externally reflected component" : "sky component");
+    pp_terms_figure(terms, PP_UNIT_SHARE, reading->initial * reading->width_factor, "e",
+                    "i# K#", "equivalent sky component of the obstruction");
+    pp_step_named(terms->steps, PP_UNIT_NUMBER, reading->factor,
+                  pp_terms_name(terms, "f").text,
+                  "luminance factor of the obstruction");
+    pp_terms_worked(terms, true, reading->component, "f# e#",
+                    "externally reflected component");
+    if (off_sky)
+        pp_terms_worked(terms, false, -reading->initial * reading->width_factor, "-e#",
+                        "taken off the sky component");
 }
 
 static enum pp_status evaluate(const struct pp_world *world,
@@ -145,11 +171,10 @@ static enum pp_status evaluate(const struct pp_world *world,
         return status;
     part->sky = readings.sky;
     part->external = readings.external;
+    struct pp_terms terms = pp_terms_begin(part->steps, readings.count);
     for (int i = 0; i < readings.count; i++)
-        set_down(part->steps, opening->line, &readings.list[i]);
-    if (readings.less_hidden)
-        pp_step(part->steps, PP_UNIT_SHARE, readings.sky,
-                "sky component, less that of what is hidden");
+        set_down(&terms, &readings.list[i], readings.less_hidden);
+    pp_terms_end(&terms);
     pp_protractor_readings_clear(&readings);
     return PP_OK;
 }

@@ -49,7 +49,7 @@ static void set_down(struct pp_steps *steps, const struct pp_entering_light *lig
     pp_step_named(steps, PP_UNIT_NUMBER, parts->lower.reflectance, "rho_l",
                   "mean reflectance below it");
     pp_step_worked(
-        steps, PP_UNIT_SHARE, value, "IRC",
+        steps, PP_UNIT_SHARE, value, "irc",
         light->diffusing ? "tau Ag / (A (1 - R)) (C_g + C) (u rho_u + (1 - u) rho_l)"
                          : "tau Ag / (A (1 - R)) (rho_u C_g + rho_l C)",
         "opening on line %d: average internally reflected component", opening->line);

@@ -74,7 +74,7 @@ static void set_down(struct pp_steps *steps, const struct pp_entering_light *lig
     pp_step_named(steps, PP_UNIT_NUMBER, parts->lower.reflectance, "rho_l",
                   "its mean reflectance");
     bool both = parts->upper.area_m2 > 0.0 && parts->lower.area_m2 > 0.0;
-    pp_step_worked(steps, PP_UNIT_SHARE, value, "IRC",
+    pp_step_worked(steps, PP_UNIT_SHARE, value, "irc",
                    !both              ? "0"
                    : light->diffusing ? diffusing
                                       : clear,

@@ -80,6 +80,9 @@ static enum pp_status evaluate(const struct pp_world *world,
         pp_window_drawing_create(&drawing, world, opening, receiver->position, err);
     if (status != PP_OK)
         return status;
+    pp_step_named(part->steps, PP_UNIT_SHARE, PP_WALDRAM_WORTH, "w",
+                  "a square of the diagram is worth");
+    struct pp_terms terms = pp_terms_begin(part->steps, drawing.count);
     for (int i = 0; i < drawing.count && status == PP_OK; i++) {
         const struct pp_drawn_part *drawn = &drawing.parts[i];
         struct pp_waldram_count count;
@@ -89,16 +92,10 @@ static enum pp_status evaluate(const struct pp_world *world,
             break;
         double share = drawn->factor * count.squares * PP_WALDRAM_WORTH;
         *(drawn->hidden ? &part->external : &part->sky) += share;
-        pp_step(part->steps, PP_UNIT_COUNT, count.squares,
-                "opening on line %d: squares of %s", opening->line,
-                drawn->hidden ? "obstruction" : "sky");
-        if (drawn->hidden)
-            pp_step(part->steps, PP_UNIT_NUMBER, drawn->factor,
-                    "opening on line %d: luminance factor of the obstruction",
-                    opening->line);
+        pp_window_drawing_set_down(&terms, drawn, count.squares, "squares", share);
         pp_waldram_count_clear(&count);
     }
-    pp_step(part->steps, PP_UNIT_SHARE, PP_WALDRAM_WORTH, "a square is worth");
+    pp_terms_end(&terms);
     pp_window_drawing_clear(&drawing);
     return status;
 }

@@ -119,3 +119,20 @@ void pp_window_drawing_clear(struct pp_window_drawing *drawing)
     drawing->parts = NULL;
     drawing->count = 0;
 }
+
+void pp_window_drawing_set_down(struct pp_terms *terms,
+                                const struct pp_drawn_part *part, double count,
+                                const char *things, double share)
+{
+    pp_terms_next(terms);
+    pp_step_named(terms->steps, PP_UNIT_COUNT, count, pp_terms_name(terms, "n").text,
+                  "%s on %s", things, part->hidden ? "an obstruction" : "the sky");
+    if (!part->hidden) {
+        pp_terms_worked(terms, false, share, "n# w", "sky component");
+        return;
+    }
+    pp_step_named(terms->steps, PP_UNIT_NUMBER, part->factor,
+                  pp_terms_name(terms, "f").text,
+                  "luminance factor of the obstruction");
+    pp_terms_worked(terms, true, share, "f# n# w", "externally reflected component");
+}

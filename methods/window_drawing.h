@@ -11,6 +11,7 @@
 
 #include <stdbool.h>
 
+#include "methods/terms.h"
 #include "model/region.h"
 #include "model/world.h"
 
@@ -40,5 +41,11 @@ enum pp_status pp_window_drawing_create(struct pp_window_drawing *drawing,
                                         const struct pp_opening *opening,
                                         struct pp_vec3 point, struct pp_error *err);
 void pp_window_drawing_clear(struct pp_window_drawing *drawing);
+
+/* Sets down what was counted on a part: so many `things`, each worth "w", which has
+ * been set down, give `share`. */
+void pp_window_drawing_set_down(struct pp_terms *terms,
+                                const struct pp_drawn_part *part, double count,
+                                const char *things, double share);
 
 #endif

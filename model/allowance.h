@@ -12,6 +12,9 @@
 #ifndef PP_MODEL_ALLOWANCE_H
 #define PP_MODEL_ALLOWANCE_H
 
+#include <stddef.h>
+
+#include "model/steps.h"
 #include "model/world.h"
 
 enum pp_allowance {
@@ -30,6 +33,16 @@ enum pp_allowance {
  * diffuse transmittances; for an unglazed opening by 1/0.85, unless the method has
  * figures without glass (PP_ALLOWS_NO_GLASS). */
 double pp_allowance_factor(unsigned allowances, const struct pp_opening *opening);
+
+/* Sets down the corrections that make up that factor, one by one, and puts their
+ * symbols into `product` as further factors of a formula: " M G B", or nothing. */
+void pp_allowance_set_down(struct pp_steps *steps, unsigned allowances,
+                           const struct pp_opening *opening, char *product,
+                           size_t room);
+
+/* What figures with these allowances contain: "clear single glass and the frame",
+ * "nothing of glass, frame or dirt". */
+void pp_allowance_words(char *text, size_t room, unsigned allowances);
 
 /* The diffuse transmittance that the reflected-component formulae take: 0.85 G, 1 for
  * an unglazed opening. */

@@ -4,6 +4,7 @@
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 /* One more step at the end of the list; NULL where there is no list or no memory. */
 static struct pp_step *next(struct pp_steps *steps)
@@ -21,7 +22,7 @@ static struct pp_step *next(struct pp_steps *steps)
         steps->capacity = capacity;
     }
     struct pp_step *step = &steps->list[steps->count++];
-    *step = (struct pp_step){0};
+    *step = (struct pp_step){.line = steps->line};
     return step;
 }
 
@@ -64,6 +65,45 @@ void pp_step_worked(struct pp_steps *steps, enum pp_unit unit, double value,
     va_start(args, what);
     fill(steps, unit, value, symbol, formula, what, args);
     va_end(args);
+}
+
+/* Of long sums a line holds a part, which the next line goes on from. */
+void pp_step_sum(struct pp_steps *steps, int first, int count, const char *symbol,
+                 const char *what)
+{
+    enum { LONGEST_TERM = 32 };
+    if (!steps)
+        return;
+    char formula[sizeof steps->list->formula] = "";
+    size_t length = 0;
+    double sum = 0.0;
+    for (int i = 1; i <= count; i++) {
+        char name[32];
+        snprintf(name, sizeof name, "%s_%d", symbol, i);
+        const struct pp_step *term = pp_steps_find(steps, first, name);
+        if (!term)
+            continue;
+        if (sizeof formula - length <= LONGEST_TERM) {
+            pp_step_worked(steps, PP_UNIT_SHARE, sum, symbol, formula,
+                           "%s, as far as here", what);
+            length = (size_t)snprintf(formula, sizeof formula, "%s", symbol);
+            term = pp_steps_find(steps, first, name);
+        }
+        length += (size_t)snprintf(formula + length, sizeof formula - length, "%s%s",
+                                   length ? " + " : "", name);
+        sum += term->value;
+    }
+    pp_step_worked(steps, PP_UNIT_SHARE, sum, symbol, length ? formula : "0", "%s",
+                   what);
+}
+
+const struct pp_step *pp_steps_find(const struct pp_steps *steps, int first,
+                                    const char *symbol)
+{
+    for (int i = steps->count - 1; i >= first; i--)
+        if (strcmp(steps->list[i].symbol, symbol) == 0)
+            return &steps->list[i];
+    return NULL;
 }
 
 void pp_steps_clear(struct pp_steps *steps)

@@ -31,11 +31,14 @@ struct pp_step {
     char formula[160]; /* what it was worked out by; empty: read or put in */
     double value;
     enum pp_unit unit;
+    int line; /* of the opening in the room file that it belongs to; 0: to no one */
 };
 
 struct pp_steps {
     struct pp_step *list;
     int count, capacity;
+    int line; /* what further steps belong to; set by whoever goes from one opening to
+               * the next */
     bool failed; /* memory ran out: the list is not whole */
 };
 
@@ -52,6 +55,15 @@ void pp_step_named(struct pp_steps *steps, enum pp_unit unit, double value,
 void pp_step_worked(struct pp_steps *steps, enum pp_unit unit, double value,
                     const char *symbol, const char *formula, const char *what, ...)
     __attribute__((format(printf, 6, 7)));
+
+/* Sets down a sum of shares: symbol = symbol_1 + symbol_2 + ..., on as many lines as it
+ * takes, of the terms up to `count` that there are from step `first` on; 0 of none. */
+void pp_step_sum(struct pp_steps *steps, int first, int count, const char *symbol,
+                 const char *what);
+
+/* The last step from `first` on that has that symbol; NULL: none has. */
+const struct pp_step *pp_steps_find(const struct pp_steps *steps, int first,
+                                    const char *symbol);
 
 void pp_steps_clear(struct pp_steps *steps);
 

@@ -25,7 +25,7 @@ check "points from the command line replace the file's" \
 check "and are all there" test "$(grep -c ',point,' "$scratch/out")" -eq \
     $((3 * $(grep -c '^[^,]*,[^,]*,point,1.5,1,' "$scratch/out")))
 check "one with its own height" grep -q ',point,1,3,0.5,' "$scratch/out"
-check "a sum is set out step by step" shows "a square is worth" \
+check "a sum is set out step by step" shows "a square of the diagram is worth" \
     df --explain --points 1.5,1 --methods waldram+bre "$deep"
 check "in 80 columns" nothing "$(awk 'length > 80' "$scratch/out")"
 check "in JSON too" shows '"unit": "%"' \

@@ -426,17 +426,13 @@ static void all_is_every_direct_with_bre_and_exact_with_every_internal(void **st
     pp_selection_clear(&selection);
 }
 
-/* The value of the first step that ends with those words, from `from` on. */
-static double step_value(const struct pp_steps *steps, int *from, const char *words)
+/* The value of the last step with that symbol. */
+static double value_called(const struct pp_steps *steps, const char *symbol)
 {
-    for (; *from < steps->count; ++*from) {
-        const char *what = steps->list[*from].what;
-        size_t length = strlen(what), wanted = strlen(words);
-        if (length >= wanted && strcmp(what + length - wanted, words) == 0)
-            return steps->list[(*from)++].value;
-    }
-    fail_msg("no step ends with %s", words);
-    return NAN;
+    const struct pp_step *step = pp_steps_find(steps, 0, symbol);
+    if (!step)
+        fail_msg("no step is called %s", symbol);
+    return step->value;
 }
 
 /* Two windows, the second with half its area frame: what the steps say adds up. */
@@ -459,32 +455,23 @@ static void explained_figures_are_the_sum_of_their_steps(void **state)
     for (int i = 0; i < report.receiver_count; i++) {
         const struct pp_reading *sc = &column_of(&report, PP_SC, "waldram")->points[i];
         const struct pp_steps *steps = sc->steps;
-        int at = 0;
-        step_value(steps, &at, "a square is worth");
-        double first = step_value(steps, &at, ": sky component");
-        step_value(steps, &at, "a square is worth");
-        double read = step_value(steps, &at, ": sky component");
-        double factor = step_value(steps, &at, "factor for its glass, frame and dirt");
-        double second = step_value(steps, &at, ": sky component");
-        assert_near(factor, 0.5, 0.0);
-        assert_near(second, factor * read, ROUNDING);
-        assert_near(step_value(steps, &at, "all openings: sky component"), sc->value,
-                    ROUNDING);
+        double first = value_called(steps, "SC_1"),
+               second = value_called(steps, "SC_2");
+        double read = value_called(steps, "sc"), frame = value_called(steps, "B");
+        assert_near(frame, 0.5, 0.0);
+        assert_near(second, frame * read, ROUNDING);
+        assert_near(value_called(steps, "SC"), sc->value, ROUNDING);
         assert_near(first + second, sc->value, ROUNDING);
         assert_null(column_of(&report, PP_ERC, "waldram")->points[i].steps);
 
         const struct pp_reading *df =
             &column_of(&report, PP_DF, "waldram+bre")->points[i];
-        at = 0;
-        double sum = step_value(df->steps, &at, "sky component by waldram")
-                     + step_value(df->steps, &at, "reflected component by waldram")
-                     + step_value(df->steps, &at, "reflected component by bre");
+        double sum = value_called(df->steps, "SC") + value_called(df->steps, "ERC")
+                     + value_called(df->steps, "IRC");
         assert_near(sum, df->value, ROUNDING);
     }
     const struct pp_column *room = column_of(&report, PP_DF, "average-df");
-    int at = 0;
-    assert_near(step_value(room->average.steps, &at, "all openings: daylight factor"),
-                room->average.value, 0.0);
+    assert_near(value_called(room->average.steps, "DF"), room->average.value, 0.0);
     pp_report_clear(&report);
     pp_world_destroy(world);
 }
