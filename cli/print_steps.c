@@ -135,6 +135,15 @@ static int fitting(const char *words, int room)
     return room;
 }
 
+/* What it is; the opening stands in the heading already. */
+static const char *without_opening(const struct pp_step *step)
+{
+    char said[40];
+    int length = snprintf(said, sizeof said, "opening on line %d: ", step->line);
+    return strncmp(step->what, said, (size_t)length) == 0 ? step->what + length
+                                                          : step->what;
+}
+
 static void print_step(const struct pp_step *step, int width, bool utf8, FILE *out)
 {
     char value[48], symbol[64] = "";
@@ -149,7 +158,7 @@ static void print_step(const struct pp_step *step, int width, bool utf8, FILE *o
     int gap = column + 2 > WHAT ? 2 : WHAT - column;
     int room = width - column - gap - VALUE_WIDTH - UNIT_WIDTH;
 
-    const char *words = step->what;
+    const char *words = without_opening(step);
     int length = fitting(words, room);
     fprintf(out, "%*s%-*.*s%*s%s\n", gap, "", room, length, words, VALUE_WIDTH, value,
             unit);
