@@ -127,7 +127,7 @@ static void set_down(struct pp_terms *terms,
     pp_terms_figure(terms, PP_UNIT_SHARE, reading->initial, "i", "p_u# - p_l#",
                     "initial component, of an endless opening");
     pp_step(terms->steps, PP_UNIT_ANGLE, reading->average_rad,
-            "average altitude, for the auxiliary scale");
+            "average altitude of both edges");
     set_down_pair(terms, reading->jamb_rad[0], PP_UNIT_NUMBER, reading->correction[0],
                   "k_l", "left jamb from the normal, right is positive",
                   "auxiliary scale there");
