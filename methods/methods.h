@@ -14,6 +14,7 @@ extern const struct pp_method pp_method_bre_min;
 extern const struct pp_method pp_method_bre_table;
 extern const struct pp_method pp_method_split_flux;
 extern const struct pp_method pp_method_sphere;
+extern const struct pp_method pp_method_nomogram;
 extern const struct pp_method pp_method_average_df;
 extern const struct pp_method pp_method_average_df_lynes;
 

@@ -9,6 +9,7 @@
 #ifndef PP_MODEL_PROTRACTOR_SHEET_H
 #define PP_MODEL_PROTRACTOR_SHEET_H
 
+#include "model/mark_rank.h"
 #include "model/world.h"
 
 /* One rectangle of an opening, read step by step. */
@@ -37,8 +38,6 @@ struct pp_protractor_readings {
 };
 
 void pp_protractor_readings_clear(struct pp_protractor_readings *readings);
-
-enum pp_mark_rank { PP_MARK_FINE, PP_MARK_MIDDLE, PP_MARK_LABELLED };
 
 /* On the primary scale. */
 struct pp_protractor_mark {

@@ -122,15 +122,16 @@ static void assert_all_scale(const char *attributes, double direct, double inter
         double factor = method->gives == PP_GIVES_DIRECT     ? direct
                         : method->gives == PP_GIVES_INTERNAL ? internal
                                                              : whole;
-        /* its table is no straight line: twice the glass has a little more than twice
-         * the light */
-        bool curved = method == pp_method_find("bre-table");
+        /* bre-table's is no straight line: twice the glass has a little more than twice
+         * the light. A straight-edge reads to a fifth of a division of 8 % or less. */
+        double tolerance = method == pp_method_find("bre-table")  ? 0.1
+                           : method == pp_method_find("nomogram") ? 0.02
+                                                                  : ROUNDING;
         if (factor > 0.0 && a->points)
-            assert_relative(b->points[0].value, factor * a->points[0].value,
-                            curved ? 0.1 : ROUNDING);
+            assert_relative(b->points[0].value, factor * a->points[0].value, tolerance);
         assert_true(isnan(a->average.value) == (method->speaks_for == PP_FOR_MINIMUM));
         if (factor > 0.0 && method->speaks_for != PP_FOR_MINIMUM)
-            assert_relative(b->average.value, factor * a->average.value, ROUNDING);
+            assert_relative(b->average.value, factor * a->average.value, tolerance);
     }
     pp_report_clear(&before);
     pp_report_clear(&after);
