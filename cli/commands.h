@@ -11,5 +11,6 @@ typedef enum pp_exit pp_command(int argc, char **argv);
 
 pp_command cmd_df;
 pp_command cmd_chart;
+pp_command cmd_assess;
 
 #endif

@@ -1,8 +1,6 @@
 /* df - daylight factors at the reference points, and their average. */
 #include <stdlib.h>
 #include <string.h>
-#include <sys/ioctl.h>
-#include <unistd.h>
 
 #include "cli/commands.h"
 #include "cli/gather.h"
@@ -44,18 +42,6 @@ static const char about[] =
     "Daylight factors at the reference points of each room, and their average over the "
     "working plane, in per cent: by hand methods, and with --simulate by tracing light "
     "paths as well. FILE is a room file; - is standard input.";
-
-/* Lines as wide as the terminal, else 80. */
-static int line_width(const struct pp_room_options *options)
-{
-    struct winsize size;
-    bool to_terminal = !options->output && isatty(STDOUT_FILENO);
-    if (!to_terminal || ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) != 0)
-        return 80;
-    return size.ws_col < 60    ? (size.ws_col ? 60 : 80)
-           : size.ws_col > 200 ? 200
-                               : size.ws_col;
-}
 
 static void help(const struct pp_command_line *line)
 {
@@ -111,8 +97,8 @@ static enum pp_status print(const struct pp_results *results, enum format format
     case TEXT:
         break;
     }
-    return pp_print_text(results, line_width(results->options), pp_utf8_terminal(), out,
-                         err);
+    return pp_print_text(results, pp_print_width(results->options->output),
+                         pp_utf8_terminal(), out, err);
 }
 
 static enum pp_exit compute_and_print(struct pp_results *results,

@@ -21,6 +21,7 @@ struct command {
 static const struct command commands[] = {
     {"df", cmd_df, "daylight factors at the reference points and their average"},
     {"chart", cmd_chart, "one chart of a room as PDF, SVG or PNG"},
+    {"assess", cmd_assess, "what a room's daylight has to reach, and whether it does"},
 };
 enum { COMMAND_COUNT = sizeof commands / sizeof commands[0] };
 
@@ -58,7 +59,7 @@ static enum pp_exit run(int argc, char **argv)
 {
     const char *word = argc > 1 ? argv[1] : NULL;
     if (!word) {
-        pp_say("expected a command: df or chart");
+        pp_say("expected a command: df, chart or assess");
         fputs("Try: pepperpot --help\n", stderr);
         return PP_EXIT_USAGE;
     }

@@ -286,6 +286,18 @@ enum pp_status pp_read_per_cent(const char *text, void *place, struct pp_error *
     return PP_OK;
 }
 
+enum pp_status pp_read_lux(const char *text, void *place, struct pp_error *err)
+{
+    static const char *const endings[] = {" lx", "lx", "", NULL};
+    double lux;
+    int which;
+    if (!read_with_unit(text, endings, &lux, &which) || !(lux >= 1.0 && lux <= 2e5))
+        return pp_fail(err, PP_BAD_INPUT,
+                       "an illuminance from 1 to 200000 lx, such as 5000");
+    *(double *)place = lux;
+    return PP_OK;
+}
+
 enum pp_status pp_read_seconds(const char *text, void *place, struct pp_error *err)
 {
     static const char *const endings[] = {"ms", "s", "m", "h", "", NULL};

@@ -60,6 +60,7 @@ pp_option_reader pp_read_count;    /* long, 1 to 1e15 */
 pp_option_reader pp_read_threads;  /* int, 1 to 1024 */
 pp_option_reader pp_read_seed;     /* uint64_t, any */
 pp_option_reader pp_read_per_cent; /* double, a fraction, above 0 to 1; "1%" or "1" */
+pp_option_reader pp_read_lux;      /* double, 1 to 200000; "5000" or "5000 lx" */
 pp_option_reader
     pp_read_seconds; /* double, above 0; "10s", "2m", "500ms", "1h", "10" */
 

@@ -50,6 +50,13 @@ extern const char *const pp_component_names[PP_COMPONENT_COUNT];
  * line; nothing where no steps were asked for. */
 void pp_print_steps(const struct pp_report *report, int width, bool utf8, FILE *out);
 
+/* Columns of text for an output: as many as the terminal has, within reason, or 80
+ * where it goes to a file or a pipe. output NULL: standard output. */
+int pp_print_width(const char *output);
+
+/* The room's name and its file, on a line. */
+void pp_print_title(const struct pp_world *world, const char *file, FILE *out);
+
 /* What was assumed of the room, one fact a line; the first part of the text. */
 void pp_print_assumed(const struct pp_world *world, int width, FILE *out);
 

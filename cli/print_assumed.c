@@ -4,10 +4,37 @@
 #include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/ioctl.h>
+#include <unistd.h>
 
 #include "cli/utf8.h"
 
 enum { LABEL = 15, TEXT_BYTES = 512 };
+
+int pp_print_width(const char *output)
+{
+    struct winsize size;
+    bool to_terminal = !output && isatty(STDOUT_FILENO);
+    if (!to_terminal || ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) != 0)
+        return 80;
+    return size.ws_col < 60    ? (size.ws_col ? 60 : 80)
+           : size.ws_col > 200 ? 200
+                               : size.ws_col;
+}
+
+void pp_print_title(const struct pp_world *world, const char *file, FILE *out)
+{
+    const char *shown = strcmp(file, "-") == 0 ? "standard input" : file;
+    if (world->name && *world->name) {
+        pp_utf8_put(out, world->name);
+        fputs("  (", out);
+        pp_utf8_put(out, shown);
+        fputs(")\n", out);
+    } else {
+        pp_utf8_put(out, shown);
+        fputc('\n', out);
+    }
+}
 
 void pp_print_wrapped(const char *text, int column, int indent, int width, FILE *out)
 {

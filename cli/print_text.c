@@ -142,27 +142,12 @@ static void print_simulation(const struct pp_result *result,
 
 /* ---- a room ---- */
 
-static void print_title(const struct pp_result *result, FILE *out)
-{
-    const char *name = result->report.world->name;
-    const char *file = strcmp(result->file, "-") == 0 ? "standard input" : result->file;
-    if (name && *name) {
-        pp_utf8_put(out, name);
-        fputs("  (", out);
-        pp_utf8_put(out, file);
-        fputs(")\n", out);
-    } else {
-        pp_utf8_put(out, file);
-        fputc('\n', out);
-    }
-}
-
 static enum pp_status print_room(const struct pp_result *result,
                                  const struct pp_room_options *options, int width,
                                  bool utf8, FILE *out, struct pp_error *err)
 {
     const struct pp_report *report = &result->report;
-    print_title(result, out);
+    pp_print_title(report->world, result->file, out);
     fputc('\n', out);
     pp_print_assumed(report->world, width, out);
     fputc('\n', out);

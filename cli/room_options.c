@@ -74,6 +74,14 @@ const struct pp_option pp_room_choice_options[] = {
     {0},
 };
 
+const struct pp_option pp_room_external_option[] = {
+    {"external", 0, "LUX",
+     "Set illuminances beside the daylight factors: what they make of so many lux "
+     "outside (5000 is usual).",
+     pp_read_lux, PLACE(external_lux)},
+    {0},
+};
+
 const struct pp_option pp_room_simulation_options[] = {
     {"simulate", 's', NULL,
      "Trace light paths too, and set the result beside the methods.", NULL,

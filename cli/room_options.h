@@ -29,6 +29,8 @@ struct pp_room_options {
 
     bool explain; /* df: set out the sums of its one point */
 
+    double external_lux; /* of the open level plane; 0: not given */
+
     const char *output; /* NULL: standard output */
     bool quiet;
 };
@@ -38,6 +40,7 @@ extern const struct pp_room_options pp_room_options_none;
 
 /* Lists for struct pp_option_group, with a struct pp_room_options as values. */
 extern const struct pp_option pp_room_choice_options[];     /* methods, points, sky */
+extern const struct pp_option pp_room_external_option[];    /* external */
 extern const struct pp_option pp_room_simulation_options[]; /* simulate ... threads */
 extern const struct pp_option pp_room_output_options[];     /* output, quiet */
 

@@ -11,11 +11,17 @@ _pepperpot()
     elif [ "$previous" = --format ] || [ "$previous" = -f ]; then
         local formats='text json csv'
         [ "$command" != chart ] || formats='pdf svg png'
+        [ "$command" != assess ] || formats='text json'
         mapfile -t COMPREPLY < <(compgen -W "$formats" -- "$word")
     elif [ "$previous" = --sky ]; then
         local skies
         skies="overcast uniform $(printf 'iso-%d ' {1..15})"
         mapfile -t COMPREPLY < <(compgen -W "$skies" -- "$word")
+    elif [ "$command" = assess ] && { [ "$previous" = --criteria ] || [ "$previous" = -c ]; }; then
+        local criteria
+        criteria=$("$program" assess --help 2>/dev/null |
+            sed -n '/^Criteria:/,$s/^  \([a-z][a-z0-9-]*\) .*/\1/p')
+        mapfile -t COMPREPLY < <(compgen -W "$criteria" -- "$word")
     elif [ "${word:0:1}" = - ]; then
         local options
         options=$("$program" "$command" --help 2>/dev/null | grep -o -- '--[a-z][a-z-]*')

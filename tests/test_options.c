@@ -181,6 +181,20 @@ static void counts_are_whole_and_in_range(void **state)
 
 /* ---- the options that all commands on a room share ---- */
 
+static void illuminances_are_sensible(void **state)
+{
+    (void)state;
+    static const char *const wrong[] = {"0", "-5000", "1e9", "nan", "bright", ""};
+    double lux = 7.0;
+    for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++)
+        assert_int_equal(pp_read_lux(wrong[i], &lux, NULL), PP_BAD_INPUT);
+    assert_near(lux, 7.0, 0.0);
+    assert_int_equal(pp_read_lux("5000", &lux, NULL), PP_OK);
+    assert_near(lux, 5000.0, 0.0);
+    assert_int_equal(pp_read_lux("14.1e3 lx", &lux, NULL), PP_OK);
+    assert_near(lux, 14100.0, 0.0);
+}
+
 static enum pp_status read_points(struct pp_room_options *options, const char *text)
 {
     const struct pp_option_group groups[] = {{"", pp_room_choice_options, options},
@@ -254,6 +268,7 @@ int main(void)
         cmocka_unit_test(an_unknown_option_suggests_the_nearest),
         cmocka_unit_test(switches_take_no_value_and_others_need_one),
         cmocka_unit_test(per_cent_become_fractions),
+        cmocka_unit_test(illuminances_are_sensible),
         cmocka_unit_test(times_have_their_units),
         cmocka_unit_test(counts_are_whole_and_in_range),
         cmocka_unit_test(points_add_up_and_may_leave_out_their_height),

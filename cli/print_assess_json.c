@@ -1,0 +1,172 @@
+/* Assessments as JSON, "pepperpot-assess-1". */
+#include <math.h>
+
+#include "cli/assessment.h"
+#include "cli/json.h"
+
+static const struct {
+    const char *unit;
+    double scale;
+} kinds[] = {
+    [PP_FIGURE_FACTOR] = {"%", 100.0}, [PP_FIGURE_SHARE] = {"%", 100.0},
+    [PP_FIGURE_RATIO] = {"", 1.0},     [PP_FIGURE_ANGLE] = {"degrees", 1.0 / PP_RAD},
+    [PP_FIGURE_AREA] = {"m2", 1.0},
+};
+
+/* { "of": "south, line 9", "line": 9, "figure": 30.1, "unit": "%", "wanted": 27,
+ * "bound": "least", "verdict": "met" } and whatever else there is. */
+static struct json_object *finding_object(const struct pp_finding *finding,
+                                          double external_lux)
+{
+    struct json_object *object = json_object_new_object();
+    double scale = kinds[finding->kind].scale;
+    bool judged = isfinite(finding->figure);
+    bool good = object && pp_json_text(object, "of", finding->what);
+    if (good && finding->line > 0)
+        good = pp_json_add(object, "line", json_object_new_int(finding->line));
+    if (good)
+        good = pp_json_number(object, "figure", scale * finding->figure);
+    if (good && judged)
+        good = pp_json_text(object, "unit", kinds[finding->kind].unit);
+    if (good && isfinite(finding->std_error))
+        good = pp_json_number(object, "se", scale * finding->std_error);
+    if (good && judged && external_lux > 0.0 && finding->kind == PP_FIGURE_FACTOR)
+        good = pp_json_number(object, "lux", external_lux * finding->figure);
+    if (good && isfinite(finding->wanted))
+        good = pp_json_number(object, "wanted", scale * finding->wanted)
+               && pp_json_text(object, "bound", finding->at_most ? "most" : "least");
+    if (good && isfinite(finding->reached_over))
+        good = pp_json_number(object, "reached_over", 100.0 * finding->reached_over);
+    if (good)
+        good = pp_json_text(object, "verdict", pp_verdict_word(finding->verdict));
+    if (good && isfinite(finding->confidence))
+        good = pp_json_number(
+            object, finding->verdict == PP_UNDECIDED ? "probability" : "confidence",
+            finding->confidence);
+    if (good && finding->note[0])
+        good = pp_json_text(object, finding->verdict == PP_NOT_JUDGED ? "why" : "note",
+                            finding->note);
+    if (good) {
+        pp_json_on_one_line(object);
+        return object;
+    }
+    json_object_put(object);
+    return NULL;
+}
+
+static struct json_object *answer_object(const struct pp_answer *answer,
+                                         double external_lux)
+{
+    struct json_object *object = json_object_new_object();
+    struct json_object *list = json_object_new_array();
+    bool good = object && pp_json_text(object, "criterion", answer->criterion->name)
+                && pp_json_text(object, "title", answer->criterion->title)
+                && pp_json_text(object, "source", answer->criterion->source);
+    if (good && answer->findings.basis[0])
+        good = pp_json_text(object, "basis", answer->findings.basis);
+    if (!good) {
+        json_object_put(list);
+    } else {
+        good = pp_json_add(object, "findings", list);
+        for (int i = 0; good && i < answer->findings.count; i++) {
+            struct json_object *one =
+                finding_object(&answer->findings.list[i], external_lux);
+            good = one && json_object_array_add(list, one) == 0;
+        }
+    }
+    if (good)
+        return object;
+    json_object_put(object);
+    return NULL;
+}
+
+/* How the simulation was stopped, so that it can be done again. */
+static bool add_simulation(struct json_object *object,
+                           const struct pp_assessment *assessment,
+                           const struct pp_room_options *options)
+{
+    struct json_object *simulation = json_object_new_object();
+    if (!pp_json_add(object, "simulation", simulation))
+        return false;
+    pp_json_on_one_line(simulation);
+    bool good = pp_json_add(simulation, "seed", json_object_new_uint64(options->seed));
+    if (good && options->error > 0.0)
+        good = pp_json_number(simulation, "error", 100.0 * options->error);
+    if (good && options->samples > 0)
+        good =
+            pp_json_add(simulation, "samples", json_object_new_int64(options->samples));
+    if (good && options->seconds > 0.0)
+        good = pp_json_number(simulation, "time", options->seconds);
+    if (good && assessment->by_clock)
+        good = pp_json_text(simulation, "stopped", "time");
+    return good;
+}
+
+static bool add_criteria(struct json_object *object,
+                         const struct pp_assessment *assessment, double external_lux)
+{
+    struct json_object *list = json_object_new_array();
+    if (!pp_json_add(object, "criteria", list))
+        return false;
+    for (int i = 0; i < assessment->answer_count; i++) {
+        struct json_object *one = answer_object(&assessment->answers[i], external_lux);
+        if (!one || json_object_array_add(list, one) != 0) {
+            json_object_put(one);
+            return false;
+        }
+    }
+    return true;
+}
+
+static struct json_object *room_object(const struct pp_assessments *all,
+                                       const struct pp_assessment *assessment)
+{
+    const struct pp_assess_options *options = all->options;
+    const struct pp_world *world = assessment->room->world;
+    struct json_object *object = json_object_new_object();
+    bool good = object && pp_json_text(object, "format", "pepperpot-assess-1");
+    if (good && all->more_than_one_file)
+        good = pp_json_text(object, "file", assessment->room->file);
+    if (good)
+        good = pp_json_text(object, "room", world->name)
+               && pp_json_text(object, "sky", pp_sky_name(&world->sky));
+    if (good && assessment->before)
+        good = pp_json_text(object, "before", assessment->before->file);
+    if (good)
+        good = pp_json_number(object, "median_diffuse", assessment->median.lux)
+               && pp_json_text(object, "median_diffuse_by", assessment->median.how);
+    if (good && options->room.external_lux > 0.0)
+        good = pp_json_number(object, "external", options->room.external_lux);
+    if (good && options->room.simulate)
+        good = add_simulation(object, assessment, &options->room);
+    if (good && !assessment->report.finished)
+        good = pp_json_add(object, "finished", json_object_new_boolean(false));
+    if (good)
+        good = add_criteria(object, assessment, options->room.external_lux);
+    if (good)
+        return object;
+    json_object_put(object);
+    return NULL;
+}
+
+enum pp_status pp_print_assessments_json(const struct pp_assessments *all, FILE *out,
+                                         struct pp_error *err)
+{
+    struct json_object *whole = all->several ? json_object_new_array() : NULL;
+    bool good = whole || !all->several;
+    for (int i = 0; good && i < all->count; i++) {
+        struct json_object *one = room_object(all, &all->list[i]);
+        good = one != NULL;
+        if (!all->several)
+            whole = one;
+        else if (good && json_object_array_add(whole, one) != 0)
+            good = (json_object_put(one), false);
+    }
+    const char *text = good ? json_object_to_json_string_ext(
+                           whole, PP_JSON_STYLE | JSON_C_TO_STRING_PRETTY)
+                            : NULL;
+    if (text)
+        fprintf(out, "%s\n", text);
+    json_object_put(whole);
+    return text ? PP_OK : pp_fail_memory(err);
+}

@@ -1,0 +1,108 @@
+#include "design/section_angle.h"
+
+#include <math.h>
+
+#include "methods/outside.h"
+#include "model/tolerance.h"
+
+/* The section: its middle is the origin, ahead runs level out of the wall. */
+struct section {
+    struct pp_vec3 eye, ahead, across;
+};
+
+/* Where the edge from p to q meets the section: forward of the eye, and up. Half-open,
+ * so that an edge that ends in the section counts once. */
+static bool crossing(const struct section *section, struct pp_vec3 p, struct pp_vec3 q,
+                     double at[2])
+{
+    struct pp_vec3 a = pp_sub(p, section->eye), b = pp_sub(q, section->eye);
+    double from = pp_dot(a, section->across), to = pp_dot(b, section->across);
+    if ((from >= 0.0) == (to >= 0.0))
+        return false;
+    struct pp_vec3 place = pp_along(a, from / (from - to), pp_sub(b, a));
+    at[0] = pp_dot(place, section->ahead);
+    at[1] = place.z;
+    return true;
+}
+
+/* Angle of the higher end of what lies before the eye of the piece from a to b. */
+static double angle_of_piece(const double a[2], const double b[2])
+{
+    const double nearest = PP_SAME_M;
+    double highest = 0.0;
+    for (int end = 0; end < 2; end++) {
+        const double *p = end ? b : a, *other = end ? a : b;
+        double forward = p[0], up = p[1];
+        if (forward < nearest) {
+            if (other[0] <= nearest)
+                continue;
+            up += (other[1] - up) * (nearest - forward) / (other[0] - forward);
+            forward = nearest;
+        }
+        highest = fmax(highest, atan2(up, forward));
+    }
+    return highest;
+}
+
+/* A plane polygon cuts the section along a line: in the order in which it is cut there,
+ * each two crossings are the ends of a piece. */
+static double angle_of_polygon(const struct section *section,
+                               const struct pp_polygon *polygon)
+{
+    double highest = 0.0,
+           line[2] = {polygon->normal.z, -pp_dot(polygon->normal, section->ahead)};
+    double before = -INFINITY;
+    for (;;) {
+        /* The two crossings that come next along the line. */
+        double next[2][2], place[2] = {INFINITY, INFINITY};
+        for (int i = 0; i < polygon->count; i++) {
+            double at[2];
+            if (!crossing(section, polygon->vertices[i],
+                          polygon->vertices[(i + 1) % polygon->count], at))
+                continue;
+            double along = at[0] * line[0] + at[1] * line[1];
+            int k = along <= before    ? 2
+                    : along < place[0] ? 0
+                    : along < place[1] ? 1
+                                       : 2;
+            if (k == 0) {
+                place[1] = place[0];
+                next[1][0] = next[0][0], next[1][1] = next[0][1];
+            }
+            if (k < 2) {
+                place[k] = along;
+                next[k][0] = at[0], next[k][1] = at[1];
+            }
+        }
+        if (!isfinite(place[1]))
+            return highest;
+        highest = fmax(highest, angle_of_piece(next[0], next[1]));
+        before = place[1];
+    }
+}
+
+double pp_section_angle(const struct pp_world *world, const struct pp_opening *opening)
+{
+    struct pp_vec3 out = pp_scale(opening->inner.normal, -1.0);
+    struct pp_vec3 ahead = pp_unit(pp_vec(out.x, out.y, 0.0));
+    struct section section = {pp_outside_middle(opening), ahead,
+                              pp_vec(-ahead.y, ahead.x, 0.0)};
+    double highest = 0.0;
+    for (int i = 0; i < world->skyline_count; i++) {
+        const struct pp_skyline *skyline = &world->skylines[i];
+        if (skyline->face != opening->face)
+            continue;
+        struct pp_vec3 wall = world->surfaces[skyline->face].outline.vertices[0];
+        double away = skyline->distance_m - pp_dot(pp_sub(section.eye, wall), out);
+        highest = fmax(highest, isinf(skyline->distance_m)
+                                    ? skyline->angle_rad
+                                    : atan2(skyline->head_z_m - section.eye.z, away));
+    }
+    for (int i = 0; i < world->surface_count; i++) {
+        const struct pp_surface *surface = &world->surfaces[i];
+        bool loose_inside = surface->role == PP_LOOSE && surface->inside;
+        if (i != opening->face && surface->role != PP_REVEAL && !loose_inside)
+            highest = fmax(highest, angle_of_polygon(&section, &surface->outline));
+    }
+    return highest;
+}
