@@ -1,0 +1,131 @@
+/* What is shown of a picture's light. */
+#include "tests/near.h"
+
+#include "model/tone.h"
+
+/* A picture of one row whose luminances are given. */
+static struct pp_picture row_of(const double *luminances, int count)
+{
+    struct pp_picture picture;
+    assert_int_equal(pp_picture_create(&picture, count, 1, NULL), PP_OK);
+    for (int i = 0; i < 3 * count; i++)
+        picture.rgb[i] = (float)luminances[i / 3];
+    return picture;
+}
+
+static struct pp_tone tone_of(const struct pp_picture *picture, enum pp_tone_way way,
+                              double white)
+{
+    struct pp_tone tone;
+    const struct pp_tone_options options = {way, white, 1.0, 1.0};
+    assert_int_equal(pp_tone_prepare(&tone, picture, &options, NULL), PP_OK);
+    return tone;
+}
+
+/* The pieces of the published curve meet within the rounding of their figures, and for
+ * bright light they are Weber's law: 10^-1.255, 5.6 %. */
+static void an_eye_in_bright_light_sees_a_difference_of_five_per_cent(void **state)
+{
+    (void)state;
+    assert_relative(pp_tone_threshold(1000.0), 55.59, 1e-4);
+    assert_relative(pp_tone_threshold(1e-5), 1.380e-3, 1e-3);
+    static const double joints[] = {-3.94, -1.44, -0.0184, 1.9};
+    for (int i = 0; i < 4; i++) {
+        double under = pp_tone_threshold(pow(10.0, joints[i] - 1e-9));
+        double over = pp_tone_threshold(pow(10.0, joints[i] + 1e-9));
+        assert_relative(over, under, 0.03);
+    }
+}
+
+/* sRGB of 0.18 is 0.4614: 118. */
+static void the_mean_is_a_middle_grey_and_white_is_where_one_says(void **state)
+{
+    (void)state;
+    static const double luminances[] = {2.0, 50.0, 1250.0, 0.0, NAN};
+    struct pp_picture picture = row_of(luminances, 5);
+    struct pp_tone tone = tone_of(&picture, PP_TONE_AUTOMATIC, 0.0);
+    unsigned char shown[3];
+    pp_tone_apply(&tone, pp_rgb_grey(50.0), shown);
+    assert_int_equal(shown[0], 118);
+    tone = tone_of(&picture, PP_TONE_BY_HAND, 400.0);
+    assert_near(pp_tone_shown(&tone, 100.0), 0.25, 1e-15);
+    pp_tone_apply(&tone, pp_rgb(400.0, 100.0, 1e9), shown);
+    assert_int_equal(shown[2], 255);
+    pp_tone_apply(&tone, pp_rgb_grey(400.0), shown);
+    assert_int_equal(shown[1], 255);
+    pp_tone_apply(&tone, pp_rgb_grey(NAN), shown);
+    assert_int_equal(shown[0], 0);
+    pp_picture_clear(&picture);
+}
+
+static void a_black_picture_is_shown_black(void **state)
+{
+    (void)state;
+    static const double dark[] = {0.0, 0.0, -1.0};
+    struct pp_picture picture = row_of(dark, 3);
+    for (int way = PP_TONE_AUTOMATIC; way <= PP_TONE_HUMAN; way++) {
+        struct pp_tone tone = tone_of(&picture, way, 0.0);
+        unsigned char shown[3] = {9, 9, 9};
+        pp_tone_apply(&tone, pp_picture_rgb(&picture, 0, 0), shown);
+        assert_int_equal(shown[0], 0);
+    }
+    pp_picture_clear(&picture);
+}
+
+/* A room of 5 to 60 cd/m2 about a window of 2,000 to 6,000: by one exposure either the
+ * room is nearly black or the window white. */
+static void room_and_window_are_both_seen(void **state)
+{
+    (void)state;
+    double luminances[1200];
+    for (int i = 0; i < 1000; i++)
+        luminances[i] = 5.0 * pow(12.0, i / 999.0);
+    for (int i = 1000; i < 1200; i++)
+        luminances[i] = 2000.0 * pow(3.0, (i - 1000) / 199.0);
+    struct pp_picture picture = row_of(luminances, 1200);
+    struct pp_tone tone = tone_of(&picture, PP_TONE_HUMAN, 0.0);
+    double before = -1.0;
+    for (double l = 0.01; l < 1e5; l *= 1.1) {
+        double shown = pp_tone_shown(&tone, l);
+        assert_true(shown >= before && shown <= 1.0 + 1e-12);
+        before = shown;
+    }
+    assert_true(pp_tone_shown(&tone, 20.0) > 0.03);
+    assert_true(pp_tone_shown(&tone, 6000.0) - pp_tone_shown(&tone, 2000.0) > 0.05);
+    assert_near(pp_tone_shown(&tone, 6000.0), 1.0, 1e-6);
+
+    /* Nowhere more contrast than the eye has there: a step that it just sees in the
+     * scene is at most one that it just sees on the screen, but for what trimming left
+     * (tolerance 2.5 % of all, spread over the curve) and a bin's width. */
+    for (double l = 5.0; l < 60.0; l *= 1.3) {
+        double d = 1e-3, shown = 1.0 + 99.0 * pp_tone_shown(&tone, l);
+        double next = 1.0 + 99.0 * pp_tone_shown(&tone, l * (1.0 + d));
+        double steps_shown = (next - shown) / pp_tone_threshold(shown);
+        double steps_seen = l * d / pp_tone_threshold(l);
+        assert_true(steps_shown <= 1.25 * steps_seen);
+    }
+    pp_picture_clear(&picture);
+}
+
+/* Dim light of little contrast fits: it is shown as an exposure would. */
+static void a_picture_of_one_brightness_is_a_middle_grey(void **state)
+{
+    (void)state;
+    static const double even[] = {37.0, 37.0, 37.0, 37.0};
+    struct pp_picture picture = row_of(even, 4);
+    struct pp_tone tone = tone_of(&picture, PP_TONE_HUMAN, 0.0);
+    assert_near(pp_tone_shown(&tone, 37.0), PP_TONE_MIDDLE, 1e-12);
+    pp_picture_clear(&picture);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(an_eye_in_bright_light_sees_a_difference_of_five_per_cent),
+        cmocka_unit_test(the_mean_is_a_middle_grey_and_white_is_where_one_says),
+        cmocka_unit_test(a_black_picture_is_shown_black),
+        cmocka_unit_test(room_and_window_are_both_seen),
+        cmocka_unit_test(a_picture_of_one_brightness_is_a_middle_grey),
+    };
+    return cmocka_run_group_tests_name("tone", tests, NULL, NULL);
+}
