@@ -22,6 +22,7 @@ static const struct command commands[] = {
     {"df", cmd_df, "daylight factors at the reference points and their average"},
     {"chart", cmd_chart, "one chart of a room as PDF, SVG or PNG"},
     {"assess", cmd_assess, "what a room's daylight has to reach, and whether it does"},
+    {"size", cmd_size, "the window that just reaches a target"},
 };
 enum { COMMAND_COUNT = sizeof commands / sizeof commands[0] };
 
@@ -59,7 +60,12 @@ static enum pp_exit run(int argc, char **argv)
 {
     const char *word = argc > 1 ? argv[1] : NULL;
     if (!word) {
-        pp_say("expected a command: df, chart or assess");
+        const char *names[COMMAND_COUNT];
+        char known[160];
+        for (int i = 0; i < COMMAND_COUNT; i++)
+            names[i] = commands[i].name;
+        pp_say("expected a command: %s",
+               pp_name_list(known, sizeof known, names, COMMAND_COUNT));
         fputs("Try: pepperpot --help\n", stderr);
         return PP_EXIT_USAGE;
     }

@@ -82,6 +82,8 @@ const struct pp_option pp_room_external_option[] = {
     {0},
 };
 
+const struct pp_option *const pp_room_place_options = pp_room_choice_options + 1;
+
 const struct pp_option pp_room_simulation_options[] = {
     {"simulate", 's', NULL,
      "Trace light paths too, and set the result beside the methods.", NULL,

@@ -41,6 +41,7 @@ extern const struct pp_room_options pp_room_options_none;
 /* Lists for struct pp_option_group, with a struct pp_room_options as values. */
 extern const struct pp_option pp_room_choice_options[];     /* methods, points, sky */
 extern const struct pp_option pp_room_external_option[];    /* external */
+extern const struct pp_option *const pp_room_place_options; /* points, sky, room */
 extern const struct pp_option pp_room_simulation_options[]; /* simulate ... threads */
 extern const struct pp_option pp_room_output_options[];     /* output, quiet */
 

@@ -16,7 +16,7 @@ struct loading {
 };
 
 static enum pp_exit add_world(struct loading *loading, const char *file,
-                              struct pp_world *world)
+                              const struct pp_room *room, struct pp_world *world)
 {
     struct pp_rooms *rooms = loading->rooms;
     struct pp_loaded_room *grown =
@@ -28,7 +28,8 @@ static enum pp_exit add_world(struct loading *loading, const char *file,
         return pp_say_error(&err);
     }
     rooms->list = grown;
-    rooms->list[rooms->count++] = (struct pp_loaded_room){.file = file, .world = world};
+    rooms->list[rooms->count++] =
+        (struct pp_loaded_room){.file = file, .room = room, .world = world};
     return PP_EXIT_DONE;
 }
 
@@ -51,7 +52,23 @@ static enum pp_exit resolve_room(struct loading *loading, const char *file,
         return PP_EXIT_DONE; /* they are said with those of the rest of the file */
     if (status != PP_OK)
         return pp_say_error(&err);
-    return add_world(loading, file, world);
+    return add_world(loading, file, room, world);
+}
+
+/* Hands the building over to the rooms, as theirs; NULL is none. */
+static enum pp_exit keep_building(struct pp_rooms *rooms, struct pp_building *building)
+{
+    struct pp_building **grown =
+        realloc(rooms->buildings, ((size_t)rooms->building_count + 1) * sizeof *grown);
+    if (!grown) {
+        struct pp_error err;
+        pp_building_destroy(building);
+        pp_fail_memory(&err);
+        return pp_say_error(&err);
+    }
+    rooms->buildings = grown;
+    rooms->buildings[rooms->building_count++] = building;
+    return PP_EXIT_DONE;
 }
 
 static enum pp_exit load_file(struct loading *loading, const char *file)
@@ -65,6 +82,11 @@ static enum pp_exit load_file(struct loading *loading, const char *file)
     enum pp_exit result = PP_EXIT_DONE;
     if (status != PP_OK && (status != PP_BAD_INPUT || mistakes.count == 0))
         result = pp_say_error(&err);
+    enum pp_exit kept = keep_building(loading->rooms, building);
+    if (kept != PP_EXIT_DONE) {
+        pp_mistakes_clear(&mistakes);
+        return kept;
+    }
     int count = building ? pp_building_room_count(building) : 0;
     for (int i = 0; i < count && result == PP_EXIT_DONE; i++)
         result = resolve_room(loading, file, pp_building_room(building, i), &mistakes);
@@ -72,7 +94,6 @@ static enum pp_exit load_file(struct loading *loading, const char *file)
         result = pp_say_mistakes(&mistakes);
     loading->rooms->several |= building && pp_building_name(building);
     loading->rooms->several |= count > 1;
-    pp_building_destroy(building);
     pp_mistakes_clear(&mistakes);
     return result;
 }
@@ -194,6 +215,9 @@ void pp_rooms_clear(struct pp_rooms *rooms)
             free(room->receivers);
         pp_world_destroy(room->world);
     }
+    for (int i = 0; i < rooms->building_count; i++)
+        pp_building_destroy(rooms->buildings[i]);
+    free(rooms->buildings);
     free(rooms->list);
     *rooms = (struct pp_rooms){0};
 }

@@ -6,10 +6,13 @@
 
 #include "cli/exit_status.h"
 #include "cli/room_options.h"
+#include "model/room.h"
 #include "model/world.h"
 
 struct pp_loaded_room {
     const char *file; /* as typed; not owned */
+    const struct pp_room
+        *room; /* as the file has it, with the options' sky; not owned */
     struct pp_world *world;
     struct pp_receiver *receivers; /* the world's, or those of --points */
     int receiver_count;
@@ -20,6 +23,8 @@ struct pp_rooms {
     int count;
     bool several; /* a building, or more than one file: results come as a list */
     bool more_than_one_file;
+    struct pp_building **buildings; /* what the rooms are parts of */
+    int building_count;
 };
 
 /* Reads all files and resolves all their rooms, with the sky and points of the options.

@@ -14,6 +14,7 @@
 
 #include <stdbool.h>
 
+#include "model/room_change.h"
 #include "model/sky.h"
 #include "model/vec.h"
 #include "model/world.h"
@@ -69,8 +70,6 @@ struct pp_glazing_part {
     double reveal_m;
 };
 
-enum pp_opening_kind { PP_WINDOW, PP_ROOFLIGHT, PP_OPENING };
-
 struct pp_opening_part {
     enum pp_opening_kind kind;
     char *wall;                               /* window */
@@ -106,6 +105,8 @@ struct pp_receiver_part {
     int line;
 };
 
+/* pp_room_clear (room_read.c) frees what this points to, pp_room_copy (room_change.c)
+ * copies it. */
 struct pp_room {
     char *name; /* NULL where not given */
     double north_rad;

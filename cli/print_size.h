@@ -1,0 +1,34 @@
+/* print_size.h - the window that reaches a target, as text for people and as JSON. */
+#ifndef PP_CLI_PRINT_SIZE_H
+#define PP_CLI_PRINT_SIZE_H
+
+#include <stdbool.h>
+#include <stdio.h>
+
+#include "cli/rooms.h"
+#include "cli/size_options.h"
+#include "design/size.h"
+
+/* What was found for one room. */
+struct pp_size_result {
+    const struct pp_loaded_room *room; /* not owned */
+    struct pp_size_answer answer;
+    const char *why;          /* of a room in which nothing could be sized; not owned */
+    struct pp_reading traced; /* of the room sized; NAN where nothing was traced */
+    char text[1024];          /* what the readings' why points to */
+};
+
+struct pp_size_results {
+    struct pp_size_result *list;
+    int count;
+    bool several; /* as a list, even if there is only one */
+    bool more_than_one_file;
+    const struct pp_size_options *options; /* not owned */
+};
+
+void pp_print_size(const struct pp_size_results *results, int width, bool utf8,
+                   FILE *out);
+enum pp_status pp_print_size_json(const struct pp_size_results *results, FILE *out,
+                                  struct pp_error *err);
+
+#endif
