@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "methods/direct_steps.h"
 #include "methods/quadrature.h"
 
 double pp_direct_factor(const struct pp_sky *sky, double reflectance)
@@ -189,28 +190,51 @@ static enum pp_status from_below(double *value, const struct task *task,
     return status;
 }
 
+/* Sets a patch out on paper. */
+static enum pp_status set_down(struct pp_terms *terms, const struct task *task,
+                               struct pp_patch_figures *figures, struct pp_error *err)
+{
+    const struct pp_sky *sky = task->lights.sky;
+    struct pp_vec3 limits[2];
+    int count = limits_of(limits, task, ABOVE);
+    figures->hidden = task->patch->hidden;
+    figures->closed_form = pp_sky_has_closed_form(sky);
+    figures->glazed = !is_unglazed(task);
+    enum pp_status status =
+        pp_direct_moments(&figures->moments, task->visible, task->patch, task->normal,
+                          limits, count, err);
+    if (status == PP_OK)
+        pp_direct_set_down(terms, figures, sky);
+    return status;
+}
+
 static enum pp_status add_patch(const struct task *task, const struct pp_world *world,
-                                struct pp_error *err)
+                                struct pp_terms *terms, struct pp_error *err)
 {
     const struct pp_patch *patch = task->patch;
-    double above = 0.0, below = 0.0, all = 0.0;
+    struct pp_patch_figures of = {0};
+    double all = 0.0;
     bool faces_up =
         task->normal.x == 0.0 && task->normal.y == 0.0 && task->normal.z > 0.0;
-    enum pp_status status = from_sky(&above, task, err);
+    enum pp_status status = from_sky(&of.above, task, err);
     if (!patch->hidden) {
         if (status == PP_OK && !faces_up)
-            status = transmitted(&below, task, BELOW, err);
-        task->sum->sky += above;
-        task->sum->external += world->ground_reflectance / PP_PI * below;
-        return status;
+            status = transmitted(&of.below, task, BELOW, err);
+        task->sum->sky += of.above;
+        task->sum->external += world->ground_reflectance / PP_PI * of.below;
+        of.below /= PP_PI;
+        of.factor = world->ground_reflectance;
+    } else {
+        if (status == PP_OK && !faces_up)
+            status = from_below(&of.below, task, err);
+        if (status == PP_OK && patch->exitance > 0.0)
+            status = transmitted(&all, task, BOTH, err);
+        of.factor = pp_direct_factor(task->lights.sky, patch->reflectance);
+        of.own = patch->exitance / PP_PI * all;
+        task->sum->external += of.factor * (of.above + of.below) + of.own;
     }
-    if (status == PP_OK && !faces_up)
-        status = from_below(&below, task, err);
-    if (status == PP_OK && patch->exitance > 0.0)
-        status = transmitted(&all, task, BOTH, err);
-    task->sum->external +=
-        pp_direct_factor(task->lights.sky, patch->reflectance) * (above + below)
-        + patch->exitance / PP_PI * all;
+    if (status == PP_OK && terms->steps)
+        status = set_down(terms, task, &of, err);
     return status;
 }
 
@@ -220,14 +244,16 @@ enum pp_status pp_direct_add(struct pp_direct *sum, const struct pp_visible *vis
                              struct pp_error *err)
 {
     enum pp_status status = PP_OK;
+    struct pp_terms terms = pp_terms_begin(sum->steps, visible->patch_count);
     for (int i = 0; i < visible->patch_count && status == PP_OK; i++) {
         struct task task = {sum,
                             visible,
                             &visible->patches[i],
                             normal,
                             {sky, glass, visible->view.toward}};
-        status = add_patch(&task, world, err);
+        status = add_patch(&task, world, &terms, err);
     }
+    pp_terms_end(&terms);
     return status;
 }
 

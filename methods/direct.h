@@ -17,6 +17,7 @@
 #include "methods/solid_angle.h"
 #include "methods/visible.h"
 #include "model/error.h"
+#include "model/steps.h"
 #include "model/world.h"
 
 struct pp_direct {
@@ -24,6 +25,7 @@ struct pp_direct {
     bool rough;           /* asked for: fast, to about PP_QUADRATURE_ROUGH */
     double error;         /* of both, the bound that the quadrature claims; 0 for closed
                            * forms */
+    struct pp_steps *steps; /* where it is set out on paper; NULL: nowhere */
 };
 
 /* Adds to *sum, of which the caller has set `rough`. Glass lies square to the view's

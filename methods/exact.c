@@ -129,6 +129,26 @@ static enum pp_status from_uneven_pane(struct pp_direct *sum,
     return status;
 }
 
+/* The pane is lit evenly: what falls on it, what of that it lets through, and its
+ * configuration factor c. */
+static void set_down_even_pane(struct pp_steps *steps, const struct pp_outside *outside,
+                               double c, double tau)
+{
+    pp_step_named(steps, PP_UNIT_NUMBER, c, "c",
+                  "configuration factor of what is seen of the diffusing pane");
+    pp_step_named(steps, PP_UNIT_NUMBER, tau, "tau", "its transmittance");
+    pp_step_named(steps, PP_UNIT_SHARE, outside->sky, "E_s",
+                  "illuminance of its outside, from the sky");
+    pp_step_worked(steps, PP_UNIT_SHARE, tau * outside->sky * c, "sc", "tau E_s c",
+                   "sky component");
+    if (outside->external == 0.0)
+        return;
+    pp_step_named(steps, PP_UNIT_SHARE, outside->external, "E_e",
+                  "the same, from the ground and what hides the sky");
+    pp_step_worked(steps, PP_UNIT_SHARE, tau * outside->external * c, "erc",
+                   "tau E_e c", "externally reflected component");
+}
+
 static enum pp_status from_even_pane(struct pp_direct *sum,
                                      const struct pp_visible *visible,
                                      const struct pp_world *world,
@@ -148,6 +168,8 @@ static enum pp_status from_even_pane(struct pp_direct *sum,
         return status;
     sum->sky += outside.sky * moments.cosine;
     sum->external += outside.external * moments.cosine;
+    set_down_even_pane(sum->steps, &outside, moments.cosine / PP_PI,
+                       opening->glass.diffuse);
     return PP_OK;
 }
 
@@ -182,7 +204,7 @@ static enum pp_status direct_of(const struct pp_world *world,
                                 const struct pp_receiver *receiver, bool rough,
                                 struct pp_part *part, struct pp_error *err)
 {
-    struct pp_direct sum = {.rough = rough};
+    struct pp_direct sum = {.rough = rough, .steps = part->steps};
     enum pp_status status;
     if (opening->glass.diffusing)
         status = from_diffusing_pane(&sum, world, opening, receiver, err);
