@@ -24,7 +24,7 @@ enum {
     LINE_MOST = 100,
     DIGITS = 4 /* at least so many significant ones, */
 };
-/* down to what no longer counts */
+/* what is less than this is printed as a bare 0 */
 static const double least = 1e-7;
 
 static const struct unit {
@@ -50,7 +50,7 @@ static int decimals_of(double value, const struct pp_step *step)
         return fabs(value - rint(value)) > 1e-6;
     double size = fabs(value);
     if (size < least)
-        return decimals;
+        return 0;
     int wanted = DIGITS - 1 - (int)floor(log10(size));
     return wanted > decimals ? wanted : decimals;
 }
@@ -62,7 +62,7 @@ static const char *write_value(char *text, size_t room, const struct pp_step *st
     const struct unit *unit = &units[step->unit];
     double value = step->value * unit->scale;
     int decimals = decimals_of(value, step);
-    if (fabs(value) < 0.5 * pow(10.0, -decimals))
+    if (fabs(value) < least)
         value = 0.0; /* no minus before a zero */
     snprintf(text, room, "%.*f", decimals, value);
     return utf8 ? unit->utf8 : unit->plain;

@@ -79,7 +79,7 @@ static void walk(struct sheet *sheet, const char *symbol, const char *formula,
         double wide = again.high - again.low,
                value = fabs(printed.low + printed.high) / 2.0;
         if (wide > 0.01 * value && wide > 10.0 * (printed.high - printed.low)
-            && wide > 1e-7)
+            && wide > 1e-5)
             fail_msg("%s: %s = %s: by what is printed it may be %.9g ... %.9g",
                      sheet->of, symbol, formula, again.low, again.high);
         sheet->formulae++;
@@ -220,11 +220,14 @@ static void check_text(struct sheet *sheet, const char *of, char *text)
                 snprintf(symbol, sizeof symbol, "%.*s",
                          indent == SYMBOL ? (int)strcspn(line + SYMBOL, " ") : 0,
                          line + SYMBOL);
-            /* What was counted, whole or in tenths, is no rounded figure. */
+            /* What was counted, whole or in tenths, is no rounded figure; a bare 0 is
+             * less than 1e-7. */
             struct interval printed = figure_as_printed(digits);
             const char *point = strchr(digits, '.');
             if (!point || (strlen(point + 1) == 1 && !has_unit))
                 printed.low = printed.high = strtod(digits, NULL);
+            if (strcmp(digits, "0") == 0)
+                printed = (struct interval){-1e-7, 1e-7};
             walk(sheet, symbol, open ? formula : "", printed);
             open = false;
             formula[0] = symbol[0] = '\0';
