@@ -93,6 +93,10 @@ static void set_down_hidden(struct pp_terms *terms,
 void pp_direct_set_down(struct pp_terms *terms, const struct pp_patch_figures *figures,
                         const struct pp_sky *sky)
 {
+    bool nothing = !(figures->moments.omega > 1e-9) && figures->below == 0.0
+                   && figures->own == 0.0;
+    if (nothing)
+        return;
     pp_terms_next(terms);
     if (figures->hidden)
         set_down_hidden(terms, figures, sky);

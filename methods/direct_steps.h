@@ -18,7 +18,7 @@ struct pp_patch_figures {
     double factor; /* luminance factor of what hides, or of the ground */
 };
 
-/* Sets down the next of the terms. */
+/* Sets down the next of the terms; nothing of what is a sliver. */
 void pp_direct_set_down(struct pp_terms *terms, const struct pp_patch_figures *figures,
                         const struct pp_sky *sky);
 
