@@ -65,13 +65,13 @@ static const char *range_text(char *text, size_t room, double low, double high)
 
 static void say_openings(char *text, size_t room, const struct pp_world *world)
 {
-    enum { GLASS, FRAME, DIRT, COUNT };
-    double low[COUNT] = {1.0, 1.0, 1.0}, high[COUNT] = {0.0, 0.0, 0.0};
+    enum { GLASS, FRAME, DIRT, CURTAINS, COUNT };
+    double low[COUNT] = {1.0, 1.0, 1.0, 1.0}, high[COUNT] = {0.0, 0.0, 0.0, 0.0};
     bool unglazed = world->opening_count > 0;
     for (int i = 0; i < world->opening_count; i++) {
         const struct pp_opening *opening = &world->openings[i];
         double values[COUNT] = {opening->glass.normal, opening->frame_factor,
-                                opening->maintenance};
+                                opening->maintenance, opening->curtains};
         unglazed = unglazed && opening->glass.panes == 0 && !opening->glass.diffusing;
         for (int k = 0; k < COUNT; k++) {
             low[k] = fmin(low[k], values[k]);
@@ -89,6 +89,9 @@ static void say_openings(char *text, size_t room, const struct pp_world *world)
             "Normal transmittance of the glass %s, frame factor %s, maintenance "
             "%s.",
             range_text(glass, sizeof glass, low[GLASS], high[GLASS]), frame, dirt);
+    if (low[CURTAINS] < 1.0)
+        pp_page_say(text, room, "Curtains leave %s.",
+                    range_text(glass, sizeof glass, low[CURTAINS], high[CURTAINS]));
 }
 
 void pp_page_assumptions(char *text, size_t room, const struct pp_world *world)

@@ -148,6 +148,9 @@ static void print_reflectances(const struct pp_world *world, int width, FILE *ou
     append_reflectance(world, PP_FLOOR, "floor", text);
     append_reflectance(world, PP_WALL, "walls", text);
     append_reflectance(world, PP_CEILING, "ceiling", text);
+    if (world->decorations != 1.0)
+        append(text, "; decorations leave %.3g of what they reflect",
+               world->decorations);
     put_fact("reflectances", width, out, "%s", text);
 }
 
@@ -189,6 +192,8 @@ static void describe_opening(const struct pp_world *world,
                glass->diffuse);
     append(text, "; frame factor %.3g, maintenance %.3g", opening->frame_factor,
            opening->maintenance);
+    if (opening->curtains != 1.0)
+        append(text, ", curtains %.3g", opening->curtains);
 }
 
 /* Openings of which the same is to be said stand together. */

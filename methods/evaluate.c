@@ -3,6 +3,7 @@
 
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "methods/plane_average.h"
 #include "methods/selection.h"
@@ -24,6 +25,13 @@ struct answer {
     struct pp_steps *steps;           /* where the sum is set down; NULL: nowhere */
 };
 
+/* D, which bears on what is reflected inside. A method that gives the daylight factor as
+ * a whole keeps no such part: it does without. */
+static double decorations_of(const struct work *work)
+{
+    return work->method->gives == PP_GIVES_INTERNAL ? work->world->decorations : 1.0;
+}
+
 static enum pp_status work_create(struct work *work, const struct pp_method *method,
                                   const struct pp_report *report, struct pp_error *err)
 {
@@ -34,7 +42,8 @@ static enum pp_status work_create(struct work *work, const struct pp_method *met
     if (!work->factors)
         return pp_fail_memory(err);
     for (int i = 0; i < world->opening_count; i++)
-        work->factors[i] = pp_allowance_factor(method->allowances, world->openings + i);
+        work->factors[i] = pp_allowance_factor(method->allowances, world->openings + i)
+                           * decorations_of(work);
     bool refused = method->refuses_room && method->refuses_room(world, NULL);
     enum pp_status status = PP_OK;
     if (method->prepare && !refused)
@@ -116,6 +125,12 @@ static void set_down_opening(struct answer *answer, const struct work *work, int
     char product[64];
     pp_allowance_set_down(steps, work->method->allowances, opening, product,
                           sizeof product);
+    double D = decorations_of(work);
+    if (D != 1.0) {
+        pp_step_named(steps, PP_UNIT_NUMBER, D, "D",
+                      "decorations: what their deterioration leaves");
+        strncat(product, " D", sizeof product - strlen(product) - 1);
+    }
     for (int i = 0; i < count; i++) {
         char symbol[16], formula[96];
         bool alone = work->world->opening_count == 1;

@@ -3,10 +3,10 @@
  * Published figures differ in what they already contain. A method declares that; what
  * is still missing for an opening is multiplied on here, and nothing is counted twice:
  *
- *     DF = (SC + ERC) M G B + IRC M G D                                      [BRE310]
+ *     DF = ((SC + ERC) M G B + IRC M G D) K                                  [BRE310]
  *
  * M maintenance, G glass type over clear single glass, B net glass area over opening
- * area, D deterioration of decorations. In formulae that work with the net glass area
+ * area, K curtains, D deterioration of decorations. In formulae that work with the net glass area
  * W, B is in W already (PP_ALLOWS_FRAME).
  */
 #ifndef PP_MODEL_ALLOWANCE_H

@@ -3,6 +3,7 @@
  */
 #include <stdlib.h>
 
+#include "model/correction_table.h"
 #include "model/opening_outline.h"
 #include "model/resolve.h"
 #include "model/sheet.h"
@@ -44,21 +45,6 @@ static enum pp_status fit_in_face(bool *fits, struct pp_resolver *r,
 
 /* ---- What an opening is, from its outline ---- */
 
-/* Dirt by slope and surroundings, as in the conventions. */
-static double maintenance_of(enum pp_surroundings surroundings, double slope_rad)
-{
-    static const double share[3][3] = {
-        /* vertical, sloping, horizontal */
-        [PP_RURAL] = {0.9, 0.8, 0.7},
-        [PP_URBAN] = {0.8, 0.7, 0.6},
-        [PP_INDUSTRIAL] = {0.7, 0.6, 0.5},
-    };
-    /* Vertical from 75 degrees, horizontal below 15, whatever the rounding. */
-    double slope_deg = slope_rad / PP_RAD + 1e-6;
-    int column = slope_deg >= 75.0 ? 0 : slope_deg >= 15.0 ? 1 : 2;
-    return share[surroundings][column];
-}
-
 /* Is the outline a rectangle with its edges along the axes? */
 static bool is_upright_rectangle(const double (*xy)[2], int count, const double low[2],
                                  const double high[2])
@@ -84,12 +70,14 @@ static enum pp_status add_opening(struct pp_resolver *r,
                                  .glass = part->glazing.glass,
                                  .frame_factor = part->glazing.frame_factor,
                                  .maintenance = part->glazing.maintenance,
+                                 .curtains = part->glazing.curtains,
                                  .reveal_m = part->glazing.reveal_m,
                                  .line = part->line};
     struct pp_vec3 normal = sheet->face->outline.normal;
     opening.slope_rad = atan2(hypot(normal.x, normal.y), -normal.z);
     if (isnan(opening.maintenance))
-        opening.maintenance = maintenance_of(world->surroundings, opening.slope_rad);
+        opening.maintenance =
+            pp_maintenance_of(world->surroundings, world->work, opening.slope_rad);
 
     struct pp_vec3 *vertices = malloc(count * sizeof *vertices);
     if (!vertices)
@@ -169,7 +157,8 @@ static enum pp_status check_overlaps(bool *free_of_others, struct pp_resolver *r
 
 static bool is_read(const struct pp_opening_part *part)
 {
-    if (!isfinite(part->glazing.frame_factor) || !isfinite(part->glazing.reveal_m))
+    if (!isfinite(part->glazing.frame_factor) || !isfinite(part->glazing.curtains)
+        || !isfinite(part->glazing.reveal_m))
         return false;
     switch (part->kind) {
     case PP_WINDOW:

@@ -63,17 +63,47 @@ static bool unknown(const struct place *at, const char *const *names, int count)
     return wrong(at, more);
 }
 
+/* A number in range, or what is wrong with it, where the text is meant for one. */
+static bool is_meant_for_number(double *value, bool *good, const struct place *at)
+{
+    if (pp_number_parse(at->text, value)) {
+        *good = in_range(at->kind, *value) || wrong(at, "");
+        return true;
+    }
+    *good = false;
+    return strpbrk(at->text, "0123456789") && !wrong(at, "");
+}
+
+static bool read_factor(double *value, const struct place *at)
+{
+    const struct pp_named_factors *factors = at->kind->factors;
+    const struct pp_named_factor *factor = pp_named_factor_find(factors, at->text);
+    bool good;
+    if (factor) {
+        *value = factor->factor;
+        return true;
+    }
+    if (is_meant_for_number(value, &good, at))
+        return good;
+    const char *names[NAMES_MOST];
+    int count = 0;
+    while (count < factors->count && count < NAMES_MOST) {
+        names[count] = factors->list[count].name;
+        count++;
+    }
+    return unknown(at, names, count);
+}
+
 static bool read_reflectance(double *value, const struct place *at)
 {
     const struct pp_finish *finish = pp_finish_find(at->text);
+    bool good;
     if (finish) {
         *value = finish->reflectance;
         return true;
     }
-    if (pp_number_parse(at->text, value))
-        return in_range(at->kind, *value) || wrong(at, "");
-    if (strpbrk(at->text, "0123456789"))
-        return wrong(at, "");
+    if (is_meant_for_number(value, &good, at))
+        return good;
     const char *names[NAMES_MOST];
     int count = 0;
     while (count < pp_finish_count() && count < NAMES_MOST) {
@@ -158,8 +188,11 @@ static bool read_value(void *field, const struct place *at)
     case PP_VALUE_REFLECTANCE:
         good = read_reflectance(&number, at);
         break;
-    case PP_VALUE_MAINTENANCE:
+    case PP_VALUE_AUTO:
         good = strcmp(name, "auto") == 0 || read_number(&number, at);
+        break;
+    case PP_VALUE_FACTOR:
+        good = read_factor(&number, at);
         break;
     case PP_VALUE_GLAZING:
         good = read_glazing(&name, at);
@@ -200,7 +233,8 @@ static void store_fallback(void *field, const struct pp_attribute_rule *row)
         break;
     case PP_VALUE_NUMBER:
     case PP_VALUE_REFLECTANCE:
-    case PP_VALUE_MAINTENANCE:
+    case PP_VALUE_AUTO:
+    case PP_VALUE_FACTOR:
         memcpy(field, &row->fallback, sizeof row->fallback);
         break;
     case PP_VALUE_PAIR:

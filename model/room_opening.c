@@ -73,6 +73,7 @@ void pp_read_opening(struct pp_room_reader *r, struct pp_room *room,
     }
     part.glazing.frame_factor = form.frame_factor;
     part.glazing.maintenance = form.maintenance;
+    part.glazing.curtains = form.curtains;
     part.glazing.reveal_m = form.reveal_m;
     part.left_m = form.left_m;
     part.sill_m = form.sill_m;

@@ -22,6 +22,7 @@
 struct pp_site_part {
     double latitude_rad, longitude_rad; /* NAN where not given */
     enum pp_surroundings surroundings;  /* rural where not given */
+    enum pp_work work; /* where not given: clean, but dirty in industrial surroundings */
     double ground_reflectance, ground_level_m;
     int line;
 };
@@ -66,7 +67,8 @@ struct pp_finish_part {
 struct pp_glazing_part {
     struct pp_glass glass;
     double frame_factor;
-    double maintenance; /* NAN: by surroundings and slope ("auto") */
+    double maintenance; /* NAN: by surroundings, work and slope ("auto") */
+    double curtains;
     double reveal_m;
 };
 
@@ -114,6 +116,7 @@ struct pp_room {
     struct pp_sky_part sky;   /* likewise */
     struct pp_plan_part plan;
     double floor, walls, ceiling; /* reflectances */
+    double decorations;           /* NAN: by surroundings and work ("auto") */
     double working_plane_m;
     int working_plane_line; /* 0 where not given */
     struct pp_finish_part *finishes;

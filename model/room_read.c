@@ -13,10 +13,13 @@ static void read_site(struct pp_room_reader *r, struct pp_site_part *site,
     struct pp_site_form form;
     if (!pp_reader_form(r, &form, &pp_rule_site, e))
         return;
+    enum pp_work by_place =
+        form.surroundings == PP_INDUSTRIAL ? PP_DIRTY : PP_CLEAN;
     *site =
         (struct pp_site_part){.latitude_rad = form.latitude_rad,
                               .longitude_rad = form.longitude_rad,
                               .surroundings = (enum pp_surroundings)form.surroundings,
+                              .work = form.work < 0 ? by_place : (enum pp_work)form.work,
                               .ground_reflectance = form.ground_reflectance,
                               .ground_level_m = form.ground_level_m,
                               .line = e->line};
@@ -58,6 +61,7 @@ static void read_finishes(struct pp_room_reader *r, struct pp_room *room,
     room->floor = form.floor;
     room->walls = form.walls;
     room->ceiling = form.ceiling;
+    room->decorations = form.decorations;
 }
 
 static void read_finish(struct pp_room_reader *r, struct pp_room *room,
@@ -233,6 +237,7 @@ static void read_room(struct pp_room_reader *r, struct pp_room *room,
     room->floor = 0.2;
     room->walls = 0.5;
     room->ceiling = 0.7;
+    room->decorations = 1.0;
     room->working_plane_m = 0.85;
     for (const struct pp_xml_element *c = e->child; c && !pp_reader_gives_up(r);
          c = c->next)

@@ -59,8 +59,21 @@ static const struct pp_value_kind position = {
 static const struct pp_value_kind reflectance = {
     PP_VALUE_REFLECTANCE, "a fraction from 0 to 1 or a named finish", 0.0, 1.0,
     .unit = 1.0};
-static const struct pp_value_kind maintenance = {
-    PP_VALUE_MAINTENANCE, "a fraction from 0 to 1 or \"auto\"", 0.0, 1.0, .unit = 1.0};
+static const struct pp_value_kind or_auto = {
+    PP_VALUE_AUTO, "a fraction from 0 to 1 or \"auto\"", 0.0, 1.0, .unit = 1.0};
+static const struct pp_value_kind frame = {PP_VALUE_FACTOR,
+                                           "a fraction from 0 to 1 or a named frame",
+                                           0.0,
+                                           1.0,
+                                           .unit = 1.0,
+                                           .factors = &pp_frames};
+static const struct pp_value_kind curtains = {
+    PP_VALUE_FACTOR,
+    "a fraction from 0 to 1 or named curtains",
+    0.0,
+    1.0,
+    .unit = 1.0,
+    .factors = &pp_curtains};
 static const struct pp_value_kind glazing = {.reading = PP_VALUE_GLAZING,
                                              .expected = "a named glazing or \"none\""};
 
@@ -70,7 +83,7 @@ static const struct pp_value_kind version = {
 static const char *const no_yes[] = {"no", "yes", NULL};
 static const struct pp_value_kind yes_no = {
     .reading = PP_VALUE_CHOICE, .expected = "\"yes\" or \"no\"", .words = no_yes};
-/* In the order of enum pp_role, and of enum pp_surroundings. */
+/* In the order of enum pp_role, of enum pp_surroundings, and of enum pp_work. */
 static const char *const roles[] = {"floor", "wall", "ceiling", NULL};
 static const struct pp_value_kind role = {.reading = PP_VALUE_CHOICE,
                                           .expected =
@@ -81,6 +94,9 @@ static const struct pp_value_kind surroundings = {
     .reading = PP_VALUE_CHOICE,
     .expected = "\"rural\", \"urban\" or \"industrial\"",
     .words = places};
+static const char *const works[] = {"clean", "dirty", NULL};
+static const struct pp_value_kind work = {
+    .reading = PP_VALUE_CHOICE, .expected = "\"clean\" or \"dirty\"", .words = works};
 const char *const pp_sky_words[] = {"overcast", "uniform", "iso-1",  "iso-2",  "iso-3",
                                     "iso-4",    "iso-5",   "iso-6",  "iso-7",  "iso-8",
                                     "iso-9",    "iso-10",  "iso-11", "iso-12", "iso-13",
@@ -107,6 +123,7 @@ static const struct pp_attribute_rule site_rows[] = {
     {"latitude", &latitude, OR(NAN), IN(site, latitude_rad)},
     {"longitude", &longitude, OR(NAN), IN(site, longitude_rad)},
     {"surroundings", &surroundings, OR(0), IN(site, surroundings)},
+    {"work", &work, OR(-1), IN(site, work)},
     {"ground-reflectance", &reflectance, OR(0.2), IN(site, ground_reflectance)},
     {"ground-level", &coordinate, OR(0), IN(site, ground_level_m)},
 };
@@ -154,6 +171,7 @@ static const struct pp_attribute_rule finishes_rows[] = {
     {"floor", &reflectance, OR(0.2), IN(finishes, floor)},
     {"walls", &reflectance, OR(0.5), IN(finishes, walls)},
     {"ceiling", &reflectance, OR(0.7), IN(finishes, ceiling)},
+    {"decorations", &or_auto, OR(1), IN(finishes, decorations)},
 };
 LEAF(finishes, "finishes", finishes_rows);
 
@@ -167,8 +185,9 @@ LEAF(finish, "finish", finish_rows);
     {"glazing", &glazing, OR(NAN), IN(opening, glazing)},                              \
         {"transmittance", &transmittance, OR(NAN), IN(opening, transmittance)},        \
         {"diffusing", &yes_no, OR(-1), IN(opening, diffusing)},                        \
-        {"frame-factor", &fraction, OR(1), IN(opening, frame_factor)},                 \
-        {"maintenance", &maintenance, OR(1), IN(opening, maintenance)},                \
+        {"frame-factor", &frame, OR(1), IN(opening, frame_factor)},                    \
+        {"maintenance", &or_auto, OR(1), IN(opening, maintenance)},                    \
+        {"curtains", &curtains, OR(1), IN(opening, curtains)},                         \
     {                                                                                  \
         "reveal", &depth, OR(0), IN(opening, reveal_m)                                 \
     }

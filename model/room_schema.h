@@ -10,6 +10,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
+#include "model/correction_table.h"
 #include "model/mistakes.h"
 #include "model/xml_input.h"
 
@@ -22,7 +23,8 @@ enum pp_reading_of_value {
     PP_VALUE_PAIR,        /* double[2], two numbers with white space between */
     PP_VALUE_CHOICE,      /* int, index of the word among `words` */
     PP_VALUE_REFLECTANCE, /* double; a number or a named finish */
-    PP_VALUE_MAINTENANCE, /* double; a number, or "auto": NAN */
+    PP_VALUE_AUTO,        /* double; a number, or "auto": NAN */
+    PP_VALUE_FACTOR,      /* double; a number, or a name among `factors` */
     PP_VALUE_GLAZING,     /* const char *; a named glazing or "none" */
 };
 
@@ -34,6 +36,7 @@ struct pp_value_kind {
     bool below_most;          /* most itself is not */
     double unit;              /* what a number is multiplied by when stored; 0: 1 */
     const char *const *words; /* of a choice; ends with NULL */
+    const struct pp_named_factors *factors;
 };
 
 struct pp_attribute_rule {
@@ -79,6 +82,7 @@ struct pp_room_form {
 struct pp_site_form {
     double latitude_rad, longitude_rad, ground_reflectance, ground_level_m;
     int surroundings; /* enum pp_surroundings */
+    int work;         /* enum pp_work, -1: not given */
 };
 
 struct pp_sky_form {
@@ -101,7 +105,7 @@ struct pp_vertex_form {
 };
 
 struct pp_finishes_form {
-    double floor, walls, ceiling;
+    double floor, walls, ceiling, decorations;
 };
 
 struct pp_finish_form {
@@ -114,7 +118,7 @@ struct pp_opening_form {
     const char *wall;
     double left_m, sill_m, width_m, height_m, x, y, depth_m;
     const char *glazing;
-    double transmittance, frame_factor, maintenance, reveal_m;
+    double transmittance, frame_factor, maintenance, curtains, reveal_m;
     int diffusing; /* 0 no, 1 yes, -1 not given */
 };
 

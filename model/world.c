@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "model/correction_table.h"
 #include "model/resolve.h"
 
 void pp_world_destroy(struct pp_world *world)
@@ -76,6 +77,10 @@ static enum pp_status resolve_site(struct pp_resolver *r, struct pp_error *err)
     world->latitude_rad = room->site.latitude_rad;
     world->longitude_rad = room->site.longitude_rad;
     world->surroundings = room->site.surroundings;
+    world->work = room->site.work;
+    world->decorations = isnan(room->decorations)
+                             ? pp_decorations_of(world->surroundings, world->work)
+                             : room->decorations;
     world->ground_reflectance = room->site.ground_reflectance;
     world->ground_level_m = room->site.ground_level_m;
     resolve_sky(r);

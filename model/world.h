@@ -64,6 +64,7 @@ struct pp_opening {
     struct pp_glass glass;
     double frame_factor; /* glass area / opening area */
     double maintenance;  /* share of the light that dirt leaves */
+    double curtains;     /* share of the light that curtains leave, 1: there are none */
     double reveal_m;     /* depth, 0 where the glass stands in the face */
     int line;
 };
@@ -97,12 +98,16 @@ struct pp_receiver {
 };
 
 enum pp_surroundings { PP_RURAL, PP_URBAN, PP_INDUSTRIAL };
+enum pp_work { PP_CLEAN, PP_DIRTY }; /* that is done in the room */
 
 struct pp_world {
     char *name;
     double north_rad;                   /* bearing of +y, clockwise from true north */
     double latitude_rad, longitude_rad; /* NAN where the file has none */
     enum pp_surroundings surroundings;
+    enum pp_work work;
+    double decorations; /* share of the internally reflected component that their
+                         * deterioration leaves, 1: they are as new */
 
     struct pp_sky sky;
     double ground_reflectance;

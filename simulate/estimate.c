@@ -124,7 +124,8 @@ struct pp_most pp_most_at(const struct pp_scene *scene, const struct pp_start *s
     }
     if (exitance > 0.0 || (area > 0.0 && scene->reflects))
         most.part[PP_IRC] =
-            exitance + fmin(1.0, area / (scene->size_m * scene->size_m));
+            scene->decorations
+            * (exitance + fmin(1.0, area / (scene->size_m * scene->size_m)));
     return most;
 }
 

@@ -23,6 +23,7 @@ void pp_item_run(struct pp_item *item, struct pp_walk *walk,
                  const struct pp_sobol *sobol, const struct pp_start *start,
                  struct pp_counts wanted, uint32_t most)
 {
+    item->decorations = walk->scene->decorations;
     for (int k = 0; k < PP_ESTIMATORS; k++) {
         uint32_t first = item->done.of[k], end = wanted.of[k];
         if (end <= first)
@@ -58,14 +59,15 @@ bool pp_item_is_begun(const struct pp_item *item)
 double pp_item_part(const struct pp_item *item, enum pp_estimator estimator)
 {
     double n = item->done.of[estimator];
+    double D = item->decorations;
     const double *direct = item->direct.part;
     switch (estimator) {
     case PP_DIRECT:
-        return (direct[PP_SC] + direct[PP_ERC] + direct[PP_IRC]) / n;
+        return (direct[PP_SC] + direct[PP_ERC] + D * direct[PP_IRC]) / n;
     case PP_GATHER:
-        return item->gather / n;
+        return D * item->gather / n;
     default:
-        return item->correction / n;
+        return D * item->correction / n;
     }
 }
 
@@ -79,7 +81,7 @@ double pp_item_value(const struct pp_item *item, int component)
     case PP_ERC:
         return item->direct.part[component] / direct;
     case PP_IRC:
-        return item->direct.part[PP_IRC] / direct + reflected;
+        return item->decorations * item->direct.part[PP_IRC] / direct + reflected;
     default:
         return pp_item_part(item, PP_DIRECT) + reflected;
     }

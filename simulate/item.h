@@ -20,6 +20,7 @@ struct pp_item {
     uint64_t seed;
     struct pp_light direct;
     double gather, correction;
+    double decorations; /* the allowance that the reflected component is read with */
     struct pp_counts done;
     long rays[PP_ESTIMATORS];
     long leaks;
@@ -37,7 +38,7 @@ bool pp_item_is_done(const struct pp_item *item, struct pp_counts wanted);
 /* Is there something of everything? */
 bool pp_item_is_begun(const struct pp_item *item);
 
-/* The mean of one estimator's paths (all components). */
+/* The mean of one estimator's paths (all components), with the allowance. */
 double pp_item_part(const struct pp_item *item, enum pp_estimator estimator);
 
 /* PP_SC .. PP_DF of a begun item. */

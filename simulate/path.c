@@ -90,7 +90,8 @@ static struct optics optics_of(const struct pp_opening *opening,
     double glass =
         opening->frame_factor * pp_glass_reflectance(&opening->glass, cos_incidence);
     double through = pp_glass_transmittance(&opening->glass, cos_incidence)
-                     * opening->frame_factor * opening->maintenance;
+                     * opening->frame_factor * opening->maintenance
+                     * opening->curtains;
     if (opening->glass.diffusing)
         return (struct optics){0.0, frame + glass, through};
     return (struct optics){glass, frame, through};

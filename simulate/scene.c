@@ -226,6 +226,7 @@ enum pp_status pp_scene_create(struct pp_scene **result, const struct pp_world *
     if (!scene)
         return pp_fail_memory(err);
     scene->has_room = world->face_count > 0;
+    scene->decorations = world->decorations;
     scene->facet_count = world->surface_count + world->opening_count;
     scene->pane_count = world->opening_count;
     scene->facets = calloc((size_t)scene->facet_count + 1, sizeof *scene->facets);

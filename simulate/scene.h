@@ -57,6 +57,7 @@ struct pp_scene {
     double plane_area_m2;
 
     double most_exitance; /* of any surface by itself */
+    double decorations;   /* allowance on what is reflected inside, no matter of paths */
     bool reflects;        /* does anything that the room sees? */
 
     struct pp_outside outside;

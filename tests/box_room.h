@@ -62,6 +62,7 @@ static inline void box_room_build(struct box_room *box, double width_m, double d
     box->world = (struct pp_world){
         .sky = pp_sky_overcast(),
         .ground_reflectance = 0.2,
+        .decorations = 1.0,
         .surfaces = box->surfaces,
         .surface_count = BOX_FACES,
         .face_count = BOX_FACES,
@@ -103,6 +104,7 @@ static inline struct pp_opening *box_room_open(struct box_room *box, int face,
         .glass = pp_glass_clear_single(),
         .frame_factor = 1.0,
         .maintenance = 1.0,
+        .curtains = 1.0,
         .line = 7 + index,
     };
     return opening;

@@ -60,6 +60,10 @@ check "every glazing is in the manual" \
     nothing "$(first_column tables/glazings.csv | not_in docs/manual.md)"
 check "every finish is in the manual" \
     nothing "$(first_column tables/finishes.csv | not_in docs/manual.md)"
+check "every frame is in the manual" \
+    nothing "$(first_column tables/frames.csv | not_in docs/manual.md)"
+check "every sort of curtains is in the manual" \
+    nothing "$(first_column tables/curtains.csv | not_in docs/manual.md)"
 
 program=$build/pepperpot
 sed -n 's/^ *\.name = "\(.*\)",/\1/p' methods/*.c >"$scratch/methods"

@@ -83,7 +83,7 @@ static inline double pp_test_sky_from(const struct pp_world *world,
         return 0.0;
     return pp_sky_luminance(&world->sky, u) * facing * cosine / (r * r)
            * pp_glass_transmittance(&opening->glass, cosine) * opening->frame_factor
-           * opening->maintenance;
+           * opening->maintenance * opening->curtains;
 }
 
 /* The sky component of a receiver that faces up, by Gauss-Legendre quadrature of each

@@ -6,7 +6,7 @@
 static struct pp_opening opening_with(struct pp_glass glass)
 {
     return (struct pp_opening){
-        .glass = glass, .frame_factor = 0.7, .maintenance = 0.9, .line = 3};
+        .glass = glass, .frame_factor = 0.7, .maintenance = 0.9, .curtains = 1.0};
 }
 
 static const unsigned all_bits = PP_ALLOWS_OWN_GLASS | PP_ALLOWS_FRAME | PP_ALLOWS_DIRT;

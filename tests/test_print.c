@@ -62,8 +62,10 @@ static int set_up(void **state)
                                      .rectangle = true,
                                      .glass = pp_glass_clear_single(),
                                      .frame_factor = 1.0,
-                                     .maintenance = 0.9};
+                                     .maintenance = 0.9,
+                                     .curtains = 1.0};
     f->world = (struct pp_world){.name = awkward_name,
+                                 .decorations = 1.0,
                                  .sky = pp_sky_overcast(),
                                  .ground_reflectance = 0.2,
                                  .surfaces = f->surfaces,

@@ -10,6 +10,7 @@
 #include <stdlib.h>
 #include <unistd.h>
 
+#include "model/correction_table.h"
 #include "model/finish_table.h"
 #include "model/glazing_table.h"
 #include "model/room.h"
@@ -207,6 +208,26 @@ static void schema_and_reader_know_the_same_names(void **state)
         schema_and_reader_agree(&schema, window, pp_glazing_at(i)->name, true);
     for (int i = 0; i < pp_finish_count(); i++)
         schema_and_reader_agree(&schema, finish, pp_finish_at(i)->name, true);
+    static const char frame[] = ROOM("<window wall='south' left='0.9' sill='0.8' "
+                                     "width='2.4' height='1.5' frame-factor='%s'/>");
+    static const char curtains[] = ROOM("<window wall='south' left='0.9' sill='0.8' "
+                                        "width='2.4' height='1.5' curtains='%s'/>");
+    for (int i = 0; i < pp_frames.count; i++)
+        schema_and_reader_agree(&schema, frame, pp_frames.list[i].name, true);
+    for (int i = 0; i < pp_curtains.count; i++)
+        schema_and_reader_agree(&schema, curtains, pp_curtains.list[i].name, true);
+    schema_and_reader_agree(&schema, frame, "white", false);
+    schema_and_reader_agree(&schema, curtains, "metal", false);
+    schema_and_reader_agree(&schema, frame, "0.35", true);
+    schema_and_reader_agree(&schema, curtains, "0.35", true);
+    static const char *const states[] = {"auto", "0.9",  "0", "1",
+                                         "1.01", "-0.1", "",  "new"};
+    for (int i = 0; i < 8; i++)
+        schema_and_reader_agree(&schema, ROOM("<finishes decorations='%s'/>"),
+                                states[i], i < 4);
+    static const char *const works[] = {"clean", "dirty", "", "Clean"};
+    for (int i = 0; i < 4; i++)
+        schema_and_reader_agree(&schema, ROOM("<site work='%s'/>"), works[i], i < 2);
     for (int i = 0; i <= 16; i++) {
         char type[16];
         snprintf(type, sizeof type, "iso-%d", i);
