@@ -138,15 +138,17 @@ static void each_correction_counts_once_in_every_method(void **state)
         const struct pp_column *a = before.columns + i, *b = after.columns + i;
         const struct pp_method *method = pp_method_find(a->name);
         if (!method || method == pp_method_find("bre-table"))
-            continue; /* a pair; of the table the frame is no factor, see its own test
+            continue; /* a pair; in the table the frame is no factor
                        */
         double factor = method->gives == PP_GIVES_INTERNAL ? 0.87 * glass : glass;
+        /* a straight-edge reads several scales, each to a fifth of 8 % or less */
+        double tolerance = method == pp_method_find("nomogram") ? 0.04 : 1e-13;
         if (a->points && !a->points[0].why) {
-            assert_relative(b->points[0].value, factor * a->points[0].value, 1e-13);
+            assert_relative(b->points[0].value, factor * a->points[0].value, tolerance);
             compared++;
         }
         if (!a->average.why) {
-            assert_relative(b->average.value, factor * a->average.value, 1e-13);
+            assert_relative(b->average.value, factor * a->average.value, tolerance);
             compared++;
         }
     }
