@@ -196,6 +196,7 @@ enum pp_exit cmd_df(int argc, char **argv)
     const struct pp_option_group groups[] = {
         {"What is computed", pp_room_choice_options, &options},
         {"What is computed", explain_option, &options},
+        {"What is computed", pp_room_external_option, &options},
         {"Simulation", pp_room_simulation_options, &options},
         {"Output", format_option, &format},
         {"Output", pp_room_output_options, &options},

@@ -31,10 +31,11 @@ static void put_number(double number, FILE *out)
         fprintf(out, "%.10g", number + 0.0);
 }
 
-/* One reading; receiver NULL: of the average. */
+/* One reading; receiver NULL: of the average. With external_lux over 0 a field more:
+ * what a daylight factor makes of so many lux outside. */
 static void put_line(const struct pp_result *result, const struct pp_column *column,
                      const struct pp_receiver *receiver,
-                     const struct pp_reading *reading, FILE *out)
+                     const struct pp_reading *reading, double external_lux, FILE *out)
 {
     put_field(result->file, out);
     fputc(',', out);
@@ -55,6 +56,9 @@ static void put_line(const struct pp_result *result, const struct pp_column *col
     put_number(100.0 * reading->std_error, out);
     fprintf(out, ",%s,", result->report.finished ? "yes" : "no");
     put_field(isfinite(reading->value) ? NULL : reading->why, out);
+    if (external_lux > 0.0)
+        put_number(column->component == PP_DF ? external_lux * reading->value : NAN,
+                   out);
     fputs("\r\n", out);
 }
 
@@ -63,8 +67,10 @@ enum pp_status pp_print_csv(const struct pp_results *results, FILE *out,
 {
     (void)err;
     fputs("file,room,place,x,y,z,nx,ny,nz,component,method,value_percent,"
-          "std_error_percent,finished,why\r\n",
+          "std_error_percent,finished,why",
           out);
+    double lux = results->options->external_lux;
+    fputs(lux > 0.0 ? ",lux\r\n" : "\r\n", out);
     for (int i = 0; i < results->count; i++) {
         const struct pp_result *result = &results->list[i];
         const struct pp_report *report = &result->report;
@@ -72,10 +78,10 @@ enum pp_status pp_print_csv(const struct pp_results *results, FILE *out,
             for (int c = 0; c < report->column_count; c++)
                 if (report->columns[c].points)
                     put_line(result, &report->columns[c], &report->receivers[r],
-                             &report->columns[c].points[r], out);
+                             &report->columns[c].points[r], lux, out);
         for (int c = 0; c < report->column_count; c++)
             put_line(result, &report->columns[c], NULL, &report->columns[c].average,
-                     out);
+                     lux, out);
     }
     return PP_OK;
 }

@@ -60,13 +60,16 @@ static bool add_contents(struct json_object *object, const char *name)
 }
 
 /* { "value": 1.25, "se": 0.01 } or { "value": null, "why": "..." }; name is the
- * column's. */
-static struct json_object *entry(const struct pp_reading *reading, const char *name)
+ * column's. With external_lux over 0, what the value makes of so many lux outside. */
+static struct json_object *entry(const struct pp_reading *reading, const char *name,
+                                 double external_lux)
 {
     struct json_object *object = json_object_new_object();
     bool good = object && pp_json_number(object, "value", 100.0 * reading->value);
     if (good && isfinite(reading->std_error))
         good = pp_json_number(object, "se", 100.0 * reading->std_error);
+    if (good && external_lux > 0.0)
+        good = pp_json_number(object, "lux", external_lux * reading->value);
     if (good && !isfinite(reading->value))
         good =
             pp_json_text(object, "why", reading->why ? reading->why : "not computed");
@@ -81,7 +84,7 @@ static struct json_object *entry(const struct pp_reading *reading, const char *n
 /* Adds "sc" ... "df" with what every method says at receiver `index`, or of the average
  * for -1; a component that no method speaks of is left out. */
 static bool add_readings(struct json_object *object, const struct pp_report *report,
-                         int index)
+                         int index, double external_lux)
 {
     struct json_object *components[PP_COMPONENT_COUNT] = {NULL};
     for (int i = 0; i < report->column_count; i++) {
@@ -97,13 +100,15 @@ static bool add_readings(struct json_object *object, const struct pp_report *rep
         }
         if (!pp_json_add(*component, column->name,
                          entry(index < 0 ? &column->average : &column->points[index],
-                               column->name)))
+                               column->name,
+                               column->component == PP_DF ? external_lux : 0.0)))
             return false;
     }
     return true;
 }
 
-static struct json_object *point(const struct pp_report *report, int index)
+static struct json_object *point(const struct pp_report *report, int index,
+                                 double external_lux)
 {
     const struct pp_receiver *receiver = &report->receivers[index];
     struct json_object *object = json_object_new_object();
@@ -114,19 +119,20 @@ static struct json_object *point(const struct pp_report *report, int index)
         good = pp_json_number(object, "nx", receiver->normal.x)
                && pp_json_number(object, "ny", receiver->normal.y)
                && pp_json_number(object, "nz", receiver->normal.z);
-    if (good && add_readings(object, report, index))
+    if (good && add_readings(object, report, index, external_lux))
         return object;
     json_object_put(object);
     return NULL;
 }
 
-static bool add_points(struct json_object *object, const struct pp_report *report)
+static bool add_points(struct json_object *object, const struct pp_report *report,
+                       double external_lux)
 {
     struct json_object *points = json_object_new_array();
     if (!pp_json_add(object, "points", points))
         return false;
     for (int i = 0; i < report->receiver_count; i++) {
-        struct json_object *one = point(report, i);
+        struct json_object *one = point(report, i, external_lux);
         if (!one || json_object_array_add(points, one) != 0) {
             json_object_put(one);
             return false;
@@ -167,15 +173,18 @@ static struct json_object *room(const struct pp_results *results,
     if (good)
         good = pp_json_text(object, "room", report->world->name)
                && pp_json_text(object, "sky", pp_sky_name(&report->world->sky));
+    double lux = results->options->external_lux;
+    if (good && lux > 0.0)
+        good = pp_json_number(object, "external", lux);
     if (good && results->options->simulate)
         good = add_simulation(object, result, results->options);
     if (good && !report->finished)
         good = pp_json_add(object, "finished", json_object_new_boolean(false));
     struct json_object *average = NULL;
     if (good)
-        good = add_points(object, report)
+        good = add_points(object, report, lux)
                && pp_json_add(object, "average", average = json_object_new_object())
-               && add_readings(average, report, -1);
+               && add_readings(average, report, -1, lux);
     if (good)
         return object;
     json_object_put(object);

@@ -137,6 +137,40 @@ static void print_note(const struct pp_report *report, const char *why, int widt
     pp_print_wrapped(text, 4, 4, width, out);
 }
 
+/* Has any hand method a daylight factor for any row? */
+static bool says_something(const struct pp_report *report)
+{
+    for (int i = 0; i < report->column_count; i++) {
+        const struct pp_column *column = &report->columns[i];
+        if (column->component != PP_DF || strcmp(column->name, "traced") == 0)
+            continue;
+        for (int row = 0; row <= report->receiver_count; row++) {
+            const struct pp_reading *reading = pp_reading_at(report, column, row);
+            if (reading && isfinite(reading->value))
+                return true;
+        }
+    }
+    return false;
+}
+
+/* Where no method that was asked for answers, one that answers for any sky and any
+ * opening. */
+static void print_hint(const struct pp_report *report, int width, FILE *out)
+{
+    bool any_df = false;
+    for (int i = 0; i < report->column_count; i++)
+        any_df |= report->columns[i].component == PP_DF
+                  && strcmp(report->columns[i].name, "traced") != 0;
+    if (!any_df || says_something(report)
+        || pp_report_find(report, PP_DF, "exact+split-flux"))
+        return;
+    fputs("  - ", out);
+    pp_print_wrapped("None of these hand methods answers for this room. --methods "
+                     "exact+split-flux does for any sky and openings that slope or lie "
+                     "flat; --simulate for all.",
+                     4, 4, width, out);
+}
+
 bool pp_print_notes(const struct pp_report *report, int width, FILE *out)
 {
     struct reasons reasons = {0};
@@ -151,6 +185,8 @@ bool pp_print_notes(const struct pp_report *report, int width, FILE *out)
         fputs("  - The externally reflected component is 0 everywhere.\n", out);
     for (int i = 0; i < reasons.count; i++)
         print_note(report, reasons.list[i], width, out);
+    if (reasons.count > 0)
+        print_hint(report, width, out);
     free(reasons.list);
     return true;
 }

@@ -61,6 +61,17 @@ static void put_distance(char cell[PP_CELL_BYTES], const struct pp_reading *read
         snprintf(cell, PP_CELL_BYTES, fabs(off) < 99.95 ? "%+.1f" : "%+.0f", off);
 }
 
+/* Lux, in three significant digits or whole ones. */
+static void put_lux(char cell[PP_CELL_BYTES], double lux)
+{
+    if (!isfinite(lux)) {
+        snprintf(cell, PP_CELL_BYTES, "-");
+        return;
+    }
+    int decimals = lux < 0.05 || lux >= 99.95 ? 0 : lux < 9.995 ? 2 : 1;
+    snprintf(cell, PP_CELL_BYTES, "%.*f", decimals, lux + 0.0);
+}
+
 /* ---- the table ---- */
 
 static bool is_traced(const struct pp_column *column)
@@ -104,12 +115,34 @@ static bool add_distances(struct pp_table *table, const struct pp_report *report
     return true;
 }
 
+/* What a daylight factor makes of so many lux outside. */
+static bool add_illuminances(struct pp_table *table, const struct pp_report *report,
+                             const struct pp_column *column, const char *title,
+                             double external_lux)
+{
+    struct pp_table_column *shown = pp_table_add(table, title, "lux", column->name);
+    if (!shown)
+        return false;
+    for (int row = 0; row <= report->receiver_count; row++) {
+        const struct pp_reading *reading = pp_reading_at(report, column, row);
+        if (reading)
+            put_lux(shown->cells[row], external_lux * reading->value);
+    }
+    return true;
+}
+
+/* lux_title: of the columns with illuminances; external_lux 0: none. */
 static bool fill_table(struct pp_table *table, const struct pp_report *report,
-                       bool utf8)
+                       double external_lux, const char *lux_title, bool utf8)
 {
     for (int i = 0; i < report->column_count; i++)
         if ((report->columns[i].component != PP_ERC || !pp_is_nothing(report, PP_ERC))
             && !add_values(table, report, &report->columns[i], utf8))
+            return false;
+    for (int i = 0; external_lux > 0.0 && i < report->column_count; i++)
+        if (report->columns[i].component == PP_DF
+            && !add_illuminances(table, report, &report->columns[i], lux_title,
+                                 external_lux))
             return false;
     const struct pp_column *traced = pp_report_find(report, PP_DF, "traced");
     for (int i = 0; traced && i < report->column_count; i++) {
@@ -152,11 +185,13 @@ static enum pp_status print_room(const struct pp_result *result,
     pp_print_assumed(report->world, width, out);
     fputc('\n', out);
 
+    char lux_title[48];
+    snprintf(lux_title, sizeof lux_title, "lux, of %g outside", options->external_lux);
     struct pp_table table;
     pp_table_init(&table, report->receiver_count + 1);
     table.last_label = "average";
-    bool good =
-        pp_print_places(&table, report, width, out) && fill_table(&table, report, utf8);
+    bool good = pp_print_places(&table, report, width, out)
+                && fill_table(&table, report, options->external_lux, lux_title, utf8);
     if (good) {
         fputc('\n', out);
         pp_table_print(&table, width, out);

@@ -27,11 +27,28 @@ check "and are all there" test "$(grep -c ',point,' "$scratch/out")" -eq \
 check "one with its own height" grep -q ',point,1,3,0.5,' "$scratch/out"
 check "a sum is set out step by step" shows "a square of the diagram is worth" \
     df --explain --points 1.5,1 --methods waldram+bre "$deep"
+cp "$scratch/out" "$scratch/explained"
 check "in 80 columns" nothing "$(awk 'length > 80' "$scratch/out")"
 check "in JSON too" shows '"unit": "%"' \
     df --explain --points 1.5,1 --methods waldram+bre --format json "$deep"
 check "of one point, not of 17" refuses 2 "--points" df --explain "$deep"
 check "not in CSV" refuses 2 "CSV" df --explain --points 1.5,1 --format csv "$deep"
+check "its formulae stand on lines of their own" grep -q '^      SC = sc M G B$' "$scratch/explained"
+check "what the figures contain is said" grep -q 'its figures contain clear single glass' "$scratch/explained"
+check "lux stand beside per cent" shows "lux, of 5000 outside" \
+    df --external 5000 --points 1.5,2 "$deep"
+check "3.114 % of 5000 lx is 156 lx" grep -qE '^  average .* 156$' "$scratch/out"
+check "in JSON too" shows '"lux": 155.69' df --external 5000 --format json "$deep"
+check "and in CSV as one more field" shows ',155.69' df --external 5000 --format csv "$deep"
+check "on every line" nothing "$(grep -v '"' "$scratch/out" | awk -F, 'NF != 16')"
+for wrong in 0 -5000 5e9 nan 5klx ""; do
+    check "an external illuminance of \"$wrong\" is refused" refuses 2 "--external" \
+        df --external "$wrong" "$deep"
+done
+check "where no method answers, one is named that does" \
+    shows "exact+split-flux does" df "$examples/studio.xml"
+check "but not where one does" nothing \
+    "$("$pepperpot" df "$deep" | grep "split-flux")"
 check "another sky than the file's" shows "uniform" df --sky uniform "$deep"
 check "a sky with a sun" shows "type 12, sun 30 deg high, bearing 180" \
     df --sky iso-12,30,180 --methods exact "$deep"
