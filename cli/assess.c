@@ -219,6 +219,9 @@ static enum pp_status assess(struct pp_assessments *all, const struct pp_rooms *
                 pp_gather_traced(&one->report, &options->room, &one->by_clock, err);
         if (status == PP_OK)
             status = judge(one, chosen, err);
+        one->has_gains = !options->criteria;
+        if (status == PP_OK && one->has_gains)
+            status = pp_gains_find(&one->gains, one->room->room, one->room->world, err);
     }
     return status;
 }

@@ -8,6 +8,7 @@
 
 #include "cli/rooms.h"
 #include "design/criterion.h"
+#include "design/gains.h"
 
 struct pp_assess_options {
     struct pp_room_options room;
@@ -32,6 +33,8 @@ struct pp_assessment {
     struct pp_median median;
     struct pp_answer *answers;
     int answer_count;
+    bool has_gains; /* was everything asked for, and with it what would help? */
+    struct pp_gains gains;
     bool by_clock; /* the simulation was stopped by --time */
 };
 

@@ -6,6 +6,7 @@
 
 #include "cli/assessment.h"
 #include "cli/print.h"
+#include "cli/print_gains.h"
 #include "cli/utf8.h"
 
 enum { CELL = 40, COLUMNS = 6, INDENT = 4, GAP = 2, NOTE_INDENT = 6 };
@@ -274,6 +275,8 @@ static void print_room(const struct pp_assessment *assessment,
     if (options->room.simulate)
         print_simulation(assessment, &options->room, &layout, out);
     print_sum(assessment, out);
+    if (assessment->has_gains)
+        pp_print_gains(&assessment->gains, layout.width, out);
 }
 
 enum pp_status pp_print_assessments(const struct pp_assessments *assessments, int width,

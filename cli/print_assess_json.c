@@ -3,6 +3,7 @@
 
 #include "cli/assessment.h"
 #include "cli/json.h"
+#include "cli/print_gains.h"
 
 static const struct {
     const char *unit;
@@ -143,6 +144,8 @@ static struct json_object *room_object(const struct pp_assessments *all,
         good = pp_json_add(object, "finished", json_object_new_boolean(false));
     if (good)
         good = add_criteria(object, assessment, options->room.external_lux);
+    if (good && assessment->has_gains)
+        good = pp_print_gains_json(object, &assessment->gains);
     if (good)
         return object;
     json_object_put(object);

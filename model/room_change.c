@@ -164,6 +164,17 @@ enum pp_status pp_room_repeat_opening(struct pp_room *room, int index,
     return good ? PP_OK : pp_fail_memory(err);
 }
 
+enum pp_status pp_room_set_wall(struct pp_room *room, int index, const char *wall,
+                                struct pp_error *err)
+{
+    char *copy = strdup(wall);
+    if (!copy)
+        return pp_fail_memory(err);
+    free(room->openings[index].wall);
+    room->openings[index].wall = copy;
+    return PP_OK;
+}
+
 void pp_room_remove_opening(struct pp_room *room, int index)
 {
     struct pp_opening_part *part = &room->openings[index];

@@ -44,6 +44,10 @@ void pp_room_set_place(struct pp_room *room, int index, struct pp_place place);
 enum pp_status pp_room_repeat_opening(struct pp_room *room, int index,
                                       struct pp_place place, struct pp_error *err);
 
+/* Puts a window into another wall, at the same left and sill. */
+enum pp_status pp_room_set_wall(struct pp_room *room, int index, const char *wall,
+                                struct pp_error *err);
+
 /* Leaves one out; those behind it move up. */
 void pp_room_remove_opening(struct pp_room *room, int index);
 
