@@ -3,11 +3,15 @@
 #include <string.h>
 
 static const struct pp_chart_kind kinds[] = {
-    {"section", "daylight factor against distance, over the section", false},
-    {"plan", "daylight factor contours and no-sky line, on the plan", false},
-    {"waldram", "Waldram diagram, blank or with a room's windows", true},
-    {"pepper-pot", "pepper-pot diagram, blank or with a room's windows", true},
-    {"protractor", "BRS daylight protractor, blank or laid on a room's section and plan",
+    {"section", "daylight factor against distance, over the section", false, false},
+    {"plan", "daylight factor contours and no-sky line, on the plan", false, false},
+    {"waldram", "Waldram diagram, blank or with a room's windows", true, false},
+    {"pepper-pot", "pepper-pot diagram, blank or with a room's windows", true, false},
+    {"protractor",
+     "BRS daylight protractor, blank or laid on a room's section and plan", true,
+     false},
+    {"availability",
+     "how often the sky gives how much light in working hours, and inside", false,
      true},
 };
 

@@ -1,4 +1,5 @@
 /* chart - draws one chart of each room to a PDF, SVG or PNG. */
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
@@ -329,6 +330,28 @@ static enum pp_exit run(const struct pp_chart_kind *kind,
     return exit_status;
 }
 
+/* The light outside is asked for where it is drawn, and known without a room. */
+static enum pp_status check_light(const struct pp_availability_options *light,
+                                  struct pp_room_options *options,
+                                  const struct pp_chart_kind *kind, char **files,
+                                  int file_count, struct pp_error *err)
+{
+    bool said = light->weather || !isnan(light->latitude_deg);
+    if (!kind->outside)
+        return said ? pp_fail(err, PP_BAD_INPUT,
+                              "%s is drawn without a year's light; --weather and "
+                              "--latitude are of availability",
+                              kind->name)
+                    : PP_OK;
+    if (!said && file_count == 0)
+        return pp_fail(err, PP_BAD_INPUT,
+                       "expected --weather FILE.epw, --latitude DEG, or a room file with "
+                       "a site");
+    if (!options->methods)
+        options->methods = "exact+bre";
+    return pp_availability_options_check(light, files, file_count, err);
+}
+
 /* What the words say, before any file is opened. */
 static enum pp_status check(char **words, int word_count,
                             struct pp_room_options *options,
@@ -341,10 +364,13 @@ static enum pp_status check(char **words, int word_count,
     *kind = find_kind(words[0], err);
     if (!*kind)
         return PP_BAD_INPUT;
-    if (word_count == 1 && !(*kind)->board)
+    if (word_count == 1 && !(*kind)->board && !(*kind)->outside)
         return pp_fail(err, PP_BAD_INPUT,
                        "expected a room file, or - for standard input");
     enum pp_status status = pp_room_options_settle(options, err);
+    if (status == PP_OK)
+        status = check_light(&chart_options->availability, options, *kind, words + 1,
+                             word_count - 1, err);
     if (status == PP_OK && options->methods)
         status = pp_methods_check(options->methods, err);
     if (status == PP_OK && (*kind)->board)
@@ -356,10 +382,13 @@ static enum pp_status check(char **words, int word_count,
 enum pp_exit cmd_chart(int argc, char **argv)
 {
     struct pp_room_options room_options = pp_room_options_none;
-    struct pp_chart_options options = {.paper = PP_PAPER_A4};
+    struct pp_chart_options options = {.paper = PP_PAPER_A4,
+                                       .availability = pp_availability_options_default};
     const struct pp_option_group groups[] = {
         {"The sheet", sheet_options, &options},
         {"Diagrams of the drawing board", board_options, &options},
+        {"Availability", pp_light_options, &options.availability},
+        {"Availability", pp_illuminance_options, &options.availability},
         {"What is computed", pp_room_choice_options, &room_options},
         {"Simulation", pp_room_simulation_options, &room_options},
         {"Output", pp_room_output_options, &room_options},
@@ -393,8 +422,11 @@ enum pp_exit cmd_chart(int argc, char **argv)
             pp_options_help(&line, stdout);
         }
     } else {
-        exit_status = run(kind, &room_options, &options, argv + 1, word_count - 1);
+        exit_status = pp_availability_load(&options.availability);
+        if (exit_status == PP_EXIT_DONE)
+            exit_status = run(kind, &room_options, &options, argv + 1, word_count - 1);
     }
+    pp_availability_unload(&options.availability);
     pp_room_options_clear(&room_options);
     return exit_status;
 }

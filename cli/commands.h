@@ -13,5 +13,6 @@ pp_command cmd_df;
 pp_command cmd_size;
 pp_command cmd_chart;
 pp_command cmd_assess;
+pp_command cmd_availability;
 
 #endif

@@ -5,6 +5,7 @@
 
 #include "charts/plan_chart.h"
 #include "charts/section_chart.h"
+#include "cli/draw_availability.h"
 #include "cli/draw_board.h"
 #include "cli/gather.h"
 #include "cli/section_line.h"
@@ -86,6 +87,7 @@ static const struct drawer drawers[] = {
     {"waldram", false, always_landscape, NULL, pp_draw_waldram},
     {"pepper-pot", false, always_landscape, NULL, pp_draw_pepper_pot},
     {"protractor", false, never_landscape, NULL, pp_draw_protractor},
+    {"availability", false, always_landscape, NULL, NULL},
 };
 
 static const struct drawer *drawer_of(const struct pp_chart_kind *kind)
@@ -110,6 +112,9 @@ enum pp_status pp_draw_chart(const struct pp_chart_kind *kind, struct pp_canvas 
     const struct drawer *drawer = drawer_of(kind);
     if (drawer->draw_board)
         return drawer->draw_board(canvas, room, &options->board, err);
+    if (kind->outside)
+        return pp_draw_availability(canvas, room, room_options, &options->availability,
+                                    finished, err);
     if (drawer->on_a_line && room_options->points.count == 0
         && !pp_is_section_line(room->receivers, room->receiver_count)) {
         enum pp_status status = pp_section_line(room, err);

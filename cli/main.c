@@ -23,6 +23,7 @@ static const struct command commands[] = {
     {"chart", cmd_chart, "one chart of a room as PDF, SVG or PNG"},
     {"assess", cmd_assess, "what a room's daylight has to reach, and whether it does"},
     {"size", cmd_size, "the window that just reaches a target"},
+    {"availability", cmd_availability, "how often daylight is enough in working hours"},
 };
 enum { COMMAND_COUNT = sizeof commands / sizeof commands[0] };
 
@@ -33,7 +34,7 @@ static void print_help(void)
          "worked on, and a simulation of the same room to set beside them.\n\n"
          "Commands:");
     for (int i = 0; i < COMMAND_COUNT; i++)
-        printf("  %-8s %s\n", commands[i].name, commands[i].does);
+        printf("  %-12s %s\n", commands[i].name, commands[i].does);
     puts("\nOptions:\n"
          "  -h, --help     Print this help and stop; after a command: its own.\n"
          "      --version  Print the version and stop.\n\n"
@@ -41,11 +42,16 @@ static void print_help(void)
          "3 the machine failed, 130 interrupted.");
 }
 
+static void list_names(const char *names[COMMAND_COUNT])
+{
+    for (int i = 0; i < COMMAND_COUNT; i++)
+        names[i] = commands[i].name;
+}
+
 static enum pp_exit fail_unknown(const char *word)
 {
     const char *names[COMMAND_COUNT];
-    for (int i = 0; i < COMMAND_COUNT; i++)
-        names[i] = commands[i].name;
+    list_names(names);
     const char *guess = pp_nearest(word, names, COMMAND_COUNT);
     if (guess)
         pp_say("there is no %s \"%s\"; did you mean %s?",
@@ -61,9 +67,8 @@ static enum pp_exit run(int argc, char **argv)
     const char *word = argc > 1 ? argv[1] : NULL;
     if (!word) {
         const char *names[COMMAND_COUNT];
-        char known[160];
-        for (int i = 0; i < COMMAND_COUNT; i++)
-            names[i] = commands[i].name;
+        char known[256];
+        list_names(names);
         pp_say("expected a command: %s",
                pp_name_list(known, sizeof known, names, COMMAND_COUNT));
         fputs("Try: pepperpot --help\n", stderr);
