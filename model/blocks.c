@@ -152,6 +152,7 @@ static enum pp_status add_sides(struct pp_resolver *r, int index, const struct b
     struct pp_surface surface = {.role = PP_BLOCK,
                                  .front = block->reflectance,
                                  .back = block->reflectance,
+                                 .finish = block->finish,
                                  .owner = index,
                                  .line = block->line};
     bool floats = block->corner.z > r->world->ground_level_m;

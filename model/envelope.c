@@ -29,23 +29,39 @@ static enum pp_status make_wall_list(struct pp_resolver *r, int most,
     return r->walls && r->wall_faces ? PP_OK : pp_fail_memory(err);
 }
 
-/* A wall's own reflectance if the file gives one, else that of all walls. */
-static double wall_reflectance(const struct pp_room *room, const char *name)
+/* A reflectance, and the finish where it was given by one. */
+struct coat {
+    double reflectance;
+    const struct pp_finish *finish;
+};
+
+/* A wall's own if the file gives one, else that of all walls. */
+static struct coat wall_coat(const struct pp_room *room, const char *name)
 {
     for (int i = 0; i < room->finish_count; i++)
         if (room->finishes[i].wall && name && strcmp(room->finishes[i].wall, name) == 0)
-            return room->finishes[i].reflectance;
-    return room->walls;
+            return (struct coat){room->finishes[i].reflectance,
+                                 room->finishes[i].finish};
+    return (struct coat){room->walls, room->walls_finish};
 }
 
-static double face_reflectance(const struct pp_room *room,
-                               const struct pp_face_part *face)
+/* That of a face of the role. */
+static struct coat coat_of(const struct pp_room *room, enum pp_role role,
+                           const char *name)
+{
+    if (role == PP_WALL)
+        return wall_coat(room, name);
+    if (role == PP_FLOOR)
+        return (struct coat){room->floor, room->floor_finish};
+    return (struct coat){room->ceiling, room->ceiling_finish};
+}
+
+static struct coat face_coat(const struct pp_room *room,
+                             const struct pp_face_part *face)
 {
     if (!isnan(face->reflectance))
-        return face->reflectance;
-    if (face->role == PP_WALL)
-        return wall_reflectance(room, face->name);
-    return face->role == PP_FLOOR ? room->floor : room->ceiling;
+        return (struct coat){face->reflectance, face->finish};
+    return coat_of(room, face->role, face->name);
 }
 
 /* Notes a wall whose name there is already. */
@@ -66,15 +82,16 @@ static bool is_second_wall(struct pp_resolver *r, const struct pp_face_part *wal
 }
 
 static enum pp_status add_face(struct pp_resolver *r, enum pp_role role,
-                               const char *name, double reflectance, int line,
+                               const char *name, struct coat coat, int line,
                                const struct pp_vec3 *vertices, int count,
                                struct pp_error *err)
 {
     struct pp_surface face = {.role = role,
                               .inside = true,
                               .name = name,
-                              .front = reflectance,
+                              .front = coat.reflectance,
                               .back = outer_reflectance,
+                              .finish = coat.finish,
                               .owner = -1,
                               .line = line};
     return pp_resolve_add_face(r, face, vertices, count, err);
@@ -93,14 +110,15 @@ static enum pp_status raise_plan(struct pp_resolver *r, const struct pp_vec3 *ri
     if (!level)
         return pp_fail_memory(err);
 
-    enum pp_status status =
-        add_face(r, PP_FLOOR, NULL, room->floor, line, ring, count, err);
+    enum pp_status status = add_face(r, PP_FLOOR, NULL, coat_of(room, PP_FLOOR, NULL),
+                                     line, ring, count, err);
     for (int i = 0; i < count; i++) {
         struct pp_vec3 corner = ring[count - 1 - i];
         level[i] = pp_vec(corner.x, corner.y, height_m);
     }
     if (status == PP_OK)
-        status = add_face(r, PP_CEILING, NULL, room->ceiling, line, level, count, err);
+        status = add_face(r, PP_CEILING, NULL, coat_of(room, PP_CEILING, NULL), line,
+                          level, count, err);
     free(level);
 
     for (int i = 0; i < count && status == PP_OK; i++) {
@@ -109,8 +127,8 @@ static enum pp_status raise_plan(struct pp_resolver *r, const struct pp_vec3 *ri
         struct pp_vec3 wall[4] = {left, right, pp_vec(right.x, right.y, height_m),
                                   pp_vec(left.x, left.y, height_m)};
         int named = turned ? (2 * count - 2 - i) % count : i;
-        status = add_face(r, PP_WALL, r->walls[named],
-                          wall_reflectance(room, r->walls[named]), line, wall, 4, err);
+        status = add_face(r, PP_WALL, r->walls[named], wall_coat(room, r->walls[named]),
+                          line, wall, 4, err);
         r->wall_faces[named] = r->world->surface_count - 1;
     }
     return status;
@@ -195,9 +213,8 @@ static enum pp_status resolve_faces(struct pp_resolver *r, struct pp_error *err)
                                             &part->vertices);
         r->faces_missing |= !good;
         if (good) {
-            double reflectance = face_reflectance(r->room, part);
-            if (add_face(r, part->role, part->name, reflectance, part->line,
-                         part->vertices.list, part->vertices.count, err)
+            if (add_face(r, part->role, part->name, face_coat(r->room, part),
+                         part->line, part->vertices.list, part->vertices.count, err)
                 != PP_OK)
                 return PP_SYSTEM;
         }

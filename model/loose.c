@@ -148,6 +148,7 @@ static enum pp_status resolve_surface(struct pp_resolver *r,
                                  .front = part->reflectance,
                                  .back = part->reflectance,
                                  .exitance = part->exitance,
+                                 .finish = part->finish,
                                  .owner = -1,
                                  .line = part->line};
     if (pp_polygon_of(&surface.outline, part->vertices.list, part->vertices.count, err)

@@ -64,6 +64,8 @@ struct pp_material {
     enum pp_emitter_kind emits;
     struct pp_rgb radiance; /* of the front, per steradian */
     bool emits_both_sides;
+    bool unseen; /* its light shows on what it lights only (Radiance's `illum`): looked
+                  * at, it is what it is without */
     int pattern; /* of the description, that the radiance is multiplied by according
                   * to direction: of distant sources only; -1: none */
 };

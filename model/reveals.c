@@ -15,6 +15,7 @@ static enum pp_status add_reveals(struct pp_resolver *r, int index,
                               .inside = true,
                               .front = wall->front,
                               .back = wall->back,
+                              .finish = wall->finish,
                               .owner = index,
                               .line = opening->line};
     int count = opening->inner.count;

@@ -94,15 +94,15 @@ static bool read_factor(double *value, const struct place *at)
     return unknown(at, names, count);
 }
 
-static bool read_reflectance(double *value, const struct place *at)
+static bool read_reflectance(struct pp_finish_value *value, const struct place *at)
 {
-    const struct pp_finish *finish = pp_finish_find(at->text);
     bool good;
-    if (finish) {
-        *value = finish->reflectance;
+    value->finish = pp_finish_find(at->text);
+    if (value->finish) {
+        value->reflectance = value->finish->reflectance;
         return true;
     }
-    if (is_meant_for_number(value, &good, at))
+    if (is_meant_for_number(&value->reflectance, &good, at))
         return good;
     const char *names[NAMES_MOST];
     int count = 0;
@@ -170,6 +170,7 @@ static bool read_count(int *count, const struct place *at)
 static bool read_value(void *field, const struct place *at)
 {
     double number = NAN, pair[2];
+    struct pp_finish_value finish = {.reflectance = NAN};
     int index = 0;
     const char *name = at->text;
     bool good = true;
@@ -186,8 +187,9 @@ static bool read_value(void *field, const struct place *at)
         number *= at->kind->unit;
         break;
     case PP_VALUE_REFLECTANCE:
-        good = read_reflectance(&number, at);
-        break;
+        good = read_reflectance(&finish, at);
+        memcpy(field, &finish, sizeof finish);
+        return good;
     case PP_VALUE_AUTO:
         good = strcmp(name, "auto") == 0 || read_number(&number, at);
         break;
@@ -225,14 +227,17 @@ static void store_fallback(void *field, const struct pp_attribute_rule *row)
     const char *no_text = NULL;
     int index = isfinite(row->fallback) ? (int)row->fallback : -1;
     double pair[2] = {row->fallback, row->fallback};
+    struct pp_finish_value number = {.reflectance = row->fallback};
     switch (row->kind->reading) {
     case PP_VALUE_TEXT:
     case PP_VALUE_NAME:
     case PP_VALUE_GLAZING:
         memcpy(field, &no_text, sizeof no_text);
         break;
-    case PP_VALUE_NUMBER:
     case PP_VALUE_REFLECTANCE:
+        memcpy(field, &number, sizeof number);
+        break;
+    case PP_VALUE_NUMBER:
     case PP_VALUE_AUTO:
     case PP_VALUE_FACTOR:
         memcpy(field, &row->fallback, sizeof row->fallback);

@@ -44,6 +44,8 @@ struct pp_face_part {
     enum pp_role role;
     char *name;
     double reflectance; /* NAN: the finishes' */
+    const struct pp_finish *finish; /* by which it was given; NULL: a number; likewise
+                                     * below */
     struct pp_vertices vertices;
     int line;
 };
@@ -61,6 +63,7 @@ struct pp_plan_part {
 struct pp_finish_part {
     char *wall;
     double reflectance;
+    const struct pp_finish *finish;
     int line;
 };
 
@@ -92,6 +95,7 @@ struct pp_skyline_part {
 struct pp_surface_part {
     struct pp_vertices vertices;
     double reflectance, exitance;
+    const struct pp_finish *finish;
     int line;
 };
 
@@ -116,6 +120,7 @@ struct pp_room {
     struct pp_sky_part sky;   /* likewise */
     struct pp_plan_part plan;
     double floor, walls, ceiling; /* reflectances */
+    const struct pp_finish *floor_finish, *walls_finish, *ceiling_finish;
     double decorations;           /* NAN: by surroundings and work ("auto") */
     double working_plane_m;
     int working_plane_line; /* 0 where not given */

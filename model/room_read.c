@@ -20,7 +20,7 @@ static void read_site(struct pp_room_reader *r, struct pp_site_part *site,
                               .longitude_rad = form.longitude_rad,
                               .surroundings = (enum pp_surroundings)form.surroundings,
                               .work = form.work < 0 ? by_place : (enum pp_work)form.work,
-                              .ground_reflectance = form.ground_reflectance,
+                              .ground_reflectance = form.ground.reflectance,
                               .ground_level_m = form.ground_level_m,
                               .line = e->line};
 }
@@ -58,9 +58,12 @@ static void read_finishes(struct pp_room_reader *r, struct pp_room *room,
     struct pp_finishes_form form;
     if (!pp_reader_form(r, &form, &pp_rule_finishes, e))
         return;
-    room->floor = form.floor;
-    room->walls = form.walls;
-    room->ceiling = form.ceiling;
+    room->floor = form.floor.reflectance;
+    room->walls = form.walls.reflectance;
+    room->ceiling = form.ceiling.reflectance;
+    room->floor_finish = form.floor.finish;
+    room->walls_finish = form.walls.finish;
+    room->ceiling_finish = form.ceiling.finish;
     room->decorations = form.decorations;
 }
 
@@ -72,7 +75,8 @@ static void read_finish(struct pp_room_reader *r, struct pp_room *room,
         return;
     if (PP_RESERVE(r, room->finishes, room->finish_count))
         room->finishes[room->finish_count++] = (struct pp_finish_part){
-            pp_reader_text(r, form.wall), form.reflectance, e->line};
+            pp_reader_text(r, form.wall), form.finish.reflectance, form.finish.finish,
+            e->line};
 }
 
 static void read_skyline(struct pp_room_reader *r, struct pp_room *room,
@@ -83,7 +87,7 @@ static void read_skyline(struct pp_room_reader *r, struct pp_room *room,
         && PP_RESERVE(r, room->skylines, room->skyline_count))
         room->skylines[room->skyline_count++] =
             (struct pp_skyline_part){pp_reader_text(r, form.wall), form.angle_rad,
-                                     form.distance_m, form.reflectance, e->line};
+                                     form.distance_m, form.finish.reflectance, e->line};
 }
 
 static void read_block(struct pp_room_reader *r, struct pp_room *room,
@@ -98,7 +102,8 @@ static void read_block(struct pp_room_reader *r, struct pp_room *room,
                               .depth_m = form.depth_m,
                               .height_m = form.height_m,
                               .rotate_rad = form.rotate_rad,
-                              .reflectance = form.reflectance,
+                              .reflectance = form.finish.reflectance,
+                              .finish = form.finish.finish,
                               .line = e->line};
 }
 
@@ -113,7 +118,8 @@ static void read_surface(struct pp_room_reader *r, struct pp_room *room,
         pp_vertices_clear(&part.vertices);
         return;
     }
-    part.reflectance = form.reflectance;
+    part.reflectance = form.finish.reflectance;
+    part.finish = form.finish.finish;
     part.exitance = form.exitance;
     room->surfaces[room->surface_count++] = part;
 }

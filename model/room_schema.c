@@ -124,7 +124,7 @@ static const struct pp_attribute_rule site_rows[] = {
     {"longitude", &longitude, OR(NAN), IN(site, longitude_rad)},
     {"surroundings", &surroundings, OR(0), IN(site, surroundings)},
     {"work", &work, OR(-1), IN(site, work)},
-    {"ground-reflectance", &reflectance, OR(0.2), IN(site, ground_reflectance)},
+    {"ground-reflectance", &reflectance, OR(0.2), IN(site, ground)},
     {"ground-level", &coordinate, OR(0), IN(site, ground_level_m)},
 };
 LEAF(site, "site", site_rows);
@@ -159,7 +159,7 @@ RULE(plan, "plan", plan_rows, plan_children);
 static const struct pp_attribute_rule face_rows[] = {
     {"role", &role, REQUIRED, IN(face, role)},
     {"name", &face_name, REQUIRED, IN(face, name)},
-    {"reflectance", &reflectance, OR(NAN), IN(face, reflectance)},
+    {"reflectance", &reflectance, OR(NAN), IN(face, finish)},
 };
 RULE(face, "face", face_rows, polygon);
 static const struct pp_child_rule envelope_children[] = {
@@ -177,7 +177,7 @@ LEAF(finishes, "finishes", finishes_rows);
 
 static const struct pp_attribute_rule finish_rows[] = {
     {"wall", &wall, REQUIRED, IN(finish, wall)},
-    {"reflectance", &reflectance, REQUIRED, IN(finish, reflectance)},
+    {"reflectance", &reflectance, REQUIRED, IN(finish, finish)},
 };
 LEAF(finish, "finish", finish_rows);
 
@@ -215,7 +215,7 @@ static const struct pp_attribute_rule skyline_rows[] = {
     {"wall", &wall, REQUIRED, IN(skyline, wall)},
     {"angle", &skyline_angle, REQUIRED, IN(skyline, angle_rad)},
     {"distance", &size, OR(INFINITY), IN(skyline, distance_m)},
-    {"reflectance", &reflectance, OR(0.2), IN(skyline, reflectance)},
+    {"reflectance", &reflectance, OR(0.2), IN(skyline, finish)},
 };
 LEAF(skyline, "skyline", skyline_rows);
 
@@ -227,12 +227,12 @@ static const struct pp_attribute_rule block_rows[] = {
     {"base", &coordinate, OR(NAN), IN(block, base)}, /* then the ground's level */
     {"height", &size, REQUIRED, IN(block, height_m)},
     {"rotate", &bearing, OR(0), IN(block, rotate_rad)},
-    {"reflectance", &reflectance, OR(0.2), IN(block, reflectance)},
+    {"reflectance", &reflectance, OR(0.2), IN(block, finish)},
 };
 LEAF(block, "block", block_rows);
 
 static const struct pp_attribute_rule surface_rows[] = {
-    {"reflectance", &reflectance, OR(0.2), IN(loose, reflectance)},
+    {"reflectance", &reflectance, OR(0.2), IN(loose, finish)},
     {"exitance", &fraction, OR(0), IN(loose, exitance)},
 };
 RULE(surface, "surface", surface_rows, polygon);

@@ -22,7 +22,7 @@ enum pp_reading_of_value {
     PP_VALUE_COUNT,       /* int, a whole number */
     PP_VALUE_PAIR,        /* double[2], two numbers with white space between */
     PP_VALUE_CHOICE,      /* int, index of the word among `words` */
-    PP_VALUE_REFLECTANCE, /* double; a number or a named finish */
+    PP_VALUE_REFLECTANCE, /* struct pp_finish_value; a number or a named finish */
     PP_VALUE_AUTO,        /* double; a number, or "auto": NAN */
     PP_VALUE_FACTOR,      /* double; a number, or a name among `factors` */
     PP_VALUE_GLAZING,     /* const char *; a named glazing or "none" */
@@ -68,6 +68,12 @@ struct pp_element_rule {
 #define PP_ROOM_LENGTH_LEAST_M 1e-3 /* where it must be greater than 0 */
 enum { PP_ROOM_POINTS_MOST = 100000, PP_ROOM_VERTICES_MOST = 1000 };
 
+/* A reflectance, with the finish where that is how it was given. */
+struct pp_finish_value {
+    double reflectance;
+    const struct pp_finish *finish; /* NULL: a number */
+};
+
 struct pp_building_form {
     int version;
     const char *name;
@@ -80,7 +86,8 @@ struct pp_room_form {
 };
 
 struct pp_site_form {
-    double latitude_rad, longitude_rad, ground_reflectance, ground_level_m;
+    double latitude_rad, longitude_rad, ground_level_m;
+    struct pp_finish_value ground;
     int surroundings; /* enum pp_surroundings */
     int work;         /* enum pp_work, -1: not given */
 };
@@ -97,7 +104,7 @@ struct pp_plan_form {
 struct pp_face_form {
     int role; /* enum pp_role */
     const char *name;
-    double reflectance;
+    struct pp_finish_value finish;
 };
 
 struct pp_vertex_form {
@@ -105,12 +112,13 @@ struct pp_vertex_form {
 };
 
 struct pp_finishes_form {
-    double floor, walls, ceiling, decorations;
+    struct pp_finish_value floor, walls, ceiling;
+    double decorations;
 };
 
 struct pp_finish_form {
     const char *wall;
-    double reflectance;
+    struct pp_finish_value finish;
 };
 
 /* A window, a rooflight or an opening. */
@@ -124,15 +132,18 @@ struct pp_opening_form {
 
 struct pp_skyline_form {
     const char *wall;
-    double angle_rad, distance_m, reflectance;
+    double angle_rad, distance_m;
+    struct pp_finish_value finish;
 };
 
 struct pp_block_form {
-    double x, y, base, width_m, depth_m, height_m, rotate_rad, reflectance;
+    double x, y, base, width_m, depth_m, height_m, rotate_rad;
+    struct pp_finish_value finish;
 };
 
 struct pp_loose_form { /* a <surface> */
-    double reflectance, exitance;
+    struct pp_finish_value finish;
+    double exitance;
 };
 
 struct pp_plane_form {

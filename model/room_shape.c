@@ -68,7 +68,8 @@ static bool read_face(struct pp_room_reader *r, struct pp_plan_part *plan,
     good = pp_reader_vertices(r, &face.vertices, &pp_rule_vertex, e) && good;
     if (good) {
         face.role = (enum pp_role)form.role;
-        face.reflectance = form.reflectance;
+        face.reflectance = form.finish.reflectance;
+        face.finish = form.finish.finish;
         face.name = pp_reader_text(r, form.name);
     }
     if (good && PP_RESERVE(r, plan->faces, plan->face_count)) {

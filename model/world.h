@@ -45,6 +45,9 @@ struct pp_surface {
     double front,
         back;        /* reflectance of the side the normal points to, and the other */
     double exitance; /* given off by each side by itself, over Eh */
+    const struct pp_finish *finish; /* named in the file: of the front, and of both
+                                     * sides of what is loose or a block; NULL: grey and
+                                     * without gloss. front says how much it reflects */
     int owner;       /* reveal: its opening; block: its block; else -1 */
     int line;        /* in the room file; 0 where none */
 };
@@ -87,6 +90,7 @@ struct pp_block {
     double width_m, depth_m, height_m;
     double rotate_rad; /* about the corner, counter-clockwise seen from above */
     double reflectance;
+    const struct pp_finish *finish; /* as a surface's */
     int line;
 };
 

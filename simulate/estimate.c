@@ -77,7 +77,7 @@ static double share_of(const struct pp_scene *scene, const struct pp_start *star
 {
     if (start->anywhere)
         return fmin(1.0, pane->target.area_m2 / scene->plane_area_m2);
-    struct pp_brightness even = {1.0};
+    struct pp_brightness even = {.ground = 1.0};
     return fmin(1.0, 3.0 / (7.0 * PP_PI)
                          * pp_target_importance(&pane->target, start->position,
                                                 start->normal, even));

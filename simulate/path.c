@@ -41,12 +41,12 @@ struct pp_contact pp_path_first(struct pp_walk *walk, struct pp_vec3 p,
     return pp_scene_first(walk->scene, p, n, u);
 }
 
-static struct pp_vec3 side_normal(const struct pp_facet *facet, enum pp_side side)
+static struct pp_vec3 side_normal(const struct pp_facet *facet, enum pp_facet_side side)
 {
     return side == PP_FRONT ? facet->normal : pp_scale(facet->normal, -1.0);
 }
 
-static struct pp_vec3 lobe(const struct pp_facet *facet, enum pp_side side, double u,
+static struct pp_vec3 lobe(const struct pp_facet *facet, enum pp_facet_side side, double u,
                            double v)
 {
     return pp_sample_lobe(facet->a, facet->b, side_normal(facet, side), u, v);
@@ -83,7 +83,7 @@ struct optics {
 };
 
 static struct optics optics_of(const struct pp_opening *opening,
-                               const struct pp_facet *facet, enum pp_side side,
+                               const struct pp_facet *facet, enum pp_facet_side side,
                                double cos_incidence)
 {
     double frame = (1.0 - opening->frame_factor) * facet->reflectance[side];
@@ -127,7 +127,7 @@ static bool pass_opening(const struct pp_scene *scene, struct ray *ray,
         return false;
 
     *event = choose(&optics, u[2]);
-    enum pp_side leaves = met->side;
+    enum pp_facet_side leaves = met->side;
     if (*event == THROUGH) {
         leaves = met->side == PP_FRONT ? PP_BACK : PP_FRONT;
         ray->inside = !ray->inside;
@@ -426,7 +426,7 @@ static bool bounce(struct pp_walk *walk, struct ray *ray, int vertex, uint32_t o
 {
     const struct pp_facet *facet = &walk->scene->facets[met->facet];
     struct ray from = *ray;
-    enum pp_side side = met->side;
+    enum pp_facet_side side = met->side;
     uint32_t path = walk->index;
     for (uint32_t i = 0; i < openings; i++) {
         double u[3];

@@ -23,7 +23,7 @@ enum {
 struct cell {
     struct pp_vec3 point;
     int facet;
-    enum pp_side side;
+    enum pp_facet_side side;
     bool in_figure;         /* else only its neighbours' stand-in */
     double own;             /* exitance without exchange: M + rho E */
     int seen[LOBE_SAMPLES]; /* cells that its rays meet; -1: none */
@@ -70,7 +70,7 @@ static int cells_along(double length, double cell)
 }
 
 static bool has_side(const struct pp_facet *facet, const struct pp_surface *surface,
-                     enum pp_side side)
+                     enum pp_facet_side side)
 {
     return surface->inside && (side == PP_FRONT || !facet->skin);
 }

@@ -57,6 +57,8 @@ static double lit(struct pp_vec3 v, double length, struct pp_vec3 n,
     double facing = pp_dot(n, v) / length;
     if (!(facing > 0.0))
         return 0.0;
+    if (brightness.even)
+        return facing;
     return facing * (v.z > 0.0 ? 1.0 + 2.0 * v.z / length : brightness.ground);
 }
 

@@ -33,6 +33,7 @@ struct pp_target {
  * horizon, 3 at the zenith, `ground` below. */
 struct pp_brightness {
     double ground;
+    bool even; /* the same everywhere: a lamp */
 };
 
 /* A target as it is seen from one point of a surface. */

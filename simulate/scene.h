@@ -16,7 +16,7 @@
 #include "simulate/rays.h"
 #include "simulate/sample_opening.h"
 
-enum pp_side { PP_FRONT, PP_BACK };
+enum pp_facet_side { PP_FRONT, PP_BACK };
 
 /* A plane figure; openings have their glass as one. */
 struct pp_facet {
@@ -75,7 +75,7 @@ struct pp_vec3 pp_scene_plane_point(const struct pp_scene *scene, double u, doub
 /* A ray's first meeting. */
 struct pp_contact {
     int facet; /* -1: none */
-    enum pp_side side;
+    enum pp_facet_side side;
     struct pp_vec3 point; /* on the facet's plane */
     double distance_m;
 };

@@ -14,12 +14,10 @@
 #include <stdlib.h>
 #include <string.h>
 #include <time.h>
-#ifdef _OPENMP
-#include <omp.h>
-#endif
 
 #include "simulate/estimate.h"
 #include "simulate/hash.h"
+#include "simulate/processors.h"
 
 enum {
     STEP = 1024, /* most paths of an item at a time */
@@ -147,15 +145,6 @@ static enum pp_status begin(struct pp_tracer *tracer, struct pp_error *err)
     return status;
 }
 
-static int processors(void)
-{
-#ifdef _OPENMP
-    return omp_get_num_procs();
-#else
-    return 1;
-#endif
-}
-
 static enum pp_status check_options(const struct pp_tracer_options *options,
                                     struct pp_error *err)
 {
@@ -187,7 +176,7 @@ enum pp_status pp_tracer_create(struct pp_tracer **result, const struct pp_world
     if (!tracer)
         return pp_fail_memory(err);
     tracer->options = *options;
-    tracer->threads = options->threads > 0 ? options->threads : processors();
+    tracer->threads = options->threads > 0 ? options->threads : pp_processors();
     tracer->batch = FIRST_BATCH;
     tracer->receiver_count = receiver_count;
     pp_sobol_init(&tracer->sobol);

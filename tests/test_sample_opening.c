@@ -61,7 +61,7 @@ static void sample_sums(const struct pp_target *target, struct pp_vec3 from,
     struct pp_sequence sequence;
     pp_sequence_init(&sequence, &sobol, 161803);
     struct pp_aim aim;
-    pp_aim_init(&aim, target, from, n, (struct pp_brightness){0.2});
+    pp_aim_init(&aim, target, from, n, (struct pp_brightness){.ground = 0.2});
     *solid = *facing = 0.0;
     for (uint32_t i = 0; i < UINT32_C(1) << m; i++) {
         double u[2];
@@ -143,7 +143,7 @@ static void density_is_right_in_every_part_of_a_rectangle(void **state)
         struct pp_sequence sequence;
         pp_sequence_init(&sequence, &sobol, 42);
         struct pp_aim aim;
-        pp_aim_init(&aim, &target, p, up, (struct pp_brightness){0.2});
+        pp_aim_init(&aim, &target, p, up, (struct pp_brightness){.ground = 0.2});
         enum { N = 1 << 20 };
         for (uint32_t i = 0; i < N; i++) {
             double u[2];

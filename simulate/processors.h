@@ -1,0 +1,18 @@
+/* processors.h - how many threads may run at once on this machine. */
+#ifndef PP_SIMULATE_PROCESSORS_H
+#define PP_SIMULATE_PROCESSORS_H
+
+#ifdef _OPENMP
+#include <omp.h>
+#endif
+
+static inline int pp_processors(void)
+{
+#ifdef _OPENMP
+    return omp_get_num_procs();
+#else
+    return 1;
+#endif
+}
+
+#endif
