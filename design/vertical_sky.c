@@ -20,6 +20,7 @@
 
 #define VSC_WANTED 0.27
 #define FORMER_SHARE_WANTED 0.8
+#define NO_SKY 1e-6 /* a ratio to less than this means nothing */
 #define ANGLE_WANTED (25.0 * PP_RAD)
 
 static const char none[] = "the room has no openings";
@@ -95,7 +96,7 @@ static enum pp_status find_loss(struct pp_finding *finding,
                               &inquiry->before->openings[inquiry->pairs[opening]], err);
     if (status != PP_OK)
         return status;
-    if (!(then > 0.0)) {
+    if (!(then > NO_SKY)) {
         *finding = pp_finding_not_judged("it faced no sky before", "%s", what);
         return PP_OK;
     }
