@@ -3,16 +3,21 @@
 #include <string.h>
 
 static const struct pp_chart_kind kinds[] = {
-    {"section", "daylight factor against distance, over the section", false, false},
-    {"plan", "daylight factor contours and no-sky line, on the plan", false, false},
-    {"waldram", "Waldram diagram, blank or with a room's windows", true, false},
-    {"pepper-pot", "pepper-pot diagram, blank or with a room's windows", true, false},
+    {"section", "daylight factor against distance, over the section"},
+    {"plan", "daylight factor contours and no-sky line, on the plan"},
+    {"waldram", "Waldram diagram, blank or with a room's windows", .board = true,
+     .from_point = true},
+    {"pepper-pot", "pepper-pot diagram, blank or with a room's windows", .board = true,
+     .from_point = true},
     {"protractor",
-     "BRS daylight protractor, blank or laid on a room's section and plan", true,
-     false},
+     "BRS daylight protractor, blank or laid on a room's section and plan",
+     .board = true, .from_point = true},
+    {"nomogram",
+     "nomogram of the internally reflected component, blank or with a room's lines",
+     .board = true},
     {"availability",
-     "how often the sky gives how much light in working hours, and inside", false,
-     true},
+     "how often the sky gives how much light in working hours, and inside",
+     .outside = true},
 };
 
 enum { KINDS = sizeof kinds / sizeof kinds[0] };

@@ -7,9 +7,9 @@
 struct pp_chart_kind {
     const char *name;    /* as typed on the command line */
     const char *summary; /* one line, without a full stop */
-    bool board;   /* worked at the drawing board: can be blank, without a room, and is
-                   * drawn from one point of a room */
-    bool outside; /* of the light outside: can do without a room */
+    bool board;      /* worked at the drawing board: can be blank, without a room */
+    bool from_point; /* and is drawn from one point of a room */
+    bool outside;    /* of the light outside: can do without a room */
 };
 
 /* In order; NULL at the end of the list, one past the last. */

@@ -61,6 +61,23 @@ enum pp_status pp_read_slope(const char *text, void *place, struct pp_error *err
     return PP_OK;
 }
 
+enum pp_status pp_read_nomogram(const char *text, void *place, struct pp_error *err)
+{
+    static const char *const names[PP_NOMOGRAMS] = {
+        [PP_NOMOGRAM_AVERAGE] = "average",
+        [PP_NOMOGRAM_MINIMUM] = "minimum",
+        [PP_NOMOGRAM_ROOFLIGHT] = "rooflight",
+    };
+    struct pp_board_options *board = place;
+    for (int i = 0; i < PP_NOMOGRAMS; i++)
+        if (strcmp(text, names[i]) == 0) {
+            board->nomogram = (enum pp_nomogram_kind)i;
+            board->nomogram_said = true;
+            return PP_OK;
+        }
+    return pp_fail(err, PP_BAD_INPUT, "average, minimum or rooflight");
+}
+
 /* The sky of a blank, by the words of --sky. */
 static enum pp_status set_sky(struct pp_sky *sky, const char *words,
                               struct pp_error *err)
@@ -127,15 +144,19 @@ enum pp_status pp_board_options_check(struct pp_board_options *board,
 {
     bool pepper_pot = strcmp(kind->name, "pepper-pot") == 0;
     bool protractor = strcmp(kind->name, "protractor") == 0;
+    bool nomogram = strcmp(kind->name, "nomogram") == 0;
     const char *needless = options->simulate                ? "--simulate"
                            : options->methods               ? "--methods"
-                           : blank && options->points.count ? "--points"
+                           : (blank || nomogram) && options->points.count
+                               ? "--points"
                            : blank && options->room         ? "--room"
                            : !pepper_pot && board->fine     ? "--fine"
                            : !pepper_pot && board->vertical ? "--receiver"
                            : !pepper_pot && board->viewing_mm > 0.0
                                ? "--viewing-distance"
-                           : protractor && board->glazed      ? "--glazed"
+                           : (protractor || nomogram) && board->glazed
+                               ? "--glazed"
+                           : !nomogram && board->nomogram_said ? "--which"
                            : !protractor && board->number     ? "--number"
                            : !protractor && board->glazing    ? "--glazing"
                            : !protractor && board->slope_said ? "--slope"
@@ -154,6 +175,10 @@ enum pp_status pp_board_options_check(struct pp_board_options *board,
                        "%s is for a blank diagram; a room has its own",
                        board->glazed ? "--glazed" : "--receiver");
     enum pp_status status = set_sky(&board->sky, options->sky, err);
+    if (status == PP_OK && nomogram && board->sky.kind != PP_SKY_OVERCAST)
+        status = pp_fail(err, PP_BAD_INPUT,
+                         "--sky is \"%.60s\"; nomograms are made for the overcast sky",
+                         options->sky);
     if (status == PP_OK && protractor)
         status = set_protractor(board, options->sky, err);
     return status;

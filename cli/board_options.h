@@ -5,6 +5,7 @@
 #include "charts/kinds.h"
 #include "cli/room_options.h"
 #include "model/glass.h"
+#include "model/nomogram.h"
 #include "model/sky.h"
 
 enum pp_yes_no { PP_UNSAID, PP_YES, PP_NO };
@@ -25,12 +26,16 @@ struct pp_board_options {
     struct pp_glass glass;
     double slope_rad;
     char glass_words[72];
+
+    enum pp_nomogram_kind nomogram; /* by --which, */
+    bool nomogram_said;             /* if it was */
 };
 
 pp_option_reader pp_read_yes_no;            /* enum pp_yes_no, "yes" or "no" */
 pp_option_reader pp_read_receiver;          /* the same, "vertical" or "horizontal" */
 pp_option_reader pp_read_protractor_number; /* int, 1 to 10 */
 pp_option_reader pp_read_slope;             /* struct pp_board_options, 0 to 90 */
+pp_option_reader pp_read_nomogram; /* struct pp_board_options, by name */
 pp_option_reader pp_read_viewing_distance;  /* double, 5 to 200 */
 
 /* Do the options make sense for the kind, blank or with a room? Sets what is left open

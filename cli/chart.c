@@ -90,6 +90,9 @@ static const struct pp_option board_options[] = {
     {"slope", 0, "DEG",
      "Blank protractor: slope of the glass, 0 horizontal to 90 vertical (default).",
      pp_read_slope, PLACE(board)},
+    {"which", 0, "NAME",
+     "Nomogram: average (default) or minimum, for windows, or rooflight.",
+     pp_read_nomogram, PLACE(board)},
     {0},
 };
 
@@ -98,7 +101,7 @@ static const char about[] =
     "building, or of several files, get a page each of a PDF, and a file each of the "
     "other formats: FILE-1.png, FILE-2.png. FILE is a room file; - is standard input. "
     "The diagrams of the drawing board are blank without FILE, and with it are drawn "
-    "from one point, by --points X,Y.";
+    "from one point, by --points X,Y; a nomogram is for the whole room.";
 
 static void print_kinds(void)
 {
@@ -274,11 +277,11 @@ static enum pp_exit draw_all(struct drawing *drawing, bool to_standard_output)
     return PP_EXIT_INTERRUPTED;
 }
 
-/* A diagram of the drawing board is drawn from one point. */
+/* Most diagrams of the drawing board are drawn from one point. */
 static enum pp_exit check_points(const struct pp_chart_kind *kind,
                                  const struct pp_rooms *rooms)
 {
-    for (int i = 0; kind->board && i < rooms->count; i++) {
+    for (int i = 0; kind->from_point && i < rooms->count; i++) {
         if (rooms->list[i].receiver_count == 1)
             continue;
         struct pp_error err;

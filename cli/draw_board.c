@@ -1,9 +1,11 @@
 #include "cli/draw_board.h"
 
+#include "charts/nomogram_chart.h"
 #include "charts/pepper_pot_chart.h"
 #include "charts/protractor_chart.h"
 #include "charts/protractor_worked.h"
 #include "charts/waldram_chart.h"
+#include "methods/nomogram_sheet_fill.h"
 #include "methods/pepper_pot_dots.h"
 #include "methods/pepper_pot_sheet_fill.h"
 #include "methods/protractor_sheet_fill.h"
@@ -81,5 +83,24 @@ enum pp_status pp_draw_protractor(struct pp_canvas *canvas,
             status = pp_protractor_chart_draw(canvas, &sheet, err);
     }
     pp_protractor_sheet_clear(&sheet);
+    return status;
+}
+
+enum pp_status pp_draw_nomogram(struct pp_canvas *canvas,
+                                const struct pp_loaded_room *room,
+                                const struct pp_board_options *options,
+                                struct pp_error *err)
+{
+    const struct pp_nomogram_spacing spacing = {pp_nomogram_chart_height_mm(canvas),
+                                                pp_nomogram_chart_fine_mm(canvas),
+                                                pp_nomogram_chart_number_mm(canvas)};
+    struct pp_nomogram_sheet sheet;
+    enum pp_status status =
+        room ? pp_nomogram_sheet_of(&sheet, options->nomogram, room->world, spacing,
+                                    err)
+             : pp_nomogram_sheet_blank(&sheet, options->nomogram, spacing, err);
+    if (status == PP_OK)
+        status = pp_nomogram_chart_draw(canvas, &sheet, err);
+    pp_nomogram_sheet_clear(&sheet);
     return status;
 }

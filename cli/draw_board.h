@@ -7,7 +7,8 @@
 #include "cli/board_options.h"
 #include "cli/rooms.h"
 
-/* room NULL: a blank; else it has one receiver. */
+/* room NULL: a blank; else it has one receiver, where the diagram is drawn from a
+ * point. */
 typedef enum pp_status pp_board_drawer(struct pp_canvas *canvas,
                                        const struct pp_loaded_room *room,
                                        const struct pp_board_options *options,
@@ -16,5 +17,6 @@ typedef enum pp_status pp_board_drawer(struct pp_canvas *canvas,
 pp_board_drawer pp_draw_waldram;
 pp_board_drawer pp_draw_pepper_pot;
 pp_board_drawer pp_draw_protractor;
+pp_board_drawer pp_draw_nomogram;
 
 #endif

@@ -87,6 +87,7 @@ static const struct drawer drawers[] = {
     {"waldram", false, always_landscape, NULL, pp_draw_waldram},
     {"pepper-pot", false, always_landscape, NULL, pp_draw_pepper_pot},
     {"protractor", false, never_landscape, NULL, pp_draw_protractor},
+    {"nomogram", false, never_landscape, NULL, pp_draw_nomogram},
     {"availability", false, always_landscape, NULL, NULL},
 };
 

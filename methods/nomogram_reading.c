@@ -76,5 +76,12 @@ enum pp_status pp_nomogram_read_opening(struct pp_nomogram_reading *reading,
 
     double back = pow(10.0, -reading->tens);
     reading->component = back * value[PP_STEM_E];
+    reading->minimum = NAN;
+    if (nomogram->kind == PP_NOMOGRAM_MINIMUM) {
+        value[PP_STEM_F] = pp_nomogram_read(nomogram, PP_STEM_F,
+                                            pp_inside_role(world, PP_WALL).reflectance);
+        lay(reading, nomogram, 2);
+        reading->minimum = back * value[PP_STEM_G];
+    }
     return PP_OK;
 }

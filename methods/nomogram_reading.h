@@ -2,21 +2,8 @@
 #ifndef PP_METHODS_NOMOGRAM_READING_H
 #define PP_METHODS_NOMOGRAM_READING_H
 
-#include <stdbool.h>
-
 #include "model/nomogram.h"
 #include "model/world.h"
-
-/* Values in the order of the stems, as set and read; NAN: not used. Without an
- * obstruction (a slope), C is what D would only repeat, and E is not read. */
-struct pp_nomogram_reading {
-    double glass_m2, inside_m2; /* W, A */
-    double ratio;               /* W/A */
-    int tens;                   /* scale A was set to ratio times 10^tens */
-    double value[PP_NOMOGRAM_STEMS];
-    bool used[PP_NOMOGRAM_EDGES]; /* which lines were laid */
-    double component;             /* average, by 10^-tens, before allowances */
-};
 
 /* Why the room cannot be set on a nomogram: a static sentence, or NULL. */
 const char *pp_nomogram_refuses_room(const struct pp_world *world);

@@ -57,7 +57,7 @@ double pp_nomogram_division(const struct pp_nomogram *nomogram, int stem,
  * at least. */
 double pp_nomogram_read(const struct pp_nomogram *nomogram, int stem, double value);
 
-#define PP_NOMOGRAM_A4_MM 180.0
+#define PP_NOMOGRAM_A4_MM 200.0
 #define PP_NOMOGRAM_LEAST_MM 0.9
 
 #endif

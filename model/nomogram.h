@@ -7,6 +7,8 @@
 #ifndef PP_MODEL_NOMOGRAM_H
 #define PP_MODEL_NOMOGRAM_H
 
+#include <stdbool.h>
+
 enum pp_nomogram_kind {
     PP_NOMOGRAM_AVERAGE,   /* I: average component of a side-lit room */
     PP_NOMOGRAM_MINIMUM,   /* II: its minimum, too */
@@ -45,6 +47,18 @@ struct pp_nomogram {
     int stem_count, edge_count;
     struct pp_nomogram_stem stems[PP_NOMOGRAM_STEMS];
     struct pp_nomogram_edge edges[PP_NOMOGRAM_EDGES];
+};
+
+/* What a person reads of one opening. Values are in the order of the stems, as set and
+ * read; NAN: not used. Without an obstruction (a slope) E is not read: it is C. */
+struct pp_nomogram_reading {
+    double glass_m2, inside_m2; /* W, A */
+    double ratio;               /* W/A */
+    int tens;                   /* scale A was set to ratio times 10^tens */
+    double value[PP_NOMOGRAM_STEMS];
+    bool used[PP_NOMOGRAM_EDGES]; /* which lines were laid */
+    double component;             /* average, over 10^tens, before allowances */
+    double minimum;               /* the same of the minimum, by II; else NAN */
 };
 
 #endif

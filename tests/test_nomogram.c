@@ -117,7 +117,7 @@ static void divisions_can_be_told_apart(void **state)
         double unit = pp_nomogram_printed(stem->quantity);
         double stretch[2];
         for (double p = unit * stem->low * 1.0001; p < unit * stem->high; p *= 1.013) {
-            double step = pp_nomogram_division(&nomogram, i, p, 180.0, 0.9, stretch);
+            double step = pp_nomogram_division(&nomogram, i, p, 200.0, 0.9, stretch);
             assert_true(stretch[0] <= p * (1.0 + 1e-8) && p < stretch[1]);
             double count = (stretch[1] - stretch[0]) / step;
             assert_near(count, rint(count), 1e-6);
@@ -126,7 +126,7 @@ static void divisions_can_be_told_apart(void **state)
                 continue;
             double apart = pp_nomogram_place(&nomogram, i, (low + step) / unit)
                            - pp_nomogram_place(&nomogram, i, low / unit);
-            assert_true(180.0 * apart > 0.9 - 1e-9);
+            assert_true(200.0 * apart > 0.9 - 1e-9);
             double read = unit * pp_nomogram_read(&nomogram, i, p / unit);
             assert_near(read, p, 0.1 * step + 1e-12);
             assert_near(5.0 * read / step, rint(5.0 * read / step), 1e-6);
