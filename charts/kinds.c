@@ -3,8 +3,8 @@
 #include <string.h>
 
 static const struct pp_chart_kind kinds[] = {
-    {"section", "daylight factor against distance, over the section"},
-    {"plan", "daylight factor contours and no-sky line, on the plan"},
+    {"section", "daylight factor against distance, over the section", .board = false},
+    {"plan", "daylight factor contours and no-sky line, on the plan", .board = false},
     {"waldram", "Waldram diagram, blank or with a room's windows", .board = true,
      .from_point = true},
     {"pepper-pot", "pepper-pot diagram, blank or with a room's windows", .board = true,

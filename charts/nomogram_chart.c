@@ -215,17 +215,65 @@ static double off_line(const struct view *view, const struct pp_nomogram_window 
     return -1.0;
 }
 
+/* The nearest stem on the readings' side of one, or -1. */
+static int neighbour(const struct view *view, int stem)
+{
+    double side = -side_of(stem), gap = INFINITY;
+    int nearest = -1;
+    for (int i = 0; i < view->sheet->nomogram.stem_count; i++) {
+        double away = side * (x_of(view, i) - x_of(view, stem));
+        if (away > 0.0 && away < gap) {
+            gap = away;
+            nearest = i;
+        }
+    }
+    return nearest;
+}
+
+/* How far the figures of a stem reach from it. */
+static double figures_mm(const struct pp_style *style)
+{
+    return 3.3 * style->scale + 2.4 * style->text[PP_TEXT_SMALL];
+}
+
 /* Is there less room beside a stem, on the readings' side, than "3: 0.0155" takes? */
 static bool narrow(const struct view *view, int stem)
 {
-    double side = -side_of(stem), gap = INFINITY;
-    for (int i = 0; i < view->sheet->nomogram.stem_count; i++) {
-        double away = side * (x_of(view, i) - x_of(view, stem));
-        if (away > 0.0)
-            gap = fmin(gap, away);
-    }
-    return gap < 6.0 * view->style.scale + 3.2 * view->style.text[PP_TEXT_SMALL]
-                     + 5.0 * view->style.text[PP_TEXT_BODY];
+    int next = neighbour(view, stem);
+    return next >= 0
+           && fabs(x_of(view, next) - x_of(view, stem))
+                  < figures_mm(&view->style) + 3.0 * view->style.scale
+                        + 5.5 * view->style.text[PP_TEXT_BODY];
+}
+
+/* Would a reading at this height cover figures of the next stem? */
+static bool covers_figures(const struct view *view, int stem, double width, double y)
+{
+    const struct pp_style *style = &view->style;
+    int next = neighbour(view, stem);
+    if (next < 0 || side_of(stem) < 0.0
+        || x_of(view, next) + figures_mm(style)
+               < x_of(view, stem) - 3.0 * style->scale - width)
+        return false;
+    double apart = 0.65 * (style->text[PP_TEXT_BODY] + style->text[PP_TEXT_SMALL]);
+    const struct pp_nomogram_scale *scale = &view->sheet->scales[next];
+    for (int i = 0; i < scale->count; i++)
+        if (scale->marks[i].rank == PP_MARK_LABELLED
+            && fabs(y_of(view, scale->marks[i].y) - y) < apart)
+            return true;
+    return false;
+}
+
+/* The height near `y`, further up or down the way it is off the line, at which a lone
+ * reading covers nothing. */
+static double clear_height(const struct view *view, int stem, double wanted, double y,
+                           double width)
+{
+    double way = y > wanted ? 1.0 : -1.0, step = 0.3 * view->style.text[PP_TEXT_BODY];
+    for (int i = 0; i < 24; i++)
+        if (!covers_figures(view, stem, width, y + way * i * step))
+            return y + way * i * step;
+    return y;
 }
 
 static void write_readings(const struct view *view, int stem)
@@ -260,6 +308,11 @@ static void write_readings(const struct view *view, int stem)
                                 .down = 0.5};
     for (int i = 0; i < count; i++) {
         double at = x + side * 3.0 * style->scale;
+        if (count == 1) {
+            double width =
+                pp_text_measure(view->cr, style, &set, 0, 0, notes[i].words).width;
+            notes[i].y = clear_height(view, stem, notes[i].wanted, notes[i].y, width);
+        }
         pp_style_line(view->cr, style->hair, PP_INK);
         cairo_move_to(view->cr, x + side * 0.8 * style->scale, notes[i].wanted);
         cairo_line_to(view->cr, at - side * 0.4 * style->scale, notes[i].y);

@@ -13,6 +13,8 @@ _pepperpot()
         [ "$command" != chart ] || formats='pdf svg png'
         [ "$command" != assess ] || formats='text json'
         mapfile -t COMPREPLY < <(compgen -W "$formats" -- "$word")
+    elif [ "$previous" = --which ]; then
+        mapfile -t COMPREPLY < <(compgen -W 'average minimum rooflight' -- "$word")
     elif [ "$previous" = --sky ]; then
         local skies
         skies="overcast uniform $(printf 'iso-%d ' {1..15})"

@@ -34,9 +34,23 @@ blank pepper-pot-vertical pepper-pot --receiver vertical
 for number in 1 2 3 4 5 6 7 8 9 10; do
     blank protractor-$number protractor --number $number
 done
+for which in average minimum rooflight; do
+    blank nomogram-$which nomogram --which $which
+done
 blank protractor-double-45 protractor --glazing clear-double --slope 45
 
-# From a point in some rooms.
+# Of some rooms as a whole, and from a point in some.
+for format; do
+    for room in deep-office office classroom; do
+        "$program" chart nomogram ${CHART_OPTIONS-} "$(dirname "$0")/$room.xml" \
+            -o "$out/$room-nomogram.$format"
+    done
+    "$program" chart nomogram --which minimum ${CHART_OPTIONS-} \
+        "$(dirname "$0")/deep-office-obstructed.xml" \
+        -o "$out/deep-office-obstructed-nomogram.$format"
+    "$program" chart nomogram --which rooflight ${CHART_OPTIONS-} \
+        "$(dirname "$0")/studio.xml" -o "$out/studio-nomogram.$format"
+done
 for kind in waldram pepper-pot protractor; do
     for format; do
         for room in deep-office deep-office-obstructed office; do

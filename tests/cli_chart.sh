@@ -118,6 +118,38 @@ check "no protractor for glass at such a slope" \
     refuses 1 "the opening on line" chart protractor -p 3,3 -o "$file" "$examples/studio.xml"
 check "Waldram's diagram has no number" \
     refuses 2 "--number" chart waldram --number 2 -o "$file"
+for which in average minimum rooflight; do
+    for format in pdf svg png; do
+        file="$scratch/a nomogram.$format"
+        check "a blank nomogram of the $which becomes $format" \
+            quietly chart nomogram --which $which -o "$file"
+        run chart nomogram --which $which --format $format
+        check "and is the same again" same "$file" "$scratch/out"
+    done
+done
+for paper in a5 a4 a3 a2; do
+    check "a worked nomogram on $paper" quietly chart nomogram --paper $paper \
+        --which minimum --orientation landscape -o "$file" "$examples/l-shaped.xml"
+done
+check "a nomogram of a top-lit room" \
+    quietly chart nomogram --which rooflight -o "$file" "$examples/studio.xml"
+check "windows are not rooflights" \
+    refuses 1 "no opening is a rooflight" chart nomogram --which rooflight -o "$file" "$deep"
+check "a nomogram under another sky" \
+    refuses 2 "overcast" chart nomogram --sky uniform -o "$file" "$deep"
+check "a blank nomogram under another sky" \
+    refuses 2 "overcast" chart nomogram --sky uniform -o "$file"
+check "a nomogram is for the whole room" \
+    refuses 2 "--points" chart nomogram -p 1,1 -o "$file" "$deep"
+check "there are three nomograms" \
+    refuses 2 "average, minimum or rooflight" chart nomogram --which most -o "$file"
+check "a plan has none of them" refuses 2 "--which" chart waldram --which average -o "$file"
+if command -v pdftotext >/dev/null; then
+    run chart nomogram -o "$scratch/words.pdf" "$deep"
+    pdftotext "$scratch/words.pdf" "$scratch/words.txt"
+    check "rule and reading stand on the sheet, as text" \
+        grep -q "k = 1.5" "$scratch/words.txt"
+fi
 if command -v pdftotext >/dev/null; then
     run chart waldram --points 1,1.5 -o "$scratch/words.pdf" "$deep"
     pdftotext "$scratch/words.pdf" "$scratch/words.txt"
