@@ -5,6 +5,7 @@
 #include "cli/commands.h"
 #include "cli/gather.h"
 #include "cli/interrupt.h"
+#include "cli/lumen_option.h"
 #include "cli/messages.h"
 #include "cli/output.h"
 #include "cli/print.h"
@@ -189,12 +190,29 @@ static enum pp_status check(struct pp_room_options *options, enum format format,
     return status;
 }
 
+/* With the user's own tables, if he has any. */
+static enum pp_exit run_with_tables(struct pp_room_options *options,
+                                    const struct pp_lumen_files *lumen_files,
+                                    enum format format, char **files, int file_count)
+{
+    struct pp_lumen_table *table;
+    enum pp_exit exit_status = pp_lumen_load(&table, lumen_files);
+    options->method_options.lumen_table = table;
+    if (exit_status == PP_EXIT_DONE)
+        exit_status = run(options, format, files, file_count);
+    options->method_options.lumen_table = NULL;
+    pp_lumen_table_destroy(table);
+    return exit_status;
+}
+
 enum pp_exit cmd_df(int argc, char **argv)
 {
     struct pp_room_options options = pp_room_options_none;
+    struct pp_lumen_files lumen_files = {.count = 0};
     enum format format = TEXT;
     const struct pp_option_group groups[] = {
         {"What is computed", pp_room_choice_options, &options},
+        {"What is computed", pp_lumen_option, &lumen_files},
         {"What is computed", explain_option, &options},
         {"What is computed", pp_room_external_option, &options},
         {"Simulation", pp_room_simulation_options, &options},
@@ -220,7 +238,7 @@ enum pp_exit cmd_df(int argc, char **argv)
     else if (wants_help)
         exit_status = (help(&line), PP_EXIT_DONE);
     else
-        exit_status = run(&options, format, argv, file_count);
+        exit_status = run_with_tables(&options, &lumen_files, format, argv, file_count);
     pp_room_options_clear(&options);
     return exit_status;
 }

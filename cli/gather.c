@@ -16,6 +16,7 @@ enum pp_status pp_gather_methods(struct pp_report *report,
                                  struct pp_error *err)
 {
     *report = (struct pp_report){.world = room->world,
+                                 .options = &options->method_options,
                                  .receivers = room->receivers,
                                  .receiver_count = room->receiver_count,
                                  .finished = true,

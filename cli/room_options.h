@@ -6,6 +6,7 @@
 #include <stdint.h>
 
 #include "cli/options.h"
+#include "methods/method.h"
 #include "model/world.h"
 
 /* Points of --points; z is NAN for the working plane. */
@@ -28,6 +29,7 @@ struct pp_room_options {
     int threads; /* 0: as many as there are processors */
 
     bool explain; /* df: set out the sums of its one point */
+    struct pp_method_options method_options;
 
     double external_lux; /* of the open level plane; 0: not given */
 

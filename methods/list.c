@@ -19,6 +19,8 @@ const struct pp_method *const pp_methods[] = {
     &pp_method_nomogram,
     &pp_method_average_df,
     &pp_method_average_df_lynes,
+    &pp_method_lumen,
+    &pp_method_lumen_one,
     NULL,
 };
 /* clang-format on */

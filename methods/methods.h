@@ -17,5 +17,7 @@ extern const struct pp_method pp_method_sphere;
 extern const struct pp_method pp_method_nomogram;
 extern const struct pp_method pp_method_average_df;
 extern const struct pp_method pp_method_average_df_lynes;
+extern const struct pp_method pp_method_lumen;
+extern const struct pp_method pp_method_lumen_one;
 
 #endif

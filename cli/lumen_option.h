@@ -1,0 +1,26 @@
+/* lumen_option.h - --lumen-table: a user's own coefficients for the lumen method.
+ */
+#ifndef PP_CLI_LUMEN_OPTION_H
+#define PP_CLI_LUMEN_OPTION_H
+
+#include "cli/exit_status.h"
+#include "cli/options.h"
+#include "methods/lumen_table.h"
+
+enum { PP_LUMEN_FILES_MOST = 2 }; /* one for light from the side, one from above */
+
+struct pp_lumen_files {
+    const char *list[PP_LUMEN_FILES_MOST]; /* as typed; borrowed from argv */
+    int count;
+};
+
+/* For struct pp_option_group, with a struct pp_lumen_files as values. */
+extern const struct pp_option pp_lumen_option[];
+
+/* The program's tables with those of the files in their places, for the caller to
+ * destroy; *table is NULL where there are no files. All mistakes of all files are said
+ * on standard error; then *table is NULL. */
+enum pp_exit pp_lumen_load(struct pp_lumen_table **table,
+                           const struct pp_lumen_files *files);
+
+#endif

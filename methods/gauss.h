@@ -1,0 +1,12 @@
+/* gauss.h - Gauss-Legendre quadrature of any order. */
+#ifndef PP_METHODS_GAUSS_H
+#define PP_METHODS_GAUSS_H
+
+enum { PP_GAUSS_MOST = 64 };
+
+/* Nodes, ascending in (-1, 1), and weights of the rule with `order` points, 1 to
+ * PP_GAUSS_MOST: exact for polynomials of degree 2 order - 1. Newton's iteration on the
+ * Legendre polynomial, to 1e-15. */
+void pp_gauss_legendre(double *nodes, double *weights, int order);
+
+#endif

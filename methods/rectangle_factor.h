@@ -1,0 +1,34 @@
+/* rectangle_factor.h - what share of the light that leaves one rectangle falls on
+ * another, in closed form, for rectangles square to the axes.
+ */
+#ifndef PP_METHODS_RECTANGLE_FACTOR_H
+#define PP_METHODS_RECTANGLE_FACTOR_H
+
+/* In a plane square to `axis` (0, 1, 2 for x, y, z): low[axis] equals high[axis], along
+ * the other two axes it runs from low to high (m). */
+struct pp_upright_rectangle {
+    int axis;
+    double low[3], high[3];
+};
+
+/* Area (m2). */
+double pp_upright_rectangle_area(const struct pp_upright_rectangle *rectangle);
+
+/* A F: area of a times the form factor from a to b (m2), the same both ways; 0 within
+ * one plane. The whole of each must lie on the front of the other, which is not
+ * looked at. With G the integral of the kernel over both rectangles' edges [HSM16]:
+ *
+ *     A F = sum over the four corners of each, (-1)^(i + j + k + l) G
+ *     parallel, z apart, u and v between the corners:
+ *       G = 1/(2 pi) [ v sqrt(u^2 + z^2) atan(v / sqrt(u^2 + z^2))
+ *                    + u sqrt(v^2 + z^2) atan(u / sqrt(v^2 + z^2))
+ *                    - z^2/2 ln(u^2 + v^2 + z^2) ]
+ *     square to one another, x and s from the line where their planes meet, t along it:
+ *       G = 1/(2 pi) [ t sqrt(x^2 + s^2) atan(t / sqrt(x^2 + s^2))
+ *                    - (x^2 + s^2 - t^2)/4 ln(x^2 + s^2 + t^2) ]
+ *
+ * Errors are 1e-15 times the square of the largest distance between them. */
+double pp_rectangle_exchange(const struct pp_upright_rectangle *a,
+                             const struct pp_upright_rectangle *b);
+
+#endif
