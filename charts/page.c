@@ -94,6 +94,14 @@ static void say_openings(char *text, size_t room, const struct pp_world *world)
                     range_text(glass, sizeof glass, low[CURTAINS], high[CURTAINS]));
 }
 
+/* What is said of light that is reflected inside. */
+static void say_decorations(char *text, size_t room, const struct pp_world *world)
+{
+    if (world->decorations != 1.0)
+        pp_page_say(text, room, "Decorations leave %.3g of what they reflect.",
+                    world->decorations);
+}
+
 void pp_page_assumptions(char *text, size_t room, const struct pp_world *world)
 {
     static const char *const parts[] = {
@@ -113,6 +121,7 @@ void pp_page_assumptions(char *text, size_t room, const struct pp_world *world)
                         range_text(range, sizeof range, low, high));
     }
     pp_page_say(text, room, "%s ground %.3g.", sentence, world->ground_reflectance);
+    say_decorations(text, room, world);
 }
 
 struct pp_box pp_page_draw(struct pp_canvas *canvas, const struct pp_style *style,

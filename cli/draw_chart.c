@@ -11,8 +11,19 @@
 #include "cli/section_line.h"
 #include "methods/daylight_curves.h"
 
+/* What a method that gives the internally reflected component adds at every point: the
+ * room's average, or its minimum where that is all it gives; NAN where it gives none.
+ */
+static double everywhere(const struct pp_report *report, const struct pp_column *column)
+{
+    if (isfinite(column->average.value) || !column->points
+        || report->receiver_count == 0)
+        return column->average.value;
+    return column->points[0].value;
+}
+
 /* The internally reflected component that the first pair "exact+B" of the report adds
- * to `exact`: B's average of the room; NULL where there is none. */
+ * to `exact`; NULL where there is none. */
 static const struct pp_column *reflected(const struct pp_report *report)
 {
     static const char exact[] = "exact+";
@@ -22,7 +33,7 @@ static const struct pp_column *reflected(const struct pp_report *report)
             continue;
         const struct pp_column *column =
             pp_report_find(report, PP_IRC, pair->name + strlen(exact));
-        if (column && isfinite(column->average.value))
+        if (column && isfinite(everywhere(report, column)))
             return column;
     }
     return NULL;
@@ -47,7 +58,7 @@ static enum pp_status draw_plan(struct pp_canvas *canvas,
     const struct pp_column *irc = reflected(report);
     struct pp_daylight_plan plan = {0};
     enum pp_status status =
-        pp_daylight_curves(&plan, report->world, irc ? irc->average.value : 0.0,
+        pp_daylight_curves(&plan, report->world, irc ? everywhere(report, irc) : 0.0,
                            irc ? irc->name : NULL, NULL, 0, err);
     if (status == PP_OK) {
         const struct pp_plan_chart chart = {

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "cli/print.h"
+#include "methods/method.h"
 
 const struct pp_reading *pp_reading_at(const struct pp_report *report,
                                        const struct pp_column *column, int row)
@@ -137,6 +138,41 @@ static void print_note(const struct pp_report *report, const char *why, int widt
     pp_print_wrapped(text, 4, 4, width, out);
 }
 
+/* "- average-df: decorations are not counted ...", where they would be. */
+static void note_decorations(const struct pp_report *report, int width, FILE *out)
+{
+    char text[512] = "";
+    size_t length = 0;
+    for (int i = 0; i < report->column_count; i++) {
+        const char *name = report->columns[i].name;
+        const struct pp_method *method = pp_method_find(name);
+        if (method && method->gives == PP_GIVES_WHOLE && length < sizeof text)
+            length += (size_t)snprintf(text + length, sizeof text - length, "%s%s",
+                                       length ? ", " : "", name);
+    }
+    if (length == 0 || length >= sizeof text)
+        return;
+    snprintf(
+        text + length, sizeof text - length,
+        ": the decorations' %.3g, which bear on the internally reflected component "
+        "by itself, are not counted",
+        report->world->decorations);
+    fputs("  - ", out);
+    pp_print_wrapped(text, 4, 4, width, out);
+}
+
+/* Does a method speak of the daylight factor in one step, and leave out what is asked
+ * for? */
+static bool leaves_decorations(const struct pp_report *report)
+{
+    for (int i = 0; i < report->column_count; i++) {
+        const struct pp_method *method = pp_method_find(report->columns[i].name);
+        if (method && method->gives == PP_GIVES_WHOLE)
+            return report->world->decorations != 1.0;
+    }
+    return false;
+}
+
 /* Has any hand method a daylight factor for any row? */
 static bool says_something(const struct pp_report *report)
 {
@@ -179,12 +215,15 @@ bool pp_print_notes(const struct pp_report *report, int width, FILE *out)
         return false;
     }
     bool nothing_outside = pp_is_nothing(report, PP_ERC);
-    if (reasons.count > 0 || nothing_outside)
+    bool undecorated = leaves_decorations(report);
+    if (reasons.count > 0 || nothing_outside || undecorated)
         fputc('\n', out);
     if (nothing_outside)
         fputs("  - The externally reflected component is 0 everywhere.\n", out);
     for (int i = 0; i < reasons.count; i++)
         print_note(report, reasons.list[i], width, out);
+    if (undecorated)
+        note_decorations(report, width, out);
     if (reasons.count > 0)
         print_hint(report, width, out);
     free(reasons.list);

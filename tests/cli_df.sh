@@ -56,6 +56,26 @@ check "one room of a building" shows "Kitchen" df --room Kitchen "$examples/buil
 check "and no other" nothing "$(grep Bedroom "$scratch/out")"
 check "several files" shows "l-shaped.xml" df "$deep" "$examples/l-shaped.xml"
 
+# Corrections: what is assumed stands under the title, what is not counted below.
+cat >"$scratch/corrected.xml" <<EOF
+<room version="1"><site surroundings="urban" work="dirty"/>
+  <plan width="4" depth="5" height="2.8"/><finishes decorations="auto"/>
+  <window wall="south" left="0.9" sill="0.8" width="2.2" height="1.5"
+          frame-factor="metal" maintenance="auto" curtains="white-thin"/>
+  <point x="1.7" y="2.1"/></room>
+EOF
+check "dirt by work, a frame and curtains by name" \
+    shows "frame factor 0.825" df -m bre,bre-min,average-df "$scratch/corrected.xml"
+check "are all assumed" grep -q "maintenance 0.7," "$scratch/out"
+check "curtains too" grep -q "curtains 0.9" "$scratch/out"
+check "and decorations" grep -q "decorations leave 0.6 of" "$scratch/out"
+check "which the average daylight factor does not count" \
+    grep -q "average-df: the decorations' 0.6" "$scratch/out"
+check "a minimum is no average" grep -q "bre-min: it gives the least" "$scratch/out"
+check "in 80 columns" nothing "$(awk 'length > 80' "$scratch/out")"
+check "each is in the sum" shows "IRC = irc M G K D" \
+    df -e -m bre "$scratch/corrected.xml"
+
 # CSV: the same number of fields everywhere, lines that end as RFC 4180 says.
 check "CSV has 15 fields a line" gives df --format csv --methods all "$deep"
 check "on every line without quotes" \
