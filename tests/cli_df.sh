@@ -46,7 +46,7 @@ for wrong in 0 -5000 5e9 nan 5klx ""; do
         df --external "$wrong" "$deep"
 done
 check "where no method answers, one is named that does" \
-    shows "exact+split-flux does" df "$examples/studio.xml"
+    shows "--methods exact+split-flux" df "$examples/studio.xml"
 check "but not where one does" nothing \
     "$("$pepperpot" df "$deep" | grep "split-flux")"
 check "another sky than the file's" shows "uniform" df --sky uniform "$deep"
