@@ -184,8 +184,11 @@ static enum pp_status draw(struct drawing *drawing, FILE *out, struct pp_error *
     const struct pp_world *world = drawing->count ? drawing->rooms[0].world : NULL;
     const struct pp_chart_options *options = drawing->options;
     char description[256];
-    snprintf(description, sizeof description, "%s; sky: %s", drawing->kind->summary,
-             pp_sky_name(world ? &world->sky : &options->board.sky));
+    if (drawing->kind->outside && !world)
+        snprintf(description, sizeof description, "%s", drawing->kind->summary);
+    else
+        snprintf(description, sizeof description, "%s; sky: %s", drawing->kind->summary,
+                 pp_sky_name(world ? &world->sky : &options->board.sky));
     const struct pp_sheet sheet = {.format = drawing->format,
                                    .paper = options->paper,
                                    .landscape =
@@ -347,9 +350,10 @@ static enum pp_status check_light(const struct pp_availability_options *light,
                               kind->name)
                     : PP_OK;
     if (!said && file_count == 0)
-        return pp_fail(err, PP_BAD_INPUT,
-                       "expected --weather FILE.epw, --latitude DEG, or a room file with "
-                       "a site");
+        return pp_fail(
+            err, PP_BAD_INPUT,
+            "expected --weather FILE.epw, --latitude DEG, or a room file with "
+            "a site");
     if (!options->methods)
         options->methods = "exact+bre";
     return pp_availability_options_check(light, files, file_count, err);
