@@ -38,6 +38,12 @@ for which in average minimum rooflight; do
     blank nomogram-$which nomogram --which $which
 done
 blank protractor-double-45 protractor --glazing clear-double --slope 45
+brussels='--latitude 50.9 --longitude 4.35 --time-zone 1'
+blank availability availability $brussels --hours 6-18,7-17,8-18,7-15,8-16,9-17
+for format; do
+    "$program" chart availability ${CHART_OPTIONS-} $brussels \
+        "$(dirname "$0")/deep-office.xml" -o "$out/deep-office-availability.$format"
+done
 
 # Of some rooms as a whole, and from a point in some.
 for format; do
