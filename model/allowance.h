@@ -1,4 +1,4 @@
-/* allowance.h - the one place that settles glass, frame and dirt.
+/* allowance.h - the one place that settles glass, frame, dirt and curtains.
  *
  * Published figures differ in what they already contain. A method declares that; what
  * is still missing for an opening is multiplied on here, and nothing is counted twice:
@@ -6,8 +6,10 @@
  *     DF = ((SC + ERC) M G B + IRC M G D) K                                  [BRE310]
  *
  * M maintenance, G glass type over clear single glass, B net glass area over opening
- * area, K curtains, D deterioration of decorations. In formulae that work with the net glass area
- * W, B is in W already (PP_ALLOWS_FRAME).
+ * area, K curtains (not of the source), D deterioration of decorations. In formulae that
+ * work with the net glass area W, B is in W already (PP_ALLOWS_FRAME). K is in no
+ * published figure. D is the room's, not an opening's: methods/evaluate.c multiplies it
+ * on the internally reflected component.
  */
 #ifndef PP_MODEL_ALLOWANCE_H
 #define PP_MODEL_ALLOWANCE_H

@@ -104,10 +104,11 @@ static struct pp_light_part pane_of(struct pp_light_scene *scene, int window)
     const struct pp_surface *face = &scene->world->surfaces[opening->face];
     int index = scene->world->surface_count + window;
     const struct pp_facet *facet = &scene->room->facets[index];
+    double left = opening->maintenance * opening->curtains;
     struct pp_material in = pp_material_glazing(&opening->glass, opening->frame_factor,
-                                                opening->maintenance, face->front);
+                                                left, face->front);
     struct pp_material out = pp_material_glazing(&opening->glass, opening->frame_factor,
-                                                 opening->maintenance, face->back);
+                                                 left, face->back);
     return (struct pp_light_part){.normal = facet->normal,
                                   .offset_m = facet->offset_m,
                                   .material = {number_of(scene, in, "glazing", false),
