@@ -332,7 +332,17 @@ static enum pp_status check(struct pp_assess_options *options, char **files,
     enum pp_status status = pp_room_options_settle(&options->room, err);
     if (status == PP_OK)
         status = check_place(options, err);
-    return status == PP_OK ? choose(chosen, options->criteria, err) : status;
+    if (status == PP_OK)
+        status = choose(chosen, options->criteria, err);
+    const struct pp_criterion *criterion;
+    for (int i = 0; status == PP_OK && (criterion = pp_criterion_at(i)) != NULL; i++)
+        if (options->criteria && chosen[i] && criterion->needs_before
+            && !options->before)
+            status = pp_fail(err, PP_BAD_INPUT,
+                             "%s compares with the room as it was; it needs --before "
+                             "FILE",
+                             criterion->name);
+    return status;
 }
 
 enum pp_exit cmd_assess(int argc, char **argv)

@@ -109,7 +109,7 @@ static void write_cells(char cells[COLUMNS][CELL], const struct pp_finding *find
     write_verdict(cells[VERDICT], finding);
     cells[LUX][0] = cells[OVER][0] = '\0';
     if (isfinite(finding->reached_over))
-        snprintf(cells[OVER], CELL, "on %.0f %%", 100.0 * finding->reached_over);
+        snprintf(cells[OVER], CELL, "over %.0f %%", 100.0 * finding->reached_over);
     if (layout->external_lux > 0.0 && finding->kind == PP_FIGURE_FACTOR
         && isfinite(finding->figure))
         snprintf(cells[LUX], CELL, "%.0f lx", layout->external_lux * finding->figure);

@@ -85,24 +85,47 @@ static const struct pp_column *column_of(const struct pp_inquiry *inquiry,
     return column;
 }
 
+/* The verdict on a level: that of the worse of its findings from `first` on. */
+static enum pp_verdict level_verdict(const struct pp_findings *findings, int first)
+{
+    bool undecided = false;
+    for (int i = first; i < findings->count; i++) {
+        if (findings->list[i].verdict == PP_NOT_MET)
+            return PP_NOT_MET;
+        undecided |= findings->list[i].verdict == PP_UNDECIDED;
+    }
+    return undecided ? PP_UNDECIDED : PP_MET;
+}
+
 static enum pp_status evaluate(const struct pp_inquiry *inquiry,
                                struct pp_findings *findings, struct pp_error *err)
 {
     static const char *const levels[] = {"minimum", "medium", "high"};
     static const double targets[] = {300, 500, 750}, minima[] = {100, 300, 500};
     bool rooflights = is_lit_by_rooflights(inquiry->world);
-    const char *why;
+    const char *why, *reached = "none", *perhaps = NULL;
+    bool further = true;
     const struct pp_column *column = column_of(inquiry, findings, &why);
     for (int i = 0; i < 3; i++) {
         struct target target = {levels[i], targets[i], rooflights ? nearly_all : half};
         struct target least = {levels[i], minima[i], nearly_all};
+        int first = findings->count;
         enum pp_status status =
             add_target(inquiry, &target, column, why, findings, err);
         if (status == PP_OK && !rooflights)
             status = add_target(inquiry, &least, column, why, findings, err);
         if (status != PP_OK)
             return status;
+        enum pp_verdict verdict = level_verdict(findings, first);
+        further &= verdict != PP_NOT_MET;
+        if (further && verdict == PP_MET && !perhaps)
+            reached = levels[i];
+        else if (further)
+            perhaps = levels[i];
     }
+    if (column)
+        pp_findings_rest_on(findings, "; level reached: %s%s%s", reached,
+                            perhaps ? ", perhaps " : "", perhaps ? perhaps : "");
     return PP_OK;
 }
 

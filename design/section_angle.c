@@ -44,41 +44,48 @@ static double angle_of_piece(const double a[2], const double b[2])
     return highest;
 }
 
-/* A plane polygon cuts the section along a line: in the order in which it is cut there,
- * each two crossings are the ends of a piece. */
+/* A place where an edge meets the section, along the line in which the polygon cuts it;
+ * edges that meet in one place come in their order. */
+struct place {
+    double along;
+    int edge;
+    double at[2];
+};
+
+static bool is_before(const struct place *a, const struct place *b)
+{
+    return a->along < b->along || (a->along == b->along && a->edge < b->edge);
+}
+
+/* The first place behind `last`; false: there is none. */
+static bool next_place(struct place *next, const struct place *last,
+                       const struct section *section, const struct pp_polygon *polygon)
+{
+    const double line[2] = {polygon->normal.z,
+                            -pp_dot(polygon->normal, section->ahead)};
+    *next = (struct place){.along = INFINITY, .edge = polygon->count};
+    for (int i = 0; i < polygon->count; i++) {
+        struct place place = {.edge = i};
+        if (!crossing(section, polygon->vertices[i],
+                      polygon->vertices[(i + 1) % polygon->count], place.at))
+            continue;
+        place.along = place.at[0] * line[0] + place.at[1] * line[1];
+        if (is_before(last, &place) && is_before(&place, next))
+            *next = place;
+    }
+    return isfinite(next->along);
+}
+
+/* Each two places, as they follow along the line, are the ends of a piece. */
 static double angle_of_polygon(const struct section *section,
                                const struct pp_polygon *polygon)
 {
-    double highest = 0.0,
-           line[2] = {polygon->normal.z, -pp_dot(polygon->normal, section->ahead)};
-    double before = -INFINITY;
-    for (;;) {
-        /* The two crossings that come next along the line. */
-        double next[2][2], place[2] = {INFINITY, INFINITY};
-        for (int i = 0; i < polygon->count; i++) {
-            double at[2];
-            if (!crossing(section, polygon->vertices[i],
-                          polygon->vertices[(i + 1) % polygon->count], at))
-                continue;
-            double along = at[0] * line[0] + at[1] * line[1];
-            int k = along <= before    ? 2
-                    : along < place[0] ? 0
-                    : along < place[1] ? 1
-                                       : 2;
-            if (k == 0) {
-                place[1] = place[0];
-                next[1][0] = next[0][0], next[1][1] = next[0][1];
-            }
-            if (k < 2) {
-                place[k] = along;
-                next[k][0] = at[0], next[k][1] = at[1];
-            }
-        }
-        if (!isfinite(place[1]))
-            return highest;
-        highest = fmax(highest, angle_of_piece(next[0], next[1]));
-        before = place[1];
-    }
+    double highest = 0.0;
+    struct place from, to = {.along = -INFINITY};
+    while (next_place(&from, &to, section, polygon)
+           && next_place(&to, &from, section, polygon))
+        highest = fmax(highest, angle_of_piece(from.at, to.at));
+    return highest;
 }
 
 double pp_section_angle(const struct pp_world *world, const struct pp_opening *opening)

@@ -48,6 +48,11 @@ for threads in 1 3; do
         "$deep" >"$scratch/threads.$threads"
 done
 check "3 threads give the same bytes as 1" same "$scratch/threads.1" "$scratch/threads.3"
+timeout -s INT 1 "$pepperpot" assess --simulate --error 0.01% -c average,uniformity \
+    --format json "$deep" >"$scratch/out" 2>"$scratch/err"
+check "an interrupted run says so" sh -c "
+    grep -q '\"finished\": false' '$scratch/out' && grep -q interrupted '$scratch/err'"
+check "and has what there is" grep -q '"se"' "$scratch/out"
 check "--time stops" shows "stopped by the clock" assess -s --time 200ms "$deep"
 
 # The room before: the obstructed office is the deep one with a building opposite.
@@ -79,6 +84,8 @@ check "a criterion by its name" refuses 2 "did you mean en17037?" \
     assess --criteria en17073 "$deep"
 check "nothing is not a criterion" refuses 2 "there is no criterion" \
     assess --criteria "uniformity," "$deep"
+check "and not without the room it needs" refuses 2 "needs --before" \
+    assess --criteria former-sky "$deep"
 check "a capital by its name" refuses 2 "did you mean London?" assess --place Lodnon "$deep"
 check "or one of those there are" refuses 2 "Nicosia" assess --place Atlantis "$deep"
 check "one place only" refuses 2 "two ways" \

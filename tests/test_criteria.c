@@ -170,6 +170,15 @@ static void of_several_pieces_the_highest_counts(void **state)
                           "<vertex x=\"2.5\" y=\"-8\" z=\"6\"/>"
                           "<vertex x=\"0\" y=\"-8\" z=\"6\"/></surface>"),
                 atan(4.4 / 8.0) / PP_RAD, 1e-9);
+    /* A notch whose point just touches the section at 3 m: 6 m is still the head. */
+    assert_near(angle_deg("<surface><vertex x=\"0\" y=\"-8\" z=\"0\"/>"
+                          "<vertex x=\"4\" y=\"-8\" z=\"0\"/>"
+                          "<vertex x=\"4\" y=\"-8\" z=\"2\"/>"
+                          "<vertex x=\"2\" y=\"-8\" z=\"3\"/>"
+                          "<vertex x=\"4\" y=\"-8\" z=\"4\"/>"
+                          "<vertex x=\"4\" y=\"-8\" z=\"6\"/>"
+                          "<vertex x=\"0\" y=\"-8\" z=\"6\"/></surface>"),
+                atan(4.4 / 8.0) / PP_RAD, 1e-9);
 }
 
 /* 0.35350 behind 10 degrees, 0.30160 behind 20, 0.18329 behind 40. */
@@ -379,6 +388,22 @@ static void glazing_is_net_of_frames_for_one_code_and_not_for_the_other(void **s
 
 #define LONDON "<site latitude=\"51.5\" longitude=\"-0.1\"/>"
 
+/* The basis names the highest level that is met with all below it; each level has
+ * `each` findings. */
+static void assert_level(const struct pp_findings *findings, int each)
+{
+    static const char *const levels[] = {"none", "minimum", "medium", "high"};
+    int reached = 0;
+    while (reached * each < findings->count
+           && findings->list[reached * each].verdict == PP_MET
+           && findings->list[reached * each + each - 1].verdict == PP_MET)
+        reached++;
+    char words[40];
+    snprintf(words, sizeof words, "level reached: %s", levels[reached]);
+    if (!strstr(findings->basis, words))
+        fail_msg("\"%s\" does not say \"%s\"", findings->basis, words);
+}
+
 static void targets_are_illuminance_over_the_place_s_median(void **state)
 {
     (void)state;
@@ -389,6 +414,7 @@ static void targets_are_illuminance_over_the_place_s_median(void **state)
     for (int i = 0; i < 6; i++)
         assert_near(findings.list[i].wanted, lux[i] / 14100.0, 1e-15);
     assert_non_null(strstr(findings.basis, "exact+bre, not simulated"));
+    assert_level(&findings, 2);
     pp_findings_clear(&findings);
     findings = found_by(&pp_criterion_uk_annex, world, NULL);
     assert_int_equal(findings.count, 3);
@@ -408,6 +434,7 @@ static void under_rooflights_nearly_all_of_the_plane_is_asked(void **state)
     for (int i = 0; i < 3; i++)
         assert_non_null(strstr(findings.list[i].what, "over 95 %"));
     assert_non_null(strstr(findings.basis, "exact+split-flux, not simulated"));
+    assert_level(&findings, 1);
     pp_findings_clear(&findings);
     /* And evenness as under a glazed roof. */
     findings = found_by(&pp_criterion_uniformity, world, NULL);
