@@ -47,8 +47,11 @@ static void print_gain(const struct pp_gain *gain, const struct pp_gains *gains,
     }
     fprintf(out, "%*s", columns - used, "");
     put_factor(gain->values.average, out);
-    fprintf(out, "  %+6.0f %%",
-            100.0 * (gain->values.average / gains->now.average - 1.0));
+    double gained = gain->values.average / gains->now.average - 1.0;
+    if (gained > 0.0)
+        fprintf(out, "  %+6.0f %%", 100.0 * gained);
+    else
+        fprintf(out, "  %8s", "");
     put_factor(gain->values.darkest, out);
     fputc('\n', out);
     if (*rest) {

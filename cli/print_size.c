@@ -2,6 +2,7 @@
 
 #include <math.h>
 #include <stdarg.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "cli/json.h"
@@ -38,20 +39,6 @@ static void put_fact(const char *label, const char *text, int width, FILE *out)
     pp_print_wrapped(text, LABEL + 2, LABEL + 2, width, out);
 }
 
-/* Did the sizing change opening `index`, or add it? */
-static bool is_changed(const struct pp_size_result *result, int index)
-{
-    const struct pp_room *before = result->room->room;
-    if (index >= pp_room_opening_count(before))
-        return true;
-    struct pp_room_opening a = pp_room_opening_at(before, index);
-    struct pp_room_opening b = pp_room_opening_at(result->answer.room, index);
-    return a.kind != PP_OPENING
-           && (a.place.left_m != b.place.left_m || a.place.width_m != b.place.width_m
-               || a.place.sill_m != b.place.sill_m
-               || a.place.height_m != b.place.height_m);
-}
-
 /* The length that a change is about. */
 static double length_of(struct pp_place place, enum pp_size_change change)
 {
@@ -76,41 +63,37 @@ static void append_size(char text[TEXT_BYTES], const struct pp_size_result *resu
 {
     static const char *const phrases[] = {"a width of %.10g m", "a height of %.10g m",
                                           "a head at %.10g m", "a sill at %.10g m"};
-    const struct pp_room *before = result->room->room, *after = result->answer.room;
-    int was = pp_room_opening_count(before), is = pp_room_opening_count(after);
+    const struct pp_room *before = result->room->room;
     if (change == PP_CHANGE_NUMBER) {
-        int windows = 0;
+        int was = pp_room_opening_count(before);
+        int more = pp_room_opening_count(result->answer.room) - was, windows = 0;
         for (int i = 0; i < was; i++)
             windows += pp_room_opening_at(before, i).kind == PP_WINDOW;
-        append(text, "%d window%s instead of %d in the room", windows + is - was,
-               windows + is - was == 1 ? "" : "s", windows);
+        append(text, "%d window%s instead of %d in the room", windows + more,
+               windows + more == 1 ? "" : "s", windows);
         return;
     }
-    int changed = 0;
-    bool alike = true, from_alike = true;
-    double length = NAN, from = NAN, factor = NAN;
-    for (int i = 0; i < was; i++) {
-        if (!is_changed(result, i))
-            continue;
-        double a = length_of(pp_room_opening_at(before, i).place, change);
-        double b = length_of(pp_room_opening_at(after, i).place, change);
-        alike = alike && (changed == 0 || fabs(b - length) <= same_m);
-        from_alike = from_alike && (changed == 0 || fabs(a - from) <= same_m);
-        if (changed++ == 0) {
-            length = b;
-            from = a;
-            factor = b / a;
-        }
-    }
-    if (changed == 0)
+    if (result->edit_count == 0) {
         append(text, "the room as it is");
-    else if (alike) {
-        append(text, phrases[change], length);
-        if (from_alike)
-            append(text, " instead of %.10g m", from);
-    } else {
-        append(text, "sizes as below (the first %.3g times the present one)", factor);
+        return;
     }
+    bool alike = true, were_alike = true;
+    double first = NAN, first_was = NAN;
+    for (int i = 0; i < result->edit_count; i++) {
+        const struct pp_text_edit *edit = &result->edits[i];
+        double is = length_of(edit->place, change);
+        double was = length_of(pp_room_opening_at(before, edit->opening).place, change);
+        first = i == 0 ? is : first;
+        first_was = i == 0 ? was : first_was;
+        alike = alike && fabs(is - first) <= same_m;
+        were_alike = were_alike && fabs(was - first_was) <= same_m;
+    }
+    append(text, phrases[change], first);
+    if (alike && were_alike)
+        append(text, " instead of %.10g m", first_was);
+    else if (!alike)
+        append(text, " (line %d, the others as below)",
+               pp_room_opening_at(before, result->edits[0].opening).line);
 }
 
 /* The last line of the answer: what was found, or why nothing. */
@@ -152,41 +135,63 @@ static void append_answer(char text[TEXT_BYTES], const struct pp_size_result *re
     }
 }
 
-/* The element of an opening as the room file would have it. */
-static void append_element(char text[TEXT_BYTES], const struct pp_room_opening *opening)
+/* The element of an opening as the room file would have it; the caller's. */
+static enum pp_status element_of(char **element, const struct pp_size_result *result,
+                                 struct pp_text_edit edit, struct pp_error *err)
 {
-    struct pp_place p = opening->place;
-    if (opening->kind == PP_WINDOW)
-        append(text,
-               "<window wall=\"%s\" left=\"%.10g\" sill=\"%.10g\" width=\"%.10g\" "
-               "height=\"%.10g\"/>",
-               opening->wall, p.left_m, p.sill_m, p.width_m, p.height_m);
-    else
-        append(text,
-               "<rooflight x=\"%.10g\" y=\"%.10g\" width=\"%.10g\" depth=\"%.10g\"/>",
-               p.left_m, p.sill_m, p.width_m, p.height_m);
+    edit.opening += result->file_opening;
+    return pp_room_text_element(element, result->file_text, result->file_length, &edit,
+                                err);
 }
 
 /* ---- Text ---- */
 
-static void print_elements(const struct pp_size_result *result, FILE *out)
+/* An element on the lines that it has in the file, all indented alike. */
+static void put_element(const char *element, FILE *out)
 {
-    const struct pp_room *room = result->answer.room;
-    for (int i = 0; i < pp_room_opening_count(room); i++) {
-        if (!is_changed(result, i))
-            continue;
-        char text[TEXT_BYTES] = "";
-        struct pp_room_opening opening = pp_room_opening_at(room, i);
-        append_element(text, &opening);
+    for (bool more = true; more;) {
+        int length = (int)strcspn(element, "\n");
+        char line[1024];
+        snprintf(line, sizeof line, "%.*s", length, element);
+        line[strcspn(line, "\r")] = '\0';
         fputs("    ", out);
-        pp_utf8_put(out, text);
+        pp_utf8_put(out, line);
         fputc('\n', out);
+        more = element[length] != '\0';
+        element += length + more;
+        if (more && *element) {
+            element += strspn(element, " \t");
+            fputs("        ", out);
+        }
     }
 }
 
-static void print_room(const struct pp_size_result *result,
-                       const struct pp_size_options *options, int width, bool utf8,
-                       FILE *out)
+static enum pp_status print_elements(const struct pp_size_result *result, FILE *out,
+                                     struct pp_error *err)
+{
+    enum pp_status status = PP_OK;
+    for (int i = 0; i < result->edit_count && status == PP_OK; i++) {
+        const struct pp_text_edit *edit = &result->edits[i];
+        int line = pp_room_opening_at(result->room->room, edit->opening).line;
+        if (edit->kind == PP_TEXT_REMOVE) {
+            fprintf(out, "    line %d: left out\n", line);
+            continue;
+        }
+        char *element;
+        status = element_of(&element, result, *edit, err);
+        if (status != PP_OK)
+            return status;
+        fprintf(out, "    line %d%s:\n", line,
+                edit->kind == PP_TEXT_ADD ? ", behind it" : "");
+        put_element(element, out);
+        free(element);
+    }
+    return status;
+}
+
+static enum pp_status print_room(const struct pp_size_result *result,
+                                 const struct pp_size_options *options, int width,
+                                 bool utf8, FILE *out, struct pp_error *err)
 {
     const struct pp_size_answer *answer = &result->answer;
     char text[TEXT_BYTES] = "";
@@ -213,23 +218,25 @@ static void print_room(const struct pp_size_result *result,
                100.0 * result->traced.std_error);
         put_fact("traced", text, width, out);
     }
-    if (answer->room && answer->verdict == PP_SIZE_REACHED) {
-        fputc('\n', out);
-        print_elements(result, out);
-    }
+    if (answer->verdict != PP_SIZE_REACHED || result->edit_count == 0)
+        return PP_OK;
+    fputc('\n', out);
+    return print_elements(result, out, err);
 }
 
-void pp_print_size(const struct pp_size_results *results, int width, bool utf8,
-                   FILE *out)
+enum pp_status pp_print_size(const struct pp_size_results *results, int width,
+                             bool utf8, FILE *out, struct pp_error *err)
 {
-    for (int i = 0; i < results->count; i++) {
+    enum pp_status status = PP_OK;
+    for (int i = 0; i < results->count && status == PP_OK; i++) {
         const struct pp_size_result *result = &results->list[i];
         if (i > 0)
             fputc('\n', out);
         pp_print_title(result->room->world, result->room->file, out);
         fputc('\n', out);
-        print_room(result, results->options, width, utf8, out);
+        status = print_room(result, results->options, width, utf8, out, err);
     }
+    return status;
 }
 
 /* ---- JSON ---- */
@@ -247,35 +254,45 @@ static bool add_reading(struct json_object *object, const char *key,
     return good;
 }
 
-static bool add_opening(struct json_object *list, const struct pp_room_opening *opening)
+static bool add_edit(struct json_object *list, const struct pp_size_result *result,
+                     const struct pp_text_edit *edit)
 {
+    static const char *const words[] = {"changed", "added", "removed"};
     struct json_object *object = json_object_new_object();
     if (!object || json_object_array_add(list, object) != 0) {
         json_object_put(object);
         return false;
     }
     pp_json_on_one_line(object);
-    bool window = opening->kind == PP_WINDOW;
-    struct pp_place p = opening->place;
-    return pp_json_add(object, "line", json_object_new_int(opening->line))
-           && (!window || pp_json_text(object, "wall", opening->wall))
-           && pp_json_number(object, window ? "left" : "x", p.left_m)
+    struct pp_room_opening opening =
+        pp_room_opening_at(result->room->room, edit->opening);
+    bool window = opening.kind == PP_WINDOW;
+    struct pp_place p = edit->place;
+    bool good = pp_json_add(object, "line", json_object_new_int(opening.line))
+                && pp_json_text(object, "is", words[edit->kind])
+                && (!window || pp_json_text(object, "wall", opening.wall));
+    if (!good || edit->kind == PP_TEXT_REMOVE)
+        return good;
+    char *element;
+    if (element_of(&element, result, *edit, NULL) != PP_OK)
+        return false;
+    good = pp_json_number(object, window ? "left" : "x", p.left_m)
            && pp_json_number(object, window ? "sill" : "y", p.sill_m)
            && pp_json_number(object, "width", p.width_m)
-           && pp_json_number(object, window ? "height" : "depth", p.height_m);
+           && pp_json_number(object, window ? "height" : "depth", p.height_m)
+           && pp_json_text(object, "element", element);
+    free(element);
+    return good;
 }
 
 static bool add_answer(struct json_object *object, const struct pp_size_result *result)
 {
-    const struct pp_size_answer *answer = &result->answer;
     struct json_object *windows = json_object_new_array();
     if (!pp_json_add(object, "windows", windows))
         return false;
-    for (int i = 0; i < pp_room_opening_count(answer->room); i++) {
-        struct pp_room_opening opening = pp_room_opening_at(answer->room, i);
-        if (is_changed(result, i) && !add_opening(windows, &opening))
+    for (int i = 0; i < result->edit_count; i++)
+        if (!add_edit(windows, result, &result->edits[i]))
             return false;
-    }
     return true;
 }
 

@@ -5,18 +5,7 @@
 #include <stdbool.h>
 #include <stdio.h>
 
-#include "cli/rooms.h"
-#include "cli/size_options.h"
-#include "design/size.h"
-
-/* What was found for one room. */
-struct pp_size_result {
-    const struct pp_loaded_room *room; /* not owned */
-    struct pp_size_answer answer;
-    const char *why;          /* of a room in which nothing could be sized; not owned */
-    struct pp_reading traced; /* of the room sized; NAN where nothing was traced */
-    char text[1024];          /* what the readings' why points to */
-};
+#include "cli/size_room.h"
 
 struct pp_size_results {
     struct pp_size_result *list;
@@ -26,8 +15,8 @@ struct pp_size_results {
     const struct pp_size_options *options; /* not owned */
 };
 
-void pp_print_size(const struct pp_size_results *results, int width, bool utf8,
-                   FILE *out);
+enum pp_status pp_print_size(const struct pp_size_results *results, int width,
+                             bool utf8, FILE *out, struct pp_error *err);
 enum pp_status pp_print_size_json(const struct pp_size_results *results, FILE *out,
                                   struct pp_error *err);
 

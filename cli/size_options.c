@@ -46,6 +46,9 @@ const struct pp_option pp_size_task_options[] = {
 
 const struct pp_option pp_size_format_option[] = {
     {"format", 'f', "FORMAT", "text (default) or json.", read_format, PLACE(json)},
+    {"write", 'w', "FILE",
+     "Write the room file with the sized windows to FILE, all else in it as it was.",
+     pp_read_text, PLACE(write)},
     {0},
 };
 

@@ -15,6 +15,7 @@ struct pp_size_options {
     enum pp_size_change change;
     const char *wall; /* only windows in that wall; NULL: any */
     long line;        /* only the opening on that line of the file; 0: any */
+    const char *write; /* where the changed room file goes; NULL: nowhere */
     bool json;
 };
 

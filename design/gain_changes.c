@@ -249,9 +249,9 @@ static enum pp_status wider_windows(struct pp_room **changed, struct pp_gain *ga
         if (opening.kind == PP_WINDOW)
             widest = fmax(widest, opening.place.width_m);
     }
-    /* A quarter wider: each side an eighth. */
+    /* A quarter wider. */
     enum pp_status status = enlarge(changed, room, PP_CHANGE_WIDTH,
-                                    (int)ceil(widest / 8.0 / PP_SIZE_GRID_M), err);
+                                    (int)round(widest / 4.0 / PP_SIZE_GRID_M), err);
     if (*changed)
         SAY(gain, "windows %.2g m wider in all (%.3g m instead of %.3g m)",
             width_of(*changed) - width_of(room), width_of(*changed), width_of(room));
@@ -385,7 +385,7 @@ const struct pp_gain_kind pp_gain_kinds[] = {
     {higher_heads, "low window heads", true},
     {wider_windows, "narrow windows", true},
     {one_more_window, "few windows", true},
-    {opposite_window, "light from one side only", true},
+    {opposite_window, NULL, true},
     {lower_sills, "high sills", true},
     {clearer_glazing, "dim glazing", true},
     {cleaner_glass, "dirty glass", true},

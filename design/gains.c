@@ -99,14 +99,16 @@ enum pp_status pp_gains_find(struct pp_gains *gains, const struct pp_room *room,
 void pp_gains_sentence(const struct pp_gains *gains, char *text, int size)
 {
     enum { NAMED = 3 };
+    const char *named[NAMED];
+    int length = 0, count = 0;
     text[0] = '\0';
-    int length = 0, count = gains->count < NAMED ? gains->count : NAMED;
+    for (int i = 0; i < gains->count && count < NAMED; i++)
+        if (gains->list[i].lacks)
+            named[count++] = gains->list[i].lacks;
     for (int i = 0; i < count && length < size; i++)
-        length += snprintf(text + length, (size_t)(size - length), "%s%s",
+        length += snprintf(text + length, (size_t)(size - length), "%s%s%s",
                            i == 0           ? "Most of all "
                            : i + 1 == count ? " and "
                                             : ", ",
-                           gains->list[i].lacks);
-    if (count > 0 && length < size)
-        snprintf(text + length, (size_t)(size - length), ".");
+                           named[i], i + 1 == count ? "." : "");
 }

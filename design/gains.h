@@ -22,7 +22,8 @@ struct pp_gain_values {
 
 struct pp_gain {
     char change[128];  /* "a ceiling of reflectance 0.85 instead of 0.6" */
-    const char *lacks; /* what this lack is called: "a dark ceiling"; static */
+    const char *lacks; /* what this lack is called: "a dark ceiling"; static; NULL: it
+                        * is none, but a chance */
     bool of_design;    /* false: what stands outside, which nobody can take away */
     struct pp_gain_values values; /* of the room so changed */
 };

@@ -17,6 +17,9 @@ static const double near_share = 0.0025;
 /* How near, in standard errors, one that was sampled shall come. */
 static const double near_errors = 0.5;
 
+/* What rounding may have taken from a value that is the target on paper. */
+static const double rounding_share = 1e-9;
+
 /* A value at one size. */
 struct sight {
     int step;
@@ -70,7 +73,7 @@ static bool is_sampled(const struct sight *sight)
 
 static bool reaches(const struct search *search, const struct sight *sight)
 {
-    return sight->reading.value >= search->task->target;
+    return sight->reading.value >= (1.0 - rounding_share) * search->task->target;
 }
 
 /* Is a sampled value as near to the target as its error lets one tell? */

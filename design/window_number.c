@@ -82,7 +82,8 @@ enum pp_status pp_window_number_room(struct pp_room **changed,
         if (i < opening_count)
             pp_room_set_place(*changed, openings[i], place);
         else
-            status = pp_room_repeat_opening(*changed, openings[0], place, err);
+            status = pp_room_repeat_opening(*changed, openings[opening_count - 1],
+                                            place, err);
     }
     for (int i = opening_count - 1; i >= number && status == PP_OK; i--)
         pp_room_remove_opening(*changed, openings[i]);

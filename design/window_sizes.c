@@ -267,13 +267,21 @@ static enum pp_status find_stations(struct pp_window_sizes *sizes, struct pp_err
 
 /* ---- Steps ---- */
 
-/* Steps between a station and the next: the farthest edge's way over the grid. */
+/* How far an opening's edges move from a station to the next, together (m): what its
+ * size grows by. */
+static double growth(const struct pp_window_sizes *sizes, int station, int opening)
+{
+    const double *from = sizes->stations[station] + 2 * opening;
+    const double *to = sizes->stations[station + 1] + 2 * opening;
+    return fabs(to[0] - from[0]) + fabs(to[1] - from[1]);
+}
+
+/* Steps between a station and the next: what most grows over the grid. */
 static int stretch(const struct pp_window_sizes *sizes, int station)
 {
     double most = 0.0;
-    for (int e = 0; e < 2 * sizes->opening_count; e++)
-        most = fmax(
-            most, fabs(sizes->stations[station + 1][e] - sizes->stations[station][e]));
+    for (int i = 0; i < sizes->opening_count; i++)
+        most = fmax(most, growth(sizes, station, i));
     return (int)ceil((most - slack_m) / PP_SIZE_GRID_M) * sizes->fineness;
 }
 
@@ -314,9 +322,12 @@ static void edges_at(const struct pp_window_sizes *sizes, int step, double *edge
     double u = steps > 0 ? (double)step / steps : 1.0;
     for (int e = 0; e < 2 * sizes->opening_count; e++) {
         edges[e] = step == steps ? to[e] : from[e];
-        if (step > 0 && step < steps && from[e] != to[e])
-            edges[e] = on_grid(from[e] + u * (to[e] - from[e]), e % 2,
-                               PP_SIZE_GRID_M / sizes->fineness);
+        if (step == 0 || step == steps || from[e] == to[e])
+            continue;
+        /* Where both edges move, each does half of it. */
+        bool both = from[e ^ 1] != to[e ^ 1];
+        double grid_m = PP_SIZE_GRID_M / sizes->fineness / (both ? 2.0 : 1.0);
+        edges[e] = on_grid(from[e] + u * (to[e] - from[e]), e % 2, grid_m);
     }
 }
 

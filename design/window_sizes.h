@@ -5,8 +5,8 @@
  * an edge that meets the end of its wall or another opening stays there while the
  * others go on. Heads go up by equal lengths and sills down, up to what stands in their
  * way; for the height first the head, and then the sill. What can be is what
- * pp_world_create accepts. Edges that move are on a grid (a millimetre, or finer),
- * rounded towards the window's inside.
+ * pp_world_create accepts. Edges that move are on a grid (a millimetre, or finer; half
+ * of it where both edges move), rounded towards the window's inside.
  *
  * The number is of windows alike in one wall, each in the middle of its share of the
  * wall's length; the room's own number stands as the room has it.
@@ -41,7 +41,7 @@ enum pp_status pp_window_sizes_create(struct pp_window_sizes **sizes,
                                       int opening_count, struct pp_error *err);
 void pp_window_sizes_destroy(struct pp_window_sizes *sizes); /* NULL is allowed */
 
-/* Steps are 0 to count - 1. From one to the next no edge moves farther than the grid
+/* Steps are 0 to count - 1. From one to the next no size grows by more than the grid
  * is wide; `now` is the room as it is, to the bit. */
 int pp_window_sizes_count(const struct pp_window_sizes *sizes);
 int pp_window_sizes_now(const struct pp_window_sizes *sizes);
@@ -50,8 +50,8 @@ int pp_window_sizes_now(const struct pp_window_sizes *sizes);
 void pp_window_sizes_refine(struct pp_window_sizes *sizes);
 
 /* The room at that step, which is the caller's (pp_room_destroy). Openings that are new
- * stand behind all others; of numbers smaller than the room's own the last are left
- * out. */
+ * stand behind all others and are like the last of those that change; of numbers smaller
+ * than the room's own the last are left out. */
 enum pp_status pp_window_sizes_room(struct pp_room **room,
                                     const struct pp_window_sizes *sizes, int step,
                                     struct pp_error *err);

@@ -34,6 +34,9 @@ const char *pp_building_name(
 int pp_building_room_count(const struct pp_building *building);
 struct pp_room *pp_building_room(struct pp_building *building, int index);
 
+/* The file's own text, as it was read; not owned. */
+const char *pp_building_text(const struct pp_building *building, size_t *length);
+
 /* Puts another sky in place of the file's. `spec` is a type as in the file, with
  * ",SUN-ALTITUDE,SUN-BEARING" in degrees behind it where that type needs a sun and the
  * file gives none ("iso-12,30,180"). */

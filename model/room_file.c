@@ -19,8 +19,15 @@ enum pp_status pp_building_parse(struct pp_building **building, const char *byte
     int before = mistakes->count;
     *building = NULL;
     struct pp_building *made = calloc(1, sizeof *made);
-    if (!made)
+    if (made)
+        made->text = malloc(length + 1);
+    if (!made || !made->text) {
+        free(made);
         return pp_fail_memory(err);
+    }
+    memcpy(made->text, bytes, length);
+    made->text[length] = '\0';
+    made->text_length = length;
 
     struct pp_xml xml;
     enum pp_status status = pp_xml_parse(&xml, bytes, length, mistakes, err);
@@ -67,12 +74,19 @@ void pp_building_destroy(struct pp_building *building)
         pp_room_clear(&building->rooms[i]);
     free(building->rooms);
     free(building->name);
+    free(building->text);
     free(building);
 }
 
 const char *pp_building_name(const struct pp_building *building)
 {
     return building->name;
+}
+
+const char *pp_building_text(const struct pp_building *building, size_t *length)
+{
+    *length = building->text_length;
+    return building->text;
 }
 
 int pp_building_room_count(const struct pp_building *building)

@@ -12,6 +12,8 @@ struct pp_building {
     char *name; /* NULL: a lone room, or not given */
     struct pp_room *rooms;
     int room_count;
+    char *text; /* of the file, with a 0 behind it */
+    size_t text_length;
 };
 
 /* Fills building, which is empty, from the file's elements. PP_OK also where there are
