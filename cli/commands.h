@@ -14,5 +14,6 @@ pp_command cmd_size;
 pp_command cmd_chart;
 pp_command cmd_assess;
 pp_command cmd_availability;
+pp_command cmd_validate;
 
 #endif

@@ -24,6 +24,7 @@ static const struct command commands[] = {
     {"assess", cmd_assess, "what a room's daylight has to reach, and whether it does"},
     {"size", cmd_size, "the window that just reaches a target"},
     {"availability", cmd_availability, "how often daylight is enough in working hours"},
+    {"validate", cmd_validate, "methods against simulation, program against paper"},
 };
 enum { COMMAND_COUNT = sizeof commands / sizeof commands[0] };
 
