@@ -4,6 +4,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "cli/csv.h"
 #include "cli/json.h"
 #include "cli/utf8.h"
 
@@ -113,11 +114,13 @@ void pp_print_known_csv(const struct pp_known_list *known, FILE *out)
     fputs("what,by,answer,expected,difference,tolerance,std_error,right\r\n", out);
     for (int i = 0; i < known->count; i++) {
         const struct pp_known *one = &known->list[i];
-        fprintf(out, "\"%s\",%s,%.10g,%.10g,%.10g,%.10g,", one->what, one->by,
-                one->answer, one->expected, one->answer - one->expected,
-                one->tolerance);
-        if (isfinite(one->std_error))
-            fprintf(out, "%.10g", one->std_error);
+        const double numbers[] = {one->answer, one->expected,
+                                  one->answer - one->expected, one->tolerance,
+                                  one->std_error};
+        pp_csv_field(one->what, out);
+        fprintf(out, ",%s", one->by);
+        for (size_t k = 0; k < sizeof numbers / sizeof numbers[0]; k++)
+            pp_csv_number(numbers[k], out);
         fprintf(out, ",%s\r\n", pp_known_is_right(one) ? "yes" : "no");
     }
 }
@@ -406,27 +409,6 @@ enum pp_status pp_print_validation_json(const struct pp_validation *validation,
     return write_json(object, good, out, err);
 }
 
-/* A field in quotes; nothing of NULL. */
-static void put_text(const char *text, FILE *out)
-{
-    if (!text)
-        return;
-    fputc('"', out);
-    for (; *text; text++) {
-        if (*text == '"')
-            fputc('"', out);
-        fputc(*text, out);
-    }
-    fputc('"', out);
-}
-
-static void put_field(double value, const char *end, FILE *out)
-{
-    if (isfinite(value))
-        fprintf(out, "%.10g", value + 0.0);
-    fputs(end, out);
-}
-
 void pp_print_validation_csv(const struct pp_validation *validation, FILE *out)
 {
     fputs("file,room,component,method,average_percent,traced_average_percent,"
@@ -451,17 +433,18 @@ void pp_print_validation_csv(const struct pp_validation *validation, FILE *out)
                                      at.x,
                                      at.y,
                                      at.z};
-            put_text(result->file, out);
+            pp_csv_field(result->file, out);
             fputc(',', out);
-            put_text(result->report.world->name, out);
-            fprintf(out, ",%s,%s,", pp_component_names[one->component], one->name);
-            put_field(100.0 * one->average, ",", out);
-            put_field(100.0 * one->traced_average, ",", out);
-            put_field(100.0 * one->traced_average_error, ",", out);
-            fprintf(out, "%d,", one->points);
+            pp_csv_field(result->report.world->name, out);
+            fprintf(out, ",%s,%s", pp_component_names[one->component], one->name);
+            pp_csv_number(100.0 * one->average, out);
+            pp_csv_number(100.0 * one->traced_average, out);
+            pp_csv_number(100.0 * one->traced_average_error, out);
+            fprintf(out, ",%d", one->points);
             for (size_t f = 0; f < sizeof fields / sizeof fields[0]; f++)
-                put_field(fields[f], ",", out);
-            put_text(one->why, out);
+                pp_csv_number(fields[f], out);
+            fputc(',', out);
+            pp_csv_field(one->why, out);
             fputs("\r\n", out);
         }
     }
