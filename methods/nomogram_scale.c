@@ -128,13 +128,14 @@ static struct pp_nomogram_stem middle_stem(enum pp_nomogram_quantity quantity, d
                                      .high = high};
 }
 
-static double lowest_y(const struct pp_nomogram_stem *stem, bool highest)
+/* The y of its lower end, or of its upper. */
+static double end_y(const struct pp_nomogram_stem *stem, bool upper)
 {
     double a =
         stem->foot + stem->decade * log10(function_of(stem->quantity, stem->low));
     double b =
         stem->foot + stem->decade * log10(function_of(stem->quantity, stem->high));
-    return highest ? fmax(a, b) : fmin(a, b);
+    return upper ? fmax(a, b) : fmin(a, b);
 }
 
 /* The stem that is read between two others, at the x that (4) gives; constant: what the
@@ -149,7 +150,7 @@ static struct pp_nomogram_stem between(const struct pp_nomogram_stem *from,
                                     .decade = t * to->decade};
     stem.foot = (1.0 - t) * from->foot + t * to->foot - stem.decade * log10(constant);
     for (int end = 0; end < 2; end++) {
-        double y = (1.0 - t) * lowest_y(from, end) + t * lowest_y(to, end);
+        double y = (1.0 - t) * end_y(from, end) + t * end_y(to, end);
         *(end ? &stem.high : &stem.low) = pow(10.0, (y - stem.foot) / stem.decade);
     }
     return stem;

@@ -112,8 +112,7 @@ struct frame {
 };
 
 /* A is the longest upright line farthest left. */
-static struct frame frame_of(const struct drawing *drawing,
-                             const struct pp_nomogram *nomogram)
+static struct frame frame_of(const struct drawing *drawing)
 {
     struct frame frame = {INFINITY, -INFINITY, 0.0, 0.0};
     for (int i = 0; i < drawing->count; i++) {
@@ -128,7 +127,6 @@ static struct frame frame_of(const struct drawing *drawing,
             frame.bottom = fmax(line->from[1], line->to[1]);
         }
     }
-    (void)nomogram;
     return frame;
 }
 
@@ -169,7 +167,7 @@ static void marks_stand_where_the_formula_puts_them(void **state)
                                                      spacing_of(papers[p]), NULL),
                              PP_OK);
             struct drawing *drawing = lines_of(&sheet, papers[p]);
-            struct frame frame = frame_of(drawing, &sheet.nomogram);
+            struct frame frame = frame_of(drawing);
             double high = frame.bottom - frame.top, wide = frame.right - frame.left;
             double step = spacing_of(papers[p]).height_mm;
             assert_true(high > 0.8 * step && high < step + 0.01);
@@ -256,7 +254,7 @@ static void straight_edge_on_the_printed_marks_gives_the_formula(void **state)
                                              spacing_of(PP_PAPER_A4), NULL),
                      PP_OK);
     struct drawing *drawing = lines_of(&sheet, PP_PAPER_A4);
-    struct frame frame = frame_of(drawing, &sheet.nomogram);
+    struct frame frame = frame_of(drawing);
     static const double ratios[] = {0.006, 0.014, 0.05, 0.12}, Rs[] = {0.2, 0.45, 0.7},
                         alphas[] = {20.0, 30.0, 50.0};
     double k = PP_NOMOGRAM_K;
