@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "cli/assessment.h"
+#include "cli/availability_options.h"
 #include "cli/commands.h"
 #include "cli/gather.h"
 #include "cli/interrupt.h"
@@ -41,6 +42,8 @@ static const struct pp_option choice_options[] = {
     {"median-diffuse", 0, "LUX",
      "The place's median diffuse illuminance itself, for EN 17037.", pp_read_lux,
      PLACE(median_lux)},
+    {"weather", 'w', "FILE.epw", "The same by a weather file in EnergyPlus format.",
+     pp_read_text, PLACE(weather)},
     {"room", 0, "NAME", "Only the room of that name.", pp_read_text, PLACE(room.room)},
     {0},
 };
@@ -133,7 +136,9 @@ static void find_median(struct pp_median *median, const struct pp_world *world,
                         const struct pp_assess_options *options)
 {
     if (options->median_lux > 0.0) {
-        *median = (struct pp_median){options->median_lux, "as given"};
+        median->lux = options->median_lux;
+        snprintf(median->how, sizeof median->how, "%s",
+                 options->weather ? "by the weather file" : "as given");
     } else if (options->place) {
         const struct pp_capital *capital = pp_capital_find(options->place);
         median->lux = capital->median_lux;
@@ -297,6 +302,10 @@ static enum pp_status check_place(const struct pp_assess_options *options,
     const char *names[64];
     char known[512];
     int count = 0;
+    if (options->weather && (options->place || options->median_lux > 0.0))
+        return pp_fail(err, PP_BAD_INPUT,
+                       "--weather says what %s says too; expected one of them",
+                       options->place ? "--place" : "--median-diffuse");
     if (!options->place || pp_capital_find(options->place))
         return options->place && options->median_lux > 0.0
                    ? pp_fail(err, PP_BAD_INPUT,
@@ -371,8 +380,12 @@ enum pp_exit cmd_assess(int argc, char **argv)
         return pp_say_error(&err);
     if (status != PP_OK)
         return pp_say_usage("assess", &err);
-    if (!wants_help)
-        return run(&options, format, argv, file_count);
-    help(&line);
-    return PP_EXIT_DONE;
+    if (wants_help) {
+        help(&line);
+        return PP_EXIT_DONE;
+    }
+    enum pp_exit weather = options.weather
+                               ? pp_weather_median(options.weather, &options.median_lux)
+                               : PP_EXIT_DONE;
+    return weather == PP_EXIT_DONE ? run(&options, format, argv, file_count) : weather;
 }

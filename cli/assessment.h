@@ -16,6 +16,7 @@ struct pp_assess_options {
     const char *before;   /* the file with the room as it was; NULL: none */
     const char *place;    /* a capital of the standard's table; NULL: the room's site */
     double median_lux;    /* instead; 0: not given */
+    const char *weather;  /* or the weather file that it is taken from; NULL: none */
 };
 
 /* A criterion that was asked for, and what it found. */

@@ -281,6 +281,28 @@ enum pp_exit pp_availability_load(struct pp_availability_options *options)
     return result;
 }
 
+enum pp_exit pp_weather_median(const char *path, double *median_lx)
+{
+    struct pp_availability_options options = pp_availability_options_default;
+    struct pp_diffuse_light light;
+    struct pp_error err = {0};
+    options.weather = path;
+    enum pp_exit result = pp_availability_load(&options);
+    if (result != PP_EXIT_DONE)
+        return result;
+    enum pp_status status =
+        pp_diffuse_light_of_epw(&light, options.epw, pp_file_title(path), &err);
+    *median_lx = status == PP_OK ? pp_diffuse_light_median_lx(&light) : NAN;
+    if (status == PP_OK && !(*median_lx > 0.0))
+        status = pp_fail(&err, PP_BAD_INPUT,
+                         "%s: it has no median of a year: its data cover less, or are "
+                         "dark",
+                         pp_file_title(path));
+    pp_diffuse_light_clear(&light);
+    pp_availability_unload(&options);
+    return status == PP_OK ? PP_EXIT_DONE : pp_say_error(&err);
+}
+
 void pp_availability_unload(struct pp_availability_options *options)
 {
     pp_epw_destroy(options->epw);

@@ -53,6 +53,10 @@ enum pp_status pp_availability_options_check(
 /* Reads the weather file, if there is one, and says on standard error what is wrong
  * with it. */
 enum pp_exit pp_availability_load(struct pp_availability_options *options);
+/* Reads a weather file for the median of its diffuse illuminance over the brightest
+ * 4380 hours alone, and says on standard error why it has none. */
+enum pp_exit pp_weather_median(const char *path, double *median_lx);
+
 void pp_availability_unload(struct pp_availability_options *options);
 
 /* The light outside of one room (world may be NULL), and what is said of it. */

@@ -96,6 +96,12 @@ check "summer time by words" refuses 1 "sunday.epw:5: summer time" \
     availability --summer-time file -w "$scratch/sunday.epw" "$deep"
 check "which nobody asked for" gives availability -w "$scratch/sunday.epw" "$deep"
 
+# The median for EN 17037.
+check "no median of four days for assess" \
+    refuses 1 "no median of a year" assess -w "$days" "$deep"
+check "a place by two options" \
+    refuses 2 "--place" assess -w "$days" --place London "$deep"
+
 # Charts.
 for format in pdf svg png; do
     run chart availability -w "$days" -o "$scratch/room.$format" "$deep"
