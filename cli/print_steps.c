@@ -108,7 +108,8 @@ static void write_word(char *text, size_t room, const char *word, int length, bo
 static void print_formula(const struct pp_step *step, int width, bool utf8, FILE *out)
 {
     char whole[sizeof step->symbol + sizeof step->formula + 4], words[4 * sizeof whole];
-    snprintf(whole, sizeof whole, "%s = %s", step->symbol, step->formula);
+    snprintf(whole, sizeof whole, "%s%s= %s", step->symbol, step->symbol[0] ? " " : "",
+             step->formula);
     size_t length = 0;
     for (const char *at = whole; *at;) {
         int letters = (int)strcspn(at, " ");

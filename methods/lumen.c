@@ -242,7 +242,7 @@ static double window_value(const struct reading *r, const struct pp_opening *ope
         pp_step_worked(steps, PP_UNIT_SHARE, value, "df", "tau (E_s + E_g) CU",
                        "daylight factor from this window");
     } else {
-        pp_step_worked(steps, PP_UNIT_SHARE, value, "DF", "tau (E_s CU_s + E_g CU_g)",
+        pp_step_worked(steps, PP_UNIT_SHARE, value, "df", "tau (E_s CU_s + E_g CU_g)",
                        "daylight factor from this window");
     }
     return value;

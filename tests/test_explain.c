@@ -201,7 +201,8 @@ static void check_text(struct sheet *sheet, const char *of, char *text)
             continue;
         char *equals = strstr(line, " = ");
         if (indent == SYMBOL && equals) {
-            snprintf(symbol, sizeof symbol, "%.*s", (int)(equals - line) - SYMBOL,
+            int length = (int)(equals - line) - SYMBOL; /* -1: it has no name */
+            snprintf(symbol, sizeof symbol, "%.*s", length > 0 ? length : 0,
                      line + SYMBOL);
             snprintf(formula, sizeof formula, "%s", equals + 3);
             open = true;
