@@ -15,7 +15,7 @@ build() {
     mkdir -p "$scratch/$1$2"
     cd "$scratch/$1$2" || return 1
     ../source/configure -q --disable-shared CC="$1" CFLAGS="$2" &&
-        make -s -j"$cores" pepperpot
+        make -s -j"$cores"
 }
 
 # results BUILD THREADS: what the program says of every example, in all formats.
