@@ -19,7 +19,14 @@ enum {
     DRAW_WINDOWS = 2,
     DRAW_PANES = 3,
     DRAWS = 4,
+    /* Among its first surfaces a path looks both through glass and at what it mirrors.
+     */
+    BOTH_WAYS = 3,
 };
+
+/* A gloss aims at what looks smaller than so many of its roughnesses: then no aimed
+ * sample is worth more than one that finds it, (3 a)^2 / (4 pi a^2) of it at most. */
+static const double AIMED_WIDTHS = 3.0;
 
 struct pp_radiance_options pp_radiance_defaults(void)
 {
@@ -36,7 +43,7 @@ struct pp_radiance_options pp_radiance_defaults(void)
  * it counts nothing. */
 enum aimed {
     AIMED_AT_NOTHING, /* from the eye, or a mirror */
-    AIMED_AT_SMALL,   /* from a gloss: at what looks smaller than it is wide */
+    AIMED_AT_SMALL,   /* from a gloss: at what looks small to it */
     AIMED_AT_ALL,     /* from a diffuse surface */
 };
 
@@ -46,7 +53,7 @@ struct path {
     struct pp_rgb weight;
     double least; /* Russian roulette below this weight */
     enum aimed aimed;
-    struct pp_vec3 from; /* of AIMED_AT_SMALL: where, and how wide */
+    struct pp_vec3 from; /* of AIMED_AT_SMALL: where, and how large is small */
     double width;
     int depth;   /* diffuse reflections behind it */
     int vertex;  /* of the random numbers */
@@ -118,7 +125,7 @@ struct lit {
 };
 
 /* What goes to the eye of light from direction o: f, with the gloss where what is aimed
- * at looks smaller than it is wide. */
+ * at looks small to it. */
 static struct pp_rgb sent_on(const struct lit *lit, struct pp_vec3 o, double spread)
 {
     const struct pp_lobes *lobes = lit->lobes;
@@ -126,7 +133,7 @@ static struct pp_rgb sent_on(const struct lit *lit, struct pp_vec3 o, double spr
     struct pp_rgb diffuse =
         lobes->share[through ? PP_LOBE_THROUGH_DIFFUSE : PP_LOBE_DIFFUSE];
     struct pp_rgb f = pp_rgb_scale(diffuse, 1.0 / PP_PI);
-    if (spread < pp_lobes_width(lobes))
+    if (spread < AIMED_WIDTHS * pp_lobes_width(lobes))
         f = pp_rgb_add(f, pp_lobes_gloss(lobes, o));
     return f;
 }
@@ -640,7 +647,7 @@ static bool send_on(struct pp_radiance_walk *walk, struct path *path,
     } else if (lobe == PP_LOBE_GLOSS || lobe == PP_LOBE_THROUGH_GLOSS) {
         path->aimed = AIMED_AT_SMALL;
         path->from = hit->point;
-        path->width = pp_lobes_width(lobes);
+        path->width = AIMED_WIDTHS * pp_lobes_width(lobes);
     } else if (lobe == PP_LOBE_MIRROR) {
         path->aimed = AIMED_AT_NOTHING;
     }
@@ -650,6 +657,22 @@ static bool send_on(struct pp_radiance_walk *walk, struct path *path,
         return true;
     path->weight = pp_rgb_scale(path->weight, 1.0 / chance);
     return u[3] < chance;
+}
+
+/* What glass mirrors, as a path of its own: the first one looks through it alone. */
+static struct pp_rgb mirrored(struct pp_radiance_walk *walk, const struct path *path,
+                              struct pp_lobes *lobes, const struct pp_light_hit *hit)
+{
+    struct path other = *path;
+    double factor;
+    other.weight = pp_rgb_times(path->weight, lobes->share[PP_LOBE_MIRROR]);
+    lobes->share[PP_LOBE_MIRROR] = pp_rgb_grey(0.0);
+    pp_lobes_sample(lobes, PP_LOBE_MIRROR, 0.0, 0.0, &other.ray.to, &factor);
+    other.ray.from = hit->point;
+    other.ray.off = lobes->n;
+    other.ray.space = hit->space;
+    other.vertex = branch(path->vertex, DRAWS);
+    return follow(walk, &other, NULL);
 }
 
 /* Takes what a path finds where it has come to, and turns it on to where it goes from
@@ -685,6 +708,10 @@ static bool arrive(struct pp_radiance_walk *walk, struct path *path,
         here = pp_rgb_add(here, ask_ambient(walk, &lobes, hit, path));
     *total = pp_rgb_add(*total, pp_rgb_times(path->weight, here));
     /* Behind clear glass it is still the first surface that scatters. */
+    if (path->many && path->bounces <= BOTH_WAYS
+        && !pp_rgb_is_black(lobes.share[PP_LOBE_MIRROR])
+        && !pp_rgb_is_black(lobes.share[PP_LOBE_STRAIGHT]))
+        *total = pp_rgb_add(*total, mirrored(walk, path, &lobes, hit));
     path->many = path->many && !scatters;
     bool goes = send_on(walk, path, &lobes, hit);
     path->vertex++;

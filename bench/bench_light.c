@@ -1,0 +1,189 @@
+/* bench_light.c - what it saves to hunt light by its kind: rays and time to one error.
+ */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+
+#include "model/room.h"
+#include "simulate/hash.h"
+#include "simulate/radiance.h"
+
+enum { SEEDS = 32 };
+
+static void must(enum pp_status status, const struct pp_error *err)
+{
+    if (status != PP_OK) {
+        fprintf(stderr, "bench_light: %s\n", err->message);
+        exit(3);
+    }
+}
+
+static double seconds(void)
+{
+    struct timespec t;
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
+    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+}
+
+/* A mean irradiance, the error of one sequence of `paths`, and what it took. */
+struct outcome {
+    double value, error, rays, seconds;
+};
+
+static struct outcome measure(const struct pp_light_scene *scene,
+                              const struct pp_window_store *store,
+                              struct pp_radiance_options options, struct pp_vec3 point,
+                              uint32_t paths)
+{
+    static struct pp_sobol sobol;
+    pp_sobol_init(&sobol);
+    enum pp_space space = pp_light_scene_space(scene, point);
+    double sum = 0.0, squares = 0.0, start = seconds();
+    struct outcome outcome = {.rays = 0.0};
+    for (uint64_t seed = 0; seed < SEEDS; seed++) {
+        struct pp_radiance_walk walk = {
+            .scene = scene, .store = store, .options = options};
+        pp_sequence_init(&walk.sequence, &sobol, pp_hash(seed, 3));
+        double value = 0.0;
+        for (walk.index = 0; walk.index < paths; walk.index++) {
+            struct pp_irradiance e =
+                pp_radiance_irradiance(&walk, point, pp_vec(0.0, 0.0, 1.0), space);
+            value += (e.sources.g + e.sky.g + e.outside.g + e.rest.g) / paths;
+        }
+        sum += value;
+        squares += value * value;
+        outcome.rays += (double)walk.rays / SEEDS;
+    }
+    outcome.seconds = (seconds() - start) / SEEDS;
+    outcome.value = sum / SEEDS;
+    outcome.error = sqrt(fmax(0.0, squares / SEEDS - outcome.value * outcome.value))
+                    / outcome.value;
+    return outcome;
+}
+
+/* ---- light and glow ---- */
+
+static struct pp_light_scene *lamp(struct pp_material material)
+{
+    const double a = 0.35, h = 2.3;
+    const struct pp_vec3 corners[] = {{-a, -a, h}, {-a, a, h}, {a, a, h}, {a, -a, h}};
+    struct pp_scene_description from;
+    struct pp_light_scene *scene;
+    struct pp_error err;
+    int index;
+    pp_scene_description_init(&from);
+    must(pp_scene_add_material(&from, &material, &index, &err), &err);
+    must(pp_scene_add_polygon(&from, corners, 4, index, NULL, &err), &err);
+    must(pp_light_scene_of_description(&scene, &from, &err), &err);
+    pp_scene_description_clear(&from);
+    return scene;
+}
+
+static void light_and_glow(void)
+{
+    struct pp_radiance_options options = pp_radiance_defaults();
+    options.source_size = 0.0;
+    struct pp_vec3 under = {0.0, 0.0, 0.0};
+    struct pp_light_scene *light = lamp(pp_material_light(pp_rgb_grey(1.0)));
+    struct pp_light_scene *glow = lamp(pp_material_glow(pp_rgb_grey(1.0)));
+    double s = hypot(0.35, 2.3);
+    double exact = 4.0 * (0.35 / s) * atan(0.35 / s);
+    printf("a square lamp of 0.7 m, 2.3 m over a plane: closed form %.6f\n", exact);
+    printf("  %8s  %12s %9s  %12s %9s\n", "rays", "as light", "error", "as glow",
+           "error");
+    for (uint32_t paths = 4; paths <= 65536; paths *= 4) {
+        /* Aimed at, a path has two rays: one to the lamp, one round about. */
+        struct outcome a = measure(light, NULL, options, under, paths / 2);
+        struct outcome b = measure(glow, NULL, options, under, paths);
+        printf("  %8.0f  %12.6f %8.4f%%  %12.6f %8.4f%%\n", b.rays, a.value,
+               100.0 * a.error, b.value, 100.0 * b.error);
+    }
+    struct outcome few = measure(light, NULL, options, under, 32);
+    struct outcome many = measure(glow, NULL, options, under, 65536);
+    printf("  light with %.0f rays: %.4f %%; glow with %.0f: %.4f %%: %.2f %% of the "
+           "rays, %.2f of the error\n",
+           few.rays, 100.0 * few.error, many.rays, 100.0 * many.error,
+           100.0 * few.rays / many.rays, few.error / many.error);
+    pp_light_scene_destroy(light);
+    pp_light_scene_destroy(glow);
+}
+
+/* ---- openings ---- */
+
+static struct pp_world *world_of(const char *xml)
+{
+    struct pp_building *building = NULL;
+    struct pp_world *world = NULL;
+    struct pp_mistakes mistakes;
+    struct pp_error err = {0};
+    pp_mistakes_init(&mistakes, "bench");
+    must(pp_building_parse(&building, xml, strlen(xml), &mistakes, &err), &err);
+    must(pp_world_create(&world, pp_building_room(building, 0), &mistakes, &err), &err);
+    pp_mistakes_clear(&mistakes);
+    pp_building_destroy(building);
+    return world;
+}
+
+/* Time to one error goes with time x error^2. */
+static double cost(const struct outcome *outcome)
+{
+    return outcome->seconds * outcome->error * outcome->error;
+}
+
+static void openings(const char *name, const char *xml)
+{
+    struct pp_world *world = world_of(xml);
+    struct pp_light_scene *scene;
+    struct pp_window_store *store;
+    struct pp_error err;
+    must(pp_light_scene_of_world(&scene, world, &err), &err);
+    double start = seconds(), log_sum = 0.0;
+    must(pp_window_store_create(&store, scene, 1, 1, &err), &err);
+    printf("%s (store: %.3f s)\n", name, seconds() - start);
+    printf("  %5s  %-19s %-19s %-19s  saves\n", "y", "aimed at, stored", "followed",
+           "found by chance");
+    struct pp_radiance_options options = pp_radiance_defaults();
+    options.source_size = 0.5;
+    for (int i = 0; i < world->receiver_count; i++) {
+        struct pp_vec3 p = world->receivers[i].position;
+        options.windows = true;
+        struct outcome stored = measure(scene, store, options, p, 1024);
+        struct outcome aimed = measure(scene, NULL, options, p, 1024);
+        options.windows = false;
+        struct outcome found = measure(scene, NULL, options, p, 4096);
+        printf("  %5.2f  %6.3f%% %5.2f%% %4.1fms %6.3f%% %5.2f%% %4.1fms %6.3f%% "
+               "%5.2f%% %4.1fms %5.1f times\n",
+               p.y, 100.0 * stored.value, 100.0 * stored.error, 1e3 * stored.seconds,
+               100.0 * aimed.value, 100.0 * aimed.error, 1e3 * aimed.seconds,
+               100.0 * found.value, 100.0 * found.error, 1e3 * found.seconds,
+               cost(&found) / cost(&stored));
+        log_sum += log(cost(&found) / cost(&stored));
+    }
+    printf("  in the mean (geometric) time to equal error is %.1f times less\n",
+           exp(log_sum / world->receiver_count));
+    pp_window_store_destroy(store);
+    pp_light_scene_destroy(scene);
+    pp_world_destroy(world);
+}
+
+#define DEEP                                                                           \
+    "<room version='1'><plan width='3' depth='9' height='2.7'/>"                       \
+    "<finishes floor='0.2' walls='0.7' ceiling='0.8'/>"                                \
+    "<window wall='south' left='0.2' sill='0.8' width='2.6' height='1.5' "             \
+    "glazing='clear-single'/><line from='1.5 0.5' to='1.5 8.5' points='9'/>"
+
+int main(void)
+{
+    light_and_glow();
+    openings("deep room, 3 x 9 x 2.7 m: daylight factor, error, time", DEEP "</room>");
+    openings("the same with a house opposite",
+             DEEP "<block x='-4' y='-14' width='10' depth='6' height='8'/></room>");
+    openings("the same with a small window",
+             "<room version='1'><plan width='3' depth='9' height='2.7'/>"
+             "<finishes floor='0.2' walls='0.7' ceiling='0.8'/>"
+             "<window wall='south' left='1' sill='1' width='0.8' height='0.8'/>"
+             "<line from='1.5 0.5' to='1.5 8.5' points='5'/></room>");
+    return 0;
+}

@@ -1,0 +1,211 @@
+/* draw_lesson.c - the pictures of docs/theory.md: the same light aimed at and found by
+ * chance, with about the same number of rays. Writes four PNG files into a folder. */
+#include <cairo.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "model/room.h"
+#include "simulate/hash.h"
+#include "simulate/radiance.h"
+
+enum { WIDE = 320, HIGH = 240 };
+
+static void must(enum pp_status status, const struct pp_error *err)
+{
+    if (status != PP_OK) {
+        fprintf(stderr, "draw_lesson: %s\n", err->message);
+        exit(3);
+    }
+}
+
+/* ---- a picture ---- */
+
+struct view {
+    struct pp_vec3 eye, to, right, up; /* right and up as long as half the picture */
+    double exposure;
+};
+
+static struct view view_of(struct pp_vec3 eye, struct pp_vec3 at, double half_wide,
+                           double exposure)
+{
+    struct view view = {
+        .eye = eye, .to = pp_unit(pp_sub(at, eye)), .exposure = exposure};
+    struct pp_vec3 right = pp_unit(pp_cross(view.to, pp_vec(0.0, 0.0, 1.0)));
+    view.right = pp_scale(right, half_wide);
+    view.up = pp_scale(pp_cross(right, view.to), half_wide * HIGH / WIDE);
+    return view;
+}
+
+static struct pp_rgb pixel(struct pp_radiance_walk *walk, const struct view *view,
+                           const struct pp_sobol *sobol, int x, int y, uint32_t paths)
+{
+    struct pp_rgb sum = pp_rgb_grey(0.0);
+    pp_sequence_init(&walk->sequence, sobol, pp_hash((uint64_t)y, (uint64_t)x));
+    for (walk->index = 0; walk->index < paths; walk->index++) {
+        double u[2];
+        pp_sequence_draw(&walk->sequence, walk->index, 0, 2, u);
+        struct pp_light_ray ray = {.from = view->eye};
+        struct pp_vec3 to =
+            pp_along(view->to, 2.0 * (x + u[0]) / WIDE - 1.0, view->right);
+        ray.to = pp_unit(pp_along(to, 1.0 - 2.0 * (y + u[1]) / HIGH, view->up));
+        ray.space = pp_light_scene_space(walk->scene, view->eye);
+        sum = pp_rgb_along(sum, 1.0 / paths, pp_radiance_along(walk, &ray, NULL));
+    }
+    return sum;
+}
+
+static unsigned shown(double value)
+{
+    return (unsigned)(255.0 * pow(fmin(fmax(value, 0.0), 1.0), 1.0 / 2.2) + 0.5);
+}
+
+static void draw(const char *folder, const char *name,
+                 const struct pp_light_scene *scene, const struct view *view,
+                 struct pp_radiance_options options, uint32_t paths)
+{
+    static struct pp_sobol sobol;
+    pp_sobol_init(&sobol);
+    cairo_surface_t *surface =
+        cairo_image_surface_create(CAIRO_FORMAT_RGB24, WIDE, HIGH);
+    unsigned char *bytes = cairo_image_surface_get_data(surface);
+    int stride = cairo_image_surface_get_stride(surface);
+    struct pp_radiance_walk walk = {.scene = scene, .options = options};
+    for (int y = 0; y < HIGH; y++)
+        for (int x = 0; x < WIDE; x++) {
+            struct pp_rgb c =
+                pp_rgb_scale(pixel(&walk, view, &sobol, x, y, paths), view->exposure);
+            uint32_t word = shown(c.r) << 16 | shown(c.g) << 8 | shown(c.b);
+            memcpy(bytes + y * stride + 4 * x, &word, sizeof word);
+        }
+    cairo_surface_mark_dirty(surface);
+    char path[4096];
+    snprintf(path, sizeof path, "%s/%s.png", folder, name);
+    if (cairo_surface_write_to_png(surface, path) != CAIRO_STATUS_SUCCESS) {
+        fprintf(stderr, "draw_lesson: cannot write %s\n", path);
+        exit(3);
+    }
+    cairo_surface_destroy(surface);
+    printf("%s: %.0f rays a pixel\n", path, (double)walk.rays / (WIDE * HIGH));
+}
+
+/* ---- a lamp ---- */
+
+static int add(struct pp_scene_description *scene, struct pp_material material)
+{
+    struct pp_error err;
+    int index;
+    must(pp_scene_add_material(scene, &material, &index, &err), &err);
+    return index;
+}
+
+static void add_wall(struct pp_scene_description *scene, int material,
+                     struct pp_vec3 corner, struct pp_vec3 along, struct pp_vec3 across)
+{
+    struct pp_vec3 v[4] = {corner, pp_add(corner, along),
+                           pp_add(pp_add(corner, along), across),
+                           pp_add(corner, across)};
+    struct pp_error err;
+    must(pp_scene_add_polygon(scene, v, 4, material, NULL, &err), &err);
+}
+
+/* A corner of a room with a brass ball on a block, under a square lamp. */
+static struct pp_light_scene *lamp_room(struct pp_material lamp)
+{
+    struct pp_scene_description from;
+    struct pp_light_scene *scene;
+    struct pp_error err;
+    pp_scene_description_init(&from);
+    int white = add(&from, pp_material_diffuse(pp_rgb(0.75, 0.73, 0.7)));
+    int red = add(&from, pp_material_diffuse(pp_rgb(0.6, 0.25, 0.2)));
+    int floor = add(&from, pp_material_diffuse(pp_rgb(0.45, 0.36, 0.28)));
+    int brass = add(&from, pp_material_metal(pp_rgb(0.8, 0.62, 0.3), 0.8, 0.15, 0.15));
+    struct pp_vec3 x = {4.0, 0.0, 0.0}, y = {0.0, 4.0, 0.0}, z = {0.0, 0.0, 2.6};
+    struct pp_vec3 o = {0.0, 0.0, 0.0};
+    add_wall(&from, floor, o, x, y);
+    add_wall(&from, white, z, y, x);
+    add_wall(&from, red, o, y, z);
+    add_wall(&from, white, x, z, y);
+    add_wall(&from, white, y, x, z);
+    add_wall(&from, white, o, z, x);
+    struct pp_vec3 b = {1.5, 2.2, 0.0}, bx = {0.8, 0.2, 0.0}, by = {-0.2, 0.8, 0.0};
+    struct pp_vec3 bz = {0.0, 0.0, 0.7};
+    add_wall(&from, white, b, bx, bz);
+    add_wall(&from, white, pp_add(b, by), bz, bx);
+    add_wall(&from, white, b, bz, by);
+    add_wall(&from, white, pp_add(b, bx), by, bz);
+    add_wall(&from, white, pp_add(b, bz), bx, by);
+    struct pp_shape ball = {.kind = PP_SHAPE_SPHERE,
+                            .material = brass,
+                            .back_material = -1,
+                            .is.sphere = {pp_vec(1.8, 2.7, 1.0), 0.3}};
+    must(pp_scene_add_shape(&from, &ball, NULL, &err), &err);
+    add_wall(&from, add(&from, lamp), pp_vec(1.8, 1.8, 2.58), pp_vec(0.0, 0.4, 0.0),
+             pp_vec(0.4, 0.0, 0.0));
+    must(pp_light_scene_of_description(&scene, &from, &err), &err);
+    pp_scene_description_clear(&from);
+    return scene;
+}
+
+static void lamp_pictures(const char *folder)
+{
+    struct view view = view_of(pp_vec(3.2, 0.2, 1.5), pp_vec(1.5, 3.0, 1.0), 0.75, 1.3);
+    struct pp_radiance_options options = pp_radiance_defaults();
+    options.source_size = 0.0;
+    struct pp_light_scene *light = lamp_room(pp_material_light(pp_rgb_grey(30.0)));
+    draw(folder, "lamp-light", light, &view, options, 64);
+    pp_light_scene_destroy(light);
+    struct pp_light_scene *glow = lamp_room(pp_material_glow(pp_rgb_grey(30.0)));
+    draw(folder, "lamp-glow", glow, &view, options, 100);
+    pp_light_scene_destroy(glow);
+}
+
+/* ---- a window ---- */
+
+static struct pp_world *deep_room(void)
+{
+    static const char xml[] =
+        "<room version='1'><plan width='3' depth='9' height='2.7'/>"
+        "<finishes floor='oak-floor' walls='0.7' ceiling='0.8'/>"
+        "<window wall='south' left='0.2' sill='0.8' width='2.6' height='1.5'/>"
+        "<block x='-4' y='-14' width='10' depth='6' height='8'/></room>";
+    struct pp_building *building = NULL;
+    struct pp_world *world = NULL;
+    struct pp_mistakes mistakes;
+    struct pp_error err = {0};
+    pp_mistakes_init(&mistakes, "lesson");
+    must(pp_building_parse(&building, xml, strlen(xml), &mistakes, &err), &err);
+    must(pp_world_create(&world, pp_building_room(building, 0), &mistakes, &err), &err);
+    pp_mistakes_clear(&mistakes);
+    pp_building_destroy(building);
+    return world;
+}
+
+static void window_pictures(const char *folder)
+{
+    struct pp_world *world = deep_room();
+    struct pp_light_scene *scene;
+    struct pp_error err;
+    must(pp_light_scene_of_world(&scene, world, &err), &err);
+    struct view view =
+        view_of(pp_vec(1.3, 8.6, 1.6), pp_vec(1.6, 0.0, 1.15), 0.62, 22.0);
+    struct pp_radiance_options options = pp_radiance_defaults();
+    options.source_size = 0.0;
+    draw(folder, "window-aimed-at", scene, &view, options, 64);
+    options.windows = false;
+    draw(folder, "window-by-chance", scene, &view, options, 160);
+    pp_light_scene_destroy(scene);
+    pp_world_destroy(world);
+}
+
+int main(int argc, char **argv)
+{
+    if (argc != 2) {
+        fprintf(stderr, "draw_lesson FOLDER\n");
+        return 2;
+    }
+    lamp_pictures(argv[1]);
+    window_pictures(argv[1]);
+    return 0;
+}
