@@ -116,6 +116,10 @@ static void append_answer(char text[TEXT_BYTES], const struct pp_size_result *re
         append_per_cent(text, answer->reading.value);
         break;
     case PP_SIZE_OUT_OF_REACH:
+        if (result->edit_count == 0 && answer->is_largest) {
+            append(text, "out of reach: there is no space for more");
+            break;
+        }
         if (answer->reading.value <= answer->now.value * (1.0 + 1e-4)) {
             append(text, "out of reach: this change does not help");
             break;
@@ -195,13 +199,17 @@ static enum pp_status print_room(const struct pp_size_result *result,
 {
     const struct pp_size_answer *answer = &result->answer;
     char text[TEXT_BYTES] = "";
+    static const char *const of_what[] = {[PP_GIVES_DIRECT] = "direct component ",
+                                          [PP_GIVES_INTERNAL] =
+                                              "internally reflected component ",
+                                          [PP_GIVES_WHOLE] = ""};
     append_per_cent(text, options->target);
     int points = options->room.points.count;
-    append(text, " %s, by %s",
+    append(text, " %s%s, by %s", of_what[pp_size_gives(result->method)],
            points == 0   ? "on average over the working plane"
            : points == 1 ? "at the point"
                          : "at the lowest of the points",
-           options->by);
+           result->method);
     put_fact("wanted", text, width, out);
     if (isfinite(answer->now.value)) {
         text[0] = '\0';
@@ -312,7 +320,7 @@ static struct json_object *room(const struct pp_size_results *results,
            && pp_json_number(object, "target", 100.0 * options->target)
            && pp_json_text(object, "of",
                            options->room.points.count > 0 ? "points" : "average")
-           && pp_json_text(object, "method", options->by)
+           && pp_json_text(object, "method", result->method)
            && pp_json_text(object, "change", pp_size_change_words[options->change])
            && pp_json_add(object, "reached", json_object_new_boolean(reached))
            && pp_json_text(object, reached ? "answer" : "why", text)

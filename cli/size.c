@@ -140,7 +140,7 @@ static enum pp_exit run(const struct pp_size_options *options, char **files,
 
 enum pp_exit cmd_size(int argc, char **argv)
 {
-    struct pp_size_options options = {.room = pp_room_options_none, .by = "exact+bre"};
+    struct pp_size_options options = {.room = pp_room_options_none};
     const struct pp_option_group groups[] = {
         {"What is wanted", pp_size_task_options, &options},
         {"What is wanted", pp_room_place_options, &options.room},

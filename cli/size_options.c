@@ -32,7 +32,8 @@ const struct pp_option pp_size_task_options[] = {
      PLACE(target)},
     {"by", 'b', "METHOD",
      "The method that it is worked out by: a method, a pair, or \"traced\" for the "
-     "simulation (default exact+bre).",
+     "simulation (default exact+bre, or exact+split-flux where that does not cover "
+     "the room).",
      pp_read_text, PLACE(by)},
     {"change", 'c', "WHAT",
      "What may change: width (default), height, head, sill, or the number of windows.",
@@ -71,11 +72,11 @@ enum pp_status pp_size_options_settle(struct pp_size_options *options,
         return pp_fail(err, PP_BAD_INPUT,
                        "expected --target, the daylight factor to reach, such as "
                        "--target 2%%");
-    options->traced = strcmp(options->by, "traced") == 0;
+    options->traced = options->by && strcmp(options->by, "traced") == 0;
     if (options->traced)
         options->room.simulate = true;
     enum pp_status status = pp_room_options_settle(&options->room, err);
-    if (status == PP_OK && !options->traced)
+    if (status == PP_OK && options->by && !options->traced)
         status = check_method(options->by, err);
     return status;
 }

@@ -10,11 +10,11 @@
 struct pp_size_options {
     struct pp_room_options room;
     double target;  /* a fraction; 0: not given */
-    const char *by; /* a method, a pair, or "traced" */
+    const char *by; /* a method, a pair, or "traced"; NULL: what covers the room */
     bool traced;    /* by is "traced" */
     enum pp_size_change change;
-    const char *wall; /* only windows in that wall; NULL: any */
-    long line;        /* only the opening on that line of the file; 0: any */
+    const char *wall;  /* only windows in that wall; NULL: any */
+    long line;         /* only the opening on that line of the file; 0: any */
     const char *write; /* where the changed room file goes; NULL: nowhere */
     bool json;
 };

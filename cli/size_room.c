@@ -15,6 +15,32 @@ struct valuation {
     struct pp_room_value by_hand;
 };
 
+enum pp_gives pp_size_gives(const char *by)
+{
+    const struct pp_method *method = pp_method_find(by);
+    return method ? method->gives : PP_GIVES_WHOLE;
+}
+
+/* What was traced at a point (-1: the average), of the components that the method
+ * gives. The errors of two are added: they may go together. */
+static struct pp_reading traced_at(const struct pp_report *report, enum pp_gives gives,
+                                   int point)
+{
+    static const enum pp_component of[] = {[PP_GIVES_DIRECT] = PP_SC,
+                                           [PP_GIVES_INTERNAL] = PP_IRC,
+                                           [PP_GIVES_WHOLE] = PP_DF};
+    const struct pp_column *column = pp_report_find(report, of[gives], "traced");
+    struct pp_reading reading = point < 0 ? column->average : column->points[point];
+    if (gives == PP_GIVES_DIRECT) {
+        column = pp_report_find(report, PP_ERC, "traced");
+        struct pp_reading external =
+            point < 0 ? column->average : column->points[point];
+        reading.value += external.value;
+        reading.std_error += external.std_error;
+    }
+    return reading;
+}
+
 /* The traced average, or the lowest of the points. */
 static enum pp_status trace(struct valuation *valuation, const struct pp_world *world,
                             struct pp_reading *reading, struct pp_error *err)
@@ -30,11 +56,13 @@ static enum pp_status trace(struct valuation *valuation, const struct pp_world *
     if (status == PP_OK && !report.finished)
         status = pp_fail(err, PP_INTERRUPTED, "interrupted before a size was found");
     if (status == PP_OK) {
-        const struct pp_column *df = pp_report_find(&report, PP_DF, "traced");
-        *reading = points > 0 ? df->points[0] : df->average;
-        for (int i = 1; i < points; i++)
-            if (df->points[i].value < reading->value)
-                *reading = df->points[i];
+        enum pp_gives gives = pp_size_gives(valuation->by_hand.method);
+        *reading = traced_at(&report, gives, points > 0 ? 0 : -1);
+        for (int i = 1; i < points; i++) {
+            struct pp_reading other = traced_at(&report, gives, i);
+            if (other.value < reading->value)
+                *reading = other;
+        }
     }
     pp_report_clear(&report);
     return status;
@@ -152,6 +180,23 @@ static void find_text(struct pp_size_result *result, const struct pp_rooms *room
 
 /* ---- The room ---- */
 
+/* The method asked for, or else the first of the usual ones that covers the room. */
+static enum pp_status choose_method(struct valuation *valuation, struct pp_error *err)
+{
+    static const char *const usual[] = {"exact+bre", "exact+split-flux"};
+    struct pp_reading reading = pp_reading_none(NULL);
+    enum pp_status status = PP_OK;
+    valuation->by_hand.method = valuation->options->by;
+    for (int i = 0; i < 2 && !valuation->options->by && status == PP_OK; i++) {
+        valuation->by_hand.method = usual[i];
+        status =
+            pp_room_value(&valuation->by_hand, valuation->room->world, &reading, err);
+        if (!reading.why)
+            break;
+    }
+    return status;
+}
+
 /* The simulated check of an answer. */
 static enum pp_status check_by_simulation(struct pp_size_result *result,
                                           struct valuation *valuation,
@@ -178,8 +223,7 @@ enum pp_status pp_size_room(struct pp_size_result *result, const struct pp_rooms
     struct valuation valuation = {
         .options = options,
         .room = room,
-        .by_hand = {.method = options->by,
-                    .points = points ? room->receivers : NULL,
+        .by_hand = {.points = points ? room->receivers : NULL,
                     .point_count = points ? room->receiver_count : 0}};
     *result = (struct pp_size_result){.room = room, .traced = pp_reading_none(NULL)};
     find_text(result, rooms);
@@ -191,11 +235,16 @@ enum pp_status pp_size_room(struct pp_size_result *result, const struct pp_rooms
                                 .change = options->change,
                                 .openings = openings,
                                 .target = options->target,
-                                .by_counts = is_by_counts(options->by),
                                 .value = value_of,
                                 .data = &valuation};
     enum pp_status status =
         choose(openings, &task.opening_count, options, room->room, err);
+    if (status == PP_OK)
+        status = choose_method(&valuation, err);
+    if (status == PP_OK) {
+        result->method = valuation.by_hand.method;
+        task.by_counts = is_by_counts(result->method);
+    }
     if (status == PP_OK)
         status = pp_size_find(&result->answer, &task, err);
     if (status == PP_OK && result->answer.room)

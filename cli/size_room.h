@@ -7,11 +7,13 @@
 #include "cli/rooms.h"
 #include "cli/size_options.h"
 #include "design/size.h"
+#include "methods/method.h"
 #include "model/room_text.h"
 
 /* What was found for one room. */
 struct pp_size_result {
     const struct pp_loaded_room *room; /* not owned */
+    const char *method;                /* that it was sized by; not owned */
     struct pp_size_answer answer;
     struct pp_text_edit *edits; /* what becomes of the room's openings; owned */
     int edit_count;
@@ -28,6 +30,10 @@ struct pp_size_result {
 enum pp_status pp_size_room(struct pp_size_result *result, const struct pp_rooms *rooms,
                             int index, const struct pp_size_options *options,
                             struct pp_error *err);
+
+/* What a method, a pair or "traced" gives: what the target is of. */
+enum pp_gives pp_size_gives(const char *by);
+
 void pp_size_result_clear(struct pp_size_result *result);
 
 #endif

@@ -10,11 +10,14 @@ _pepperpot()
         mapfile -t COMPREPLY < <(compgen -W "$commands --help --version" -- "$word")
     elif [ "$previous" = --format ] || [ "$previous" = -f ]; then
         local formats='text json csv'
+        [ "$command" != size ] || formats='text json'
         [ "$command" != chart ] || formats='pdf svg png'
         [ "$command" != assess ] || formats='text json'
         mapfile -t COMPREPLY < <(compgen -W "$formats" -- "$word")
     elif [ "$previous" = --which ]; then
         mapfile -t COMPREPLY < <(compgen -W 'average minimum rooflight' -- "$word")
+    elif [ "$command" = size ] && { [ "$previous" = --change ] || [ "$previous" = -c ]; }; then
+        mapfile -t COMPREPLY < <(compgen -W "width height head sill number" -- "$word")
     elif [ "$previous" = --sky ]; then
         local skies
         skies="overcast uniform $(printf 'iso-%d ' {1..15})"

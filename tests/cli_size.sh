@@ -129,5 +129,11 @@ check "one file to write, two to read" refuses 2 "--write" \
     size -t 2 -w "$scratch/two.xml" "$deep" "$classroom"
 check "--error without a simulation" refuses 2 "--simulate" size -t 2 --error 1% "$deep"
 check "a method that does not cover the room says so" shows "bre" \
+    size -t 2 --by exact+bre --sky uniform "$deep"
+check "another does, where none was asked for" shows "by exact+split-flux" \
     size -t 2 --sky uniform "$deep"
+check "a component by itself is named" shows "internally reflected component" \
+    size -t 0.5 --by bre "$deep"
+check "where there is no space for more that is said" shows "no space for more" \
+    size -t 9 --change number "$deep"
 tap_done
