@@ -305,8 +305,8 @@ static enum pp_status give(const struct pp_world *world,
     double share = share_of(r, opening, receiver);
     if (share < 0.1 - 1e-9 || share > 0.9 + 1e-9)
         part->why =
-            "is nearer than a tenth of the depth to this point, or farther than "
-            "nine tenths; the tables end there";
+            "has this point nearer than a tenth of the room's depth, or farther "
+            "than nine tenths, where the tables end";
     else
         part->value = window_value(r, opening, share, one, part->steps);
     return PP_OK;

@@ -74,7 +74,7 @@ struct pp_lumen_query {
 
 /* The coefficients at the five positions and the average: between neighbouring lines
  * linear in Ev/Eh and in the reflectances, geometric in depth and in the reciprocal of
- * the width. Against the rooms themselves, half-way between lines, that is good to 5 %.
+ * the width. Against the rooms themselves, half-way between lines, that is good to 8 %.
  * A table without averages gives the mean of its five positions. False, with the reason
  * in `why` as the end of a sentence that begins with an opening, where the table does
  * not reach. */
