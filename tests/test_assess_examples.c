@@ -75,7 +75,9 @@ static struct json_object *said_of(const char *file, const char *room)
     assert_non_null(said);
     if (json_object_is_type(said, json_type_array)) {
         assert_int_equal(json_object_array_length(said), 1);
-        said = json_object_get(json_object_array_get_idx(said, 0));
+        struct json_object *all = said;
+        said = json_object_get(json_object_array_get_idx(all, 0));
+        json_object_put(all);
     }
     free(text);
     free(command);
