@@ -69,8 +69,11 @@ static void append_size(char text[TEXT_BYTES], const struct pp_size_result *resu
         int more = pp_room_opening_count(result->answer.room) - was, windows = 0;
         for (int i = 0; i < was; i++)
             windows += pp_room_opening_at(before, i).kind == PP_WINDOW;
-        append(text, "%d window%s instead of %d in the room", windows + more,
-               windows + more == 1 ? "" : "s", windows);
+        if (more == 0)
+            append(text, "the number that there is, %d,", windows);
+        else
+            append(text, "%d window%s instead of %d in the room", windows + more,
+                   windows + more == 1 ? "" : "s", windows);
         return;
     }
     if (result->edit_count == 0) {

@@ -15,11 +15,9 @@
 
 static const char about[] =
     "The window that just reaches a target: the smallest width, height, head, sill or "
-    "number of windows with which the average daylight factor over the working plane, "
-    "or "
-    "with --points the lowest of some points, is not below it. With --simulate the "
-    "answer "
-    "is traced, too. FILE is a room file; - is standard input.";
+    "number of windows with which the average daylight factor over the working plane "
+    "(with --points: the lowest of some points) is not below it. With --simulate the "
+    "answer is traced, too. FILE is a room file; - is standard input.";
 
 /* The room file with all that was sized. */
 static enum pp_status write_file(const struct pp_size_results *results,

@@ -50,8 +50,8 @@ int pp_window_sizes_now(const struct pp_window_sizes *sizes);
 void pp_window_sizes_refine(struct pp_window_sizes *sizes);
 
 /* The room at that step, which is the caller's (pp_room_destroy). Openings that are new
- * stand behind all others and are like the last of those that change; of numbers smaller
- * than the room's own the last are left out. */
+ * stand behind all others and are like the last of those that change; of numbers
+ * smaller than the room's own the last are left out. */
 enum pp_status pp_window_sizes_room(struct pp_room **room,
                                     const struct pp_window_sizes *sizes, int step,
                                     struct pp_error *err);
