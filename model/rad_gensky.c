@@ -5,7 +5,7 @@
  *     sin altitude = sin phi sin delta - cos phi cos delta cos(15 deg t)
  *
  * delta = 0.4093 sin(2 pi (J - 81)/365) and the equation of time by day J of the year,
- * or, with -y, after Michalsky [MICHALSKY88]. The brightness of the zenith and of the
+ * or, with -y, after Michalsky [MIC88]. The brightness of the zenith and of the
  * ground follows from that, from -b or from -B.
  */
 #include "model/rad_gensky.h"
