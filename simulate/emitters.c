@@ -66,12 +66,15 @@ static enum pp_status keep_triangles(struct pp_light_scene *scene,
                                      const struct pp_vec3 (*triangles)[3], int count,
                                      struct pp_error *err)
 {
-    size_t all = (size_t)scene->emitter_triangle_count + (size_t)count;
-    void *grown =
-        realloc(scene->emitter_triangles, all * sizeof *scene->emitter_triangles);
-    if (!grown)
-        return pp_fail_memory(err);
-    scene->emitter_triangles = grown;
+    int all = scene->emitter_triangle_count + count;
+    if (all > scene->emitter_triangle_space) {
+        void *grown = realloc(scene->emitter_triangles,
+                              2 * (size_t)all * sizeof *scene->emitter_triangles);
+        if (!grown)
+            return pp_fail_memory(err);
+        scene->emitter_triangles = grown;
+        scene->emitter_triangle_space = 2 * all;
+    }
     emitter->first_triangle = scene->emitter_triangle_count;
     emitter->triangle_count = count;
     struct pp_vec3 sum = {0.0, 0.0, 0.0};

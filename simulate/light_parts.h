@@ -71,7 +71,7 @@ struct pp_light_scene {
     struct pp_emitter *emitters;
     int emitter_count;
     struct pp_vec3 (*emitter_triangles)[3];
-    int emitter_triangle_count;
+    int emitter_triangle_count, emitter_triangle_space;
     struct pp_distant *distants;
     int distant_count;
 

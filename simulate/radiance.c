@@ -19,6 +19,9 @@ enum {
     DRAW_WINDOWS = 2,
     DRAW_PANES = 3,
     DRAWS = 4,
+    /* At the first surface each of so many emitters is aimed at; of more, one a path.
+     */
+    MOST_EMITTERS = 64,
     /* Among its first surfaces a path looks both through glass and at what it mirrors.
      */
     BOTH_WAYS = 3,
@@ -247,7 +250,8 @@ static struct pp_rgb from_sources(struct pp_radiance_walk *walk, const struct li
     if (!walk->options.sources || scene->emitter_count == 0)
         return sum;
     int vertex = lit->vertex * DRAWS + DRAW_SOURCES;
-    if (scene->emitter_count == 1 || lit->many) {
+    if (scene->emitter_count == 1
+        || (lit->many && scene->emitter_count <= MOST_EMITTERS)) {
         for (int i = 0; i < scene->emitter_count; i++)
             sum =
                 pp_rgb_add(sum, light_of_emitter(walk, lit, i,
