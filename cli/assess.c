@@ -5,6 +5,7 @@
 #include "cli/assessment.h"
 #include "cli/availability_options.h"
 #include "cli/commands.h"
+#include "cli/format.h"
 #include "cli/gather.h"
 #include "cli/interrupt.h"
 #include "cli/messages.h"
@@ -16,16 +17,6 @@
 #include "design/place.h"
 #include "design/standard_grid.h"
 #include "model/nearest.h"
-
-enum format { TEXT, JSON };
-
-static enum pp_status read_format(const char *text, void *place, struct pp_error *err)
-{
-    if (strcmp(text, "text") != 0 && strcmp(text, "json") != 0)
-        return pp_fail(err, PP_BAD_INPUT, "text or json");
-    *(enum format *)place = strcmp(text, "json") == 0 ? JSON : TEXT;
-    return PP_OK;
-}
 
 #define PLACE(member) offsetof(struct pp_assess_options, member)
 
@@ -45,11 +36,6 @@ static const struct pp_option choice_options[] = {
     {"weather", 'w', "FILE.epw", "The same by a weather file in EnergyPlus format.",
      pp_read_text, PLACE(weather)},
     {"room", 0, "NAME", "Only the room of that name.", pp_read_text, PLACE(room.room)},
-    {0},
-};
-
-static const struct pp_option format_option[] = {
-    {"format", 'f', "FORMAT", "text (default) or json.", read_format, 0},
     {0},
 };
 
@@ -233,7 +219,8 @@ static enum pp_status assess(struct pp_assessments *all, const struct pp_rooms *
 
 static enum pp_exit assess_and_print(struct pp_assessments *all,
                                      const struct pp_rooms *rooms,
-                                     const struct pp_rooms *before, enum format format)
+                                     const struct pp_rooms *before,
+                                     enum pp_format format)
 {
     const char *path = all->options->room.output;
     struct pp_error err = {0};
@@ -241,7 +228,7 @@ static enum pp_exit assess_and_print(struct pp_assessments *all,
     enum pp_status status = pp_output_open(&output, path, &err);
     if (status == PP_OK)
         status = assess(all, rooms, before, &err);
-    if (status == PP_OK && format == JSON)
+    if (status == PP_OK && format == PP_FORMAT_JSON)
         status = pp_print_assessments_json(all, output.stream, &err);
     else if (status == PP_OK)
         status = pp_print_assessments(all, pp_print_width(path), pp_utf8_terminal(),
@@ -260,7 +247,7 @@ static enum pp_exit assess_and_print(struct pp_assessments *all,
     return PP_EXIT_DONE;
 }
 
-static enum pp_exit run(const struct pp_assess_options *options, enum format format,
+static enum pp_exit run(const struct pp_assess_options *options, enum pp_format format,
                         char **files, int file_count)
 {
     struct pp_rooms rooms = {0}, before = {0};
@@ -357,12 +344,12 @@ static enum pp_status check(struct pp_assess_options *options, char **files,
 enum pp_exit cmd_assess(int argc, char **argv)
 {
     struct pp_assess_options options = {.room = pp_room_options_none};
-    enum format format = TEXT;
+    enum pp_format format = PP_FORMAT_TEXT;
     const struct pp_option_group groups[] = {
         {"What is judged", choice_options, &options},
         {"What is judged", pp_room_external_option, &options.room},
         {"Simulation", pp_room_simulation_options, &options.room},
-        {"Output", format_option, &format},
+        {"Output", pp_text_or_json_option, &format},
         {"Output", pp_room_output_options, &options.room},
         {0},
     };

@@ -4,6 +4,7 @@
 
 #include "cli/availability_options.h"
 #include "cli/commands.h"
+#include "cli/format.h"
 #include "cli/gather.h"
 #include "cli/interrupt.h"
 #include "cli/messages.h"
@@ -12,24 +13,6 @@
 #include "cli/print_availability.h"
 #include "cli/utf8.h"
 #include "methods/evaluate.h"
-
-enum format { TEXT, JSON, CSV };
-
-static enum pp_status read_format(const char *text, void *place, struct pp_error *err)
-{
-    static const char *const names[] = {"text", "json", "csv"};
-    for (int i = 0; i < 3; i++)
-        if (strcmp(text, names[i]) == 0) {
-            *(enum format *)place = (enum format)i;
-            return PP_OK;
-        }
-    return pp_fail(err, PP_BAD_INPUT, "text, json or csv");
-}
-
-static const struct pp_option format_option[] = {
-    {"format", 'f', "FORMAT", "text (default), json or csv.", read_format, 0},
-    {0},
-};
 
 static const char about[] =
     "In how many of the working hours daylight alone gives an illuminance, at the "
@@ -45,7 +28,7 @@ static const char about[] =
 struct run {
     struct pp_availability_options *options;
     const struct pp_room_options *room_options;
-    enum format format;
+    enum pp_format format;
     struct pp_availability_results results;
     struct pp_outside_light *outside;
 };
@@ -73,11 +56,11 @@ static enum pp_status compute_room(struct run *run, const struct pp_loaded_room 
 static enum pp_status print(const struct run *run, FILE *out, struct pp_error *err)
 {
     switch (run->format) {
-    case JSON:
+    case PP_FORMAT_JSON:
         return pp_print_availability_json(&run->results, out, err);
-    case CSV:
+    case PP_FORMAT_CSV:
         return pp_print_availability_csv(&run->results, out, err);
-    case TEXT:
+    case PP_FORMAT_TEXT:
         break;
     }
     return pp_print_availability_text(&run->results,
@@ -173,13 +156,13 @@ enum pp_exit cmd_availability(int argc, char **argv)
     struct pp_room_options room_options = pp_room_options_none;
     struct pp_availability_options options = pp_availability_options_default;
     struct run run = {
-        .options = &options, .room_options = &room_options, .format = TEXT};
+        .options = &options, .room_options = &room_options, .format = PP_FORMAT_TEXT};
     const struct pp_option_group groups[] = {
         {"Light outside and working hours", pp_light_options, &options},
         {"What is computed", pp_illuminance_options, &options},
         {"What is computed", pp_room_choice_options, &room_options},
         {"Simulation", pp_room_simulation_options, &room_options},
-        {"Output", format_option, &run.format},
+        {"Output", pp_format_option, &run.format},
         {"Output", pp_room_output_options, &room_options},
         {0},
     };

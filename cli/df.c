@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "cli/commands.h"
+#include "cli/format.h"
 #include "cli/gather.h"
 #include "cli/interrupt.h"
 #include "cli/lumen_option.h"
@@ -12,24 +13,6 @@
 #include "cli/utf8.h"
 #include "methods/evaluate.h"
 #include "methods/method.h"
-
-enum format { TEXT, JSON, CSV };
-
-static enum pp_status read_format(const char *text, void *place, struct pp_error *err)
-{
-    static const char *const names[] = {"text", "json", "csv"};
-    for (int i = 0; i < 3; i++)
-        if (strcmp(text, names[i]) == 0) {
-            *(enum format *)place = (enum format)i;
-            return PP_OK;
-        }
-    return pp_fail(err, PP_BAD_INPUT, "text, json or csv");
-}
-
-static const struct pp_option format_option[] = {
-    {"format", 'f', "FORMAT", "text (default), json or csv.", read_format, 0},
-    {0},
-};
 
 static const struct pp_option explain_option[] = {
     {"explain", 'e', NULL,
@@ -87,15 +70,15 @@ static enum pp_status compute(struct pp_results *results, const struct pp_rooms 
     return PP_OK;
 }
 
-static enum pp_status print(const struct pp_results *results, enum format format,
+static enum pp_status print(const struct pp_results *results, enum pp_format format,
                             FILE *out, struct pp_error *err)
 {
     switch (format) {
-    case JSON:
+    case PP_FORMAT_JSON:
         return pp_print_json(results, out, err);
-    case CSV:
+    case PP_FORMAT_CSV:
         return pp_print_csv(results, out, err);
-    case TEXT:
+    case PP_FORMAT_TEXT:
         break;
     }
     return pp_print_text(results, pp_print_width(results->options->output),
@@ -103,7 +86,8 @@ static enum pp_status print(const struct pp_results *results, enum format format
 }
 
 static enum pp_exit compute_and_print(struct pp_results *results,
-                                      const struct pp_rooms *rooms, enum format format)
+                                      const struct pp_rooms *rooms,
+                                      enum pp_format format)
 {
     struct pp_error err = {0};
     struct pp_output output;
@@ -143,7 +127,7 @@ static enum pp_exit check_explained(const struct pp_room_options *options,
     return PP_EXIT_DONE;
 }
 
-static enum pp_exit run(const struct pp_room_options *options, enum format format,
+static enum pp_exit run(const struct pp_room_options *options, enum pp_format format,
                         char **files, int file_count)
 {
     struct pp_rooms rooms;
@@ -175,13 +159,13 @@ static enum pp_exit run(const struct pp_room_options *options, enum format forma
 }
 
 /* What the options say, before any file is opened. */
-static enum pp_status check(struct pp_room_options *options, enum format format,
+static enum pp_status check(struct pp_room_options *options, enum pp_format format,
                             int file_count, struct pp_error *err)
 {
     if (file_count == 0)
         return pp_fail(err, PP_BAD_INPUT,
                        "expected a room file, or - for standard input");
-    if (options->explain && format == CSV)
+    if (options->explain && format == PP_FORMAT_CSV)
         return pp_fail(err, PP_BAD_INPUT,
                        "--explain has no place in CSV; expected --format text or json");
     enum pp_status status = pp_room_options_settle(options, err);
@@ -193,7 +177,7 @@ static enum pp_status check(struct pp_room_options *options, enum format format,
 /* With the user's own tables, if he has any. */
 static enum pp_exit run_with_tables(struct pp_room_options *options,
                                     const struct pp_lumen_files *lumen_files,
-                                    enum format format, char **files, int file_count)
+                                    enum pp_format format, char **files, int file_count)
 {
     struct pp_lumen_table *table;
     enum pp_exit exit_status = pp_lumen_load(&table, lumen_files);
@@ -209,14 +193,14 @@ enum pp_exit cmd_df(int argc, char **argv)
 {
     struct pp_room_options options = pp_room_options_none;
     struct pp_lumen_files lumen_files = {.count = 0};
-    enum format format = TEXT;
+    enum pp_format format = PP_FORMAT_TEXT;
     const struct pp_option_group groups[] = {
         {"What is computed", pp_room_choice_options, &options},
         {"What is computed", pp_lumen_option, &lumen_files},
         {"What is computed", explain_option, &options},
         {"What is computed", pp_room_external_option, &options},
         {"Simulation", pp_room_simulation_options, &options},
-        {"Output", format_option, &format},
+        {"Output", pp_format_option, &format},
         {"Output", pp_room_output_options, &options},
         {0},
     };

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "cli/room_options.h"
 #include "cli/utf8.h"
 
 bool pp_json_add(struct json_object *object, const char *key, struct json_object *value)
@@ -49,4 +50,55 @@ static int print_on_one_line(struct json_object *object, struct printbuf *buffer
 void pp_json_on_one_line(struct json_object *object)
 {
     json_object_set_serializer(object, print_on_one_line, NULL, NULL);
+}
+
+bool pp_json_simulation(struct json_object *object,
+                        const struct pp_room_options *options, bool by_clock)
+{
+    struct json_object *simulation = json_object_new_object();
+    if (!pp_json_add(object, "simulation", simulation))
+        return false;
+    pp_json_on_one_line(simulation);
+    bool good = pp_json_add(simulation, "seed", json_object_new_uint64(options->seed));
+    if (good && options->error > 0.0)
+        good = pp_json_number(simulation, "error", 100.0 * options->error);
+    if (good && options->samples > 0)
+        good =
+            pp_json_add(simulation, "samples", json_object_new_int64(options->samples));
+    if (good && options->seconds > 0.0)
+        good = pp_json_number(simulation, "time", options->seconds);
+    if (good && by_clock)
+        good = pp_json_text(simulation, "stopped", "time");
+    return good;
+}
+
+/* The rooms' objects as one: the array of them, or the only one. NULL: no memory. */
+static struct json_object *gather(pp_json_room *room, const void *all, int count,
+                                  bool several)
+{
+    if (!several)
+        return room(all, 0);
+    struct json_object *list = json_object_new_array();
+    for (int i = 0; list && i < count; i++) {
+        struct json_object *one = room(all, i);
+        if (one && json_object_array_add(list, one) == 0)
+            continue;
+        json_object_put(one);
+        json_object_put(list);
+        return NULL;
+    }
+    return list;
+}
+
+enum pp_status pp_json_print_rooms(FILE *out, pp_json_room *room, const void *all,
+                                   int count, bool several, struct pp_error *err)
+{
+    struct json_object *whole = gather(room, all, count, several);
+    const char *text = whole ? json_object_to_json_string_ext(
+                           whole, PP_JSON_STYLE | JSON_C_TO_STRING_PRETTY)
+                             : NULL;
+    if (text)
+        fprintf(out, "%s\n", text);
+    json_object_put(whole);
+    return text ? PP_OK : pp_fail_memory(err);
 }

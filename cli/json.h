@@ -8,6 +8,9 @@
 
 #include <json.h>
 #include <stdbool.h>
+#include <stdio.h>
+
+#include "model/error.h"
 
 enum { PP_JSON_STYLE = JSON_C_TO_STRING_SPACED | JSON_C_TO_STRING_NOSLASHESCAPE };
 
@@ -20,6 +23,20 @@ bool pp_json_number(struct json_object *object, const char *key, double number);
 
 /* Bytes that are no UTF-8 are replaced; NULL is null. */
 bool pp_json_text(struct json_object *object, const char *key, const char *text);
+
+struct pp_room_options;
+
+/* Adds "simulation": how it was stopped, so that it can be done again. by_clock: the
+ * time was over first. */
+bool pp_json_simulation(struct json_object *object,
+                        const struct pp_room_options *options, bool by_clock);
+
+/* Makes the object of one room, by its number; NULL: memory is out. */
+typedef struct json_object *pp_json_room(const void *all, int index);
+
+/* Prints the object of the one room, or with `several` an array of all. */
+enum pp_status pp_json_print_rooms(FILE *out, pp_json_room *room, const void *all,
+                                   int count, bool several, struct pp_error *err);
 
 /* The object is printed on one line, within one that is printed over many. */
 void pp_json_on_one_line(struct json_object *object);

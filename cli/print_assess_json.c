@@ -81,28 +81,6 @@ static struct json_object *answer_object(const struct pp_answer *answer,
     return NULL;
 }
 
-/* How the simulation was stopped, so that it can be done again. */
-static bool add_simulation(struct json_object *object,
-                           const struct pp_assessment *assessment,
-                           const struct pp_room_options *options)
-{
-    struct json_object *simulation = json_object_new_object();
-    if (!pp_json_add(object, "simulation", simulation))
-        return false;
-    pp_json_on_one_line(simulation);
-    bool good = pp_json_add(simulation, "seed", json_object_new_uint64(options->seed));
-    if (good && options->error > 0.0)
-        good = pp_json_number(simulation, "error", 100.0 * options->error);
-    if (good && options->samples > 0)
-        good =
-            pp_json_add(simulation, "samples", json_object_new_int64(options->samples));
-    if (good && options->seconds > 0.0)
-        good = pp_json_number(simulation, "time", options->seconds);
-    if (good && assessment->by_clock)
-        good = pp_json_text(simulation, "stopped", "time");
-    return good;
-}
-
 static bool add_criteria(struct json_object *object,
                          const struct pp_assessment *assessment, double external_lux)
 {
@@ -119,9 +97,10 @@ static bool add_criteria(struct json_object *object,
     return true;
 }
 
-static struct json_object *room_object(const struct pp_assessments *all,
-                                       const struct pp_assessment *assessment)
+static struct json_object *room_object(const void *everything, int index)
 {
+    const struct pp_assessments *all = everything;
+    const struct pp_assessment *assessment = &all->list[index];
     const struct pp_assess_options *options = all->options;
     const struct pp_world *world = assessment->room->world;
     struct json_object *object = json_object_new_object();
@@ -139,7 +118,7 @@ static struct json_object *room_object(const struct pp_assessments *all,
     if (good && options->room.external_lux > 0.0)
         good = pp_json_number(object, "external", options->room.external_lux);
     if (good && options->room.simulate)
-        good = add_simulation(object, assessment, &options->room);
+        good = pp_json_simulation(object, &options->room, assessment->by_clock);
     if (good && !assessment->report.finished)
         good = pp_json_add(object, "finished", json_object_new_boolean(false));
     if (good)
@@ -155,21 +134,5 @@ static struct json_object *room_object(const struct pp_assessments *all,
 enum pp_status pp_print_assessments_json(const struct pp_assessments *all, FILE *out,
                                          struct pp_error *err)
 {
-    struct json_object *whole = all->several ? json_object_new_array() : NULL;
-    bool good = whole || !all->several;
-    for (int i = 0; good && i < all->count; i++) {
-        struct json_object *one = room_object(all, &all->list[i]);
-        good = one != NULL;
-        if (!all->several)
-            whole = one;
-        else if (good && json_object_array_add(whole, one) != 0)
-            good = (json_object_put(one), false);
-    }
-    const char *text = good ? json_object_to_json_string_ext(
-                           whole, PP_JSON_STYLE | JSON_C_TO_STRING_PRETTY)
-                            : NULL;
-    if (text)
-        fprintf(out, "%s\n", text);
-    json_object_put(whole);
-    return text ? PP_OK : pp_fail_memory(err);
+    return pp_json_print_rooms(out, room_object, all, all->count, all->several, err);
 }

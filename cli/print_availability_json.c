@@ -138,9 +138,10 @@ static bool add_whole(struct json_object *object,
     return pp_json_add(object, key, whole) && add_place(whole, sheet, place);
 }
 
-static struct json_object *room(const struct pp_availability_results *results,
-                                const struct pp_availability_result *result)
+static struct json_object *room(const void *all, int index)
 {
+    const struct pp_availability_results *results = all;
+    const struct pp_availability_result *result = &results->list[index];
     const struct pp_report *report = &result->report;
     const struct pp_availability_sheet *sheet = &result->sheet;
     struct json_object *object = json_object_new_object();
@@ -164,23 +165,6 @@ static struct json_object *room(const struct pp_availability_results *results,
 enum pp_status pp_print_availability_json(const struct pp_availability_results *results,
                                           FILE *out, struct pp_error *err)
 {
-    struct json_object *whole = results->several ? json_object_new_array() : NULL;
-    for (int i = 0; i < results->count; i++) {
-        struct json_object *one = room(results, &results->list[i]);
-        if (!results->several) {
-            whole = one;
-        } else if (!one || !whole || json_object_array_add(whole, one) != 0) {
-            json_object_put(one);
-            json_object_put(whole);
-            whole = NULL;
-            break;
-        }
-    }
-    const char *text = whole ? json_object_to_json_string_ext(
-                           whole, PP_JSON_STYLE | JSON_C_TO_STRING_PRETTY)
-                             : NULL;
-    if (text)
-        fprintf(out, "%s\n", text);
-    json_object_put(whole);
-    return text ? PP_OK : pp_fail_memory(err);
+    return pp_json_print_rooms(out, room, results, results->count, results->several,
+                               err);
 }

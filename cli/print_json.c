@@ -141,30 +141,10 @@ static bool add_points(struct json_object *object, const struct pp_report *repor
     return true;
 }
 
-/* How the simulation was stopped, so that it can be done again. */
-static bool add_simulation(struct json_object *object, const struct pp_result *result,
-                           const struct pp_room_options *options)
+static struct json_object *room(const void *all, int index)
 {
-    struct json_object *simulation = json_object_new_object();
-    if (!pp_json_add(object, "simulation", simulation))
-        return false;
-    pp_json_on_one_line(simulation);
-    bool good = pp_json_add(simulation, "seed", json_object_new_uint64(options->seed));
-    if (good && options->error > 0.0)
-        good = pp_json_number(simulation, "error", 100.0 * options->error);
-    if (good && options->samples > 0)
-        good =
-            pp_json_add(simulation, "samples", json_object_new_int64(options->samples));
-    if (good && options->seconds > 0.0)
-        good = pp_json_number(simulation, "time", options->seconds);
-    if (good && result->by_clock)
-        good = pp_json_text(simulation, "stopped", "time");
-    return good;
-}
-
-static struct json_object *room(const struct pp_results *results,
-                                const struct pp_result *result)
-{
+    const struct pp_results *results = all;
+    const struct pp_result *result = &results->list[index];
     const struct pp_report *report = &result->report;
     struct json_object *object = json_object_new_object();
     bool good = object && pp_json_text(object, "format", "pepperpot-df-1");
@@ -177,7 +157,7 @@ static struct json_object *room(const struct pp_results *results,
     if (good && lux > 0.0)
         good = pp_json_number(object, "external", lux);
     if (good && results->options->simulate)
-        good = add_simulation(object, result, results->options);
+        good = pp_json_simulation(object, results->options, result->by_clock);
     if (good && !report->finished)
         good = pp_json_add(object, "finished", json_object_new_boolean(false));
     struct json_object *average = NULL;
@@ -194,23 +174,6 @@ static struct json_object *room(const struct pp_results *results,
 enum pp_status pp_print_json(const struct pp_results *results, FILE *out,
                              struct pp_error *err)
 {
-    struct json_object *whole = results->several ? json_object_new_array() : NULL;
-    for (int i = 0; i < results->count; i++) {
-        struct json_object *one = room(results, &results->list[i]);
-        if (!results->several) {
-            whole = one;
-        } else if (!one || !whole || json_object_array_add(whole, one) != 0) {
-            json_object_put(one);
-            json_object_put(whole);
-            whole = NULL;
-            break;
-        }
-    }
-    const char *text = whole ? json_object_to_json_string_ext(
-                           whole, PP_JSON_STYLE | JSON_C_TO_STRING_PRETTY)
-                             : NULL;
-    if (text)
-        fprintf(out, "%s\n", text);
-    json_object_put(whole);
-    return text ? PP_OK : pp_fail_memory(err);
+    return pp_json_print_rooms(out, room, results, results->count, results->several,
+                               err);
 }

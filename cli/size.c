@@ -95,7 +95,7 @@ static enum pp_exit size_rooms(struct pp_size_results *results,
     enum pp_status status = pp_output_open(&output, options->room.output, &err);
     if (status == PP_OK)
         status = compute(results, rooms, &err);
-    if (status == PP_OK && options->json)
+    if (status == PP_OK && options->format == PP_FORMAT_JSON)
         status = pp_print_size_json(results, output.stream, &err);
     else if (status == PP_OK)
         status = pp_print_size(results, pp_print_width(options->room.output),
@@ -143,7 +143,8 @@ enum pp_exit cmd_size(int argc, char **argv)
         {"What is wanted", pp_size_task_options, &options},
         {"What is wanted", pp_room_place_options, &options.room},
         {"Simulation", pp_room_simulation_options, &options.room},
-        {"Output", pp_size_format_option, &options},
+        {"Output", pp_text_or_json_option, &options.format},
+        {"Output", pp_size_write_option, &options},
         {"Output", pp_room_output_options, &options.room},
         {0},
     };

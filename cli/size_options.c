@@ -17,14 +17,6 @@ static enum pp_status read_change(const char *text, void *place, struct pp_error
     return pp_fail(err, PP_BAD_INPUT, "width, height, head, sill or number");
 }
 
-static enum pp_status read_format(const char *text, void *place, struct pp_error *err)
-{
-    *(bool *)place = strcmp(text, "json") == 0;
-    return strcmp(text, "json") == 0 || strcmp(text, "text") == 0
-               ? PP_OK
-               : pp_fail(err, PP_BAD_INPUT, "text or json");
-}
-
 #define PLACE(member) offsetof(struct pp_size_options, member)
 
 const struct pp_option pp_size_task_options[] = {
@@ -45,8 +37,7 @@ const struct pp_option pp_size_task_options[] = {
     {0},
 };
 
-const struct pp_option pp_size_format_option[] = {
-    {"format", 'f', "FORMAT", "text (default) or json.", read_format, PLACE(json)},
+const struct pp_option pp_size_write_option[] = {
     {"write", 'w', "FILE",
      "Write the room file with the sized windows to FILE, all else in it as it was.",
      pp_read_text, PLACE(write)},

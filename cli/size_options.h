@@ -4,6 +4,7 @@
 
 #include <stdbool.h>
 
+#include "cli/format.h"
 #include "cli/room_options.h"
 #include "design/window_sizes.h"
 
@@ -16,7 +17,7 @@ struct pp_size_options {
     const char *wall;  /* only windows in that wall; NULL: any */
     long line;         /* only the opening on that line of the file; 0: any */
     const char *write; /* where the changed room file goes; NULL: nowhere */
-    bool json;
+    enum pp_format format;
 };
 
 /* As typed after --change: "width". */
@@ -25,7 +26,7 @@ extern const char *const pp_size_change_words[];
 /* The options of the command, apart from the simulation's and the output's; with a
  * struct pp_size_options as values. */
 extern const struct pp_option pp_size_task_options[];
-extern const struct pp_option pp_size_format_option[];
+extern const struct pp_option pp_size_write_option[];
 
 /* Do they make sense together? PP_BAD_INPUT if not. */
 enum pp_status pp_size_options_settle(struct pp_size_options *options,

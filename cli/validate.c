@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "cli/commands.h"
+#include "cli/format.h"
 #include "cli/gather.h"
 #include "cli/interrupt.h"
 #include "cli/messages.h"
@@ -11,8 +12,6 @@
 #include "cli/rooms.h"
 #include "methods/evaluate.h"
 
-enum format { TEXT, JSON, CSV };
-
 static const char about[] =
     "Without FILE: the program's answers beside those that are known on paper (open "
     "skies, closed forms of windows, light in a closed room, worked examples). With "
@@ -20,37 +19,22 @@ static const char about[] =
     "the average over the working plane: bias, spread and the worst point. FILE is a "
     "room file; - is standard input.";
 
-static enum pp_status read_format(const char *text, void *place, struct pp_error *err)
-{
-    static const char *const names[] = {"text", "json", "csv"};
-    for (int i = 0; i < 3; i++)
-        if (strcmp(text, names[i]) == 0) {
-            *(enum format *)place = (enum format)i;
-            return PP_OK;
-        }
-    return pp_fail(err, PP_BAD_INPUT, "text, json or csv");
-}
-
-static const struct pp_option format_option[] = {
-    {"format", 'f', "FORMAT", "text (default), json or csv.", read_format, 0},
-    {0},
-};
-
 /* ---- known answers ---- */
 
-static enum pp_status print_known(const struct pp_known_list *known, enum format format,
-                                  const char *path, FILE *out, struct pp_error *err)
+static enum pp_status print_known(const struct pp_known_list *known,
+                                  enum pp_format format, const char *path, FILE *out,
+                                  struct pp_error *err)
 {
-    if (format == JSON)
+    if (format == PP_FORMAT_JSON)
         return pp_print_known_json(known, out, err);
-    if (format == CSV)
+    if (format == PP_FORMAT_CSV)
         pp_print_known_csv(known, out);
     else
         pp_print_known(known, pp_print_width(path), out);
     return PP_OK;
 }
 
-static enum pp_exit answer(const struct pp_room_options *options, enum format format)
+static enum pp_exit answer(const struct pp_room_options *options, enum pp_format format)
 {
     struct pp_known_list known;
     struct pp_error err = {0};
@@ -105,12 +89,12 @@ static enum pp_status compute(struct pp_validation *validation,
     return status;
 }
 
-static enum pp_status print(const struct pp_validation *validation, enum format format,
-                            FILE *out, struct pp_error *err)
+static enum pp_status print(const struct pp_validation *validation,
+                            enum pp_format format, FILE *out, struct pp_error *err)
 {
-    if (format == JSON)
+    if (format == PP_FORMAT_JSON)
         return pp_print_validation_json(validation, out, err);
-    if (format == CSV)
+    if (format == PP_FORMAT_CSV)
         pp_print_validation_csv(validation, out);
     else
         pp_print_validation(validation,
@@ -120,7 +104,8 @@ static enum pp_status print(const struct pp_validation *validation, enum format 
 
 static enum pp_exit compute_and_print(struct pp_validation *validation,
                                       struct pp_results *results,
-                                      const struct pp_rooms *rooms, enum format format)
+                                      const struct pp_rooms *rooms,
+                                      enum pp_format format)
 {
     struct pp_error err = {0};
     struct pp_output output;
@@ -143,8 +128,8 @@ static enum pp_exit compute_and_print(struct pp_validation *validation,
     return PP_EXIT_DONE;
 }
 
-static enum pp_exit compare(const struct pp_room_options *options, enum format format,
-                            char **files, int file_count)
+static enum pp_exit compare(const struct pp_room_options *options,
+                            enum pp_format format, char **files, int file_count)
 {
     struct pp_rooms rooms;
     enum pp_exit exit_status =
@@ -208,11 +193,11 @@ static enum pp_status check(struct pp_room_options *options, int file_count,
 enum pp_exit cmd_validate(int argc, char **argv)
 {
     struct pp_room_options options = pp_room_options_none;
-    enum format format = TEXT;
+    enum pp_format format = PP_FORMAT_TEXT;
     const struct pp_option_group groups[] = {
         {"What is compared", pp_room_choice_options, &options},
         {"Simulation", pp_room_simulation_options + 1, &options},
-        {"Output", format_option, &format},
+        {"Output", pp_format_option, &format},
         {"Output", pp_room_output_options, &options},
         {0},
     };
