@@ -48,3 +48,30 @@ shows() {
 same() {
     cmp "$1" "$2"
 }
+
+# simulates PID: does it watch for signals by now, and has worked for a second since?
+simulates() {
+    caught=$(sed -n 's/^SigCgt:.*\(....\)$/\1/p' "/proc/$1/status")
+    busy=$(awk '{ print $14 + $15 }' "/proc/$1/stat")
+    case $caught in
+    [4-7c-f]*) # bit 15, SIGTERM
+        : "${begun:=$busy}"
+        [ "$busy" -gt $((begun + 100)) ]
+        ;;
+    *) false ;;
+    esac
+}
+
+# interrupted WORDS: like run, but the program is ended once its simulation is well under
+# way, however slow the machine; after two minutes whatever it does.
+interrupted() {
+    "$pepperpot" "$@" >"$scratch/out" 2>"$scratch/err" </dev/null &
+    begun= tries=0
+    until simulates $! || [ $tries -eq 1200 ]; do
+        sleep 0.1
+        tries=$((tries + 1))
+    done
+    kill -TERM $!
+    wait $!
+    status=$?
+}
