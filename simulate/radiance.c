@@ -679,6 +679,17 @@ static struct pp_rgb mirrored(struct pp_radiance_walk *walk, const struct path *
     return follow(walk, &other, NULL);
 }
 
+/* The point that was met, back along the ray by half of what lifts rays off their
+ * surface (light_scene.c): in a corner, to the bit, it would lie in the other surface
+ * too, and a ray that starts there might be on its wrong side. */
+static struct pp_light_hit drawn_back(const struct pp_light_hit *hit, struct pp_vec3 to)
+{
+    struct pp_light_hit back = *hit;
+    double reach = fabs(hit->point.x) + fabs(hit->point.y) + fabs(hit->point.z);
+    back.point = pp_along(hit->point, -0x1p-21 - 0x1p-21 * reach, to);
+    return back;
+}
+
 /* Takes what a path finds where it has come to, and turns it on to where it goes from
  * there; false where it ends. */
 static bool arrive(struct pp_radiance_walk *walk, struct path *path,
@@ -703,7 +714,8 @@ static bool arrive(struct pp_radiance_walk *walk, struct path *path,
     bool scatters = !pp_rgb_is_black(lobes.share[PP_LOBE_DIFFUSE])
                     || !pp_rgb_is_black(lobes.share[PP_LOBE_THROUGH_DIFFUSE])
                     || !pp_rgb_is_black(lobes.share[PP_LOBE_GLOSS]);
-    struct pp_rgb here = aim_at_all(walk, &lobes, hit, path);
+    struct pp_light_hit from = drawn_back(hit, path->ray.to);
+    struct pp_rgb here = aim_at_all(walk, &lobes, &from, path);
     int most = walk->options.bounces;
     if (most >= 0 && path->depth >= most)
         lobes.share[PP_LOBE_DIFFUSE] = lobes.share[PP_LOBE_THROUGH_DIFFUSE] =
@@ -715,9 +727,9 @@ static bool arrive(struct pp_radiance_walk *walk, struct path *path,
     if (path->many && path->bounces <= BOTH_WAYS
         && !pp_rgb_is_black(lobes.share[PP_LOBE_MIRROR])
         && !pp_rgb_is_black(lobes.share[PP_LOBE_STRAIGHT]))
-        *total = pp_rgb_add(*total, mirrored(walk, path, &lobes, hit));
+        *total = pp_rgb_add(*total, mirrored(walk, path, &lobes, &from));
     path->many = path->many && !scatters;
-    bool goes = send_on(walk, path, &lobes, hit);
+    bool goes = send_on(walk, path, &lobes, &from);
     path->vertex++;
     return goes;
 }

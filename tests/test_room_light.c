@@ -196,6 +196,30 @@ static void no_light_leaks_in_by_the_edges(void **state)
     pp_world_destroy(world);
 }
 
+/* Nor where a picture's rays meet an edge to the bit: the light goes on from there,
+ * into the room.*/
+static void light_goes_on_from_the_edges(void **state)
+{
+    (void)state;
+    struct pp_world *world = pp_test_world(DEEP "</room>");
+    struct pp_light_scene *scene = scene_of(world);
+    struct pp_sobol *sobol = malloc(sizeof *sobol);
+    pp_sobol_init(sobol);
+    struct pp_radiance_walk walk = {.scene = scene, .options = pp_radiance_defaults()};
+    pp_sequence_init(&walk.sequence, sobol, 7);
+    for (walk.index = 0; walk.index < 3000; walk.index++) {
+        struct pp_vec3 eye = {1.5, 8.0, 1.6}, at = {0.001 * walk.index, 0.0, 0.0};
+        struct pp_light_ray ray = {
+            .from = eye, .to = pp_unit(pp_sub(at, eye)), .space = PP_INDOORS};
+        pp_radiance_along(&walk, &ray, NULL);
+    }
+    assert_true(walk.rays > 6000);
+    assert_int_equal(walk.leaks, 0);
+    free(sobol);
+    pp_light_scene_destroy(scene);
+    pp_world_destroy(world);
+}
+
 /* The store is worked out the same by any number of threads. */
 static void the_store_does_not_hang_on_threads(void **state)
 {
@@ -228,6 +252,7 @@ int main(void)
         cmocka_unit_test(windows_aimed_at_save_time_not_light),
         cmocka_unit_test(a_room_in_equilibrium_shows_one_everywhere),
         cmocka_unit_test(no_light_leaks_in_by_the_edges),
+        cmocka_unit_test(light_goes_on_from_the_edges),
         cmocka_unit_test(the_store_does_not_hang_on_threads),
     };
     return cmocka_run_group_tests_name("room_light", tests, NULL, NULL);
