@@ -4,8 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "methods/clip.h"
 #include "methods/occluders.h"
+#include "methods/overlay.h"
 
 /* What is gathered on the way. */
 struct work {
@@ -106,55 +106,11 @@ static enum pp_status open_by_overlay(struct work *work,
     return status;
 }
 
-/* ---- overlay of pieces ---- */
-
-/* pieces' figures as regions that borrow their coordinates, turned counter-clockwise.
- */
-static enum pp_status borrow(struct pp_region **regions, struct pp_ring **rings,
-                             const struct pp_pieces *pieces, struct pp_error *err)
-{
-    size_t room = (size_t)pieces->count + 1;
-    *regions = calloc(room, sizeof **regions);
-    *rings = calloc(room, sizeof **rings);
-    if (!*regions || !*rings)
-        return pp_fail_memory(err);
-    for (int i = 0; i < pieces->count; i++) {
-        const struct pp_piece *piece = &pieces->list[i];
-        (*rings)[i] = (struct pp_ring){piece->count, piece->xy};
-        (*regions)[i] = (struct pp_region){1, &(*rings)[i]};
-        if (pp_region_area(&(*regions)[i]) < 0.0)
-            for (int a = 0, b = piece->count - 1; a < b; a++, b--) {
-                double swap[2];
-                memcpy(swap, piece->xy[a], sizeof swap);
-                memcpy(piece->xy[a], piece->xy[b], sizeof swap);
-                memcpy(piece->xy[b], swap, sizeof swap);
-            }
-    }
-    return PP_OK;
-}
-
-/* The union of the pieces. */
-static enum pp_status unite(struct work *work, struct pp_region *whole,
-                            const struct pp_pieces *pieces, struct pp_error *err)
-{
-    struct pp_region *regions;
-    struct pp_ring *rings;
-    *whole = (struct pp_region){0};
-    enum pp_status status = borrow(&regions, &rings, pieces, err);
-    if (status == PP_OK)
-        status = pieces->count == 1 ? pp_region_copy(whole, &regions[0], err)
-                                    : pp_region_union(work->clipper, whole, regions,
-                                                      pieces->count, err);
-    free(regions);
-    free(rings);
-    return status;
-}
-
 /* Replaces work->open by what is left of it without the pieces inside. */
 static enum pp_status take_inside_away(struct work *work, struct pp_error *err)
 {
     struct pp_region taken, left = {0};
-    enum pp_status status = unite(work, &taken, &work->inside, err);
+    enum pp_status status = pp_overlay_union(work->clipper, &taken, &work->inside, err);
     if (status == PP_OK)
         status = pp_region_difference(work->clipper, &left, &work->open, &taken, err);
     pp_region_destroy(&taken);
@@ -163,97 +119,6 @@ static enum pp_status take_inside_away(struct work *work, struct pp_error *err)
         work->open = left;
         work->open_is_extent = false;
     }
-    return status;
-}
-
-static bool same_light(const struct pp_piece *a, const struct pp_piece *b)
-{
-    return a->reflectance == b->reflectance && a->exitance == b->exitance;
-}
-
-/* The part of `hider` that stands in front of `piece`: the rest lies beyond the line on
- * which both are equally far. */
-static enum pp_status part_in_front(struct pp_pieces *parts,
-                                    const struct pp_piece *hider,
-                                    const struct pp_piece *piece, double distance_m,
-                                    struct pp_error *err)
-{
-    int count = hider->count;
-    struct pp_vec3 *from = malloc((size_t)count * sizeof *from);
-    struct pp_vec3 *left = malloc(((size_t)count + 1) * sizeof *left);
-    double(*xy)[2] = malloc(((size_t)count + 1) * sizeof *xy);
-    if (!from || !left || !xy) {
-        free(from);
-        free(left);
-        free(xy);
-        return pp_fail_memory(err);
-    }
-    for (int i = 0; i < count; i++)
-        from[i] = pp_vec(hider->xy[i][0], hider->xy[i][1], distance_m);
-    count = pp_clip_convex(left, from, count, pp_sub(hider->nearness, piece->nearness),
-                           0.0);
-    double extent = 0.0;
-    for (int i = 0; i < count; i++) {
-        xy[i][0] = left[i].x;
-        xy[i][1] = left[i].y;
-        extent = fmax(extent, hypot(left[i].x - left[0].x, left[i].y - left[0].y));
-    }
-    count = pp_clip_tidy(xy, count, 2e-15 * extent);
-    free(from);
-    free(left);
-    if (count == 0) {
-        free(xy);
-        return PP_OK;
-    }
-    parts->list[parts->count++] = (struct pp_piece){.count = count, .xy = xy};
-    return PP_OK;
-}
-
-/* What is seen of piece `index` behind all that give off another light. */
-static enum pp_status seen_part(struct work *work, struct pp_region *seen, int index,
-                                struct pp_error *err)
-{
-    const struct pp_piece *piece = &work->outside.list[index];
-    struct pp_pieces before = {0}, self = {1, 1, &work->outside.list[index]};
-    struct pp_region taken = {0}, whole = {0};
-    before.room = work->outside.count;
-    before.list = calloc((size_t)before.room, sizeof *before.list);
-    enum pp_status status = before.list ? PP_OK : pp_fail_memory(err);
-    for (int k = 0; k < work->outside.count && status == PP_OK; k++)
-        if (!same_light(&work->outside.list[k], piece))
-            status = part_in_front(&before, &work->outside.list[k], piece,
-                                   work->scene.view->distance_m, err);
-    if (status == PP_OK)
-        status = unite(work, &whole, &self, err);
-    if (status == PP_OK && before.count > 0)
-        status = unite(work, &taken, &before, err);
-    if (status == PP_OK)
-        status = pp_region_difference(work->clipper, seen, &whole, &taken, err);
-    pp_region_destroy(&taken);
-    pp_region_destroy(&whole);
-    pp_pieces_clear(&before);
-    return status;
-}
-
-/* What is seen of all pieces that give off the same light as piece `index`. */
-static enum pp_status seen_light(struct work *work, struct pp_region *seen, int index,
-                                 struct pp_error *err)
-{
-    int count = work->outside.count, found = 0;
-    struct pp_region *parts = calloc((size_t)count, sizeof *parts);
-    enum pp_status status = parts ? PP_OK : pp_fail_memory(err);
-    *seen = (struct pp_region){0};
-    for (int i = index; i < count && status == PP_OK; i++)
-        if (same_light(&work->outside.list[i], &work->outside.list[index])) {
-            status = seen_part(work, &parts[found], i, err);
-            if (status == PP_OK)
-                found++;
-        }
-    if (status == PP_OK)
-        status = pp_region_union(work->clipper, seen, parts, found, err);
-    for (int i = 0; i < found; i++)
-        pp_region_destroy(&parts[i]);
-    free(parts);
     return status;
 }
 
@@ -277,7 +142,7 @@ static void add_patch(struct pp_visible *visible, struct pp_region *region,
 static bool all_alike(const struct pp_pieces *pieces)
 {
     for (int i = 1; i < pieces->count; i++)
-        if (!same_light(&pieces->list[0], &pieces->list[i]))
+        if (!pp_overlay_same_light(&pieces->list[0], &pieces->list[i]))
             return false;
     return true;
 }
@@ -287,7 +152,7 @@ static enum pp_status cover(struct work *work, struct pp_region *all,
                             struct pp_region *sky, struct pp_error *err)
 {
     *sky = (struct pp_region){0};
-    enum pp_status status = unite(work, all, &work->outside, err);
+    enum pp_status status = pp_overlay_union(work->clipper, all, &work->outside, err);
     if (status == PP_OK)
         status = pp_region_difference(work->clipper, sky, &work->open, all, err);
     return status;
@@ -356,11 +221,13 @@ static enum pp_status divide(struct pp_visible *visible, struct work *work,
     for (int i = 0; i < outside->count && status == PP_OK; i++) {
         bool first = true;
         for (int k = 0; k < i; k++)
-            first = first && !same_light(&outside->list[k], &outside->list[i]);
+            first =
+                first && !pp_overlay_same_light(&outside->list[k], &outside->list[i]);
         if (!first)
             continue;
         struct pp_region light = {0}, within = {0};
-        status = seen_light(work, &light, i, err);
+        status = pp_overlay_seen(work->clipper, &light, &work->outside, i,
+                                 work->scene.view->distance_m, err);
         if (status == PP_OK)
             status = pp_region_intersection(work->clipper, &within, &light, &work->open,
                                             err);
