@@ -1,5 +1,5 @@
 /* light_scene.c - see light_scene.h: what rays meet. How the parts come about is in
- * light_build.c, for both kinds of scenes. */
+ * light_build.c and light_world.c. */
 #include <math.h>
 #include <stdlib.h>
 

@@ -25,7 +25,7 @@ bool pp_window_store_irradiance(const struct pp_window_store *store,
                                 const struct pp_light_scene *scene, int window,
                                 struct pp_vec3 point, struct pp_irradiance *irradiance);
 
-/* ---- what the store is worked out with: radiance.c ---- */
+/* ---- what the store is worked out with: light_windows.c ---- */
 
 /* One sample of the radiance along a ray (from the centre) that leaves a window to the
  * outside, if it meets a surface: false if it does not. *distance_m is how far. */
