@@ -11,7 +11,6 @@
 #include "cli/output.h"
 #include "methods/evaluate.h"
 #include "model/nearest.h"
-#include "model/number.h"
 
 static enum pp_status read_format(const char *text, void *place, struct pp_error *err)
 {
@@ -19,31 +18,6 @@ static enum pp_status read_format(const char *text, void *place, struct pp_error
         && strcmp(text, "png") != 0)
         return pp_fail(err, PP_BAD_INPUT, "pdf, svg or png");
     *(const char **)place = text;
-    return PP_OK;
-}
-
-static enum pp_status read_paper(const char *text, void *place, struct pp_error *err)
-{
-    if (pp_paper_of(place, text, NULL) == PP_OK)
-        return PP_OK;
-    return pp_fail(err, PP_BAD_INPUT, "a5, a4, a3 or a2");
-}
-
-static enum pp_status read_orientation(const char *text, void *place,
-                                       struct pp_error *err)
-{
-    if (strcmp(text, "portrait") != 0 && strcmp(text, "landscape") != 0)
-        return pp_fail(err, PP_BAD_INPUT, "portrait or landscape");
-    *(enum pp_orientation *)place = text[0] == 'p' ? PP_PORTRAIT : PP_LANDSCAPE;
-    return PP_OK;
-}
-
-static enum pp_status read_dpi(const char *text, void *place, struct pp_error *err)
-{
-    double dpi;
-    if (!pp_number_parse(text, &dpi) || dpi < 20.0 || dpi > 1200.0)
-        return pp_fail(err, PP_BAD_INPUT, "a number of dots per inch from 20 to 1200");
-    *(double *)place = dpi;
     return PP_OK;
 }
 
@@ -55,10 +29,10 @@ static const struct pp_option sheet_options[] = {
      PLACE(list)},
     {"format", 'f', "FORMAT", "pdf, svg or png (default: by the ending of -o FILE).",
      read_format, PLACE(format)},
-    {"paper", 0, "SIZE", "a5, a4 (default), a3 or a2.", read_paper, PLACE(paper)},
+    {"paper", 0, "SIZE", "a5, a4 (default), a3 or a2.", pp_read_paper, PLACE(paper)},
     {"orientation", 0, "WAY", "portrait or landscape (default: as the room fits best).",
-     read_orientation, PLACE(orientation)},
-    {"dpi", 0, "N", "Dots per inch of a PNG, 20 to 1200 (default 200).", read_dpi,
+     pp_read_orientation, PLACE(orientation)},
+    {"dpi", 0, "N", "Dots per inch of a PNG, 20 to 1200 (default 200).", pp_read_dpi,
      PLACE(dpi)},
     {"log", 0, NULL, "Section: daylight factors on a logarithmic scale.", NULL,
      PLACE(logarithmic)},

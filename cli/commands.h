@@ -12,6 +12,7 @@ typedef enum pp_exit pp_command(int argc, char **argv);
 pp_command cmd_df;
 pp_command cmd_size;
 pp_command cmd_chart;
+pp_command cmd_render;
 pp_command cmd_assess;
 pp_command cmd_availability;
 pp_command cmd_validate;

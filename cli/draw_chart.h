@@ -9,8 +9,7 @@
 #include "cli/availability_options.h"
 #include "cli/board_options.h"
 #include "cli/rooms.h"
-
-enum pp_orientation { PP_AS_FITS, PP_PORTRAIT, PP_LANDSCAPE };
+#include "cli/sheet_options.h"
 
 struct pp_chart_options {
     const char *format; /* as typed; NULL: by the file's name */

@@ -21,6 +21,7 @@ struct command {
 static const struct command commands[] = {
     {"df", cmd_df, "daylight factors at the reference points and their average"},
     {"chart", cmd_chart, "one chart of a room as PDF, SVG or PNG"},
+    {"render", cmd_render, "pictures of a room's light"},
     {"assess", cmd_assess, "what a room's daylight has to reach, and whether it does"},
     {"size", cmd_size, "the window that just reaches a target"},
     {"availability", cmd_availability, "how often daylight is enough in working hours"},

@@ -83,6 +83,7 @@ const struct pp_option pp_room_external_option[] = {
 };
 
 const struct pp_option *const pp_room_place_options = pp_room_choice_options + 1;
+const struct pp_option *const pp_room_sky_options = pp_room_choice_options + 2;
 
 const struct pp_option pp_room_simulation_options[] = {
     {"simulate", 's', NULL,
@@ -111,6 +112,8 @@ const struct pp_option pp_room_simulation_options[] = {
      pp_read_threads, PLACE(threads)},
     {0},
 };
+
+const struct pp_option *const pp_room_seed_options = pp_room_simulation_options + 4;
 
 const struct pp_option pp_room_output_options[] = {
     {"output", 'o', "FILE",

@@ -44,7 +44,9 @@ extern const struct pp_room_options pp_room_options_none;
 extern const struct pp_option pp_room_choice_options[];     /* methods, points, sky */
 extern const struct pp_option pp_room_external_option[];    /* external */
 extern const struct pp_option *const pp_room_place_options; /* points, sky, room */
+extern const struct pp_option *const pp_room_sky_options;   /* sky, room */
 extern const struct pp_option pp_room_simulation_options[]; /* simulate ... threads */
+extern const struct pp_option *const pp_room_seed_options;  /* seed, threads */
 extern const struct pp_option pp_room_output_options[];     /* output, quiet */
 
 /* Do the options make sense together? PP_BAD_INPUT if not. A simulation without an end

@@ -108,6 +108,8 @@ enum pp_status pp_hdr_write(FILE *out, const struct pp_picture *picture,
         fprintf(out, "SOFTWARE= %s\n", notes->software);
     if (notes && notes->view[0])
         fprintf(out, "VIEW= %s\n", notes->view);
+    if (notes && notes->quantity[0])
+        fprintf(out, "QUANTITY= %s\n", notes->quantity);
     if (notes && notes->exposure > 0.0 && notes->exposure != 1.0)
         fprintf(out, "EXPOSURE= %.9e\n", notes->exposure);
     fprintf(out, "FORMAT=32-bit_rle_rgbe\n\n-Y %d +X %d\n", picture->height,
@@ -181,6 +183,9 @@ static enum pp_status take_line(const struct input *in, const char *line,
         notes->exposure *= exposure;
     } else if ((value = behind(line, "VIEW"))) {
         snprintf(notes->view, sizeof notes->view, "%.*s", PP_HDR_VIEW_SIZE - 1, value);
+    } else if ((value = behind(line, "QUANTITY"))) {
+        snprintf(notes->quantity, sizeof notes->quantity, "%.*s",
+                 (int)sizeof notes->quantity - 1, value);
     }
     return PP_OK;
 }

@@ -21,6 +21,8 @@ struct pp_hdr_notes {
     double exposure;             /* what the radiances have been multiplied by; 0: 1 */
     char view[PP_HDR_VIEW_SIZE]; /* the options behind VIEW=, e.g. "-vtv -vp 1 2 3";
                                   * empty: none */
+    char quantity[16]; /* what the pixels are where they are no radiances: "df"; behind
+                        * QUANTITY=, which other programs pass over; empty: not said */
     const char *software; /* of pp_hdr_write: who made it; NULL: not said; not owned */
 };
 

@@ -1,0 +1,339 @@
+#include "cli/render_options.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+#include <strings.h>
+
+#include "model/number.h"
+
+const struct pp_render_choice pp_render_choice_default = {.samples = 16, .bounces = -1};
+
+/* ---- readers ---- */
+
+/* Numbers with a letter between them, as many as there are up to `most`; -1: something
+ * else stands there. */
+static int read_numbers(const char *text, char between, double *list, int most)
+{
+    int count = 0;
+    for (;; count++) {
+        size_t length = strcspn(text, (const char[]){between, '\0'});
+        char copy[64];
+        if (count == most || length >= sizeof copy)
+            return -1;
+        memcpy(copy, text, length);
+        copy[length] = '\0';
+        if (!pp_number_parse(copy, &list[count]))
+            return -1;
+        if (!text[length])
+            return count + 1;
+        text += length + 1;
+    }
+}
+
+static enum pp_status read_coordinates(const char *text, void *place, int least,
+                                       const char *expected, struct pp_error *err)
+{
+    struct pp_coordinates *coordinates = place;
+    double v[3] = {0.0, 0.0, NAN};
+    int count = read_numbers(text, ',', v, 3);
+    for (int i = 0; i < count; i++)
+        if (fabs(v[i]) > 1e6)
+            count = -1;
+    if (count < least)
+        return pp_fail(err, PP_BAD_INPUT, "%s", expected);
+    *coordinates = (struct pp_coordinates){count, pp_vec(v[0], v[1], v[2])};
+    return PP_OK;
+}
+
+static enum pp_status read_place(const char *text, void *place, struct pp_error *err)
+{
+    return read_coordinates(text, place, 2,
+                            "a point X,Y or X,Y,Z in metres, such as 1.5,8,1.6", err);
+}
+
+static enum pp_status read_direction(const char *text, void *place,
+                                     struct pp_error *err)
+{
+    struct pp_coordinates read;
+    enum pp_status status =
+        read_coordinates(text, &read, 3, "a direction X,Y,Z, such as 0,-1,0", err);
+    if (status != PP_OK)
+        return status;
+    if (!(pp_length(read.is) > 1e-9))
+        return pp_fail(err, PP_BAD_INPUT, "a direction X,Y,Z that is not 0");
+    *(struct pp_coordinates *)place = read;
+    return PP_OK;
+}
+
+/* Which of the words, up to a NULL; -1: none. */
+static int which_word(const char *text, const char *const words[])
+{
+    for (int i = 0; words[i]; i++)
+        if (strcmp(text, words[i]) == 0)
+            return i;
+    return -1;
+}
+
+static enum pp_status read_view(const char *text, void *place, struct pp_error *err)
+{
+    static const char *const words[] = {"perspective",   "parallel", "plan", "section",
+                                        "hemispherical", "angular",  NULL};
+    int which = which_word(text, words);
+    if (which < 0)
+        return pp_fail(err, PP_BAD_INPUT,
+                       "perspective, parallel, plan, section, hemispherical or "
+                       "angular");
+    *(enum pp_view_choice *)place = (enum pp_view_choice)which;
+    return PP_OK;
+}
+
+static enum pp_status read_quantity(const char *text, void *place, struct pp_error *err)
+{
+    for (int i = 0; i < PP_QUANTITY_COUNT; i++)
+        if (strcmp(text, pp_quantity_words((enum pp_quantity)i).name) == 0) {
+            *(struct pp_quantity_choice *)place =
+                (struct pp_quantity_choice){true, (enum pp_quantity)i};
+            return PP_OK;
+        }
+    return pp_fail(err, PP_BAD_INPUT, "luminance, illuminance or df");
+}
+
+static enum pp_status read_filter(const char *text, void *place, struct pp_error *err)
+{
+    static const char *const words[] = {"box", "gauss", NULL};
+    int which = which_word(text, words);
+    if (which < 0)
+        return pp_fail(err, PP_BAD_INPUT, "box or gauss");
+    *(enum pp_pixel_filter *)place = (enum pp_pixel_filter)which;
+    return PP_OK;
+}
+
+static enum pp_status read_range(const char *text, double low, double high,
+                                 double *value, struct pp_error *err)
+{
+    if (pp_number_parse(text, value) && *value > low && *value <= high)
+        return PP_OK;
+    return pp_fail(err, PP_BAD_INPUT, "a number above %g, up to %g", low, high);
+}
+
+static enum pp_status read_angle(const char *text, void *place, struct pp_error *err)
+{
+    return read_range(text, 0.0, 360.0, place, err);
+}
+
+static enum pp_status read_across(const char *text, void *place, struct pp_error *err)
+{
+    return read_range(text, 0.0, 1e6, place, err);
+}
+
+static enum pp_status read_whole(const char *text, int least, int most, int *value,
+                                 struct pp_error *err)
+{
+    double number;
+    if (!pp_number_parse(text, &number) || number != floor(number) || number < least
+        || number > most)
+        return pp_fail(err, PP_BAD_INPUT, "a whole number from %d to %d", least, most);
+    *value = (int)number;
+    return PP_OK;
+}
+
+static enum pp_status read_samples(const char *text, void *place, struct pp_error *err)
+{
+    return read_whole(text, 1, PP_RENDER_SAMPLES_MOST, place, err);
+}
+
+static enum pp_status read_bounces(const char *text, void *place, struct pp_error *err)
+{
+    return read_whole(text, 0, 1000, place, err);
+}
+
+static enum pp_status read_size(const char *text, void *place, struct pp_error *err)
+{
+    double sides[2];
+    int count = read_numbers(text, 'x', sides, 2);
+    for (int i = 0; i < count; i++)
+        if (sides[i] != floor(sides[i]) || sides[i] < 1.0
+            || sides[i] > PP_PICTURE_SIDE_MOST)
+            count = -1;
+    if (count != 2 || sides[0] * sides[1] > PP_PICTURE_PIXELS_MOST)
+        return pp_fail(err, PP_BAD_INPUT,
+                       "a width and a height in pixels, such as 640x480, each up to "
+                       "%d and %d million pixels in all",
+                       PP_PICTURE_SIDE_MOST, PP_PICTURE_PIXELS_MOST / 1000000);
+    *(struct pp_picture_size *)place =
+        (struct pp_picture_size){(int)sides[0], (int)sides[1]};
+    return PP_OK;
+}
+
+static enum pp_status read_exposure(const char *text, void *place, struct pp_error *err)
+{
+    struct pp_exposure exposure = {.said = true};
+    if (strcmp(text, "auto") == 0)
+        exposure.way = PP_TONE_AUTOMATIC;
+    else if (strcmp(text, "human") == 0)
+        exposure.way = PP_TONE_HUMAN;
+    else if (pp_number_parse(text, &exposure.white) && exposure.white > 1e-12
+             && exposure.white < 1e12)
+        exposure.way = PP_TONE_BY_HAND;
+    else
+        return pp_fail(err, PP_BAD_INPUT,
+                       "auto, human, or the value that is shown white, such as 2000");
+    *(struct pp_exposure *)place = exposure;
+    return PP_OK;
+}
+
+/* ---- the lists ---- */
+
+#define PLACE(member) offsetof(struct pp_render_choice, member)
+
+const struct pp_option pp_render_view_options[] = {
+    {"view", 'v', "KIND",
+     "perspective (default), parallel, plan or section (parallel views of the whole "
+     "room), hemispherical or angular (fisheyes).",
+     read_view, PLACE(view)},
+    {"from", 0, "X,Y[,Z]",
+     "Where the eye is, in metres; without Z 1.6 m above the floor, of a fisheye on "
+     "the working plane (default: as far back in the room as shows its largest window; "
+     "of a fisheye the middle of the room).",
+     read_place, PLACE(from)},
+    {"towards", 0, "X,Y[,Z]", "What it looks at; without Z at its own height.",
+     read_place, PLACE(towards)},
+    {"direction", 0, "X,Y,Z",
+     "Or the direction that it looks in (default: towards the largest window; of a "
+     "fisheye up).",
+     read_direction, PLACE(direction)},
+    {"up", 0, "X,Y,Z",
+     "What is up in the picture (default 0,0,1; looking up or down "
+     "0,1,0).",
+     read_direction, PLACE(up)},
+    {"angle", 0, "DEG", "Angle across the picture (default 75; of fisheyes 180).",
+     read_angle, PLACE(angle_deg)},
+    {"across", 0, "M", "Width of a parallel view in metres (default: all of the room).",
+     read_across, PLACE(across_m)},
+    {"size", 0, "WxH",
+     "Of the picture in pixels (default 640x480, of fisheyes "
+     "512x512; of plan and section 640 on the longer side).",
+     read_size, PLACE(size)},
+    {0},
+};
+
+const struct pp_option pp_render_picture_options[] = {
+    {"quantity", 0, "NAME",
+     "luminance (default) in cd/m²; or, on the surfaces that are seen, illuminance in "
+     "lux or df, the daylight factor, in per cent.",
+     read_quantity, PLACE(quantity)},
+    {"samples", 0, "N",
+     "Paths a pixel, a power of two (default 16): four times as many halve the noise.",
+     read_samples, PLACE(samples)},
+    {"bounces", 0, "N",
+     "Diffuse reflections on a path, at most (default: no limit, without bias).",
+     read_bounces, PLACE(bounces)},
+    {"filter", 0, "NAME", "Of pixels: box (default) or gauss, which is softer.",
+     read_filter, PLACE(filter)},
+    {"checkpoint", 0, "FILE",
+     "Keep what is done in FILE, and go on from there if there is one of the same "
+     "picture.",
+     pp_read_text, PLACE(checkpoint)},
+    {0},
+};
+
+const struct pp_option pp_render_shown_options[] = {
+    {"exposure", 0, "HOW",
+     "PNG: auto (default), human (contrast as an eye in the room would have it), or "
+     "the value that is shown white.",
+     read_exposure, PLACE(exposure)},
+    {"from-picture", 0, "FILE.hdr", "Show that picture instead of a room.",
+     pp_read_text, PLACE(from_picture)},
+    {0},
+};
+
+/* ---- do they make sense? ---- */
+
+enum pp_status pp_picture_format_of(enum pp_picture_format *format, const char *path,
+                                    struct pp_error *err)
+{
+    static const struct {
+        const char *ending;
+        enum pp_picture_format format;
+    } formats[] = {{".hdr", PP_FORMAT_HDR},   {".pic", PP_FORMAT_HDR},
+                   {".pfm", PP_FORMAT_PFM},   {".png", PP_FORMAT_PNG},
+                   {".pdf", PP_FORMAT_SHEET}, {".svg", PP_FORMAT_SHEET}};
+    size_t length = strlen(path);
+    for (size_t i = 0; i < sizeof formats / sizeof formats[0]; i++)
+        if (length >= 4 && strcasecmp(path + length - 4, formats[i].ending) == 0) {
+            *format = formats[i].format;
+            return PP_OK;
+        }
+    return pp_fail(err, PP_BAD_INPUT,
+                   "what kind of file \"%.200s\" is can't be told from its name; "
+                   "expected one that ends in .hdr, .pfm, .png, .pdf or .svg",
+                   path);
+}
+
+static enum pp_status check_view(const struct pp_render_choice *choice,
+                                 struct pp_error *err)
+{
+    bool parallel = choice->view == PP_CHOOSE_PARALLEL || choice->view == PP_CHOOSE_PLAN
+                    || choice->view == PP_CHOOSE_SECTION;
+    if (choice->towards.count && choice->direction.count)
+        return pp_fail(err, PP_BAD_INPUT,
+                       "--towards and --direction are two ways to say the same; "
+                       "expected one of them");
+    if (parallel && choice->angle_deg > 0.0)
+        return pp_fail(err, PP_BAD_INPUT,
+                       "a parallel view has no --angle; expected --across M");
+    if (!parallel && choice->across_m > 0.0)
+        return pp_fail(err, PP_BAD_INPUT,
+                       "--across is of parallel views; expected --angle DEG");
+    if (choice->view == PP_CHOOSE_PARALLEL && !choice->from.count)
+        return pp_fail(err, PP_BAD_INPUT,
+                       "a parallel view needs --from X,Y,Z and --direction or "
+                       "--towards; plan and section know theirs");
+    return PP_OK;
+}
+
+enum pp_status pp_render_choice_check(const struct pp_render_choice *choice,
+                                      const struct pp_room_options *options,
+                                      int file_count, struct pp_error *err)
+{
+    if (choice->from_picture && file_count > 0)
+        return pp_fail(err, PP_BAD_INPUT,
+                       "--from-picture shows a picture instead of a room; expected one "
+                       "of them");
+    if (choice->from_picture && choice->checkpoint)
+        return pp_fail(err, PP_BAD_INPUT,
+                       "--checkpoint is of a picture in the making; it goes without "
+                       "--from-picture");
+    if (!choice->from_picture && file_count != 1)
+        return pp_fail(err, PP_BAD_INPUT,
+                       "expected one room file, or - for standard input");
+    if (!options->output)
+        return pp_fail(err, PP_BAD_INPUT,
+                       "expected -o FILE.hdr, FILE.pfm, FILE.png, FILE.pdf or "
+                       "FILE.svg");
+    enum pp_picture_format format;
+    enum pp_status status = pp_picture_format_of(&format, options->output, err);
+    if (status != PP_OK)
+        return status;
+    bool shown = format == PP_FORMAT_PNG || format == PP_FORMAT_SHEET;
+    if (choice->false_colour && !shown)
+        return pp_fail(err, PP_BAD_INPUT,
+                       "false colour is drawn, not kept; expected -o FILE.png, "
+                       "FILE.pdf or FILE.svg");
+    if (choice->exposure.said && !shown)
+        return pp_fail(err, PP_BAD_INPUT,
+                       "%s keeps the light as it is, without --exposure; expected -o "
+                       "FILE.png",
+                       options->output);
+    if (choice->exposure.said && choice->false_colour)
+        return pp_fail(err, PP_BAD_INPUT,
+                       "false colour has no --exposure; expected --range LOW,HIGH");
+    if (choice->exposure.way == PP_TONE_HUMAN && choice->exposure.said
+        && choice->quantity.is != PP_LUMINANCE)
+        return pp_fail(err, PP_BAD_INPUT,
+                       "an eye sees luminance; --exposure human does not go with "
+                       "--quantity %s",
+                       pp_quantity_words(choice->quantity.is).name);
+    return check_view(choice, err);
+}

@@ -1,0 +1,96 @@
+/* render_options.h - what the command render is asked for. */
+#ifndef PP_CLI_RENDER_OPTIONS_H
+#define PP_CLI_RENDER_OPTIONS_H
+
+#include <stdbool.h>
+
+#include "charts/canvas.h"
+#include "cli/room_options.h"
+#include "cli/sheet_options.h"
+#include "model/picture_hdr.h"
+#include "model/quantity.h"
+#include "model/tone.h"
+#include "simulate/render.h"
+
+enum pp_view_choice {
+    PP_CHOOSE_PERSPECTIVE,
+    PP_CHOOSE_PARALLEL,
+    PP_CHOOSE_PLAN,
+    PP_CHOOSE_SECTION,
+    PP_CHOOSE_HEMISPHERICAL,
+    PP_CHOOSE_ANGULAR,
+};
+
+/* "X,Y" or "X,Y,Z" as typed. */
+struct pp_coordinates {
+    int count; /* 0: not typed, 2 or 3 */
+    struct pp_vec3 is;
+};
+
+enum { PP_LEVELS_MOST = 32 };
+
+struct pp_levels {
+    int count;
+    double list[PP_LEVELS_MOST]; /* ascending, above 0, in the quantity's unit */
+};
+
+struct pp_exposure {
+    enum pp_tone_way way;
+    double white; /* by hand: in the quantity's unit */
+    bool said;
+};
+
+struct pp_picture_size {
+    int width, height; /* 0: not said */
+};
+
+struct pp_quantity_choice {
+    bool said;
+    enum pp_quantity is;
+};
+
+struct pp_render_choice {
+    enum pp_view_choice view;
+    struct pp_coordinates from, towards, direction, up;
+    double angle_deg; /* 0: not said */
+    double across_m;  /* 0: not said */
+    struct pp_picture_size size;
+
+    struct pp_quantity_choice quantity;
+    enum pp_pixel_filter filter;
+    int samples;
+    int bounces; /* -1: no limit */
+    const char *checkpoint;
+
+    struct pp_exposure exposure;
+    bool false_colour;
+    struct pp_levels range, levels; /* range: none or two */
+    bool linear, no_contours;
+    bool grid; /* altitudes and bearings over a fisheye */
+
+    enum pp_paper paper;
+    enum pp_orientation orientation;
+    double dpi;
+    const char *from_picture;
+};
+
+extern const struct pp_render_choice pp_render_choice_default;
+
+/* Lists for struct pp_option_group, with a struct pp_render_choice as values. */
+extern const struct pp_option pp_render_view_options[];
+extern const struct pp_option pp_render_picture_options[];
+extern const struct pp_option pp_render_shown_options[];
+
+/* What a file's ending asks for. */
+enum pp_picture_format { PP_FORMAT_HDR, PP_FORMAT_PFM, PP_FORMAT_PNG, PP_FORMAT_SHEET };
+
+/* Do the options make sense together, with so many room files? */
+enum pp_status pp_render_choice_check(const struct pp_render_choice *choice,
+                                      const struct pp_room_options *options,
+                                      int file_count, struct pp_error *err);
+
+/* By the name of the output, which has one. */
+enum pp_status pp_picture_format_of(enum pp_picture_format *format, const char *path,
+                                    struct pp_error *err);
+
+#endif

@@ -1,0 +1,87 @@
+/* render.h - a picture of a scene: light along the rays of a camera, pixel by pixel.
+ *
+ * The caller holds the loop: create, then advance until done, looking at the picture
+ * whenever it likes, then destroy. The picture grows tile by tile; a pixel hangs on the
+ * scene, the options and its own place alone, so that it is the same, to the bit,
+ * whatever the number of threads, the length of the slices and where it was resumed.
+ *
+ * A pixel is the mean over places in and about it, by its filter, stratified; each
+ * place has one path of radiance.h. Light of a world is over Eh, as there.
+ */
+#ifndef PP_SIMULATE_RENDER_H
+#define PP_SIMULATE_RENDER_H
+
+#include <stdbool.h>
+#include <stdint.h>
+#include <stdio.h>
+
+#include "model/camera.h"
+#include "model/picture.h"
+#include "simulate/radiance.h"
+
+/* How places are weighed about a pixel's middle. */
+enum pp_pixel_filter {
+    PP_FILTER_BOX,   /* all of the pixel alike */
+    PP_FILTER_GAUSS, /* a standard deviation of half a pixel, to 1.5 pixels */
+};
+
+enum { PP_RENDER_SAMPLES_MOST = 1 << 16 };
+
+struct pp_render_options {
+    struct pp_camera camera;
+    int width, height; /* pixels */
+    bool irradiance;   /* of the surfaces that are seen, instead of their radiance */
+    enum pp_pixel_filter filter;
+    int samples; /* a pixel; the next power of two is taken */
+    struct pp_radiance_options light;
+    const struct pp_window_store *store; /* not owned; NULL: none */
+    const struct pp_ambient *ambient;    /* not owned; NULL: none */
+    uint64_t ambient_mark; /* a number that hangs on what the ambient store holds */
+    uint64_t seed;
+    int threads; /* 0: as many as the machine has processors */
+};
+
+struct pp_render;
+
+/* scene, store and ambient must live as long as it. */
+enum pp_status pp_render_create(struct pp_render **render,
+                                const struct pp_light_scene *scene,
+                                const struct pp_render_options *options,
+                                struct pp_error *err);
+void pp_render_destroy(struct pp_render *render); /* NULL is allowed */
+
+/* Works for about `seconds` (by the clock; at least one tile a thread). */
+void pp_render_advance(struct pp_render *render, double seconds);
+bool pp_render_done(const struct pp_render *render);
+
+/* Share of the tiles that are done. */
+double pp_render_progress(const struct pp_render *render);
+
+/* The picture so far, owned by the render; what is not done is black. A pixel where
+ * there is nothing to show is NAN: outside a fisheye's circle and, of irradiances,
+ * where most of it shows glass or sky. Of a pixel on the circle's edge the part outside
+ * is black. */
+const struct pp_picture *pp_render_picture(const struct pp_render *render);
+
+/* Row by row, the tag (light_scene.h) of what each pixel's middle shows, glass
+ * included; -1: nothing. */
+const int *pp_render_tags(const struct pp_render *render);
+
+struct pp_render_work {
+    long long rays, leaks; /* leaks: rays that were lost through cracks */
+};
+struct pp_render_work pp_render_work(const struct pp_render *render);
+
+/* ---- checkpoints: checkpoint.c ---- */
+
+/* Writes what is done, to be taken up again. What the stream makes of it is PP_SYSTEM.
+ */
+enum pp_status pp_render_save(const struct pp_render *render, FILE *out,
+                              struct pp_error *err);
+
+/* Takes up what pp_render_save wrote of the same scene and options, whole or not at
+ * all; PP_BAD_INPUT where it is of others, of another version, cut off or damaged. */
+enum pp_status pp_render_resume(struct pp_render *render, const unsigned char *bytes,
+                                size_t length, struct pp_error *err);
+
+#endif
