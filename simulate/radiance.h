@@ -50,7 +50,8 @@ struct pp_radiance_options {
     bool stored;  /* what surfaces outside send through an opening is worked out once
                    * (window_store.h), not followed along each path */
     double source_size; /* of a part over its distance; 0: one direction a source */
-    int source_most;    /* directions to one source or window, at most */
+    int source_most;    /* directions to one source or window, at most; for n paths a
+                         * pixel about 64/n is enough */
     int bounces;        /* diffuse reflections on the way, at most; -1: no limit but
                          * Russian roulette, without bias */
     double least;       /* Russian roulette below this share of a path's first weight;
