@@ -15,6 +15,7 @@ pp_command cmd_chart;
 pp_command cmd_render;
 pp_command cmd_assess;
 pp_command cmd_availability;
+pp_command cmd_export;
 pp_command cmd_validate;
 
 #endif

@@ -26,6 +26,7 @@ static const struct command commands[] = {
     {"size", cmd_size, "the window that just reaches a target"},
     {"availability", cmd_availability, "how often daylight is enough in working hours"},
     {"validate", cmd_validate, "methods against simulation, program against paper"},
+    {"export", cmd_export, "a room as scene files for Radiance"},
 };
 enum { COMMAND_COUNT = sizeof commands / sizeof commands[0] };
 

@@ -266,7 +266,7 @@ static bool define(struct pp_rad_reader *reader, const char *name,
                    enum pp_rad_kind kind, int index)
 {
     return pp_rad_define(&reader->names, name, strlen(name),
-                         (struct pp_rad_meaning){kind, index});
+                         (struct pp_rad_meaning){kind, index, -1});
 }
 
 /* "solar" and its source, and "skyfunc". */
@@ -305,7 +305,7 @@ static enum pp_status run_gensky(struct pp_rad_reader *reader, const struct line
     const struct pp_shape disc = {.kind = PP_SHAPE_DISTANT,
                                   .is.distant = {sun, 0.25 * PP_RAD}};
     return pp_rad_add_shape(reader, line->words, line->number,
-                            (struct pp_rad_meaning){PP_RAD_MATERIAL, index}, disc, way,
+                            (struct pp_rad_meaning){PP_RAD_MATERIAL, index, -1}, disc, way,
                             err);
 }
 

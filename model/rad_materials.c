@@ -175,7 +175,7 @@ static enum pp_status take_material(struct pp_rad_reader *reader,
                        ? primitive->name.length
                        : sizeof material.name - 1),
              primitive->name.text);
-    struct pp_rad_meaning meaning = {PP_RAD_MATERIAL, 0};
+    struct pp_rad_meaning meaning = {PP_RAD_MATERIAL, 0, -1};
     struct pp_error said;
     status = pp_scene_add_material(reader->scene, &material, &meaning.index, &said);
     if (status == PP_BAD_INPUT)
@@ -266,7 +266,7 @@ static enum pp_status take_sky(struct pp_rad_reader *reader,
         pattern.norm = n[3];
         pattern.sun = pp_rad_turn(&turn, pp_unit(sun));
     }
-    struct pp_rad_meaning meaning = {PP_RAD_PATTERN, 0};
+    struct pp_rad_meaning meaning = {PP_RAD_PATTERN, 0, -1};
     status = pp_scene_add_pattern(reader->scene, &pattern, &meaning.index, err);
     return status == PP_OK ? define(reader, primitive, meaning, err) : status;
 }

@@ -73,7 +73,7 @@ bool pp_rad_find(const struct pp_rad_names *names, const char *text, size_t leng
                  struct pp_rad_meaning *meaning)
 {
     if (length == 4 && memcmp(text, "void", 4) == 0) {
-        *meaning = (struct pp_rad_meaning){PP_RAD_VOID, -1};
+        *meaning = (struct pp_rad_meaning){PP_RAD_VOID, -1, -1};
         return true;
     }
     const struct pp_rad_name *name = names->room ? place_of(names, text, length) : NULL;

@@ -11,6 +11,7 @@ enum pp_rad_kind { PP_RAD_VOID, PP_RAD_MATERIAL, PP_RAD_PATTERN };
 struct pp_rad_meaning {
     enum pp_rad_kind kind;
     int index; /* of the description's materials or patterns */
+    int back;  /* the material of a surface's other side; -1: the same one */
 };
 
 struct pp_rad_names {

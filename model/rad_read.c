@@ -155,6 +155,8 @@ static enum pp_status take(struct pp_rad_reader *reader,
     if (status == PP_OK)
         status = pp_rad_take_shape(reader, primitive, way, &taken, err);
     if (status == PP_OK && !taken)
+        status = pp_rad_take_function(reader, primitive, way, &taken, err);
+    if (status == PP_OK && !taken)
         status = pp_rad_take_material(reader, primitive, way, &taken, err);
     if (status == PP_OK && !taken)
         status = pp_rad_fail(
@@ -162,7 +164,7 @@ static enum pp_status take(struct pp_rad_reader *reader,
             "the type \"%.*s\" is not understood; expected a shape (polygon, sphere, "
             "bubble, cone, cup, cylinder, tube, ring, source), a material (plastic, "
             "metal, trans, plastic2, metal2, trans2, glass, light, glow, illum, "
-            "mirror), alias, or the brightfunc of gensky",
+            "mirror), alias, the brightfunc of gensky, a mixfunc of two sides",
             (int)(primitive->type.length < 60 ? primitive->type.length : 60),
             primitive->type.text);
     return status;

@@ -3,7 +3,8 @@
  * What is understood: polygon, sphere, bubble, cone, cup, cylinder, tube, ring, source;
  * void, alias; plastic, metal, trans and the anisotropic plastic2, metal2, trans2 with
  * constant directions, glass, light, glow, illum, mirror; brightfunc skybr of
- * skybright.cal, as gensky writes it; lines "!xform", "!genbox" and "!gensky", piped
+ * skybright.cal, as gensky writes it; mixfunc with one material a side, and the functions
+ * of our own exports (rad_functions.h); lines "!xform", "!genbox" and "!gensky", piped
  * too. Nothing is executed: the lines are worked out here. Everything else is refused
  * by its file and line, so that no scene is read otherwise than it is meant.
  */

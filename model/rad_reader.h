@@ -1,7 +1,7 @@
 /* rad_reader.h - what the parts of the Radiance reader share (inside model/ only).
  *
- * rad_read.c holds the loop over primitives and files, rad_materials.c and rad_shapes.c
- * what each type becomes, rad_command.c what lines that begin with "!" do.
+ * rad_read.c holds the loop over primitives and files, rad_materials.c,
+ * rad_functions.c and rad_shapes.c what each type becomes, rad_command.c what lines that begin with "!" do.
  */
 #ifndef PP_MODEL_RAD_READER_H
 #define PP_MODEL_RAD_READER_H
@@ -55,6 +55,12 @@ enum pp_status pp_rad_read_file(struct pp_rad_reader *reader, const char *path,
 /* Makes it mean its material or pattern; *taken is false if its type is none of these.
  */
 enum pp_status pp_rad_take_material(struct pp_rad_reader *reader,
+                                    const struct pp_rad_primitive *primitive,
+                                    const struct pp_rad_way *way, bool *taken,
+                                    struct pp_error *err);
+
+/* The same of what pepperpot's own exports say by functions (rad_functions.h). */
+enum pp_status pp_rad_take_function(struct pp_rad_reader *reader,
                                     const struct pp_rad_primitive *primitive,
                                     const struct pp_rad_way *way, bool *taken,
                                     struct pp_error *err);

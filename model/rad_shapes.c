@@ -3,16 +3,18 @@
 
 #include "model/rad_reader.h"
 
-/* What a shape of this modifier is made of; -1: it is not seen. */
+/* What a shape of this modifier is made of, -1: it is not seen; and its other side, -1:
+ * of the same. */
 static enum pp_status material_of(const struct pp_rad_reader *reader,
                                   const struct pp_rad_words *words, int line,
                                   struct pp_rad_meaning modifier,
                                   const struct pp_rad_way *way, int *material,
-                                  struct pp_error *err)
+                                  int *back, struct pp_error *err)
 {
     if (way->replaced)
         modifier = way->modifier;
     *material = modifier.kind == PP_RAD_MATERIAL ? modifier.index : -1;
+    *back = modifier.kind == PP_RAD_MATERIAL ? modifier.back : -1;
     if (modifier.kind == PP_RAD_PATTERN)
         return pp_rad_fail(words, line, err,
                            "a shape's modifier is a pattern; expected a material");
@@ -37,9 +39,9 @@ enum pp_status pp_rad_add_polygon(struct pp_rad_reader *reader,
                                   const struct pp_vec3 *corners, int count,
                                   const struct pp_rad_way *way, struct pp_error *err)
 {
-    int material;
+    int material, back;
     enum pp_status status =
-        material_of(reader, words, line, modifier, way, &material, err);
+        material_of(reader, words, line, modifier, way, &material, &back, err);
     if (status != PP_OK || material < 0)
         return status;
     if (count > reader->corner_space) {
@@ -67,8 +69,12 @@ enum pp_status pp_rad_add_polygon(struct pp_rad_reader *reader,
         return PP_OK;
     }
     struct pp_error said;
-    status = pp_scene_add_polygon(reader->scene, moved, count, material, NULL, &said);
-    reader->summary->polygons += status == PP_OK;
+    int index;
+    status = pp_scene_add_polygon(reader->scene, moved, count, material, &index, &said);
+    if (status == PP_OK) {
+        reader->scene->shapes[index].back_material = back;
+        reader->summary->polygons++;
+    }
     return located(status, words, line, &said, err);
 }
 
@@ -78,11 +84,10 @@ enum pp_status pp_rad_add_shape(struct pp_rad_reader *reader,
                                 const struct pp_rad_way *way, struct pp_error *err)
 {
     const struct pp_rad_transform *t = &way->transform;
-    enum pp_status status =
-        material_of(reader, words, line, modifier, way, &shape.material, err);
+    enum pp_status status = material_of(reader, words, line, modifier, way,
+                                        &shape.material, &shape.back_material, err);
     if (status != PP_OK || shape.material < 0)
         return status;
-    shape.back_material = -1;
     shape.inward = shape.inward != way->inverted;
     switch (shape.kind) {
     case PP_SHAPE_SPHERE:

@@ -253,8 +253,13 @@ static double gensky_sky(const struct pp_pattern *pattern, struct pp_vec3 u)
 
 double pp_pattern_value(const struct pp_pattern *pattern, struct pp_vec3 u)
 {
-    if (pattern->kind == PP_PATTERN_SKY)
+    if (pattern->kind == PP_PATTERN_SKY) {
+        for (int i = 0; i < pattern->skyline_count && u.z > 0.0; i++)
+            if (u.z < pattern->skylines[i].slope
+                          * pp_dot(u, pattern->skylines[i].outward))
+                return pattern->skylines[i].radiance;
         return pattern->factor * pp_sky_luminance(&pattern->sky, u);
+    }
     /* Their mean, weighted by tenth powers: of ground a half at the horizon, a tenth at
      * 6 degrees, 3e-4 at 30. */
     double above = pow(u.z + 1.01, 10.0), below = 1.0 / above;

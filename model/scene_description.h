@@ -67,10 +67,22 @@ enum pp_gensky_kind {
     PP_GENSKY_INTERMEDIATE = 4,
 };
 
+/* An endless obstruction so far away that it hides the directions u with
+ * 0 < u.z < slope (u . outward) from every point. */
+struct pp_pattern_skyline {
+    struct pp_vec3 outward; /* horizontal, unit: towards it */
+    double slope;           /* tangent of its angle */
+    double radiance;
+};
+
+enum { PP_PATTERN_SKYLINES_MOST = 16 };
+
 struct pp_pattern {
     enum pp_pattern_kind kind;
     double factor;     /* of PP_PATTERN_SKY */
     struct pp_sky sky; /* of PP_PATTERN_SKY */
+    int skyline_count; /* of PP_PATTERN_SKY: the first one met is seen */
+    struct pp_pattern_skyline skylines[PP_PATTERN_SKYLINES_MOST];
 
     enum pp_gensky_kind type; /* the rest of PP_PATTERN_GENSKY */
     double zenith, ground;    /* radiances of zenith and ground */

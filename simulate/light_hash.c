@@ -47,6 +47,10 @@ static uint64_t stir_material(uint64_t hash, const struct pp_material *m)
 static uint64_t stir_pattern(uint64_t hash, const struct pp_pattern *p)
 {
     hash = stir(stir(hash, p->kind), p->factor);
+    for (int i = 0; p->kind == PP_PATTERN_SKY && i < p->skyline_count; i++) {
+        hash = stir_vec(hash, p->skylines[i].outward);
+        hash = stir(stir(hash, p->skylines[i].slope), p->skylines[i].radiance);
+    }
     if (p->kind == PP_PATTERN_SKY)
         return stir_sky(hash, &p->sky);
     hash = stir(stir(stir(stir(hash, p->type), p->zenith), p->ground), p->norm);

@@ -2,92 +2,38 @@
  * materials. */
 #include <float.h>
 #include <math.h>
-#include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 
+#include "model/world_material.h"
 #include "simulate/light_parts.h"
 
 /* A new material is compared with so many of the last: a world of a million surfaces
  * has few of them, mostly neighbours. */
 enum { LOOKED_BACK = 64 };
 
-static const char *name_of(const struct pp_surface *surface)
-{
-    switch (surface->role) {
-    case PP_FLOOR:
-        return "floor";
-    case PP_WALL:
-        return surface->name ? surface->name : "wall";
-    case PP_CEILING:
-        return "ceiling";
-    case PP_REVEAL:
-        return "reveal";
-    case PP_LOOSE:
-        return "surface";
-    case PP_BLOCK:
-        return "block";
-    }
-    return "surface";
-}
-
-static bool same_rgb(struct pp_rgb a, struct pp_rgb b)
-{
-    return a.r == b.r && a.g == b.g && a.b == b.b;
-}
-
-static bool same_material(const struct pp_material *a, const struct pp_material *b)
-{
-    const struct pp_glass *g = &a->glass[0], *h = &b->glass[0];
-    return a->kind == b->kind && strcmp(a->name, b->name) == 0
-           && same_rgb(a->diffuse, b->diffuse) && same_rgb(a->gloss, b->gloss)
-           && same_rgb(a->through_diffuse, b->through_diffuse)
-           && same_rgb(a->radiance, b->radiance) && a->roughness[0] == b->roughness[0]
-           && a->roughness[1] == b->roughness[1] && a->clear_share == b->clear_share
-           && a->dirt == b->dirt && g->panes == h->panes && g->n == h->n
-           && g->kl == h->kl && g->scale == h->scale;
-}
-
 /* Its number among the scene's; the list has room. */
-static int number_of(struct pp_light_scene *scene, struct pp_material material,
-                     const char *name, bool outside)
+static int number_of(struct pp_light_scene *scene, struct pp_material material)
 {
-    snprintf(material.name, sizeof material.name, "%s%s", name,
-             outside ? " (outside)" : "");
     int last = scene->material_count - LOOKED_BACK;
     for (int i = scene->material_count - 1; i >= 0 && i >= last; i--)
-        if (same_material(&scene->materials[i], &material))
+        if (pp_material_same(&scene->materials[i], &material))
             return i;
     scene->materials[scene->material_count] = material;
     return scene->material_count++;
-}
-
-static struct pp_material material_of(const struct pp_surface *surface,
-                                      double reflectance, bool front)
-{
-    struct pp_material material = pp_material_diffuse(pp_rgb_grey(reflectance));
-    if (surface->finish && (front || !surface->inside || surface->role == PP_LOOSE))
-        material = pp_material_finish(surface->finish, reflectance);
-    if (surface->exitance > 0.0) {
-        material.emits = PP_EMITS_EXTENDED;
-        material.radiance = pp_rgb_grey(surface->exitance / PP_PI);
-    }
-    return material;
 }
 
 static struct pp_light_part part_of(struct pp_light_scene *scene, int index)
 {
     const struct pp_surface *surface = &scene->world->surfaces[index];
     const struct pp_facet *facet = &scene->room->facets[index];
-    const char *name = name_of(surface);
     int space = surface->inside ? PP_INDOORS : PP_OUTDOORS;
     return (struct pp_light_part){
         .normal = facet->normal,
         .offset_m = facet->offset_m,
-        .material = {number_of(scene, material_of(surface, surface->front, true), name,
-                               false),
-                     number_of(scene, material_of(surface, surface->back, false), name,
-                               facet->skin)},
+        .material = {number_of(scene,
+                               pp_world_surface_material(scene->world, index, true)),
+                     number_of(scene,
+                               pp_world_surface_material(scene->world, index, false))},
         .tag = index,
         .round = -1,
         .window = -1,
@@ -100,19 +46,14 @@ static struct pp_light_part part_of(struct pp_light_scene *scene, int index)
 
 static struct pp_light_part pane_of(struct pp_light_scene *scene, int window)
 {
-    const struct pp_opening *opening = &scene->world->openings[window];
-    const struct pp_surface *face = &scene->world->surfaces[opening->face];
     int index = scene->world->surface_count + window;
     const struct pp_facet *facet = &scene->room->facets[index];
-    double left = opening->maintenance * opening->curtains;
-    struct pp_material in = pp_material_glazing(&opening->glass, opening->frame_factor,
-                                                left, face->front);
-    struct pp_material out = pp_material_glazing(&opening->glass, opening->frame_factor,
-                                                 left, face->back);
+    struct pp_material in = pp_world_pane_material(scene->world, window, true);
+    struct pp_material out = pp_world_pane_material(scene->world, window, false);
     return (struct pp_light_part){.normal = facet->normal,
                                   .offset_m = facet->offset_m,
-                                  .material = {number_of(scene, in, "glazing", false),
-                                               number_of(scene, out, "glazing", true)},
+                                  .material = {number_of(scene, in),
+                                               number_of(scene, out)},
                                   .tag = index,
                                   .round = -1,
                                   .window = window,

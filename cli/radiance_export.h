@@ -1,0 +1,20 @@
+/* radiance_export.h - a room as a directory of Radiance's files. */
+#ifndef PP_CLI_RADIANCE_EXPORT_H
+#define PP_CLI_RADIANCE_EXPORT_H
+
+#include "cli/output_directory.h"
+#include "cli/rooms.h"
+
+/* Luminous efficacy of Radiance's units, lm/W [WS98]. */
+#define PP_RADIANCE_EFFICACY 179.0
+
+/* Names of all files that an export may hold, of those made by running it too. */
+extern const char *const pp_radiance_files[];
+
+/* Adds the room's files, below `folder` (NULL: at the top), with an open level
+ * illuminance of `external_lux`. */
+enum pp_status pp_radiance_export(struct pp_directory *directory, const char *folder,
+                                  const struct pp_loaded_room *room,
+                                  double external_lux, struct pp_error *err);
+
+#endif

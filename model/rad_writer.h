@@ -1,0 +1,37 @@
+/* rad_writer.h - what the parts of the Radiance writer share (inside model/ only):
+ * rad_write.c has names and shapes, rad_write_materials.c materials and patterns. */
+#ifndef PP_MODEL_RAD_WRITER_H
+#define PP_MODEL_RAD_WRITER_H
+
+#include "model/rad_write.h"
+
+enum { PP_RAD_NAME_MOST = 63 };
+
+struct pp_rad_name_text {
+    char text[PP_RAD_NAME_MOST + 1 + 32];
+};
+
+/* Materials of front and back, and the name of both together. */
+struct pp_rad_pair {
+    int front, back, name;
+};
+
+struct pp_rad_writer {
+    const struct pp_scene_description *scene; /* not owned */
+    struct pp_rad_name_text *names; /* of materials, then patterns, then pairs */
+    int name_count;
+    struct pp_rad_pair *pairs;
+    int pair_count;
+};
+
+/* How many, then all of them, on a line. */
+void pp_rad_numbers(FILE *out, const double *numbers, int count);
+
+/* The number of 15 digits nearest to it. */
+double pp_rad_tidy(double number);
+
+/* PP_BAD_INPUT where Radiance has no type for it. */
+enum pp_status pp_rad_check_material(const struct pp_material *material,
+                                     struct pp_error *err);
+
+#endif
