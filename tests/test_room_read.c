@@ -164,6 +164,19 @@ static void the_contract_s_own_room(void **state)
     pp_building_destroy(b);
 }
 
+/* The five entities of XML and characters by number are what they stand for. */
+static void names_may_be_escaped(void **state)
+{
+    (void)state;
+    struct pp_building *b =
+        read_good("<room version='1' name='Bed &amp; bath, &lt;2&gt; "
+                  "&quot;&apos;&#38;&#xe9;&amp;#38;'>"
+                  "<plan width='3' depth='4' height='2.5'/></room>");
+    assert_string_equal(pp_building_room(b, 0)->name,
+                        "Bed & bath, <2> \"'&\xc3\xa9&#38;");
+    pp_building_destroy(b);
+}
+
 /* What the file leaves out is as the contract and the conventions have it. */
 static void the_smallest_room(void **state)
 {
@@ -286,6 +299,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_contract_s_own_room),
+        cmocka_unit_test(names_may_be_escaped),
         cmocka_unit_test(the_smallest_room),
         cmocka_unit_test(plans_by_vertices_and_envelopes),
         cmocka_unit_test(a_building_s_site_and_sky_are_its_rooms_defaults),
