@@ -365,6 +365,35 @@ static void a_pane_lit_unevenly_is_the_sum_of_its_pieces(void **state)
     pp_world_destroy(world);
 }
 
+/* Lit once for the room or for the receiver the pane is the same, to the bit; and the
+ * rough rule of averages is as good for it as method.h says, from 0.1 m to the back. */
+static void an_uneven_pane_is_the_same_prepared_and_roughly(void **state)
+{
+    (void)state;
+    struct pp_world *world = pp_test_world(
+        PLAN(PANE "<block x='1.9' y='-5' width='3' depth='2' height='6'/>"));
+    const struct pp_method *exact = &pp_method_exact;
+    void *tools = NULL;
+    assert_int_equal(exact->prepare(&tools, world, NULL), PP_OK);
+    assert_non_null(tools);
+    for (int i = 0; i < 6; i++) {
+        struct pp_receiver receiver = receiver_at(0.7 + 0.37 * i, 0.1 + 0.53 * i, 0.85);
+        struct pp_part alone = part_of(world, &receiver), prepared = {0}, rough = {0};
+        assert_int_equal(exact->evaluate(world, &world->openings[0], &receiver, tools,
+                                         &prepared, NULL),
+                         PP_OK);
+        assert_int_equal(exact->evaluate_roughly(world, &world->openings[0], &receiver,
+                                                 tools, &rough, NULL),
+                         PP_OK);
+        assert_true(alone.sky > 0.0 && prepared.sky == alone.sky);
+        assert_true(prepared.external == alone.external);
+        assert_relative(rough.sky, alone.sky, 1e-4);
+        assert_relative(rough.external, alone.external, 1e-4);
+    }
+    exact->put_away(tools);
+    pp_world_destroy(world);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -383,6 +412,7 @@ int main(void)
         cmocka_unit_test(a_long_block_opposite_is_a_continuous_obstruction),
         cmocka_unit_test(a_diffusing_pane_emits_what_falls_on_it),
         cmocka_unit_test(a_pane_lit_unevenly_is_the_sum_of_its_pieces),
+        cmocka_unit_test(an_uneven_pane_is_the_same_prepared_and_roughly),
     };
     return cmocka_run_group_tests_name("visible", tests, NULL, NULL);
 }
