@@ -183,6 +183,42 @@ static enum pp_status read_exposure(const char *text, void *place, struct pp_err
     return PP_OK;
 }
 
+static enum pp_status read_levels(const char *text, void *place, struct pp_error *err)
+{
+    struct pp_levels levels = {0};
+    levels.count = read_numbers(text, ',', levels.list, PP_LEVELS_MOST);
+    bool good = levels.count >= 1 && levels.list[0] > 0.0;
+    for (int i = 1; i < levels.count; i++)
+        good = good && levels.list[i] > levels.list[i - 1];
+    if (!good || levels.list[levels.count - 1] > 1e12)
+        return pp_fail(err, PP_BAD_INPUT,
+                       "up to %d levels above 0, each higher than the one before, with "
+                       "commas between, such as 1,2,5",
+                       PP_LEVELS_MOST);
+    *(struct pp_levels *)place = levels;
+    return PP_OK;
+}
+
+static enum pp_status read_ends(const char *text, void *place, struct pp_error *err)
+{
+    struct pp_levels range = {0};
+    if (read_levels(text, &range, NULL) != PP_OK || range.count != 2)
+        return pp_fail(err, PP_BAD_INPUT,
+                       "LOW,HIGH with 0 < LOW < HIGH, such as 1,500");
+    *(struct pp_levels *)place = range;
+    return PP_OK;
+}
+
+static enum pp_status read_picture_format(const char *text, void *place,
+                                          struct pp_error *err)
+{
+    static const char *const words[] = {"hdr", "pfm", "png", "pdf", "svg", NULL};
+    if (which_word(text, words) < 0)
+        return pp_fail(err, PP_BAD_INPUT, "hdr, pfm, png, pdf or svg");
+    *(const char **)place = text;
+    return PP_OK;
+}
+
 /* ---- the lists ---- */
 
 #define PLACE(member) offsetof(struct pp_render_choice, member)
@@ -243,32 +279,76 @@ const struct pp_option pp_render_shown_options[] = {
      "PNG: auto (default), human (contrast as an eye in the room would have it), or "
      "the value that is shown white.",
      read_exposure, PLACE(exposure)},
+    {"false-colour", 0, NULL,
+     "PNG, PDF, SVG: a sheet with the values as colours, their scale and level lines.",
+     NULL, PLACE(false_colour)},
+    {"range", 0, "LOW,HIGH",
+     "Ends of the scale, in the quantity's unit (default: what the picture has).",
+     read_ends, PLACE(range)},
+    {"linear", 0, NULL, "A scale of equal steps instead of a logarithmic one.", NULL,
+     PLACE(linear)},
+    {"levels", 0, "LIST",
+     "Values that have lines, with commas between (default: the round ones of the "
+     "scale).",
+     read_levels, PLACE(levels)},
+    {"no-contours", 0, NULL, "No level lines.", NULL, PLACE(no_contours)},
+    {"grid", 0, NULL,
+     "Fisheye, on a sheet: altitudes, points of the compass and the openings' outlines "
+     "over it.",
+     NULL, PLACE(grid)},
     {"from-picture", 0, "FILE.hdr", "Show that picture instead of a room.",
      pp_read_text, PLACE(from_picture)},
+    {"format", 'f', "FORMAT",
+     "hdr, pfm, png, pdf or svg (default: by the ending of -o FILE).",
+     read_picture_format, PLACE(format)},
+    {"paper", 0, "SIZE", "Of a sheet: a5, a4 (default), a3 or a2.", pp_read_paper,
+     PLACE(paper)},
+    {"orientation", 0, "WAY",
+     "portrait or landscape (default: as the picture fits best).", pp_read_orientation,
+     PLACE(orientation)},
+    {"dpi", 0, "N", "Dots per inch of a sheet as PNG, 20 to 1200 (default 200).",
+     pp_read_dpi, PLACE(dpi)},
     {0},
 };
 
 /* ---- do they make sense? ---- */
 
-enum pp_status pp_picture_format_of(enum pp_picture_format *format, const char *path,
-                                    struct pp_error *err)
+static enum pp_status format_of(enum pp_picture_format *format, const char *typed,
+                                const char *path, struct pp_error *err)
 {
     static const struct {
         const char *ending;
         enum pp_picture_format format;
-    } formats[] = {{".hdr", PP_FORMAT_HDR},   {".pic", PP_FORMAT_HDR},
-                   {".pfm", PP_FORMAT_PFM},   {".png", PP_FORMAT_PNG},
-                   {".pdf", PP_FORMAT_SHEET}, {".svg", PP_FORMAT_SHEET}};
+    } formats[] = {{".hdr", PP_PICTURE_HDR}, {".pic", PP_PICTURE_HDR},
+                   {".pfm", PP_PICTURE_PFM}, {".png", PP_PICTURE_PNG},
+                   {".pdf", PP_PICTURE_PDF}, {".svg", PP_PICTURE_SVG}};
     size_t length = strlen(path);
-    for (size_t i = 0; i < sizeof formats / sizeof formats[0]; i++)
-        if (length >= 4 && strcasecmp(path + length - 4, formats[i].ending) == 0) {
+    for (size_t i = 0; i < sizeof formats / sizeof formats[0]; i++) {
+        const char *ending = formats[i].ending;
+        if (typed ? strcmp(typed, ending + 1) == 0
+                  : length >= 4 && strcasecmp(path + length - 4, ending) == 0) {
             *format = formats[i].format;
             return PP_OK;
         }
+    }
     return pp_fail(err, PP_BAD_INPUT,
                    "what kind of file \"%.200s\" is can't be told from its name; "
-                   "expected one that ends in .hdr, .pfm, .png, .pdf or .svg",
+                   "expected one that ends in .hdr, .pfm, .png, .pdf or .svg, or "
+                   "--format",
                    path);
+}
+
+enum pp_status pp_picture_format_of(enum pp_picture_format *format,
+                                    const struct pp_render_choice *choice,
+                                    const char *path, struct pp_error *err)
+{
+    return format_of(format, choice->format, path ? path : "-", err);
+}
+
+bool pp_on_sheet(const struct pp_render_choice *choice, enum pp_picture_format format)
+{
+    return format == PP_PICTURE_PDF || format == PP_PICTURE_SVG
+           || (format == PP_PICTURE_PNG && (choice->false_colour || choice->grid));
 }
 
 static enum pp_status check_view(const struct pp_render_choice *choice,
@@ -308,24 +388,37 @@ enum pp_status pp_render_choice_check(const struct pp_render_choice *choice,
     if (!choice->from_picture && file_count != 1)
         return pp_fail(err, PP_BAD_INPUT,
                        "expected one room file, or - for standard input");
-    if (!options->output)
+    if (!options->output && !choice->format)
         return pp_fail(err, PP_BAD_INPUT,
                        "expected -o FILE.hdr, FILE.pfm, FILE.png, FILE.pdf or "
                        "FILE.svg");
     enum pp_picture_format format;
-    enum pp_status status = pp_picture_format_of(&format, options->output, err);
+    enum pp_status status = pp_picture_format_of(&format, choice, options->output, err);
     if (status != PP_OK)
         return status;
-    bool shown = format == PP_FORMAT_PNG || format == PP_FORMAT_SHEET;
-    if (choice->false_colour && !shown)
+    bool shown = format != PP_PICTURE_HDR && format != PP_PICTURE_PFM;
+    if ((choice->false_colour || choice->grid) && !shown)
         return pp_fail(err, PP_BAD_INPUT,
-                       "false colour is drawn, not kept; expected -o FILE.png, "
-                       "FILE.pdf or FILE.svg");
+                       "%s is drawn, not kept; expected -o FILE.png, FILE.pdf or "
+                       "FILE.svg",
+                       choice->grid ? "a grid" : "false colour");
     if (choice->exposure.said && !shown)
         return pp_fail(err, PP_BAD_INPUT,
-                       "%s keeps the light as it is, without --exposure; expected -o "
-                       "FILE.png",
-                       options->output);
+                       "the light is kept as it is, without --exposure; expected -o "
+                       "FILE.png, FILE.pdf or FILE.svg");
+    const char *of_scale = choice->range.count    ? "--range"
+                           : choice->linear       ? "--linear"
+                           : choice->levels.count ? "--levels"
+                           : choice->no_contours  ? "--no-contours"
+                                                  : NULL;
+    if (of_scale && !choice->false_colour)
+        return pp_fail(err, PP_BAD_INPUT, "%s is of the scale of --false-colour",
+                       of_scale);
+    if (choice->grid
+        && (choice->from_picture || choice->view < PP_CHOOSE_HEMISPHERICAL))
+        return pp_fail(err, PP_BAD_INPUT,
+                       "--grid is laid over a fisheye of a room; expected --view "
+                       "hemispherical or angular");
     if (choice->exposure.said && choice->false_colour)
         return pp_fail(err, PP_BAD_INPUT,
                        "false colour has no --exposure; expected --range LOW,HIGH");

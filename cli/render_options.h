@@ -68,6 +68,7 @@ struct pp_render_choice {
     bool linear, no_contours;
     bool grid; /* altitudes and bearings over a fisheye */
 
+    const char *format; /* as typed; NULL: by the file's name */
     enum pp_paper paper;
     enum pp_orientation orientation;
     double dpi;
@@ -81,16 +82,25 @@ extern const struct pp_option pp_render_view_options[];
 extern const struct pp_option pp_render_picture_options[];
 extern const struct pp_option pp_render_shown_options[];
 
-/* What a file's ending asks for. */
-enum pp_picture_format { PP_FORMAT_HDR, PP_FORMAT_PFM, PP_FORMAT_PNG, PP_FORMAT_SHEET };
+enum pp_picture_format {
+    PP_PICTURE_HDR,
+    PP_PICTURE_PFM,
+    PP_PICTURE_PNG,
+    PP_PICTURE_PDF,
+    PP_PICTURE_SVG,
+};
 
 /* Do the options make sense together, with so many room files? */
 enum pp_status pp_render_choice_check(const struct pp_render_choice *choice,
                                       const struct pp_room_options *options,
                                       int file_count, struct pp_error *err);
 
-/* By the name of the output, which has one. */
-enum pp_status pp_picture_format_of(enum pp_picture_format *format, const char *path,
-                                    struct pp_error *err);
+/* By --format, or by the ending of the output's name (NULL: standard output). */
+enum pp_status pp_picture_format_of(enum pp_picture_format *format,
+                                    const struct pp_render_choice *choice,
+                                    const char *path, struct pp_error *err);
+
+/* Is it laid out on a sheet, or shown pixel for pixel? */
+bool pp_on_sheet(const struct pp_render_choice *choice, enum pp_picture_format format);
 
 #endif

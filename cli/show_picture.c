@@ -4,12 +4,15 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "charts/picture_chart.h"
 #include "charts/picture_png.h"
+#include "cli/lay_picture.h"
 #include "config.h"
 #include "model/file_bytes.h"
 #include "model/picture_hdr.h"
 #include "model/picture_pfm.h"
 #include "model/raster.h"
+#include "model/view_grid.h"
 
 /* Of a picture's file: 1 GiB. */
 #define BYTES_MOST ((size_t)1 << 30)
@@ -141,21 +144,77 @@ static enum pp_status write_png(FILE *out, const struct pp_shown *shown,
     return status;
 }
 
+static enum pp_status lay_raster(struct pp_picture_sheet *sheet,
+                                 const struct pp_shown *shown,
+                                 const struct pp_render_choice *choice,
+                                 struct pp_error *err)
+{
+    if (choice->false_colour)
+        return pp_lay_false_colour(sheet, shown, choice, err);
+    return tone_raster(&sheet->raster, shown, choice, err);
+}
+
+static enum pp_status draw_sheet(FILE *out, const struct pp_picture_sheet *sheet,
+                                 const struct pp_sheet *paper, struct pp_error *err)
+{
+    struct pp_canvas *canvas;
+    enum pp_status status = pp_canvas_create(&canvas, paper, err);
+    if (status != PP_OK)
+        return status;
+    const unsigned char *bytes;
+    size_t length;
+    status = pp_picture_chart_draw(canvas, sheet, err);
+    if (status == PP_OK)
+        status = pp_canvas_finish(canvas, &bytes, &length, err);
+    if (status == PP_OK && fwrite(bytes, 1, length, out) != length)
+        status = pp_fail_memory(err);
+    pp_canvas_destroy(canvas);
+    return status;
+}
+
+static enum pp_status write_sheet(FILE *out, const struct pp_shown *shown,
+                                  const struct pp_render_choice *choice,
+                                  enum pp_picture_format format, struct pp_error *err)
+{
+    struct pp_picture_sheet sheet = {0};
+    pp_lay_words(&sheet, shown, choice);
+    enum pp_status status = lay_raster(&sheet, shown, choice, err);
+    if (status == PP_OK && choice->grid)
+        status = pp_view_grid(&sheet, &shown->camera, shown->world, err);
+    struct pp_sheet paper = {.format = format == PP_PICTURE_PDF   ? PP_CHART_PDF
+                                       : format == PP_PICTURE_SVG ? PP_CHART_SVG
+                                                                  : PP_CHART_PNG,
+                             .paper = choice->paper,
+                             .landscape = choice->orientation == PP_LANDSCAPE
+                                          || (choice->orientation == PP_AS_FITS
+                                              && pp_picture_chart_landscape(&sheet)),
+                             .dpi = choice->dpi,
+                             .title = sheet.title,
+                             .description = sheet.subtitle};
+    if (status == PP_OK)
+        status = draw_sheet(out, &sheet, &paper, err);
+    pp_picture_sheet_clear(&sheet);
+    return status;
+}
+
 enum pp_status pp_show_picture(const struct pp_shown *shown,
                                const struct pp_render_choice *choice, const char *path,
                                FILE *out, struct pp_error *err)
 {
     enum pp_picture_format format;
-    enum pp_status status = pp_picture_format_of(&format, path, err);
+    enum pp_status status = pp_picture_format_of(&format, choice, path, err);
     if (status != PP_OK)
         return status;
+    if (pp_on_sheet(choice, format))
+        return write_sheet(out, shown, choice, format, err);
     switch (format) {
-    case PP_FORMAT_HDR:
+    case PP_PICTURE_HDR:
         return write_hdr(out, shown, err);
-    case PP_FORMAT_PFM:
+    case PP_PICTURE_PFM:
         return write_pfm(out, shown, err);
-    case PP_FORMAT_PNG:
-    case PP_FORMAT_SHEET:
+    case PP_PICTURE_PNG:
+    case PP_PICTURE_PDF:
+    case PP_PICTURE_SVG:
         break;
     }
     return write_png(out, shown, choice, err);

@@ -1,0 +1,15 @@
+/* picture_chart.h - a picture on a sheet: with its scale, level lines and marks. */
+#ifndef PP_CHARTS_PICTURE_CHART_H
+#define PP_CHARTS_PICTURE_CHART_H
+
+#include "charts/canvas.h"
+#include "model/picture_sheet.h"
+
+enum pp_status pp_picture_chart_draw(struct pp_canvas *canvas,
+                                     const struct pp_picture_sheet *sheet,
+                                     struct pp_error *err);
+
+/* Does it fill a sheet that lies on its side better? */
+bool pp_picture_chart_landscape(const struct pp_picture_sheet *sheet);
+
+#endif

@@ -1,0 +1,18 @@
+/* lay_picture.h - what a sheet says of a picture, and its false colours. */
+#ifndef PP_CLI_LAY_PICTURE_H
+#define PP_CLI_LAY_PICTURE_H
+
+#include "cli/show_picture.h"
+#include "model/picture_sheet.h"
+
+/* Title, subtitle and notes. */
+void pp_lay_words(struct pp_picture_sheet *sheet, const struct pp_shown *shown,
+                  const struct pp_render_choice *choice);
+
+/* Raster, scale and level lines. */
+enum pp_status pp_lay_false_colour(struct pp_picture_sheet *sheet,
+                                   const struct pp_shown *shown,
+                                   const struct pp_render_choice *choice,
+                                   struct pp_error *err);
+
+#endif
