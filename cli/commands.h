@@ -16,6 +16,7 @@ pp_command cmd_render;
 pp_command cmd_assess;
 pp_command cmd_availability;
 pp_command cmd_export;
+pp_command cmd_import;
 pp_command cmd_validate;
 
 #endif

@@ -27,6 +27,7 @@ static const struct command commands[] = {
     {"availability", cmd_availability, "how often daylight is enough in working hours"},
     {"validate", cmd_validate, "methods against simulation, program against paper"},
     {"export", cmd_export, "a room as scene files for Radiance"},
+    {"import", cmd_import, "sensor points in a scene of Radiance's"},
 };
 enum { COMMAND_COUNT = sizeof commands / sizeof commands[0] };
 
