@@ -1,17 +1,24 @@
 #include "cli/make_picture.h"
 
+#include <errno.h>
 #include <math.h>
-#include <string.h>
+#include <stdlib.h>
+#include <unistd.h>
 
 #include "cli/interrupt.h"
+#include "cli/output.h"
 #include "cli/progress.h"
 #include "cli/render_view.h"
+#include "model/file_bytes.h"
 
 /* A slice of the work, and the time between two checkpoints. */
-static const double slice_s = 0.1;
+static const double slice_s = 0.1, checkpoint_s = 30.0;
 
-/* Directions from one place of a pixel to one window. */
-enum { DIRECTIONS_MOST = 4 };
+/* Directions from a pixel to one window, as many as its paths let each have. */
+enum { DIRECTIONS = 64 };
+
+/* Of a checkpoint: 4 GiB. */
+#define CHECKPOINT_MOST ((size_t)1 << 32)
 
 static enum pp_status create(struct pp_made_picture *made, const struct pp_world *world,
                              const struct pp_render_choice *choice,
@@ -27,7 +34,8 @@ static enum pp_status create(struct pp_made_picture *made, const struct pp_world
         .threads = options->threads,
     };
     render.light.bounces = choice->bounces;
-    render.light.source_most = DIRECTIONS_MOST;
+    render.light.source_most =
+        choice->samples < DIRECTIONS ? DIRECTIONS / choice->samples : 1;
     enum pp_status status = pp_light_scene_of_world(&made->scene, world, err);
     struct pp_picture_size size;
     if (status == PP_OK)
@@ -44,19 +52,85 @@ static enum pp_status create(struct pp_made_picture *made, const struct pp_world
     return pp_render_create(&made->render, made->scene, &render, err);
 }
 
-static enum pp_status work(struct pp_made_picture *made, const struct pp_world *world,
-                           const struct pp_room_options *options, struct pp_error *err)
+/* ---- checkpoints ---- */
+
+/* Goes on from the file, if there is one. */
+static enum pp_status resume(struct pp_made_picture *made, const char *path,
+                             struct pp_error *err)
 {
-    enum pp_status status = PP_OK;
+    if (access(path, F_OK) != 0 && errno == ENOENT)
+        return PP_OK;
+    char *bytes;
+    size_t length;
+    enum pp_status status = pp_file_bytes(&bytes, &length, path, CHECKPOINT_MOST, err);
+    if (status != PP_OK)
+        return status;
+    struct pp_error own = {0};
+    status = pp_render_resume(made->render, (const unsigned char *)bytes, length, &own);
+    free(bytes);
+    if (status != PP_OK)
+        return pp_fail(err, status, "%s: %s", path, own.message);
+    return PP_OK;
+}
+
+static enum pp_status save(const struct pp_made_picture *made, const char *path,
+                           struct pp_error *err)
+{
+    struct pp_output output;
+    enum pp_status status = pp_output_open(&output, path, err);
+    if (status != PP_OK)
+        return status;
+    status = pp_render_save(made->render, output.stream, err);
+    if (status == PP_OK)
+        status = pp_output_commit(&output, err);
+    else
+        pp_output_abandon(&output);
+    return status;
+}
+
+/* Ctrl-C: what is done is kept where there is a place for it. */
+static enum pp_status interrupted(const struct pp_made_picture *made, const char *path,
+                                  struct pp_error *err)
+{
+    if (!path)
+        return pp_fail(err, PP_INTERRUPTED,
+                       "interrupted; there is no picture (--checkpoint FILE keeps what "
+                       "is done)");
+    enum pp_status status = save(made, path, err);
+    if (status != PP_OK)
+        return status;
+    return pp_fail(err, PP_INTERRUPTED,
+                   "interrupted; %s keeps the %.0f %% that are done, for the same "
+                   "command to go on from",
+                   path, floor(100.0 * pp_render_progress(made->render)));
+}
+
+/* ---- the work ---- */
+
+static enum pp_status work(struct pp_made_picture *made, const struct pp_world *world,
+                           const char *checkpoint, bool quiet, struct pp_error *err)
+{
     struct pp_progress progress;
-    pp_progress_begin(&progress, world->name ? world->name : "picture", options->quiet);
-    while (!pp_render_done(made->render) && status == PP_OK) {
+    enum pp_status status = checkpoint ? resume(made, checkpoint, err) : PP_OK;
+    double saved_s = pp_progress_clock(), before = pp_render_progress(made->render);
+    bool all_there = pp_render_done(made->render);
+    pp_progress_begin(&progress, world->name ? world->name : "picture", quiet);
+    pp_progress_resume(&progress, before);
+    while (status == PP_OK && !pp_render_done(made->render)) {
         pp_render_advance(made->render, slice_s);
         pp_progress_show(&progress, pp_render_progress(made->render), NAN);
-        if (pp_interrupt_came())
-            status = pp_fail(err, PP_INTERRUPTED, "interrupted; there is no picture");
+        if (pp_interrupt_came() && !pp_render_done(made->render)) {
+            pp_progress_end(&progress);
+            return interrupted(made, checkpoint, err);
+        }
+        if (checkpoint && pp_progress_clock() - saved_s > checkpoint_s) {
+            status = save(made, checkpoint, err);
+            saved_s = pp_progress_clock();
+        }
     }
     pp_progress_end(&progress);
+    if (status == PP_OK && checkpoint && !all_there)
+        status = save(made, checkpoint, err);
     return status;
 }
 
@@ -98,7 +172,7 @@ enum pp_status pp_make_picture(struct pp_made_picture *made,
     pp_interrupt_watch();
     enum pp_status status = create(made, world, choice, options, err);
     if (status == PP_OK)
-        status = work(made, world, options, err);
+        status = work(made, world, choice->checkpoint, options->quiet, err);
     if (status == PP_OK)
         status = take_picture(made, world, choice, options, err);
     return status;

@@ -20,7 +20,15 @@ double pp_progress_clock(void)
 void pp_progress_begin(struct pp_progress *progress, const char *label, bool quiet)
 {
     double now = pp_progress_clock();
-    *progress = (struct pp_progress){!quiet && isatty(STDERR_FILENO), now, now, label};
+    *progress = (struct pp_progress){.shown = !quiet && isatty(STDERR_FILENO),
+                                     .started_s = now,
+                                     .last_s = now,
+                                     .label = label};
+}
+
+void pp_progress_resume(struct pp_progress *progress, double done)
+{
+    progress->before = done;
 }
 
 /* "8 s", "3 min", "2.5 h". */
@@ -66,9 +74,9 @@ void pp_progress_show(struct pp_progress *progress, double done, double error)
     if (isfinite(error))
         fprintf(stderr, ", error %.2g %%", 100.0 * error);
     double elapsed = now - progress->started_s;
-    if (done > 0.0 && elapsed > 0.3) {
+    if (done > progress->before && elapsed > 0.3) {
         fputs(", ", stderr);
-        put_time(elapsed * (1.0 - done) / done);
+        put_time(elapsed * (1.0 - done) / (done - progress->before));
         fputs(" left", stderr);
     }
     fflush(stderr);

@@ -8,6 +8,7 @@ struct pp_progress {
     bool shown;        /* is standard error a terminal, and was it asked for? */
     double started_s;  /* by pp_progress_clock */
     double last_s;     /* when the line was last drawn */
+    double before;     /* how far it was at the start, 0 to 1 */
     const char *label; /* the room's name; not owned */
 };
 
@@ -15,6 +16,9 @@ struct pp_progress {
 double pp_progress_clock(void);
 
 void pp_progress_begin(struct pp_progress *progress, const char *label, bool quiet);
+
+/* Of work that goes on from `done`: the time left is reckoned from there. */
+void pp_progress_resume(struct pp_progress *progress, double done);
 
 /* Draws the line anew, ten times a second at most. done: 0 to 1; error: the largest
  * standard error over daylight factor so far, NAN where there is none. */

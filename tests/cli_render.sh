@@ -1,0 +1,157 @@
+#!/bin/sh
+# render: pictures of rooms, in every format, from every view; what is refused.
+. "$srcdir/tests/tap.sh"
+. "$srcdir/tests/cli.sh"
+
+small="--size 48x32 --samples 2"
+
+# draws FILE WORDS: status 0, nothing said, and the file is there.
+draws() {
+    file=$scratch/$1
+    shift
+    rm -f "$file"
+    run render "$@" -o "$file"
+    [ $status -eq 0 ] && [ -s "$file" ] && [ ! -s "$scratch/out" ] &&
+        [ ! -s "$scratch/err" ] || told
+}
+
+# begins FILE TEXT: the file begins so.
+begins() {
+    head -c 8 "$scratch/$1" | grep -aqF -- "$2"
+}
+
+for format in hdr pfm png pdf svg; do
+    check "a picture as $format" draws "a.$format" $small "$deep"
+done
+check "a Radiance picture begins as one" begins a.hdr '#?RADIAN'
+check "and names its view" grep -aq '^VIEW= -vtv -vp 1\.[0-9]* 8\.' "$scratch/a.hdr"
+check "and its size" grep -aqx -- '-Y 32 +X 48' "$scratch/a.hdr"
+check "a float map begins as one" begins a.pfm PF
+check "a PNG begins as one" begins a.png PNG
+check "a PDF begins as one" begins a.pdf '%PDF'
+check "an SVG is one" grep -q '<svg ' "$scratch/a.svg"
+
+for view in perspective plan section hemispherical angular; do
+    check "view $view" draws "$view.png" $small --view $view "$deep"
+done
+check "a parallel view" draws p.png $small --view parallel --from 1.5,5,1 \
+    --direction 0,-1,0 --across 3 "$deep"
+check "a view from and towards" draws v.png $small --from 1,2 --towards 2,0,1.5 "$deep"
+for quantity in luminance illuminance df; do
+    check "quantity $quantity" draws "q-$quantity.hdr" $small --quantity $quantity "$deep"
+done
+check "a picture of daylight factors says so" grep -aqx 'QUANTITY= df' "$scratch/q-df.hdr"
+check "one of luminances says nothing" \
+    nothing "$(grep -a QUANTITY "$scratch/q-luminance.hdr")"
+
+for how in auto human 500; do
+    check "exposure $how" draws e.png $small --exposure $how "$deep"
+done
+check "false colour on a sheet" draws f.png $small --false-colour --dpi 30 "$deep"
+check "false colour with a scale of one's own" draws f.svg $small --false-colour \
+    --quantity df --range 0.1,20 --levels 1,2,5 --paper a5 "$deep"
+check "false colour, linear, without lines" \
+    draws f.pdf $small --false-colour --linear --no-contours "$deep"
+check "a fisheye with its grid" \
+    draws g.svg --size 40x40 --samples 1 --view angular --grid "$deep"
+
+# ---- the same again ----
+
+"$pepperpot" render $small --threads 1 "$deep" -o "$scratch/one.hdr"
+"$pepperpot" render $small --threads 3 "$deep" -o "$scratch/three.hdr"
+check "threads do not matter" same "$scratch/one.hdr" "$scratch/three.hdr"
+check "nor does where it goes" gives render $small --format hdr "$deep"
+check "to the byte" same "$scratch/one.hdr" "$scratch/out"
+"$pepperpot" render $small --seed 2 "$deep" -o "$scratch/seed.hdr"
+check "the seed does" test "$(cksum <"$scratch/one.hdr")" != "$(cksum <"$scratch/seed.hdr")"
+"$pepperpot" render $small --external 20000 "$deep" -o "$scratch/bright.hdr"
+check "twice the light outside is another picture" \
+    test "$(cksum <"$scratch/one.hdr")" != "$(cksum <"$scratch/bright.hdr")"
+
+# ---- from a picture ----
+
+check "a picture shown again" draws s.png --from-picture "$scratch/one.hdr"
+check "has the size it had" \
+    test "$(od -An -tx1 -j16 -N8 "$scratch/s.png" | tr -d ' ')" = 0000003000000020
+check "in false colours" \
+    draws s.svg --from-picture "$scratch/q-df.hdr" --false-colour
+check "as a float map" draws s.pfm --from-picture "$scratch/one.hdr"
+check "a picture of another quantity" refuses 1 "a picture of df, not of illuminance" \
+    render --from-picture "$scratch/q-df.hdr" --quantity illuminance -o "$scratch/x.png"
+head -c 200 "$scratch/one.hdr" >"$scratch/cut.hdr"
+check "a picture that is cut off" refuses 1 "cut.hdr: " \
+    render --from-picture "$scratch/cut.hdr" -o "$scratch/x.png"
+check "a picture that is none" refuses 1 "not a Radiance picture" \
+    render --from-picture "$deep" -o "$scratch/x.png"
+check "a picture that is not there" refuses 1 "missing.hdr" \
+    render --from-picture "$scratch/missing.hdr" -o "$scratch/x.png"
+check "none of these left a file" test ! -e "$scratch/x.png"
+
+# ---- checkpoints and Ctrl-C ----
+
+long="--size 400x300 --samples 512 --quiet"
+check "interrupted, there is no picture" eval \
+    'interrupted render $long "$deep" -o "$scratch/i.hdr"; [ $status -eq 130 ] &&
+     [ ! -e "$scratch/i.hdr" ] && grep -q -- "--checkpoint" "$scratch/err" || told'
+check "interrupted with a checkpoint, what is done is kept" eval \
+    'interrupted render $long --checkpoint "$scratch/c" "$deep" -o "$scratch/i.hdr";
+     [ $status -eq 130 ] && [ ! -e "$scratch/i.hdr" ] && [ -s "$scratch/c" ] || told'
+check "nothing temporary is left" nothing "$(find "$scratch" -name '.pepperpot*')"
+check "another picture does not go on from it" refuses 1 "another picture" \
+    render $small --checkpoint "$scratch/c" "$deep" -o "$scratch/x.hdr"
+check "a picture made with a checkpoint" \
+    draws c.hdr $small --checkpoint "$scratch/d" "$deep"
+check "is the same" same "$scratch/one.hdr" "$scratch/c.hdr"
+check "and comes again from the checkpoint" \
+    draws c.hdr $small --checkpoint "$scratch/d" "$deep"
+check "the same once more" same "$scratch/one.hdr" "$scratch/c.hdr"
+head -c 1000 "$scratch/d" >"$scratch/cut"
+check "a checkpoint that is cut off" refuses 1 "cut off or damaged" \
+    render $small --checkpoint "$scratch/cut" "$deep" -o "$scratch/x.hdr"
+check "a file that is no checkpoint" refuses 1 "no checkpoint" \
+    render $small --checkpoint "$deep" "$deep" -o "$scratch/x.hdr"
+
+# ---- what makes no sense ----
+
+check "no output" refuses 2 "expected -o FILE.hdr" render "$deep"
+check "an ending unknown" refuses 2 "can't be told" render "$deep" -o "$scratch/x.jpg"
+check "no room" refuses 2 "expected one room file" render -o "$scratch/x.png"
+check "several rooms" refuses 2 "expected --room NAME" \
+    render -o "$scratch/x.png" "$examples/building.xml"
+check "a view unknown" refuses 2 "hemispherical" \
+    render --view top "$deep" -o "$scratch/x.png"
+check "a size that is none" refuses 2 "640x480" \
+    render --size 0x7 "$deep" -o "$scratch/x.png"
+check "a size too large" refuses 2 "65535" \
+    render --size 65535x65535 "$deep" -o "$scratch/x.png"
+check "an angle of no perspective" refuses 1 "less than 180" \
+    render --angle 180 $small "$deep" -o "$scratch/x.png"
+check "a view along its own up" refuses 1 "another up" \
+    render --direction 0,0,1 --up 0,0,2 $small "$deep" -o "$scratch/x.png"
+check "towards and direction" refuses 2 "expected one of them" \
+    render --towards 1,1 --direction 1,0,0 "$deep" -o "$scratch/x.png"
+check "an angle of a plan" refuses 2 "--across" \
+    render --view plan --angle 60 "$deep" -o "$scratch/x.png"
+check "false colour as numbers" refuses 2 "drawn, not kept" \
+    render --false-colour "$deep" -o "$scratch/x.hdr"
+check "an exposure of numbers" refuses 2 "kept as it is" \
+    render --exposure 7 "$deep" -o "$scratch/x.pfm"
+check "a scale without false colour" refuses 2 "--range is of the scale" \
+    render --range 1,2 "$deep" -o "$scratch/x.png"
+check "a range upside down" refuses 2 "LOW < HIGH" \
+    render --false-colour --range 2,1 "$deep" -o "$scratch/x.png"
+check "levels that fall" refuses 2 "higher than the one before" \
+    render --false-colour --levels 2,1 "$deep" -o "$scratch/x.png"
+check "a grid over no fisheye" refuses 2 "fisheye" \
+    render --grid "$deep" -o "$scratch/x.png"
+check "the eye's contrast of daylight factors" refuses 2 "an eye sees luminance" \
+    render --quantity df --exposure human "$deep" -o "$scratch/x.png"
+check "a room and a picture" refuses 2 "expected one of them" \
+    render --from-picture "$scratch/one.hdr" "$deep" -o "$scratch/x.png"
+check "a place for no output" refuses 3 "nowhere" \
+    render $small "$deep" -o "$scratch/nowhere/x.png"
+run render $small --format hdr "$deep"
+"$pepperpot" render $small --format hdr "$deep" >/dev/full 2>"$scratch/err"
+check "a full disk" test $? -eq 3
+check "none of these left a file either" nothing "$(ls "$scratch" | grep '^x\.')"
+tap_done
