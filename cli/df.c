@@ -5,6 +5,7 @@
 #include "cli/commands.h"
 #include "cli/format.h"
 #include "cli/gather.h"
+#include "cli/gather_cached.h"
 #include "cli/interrupt.h"
 #include "cli/lumen_option.h"
 #include "cli/messages.h"
@@ -46,6 +47,7 @@ static void help(const struct pp_command_line *line)
 /* Hand methods of all rooms first: they take milliseconds, and are there whatever
  * happens to the simulation. */
 static enum pp_status compute(struct pp_results *results, const struct pp_rooms *rooms,
+                              const struct pp_engine_words *engine,
                               struct pp_error *err)
 {
     for (int i = 0; i < rooms->count; i++) {
@@ -62,8 +64,13 @@ static enum pp_status compute(struct pp_results *results, const struct pp_rooms 
     pp_interrupt_watch();
     for (int i = 0; i < results->count; i++) {
         struct pp_result *result = &results->list[i];
-        enum pp_status status =
-            pp_gather_traced(&result->report, results->options, &result->by_clock, err);
+        enum pp_status status = PP_OK;
+        if (engine->path)
+            status = pp_gather_traced(&result->report, results->options,
+                                      &result->by_clock, err);
+        if (status == PP_OK && engine->cached)
+            status = pp_gather_cached(&result->report, results->options, engine,
+                                      &result->by_clock, err);
         if (status != PP_OK)
             return status;
     }
@@ -87,13 +94,14 @@ static enum pp_status print(const struct pp_results *results, enum pp_format for
 
 static enum pp_exit compute_and_print(struct pp_results *results,
                                       const struct pp_rooms *rooms,
+                                      const struct pp_engine_words *engine,
                                       enum pp_format format)
 {
     struct pp_error err = {0};
     struct pp_output output;
     enum pp_status status = pp_output_open(&output, results->options->output, &err);
     if (status == PP_OK)
-        status = compute(results, rooms, &err);
+        status = compute(results, rooms, engine, &err);
     if (status == PP_OK)
         status = print(results, format, output.stream, &err);
     if (status == PP_OK)
@@ -127,7 +135,8 @@ static enum pp_exit check_explained(const struct pp_room_options *options,
     return PP_EXIT_DONE;
 }
 
-static enum pp_exit run(const struct pp_room_options *options, enum pp_format format,
+static enum pp_exit run(const struct pp_room_options *options,
+                        const struct pp_engine_words *engine, enum pp_format format,
                         char **files, int file_count)
 {
     struct pp_rooms rooms;
@@ -136,6 +145,14 @@ static enum pp_exit run(const struct pp_room_options *options, enum pp_format fo
         return exit_status;
 
     exit_status = check_explained(options, &rooms);
+    if (exit_status == PP_EXIT_DONE && engine->cache.file && rooms.count > 1) {
+        struct pp_error err;
+        pp_fail(&err, PP_BAD_INPUT,
+                "--cache has the records of one room, and there are %d; expected one, "
+                "by --room NAME",
+                rooms.count);
+        exit_status = pp_say_usage("df", &err);
+    }
     if (exit_status != PP_EXIT_DONE) {
         pp_rooms_clear(&rooms);
         return exit_status;
@@ -145,7 +162,7 @@ static enum pp_exit run(const struct pp_room_options *options, enum pp_format fo
                                  .options = options};
     results.list = calloc((size_t)rooms.count, sizeof *results.list);
     if (results.list) {
-        exit_status = compute_and_print(&results, &rooms, format);
+        exit_status = compute_and_print(&results, &rooms, engine, format);
     } else {
         struct pp_error err;
         pp_fail_memory(&err);
@@ -176,6 +193,7 @@ static enum pp_status check(struct pp_room_options *options, enum pp_format form
 
 /* With the user's own tables, if he has any. */
 static enum pp_exit run_with_tables(struct pp_room_options *options,
+                                    const struct pp_engine_words *engine,
                                     const struct pp_lumen_files *lumen_files,
                                     enum pp_format format, char **files, int file_count)
 {
@@ -183,7 +201,7 @@ static enum pp_exit run_with_tables(struct pp_room_options *options,
     enum pp_exit exit_status = pp_lumen_load(&table, lumen_files);
     options->method_options.lumen_table = table;
     if (exit_status == PP_EXIT_DONE)
-        exit_status = run(options, format, files, file_count);
+        exit_status = run(options, engine, format, files, file_count);
     options->method_options.lumen_table = NULL;
     pp_lumen_table_destroy(table);
     return exit_status;
@@ -193,6 +211,7 @@ enum pp_exit cmd_df(int argc, char **argv)
 {
     struct pp_room_options options = pp_room_options_none;
     struct pp_lumen_files lumen_files = {.count = 0};
+    struct pp_engine_words engine = {.cache = pp_cache_words_none()};
     enum pp_format format = PP_FORMAT_TEXT;
     const struct pp_option_group groups[] = {
         {"What is computed", pp_room_choice_options, &options},
@@ -200,6 +219,8 @@ enum pp_exit cmd_df(int argc, char **argv)
         {"What is computed", explain_option, &options},
         {"What is computed", pp_room_external_option, &options},
         {"Simulation", pp_room_simulation_options, &options},
+        {"Simulation", pp_engine_options, &engine},
+        {"Irradiance cache", pp_cache_word_options, &engine.cache},
         {"Output", pp_format_option, &format},
         {"Output", pp_room_output_options, &options},
         {0},
@@ -214,6 +235,8 @@ enum pp_exit cmd_df(int argc, char **argv)
         pp_options_read(&line, argc, argv, &file_count, &wants_help, &err);
     if (status == PP_OK && !wants_help)
         status = check(&options, format, file_count, &err);
+    if (status == PP_OK && !wants_help)
+        status = pp_engine_settle(&engine, options.simulate, &err);
 
     if (status == PP_SYSTEM)
         exit_status = pp_say_error(&err);
@@ -222,7 +245,9 @@ enum pp_exit cmd_df(int argc, char **argv)
     else if (wants_help)
         exit_status = (help(&line), PP_EXIT_DONE);
     else
-        exit_status = run_with_tables(&options, &lumen_files, format, argv, file_count);
+        exit_status =
+            run_with_tables(&options, &engine, &lumen_files, format, argv, file_count);
     pp_room_options_clear(&options);
+    pp_cache_words_clear(&engine.cache);
     return exit_status;
 }

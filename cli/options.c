@@ -20,9 +20,22 @@ struct found {
     void *place;
 };
 
+/* The length of its name without the short word that may stand behind. */
+static size_t name_length(const struct pp_option *option)
+{
+    return strcspn(option->name, " ");
+}
+
+/* The short word with its hyphen, or NULL. */
+static const char *short_of(const struct pp_option *option)
+{
+    const char *space = strchr(option->name, ' ');
+    return space ? space + 1 : NULL;
+}
+
 static bool is_named(const struct pp_option *option, const char *name, size_t length)
 {
-    return strlen(option->name) == length && memcmp(option->name, name, length) == 0;
+    return name_length(option) == length && memcmp(option->name, name, length) == 0;
 }
 
 /* The option with that name, or with that letter if name is NULL. */
@@ -38,15 +51,32 @@ static struct found find(const struct pp_command_line *line, const char *name,
     return (struct found){NULL, NULL};
 }
 
+/* The option that the field knows by that short word, such as -aa. */
+static struct found find_short(const struct pp_command_line *line, const char *word)
+{
+    for (const struct pp_option_group *group = line->groups; group->title; group++)
+        for (const struct pp_option *option = group->options; option->name; option++)
+            if (short_of(option) && strcmp(short_of(option), word) == 0)
+                return (struct found){option, (char *)group->values + option->offset};
+    return (struct found){NULL, NULL};
+}
+
 static enum pp_status fail_unknown(const struct pp_command_line *line, const char *word,
                                    size_t length, struct pp_error *err)
 {
+    enum { LONGEST = 32 };
+    char trimmed[MOST_OPTIONS][LONGEST];
     const char *names[MOST_OPTIONS];
     int count = 0;
     for (const struct pp_option_group *group = line->groups; group->title; group++)
-        for (const struct pp_option *option = group->options; option->name; option++)
-            if (count < MOST_OPTIONS)
-                names[count++] = option->name;
+        for (const struct pp_option *option = group->options; option->name; option++) {
+            if (count == MOST_OPTIONS)
+                continue;
+            snprintf(trimmed[count], LONGEST, "%.*s", (int)name_length(option),
+                     option->name);
+            names[count] = trimmed[count];
+            count++;
+        }
 
     char typed[64];
     snprintf(typed, sizeof typed, "%.*s", (int)length, word);
@@ -84,10 +114,13 @@ static enum pp_status read_option(const struct pp_command_line *line, char **wor
     bool is_long = word[1] == '-';
     const char *name = word + 2;
     size_t length = is_long ? strcspn(name, "=") : 0;
-    struct found found = find(line, is_long ? name : NULL, length, word[1]);
-    const char *value = is_long   ? (name[length] ? name + length + 1 : NULL)
-                        : word[2] ? word + 2
-                                  : NULL;
+    struct found found = find_short(line, word);
+    bool is_short = found.option != NULL;
+    if (!is_short)
+        found = find(line, is_long ? name : NULL, length, word[1]);
+    const char *value = is_long ? (name[length] ? name + length + 1 : NULL)
+                        : word[2] && !is_short ? word + 2
+                                               : NULL;
     *taken = 1;
 
     if (!found.option && is_long)
@@ -97,8 +130,10 @@ static enum pp_status read_option(const struct pp_command_line *line, char **wor
                        1 + pp_utf8_length(word + 1), word);
 
     char shown[64];
-    snprintf(shown, sizeof shown, is_long ? "--%s" : "-%.1s",
-             is_long ? found.option->name : &found.option->letter);
+    if (is_short || is_long)
+        snprintf(shown, sizeof shown, "%.*s", is_short ? 40 : (int)length + 2, word);
+    else
+        snprintf(shown, sizeof shown, "-%.1s", &found.option->letter);
     if (!found.option->value && value)
         return pp_fail(err, PP_BAD_INPUT, "%s takes no value, but got \"%.200s\"",
                        shown, value);
@@ -172,10 +207,14 @@ static void help_on_option(const struct pp_option *option, FILE *out)
 {
     char typed[80];
     int length = 2;
-    length += snprintf(typed, sizeof typed, option->letter ? "-%.1s, " : "    ",
-                       &option->letter);
-    length += snprintf(typed + length - 2, sizeof typed - 8, "--%s%s%s", option->name,
-                       option->value ? " " : "", option->value ? option->value : "");
+    if (short_of(option))
+        length += snprintf(typed, sizeof typed, "%s, ", short_of(option));
+    else
+        length += snprintf(typed, sizeof typed, option->letter ? "-%.1s, " : "    ",
+                           &option->letter);
+    length += snprintf(typed + length - 2, sizeof typed - 8, "--%.*s%s%s",
+                       (int)name_length(option), option->name, option->value ? " " : "",
+                       option->value ? option->value : "");
     fprintf(out, "  %s", typed);
     if (length + 2 > HELP_INDENT) {
         fputc('\n', out);

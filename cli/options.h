@@ -1,7 +1,8 @@
 /* options.h - the words behind a command, read by tables that also make its help.
  *
  * Long options take their value behind "=" or as the next word; a letter takes it
- * directly behind or as the next word. "--" ends the options, "-" alone is a file.
+ * directly behind or as the next word; a short word such as -aa as the next word. "--"
+ * ends the options, "-" alone is a file.
  */
 #ifndef PP_CLI_OPTIONS_H
 #define PP_CLI_OPTIONS_H
@@ -18,7 +19,8 @@ typedef enum pp_status pp_option_reader(const char *text, void *place,
                                         struct pp_error *err);
 
 struct pp_option {
-    const char *name;  /* "error" is typed as --error; NULL ends a list */
+    const char *name;  /* "error" is typed as --error, "accuracy -aa" as --accuracy or
+                        * -aa; NULL ends a list */
     char letter;       /* 'o' is typed as -o; 0: none */
     const char *value; /* what the help calls its value; NULL: a switch */
     const char *help;

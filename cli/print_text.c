@@ -74,9 +74,9 @@ static void put_lux(char cell[PP_CELL_BYTES], double lux)
 
 /* ---- the table ---- */
 
-static bool is_traced(const struct pp_column *column)
+static bool is_simulated(const struct pp_column *column)
 {
-    return strcmp(column->name, "traced") == 0;
+    return strcmp(column->name, "traced") == 0 || strcmp(column->name, "cached") == 0;
 }
 
 static bool add_values(struct pp_table *table, const struct pp_report *report,
@@ -87,7 +87,7 @@ static bool add_values(struct pp_table *table, const struct pp_report *report,
         pp_table_add(table, title->full, title->brief, column->name);
     if (!shown)
         return false;
-    bool with_error = is_traced(column) && column->component == PP_DF;
+    bool with_error = is_simulated(column) && column->component == PP_DF;
     for (int row = 0; row <= report->receiver_count; row++) {
         const struct pp_reading *reading = pp_reading_at(report, column, row);
         if (reading && with_error)
@@ -159,10 +159,20 @@ static void print_simulation(const struct pp_result *result,
                              int width, FILE *out)
 {
     char text[512];
-    int length = snprintf(text, sizeof text,
+    const char *error = utf8 ? "\xc2\xb1" : "+-";
+    unsigned long long seed = options->seed;
+    int length = 0;
+    bool traced = pp_report_find(&result->report, PP_DF, "traced");
+    if (traced)
+        length = snprintf(text, sizeof text,
                           "traced: by simulation, %s one standard error, seed %llu; "
                           "off, from traced: how far a method is from it",
-                          utf8 ? "\xc2\xb1" : "+-", (unsigned long long)options->seed);
+                          error, seed);
+    if (pp_report_find(&result->report, PP_DF, "cached"))
+        length += snprintf(text + length, sizeof text - (size_t)length,
+                           "%scached: through the irradiance cache, %s the standard "
+                           "error of the sampling at the point, seed %llu",
+                           traced ? "; " : "", error, seed);
     if (!result->report.finished)
         snprintf(text + length, sizeof text - (size_t)length,
                  "; NOT FINISHED, interrupted");
@@ -200,7 +210,8 @@ static enum pp_status print_room(const struct pp_result *result,
     if (!good)
         return pp_fail_memory(err);
 
-    if (pp_report_find(report, PP_DF, "traced"))
+    if (pp_report_find(report, PP_DF, "traced")
+        || pp_report_find(report, PP_DF, "cached"))
         print_simulation(result, options, utf8, width, out);
     pp_print_steps(report, width, utf8, out);
     return pp_print_notes(report, width, out) ? PP_OK : pp_fail_memory(err);

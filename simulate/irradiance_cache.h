@@ -85,6 +85,11 @@ enum pp_status pp_irradiance_cache_reach(struct pp_irradiance_cache *cache,
                                          struct pp_vec3 point, struct pp_vec3 normal,
                                          enum pp_space space, struct pp_error *err);
 
+/* A wish: the irradiance of a place itself, to be interpolated (depth 0). */
+enum pp_status pp_irradiance_cache_want(struct pp_irradiance_cache *cache,
+                                        struct pp_vec3 point, struct pp_vec3 normal,
+                                        enum pp_space space, struct pp_error *err);
+
 /* Works for about `seconds`, at least one batch. */
 enum pp_status pp_irradiance_cache_grow(struct pp_irradiance_cache *cache,
                                         double seconds, struct pp_error *err);
@@ -113,7 +118,7 @@ struct pp_cache_record {
                                * surface */
     struct pp_vec3 turned[3]; /* and with the normal, per radian */
     struct pp_vec3 axes[2];   /* of the ellipse, unit, in the surface */
-    double radii_m[2];        /* along them; the first is the smaller */
+    double radii_m[2];        /* along them */
 };
 size_t pp_irradiance_cache_count(const struct pp_irradiance_cache *cache);
 struct pp_cache_record pp_irradiance_cache_record(
@@ -121,15 +126,16 @@ struct pp_cache_record pp_irradiance_cache_record(
 
 /* ---- files: cache_file.c ---- */
 
-/* Writes the records under another name first: the file appears whole or not at all. */
-enum pp_status pp_irradiance_cache_save(const struct pp_irradiance_cache *cache,
-                                        const char *path, struct pp_error *err);
-
-/* Adds a file's records to a cache that has none. PP_BAD_INPUT, and the cache is as
- * before, if it is cut off, damaged, of another version, or of another scene or other
- * options. *found (may be NULL): false, and PP_OK, where there is no such file. */
-enum pp_status pp_irradiance_cache_load(struct pp_irradiance_cache *cache,
-                                        const char *path, bool *found,
+/* The records as a file has them; *bytes is the caller's to free. */
+enum pp_status pp_irradiance_cache_pack(const struct pp_irradiance_cache *cache,
+                                        char **bytes, size_t *length,
                                         struct pp_error *err);
+
+/* Gives a cache that has no records those of a file; `title` is what messages call it.
+ * PP_BAD_INPUT, and the cache is as before, if it is cut off, damaged, of another
+ * version, or of another scene or other options. */
+enum pp_status pp_irradiance_cache_unpack(struct pp_irradiance_cache *cache,
+                                          const char *bytes, size_t length,
+                                          const char *title, struct pp_error *err);
 
 #endif

@@ -55,6 +55,7 @@ struct pp_light_scene {
     struct pp_vec3 centre;        /* what is below is measured from there */
     const struct pp_world *world; /* NULL: of a description; not owned */
     struct pp_scene *room;        /* of a world: its rays, windows, outside */
+    bool matt;                    /* of a world: its finishes without their gloss */
 
     struct pp_material *materials;
     int material_count;

@@ -26,6 +26,11 @@ enum pp_status pp_light_scene_of_world(struct pp_light_scene **scene,
                                        const struct pp_world *world,
                                        struct pp_error *err);
 
+/* The same with every finish diffuse, as the tracer and the hand methods have it. */
+enum pp_status pp_light_scene_of_matt_world(struct pp_light_scene **scene,
+                                            const struct pp_world *world,
+                                            struct pp_error *err);
+
 /* Takes what it needs: the description may be cleared. */
 enum pp_status pp_light_scene_of_description(struct pp_light_scene **scene,
                                              const struct pp_scene_description *from,

@@ -22,6 +22,19 @@ static int number_of(struct pp_light_scene *scene, struct pp_material material)
     return scene->material_count++;
 }
 
+static struct pp_material material_of(const struct pp_light_scene *scene, int index,
+                                      bool front)
+{
+    const struct pp_surface *surface = &scene->world->surfaces[index];
+    struct pp_material material = pp_world_surface_material(scene->world, index, front);
+    if (scene->matt) {
+        material.diffuse = pp_rgb_grey(front ? surface->front : surface->back);
+        material.gloss = pp_rgb_grey(0.0);
+        material.roughness[0] = material.roughness[1] = 0.0;
+    }
+    return material;
+}
+
 static struct pp_light_part part_of(struct pp_light_scene *scene, int index)
 {
     const struct pp_surface *surface = &scene->world->surfaces[index];
@@ -30,10 +43,8 @@ static struct pp_light_part part_of(struct pp_light_scene *scene, int index)
     return (struct pp_light_part){
         .normal = facet->normal,
         .offset_m = facet->offset_m,
-        .material = {number_of(scene,
-                               pp_world_surface_material(scene->world, index, true)),
-                     number_of(scene,
-                               pp_world_surface_material(scene->world, index, false))},
+        .material = {number_of(scene, material_of(scene, index, true)),
+                     number_of(scene, material_of(scene, index, false))},
         .tag = index,
         .round = -1,
         .window = -1,
@@ -50,16 +61,16 @@ static struct pp_light_part pane_of(struct pp_light_scene *scene, int window)
     const struct pp_facet *facet = &scene->room->facets[index];
     struct pp_material in = pp_world_pane_material(scene->world, window, true);
     struct pp_material out = pp_world_pane_material(scene->world, window, false);
-    return (struct pp_light_part){.normal = facet->normal,
-                                  .offset_m = facet->offset_m,
-                                  .material = {number_of(scene, in),
-                                               number_of(scene, out)},
-                                  .tag = index,
-                                  .round = -1,
-                                  .window = window,
-                                  .emitter = -1,
-                                  .space = {PP_INDOORS, PP_OUTDOORS},
-                                  .skin = true};
+    return (struct pp_light_part){
+        .normal = facet->normal,
+        .offset_m = facet->offset_m,
+        .material = {number_of(scene, in), number_of(scene, out)},
+        .tag = index,
+        .round = -1,
+        .window = window,
+        .emitter = -1,
+        .space = {PP_INDOORS, PP_OUTDOORS},
+        .skin = true};
 }
 
 static void stretch(struct pp_light_scene *scene, const struct pp_polygon *outline)
@@ -104,15 +115,15 @@ static enum pp_status build(struct pp_light_scene *scene, struct pp_error *err)
     return PP_OK;
 }
 
-enum pp_status pp_light_scene_of_world(struct pp_light_scene **result,
-                                       const struct pp_world *world,
-                                       struct pp_error *err)
+static enum pp_status make(struct pp_light_scene **result, const struct pp_world *world,
+                           bool matt, struct pp_error *err)
 {
     *result = NULL;
     struct pp_light_scene *scene = calloc(1, sizeof *scene);
     if (!scene)
         return pp_fail_memory(err);
     scene->world = world;
+    scene->matt = matt;
     enum pp_status status = build(scene, err);
     if (status != PP_OK) {
         pp_light_scene_destroy(scene);
@@ -120,4 +131,18 @@ enum pp_status pp_light_scene_of_world(struct pp_light_scene **result,
     }
     *result = scene;
     return PP_OK;
+}
+
+enum pp_status pp_light_scene_of_world(struct pp_light_scene **scene,
+                                       const struct pp_world *world,
+                                       struct pp_error *err)
+{
+    return make(scene, world, false, err);
+}
+
+enum pp_status pp_light_scene_of_matt_world(struct pp_light_scene **scene,
+                                            const struct pp_world *world,
+                                            struct pp_error *err)
+{
+    return make(scene, world, true, err);
 }
