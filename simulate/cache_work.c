@@ -42,20 +42,74 @@ void pp_cache_ellipse(const double curvature[3], double error, double most_m,
     radii_m[1] = fmin(radii_m[1], LONGEST * radii_m[0]);
 }
 
-/* How far the surface is clear all round, by what low rays met: the least distance
- * along the surface in each sector. */
+/* The direction between sector s - 1 and sector s, along a and b; of any length. */
+static void sector_border(int s, double u[2])
+{
+    enum { QUARTER = PP_CACHE_SECTORS / 4 };
+    double t = (double)(s % QUARTER) / QUARTER;
+    switch (s / QUARTER % 4) {
+    case 0:
+        u[0] = 1.0 - t;
+        u[1] = t;
+        return;
+    case 1:
+        u[0] = -t;
+        u[1] = 1.0 - t;
+        return;
+    case 2:
+        u[0] = t - 1.0;
+        u[1] = -t;
+        return;
+    default:
+        u[0] = t;
+        u[1] = t - 1.0;
+    }
+}
+
+/* How far off the plane that the cell has met stands in direction u of the surface;
+ * INFINITY if it does not stand there. */
+static double plane_distance(const struct pp_hemisphere_cell *cell, const double u[2])
+{
+    double length = hypot(u[0], u[1]);
+    double towards = (cell->facing.x * u[0] + cell->facing.y * u[1]) / length;
+    double off = cell->distance_m * pp_dot(cell->facing, cell->to);
+    return towards < 0.0 && off < 0.0 ? off / towards : INFINITY;
+}
+
+/* The least distance along the surface, anywhere in the sector, of the plane that the
+ * cell has met. */
+static double clear_of(const struct pp_hemisphere_cell *cell, int sector)
+{
+    double ends[2][2], square[2] = {-cell->facing.x, -cell->facing.y};
+    sector_border(sector, ends[0]);
+    sector_border(sector + 1, ends[1]);
+    double clear = fmin(plane_distance(cell, ends[0]), plane_distance(cell, ends[1]));
+    if (hypot(square[0], square[1]) > 1e-9
+        && pp_cache_sector(square[0], square[1]) == sector)
+        clear = fmin(clear, plane_distance(cell, square));
+    return clear;
+}
+
+/* How far the surface is clear all round, by what low rays met: in their sector, and in
+ * the next ones, which none may have come into. */
 static void look_round(const struct pp_hemisphere *h, struct pp_cache_entry *entry)
 {
-    int cells = h->side * h->side;
+    int n = h->side;
     for (int i = 0; i < PP_CACHE_SECTORS; i++)
         entry->horizon_m[i] = INFINITY;
-    for (int k = 0; k < cells; k++) {
+    for (int k = 0; k < n * n; k++) {
         const struct pp_hemisphere_cell *cell = &h->cells[k];
-        if (cell->to.z > LOW || !isfinite(cell->distance_m))
+        bool rim = k % n == 0 || k % n == n - 1 || k < n || k >= n * (n - 1);
+        if ((cell->to.z > LOW && !rim) || !isfinite(cell->distance_m))
             continue;
-        double *clear = &entry->horizon_m[pp_cache_sector(cell->to.x, cell->to.y)];
-        double distance = cell->distance_m * hypot(cell->to.x, cell->to.y);
-        *clear = fmin(*clear, distance);
+        int own = pp_cache_sector(cell->to.x, cell->to.y);
+        for (int step = -1; step <= 1; step++) {
+            int sector = (own + step + PP_CACHE_SECTORS) % PP_CACHE_SECTORS;
+            double clear = clear_of(cell, sector);
+            if (step == 0)
+                clear = fmin(clear, cell->distance_m * hypot(cell->to.x, cell->to.y));
+            entry->horizon_m[sector] = fmin(entry->horizon_m[sector], clear);
+        }
     }
 }
 
