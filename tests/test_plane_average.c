@@ -1,6 +1,7 @@
 /* test_plane_average.c - means over the working plane. */
 #include "methods/plane_average.h"
 
+#include "methods/evaluate.h"
 #include "tests/room_of.h"
 
 /* What is averaged, and how often it was asked for. */
@@ -104,21 +105,19 @@ static void a_peak_at_a_wall_comes_out_to_the_error_asked_for(void **state)
 }
 
 /* Under a sill just above the plane light rises from nothing to its highest in a few
- * centimetres: y / (y^2 + h^2)^(3/2), whose integral over y is known. */
-static double under_a_sill(double x, double y)
-{
-    (void)x;
-    return y / pow(y * y + 0.05 * 0.05, 1.5);
-}
-
+ * centimetres: the rule once missed that in this room, and was 0.6 % low. Expected is
+ * the mean of 56,700 points of a grid; a quarter as many give 4.5e-4 more. */
 static void light_under_a_sill_is_not_stepped_over(void **state)
 {
     (void)state;
-    struct pp_world *world = rectangle();
-    struct quantity quantity = {under_a_sill, 0, 0};
-    double expected = (1.0 / 0.05 - 1.0 / hypot(6.1, 0.05)) / 6.1;
-    assert_relative(mean_of(world, &quantity), expected, 1e-3);
-    assert_true(quantity.asked <= 2100);
+    struct pp_world *world = pp_test_world(
+        "<room version='1'><plan width='4.2' depth='5.4' height='2.8'/><window "
+        "wall='south' left='0.21365' sill='0.9' width='1.3727' height='1.7'/></room>");
+    struct pp_report report = {.world = world, .finished = true};
+    assert_int_equal(pp_methods_evaluate(&report, "exact", NULL), PP_OK);
+    const struct pp_column *sky = pp_report_find(&report, PP_SC, "exact");
+    assert_relative(sky->average.value, 0.0236298, 1e-3);
+    pp_report_clear(&report);
     pp_world_destroy(world);
 }
 
