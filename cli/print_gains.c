@@ -89,9 +89,12 @@ void pp_print_gains(const struct pp_gains *gains, int width, FILE *out)
     print_kind(gains, false, across, out);
     fprintf(out, "%*s", INDENT, "");
     pp_print_wrapped(
-        "Each change by itself, all else as it is. The darkest point is one "
-        "of EN 17037's grid; to it as to all the method gives the room's "
-        "average reflected light.",
+        isnan(gains->now.darkest)
+            ? "Each change by itself, all else as it is. No darkest point: none of "
+              "EN 17037's grid lies in this room."
+            : "Each change by itself, all else as it is. The darkest point is one "
+              "of EN 17037's grid; to it as to all the method gives the room's "
+              "average reflected light.",
         INDENT, INDENT, across, out);
 }
 

@@ -95,8 +95,20 @@ static void append_size(char text[TEXT_BYTES], const struct pp_size_result *resu
     if (alike && were_alike)
         append(text, " instead of %.10g m", first_was);
     else if (!alike)
-        append(text, " (line %d, the others as below)",
-               pp_room_opening_at(before, result->edits[0].opening).line);
+        append(text, " (line %d, the others %s)",
+               pp_room_opening_at(before, result->edits[0].opening).line,
+               result->answer.verdict == PP_SIZE_REACHED ? "as below" : "likewise");
+}
+
+/* Does append_size speak of several windows? */
+static bool is_plural(const struct pp_size_result *result, enum pp_size_change change)
+{
+    const struct pp_room *before = result->room->room, *after = result->answer.room;
+    int windows = 0, was = pp_room_opening_count(before);
+    for (int i = 0; i < was; i++)
+        windows += pp_room_opening_at(before, i).kind == PP_WINDOW;
+    int more = pp_room_opening_count(after) - was;
+    return change == PP_CHANGE_NUMBER && more != 0 && windows + more != 1;
 }
 
 /* The last line of the answer: what was found, or why nothing. */
@@ -109,7 +121,7 @@ static void append_answer(char text[TEXT_BYTES], const struct pp_size_result *re
     switch (answer->verdict) {
     case PP_SIZE_REACHED:
         append_size(text, result, change);
-        append(text, " gives ");
+        append(text, is_plural(result, change) ? " give " : " gives ");
         append_per_cent(text, answer->reading.value);
         break;
     case PP_SIZE_SMALLEST_EXCEEDS:
@@ -133,7 +145,7 @@ static void append_answer(char text[TEXT_BYTES], const struct pp_size_result *re
         else
             append(text, "the best, ");
         append_size(text, result, change);
-        append(text, ", gives only ");
+        append(text, is_plural(result, change) ? ", give only " : ", gives only ");
         append_per_cent(text, answer->reading.value);
         break;
     case PP_SIZE_NO_VALUE:

@@ -74,7 +74,10 @@ static enum pp_status add_target(const struct pp_inquiry *inquiry,
 static const struct pp_column *column_of(const struct pp_inquiry *inquiry,
                                          struct pp_findings *findings, const char **why)
 {
-    *why = isnan(inquiry->median.lux) ? inquiry->median.how : NULL;
+    /* What no option can help comes first. */
+    *why = pp_factors_refuse(inquiry);
+    if (!*why && isnan(inquiry->median.lux))
+        *why = inquiry->median.how;
     if (*why)
         return NULL;
     const struct pp_column *column = pp_factors_of_grid(inquiry, findings, why);
