@@ -20,6 +20,51 @@ enum { DIRECTIONS = 64 };
 /* Of a checkpoint: 4 GiB. */
 #define CHECKPOINT_MOST ((size_t)1 << 32)
 
+/* Lets the cache grow until it has all that the picture asks for. */
+static enum pp_status grow(struct pp_irradiance_cache *cache, bool quiet,
+                           struct pp_error *err)
+{
+    struct pp_progress progress;
+    enum pp_status status = PP_OK;
+    pp_progress_begin(&progress, "irradiance cache", quiet);
+    while (status == PP_OK && !pp_irradiance_cache_done(cache)) {
+        status = pp_irradiance_cache_grow(cache, slice_s, err);
+        pp_progress_show(&progress, pp_irradiance_cache_progress(cache), NAN);
+        if (status == PP_OK && pp_interrupt_came())
+            status = pp_fail(err, PP_INTERRUPTED, "interrupted; there is no picture");
+    }
+    pp_progress_end(&progress);
+    return status;
+}
+
+/* The cache that the picture is read from. */
+static enum pp_status fill_cache(struct pp_made_picture *made,
+                                 struct pp_render_options *render,
+                                 const struct pp_render_choice *choice,
+                                 const struct pp_room_options *options,
+                                 struct pp_error *err)
+{
+    struct pp_light_ray *rays = NULL;
+    size_t count;
+    enum pp_status status =
+        pp_cache_words_open(&made->cache, &choice->cache, made->scene, made->store,
+                            &render->light, options->seed, options->threads, err);
+    if (status == PP_OK)
+        status = pp_render_rays(&rays, &count, made->scene, render, err);
+    if (status == PP_OK)
+        status = pp_irradiance_cache_see(made->cache, rays, count, err);
+    free(rays);
+    if (status == PP_OK)
+        status = grow(made->cache, options->quiet, err);
+    if (status == PP_OK)
+        status = pp_cache_words_save(&choice->cache, made->cache, err);
+    if (status != PP_OK)
+        return status;
+    render->ambient = pp_irradiance_cache_ambient(made->cache);
+    render->ambient_mark = pp_render_cache_mark(made->cache);
+    return PP_OK;
+}
+
 static enum pp_status create(struct pp_made_picture *made, const struct pp_world *world,
                              const struct pp_render_choice *choice,
                              const struct pp_room_options *options,
@@ -33,9 +78,8 @@ static enum pp_status create(struct pp_made_picture *made, const struct pp_world
         .seed = options->seed,
         .threads = options->threads,
     };
-    render.light.bounces = choice->bounces;
-    render.light.source_most =
-        choice->samples < DIRECTIONS ? DIRECTIONS / choice->samples : 1;
+    if (choice->paths)
+        render.light.bounces = choice->cache.options.bounces;
     enum pp_status status = pp_light_scene_of_world(&made->scene, world, err);
     struct pp_picture_size size;
     if (status == PP_OK)
@@ -49,6 +93,12 @@ static enum pp_status create(struct pp_made_picture *made, const struct pp_world
     render.height = size.height;
     render.store = made->store;
     made->shown.camera = render.camera;
+    if (!choice->paths)
+        status = fill_cache(made, &render, choice, options, err);
+    if (status != PP_OK)
+        return status;
+    render.light.source_most =
+        choice->samples < DIRECTIONS ? DIRECTIONS / choice->samples : 1;
     return pp_render_create(&made->render, made->scene, &render, err);
 }
 
@@ -153,13 +203,18 @@ static enum pp_status take_picture(struct pp_made_picture *made,
     shown->external_lux = options->external_lux;
     pp_camera_options(&shown->camera, shown->view, sizeof shown->view);
     pp_render_view_words(shown->words, sizeof shown->words, &shown->camera, world);
+    if (choice->records) {
+        status = pp_render_records(made->render, made->cache, &made->marks,
+                                   &shown->mark_count, err);
+        shown->marks = made->marks;
+    }
     double scale = shown->quantity == PP_DAYLIGHT_FACTOR
                        ? 1.0
                        : options->external_lux / PP_LUMENS_PER_WATT;
     size_t count = 3 * (size_t)from->width * (size_t)from->height;
     for (size_t i = 0; i < count; i++)
         shown->picture.rgb[i] = (float)(scale * from->rgb[i]);
-    return PP_OK;
+    return status;
 }
 
 enum pp_status pp_make_picture(struct pp_made_picture *made,
@@ -182,6 +237,8 @@ void pp_made_picture_clear(struct pp_made_picture *made)
 {
     pp_picture_clear(&made->shown.picture);
     pp_render_destroy(made->render);
+    pp_irradiance_cache_destroy(made->cache);
+    free(made->marks);
     pp_window_store_destroy(made->store);
     pp_light_scene_destroy(made->scene);
     *made = (struct pp_made_picture){0};

@@ -9,7 +9,9 @@ struct pp_made_picture {
     struct pp_shown shown;
     struct pp_light_scene *scene;
     struct pp_window_store *store;
+    struct pp_irradiance_cache *cache; /* NULL: by paths */
     struct pp_render *render;
+    double (*marks)[2];
 };
 
 /* PP_INTERRUPTED by Ctrl-C: then there is no picture, and the message says what has

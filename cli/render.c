@@ -108,7 +108,7 @@ static enum pp_exit run(const struct pp_render_choice *choice,
 enum pp_exit cmd_render(int argc, char **argv)
 {
     struct pp_room_options options = pp_room_options_none;
-    struct pp_render_choice choice = pp_render_choice_default;
+    struct pp_render_choice choice = pp_render_choice_none();
     options.external_lux = 1e4;
     const struct pp_option_group groups[] = {
         {"The view", pp_render_view_options, &choice},
@@ -116,6 +116,7 @@ enum pp_exit cmd_render(int argc, char **argv)
         {"The picture", external_option, &options},
         {"The picture", pp_room_sky_options, &options},
         {"The picture", pp_room_seed_options, &options},
+        {"Irradiance cache", pp_cache_word_options, &choice.cache},
         {"How it is shown", pp_render_shown_options, &choice},
         {"Output", pp_room_output_options, &options},
         {0},
@@ -138,6 +139,7 @@ enum pp_exit cmd_render(int argc, char **argv)
         pp_options_help(&line, stdout);
     else
         exit_status = run(&choice, &options, argv);
+    pp_render_choice_clear(&choice);
     pp_room_options_clear(&options);
     return exit_status;
 }

@@ -7,7 +7,15 @@
 
 #include "model/number.h"
 
-const struct pp_render_choice pp_render_choice_default = {.samples = 16, .bounces = -1};
+struct pp_render_choice pp_render_choice_none(void)
+{
+    return (struct pp_render_choice){.samples = 16, .cache = pp_cache_words_none()};
+}
+
+void pp_render_choice_clear(struct pp_render_choice *choice)
+{
+    pp_cache_words_clear(&choice->cache);
+}
 
 /* ---- readers ---- */
 
@@ -143,9 +151,14 @@ static enum pp_status read_samples(const char *text, void *place, struct pp_erro
     return read_whole(text, 1, PP_RENDER_SAMPLES_MOST, place, err);
 }
 
-static enum pp_status read_bounces(const char *text, void *place, struct pp_error *err)
+static enum pp_status read_engine(const char *text, void *place, struct pp_error *err)
 {
-    return read_whole(text, 0, 1000, place, err);
+    static const char *const words[] = {"cache", "path", NULL};
+    int which = which_word(text, words);
+    if (which < 0)
+        return pp_fail(err, PP_BAD_INPUT, "cache or path");
+    *(bool *)place = which == 1;
+    return PP_OK;
 }
 
 static enum pp_status read_size(const char *text, void *place, struct pp_error *err)
@@ -262,9 +275,10 @@ const struct pp_option pp_render_picture_options[] = {
     {"samples", 0, "N",
      "Paths a pixel, a power of two (default 16): four times as many halve the noise.",
      read_samples, PLACE(samples)},
-    {"bounces", 0, "N",
-     "Diffuse reflections on a path, at most (default: no limit, without bias).",
-     read_bounces, PLACE(bounces)},
+    {"engine", 0, "NAME",
+     "What is reflected between surfaces: cache (default), read from an irradiance "
+     "cache, or path, without bias and with more noise.",
+     read_engine, PLACE(paths)},
     {"filter", 0, "NAME", "Of pixels: box (default) or gauss, which is softer.",
      read_filter, PLACE(filter)},
     {"checkpoint", 0, "FILE",
@@ -292,6 +306,8 @@ const struct pp_option pp_render_shown_options[] = {
      "scale).",
      read_levels, PLACE(levels)},
     {"no-contours", 0, NULL, "No level lines.", NULL, PLACE(no_contours)},
+    {"records", 0, NULL, "On a sheet: where the cache's records are.", NULL,
+     PLACE(records)},
     {"grid", 0, NULL,
      "Fisheye, on a sheet: altitudes, points of the compass and the openings' outlines "
      "over it.",
@@ -348,7 +364,8 @@ enum pp_status pp_picture_format_of(enum pp_picture_format *format,
 bool pp_on_sheet(const struct pp_render_choice *choice, enum pp_picture_format format)
 {
     return format == PP_PICTURE_PDF || format == PP_PICTURE_SVG
-           || (format == PP_PICTURE_PNG && (choice->false_colour || choice->grid));
+           || (format == PP_PICTURE_PNG
+               && (choice->false_colour || choice->grid || choice->records));
 }
 
 static enum pp_status check_view(const struct pp_render_choice *choice,
@@ -373,7 +390,7 @@ static enum pp_status check_view(const struct pp_render_choice *choice,
     return PP_OK;
 }
 
-enum pp_status pp_render_choice_check(const struct pp_render_choice *choice,
+enum pp_status pp_render_choice_check(struct pp_render_choice *choice,
                                       const struct pp_room_options *options,
                                       int file_count, struct pp_error *err)
 {
@@ -397,11 +414,16 @@ enum pp_status pp_render_choice_check(const struct pp_render_choice *choice,
     if (status != PP_OK)
         return status;
     bool shown = format != PP_PICTURE_HDR && format != PP_PICTURE_PFM;
-    if ((choice->false_colour || choice->grid) && !shown)
+    if ((choice->false_colour || choice->grid || choice->records) && !shown)
         return pp_fail(err, PP_BAD_INPUT,
-                       "%s is drawn, not kept; expected -o FILE.png, FILE.pdf or "
-                       "FILE.svg",
-                       choice->grid ? "a grid" : "false colour");
+                       "%s drawn, not kept; expected -o FILE.png, FILE.pdf or FILE.svg",
+                       choice->false_colour ? "false colour is"
+                       : choice->grid       ? "a grid is"
+                                            : "records are");
+    if ((choice->records || choice->cache.file)
+        && (choice->paths || choice->from_picture))
+        return pp_fail(err, PP_BAD_INPUT, "%s is of a room's picture by --engine cache",
+                       choice->records ? "--records" : "--cache");
     if (choice->exposure.said && !shown)
         return pp_fail(err, PP_BAD_INPUT,
                        "the light is kept as it is, without --exposure; expected -o "
@@ -428,5 +450,6 @@ enum pp_status pp_render_choice_check(const struct pp_render_choice *choice,
                        "an eye sees luminance; --exposure human does not go with "
                        "--quantity %s",
                        pp_quantity_words(choice->quantity.is).name);
-    return check_view(choice, err);
+    status = check_view(choice, err);
+    return status == PP_OK ? pp_cache_words_settle(&choice->cache, err) : status;
 }

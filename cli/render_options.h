@@ -5,6 +5,7 @@
 #include <stdbool.h>
 
 #include "charts/canvas.h"
+#include "cli/cache_options.h"
 #include "cli/room_options.h"
 #include "cli/sheet_options.h"
 #include "model/picture_hdr.h"
@@ -59,14 +60,16 @@ struct pp_render_choice {
     struct pp_quantity_choice quantity;
     enum pp_pixel_filter filter;
     int samples;
-    int bounces; /* -1: no limit */
+    bool paths; /* by paths alone, not through a cache */
+    struct pp_cache_words cache;
     const char *checkpoint;
 
     struct pp_exposure exposure;
     bool false_colour;
     struct pp_levels range, levels; /* range: none or two */
     bool linear, no_contours;
-    bool grid; /* altitudes and bearings over a fisheye */
+    bool records; /* the cache's, marked on a sheet */
+    bool grid;    /* altitudes and bearings over a fisheye */
 
     const char *format; /* as typed; NULL: by the file's name */
     enum pp_paper paper;
@@ -75,7 +78,9 @@ struct pp_render_choice {
     const char *from_picture;
 };
 
-extern const struct pp_render_choice pp_render_choice_default;
+/* Nothing asked for; to be cleared. */
+struct pp_render_choice pp_render_choice_none(void);
+void pp_render_choice_clear(struct pp_render_choice *choice);
 
 /* Lists for struct pp_option_group, with a struct pp_render_choice as values. */
 extern const struct pp_option pp_render_view_options[];
@@ -90,8 +95,9 @@ enum pp_picture_format {
     PP_PICTURE_SVG,
 };
 
-/* Do the options make sense together, with so many room files? */
-enum pp_status pp_render_choice_check(const struct pp_render_choice *choice,
+/* Do the options make sense together, with so many room files? Settles those of the
+ * cache. */
+enum pp_status pp_render_choice_check(struct pp_render_choice *choice,
                                       const struct pp_room_options *options,
                                       int file_count, struct pp_error *err);
 

@@ -154,6 +154,20 @@ static enum pp_status lay_raster(struct pp_picture_sheet *sheet,
     return tone_raster(&sheet->raster, shown, choice, err);
 }
 
+static enum pp_status lay_marks(struct pp_picture_sheet *sheet,
+                                const struct pp_shown *shown, struct pp_error *err)
+{
+    if (shown->mark_count == 0)
+        return PP_OK;
+    size_t size = (size_t)shown->mark_count * sizeof *sheet->marks;
+    sheet->marks = malloc(size);
+    if (!sheet->marks)
+        return pp_fail_memory(err);
+    memcpy(sheet->marks, shown->marks, size);
+    sheet->mark_count = shown->mark_count;
+    return PP_OK;
+}
+
 static enum pp_status draw_sheet(FILE *out, const struct pp_picture_sheet *sheet,
                                  const struct pp_sheet *paper, struct pp_error *err)
 {
@@ -181,6 +195,8 @@ static enum pp_status write_sheet(FILE *out, const struct pp_shown *shown,
     enum pp_status status = lay_raster(&sheet, shown, choice, err);
     if (status == PP_OK && choice->grid)
         status = pp_view_grid(&sheet, &shown->camera, shown->world, err);
+    if (status == PP_OK)
+        status = lay_marks(&sheet, shown, err);
     struct pp_sheet paper = {.format = format == PP_PICTURE_PDF   ? PP_CHART_PDF
                                        : format == PP_PICTURE_SVG ? PP_CHART_SVG
                                                                   : PP_CHART_PNG,

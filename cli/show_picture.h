@@ -14,6 +14,8 @@ struct pp_shown {
     const struct pp_world *world; /* not owned; NULL: the picture comes from a file */
     const int *tags; /* row by row, which surface each pixel shows; not owned; NULL: not
                       * known */
+    double (*marks)[2]; /* places of records, in pixels; not owned */
+    int mark_count;
     char view[PP_HDR_VIEW_SIZE]; /* as in a picture's head; empty: not known */
     char words[256];             /* the view in words; empty: not known */
     double external_lux;         /* outside; 0: not known */

@@ -37,9 +37,8 @@ static void place_sample(const struct pp_render *render,
     place[1] = y + 0.5 + r * sin(2.0 * PP_PI * u[1]);
 }
 
-/* The camera's ray there; false where it has none. */
-static bool camera_ray(const struct pp_render *render, const double place[2],
-                       struct pp_light_ray *ray)
+bool pp_render_camera_ray(const struct pp_render *render, const double place[2],
+                          struct pp_light_ray *ray)
 {
     const struct pp_render_options *options = &render->options;
     *ray = (struct pp_light_ray){.space = render->eye_space};
@@ -97,7 +96,7 @@ static struct pp_rgb pixel(const struct pp_render *render,
         struct pp_rgb value;
         walk->index = (uint32_t)i;
         place_sample(render, walk, x, y, place);
-        if (!camera_ray(render, place, &ray))
+        if (!pp_render_camera_ray(render, place, &ray))
             continue;
         if (!options->irradiance)
             value = pp_radiance_along(walk, &ray, NULL);
@@ -116,7 +115,7 @@ static int tag_of_pixel(const struct pp_render *render, int x, int y)
     const double middle[2] = {x + 0.5, y + 0.5};
     struct pp_light_ray ray;
     struct pp_light_hit hit;
-    if (!camera_ray(render, middle, &ray)
+    if (!pp_render_camera_ray(render, middle, &ray)
         || !pp_light_scene_first(render->scene, &ray, &hit))
         return -1;
     return hit.tag;

@@ -17,6 +17,7 @@
 
 #include "model/camera.h"
 #include "model/picture.h"
+#include "simulate/irradiance_cache.h"
 #include "simulate/radiance.h"
 
 /* How places are weighed about a pixel's middle. */
@@ -42,6 +43,16 @@ struct pp_render_options {
 };
 
 struct pp_render;
+
+/* The rays through the middles of all pixels that have one, row by row: what a cache is
+ * to see before it is the ambient store. *rays is the caller's to free. */
+enum pp_status pp_render_rays(struct pp_light_ray **rays, size_t *count,
+                              const struct pp_light_scene *scene,
+                              const struct pp_render_options *options,
+                              struct pp_error *err);
+
+/* A number that hangs on all records of a cache, for ambient_mark. */
+uint64_t pp_render_cache_mark(const struct pp_irradiance_cache *cache);
 
 /* scene, store and ambient must live as long as it. */
 enum pp_status pp_render_create(struct pp_render **render,
@@ -71,6 +82,12 @@ struct pp_render_work {
     long long rays, leaks; /* leaks: rays that were lost through cracks */
 };
 struct pp_render_work pp_render_work(const struct pp_render *render);
+
+/* Where in the picture, in pixels, the records of a cache are seen that were made for
+ * what is seen: not through glass. *xy is the caller's to free. */
+enum pp_status pp_render_records(const struct pp_render *render,
+                                 const struct pp_irradiance_cache *cache,
+                                 double (**xy)[2], int *count, struct pp_error *err);
 
 /* ---- checkpoints: checkpoint.c ---- */
 

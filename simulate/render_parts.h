@@ -25,6 +25,10 @@ struct pp_render_tile {
 };
 struct pp_render_tile pp_render_tile(const struct pp_render *render, int tile);
 
+/* The camera's ray at a place in the picture, in pixels; false where it has none. */
+bool pp_render_camera_ray(const struct pp_render *render, const double place[2],
+                          struct pp_light_ray *ray);
+
 /* A number that hangs on all that the pixels hang on. */
 uint64_t pp_render_mark(const struct pp_render *render);
 
