@@ -15,7 +15,7 @@
 static const double slice_s = 0.1, checkpoint_s = 30.0;
 
 /* Directions from a pixel to one window, as many as its paths let each have. */
-enum { DIRECTIONS = 64 };
+enum { DIRECTIONS = 16 };
 
 /* Of a checkpoint: 4 GiB. */
 #define CHECKPOINT_MOST ((size_t)1 << 32)

@@ -3,7 +3,7 @@
 . "$srcdir/tests/tap.sh"
 . "$srcdir/tests/cli.sh"
 
-small="--size 48x32 --samples 2"
+small="--size 48x32 --samples 2 --engine path"
 
 # draws FILE WORDS: status 0, nothing said, and the file is there.
 draws() {
@@ -53,7 +53,7 @@ check "false colour with a scale of one's own" draws f.svg $small --false-colour
 check "false colour, linear, without lines" \
     draws f.pdf $small --false-colour --linear --no-contours "$deep"
 check "a fisheye with its grid" \
-    draws g.svg --size 40x40 --samples 1 --view angular --grid "$deep"
+    draws g.svg --size 40x40 --samples 1 --engine path --view angular --grid "$deep"
 
 # ---- the same again ----
 
@@ -67,6 +67,24 @@ check "the seed does" test "$(cksum <"$scratch/one.hdr")" != "$(cksum <"$scratch
 "$pepperpot" render $small --external 20000 "$deep" -o "$scratch/bright.hdr"
 check "twice the light outside is another picture" \
     test "$(cksum <"$scratch/one.hdr")" != "$(cksum <"$scratch/bright.hdr")"
+
+# ---- through a cache ----
+
+cached="--size 24x16 --samples 2 -ab 2 -ad 64 -as 0 -aa 0.3"
+check "a picture through a cache" \
+    draws k1.hdr $cached --threads 1 --cache "$scratch/records" "$deep"
+check "which is kept" test -s "$scratch/records"
+check "and read again" draws k2.hdr $cached --cache "$scratch/records" "$deep"
+check "gives the same picture to the byte" same "$scratch/k1.hdr" "$scratch/k2.hdr"
+check "as does one that grows anew on three threads" \
+    draws k3.hdr $cached --threads 3 "$deep"
+check "to the byte" same "$scratch/k1.hdr" "$scratch/k3.hdr"
+check "daylight factors with the records on them" \
+    draws k.svg $cached --quantity df --false-colour --records "$deep"
+check "a cache of another sky" refuses 1 "records" render $cached --sky uniform \
+    --cache "$scratch/records" "$deep" -o "$scratch/x.hdr"
+check "records of paths" refuses 2 "--engine cache" \
+    render $small --records "$deep" -o "$scratch/x.png"
 
 # ---- from a picture ----
 
@@ -89,7 +107,7 @@ check "none of these left a file" test ! -e "$scratch/x.png"
 
 # ---- checkpoints and Ctrl-C ----
 
-long="--size 400x300 --samples 512 --quiet"
+long="--size 400x300 --samples 512 --engine path --quiet"
 check "interrupted, there is no picture" eval \
     'interrupted render $long "$deep" -o "$scratch/i.hdr"; [ $status -eq 130 ] &&
      [ ! -e "$scratch/i.hdr" ] && grep -q -- "--checkpoint" "$scratch/err" || told'
