@@ -215,6 +215,9 @@ static void say_room(char *text, size_t room, const struct pp_nomogram_sheet *sh
         say_window(text, room, sheet, i);
     if (sheet->window_count > WINDOWS_SAID)
         pp_page_say(text, room, "And %d more.", sheet->window_count - WINDOWS_SAID);
+    if (sheet->decorations != 1.0)
+        pp_page_say(text, room, "All \303\227 %.3g for decorations.",
+                    sheet->decorations);
     pp_page_say(text, room, "Together: average IRC %.3g\u00a0%%",
                 100.0 * sheet->component);
     if (isfinite(sheet->minimum))

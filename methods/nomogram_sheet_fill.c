@@ -118,8 +118,8 @@ static enum pp_status add_window(struct pp_nomogram_sheet *sheet,
         pp_nomogram_read_opening(&window.read, &sheet->nomogram, world, opening, err);
     if (status != PP_OK)
         return status;
-    sheet->component += window.allowance * window.read.component;
-    sheet->minimum += window.allowance * window.read.minimum;
+    sheet->component += sheet->decorations * window.allowance * window.read.component;
+    sheet->minimum += sheet->decorations * window.allowance * window.read.minimum;
     for (int i = 0; i < sheet->window_count; i++)
         if (alike(&sheet->windows[i], &window)) {
             sheet->windows[i].alike++;
@@ -140,6 +140,7 @@ enum pp_status pp_nomogram_sheet_of(struct pp_nomogram_sheet *sheet,
     enum pp_status status = pp_nomogram_sheet_blank(sheet, kind, spacing, err);
     sheet->blank = false;
     sheet->name = world->name;
+    sheet->decorations = world->decorations;
     sheet->component = 0.0;
     sheet->minimum = kind == PP_NOMOGRAM_MINIMUM ? 0.0 : NAN;
     if (status != PP_OK)

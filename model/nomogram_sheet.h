@@ -33,9 +33,10 @@ struct pp_nomogram_sheet {
     bool blank;       /* no room */
     int window_count;
     struct pp_nomogram_window *windows; /* owned */
-    int left_out;     /* openings of the room that the nomogram is not made for */
-    double component; /* average of all windows, allowances settled */
-    double minimum;   /* of II: the least of all windows; else NAN */
+    int left_out;       /* openings of the room that the nomogram is not made for */
+    double decorations; /* D: what their deterioration leaves, of all windows */
+    double component;   /* average of all windows, allowances settled */
+    double minimum;     /* of II: the least of all windows; else NAN */
 };
 
 void pp_nomogram_sheet_clear(struct pp_nomogram_sheet *sheet);

@@ -282,7 +282,8 @@ static void straight_edge_on_the_printed_marks_gives_the_formula(void **state)
 
 static const char corner_room[] =
     "<room version='1' name='corner'><plan width='6' depth='5' height='3'/>"
-    "<window wall='south' left='1' sill='0.9' width='2' height='1.5'/>"
+    "<finishes decorations='0.8'/><window wall='south' left='1' sill='0.9' width='2' "
+    "height='1.5'/>"
     "<window wall='south' left='4' sill='0.9' width='0.3' height='0.4'/>"
     "<window wall='east' left='1' sill='0.9' width='1.1' height='1.5' "
     "glazing='clear-double' maintenance='0.8'/>"
