@@ -7,6 +7,9 @@
 /* Midpoints in z^2, of equal weight for a level plane, and in azimuth. */
 enum { RINGS = 400, TURNS = 720 };
 
+/* Distant sources that are looked at; a scene has two. */
+enum { SOURCES_MOST = 256 };
+
 static bool is_sky(const struct pp_scene_description *scene,
                    const struct pp_shape *shape)
 {
@@ -14,16 +17,30 @@ static bool is_sky(const struct pp_scene_description *scene,
            && scene->materials[shape->material].emits == PP_EMITS_EXTENDED;
 }
 
+/* The sky alone: what is looked at in every direction. */
+struct sources {
+    const struct pp_scene_description *scene;
+    int list[SOURCES_MOST];
+    int count;
+};
+
+static struct sources sources_of(const struct pp_scene_description *scene)
+{
+    struct sources sources = {.scene = scene};
+    for (int i = 0; i < scene->shape_count && sources.count < SOURCES_MOST; i++)
+        if (is_sky(scene, &scene->shapes[i]))
+            sources.list[sources.count++] = i;
+    return sources;
+}
+
 /* The one of the smallest angle that u lies in; NULL: none. */
-static const struct pp_shape *seen_in(const struct pp_scene_description *scene,
-                                      struct pp_vec3 u)
+static const struct pp_shape *seen_in(const struct sources *sources, struct pp_vec3 u)
 {
     const struct pp_shape *found = NULL;
-    for (int i = 0; i < scene->shape_count; i++) {
-        const struct pp_shape *shape = &scene->shapes[i];
-        if (is_sky(scene, shape)
-            && pp_dot(u, shape->is.distant.direction)
-                   >= cos(shape->is.distant.half_angle_rad)
+    for (int i = 0; i < sources->count; i++) {
+        const struct pp_shape *shape = &sources->scene->shapes[sources->list[i]];
+        if (pp_dot(u, shape->is.distant.direction)
+                >= cos(shape->is.distant.half_angle_rad)
             && (!found
                 || shape->is.distant.half_angle_rad < found->is.distant.half_angle_rad))
             found = shape;
@@ -31,10 +48,10 @@ static const struct pp_shape *seen_in(const struct pp_scene_description *scene,
     return found;
 }
 
-static struct pp_rgb radiance_in(const struct pp_scene_description *scene,
-                                 struct pp_vec3 u)
+static struct pp_rgb radiance_in(const struct sources *sources, struct pp_vec3 u)
 {
-    const struct pp_shape *shape = seen_in(scene, u);
+    const struct pp_scene_description *scene = sources->scene;
+    const struct pp_shape *shape = seen_in(sources, u);
     if (!shape)
         return pp_rgb_grey(0.0);
     const struct pp_material *material = &scene->materials[shape->material];
@@ -45,7 +62,7 @@ static struct pp_rgb radiance_in(const struct pp_scene_description *scene,
     return pp_rgb_scale(material->radiance, pp_pattern_value(&pattern, u));
 }
 
-static struct pp_rgb quadrature(const struct pp_scene_description *scene)
+static struct pp_rgb quadrature(const struct sources *sources)
 {
     struct pp_rgb sum = pp_rgb_grey(0.0);
     for (int i = 0; i < RINGS; i++) {
@@ -53,7 +70,7 @@ static struct pp_rgb quadrature(const struct pp_scene_description *scene)
         for (int k = 0; k < TURNS; k++) {
             double turn = 2.0 * PP_PI * (k + 0.5) / TURNS;
             struct pp_vec3 u = pp_vec(r * cos(turn), r * sin(turn), z);
-            sum = pp_rgb_add(sum, radiance_in(scene, u));
+            sum = pp_rgb_add(sum, radiance_in(sources, u));
         }
     }
     return pp_rgb_scale(sum, PP_PI / ((double)RINGS * TURNS));
@@ -87,8 +104,6 @@ struct pp_rgb pp_scene_horizontal(const struct pp_scene_description *scene)
     const struct pp_material *known = known_sky(scene);
     if (known)
         return pp_rgb_scale(known->radiance, scene->patterns[known->pattern].factor);
-    bool any = false;
-    for (int i = 0; i < scene->shape_count && !any; i++)
-        any = is_sky(scene, &scene->shapes[i]);
-    return any ? quadrature(scene) : pp_rgb_grey(0.0);
+    struct sources sources = sources_of(scene);
+    return sources.count > 0 ? quadrature(&sources) : pp_rgb_grey(0.0);
 }

@@ -91,8 +91,9 @@ struct pp_sensor_reading pp_sensors_read(const struct pp_sensors *sensors, int i
         if (count < 4)
             continue;
         means[k] = mean_of(values[k], count, &errors[k]);
-        /* Where all agree, one path of all might still have brought as much. */
-        if (!(errors[k] > 0.0))
+        /* Where all agree but for rounding, one path of all might still have brought as
+         * much. */
+        if (!(errors[k] > 1e-12 * means[k]))
             errors[k] = fmax(means[k], sensors->options.horizontal) / (double)paths;
     }
     return (struct pp_sensor_reading){.irradiance = {means[0], means[1], means[2]},

@@ -1,0 +1,130 @@
+#!/bin/sh
+# export to Radiance's formats, and import of its scenes.
+. "$srcdir/tests/tap.sh"
+. "$srcdir/tests/cli.sh"
+
+files="materials.rad room.rad glazing.rad sky.rad"
+out=$scratch/export
+
+export_to() {
+    "$pepperpot" export --to radiance "$@" >"$scratch/out" 2>"$scratch/err"
+}
+
+check "a room becomes a directory" export_to -o "$out" "$deep"
+check "with all its files" test "$(ls "$out" | tr '\n' ' ')" = \
+    "daylight_factors.sh glazing.rad materials.rad outside.rad pepperpot.cal points.pts room.rad sky.rad "
+check "and nothing beside it" nothing "$(ls "$scratch" | grep 'pepperpot-')"
+check "a script that a shell understands" sh -n "$out/daylight_factors.sh"
+check "which can be run" test -x "$out/daylight_factors.sh"
+check "its 17 points" test "$(wc -l <"$out/points.pts")" -eq 17
+check "a directory that is not empty is left alone" refuses 3 "not empty" \
+    export --to radiance -o "$out" "$deep"
+check "but by --force" export_to --force -o "$out" --points 1.5,2 "$deep"
+check "which replaces it" test "$(wc -l <"$out/points.pts")" -eq 1
+echo mine >"$out/mine.txt"
+check "not where there is anything else" refuses 3 "mine.txt" \
+    export --to radiance --force -o "$out" "$deep"
+check "and that is still there" grep -q mine "$out/mine.txt"
+rm "$out/mine.txt"
+check "a file in its place is left alone" refuses 3 "no directory" \
+    export --to radiance -o "$out/room.rad" "$deep"
+check "a building is a directory of directories" \
+    export_to -o "$scratch/building" "$examples/building.xml"
+check "one a room" test "$(ls "$scratch/building" | tr '\n' ' ')" = \
+    "Bedroom Kitchen Living-room Study "
+check "without --to it is refused" refuses 2 "--to" export -o "$scratch/x" "$deep"
+check "and for other programs" refuses 2 "radiance" export --to dxf -o "$scratch/x" "$deep"
+check "without -o" refuses 2 "-o DIR" export --to radiance "$deep"
+check "to standard output" refuses 2 "directory" export --to radiance -o - "$deep"
+check "into what is not there" refuses 3 "can't be written" \
+    export --to radiance -o "$scratch/no/such" "$deep"
+sed 's|<working|<surface reflectance="0.2" exitance="0.1"><vertex x="1" y="1" z="1"/><vertex x="2" y="1" z="1"/><vertex x="2" y="2" z="1"/></surface><working|' \
+    "$deep" >"$scratch/lit.xml"
+check "what Radiance can't say is refused by its line" refuses 1 "line " \
+    export --to radiance -o "$scratch/lit" "$scratch/lit.xml"
+check "and nothing is written" test ! -e "$scratch/lit"
+
+# A disk that takes no more: files of no more than no blocks.
+full() {
+    (
+        trap '' XFSZ
+        ulimit -f 0
+        "$pepperpot" export --to radiance -o "$scratch/full" "$deep" 2>/dev/null
+    )
+    test $? -eq 3 && test ! -e "$scratch/full" &&
+        nothing "$(ls "$scratch" | grep 'pepperpot-')"
+}
+check "a full disk leaves nothing behind" full
+
+cd "$out" || exit 1
+case $pepperpot in /*) ;; *) pepperpot=$OLDPWD/$pepperpot ;; esac
+# shellcheck disable=SC2086
+check "the export is read back" gives import $files
+check "with its polygons" grep -q "polygons          7, with 34 corners" "$scratch/out"
+check "and its sky" grep -q "10000 lx" "$scratch/out"
+# shellcheck disable=SC2086
+check "points in it are simulated" \
+    gives import $files --points-file points.pts --samples 2048 --format csv
+cp "$scratch/out" "$scratch/one"
+# df --simulate has 5.64 % at 2 m from this window; sampling leaves some per cent.
+check "the daylight factor is the room's" \
+    awk -F, 'NR == 2 { exit !($15 > 5.64 - 4 * $16 && $15 < 5.64 + 4 * $16 && $16 < .3) }' "$scratch/one"
+# shellcheck disable=SC2086
+gives import $files --points-file points.pts --samples 2048 --format csv --threads 3 >/dev/null
+check "to the digit with any number of threads" cmp "$scratch/out" "$scratch/one"
+# shellcheck disable=SC2086
+check "as JSON" gives import $files --points-file points.pts --samples 64 --summary \
+    --format json
+check "with its format" grep -q '"format": "pepperpot-import-1"' "$scratch/out"
+# shellcheck disable=SC2086
+check "in time" gives import $files --points-file points.pts --time 100ms
+check "which is said" grep -q -- "--time" "$scratch/out"
+cat materials.rad room.rad sky.rad >"$scratch/all.rad"
+check "from standard input" sh -c \
+    '"$1" import - <"$2" >"$3"' sh "$pepperpot" "$scratch/all.rad" "$scratch/out"
+check "which can be read once" refuses 2 "once" import - --points-file -
+
+printf 'void plastic a 0 0 5 .5 .5 .5 0 0\n\na polygon p 0 0 8 0 0 0 1 0 0 0 1\n' >"$scratch/bad.rad"
+check "a bad scene is refused by file and line" refuses 1 "bad.rad:3: " import "$scratch/bad.rad"
+printf '!rm -rf /\n' >"$scratch/bad.rad"
+check "nothing is executed" refuses 1 "nothing is executed" import "$scratch/bad.rad"
+printf 'a polygon p 0 0 9 0 0 0 1 0 0 0 1 0\n' >"$scratch/bad.rad"
+check "nor made of nothing" refuses 1 "bad.rad:1: " import "$scratch/bad.rad"
+check "a scene that is not there" refuses 1 "none.rad" import "$scratch/none.rad"
+printf '# points\n\n1 1 1 0 0\n' >"$scratch/bad.pts"
+check "so is a bad point" refuses 1 "bad.pts:3: " import sky.rad --points-file "$scratch/bad.pts"
+printf '1 1 1 0 0 0\n' >"$scratch/bad.pts"
+check "and one that looks nowhere" refuses 1 "bad.pts:1: " import sky.rad --points-file "$scratch/bad.pts"
+: >"$scratch/bad.pts"
+check "and none" refuses 1 "no points" import sky.rad --points-file "$scratch/bad.pts"
+check "a summary is no table" refuses 2 "CSV" import sky.rad --format csv
+
+# Ctrl-C: what is there is printed, and marked.
+interrupted() {
+    # shellcheck disable=SC2086
+    "$pepperpot" import $files --points-file points.pts --error 0.001% \
+        --format json >"$scratch/out" 2>/dev/null &
+    pid=$!
+    sleep 0.5
+    kill -TERM $pid
+    wait $pid
+    test $? -eq 130 && grep -q '"finished": false' "$scratch/out"
+}
+check "an interrupt leaves what there is" interrupted
+
+# An unobstructed sensor under gensky's overcast sky sees all of it: 100 %.
+printf 'void plastic g 0 0 5 0 0 0 0 0\n!gensky -ang 60 0 -c -b 1\nskyfunc glow s 0 0 4 1 1 1 0\ns source sky 0 0 4 0 0 1 180\ng polygon p 0 0 9 0 0 -9 1 0 -9 0 1 -9\n' >"$scratch/sky.rad"
+echo "0 0 1 0 0 1" >"$scratch/up.pts"
+gives import "$scratch/sky.rad" --points-file "$scratch/up.pts" --samples 4096 --format csv >/dev/null
+check "under the open sky the daylight factor is 100 %" \
+    awk -F, 'NR == 2 { exit !($15 > 99.95 && $15 < 100.05) }' "$scratch/out"
+
+# Where Radiance is installed, its rtrace agrees.
+if command -v rtrace >/dev/null && command -v oconv >/dev/null; then
+    check "rtrace has the same daylight factor" sh -c \
+        './daylight_factors.sh -ab 6 -ad 4096 -as 0 -aa 0 -lw 1e-5 |
+            awk "{ exit !(\$4 > 5.3 && \$4 < 6.0) }"'
+else
+    skip "rtrace has the same daylight factor" "Radiance is not installed"
+fi
+tap_done
