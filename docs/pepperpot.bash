@@ -13,11 +13,21 @@ _pepperpot()
         [ "$command" != size ] || formats='text json'
         [ "$command" != chart ] || formats='pdf svg png'
         [ "$command" != assess ] || formats='text json'
+        [ "$command" != render ] || formats='hdr pfm png pdf svg'
         mapfile -t COMPREPLY < <(compgen -W "$formats" -- "$word")
     elif [ "$previous" = --which ]; then
         mapfile -t COMPREPLY < <(compgen -W 'average minimum rooflight' -- "$word")
     elif [ "$command" = size ] && { [ "$previous" = --change ] || [ "$previous" = -c ]; }; then
         mapfile -t COMPREPLY < <(compgen -W "width height head sill number" -- "$word")
+    elif [ "$command" = render ] && [ "$previous" = --view ]; then
+        local views='perspective parallel plan section hemispherical angular'
+        mapfile -t COMPREPLY < <(compgen -W "$views" -- "$word")
+    elif [ "$command" = render ] && [ "$previous" = --quantity ]; then
+        mapfile -t COMPREPLY < <(compgen -W 'luminance illuminance df' -- "$word")
+    elif [ "$command" = render ] && [ "$previous" = --exposure ]; then
+        mapfile -t COMPREPLY < <(compgen -W 'auto human' -- "$word")
+    elif [ "$command" = render ] && [ "$previous" = --engine ]; then
+        mapfile -t COMPREPLY < <(compgen -W 'cache path' -- "$word")
     elif [ "$previous" = --sky ]; then
         local skies
         skies="overcast uniform $(printf 'iso-%d ' {1..15})"

@@ -68,6 +68,21 @@ for kind in waldram pepper-pot protractor; do
     done
 done
 
+# Pictures of their light.
+picture() {
+    name=$1 room=$2
+    shift 2
+    "$program" render --quiet "$@" "$(dirname "$0")/$room.xml" -o "$out/$name.png"
+}
+picture deep-office-picture deep-office --size 480x360 --exposure human
+picture studio-picture studio --size 480x360 --exposure human
+picture deep-office-picture-df deep-office --size 480x360 --quantity df --false-colour \
+    --paper a5 --dpi 100
+picture deep-office-picture-records deep-office --size 480x360 --false-colour --records \
+    --no-contours --paper a5 --dpi 100
+picture studio-picture-fisheye studio --view hemispherical --size 400x400 --false-colour \
+    --grid --paper a5 --dpi 100
+
 for room in "$(dirname "$0")"/*.xml; do
     for kind in section plan; do
         for format; do
