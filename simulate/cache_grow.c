@@ -15,7 +15,7 @@
 #include "simulate/lobe.h"
 
 enum {
-    CHUNK = 4096,
+    CHUNK = 1 << 16,
     SPREAD_RAYS = 8192, /* at most, that look where what lights the wishes is */
     SIGHTS = 2,         /* surfaces that one ray of a picture may ask for */
 };
@@ -261,7 +261,8 @@ static void work(struct pp_irradiance_cache *cache, int depth,
 static void sift(struct pp_irradiance_cache *cache, struct pp_cache_layer *layer)
 {
     int *open = layer->open, kept = 0;
-#pragma omp parallel for num_threads(cache->options.threads) schedule(static, 64)
+#pragma omp parallel for num_threads(cache->options.threads)                           \
+    schedule(dynamic, 64) if (layer->open_count > 256)
     for (int i = 0; i < layer->open_count; i++) {
         struct pp_cache_wish *wish = &layer->wishes[layer->next + (size_t)open[i]];
         struct pp_rgb value;
@@ -309,7 +310,8 @@ static enum pp_status batch(struct pp_irradiance_cache *cache, int depth,
     struct pp_cache_entry *entries = calloc(PP_CACHE_BATCH, sizeof *entries);
     enum pp_status status = cells && entries ? PP_OK : pp_fail_memory(err);
     if (status == PP_OK) {
-#pragma omp parallel for num_threads(cache->options.threads) schedule(dynamic, 1)
+#pragma omp parallel for num_threads(cache->options.threads)                           \
+    schedule(dynamic, 1) if (count > 1)
         for (int i = 0; i < count; i++)
             work(cache, depth, &chosen[i]->place, cells + (size_t)i * side * side,
                  &entries[i]);
