@@ -2,6 +2,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "cli/against_radiance.h"
 #include "cli/commands.h"
 #include "cli/format.h"
 #include "cli/gather.h"
@@ -164,6 +165,40 @@ static enum pp_exit compare(const struct pp_room_options *options,
     return exit_status;
 }
 
+/* ---- another program ---- */
+
+static enum pp_status read_program(const char *text, void *place, struct pp_error *err)
+{
+    if (strcmp(text, "radiance") != 0)
+        return pp_fail(err, PP_BAD_INPUT, "radiance");
+    *(const char **)place = text;
+    return PP_OK;
+}
+
+static const struct pp_option against_option[] = {
+    {"against", 0, "PROGRAM",
+     "Compare the simulation with another program's, of the same rooms: radiance, "
+     "where "
+     "its oconv and rtrace are on PATH.",
+     read_program, 0},
+    {0},
+};
+
+static enum pp_exit compare_with_radiance(struct pp_room_options *options,
+                                          enum pp_format format, char **files,
+                                          int file_count)
+{
+    struct pp_rooms rooms;
+    enum pp_exit exit_status =
+        pp_rooms_load(&rooms, "validate", files, file_count, options);
+    if (exit_status != PP_EXIT_DONE)
+        return exit_status;
+    options->methods = "exact";
+    exit_status = pp_against_radiance(&rooms, options, format);
+    pp_rooms_clear(&rooms);
+    return exit_status;
+}
+
 /* ---- the command ---- */
 
 /* What the options say, before any file is opened. */
@@ -194,8 +229,10 @@ enum pp_exit cmd_validate(int argc, char **argv)
 {
     struct pp_room_options options = pp_room_options_none;
     enum pp_format format = PP_FORMAT_TEXT;
+    const char *against = NULL;
     const struct pp_option_group groups[] = {
         {"What is compared", pp_room_choice_options, &options},
+        {"What is compared", against_option, &against},
         {"Simulation", pp_room_simulation_options + 1, &options},
         {"Output", pp_format_option, &format},
         {"Output", pp_room_output_options, &options},
@@ -209,6 +246,13 @@ enum pp_exit cmd_validate(int argc, char **argv)
     enum pp_exit exit_status;
     enum pp_status status =
         pp_options_read(&line, argc, argv, &file_count, &wants_help, &err);
+    if (status == PP_OK && !wants_help && against && file_count == 0)
+        status = pp_fail(&err, PP_BAD_INPUT,
+                         "--against is about a room; expected a room "
+                         "file, or - for standard input");
+    if (status == PP_OK && !wants_help && against && format == PP_FORMAT_JSON)
+        status = pp_fail(&err, PP_BAD_INPUT,
+                         "--against has text and CSV; expected --format text or csv");
     if (status == PP_OK && !wants_help)
         status = check(&options, file_count, &err);
 
@@ -218,6 +262,8 @@ enum pp_exit cmd_validate(int argc, char **argv)
         exit_status = pp_say_usage("validate", &err);
     else if (wants_help)
         exit_status = (pp_options_help(&line, stdout), PP_EXIT_DONE);
+    else if (against)
+        exit_status = compare_with_radiance(&options, format, argv, file_count);
     else if (file_count == 0)
         exit_status = answer(&options, format);
     else

@@ -15,6 +15,8 @@ _pepperpot()
         [ "$command" != assess ] || formats='text json'
         [ "$command" != render ] || formats='hdr pfm png pdf svg'
         mapfile -t COMPREPLY < <(compgen -W "$formats" -- "$word")
+    elif [ "$previous" = --to ] || [ "$previous" = --against ]; then
+        mapfile -t COMPREPLY < <(compgen -W radiance -- "$word")
     elif [ "$previous" = --which ]; then
         mapfile -t COMPREPLY < <(compgen -W 'average minimum rooflight' -- "$word")
     elif [ "$command" = size ] && { [ "$previous" = --change ] || [ "$previous" = -c ]; }; then

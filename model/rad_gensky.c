@@ -111,8 +111,10 @@ static bool set_number(struct asked *asked, char letter, double number)
 {
     switch (letter) {
     case 'y':
+        if (!(number >= 1950.0 && number <= 2050.0))
+            return false; /* before it becomes whole */
         asked->year = (int)number;
-        return number >= 1950.0 && number <= 2050.0 && number == asked->year;
+        return number == asked->year;
     case 'r':
         asked->solar = number;
         return number >= 0.0;

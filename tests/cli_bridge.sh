@@ -119,6 +119,11 @@ gives import "$scratch/sky.rad" --points-file "$scratch/up.pts" --samples 4096 -
 check "under the open sky the daylight factor is 100 %" \
     awk -F, 'NR == 2 { exit !($15 > 99.95 && $15 < 100.05) }' "$scratch/out"
 
+check "without Radiance, validate says so" sh -c \
+    'PATH=/nowhere "$1" validate --against radiance "$2" 2>&1 | /bin/grep -q "not on PATH"' \
+    sh "$pepperpot" "$deep"
+check "of what room it has to be told" refuses 2 "--against" validate --against radiance
+
 # Where Radiance is installed, its rtrace agrees.
 if command -v rtrace >/dev/null && command -v oconv >/dev/null; then
     check "rtrace has the same daylight factor" sh -c \

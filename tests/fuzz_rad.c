@@ -1,5 +1,5 @@
-/* fuzz_rad.c - whatever bytes a Radiance scene holds, reading it ends well, and what was
- * read can be written and read back.
+/* fuzz_rad.c - whatever bytes a Radiance scene holds, reading it ends well, and what
+ * was read can be written and read back.
  *
  * For clang's libFuzzer (make fuzz). The sanitizers say what is wrong; besides, a scene
  * is refused with a reason that has file and line, or taken; then its shapes name
@@ -62,8 +62,8 @@ int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t length)
     struct pp_rad_summary summary;
     if (reads_files(bytes, length))
         return 0;
-    enum pp_status status = pp_rad_parse(&scene, &summary, (const char *)bytes, length,
-                                         "fuzz.rad", &err);
+    enum pp_status status =
+        pp_rad_parse(&scene, &summary, (const char *)bytes, length, "fuzz.rad", &err);
     must(status == PP_OK || err.message[0] != '\0');
     must(status != PP_BAD_INPUT || strncmp(err.message, "fuzz.rad:", 9) == 0);
     for (int i = 0; i < scene.shape_count; i++)

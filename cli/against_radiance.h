@@ -1,0 +1,16 @@
+/* against_radiance.h - daylight factors of the simulation beside those of Radiance's
+ * rtrace, of the same rooms: exported, worked out by the script that goes with them. */
+#ifndef PP_CLI_AGAINST_RADIANCE_H
+#define PP_CLI_AGAINST_RADIANCE_H
+
+#include "cli/exit_status.h"
+#include "cli/format.h"
+#include "cli/rooms.h"
+
+/* Traces, runs and prints. Where oconv or rtrace is not on PATH that is said, and
+ * nothing is done: PP_EXIT_MACHINE. */
+enum pp_exit pp_against_radiance(const struct pp_rooms *rooms,
+                                 const struct pp_room_options *options,
+                                 enum pp_format format);
+
+#endif
