@@ -106,8 +106,9 @@ static enum pp_status start_stage(struct xform *xform, const struct line *line,
 {
     double number;
     bool array = strcmp(words[0], "-a") == 0;
-    if (left < 2 || !pp_number_parse(words[1], &number) || number != (int)number
-        || number < (array ? 1.0 : 0.0) || number > COPIES_MOST)
+    if (left < 2 || !pp_number_parse(words[1], &number)
+        || !(number >= (array ? 1.0 : 0.0)) || !(number <= COPIES_MOST)
+        || number != (int)number)
         return fail(line, err, "expected a whole number behind xform's ", words[0]);
     if (xform->stage_count == ARRAYS_MOST)
         return fail(line, err, "more than 15 of -i and -a in one xform", "");
