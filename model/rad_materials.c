@@ -232,7 +232,8 @@ static enum pp_status take_sky(struct pp_rad_reader *reader,
                            "a brightfunc that is not understood; expected \"void "
                            "brightfunc\" with \"skybr skybright.cal\", as gensky "
                            "writes it");
-    int type = primitive->number_count > 0 ? (int)n[0] : 0;
+    bool within = primitive->number_count > 0 && n[0] >= 1.0 && n[0] <= 4.0;
+    int type = within ? (int)n[0] : 0;
     bool even = type == PP_GENSKY_OVERCAST || type == PP_GENSKY_UNIFORM;
     bool sunny = type == PP_GENSKY_CLEAR || type == PP_GENSKY_INTERMEDIATE;
     if (!(even && primitive->number_count >= 3 && n[0] == type)
