@@ -378,8 +378,8 @@ static void names_are_fit_and_unlike_each_other(void **state)
                                         "north_wall",
                                         "!x #y",
                                         "",
-                                        "k\xc3\xbc"
-                                        "che"};
+                                        ("k\xc3\xbc"
+                                         "che")};
     for (int i = 0; i < 6; i++) {
         struct pp_material grey = pp_material_diffuse(pp_rgb_grey(0.1 * i));
         strcpy(grey.name, names[i]);
