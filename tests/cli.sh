@@ -45,6 +45,12 @@ shows() {
     gives "$@" && { grep -qF -- "$text" "$scratch/out" || told; }
 }
 
+# too_wide: lines of the output of more than 80 characters; those that name a file are as
+# long as its path.
+too_wide() {
+    awk -v files="$examples/" 'length > 80 && !index($0, files)' "$scratch/out"
+}
+
 same() {
     cmp "$1" "$2"
 }

@@ -10,13 +10,13 @@ for example in "$examples"/*.xml; do
     check "$name is assessed" gives assess "$example"
     check "$name holds no nan" \
         nothing "$(grep -inE '(^|[^a-z])-?(nan|inf)([^a-z]|$)' "$scratch/out")"
-    check "$name fits in 80 columns" nothing "$(awk 'length > 80' "$scratch/out")"
+    check "$name fits in 80 columns" nothing "$(too_wide)"
     check "$name has no line that ends with a blank" \
         nothing "$(grep -n ' $' "$scratch/out")"
 done
 check "simulated, with illuminances, too" \
     gives assess --simulate --error 4% --external 5000 "$examples/building.xml"
-check "it fits in 80 columns" nothing "$(awk 'length > 80' "$scratch/out")"
+check "it fits in 80 columns" nothing "$(too_wide)"
 check "a room of a building each has its sum of verdicts" \
     test "$(grep -cE '^  [0-9]+ met' "$scratch/out")" -eq 4
 check "a verdict has its probability" grep -q "met: certain" "$scratch/out"
@@ -25,7 +25,8 @@ check "the median outside is named" grep -q "13900 lx: Berlin" "$scratch/out"
 
 check "in UTF-8 it fits too" sh -c "
     LC_ALL=C.UTF-8 '$pepperpot' assess -s --error 4% --external 5000 '$deep' |
-        LC_ALL=C.UTF-8 sed -n '/^.\{81\}/p' | grep -c . | grep -qx 0"
+        grep -vF '$examples/' | LC_ALL=C.UTF-8 sed -n '/^.\{81\}/p' |
+        grep -c . | grep -qx 0"
 
 check "verdicts do not make the status" shows "not met" assess "$deep"
 check "without simulation it says so" \

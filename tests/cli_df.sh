@@ -8,10 +8,10 @@ check "and says what was assumed" grep -q "sill 0.80 m" "$scratch/out"
 check "and has a row for the average" grep -q "^  average" "$scratch/out"
 check "and one for each of its 17 points" \
     test "$(grep -cE '^ +[0-9]+\.[05]0 ' "$scratch/out")" -eq 17
-check "no line is wider than 80 columns" nothing "$(awk 'length > 80' "$scratch/out")"
+check "no line is wider than 80 columns" nothing "$(too_wide)"
 check "no line ends with a blank" nothing "$(grep -n ' $' "$scratch/out")"
 gives df --methods all "$deep" >/dev/null
-check "all methods fit in 80 columns too" nothing "$(awk 'length > 80' "$scratch/out")"
+check "all methods fit in 80 columns too" nothing "$(too_wide)"
 
 for example in "$examples"/*.xml; do
     check "$(basename "$example") is computed by all methods" \
@@ -28,7 +28,7 @@ check "one with its own height" grep -q ',point,1,3,0.5,' "$scratch/out"
 check "a sum is set out step by step" shows "a square of the diagram is worth" \
     df --explain --points 1.5,1 --methods waldram+bre "$deep"
 cp "$scratch/out" "$scratch/explained"
-check "in 80 columns" nothing "$(awk 'length > 80' "$scratch/out")"
+check "in 80 columns" nothing "$(too_wide)"
 check "in JSON too" shows '"unit": "%"' \
     df --explain --points 1.5,1 --methods waldram+bre --format json "$deep"
 check "of one point, not of 17" refuses 2 "--points" df --explain "$deep"
@@ -72,7 +72,7 @@ check "and decorations" grep -q "decorations leave 0.6 of" "$scratch/out"
 check "which the average daylight factor does not count" \
     grep -q "average-df: the decorations' 0.6" "$scratch/out"
 check "a minimum is no average" grep -q "bre-min: it gives the least" "$scratch/out"
-check "in 80 columns" nothing "$(awk 'length > 80' "$scratch/out")"
+check "in 80 columns" nothing "$(too_wide)"
 check "each is in the sum" shows "IRC = irc M G K D" \
     df -e -m bre "$scratch/corrected.xml"
 

@@ -7,7 +7,7 @@
 check "what is known on paper is asked" shows "The program against answers" validate
 check "and all of it is right" grep -qE '^  ([0-9]+) of \1 right' "$scratch/out"
 check "none is wrong" nothing "$(grep WRONG "$scratch/out")"
-check "no line is wider than 80 columns" nothing "$(awk 'length > 80' "$scratch/out")"
+check "no line is wider than 80 columns" nothing "$(too_wide)"
 check "no line ends with a blank" nothing "$(grep -n ' $' "$scratch/out")"
 check "in JSON too" shows '"format": "pepperpot-validate-1"' validate --format json
 check "with at least 40 answers" test "$(grep -c '"right": true' "$scratch/out")" -ge 40
@@ -53,7 +53,7 @@ check "an average formula has its average compared" \
     grep -qE '^[^,]*,Deep office,df,average-df,3\.11[0-9]*,4\.' "$scratch/validate"
 check "the text names the worst point" \
     shows "at x, y" validate --samples 16 --methods exact+bre "$deep"
-check "and fits in 80 columns" nothing "$(awk 'length > 80' "$scratch/out")"
+check "and fits in 80 columns" nothing "$(too_wide)"
 check "a room that methods refuse is said to be" \
     shows "not vertical" validate --samples 16 "$examples/studio.xml"
 check "several rooms are summed up" shows "All 2 rooms" \
