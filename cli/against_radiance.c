@@ -263,10 +263,6 @@ enum pp_exit pp_against_radiance(const struct pp_rooms *rooms,
     pp_interrupt_watch();
     for (int i = 0; i < rooms->count && status == PP_OK; i++)
         status = compare_room(&rooms->list[i], options, format, output.stream, &err);
-    if (status == PP_OK)
-        status = pp_output_commit(&output, &err);
-    if (status == PP_OK)
-        return PP_EXIT_DONE;
-    pp_output_abandon(&output);
-    return pp_say_error(&err);
+    status = pp_output_close(&output, status, &err);
+    return status == PP_OK ? PP_EXIT_DONE : pp_say_error(&err);
 }

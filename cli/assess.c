@@ -233,17 +233,12 @@ static enum pp_exit assess_and_print(struct pp_assessments *all,
     else if (status == PP_OK)
         status = pp_print_assessments(all, pp_print_width(path), pp_utf8_terminal(),
                                       output.stream, &err);
-    if (status == PP_OK)
-        status = pp_output_commit(&output, &err);
-    if (status != PP_OK) {
-        pp_output_abandon(&output);
+    status = pp_output_close(&output, status, &err);
+    if (status != PP_OK)
         return pp_say_error(&err);
-    }
     for (int i = 0; i < all->count; i++)
-        if (!all->list[i].report.finished) {
-            pp_say("interrupted; what was reached so far is marked as not finished");
-            return PP_EXIT_INTERRUPTED;
-        }
+        if (!all->list[i].report.finished)
+            return pp_say_unfinished();
     return PP_EXIT_DONE;
 }
 

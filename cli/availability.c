@@ -81,17 +81,12 @@ static enum pp_exit compute_and_print(struct run *run, const struct pp_rooms *ro
     }
     if (status == PP_OK)
         status = print(run, output.stream, &err);
-    if (status == PP_OK)
-        status = pp_output_commit(&output, &err);
-    if (status != PP_OK) {
-        pp_output_abandon(&output);
+    status = pp_output_close(&output, status, &err);
+    if (status != PP_OK)
         return pp_say_error(&err);
-    }
     for (int i = 0; i < run->results.count; i++)
-        if (!run->results.list[i].report.finished) {
-            pp_say("interrupted; what was reached so far is marked as not finished");
-            return PP_EXIT_INTERRUPTED;
-        }
+        if (!run->results.list[i].report.finished)
+            return pp_say_unfinished();
     return PP_EXIT_DONE;
 }
 

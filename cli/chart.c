@@ -195,11 +195,7 @@ static enum pp_status draw_to_file(struct drawing *drawing, const char *path,
     enum pp_status status = pp_output_open(&output, path, err);
     if (status == PP_OK)
         status = draw(drawing, output.stream, err);
-    if (status == PP_OK)
-        status = pp_output_commit(&output, err);
-    else
-        pp_output_abandon(&output);
-    return status;
+    return pp_output_close(&output, status, err);
 }
 
 /* "plan.png" with "-3" before its ending; to be freed. NULL when memory is out. */

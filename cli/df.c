@@ -104,17 +104,12 @@ static enum pp_exit compute_and_print(struct pp_results *results,
         status = compute(results, rooms, engine, &err);
     if (status == PP_OK)
         status = print(results, format, output.stream, &err);
-    if (status == PP_OK)
-        status = pp_output_commit(&output, &err);
-    if (status != PP_OK) {
-        pp_output_abandon(&output);
+    status = pp_output_close(&output, status, &err);
+    if (status != PP_OK)
         return pp_say_error(&err);
-    }
     for (int i = 0; i < results->count; i++)
-        if (!results->list[i].report.finished) {
-            pp_say("interrupted; what was reached so far is marked as not finished");
-            return PP_EXIT_INTERRUPTED;
-        }
+        if (!results->list[i].report.finished)
+            return pp_say_unfinished();
     return PP_EXIT_DONE;
 }
 

@@ -129,20 +129,6 @@ static enum pp_status read_all(struct pp_imported *imported,
     return PP_OK;
 }
 
-static enum pp_exit finish(enum pp_status status, const struct pp_imported *imported,
-                           struct pp_output *output, const struct pp_error *err)
-{
-    if (status != PP_OK) {
-        pp_output_abandon(output);
-        return pp_say_error(err);
-    }
-    if (imported->readings && !imported->finished) {
-        pp_say("interrupted; what was reached so far is marked as not finished");
-        return PP_EXIT_INTERRUPTED;
-    }
-    return PP_EXIT_DONE;
-}
-
 static enum pp_exit run(const struct import_options *options,
                         const struct pp_room_options *room_options, char **files,
                         int file_count)
@@ -169,9 +155,12 @@ static enum pp_exit run(const struct import_options *options,
         status = pp_print_imported(&imported, options->format,
                                    pp_print_width(room_options->output),
                                    pp_utf8_terminal(), output.stream, &err);
-    if (status == PP_OK)
-        status = pp_output_commit(&output, &err);
-    enum pp_exit exit_status = finish(status, &imported, &output, &err);
+    status = pp_output_close(&output, status, &err);
+    enum pp_exit exit_status = PP_EXIT_DONE;
+    if (status != PP_OK)
+        exit_status = pp_say_error(&err);
+    else if (imported.readings && !imported.finished)
+        exit_status = pp_say_unfinished();
     pp_scene_description_clear(&scene);
     free(points);
     free(readings);

@@ -128,14 +128,9 @@ static enum pp_status save(const struct pp_made_picture *made, const char *path,
 {
     struct pp_output output;
     enum pp_status status = pp_output_open(&output, path, err);
-    if (status != PP_OK)
-        return status;
-    status = pp_render_save(made->render, output.stream, err);
     if (status == PP_OK)
-        status = pp_output_commit(&output, err);
-    else
-        pp_output_abandon(&output);
-    return status;
+        status = pp_render_save(made->render, output.stream, err);
+    return pp_output_close(&output, status, err);
 }
 
 /* Ctrl-C: what is done is kept where there is a place for it. */

@@ -51,3 +51,9 @@ enum pp_exit pp_say_mistakes(struct pp_mistakes *mistakes)
     }
     return PP_EXIT_INPUT;
 }
+
+enum pp_exit pp_say_unfinished(void)
+{
+    pp_say("interrupted; what was reached so far is marked as not finished");
+    return PP_EXIT_INTERRUPTED;
+}

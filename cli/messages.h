@@ -15,6 +15,10 @@ enum pp_exit pp_say_usage(const char *command, const struct pp_error *err);
 /* "pepperpot: ..." */
 void pp_say(const char *format, ...) __attribute__((format(printf, 1, 2)));
 
+/* That a simulation was interrupted and its results are marked so. Returns
+ * PP_EXIT_INTERRUPTED. */
+enum pp_exit pp_say_unfinished(void);
+
 /* Each as "FILE:LINE: what is wrong, and what was expected". Returns PP_EXIT_INPUT. */
 enum pp_exit pp_say_mistakes(struct pp_mistakes *mistakes);
 

@@ -206,3 +206,12 @@ void pp_output_abandon(struct pp_output *output)
     free(output->path);
     *output = (struct pp_output){0};
 }
+
+enum pp_status pp_output_close(struct pp_output *output, enum pp_status status,
+                               struct pp_error *err)
+{
+    if (status == PP_OK)
+        return pp_output_commit(output, err);
+    pp_output_abandon(output);
+    return status;
+}

@@ -32,4 +32,9 @@ enum pp_status pp_output_commit(struct pp_output *output, struct pp_error *err);
 /* Closes the output and leaves everything as it was. May follow a commit. */
 void pp_output_abandon(struct pp_output *output);
 
+/* The end of all work on an output: commits it where the work is good (`status`), else
+ * abandons it. Returns what came of both. */
+enum pp_status pp_output_close(struct pp_output *output, enum pp_status status,
+                               struct pp_error *err);
+
 #endif

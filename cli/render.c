@@ -30,12 +30,9 @@ static enum pp_exit write_output(const struct pp_shown *shown,
     enum pp_status status = pp_output_open(&output, path, &err);
     if (status == PP_OK)
         status = pp_show_picture(shown, choice, path, output.stream, &err);
-    if (status == PP_OK)
-        status = pp_output_commit(&output, &err);
-    if (status != PP_OK) {
-        pp_output_abandon(&output);
+    status = pp_output_close(&output, status, &err);
+    if (status != PP_OK)
         return pp_say_error(&err);
-    }
     return PP_EXIT_DONE;
 }
 

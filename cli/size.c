@@ -100,14 +100,10 @@ static enum pp_exit size_rooms(struct pp_size_results *results,
     else if (status == PP_OK)
         status = pp_print_size(results, pp_print_width(options->room.output),
                                pp_utf8_terminal(), output.stream, &err);
-    if (status == PP_OK)
-        status = pp_output_commit(&output, &err);
+    status = pp_output_close(&output, status, &err);
     if (status == PP_OK && options->write)
         status = write_file(results, &err);
-    if (status == PP_OK)
-        return PP_EXIT_DONE;
-    pp_output_abandon(&output);
-    return pp_say_error(&err);
+    return status == PP_OK ? PP_EXIT_DONE : pp_say_error(&err);
 }
 
 static enum pp_exit run(const struct pp_size_options *options, char **files,

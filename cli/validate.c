@@ -45,12 +45,9 @@ static enum pp_exit answer(const struct pp_room_options *options, enum pp_format
         status = pp_known_ask(&known, options->seed, options->threads, &err);
     if (status == PP_OK)
         status = print_known(&known, format, options->output, output.stream, &err);
-    if (status == PP_OK)
-        status = pp_output_commit(&output, &err);
-    if (status != PP_OK) {
-        pp_output_abandon(&output);
+    status = pp_output_close(&output, status, &err);
+    if (status != PP_OK)
         return pp_say_error(&err);
-    }
     for (int i = 0; i < known.count; i++)
         if (!pp_known_is_right(&known.list[i])) {
             pp_say("not all answers are right; this build is not to be trusted");
@@ -115,17 +112,12 @@ static enum pp_exit compute_and_print(struct pp_validation *validation,
         status = compute(validation, results, rooms, &err);
     if (status == PP_OK)
         status = print(validation, format, output.stream, &err);
-    if (status == PP_OK)
-        status = pp_output_commit(&output, &err);
-    if (status != PP_OK) {
-        pp_output_abandon(&output);
+    status = pp_output_close(&output, status, &err);
+    if (status != PP_OK)
         return pp_say_error(&err);
-    }
     for (int i = 0; i < results->count; i++)
-        if (!results->list[i].report.finished) {
-            pp_say("interrupted; what was reached so far is marked as not finished");
-            return PP_EXIT_INTERRUPTED;
-        }
+        if (!results->list[i].report.finished)
+            return pp_say_unfinished();
     return PP_EXIT_DONE;
 }
 
