@@ -16,13 +16,51 @@ bool pp_json_add(struct json_object *object, const char *key, struct json_object
     return false;
 }
 
-bool pp_json_number(struct json_object *object, const char *key, double number)
+bool pp_json_append(struct json_object *array, struct json_object *value)
+{
+    if (value && array && json_object_array_add(array, value) == 0)
+        return true;
+    json_object_put(value);
+    return false;
+}
+
+struct json_object *pp_json_whole(struct json_object *object, bool good)
+{
+    if (good)
+        return object;
+    json_object_put(object);
+    return NULL;
+}
+
+static struct json_object *number_object(double number)
 {
     char digits[40];
+    snprintf(digits, sizeof digits, "%.10g", number + 0.0);
+    return json_object_new_double_s(number, digits);
+}
+
+bool pp_json_number(struct json_object *object, const char *key, double number)
+{
     if (!isfinite(number))
         return json_object_object_add(object, key, NULL) == 0;
-    snprintf(digits, sizeof digits, "%.10g", number + 0.0);
-    return pp_json_add(object, key, json_object_new_double_s(number, digits));
+    return pp_json_add(object, key, number_object(number));
+}
+
+bool pp_json_numbers(struct json_object *object, const char *key, const double *numbers,
+                     int count)
+{
+    struct json_object *array = json_object_new_array();
+    if (!pp_json_add(object, key, array))
+        return false;
+    pp_json_on_one_line(array);
+    for (int i = 0; i < count; i++) {
+        bool added = isfinite(numbers[i])
+                         ? pp_json_append(array, number_object(numbers[i]))
+                         : json_object_array_add(array, NULL) == 0;
+        if (!added)
+            return false;
+    }
+    return true;
 }
 
 bool pp_json_text(struct json_object *object, const char *key, const char *text)
@@ -79,26 +117,26 @@ static struct json_object *gather(pp_json_room *room, const void *all, int count
     if (!several)
         return room(all, 0);
     struct json_object *list = json_object_new_array();
-    for (int i = 0; list && i < count; i++) {
-        struct json_object *one = room(all, i);
-        if (one && json_object_array_add(list, one) == 0)
-            continue;
-        json_object_put(one);
-        json_object_put(list);
-        return NULL;
-    }
-    return list;
+    bool good = list != NULL;
+    for (int i = 0; i < count && good; i++)
+        good = pp_json_append(list, room(all, i));
+    return pp_json_whole(list, good);
+}
+
+enum pp_status pp_json_print(FILE *out, struct json_object *object,
+                             struct pp_error *err)
+{
+    const char *text = object ? json_object_to_json_string_ext(
+                           object, PP_JSON_STYLE | JSON_C_TO_STRING_PRETTY)
+                              : NULL;
+    if (text)
+        fprintf(out, "%s\n", text);
+    json_object_put(object);
+    return text ? PP_OK : pp_fail_memory(err);
 }
 
 enum pp_status pp_json_print_rooms(FILE *out, pp_json_room *room, const void *all,
                                    int count, bool several, struct pp_error *err)
 {
-    struct json_object *whole = gather(room, all, count, several);
-    const char *text = whole ? json_object_to_json_string_ext(
-                           whole, PP_JSON_STYLE | JSON_C_TO_STRING_PRETTY)
-                             : NULL;
-    if (text)
-        fprintf(out, "%s\n", text);
-    json_object_put(whole);
-    return text ? PP_OK : pp_fail_memory(err);
+    return pp_json_print(out, gather(room, all, count, several), err);
 }

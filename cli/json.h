@@ -21,6 +21,16 @@ bool pp_json_add(struct json_object *object, const char *key,
 /* Ten significant digits; what is not finite is null. */
 bool pp_json_number(struct json_object *object, const char *key, double number);
 
+/* The object if all of it is there; otherwise it is freed, and NULL. */
+struct json_object *pp_json_whole(struct json_object *object, bool good);
+
+/* To the end of an array; `value` is handed over as above. */
+bool pp_json_append(struct json_object *array, struct json_object *value);
+
+/* An array of numbers, each as above, on one line. */
+bool pp_json_numbers(struct json_object *object, const char *key, const double *numbers,
+                     int count);
+
 /* Bytes that are no UTF-8 are replaced; NULL is null. */
 bool pp_json_text(struct json_object *object, const char *key, const char *text);
 
@@ -30,6 +40,10 @@ struct pp_room_options;
  * time was over first. */
 bool pp_json_simulation(struct json_object *object,
                         const struct pp_room_options *options, bool by_clock);
+
+/* Prints an object over many lines, and frees it; NULL: memory is out. */
+enum pp_status pp_json_print(FILE *out, struct json_object *object,
+                             struct pp_error *err);
 
 /* Makes the object of one room, by its number; NULL: memory is out. */
 typedef struct json_object *pp_json_room(const void *all, int index);

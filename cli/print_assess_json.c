@@ -47,54 +47,43 @@ static struct json_object *finding_object(const struct pp_finding *finding,
     if (good && finding->note[0])
         good = pp_json_text(object, finding->verdict == PP_NOT_JUDGED ? "why" : "note",
                             finding->note);
-    if (good) {
+    if (good)
         pp_json_on_one_line(object);
-        return object;
-    }
-    json_object_put(object);
-    return NULL;
+    return pp_json_whole(object, good);
+}
+
+static bool add_findings(struct json_object *object, const struct pp_findings *findings,
+                         double external_lux)
+{
+    struct json_object *list = json_object_new_array();
+    bool good = pp_json_add(object, "findings", list);
+    for (int i = 0; i < findings->count && good; i++)
+        good = pp_json_append(list, finding_object(&findings->list[i], external_lux));
+    return good;
 }
 
 static struct json_object *answer_object(const struct pp_answer *answer,
                                          double external_lux)
 {
     struct json_object *object = json_object_new_object();
-    struct json_object *list = json_object_new_array();
     bool good = object && pp_json_text(object, "criterion", answer->criterion->name)
                 && pp_json_text(object, "title", answer->criterion->title)
                 && pp_json_text(object, "source", answer->criterion->source);
     if (good && answer->findings.basis[0])
         good = pp_json_text(object, "basis", answer->findings.basis);
-    if (!good) {
-        json_object_put(list);
-    } else {
-        good = pp_json_add(object, "findings", list);
-        for (int i = 0; good && i < answer->findings.count; i++) {
-            struct json_object *one =
-                finding_object(&answer->findings.list[i], external_lux);
-            good = one && json_object_array_add(list, one) == 0;
-        }
-    }
-    if (good)
-        return object;
-    json_object_put(object);
-    return NULL;
+    good = good && add_findings(object, &answer->findings, external_lux);
+    return pp_json_whole(object, good);
 }
 
 static bool add_criteria(struct json_object *object,
                          const struct pp_assessment *assessment, double external_lux)
 {
     struct json_object *list = json_object_new_array();
-    if (!pp_json_add(object, "criteria", list))
-        return false;
-    for (int i = 0; i < assessment->answer_count; i++) {
-        struct json_object *one = answer_object(&assessment->answers[i], external_lux);
-        if (!one || json_object_array_add(list, one) != 0) {
-            json_object_put(one);
-            return false;
-        }
-    }
-    return true;
+    bool good = pp_json_add(object, "criteria", list);
+    for (int i = 0; i < assessment->answer_count && good; i++)
+        good =
+            pp_json_append(list, answer_object(&assessment->answers[i], external_lux));
+    return good;
 }
 
 static struct json_object *room_object(const void *everything, int index)
@@ -125,10 +114,7 @@ static struct json_object *room_object(const void *everything, int index)
         good = add_criteria(object, assessment, options->room.external_lux);
     if (good && assessment->has_gains)
         good = pp_print_gains_json(object, &assessment->gains);
-    if (good)
-        return object;
-    json_object_put(object);
-    return NULL;
+    return pp_json_whole(object, good);
 }
 
 enum pp_status pp_print_assessments_json(const struct pp_assessments *all, FILE *out,

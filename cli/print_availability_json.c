@@ -113,13 +113,9 @@ static bool add_points(struct json_object *object,
     for (int i = 0; i < report->receiver_count && good; i++) {
         struct pp_vec3 at = report->receivers[i].position;
         struct json_object *point = json_object_new_object();
-        good = point && pp_json_number(point, "x", at.x)
+        good = pp_json_append(points, point) && pp_json_number(point, "x", at.x)
                && pp_json_number(point, "y", at.y) && pp_json_number(point, "z", at.z)
                && add_place(point, sheet, i);
-        if (!good || json_object_array_add(points, point) != 0) {
-            json_object_put(point);
-            good = false;
-        }
     }
     return good;
 }
@@ -156,10 +152,7 @@ static struct json_object *room(const void *all, int index)
            && add_points(object, sheet)
            && add_whole(object, sheet, "median", PP_PLACE_MEDIAN)
            && add_whole(object, sheet, "average", PP_PLACE_AVERAGE);
-    if (good)
-        return object;
-    json_object_put(object);
-    return NULL;
+    return pp_json_whole(object, good);
 }
 
 enum pp_status pp_print_availability_json(const struct pp_availability_results *results,

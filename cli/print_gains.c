@@ -114,10 +114,8 @@ static bool add_changes(struct json_object *object, const struct pp_gains *gains
     for (int i = 0; i < gains->count; i++) {
         const struct pp_gain *gain = &gains->list[i];
         struct json_object *one = json_object_new_object();
-        if (!one || json_object_array_add(list, one) != 0) {
-            json_object_put(one);
+        if (!pp_json_append(list, one))
             return false;
-        }
         pp_json_on_one_line(one);
         if (!pp_json_text(one, "change", gain->change)
             || !pp_json_text(one, "lacks", gain->lacks)

@@ -35,17 +35,12 @@ static bool add_step(struct json_object *object, const struct pp_step *step)
 static bool add_steps(struct json_object *object, const struct pp_steps *steps)
 {
     struct json_object *list = json_object_new_array();
-    if (!pp_json_add(object, "steps", list))
-        return false;
-    for (int i = 0; i < steps->count; i++) {
+    bool good = pp_json_add(object, "steps", list);
+    for (int i = 0; i < steps->count && good; i++) {
         struct json_object *step = json_object_new_object();
-        if (!step || !add_step(step, &steps->list[i])
-            || json_object_array_add(list, step) != 0) {
-            json_object_put(step);
-            return false;
-        }
+        good = pp_json_append(list, step) && add_step(step, &steps->list[i]);
     }
-    return true;
+    return good;
 }
 
 /* What a method's figures have in them already; nothing of a pair, which is of two. */
@@ -75,10 +70,7 @@ static struct json_object *entry(const struct pp_reading *reading, const char *n
             pp_json_text(object, "why", reading->why ? reading->why : "not computed");
     if (good && reading->steps)
         good = add_contents(object, name) && add_steps(object, reading->steps);
-    if (good)
-        return object;
-    json_object_put(object);
-    return NULL;
+    return pp_json_whole(object, good);
 }
 
 /* Adds "sc" ... "df" with what every method says at receiver `index`, or of the average
@@ -129,16 +121,10 @@ static bool add_points(struct json_object *object, const struct pp_report *repor
                        double external_lux)
 {
     struct json_object *points = json_object_new_array();
-    if (!pp_json_add(object, "points", points))
-        return false;
-    for (int i = 0; i < report->receiver_count; i++) {
-        struct json_object *one = point(report, i, external_lux);
-        if (!one || json_object_array_add(points, one) != 0) {
-            json_object_put(one);
-            return false;
-        }
-    }
-    return true;
+    bool good = pp_json_add(object, "points", points);
+    for (int i = 0; i < report->receiver_count && good; i++)
+        good = pp_json_append(points, point(report, i, external_lux));
+    return good;
 }
 
 static struct json_object *room(const void *all, int index)
@@ -165,10 +151,7 @@ static struct json_object *room(const void *all, int index)
         good = add_points(object, report, lux)
                && pp_json_add(object, "average", average = json_object_new_object())
                && add_readings(average, report, -1, lux);
-    if (good)
-        return object;
-    json_object_put(object);
-    return NULL;
+    return pp_json_whole(object, good);
 }
 
 enum pp_status pp_print_json(const struct pp_results *results, FILE *out,

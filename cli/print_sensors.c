@@ -201,40 +201,24 @@ static enum pp_status print_text(const struct pp_imported *imported, int width,
 
 /* ---- JSON ---- */
 
-static bool add_triple(struct json_object *object, const char *key, double a, double b,
-                       double c)
+static bool add_corner(struct json_object *object, const char *key, struct pp_vec3 v)
 {
-    const double numbers[3] = {a, b, c};
-    struct json_object *array = json_object_new_array();
-    for (int i = 0; i < 3 && array; i++) {
-        struct json_object *holder = json_object_new_object();
-        struct json_object *number = NULL;
-        bool good = holder && pp_json_number(holder, "n", numbers[i]);
-        if (good)
-            number = json_object_get(json_object_object_get(holder, "n"));
-        json_object_put(holder);
-        if (!good || json_object_array_add(array, number) != 0) {
-            json_object_put(number);
-            json_object_put(array);
-            array = NULL;
-        }
-    }
-    return pp_json_add(object, key, array);
+    return pp_json_numbers(object, key, (double[]){v.x, v.y, v.z}, 3);
+}
+
+static bool add_rgb(struct json_object *object, const char *key, struct pp_rgb rgb)
+{
+    return pp_json_numbers(object, key, (double[]){rgb.r, rgb.g, rgb.b}, 3);
 }
 
 static bool add_value(struct json_object *object, const char *key, double value,
                       double error)
 {
     struct json_object *entry = json_object_new_object();
-    bool good = entry && pp_json_number(entry, "value", value)
-                && pp_json_number(entry, "se", error);
-    if (entry)
-        pp_json_on_one_line(entry);
-    if (!good) {
-        json_object_put(entry);
-        entry = NULL;
-    }
-    return pp_json_add(object, key, entry);
+    if (!pp_json_add(object, key, entry))
+        return false;
+    pp_json_on_one_line(entry);
+    return pp_json_number(entry, "value", value) && pp_json_number(entry, "se", error);
 }
 
 static struct json_object *point_object(const struct pp_imported *imported, int which)
@@ -249,19 +233,14 @@ static struct json_object *point_object(const struct pp_imported *imported, int 
         && pp_json_number(object, "dx", point->normal.x)
         && pp_json_number(object, "dy", point->normal.y)
         && pp_json_number(object, "dz", point->normal.z)
-        && add_triple(object, "irradiance", reading->irradiance.r,
-                      reading->irradiance.g, reading->irradiance.b)
-        && add_triple(object, "irradiance-se", reading->std_error.r,
-                      reading->std_error.g, reading->std_error.b)
+        && add_rgb(object, "irradiance", reading->irradiance)
+        && add_rgb(object, "irradiance-se", reading->std_error)
         && add_value(object, "lux", lux(reading->grey), lux(reading->grey_error))
         && add_value(object, "df", factor(imported, reading->grey),
                      factor(imported, reading->grey_error));
-    if (good) {
+    if (good)
         pp_json_on_one_line(object);
-        return object;
-    }
-    json_object_put(object);
-    return NULL;
+    return pp_json_whole(object, good);
 }
 
 static bool add_summary(struct json_object *object, const struct pp_imported *imported)
@@ -278,30 +257,18 @@ static bool add_summary(struct json_object *object, const struct pp_imported *im
                 && pp_json_number(scene, "materials", imported->scene->material_count)
                 && pp_json_number(scene, "flat", imported->summary.flat)
                 && pp_json_number(scene, "void", imported->summary.unseen)
-                && add_triple(scene, "from", census.low.x, census.low.y, census.low.z)
-                && add_triple(scene, "to", census.high.x, census.high.y, census.high.z);
-    if (!good) {
-        json_object_put(scene);
-        scene = NULL;
-    }
-    return pp_json_add(object, "scene", scene);
+                && add_corner(scene, "from", census.low)
+                && add_corner(scene, "to", census.high);
+    return pp_json_add(object, "scene", pp_json_whole(scene, good));
 }
 
 static bool add_points(struct json_object *object, const struct pp_imported *imported)
 {
     struct json_object *array = json_object_new_array();
-    bool good = array != NULL;
-    for (int i = 0; i < imported->count && good; i++) {
-        struct json_object *point = point_object(imported, i);
-        good = point && json_object_array_add(array, point) == 0;
-        if (!good)
-            json_object_put(point);
-    }
-    if (!good) {
-        json_object_put(array);
-        array = NULL;
-    }
-    return pp_json_add(object, "points", array);
+    bool good = pp_json_add(object, "points", array);
+    for (int i = 0; i < imported->count && good; i++)
+        good = pp_json_append(array, point_object(imported, i));
+    return good;
 }
 
 static enum pp_status print_json(const struct pp_imported *imported, FILE *out,
@@ -319,13 +286,7 @@ static enum pp_status print_json(const struct pp_imported *imported, FILE *out,
         good =
             pp_json_add(object, "finished", json_object_new_boolean(imported->finished))
             && add_points(object, imported);
-    const char *text = good ? json_object_to_json_string_ext(
-                           object, PP_JSON_STYLE | JSON_C_TO_STRING_PRETTY)
-                            : NULL;
-    if (text)
-        fprintf(out, "%s\n", text);
-    json_object_put(object);
-    return text ? PP_OK : pp_fail_memory(err);
+    return pp_json_print(out, pp_json_whole(object, good), err);
 }
 
 /* ---- CSV ---- */

@@ -282,10 +282,8 @@ static bool add_edit(struct json_object *list, const struct pp_size_result *resu
 {
     static const char *const words[] = {"changed", "added", "removed"};
     struct json_object *object = json_object_new_object();
-    if (!object || json_object_array_add(list, object) != 0) {
-        json_object_put(object);
+    if (!pp_json_append(list, object))
         return false;
-    }
     pp_json_on_one_line(object);
     struct pp_room_opening opening =
         pp_room_opening_at(result->room->room, edit->opening);
@@ -346,10 +344,7 @@ static struct json_object *room(const void *all, int index)
         good = add_reading(object, "traced", &result->traced);
     if (good && answer->room)
         good = add_answer(object, result);
-    if (good)
-        return object;
-    json_object_put(object);
-    return NULL;
+    return pp_json_whole(object, good);
 }
 
 enum pp_status pp_print_size_json(const struct pp_size_results *results, FILE *out,

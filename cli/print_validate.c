@@ -66,31 +66,8 @@ static struct json_object *known_object(const struct pp_known *one)
         good = pp_json_add(object, "right",
                            json_object_new_boolean(pp_known_is_right(one)));
     if (good)
-        return object;
-    json_object_put(object);
-    return NULL;
-}
-
-/* Hands an object over to an array. */
-static bool append(struct json_object *array, struct json_object *object)
-{
-    if (object && array && json_object_array_add(array, object) == 0)
-        return true;
-    json_object_put(object);
-    return false;
-}
-
-/* Prints and frees. */
-static enum pp_status write_json(struct json_object *object, bool good, FILE *out,
-                                 struct pp_error *err)
-{
-    const char *text = good ? json_object_to_json_string_ext(
-                           object, PP_JSON_STYLE | JSON_C_TO_STRING_PRETTY)
-                            : NULL;
-    if (text)
-        fprintf(out, "%s\n", text);
-    json_object_put(object);
-    return text ? PP_OK : pp_fail_memory(err);
+        pp_json_on_one_line(object);
+    return pp_json_whole(object, good);
 }
 
 enum pp_status pp_print_known_json(const struct pp_known_list *known, FILE *out,
@@ -100,13 +77,9 @@ enum pp_status pp_print_known_json(const struct pp_known_list *known, FILE *out,
     struct json_object *answers = json_object_new_array();
     bool good = object && pp_json_text(object, "format", "pepperpot-validate-1")
                 && pp_json_add(object, "answers", answers);
-    for (int i = 0; i < known->count && good; i++) {
-        struct json_object *one = known_object(&known->list[i]);
-        if (one)
-            pp_json_on_one_line(one);
-        good = append(answers, one);
-    }
-    return write_json(object, good, out, err);
+    for (int i = 0; i < known->count && good; i++)
+        good = pp_json_append(answers, known_object(&known->list[i]));
+    return pp_json_print(out, pp_json_whole(object, good), err);
 }
 
 void pp_print_known_csv(const struct pp_known_list *known, FILE *out)
@@ -342,12 +315,9 @@ static struct json_object *comparison_object(const struct pp_comparison *one,
                && pp_json_number(object, "worst-y", at.y)
                && pp_json_number(object, "worst-z", at.z);
     }
-    if (good) {
+    if (good)
         pp_json_on_one_line(object);
-        return object;
-    }
-    json_object_put(object);
-    return NULL;
+    return pp_json_whole(object, good);
 }
 
 static struct json_object *room_object(const struct pp_result *result,
@@ -361,11 +331,8 @@ static struct json_object *room_object(const struct pp_result *result,
         good = pp_json_add(object, "finished", json_object_new_boolean(false));
     good = good && pp_json_add(object, "methods", methods);
     for (int i = 0; i < count && good; i++)
-        good = append(methods, comparison_object(&list[i], &result->report));
-    if (good)
-        return object;
-    json_object_put(object);
-    return NULL;
+        good = pp_json_append(methods, comparison_object(&list[i], &result->report));
+    return pp_json_whole(object, good);
 }
 
 static struct json_object *overall_object(const struct pp_overall *one)
@@ -384,12 +351,9 @@ static struct json_object *overall_object(const struct pp_overall *one)
                && pp_json_number(object, "bias", 100.0 * one->bias)
                && pp_json_number(object, "spread", 100.0 * one->spread)
                && pp_json_number(object, "worst", 100.0 * one->worst);
-    if (good) {
+    if (good)
         pp_json_on_one_line(object);
-        return object;
-    }
-    json_object_put(object);
-    return NULL;
+    return pp_json_whole(object, good);
 }
 
 enum pp_status pp_print_validation_json(const struct pp_validation *validation,
@@ -401,12 +365,13 @@ enum pp_status pp_print_validation_json(const struct pp_validation *validation,
     bool good = object && pp_json_text(object, "format", "pepperpot-validate-1")
                 && pp_json_add(object, "rooms", rooms);
     for (int i = 0; i < results->count && good; i++)
-        good = append(rooms, room_object(&results->list[i], validation->rooms[i],
-                                         validation->counts[i]));
+        good =
+            pp_json_append(rooms, room_object(&results->list[i], validation->rooms[i],
+                                              validation->counts[i]));
     good = good && pp_json_add(object, "all", all = json_object_new_array());
     for (int i = 0; i < validation->overall_count && good; i++)
-        good = append(all, overall_object(&validation->overall[i]));
-    return write_json(object, good, out, err);
+        good = pp_json_append(all, overall_object(&validation->overall[i]));
+    return pp_json_print(out, pp_json_whole(object, good), err);
 }
 
 void pp_print_validation_csv(const struct pp_validation *validation, FILE *out)
