@@ -4,6 +4,7 @@
 
 #include "cli/assessment.h"
 #include "cli/availability_options.h"
+#include "cli/command_line.h"
 #include "cli/commands.h"
 #include "cli/format.h"
 #include "cli/gather.h"
@@ -44,13 +45,12 @@ static const char about[] =
     "wanted of them, and the verdict; with --simulate they rest on traced light paths, "
     "and each verdict has its probability. FILE is a room file; - is standard input.";
 
-static void help(const struct pp_command_line *line)
+static void help_on_criteria(FILE *out)
 {
-    pp_options_help(line, stdout);
-    puts("\nCriteria:");
+    fputs("\nCriteria:\n", out);
     const struct pp_criterion *criterion;
     for (int i = 0; (criterion = pp_criterion_at(i)) != NULL; i++)
-        pp_options_help_word(criterion->name, criterion->summary, stdout);
+        pp_options_help_word(criterion->name, criterion->summary, out);
 }
 
 /* ---- which criteria ---- */
@@ -348,26 +348,24 @@ enum pp_exit cmd_assess(int argc, char **argv)
         {"Output", pp_room_output_options, &options.room},
         {0},
     };
-    const struct pp_command_line line = {"assess", "FILE...", about, groups};
+    const struct pp_command_line line = {"assess", "FILE...", about, groups,
+                                         help_on_criteria};
 
     struct pp_error err = {0};
     int file_count;
     bool wants_help;
+    enum pp_exit exit_status;
     enum pp_status status =
         pp_options_read(&line, argc, argv, &file_count, &wants_help, &err);
     if (status == PP_OK && !wants_help)
         status = check(&options, argv, file_count, &err);
 
-    if (status == PP_SYSTEM)
-        return pp_say_error(&err);
-    if (status != PP_OK)
-        return pp_say_usage("assess", &err);
-    if (wants_help) {
-        help(&line);
-        return PP_EXIT_DONE;
+    if (pp_command_starts(&line, status, wants_help, &err, &exit_status)) {
+        if (options.weather)
+            exit_status = pp_weather_median(options.weather, &options.median_lux);
+        if (exit_status == PP_EXIT_DONE)
+            exit_status = run(&options, format, argv, file_count);
     }
-    enum pp_exit weather = options.weather
-                               ? pp_weather_median(options.weather, &options.median_lux)
-                               : PP_EXIT_DONE;
-    return weather == PP_EXIT_DONE ? run(&options, format, argv, file_count) : weather;
+    pp_room_options_clear(&options.room);
+    return exit_status;
 }

@@ -4,6 +4,7 @@
 #include <string.h>
 #include <unistd.h>
 
+#include "cli/command_line.h"
 #include "cli/commands.h"
 #include "cli/draw_chart.h"
 #include "cli/interrupt.h"
@@ -77,11 +78,17 @@ static const char about[] =
     "The diagrams of the drawing board are blank without FILE, and with it are drawn "
     "from one point, by --points X,Y; a nomogram is for the whole room.";
 
-static void print_kinds(void)
+static void print_kinds(FILE *out)
 {
     const struct pp_chart_kind *kind;
     for (int i = 0; (kind = pp_chart_kind_at(i)) != NULL; i++)
-        pp_options_help_word(kind->name, kind->summary, stdout);
+        pp_options_help_word(kind->name, kind->summary, out);
+}
+
+static void help_on_kinds(FILE *out)
+{
+    fputs("\nKinds of chart:\n", out);
+    print_kinds(out);
 }
 
 /* The kind that was typed, or NULL and err. */
@@ -371,36 +378,26 @@ enum pp_exit cmd_chart(int argc, char **argv)
         {"Output", pp_room_output_options, &room_options},
         {0},
     };
-    const struct pp_command_line line = {"chart", "KIND [FILE...]", about, groups};
+    const struct pp_command_line line = {"chart", "KIND [FILE...]", about, groups,
+                                         help_on_kinds};
 
     struct pp_error err = {0};
     const struct pp_chart_kind *kind = NULL;
     int word_count;
     bool wants_help;
-    enum pp_exit exit_status = PP_EXIT_DONE;
+    enum pp_exit exit_status;
     enum pp_status status =
         pp_options_read(&line, argc, argv, &word_count, &wants_help, &err);
-    bool only_says = wants_help || options.list;
-    if (status == PP_OK && !only_says)
+    wants_help = wants_help || (options.list && word_count > 0);
+    if (status == PP_OK && !wants_help && !options.list)
         status = check(argv, word_count, &room_options, &options, &kind, &err);
 
-    if (status == PP_SYSTEM) {
-        exit_status = pp_say_error(&err);
-    } else if (status != PP_OK) {
-        exit_status = pp_say_usage("chart", &err);
-    } else if (only_says) {
-        if (wants_help) {
-            pp_options_help(&line, stdout);
-            puts("\nKinds of chart:");
-        }
-        print_kinds();
-        if (!wants_help && word_count > 0) {
-            putchar('\n');
-            pp_options_help(&line, stdout);
-        }
-    } else {
-        exit_status = pp_availability_load(&options.availability);
-        if (exit_status == PP_EXIT_DONE)
+    if (pp_command_starts(&line, status, wants_help, &err, &exit_status)) {
+        if (options.list)
+            print_kinds(stdout);
+        else
+            exit_status = pp_availability_load(&options.availability);
+        if (kind && exit_status == PP_EXIT_DONE)
             exit_status = run(kind, &room_options, &options, argv + 1, word_count - 1);
     }
     pp_availability_unload(&options.availability);

@@ -2,6 +2,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "cli/command_line.h"
 #include "cli/commands.h"
 #include "cli/format.h"
 #include "cli/gather.h"
@@ -28,20 +29,19 @@ static const char about[] =
     "working plane, in per cent: by hand methods, and with --simulate by tracing light "
     "paths as well. FILE is a room file; - is standard input.";
 
-static void help(const struct pp_command_line *line)
+static void help_on_methods(FILE *out)
 {
-    pp_options_help(line, stdout);
-    puts("\nMethods:");
+    fputs("\nMethods:\n", out);
     const struct pp_method *method;
     for (int i = 0; (method = pp_method_at(i)) != NULL; i++)
-        pp_options_help_word(method->name, method->summary, stdout);
+        pp_options_help_word(method->name, method->summary, out);
     pp_options_help_word("A+B", "direct component by A, internally reflected by B",
-                         stdout);
-    pp_options_help_word("default", "exact+bre, brs-table+bre, average-df", stdout);
+                         out);
+    pp_options_help_word("default", "exact+bre, brs-table+bre, average-df", out);
     pp_options_help_word("all",
                          "every direct method with bre, exact with every internally "
                          "reflected one, and every method that gives the whole",
-                         stdout);
+                         out);
 }
 
 /* Hand methods of all rooms first: they take milliseconds, and are there whatever
@@ -220,7 +220,8 @@ enum pp_exit cmd_df(int argc, char **argv)
         {"Output", pp_room_output_options, &options},
         {0},
     };
-    const struct pp_command_line line = {"df", "FILE...", about, groups};
+    const struct pp_command_line line = {"df", "FILE...", about, groups,
+                                         help_on_methods};
 
     struct pp_error err = {0};
     int file_count;
@@ -233,13 +234,7 @@ enum pp_exit cmd_df(int argc, char **argv)
     if (status == PP_OK && !wants_help)
         status = pp_engine_settle(&engine, options.simulate, &err);
 
-    if (status == PP_SYSTEM)
-        exit_status = pp_say_error(&err);
-    else if (status != PP_OK)
-        exit_status = pp_say_usage("df", &err);
-    else if (wants_help)
-        exit_status = (help(&line), PP_EXIT_DONE);
-    else
+    if (pp_command_starts(&line, status, wants_help, &err, &exit_status))
         exit_status =
             run_with_tables(&options, &engine, &lumen_files, format, argv, file_count);
     pp_room_options_clear(&options);

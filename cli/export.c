@@ -2,6 +2,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "cli/command_line.h"
 #include "cli/commands.h"
 #include "cli/messages.h"
 #include "cli/radiance_export.h"
@@ -185,7 +186,7 @@ enum pp_exit cmd_export(int argc, char **argv)
         {"Output", quiet_option, &room_options},
         {0},
     };
-    const struct pp_command_line line = {"export", "FILE...", about, groups};
+    const struct pp_command_line line = {"export", "FILE...", about, groups, NULL};
 
     struct pp_error err = {0};
     int file_count;
@@ -196,13 +197,7 @@ enum pp_exit cmd_export(int argc, char **argv)
     if (status == PP_OK && !wants_help)
         status = check(&options, file_count, &err);
 
-    if (status == PP_SYSTEM)
-        exit_status = pp_say_error(&err);
-    else if (status != PP_OK)
-        exit_status = pp_say_usage("export", &err);
-    else if (wants_help)
-        exit_status = (pp_options_help(&line, stdout), PP_EXIT_DONE);
-    else
+    if (pp_command_starts(&line, status, wants_help, &err, &exit_status))
         exit_status = run(&options, &room_options, argv, file_count);
     pp_room_options_clear(&room_options);
     return exit_status;

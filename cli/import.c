@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "cli/command_line.h"
 #include "cli/commands.h"
 #include "cli/format.h"
 #include "cli/interrupt.h"
@@ -205,7 +206,7 @@ enum pp_exit cmd_import(int argc, char **argv)
         {"Output", pp_room_output_options, &room_options},
         {0},
     };
-    const struct pp_command_line line = {"import", "SCENE...", about, groups};
+    const struct pp_command_line line = {"import", "SCENE...", about, groups, NULL};
 
     struct pp_error err = {0};
     int file_count;
@@ -216,13 +217,7 @@ enum pp_exit cmd_import(int argc, char **argv)
     if (status == PP_OK && !wants_help)
         status = check(&options, &room_options, argv, file_count, &err);
 
-    if (status == PP_SYSTEM)
-        exit_status = pp_say_error(&err);
-    else if (status != PP_OK)
-        exit_status = pp_say_usage("import", &err);
-    else if (wants_help)
-        exit_status = (pp_options_help(&line, stdout), PP_EXIT_DONE);
-    else
+    if (pp_command_starts(&line, status, wants_help, &err, &exit_status))
         exit_status = run(&options, &room_options, argv, file_count);
     pp_room_options_clear(&room_options);
     return exit_status;

@@ -244,6 +244,8 @@ void pp_options_help(const struct pp_command_line *line, FILE *out)
     }
     fputc('\n', out);
     help_on_option(&help_option, out);
+    if (line->more_help)
+        line->more_help(out);
 }
 
 /* A whole number from 0 up. */

@@ -41,6 +41,7 @@ struct pp_command_line {
     const char *operands;
     const char *about; /* what the command does, in a paragraph or more */
     const struct pp_option_group *groups;
+    void (*more_help)(FILE *out); /* what the help ends with; NULL: its options */
 };
 
 /* Reads argv[1] to argv[argc - 1]. The operands end up, in their order, at the start of

@@ -1,4 +1,5 @@
 /* render - a picture of a room's light. */
+#include "cli/command_line.h"
 #include "cli/commands.h"
 #include "cli/make_picture.h"
 #include "cli/messages.h"
@@ -118,23 +119,17 @@ enum pp_exit cmd_render(int argc, char **argv)
         {"Output", pp_room_output_options, &options},
         {0},
     };
-    const struct pp_command_line line = {"render", "[FILE]", about, groups};
+    const struct pp_command_line line = {"render", "[FILE]", about, groups, NULL};
 
     struct pp_error err = {0};
     int file_count;
     bool wants_help;
-    enum pp_exit exit_status = PP_EXIT_DONE;
+    enum pp_exit exit_status;
     enum pp_status status =
         pp_options_read(&line, argc, argv, &file_count, &wants_help, &err);
     if (status == PP_OK && !wants_help)
         status = pp_render_choice_check(&choice, &options, file_count, &err);
-    if (status == PP_SYSTEM)
-        exit_status = pp_say_error(&err);
-    else if (status != PP_OK)
-        exit_status = pp_say_usage("render", &err);
-    else if (wants_help)
-        pp_options_help(&line, stdout);
-    else
+    if (pp_command_starts(&line, status, wants_help, &err, &exit_status))
         exit_status = run(&choice, &options, argv);
     pp_render_choice_clear(&choice);
     pp_room_options_clear(&options);

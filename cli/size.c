@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "cli/command_line.h"
 #include "cli/commands.h"
 #include "cli/interrupt.h"
 #include "cli/messages.h"
@@ -144,7 +145,7 @@ enum pp_exit cmd_size(int argc, char **argv)
         {"Output", pp_room_output_options, &options.room},
         {0},
     };
-    const struct pp_command_line line = {"size", "FILE...", about, groups};
+    const struct pp_command_line line = {"size", "FILE...", about, groups, NULL};
 
     struct pp_error err = {0};
     int file_count;
@@ -162,13 +163,7 @@ enum pp_exit cmd_size(int argc, char **argv)
                 pp_fail(&err, PP_BAD_INPUT,
                         "--write is of one room file, and there are %d", file_count);
     }
-    if (status == PP_SYSTEM)
-        exit_status = pp_say_error(&err);
-    else if (status != PP_OK)
-        exit_status = pp_say_usage("size", &err);
-    else if (wants_help)
-        exit_status = (pp_options_help(&line, stdout), PP_EXIT_DONE);
-    else
+    if (pp_command_starts(&line, status, wants_help, &err, &exit_status))
         exit_status = run(&options, argv, file_count);
     pp_room_options_clear(&options.room);
     return exit_status;

@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "cli/against_radiance.h"
+#include "cli/command_line.h"
 #include "cli/commands.h"
 #include "cli/format.h"
 #include "cli/gather.h"
@@ -230,7 +231,7 @@ enum pp_exit cmd_validate(int argc, char **argv)
         {"Output", pp_room_output_options, &options},
         {0},
     };
-    const struct pp_command_line line = {"validate", "[FILE...]", about, groups};
+    const struct pp_command_line line = {"validate", "[FILE...]", about, groups, NULL};
 
     struct pp_error err = {0};
     int file_count;
@@ -248,18 +249,14 @@ enum pp_exit cmd_validate(int argc, char **argv)
     if (status == PP_OK && !wants_help)
         status = check(&options, file_count, &err);
 
-    if (status == PP_SYSTEM)
-        exit_status = pp_say_error(&err);
-    else if (status != PP_OK)
-        exit_status = pp_say_usage("validate", &err);
-    else if (wants_help)
-        exit_status = (pp_options_help(&line, stdout), PP_EXIT_DONE);
-    else if (against)
-        exit_status = compare_with_radiance(&options, format, argv, file_count);
-    else if (file_count == 0)
-        exit_status = answer(&options, format);
-    else
-        exit_status = compare(&options, format, argv, file_count);
+    if (pp_command_starts(&line, status, wants_help, &err, &exit_status)) {
+        if (against)
+            exit_status = compare_with_radiance(&options, format, argv, file_count);
+        else if (file_count == 0)
+            exit_status = answer(&options, format);
+        else
+            exit_status = compare(&options, format, argv, file_count);
+    }
     pp_room_options_clear(&options);
     return exit_status;
 }

@@ -31,7 +31,7 @@ static enum pp_status read_words(struct words *values, const char *words[MOST],
                                  int *operands, bool *help, struct pp_error *err)
 {
     const struct pp_option_group groups[] = {{"Options", table, values}, {0}};
-    const struct pp_command_line line = {"try", "FILE", "Tries.", groups};
+    const struct pp_command_line line = {"try", "FILE", "Tries.", groups, NULL};
     int count = 0;
     while (words[count])
         count++;
@@ -199,7 +199,7 @@ static enum pp_status read_points(struct pp_room_options *options, const char *t
 {
     const struct pp_option_group groups[] = {{"", pp_room_choice_options, options},
                                              {0}};
-    const struct pp_command_line line = {"try", "", "", groups};
+    const struct pp_command_line line = {"try", "", "", groups, NULL};
     int operands;
     bool help;
     const char *words[] = {"try", "--points", text, NULL};

@@ -1,0 +1,19 @@
+#include "cli/command_line.h"
+
+#include <stdio.h>
+
+#include "cli/messages.h"
+
+bool pp_command_starts(const struct pp_command_line *line, enum pp_status status,
+                       bool wants_help, const struct pp_error *err,
+                       enum pp_exit *exit_status)
+{
+    *exit_status = PP_EXIT_DONE;
+    if (status == PP_SYSTEM)
+        *exit_status = pp_say_error(err);
+    else if (status != PP_OK)
+        *exit_status = pp_say_usage(line->command, err);
+    else if (wants_help)
+        pp_options_help(line, stdout);
+    return status == PP_OK && !wants_help;
+}

@@ -1,0 +1,18 @@
+/* command_line.h - from the words of a command to the start of its work. */
+#ifndef PP_CLI_COMMAND_LINE_H
+#define PP_CLI_COMMAND_LINE_H
+
+#include <stdbool.h>
+
+#include "cli/exit_status.h"
+#include "cli/options.h"
+#include "model/error.h"
+
+/* Once the words are read and checked, with what `status` and `err` say: whether the
+ * command shall start. If not, its help was printed or its mistake said, and
+ * *exit_status is how it ends; if so, *exit_status is PP_EXIT_DONE. */
+bool pp_command_starts(const struct pp_command_line *line, enum pp_status status,
+                       bool wants_help, const struct pp_error *err,
+                       enum pp_exit *exit_status);
+
+#endif
