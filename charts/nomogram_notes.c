@@ -6,6 +6,7 @@
 
 #include "charts/page.h"
 #include "model/vec.h"
+#include "model/sentence.h"
 
 const char *pp_nomogram_tag(const struct pp_nomogram *nomogram, int stem)
 {
@@ -176,11 +177,8 @@ static void say_window(char *text, size_t room, const struct pp_nomogram_sheet *
     if (read->tens)
         snprintf(shift, sizeof shift, ", set %s %.0f",
                  read->tens > 0 ? "times" : "over", pow(10.0, abs(read->tens)));
-    size_t length = 0;
-    while (text[length])
-        length++;
-    snprintf(text + length, room - length, "): W/A = %.2f/%.2f = %.4f%s;",
-             read->glass_m2, read->inside_m2, read->ratio, shift);
+    pp_append(text, room, "): W/A = %.2f/%.2f = %.4f%s;", read->glass_m2,
+              read->inside_m2, read->ratio, shift);
     for (int k = 0; k < sheet->nomogram.edge_count; k++) {
         const struct pp_nomogram_edge *edge = &sheet->nomogram.edges[k];
         char words[3][32];

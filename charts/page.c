@@ -1,4 +1,5 @@
 #include "charts/page.h"
+#include "model/sentence.h"
 
 #include <math.h>
 #include <stdarg.h>
@@ -13,13 +14,11 @@ struct pp_style pp_page_style(const struct pp_canvas *canvas)
 void pp_page_say(char *text, size_t room, const char *format, ...)
 {
     size_t length = strlen(text);
-    if (length && text[length - 1] != '\n' && length + 1 < room) {
-        text[length++] = ' ';
-        text[length] = 0;
-    }
+    if (length && text[length - 1] != '\n')
+        pp_append(text, room, " ");
     va_list arguments;
     va_start(arguments, format);
-    vsnprintf(text + length, room - length, format, arguments);
+    pp_append_v(text, room, format, arguments);
     va_end(arguments);
 }
 

@@ -6,6 +6,7 @@
 
 #include "charts/page.h"
 #include "charts/text.h"
+#include "model/sentence.h"
 
 /* What stands before a window, as seen from the middle of it. */
 struct sight {
@@ -342,16 +343,14 @@ static void write_caption(const struct frame *frame, int beyond)
         low = fmin(low, fmin(cut->z[0], cut->z[1]));
         high = fmax(high, fmax(cut->z[0], cut->z[1]));
     }
-    size_t used = strlen(text);
     if (high > low) {
         char sill[32], head[32];
         pp_style_metres(sill, sizeof sill, low);
         pp_style_metres(head, sizeof head, high);
-        used += (size_t)snprintf(text + used, sizeof text - used,
-                                 "; window sill %s, head %s", sill, head);
+        pp_append(text, sizeof text, "; window sill %s, head %s", sill, head);
     }
-    snprintf(text + used, sizeof text - used, ".%s",
-             beyond ? " Openings beside the section dashed." : "");
+    pp_append(text, sizeof text, ".%s",
+              beyond ? " Openings beside the section dashed." : "");
     struct pp_text set = {.size = PP_TEXT_SMALL, .grey = PP_GREY_TEXT};
     double left = section->x, right = at_s(frame, section->cut->length_m);
     /* A narrow room's caption may go on beyond it. */

@@ -11,6 +11,7 @@
 #include "model/file_bytes.h"
 #include "model/number.h"
 #include "model/vec.h"
+#include "model/sentence.h"
 
 const struct pp_availability_options pp_availability_options_default = {
     .latitude_deg = NAN,
@@ -325,8 +326,8 @@ static enum pp_status light_of_file(struct pp_outside_light *outside,
         snprintf(gaps, sizeof gaps, ", %d records of them by luminous efficacy",
                  light->filled);
     if (light->missing)
-        snprintf(gaps + strlen(gaps), sizeof gaps - strlen(gaps),
-                 "; %d records have none and are left out", light->missing);
+        pp_append(gaps, sizeof gaps, "; %d records have none and are left out",
+                  light->missing);
     outside->latitude_deg = epw->latitude_rad / PP_RAD;
     snprintf(outside->words, sizeof outside->words,
              "%.120s (%.120s): %s%s; %d records of %g h", epw->place,
@@ -399,11 +400,10 @@ static void say_days(char *text, size_t room, unsigned days)
     } else if (days == run && last > first) {
         snprintf(text, room, "%s to %s", day_names[first], day_names[last]);
     } else {
-        size_t length = 0;
-        for (int i = 0; i < 7 && length < room; i++)
+        text[0] = '\0';
+        for (int i = 0; i < 7; i++)
             if (days >> i & 1)
-                length += (size_t)snprintf(text + length, room - length, "%s%s",
-                                           length ? ", " : "", day_names[i]);
+                pp_append(text, room, "%s%s", text[0] ? ", " : "", day_names[i]);
     }
 }
 

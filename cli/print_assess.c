@@ -8,6 +8,7 @@
 #include "cli/print.h"
 #include "cli/print_gains.h"
 #include "cli/utf8.h"
+#include "model/sentence.h"
 
 enum { CELL = 40, COLUMNS = 6, INDENT = 4, GAP = 2, NOTE_INDENT = 6 };
 enum { WHAT, FIGURE, LUX, WANTED, OVER, VERDICT };
@@ -64,13 +65,11 @@ static void write_figure(char cell[CELL], const struct pp_finding *finding, bool
     cell[0] = '\0';
     if (isnan(finding->figure))
         return;
-    int length = snprintf(cell, CELL, "%.*f", digits, scale * finding->figure + 0.0);
+    pp_append(cell, CELL, "%.*f", digits, scale * finding->figure + 0.0);
     if (isfinite(finding->std_error))
-        length += snprintf(cell + length, (size_t)(CELL - length), " %s%.2f",
-                           utf8 ? "\xc2\xb1" : "+-",
-                           ceil(100.0 * scale * finding->std_error - 1e-7) / 100.0);
-    snprintf(cell + length, (size_t)(CELL - length), "%s",
-             unit_of(finding->kind, utf8));
+        pp_append(cell, CELL, " %s%.2f", utf8 ? "\xc2\xb1" : "+-",
+                  ceil(100.0 * scale * finding->std_error - 1e-7) / 100.0);
+    pp_append(cell, CELL, "%s", unit_of(finding->kind, utf8));
 }
 
 static void write_wanted(char cell[CELL], const struct pp_finding *finding, bool utf8)

@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include "cli/utf8.h"
+#include "model/sentence.h"
 
 enum { LABEL = 15, TEXT_BYTES = 512 };
 
@@ -73,18 +74,6 @@ static void put_fact(const char *label, int width, FILE *out, const char *format
     pp_print_wrapped(text, LABEL + 2, LABEL + 2, width, out);
 }
 
-/* Adds to a text as far as there is room. */
-static void append(char text[TEXT_BYTES], const char *format, ...)
-    __attribute__((format(printf, 2, 3)));
-static void append(char text[TEXT_BYTES], const char *format, ...)
-{
-    size_t length = strlen(text);
-    va_list arguments;
-    va_start(arguments, format);
-    vsnprintf(text + length, TEXT_BYTES - length, format, arguments);
-    va_end(arguments);
-}
-
 static void print_sky(const struct pp_world *world, int width, FILE *out)
 {
     const struct pp_sky *sky = &world->sky;
@@ -137,9 +126,9 @@ static void append_reflectance(const struct pp_world *world, enum pp_role role,
         }
     if (low > high)
         return;
-    append(text, "%s%s %.3g", *text ? ", " : "", name, low);
+    pp_append(text, TEXT_BYTES, "%s%s %.3g", *text ? ", " : "", name, low);
     if (high > low)
-        append(text, " to %.3g", high);
+        pp_append(text, TEXT_BYTES, " to %.3g", high);
 }
 
 static void print_reflectances(const struct pp_world *world, int width, FILE *out)
@@ -149,8 +138,8 @@ static void print_reflectances(const struct pp_world *world, int width, FILE *ou
     append_reflectance(world, PP_WALL, "walls", text);
     append_reflectance(world, PP_CEILING, "ceiling", text);
     if (world->decorations != 1.0)
-        append(text, "; decorations leave %.3g of what they reflect",
-               world->decorations);
+        pp_append(text, TEXT_BYTES, "; decorations leave %.3g of what they reflect",
+                  world->decorations);
     put_fact("reflectances", width, out, "%s", text);
 }
 
@@ -165,35 +154,35 @@ static void describe_opening(const struct pp_world *world,
     double slope = opening->slope_rad / PP_RAD;
 
     text[0] = '\0';
-    append(text, "%s: ",
-           face->name                 ? face->name
-           : face->role == PP_CEILING ? "ceiling"
-                                      : "envelope");
-    append(text, "%.2f x %.2f m", opening->width_m, opening->height_m);
+    pp_append(text, TEXT_BYTES, "%s: ",
+              face->name                 ? face->name
+              : face->role == PP_CEILING ? "ceiling"
+                                         : "envelope");
+    pp_append(text, TEXT_BYTES, "%.2f x %.2f m", opening->width_m, opening->height_m);
     if (!opening->rectangle)
-        append(text, " over all, %.2f m2", opening->inner.area_m2);
+        pp_append(text, TEXT_BYTES, " over all, %.2f m2", opening->inner.area_m2);
     if (slope < 0.5)
-        append(text, ", flat at %.2f m", sill);
+        pp_append(text, TEXT_BYTES, ", flat at %.2f m", sill);
     else if (slope < 89.5)
-        append(text, ", sloping %.0f deg from %.2f m", slope, sill);
+        pp_append(text, TEXT_BYTES, ", sloping %.0f deg from %.2f m", slope, sill);
     else
-        append(text, ", sill %.2f m", sill);
+        pp_append(text, TEXT_BYTES, ", sill %.2f m", sill);
     if (opening->reveal_m > 0.0)
-        append(text, ", reveal %.2f m", opening->reveal_m);
+        pp_append(text, TEXT_BYTES, ", reveal %.2f m", opening->reveal_m);
 
     const struct pp_glass *glass = &opening->glass;
     if (glass->panes == 0)
-        append(text, "; unglazed");
+        pp_append(text, TEXT_BYTES, "; unglazed");
     else if (glass->diffusing)
-        append(text, "; diffusing, transmittance %.3g", glass->diffuse);
+        pp_append(text, TEXT_BYTES, "; diffusing, transmittance %.3g", glass->diffuse);
     else
-        append(text, "; %d pane%s, normal transmittance %.2f, diffuse %.2f",
-               glass->panes, glass->panes > 1 ? "s" : "", glass->normal,
-               glass->diffuse);
-    append(text, "; frame factor %.3g, maintenance %.3g", opening->frame_factor,
-           opening->maintenance);
+        pp_append(text, TEXT_BYTES,
+                  "; %d pane%s, normal transmittance %.2f, diffuse %.2f", glass->panes,
+                  glass->panes > 1 ? "s" : "", glass->normal, glass->diffuse);
+    pp_append(text, TEXT_BYTES, "; frame factor %.3g, maintenance %.3g",
+              opening->frame_factor, opening->maintenance);
     if (opening->curtains != 1.0)
-        append(text, ", curtains %.3g", opening->curtains);
+        pp_append(text, TEXT_BYTES, ", curtains %.3g", opening->curtains);
 }
 
 /* Openings of which the same is to be said stand together. */
@@ -224,26 +213,26 @@ static void print_openings(const struct pp_world *world, int width, FILE *out)
 static void print_outside(const struct pp_world *world, int width, FILE *out)
 {
     char text[TEXT_BYTES] = "";
-    append(text, "ground %.3g", world->ground_reflectance);
+    pp_append(text, TEXT_BYTES, "ground %.3g", world->ground_reflectance);
     for (int i = 0; i < world->skyline_count; i++) {
         const struct pp_skyline *line = &world->skylines[i];
         const char *wall = world->surfaces[line->face].name;
-        append(text, "; skyline %.3g deg beyond %s", line->angle_rad / PP_RAD,
-               wall ? wall : "the wall");
+        pp_append(text, TEXT_BYTES, "; skyline %.3g deg beyond %s",
+                  line->angle_rad / PP_RAD, wall ? wall : "the wall");
         if (isfinite(line->distance_m))
-            append(text, ", %.3g m away", line->distance_m);
-        append(text, ", reflectance %.3g", line->reflectance);
+            pp_append(text, TEXT_BYTES, ", %.3g m away", line->distance_m);
+        pp_append(text, TEXT_BYTES, ", reflectance %.3g", line->reflectance);
     }
     if (world->block_count > 0)
-        append(text, "; %d block%s", world->block_count,
-               world->block_count > 1 ? "s" : "");
+        pp_append(text, TEXT_BYTES, "; %d block%s", world->block_count,
+                  world->block_count > 1 ? "s" : "");
     int loose = 0;
     for (int i = 0; i < world->surface_count; i++)
         loose += world->surfaces[i].role == PP_LOOSE && !world->surfaces[i].inside;
     if (loose > 0)
-        append(text, "; %d surface%s", loose, loose > 1 ? "s" : "");
+        pp_append(text, TEXT_BYTES, "; %d surface%s", loose, loose > 1 ? "s" : "");
     if (world->skyline_count + world->block_count + loose == 0)
-        append(text, "; nothing in the way");
+        pp_append(text, TEXT_BYTES, "; nothing in the way");
     put_fact("outside", width, out, "%s", text);
 }
 

@@ -6,6 +6,7 @@
 
 #include "cli/print.h"
 #include "methods/method.h"
+#include "model/sentence.h"
 
 const struct pp_reading *pp_reading_at(const struct pp_report *report,
                                        const struct pp_column *column, int row)
@@ -111,7 +112,7 @@ static bool names_itself(const char *names, const char *why)
 static void print_note(const struct pp_report *report, const char *why, int width,
                        FILE *out)
 {
-    char text[1024], names[512] = "";
+    char text[1024] = "", names[512] = "";
     int points = report->receiver_count, most = 0;
     bool of_points = false;
     for (int i = 0; i < report->column_count; i++) {
@@ -121,19 +122,16 @@ static void print_note(const struct pp_report *report, const char *why, int widt
         int missing = count_rows(report, column, why, points);
         most = missing > most ? missing : most;
         of_points |= column->points != NULL;
-        size_t length = strlen(names);
         if (!is_listed(names, column->name))
-            snprintf(names + length, sizeof names - length, "%s%s", length ? ", " : "",
-                     column->name);
+            pp_append(names, sizeof names, "%s%s", names[0] ? ", " : "", column->name);
     }
-    int used = names_itself(names, why)
-                   ? snprintf(text, sizeof text, "%s", why)
-                   : snprintf(text, sizeof text, "%s: %s", names, why);
-    if (of_points && most == 0 && used < (int)sizeof text)
-        snprintf(text + used, sizeof text - (size_t)used, " (the average)");
-    else if (of_points && most < points && used < (int)sizeof text)
-        snprintf(text + used, sizeof text - (size_t)used, " (%d of %d points)", most,
-                 points);
+    if (!names_itself(names, why))
+        pp_append(text, sizeof text, "%s: ", names);
+    pp_append(text, sizeof text, "%s", why);
+    if (of_points && most == 0)
+        pp_append(text, sizeof text, " (the average)");
+    else if (of_points && most < points)
+        pp_append(text, sizeof text, " (%d of %d points)", most, points);
     fputs("  - ", out);
     pp_print_wrapped(text, 4, 4, width, out);
 }
@@ -142,18 +140,16 @@ static void print_note(const struct pp_report *report, const char *why, int widt
 static void note_decorations(const struct pp_report *report, int width, FILE *out)
 {
     char text[512] = "";
-    size_t length = 0;
     for (int i = 0; i < report->column_count; i++) {
         const char *name = report->columns[i].name;
         const struct pp_method *method = pp_method_find(name);
-        if (method && method->gives == PP_GIVES_WHOLE && length < sizeof text)
-            length += (size_t)snprintf(text + length, sizeof text - length, "%s%s",
-                                       length ? ", " : "", name);
+        if (method && method->gives == PP_GIVES_WHOLE)
+            pp_append(text, sizeof text, "%s%s", text[0] ? ", " : "", name);
     }
-    if (length == 0 || length >= sizeof text)
+    if (!text[0])
         return;
-    snprintf(
-        text + length, sizeof text - length,
+    pp_append(
+        text, sizeof text,
         ": the decorations' %.3g, which bear on the internally reflected component "
         "by itself, are not counted",
         report->world->decorations);

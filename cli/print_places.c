@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "cli/print.h"
+#include "model/sentence.h"
 
 /* The inside face of the wall that all windows are in, or NULL. */
 static const struct pp_surface *window_wall(const struct pp_world *world)
@@ -95,23 +96,22 @@ static bool add_coordinate(struct pp_table *table, const struct pp_report *repor
 }
 
 /* Adds "; points at x = 1.50, z = 0.85" and the like to a sentence. */
-static void say_constants(const struct pp_report *report, char *text, size_t size)
+static void say_constants(const struct pp_report *report, char *text, size_t room)
 {
     static const char *const names[] = {"x", "y", "z"};
     const struct pp_receiver *first = &report->receivers[0];
     const char *before = "; points at";
-    size_t length = strlen(text);
-    for (int axis = 0; axis < 3 && length < size; axis++)
+    for (int axis = 0; axis < 3; axis++)
         if (!is_shown(report, axis)) {
-            length += (size_t)snprintf(text + length, size - length, "%s %s = %.2f",
-                                       before, names[axis], coordinate(first, axis));
+            pp_append(text, room, "%s %s = %.2f", before, names[axis],
+                      coordinate(first, axis));
             before = ",";
         }
     bool same_way =
         !is_shown(report, 3) && !is_shown(report, 4) && !is_shown(report, 5);
-    if (same_way && first->normal.z < 1.0 - 1e-9 && length < size)
-        snprintf(text + length, size - length, "; facing %.3g, %.3g, %.3g",
-                 first->normal.x, first->normal.y, first->normal.z);
+    if (same_way && first->normal.z < 1.0 - 1e-9)
+        pp_append(text, room, "; facing %.3g, %.3g, %.3g", first->normal.x,
+                  first->normal.y, first->normal.z);
 }
 
 static bool add_distance(struct pp_table *table, const struct pp_report *report,
@@ -137,8 +137,8 @@ bool pp_print_places(struct pp_table *table, const struct pp_report *report, int
         on_a_line(report) ? window_wall(report->world) : NULL;
     int same = wall ? axis_from_wall(report, wall) : -1;
     if (same >= 0)
-        snprintf(above + strlen(above), sizeof above - strlen(above),
-                 "; %c is the distance from the window wall", "xy"[same]);
+        pp_append(above, sizeof above, "; %c is the distance from the window wall",
+                  "xy"[same]);
     else if (wall && !add_distance(table, report, wall))
         return false;
     table->key_count = table->column_count;

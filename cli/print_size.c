@@ -8,29 +8,21 @@
 #include "cli/json.h"
 #include "cli/print.h"
 #include "cli/utf8.h"
+#include "model/sentence.h"
 
 enum { LABEL = 15, TEXT_BYTES = 640 };
 
 static const double same_m = 1e-9;
 
-/* ---- Words ---- */
-
-static void append(char text[TEXT_BYTES], const char *format, ...)
-    __attribute__((format(printf, 2, 3)));
-static void append(char text[TEXT_BYTES], const char *format, ...)
-{
-    size_t length = strlen(text);
-    va_list arguments;
-    va_start(arguments, format);
-    vsnprintf(text + length, TEXT_BYTES - length, format, arguments);
-    va_end(arguments);
-}
-
 /* "2.00 %", with as many digits as a small one needs. */
 static void append_per_cent(char text[TEXT_BYTES], double share)
 {
     double value = 100.0 * share;
-    append(text, "%.*f %%", value < 0.0995 ? 4 : value < 0.995 ? 3 : 2, value);
+    pp_append(text, TEXT_BYTES, "%.*f %%",
+              value < 0.0995  ? 4
+              : value < 0.995 ? 3
+                              : 2,
+              value);
 }
 
 static void put_fact(const char *label, const char *text, int width, FILE *out)
@@ -70,14 +62,14 @@ static void append_size(char text[TEXT_BYTES], const struct pp_size_result *resu
         for (int i = 0; i < was; i++)
             windows += pp_room_opening_at(before, i).kind == PP_WINDOW;
         if (more == 0)
-            append(text, "the number that there is, %d,", windows);
+            pp_append(text, TEXT_BYTES, "the number that there is, %d,", windows);
         else
-            append(text, "%d window%s instead of %d in the room", windows + more,
-                   windows + more == 1 ? "" : "s", windows);
+            pp_append(text, TEXT_BYTES, "%d window%s instead of %d in the room",
+                      windows + more, windows + more == 1 ? "" : "s", windows);
         return;
     }
     if (result->edit_count == 0) {
-        append(text, "the room as it is");
+        pp_append(text, TEXT_BYTES, "the room as it is");
         return;
     }
     bool alike = true, were_alike = true;
@@ -91,13 +83,13 @@ static void append_size(char text[TEXT_BYTES], const struct pp_size_result *resu
         alike = alike && fabs(is - first) <= same_m;
         were_alike = were_alike && fabs(was - first_was) <= same_m;
     }
-    append(text, phrases[change], first);
+    pp_append(text, TEXT_BYTES, phrases[change], first);
     if (alike && were_alike)
-        append(text, " instead of %.10g m", first_was);
+        pp_append(text, TEXT_BYTES, " instead of %.10g m", first_was);
     else if (!alike)
-        append(text, " (line %d, the others %s)",
-               pp_room_opening_at(before, result->edits[0].opening).line,
-               result->answer.verdict == PP_SIZE_REACHED ? "as below" : "likewise");
+        pp_append(text, TEXT_BYTES, " (line %d, the others %s)",
+                  pp_room_opening_at(before, result->edits[0].opening).line,
+                  result->answer.verdict == PP_SIZE_REACHED ? "as below" : "likewise");
 }
 
 /* Does append_size speak of several windows? */
@@ -121,35 +113,37 @@ static void append_answer(char text[TEXT_BYTES], const struct pp_size_result *re
     switch (answer->verdict) {
     case PP_SIZE_REACHED:
         append_size(text, result, change);
-        append(text, is_plural(result, change) ? " give " : " gives ");
+        pp_append(text, TEXT_BYTES, is_plural(result, change) ? " give " : " gives ");
         append_per_cent(text, answer->reading.value);
         break;
     case PP_SIZE_SMALLEST_EXCEEDS:
-        append(text, "the target is exceeded without it: even ");
+        pp_append(text, TEXT_BYTES, "the target is exceeded without it: even ");
         append_size(text, result, change);
-        append(text, " leaves ");
+        pp_append(text, TEXT_BYTES, " leaves ");
         append_per_cent(text, answer->reading.value);
         break;
     case PP_SIZE_OUT_OF_REACH:
         if (result->edit_count == 0 && answer->is_largest) {
-            append(text, "out of reach: there is no space for more");
+            pp_append(text, TEXT_BYTES, "out of reach: there is no space for more");
             break;
         }
         if (answer->reading.value <= answer->now.value * (1.0 + 1e-4)) {
-            append(text, "out of reach: this change does not help");
+            pp_append(text, TEXT_BYTES, "out of reach: this change does not help");
             break;
         }
-        append(text, "out of reach: ");
+        pp_append(text, TEXT_BYTES, "out of reach: ");
         if (answer->is_largest)
-            append(text, "even the %s that there is space for, ", ends[change]);
+            pp_append(text, TEXT_BYTES, "even the %s that there is space for, ",
+                      ends[change]);
         else
-            append(text, "the best, ");
+            pp_append(text, TEXT_BYTES, "the best, ");
         append_size(text, result, change);
-        append(text, is_plural(result, change) ? ", give only " : ", gives only ");
+        pp_append(text, TEXT_BYTES,
+                  is_plural(result, change) ? ", give only " : ", gives only ");
         append_per_cent(text, answer->reading.value);
         break;
     case PP_SIZE_NO_VALUE:
-        append(text, "none: %s", result->why);
+        pp_append(text, TEXT_BYTES, "none: %s", result->why);
         break;
     }
 }
@@ -220,11 +214,11 @@ static enum pp_status print_room(const struct pp_size_result *result,
                                           [PP_GIVES_WHOLE] = ""};
     append_per_cent(text, options->target);
     int points = options->room.points.count;
-    append(text, " %s%s, by %s", of_what[pp_size_gives(result->method)],
-           points == 0   ? "on average over the working plane"
-           : points == 1 ? "at the point"
-                         : "at the lowest of the points",
-           result->method);
+    pp_append(text, TEXT_BYTES, " %s%s, by %s", of_what[pp_size_gives(result->method)],
+              points == 0   ? "on average over the working plane"
+              : points == 1 ? "at the point"
+                            : "at the lowest of the points",
+              result->method);
     put_fact("wanted", text, width, out);
     if (isfinite(answer->now.value)) {
         text[0] = '\0';
@@ -237,8 +231,8 @@ static enum pp_status print_room(const struct pp_size_result *result,
     if (isfinite(result->traced.value)) {
         text[0] = '\0';
         append_per_cent(text, result->traced.value);
-        append(text, " %s %.2g", utf8 ? "\302\261" : "+-",
-               100.0 * result->traced.std_error);
+        pp_append(text, TEXT_BYTES, " %s %.2g", utf8 ? "\302\261" : "+-",
+                  100.0 * result->traced.std_error);
         put_fact("traced", text, width, out);
     }
     if (answer->verdict != PP_SIZE_REACHED || result->edit_count == 0)

@@ -13,6 +13,7 @@
 #include "cli/utf8.h"
 #include "methods/method.h"
 #include "model/vec.h"
+#include "model/sentence.h"
 
 enum {
     HEAD = 4,   /* columns before a heading, */
@@ -81,11 +82,8 @@ static const struct {
 /* A word of a formula, a name at its beginning in Greek letters, a minus as one. */
 static void write_word(char *text, size_t room, const char *word, int length, bool utf8)
 {
-    snprintf(text, room, "%.*s", length, word);
-    if (!utf8)
-        return;
-    size_t written = 0;
-    for (int i = 0; i < length && written + 4 < room;) {
+    snprintf(text, room, "%.*s", utf8 ? 0 : length, word);
+    for (int i = 0; i < length && utf8;) {
         int letters = 0;
         while (i + letters < length && isalpha((unsigned char)word[i + letters]))
             letters++;
@@ -97,9 +95,8 @@ static void write_word(char *text, size_t room, const char *word, int length, bo
         if (!found && !letters && word[i] == '-')
             found = "\xe2\x88\x92";
         int taken = letters ? letters : 1;
-        written += found ? (size_t)snprintf(text + written, room - written, "%s", found)
-                         : (size_t)snprintf(text + written, room - written, "%.*s",
-                                            taken, word + i);
+        pp_append(text, room, "%.*s", found ? (int)strlen(found) : taken,
+                  found ? found : word + i);
         i += taken;
     }
 }
@@ -110,12 +107,12 @@ static void print_formula(const struct pp_step *step, int width, bool utf8, FILE
     char whole[sizeof step->symbol + sizeof step->formula + 4], words[4 * sizeof whole];
     snprintf(whole, sizeof whole, "%s%s= %s", step->symbol, step->symbol[0] ? " " : "",
              step->formula);
-    size_t length = 0;
+    words[0] = '\0';
     for (const char *at = whole; *at;) {
         int letters = (int)strcspn(at, " ");
         char word[64];
         write_word(word, sizeof word, at, letters, utf8);
-        length += (size_t)snprintf(words + length, sizeof words - length, "%s ", word);
+        pp_append(words, sizeof words, "%s ", word);
         at += letters + (at[letters] == ' ');
     }
     fprintf(out, "%*s", SYMBOL, "");

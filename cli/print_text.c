@@ -7,6 +7,7 @@
 #include "cli/print_notes.h"
 #include "cli/print_places.h"
 #include "cli/utf8.h"
+#include "model/sentence.h"
 
 struct titles {
     const char *full, *brief;
@@ -41,9 +42,7 @@ static void put_sampled(char cell[PP_CELL_BYTES], const struct pp_reading *readi
     if (!isfinite(reading->value) || !isfinite(reading->std_error))
         return;
     double shown = ceil(1e4 * reading->std_error - 1e-9) / 100.0;
-    size_t length = strlen(cell);
-    snprintf(cell + length, PP_CELL_BYTES - length, " %s%.2f", utf8 ? "\xc2\xb1" : "+-",
-             shown);
+    pp_append(cell, PP_CELL_BYTES, " %s%.2f", utf8 ? "\xc2\xb1" : "+-", shown);
 }
 
 /* How far a value is from the traced one, in per cent of that; a dash where the traced
@@ -158,27 +157,25 @@ static void print_simulation(const struct pp_result *result,
                              const struct pp_room_options *options, bool utf8,
                              int width, FILE *out)
 {
-    char text[512];
+    char text[512] = "";
     const char *error = utf8 ? "\xc2\xb1" : "+-";
     unsigned long long seed = options->seed;
-    int length = 0;
     bool traced = pp_report_find(&result->report, PP_DF, "traced");
     if (traced)
-        length = snprintf(text, sizeof text,
-                          "traced: by simulation, %s one standard error, seed %llu; "
-                          "off, from traced: how far a method is from it",
-                          error, seed);
+        pp_append(text, sizeof text,
+                  "traced: by simulation, %s one standard error, seed %llu; "
+                  "off, from traced: how far a method is from it",
+                  error, seed);
     if (pp_report_find(&result->report, PP_DF, "cached"))
-        length += snprintf(text + length, sizeof text - (size_t)length,
-                           "%scached: through the irradiance cache, %s the standard "
-                           "error of the sampling at the point, seed %llu",
-                           traced ? "; " : "", error, seed);
+        pp_append(text, sizeof text,
+                  "%scached: through the irradiance cache, %s the standard "
+                  "error of the sampling at the point, seed %llu",
+                  traced ? "; " : "", error, seed);
     if (!result->report.finished)
-        snprintf(text + length, sizeof text - (size_t)length,
-                 "; NOT FINISHED, interrupted");
+        pp_append(text, sizeof text, "; NOT FINISHED, interrupted");
     else if (result->by_clock)
-        snprintf(text + length, sizeof text - (size_t)length,
-                 "; stopped by the clock (--time), another run will differ");
+        pp_append(text, sizeof text,
+                  "; stopped by the clock (--time), another run will differ");
     fputs("\n  ", out);
     pp_print_wrapped(text, 2, 2, width, out);
 }

@@ -1,4 +1,5 @@
 #include "design/finding.h"
+#include "model/sentence.h"
 
 #include <math.h>
 #include <stdarg.h>
@@ -81,10 +82,9 @@ double pp_probability_at_least(double value, double std_error, double wanted)
 
 void pp_finding_note(struct pp_finding *finding, const char *format, ...)
 {
-    size_t length = strlen(finding->note);
     va_list arguments;
     va_start(arguments, format);
-    vsnprintf(finding->note + length, sizeof finding->note - length, format, arguments);
+    pp_append_v(finding->note, sizeof finding->note, format, arguments);
     va_end(arguments);
 }
 
@@ -102,11 +102,9 @@ enum pp_status pp_findings_add(struct pp_findings *findings,
 
 void pp_findings_rest_on(struct pp_findings *findings, const char *format, ...)
 {
-    size_t length = strlen(findings->basis);
     va_list arguments;
     va_start(arguments, format);
-    vsnprintf(findings->basis + length, sizeof findings->basis - length, format,
-              arguments);
+    pp_append_v(findings->basis, sizeof findings->basis, format, arguments);
     va_end(arguments);
 }
 

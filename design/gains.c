@@ -8,6 +8,7 @@
 #include "design/gain_changes.h"
 #include "design/standard_grid.h"
 #include "methods/evaluate.h"
+#include "model/sentence.h"
 
 static const char *const methods[] = {"exact+bre", "exact+split-flux"};
 
@@ -96,19 +97,15 @@ enum pp_status pp_gains_find(struct pp_gains *gains, const struct pp_room *room,
     return status;
 }
 
-void pp_gains_sentence(const struct pp_gains *gains, char *text, int size)
+void pp_gains_sentence(const struct pp_gains *gains, char *text, size_t room)
 {
     enum { NAMED = 3 };
     const char *named[NAMED];
-    int length = 0, count = 0;
-    text[0] = '\0';
+    int count = 0;
     for (int i = 0; i < gains->count && count < NAMED; i++)
         if (gains->list[i].lacks)
             named[count++] = gains->list[i].lacks;
-    for (int i = 0; i < count && length < size; i++)
-        length += snprintf(text + length, (size_t)(size - length), "%s%s%s",
-                           i == 0           ? "Most of all "
-                           : i + 1 == count ? " and "
-                                            : ", ",
-                           named[i], i + 1 == count ? "." : "");
+    snprintf(text, room, "%s", count ? "Most of all " : "");
+    pp_append_list(text, room, named, count, " and ");
+    pp_append(text, room, "%s", count ? "." : "");
 }

@@ -43,6 +43,6 @@ enum pp_status pp_gains_find(struct pp_gains *gains, const struct pp_room *room,
                              const struct pp_world *world, struct pp_error *err);
 
 /* What holds it back most, as a sentence; empty where no change brings anything. */
-void pp_gains_sentence(const struct pp_gains *gains, char *text, int size);
+void pp_gains_sentence(const struct pp_gains *gains, char *text, size_t room);
 
 #endif

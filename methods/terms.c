@@ -1,5 +1,6 @@
 /* terms.c - see terms.h. */
 #include "methods/terms.h"
+#include "model/sentence.h"
 
 #include <stdio.h>
 
@@ -28,13 +29,11 @@ struct pp_symbol pp_terms_name(const struct pp_terms *terms, const char *name)
 static void number(char *text, size_t room, const struct pp_terms *terms,
                    const char *formula)
 {
-    size_t length = 0;
-    for (text[0] = '\0'; *formula && length < room; formula++)
+    for (text[0] = '\0'; *formula; formula++)
         if (*formula != '#')
-            length += (size_t)snprintf(text + length, room - length, "%c", *formula);
+            pp_append(text, room, "%c", *formula);
         else if (terms->parts > 1)
-            length +=
-                (size_t)snprintf(text + length, room - length, "_%d", terms->number);
+            pp_append(text, room, "_%d", terms->number);
 }
 
 void pp_terms_figure(struct pp_terms *terms, enum pp_unit unit, double value,

@@ -1,5 +1,6 @@
 /* allowance.c - see allowance.h. */
 #include "model/allowance.h"
+#include "model/sentence.h"
 
 #include <stdio.h>
 
@@ -38,16 +39,16 @@ static bool correct_glass(struct correction *correction, unsigned allowances,
     if (bare && allowances & PP_ALLOWS_NO_GLASS)
         return false;
     if (!(allowances & PP_ALLOWS_CLEAR_GLASS))
-        *correction =
-            (struct correction){"T", "glass: diffuse transmittance, 0.85 for clear single",
-                                pp_allowance_reflected_glass(opening)};
+        *correction = (struct correction){
+            "T", "glass: diffuse transmittance, 0.85 for clear single",
+            pp_allowance_reflected_glass(opening)};
     else if (bare)
         *correction = (struct correction){"G", "no glass: 1 over clear single's 0.85",
                                           1.0 / printed_diffuse};
     else
-        *correction = (struct correction){
-            "G", "glass: diffuse transmittance over clear single",
-            glass_type(&opening->glass)};
+        *correction =
+            (struct correction){"G", "glass: diffuse transmittance over clear single",
+                                glass_type(&opening->glass)};
     return true;
 }
 
@@ -85,14 +86,11 @@ void pp_allowance_set_down(struct pp_steps *steps, unsigned allowances,
 {
     struct correction list[CORRECTIONS_MOST];
     int count = correct(list, allowances, opening);
-    size_t length = 0;
     product[0] = '\0';
     for (int i = 0; i < count; i++) {
         pp_step_named(steps, PP_UNIT_NUMBER, list[i].value, list[i].symbol, "%s",
                       list[i].what);
-        if (length < room)
-            length += (size_t)snprintf(product + length, room - length, " %s",
-                                       list[i].symbol);
+        pp_append(product, room, " %s", list[i].symbol);
     }
 }
 
@@ -114,13 +112,6 @@ void pp_allowance_words(char *text, size_t room, unsigned allowances)
     for (size_t i = 0; i < sizeof parts / sizeof parts[0]; i++)
         if (allowances & parts[i].bit)
             found[count++] = parts[i].words;
-    if (count == 0)
-        snprintf(text, room, "nothing of glass, frame or dirt");
-    size_t length = 0;
-    for (int i = 0; i < count && length < room; i++)
-        length += (size_t)snprintf(text + length, room - length, "%s%s",
-                                   i == 0           ? ""
-                                   : i == count - 1 ? " and "
-                                                    : ", ",
-                                   found[i]);
+    snprintf(text, room, "%s", count == 0 ? "nothing of glass, frame or dirt" : "");
+    pp_append_list(text, room, found, count, " and ");
 }

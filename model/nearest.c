@@ -1,5 +1,6 @@
 /* nearest.c - see nearest.h. */
 #include "model/nearest.h"
+#include "model/sentence.h"
 
 #include <limits.h>
 #include <stdio.h>
@@ -71,17 +72,10 @@ const char *pp_nearest(const char *typed, const char *const *names, int count)
 
 const char *pp_name_list(char *text, size_t size, const char *const *names, int count)
 {
-    size_t used = 0;
-    if (size > 0)
-        text[0] = '\0';
-    if (count < 0)
-        for (count = 0; names[count];)
-            count++;
-    for (int i = 0; i < count && used < size; i++) {
-        const char *between = i == 0 ? "" : i == count - 1 ? " or " : ", ";
-        int more = snprintf(text + used, size - used, "%s%s", between, names[i]);
-        used += more > 0 ? (size_t)more : 0;
-    }
+    if (size == 0)
+        return text;
+    text[0] = '\0';
+    pp_append_list(text, size, names, count, " or ");
     return text;
 }
 

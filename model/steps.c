@@ -1,5 +1,6 @@
 /* steps.c - see steps.h. */
 #include "model/steps.h"
+#include "model/sentence.h"
 
 #include <stdarg.h>
 #include <stdio.h>
@@ -75,7 +76,6 @@ void pp_step_sum(struct pp_steps *steps, int first, int count, const char *symbo
     if (!steps)
         return;
     char formula[sizeof steps->list->formula] = "";
-    size_t length = 0;
     double sum = 0.0;
     for (int i = 1; i <= count; i++) {
         char name[32];
@@ -83,17 +83,16 @@ void pp_step_sum(struct pp_steps *steps, int first, int count, const char *symbo
         const struct pp_step *term = pp_steps_find(steps, first, name);
         if (!term)
             continue;
-        if (sizeof formula - length <= LONGEST_TERM) {
+        if (sizeof formula - strlen(formula) <= LONGEST_TERM) {
             pp_step_worked(steps, PP_UNIT_SHARE, sum, symbol, formula,
                            "%s, as far as here", what);
-            length = (size_t)snprintf(formula, sizeof formula, "%s", symbol);
+            snprintf(formula, sizeof formula, "%s", symbol);
             term = pp_steps_find(steps, first, name);
         }
-        length += (size_t)snprintf(formula + length, sizeof formula - length, "%s%s",
-                                   length ? " + " : "", name);
+        pp_append(formula, sizeof formula, "%s%s", formula[0] ? " + " : "", name);
         sum += term->value;
     }
-    pp_step_worked(steps, PP_UNIT_SHARE, sum, symbol, length ? formula : "0", "%s",
+    pp_step_worked(steps, PP_UNIT_SHARE, sum, symbol, formula[0] ? formula : "0", "%s",
                    what);
 }
 
