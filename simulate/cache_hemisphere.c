@@ -6,6 +6,10 @@
 
 #include "simulate/lobe.h"
 
+/* A place may stand on the edge that its rays meet; what changes with its distance is
+ * still to be numbers. */
+static const double NEAREST_M = 1e-6;
+
 struct pp_vec3 *pp_hemisphere_corners(int side)
 {
     size_t count = (size_t)(side + 1) * (size_t)(side + 1);
@@ -43,7 +47,7 @@ static void send(struct pp_hemisphere *h, struct pp_radiance_walk *walk,
     struct pp_rgb radiance = pp_radiance_indirect(walk, &ray, &hit);
     if (cell->samples == 0.0) {
         cell->to = to;
-        cell->distance_m = hit.part >= 0 ? hit.distance_m : INFINITY;
+        cell->distance_m = hit.part >= 0 ? fmax(hit.distance_m, NEAREST_M) : INFINITY;
         cell->facing = to_frame(h, hit.normal);
     }
     cell->samples += 1.0;

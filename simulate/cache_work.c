@@ -121,6 +121,19 @@ static double limit_by_gradient(double radius, double value, const double along[
     return change * radius > value ? value / change : radius;
 }
 
+/* Where the radii may be no smaller, the gradient may: over the ellipse it is not to
+ * change the value by more than all of it. Beside an edge it grows without bound. */
+static void limit_gradient(struct pp_cache_record *is, double value,
+                           const double along[2], const double axes[2][2])
+{
+    double change[2];
+    for (int i = 0; i < 2; i++)
+        change[i] = is->radii_m[i] * (along[0] * axes[i][0] + along[1] * axes[i][1]);
+    double most = hypot(change[0], change[1]);
+    for (int c = 0; most > value && c < 3; c++)
+        is->along[c] = pp_scale(is->along[c], value / most);
+}
+
 void pp_cache_work(const struct pp_cache_maker *maker, struct pp_radiance_walk *walk,
                    const struct pp_cache_place *place, struct pp_hemisphere_cell *cells,
                    struct pp_cache_entry *entry)
@@ -160,4 +173,5 @@ void pp_cache_work(const struct pp_cache_maker *maker, struct pp_radiance_walk *
             fmax(limit_by_gradient(is->radii_m[i], value, luminance, axes[i]),
                  maker->least_m);
     }
+    limit_gradient(is, value, luminance, axes);
 }

@@ -334,6 +334,42 @@ static void a_room_is_as_light_as_by_paths(void **state)
     pp_world_destroy(world);
 }
 
+/* Looked at exactly where wall and ceiling meet, a place has what it sees at no
+ * distance, and how fast that changes has no bound. A record there is of numbers all
+ * the same, and within its radii nowhere says more than twice its value. */
+static void a_record_on_an_edge_is_of_numbers(void **state)
+{
+    (void)state;
+    enum { RAYS = 50 };
+    static struct pp_light_ray rays[RAYS];
+    struct pp_world *world = pp_test_world(office);
+    struct pp_light_scene *scene = scene_of(world);
+    struct pp_cache_options options = pp_cache_defaults();
+    options.divisions = 64;
+    options.supersamples = 0;
+    struct pp_irradiance_cache *cache = new_cache(scene, &options);
+    for (int i = 0; i < RAYS; i++) {
+        struct pp_vec3 edge = {0.0, 0.1 * (i + 0.5), i % 2 ? 0.0 : 2.8};
+        struct pp_vec3 eye = {2.0, edge.y, 1.3};
+        rays[i] = (struct pp_light_ray){
+            .from = eye, .to = pp_unit(pp_sub(edge, eye)), .space = PP_INDOORS};
+    }
+    assert_int_equal(pp_irradiance_cache_see(cache, rays, RAYS, NULL), PP_OK);
+    grow(cache);
+    int on_edge = 0;
+    for (size_t i = 0; i < pp_irradiance_cache_count(cache); i++) {
+        struct pp_cache_record is = pp_irradiance_cache_record(cache, i);
+        double x = is.radii_m[0] * pp_dot(is.along[0], is.axes[0]);
+        double y = is.radii_m[1] * pp_dot(is.along[0], is.axes[1]);
+        assert_true(hypot(x, y) <= is.value.r * (1.0 + 1e-12)); /* no NAN, too */
+        on_edge += is.point.x < 1e-6 && fmin(is.point.z, 2.8 - is.point.z) < 1e-6;
+    }
+    assert_true(on_edge > 10);
+    pp_irradiance_cache_destroy(cache);
+    pp_light_scene_destroy(scene);
+    pp_world_destroy(world);
+}
+
 /* With everything left out that reflects, only sky and what stands outside are left. */
 static void materials_left_out_reflect_nothing(void **state)
 {
@@ -394,6 +430,7 @@ int main(void)
         cmocka_unit_test(the_same_records_by_any_number_of_threads),
         cmocka_unit_test(a_file_gives_back_what_was_kept_or_nothing),
         cmocka_unit_test(a_room_is_as_light_as_by_paths),
+        cmocka_unit_test(a_record_on_an_edge_is_of_numbers),
         cmocka_unit_test(materials_left_out_reflect_nothing),
         cmocka_unit_test(options_that_make_no_sense_are_refused),
     };
