@@ -25,6 +25,16 @@ static void append_per_cent(char text[TEXT_BYTES], double share)
               value);
 }
 
+/* With its standard error, where it has one. */
+static void append_reading(char text[TEXT_BYTES], const struct pp_reading *reading,
+                           bool utf8)
+{
+    append_per_cent(text, reading->value);
+    if (isfinite(reading->std_error))
+        pp_append(text, TEXT_BYTES, " %s %.2g", utf8 ? "\302\261" : "+-",
+                  100.0 * reading->std_error);
+}
+
 static void put_fact(const char *label, const char *text, int width, FILE *out)
 {
     fprintf(out, "  %-*s", LABEL, label);
@@ -105,7 +115,7 @@ static bool is_plural(const struct pp_size_result *result, enum pp_size_change c
 
 /* The last line of the answer: what was found, or why nothing. */
 static void append_answer(char text[TEXT_BYTES], const struct pp_size_result *result,
-                          enum pp_size_change change)
+                          enum pp_size_change change, bool utf8)
 {
     static const char *const ends[] = {"widest", "highest", "highest", "lowest",
                                        "most"};
@@ -114,13 +124,13 @@ static void append_answer(char text[TEXT_BYTES], const struct pp_size_result *re
     case PP_SIZE_REACHED:
         append_size(text, result, change);
         pp_append(text, TEXT_BYTES, is_plural(result, change) ? " give " : " gives ");
-        append_per_cent(text, answer->reading.value);
+        append_reading(text, &answer->reading, utf8);
         break;
     case PP_SIZE_SMALLEST_EXCEEDS:
         pp_append(text, TEXT_BYTES, "the target is exceeded without it: even ");
         append_size(text, result, change);
         pp_append(text, TEXT_BYTES, " leaves ");
-        append_per_cent(text, answer->reading.value);
+        append_reading(text, &answer->reading, utf8);
         break;
     case PP_SIZE_OUT_OF_REACH:
         if (result->edit_count == 0 && answer->is_largest) {
@@ -140,7 +150,7 @@ static void append_answer(char text[TEXT_BYTES], const struct pp_size_result *re
         append_size(text, result, change);
         pp_append(text, TEXT_BYTES,
                   is_plural(result, change) ? ", give only " : ", gives only ");
-        append_per_cent(text, answer->reading.value);
+        append_reading(text, &answer->reading, utf8);
         break;
     case PP_SIZE_NO_VALUE:
         pp_append(text, TEXT_BYTES, "none: %s", result->why);
@@ -222,17 +232,15 @@ static enum pp_status print_room(const struct pp_size_result *result,
     put_fact("wanted", text, width, out);
     if (isfinite(answer->now.value)) {
         text[0] = '\0';
-        append_per_cent(text, answer->now.value);
+        append_reading(text, &answer->now, utf8);
         put_fact("as it is", text, width, out);
     }
     text[0] = '\0';
-    append_answer(text, result, options->change);
+    append_answer(text, result, options->change, utf8);
     put_fact(pp_size_change_words[options->change], text, width, out);
     if (isfinite(result->traced.value)) {
         text[0] = '\0';
-        append_per_cent(text, result->traced.value);
-        pp_append(text, TEXT_BYTES, " %s %.2g", utf8 ? "\302\261" : "+-",
-                  100.0 * result->traced.std_error);
+        append_reading(text, &result->traced, utf8);
         put_fact("traced", text, width, out);
     }
     if (answer->verdict != PP_SIZE_REACHED || result->edit_count == 0)
@@ -318,7 +326,7 @@ static struct json_object *room(const void *all, int index)
     const struct pp_size_options *options = results->options;
     const struct pp_size_answer *answer = &result->answer;
     char text[TEXT_BYTES] = "";
-    append_answer(text, result, options->change);
+    append_answer(text, result, options->change, true);
     bool reached = answer->verdict == PP_SIZE_REACHED;
     struct json_object *object = json_object_new_object();
     bool good = object && pp_json_text(object, "format", "pepperpot-size-1");

@@ -62,23 +62,27 @@ static enum pp_status write_file(const struct pp_size_results *results,
     return status;
 }
 
-/* All rooms; of several, those that have no such window are left out, unless none has.
- */
+/* All rooms. Of several, one that has no window says so, and those that lack the very
+ * window that is asked for (--line, --wall) are left out; it is an error where no room
+ * has any. */
 static enum pp_status compute(struct pp_size_results *results,
                               const struct pp_rooms *rooms, struct pp_error *err)
 {
+    bool of_one_window = results->options->line > 0 || results->options->wall;
+    int sized = 0;
     for (int i = 0; i < rooms->count; i++) {
         struct pp_size_result *result = &results->list[results->count++];
         struct pp_error fault = {0};
         enum pp_status status =
             pp_size_room(result, rooms, i, results->options, &fault);
-        bool last = i + 1 == rooms->count && results->count == 1;
-        if (status == PP_BAD_INPUT && !last) {
-            pp_size_result_clear(result);
-            results->count--;
-        } else if (status != PP_OK) {
+        sized += status == PP_OK;
+        bool none = sized == 0 && i + 1 == rooms->count;
+        if (status != PP_OK && (status != PP_BAD_INPUT || none))
             return pp_fail(err, status, "%s: %s", rooms->list[i].file, fault.message);
-        }
+        if (status == PP_BAD_INPUT)
+            pp_size_result_give_up(result, fault.message);
+        if (status == PP_BAD_INPUT && of_one_window)
+            results->count--;
     }
     return PP_OK;
 }

@@ -112,8 +112,9 @@ static enum pp_status choose(int *openings, int *count,
         return pp_fail(err, PP_BAD_INPUT, "there is no window in a wall \"%.200s\"",
                        options->wall);
     return pp_fail(err, PP_BAD_INPUT,
-                   "there is no window or rooflight to change; expected one to begin "
-                   "with, of any size");
+                   "there is no window or rooflight to change%s; expected one to begin "
+                   "with, of any size",
+                   all > 0 ? ", and what is given by its corners keeps its shape" : "");
 }
 
 static bool is_by_counts(const char *by)
@@ -237,13 +238,11 @@ enum pp_status pp_size_room(struct pp_size_result *result, const struct pp_rooms
                                 .target = options->target,
                                 .value = value_of,
                                 .data = &valuation};
-    enum pp_status status =
-        choose(openings, &task.opening_count, options, room->room, err);
-    if (status == PP_OK)
-        status = choose_method(&valuation, err);
+    enum pp_status status = choose_method(&valuation, err);
     if (status == PP_OK) {
         result->method = valuation.by_hand.method;
         task.by_counts = is_by_counts(result->method);
+        status = choose(openings, &task.opening_count, options, room->room, err);
     }
     if (status == PP_OK)
         status = pp_size_find(&result->answer, &task, err);
@@ -258,6 +257,18 @@ enum pp_status pp_size_room(struct pp_size_result *result, const struct pp_rooms
         && result->answer.room)
         status = check_by_simulation(result, &valuation, err);
     return status;
+}
+
+void pp_size_result_give_up(struct pp_size_result *result, const char *why)
+{
+    pp_size_result_clear(result);
+    result->answer = (struct pp_size_answer){.verdict = PP_SIZE_NO_VALUE,
+                                             .now = pp_reading_none(NULL),
+                                             .reading = pp_reading_none(NULL)};
+    result->edits = NULL;
+    result->edit_count = 0;
+    snprintf(result->text, sizeof result->text, "%s", why);
+    result->why = result->text;
 }
 
 void pp_size_result_clear(struct pp_size_result *result)

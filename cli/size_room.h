@@ -31,6 +31,9 @@ enum pp_status pp_size_room(struct pp_size_result *result, const struct pp_rooms
                             int index, const struct pp_size_options *options,
                             struct pp_error *err);
 
+/* Makes it the result of a room that can't be sized, and why. */
+void pp_size_result_give_up(struct pp_size_result *result, const char *why);
+
 /* What a method, a pair or "traced" gives: what the target is of. */
 enum pp_gives pp_size_gives(const char *by);
 

@@ -109,6 +109,21 @@ check "of a building each room by itself" shows "Kitchen" size -t 2 \
 check "only the room with that window" gives size -t 2 --window 23 \
     "$examples/building.xml"
 check "and no other" nothing "$(grep -E 'Kitchen|Bedroom' "$scratch/out")"
+sed '/^  <room name="Study">/,/^  <.room>/{/<window/,/>/d}' "$examples/building.xml" \
+    >"$scratch/dark.xml"
+check "a room without a window says so" shows "none: there is no window or rooflight" \
+    size -t 2 "$scratch/dark.xml"
+check "and the others are sized" grep -q "a width of" "$scratch/out"
+check "in JSON it has a why" sh -c "'$pepperpot' size -t 2 -f json '$scratch/dark.xml' |
+    grep -q '\"why\": \"none: there is no window'"
+check "alone it is an error" refuses 1 "expected one to begin with" \
+    size -t 2 --room Study "$scratch/dark.xml"
+sed '/<rooflight/,/>/d; /<window/,/>/d' "$examples/studio.xml" >"$scratch/corners.xml"
+check "an opening given by its corners keeps its shape" refuses 1 "by its corners" \
+    size -t 2 "$scratch/corners.xml"
+check "by tracing" gives size -t 6 --by traced --error 5% "$deep"
+check "the answer has a standard error" grep -Eq 'gives 6[.0-9]* % (±|\+-) 0[.]' \
+    "$scratch/out"
 check "standard input" sh -c "'$pepperpot' size -t 2 - <'$deep' | grep -q 'a width of'"
 check "a simulated check of it" gives size -t 6 --simulate --error 5% "$deep"
 check "no line is wider than 80 columns" nothing "$(too_wide)"
