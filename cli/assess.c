@@ -141,12 +141,12 @@ static enum pp_status gather(struct pp_assessment *assessment,
 {
     const struct pp_world *world = assessment->room->world;
     find_median(&assessment->median, world, options);
-    int count;
-    enum pp_status status = pp_standard_grid(&assessment->grid, &count, world, err);
-    assessment->report = (struct pp_report){.world = world,
-                                            .receivers = assessment->grid,
-                                            .receiver_count = count,
-                                            .finished = true};
+    assessment->report = (struct pp_report){.world = world, .finished = true};
+    if (!assessment->has_factors)
+        return PP_OK;
+    enum pp_status status = pp_standard_grid(
+        &assessment->grid, &assessment->report.receiver_count, world, err);
+    assessment->report.receivers = assessment->grid;
     return status == PP_OK ? pp_factors_by_hand(&assessment->report, err) : status;
 }
 
@@ -157,7 +157,7 @@ static enum pp_status judge(struct pp_assessment *assessment,
         .world = assessment->room->world,
         .before = assessment->before ? assessment->before->world : NULL,
         .pairs = assessment->pairs,
-        .factors = &assessment->report,
+        .factors = assessment->has_factors ? &assessment->report : NULL,
         .median = assessment->median,
     };
     assessment->answers = calloc(CRITERIA_MOST, sizeof *assessment->answers);
@@ -187,6 +187,15 @@ static void clear(struct pp_assessment *assessment)
 
 /* ---- all rooms ---- */
 
+static bool any_of_factors(const bool chosen[CRITERIA_MOST])
+{
+    const struct pp_criterion *criterion;
+    for (int i = 0; (criterion = pp_criterion_at(i)) != NULL; i++)
+        if (chosen[i] && criterion->of_factors)
+            return true;
+    return false;
+}
+
 static enum pp_status assess(struct pp_assessments *all, const struct pp_rooms *rooms,
                              const struct pp_rooms *before, struct pp_error *err)
 {
@@ -196,6 +205,7 @@ static enum pp_status assess(struct pp_assessments *all, const struct pp_rooms *
     for (int i = 0; i < rooms->count && status == PP_OK; i++) {
         struct pp_assessment *one = &all->list[all->count++];
         one->room = &rooms->list[i];
+        one->has_factors = any_of_factors(chosen);
         if (before->count > 0)
             status = find_before(one, before, rooms->count, err);
         if (status == PP_OK)
@@ -205,7 +215,7 @@ static enum pp_status assess(struct pp_assessments *all, const struct pp_rooms *
         pp_interrupt_watch();
     for (int i = 0; i < all->count && status == PP_OK; i++) {
         struct pp_assessment *one = &all->list[i];
-        if (options->room.simulate)
+        if (options->room.simulate && one->has_factors)
             status =
                 pp_gather_traced(&one->report, &options->room, &one->by_clock, err);
         if (status == PP_OK)

@@ -29,6 +29,7 @@ struct pp_assessment {
     const struct pp_loaded_room *room;   /* not owned */
     const struct pp_loaded_room *before; /* not owned; NULL */
     int *pairs;
+    bool has_factors; /* does any criterion that was asked for judge by them? */
     struct pp_receiver *grid;
     struct pp_report report; /* daylight factors on the grid */
     struct pp_median median;

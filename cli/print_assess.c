@@ -271,7 +271,7 @@ static void print_room(const struct pp_assessment *assessment,
     }
     for (int i = 0; i < assessment->answer_count; i++)
         print_answer(&assessment->answers[i], layout, out);
-    if (options->room.simulate)
+    if (options->room.simulate && assessment->has_factors)
         print_simulation(assessment, &options->room, &layout, out);
     print_sum(assessment, out);
     if (assessment->has_gains)

@@ -106,7 +106,7 @@ static struct json_object *room_object(const void *everything, int index)
                && pp_json_text(object, "median_diffuse_by", assessment->median.how);
     if (good && options->room.external_lux > 0.0)
         good = pp_json_number(object, "external", options->room.external_lux);
-    if (good && options->room.simulate)
+    if (good && options->room.simulate && assessment->has_factors)
         good = pp_json_simulation(object, &options->room, assessment->by_clock);
     if (good && !assessment->report.finished)
         good = pp_json_add(object, "finished", json_object_new_boolean(false));

@@ -92,6 +92,7 @@ const struct pp_criterion pp_criterion_average = {
     .title = "Average daylight factor in dwellings",
     .source = "BS8206",
     .summary = "1 % in bedrooms, 1.5 % in living rooms, 2 % in kitchens",
+    .of_factors = true,
     .evaluate = evaluate_average,
 };
 
@@ -100,5 +101,6 @@ const struct pp_criterion pp_criterion_uniformity = {
     .title = "Uniformity",
     .source = "BREEAM14",
     .summary = "minimum over average is 0.3, under glazed roofs 0.7",
+    .of_factors = true,
     .evaluate = evaluate_uniformity,
 };

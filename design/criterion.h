@@ -41,6 +41,7 @@ struct pp_criterion {
     const char *source;  /* keys in docs/SOURCES.md, with ", " between */
     const char *summary; /* one line for the help, without a full stop */
     bool needs_before;   /* compares with the room before; else not asked without it */
+    bool of_factors;     /* judges by the inquiry's factors; else they may be NULL */
 
     /* Adds its findings; those it can't judge are among them, with why. Fails where the
      * machine does. */

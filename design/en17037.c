@@ -151,6 +151,7 @@ const struct pp_criterion pp_criterion_en17037 = {
     .title = "EN 17037 daylight provision",
     .source = "EN17037",
     .summary = "300, 500, 750 lx over half the plane, 100, 300, 500 lx over 95 %",
+    .of_factors = true,
     .evaluate = evaluate,
 };
 
@@ -159,5 +160,6 @@ const struct pp_criterion pp_criterion_uk_annex = {
     .title = "EN 17037, UK annex for dwellings",
     .source = "BSEN17037",
     .summary = "100, 150, 200 lx over half the plane of bedroom, living room, kitchen",
+    .of_factors = true,
     .evaluate = evaluate_annex,
 };

@@ -99,6 +99,9 @@ for lux in 0 -5 1e9 bright nan; do
         assess --median-diffuse=$lux "$deep"
 done
 check "--error needs a simulation" refuses 2 "--simulate" assess --error 1% "$deep"
+check "criteria that judge by no daylight factor have none simulated" gives \
+    assess --simulate --criteria glazing-ratio,vertical-sky "$deep"
+check "and say nothing of it" nothing "$(grep simulation "$scratch/out")"
 check "no CSV" refuses 2 "text or json" assess --format csv "$deep"
 check "the help has every criterion" sh -c "
     '$pepperpot' assess --help | grep -qE '^  rights-of-light '"
