@@ -1,6 +1,12 @@
-/* average_df.c - `average-df`: average daylight factor over the working plane.
+/* average_df.c - the average daylight factor in one formula, in its two forms.
+ *
+ * `average-df`, over the working plane:
  *
  *     DF = T W theta M / (A (1 - R^2))   per cent                          [CL84]
+ *
+ * `average-df-lynes`, the older form it grew out of, over all surfaces of the room:
+ *
+ *     DF = T W theta / (2 A (1 - R))     per cent                        [LYNES79]
  *
  *   T      diffuse transmittance of the glass, 1 for an unglazed opening
  *   W      net glass area (m2): opening area times frame factor
@@ -9,10 +15,11 @@
  *   A      area of all inside surfaces, openings included (m2)
  *   R      their area-weighted mean reflectance, openings with 0.1
  *
- * For vertical openings under the CIE overcast sky. Several openings add up, with the
- * common A and R. Nothing is left to allow for but decorations. The formula is not
- * meant for obstructions that one section angle does not describe; blocks are taken by
- * obstruction_angle.h.
+ * They are averages of different things, and not to be compared: the older is (1 + R)/2
+ * of the other, before dirt. For vertical openings under the CIE overcast sky. Several
+ * openings add up, with the common A and R. Both contain the opening's glass and,
+ * through W, the frame; `average-df` dirt too. Neither is meant for obstructions that
+ * one section angle does not describe; blocks are taken by obstruction_angle.h.
  */
 #include "methods/bre_terms.h"
 #include "methods/inside.h"
@@ -20,23 +27,35 @@
 #include "methods/refusals.h"
 #include "methods/visible_angle.h"
 
-static void set_down(struct pp_steps *steps, const struct pp_visible_angle *angle,
-                     const struct pp_inside *all, const struct pp_opening *opening,
-                     double value)
+struct terms {
+    double T, W, M;
+    struct pp_visible_angle angle;
+    struct pp_inside all; /* A and R */
+};
+
+static enum pp_status find_terms(struct terms *terms, const struct pp_world *world,
+                                 const struct pp_opening *opening, struct pp_error *err)
+{
+    terms->T = opening->glass.diffuse;
+    terms->W = opening->inner.area_m2 * opening->frame_factor;
+    terms->M = opening->maintenance;
+    terms->all = pp_inside_all(world);
+    return pp_visible_angle(&terms->angle, world, opening, err);
+}
+
+/* dirt: M, too. */
+static void set_down(struct pp_steps *steps, const struct terms *terms,
+                     const struct pp_opening *opening, bool dirt)
 {
     int line = opening->line;
-    pp_step_named(steps, PP_UNIT_NUMBER, opening->glass.diffuse, "T",
+    pp_step_named(steps, PP_UNIT_NUMBER, terms->T, "T",
                   "opening on line %d: diffuse transmittance", line);
     pp_step_net_area(steps, opening, "W");
-    pp_visible_angle_steps(steps, angle, opening);
-    pp_step_named(steps, PP_UNIT_NUMBER, opening->maintenance, "M",
-                  "opening on line %d: maintenance", line);
-    pp_step_named(steps, PP_UNIT_SQUARE_METRE, all->area_m2, "A",
-                  "area of all inside surfaces, openings included");
-    pp_step_named(steps, PP_UNIT_NUMBER, all->reflectance, "R",
-                  "their mean reflectance, openings with 0.1");
-    pp_step_worked(steps, PP_UNIT_SHARE, value, "df", "T W theta M / (A (1 - R^2))",
-                   "opening on line %d: average daylight factor", line);
+    pp_visible_angle_steps(steps, &terms->angle, opening);
+    if (dirt)
+        pp_step_named(steps, PP_UNIT_NUMBER, terms->M, "M",
+                      "opening on line %d: maintenance", line);
+    pp_inside_steps(steps, &terms->all);
 }
 
 static enum pp_status evaluate(const struct pp_world *world,
@@ -45,18 +64,38 @@ static enum pp_status evaluate(const struct pp_world *world,
                                struct pp_part *part, struct pp_error *err)
 {
     (void)receiver, (void)tools;
-    struct pp_visible_angle angle;
-    enum pp_status status = pp_visible_angle(&angle, world, opening, err);
+    struct terms terms;
+    enum pp_status status = find_terms(&terms, world, opening, err);
     if (status != PP_OK)
         return status;
-    struct pp_inside all = pp_inside_all(world);
-
-    double T = opening->glass.diffuse, M = opening->maintenance;
-    double W = opening->inner.area_m2 * opening->frame_factor;
-    double theta_deg = angle.theta_rad / PP_RAD;
-    double A = all.area_m2, R = all.reflectance;
+    double T = terms.T, W = terms.W, theta_deg = terms.angle.theta_rad / PP_RAD;
+    double M = terms.M, A = terms.all.area_m2, R = terms.all.reflectance;
     part->value = T * W * theta_deg * M / (A * (1.0 - R * R)) / 100.0;
-    set_down(part->steps, &angle, &all, opening, part->value);
+    set_down(part->steps, &terms, opening, true);
+    pp_step_worked(part->steps, PP_UNIT_SHARE, part->value, "df",
+                   "T W theta M / (A (1 - R^2))",
+                   "opening on line %d: average daylight factor", opening->line);
+    return PP_OK;
+}
+
+static enum pp_status evaluate_lynes(const struct pp_world *world,
+                                     const struct pp_opening *opening,
+                                     const struct pp_receiver *receiver,
+                                     const void *tools, struct pp_part *part,
+                                     struct pp_error *err)
+{
+    (void)receiver, (void)tools;
+    struct terms terms;
+    enum pp_status status = find_terms(&terms, world, opening, err);
+    if (status != PP_OK)
+        return status;
+    double T = terms.T, W = terms.W, theta_deg = terms.angle.theta_rad / PP_RAD;
+    double A = terms.all.area_m2, R = terms.all.reflectance;
+    part->value = T * W * theta_deg / (2.0 * A * (1.0 - R)) / 100.0;
+    set_down(part->steps, &terms, opening, false);
+    pp_step_worked(part->steps, PP_UNIT_SHARE, part->value, "df",
+                   "T W theta / (2 A (1 - R))",
+                   "opening on line %d: average over all surfaces", opening->line);
     return PP_OK;
 }
 
@@ -70,4 +109,17 @@ const struct pp_method pp_method_average_df = {
     .refuses_room = pp_refuse_room_of_formula,
     .refuses = pp_refuse_opening_unless_vertical,
     .evaluate = evaluate,
+};
+
+const struct pp_method pp_method_average_df_lynes = {
+    .name = "average-df-lynes",
+    .summary = "average daylight factor over all surfaces, the older form",
+    .source = "LYNES79",
+    .gives = PP_GIVES_WHOLE,
+    .speaks_for = PP_FOR_ROOM,
+    .of_all_surfaces = true,
+    .allowances = PP_ALLOWS_OWN_GLASS | PP_ALLOWS_FRAME,
+    .refuses_room = pp_refuse_room_of_formula,
+    .refuses = pp_refuse_opening_unless_vertical,
+    .evaluate = evaluate_lynes,
 };

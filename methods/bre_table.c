@@ -81,22 +81,14 @@ static void set_down_reading(struct pp_steps *steps,
 static void set_down_opening(struct pp_steps *steps, const struct pp_opening *opening,
                              const struct pp_bre_terms *terms, double k_o, double value)
 {
-    int line = opening->line;
     pp_step_net_area(steps, opening, "W");
-    pp_step_named(steps, PP_UNIT_NUMBER, terms->R_fw, "R_fw",
-                  "reflectance of floor and walls below %.2f m, own wall left out",
-                  opening->middle_z_m);
-    pp_step_named(steps, PP_UNIT_NUMBER, terms->R_cw, "R_cw",
-                  "reflectance of ceiling and walls above, own wall left out");
-    pp_step_named(steps, PP_UNIT_ANGLE, terms->alpha_rad, "alpha",
-                  "opening on line %d: angle of the obstruction", line);
-    pp_step_named(steps, PP_UNIT_SHARE, terms->C, "C",
-                  "factor of an obstruction of that angle, from the table");
+    pp_bre_reflected_steps(steps, terms, opening);
     pp_step_worked(steps, PP_UNIT_NUMBER, k_o, "k_o",
                    "(C R_fw + 5 R_cw) / (31 R_fw + 5 R_cw)",
                    "factor for the obstruction; the table has 20 degrees");
     pp_step_worked(steps, PP_UNIT_SHARE, value, "irc", "T k_F k_c k_o W / W_all",
-                   "opening on line %d: minimum internally reflected component", line);
+                   "opening on line %d: minimum internally reflected component",
+                   opening->line);
 }
 
 static enum pp_status evaluate(const struct pp_world *world,

@@ -17,12 +17,14 @@
 #ifndef PP_METHODS_BRE_TERMS_H
 #define PP_METHODS_BRE_TERMS_H
 
+#include "methods/inside.h"
 #include "model/steps.h"
 #include "model/world.h"
 
 struct pp_bre_terms {
-    double W, A;          /* m2 */
-    double R, R_fw, R_cw; /* reflectances */
+    double W;             /* m2 */
+    struct pp_inside all; /* A and R */
+    double R_fw, R_cw;    /* reflectances */
     double alpha_rad;     /* of the obstruction */
     double C;             /* a fraction */
 };
@@ -41,6 +43,10 @@ double pp_bre_reflected(const struct pp_bre_terms *terms, double C);
 /* Sets down the opening's net glass area: W, or Ag. steps may be NULL. */
 void pp_step_net_area(struct pp_steps *steps, const struct pp_opening *opening,
                       const char *symbol);
+
+/* Sets down R_fw, R_cw and C. steps may be NULL. */
+void pp_bre_reflected_steps(struct pp_steps *steps, const struct pp_bre_terms *terms,
+                            const struct pp_opening *opening);
 
 /* Sets down all terms, and the average under `symbol`. steps may be NULL. */
 void pp_bre_steps(struct pp_steps *steps, const struct pp_bre_terms *terms,

@@ -120,6 +120,14 @@ struct pp_inside pp_inside_all(const struct pp_world *world)
     return split(world, INFINITY, -1, true).lower;
 }
 
+void pp_inside_steps(struct pp_steps *steps, const struct pp_inside *all)
+{
+    pp_step_named(steps, PP_UNIT_SQUARE_METRE, all->area_m2, "A",
+                  "area of all inside surfaces, openings included");
+    pp_step_named(steps, PP_UNIT_NUMBER, all->reflectance, "R",
+                  "their mean reflectance, openings with 0.1");
+}
+
 struct pp_inside pp_inside_role(const struct pp_world *world, enum pp_role role)
 {
     struct sums sums = {0};

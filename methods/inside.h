@@ -9,6 +9,7 @@
 #ifndef PP_METHODS_INSIDE_H
 #define PP_METHODS_INSIDE_H
 
+#include "model/steps.h"
 #include "model/world.h"
 
 /* Of an opening seen from inside, in mean reflectances [BRE310]. */
@@ -21,6 +22,9 @@ struct pp_inside {
 
 /* All inside surfaces, openings included: A and R. */
 struct pp_inside pp_inside_all(const struct pp_world *world);
+
+/* Sets these down, as A and R. steps may be NULL. */
+void pp_inside_steps(struct pp_steps *steps, const struct pp_inside *all);
 
 /* The faces of a role (floor, walls or ceiling) without their openings. */
 struct pp_inside pp_inside_role(const struct pp_world *world, enum pp_role role);

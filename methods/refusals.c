@@ -32,6 +32,13 @@ const char *pp_refuse_if_luminous(const struct pp_world *world)
     return NULL;
 }
 
+const char *pp_refuse_luminous_room(const struct pp_world *world,
+                                    const struct pp_receiver *receiver)
+{
+    (void)receiver;
+    return pp_refuse_if_luminous(world);
+}
+
 const char *pp_refuse_room_of_formula(const struct pp_world *world,
                                       const struct pp_receiver *receiver)
 {

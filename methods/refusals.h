@@ -18,6 +18,10 @@ const char *pp_refuse_unless_up(const struct pp_receiver *receiver);
  * by itself? */
 const char *pp_refuse_if_luminous(const struct pp_world *world);
 
+/* refuses_room() itself of those that refuse nothing else. */
+const char *pp_refuse_luminous_room(const struct pp_world *world,
+                                    const struct pp_receiver *receiver);
+
 /* refuses_room() of the room formulae that were made for the CIE overcast sky, a plane
  * that faces up and no other source of light. */
 const char *pp_refuse_room_of_formula(const struct pp_world *world,

@@ -8,8 +8,8 @@
  *   A     area of all inside surfaces, openings included (m2)
  *   R     their area-weighted mean reflectance, openings with 0.1
  *   rho_u mean reflectance of what lies above the middle of the opening's height,
- * window walls less their openings included; rho_l of what lies below C, C_g
- * illuminance of the glass from above the horizon and from the ground
+ *         window walls less their openings included; rho_l of what lies below
+ *   C, C_g   illuminance of the glass from above the horizon and from the ground
  *         (entering_light.h)
  *
  * The formula of `bre` with the ground as given, the window's own wall counted, and for
@@ -27,22 +27,12 @@
 #include "methods/methods.h"
 #include "methods/refusals.h"
 
-static const char *refuses_room(const struct pp_world *world,
-                                const struct pp_receiver *receiver)
-{
-    (void)receiver;
-    return pp_refuse_if_luminous(world);
-}
-
 static void set_down(struct pp_steps *steps, const struct pp_entering_light *light,
                      const struct pp_inside *all, const struct pp_inside_parts *parts,
                      const struct pp_opening *opening, double value)
 {
     pp_entering_light_steps(steps, light, opening);
-    pp_step_named(steps, PP_UNIT_SQUARE_METRE, all->area_m2, "A",
-                  "area of all inside surfaces, openings included");
-    pp_step_named(steps, PP_UNIT_NUMBER, all->reflectance, "R",
-                  "their mean reflectance, openings with 0.1");
+    pp_inside_steps(steps, all);
     pp_step_named(steps, PP_UNIT_NUMBER, parts->upper.reflectance, "rho_u",
                   "mean reflectance above %.2f m, the middle of the opening",
                   opening->middle_z_m);
@@ -83,6 +73,6 @@ const struct pp_method pp_method_sphere = {
     .gives = PP_GIVES_INTERNAL,
     .speaks_for = PP_FOR_ROOM,
     .allowances = PP_ALLOWS_OWN_GLASS | PP_ALLOWS_FRAME,
-    .refuses_room = refuses_room,
+    .refuses_room = pp_refuse_luminous_room,
     .evaluate = evaluate,
 };

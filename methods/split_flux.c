@@ -30,13 +30,6 @@
 #include "methods/methods.h"
 #include "methods/refusals.h"
 
-static const char *refuses_room(const struct pp_world *world,
-                                const struct pp_receiver *receiver)
-{
-    (void)receiver;
-    return pp_refuse_if_luminous(world);
-}
-
 static const char *refuses(const struct pp_world *world,
                            const struct pp_opening *opening,
                            const struct pp_receiver *receiver)
@@ -110,7 +103,7 @@ const struct pp_method pp_method_split_flux = {
     .gives = PP_GIVES_INTERNAL,
     .speaks_for = PP_FOR_ROOM,
     .allowances = PP_ALLOWS_OWN_GLASS | PP_ALLOWS_FRAME,
-    .refuses_room = refuses_room,
+    .refuses_room = pp_refuse_luminous_room,
     .refuses = refuses,
     .evaluate = evaluate,
 };
