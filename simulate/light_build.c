@@ -208,6 +208,7 @@ static enum pp_status build(struct builder *b, struct pp_error *err)
     enum pp_status status = allocate(b, err);
     if (status != PP_OK)
         return status;
+    status = pp_light_scene_add_glosses(scene, err);
     measure(scene, from);
     for (int i = 0; status == PP_OK && i < from->shape_count; i++)
         if (is_polygon(&from->shapes[i]))

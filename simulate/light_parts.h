@@ -2,6 +2,7 @@
 #ifndef PP_SIMULATE_LIGHT_PARTS_H
 #define PP_SIMULATE_LIGHT_PARTS_H
 
+#include "simulate/gloss.h"
 #include "simulate/light_scene.h"
 #include "simulate/rays.h"
 #include "simulate/sample_opening.h"
@@ -59,6 +60,9 @@ struct pp_light_scene {
 
     struct pp_material *materials;
     int material_count;
+    struct pp_gloss *glosses;
+    int gloss_count;
+    int *gloss_of_material; /* -1: it has none, or is a mirror */
     struct pp_pattern *patterns;
     int pattern_count;
     struct pp_light_part *parts;
@@ -102,6 +106,14 @@ struct pp_rgb pp_light_scene_beyond(const struct pp_light_scene *scene,
 /* The radiance of distant source i in direction u, 0 outside its cone. */
 struct pp_rgb pp_distant_radiance(const struct pp_light_scene *scene, int i,
                                   struct pp_vec3 u);
+
+/* Once all materials are there: works out the glosses that they have. */
+enum pp_status pp_light_scene_add_glosses(struct pp_light_scene *scene,
+                                          struct pp_error *err);
+
+/* Of a material; NULL: it has none, or is a mirror. */
+const struct pp_gloss *pp_light_scene_gloss(const struct pp_light_scene *scene,
+                                            int material);
 
 /* Stirs all that the scene has into its hash (light_hash.c). */
 void pp_light_scene_stir(struct pp_light_scene *scene, const float (*triangles)[3][3]);

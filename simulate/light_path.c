@@ -223,7 +223,8 @@ bool pp_light_path_arrive(struct pp_radiance_walk *walk, struct pp_light_path *p
         return false;
 
     struct pp_lobes lobes;
-    pp_lobes_init(&lobes, &scene->materials[hit->material], hit->normal,
+    pp_lobes_init(&lobes, &scene->materials[hit->material],
+                  pp_light_scene_gloss(scene, hit->material), hit->normal,
                   pp_scale(path->ray.to, -1.0));
     int window = scene->parts[hit->part].window;
     if (window >= 0 && !hit->back && pp_window_counted(walk, path, window))

@@ -14,6 +14,8 @@ void pp_light_scene_destroy(struct pp_light_scene *scene)
         pp_rays_destroy(scene->rays);
     pp_scene_destroy(scene->room);
     free(scene->materials);
+    free(scene->glosses);
+    free(scene->gloss_of_material);
     free(scene->patterns);
     free(scene->parts);
     free(scene->part_of_triangle);
@@ -66,6 +68,61 @@ void pp_light_scene_bounds(const struct pp_light_scene *scene, bool room,
             *high = pp_vec(fmax(high->x, v.x), fmax(high->y, v.y), fmax(high->z, v.z));
         }
     }
+}
+
+/* ---- materials ---- */
+
+static bool is_rough(const struct pp_material *material)
+{
+    bool scatters = material->kind == PP_MATERIAL_OPAQUE
+                    || material->kind == PP_MATERIAL_TRANSLUCENT;
+    return scatters
+           && !(pp_rgb_is_black(material->gloss)
+                && pp_rgb_is_black(material->through_gloss))
+           && !pp_gloss_is_mirror(material->roughness[0], material->roughness[1]);
+}
+
+/* The number of the gloss of these roughnesses, worked out if it is a new one. */
+static enum pp_status find_gloss(struct pp_light_scene *scene, const double roughness[2],
+                                 int *number, struct pp_error *err)
+{
+    int count = scene->gloss_count;
+    for (*number = 0; *number < count; (*number)++)
+        if (pp_gloss_is_of(&scene->glosses[*number], roughness[0], roughness[1]))
+            return PP_OK;
+    if ((count & (count + 1)) == 0) { /* 0, 1, 3, 7, ...: full */
+        void *grown =
+            realloc(scene->glosses, ((size_t)count * 2 + 1) * sizeof *scene->glosses);
+        if (!grown)
+            return pp_fail_memory(err);
+        scene->glosses = grown;
+    }
+    return pp_gloss_init(&scene->glosses[scene->gloss_count++], roughness[0],
+                         roughness[1], err);
+}
+
+enum pp_status pp_light_scene_add_glosses(struct pp_light_scene *scene,
+                                          struct pp_error *err)
+{
+    size_t count = (size_t)scene->material_count + 1;
+    scene->gloss_of_material = malloc(count * sizeof *scene->gloss_of_material);
+    if (!scene->gloss_of_material)
+        return pp_fail_memory(err);
+    enum pp_status status = PP_OK;
+    for (int i = 0; status == PP_OK && i < scene->material_count; i++) {
+        scene->gloss_of_material[i] = -1;
+        if (is_rough(&scene->materials[i]))
+            status = find_gloss(scene, scene->materials[i].roughness,
+                                &scene->gloss_of_material[i], err);
+    }
+    return status;
+}
+
+const struct pp_gloss *pp_light_scene_gloss(const struct pp_light_scene *scene,
+                                            int material)
+{
+    int gloss = scene->gloss_of_material[material];
+    return gloss < 0 ? NULL : &scene->glosses[gloss];
 }
 
 /* ---- rays ---- */

@@ -112,7 +112,7 @@ static enum pp_status build(struct pp_light_scene *scene, struct pp_error *err)
     if (world->surface_count == 0)
         scene->low = scene->high = pp_vec(0.0, 0.0, 0.0);
     pp_light_scene_stir(scene, NULL);
-    return PP_OK;
+    return pp_light_scene_add_glosses(scene, err);
 }
 
 static enum pp_status make(struct pp_light_scene **result, const struct pp_world *world,

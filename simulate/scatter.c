@@ -5,8 +5,6 @@
 
 #include "simulate/lobe.h"
 
-static const double SMOOTH = 1e-3;
-
 static struct pp_rgb glass_law(const struct pp_material *material, double cosine,
                                double (*law)(const struct pp_glass *, double))
 {
@@ -21,11 +19,6 @@ static struct pp_rgb glass_law(const struct pp_material *material, double cosine
     return pp_rgb(value[0], value[1], value[2]);
 }
 
-static bool is_smooth(const struct pp_material *material)
-{
-    return material->roughness[0] < SMOOTH || material->roughness[1] < SMOOTH;
-}
-
 struct pp_rgb pp_straight_through(const struct pp_material *material,
                                   double cos_incidence)
 {
@@ -36,7 +29,9 @@ struct pp_rgb pp_straight_through(const struct pp_material *material,
         return pp_rgb_scale(glass_law(material, cos_incidence, pp_glass_transmittance),
                             material->clear_share * material->dirt);
     case PP_MATERIAL_TRANSLUCENT:
-        return is_smooth(material) ? material->through_gloss : pp_rgb_grey(0.0);
+        return pp_gloss_is_mirror(material->roughness[0], material->roughness[1])
+                   ? material->through_gloss
+                   : pp_rgb_grey(0.0);
     default:
         return pp_rgb_grey(0.0);
     }
@@ -57,12 +52,9 @@ static void lay_frame(struct pp_lobes *lobes, const struct pp_material *material
 }
 
 void pp_lobes_init(struct pp_lobes *lobes, const struct pp_material *material,
-                   struct pp_vec3 n, struct pp_vec3 eye)
+                   const struct pp_gloss *gloss, struct pp_vec3 n, struct pp_vec3 eye)
 {
-    *lobes = (struct pp_lobes){
-        .n = n,
-        .eye = eye,
-        .roughness = {material->roughness[0], material->roughness[1]}};
+    *lobes = (struct pp_lobes){.n = n, .eye = eye, .gloss = gloss};
     lay_frame(lobes, material);
     double cosine = fabs(pp_dot(n, eye));
     struct pp_rgb *share = lobes->share;
@@ -75,24 +67,32 @@ void pp_lobes_init(struct pp_lobes *lobes, const struct pp_material *material,
             glass_law(material, cosine, pp_glass_reflectance), material->clear_share);
         return;
     }
-    bool smooth = is_smooth(material);
-    share[smooth ? PP_LOBE_MIRROR : PP_LOBE_GLOSS] = material->gloss;
+    share[gloss ? PP_LOBE_GLOSS : PP_LOBE_MIRROR] = material->gloss;
     if (material->kind == PP_MATERIAL_TRANSLUCENT) {
         share[PP_LOBE_THROUGH_DIFFUSE] = material->through_diffuse;
-        if (!smooth)
+        if (gloss)
             share[PP_LOBE_THROUGH_GLOSS] = material->through_gloss;
     }
 }
 
 double pp_lobes_width(const struct pp_lobes *lobes)
 {
-    return lobes->roughness[0] < lobes->roughness[1] ? lobes->roughness[0]
-                                                     : lobes->roughness[1];
+    return lobes->gloss ? sqrt(lobes->gloss->along * lobes->gloss->across) : 0.0;
 }
 
 static struct pp_vec3 mirrored(struct pp_vec3 v, struct pp_vec3 n)
 {
     return pp_along(v, -2.0 * pp_dot(v, n), n);
+}
+
+static struct pp_vec3 in_frame(const struct pp_lobes *lobes, struct pp_vec3 v)
+{
+    return pp_vec(pp_dot(v, lobes->a), pp_dot(v, lobes->b), pp_dot(v, lobes->n));
+}
+
+static struct pp_vec3 out_of_frame(const struct pp_lobes *lobes, struct pp_vec3 v)
+{
+    return pp_along(pp_along(pp_scale(lobes->a, v.x), v.y, lobes->b), v.z, lobes->n);
 }
 
 struct pp_rgb pp_lobes_gloss(const struct pp_lobes *lobes, struct pp_vec3 o)
@@ -101,31 +101,20 @@ struct pp_rgb pp_lobes_gloss(const struct pp_lobes *lobes, struct pp_vec3 o)
     struct pp_rgb share = lobes->share[through ? PP_LOBE_THROUGH_GLOSS : PP_LOBE_GLOSS];
     if (pp_rgb_is_black(share))
         return share;
-    if (through)
-        o = mirrored(o, lobes->n);
-    struct pp_vec3 h = pp_add(lobes->eye, o);
-    double hn = pp_dot(h, lobes->n), ax = lobes->roughness[0], ay = lobes->roughness[1];
-    if (!(hn > 0.0))
-        return pp_rgb_grey(0.0);
-    double x = pp_dot(h, lobes->a) / (ax * hn), y = pp_dot(h, lobes->b) / (ay * hn);
-    double f =
-        exp(-(x * x + y * y)) / (PP_PI * ax * ay) * pp_dot(h, h) / (hn * hn * hn * hn);
-    return pp_rgb_scale(share, f);
+    o = in_frame(lobes, o);
+    o.z = fabs(o.z);
+    return pp_rgb_scale(share,
+                        pp_gloss_value(lobes->gloss, in_frame(lobes, lobes->eye), o));
 }
 
-/* The eye's direction mirrored in a facet of random slope. */
-static bool sample_gloss(const struct pp_lobes *lobes, double u, double v,
+static bool sample_gloss(const struct pp_lobes *lobes, bool through, double u, double v,
                          struct pp_vec3 *o, double *factor)
 {
-    double r = sqrt(-log(u)), sine, cosine;
-    sincos(2.0 * PP_PI * v, &sine, &cosine);
-    struct pp_vec3 h =
-        pp_unit(pp_along(pp_along(lobes->n, lobes->roughness[0] * r * cosine, lobes->a),
-                         lobes->roughness[1] * r * sine, lobes->b));
-    *o = pp_along(pp_scale(lobes->eye, -1.0), 2.0 * pp_dot(h, lobes->eye), h);
-    double to = pp_dot(*o, lobes->n), from = pp_dot(lobes->eye, lobes->n);
-    *factor = 2.0 * to / (from + to);
-    return to > 0.0 && from > 0.0;
+    *factor = pp_gloss_sample(lobes->gloss, in_frame(lobes, lobes->eye), u, v, o);
+    if (through)
+        o->z = -o->z;
+    *o = out_of_frame(lobes, *o);
+    return *factor > 0.0;
 }
 
 bool pp_lobes_sample(const struct pp_lobes *lobes, enum pp_lobe lobe, double u,
@@ -141,12 +130,8 @@ bool pp_lobes_sample(const struct pp_lobes *lobes, enum pp_lobe lobe, double u,
         *o = mirrored(pp_sample_lobe(lobes->a, lobes->b, n, u, v), n);
         return true;
     case PP_LOBE_GLOSS:
-        return sample_gloss(lobes, u, v, o, factor);
     case PP_LOBE_THROUGH_GLOSS:
-        if (!sample_gloss(lobes, u, v, o, factor))
-            return false;
-        *o = mirrored(*o, n);
-        return true;
+        return sample_gloss(lobes, lobe == PP_LOBE_THROUGH_GLOSS, u, v, o, factor);
     case PP_LOBE_MIRROR:
         *o = mirrored(pp_scale(lobes->eye, -1.0), n);
         return true;

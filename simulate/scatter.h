@@ -1,14 +1,7 @@
 /* scatter.h - where light goes from a surface: a material's lobes at one point.
  *
- * With i and o the unit directions to where light comes from and goes to, on the side
- * of the normal n, and h = i + o (not unit length), the gloss is [GMD10]
- *
- *     f = gloss / (pi a_x a_y) exp(-((h.x / a_x)^2 + (h.y / a_y)^2) / (h.n)^2)
- *         (h.h) / (h.n)^4
- *
- * Its half vectors are drawn as Gaussian slopes; a direction then has the weight
- * 2 cos o / (cos i + cos o). What goes through as a gloss is the same with o mirrored
- * in the surface. A roughness below SMOOTH is a mirror.
+ * Diffuse lobes go by the cosine, a gloss as gloss.h has it; what goes through as a
+ * gloss is the same with its direction mirrored in the surface.
  */
 #ifndef PP_SIMULATE_SCATTER_H
 #define PP_SIMULATE_SCATTER_H
@@ -18,6 +11,7 @@
 #include "model/material.h"
 #include "model/rgb.h"
 #include "model/vec.h"
+#include "simulate/gloss.h"
 
 enum pp_lobe {
     PP_LOBE_DIFFUSE,
@@ -31,15 +25,15 @@ enum pp_lobe {
 
 /* All for light that comes to an eye in direction `eye`; n on the eye's side. */
 struct pp_lobes {
-    struct pp_rgb share[PP_LOBE_COUNT]; /* how much of it each sends on, all in all (of
-                                         * a gloss at most) */
+    struct pp_rgb share[PP_LOBE_COUNT]; /* how much of it each sends on, all in all */
     struct pp_vec3 a, b, n;             /* right-handed; a along the grain */
     struct pp_vec3 eye;
-    double roughness[2]; /* along a and b */
+    const struct pp_gloss *gloss; /* NULL: none, or a mirror; not owned */
 };
 
+/* gloss: the material's; NULL where it has none, or is a mirror. */
 void pp_lobes_init(struct pp_lobes *lobes, const struct pp_material *material,
-                   struct pp_vec3 n, struct pp_vec3 eye);
+                   const struct pp_gloss *gloss, struct pp_vec3 n, struct pp_vec3 eye);
 
 /* What passes straight through the material without being scattered, at the cosine of
  * the angle of incidence. */
@@ -49,7 +43,8 @@ struct pp_rgb pp_straight_through(const struct pp_material *material,
 /* f of the glosses between the eye and direction o (unit, any side), 1/sr. */
 struct pp_rgb pp_lobes_gloss(const struct pp_lobes *lobes, struct pp_vec3 o);
 
-/* The smaller roughness: how wide the gloss looks, in radians. */
+/* How wide the gloss looks, in radians: the side of a square as large as its ellipse.
+ */
 double pp_lobes_width(const struct pp_lobes *lobes);
 
 /* A direction of that lobe by two numbers in (0, 1), and the factor that its share is
