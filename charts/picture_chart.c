@@ -7,9 +7,11 @@
 #include "charts/labels.h"
 #include "charts/page.h"
 #include "charts/picture_png.h"
+#include "charts/room_plan.h"
 
-/* Of what is left beside the picture for its scale, in style.scale. */
-static const double scale_mm = 22.0, bar_mm = 7.0;
+/* Of what is left beside the picture for the scale of its colours, and below it for
+ * that of its lengths, in style.scale. */
+static const double scale_mm = 22.0, bar_mm = 7.0, below_mm = 11.0;
 
 struct drawing {
     cairo_t *cr;
@@ -31,8 +33,10 @@ static void place_picture(struct drawing *drawing, struct pp_box free)
 {
     const struct pp_raster *raster = &drawing->sheet->raster;
     double beside = drawing->sheet->scaled ? scale_mm * drawing->style->scale : 0.0;
-    drawing->mm =
-        fmin((free.width - beside) / raster->width, free.height / raster->height);
+    double below =
+        drawing->sheet->pixels_per_m > 0.0 ? below_mm * drawing->style->scale : 0.0;
+    drawing->mm = fmin((free.width - beside) / raster->width,
+                       (free.height - below) / raster->height);
     drawing->box.width = drawing->mm * raster->width;
     drawing->box.height = drawing->mm * raster->height;
     drawing->box.x = free.x + (free.width - beside - drawing->box.width) / 2.0;
@@ -233,6 +237,19 @@ static void draw_scale(const struct drawing *drawing)
     }
 }
 
+/* A bar of metres below the picture and, of one from above, where north is. */
+static void draw_lengths(const struct drawing *drawing)
+{
+    const struct pp_picture_sheet *sheet = drawing->sheet;
+    double mm = drawing->style->scale;
+    struct pp_box bar = pp_scale_bar_draw(
+        drawing->cr, drawing->style, sheet->pixels_per_m * drawing->mm,
+        drawing->box.x + mm, drawing->box.y + drawing->box.height + 2.5 * mm);
+    if (!sheet->upright)
+        pp_north_arrow_draw(drawing->cr, drawing->style, sheet->north_rad,
+                            bar.x + bar.width + 9.0 * mm, bar.y + 4.5 * mm, 3.5 * mm);
+}
+
 /* ---- the sheet ---- */
 
 enum pp_status pp_picture_chart_draw(struct pp_canvas *canvas,
@@ -256,6 +273,8 @@ enum pp_status pp_picture_chart_draw(struct pp_canvas *canvas,
         draw_marks(drawing);
         if (sheet->scaled)
             draw_scale(drawing);
+        if (sheet->pixels_per_m > 0.0)
+            draw_lengths(drawing);
     }
     free(drawing);
     return status;

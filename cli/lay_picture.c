@@ -11,6 +11,19 @@
  * side. */
 static const double smooth_share = 1.0 / 250.0, shortest_share = 1.0 / 25.0;
 
+/* Lengths and north, of a parallel view. */
+static void lay_lengths(struct pp_picture_sheet *sheet, const struct pp_shown *shown)
+{
+    const struct pp_camera *camera = &shown->camera;
+    if (camera->kind != PP_VIEW_PARALLEL)
+        return;
+    double n = shown->world->north_rad;
+    struct pp_vec3 north = {-sin(n), cos(n), 0.0};
+    sheet->pixels_per_m = shown->picture.width / camera->across;
+    sheet->upright = hypot(camera->toward.x, camera->toward.y) > 1e-6;
+    sheet->north_rad = -atan2(pp_dot(north, camera->right), pp_dot(north, camera->up));
+}
+
 void pp_lay_words(struct pp_picture_sheet *sheet, const struct pp_shown *shown,
                   const struct pp_render_choice *choice)
 {
@@ -26,6 +39,7 @@ void pp_lay_words(struct pp_picture_sheet *sheet, const struct pp_shown *shown,
         return;
     }
     char sky[128];
+    lay_lengths(sheet, shown);
     sheet->title = shown->world->name;
     pp_page_sky(sky, sizeof sky, shown->world);
     pp_page_say(sheet->subtitle, room, "under a %s%s", sky,

@@ -5,7 +5,7 @@
 #include "cli/show_picture.h"
 #include "model/picture_sheet.h"
 
-/* Title, subtitle and notes. */
+/* Title, subtitle and notes; the scale of lengths. */
 void pp_lay_words(struct pp_picture_sheet *sheet, const struct pp_shown *shown,
                   const struct pp_render_choice *choice);
 

@@ -72,6 +72,7 @@ static enum pp_status create(struct pp_made_picture *made, const struct pp_world
 {
     struct pp_render_options render = {
         .irradiance = choice->quantity.is != PP_LUMINANCE,
+        .indoors = choice->view == PP_CHOOSE_PLAN || choice->view == PP_CHOOSE_SECTION,
         .filter = choice->filter,
         .samples = choice->samples,
         .light = pp_radiance_defaults(),

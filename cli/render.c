@@ -48,6 +48,16 @@ static enum pp_exit try_output(const char *path)
     return PP_EXIT_DONE;
 }
 
+/* Where no light is, nothing can be shown: better said than wondered at. */
+static void say_if_black(const struct pp_picture *picture)
+{
+    size_t count = 3 * (size_t)picture->width * (size_t)picture->height;
+    for (size_t i = 0; i < count; i++)
+        if (picture->rgb[i] > 0.0f)
+            return;
+    pp_say("the picture is black: no light reaches what it shows");
+}
+
 static enum pp_exit render_room(const struct pp_loaded_room *room,
                                 const struct pp_render_choice *choice,
                                 const struct pp_room_options *options)
@@ -63,6 +73,8 @@ static enum pp_exit render_room(const struct pp_loaded_room *room,
         result = pp_say_error(&err);
     } else {
         result = write_output(&made.shown, choice, options->output);
+        if (result == PP_EXIT_DONE)
+            say_if_black(&made.shown.picture);
     }
     pp_made_picture_clear(&made);
     return result;

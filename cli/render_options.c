@@ -243,8 +243,8 @@ const struct pp_option pp_render_view_options[] = {
      read_view, PLACE(view)},
     {"from", 0, "X,Y[,Z]",
      "Where the eye is, in metres; without Z 1.6 m above the floor, of a fisheye on "
-     "the working plane (default: as far back in the room as shows its largest window; "
-     "of a fisheye the middle of the room).",
+     "the working plane (default: in the room's back, where one sees far "
+     "towards its largest window; of a fisheye the middle of the room).",
      read_place, PLACE(from)},
     {"towards", 0, "X,Y[,Z]", "What it looks at; without Z at its own height.",
      read_place, PLACE(towards)},

@@ -7,7 +7,7 @@
 
 enum { LONG_SIDE = 640, SHORT_SIDE = 480, FISHEYE_SIDE = 512 };
 
-static const double perspective_deg = 75.0, fisheye_deg = 180.0;
+static const double fisheye_deg = 180.0;
 
 static bool is_fisheye(enum pp_view_choice view)
 {
@@ -111,7 +111,7 @@ static void size_angles(struct pp_picture_size *size, double *across, double *do
     bool fisheye = is_fisheye(choice->view);
     double deg = choice->angle_deg > 0.0 ? choice->angle_deg
                  : fisheye               ? fisheye_deg
-                                         : perspective_deg;
+                                         : PP_PERSPECTIVE_DEG;
     *size = choice->size.width ? choice->size
             : fisheye          ? (struct pp_picture_size){FISHEYE_SIDE, FISHEYE_SIDE}
                                : (struct pp_picture_size){LONG_SIDE, SHORT_SIDE};
@@ -143,6 +143,12 @@ enum pp_status pp_render_view(struct pp_camera *camera, struct pp_picture_size *
                          err);
 }
 
+/* As a tape measure has it; no -0. */
+static double to_centimetres(double m)
+{
+    return round(100.0 * m) / 100.0 + 0.0;
+}
+
 void pp_render_view_words(char *text, size_t room, const struct pp_camera *camera,
                           const struct pp_world *world)
 {
@@ -167,6 +173,6 @@ void pp_render_view_words(char *text, size_t room, const struct pp_camera *camer
             snprintf(way + length, sizeof way - (size_t)length, ", %.0f° %s",
                      fabs(tilt), tilt > 0.0 ? "up" : "down");
     }
-    snprintf(text, room, "%s from (%.4g, %.4g, %.4g) m %s", kinds[camera->kind], eye.x,
-             eye.y, eye.z, way);
+    snprintf(text, room, "%s from (%.7g, %.7g, %.7g) m %s", kinds[camera->kind],
+             to_centimetres(eye.x), to_centimetres(eye.y), to_centimetres(eye.z), way);
 }

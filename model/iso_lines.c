@@ -62,6 +62,17 @@ static void smooth_along(const struct field *field, double *out, bool rows,
         }
 }
 
+/* Does a pixel show something else than one of those about it? Then its value is a
+ * mixture. */
+static bool is_mixed(const struct field *field, int x, int y)
+{
+    for (int j = y > 0 ? y - 1 : y; j <= y + 1 && j < field->height; j++)
+        for (int i = x > 0 ? x - 1 : x; i <= x + 1 && i < field->width; i++)
+            if (field->tags[at(field, i, j)] != field->tags[at(field, x, y)])
+                return true;
+    return false;
+}
+
 static enum pp_status make_field(struct field *field, const struct pp_picture *picture,
                                  const int *tags, double unit, double smooth,
                                  struct pp_error *err)
@@ -78,8 +89,9 @@ static enum pp_status make_field(struct field *field, const struct pp_picture *p
     for (int y = 0; y < picture->height; y++)
         for (int x = 0; x < picture->width; x++) {
             double value = unit * pp_rgb_luminance(pp_picture_rgb(picture, x, y));
-            field->logs[at(field, x, y)] =
-                value > 0.0 && isfinite(value) ? log(value) : -INFINITY;
+            bool good =
+                value > 0.0 && isfinite(value) && !(tags && is_mixed(field, x, y));
+            field->logs[at(field, x, y)] = good ? log(value) : -INFINITY;
         }
     if (smooth > 0.0) {
         double *first = field->logs;

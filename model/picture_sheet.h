@@ -19,6 +19,10 @@ struct pp_picture_sheet {
 
     struct pp_raster raster;
 
+    double pixels_per_m; /* of a parallel view; 0: of no one scale */
+    bool upright;        /* not looked at from straight above or below; else: */
+    double north_rad;    /* north is so far anticlockwise of up */
+
     bool scaled; /* in false colours: with a scale beside */
     struct pp_colour_scale scale;
     bool beyond[2];   /* are there darker, lighter pixels than the scale has? */

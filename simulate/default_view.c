@@ -6,6 +6,7 @@
 enum {
     PLACES = 24, /* that are tried along each side of the room */
     WAYS = 8,    /* in which a place has to be clear */
+    RAYS = 24,   /* across the picture */
 };
 
 /* From walls, as far as the room allows. */
@@ -14,8 +15,9 @@ static const double clear_m = 0.4;
 /* Below this slope an opening is a rooflight. */
 static const double upright_rad = 45.0 * PP_RAD;
 
-/* A window higher above the eye than this is looked up to. */
-static const double level_rad = 25.0 * PP_RAD;
+/* A window higher above the eye than this is looked up to: it is brought down to this
+ * height, but the view is not raised by more than the second. */
+static const double level_rad = 20.0 * PP_RAD, raised_most_rad = 15.0 * PP_RAD;
 
 static const struct pp_vec3 upwards = {0.0, 0.0, 1.0};
 
@@ -73,22 +75,23 @@ static double hidden(const struct pp_light_scene *scene, struct pp_vec3 place,
     return free_m < 0.98 * distance_m - 0.02 ? 1e3 : 0.0;
 }
 
-/* Mean of what is free before the eye, level, over the middle of a picture. */
+/* How far one sees, level, across the picture: the harmonic mean, in which a wall near
+ * by on one side of it weighs as it does to the eye. */
 static double prospect(const struct pp_light_scene *scene, struct pp_vec3 place,
                        struct pp_vec3 target)
 {
-    double middle = atan2(target.y - place.y, target.x - place.x);
-    double most = hypot(target.y - place.y, target.x - place.x), sum = 0.0;
-    for (int i = 0; i < WAYS; i++) {
-        double angle = middle + 60.0 * PP_RAD * ((i + 0.5) / WAYS - 0.5);
-        sum += fmin(most, free_way(scene, place, pp_vec(cos(angle), sin(angle), 0.0)));
+    double middle = atan2(target.y - place.y, target.x - place.x), sum = 0.0;
+    for (int i = 0; i < RAYS; i++) {
+        double angle = middle + PP_PERSPECTIVE_DEG * PP_RAD * ((i + 0.5) / RAYS - 0.5);
+        double free_m = free_way(scene, place, pp_vec(cos(angle), sin(angle), 0.0));
+        sum += 1.0 / fmax(free_m, 1e-3);
     }
-    return sum / WAYS;
+    return RAYS / sum;
 }
 
-/* The best of many places at that height: as far back from the target as possible along
- * `back` (zero: in any direction), not aside, clear of all, with much to be seen. The
- * middle of the scene's box is the last resort. */
+/* The best of many places at that height: where one sees far, not aside of the target,
+ * clear of all and, of places alike, the farthest back along `back` (zero: in any
+ * direction). The middle of the scene's box is the last resort. */
 static struct pp_vec3 stand_back(const struct pp_light_scene *scene,
                                  struct pp_vec3 target, struct pp_vec3 back,
                                  double height_m)
@@ -109,7 +112,7 @@ static struct pp_vec3 stand_back(const struct pp_light_scene *scene,
             double behind = pp_length(back) > 0.0 ? pp_dot(way, back) : pp_length(way);
             double aside = sqrt(fmax(pp_dot(way, way) - behind * behind, 0.0));
             double room = clearance(scene, place, clear_m);
-            double score = 0.5 * behind - aside + prospect(scene, place, target)
+            double score = prospect(scene, place, target) - 0.5 * aside + 0.1 * behind
                            - 20.0 * (clear_m - room) - hidden(scene, place, target);
             if (score > best_score) {
                 best_score = score;
@@ -137,10 +140,9 @@ static void look_at_window(struct pp_view_place *place,
     double altitude = atan2(place->toward.z, level);
     if (level < 1e-3)
         place->toward = pp_vec(0.0, 1.0, 0.3);
-    else if (fabs(altitude) < level_rad)
-        place->toward.z = 0.0;
     else
-        place->toward.z = level * tan(copysign(level_rad, altitude));
+        place->toward.z =
+            level * tan(fmin(fmax(altitude - level_rad, 0.0), raised_most_rad));
 }
 
 /* Without a window: along the longer side. */

@@ -1,8 +1,10 @@
 /* default_view.h - from where to look at a room when nobody says so.
  *
- * A perspective is taken from as far back as one can stand, seen from the largest
- * window, at eye height and clear of walls and of what stands in the way, towards that
- * window, level where it is not far above the eye: uprights stay upright. A fisheye is
+ * A perspective is taken towards the largest window, from where one sees it and sees
+ * far across all of the picture, not much aside of the window, and 0.4 m clear of walls
+ * and of what stands in the room where that is large enough: in an L-shaped room not
+ * from behind the corner. It is taken at eye height, and level where the window is not
+ * far above the eye: uprights stay upright. A fisheye is
  * the view of a light meter that lies on the working plane in the middle of the room.
  * Plan and section are parallel views of all of the room, cut as drawings are.
  */
@@ -13,6 +15,7 @@
 #include "simulate/light_scene.h"
 
 #define PP_EYE_HEIGHT_M 1.6
+#define PP_PERSPECTIVE_DEG 75.0 /* across the picture */
 #define PP_PLAN_CUT_M 1.2
 
 /* What is looked at, or cut. */

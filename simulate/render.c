@@ -52,7 +52,7 @@ bool pp_render_camera_ray(const struct pp_render *render, const double place[2],
         return false; /* outside the circle: beyond the angle */
     if (options->camera.kind == PP_VIEW_PARALLEL)
         ray->space = pp_light_scene_space(render->scene, ray->from);
-    return true;
+    return !options->indoors || ray->space == PP_INDOORS;
 }
 
 /* Irradiance of the surface that the ray meets; false: glass, or nothing. */

@@ -32,6 +32,7 @@ struct pp_render_options {
     struct pp_camera camera;
     int width, height; /* pixels */
     bool irradiance;   /* of the surfaces that are seen, instead of their radiance */
+    bool indoors;      /* of a parallel view: only from where it cuts the room */
     enum pp_pixel_filter filter;
     int samples; /* a pixel; the next power of two is taken */
     struct pp_radiance_options light;
@@ -69,8 +70,8 @@ bool pp_render_done(const struct pp_render *render);
 double pp_render_progress(const struct pp_render *render);
 
 /* The picture so far, owned by the render; what is not done is black. A pixel where
- * there is nothing to show is NAN: outside a fisheye's circle and, of irradiances,
- * where most of it shows glass or sky. Of a pixel on the circle's edge the part outside
+ * there is nothing to show is NAN: outside a fisheye's circle, outside a room that is
+ * cut, and, of irradiances, where most of it shows glass or sky. Of a pixel on the circle's edge the part outside
  * is black. */
 const struct pp_picture *pp_render_picture(const struct pp_render *render);
 

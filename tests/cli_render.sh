@@ -55,6 +55,14 @@ check "false colour, linear, without lines" \
 check "a fisheye with its grid" \
     draws g.svg --size 40x40 --samples 1 --engine path --view angular --grid "$deep"
 
+cat >"$scratch/dark.xml" <<'END'
+<room version="1"><plan width="3" depth="5" height="2.5"/></room>
+END
+run render $small "$scratch/dark.xml" -o "$scratch/dark.png"
+check "a room without light is black, and it is said" eval \
+    '[ $status -eq 0 ] && [ -s "$scratch/dark.png" ] &&
+     grep -q "the picture is black" "$scratch/err" || told'
+
 # ---- the same again ----
 
 "$pepperpot" render $small --threads 1 "$deep" -o "$scratch/one.hdr"

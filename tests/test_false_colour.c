@@ -183,6 +183,32 @@ static void lines_end_where_surfaces_meet(void **state)
     pp_picture_clear(&picture);
 }
 
+/* A dark wall beside a window: the wall's last pixels have some of the window in them,
+ * of which there is no line along the window's edge. */
+static double mixture(double x, double y)
+{
+    return x < 29.0 ? 1.0 + 0.001 * y : x < 30.0 ? 3.0 + 2.0 * cos(0.3 * y) : 9.0;
+}
+
+static void pixels_of_two_surfaces_draw_no_line(void **state)
+{
+    (void)state;
+    struct pp_picture picture = picture_of(60, 40, mixture);
+    int tags[60 * 40];
+    for (int i = 0; i < 60 * 40; i++)
+        tags[i] = i % 60 < 30 ? 7 : 8;
+    const double levels[] = {1.02, 2.0, 4.0};
+    struct pp_curves lines = {0};
+    assert_int_equal(
+        pp_iso_lines(&lines, &picture, tags, 1.0, levels, 3, 1.0, 3.0, NULL), PP_OK);
+    assert_int_equal(lines.count, 1);
+    assert_near(lines.list[0].level, 1.02, 0.0);
+    for (int i = 0; i < lines.list[0].count; i++)
+        assert_near(lines.list[0].xy[i][1], 20.0, 0.05);
+    pp_curves_clear(&lines);
+    pp_picture_clear(&picture);
+}
+
 /* Noise of 5 % on a slope: with smoothing one line stays one. */
 static double noisy(double x, double y)
 {
@@ -215,6 +241,7 @@ int main(void)
         cmocka_unit_test(a_black_picture_has_a_scale_all_the_same),
         cmocka_unit_test(lines_of_a_hill_are_circles),
         cmocka_unit_test(lines_end_where_surfaces_meet),
+        cmocka_unit_test(pixels_of_two_surfaces_draw_no_line),
         cmocka_unit_test(smoothing_keeps_noise_from_tearing_lines),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -190,6 +190,33 @@ static void glass_has_no_daylight_factor(void **state)
     clear(&scene);
 }
 
+#define L_SHAPED                                                                       \
+    "<room version='1'><plan height='2.6'><vertex x='0' y='0'/>"                       \
+    "<vertex x='5.4' y='0'/><vertex x='5.4' y='3.6'/><vertex x='3' y='3.6'/>"          \
+    "<vertex x='3' y='6.6'/><vertex x='0' y='6.6'/></plan>"                            \
+    "<window wall='1' left='1.8' sill='0.5' width='2.8' height='1.7'/></room>"
+
+/* Cut, an L-shaped room shows nothing in its missing corner; whoever only looks along
+ * parallel rays sees the ground there. */
+static void a_cut_room_ends_at_its_walls(void **state)
+{
+    (void)state;
+    struct scene scene = scene_of(L_SHAPED);
+    struct pp_render_options options = looking(PP_VIEW_PARALLEL, pp_vec(2.7, 2.7, 1.2),
+                                               pp_vec(0.0, 0.0, -1.0), 5.4, 6, 1);
+    for (int indoors = 0; indoors <= 1; indoors++) {
+        options.indoors = indoors;
+        struct pp_render *render = rendered(scene.light, &options);
+        const struct pp_picture *picture = pp_render_picture(render);
+        float missing = pp_picture_at(picture, 5, 0)[0]; /* about (4.95, 4.95) */
+        assert_true(indoors ? isnan(missing) : missing > 0.05f);
+        assert_true(pp_picture_at(picture, 0, 5)[0] > 0.0f);
+        assert_true(pp_picture_at(picture, 5, 5)[0] > 0.0f);
+        pp_render_destroy(render);
+    }
+    clear(&scene);
+}
+
 static void assert_same_pictures(const struct pp_render *a, const struct pp_render *b)
 {
     const struct pp_picture *p = pp_render_picture(a), *q = pp_render_picture(b);
@@ -389,6 +416,54 @@ static void the_default_view_is_clear_of_what_stands_in_the_room(void **state)
     clear(&scene);
 }
 
+/* How far the next thing is, level, in that direction. */
+static double free_m(const struct scene *scene, struct pp_vec3 eye, double angle_rad)
+{
+    struct pp_light_ray ray = {.from = eye,
+                               .to = pp_vec(cos(angle_rad), sin(angle_rad), 0.0),
+                               .space = PP_INDOORS};
+    struct pp_light_hit hit;
+    return pp_light_scene_first(scene->light, &ray, &hit) ? hit.distance_m : INFINITY;
+}
+
+/* From behind the corner of the L its wall would fill a third of the picture 3 m away.
+ */
+static void the_default_view_does_not_look_round_a_corner(void **state)
+{
+    (void)state;
+    struct scene scene = scene_of(L_SHAPED);
+    struct pp_view_place place;
+    pp_default_view(&place, scene.light, scene.world, PP_ROOM_VIEW_PERSPECTIVE);
+    double middle = atan2(place.toward.y, place.toward.x);
+    int near = 0;
+    for (int i = -37; i <= 37; i++)
+        near += free_m(&scene, place.eye, middle + i * PP_RAD) < 4.0;
+    assert_in_range(near, 0, 8); /* of 75 degrees */
+    assert_true(place.eye.y > 3.6);
+    clear(&scene);
+}
+
+/* A hand's breadth from a wall half the picture would be that wall. */
+static void the_default_view_keeps_clear_of_walls(void **state)
+{
+    (void)state;
+    static const char *const rooms[] = {
+        DEEP, L_SHAPED,
+        "<room version='1'><plan width='1.6' depth='60' height='2.4'/>"
+        "<window wall='south' left='0.3' sill='0.5' width='1' height='1.6'/></room>",
+        "<room version='1'><plan width='8' depth='5' height='4'/>"
+        "<rooflight x='1.5' y='1.5' width='2' depth='2' reveal='0.5'/></room>",
+        "<room version='1'><plan width='3' depth='5' height='2.5'/></room>"};
+    for (size_t i = 0; i < sizeof rooms / sizeof rooms[0]; i++) {
+        struct scene scene = scene_of(rooms[i]);
+        struct pp_view_place place;
+        pp_default_view(&place, scene.light, scene.world, PP_ROOM_VIEW_PERSPECTIVE);
+        for (int deg = 0; deg < 360; deg += 3)
+            assert_true(free_m(&scene, place.eye, deg * PP_RAD) > 0.3);
+        clear(&scene);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -397,12 +472,15 @@ int main(void)
         cmocka_unit_test(a_furnace_is_even),
         cmocka_unit_test(a_plan_of_daylight_factors_has_those_of_receivers),
         cmocka_unit_test(glass_has_no_daylight_factor),
+        cmocka_unit_test(a_cut_room_ends_at_its_walls),
         cmocka_unit_test(a_picture_does_not_hang_on_threads),
         cmocka_unit_test(a_picture_taken_up_again_is_the_same),
         cmocka_unit_test(a_checkpoint_is_taken_whole_or_not_at_all),
         cmocka_unit_test(what_makes_no_picture_is_refused),
         cmocka_unit_test(the_default_view_stands_back_and_sees_the_window),
         cmocka_unit_test(the_default_view_is_clear_of_what_stands_in_the_room),
+        cmocka_unit_test(the_default_view_does_not_look_round_a_corner),
+        cmocka_unit_test(the_default_view_keeps_clear_of_walls),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
