@@ -6,6 +6,10 @@
 #include <string.h>
 
 #include "charts/page.h"
+#include "model/sentence.h"
+
+/* Windows whose sums are written out. */
+enum { SUMS_MOST = 8 };
 
 /* Of white, in what hides the sky. */
 static const double hidden_grey = 0.72;
@@ -112,57 +116,91 @@ static void write_count(char *text, size_t room, double count)
     snprintf(text, room, count == rint(count) ? "%.0f" : "%.1f", count);
 }
 
-/* The sum over pieces like number `first`, or 0 where one of them came before. */
-static double like(const struct pp_board_count *counts, int count, int first)
+/* What was counted of all pieces like piece `first`, if that is the first such one. */
+static double like(const struct pp_board_window *window, int first)
 {
+    const struct pp_board_piece *pieces = window->pieces;
     double sum = 0.0;
-    for (int i = 0; i < count; i++) {
-        if (counts[i].hidden != counts[first].hidden
-            || counts[i].factor != counts[first].factor)
+    for (int i = 0; i < window->count; i++) {
+        if (pieces[i].hidden != pieces[first].hidden
+            || pieces[i].factor != pieces[first].factor)
             continue;
         if (i < first)
             return 0.0;
-        sum += counts[i].count;
+        sum += pieces[i].counted;
     }
     return sum;
 }
 
-void pp_board_say_window(char *text, size_t room, int index, int line, const char *unit,
-                         double worth, double allowance,
-                         const struct pp_board_count *counts, int count)
+static void say_window(struct pp_board_sums *sums, const struct pp_board_window *window)
 {
-    char number[32];
+    char *text = sums->text;
+    const size_t room = sizeof sums->text;
     bool any = false;
-    pp_page_say(text, room, "Window %s (line %d):", pp_board_letter(index), line);
-    for (int i = 0; i < count; i++) {
-        double sum = like(counts, count, i);
+    pp_page_say(text, room, "Window %s (line %d):", pp_board_letter(sums->windows),
+                window->line);
+    for (int i = 0; i < window->count; i++) {
+        double sum = like(window, i);
         if (sum == 0.0)
             continue;
+        const struct pp_board_piece *piece = &window->pieces[i];
+        char number[32], factor[32] = "";
         write_count(number, sizeof number, sum);
-        char factor[32] = "";
-        if (counts[i].hidden)
-            snprintf(factor, sizeof factor, " \u00d7 %.3g", counts[i].factor);
+        if (piece->hidden)
+            snprintf(factor, sizeof factor, " \u00d7 %.3g", piece->factor);
         pp_page_say(text, room, "%s%s %s on %s%s \u00d7 %.4g\u00a0%% = %.2f\u00a0%%,",
-                    any ? "and " : "", number, unit,
-                    counts[i].hidden ? "obstruction" : "sky", factor, 100.0 * worth,
-                    100.0 * sum * counts[i].factor * worth);
+                    any ? "and " : "", number, sums->unit,
+                    piece->hidden ? "obstruction" : "sky", factor, 100.0 * sums->worth,
+                    100.0 * sum * piece->factor * sums->worth);
         any = true;
     }
     if (!any)
-        pp_page_say(text, room, "no %s.", unit);
-    else if (allowance != 1.0)
+        pp_page_say(text, room, "no %s.", sums->unit);
+    else if (window->allowance != 1.0)
         pp_page_say(text, room, "all \u00d7 %.3g for its glass, frame and dirt.",
-                    allowance);
-    else if (*text)
+                    window->allowance);
+    else
         text[strlen(text) - 1] = '.';
 }
 
-void pp_board_say_total(char *text, size_t room, double sky, double external)
+void pp_board_sums_add(struct pp_board_sums *sums,
+                       const struct pp_board_window *windows, int count)
 {
-    pp_page_say(text, room,
+    for (int i = 0; i < count; i++, sums->windows++) {
+        if (sums->windows >= SUMS_MOST)
+            continue;
+        if (sums->windows > 0)
+            pp_append(sums->text, sizeof sums->text, "\n");
+        say_window(sums, &windows[i]);
+    }
+    pp_board_windows_add(windows, count, &sums->sky, &sums->external);
+    sums->any_hidden = sums->any_hidden || pp_board_windows_hidden(windows, count);
+}
+
+double pp_board_sums_draw(cairo_t *cr, const struct pp_style *style,
+                          const struct pp_board_sums *sums, double x, double y,
+                          double width, bool drawn)
+{
+    char text[sizeof sums->text + 64], total[256] = "";
+    snprintf(text, sizeof text, "%s", sums->text);
+    if (sums->windows > SUMS_MOST)
+        pp_page_say(text, sizeof text, "Likewise %d further windows.",
+                    sums->windows - SUMS_MOST);
+    pp_page_say(total, sizeof total,
                 "Sky component %.2f\u00a0%%, externally reflected component "
                 "%.2f\u00a0%%, together %.2f\u00a0%%.",
-                100.0 * sky, 100.0 * external, 100.0 * (sky + external));
+                100.0 * sums->sky, 100.0 * sums->external,
+                100.0 * (sums->sky + sums->external));
+    struct pp_text set = {.size = PP_TEXT_BODY, .width = width};
+    double height = 0.0;
+    for (int i = 0; i < 2; i++) {
+        const char *words = i ? total : text;
+        set.bold = i == 1;
+        if (drawn)
+            pp_text_draw(cr, style, &set, x, y + height, words);
+        height += pp_text_measure(cr, style, &set, x, y + height, words).height;
+    }
+    return height;
 }
 
 double pp_board_ruler_height(const struct pp_style *style)

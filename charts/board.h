@@ -7,7 +7,7 @@
 
 #include "charts/style.h"
 #include "charts/text.h"
-#include "model/region.h"
+#include "model/board_windows.h"
 
 /* From a diagram's own coordinates to paper: x0 + mm x, y0 - mm y. */
 struct pp_board_map {
@@ -33,22 +33,25 @@ void pp_board_outline(cairo_t *cr, const struct pp_style *style,
 struct pp_box pp_board_tint_keys(cairo_t *cr, const struct pp_style *style, double x,
                                  double y, bool hidden_too, bool drawn);
 
-/* What was counted of one piece of a window. */
-struct pp_board_count {
-    bool hidden;
-    double factor; /* luminance factor of what hides it */
-    double count;
+/* What is written below a diagram: the sum of each window with its letter and line,
+ * those beyond the first few as so many further ones, and the sum of all. */
+struct pp_board_sums {
+    const char *unit; /* "squares" */
+    double worth;     /* of one, a fraction of Eh */
+    bool any_hidden;
+    double sky, external;
+    int windows;
+    char text[4096];
 };
 
-/* The sum of one window, with its letter and line, counts in `unit` ("squares") of that
- * worth, and the allowance for its glass, frame and dirt; added to `text` as
- * pp_page_say does. */
-void pp_board_say_window(char *text, size_t room, int index, int line, const char *unit,
-                         double worth, double allowance,
-                         const struct pp_board_count *counts, int count);
+/* Adds the windows of a panel. */
+void pp_board_sums_add(struct pp_board_sums *sums,
+                       const struct pp_board_window *windows, int count);
 
-/* "Sky component 4.73 %, externally reflected component 0.24 %." */
-void pp_board_say_total(char *text, size_t room, double sky, double external);
+/* Draws them from x, y on, if `drawn`; returns the height. */
+double pp_board_sums_draw(cairo_t *cr, const struct pp_style *style,
+                          const struct pp_board_sums *sums, double x, double y,
+                          double width, bool drawn);
 
 /* "A", "B" ... of window number `index`. */
 const char *pp_board_letter(int index);

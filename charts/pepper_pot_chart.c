@@ -12,7 +12,7 @@
 #include "charts/board.h"
 #include "charts/page.h"
 
-enum { SUMS_MOST = 8, PIECES_MOST = 32, RULERS_MOST = 6 };
+enum { RULERS_MOST = 6 };
 
 /* Dots over the unit square where they are densest, for a worth of 0.1 %. */
 static const double densest = 90.0;
@@ -39,26 +39,13 @@ struct extent {
     double low[2], high[2];
 };
 
-static void stretch(struct extent *extent, const struct pp_pepper_pot_window *window)
-{
-    for (int p = 0; p < window->count; p++)
-        for (int r = 0; r < window->pieces[p].outline.count; r++) {
-            const struct pp_ring *ring = &window->pieces[p].outline.rings[r];
-            for (int i = 0; i < ring->count; i++)
-                for (int k = 0; k < 2; k++) {
-                    extent->low[k] = fmin(extent->low[k], ring->xy[i][k]);
-                    extent->high[k] = fmax(extent->high[k], ring->xy[i][k]);
-                }
-        }
-}
-
 /* Of a panel's windows and the point straight ahead; a little of what lies below the
  * horizon. */
 static struct extent panel_extent(const struct pp_pepper_pot_panel *panel)
 {
     struct extent extent = {{0.0, 0.0}, {0.0, 0.0}};
     for (int w = 0; w < panel->count; w++)
-        stretch(&extent, &panel->windows[w]);
+        pp_board_window_extent(&panel->windows[w], extent.low, extent.high);
     extent.low[1] = fmax(extent.low[1], -0.3);
     return extent;
 }
@@ -67,8 +54,7 @@ static void draw_tints(const struct drawing *drawing, const struct plot *plot)
 {
     for (int w = 0; w < plot->panel->count; w++)
         for (int p = 0; p < plot->panel->windows[w].count; p++) {
-            const struct pp_pepper_pot_piece *piece =
-                &plot->panel->windows[w].pieces[p];
+            const struct pp_board_piece *piece = &plot->panel->windows[w].pieces[p];
             pp_board_fill(drawing->cr, &drawing->style, &plot->map, &piece->outline,
                           piece->hidden, plot->frame);
         }
@@ -87,7 +73,7 @@ static void draw_letters(const struct drawing *drawing, const struct plot *plot)
 {
     for (int w = 0; w < plot->panel->count; w++) {
         struct extent extent = {{INFINITY, INFINITY}, {-INFINITY, -INFINITY}};
-        stretch(&extent, &plot->panel->windows[w]);
+        pp_board_window_extent(&plot->panel->windows[w], extent.low, extent.high);
         if (!(extent.high[0] > extent.low[0]))
             continue;
         const struct pp_text set = {.size = PP_TEXT_HEAD, .bold = true, .down = 1.0};
@@ -371,66 +357,21 @@ static double draw_rulers(const struct drawing *drawing, struct pp_box room, boo
 /* --- the sheet -----------------------------------------------------------------------
  */
 
-static bool any_hidden(const struct pp_pepper_pot_sheet *sheet)
-{
-    for (int i = 0; i < sheet->count; i++)
-        for (int w = 0; w < sheet->panels[i].count; w++)
-            for (int p = 0; p < sheet->panels[i].windows[w].count; p++)
-                if (sheet->panels[i].windows[w].pieces[p].hidden)
-                    return true;
-    return false;
-}
-
-static void say_window(char *text, size_t room, const struct pp_pepper_pot_sheet *sheet,
-                       const struct pp_pepper_pot_window *window, int index)
-{
-    struct pp_board_count counts[PIECES_MOST];
-    int count = window->count < PIECES_MOST ? window->count : PIECES_MOST;
-    for (int p = 0; p < count; p++)
-        counts[p] = (struct pp_board_count){
-            window->pieces[p].hidden, window->pieces[p].factor, window->pieces[p].dots};
-    pp_board_say_window(text, room, index, window->line, "dots", sheet->worth,
-                        window->allowance, counts, count);
-}
-
-static void say_sums(char *text, size_t room, const struct pp_pepper_pot_sheet *sheet)
-{
-    int index = 0;
-    for (int i = 0; i < sheet->count; i++)
-        for (int w = 0; w < sheet->panels[i].count; w++, index++) {
-            if (index >= SUMS_MOST)
-                continue;
-            if (index > 0 && strlen(text) + 2 < room)
-                strcat(text, "\n");
-            say_window(text, room, sheet, &sheet->panels[i].windows[w], index);
-        }
-    if (index > SUMS_MOST)
-        pp_page_say(text, room, "Likewise %d further windows.", index - SUMS_MOST);
-}
-
 /* The tints' keys and the sum; returns the height, drawn only if asked. */
 static double draw_sums(const struct drawing *drawing, struct pp_box room, bool drawn)
 {
     const struct pp_pepper_pot_sheet *sheet = drawing->sheet;
     if (sheet->blank)
         return 0.0;
-    char text[4096] = "", total[256] = "";
+    struct pp_board_sums sums = {.unit = "dots", .worth = sheet->worth};
+    for (int i = 0; i < sheet->count; i++)
+        pp_board_sums_add(&sums, sheet->panels[i].windows, sheet->panels[i].count);
     double height = pp_board_tint_keys(drawing->cr, &drawing->style, room.x, room.y,
-                                       any_hidden(sheet), drawn)
+                                       sums.any_hidden, drawn)
                         .height
                     + drawing->style.scale;
-    say_sums(text, sizeof text, sheet);
-    pp_board_say_total(total, sizeof total, sheet->sky_component, sheet->external);
-    struct pp_text set = {.size = PP_TEXT_BODY, .width = room.width};
-    for (int i = 0; i < 2; i++) {
-        const char *words = i ? total : text;
-        set.bold = i == 1;
-        if (drawn)
-            pp_text_draw(drawing->cr, &drawing->style, &set, room.x, room.y + height,
-                         words);
-        height +=
-            pp_text_measure(drawing->cr, &drawing->style, &set, 0.0, 0.0, words).height;
-    }
+    height += pp_board_sums_draw(drawing->cr, &drawing->style, &sums, room.x,
+                                 room.y + height, room.width, drawn);
     return height + 2.0 * drawing->style.scale;
 }
 

@@ -10,8 +10,6 @@
 #include "charts/legend.h"
 #include "charts/page.h"
 
-enum { SUMS_MOST = 8, PIECES_MOST = 32 };
-
 /* Columns from azimuth 0 to 90 degrees. */
 enum { HALF_COLUMNS = 18 };
 
@@ -237,7 +235,7 @@ static void draw_azimuths(const struct drawing *drawing, const struct plot *plot
 
 /* Figures of part squares: of sky in the upper part, of obstruction in the lower. */
 static void draw_tenths(const struct drawing *drawing, const struct plot *plot,
-                        const struct pp_waldram_piece *piece)
+                        const struct pp_board_piece *piece)
 {
     struct pp_style style = drawing->style;
     style.text[PP_TEXT_SMALL] = fmin(style.text[PP_TEXT_SMALL], 0.36 * plot->map.mm);
@@ -246,8 +244,8 @@ static void draw_tenths(const struct drawing *drawing, const struct plot *plot,
     const struct pp_text set = {
         .size = PP_TEXT_SMALL, .italic = piece->hidden, .across = 0.5, .down = 0.5};
     double down = piece->hidden ? 0.25 : 0.72;
-    for (int i = 0; i < piece->count; i++) {
-        const struct pp_counted_square *square = &piece->list[i];
+    for (int i = 0; i < piece->square_count; i++) {
+        const struct pp_counted_square *square = &piece->squares[i];
         if (square->tenths == 0 || square->tenths == 10)
             continue;
         char words[16];
@@ -259,18 +257,10 @@ static void draw_tenths(const struct drawing *drawing, const struct plot *plot,
 
 /* A letter in the middle of what is seen of a window, or above it. */
 static void draw_letter(const struct drawing *drawing, const struct plot *plot,
-                        const struct pp_waldram_window *window, int index)
+                        const struct pp_board_window *window, int index)
 {
     double low[2] = {INFINITY, INFINITY}, high[2] = {-INFINITY, -INFINITY};
-    for (int p = 0; p < window->count; p++)
-        for (int r = 0; r < window->pieces[p].outline.count; r++) {
-            const struct pp_ring *ring = &window->pieces[p].outline.rings[r];
-            for (int i = 0; i < ring->count; i++)
-                for (int k = 0; k < 2; k++) {
-                    low[k] = fmin(low[k], ring->xy[i][k]);
-                    high[k] = fmax(high[k], ring->xy[i][k]);
-                }
-        }
+    pp_board_window_extent(window, low, high);
     if (!(high[0] > low[0]))
         return;
     struct pp_text set = {
@@ -291,7 +281,7 @@ static void draw_pieces(const struct drawing *drawing, const struct plot *plot,
     struct pp_box frame = frame_of(plot);
     for (int w = 0; w < plot->panel->count; w++)
         for (int p = 0; p < plot->panel->windows[w].count; p++) {
-            const struct pp_waldram_piece *piece = &plot->panel->windows[w].pieces[p];
+            const struct pp_board_piece *piece = &plot->panel->windows[w].pieces[p];
             if (tints) {
                 pp_board_fill(drawing->cr, &drawing->style, &plot->map, &piece->outline,
                               piece->hidden, frame);
@@ -329,44 +319,6 @@ static void draw_windows(const struct drawing *drawing, const struct plot *plot,
 
 /* --- the sheet -----------------------------------------------------------------------
  */
-
-static bool any_hidden(const struct pp_waldram_sheet *sheet)
-{
-    for (int i = 0; i < sheet->count; i++)
-        for (int w = 0; w < sheet->panels[i].count; w++)
-            for (int p = 0; p < sheet->panels[i].windows[w].count; p++)
-                if (sheet->panels[i].windows[w].pieces[p].hidden)
-                    return true;
-    return false;
-}
-
-static void say_window(char *text, size_t room, const struct pp_waldram_sheet *sheet,
-                       const struct pp_waldram_window *window, int index)
-{
-    struct pp_board_count counts[PIECES_MOST];
-    int count = window->count < PIECES_MOST ? window->count : PIECES_MOST;
-    for (int p = 0; p < count; p++)
-        counts[p] =
-            (struct pp_board_count){window->pieces[p].hidden, window->pieces[p].factor,
-                                    window->pieces[p].squares};
-    pp_board_say_window(text, room, index, window->line, "squares", sheet->worth,
-                        window->allowance, counts, count);
-}
-
-static void say_sums(char *text, size_t room, const struct pp_waldram_sheet *sheet)
-{
-    int index = 0;
-    for (int i = 0; i < sheet->count; i++)
-        for (int w = 0; w < sheet->panels[i].count; w++, index++) {
-            if (index >= SUMS_MOST)
-                continue;
-            if (index > 0 && strlen(text) + 2 < room)
-                strcat(text, "\n");
-            say_window(text, room, sheet, &sheet->panels[i].windows[w], index);
-        }
-    if (index > SUMS_MOST)
-        pp_page_say(text, room, "Likewise %d further windows.", index - SUMS_MOST);
-}
 
 static void say_foot(char *foot, size_t room, const struct pp_waldram_sheet *sheet)
 {
@@ -473,21 +425,13 @@ static double draw_below(const struct drawing *drawing, double x, double y,
     cairo_set_dash(drawing->cr, NULL, 0, 0.0);
     if (sheet->blank)
         return left.height;
-    pp_board_tint_keys(drawing->cr, style, x + column, y, any_hidden(sheet), drawn);
-    double height = left.height + gap;
-    char text[4096] = "", total[256] = "";
-    say_sums(text, sizeof text, sheet);
-    pp_board_say_total(total, sizeof total, sheet->sky_component, sheet->external);
-    struct pp_text set = {.size = PP_TEXT_BODY, .width = width};
-    for (int i = 0; i < 2; i++) {
-        const char *words = i ? total : text;
-        set.bold = i == 1;
-        if (drawn)
-            pp_text_draw(drawing->cr, style, &set, x, y + height, words);
-        height +=
-            pp_text_measure(drawing->cr, style, &set, x, y + height, words).height;
-    }
-    return height;
+    struct pp_board_sums sums = {.unit = "squares", .worth = sheet->worth};
+    for (int i = 0; i < sheet->count; i++)
+        pp_board_sums_add(&sums, sheet->panels[i].windows, sheet->panels[i].count);
+    pp_board_tint_keys(drawing->cr, style, x + column, y, sums.any_hidden, drawn);
+    double above = left.height + gap;
+    return above
+           + pp_board_sums_draw(drawing->cr, style, &sums, x, y + above, width, drawn);
 }
 
 static void titles(const struct pp_waldram_sheet *sheet, char *title, char *subtitle,

@@ -25,20 +25,19 @@ static enum pp_status fill_dots(struct pp_pepper_pot_panel *panel,
     return PP_OK;
 }
 
-static void count_dots(struct pp_pepper_pot_panel *panel,
-                       struct pp_pepper_pot_piece *piece)
+static void count_dots(struct pp_pepper_pot_panel *panel, struct pp_board_piece *piece)
 {
     for (int i = 0; i < panel->dot_count; i++) {
         struct pp_pepper_pot_dot *dot = &panel->dots[i];
         if (pp_region_contains(&piece->outline, dot->a, dot->b)) {
             dot->counted = true;
-            piece->dots++;
+            piece->counted += 1.0;
         }
     }
 }
 
 static enum pp_status fill_window(struct pp_pepper_pot_panel *panel,
-                                  struct pp_pepper_pot_window *window,
+                                  struct pp_board_window *window,
                                   const struct pp_world *world,
                                   const struct pp_opening *opening,
                                   struct pp_vec3 point, double worth,
@@ -57,15 +56,14 @@ static enum pp_status fill_window(struct pp_pepper_pot_panel *panel,
         status = pp_fail_memory(err);
     for (int i = 0; i < drawing.count && status == PP_OK; i++) {
         struct pp_drawn_part *part = &drawing.parts[i];
-        struct pp_pepper_pot_piece *piece = &window->pieces[window->count++];
+        struct pp_board_piece *piece = &window->pieces[window->count++];
         /* The drawing's outline is handed over. */
-        *piece =
-            (struct pp_pepper_pot_piece){part->region, part->hidden, part->factor, 0};
+        *piece = (struct pp_board_piece){
+            .outline = part->region, .hidden = part->hidden, .factor = part->factor};
         part->region = (struct pp_region){0};
         count_dots(panel, piece);
-        double share = window->allowance * piece->factor * piece->dots * worth;
-        *(piece->hidden ? &window->external : &window->sky) += share;
     }
+    pp_board_window_sum(window, worth);
     pp_window_drawing_clear(&drawing);
     return status;
 }
@@ -153,10 +151,8 @@ enum pp_status pp_pepper_pot_sheet_of(struct pp_pepper_pot_sheet *sheet,
             status = fill_panel(&sheet->panels[sheet->count++], world, i, receiver,
                                 upright, worth, err);
     for (int i = 0; i < sheet->count; i++)
-        for (int j = 0; j < sheet->panels[i].count; j++) {
-            sheet->sky_component += sheet->panels[i].windows[j].sky;
-            sheet->external += sheet->panels[i].windows[j].external;
-        }
+        pp_board_windows_add(sheet->panels[i].windows, sheet->panels[i].count,
+                             &sheet->sky_component, &sheet->external);
     if (status != PP_OK)
         pp_pepper_pot_sheet_clear(sheet);
     return status;

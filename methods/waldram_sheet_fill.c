@@ -79,7 +79,7 @@ static void to_squares(struct pp_region *outline, double width, double height)
         }
 }
 
-static enum pp_status fill_piece(struct pp_waldram_piece *piece,
+static enum pp_status fill_piece(struct pp_board_piece *piece,
                                  const struct pp_waldram *waldram,
                                  const struct pp_window_axes *axes,
                                  const struct pp_drawn_part *part, struct pp_error *err)
@@ -91,15 +91,15 @@ static enum pp_status fill_piece(struct pp_waldram_piece *piece,
         pp_waldram_count_squares(&count, waldram, axes, &part->region, err);
     if (status != PP_OK)
         return status;
-    piece->squares = count.squares;
-    piece->list = malloc(((size_t)count.count + 1) * sizeof *piece->list);
-    piece->count = piece->list ? count.count : 0;
-    for (int i = 0; i < piece->count; i++)
-        piece->list[i] =
+    piece->counted = count.squares;
+    piece->squares = malloc(((size_t)count.count + 1) * sizeof *piece->squares);
+    piece->square_count = piece->squares ? count.count : 0;
+    for (int i = 0; i < piece->square_count; i++)
+        piece->squares[i] =
             (struct pp_counted_square){count.list[i].column, count.list[i].row,
                                        (int)lrint(10.0 * count.list[i].estimated)};
     pp_waldram_count_clear(&count);
-    if (!piece->list)
+    if (!piece->squares)
         return pp_fail_memory(err);
 
     double width, height;
@@ -109,7 +109,7 @@ static enum pp_status fill_piece(struct pp_waldram_piece *piece,
     return status;
 }
 
-static enum pp_status fill_window(struct pp_waldram_window *window,
+static enum pp_status fill_window(struct pp_board_window *window,
                                   const struct pp_waldram *waldram,
                                   const struct pp_world *world,
                                   const struct pp_opening *opening,
@@ -122,15 +122,15 @@ static enum pp_status fill_window(struct pp_waldram_window *window,
         pp_window_drawing_create(&drawing, world, opening, point, err);
     if (status != PP_OK)
         return status;
+    window->distance_m = drawing.distance_m;
     window->pieces = calloc((size_t)drawing.count + 1, sizeof *window->pieces);
     if (!window->pieces)
         status = pp_fail_memory(err);
     for (int i = 0; i < drawing.count && status == PP_OK; i++) {
-        struct pp_waldram_piece *piece = &window->pieces[window->count++];
+        struct pp_board_piece *piece = &window->pieces[window->count++];
         status = fill_piece(piece, waldram, &drawing.axes, &drawing.parts[i], err);
-        double share = window->allowance * piece->factor * piece->squares;
-        *(piece->hidden ? &window->external : &window->sky) += share * PP_WALDRAM_WORTH;
     }
+    pp_board_window_sum(window, PP_WALDRAM_WORTH);
     pp_window_drawing_clear(&drawing);
     return status;
 }
@@ -141,10 +141,10 @@ static void widen(struct pp_waldram_panel *panel)
 {
     for (int w = 0; w < panel->count && !panel->glazed; w++)
         for (int p = 0; p < panel->windows[w].count; p++) {
-            const struct pp_waldram_piece *piece = &panel->windows[w].pieces[p];
-            for (int i = 0; i < piece->count; i++)
-                if (piece->list[i].column < panel->low
-                    || piece->list[i].column >= panel->high) {
+            const struct pp_board_piece *piece = &panel->windows[w].pieces[p];
+            for (int i = 0; i < piece->square_count; i++)
+                if (piece->squares[i].column < panel->low
+                    || piece->squares[i].column >= panel->high) {
                     panel->low = -PP_WALDRAM_COLUMNS;
                     panel->high = PP_WALDRAM_COLUMNS;
                     return;
@@ -222,10 +222,8 @@ enum pp_status pp_waldram_sheet_of(struct pp_waldram_sheet *sheet,
             status = fill_panel(&sheet->panels[sheet->count++], world, i,
                                 receiver->position, err);
     for (int i = 0; i < sheet->count; i++)
-        for (int j = 0; j < sheet->panels[i].count; j++) {
-            sheet->sky_component += sheet->panels[i].windows[j].sky;
-            sheet->external += sheet->panels[i].windows[j].external;
-        }
+        pp_board_windows_add(sheet->panels[i].windows, sheet->panels[i].count,
+                             &sheet->sky_component, &sheet->external);
     if (status != PP_OK)
         pp_waldram_sheet_clear(sheet);
     return status;

@@ -11,25 +11,8 @@
 
 #include <stdbool.h>
 
-#include "model/region.h"
+#include "model/board_windows.h"
 #include "model/sky.h"
-
-/* A piece of a window: sky, or something that hides it. */
-struct pp_pepper_pot_piece {
-    struct pp_region outline;
-    bool hidden;
-    double factor; /* luminance factor of what hides it; 1 for the sky */
-    int dots;      /* within */
-};
-
-struct pp_pepper_pot_window {
-    int line;             /* of the room file */
-    double distance_m;    /* from the point to its plane */
-    double allowance;     /* for its glass, frame and dirt */
-    double sky, external; /* what it gives, fractions of Eh, allowance included */
-    int count;            /* 0: the point sees nothing of it */
-    struct pp_pepper_pot_piece *pieces;
-};
 
 struct pp_pepper_pot_dot {
     double a, b;
@@ -44,7 +27,7 @@ struct pp_pepper_pot_panel {
     int dot_count;
     struct pp_pepper_pot_dot *dots;
     int count;
-    struct pp_pepper_pot_window *windows;
+    struct pp_board_window *windows;
 };
 
 struct pp_pepper_pot_sheet {

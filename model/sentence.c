@@ -1,3 +1,4 @@
+/* sentence.c - see sentence.h. */
 #include "model/sentence.h"
 
 #include <stdio.h>

@@ -10,33 +10,9 @@
 
 #include <stdbool.h>
 
+#include "model/board_windows.h"
 #include "model/curve.h"
-#include "model/region.h"
 #include "model/sky.h"
-
-/* A square as it was counted. */
-struct pp_counted_square {
-    int column, row; /* its lower left corner */
-    int tenths;      /* 0 to 10 */
-};
-
-/* A piece of a window: sky, or something that hides it. */
-struct pp_waldram_piece {
-    struct pp_region outline;
-    bool hidden;
-    double factor;  /* luminance factor of what hides it; 1 for the sky */
-    double squares; /* as counted */
-    int count;
-    struct pp_counted_square *list;
-};
-
-struct pp_waldram_window {
-    int line;             /* of the room file */
-    double allowance;     /* for its glass, frame and dirt */
-    double sky, external; /* what it gives, fractions of Eh, allowance included */
-    int count;            /* 0: the point sees nothing of it */
-    struct pp_waldram_piece *pieces;
-};
 
 /* One diagram, with the windows that face one way. */
 struct pp_waldram_panel {
@@ -52,7 +28,7 @@ struct pp_waldram_panel {
     struct pp_curves across;   /* of edges perpendicular to it; level: altitude
                                 * that they approach at 90 degrees */
     int count;
-    struct pp_waldram_window *windows;
+    struct pp_board_window *windows;
 };
 
 struct pp_waldram_sheet {

@@ -246,14 +246,14 @@ static void sheets_sum_up_to_what_the_methods_give(void **state)
     for (int i = 0; i < waldram.count; i++)
         for (int w = 0; w < waldram.panels[i].count; w++)
             for (int p = 0; p < waldram.panels[i].windows[w].count; p++) {
-                const struct pp_waldram_piece *piece =
+                const struct pp_board_piece *piece =
                     &waldram.panels[i].windows[w].pieces[p];
                 int tenths = 0;
-                for (int k = 0; k < piece->count; k++)
-                    tenths += piece->list[k].tenths;
-                assert_near(tenths / 10.0, piece->squares, 1e-9);
+                for (int k = 0; k < piece->square_count; k++)
+                    tenths += piece->squares[k].tenths;
+                assert_near(tenths / 10.0, piece->counted, 1e-9);
                 /* The outline drawn has the squares' area. */
-                assert_near(pp_region_area(&piece->outline), piece->squares, 0.6);
+                assert_near(pp_region_area(&piece->outline), piece->counted, 0.6);
             }
     pp_waldram_sheet_clear(&waldram);
     pp_pepper_pot_sheet_clear(&pots);
