@@ -5,6 +5,7 @@
 #include "cli/interrupt.h"
 #include "cli/progress.h"
 #include "methods/evaluate.h"
+#include "model/clock.h"
 #include "simulate/tracer.h"
 
 /* Between two looks at the clock, the interrupt and the progress bar. */
@@ -38,7 +39,7 @@ static enum pp_status trace(struct pp_tracer *tracer, struct pp_report *report,
             report->finished = false;
             break;
         }
-        double spent = pp_progress_clock() - progress->started_s;
+        double spent = pp_clock_s() - progress->started_s;
         double slice = slice_s;
         if (options->seconds > 0.0) {
             *by_clock = spent >= options->seconds;

@@ -6,6 +6,7 @@
 
 #include "cli/interrupt.h"
 #include "cli/progress.h"
+#include "model/clock.h"
 #include "simulate/cached_points.h"
 
 static const double slice_s = 0.1;
@@ -75,7 +76,7 @@ static enum pp_status sample(struct pp_cached_points *points, struct pp_report *
     enum pp_status status = PP_OK;
     pp_progress_begin(&progress, name ? name : "room", options->quiet);
     while (status == PP_OK && !pp_cached_points_done(points)) {
-        double spent = pp_progress_clock() - progress.started_s;
+        double spent = pp_clock_s() - progress.started_s;
         if (pp_interrupt_came()) {
             report->finished = false;
             break;

@@ -15,6 +15,7 @@
 #include "cli/room_options.h"
 #include "cli/sensor_points.h"
 #include "cli/utf8.h"
+#include "model/clock.h"
 #include "model/scene_horizontal.h"
 
 static const char about[] =
@@ -60,7 +61,7 @@ static void trace(struct pp_sensors *sensors, struct pp_imported *imported,
             imported->finished = false;
             break;
         }
-        double spent = pp_progress_clock() - progress.started_s, slice = slice_s;
+        double spent = pp_clock_s() - progress.started_s, slice = slice_s;
         if (options->seconds > 0.0) {
             imported->by_clock = spent >= options->seconds;
             if (imported->by_clock)

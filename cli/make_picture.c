@@ -9,6 +9,7 @@
 #include "cli/output.h"
 #include "cli/progress.h"
 #include "cli/render_view.h"
+#include "model/clock.h"
 #include "model/file_bytes.h"
 
 /* A slice of the work, and the time between two checkpoints. */
@@ -158,7 +159,7 @@ static enum pp_status work(struct pp_made_picture *made, const struct pp_world *
 {
     struct pp_progress progress;
     enum pp_status status = checkpoint ? resume(made, checkpoint, err) : PP_OK;
-    double saved_s = pp_progress_clock(), before = pp_render_progress(made->render);
+    double saved_s = pp_clock_s(), before = pp_render_progress(made->render);
     bool all_there = pp_render_done(made->render);
     pp_progress_begin(&progress, world->name ? world->name : "picture", quiet);
     pp_progress_resume(&progress, before);
@@ -169,9 +170,9 @@ static enum pp_status work(struct pp_made_picture *made, const struct pp_world *
             pp_progress_end(&progress);
             return interrupted(made, checkpoint, err);
         }
-        if (checkpoint && pp_progress_clock() - saved_s > checkpoint_s) {
+        if (checkpoint && pp_clock_s() - saved_s > checkpoint_s) {
             status = save(made, checkpoint, err);
-            saved_s = pp_progress_clock();
+            saved_s = pp_clock_s();
         }
     }
     pp_progress_end(&progress);

@@ -3,23 +3,16 @@
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
-#include <time.h>
 #include <unistd.h>
 
 #include "cli/utf8.h"
+#include "model/clock.h"
 
 enum { BAR = 24, LABEL = 20 };
 
-double pp_progress_clock(void)
-{
-    struct timespec now;
-    clock_gettime(CLOCK_MONOTONIC, &now);
-    return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
-}
-
 void pp_progress_begin(struct pp_progress *progress, const char *label, bool quiet)
 {
-    double now = pp_progress_clock();
+    double now = pp_clock_s();
     *progress = (struct pp_progress){.shown = !quiet && isatty(STDERR_FILENO),
                                      .started_s = now,
                                      .last_s = now,
@@ -59,7 +52,7 @@ static void put_label(const char *label)
 
 void pp_progress_show(struct pp_progress *progress, double done, double error)
 {
-    double now = pp_progress_clock();
+    double now = pp_clock_s();
     if (!progress->shown || now - progress->last_s < 0.1)
         return;
     progress->last_s = now;

@@ -6,14 +6,11 @@
 
 struct pp_progress {
     bool shown;        /* is standard error a terminal, and was it asked for? */
-    double started_s;  /* by pp_progress_clock */
+    double started_s;  /* by pp_clock_s */
     double last_s;     /* when the line was last drawn */
     double before;     /* how far it was at the start, 0 to 1 */
     const char *label; /* the room's name; not owned */
 };
-
-/* Seconds by a clock that never jumps. */
-double pp_progress_clock(void);
 
 void pp_progress_begin(struct pp_progress *progress, const char *label, bool quiet);
 

@@ -8,9 +8,9 @@
  */
 #include <math.h>
 #include <stdlib.h>
-#include <time.h>
 
 #include "simulate/cache_parts.h"
+#include "model/clock.h"
 #include "simulate/hash.h"
 #include "simulate/lobe.h"
 
@@ -367,23 +367,16 @@ static enum pp_status step(struct pp_irradiance_cache *cache, struct pp_error *e
     return pp_cache_layer_settle(layer, err);
 }
 
-static double now(void)
-{
-    struct timespec t;
-    clock_gettime(CLOCK_MONOTONIC, &t);
-    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
-}
-
 enum pp_status pp_irradiance_cache_grow(struct pp_irradiance_cache *cache,
                                         double seconds, struct pp_error *err)
 {
-    double end = now() + seconds;
+    double end = pp_clock_s() + seconds;
     enum pp_status status = PP_OK;
     if (cache->spread < cache->layers[0].wish_count)
         status = spread(cache, err);
     while (status == PP_OK && !pp_irradiance_cache_done(cache)) {
         status = step(cache, err);
-        if (now() >= end)
+        if (pp_clock_s() >= end)
             break;
     }
     return status;

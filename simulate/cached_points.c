@@ -4,8 +4,8 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
 
+#include "model/clock.h"
 #include "simulate/hash.h"
 #include "simulate/light_parts.h"
 #include "simulate/processors.h"
@@ -289,24 +289,17 @@ static void read_cache(struct pp_cached_points *points)
     plan_round(points);
 }
 
-static double now(void)
-{
-    struct timespec t;
-    clock_gettime(CLOCK_MONOTONIC, &t);
-    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
-}
-
 enum pp_status pp_cached_points_advance(struct pp_cached_points *points, double seconds,
                                         struct pp_error *err)
 {
-    double end = now() + seconds;
+    double end = pp_clock_s() + seconds;
     if (!points->grown) {
         enum pp_status status = pp_irradiance_cache_grow(points->cache, seconds, err);
         if (status != PP_OK || !pp_irradiance_cache_done(points->cache))
             return status;
         read_cache(points);
     }
-    while (!pp_cached_points_done(points) && now() < end) {
+    while (!pp_cached_points_done(points) && pp_clock_s() < end) {
         int left = points->unfinished_count - points->next;
         int count = left < 8 ? left : 8;
         const int *at = points->unfinished + points->next;

@@ -23,13 +23,6 @@ enum { VERSION = 1, HEAD = 8 + 4 + 8 + 3 * 4 + 2 * 8, TAIL = 8, PIXEL = 16 };
 
 /* ---- what it is a checkpoint of ---- */
 
-static uint64_t hash_vec(uint64_t hash, struct pp_vec3 v)
-{
-    hash = pp_hash_double(hash, v.x);
-    hash = pp_hash_double(hash, v.y);
-    return pp_hash_double(hash, v.z);
-}
-
 static uint64_t hash_light(uint64_t hash, const struct pp_radiance_options *light)
 {
     hash = pp_hash(hash, light->sources);
@@ -47,10 +40,10 @@ uint64_t pp_render_mark(const struct pp_render *render)
     const struct pp_camera *camera = &options->camera;
     uint64_t hash = pp_hash(VERSION, pp_light_scene_hash(render->scene));
     hash = pp_hash(hash, camera->kind);
-    hash = hash_vec(hash, camera->eye);
-    hash = hash_vec(hash, camera->toward);
-    hash = hash_vec(hash, camera->right);
-    hash = hash_vec(hash, camera->up);
+    hash = pp_hash_vec(hash, camera->eye);
+    hash = pp_hash_vec(hash, camera->toward);
+    hash = pp_hash_vec(hash, camera->right);
+    hash = pp_hash_vec(hash, camera->up);
     hash = pp_hash_double(hash, camera->across);
     hash = pp_hash_double(hash, camera->down);
     hash = pp_hash(hash, (uint64_t)options->width);

@@ -15,7 +15,7 @@ static const double FALL[PP_ESTIMATORS] = {1.5, 1.2, 1.05};
 /* What a path costs beside its rays, in rays. */
 static const double PATH_COST = 1.0;
 
-static double student(int count)
+double pp_student_spread(int count)
 {
     return sqrt((count - 1.0) / (count - 3.0));
 }
@@ -54,7 +54,7 @@ struct pp_reading pp_estimate(const struct pp_item *items, int count, int compon
     if (spread.count < 4)
         return pp_reading_none("not sampled yet");
     struct pp_reading reading = {.value = spread.mean};
-    reading.std_error = sqrt(spread.variance / spread.count) * student(spread.count);
+    reading.std_error = sqrt(spread.variance / spread.count) * pp_student_spread(spread.count);
     if (reading.std_error > 1e-15 * fabs(spread.mean))
         return reading;
 
@@ -201,7 +201,7 @@ struct pp_plan pp_plan_for(const struct pp_item *items, int count, double error,
     struct outlook outlook = look(items, count);
     struct pp_counts counts = items[0].done;
     /* The variance that one of so few randomisations may have. */
-    double aim = AIM * error / student(PP_RANDOMISATIONS);
+    double aim = AIM * error / pp_student_spread(PP_RANDOMISATIONS);
     double allowed = aim * aim * PP_RANDOMISATIONS;
 
     for (int k = 0; k < PP_ESTIMATORS; k++)

@@ -33,6 +33,9 @@ struct pp_most {
 
 struct pp_most pp_most_at(const struct pp_scene *scene, const struct pp_start *start);
 
+/* The root of above, of a mean of `count` figures (more than 3). */
+double pp_student_spread(int count);
+
 /* The value and standard error of one component over the begun ones of `count` items;
  * NAN with a reason while there are fewer than four. */
 struct pp_reading pp_estimate(const struct pp_item *items, int count, int component,

@@ -9,6 +9,8 @@
 #include <stdint.h>
 #include <string.h>
 
+#include "model/vec.h"
+
 static inline uint64_t pp_mix64(uint64_t x)
 {
     x ^= x >> 30;
@@ -31,6 +33,13 @@ static inline uint64_t pp_hash_double(uint64_t seed, double part)
     part += 0.0;
     memcpy(&bits, &part, sizeof bits);
     return pp_hash(seed, bits);
+}
+
+static inline uint64_t pp_hash_vec(uint64_t seed, struct pp_vec3 part)
+{
+    seed = pp_hash_double(seed, part.x);
+    seed = pp_hash_double(seed, part.y);
+    return pp_hash_double(seed, part.z);
 }
 
 static inline uint32_t pp_mix32(uint32_t x)

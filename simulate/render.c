@@ -1,9 +1,9 @@
 /* render.c - see render.h. */
 #include <math.h>
 #include <stdlib.h>
-#include <time.h>
 
 #include "simulate/hash.h"
+#include "model/clock.h"
 #include "simulate/processors.h"
 #include "simulate/render_parts.h"
 
@@ -148,13 +148,6 @@ static void draw_tile(struct pp_render *render, struct pp_radiance_walk *walk, i
         }
 }
 
-static double clock_s(void)
-{
-    struct timespec now;
-    clock_gettime(CLOCK_MONOTONIC, &now);
-    return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
-}
-
 /* The first tile from *next on that is not done, and *next behind it; -1: none. */
 static int take_tile(const struct pp_render *render, int *next)
 {
@@ -166,7 +159,7 @@ static int take_tile(const struct pp_render *render, int *next)
 void pp_render_advance(struct pp_render *render, double seconds)
 {
     const struct pp_render_options *options = &render->options;
-    double end = clock_s() + seconds;
+    double end = pp_clock_s() + seconds;
     int next = 0;
 #pragma omp parallel num_threads(options->threads)
     {
@@ -186,7 +179,7 @@ void pp_render_advance(struct pp_render *render, double seconds)
                 render->tile_done[tile] = 1;
                 render->done_count++;
             }
-        } while (clock_s() < end);
+        } while (pp_clock_s() < end);
 #pragma omp critical(pp_render_tiles)
         {
             render->work.rays += walk.rays;

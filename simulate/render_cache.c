@@ -30,22 +30,15 @@ enum pp_status pp_render_rays(struct pp_light_ray **rays, size_t *count,
     return PP_OK;
 }
 
-static uint64_t hash_vec(uint64_t hash, struct pp_vec3 v)
-{
-    hash = pp_hash_double(hash, v.x);
-    hash = pp_hash_double(hash, v.y);
-    return pp_hash_double(hash, v.z);
-}
-
 uint64_t pp_render_cache_mark(const struct pp_irradiance_cache *cache)
 {
     size_t count = pp_irradiance_cache_count(cache);
     uint64_t hash = pp_hash(1, count);
     for (size_t i = 0; i < count; i++) {
         struct pp_cache_record record = pp_irradiance_cache_record(cache, i);
-        hash = hash_vec(hash, record.point);
-        hash = hash_vec(hash, record.normal);
-        hash = hash_vec(hash, pp_vec(record.value.r, record.value.g, record.value.b));
+        hash = pp_hash_vec(hash, record.point);
+        hash = pp_hash_vec(hash, record.normal);
+        hash = pp_hash_vec(hash, pp_vec(record.value.r, record.value.g, record.value.b));
         hash = pp_hash_double(hash, record.radii_m[0]);
     }
     return hash;

@@ -8,8 +8,9 @@
 
 #include <math.h>
 #include <stdlib.h>
-#include <time.h>
 
+#include "model/clock.h"
+#include "simulate/estimate.h"
 #include "simulate/hash.h"
 #include "simulate/processors.h"
 #include "simulate/radiance.h"
@@ -65,7 +66,7 @@ static double mean_of(const double *values, int count, double *error)
     double mean = sum / count;
     for (int i = 0; i < count; i++)
         off += (values[i] - mean) * (values[i] - mean);
-    *error = sqrt(off / (count - 1) / count * (count - 1) / (count - 3));
+    *error = sqrt(off / (count - 1) / count) * pp_student_spread(count);
     return mean;
 }
 
@@ -203,13 +204,6 @@ static void step(struct pp_sensors *sensors, struct unit unit)
     }
 }
 
-static double now_s(void)
-{
-    struct timespec now;
-    clock_gettime(CLOCK_MONOTONIC, &now);
-    return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
-}
-
 /* The units that still want paths, in their order. */
 static void leave_out_done(struct pp_sensors *sensors)
 {
@@ -225,7 +219,7 @@ static void leave_out_done(struct pp_sensors *sensors)
 
 void pp_sensors_advance(struct pp_sensors *sensors, double seconds)
 {
-    double until = now_s() + seconds;
+    double until = pp_clock_s() + seconds;
     int threads =
         sensors->options.threads > 0 ? sensors->options.threads : pp_processors();
     do {
@@ -244,7 +238,7 @@ void pp_sensors_advance(struct pp_sensors *sensors, double seconds)
             sensors->unit_count = all; /* a pass is over */
             plan(sensors);
         }
-    } while (sensors->unit_count > 0 && now_s() < until);
+    } while (sensors->unit_count > 0 && pp_clock_s() < until);
 }
 
 enum pp_status pp_sensors_create(struct pp_sensors **result,

@@ -13,8 +13,8 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
 
+#include "model/clock.h"
 #include "simulate/estimate.h"
 #include "simulate/hash.h"
 #include "simulate/processors.h"
@@ -354,17 +354,10 @@ static void run_batch(struct pp_tracer *tracer, int first, int end)
     }
 }
 
-static double now(void)
-{
-    struct timespec t;
-    clock_gettime(CLOCK_MONOTONIC, &t);
-    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
-}
-
 enum pp_status pp_tracer_advance(struct pp_tracer *tracer, double seconds,
                                  struct pp_error *err)
 {
-    double start = now(), before = start;
+    double start = pp_clock_s(), before = start;
     while (tracer->stage != FINISHED) {
         if (tracer->next_unit == tracer->unit_count) {
             enum pp_status status = list_units(tracer, err);
@@ -386,7 +379,7 @@ enum pp_status pp_tracer_advance(struct pp_tracer *tracer, double seconds,
 
         /* Batches of a few milliseconds: long enough to share out, short enough to
          * stop. */
-        double after = now();
+        double after = pp_clock_s();
         if (after - before < 0.002 && tracer->batch < MOST_BATCH)
             tracer->batch *= 2;
         if (after - before > 0.02 && tracer->batch > FIRST_BATCH)
