@@ -117,7 +117,6 @@ enum pp_status pp_light_scene_add_emitters(struct pp_light_scene *scene, int ind
                                            int triangle_count, struct pp_error *err)
 {
     struct pp_light_part *part = &scene->parts[index];
-    part->emitter = -1;
     for (int side = 0; side < 2; side++) {
         if (!gives_light(scene, part, side))
             continue;
@@ -138,8 +137,7 @@ enum pp_status pp_light_scene_add_emitters(struct pp_light_scene *scene, int ind
                         side ? pp_scale(part->normal, -1.0) : part->normal);
             status = keep_triangles(scene, &emitter, triangles, triangle_count, err);
         }
-        if (part->emitter < 0)
-            part->emitter = scene->emitter_count;
+        part->emitter[side] = scene->emitter_count;
         if (status == PP_OK)
             status = append(scene, &emitter, err);
         if (status != PP_OK)

@@ -126,7 +126,7 @@ static struct pp_light_part part_of(const struct pp_light_scene *scene,
         .tag = shape->tag,
         .round = -1,
         .window = -1,
-        .emitter = -1,
+        .emitter = {-1, -1},
         .space = {PP_ANYWHERE, PP_ANYWHERE},
         .back_emits = own_back || scene->materials[shape->material].emits_both_sides};
 }

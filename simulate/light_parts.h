@@ -16,7 +16,7 @@ struct pp_light_part {
     int tag;
     int round;              /* which of the round shapes; -1: plane */
     int window;             /* whose pane; -1: none */
-    int emitter;            /* the first of its concentrated emitters; -1: none */
+    int emitter[2];         /* what front and back are, if aimed at; -1: nothing */
     unsigned char space[2]; /* enum pp_space of rays that leave front and back */
     bool skin;              /* of a room: its back is not seen from inside */
     bool back_emits;

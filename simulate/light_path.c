@@ -97,13 +97,8 @@ static bool add_emission(const struct pp_radiance_walk *walk,
         return true;
     if (material->unseen && path->aimed == PP_AIMED_AT_NOTHING)
         return true;
-    bool counted = false;
-    if (material->emits == PP_EMITS_CONCENTRATED && part->emitter >= 0) {
-        int emitter = part->emitter;
-        emitter += hit->back && !walk->scene->emitters[emitter].back;
-        counted = pp_emitter_counted(walk, path, emitter);
-    }
-    if (!counted)
+    int emitter = part->emitter[hit->back];
+    if (emitter < 0 || !pp_emitter_counted(walk, path, emitter))
         *total = pp_rgb_add(*total, pp_rgb_times(path->weight, material->radiance));
     return !material->unseen;
 }

@@ -189,6 +189,33 @@ static void the_back_of_a_lamp_is_dark(void **state)
     pp_light_scene_destroy(scene);
 }
 
+/* A sheet that is a lamp in front and a black one behind, under a gloss that looks at
+ * its back: nothing is aimed at there, and what would be behind the list of emitters is
+ * not looked for (a read out of bounds, which sanitizers see). */
+static void a_lamp_that_is_black_behind_is_one_emitter(void **state)
+{
+    (void)state;
+    struct pp_scene_description scene;
+    pp_scene_description_init(&scene);
+    struct pp_material gloss = pp_material_plastic(pp_rgb_grey(0.0), 0.9, 0.2, 0.2);
+    add_rectangle(&scene, add(&scene, gloss), pp_vec(-3.0, -3.0, 2.0),
+                  pp_vec(0.0, 6.0, 0.0), pp_vec(6.0, 0.0, 0.0));
+    add_rectangle(&scene, add(&scene, pp_material_light(pp_rgb_grey(1.0))),
+                  pp_vec(-1.0, -1.0, -1.0), pp_vec(0.0, 2.0, 0.0),
+                  pp_vec(2.0, 0.0, 0.0));
+    scene.shapes[1].back_material = add(&scene, pp_material_light(pp_rgb_grey(0.0)));
+    struct pp_light_scene *made = built(&scene);
+    struct pp_vec3 o = {0.0, 0.0, 0.0};
+    assert_near(
+        pp_test_irradiance(made, NULL, pp_radiance_defaults(), o, up, 64).value.g, 0.0,
+        0.0);
+    /* The front's form factor, from 1 m. */
+    assert_lit(pp_test_irradiance(made, NULL, pp_radiance_defaults(),
+                                  pp_vec(0.0, 0.0, -2.0), up, 64),
+               PP_PI * square_factor(1.0, 1.0), 0.01);
+    pp_light_scene_destroy(made);
+}
+
 /* ---- furnaces ---- */
 
 /* Inside a closed box that gives off 1 - rho and sends on rho of what it gets, by
@@ -556,6 +583,7 @@ int main(void)
         cmocka_unit_test(of_two_domes_the_smaller_one_is_seen),
         cmocka_unit_test(a_square_lamp_gives_its_form_factor_as_light_and_as_glow),
         cmocka_unit_test(the_back_of_a_lamp_is_dark),
+        cmocka_unit_test(a_lamp_that_is_black_behind_is_one_emitter),
         cmocka_unit_test(a_closed_white_box_neither_gains_nor_loses_light),
         cmocka_unit_test(a_closed_glossy_box_neither_gains_nor_loses_light),
         cmocka_unit_test(a_ball_shines_as_from_its_middle),
