@@ -11,7 +11,7 @@
 #include "model/rad_gensky.h"
 #include "model/rad_reader.h"
 
-enum { WORDS_MOST = 1000, ARRAYS_MOST = 16, COPIES_MOST = 1000000 };
+enum { WORDS_MOST = 1000, COMMANDS_MOST = 100, ARRAYS_MOST = 16 };
 
 /* One command of a line. */
 struct command {
@@ -23,7 +23,7 @@ struct line {
     const struct pp_rad_words *words; /* where it stands */
     int number;
     char *list[WORDS_MOST];
-    struct command commands[WORDS_MOST / 2];
+    struct command commands[COMMANDS_MOST];
     int command_count;
 };
 
@@ -33,49 +33,51 @@ static enum pp_status fail(const struct line *line, struct pp_error *err,
     return pp_rad_fail(line->words, line->number, err, "%s%.60s", what, word);
 }
 
+/* A pipe, or the end of the line, ends the command of the words from `begin` on. */
+static enum pp_status end_command(struct line *line, int begin, int count,
+                                  struct pp_error *err)
+{
+    if (count == begin)
+        return fail(line, err, "expected a command: gensky, genbox or xform", "");
+    if (line->command_count == COMMANDS_MOST)
+        return fail(line, err, "more than 100 commands in one line", "");
+    line->commands[line->command_count++] =
+        (struct command){line->list + begin, count - begin};
+    return PP_OK;
+}
+
 /* Splits text, which it changes, at blanks and pipes; words may stand in quotes. What a
  * shell would do more than that is refused. */
 static enum pp_status split(struct line *line, char *text, struct pp_error *err)
 {
     int count = 0, begin = 0;
-    char *at = text;
-    for (;;) {
+    for (char *at = text;;) {
         at += strspn(at, " ");
         bool ended = *at == '\0';
         if (ended || *at == '|') {
-            if (count == begin || line->command_count == WORDS_MOST / 2)
-                return fail(line, err, "expected a command: gensky, genbox or xform",
-                            "");
-            line->commands[line->command_count++] =
-                (struct command){line->list + begin, count - begin};
+            enum pp_status status = end_command(line, begin, count, err);
+            if (ended || status != PP_OK)
+                return status;
             begin = count;
-            if (ended)
-                return PP_OK;
-            at++;
+            *at++ = '\0'; /* of the word right before it too */
             continue;
         }
         if (count == WORDS_MOST)
             return fail(line, err, "a command of more than 1000 words", "");
         char quote = *at == '\'' || *at == '"' ? *at++ : '\0';
         line->list[count++] = at;
-        size_t length = quote ? strcspn(at, (char[]){quote, '\0'})
-                              : strcspn(at, " |'\"`$;&<>()*?\\");
-        char *end = at + length;
-        if (quote ? *end != quote : *end != '\0' && *end != ' ' && *end != '|')
+        at += quote ? strcspn(at, (char[]){quote, '\0'})
+                    : strcspn(at, " |'\"`$;&<>()*?\\");
+        if (quote && *at == '\0')
             return fail(line, err,
-                        "expected words with blanks between, or in quotes; not ", end);
-        at = end + (quote != '\0');
-        if (!quote && *end == '|') {
-            /* The word ends where the pipe begins: make room for its end. */
-            *end = '\0';
-            line->commands[line->command_count++] =
-                (struct command){line->list + begin, count - begin};
-            begin = count;
-            at = end + 1;
-            continue;
-        }
-        if (*end != '\0')
-            *end = '\0', at = end + 1;
+                        "a quote that is not closed: ", line->list[count - 1]);
+        if (quote)
+            *at++ = '\0';
+        if (!strchr(" |", *at)) /* which has the end among them */
+            return fail(line, err,
+                        "expected words with blanks between, or in quotes; not ", at);
+        if (*at == ' ')
+            *at++ = '\0';
     }
 }
 
@@ -107,7 +109,7 @@ static enum pp_status start_stage(struct xform *xform, const struct line *line,
     double number;
     bool array = strcmp(words[0], "-a") == 0;
     if (left < 2 || !pp_number_parse(words[1], &number)
-        || !(number >= (array ? 1.0 : 0.0)) || !(number <= COPIES_MOST)
+        || !(number >= (array ? 1.0 : 0.0)) || !(number <= PP_RAD_COPIES_MOST)
         || number != (int)number)
         return fail(line, err, "expected a whole number behind xform's ", words[0]);
     if (xform->stage_count == ARRAYS_MOST)
@@ -160,6 +162,18 @@ static enum pp_status read_xform(struct xform *xform,
     return PP_OK;
 }
 
+/* The same so many times over: by squares, so that a million are twenty. */
+static struct pp_rad_transform repeated(struct pp_rad_transform step, long times)
+{
+    struct pp_rad_transform all = pp_rad_unmoved();
+    for (; times > 0; times /= 2) {
+        if (times % 2 == 1)
+            all = pp_rad_both(&step, &all);
+        step = pp_rad_both(&step, &step);
+    }
+    return all;
+}
+
 /* The transform of copy `index`, the last array running fastest. */
 static struct pp_rad_transform copy_of(const struct xform *xform, long index)
 {
@@ -171,9 +185,10 @@ static struct pp_rad_transform copy_of(const struct xform *xform, long index)
             index /= stage->count;
     }
     struct pp_rad_transform all = pp_rad_unmoved();
-    for (int i = 0; i < xform->stage_count; i++)
-        for (int k = 0; k < times[i]; k++)
-            all = pp_rad_both(&xform->stages[i].transform, &all);
+    for (int i = 0; i < xform->stage_count; i++) {
+        struct pp_rad_transform stage = repeated(xform->stages[i].transform, times[i]);
+        all = pp_rad_both(&stage, &all);
+    }
     return all;
 }
 
@@ -191,8 +206,11 @@ static enum pp_status run_xform(struct pp_rad_reader *reader, const struct line 
     double copies = 1.0;
     for (int i = 0; i < xform.stage_count; i++)
         copies *= xform.stages[i].array ? xform.stages[i].count : 1;
-    if (copies > COPIES_MOST)
-        return fail(line, err, "more than a million copies", "");
+    if (copies > (double)(PP_RAD_COPIES_MOST - reader->copies))
+        return pp_rad_fail(line->words, line->number, err,
+                           "more than %d copies, by this xform and those before it",
+                           PP_RAD_COPIES_MOST);
+    reader->copies += (long)copies;
     for (long copy = 0; copy < (long)copies && status == PP_OK; copy++) {
         struct pp_rad_transform own = copy_of(&xform, copy);
         struct pp_rad_way next = *way;
@@ -209,54 +227,12 @@ static enum pp_status run_xform(struct pp_rad_reader *reader, const struct line 
             next.depth = way->depth + 1;
             if (next.depth > PP_RAD_DEPTH_MOST)
                 return fail(line, err,
-                            "files within files, 32 deep: does one name "
-                            "itself? ",
+                            "files within files within files: does one name itself? ",
                             xform.files[i]);
             status = pp_rad_read_file(reader, xform.files[i], &next, err);
         }
         if (xform.file_count == 0)
             status = run(reader, line, which - 1, &next, err);
-    }
-    return status;
-}
-
-/* ---- genbox ---- */
-
-/* Six sides that look outwards (or inwards with -i), a corner by its three bits. */
-static enum pp_status run_genbox(struct pp_rad_reader *reader, const struct line *line,
-                                 const struct command *command,
-                                 const struct pp_rad_way *way, struct pp_error *err)
-{
-    static const int sides[6][4] = {{1, 5, 4, 0}, {4, 6, 2, 0}, {2, 3, 1, 0},
-                                    {3, 2, 6, 7}, {5, 1, 3, 7}, {6, 4, 5, 7}};
-    struct pp_rad_meaning material;
-    double size[3];
-    bool inwards = false;
-    if (command->count < 6)
-        return fail(line, err, "expected genbox MATERIAL NAME and three sizes", "");
-    if (!pp_rad_find(&reader->names, command->words[1], strlen(command->words[1]),
-                     &material))
-        return fail(line, err, "there is no material ", command->words[1]);
-    for (int i = 0; i < 3; i++)
-        if (!pp_number_parse(command->words[3 + i], &size[i]) || !(size[i] > 0.0)
-            || size[i] > 1e9)
-            return fail(line, err, "genbox of a size of ", command->words[3 + i]);
-    for (int i = 6; i < command->count; i++) {
-        if (strcmp(command->words[i], "-i") != 0)
-            return fail(line, err, "of genbox's options only -i is understood, not ",
-                        command->words[i]);
-        inwards = true;
-    }
-    enum pp_status status = PP_OK;
-    for (int side = 0; side < 6 && status == PP_OK; side++) {
-        struct pp_vec3 corners[4];
-        for (int i = 0; i < 4; i++) {
-            int corner = sides[side][inwards ? 3 - i : i];
-            corners[i] = pp_vec(corner & 1 ? size[0] : 0.0, corner & 2 ? size[1] : 0.0,
-                                corner & 4 ? size[2] : 0.0);
-        }
-        status = pp_rad_add_polygon(reader, line->words, line->number, material,
-                                    corners, 4, way, err);
     }
     return status;
 }
@@ -306,8 +282,8 @@ static enum pp_status run_gensky(struct pp_rad_reader *reader, const struct line
     const struct pp_shape disc = {.kind = PP_SHAPE_DISTANT,
                                   .is.distant = {sun, 0.25 * PP_RAD}};
     return pp_rad_add_shape(reader, line->words, line->number,
-                            (struct pp_rad_meaning){PP_RAD_MATERIAL, index, -1}, disc, way,
-                            err);
+                            (struct pp_rad_meaning){PP_RAD_MATERIAL, index, -1}, disc,
+                            way, err);
 }
 
 /* ---- the line ---- */
@@ -322,7 +298,8 @@ static enum pp_status run(struct pp_rad_reader *reader, const struct line *line,
     if (which > 0)
         return fail(line, err, "only xform can stand behind a pipe, not ", name);
     if (strcmp(name, "genbox") == 0)
-        return run_genbox(reader, line, command, way, err);
+        return pp_rad_genbox(reader, line->words, line->number, command->words,
+                             command->count, way, err);
     if (strcmp(name, "gensky") == 0)
         return run_gensky(reader, line, command, way, err);
     return fail(line, err,

@@ -91,6 +91,13 @@ static enum pp_status side_of(const struct pp_rad_reader *reader,
                            "a mixfunc of \"%.*s\"; expected a material", shown,
                            word.text);
     *material = which == 1 && meaning.back >= 0 ? meaning.back : meaning.index;
+    /* A lamp in a mixfunc is none to Radiance, and a back that glows is dark. */
+    enum pp_emitter_kind emits = reader->scene->materials[*material].emits;
+    if (emits == PP_EMITS_CONCENTRATED || (which == 1 && emits != PP_EMITS_NOTHING))
+        return pp_rad_fail(primitive->words, word.line, err,
+                           "a mixfunc of \"%.*s\", whose light Radiance does not "
+                           "count there; expected a material that gives off none",
+                           shown, word.text);
     return PP_OK;
 }
 

@@ -60,18 +60,20 @@ static struct pp_material light(const double *n, int count)
     return pp_material_light(rgb_at(n));
 }
 
+/* One of a radius below 0 is for the eye alone: it lights nothing. */
 static struct pp_material glow(const double *n, int count)
 {
     (void)count;
-    return pp_material_glow(rgb_at(n));
+    return pp_material_glow(n[3] < 0.0 ? pp_rgb_grey(0.0) : rgb_at(n));
 }
 
-/* A lamp to what it lights, and not there to the eye. */
+/* A lamp to what it lights, and not there to the eye; take_other has what is. */
 static struct pp_material illum(const double *n, int count)
 {
     (void)count;
     struct pp_material material = pp_material_air();
     material.emits = PP_EMITS_CONCENTRATED;
+    material.unseen = true;
     material.radiance = rgb_at(n);
     return material;
 }
@@ -116,6 +118,47 @@ static enum pp_status take_grain(const struct pp_rad_primitive *primitive,
                        "understood here");
 }
 
+/* The material that an illum is where it is not a lamp: its string, or nothing. */
+static enum pp_status take_other(const struct pp_rad_reader *reader,
+                                 const struct pp_rad_primitive *primitive,
+                                 struct pp_material *illum, int *back,
+                                 struct pp_error *err)
+{
+    struct pp_rad_meaning meaning;
+    if (primitive->string_count == 0)
+        return PP_OK;
+    struct pp_rad_word other = primitive->strings[0];
+    int shown = (int)(other.length < 60 ? other.length : 60);
+    if (!pp_rad_find(&reader->names, other.text, other.length, &meaning))
+        return pp_rad_fail(primitive->words, other.line, err,
+                           "there is no material \"%.*s\"", shown, other.text);
+    if (meaning.kind == PP_RAD_VOID)
+        return PP_OK;
+    struct pp_material seen = {.emits = PP_EMITS_NOTHING};
+    if (meaning.kind == PP_RAD_MATERIAL)
+        seen = reader->scene->materials[meaning.index];
+    if (meaning.kind != PP_RAD_MATERIAL || seen.emits != PP_EMITS_NOTHING)
+        return pp_rad_fail(primitive->words, other.line, err,
+                           "an illum that is \"%.*s\" to the eye; expected a "
+                           "material that gives off no light",
+                           shown, other.text);
+    seen.emits = illum->emits;
+    seen.unseen = true;
+    seen.radiance = illum->radiance;
+    *illum = seen;
+    *back = meaning.back;
+    return PP_OK;
+}
+
+/* A mirror's back is black. */
+static enum pp_status add_black(struct pp_rad_reader *reader, int *index,
+                                struct pp_error *err)
+{
+    struct pp_material black = pp_material_diffuse(pp_rgb_grey(0.0));
+    strcpy(black.name, "black");
+    return pp_scene_add_material(reader->scene, &black, index, err);
+}
+
 static enum pp_status define(struct pp_rad_reader *reader,
                              const struct pp_rad_primitive *primitive,
                              struct pp_rad_meaning meaning, struct pp_error *err)
@@ -139,11 +182,12 @@ static enum pp_status take_material(struct pp_rad_reader *reader,
             words, primitive->line, err, "%s of %d numbers; expected %d%s", name,
             primitive->number_count, materials[which].least,
             materials[which].most > materials[which].least ? " or 4" : "");
-    bool alternate = strcmp(name, "illum") == 0 || strcmp(name, "mirror") == 0;
-    if (!materials[which].grain && primitive->string_count > (alternate ? 1 : 0))
+    bool is_illum = strcmp(name, "illum") == 0;
+    if (!materials[which].grain && primitive->string_count > is_illum)
         return pp_rad_fail(words, primitive->line, err,
-                           "%s with %d strings; expected none", name,
-                           primitive->string_count);
+                           "%s with %d strings; expected none%s", name,
+                           primitive->string_count,
+                           is_illum ? ", or the material that the eye sees" : "");
     for (int i = 0; i < 3; i++)
         if (!(primitive->numbers[i] >= 0.0)
             || (strcmp(name, "glass") == 0 && primitive->numbers[i] > 1.0))
@@ -154,9 +198,12 @@ static enum pp_status take_material(struct pp_rad_reader *reader,
                                    : "0 or more");
     struct pp_material material =
         materials[which].make(primitive->numbers, primitive->number_count);
+    struct pp_rad_meaning meaning = {PP_RAD_MATERIAL, 0, -1};
     enum pp_status status = PP_OK;
     if (materials[which].grain)
         status = take_grain(primitive, way, &material.grain, err);
+    if (is_illum)
+        status = take_other(reader, primitive, &material, &meaning.back, err);
     if (status != PP_OK)
         return status;
     if (primitive->modifier.kind == PP_RAD_MATERIAL)
@@ -175,9 +222,10 @@ static enum pp_status take_material(struct pp_rad_reader *reader,
                        ? primitive->name.length
                        : sizeof material.name - 1),
              primitive->name.text);
-    struct pp_rad_meaning meaning = {PP_RAD_MATERIAL, 0, -1};
     struct pp_error said;
     status = pp_scene_add_material(reader->scene, &material, &meaning.index, &said);
+    if (status == PP_OK && strcmp(name, "mirror") == 0)
+        status = add_black(reader, &meaning.back, &said);
     if (status == PP_BAD_INPUT)
         return pp_rad_fail(words, primitive->line, err, "%.600s", said.message);
     return status == PP_OK ? define(reader, primitive, meaning, err)

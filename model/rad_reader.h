@@ -1,7 +1,8 @@
 /* rad_reader.h - what the parts of the Radiance reader share (inside model/ only).
  *
  * rad_read.c holds the loop over primitives and files, rad_materials.c,
- * rad_functions.c and rad_shapes.c what each type becomes, rad_command.c what lines that begin with "!" do.
+ * rad_functions.c and rad_shapes.c what each type becomes, rad_command.c what lines
+ * that begin with "!" do, rad_genbox.c the boxes of one.
  */
 #ifndef PP_MODEL_RAD_READER_H
 #define PP_MODEL_RAD_READER_H
@@ -11,8 +12,18 @@
 #include "model/rad_transform.h"
 #include "model/rad_words.h"
 
-/* Files that read files that ...; and arrays of arrays. */
-enum { PP_RAD_DEPTH_MOST = 32 };
+/* Files that read files that ...; copies that all xforms make, and shapes, in all: a
+ * line of a hundred characters can ask for any number. The fuzzer's are smaller, for
+ * speed. */
+#ifdef FUZZING_BUILD_MODE_UNSAFE_FOR_PRODUCTION
+enum { PP_RAD_DEPTH_MOST = 8, PP_RAD_COPIES_MOST = 1000, PP_RAD_SHAPES_MOST = 20000 };
+#else
+enum {
+    PP_RAD_DEPTH_MOST = 32,
+    PP_RAD_COPIES_MOST = 1000000,
+    PP_RAD_SHAPES_MOST = 50000000
+};
+#endif
 
 /* "modifier type identifier", and behind it so many strings, whole numbers, numbers. */
 struct pp_rad_primitive {
@@ -39,6 +50,7 @@ struct pp_rad_reader {
     struct pp_scene_description *scene;
     struct pp_rad_summary *summary;
     struct pp_rad_names names;
+    long copies; /* that xforms have made so far */
     /* Of the primitive that is being read; kept from one to the next. */
     struct pp_rad_word *strings;
     int string_space;
@@ -76,6 +88,12 @@ enum pp_status pp_rad_take_shape(struct pp_rad_reader *reader,
 enum pp_status pp_rad_run(struct pp_rad_reader *reader,
                           const struct pp_rad_words *words, char *command, int line,
                           const struct pp_rad_way *way, struct pp_error *err);
+
+/* The box of a line "genbox MATERIAL NAME X Y Z [options]", in words. */
+enum pp_status pp_rad_genbox(struct pp_rad_reader *reader,
+                             const struct pp_rad_words *words, int line,
+                             char *const *command, int count,
+                             const struct pp_rad_way *way, struct pp_error *err);
 
 /* The shape through its transform and into the scene: polygons of count corners, all
  * else by *shape. A material of void is not seen: nothing is added. */

@@ -23,6 +23,16 @@ static enum pp_status material_of(const struct pp_rad_reader *reader,
     return PP_OK;
 }
 
+static enum pp_status check_count(const struct pp_rad_reader *reader,
+                                  const struct pp_rad_words *words, int line,
+                                  struct pp_error *err)
+{
+    return reader->scene->shape_count < PP_RAD_SHAPES_MOST
+               ? PP_OK
+               : pp_rad_fail(words, line, err, "a scene of more than %d shapes",
+                             PP_RAD_SHAPES_MOST);
+}
+
 /* The scene's own complaint, with file and line. */
 static enum pp_status located(enum pp_status status, const struct pp_rad_words *words,
                               int line, const struct pp_error *said,
@@ -42,6 +52,8 @@ enum pp_status pp_rad_add_polygon(struct pp_rad_reader *reader,
     int material, back;
     enum pp_status status =
         material_of(reader, words, line, modifier, way, &material, &back, err);
+    if (status == PP_OK)
+        status = check_count(reader, words, line, err);
     if (status != PP_OK || material < 0)
         return status;
     if (count > reader->corner_space) {
@@ -86,6 +98,8 @@ enum pp_status pp_rad_add_shape(struct pp_rad_reader *reader,
     const struct pp_rad_transform *t = &way->transform;
     enum pp_status status = material_of(reader, words, line, modifier, way,
                                         &shape.material, &shape.back_material, err);
+    if (status == PP_OK)
+        status = check_count(reader, words, line, err);
     if (status != PP_OK || shape.material < 0)
         return status;
     shape.inward = shape.inward != way->inverted;

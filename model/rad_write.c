@@ -148,8 +148,11 @@ enum pp_status pp_rad_writer_create(struct pp_rad_writer **result,
     if (status == PP_OK)
         find_pairs(writer);
     for (int i = 0; i < writer->pair_count; i++) {
-        writer->pairs[i].name = writer->name_count;
-        add_name(writer, scene->materials[writer->pairs[i].front].name, "_sides");
+        struct pp_rad_pair *pair = &writer->pairs[i];
+        bool mirror = pp_rad_pair_is_mirror(writer, pair);
+        pair->name = mirror ? pair->front : writer->name_count;
+        if (!mirror)
+            add_name(writer, scene->materials[pair->front].name, "_sides");
     }
     if (status != PP_OK) {
         pp_rad_writer_destroy(writer);

@@ -83,11 +83,18 @@ static double ratio_of(struct pp_rgb part, struct pp_rgb whole)
     return near(off.r, 0.0) && near(off.g, 0.0) && near(off.b, 0.0) ? ratio : -1.0;
 }
 
-static bool say_opaque(struct said *said, const struct pp_material *m)
+static bool is_mirror(const struct pp_material *m)
+{
+    return m->kind == PP_MATERIAL_OPAQUE && m->emits == PP_EMITS_NOTHING
+           && pp_rgb_is_black(m->diffuse) && !pp_rgb_is_black(m->gloss)
+           && m->roughness[0] == 0.0 && m->roughness[1] == 0.0;
+}
+
+/* Radiance's `mirror` is black from behind: what is seen from there is a metal. */
+static bool say_opaque(struct said *said, const struct pp_material *m, bool both_sides)
 {
     bool twofold = m->roughness[0] != m->roughness[1];
-    bool smooth = m->roughness[0] == 0.0 && !twofold;
-    if (pp_rgb_is_black(m->diffuse) && smooth && !pp_rgb_is_black(m->gloss)) {
+    if (is_mirror(m) && !both_sides) {
         said->type = "mirror";
         add_rgb(said, m->gloss);
         return true;
@@ -183,7 +190,7 @@ static bool say_emitter(struct said *said, const struct pp_material *m)
     bool black = m->kind == PP_MATERIAL_OPAQUE && pp_rgb_is_black(m->diffuse)
                  && pp_rgb_is_black(m->gloss);
     bool glow = m->emits == PP_EMITS_EXTENDED;
-    if (m->emits_both_sides || (!black && !(air && !glow)))
+    if (m->emits_both_sides || (black ? m->unseen : !air || glow || !m->unseen))
         return false;
     said->type = air ? "illum" : glow ? "glow" : "light";
     add_rgb(said, m->radiance);
@@ -192,14 +199,15 @@ static bool say_emitter(struct said *said, const struct pp_material *m)
     return true;
 }
 
-static bool say(struct said *said, const struct pp_material *m)
+/* both_sides: it is seen from behind too. */
+static bool say(struct said *said, const struct pp_material *m, bool both_sides)
 {
     *said = (struct said){.strings = "0"};
     if (m->emits != PP_EMITS_NOTHING)
         return say_emitter(said, m);
     switch (m->kind) {
     case PP_MATERIAL_OPAQUE:
-        return say_opaque(said, m);
+        return say_opaque(said, m, both_sides);
     case PP_MATERIAL_TRANSLUCENT:
         return say_translucent(said, m);
     case PP_MATERIAL_GLASS:
@@ -214,7 +222,7 @@ enum pp_status pp_rad_check_material(const struct pp_material *material,
                                      struct pp_error *err)
 {
     struct said said;
-    return say(&said, material)
+    return say(&said, material, false)
                ? PP_OK
                : pp_fail(
                    err, PP_BAD_INPUT,
@@ -275,6 +283,28 @@ static bool is_one_glazing(const struct pp_material *front,
     return front->kind == PP_MATERIAL_GLASS && pp_material_same(front, &other);
 }
 
+static bool is_on_both_sides(const struct pp_rad_writer *writer, int material)
+{
+    const struct pp_scene_description *scene = writer->scene;
+    for (int i = 0; i < scene->shape_count; i++) {
+        const struct pp_shape *shape = &scene->shapes[i];
+        if (shape->back_material == material
+            || (shape->material == material && shape->back_material < 0))
+            return true;
+    }
+    return false;
+}
+
+bool pp_rad_pair_is_mirror(const struct pp_rad_writer *writer,
+                           const struct pp_rad_pair *pair)
+{
+    const struct pp_material *front = &writer->scene->materials[pair->front];
+    const struct pp_material *back = &writer->scene->materials[pair->back];
+    return is_mirror(front) && back->kind == PP_MATERIAL_OPAQUE
+           && pp_rgb_is_black(back->diffuse) && pp_rgb_is_black(back->gloss)
+           && back->emits == PP_EMITS_NOTHING && !is_on_both_sides(writer, pair->front);
+}
+
 /* Is it told by pairs alone? */
 static bool only_in_pairs(const struct pp_rad_writer *writer, int material)
 {
@@ -284,8 +314,10 @@ static bool only_in_pairs(const struct pp_rad_writer *writer, int material)
         const struct pp_rad_pair *pair = &writer->pairs[i];
         if (pair->front != material && pair->back != material)
             continue;
-        if (!is_one_glazing(&scene->materials[pair->front],
-                            &scene->materials[pair->back]))
+        bool mirror = pp_rad_pair_is_mirror(writer, pair) && pair->back == material;
+        if (!mirror
+            && !is_one_glazing(&scene->materials[pair->front],
+                               &scene->materials[pair->back]))
             return false;
         told = true;
     }
@@ -309,6 +341,8 @@ static void write_pair(const struct pp_rad_writer *writer,
         write_said(&said, "void", name, out);
         return;
     }
+    if (pair->name == pair->front)
+        return; /* a mirror, written with the materials */
     fprintf(out, "\nvoid mixfunc %s\n4 %s %s " PP_RAD_SIDES " .\n0\n0\n", name,
             writer->names[pair->front].text, writer->names[pair->back].text);
 }
@@ -325,7 +359,8 @@ void pp_rad_write_materials(const struct pp_rad_writer *writer, FILE *out)
     for (int i = 0; i < scene->material_count; i++) {
         const struct pp_material *material = &scene->materials[i];
         struct said said;
-        if (only_in_pairs(writer, i) || !say(&said, material))
+        if (only_in_pairs(writer, i)
+            || !say(&said, material, is_on_both_sides(writer, i)))
             continue;
         write_said(&said,
                    material->pattern >= 0 ? patterns[material->pattern].text : "void",

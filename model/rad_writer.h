@@ -11,7 +11,8 @@ struct pp_rad_name_text {
     char text[PP_RAD_NAME_MOST + 1 + 32];
 };
 
-/* Materials of front and back, and the name of both together. */
+/* Materials of front and back, and the name of both together; of a mirror, which is
+ * black from behind anyway, that of the front. */
 struct pp_rad_pair {
     int front, back, name;
 };
@@ -23,6 +24,10 @@ struct pp_rad_writer {
     struct pp_rad_pair *pairs;
     int pair_count;
 };
+
+/* A mirror as Radiance has it: black from behind, and used in no other way? */
+bool pp_rad_pair_is_mirror(const struct pp_rad_writer *writer,
+                           const struct pp_rad_pair *pair);
 
 /* How many, then all of them, on a line. */
 void pp_rad_numbers(FILE *out, const double *numbers, int count);

@@ -77,10 +77,9 @@ static void every_material_is_what_it_says(void **state)
     (void)state;
     struct pp_scene_description scene = scene_of(
         "void plastic a 0 0 5 .5 .4 .3 .1 .05\nvoid metal b 0 0 5 .5 .4 .3 .8 .1\n"
-        "void trans c 0 0 7 .8 .8 .8 .1 .02 .5 .25\nvoid mirror d 0 0 3 .9 .8 .7\n"
+        "void trans c 0 0 7 .8 .8 .8 .1 .02 .5 .25\nvoid plastic d 0 0 5 .9 .8 .7 0 0\n"
         "void metal2 e 4 0 1 0 . 0 6 .5 .5 .5 .9 .1 .3\nvoid glass f 0 0 3 .96 .96 .9\n"
-        "void glow g 0 0 4 1 2 3 0\nvoid illum h 1 f 0 3 5 5 5\n"
-        "void alias i a\ninherit alias j b\n");
+        "void glow g 0 0 4 1 2 3 0\nvoid alias i a\ninherit alias j b\n");
     /* Plastic's diffuse part is what the gloss leaves, by its colour [WS98]. */
     assert_near(scene.materials[0].diffuse.r, 0.5 * 0.9, 1e-15);
     assert_near(scene.materials[0].gloss.g, 0.1, 1e-15);
@@ -88,15 +87,73 @@ static void every_material_is_what_it_says(void **state)
     /* Trans: 0.8 . 0.9 . 0.5 through, a quarter of it straight. */
     assert_near(scene.materials[2].through_diffuse.r, 0.8 * 0.9 * 0.5 * 0.75, 1e-15);
     assert_near(scene.materials[2].through_gloss.r, 0.8 * 0.9 * 0.5 * 0.25, 1e-15);
-    assert_near(scene.materials[3].gloss.b, 0.7, 0.0);
+    assert_near(scene.materials[3].diffuse.b, 0.7, 0.0);
     assert_near(scene.materials[4].grain.y, 1.0, 0.0);
     assert_near(scene.materials[4].roughness[1], 0.3, 0.0);
     /* Transmissivity 0.96 is the standard pane: 0.88 straight through. */
     assert_near(scene.materials[5].glass[0].normal, 0.88, 2e-3);
-    assert_int_equal(scene.materials[6].emits, PP_EMITS_EXTENDED);
-    assert_int_equal(scene.materials[7].kind, PP_MATERIAL_AIR);
+    const struct pp_material *glow = &scene.materials[scene.material_count - 2];
+    assert_string_equal(glow->name, "g");
+    assert_int_equal(glow->emits, PP_EMITS_EXTENDED);
+    assert_near(glow->radiance.b, 3.0, 0.0);
     assert_string_equal(scene.materials[0].name, "a");
     pp_scene_description_clear(&scene);
+}
+
+#define TRIANGLE " polygon p 0 0 9 0 0 0 1 0 0 0 1 0\n"
+
+/* An illum gives light, and is to the eye the material that it names; of a mirror
+ * nothing is seen from behind; a glow of a radius below 0 is for the eye alone. */
+static void lamps_and_mirrors_have_two_faces(void **state)
+{
+    (void)state;
+    struct pp_scene_description scene = scene_of(
+        "void glass pane 0 0 3 .9 .8 .7\nvoid illum a 0 0 3 5 6 7\n"
+        "void illum b 1 void 0 3 5 6 7\nvoid illum c 1 pane 0 3 5 6 7\n"
+        "void mirror d 0 0 3 .9 .8 .7\nvoid glow e 0 0 4 1 2 3 -1\n"
+        "void glow f 0 0 4 1 2 3 2.5\n"
+        "a" TRIANGLE "b" TRIANGLE "c" TRIANGLE "d" TRIANGLE "e" TRIANGLE "f" TRIANGLE);
+    for (int i = 0; i < 3; i++) {
+        const struct pp_material *illum = &scene.materials[scene.shapes[i].material];
+        assert_int_equal(illum->emits, PP_EMITS_CONCENTRATED);
+        assert_true(illum->unseen);
+        assert_near(illum->radiance.g, 6.0, 0.0);
+        assert_int_equal(illum->kind, i < 2 ? PP_MATERIAL_AIR : PP_MATERIAL_GLASS);
+        assert_int_equal(scene.shapes[i].back_material, -1);
+    }
+    const struct pp_material *back = &scene.materials[scene.shapes[3].back_material];
+    assert_near(scene.materials[scene.shapes[3].material].gloss.g, 0.8, 0.0);
+    assert_true(pp_rgb_is_black(back->gloss) && pp_rgb_is_black(back->diffuse));
+    assert_near(scene.materials[scene.shapes[4].material].radiance.g, 0.0, 0.0);
+    assert_near(scene.materials[scene.shapes[5].material].radiance.g, 2.0, 0.0);
+    pp_scene_description_clear(&scene);
+}
+
+/* How many corners of shapes `first` to `end` - 1 are there. */
+static int corners_at(const struct pp_scene_description *scene, int first, int end,
+                      double x, double y, double z)
+{
+    int count = 0;
+    for (int i = first; i < end; i++)
+        for (int k = 0; k < scene->shapes[i].is.polygon.count; k++) {
+            const struct pp_vec3 *v =
+                &scene->vertices[scene->shapes[i].is.polygon.first + k];
+            count += pp_length(pp_sub(*v, pp_vec(x, y, z))) < 1e-9;
+        }
+    return count;
+}
+
+/* By the divergence theorem: positive where the fronts look outwards. */
+static double volume_of(const struct pp_scene_description *scene)
+{
+    double volume = 0.0;
+    for (int i = 0; i < scene->shape_count; i++) {
+        const struct pp_shape *shape = &scene->shapes[i];
+        const struct pp_vec3 *v = scene->vertices + shape->is.polygon.first;
+        for (int k = 2; k < shape->is.polygon.count; k++)
+            volume += pp_dot(v[0], pp_cross(v[k - 1], v[k])) / 6.0;
+    }
+    return volume;
 }
 
 /* A box on its side, twice; a mirror leaves the outside outside. */
@@ -108,8 +165,8 @@ static void transforms_move_from_left_to_right_and_arrays_copy(void **state)
                        "-a 3 -i 1 -s 2\n");
     assert_int_equal(scene.shape_count, 6 * 2 * 3);
     /* Corner 1, 0, 0 of the box: turned to 0, 1, 0, moved to 5, 1, 0, scaled. */
-    assert_corner(&scene, 0, 0, 10.0, 2.0, 0.0);
-    assert_corner(&scene, 18, 0, 10.0, 2.0, 20.0);
+    assert_int_equal(corners_at(&scene, 0, 6, 10.0, 2.0, 0.0), 3);
+    assert_int_equal(corners_at(&scene, 18, 24, 10.0, 2.0, 20.0), 3);
     pp_scene_description_clear(&scene);
 
     static const char *const lines[] = {
@@ -119,15 +176,59 @@ static void transforms_move_from_left_to_right_and_arrays_copy(void **state)
         char text[200];
         snprintf(text, sizeof text, "%s%s", WHITE, lines[i]);
         scene = scene_of(text);
-        double volume =
-            0.0; /* by the divergence theorem: positive, looked at outwards */
-        for (int k = 0; k < scene.shape_count; k++) {
-            const struct pp_vec3 *v = scene.vertices + scene.shapes[k].is.polygon.first;
-            volume += pp_dot(v[0], pp_cross(v[1], v[2])) / 3.0;
-        }
-        assert_near(volume, 6.0, 1e-12);
+        assert_near(volume_of(&scene), 6.0, 1e-12);
         pp_scene_description_clear(&scene);
     }
+}
+
+/* A million steps are little more work than one: after so many turns by a degree and
+ * moves by a millimetre, a corner is where a geometric series has it. */
+static void an_array_of_many_steps_ends_where_it_should(void **state)
+{
+    (void)state;
+    struct pp_scene_description scene =
+        scene_of(WHITE "!genbox white b 1 2 3 | xform -i 1000000 -rz 1 -t .001 0 0\n");
+    /* 1000000 degrees are 280 */
+    double step = PP_RAD, all = 280.0 * PP_RAD;
+    double half = 0.001 * sin(all / 2.0) / sin(step / 2.0);
+    double turn = (all - step) / 2.0;
+    /* 1e-16 of an angle, a million times over */
+    double x = half * cos(turn), y = half * sin(turn);
+    assert_int_equal(corners_at(&scene, 0, 6, x, y, 0.0), 3);
+    pp_scene_description_clear(&scene);
+}
+
+/* Slabs on the sides of an inner box, and what is on its edges and corners: bevelled,
+ * half squares and sixths of cubes; in segments, many-sided quarters; round, as genbox
+ * makes them, whole cylinders and spheres. */
+static void boxes_may_have_bevelled_and_round_edges(void **state)
+{
+    (void)state;
+    double b = 0.1, x = 0.8, y = 1.8, z = 2.8;
+    double body = x * y * z + 2.0 * b * (x * y + y * z + z * x);
+    double bevelled = body + 2.0 * b * b * (x + y + z) + 8.0 / 6.0 * b * b * b;
+    struct pp_scene_description scene = scene_of(WHITE "!genbox white b 1 2 3 -b .1\n");
+    assert_int_equal(scene.shape_count, 6 + 12 + 8);
+    assert_near(volume_of(&scene), bevelled, 1e-12);
+    pp_scene_description_clear(&scene);
+    scene = scene_of(WHITE "!genbox white b 1 2 3 -r .1 -n 30 -i\n");
+    assert_int_equal(scene.shape_count, 6 + 12 * 32 + 8 * 32 * 32);
+    double quarter = 32.0 / 2.0 * sin(PP_PI / 64.0) * b * b;
+    /* The corners' facets leave out less than 1 % of a ball. */
+    double round = body + 4.0 * quarter * (x + y + z) + 4.0 / 3.0 * PP_PI * b * b * b;
+    assert_near(volume_of(&scene), -round, 1e-2 * 4.0 / 3.0 * PP_PI * b * b * b);
+    pp_scene_description_clear(&scene);
+    scene = scene_of(WHITE "!genbox white b 1 2 3 -r .1 | xform -s 2\n");
+    assert_int_equal(scene.shape_count, 6 + 12 + 8);
+    int rods = 0, balls = 0;
+    for (int i = 0; i < scene.shape_count; i++) {
+        const struct pp_shape *shape = &scene.shapes[i];
+        rods += shape->kind == PP_SHAPE_CONE && shape->is.cone.radii_m[1] == 0.2;
+        balls += shape->kind == PP_SHAPE_SPHERE && shape->is.sphere.radius_m == 0.2;
+    }
+    assert_int_equal(rods, 12);
+    assert_int_equal(balls, 8);
+    pp_scene_description_clear(&scene);
 }
 
 /* Files within files, found from where the program runs. */
@@ -158,7 +259,7 @@ static void a_file_stands_in_a_file(void **state)
     struct pp_rad_summary summary;
     struct pp_error err;
     assert_int_equal(parse(&scene, &summary, text, (size_t)length, &err), PP_BAD_INPUT);
-    assert_non_null(strstr(err.message, "32 deep"));
+    assert_non_null(strstr(err.message, "does one name itself?"));
     close(file);
     unlink(inner);
 }
@@ -267,7 +368,8 @@ static void what_is_not_understood_is_refused_by_its_line(void **state)
         {"\n\nred polygon p 0 0 9 0 0 0 1 0 0 0 1 0\n",
          "room.rad:3: there is no material or pattern \"red\""},
         {WHITE "white polygon p 0 0 8 0 0 0 1 0 0 0 1\n", "2: a polygon of 8 numbers"},
-        {WHITE "white polygon p 0 0 9 0 0 0 1 0 0\n0 1\n", "the file ends in the middle"},
+        {WHITE "white polygon p 0 0 9 0 0 0 1 0 0\n0 1\n",
+         "the file ends in the middle"},
         {WHITE "white polygon p 0 0 9 0 0 0 1 0 0\n0 1 x\n", "3: \"x\" where a number"},
         {WHITE "white polygon p 0 0 9 0 0 0 1 0 0 0 nan 0\n", "\"nan\" where a number"},
         {WHITE "white polygon p 0 0 9 0 0 0 1 0 0 0 1e999 0\n", "where a number"},
@@ -302,7 +404,33 @@ static void what_is_not_understood_is_refused_by_its_line(void **state)
         {"!xform -a 2000000 x.rad\n", "behind xform's -a"},
         {"!xform /no/such/file.rad\n", "/no/such/file.rad: cannot be opened"},
         {WHITE "!genbox white b 1 1 -1\n", "2: genbox of a size of -1"},
-        {WHITE "!genbox white b 1 1 1 -r .1\n", "only -i is understood, not -r"},
+        {WHITE "!genbox white b 1 1 1 -s\n", "are understood, not -s"},
+        {WHITE "!genbox white b 1 1 1 -r\n", "a size behind genbox's -r"},
+        {WHITE "!genbox white b 1 1 1 -b .6\n", "edges that meet"},
+        {WHITE "!genbox white b 1 1 1 -r .1 -n 1.5\n", "behind genbox's -n"},
+        {WHITE "!genbox white b 1 1 1 | xform -a 1000 | xform -a 1001\n",
+         "2: more than 1000000 copies"},
+        {WHITE "!genbox white b 1 1 1 | xform -i 2|xform -a 999999\n",
+         "2: more than 1000000 copies"},
+        {"!a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|"
+         "a|"
+         "a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|"
+         "a|a|"
+         "a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|"
+         "a|a\n",
+         "more than 100 commands"},
+        {"!xform 'x.rad\n", "a quote that is not closed: x.rad"},
+        {"!xform 'x'.rad\n", "with blanks between, or in quotes; not .rad"},
+        {"void illum i 1 glass 0 3 1 1 1\n", "there is no material \"glass\""},
+        {"void light l 0 0 3 1 1 1\nvoid illum i 1 l 0 3 1 1 1\n",
+         "gives off no light"},
+        {WHITE "void mirror m 1 white 0 3 1 1 1\n", "mirror with 1 strings"},
+        {WHITE
+         "void light l 0 0 3 1 1 1\nvoid mixfunc m 4 l white if(Rdot,1,0) . 0 0\n",
+         "3: a mixfunc of \"l\""},
+        {WHITE "void glow l 0 0 4 1 1 1 0\nvoid mixfunc m 4 white l if(Rdot,1,0) . 0 "
+               "0\n",
+         "3: a mixfunc of \"l\""},
         {WHITE "!gensky -c | genbox white b 1 1 1\n", "only xform can stand behind"},
         {"!gensky 13 1 12\n", "expected gensky with month"},
         {"!gensky 1 1 12XYZ\n", "expected gensky with month"},
@@ -350,7 +478,10 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(every_shape_is_what_it_says),
         cmocka_unit_test(every_material_is_what_it_says),
+        cmocka_unit_test(lamps_and_mirrors_have_two_faces),
         cmocka_unit_test(transforms_move_from_left_to_right_and_arrays_copy),
+        cmocka_unit_test(an_array_of_many_steps_ends_where_it_should),
+        cmocka_unit_test(boxes_may_have_bevelled_and_round_edges),
         cmocka_unit_test(a_file_stands_in_a_file),
         cmocka_unit_test(skies_are_those_of_gensky),
         cmocka_unit_test(what_has_no_area_or_is_not_seen_is_left_out),
