@@ -10,6 +10,7 @@
 #include "cli/csv.h"
 #include "cli/gather.h"
 #include "cli/interrupt.h"
+#include "cli/json.h"
 #include "cli/messages.h"
 #include "cli/output.h"
 #include "cli/print.h"
@@ -93,19 +94,18 @@ static enum pp_status read_factors(struct beside *list, int count, char *text,
 {
     char *rest = text;
     for (int i = 0; i < count; i++) {
-        double sum = 0.0, squares = 0.0;
+        double values[REPEATS], sum = 0.0, squares = 0.0;
         for (int k = 0; k < REPEATS; k++) {
             char *line = strsep(&rest, "\n"), *word = line ? strrchr(line, ' ') : NULL;
-            double value;
-            if (!word || !pp_number_parse(word, &value))
+            if (!word || !pp_number_parse(word, &values[k]))
                 return pp_fail(err, PP_SYSTEM, "rtrace gave fewer factors than points");
-            sum += value / 100.0;
-            squares += value / 100.0 * (value / 100.0);
+            sum += values[k] / 100.0;
         }
         double mean = sum / REPEATS;
+        for (int k = 0; k < REPEATS; k++)
+            squares += (values[k] / 100.0 - mean) * (values[k] / 100.0 - mean);
         list[i].radiance = mean;
-        list[i].radiance_error =
-            sqrt(fmax(0.0, squares / REPEATS - mean * mean) / (REPEATS - 3));
+        list[i].radiance_error = sqrt(squares / REPEATS / (REPEATS - 3));
     }
     return PP_OK;
 }
@@ -126,7 +126,7 @@ static enum pp_status export_repeated(const char *path,
     enum pp_status status =
         pp_directory_open(&directory, path, false, pp_radiance_files, err);
     if (status == PP_OK)
-        status = pp_radiance_export(&directory, NULL, &many, 10000.0, err);
+        status = pp_radiance_export(&directory, NULL, &many, 10000.0, false, err);
     if (status == PP_OK)
         status = pp_directory_commit(&directory, err);
     else
@@ -223,26 +223,90 @@ static void print_csv(const char *name, const struct beside *list, int count, FI
     }
 }
 
-static enum pp_status compare_room(const struct pp_loaded_room *room,
+static bool add_value(struct json_object *object, const char *key, double value,
+                      double error)
+{
+    struct json_object *entry = json_object_new_object();
+    bool good = entry && pp_json_number(entry, "value", 100.0 * value)
+                && pp_json_number(entry, "se", 100.0 * error);
+    if (good)
+        pp_json_on_one_line(entry);
+    return pp_json_add(object, key, pp_json_whole(entry, good));
+}
+
+static struct json_object *point_object(const struct beside *b)
+{
+    struct json_object *object = json_object_new_object();
+    bool good = object && pp_json_number(object, "x", b->at.position.x)
+                && pp_json_number(object, "y", b->at.position.y)
+                && pp_json_number(object, "z", b->at.position.z)
+                && add_value(object, "traced", b->traced, b->traced_error)
+                && add_value(object, "rtrace", b->radiance, b->radiance_error)
+                && pp_json_number(object, "off-by", off_by(b));
+    if (good)
+        pp_json_on_one_line(object);
+    return pp_json_whole(object, good);
+}
+
+static struct json_object *room_object(const struct pp_loaded_room *room,
+                                       const struct beside *list)
+{
+    struct json_object *object = json_object_new_object();
+    struct json_object *points = json_object_new_array();
+    bool good = object && pp_json_text(object, "file", room->file)
+                && pp_json_text(object, "room", room->world->name);
+    good = pp_json_add(object, "points", points) && good;
+    for (int i = 0; i < room->receiver_count && good; i++)
+        good = pp_json_append(points, point_object(&list[i]));
+    return pp_json_whole(object, good);
+}
+
+static enum pp_status print_json(const struct pp_rooms *rooms,
+                                 struct beside *const *lists, FILE *out,
+                                 struct pp_error *err)
+{
+    struct json_object *object = json_object_new_object();
+    struct json_object *all = json_object_new_array();
+    bool good = object && pp_json_text(object, "format", "pepperpot-validate-1")
+                && pp_json_text(object, "against", "radiance");
+    good = pp_json_add(object, "rooms", all) && good;
+    for (int i = 0; i < rooms->count && good; i++)
+        good = pp_json_append(all, room_object(&rooms->list[i], lists[i]));
+    return pp_json_print(out, pp_json_whole(object, good), err);
+}
+
+static enum pp_status print(const struct pp_rooms *rooms, struct beside *const *lists,
+                            enum pp_format format, FILE *out, struct pp_error *err)
+{
+    if (format == PP_FORMAT_JSON)
+        return print_json(rooms, lists, out, err);
+    if (format == PP_FORMAT_CSV)
+        fputs("room,x,y,z,traced,traced_se,radiance,radiance_se,off_by\r\n", out);
+    for (int i = 0; i < rooms->count; i++) {
+        const struct pp_loaded_room *room = &rooms->list[i];
+        if (format == PP_FORMAT_CSV) {
+            print_csv(room->world->name, lists[i], room->receiver_count, out);
+        } else {
+            fputs(i > 0 ? "\n\n" : "", out);
+            pp_print_title(room->world, room->file, out);
+            print_text(lists[i], room->receiver_count, out);
+        }
+    }
+    return PP_OK;
+}
+
+/* ---- all rooms ---- */
+
+static enum pp_status compare_room(struct beside **list,
+                                   const struct pp_loaded_room *room,
                                    const struct pp_room_options *options,
-                                   enum pp_format format, FILE *out,
                                    struct pp_error *err)
 {
-    int count = room->receiver_count;
-    struct beside *list = calloc((size_t)count + 1, sizeof *list);
-    if (!list)
+    *list = calloc((size_t)room->receiver_count + 1, sizeof **list);
+    if (!*list)
         return pp_fail_memory(err);
-    enum pp_status status = ask_tracer(list, room, options, err);
-    if (status == PP_OK)
-        status = ask_radiance(list, room, err);
-    if (status == PP_OK && format == PP_FORMAT_CSV) {
-        print_csv(room->world->name, list, count, out);
-    } else if (status == PP_OK) {
-        pp_print_title(room->world, room->file, out);
-        print_text(list, count, out);
-    }
-    free(list);
-    return status;
+    enum pp_status status = ask_tracer(*list, room, options, err);
+    return status == PP_OK ? ask_radiance(*list, room, err) : status;
 }
 
 enum pp_exit pp_against_radiance(const struct pp_rooms *rooms,
@@ -256,13 +320,18 @@ enum pp_exit pp_against_radiance(const struct pp_rooms *rooms,
     }
     struct pp_error err = {0};
     struct pp_output output;
+    struct beside **lists = calloc((size_t)rooms->count + 1, sizeof *lists);
     enum pp_status status = pp_output_open(&output, options->output, &err);
-    if (status == PP_OK && format == PP_FORMAT_CSV)
-        fputs("room,x,y,z,traced,traced_se,radiance,radiance_se,off_by\r\n",
-              output.stream);
+    if (status == PP_OK && !lists)
+        status = pp_fail_memory(&err);
     pp_interrupt_watch();
     for (int i = 0; i < rooms->count && status == PP_OK; i++)
-        status = compare_room(&rooms->list[i], options, format, output.stream, &err);
+        status = compare_room(&lists[i], &rooms->list[i], options, &err);
+    if (status == PP_OK)
+        status = print(rooms, lists, format, output.stream, &err);
     status = pp_output_close(&output, status, &err);
+    for (int i = 0; lists && i < rooms->count; i++)
+        free(lists[i]);
+    free(lists);
     return status == PP_OK ? PP_EXIT_DONE : pp_say_error(&err);
 }

@@ -7,6 +7,9 @@
 #include "cli/messages.h"
 #include "cli/radiance_export.h"
 #include "cli/rooms.h"
+#include "cli/utf8.h"
+#include "model/file_bytes.h"
+#include "model/world_material.h"
 
 /* Of the open level ground, where nothing else is asked for. */
 static const double DEFAULT_LUX = 10000.0;
@@ -21,7 +24,7 @@ static const char about[] =
 struct export_options {
     const char *to;
     const char *directory;
-    bool force;
+    bool force, gloss;
     double external_lux;
 };
 
@@ -40,6 +43,11 @@ static const struct pp_option to_options[] = {
      "Illuminance of the open level ground under the sky that is written (default "
      "10000).",
      pp_read_lux, offsetof(struct export_options, external_lux)},
+    {"gloss", 0, NULL,
+     "Finishes with their colour and gloss, for pictures; daylight factors, and what "
+     "is "
+     "written without it, take them as matt and grey.",
+     NULL, offsetof(struct export_options, gloss)},
     {0},
 };
 
@@ -55,36 +63,55 @@ static const struct pp_option output_options[] = {
 
 /* ---- folders of several rooms ---- */
 
+enum { FOLDER_MOST = 60 }; /* bytes, and a number behind them */
+
+static bool is_taken(const char *folder, char *const *before, int count)
+{
+    for (int i = 0; i < count; i++)
+        if (strcmp(before[i], folder) == 0)
+            return true;
+    return false;
+}
+
+/* The character that text begins with, of so many bytes, may be one of a folder's. */
+static bool is_fit(const char *text, int length)
+{
+    unsigned char c = (unsigned char)text[0];
+    if (length > 1)
+        return c != 0xc2 || (unsigned char)text[1] >= 0xa0; /* no control character */
+    return c > ' ' && c < 127 && !strchr("/\\:*?\"<>|'`$&;#", c);
+}
+
 /* A room's name as that of a folder, unlike those before; the caller's. */
 static char *folder_of(const struct pp_rooms *rooms, int which, char *const *before)
 {
     const char *name = rooms->list[which].world->name;
-    char fit[80];
+    char fit[FOLDER_MOST + 20];
     int count = 0;
-    for (; name && *name && count < 60; name++) {
-        unsigned char c = (unsigned char)*name;
-        bool good = c > ' ' && c != 127 && !strchr("/\\:*?\"<>|'`$&;#", c);
-        if (good)
-            fit[count++] = (char)c;
-        else if (count > 0 && fit[count - 1] != '-')
+    for (int length; name && *name; name += length) {
+        length = pp_utf8_length(name);
+        if (count + length > FOLDER_MOST)
+            break;
+        if (is_fit(name, length)) {
+            memcpy(fit + count, name, (size_t)length);
+            count += length;
+        } else if (count > 0 && fit[count - 1] != '-') {
             fit[count++] = '-';
-    }
-    while (count > 0 && ((unsigned char)fit[count - 1] & 0xC0) == 0x80 && count >= 60)
-        count--; /* not in the middle of a character */
-    fit[count] = '\0';
-    if (count == 0 || fit[0] == '.')
-        snprintf(fit, sizeof fit, "room-%d", which + 1);
-    char *folder = strdup(fit);
-    for (int i = 0; i < which && folder; i++)
-        if (strcmp(before[i], folder) == 0) {
-            free(folder);
-            return asprintf(&folder, "%s-%d", fit, which + 1) < 0 ? NULL : folder;
         }
-    return folder;
+    }
+    while (count > 0 && fit[count - 1] == '-')
+        count--;
+    fit[count] = '\0';
+    if (count == 0 || fit[0] == '.' || fit[0] == '-')
+        count = snprintf(fit, sizeof fit, "room-%d", which + 1);
+    for (int next = which + 1; is_taken(fit, before, which); next++)
+        snprintf(fit + count, sizeof fit - (size_t)count, "-%d", next);
+    return strdup(fit);
 }
 
 static enum pp_status add_rooms(struct pp_directory *directory,
-                                const struct pp_rooms *rooms, double external_lux,
+                                const struct pp_rooms *rooms,
+                                const struct export_options *options,
                                 struct pp_error *err)
 {
     char **folders = calloc((size_t)rooms->count + 1, sizeof *folders);
@@ -95,15 +122,13 @@ static enum pp_status add_rooms(struct pp_directory *directory,
             status = pp_fail_memory(err);
         struct pp_error said;
         if (status == PP_OK)
-            status =
-                pp_radiance_export(directory, folders[i], room, external_lux, &said);
+            status = pp_radiance_export(directory, folders[i], room,
+                                        options->external_lux, options->gloss, &said);
         if (status != PP_OK && folders[i] == NULL && rooms->several)
             break;
         if (status == PP_BAD_INPUT)
-            status =
-                pp_fail(err, status, "%s: %.900s",
-                        strcmp(room->file, "-") == 0 ? "standard input" : room->file,
-                        said.message);
+            status = pp_fail(err, status, "%s: %.600s", pp_file_title(room->file),
+                             said.message);
         else if (status != PP_OK)
             status = pp_fail(err, status, "%s", said.message);
     }
@@ -113,15 +138,34 @@ static enum pp_status add_rooms(struct pp_directory *directory,
     return status;
 }
 
-/* What the scene leaves out. */
-static void say_left_out(const struct pp_rooms *rooms)
+/* ---- what the scene leaves out ---- */
+
+static bool has_gloss_or_colour(const struct pp_world *world)
 {
-    for (int i = 0; i < rooms->count; i++)
-        if (rooms->list[i].world->decorations < 1.0)
-            pp_say("%s: the scene leaves out the allowance of %g on the internally "
+    for (int i = 0; i < 2 * world->surface_count; i++) {
+        struct pp_material full = pp_world_surface_material(world, i / 2, i % 2);
+        struct pp_material matt = pp_world_matt_material(world, i / 2, i % 2);
+        if (!pp_material_same(&full, &matt))
+            return true;
+    }
+    return false;
+}
+
+static void say_left_out(const struct pp_rooms *rooms, bool gloss)
+{
+    for (int i = 0; i < rooms->count; i++) {
+        const struct pp_world *world = rooms->list[i].world;
+        const char *file = pp_file_title(rooms->list[i].file);
+        if (world->decorations < 1.0)
+            pp_say("%.200s: the scene leaves out the allowance of %g on the internally "
                    "reflected component for decorations; its daylight factors are "
                    "higher by that",
-                   rooms->list[i].file, rooms->list[i].world->decorations);
+                   file, world->decorations);
+        if (!gloss && has_gloss_or_colour(world))
+            pp_say("%.200s: finishes are matt and grey in the scene, as daylight "
+                   "factors take them; --gloss writes their colour and gloss",
+                   file);
+    }
 }
 
 static enum pp_exit run(const struct export_options *options,
@@ -138,14 +182,14 @@ static enum pp_exit run(const struct export_options *options,
     enum pp_status status = pp_directory_open(&directory, options->directory,
                                               options->force, pp_radiance_files, &err);
     if (status == PP_OK)
-        status = add_rooms(&directory, &rooms, options->external_lux, &err);
+        status = add_rooms(&directory, &rooms, options, &err);
     if (status == PP_OK)
         status = pp_directory_commit(&directory, &err);
     if (status != PP_OK) {
         pp_directory_abandon(&directory);
         exit_status = pp_say_error(&err);
     } else if (!room_options->quiet) {
-        say_left_out(&rooms);
+        say_left_out(&rooms, options->gloss);
     }
     pp_rooms_clear(&rooms);
     return exit_status;

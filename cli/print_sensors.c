@@ -7,6 +7,8 @@
 #include "cli/json.h"
 #include "cli/print.h"
 #include "cli/table.h"
+#include "cli/utf8.h"
+#include "model/file_bytes.h"
 
 /* Lux of an irradiance; and daylight factor in per cent, NAN where there is no sky. */
 static double lux(double irradiance)
@@ -76,8 +78,10 @@ static void print_summary(const struct pp_imported *imported, FILE *out)
     const struct pp_scene_description *scene = imported->scene;
     struct census census = count(scene);
     fprintf(out, "Scene of");
-    for (int i = 0; i < imported->file_count; i++)
-        fprintf(out, " %s", imported->files[i]);
+    for (int i = 0; i < imported->file_count; i++) {
+        fputc(' ', out);
+        pp_utf8_put(out, pp_file_title(imported->files[i]));
+    }
     fprintf(out, "\n\n  polygons          %ld, with %d corners\n",
             census.shapes[PP_SHAPE_POLYGON], scene->vertex_count);
     static const char *const names[] = {[PP_SHAPE_SPHERE] = "spheres",

@@ -89,6 +89,7 @@ static enum pp_status add_points(struct pp_directory *directory, const char *fol
 static const char script[] =
     "set -e\n"
     "cd \"$(dirname \"$0\")\"\n"
+    "export LC_ALL=C # numbers have a point\n"
     "# " PP_RAD_CAL_NAME " is found beside the scene.\n"
     "[ -z \"$RAYPATH\" ] || RAYPATH=.:$RAYPATH\n"
     "export RAYPATH\n"
@@ -100,7 +101,13 @@ static const char script[] =
     "# shellcheck disable=SC2086 # options are several words\n"
     "irradiances=$(rtrace -h -I -dt 0 $options scene.oct < points.pts)\n"
     "printf '%%s\\n' \"$irradiances\" | paste -d' ' points.pts - |\n"
-    "    awk -v horizontal=\"$horizontal\" '{\n"
+    "    awk -v horizontal=\"$horizontal\" '\n"
+    "    NF != 9 {\n"
+    "        print \"rtrace gave fewer irradiances than there are points\" "
+    ">\"/dev/stderr\"\n"
+    "        exit 1\n"
+    "    }\n"
+    "    {\n"
     "        grey = 0.265 * $7 + 0.670 * $8 + 0.065 * $9\n"
     "        printf \"%%s %%s %%s %%.5g\\n\", $1, $2, $3, 100 * grey / horizontal\n"
     "    }'\n";
@@ -155,11 +162,11 @@ static enum pp_status add_scene(struct pp_directory *directory, const char *fold
 
 enum pp_status pp_radiance_export(struct pp_directory *directory, const char *folder,
                                   const struct pp_loaded_room *room,
-                                  double external_lux, struct pp_error *err)
+                                  double external_lux, bool gloss, struct pp_error *err)
 {
     struct pp_rad_room rad;
-    enum pp_status status =
-        pp_rad_room_create(&rad, room->world, external_lux / PP_RADIANCE_EFFICACY, err);
+    enum pp_status status = pp_rad_room_create(
+        &rad, room->world, external_lux / PP_RADIANCE_EFFICACY, gloss, err);
     if (status != PP_OK)
         return status;
     struct pp_rad_writer *writer;

@@ -243,9 +243,10 @@ enum pp_exit cmd_validate(int argc, char **argv)
         status = pp_fail(&err, PP_BAD_INPUT,
                          "--against is about a room; expected a room "
                          "file, or - for standard input");
-    if (status == PP_OK && !wants_help && against && format == PP_FORMAT_JSON)
+    if (status == PP_OK && !wants_help && against && options.methods)
         status = pp_fail(&err, PP_BAD_INPUT,
-                         "--against has text and CSV; expected --format text or csv");
+                         "--against compares the simulation alone; expected it without "
+                         "--methods");
     if (status == PP_OK && !wants_help)
         status = check(&options, file_count, &err);
 

@@ -17,6 +17,7 @@ struct builder {
     struct pp_scene_description *scene;
     const struct pp_world *world;
     double horizontal;
+    bool gloss;
     struct pp_error *err;
 };
 
@@ -57,6 +58,12 @@ static enum pp_status add_polygon(struct builder *b, const struct pp_vec3 *corne
 
 /* ---- surfaces ---- */
 
+static struct pp_material side_of(const struct builder *b, int which, bool front)
+{
+    return b->gloss ? pp_world_surface_material(b->world, which, front)
+                    : pp_world_matt_material(b->world, which, front);
+}
+
 static enum pp_status add_surface(struct builder *b, int which)
 {
     const struct pp_surface *surface = &b->world->surfaces[which];
@@ -65,8 +72,8 @@ static enum pp_status add_surface(struct builder *b, int which)
                        "line %d: a surface that gives off light by itself; Radiance "
                        "has none that reflects as well",
                        surface->line);
-    struct pp_material front = pp_world_surface_material(b->world, which, true);
-    struct pp_material behind = pp_world_surface_material(b->world, which, false);
+    struct pp_material front = side_of(b, which, true);
+    struct pp_material behind = side_of(b, which, false);
     int material, back;
     enum pp_status status = sides_of(b, &front, behind, &material, &back);
     if (status != PP_OK || which >= b->world->face_count)
@@ -224,11 +231,11 @@ static enum pp_status add_sky(struct builder *b)
 
 enum pp_status pp_rad_room_create(struct pp_rad_room *room,
                                   const struct pp_world *world, double horizontal,
-                                  struct pp_error *err)
+                                  bool gloss, struct pp_error *err)
 {
     *room = (struct pp_rad_room){0};
     pp_scene_description_init(&room->scene);
-    struct builder b = {&room->scene, world, horizontal, err};
+    struct builder b = {&room->scene, world, horizontal, gloss, err};
     enum pp_status status = add_surfaces(&b, true);
     room->first[PP_RAD_GLAZING] = room->scene.shape_count;
     if (status == PP_OK)

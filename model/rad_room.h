@@ -6,6 +6,9 @@
  * they have no distance are part of the sky's pattern; those with one are upright glows
  * as wide as 200 times their distance, twice, one for each side, a centimetre apart.
  *
+ * Finishes are matt and grey, as the daylight factors of rooms are worked out, or with
+ * their colour and gloss.
+ *
  * What Radiance can't say is refused, with why: surfaces that give off light by
  * themselves, more than 16 far skylines, a near one that runs through the room.
  */
@@ -32,7 +35,7 @@ struct pp_rad_room {
  * with the line where the file has one, for what can't be said. */
 enum pp_status pp_rad_room_create(struct pp_rad_room *room,
                                   const struct pp_world *world, double horizontal,
-                                  struct pp_error *err);
+                                  bool gloss, struct pp_error *err);
 void pp_rad_room_clear(struct pp_rad_room *room);
 
 #endif

@@ -46,6 +46,18 @@ struct pp_material pp_world_surface_material(const struct pp_world *world, int i
     return material;
 }
 
+struct pp_material pp_world_matt_material(const struct pp_world *world, int index,
+                                          bool front)
+{
+    const struct pp_surface *surface = &world->surfaces[index];
+    struct pp_material material = pp_world_surface_material(world, index, front);
+    material.diffuse = pp_rgb_grey(front ? surface->front : surface->back);
+    material.gloss = pp_rgb_grey(0.0);
+    material.roughness[0] = material.roughness[1] = 0.0;
+    material.grain = pp_vec(0.0, 0.0, 0.0);
+    return material;
+}
+
 struct pp_material pp_world_pane_material(const struct pp_world *world, int index,
                                           bool inside)
 {

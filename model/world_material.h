@@ -13,6 +13,10 @@
 struct pp_material pp_world_surface_material(const struct pp_world *world, int surface,
                                              bool front);
 
+/* The same matt and grey, as hand methods and daylight factors have it. */
+struct pp_material pp_world_matt_material(const struct pp_world *world, int surface,
+                                          bool front);
+
 /* Of an opening's pane, "glazing", from inside or outside: glass, frame, dirt,
  * curtains. */
 struct pp_material pp_world_pane_material(const struct pp_world *world, int opening,

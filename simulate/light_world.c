@@ -25,14 +25,8 @@ static int number_of(struct pp_light_scene *scene, struct pp_material material)
 static struct pp_material material_of(const struct pp_light_scene *scene, int index,
                                       bool front)
 {
-    const struct pp_surface *surface = &scene->world->surfaces[index];
-    struct pp_material material = pp_world_surface_material(scene->world, index, front);
-    if (scene->matt) {
-        material.diffuse = pp_rgb_grey(front ? surface->front : surface->back);
-        material.gloss = pp_rgb_grey(0.0);
-        material.roughness[0] = material.roughness[1] = 0.0;
-    }
-    return material;
+    return scene->matt ? pp_world_matt_material(scene->world, index, front)
+                       : pp_world_surface_material(scene->world, index, front);
 }
 
 static struct pp_light_part part_of(struct pp_light_scene *scene, int index)

@@ -32,6 +32,31 @@ check "a building is a directory of directories" \
     export_to -o "$scratch/building" "$examples/building.xml"
 check "one a room" test "$(ls "$scratch/building" | tr '\n' ' ')" = \
     "Bedroom Kitchen Living-room Study "
+# Names of rooms as names of folders: 60 bytes at most, no character cut in two (59 and
+# an e acute of two), none alike, none that begins with a dot or a dash.
+long=xxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxx
+room='<plan width="3" depth="4" height="2.7"/><point x="1" y="1"/></room>'
+{
+    echo '<building version="1" name="b">'
+    for name in "${long}é" "${long}x" "${long}x" "A-5" "A" "A" "../up" "-rf" " k ü/c|h " ""; do
+        echo "<room name=\"$name\">$room"
+    done
+    echo '</building>'
+} >"$scratch/names.xml"
+check "rooms of any names" export_to -q -o "$scratch/names" "$scratch/names.xml"
+check "become folders" test "$(cd "$scratch/names" && printf '%s\n' * | LC_ALL=C sort | tr '\n' ' ')" = \
+    "A A-5 A-6 k-ü-c-h room-10 room-7 room-8 $long ${long}x ${long}x-3 "
+
+check "colour and gloss that are left out are said" \
+    export_to -o "$scratch/matt" "$examples/l-shaped.xml"
+check "with the option that writes them" grep -q "l-shaped.xml: .*--gloss" "$scratch/err"
+check "matt, the floor is grey" grep -q "^5 0.2[0-9]* \(0.2[0-9]*\) \1 0 0$" \
+    "$scratch/matt/materials.rad"
+check "--gloss writes them" export_to --gloss -o "$scratch/gloss" "$examples/l-shaped.xml"
+check "and nothing is left out" nothing "$(cat "$scratch/err")"
+check "the floor is oak" grep -q "^5 0.297[0-9]* 0.208[0-9]* 0.125[0-9]* 0.03 0.1$" \
+    "$scratch/gloss/materials.rad"
+
 check "without --to it is refused" refuses 2 "--to" export -o "$scratch/x" "$deep"
 check "and for other programs" refuses 2 "radiance" export --to dxf -o "$scratch/x" "$deep"
 check "without -o" refuses 2 "-o DIR" export --to radiance "$deep"
@@ -123,6 +148,40 @@ check "without Radiance, validate says so" sh -c \
     'PATH=/nowhere "$1" validate --against radiance "$2" 2>&1 | /bin/grep -q "not on PATH"' \
     sh "$pepperpot" "$deep"
 check "of what room it has to be told" refuses 2 "--against" validate --against radiance
+
+# In the place of Radiance, two programs that find an irradiance of 1 everywhere: over the
+# 10000 lx / 179 of the open ground that is 1.79 %.
+mkdir "$scratch/bin" "$scratch/tmp"
+printf '#!/bin/sh\n' >"$scratch/bin/oconv"
+printf '#!/bin/sh\nwhile read -r line; do echo 1 1 1; done\n' >"$scratch/bin/rtrace"
+chmod +x "$scratch/bin/oconv" "$scratch/bin/rtrace"
+beside() {
+    (PATH=$scratch/bin:$PATH TMPDIR=$scratch/tmp && export TMPDIR && gives validate --against radiance --samples 64 "$@")
+}
+check "beside another program's" beside --points 1.5,2 "$deep"
+check "as a table" grep -q " 1.7900 " "$scratch/out"
+check "as CSV" beside --points 1.5,2 --format csv "$deep" "$examples/building.xml"
+check "with a line a point" test "$(wc -l <"$scratch/out")" -eq 6
+check "as JSON" beside --points 1.5,2 --format json "$deep" "$examples/building.xml"
+check "with rooms and both values" awk '
+    /"format": "pepperpot-validate-1"/ { format = 1 }
+    /"against": "radiance"/ { against = 1 }
+    /"room":/ { rooms++ }
+    /"x": 1.5, "y": 2, .*"traced": { "value": .*"rtrace": { "value": 1.79, "se": [^ ]* }, "off-by": / { points++ }
+    END { exit !(format && against && rooms == 5 && points == 5) }' "$scratch/out"
+check "methods have no part in it" refuses 2 "--methods" \
+    validate --against radiance --methods bre "$deep"
+printf '#!/bin/sh\necho 1 1 1\n' >"$scratch/bin/rtrace"
+fewer() {
+    (PATH=$scratch/bin:$PATH TMPDIR=$scratch/tmp && export TMPDIR && refuses 3 "fewer irradiances" validate --against radiance --samples 64 "$deep")
+}
+check "fewer answers than points are said" fewer
+printf '#!/bin/sh\nexit 1\n' >"$scratch/bin/rtrace"
+fails() {
+    (PATH=$scratch/bin:$PATH TMPDIR=$scratch/tmp && export TMPDIR && refuses 3 "rtrace failed" validate --against radiance --samples 64 "$deep")
+}
+check "so is that it failed" fails
+check "and nothing stays behind" nothing "$(ls "$scratch/tmp")"
 
 # Where Radiance is installed, its rtrace agrees.
 if command -v rtrace >/dev/null && command -v oconv >/dev/null; then

@@ -152,15 +152,18 @@ static void assert_cut(const struct pp_world *world)
     }
 }
 
+/* Matt, and with all gloss. */
 static void assert_room_comes_back(const struct pp_world *world)
 {
-    struct pp_rad_room room;
-    struct pp_error err = {0};
     assert_cut(world);
-    if (pp_rad_room_create(&room, world, 55.9, &err) != PP_OK)
-        fail_msg("%s", err.message);
-    assert_same_scene(&room.scene);
-    pp_rad_room_clear(&room);
+    for (int gloss = 0; gloss < 2; gloss++) {
+        struct pp_rad_room room;
+        struct pp_error err = {0};
+        if (pp_rad_room_create(&room, world, 55.9, gloss, &err) != PP_OK)
+            fail_msg("%s", err.message);
+        assert_same_scene(&room.scene);
+        pp_rad_room_clear(&room);
+    }
 }
 
 static void every_example_comes_back_as_it_was(void **state)
@@ -288,7 +291,7 @@ static void a_far_skyline_is_part_of_the_sky(void **state)
                       "<skyline wall='south' angle='25' reflectance='0.4'/>"
                       "<skyline wall='east' angle='11' reflectance='0.2'/></room>");
     struct pp_rad_room room;
-    assert_int_equal(pp_rad_room_create(&room, world, 70.0, NULL), PP_OK);
+    assert_int_equal(pp_rad_room_create(&room, world, 70.0, true, NULL), PP_OK);
     const struct pp_pattern *pattern = &room.scene.patterns[0];
     assert_int_equal(pattern->skyline_count, 2);
     /* 0.4 (0.396177 + 0.3/2) 70 / pi: the vertical sky component's known maximum */
@@ -312,7 +315,7 @@ static void assert_refused(const char *inside, const char *why)
     struct pp_world *world = pp_test_world(xml);
     struct pp_rad_room room;
     struct pp_error err = {0};
-    assert_int_equal(pp_rad_room_create(&room, world, 50.0, &err), PP_BAD_INPUT);
+    assert_int_equal(pp_rad_room_create(&room, world, 50.0, true, &err), PP_BAD_INPUT);
     if (!strstr(err.message, why) || !strstr(err.message, "line 2"))
         fail_msg("\"%s\" says nothing of %s", err.message, why);
     pp_world_destroy(world);
