@@ -9,7 +9,7 @@
 #include "cli/rooms.h"
 #include "cli/utf8.h"
 #include "model/file_bytes.h"
-#include "model/world_material.h"
+#include "model/rad_room.h"
 
 /* Of the open level ground, where nothing else is asked for. */
 static const double DEFAULT_LUX = 10000.0;
@@ -140,17 +140,6 @@ static enum pp_status add_rooms(struct pp_directory *directory,
 
 /* ---- what the scene leaves out ---- */
 
-static bool has_gloss_or_colour(const struct pp_world *world)
-{
-    for (int i = 0; i < 2 * world->surface_count; i++) {
-        struct pp_material full = pp_world_surface_material(world, i / 2, i % 2);
-        struct pp_material matt = pp_world_matt_material(world, i / 2, i % 2);
-        if (!pp_material_same(&full, &matt))
-            return true;
-    }
-    return false;
-}
-
 static void say_left_out(const struct pp_rooms *rooms, bool gloss)
 {
     for (int i = 0; i < rooms->count; i++) {
@@ -161,7 +150,7 @@ static void say_left_out(const struct pp_rooms *rooms, bool gloss)
                    "reflected component for decorations; its daylight factors are "
                    "higher by that",
                    file, world->decorations);
-        if (!gloss && has_gloss_or_colour(world))
+        if (!gloss && pp_rad_room_has_gloss(world))
             pp_say("%.200s: finishes are matt and grey in the scene, as daylight "
                    "factors take them; --gloss writes their colour and gloss",
                    file);

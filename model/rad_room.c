@@ -254,6 +254,17 @@ enum pp_status pp_rad_room_create(struct pp_rad_room *room,
     return status;
 }
 
+bool pp_rad_room_has_gloss(const struct pp_world *world)
+{
+    for (int i = 0; i < 2 * world->surface_count; i++) {
+        struct pp_material full = pp_world_surface_material(world, i / 2, i % 2);
+        struct pp_material matt = pp_world_matt_material(world, i / 2, i % 2);
+        if (!pp_material_same(&full, &matt))
+            return true;
+    }
+    return false;
+}
+
 void pp_rad_room_clear(struct pp_rad_room *room)
 {
     pp_scene_description_clear(&room->scene);

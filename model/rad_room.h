@@ -15,6 +15,8 @@
 #ifndef PP_MODEL_RAD_ROOM_H
 #define PP_MODEL_RAD_ROOM_H
 
+#include <stdbool.h>
+
 #include "model/scene_description.h"
 #include "model/world.h"
 
@@ -36,6 +38,9 @@ struct pp_rad_room {
 enum pp_status pp_rad_room_create(struct pp_rad_room *room,
                                   const struct pp_world *world, double horizontal,
                                   bool gloss, struct pp_error *err);
+/* Has any of its finishes a colour or a gloss? */
+bool pp_rad_room_has_gloss(const struct pp_world *world);
+
 void pp_rad_room_clear(struct pp_rad_room *room);
 
 #endif
