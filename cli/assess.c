@@ -26,7 +26,7 @@ static const struct pp_option choice_options[] = {
      pp_read_text, PLACE(criteria)},
     {"before", 'b', "FILE",
      "The room as it was before something was built outside: sky and area lost.",
-     pp_read_text, PLACE(before)},
+     pp_read_input, PLACE(before)},
     {"place", 0, "NAME",
      "A capital of EN 17037's table, whose median illuminance is taken; by default the "
      "one nearest to the room's site.",
@@ -35,7 +35,7 @@ static const struct pp_option choice_options[] = {
      "The place's median diffuse illuminance itself, for EN 17037.", pp_read_lux,
      PLACE(median_lux)},
     {"weather", 'w', "FILE.epw", "The same by a weather file in EnergyPlus format.",
-     pp_read_text, PLACE(weather)},
+     pp_read_input, PLACE(weather)},
     {"room", 0, "NAME", "Only the room of that name.", pp_read_text, PLACE(room.room)},
     {0},
 };
@@ -124,7 +124,7 @@ static void find_median(struct pp_median *median, const struct pp_world *world,
     if (options->median_lux > 0.0) {
         median->lux = options->median_lux;
         snprintf(median->how, sizeof median->how, "%s",
-                 options->weather ? "by the weather file" : "as given");
+                 options->weather ? "of the weather file" : "as given");
     } else if (options->place) {
         const struct pp_capital *capital = pp_capital_find(options->place);
         median->lux = capital->median_lux;
@@ -370,7 +370,8 @@ enum pp_exit cmd_assess(int argc, char **argv)
     if (status == PP_OK && !wants_help)
         status = check(&options, argv, file_count, &err);
 
-    if (pp_command_starts(&line, status, wants_help, &err, &exit_status)) {
+    if (pp_command_starts(&line, argv, file_count, status, wants_help, &err,
+                          &exit_status)) {
         if (options.weather)
             exit_status = pp_weather_median(options.weather, &options.median_lux);
         if (exit_status == PP_EXIT_DONE)

@@ -174,7 +174,8 @@ enum pp_exit cmd_availability(int argc, char **argv)
     if (status == PP_OK && !wants_help)
         status = check(&options, &room_options, argv, file_count, &err);
 
-    if (pp_command_starts(&line, status, wants_help, &err, &exit_status))
+    if (pp_command_starts(&line, argv, file_count, status, wants_help, &err,
+                          &exit_status))
         exit_status = load_and_run(&run, argv, file_count);
     pp_availability_unload(&options);
     pp_room_options_clear(&room_options);

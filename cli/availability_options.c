@@ -197,7 +197,7 @@ const struct pp_option pp_light_options[] = {
     {"weather", 'w', "FILE.epw",
      "The year's diffuse light of a weather file in EnergyPlus format; - is standard "
      "input. Without it: of overcast skies at the room's latitude.",
-     pp_read_text, PLACE(weather)},
+     pp_read_input, PLACE(weather)},
     {"latitude", 0, "DEG",
      "Of the overcast skies, north positive (default: of the room's site).",
      read_latitude, PLACE(latitude_deg)},

@@ -115,7 +115,7 @@ const struct pp_option pp_cache_word_options[] = {
      pp_read_text, PLACE(exclude)},
     {"cache", 0, "FILE",
      "Take the cache's records from FILE, if it is there, and write them to it.",
-     pp_read_text, PLACE(file)},
+     pp_read_kept, PLACE(file)},
     {0},
 };
 

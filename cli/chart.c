@@ -392,7 +392,8 @@ enum pp_exit cmd_chart(int argc, char **argv)
     if (status == PP_OK && !wants_help && !options.list)
         status = check(argv, word_count, &room_options, &options, &kind, &err);
 
-    if (pp_command_starts(&line, status, wants_help, &err, &exit_status)) {
+    if (pp_command_starts(&line, argv + 1, word_count - 1, status, wants_help, &err,
+                          &exit_status)) {
         if (options.list)
             print_kinds(stdout);
         else

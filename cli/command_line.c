@@ -2,13 +2,16 @@
 
 #include <stdio.h>
 
+#include "cli/command_files.h"
 #include "cli/messages.h"
 
-bool pp_command_starts(const struct pp_command_line *line, enum pp_status status,
-                       bool wants_help, const struct pp_error *err,
+bool pp_command_starts(const struct pp_command_line *line, char **files, int file_count,
+                       enum pp_status status, bool wants_help, struct pp_error *err,
                        enum pp_exit *exit_status)
 {
     *exit_status = PP_EXIT_DONE;
+    if (status == PP_OK && !wants_help)
+        status = pp_command_files_apart(line, files, file_count, err);
     if (status == PP_SYSTEM)
         *exit_status = pp_say_error(err);
     else if (status != PP_OK)

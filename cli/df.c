@@ -234,7 +234,8 @@ enum pp_exit cmd_df(int argc, char **argv)
     if (status == PP_OK && !wants_help)
         status = pp_engine_settle(&engine, options.simulate, &err);
 
-    if (pp_command_starts(&line, status, wants_help, &err, &exit_status))
+    if (pp_command_starts(&line, argv, file_count, status, wants_help, &err,
+                          &exit_status))
         exit_status =
             run_with_tables(&options, &engine, &lumen_files, format, argv, file_count);
     pp_room_options_clear(&options);

@@ -230,7 +230,8 @@ enum pp_exit cmd_export(int argc, char **argv)
     if (status == PP_OK && !wants_help)
         status = check(&options, file_count, &err);
 
-    if (pp_command_starts(&line, status, wants_help, &err, &exit_status))
+    if (pp_command_starts(&line, argv, file_count, status, wants_help, &err,
+                          &exit_status))
         exit_status = run(&options, &room_options, argv, file_count);
     pp_room_options_clear(&room_options);
     return exit_status;

@@ -41,7 +41,7 @@ struct import_options {
 static const struct pp_option import_options[] = {
     {"points-file", 0, "FILE",
      "Sensor points, a line \"x y z dx dy dz\" each; - is standard input.",
-     pp_read_text, offsetof(struct import_options, points_file)},
+     pp_read_input, offsetof(struct import_options, points_file)},
     {"summary", 0, NULL, "Sum the scene up, before any points.", NULL,
      offsetof(struct import_options, summary)},
     {0},
@@ -218,7 +218,8 @@ enum pp_exit cmd_import(int argc, char **argv)
     if (status == PP_OK && !wants_help)
         status = check(&options, &room_options, argv, file_count, &err);
 
-    if (pp_command_starts(&line, status, wants_help, &err, &exit_status))
+    if (pp_command_starts(&line, argv, file_count, status, wants_help, &err,
+                          &exit_status))
         exit_status = run(&options, &room_options, argv, file_count);
     pp_room_options_clear(&room_options);
     return exit_status;

@@ -61,6 +61,17 @@ static struct found find_short(const struct pp_command_line *line, const char *w
     return (struct found){NULL, NULL};
 }
 
+/* The short word that an option word begins with: -aa of -aa.2; NULL: none. */
+static const char *nearest_short(const struct pp_command_line *line, const char *word)
+{
+    for (const struct pp_option_group *group = line->groups; group->title; group++)
+        for (const struct pp_option *option = group->options; option->name; option++)
+            if (short_of(option)
+                && strncmp(word, short_of(option), strlen(short_of(option))) == 0)
+                return short_of(option);
+    return NULL;
+}
+
 static enum pp_status fail_unknown(const struct pp_command_line *line, const char *word,
                                    size_t length, struct pp_error *err)
 {
@@ -125,6 +136,12 @@ static enum pp_status read_option(const struct pp_command_line *line, char **wor
 
     if (!found.option && is_long)
         return fail_unknown(line, name, length, err);
+    const char *short_word = nearest_short(line, word);
+    if (!found.option && short_word)
+        return pp_fail(err, PP_BAD_INPUT,
+                       "there is no option %.40s; did you mean %s, with its value as "
+                       "the next word?",
+                       word, short_word);
     if (!found.option)
         return pp_fail(err, PP_BAD_INPUT, "there is no option %.*s",
                        1 + pp_utf8_length(word + 1), word);
@@ -265,6 +282,23 @@ enum pp_status pp_read_text(const char *text, void *place, struct pp_error *err)
         return pp_fail(err, PP_BAD_INPUT, "something that is not empty");
     *(const char **)place = text;
     return PP_OK;
+}
+
+enum pp_status pp_read_input(const char *text, void *place, struct pp_error *err)
+{
+    return pp_read_text(text, place, err);
+}
+
+enum pp_status pp_read_output(const char *text, void *place, struct pp_error *err)
+{
+    return pp_read_text(text, place, err);
+}
+
+enum pp_status pp_read_kept(const char *text, void *place, struct pp_error *err)
+{
+    if (strcmp(text, "-") == 0)
+        return pp_fail(err, PP_BAD_INPUT, "the name of a file, which is kept");
+    return pp_read_text(text, place, err);
 }
 
 enum pp_status pp_read_count(const char *text, void *place, struct pp_error *err)

@@ -59,6 +59,9 @@ void pp_options_help_word(const char *word, const char *text, FILE *out);
 
 /* Readers, by the type of the place. */
 pp_option_reader pp_read_text;     /* const char *, not empty; borrowed from argv */
+pp_option_reader pp_read_input;    /* the same, of a file that is read */
+pp_option_reader pp_read_output;   /* of a file that is written; - is standard output */
+pp_option_reader pp_read_kept;     /* of one that is read and written again; no - */
 pp_option_reader pp_read_count;    /* long, 1 to 1e15 */
 pp_option_reader pp_read_threads;  /* int, 1 to 1024 */
 pp_option_reader pp_read_seed;     /* uint64_t, any */

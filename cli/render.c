@@ -141,7 +141,8 @@ enum pp_exit cmd_render(int argc, char **argv)
         pp_options_read(&line, argc, argv, &file_count, &wants_help, &err);
     if (status == PP_OK && !wants_help)
         status = pp_render_choice_check(&choice, &options, file_count, &err);
-    if (pp_command_starts(&line, status, wants_help, &err, &exit_status))
+    if (pp_command_starts(&line, argv, file_count, status, wants_help, &err,
+                          &exit_status))
         exit_status = run(&choice, &options, argv);
     pp_render_choice_clear(&choice);
     pp_room_options_clear(&options);

@@ -284,7 +284,7 @@ const struct pp_option pp_render_picture_options[] = {
     {"checkpoint", 0, "FILE",
      "Keep what is done in FILE, and go on from there if there is one of the same "
      "picture.",
-     pp_read_text, PLACE(checkpoint)},
+     pp_read_kept, PLACE(checkpoint)},
     {0},
 };
 
@@ -313,7 +313,7 @@ const struct pp_option pp_render_shown_options[] = {
      "over it.",
      NULL, PLACE(grid)},
     {"from-picture", 0, "FILE.hdr", "Show that picture instead of a room.",
-     pp_read_text, PLACE(from_picture)},
+     pp_read_input, PLACE(from_picture)},
     {"format", 'f', "FORMAT",
      "hdr, pfm, png, pdf or svg (default: by the ending of -o FILE).",
      read_picture_format, PLACE(format)},
@@ -380,6 +380,11 @@ static enum pp_status check_view(const struct pp_render_choice *choice,
     if (parallel && choice->angle_deg > 0.0)
         return pp_fail(err, PP_BAD_INPUT,
                        "a parallel view has no --angle; expected --across M");
+    if (choice->view == PP_CHOOSE_PERSPECTIVE && choice->angle_deg >= 180.0)
+        return pp_fail(err, PP_BAD_INPUT,
+                       "--angle is %g; a perspective view has more than 0, less than "
+                       "180 degrees",
+                       choice->angle_deg);
     if (!parallel && choice->across_m > 0.0)
         return pp_fail(err, PP_BAD_INPUT,
                        "--across is of parallel views; expected --angle DEG");

@@ -119,7 +119,7 @@ const struct pp_option pp_room_output_options[] = {
     {"output", 'o', "FILE",
      "Write to FILE instead of standard output, whole or not at "
      "all; - is standard output.",
-     pp_read_text, PLACE(output)},
+     pp_read_output, PLACE(output)},
     {"quiet", 'q', NULL, "No progress bar.", NULL, PLACE(quiet)},
     {0},
 };

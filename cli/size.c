@@ -167,7 +167,8 @@ enum pp_exit cmd_size(int argc, char **argv)
                 pp_fail(&err, PP_BAD_INPUT,
                         "--write is of one room file, and there are %d", file_count);
     }
-    if (pp_command_starts(&line, status, wants_help, &err, &exit_status))
+    if (pp_command_starts(&line, argv, file_count, status, wants_help, &err,
+                          &exit_status))
         exit_status = run(&options, argv, file_count);
     pp_room_options_clear(&options.room);
     return exit_status;

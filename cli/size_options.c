@@ -40,7 +40,7 @@ const struct pp_option pp_size_task_options[] = {
 const struct pp_option pp_size_write_option[] = {
     {"write", 'w', "FILE",
      "Write the room file with the sized windows to FILE, all else in it as it was.",
-     pp_read_text, PLACE(write)},
+     pp_read_output, PLACE(write)},
     {0},
 };
 

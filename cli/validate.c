@@ -250,7 +250,8 @@ enum pp_exit cmd_validate(int argc, char **argv)
     if (status == PP_OK && !wants_help)
         status = check(&options, file_count, &err);
 
-    if (pp_command_starts(&line, status, wants_help, &err, &exit_status)) {
+    if (pp_command_starts(&line, argv, file_count, status, wants_help, &err,
+                          &exit_status)) {
         if (against)
             exit_status = compare_with_radiance(&options, format, argv, file_count);
         else if (file_count == 0)

@@ -15,21 +15,33 @@ _pepperpot()
         [ "$command" != assess ] || formats='text json'
         [ "$command" != render ] || formats='hdr pfm png pdf svg'
         mapfile -t COMPREPLY < <(compgen -W "$formats" -- "$word")
-    elif [ "$previous" = --to ] || [ "$previous" = --against ]; then
+    elif [ "$previous" = --to ] || [ "$previous" = --against ] ||
+        { [ "$command" = export ] && [ "$previous" = -t ]; }; then
         mapfile -t COMPREPLY < <(compgen -W radiance -- "$word")
     elif [ "$previous" = --which ]; then
         mapfile -t COMPREPLY < <(compgen -W 'average minimum rooflight' -- "$word")
     elif [ "$command" = size ] && { [ "$previous" = --change ] || [ "$previous" = -c ]; }; then
         mapfile -t COMPREPLY < <(compgen -W "width height head sill number" -- "$word")
-    elif [ "$command" = render ] && [ "$previous" = --view ]; then
+    elif [ "$command" = render ] && { [ "$previous" = --view ] || [ "$previous" = -v ]; }; then
         local views='perspective parallel plan section hemispherical angular'
         mapfile -t COMPREPLY < <(compgen -W "$views" -- "$word")
     elif [ "$command" = render ] && [ "$previous" = --quantity ]; then
         mapfile -t COMPREPLY < <(compgen -W 'luminance illuminance df' -- "$word")
     elif [ "$command" = render ] && [ "$previous" = --exposure ]; then
         mapfile -t COMPREPLY < <(compgen -W 'auto human' -- "$word")
-    elif [ "$command" = render ] && [ "$previous" = --engine ]; then
-        mapfile -t COMPREPLY < <(compgen -W 'cache path' -- "$word")
+    elif [ "$previous" = --engine ]; then
+        local engines='cache path'
+        [ "$command" = render ] || engines='cache path path,cache'
+        mapfile -t COMPREPLY < <(compgen -W "$engines" -- "$word")
+    elif [ "$command" = render ] && [ "$previous" = --filter ]; then
+        mapfile -t COMPREPLY < <(compgen -W 'box gauss' -- "$word")
+    elif [ "$previous" = --paper ]; then
+        mapfile -t COMPREPLY < <(compgen -W 'a5 a4 a3 a2' -- "$word")
+    elif [ "$previous" = --methods ] || [ "$previous" = -m ]; then
+        local methods
+        methods=$("$program" df --help 2>/dev/null |
+            sed -n '/^Methods:/,$s/^  \([a-z][a-z-]*\) .*/\1/p')
+        mapfile -t COMPREPLY < <(compgen -W "$methods" -- "$word")
     elif [ "$previous" = --sky ]; then
         local skies
         skies="overcast uniform $(printf 'iso-%d ' {1..15})"
@@ -41,7 +53,8 @@ _pepperpot()
         mapfile -t COMPREPLY < <(compgen -W "$criteria" -- "$word")
     elif [ "${word:0:1}" = - ]; then
         local options
-        options=$("$program" "$command" --help 2>/dev/null | grep -o -- '--[a-z][a-z-]*')
+        options=$("$program" "$command" --help 2>/dev/null |
+            sed -n 's/^  \(-[a-z]*, \)* *\(--[a-z-]*\).*/\1\2/p' | tr ',' ' ')
         mapfile -t COMPREPLY < <(compgen -W "$options" -- "$word")
     elif [ "$command" = chart ] && [ "$COMP_CWORD" -eq 2 ]; then
         local kinds

@@ -44,8 +44,12 @@ enum pp_status pp_file_bytes(char **bytes, size_t *length, const char *path,
 {
     const char *name = pp_file_title(path);
     bool standard = name != path;
-    int file = standard ? STDIN_FILENO : open(path, O_RDONLY | O_CLOEXEC);
     *bytes = NULL;
+    if (!*path)
+        return pp_fail(err, PP_BAD_INPUT,
+                       "the name of a file is empty; expected one, or - for standard "
+                       "input");
+    int file = standard ? STDIN_FILENO : open(path, O_RDONLY | O_CLOEXEC);
     if (file < 0) {
         bool missing = errno == ENOENT || errno == ENOTDIR || errno == ENAMETOOLONG;
         return pp_fail(err, missing ? PP_BAD_INPUT : PP_SYSTEM,

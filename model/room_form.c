@@ -133,7 +133,7 @@ static bool read_choice(int *index, const struct place *at)
     for (*index = 0; words[*index]; ++*index)
         if (strcmp(words[*index], at->text) == 0)
             return true;
-    const char *meant = pp_nearest(at->text, words, -1);
+    const char *meant = words[1] ? pp_nearest(at->text, words, -1) : NULL;
     char more[64] = "";
     if (meant)
         snprintf(more, sizeof more, "; did you mean \"%s\"?", meant);

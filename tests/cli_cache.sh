@@ -39,7 +39,7 @@ check "one that is cut off is refused" \
     refuses 1 "is cut off or damaged" df $few --cache "$kept" "$deep"
 check "and not written over" test "$(wc -c <"$kept")" -eq 3000
 check "a room file is no cache" \
-    refuses 1 "is not a cache" df $few --cache "$deep" "$deep"
+    refuses 1 "is not a cache" df $few --cache "$examples/office.xml" "$deep"
 check "nor is a directory" refuses 1 "" df $few --cache "$scratch" "$deep"
 check "one room a cache" refuses 2 "--cache has the records of one room" \
     df $few --cache "$scratch/new" "$examples/building.xml"

@@ -57,4 +57,7 @@ check "the man page explains every option" nothing "$(unexplained)"
 
 options=$("$pepperpot" df --help | grep -cE '^ +(-., )?--[a-z]')
 check "the help shows all of df's options" test "$options" -ge 14
+check "a short word's value is the next word" refuses 2 "did you mean -aa" \
+    render -aa.2 -o "$scratch/x.png" "$deep"
+check "a file without a name" refuses 1 "the name of a file is empty" df ""
 tap_done

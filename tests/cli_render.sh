@@ -135,7 +135,7 @@ head -c 1000 "$scratch/d" >"$scratch/cut"
 check "a checkpoint that is cut off" refuses 1 "cut off or damaged" \
     render $small --checkpoint "$scratch/cut" "$deep" -o "$scratch/x.hdr"
 check "a file that is no checkpoint" refuses 1 "no checkpoint" \
-    render $small --checkpoint "$deep" "$deep" -o "$scratch/x.hdr"
+    render $small --checkpoint "$examples/office.xml" "$deep" -o "$scratch/x.hdr"
 
 # ---- what makes no sense ----
 
@@ -150,7 +150,7 @@ check "a size that is none" refuses 2 "640x480" \
     render --size 0x7 "$deep" -o "$scratch/x.png"
 check "a size too large" refuses 2 "65535" \
     render --size 65535x65535 "$deep" -o "$scratch/x.png"
-check "an angle of no perspective" refuses 1 "less than 180" \
+check "an angle of no perspective" refuses 2 "less than 180" \
     render --angle 180 $small "$deep" -o "$scratch/x.png"
 check "a view along its own up" refuses 1 "another up" \
     render --direction 0,0,1 --up 0,0,2 $small "$deep" -o "$scratch/x.png"
