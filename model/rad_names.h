@@ -1,5 +1,6 @@
 /* rad_names.h - what the names in a Radiance scene stand for. A later definition of a
- * name takes the place of an earlier one from there on. */
+ * name takes the place of an earlier one from there on. A name may be any bytes; to
+ * define or to find one takes the same time however many there are. */
 #ifndef PP_MODEL_RAD_NAMES_H
 #define PP_MODEL_RAD_NAMES_H
 

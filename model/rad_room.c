@@ -5,6 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "model/rad_names.h"
 #include "model/seam.h"
 #include "model/world_material.h"
 
@@ -18,6 +19,7 @@ struct builder {
     const struct pp_world *world;
     double horizontal;
     bool gloss;
+    struct pp_rad_names known; /* the scene's materials, by their keys */
     struct pp_error *err;
 };
 
@@ -25,10 +27,17 @@ struct builder {
 static enum pp_status number_of(struct builder *b, const struct pp_material *material,
                                 int *index)
 {
-    for (*index = 0; *index < b->scene->material_count; ++*index)
-        if (pp_material_same(&b->scene->materials[*index], material))
-            return PP_OK;
-    return pp_scene_add_material(b->scene, material, index, b->err);
+    struct pp_material_key key = pp_material_key_of(material);
+    struct pp_rad_meaning known = {PP_RAD_MATERIAL, -1, -1};
+    enum pp_status status = PP_OK;
+    if (!pp_rad_find(&b->known, (const char *)&key, sizeof key, &known)) {
+        status = pp_scene_add_material(b->scene, material, &known.index, b->err);
+        if (status == PP_OK
+            && !pp_rad_define(&b->known, (const char *)&key, sizeof key, known))
+            status = pp_fail_memory(b->err);
+    }
+    *index = known.index;
+    return status;
 }
 
 /* Both sides; *back is -1 where they are the same but for their names. */
@@ -235,7 +244,11 @@ enum pp_status pp_rad_room_create(struct pp_rad_room *room,
 {
     *room = (struct pp_rad_room){0};
     pp_scene_description_init(&room->scene);
-    struct builder b = {&room->scene, world, horizontal, gloss, err};
+    struct builder b = {.scene = &room->scene,
+                        .world = world,
+                        .horizontal = horizontal,
+                        .gloss = gloss,
+                        .err = err};
     enum pp_status status = add_surfaces(&b, true);
     room->first[PP_RAD_GLAZING] = room->scene.shape_count;
     if (status == PP_OK)
@@ -249,6 +262,7 @@ enum pp_status pp_rad_room_create(struct pp_rad_room *room,
     if (status == PP_OK)
         status = add_sky(&b);
     room->first[PP_RAD_GROUPS] = room->scene.shape_count;
+    pp_rad_names_clear(&b.known);
     if (status != PP_OK)
         pp_rad_room_clear(room);
     return status;

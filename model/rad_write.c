@@ -51,20 +51,9 @@ void pp_rad_numbers(FILE *out, const double *numbers, int count)
 
 /* ---- names ---- */
 
-static bool is_taken(const struct pp_rad_writer *writer, const char *name)
-{
-    static const char *const reserved[] = {"void", "inherit"};
-    for (size_t i = 0; i < sizeof reserved / sizeof *reserved; i++)
-        if (strcmp(name, reserved[i]) == 0)
-            return true;
-    for (int i = 0; i < writer->name_count; i++)
-        if (strcmp(name, writer->names[i].text) == 0)
-            return true;
-    return false;
-}
-
 /* Letters, digits and what is not ASCII stay; all else becomes "_", once, and none at
- * the end. */
+ * the end. Radiance's own words get a number. `fit` has room for two characters more
+ * than PP_RAD_NAME_MOST. */
 static void make_fit(char *fit, const char *name)
 {
     int count = 0;
@@ -82,38 +71,66 @@ static void make_fit(char *fit, const char *name)
     fit[count] = '\0';
     if (count == 0)
         strcpy(fit, "unnamed");
+    if (strcmp(fit, "void") == 0 || strcmp(fit, "inherit") == 0)
+        strcat(fit, "_2");
+}
+
+static bool is_taken(const struct pp_rad_writer *writer, const char *name,
+                     struct pp_rad_meaning *last)
+{
+    return pp_rad_find(&writer->taken, name, strlen(name), last);
+}
+
+static enum pp_status take_name(struct pp_rad_writer *writer, const char *name,
+                                int last, struct pp_error *err)
+{
+    struct pp_rad_meaning meaning = {PP_RAD_MATERIAL, last, -1};
+    return pp_rad_define(&writer->taken, name, strlen(name), meaning)
+               ? PP_OK
+               : pp_fail_memory(err);
 }
 
 /* The next name of the list; there is room. */
-static void add_name(struct pp_rad_writer *writer, const char *from, const char *behind)
+static enum pp_status add_name(struct pp_rad_writer *writer, const char *from,
+                               const char *behind, struct pp_error *err)
 {
-    struct pp_rad_name_text *name = &writer->names[writer->name_count];
-    char fit[PP_RAD_NAME_MOST + 1];
+    struct pp_rad_name_text *name = &writer->names[writer->name_count++], plain;
+    char fit[PP_RAD_NAME_MOST + 3];
+    struct pp_rad_meaning last, ignored;
+    enum pp_status status = PP_OK;
     make_fit(fit, from);
-    snprintf(name->text, sizeof name->text, "%s%s", fit, behind);
-    for (int i = 2; is_taken(writer, name->text); i++)
-        snprintf(name->text, sizeof name->text, "%s%s_%d", fit, behind, i);
-    writer->name_count++;
+    snprintf(plain.text, sizeof plain.text, "%s%s", fit, behind);
+    *name = plain;
+    if (is_taken(writer, plain.text, &last)) {
+        do
+            snprintf(name->text, sizeof name->text, "%s%s_%d", fit, behind,
+                     ++last.index);
+        while (is_taken(writer, name->text, &ignored));
+        status = take_name(writer, plain.text, last.index, err);
+    }
+    return status == PP_OK ? take_name(writer, name->text, 1, err) : status;
 }
 
-/* One pair of clear panes of the same glass is a single BRTDfunc; its second material
- * is not written. */
-static void find_pairs(struct pp_rad_writer *writer)
+/* Numbers the pairs as they come up. */
+static enum pp_status find_pairs(struct pp_rad_writer *writer, struct pp_error *err)
 {
     const struct pp_scene_description *scene = writer->scene;
-    for (int i = 0; i < scene->shape_count; i++) {
+    struct pp_rad_names known = {0}; /* by both numbers */
+    bool good = true;
+    for (int i = 0; i < scene->shape_count && good; i++) {
         const struct pp_shape *shape = &scene->shapes[i];
-        if (shape->back_material < 0 || shape->back_material == shape->material)
-            continue;
-        int pair = 0;
-        while (pair < writer->pair_count
-               && (writer->pairs[pair].front != shape->material
-                   || writer->pairs[pair].back != shape->back_material))
-            pair++;
-        if (pair == writer->pair_count)
-            writer->pairs[writer->pair_count++] =
-                (struct pp_rad_pair){shape->material, shape->back_material, -1};
+        const int sides[2] = {shape->material, shape->back_material};
+        struct pp_rad_meaning pair = {PP_RAD_MATERIAL, -1, -1};
+        bool differ = sides[1] >= 0 && sides[1] != sides[0];
+        if (differ && !pp_rad_find(&known, (const char *)sides, sizeof sides, &pair)) {
+            pair.index = writer->pair_count++;
+            writer->pairs[pair.index] = (struct pp_rad_pair){sides[0], sides[1], -1};
+            good = pp_rad_define(&known, (const char *)sides, sizeof sides, pair);
+        }
+        writer->pair_of[i] = pair.index;
     }
+    pp_rad_names_clear(&known);
+    return good ? PP_OK : pp_fail_memory(err);
 }
 
 static size_t most_pairs(const struct pp_scene_description *scene)
@@ -122,6 +139,32 @@ static size_t most_pairs(const struct pp_scene_description *scene)
     for (int i = 0; i < scene->shape_count; i++)
         most += scene->shapes[i].back_material >= 0;
     return most;
+}
+
+static enum pp_status name_all(struct pp_rad_writer *writer, struct pp_error *err)
+{
+    const struct pp_scene_description *scene = writer->scene;
+    enum pp_status status = PP_OK;
+    for (int i = 0; i < scene->material_count && status == PP_OK; i++) {
+        status = pp_rad_check_material(&scene->materials[i], err);
+        if (status == PP_OK)
+            status = add_name(writer, scene->materials[i].name, "", err);
+    }
+    for (int i = 0; i < scene->pattern_count && status == PP_OK; i++)
+        status = add_name(writer, "skyfunc", "", err);
+    if (status == PP_OK)
+        status = find_pairs(writer, err);
+    if (status == PP_OK)
+        pp_rad_part_materials(writer);
+    for (int i = 0; i < writer->pair_count && status == PP_OK; i++) {
+        struct pp_rad_pair *pair = &writer->pairs[i];
+        bool mirror = pp_rad_pair_is_mirror(writer, pair);
+        pair->name = mirror ? pair->front : writer->name_count;
+        if (!mirror)
+            status =
+                add_name(writer, scene->materials[pair->front].name, "_sides", err);
+    }
+    return status;
 }
 
 enum pp_status pp_rad_writer_create(struct pp_rad_writer **result,
@@ -137,23 +180,13 @@ enum pp_status pp_rad_writer_create(struct pp_rad_writer **result,
     writer->scene = scene;
     writer->names = calloc(names + 1, sizeof *writer->names);
     writer->pairs = calloc(pairs + 1, sizeof *writer->pairs);
-    enum pp_status status =
-        writer->names && writer->pairs ? PP_OK : pp_fail_memory(err);
-    for (int i = 0; i < scene->material_count && status == PP_OK; i++) {
-        add_name(writer, scene->materials[i].name, "");
-        status = pp_rad_check_material(&scene->materials[i], err);
-    }
-    for (int i = 0; i < scene->pattern_count && status == PP_OK; i++)
-        add_name(writer, "skyfunc", "");
-    if (status == PP_OK)
-        find_pairs(writer);
-    for (int i = 0; i < writer->pair_count; i++) {
-        struct pp_rad_pair *pair = &writer->pairs[i];
-        bool mirror = pp_rad_pair_is_mirror(writer, pair);
-        pair->name = mirror ? pair->front : writer->name_count;
-        if (!mirror)
-            add_name(writer, scene->materials[pair->front].name, "_sides");
-    }
+    writer->pair_of = calloc((size_t)scene->shape_count + 1, sizeof *writer->pair_of);
+    writer->in_pairs = calloc((size_t)scene->material_count + 1, 1);
+    writer->behind = calloc((size_t)scene->material_count + 1, 1);
+    writer->on_its_own = calloc((size_t)scene->material_count + 1, 1);
+    bool good = writer->names && writer->pairs && writer->pair_of && writer->in_pairs
+                && writer->on_its_own && writer->behind;
+    enum pp_status status = good ? name_all(writer, err) : pp_fail_memory(err);
     if (status != PP_OK) {
         pp_rad_writer_destroy(writer);
         return status;
@@ -166,22 +199,25 @@ void pp_rad_writer_destroy(struct pp_rad_writer *writer)
 {
     if (!writer)
         return;
+    pp_rad_names_clear(&writer->taken);
     free(writer->names);
     free(writer->pairs);
+    free(writer->pair_of);
+    free(writer->in_pairs);
+    free(writer->on_its_own);
+    free(writer->behind);
     free(writer);
 }
 
 /* ---- shapes ---- */
 
-static const char *material_of(const struct pp_rad_writer *writer,
-                               const struct pp_shape *shape)
+static const char *material_of(const struct pp_rad_writer *writer, int shape)
 {
-    int name = shape->material;
-    for (int i = 0; i < writer->pair_count; i++)
-        if (writer->pairs[i].front == shape->material
-            && writer->pairs[i].back == shape->back_material)
-            name = writer->pairs[i].name;
-    return writer->names[name].text;
+    int pair = writer->pair_of[shape];
+    return writer
+        ->names[pair >= 0 ? writer->pairs[pair].name
+                          : writer->scene->shapes[shape].material]
+        .text;
 }
 
 static void write_vec(FILE *out, struct pp_vec3 v)
@@ -268,8 +304,8 @@ void pp_rad_write_shapes(const struct pp_rad_writer *writer, const char *name,
 {
     for (int i = first; i < end; i++) {
         const struct pp_shape *shape = &writer->scene->shapes[i];
-        fprintf(out, "\n%s %s %s.%d\n", material_of(writer, shape), type_of(shape),
-                name, i - first + 1);
+        fprintf(out, "\n%s %s %s.%d\n", material_of(writer, i), type_of(shape), name,
+                i - first + 1);
         if (shape->kind == PP_SHAPE_POLYGON) {
             write_polygon(writer, shape, out);
             continue;

@@ -283,18 +283,6 @@ static bool is_one_glazing(const struct pp_material *front,
     return front->kind == PP_MATERIAL_GLASS && pp_material_same(front, &other);
 }
 
-static bool is_on_both_sides(const struct pp_rad_writer *writer, int material)
-{
-    const struct pp_scene_description *scene = writer->scene;
-    for (int i = 0; i < scene->shape_count; i++) {
-        const struct pp_shape *shape = &scene->shapes[i];
-        if (shape->back_material == material
-            || (shape->material == material && shape->back_material < 0))
-            return true;
-    }
-    return false;
-}
-
 bool pp_rad_pair_is_mirror(const struct pp_rad_writer *writer,
                            const struct pp_rad_pair *pair)
 {
@@ -302,31 +290,29 @@ bool pp_rad_pair_is_mirror(const struct pp_rad_writer *writer,
     const struct pp_material *back = &writer->scene->materials[pair->back];
     return is_mirror(front) && back->kind == PP_MATERIAL_OPAQUE
            && pp_rgb_is_black(back->diffuse) && pp_rgb_is_black(back->gloss)
-           && back->emits == PP_EMITS_NOTHING && !is_on_both_sides(writer, pair->front);
+           && back->emits == PP_EMITS_NOTHING && !writer->behind[pair->front];
 }
 
-/* Is it told by pairs alone? */
-static bool only_in_pairs(const struct pp_rad_writer *writer, int material)
+/* One pair of clear panes of the same glass is a single BRTDfunc, and neither material
+ * is written for it; nor is the back of a mirror. */
+void pp_rad_part_materials(struct pp_rad_writer *writer)
 {
     const struct pp_scene_description *scene = writer->scene;
-    bool told = false;
+    for (int i = 0; i < scene->shape_count; i++) {
+        const struct pp_shape *shape = &scene->shapes[i];
+        writer->behind[shape->back_material < 0 ? shape->material
+                                                : shape->back_material] = true;
+        if (writer->pair_of[i] < 0)
+            writer->on_its_own[shape->material] = true;
+    }
     for (int i = 0; i < writer->pair_count; i++) {
         const struct pp_rad_pair *pair = &writer->pairs[i];
-        if (pair->front != material && pair->back != material)
-            continue;
-        bool mirror = pp_rad_pair_is_mirror(writer, pair) && pair->back == material;
-        if (!mirror
-            && !is_one_glazing(&scene->materials[pair->front],
-                               &scene->materials[pair->back]))
-            return false;
-        told = true;
+        bool one = is_one_glazing(&scene->materials[pair->front],
+                                  &scene->materials[pair->back]);
+        bool mirror = pp_rad_pair_is_mirror(writer, pair);
+        (one ? writer->in_pairs : writer->on_its_own)[pair->front] = true;
+        (one || mirror ? writer->in_pairs : writer->on_its_own)[pair->back] = true;
     }
-    for (int i = 0; i < scene->shape_count && told; i++)
-        if (scene->shapes[i].material == material
-            && (scene->shapes[i].back_material < 0
-                || scene->shapes[i].back_material == material))
-            return false;
-    return told;
 }
 
 static void write_pair(const struct pp_rad_writer *writer,
@@ -359,8 +345,8 @@ void pp_rad_write_materials(const struct pp_rad_writer *writer, FILE *out)
     for (int i = 0; i < scene->material_count; i++) {
         const struct pp_material *material = &scene->materials[i];
         struct said said;
-        if (only_in_pairs(writer, i)
-            || !say(&said, material, is_on_both_sides(writer, i)))
+        if ((writer->in_pairs[i] && !writer->on_its_own[i])
+            || !say(&said, material, writer->behind[i]))
             continue;
         write_said(&said,
                    material->pattern >= 0 ? patterns[material->pattern].text : "void",

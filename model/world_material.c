@@ -70,30 +70,52 @@ struct pp_material pp_world_pane_material(const struct pp_world *world, int inde
     return material;
 }
 
-static bool same_rgb(struct pp_rgb a, struct pp_rgb b)
+/* Behind *end, which goes on. */
+static void put(double **end, double number)
 {
-    return a.r == b.r && a.g == b.g && a.b == b.b;
+    *(*end)++ = number + 0.0;
 }
 
-static bool same_glass(const struct pp_glass *a, const struct pp_glass *b)
+static void put_rgb(double **end, struct pp_rgb c)
 {
-    return a->panes == b->panes && a->n == b->n && a->kl == b->kl
-           && a->scale == b->scale;
+    put(end, c.r);
+    put(end, c.g);
+    put(end, c.b);
+}
+
+struct pp_material_key pp_material_key_of(const struct pp_material *m)
+{
+    struct pp_material_key key = {.name = ""};
+    double *end = key.numbers;
+    memcpy(key.name, m->name, strlen(m->name));
+    for (int i = 0; i < 3; i++) {
+        put(&end, m->glass[i].panes);
+        put(&end, m->glass[i].n);
+        put(&end, m->glass[i].kl);
+        put(&end, m->glass[i].scale);
+    }
+    put_rgb(&end, m->diffuse);
+    put_rgb(&end, m->gloss);
+    put_rgb(&end, m->through_diffuse);
+    put_rgb(&end, m->through_gloss);
+    put_rgb(&end, m->radiance);
+    put_rgb(&end, pp_rgb(m->grain.x, m->grain.y, m->grain.z));
+    put(&end, m->roughness[0]);
+    put(&end, m->roughness[1]);
+    put(&end, m->clear_share);
+    put(&end, m->dirt);
+    put(&end, m->kind);
+    put(&end, m->emits);
+    put(&end, m->emits_both_sides);
+    put(&end, m->unseen);
+    put(&end, m->pattern);
+    return key;
 }
 
 bool pp_material_same(const struct pp_material *a, const struct pp_material *b)
 {
-    bool glass = true;
-    for (int i = 0; i < 3; i++)
-        glass = glass && same_glass(&a->glass[i], &b->glass[i]);
-    return glass && a->kind == b->kind && strcmp(a->name, b->name) == 0
-           && same_rgb(a->diffuse, b->diffuse) && same_rgb(a->gloss, b->gloss)
-           && same_rgb(a->through_diffuse, b->through_diffuse)
-           && same_rgb(a->through_gloss, b->through_gloss)
-           && same_rgb(a->radiance, b->radiance) && a->roughness[0] == b->roughness[0]
-           && a->roughness[1] == b->roughness[1] && a->grain.x == b->grain.x
-           && a->grain.y == b->grain.y && a->grain.z == b->grain.z
-           && a->clear_share == b->clear_share && a->dirt == b->dirt
-           && a->emits == b->emits && a->emits_both_sides == b->emits_both_sides
-           && a->unseen == b->unseen && a->pattern == b->pattern;
+    if (a->diffuse.r != b->diffuse.r || strcmp(a->name, b->name) != 0)
+        return false; /* as most are that differ */
+    struct pp_material_key keys[2] = {pp_material_key_of(a), pp_material_key_of(b)};
+    return memcmp(&keys[0], &keys[1], sizeof keys[0]) == 0;
 }

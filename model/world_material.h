@@ -22,6 +22,15 @@ struct pp_material pp_world_matt_material(const struct pp_world *world, int surf
 struct pp_material pp_world_pane_material(const struct pp_world *world, int opening,
                                           bool inside);
 
+/* All that a material is, name and all: keys that are the same to the byte are of
+ * materials that are the same. -0 counts as 0. */
+enum { PP_MATERIAL_KEY_NUMBERS = 39 };
+struct pp_material_key {
+    char name[PP_MATERIAL_NAME_SIZE];
+    double numbers[PP_MATERIAL_KEY_NUMBERS];
+};
+struct pp_material_key pp_material_key_of(const struct pp_material *material);
+
 /* Are they the same, name and all? */
 bool pp_material_same(const struct pp_material *a, const struct pp_material *b);
 

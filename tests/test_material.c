@@ -1,8 +1,11 @@
 /* test_material.c - materials by name, and skies as Radiance's files write them. */
 #include "model/material.h"
 
+#include <string.h>
+
 #include "model/finish_table.h"
 #include "model/scene_description.h"
+#include "model/world_material.h"
 #include "tests/near.h"
 
 /* Whatever its hue and gloss, what a hand method takes is the table's reflectance, and
@@ -85,6 +88,42 @@ static void skies_have_the_radiances_that_gensky_means(void **state)
     }
 }
 
+static void materials_are_alike_only_in_all_that_they_are(void **state)
+{
+    (void)state;
+    struct pp_material was =
+        pp_material_plastic(pp_rgb(0.41, 0.37, 0.29), 0.05, 0.11, 0.07);
+    strcpy(was.name, "a wall");
+    struct pp_material is = was;
+    assert_true(pp_material_same(&is, &was));
+    is.diffuse.b = was.diffuse.b = 0.0;
+    is.grain.y = -0.0; /* which is 0 */
+    assert_true(pp_material_same(&is, &was));
+    double *const numbers[] = {
+        &is.diffuse.r,    &is.diffuse.g,         &is.diffuse.b,       &is.gloss.r,
+        &is.gloss.b,      &is.through_diffuse.g, &is.through_gloss.b, &is.radiance.r,
+        &is.roughness[0], &is.roughness[1],      &is.grain.x,         &is.grain.z,
+        &is.glass[0].n,   &is.glass[1].kl,       &is.glass[2].scale,  &is.clear_share,
+        &is.dirt};
+    for (size_t i = 0; i < sizeof numbers / sizeof *numbers; i++) {
+        *numbers[i] += 0.125;
+        assert_false(pp_material_same(&is, &was));
+        *numbers[i] -= 0.125;
+    }
+    is = was;
+    is.unseen = true;
+    assert_false(pp_material_same(&is, &was));
+    is = was;
+    is.pattern = 0;
+    assert_false(pp_material_same(&is, &was));
+    is = was;
+    is.emits = PP_EMITS_CONCENTRATED;
+    assert_false(pp_material_same(&is, &was));
+    is = was;
+    strcpy(is.name, "a wal");
+    assert_false(pp_material_same(&is, &was));
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -92,6 +131,7 @@ int main(void)
         cmocka_unit_test(grey_is_weighed_as_the_eye_does),
         cmocka_unit_test(hand_methods_see_gloss_as_reflectance_and_glass_as_a_tenth),
         cmocka_unit_test(a_diffusing_glazing_is_translucent),
+        cmocka_unit_test(materials_are_alike_only_in_all_that_they_are),
         cmocka_unit_test(skies_have_the_radiances_that_gensky_means),
     };
     return cmocka_run_group_tests_name("material", tests, NULL, NULL);

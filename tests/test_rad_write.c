@@ -396,6 +396,28 @@ static void names_are_fit_and_unlike_each_other(void **state)
     pp_scene_description_clear(&scene);
 }
 
+/* Each shape with a front and a back of its own, all of one name: to look each up among
+ * all the others would take minutes. */
+static void twenty_thousand_materials_of_one_name_are_told_apart(void **state)
+{
+    (void)state;
+    enum { COUNT = 20000 };
+    struct pp_scene_description scene;
+    pp_scene_description_init(&scene);
+    for (int i = 0; i < COUNT; i++) {
+        struct pp_material grey = pp_material_diffuse(pp_rgb_grey(0.9 * i / COUNT));
+        strcpy(grey.name, i == 7 ? "void" : i == 9 ? "wall_5" : "wall");
+        assert_int_equal(pp_scene_add_material(&scene, &grey, NULL, NULL), PP_OK);
+        const struct pp_vec3 corners[] = {{0, 0, i}, {1, 0, i}, {0, 1, i}};
+        assert_int_equal(pp_scene_add_polygon(&scene, corners, 3, i, NULL, NULL),
+                         PP_OK);
+        if (i % 3 > 0)
+            scene.shapes[i].back_material = COUNT - 1 - i;
+    }
+    assert_same_scene(&scene);
+    pp_scene_description_clear(&scene);
+}
+
 static void numbers_come_back_to_the_bit(void **state)
 {
     (void)state;
@@ -454,6 +476,7 @@ int main(void)
         cmocka_unit_test(what_radiance_has_no_words_for_is_refused),
         cmocka_unit_test(any_scene_comes_back),
         cmocka_unit_test(names_are_fit_and_unlike_each_other),
+        cmocka_unit_test(twenty_thousand_materials_of_one_name_are_told_apart),
         cmocka_unit_test(numbers_come_back_to_the_bit),
         cmocka_unit_test(what_is_not_our_own_function_is_refused),
     };
