@@ -24,6 +24,21 @@ static void lay_lengths(struct pp_picture_sheet *sheet, const struct pp_shown *s
     sheet->north_rad = -atan2(pp_dot(north, camera->right), pp_dot(north, camera->up));
 }
 
+/* Daylight factors and illuminances allow for decorations, luminances don't. */
+static void note_decorations(struct pp_picture_sheet *sheet,
+                             const struct pp_shown *shown)
+{
+    size_t room = sizeof sheet->foot;
+    if (shown->world->decorations == 1.0)
+        return;
+    if (shown->quantity == PP_LUMINANCE)
+        pp_page_say(sheet->foot, room, "Decorations as new: without their %.3g.",
+                    shown->world->decorations);
+    else
+        pp_page_say(sheet->foot, room, "Decorations leave %.3g of what is reflected.",
+                    shown->world->decorations);
+}
+
 void pp_lay_words(struct pp_picture_sheet *sheet, const struct pp_shown *shown,
                   const struct pp_render_choice *choice)
 {
@@ -51,6 +66,7 @@ void pp_lay_words(struct pp_picture_sheet *sheet, const struct pp_shown *shown,
         pp_page_say(sheet->foot, notes, "Glass and sky have no %s and are left white.",
                     shown->quantity == PP_ILLUMINANCE ? "illuminance"
                                                       : "daylight factor");
+    note_decorations(sheet, shown);
 }
 
 /* Are there pixels beyond the ends of the scale? */

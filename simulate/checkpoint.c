@@ -49,6 +49,7 @@ uint64_t pp_render_mark(const struct pp_render *render)
     hash = pp_hash(hash, (uint64_t)options->width);
     hash = pp_hash(hash, (uint64_t)options->height);
     hash = pp_hash(hash, options->irradiance);
+    hash = pp_hash_double(hash, pp_render_decorations(render));
     hash = pp_hash(hash, options->indoors);
     hash = pp_hash(hash, options->filter);
     hash = pp_hash(hash, (uint64_t)options->samples);

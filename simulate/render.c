@@ -2,8 +2,9 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "simulate/hash.h"
 #include "model/clock.h"
+#include "simulate/hash.h"
+#include "simulate/light_parts.h"
 #include "simulate/processors.h"
 #include "simulate/render_parts.h"
 
@@ -55,8 +56,15 @@ bool pp_render_camera_ray(const struct pp_render *render, const double place[2],
     return !options->indoors || ray->space == PP_INDOORS;
 }
 
+double pp_render_decorations(const struct pp_render *render)
+{
+    const struct pp_scene *room = render->scene->room;
+    return render->options.irradiance && room ? room->decorations : 1.0;
+}
+
 /* Irradiance of the surface that the ray meets; false: glass, or nothing. */
-static bool irradiance_seen(struct pp_radiance_walk *walk,
+static bool irradiance_seen(const struct pp_render *render,
+                            struct pp_radiance_walk *walk,
                             const struct pp_light_ray *ray, struct pp_rgb *value)
 {
     struct pp_light_hit hit;
@@ -67,18 +75,19 @@ static bool irradiance_seen(struct pp_radiance_walk *walk,
         pp_light_scene_material(walk->scene, hit.material);
     if (material->kind == PP_MATERIAL_GLASS || material->kind == PP_MATERIAL_AIR)
         return false;
+    struct pp_irradiance e;
     if (walk->ambient
         && walk->ambient->irradiance(walk->ambient->store, &hit, hit.normal, 0,
                                      value)) {
-        struct pp_irradiance e =
-            pp_radiance_direct(walk, hit.point, hit.normal, hit.space);
-        *value =
-            pp_rgb_add(*value, pp_rgb_add(e.sources, pp_rgb_add(e.sky, e.outside)));
-        return true;
+        e = pp_radiance_direct(walk, hit.point, hit.normal, hit.space);
+        e.rest = *value;
+    } else {
+        e = pp_radiance_irradiance(walk, hit.point, hit.normal, hit.space);
     }
-    struct pp_irradiance e =
-        pp_radiance_irradiance(walk, hit.point, hit.normal, hit.space);
-    *value = pp_rgb_add(pp_rgb_add(e.sources, e.rest), pp_rgb_add(e.sky, e.outside));
+    struct pp_rgb reflected = pp_rgb_add(e.sources, e.rest);
+    if (hit.space == PP_INDOORS)
+        reflected = pp_rgb_scale(reflected, pp_render_decorations(render));
+    *value = pp_rgb_add(reflected, pp_rgb_add(e.sky, e.outside));
     return true;
 }
 
@@ -100,7 +109,7 @@ static struct pp_rgb pixel(const struct pp_render *render,
             continue;
         if (!options->irradiance)
             value = pp_radiance_along(walk, &ray, NULL);
-        else if (!irradiance_seen(walk, &ray, &value))
+        else if (!irradiance_seen(render, walk, &ray, &value))
             continue;
         sum = pp_rgb_add(sum, value);
         seen++;

@@ -31,7 +31,8 @@ enum { PP_RENDER_SAMPLES_MOST = 1 << 16 };
 struct pp_render_options {
     struct pp_camera camera;
     int width, height; /* pixels */
-    bool irradiance;   /* of the surfaces that are seen, instead of their radiance */
+    bool irradiance;   /* of the surfaces that are seen, instead of their radiance; of a
+                        * world with its allowance for decorations, as the tracer's */
     bool indoors;      /* of a parallel view: only from where it cuts the room */
     enum pp_pixel_filter filter;
     int samples; /* a pixel; the next power of two is taken */

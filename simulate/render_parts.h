@@ -29,6 +29,10 @@ struct pp_render_tile pp_render_tile(const struct pp_render *render, int tile);
 bool pp_render_camera_ray(const struct pp_render *render, const double place[2],
                           struct pp_light_ray *ray);
 
+/* What the deterioration of the room's decorations leaves of what is reflected inside:
+ * of irradiances; radiances are those of surfaces as their finishes say, and have 1. */
+double pp_render_decorations(const struct pp_render *render);
+
 /* A number that hangs on all that the pixels hang on. */
 uint64_t pp_render_mark(const struct pp_render *render);
 
