@@ -110,8 +110,8 @@ enum pp_status pp_hdr_write(FILE *out, const struct pp_picture *picture,
         fprintf(out, "VIEW= %s\n", notes->view);
     if (notes && notes->quantity[0])
         fprintf(out, "QUANTITY= %s\n", notes->quantity);
-    if (notes && notes->exposure > 0.0 && notes->exposure != 1.0)
-        fprintf(out, "EXPOSURE= %.9e\n", notes->exposure);
+    double exposure = notes && notes->exposure > 0.0 ? notes->exposure : 1.0;
+    fprintf(out, "EXPOSURE= %.9e\n", exposure);
     fprintf(out, "FORMAT=32-bit_rle_rgbe\n\n-Y %d +X %d\n", picture->height,
             picture->width);
     for (int y = 0; y < picture->height; y++) {

@@ -128,6 +128,16 @@ static void the_bytes_are_those_of_the_format(void **state)
     assert_near(odd.b, 0.0, 0.75 / 128.0);
     pp_picture_clear(&back);
     free(file.bytes);
+
+    /* Light as it is: an exposure of 1, said too. */
+    static const char plain[] = "#?RADIANCE\nEXPOSURE= 1.000000000e+00\n"
+                                "FORMAT=32-bit_rle_rgbe\n\n-Y 2 +X 9\n";
+    file = hdr_of(&picture, NULL);
+    assert_memory_equal(file.bytes, plain, sizeof plain - 1);
+    assert_int_equal(read_hdr(&back, &said, file.bytes, file.length, NULL), PP_OK);
+    assert_near(said.exposure, 1.0, 0.0);
+    pp_picture_clear(&back);
+    free(file.bytes);
     pp_picture_clear(&picture);
 }
 
