@@ -101,7 +101,8 @@ const struct pp_option pp_cache_word_options[] = {
      "Rays more for the parts of it that differ from their neighbours (default 256).",
      read_supersamples, PLACE(options.supersamples)},
     {"bounces -ab", 0, "N",
-     "Diffuse reflections on the way, at most; all: to the end (default).",
+     "Diffuse reflections on the way to a point or to what is seen, at most; 0: only "
+     "light that comes straight; all: to the end (default).",
      read_bounces, PLACE(options.bounces)},
     {"ambient -av", 0, "L",
      "Radiance that stands for what is beyond the last bounce, over the horizontal "
@@ -144,6 +145,20 @@ enum pp_status pp_cache_words_settle(struct pp_cache_words *words, struct pp_err
     words->options.material_count = count;
     words->options.only = words->include != NULL;
     return PP_OK;
+}
+
+const char *pp_cache_words_used(const struct pp_cache_words *words)
+{
+    const struct pp_cache_options none = pp_cache_defaults(), *is = &words->options;
+    return words->file                             ? "--cache"
+           : words->include                        ? "--include"
+           : words->exclude                        ? "--exclude"
+           : is->accuracy != none.accuracy         ? "--accuracy"
+           : is->resolution != none.resolution     ? "--resolution"
+           : is->divisions != none.divisions       ? "--divisions"
+           : is->supersamples != none.supersamples ? "--supersamples"
+           : !pp_rgb_is_black(is->constant)        ? "--ambient"
+                                                   : NULL;
 }
 
 void pp_cache_words_clear(struct pp_cache_words *words)

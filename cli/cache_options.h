@@ -27,6 +27,10 @@ enum pp_status pp_cache_words_settle(struct pp_cache_words *words,
                                      struct pp_error *err);
 void pp_cache_words_clear(struct pp_cache_words *words);
 
+/* A word that asks for something else than the default and bears on a cache only (all
+ * but --bounces); NULL: none does. */
+const char *pp_cache_words_used(const struct pp_cache_words *words);
+
 /* The cache for a scene, with the records of --cache if there is such a file. */
 enum pp_status pp_cache_words_open(struct pp_irradiance_cache **cache,
                                    const struct pp_cache_words *words,

@@ -43,8 +43,11 @@ enum pp_status pp_engine_settle(struct pp_engine_words *words, bool simulate,
                        "--engine says what simulates; it needs --simulate");
     if (words->interpolate && !words->cached)
         return pp_fail(err, PP_BAD_INPUT, "--interpolate needs --engine cache");
-    if (words->cache.file && !words->cached)
-        return pp_fail(err, PP_BAD_INPUT, "--cache needs --engine cache");
+    const char *used = pp_cache_words_used(&words->cache);
+    if (!used && words->cache.options.bounces != pp_cache_defaults().bounces)
+        used = "--bounces"; /* the tracer has no limit */
+    if (used && !words->cached)
+        return pp_fail(err, PP_BAD_INPUT, "%s needs --engine cache", used);
     return pp_cache_words_settle(&words->cache, err);
 }
 

@@ -68,7 +68,7 @@ static void write_figure(char cell[CELL], const struct pp_finding *finding, bool
     pp_append(cell, CELL, "%.*f", digits, scale * finding->figure + 0.0);
     if (isfinite(finding->std_error))
         pp_append(cell, CELL, " %s%.2f", utf8 ? "\xc2\xb1" : "+-",
-                  ceil(100.0 * scale * finding->std_error - 1e-7) / 100.0);
+                  ceil(100.0 * scale * finding->std_error - 1e-7) / 100.0 + 0.0);
     pp_append(cell, CELL, "%s", unit_of(finding->kind, utf8));
 }
 

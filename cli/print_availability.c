@@ -128,7 +128,8 @@ static void put_df(char cell[PP_CELL_BYTES], const struct pp_reading *df, bool u
         snprintf(cell, PP_CELL_BYTES, "-");
     else if (isfinite(df->std_error))
         snprintf(cell, PP_CELL_BYTES, "%.2f %s%.2f", 100.0 * df->value,
-                 utf8 ? "\xc2\xb1" : "+-", ceil(1e4 * df->std_error - 1e-9) / 100.0);
+                 utf8 ? "\xc2\xb1" : "+-",
+                 ceil(1e4 * df->std_error - 1e-9) / 100.0 + 0.0);
     else
         snprintf(cell, PP_CELL_BYTES, "%.2f", 100.0 * df->value);
 }

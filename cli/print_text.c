@@ -41,7 +41,7 @@ static void put_sampled(char cell[PP_CELL_BYTES], const struct pp_reading *readi
     put_value(cell, reading);
     if (!isfinite(reading->value) || !isfinite(reading->std_error))
         return;
-    double shown = ceil(1e4 * reading->std_error - 1e-9) / 100.0;
+    double shown = ceil(1e4 * reading->std_error - 1e-9) / 100.0 + 0.0; /* no -0 */
     pp_append(cell, PP_CELL_BYTES, " %s%.2f", utf8 ? "\xc2\xb1" : "+-", shown);
 }
 
@@ -153,6 +153,16 @@ static bool fill_table(struct pp_table *table, const struct pp_report *report,
     return true;
 }
 
+/* Has the column points of no known error, which are not sampled but interpolated? */
+static bool is_interpolated(const struct pp_report *report,
+                            const struct pp_column *column)
+{
+    for (int i = 0; i < report->receiver_count; i++)
+        if (isfinite(column->points[i].value) && !isfinite(column->points[i].std_error))
+            return true;
+    return false;
+}
+
 static void print_simulation(const struct pp_result *result,
                              const struct pp_room_options *options, bool utf8,
                              int width, FILE *out)
@@ -166,11 +176,18 @@ static void print_simulation(const struct pp_result *result,
                   "traced: by simulation, %s one standard error, seed %llu; "
                   "off, from traced: how far a method is from it",
                   error, seed);
-    if (pp_report_find(&result->report, PP_DF, "cached"))
+    const struct pp_column *cached = pp_report_find(&result->report, PP_DF, "cached");
+    if (cached)
         pp_append(text, sizeof text,
-                  "%scached: through the irradiance cache, %s the standard "
-                  "error of the sampling at the point, seed %llu",
-                  traced ? "; " : "", error, seed);
+                  "%scached: through the irradiance cache, %s%s the standard "
+                  "error of the sampling%s, seed %llu",
+                  traced ? "; " : "",
+                  is_interpolated(&result->report, cached)
+                      ? "interpolated at the points, with no error known; "
+                      : "",
+                  error,
+                  is_interpolated(&result->report, cached) ? "" : " at the point",
+                  seed);
     if (!result->report.finished)
         pp_append(text, sizeof text, "; NOT FINISHED, interrupted");
     else if (result->by_clock)

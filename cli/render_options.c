@@ -425,10 +425,11 @@ enum pp_status pp_render_choice_check(struct pp_render_choice *choice,
                        choice->false_colour ? "false colour is"
                        : choice->grid       ? "a grid is"
                                             : "records are");
-    if ((choice->records || choice->cache.file)
-        && (choice->paths || choice->from_picture))
+    const char *of_cache =
+        choice->records ? "--records" : pp_cache_words_used(&choice->cache);
+    if (of_cache && (choice->paths || choice->from_picture))
         return pp_fail(err, PP_BAD_INPUT, "%s is of a room's picture by --engine cache",
-                       choice->records ? "--records" : "--cache");
+                       of_cache);
     if (choice->exposure.said && !shown)
         return pp_fail(err, PP_BAD_INPUT,
                        "the light is kept as it is, without --exposure; expected -o "

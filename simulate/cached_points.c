@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "model/clock.h"
+#include "simulate/cache_parts.h"
 #include "simulate/hash.h"
 #include "simulate/light_parts.h"
 #include "simulate/processors.h"
@@ -23,6 +24,13 @@ static const double LEAST_ERROR = 2e-5;
 /* The standard error is widened for the number of randomisations (estimate.h). */
 static const double STUDENT = 31.0 / 29.0;
 
+/* What is reflected at a point is known by */
+enum reflected_by {
+    BY_SAMPLES,  /* rays from the point */
+    BY_RECORDS,  /* the cache, interpolated there */
+    BY_CONSTANT, /* the ambient constant: there are no bounces */
+};
+
 /* One randomisation of one point: sums over its paths. */
 struct sum {
     double part[3]; /* PP_SC, PP_ERC, PP_IRC without decorations */
@@ -34,9 +42,9 @@ struct point {
     struct pp_vec3 position, normal;
     enum pp_space space;
     uint64_t seed;
-    bool interpolated; /* then what is reflected is `reflected` */
-    double reflected;
-    uint32_t wanted; /* paths in each randomisation */
+    enum reflected_by by;
+    double reflected; /* where it is not by samples */
+    uint32_t wanted;  /* paths in each randomisation */
     struct sum sums[RANDOMISATIONS];
 };
 
@@ -73,7 +81,7 @@ static enum pp_status wish(struct pp_cached_points *points, const struct point *
                            struct pp_error *err)
 {
     if (!point->plane)
-        return point->interpolated
+        return point->by == BY_RECORDS
                    ? pp_irradiance_cache_want(points->cache, point->position,
                                               point->normal, point->space, err)
                    : pp_irradiance_cache_reach(points->cache, point->position,
@@ -92,13 +100,20 @@ static enum pp_status wish(struct pp_cached_points *points, const struct point *
     return status;
 }
 
+static enum reflected_by reflected_by(const struct pp_cached_points *points, bool plane)
+{
+    if (points->cache->options.bounces == 0)
+        return BY_CONSTANT;
+    return points->options.interpolate && !plane ? BY_RECORDS : BY_SAMPLES;
+}
+
 static struct point point_of(const struct pp_cached_points *points,
                              const struct pp_receiver *receiver)
 {
     struct point point = {.position = receiver->position,
                           .normal = receiver->normal,
                           .seed = points->options.seed,
-                          .interpolated = points->options.interpolate};
+                          .by = reflected_by(points, false)};
     const double numbers[] = {point.position.x, point.position.y, point.position.z,
                               point.normal.x,   point.normal.y,   point.normal.z};
     for (int i = 0; i < 6; i++)
@@ -129,7 +144,8 @@ static enum pp_status make(struct pp_cached_points *points,
         else
             *point = (struct point){.plane = true,
                                     .normal = {0.0, 0.0, 1.0},
-                                    .seed = pp_hash(points->options.seed, UINT64_MAX)};
+                                    .seed = pp_hash(points->options.seed, UINT64_MAX),
+                                    .by = reflected_by(points, true)};
         point->wanted = samples > 0 ? (uint32_t)samples : FIRST_PATHS;
         status = wish(points, point, err);
     }
@@ -190,9 +206,9 @@ static void one_path(const struct pp_cached_points *points, struct point *point,
         space = pp_light_scene_space(points->scene, position);
     }
     struct pp_irradiance e =
-        point->interpolated
-            ? pp_radiance_direct(walk, position, point->normal, space)
-            : pp_radiance_irradiance(walk, position, point->normal, space);
+        point->by == BY_SAMPLES
+            ? pp_radiance_irradiance(walk, position, point->normal, space)
+            : pp_radiance_direct(walk, position, point->normal, space);
     sum->part[PP_SC] += pp_rgb_luminance(e.sky);
     sum->part[PP_ERC] += pp_rgb_luminance(e.outside);
     sum->part[PP_IRC] += pp_rgb_luminance(pp_rgb_add(e.sources, e.rest));
@@ -218,13 +234,13 @@ static double value_of(const struct pp_cached_points *points, const struct point
     double decorations = points->scene->room->decorations, value[3];
     for (int i = 0; i < 3; i++)
         value[i] = point->sums[k].part[i] / point->sums[k].paths;
-    value[PP_IRC] =
-        decorations * (value[PP_IRC] + (point->interpolated ? point->reflected : 0.0));
+    value[PP_IRC] = decorations * (value[PP_IRC] + point->reflected);
     return component == PP_DF ? value[PP_SC] + value[PP_ERC] + value[PP_IRC]
                               : value[component];
 }
 
-static struct pp_reading reading_of(const struct pp_cached_points *points,
+/* With the standard error of what is sampled. */
+static struct pp_reading sampled_of(const struct pp_cached_points *points,
                                     const struct point *point, int component)
 {
     double mean = 0.0, square = 0.0;
@@ -238,6 +254,15 @@ static struct pp_reading reading_of(const struct pp_cached_points *points,
     }
     struct pp_reading reading = pp_reading_of(mean);
     reading.std_error = sqrt(STUDENT * square / (RANDOMISATIONS - 1) / RANDOMISATIONS);
+    return reading;
+}
+
+static struct pp_reading reading_of(const struct pp_cached_points *points,
+                                    const struct point *point, int component)
+{
+    struct pp_reading reading = sampled_of(points, point, component);
+    if (point->by == BY_RECORDS && (component == PP_IRC || component == PP_DF))
+        reading.std_error = NAN;
     return reading;
 }
 
@@ -262,7 +287,7 @@ static void plan_round(struct pp_cached_points *points)
     for (int i = 0; i < points->point_count; i++) {
         struct point *point = &points->points[i];
         if (point->sums[RANDOMISATIONS - 1].paths > 0) {
-            struct pp_reading df = reading_of(points, point, PP_DF);
+            struct pp_reading df = sampled_of(points, point, PP_DF);
             double wanted = fmax(points->options.error * df.value, LEAST_ERROR);
             if (points->options.samples > 0 || df.std_error <= wanted
                 || point->wanted >= MOST_PATHS)
@@ -273,17 +298,20 @@ static void plan_round(struct pp_cached_points *points)
     }
 }
 
-/* What is interpolated, once the cache is done. */
+/* Once the cache is done, what is not sampled; where it has no record after all, that
+ * is sampled too. */
 static void read_cache(struct pp_cached_points *points)
 {
     for (int i = 0; i < points->point_count; i++) {
         struct point *point = &points->points[i];
         struct pp_rgb value;
-        if (point->plane || !point->interpolated)
+        if (point->by == BY_SAMPLES)
             continue;
-        point->interpolated = pp_irradiance_cache_value(
-            points->cache, point->position, point->normal, point->space, 0, &value);
-        point->reflected = point->interpolated ? pp_rgb_luminance(value) : 0.0;
+        if (pp_irradiance_cache_value(points->cache, point->position, point->normal,
+                                      point->space, 0, &value))
+            point->reflected = pp_rgb_luminance(value);
+        else
+            point->by = BY_SAMPLES;
     }
     points->grown = true;
     plan_round(points);
@@ -330,7 +358,7 @@ double pp_cached_points_error(const struct pp_cached_points *points)
 {
     double most = NAN;
     for (int i = 0; i < points->point_count; i++) {
-        struct pp_reading df = reading_of(points, &points->points[i], PP_DF);
+        struct pp_reading df = sampled_of(points, &points->points[i], PP_DF);
         if (df.value > 0.0)
             most = fmax(most, df.std_error / df.value);
     }

@@ -4,10 +4,12 @@
  * Sky and what stands outside are sampled at the point itself, by its windows, and
  * never interpolated. What is reflected inside comes by a hemisphere of rays at the
  * point; what these meet is lit by the cache (depth 1). Only on request is that
- * hemisphere, too, read from the cache (depth 0).
+ * hemisphere, too, read from the cache (depth 0). In a cache of no bounces nothing is
+ * reflected, but for its ambient constant.
  *
  * The standard error is that of the sampling at the point, from 32 independent
- * randomisations; what the cache has wrong is not in it.
+ * randomisations; what the cache has wrong is not in it. What is interpolated has none:
+ * PP_IRC and PP_DF of such a point.
  */
 #ifndef PP_SIMULATE_CACHED_POINTS_H
 #define PP_SIMULATE_CACHED_POINTS_H
@@ -42,8 +44,8 @@ enum pp_status pp_cached_points_advance(struct pp_cached_points *points, double 
 bool pp_cached_points_done(const struct pp_cached_points *points);
 double pp_cached_points_progress(const struct pp_cached_points *points); /* 0 to 1 */
 
-/* The largest standard error over daylight factor of any point; NAN before there is
- * any. */
+/* The largest standard error, of what is sampled, over daylight factor of any point;
+ * NAN before there is any. */
 double pp_cached_points_error(const struct pp_cached_points *points);
 
 /* readings[PP_SC] ... readings[PP_DF] of receiver `index`; of the average for -1. */

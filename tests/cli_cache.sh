@@ -19,6 +19,13 @@ check "both engines beside each other" \
     --samples 16 -ad 64 --points "1.5,2" "$deep"
 check "with their difference" grep -q "from traced, %" "$scratch/out"
 check "interpolated at the points, if asked for" gives df $few --interpolate "$deep"
+check "what is interpolated has no error" nothing \
+    "$(tr -d '\r' <"$scratch/out" | grep -E '^[^,]*,[^,]*,[0-9].*,(irc|df),cached,[^,]*,[0-9]')"
+check "as is said" shows "interpolated at the points" \
+    df --simulate --engine cache --samples 16 -ad 64 --interpolate "$deep"
+check "and never as -0.00" nothing "$(grep -F -- '-0.00' "$scratch/out")"
+check "no bounce leaves nothing reflected" gives df $few -ab 0 "$deep"
+check "at any point" nothing "$(grep ',irc,cached,' "$scratch/out" | grep -v ',cached,0,')"
 
 check "a cache is written" gives df $few --cache "$kept" "$deep"
 check "and changes nothing" same "$scratch/one" "$scratch/out"
@@ -51,6 +58,10 @@ check "no half of a cache is left anywhere" \
 check "the engine needs a simulation" refuses 2 "needs --simulate" df --engine cache "$deep"
 check "the cache needs its engine" \
     refuses 2 "--cache needs --engine cache" df --simulate --cache "$kept" "$deep"
+check "so do its bounces" \
+    refuses 2 "--bounces needs --engine cache" df --simulate -ab 0 "$deep"
+check "and its constant" \
+    refuses 2 "--ambient needs --engine cache" df --simulate -av 0.1 "$deep"
 check "another engine is refused" refuses 2 "expected path, cache or path,cache" \
     df --simulate --engine radiosity "$deep"
 check "accuracy 0 is refused" refuses 2 "-aa is \"0\"" df $few -aa 0 "$deep"

@@ -25,6 +25,7 @@ for format in hdr pfm png pdf svg; do
 done
 check "a Radiance picture begins as one" begins a.hdr '#?RADIAN'
 check "and names its view" grep -aq '^VIEW= -vtv -vp 1\.[0-9]* 8\.' "$scratch/a.hdr"
+check "and its exposure" grep -aqx 'EXPOSURE= 1.000000000e+00' "$scratch/a.hdr"
 check "and its size" grep -aqx -- '-Y 32 +X 48' "$scratch/a.hdr"
 check "a float map begins as one" begins a.pfm PF
 check "a PNG begins as one" begins a.png PNG
@@ -91,6 +92,8 @@ check "daylight factors with the records on them" \
     draws k.svg $cached --quantity df --false-colour --records "$deep"
 check "a cache of another sky" refuses 1 "records" render $cached --sky uniform \
     --cache "$scratch/records" "$deep" -o "$scratch/x.hdr"
+check "a constant of paths" refuses 2 "--engine cache" \
+    render $small -av 0.1 "$deep" -o "$scratch/x.png"
 check "records of paths" refuses 2 "--engine cache" \
     render $small --records "$deep" -o "$scratch/x.png"
 

@@ -3,6 +3,7 @@
 #include "simulate/irradiance_cache.h"
 
 #include "simulate/cached_points.h"
+#include "tests/lit.h"
 #include "tests/room_of.h"
 #include "tests/traced.h"
 
@@ -322,12 +323,17 @@ static void a_room_is_as_light_as_by_paths(void **state)
             assert_near(found[i][PP_DF].value, df, fmax(0.03 * df, 5e-5));
             for (int c = PP_SC; c <= PP_ERC; c++)
                 assert_near(found[i][c].value, true_ones[i][c].value, 0.01 * df);
+            /* An error is of samples, and said where all is sampled. */
+            assert_true(isfinite(found[i][PP_SC].std_error));
+            assert_int_equal(isnan(found[i][PP_IRC].std_error), interpolate);
+            assert_int_equal(isnan(found[i][PP_DF].std_error), interpolate);
             sum += found[i][PP_DF].value;
             truth += df;
         }
         assert_near(sum, truth, 0.01 * truth);
         assert_near(found[n][PP_DF].value, true_ones[n][PP_DF].value,
                     0.015 * true_ones[n][PP_DF].value);
+        assert_true(found[n][PP_DF].std_error > 0.0);
         free(found);
     }
     free(true_ones);
@@ -388,11 +394,61 @@ static void materials_left_out_reflect_nothing(void **state)
     for (int i = 0; i < world->receiver_count; i++) {
         assert_near(less[i][PP_SC].value, all[i][PP_SC].value, 1e-12);
         assert_true(less[i][PP_IRC].value < all[i][PP_IRC].value);
-        assert_true(none[i][PP_IRC].value < less[i][PP_IRC].value);
+        assert_near(none[i][PP_IRC].value, 0.0, 0.0);
     }
     free(all);
     free(less);
     free(none);
+    pp_world_destroy(world);
+}
+
+/* Without bounces a point gets nothing reflected, but pi times the ambient constant, on
+ * average too, interpolated or not; with one, what surfaces lit by the windows send to
+ * it, as by paths of one reflection. */
+static void bounces_are_counted_from_the_point_on(void **state)
+{
+    (void)state;
+    struct pp_world *world = pp_test_world(office);
+    int n = world->receiver_count;
+    struct pp_cache_options options = pp_cache_defaults();
+    options.threads = 1;
+    for (int way = 0; way < 4; way++) {
+        const struct pp_cached_options wanted = {.samples = 16,
+                                                 .seed = 4,
+                                                 .average = true,
+                                                 .interpolate = way & 1,
+                                                 .threads = 1};
+        options.bounces = 0;
+        options.constant = pp_rgb_grey(way & 2 ? 0.017 : 0.0);
+        struct pp_reading(*none)[4] = cached(world, &options, &wanted);
+        for (int i = 0; i <= n; i++) {
+            assert_true(none[n][PP_SC].value > 0.0);
+            assert_near(none[i][PP_IRC].value, PP_PI * options.constant.g, 1e-12);
+            assert_near(none[i][PP_IRC].std_error, 0.0, 1e-12);
+        }
+        free(none);
+    }
+
+    const struct pp_cached_options wanted = {.samples = 256, .seed = 4, .threads = 1};
+    options.bounces = 1;
+    options.constant = pp_rgb_grey(0.0);
+    struct pp_light_scene *scene = scene_of(world);
+    struct pp_window_store *store = NULL;
+    assert_int_equal(pp_window_store_create(&store, scene, 1, 1, NULL), PP_OK);
+    struct pp_radiance_options light = pp_radiance_defaults();
+    light.bounces = 1;
+    struct pp_reading(*one)[4] = cached(world, &options, &wanted);
+    for (int i = 0; i < n; i++) {
+        const struct pp_receiver *at = &world->receivers[i];
+        struct pp_test_mean known =
+            pp_test_irradiance(scene, store, light, at->position, at->normal, 256);
+        assert_true(one[i][PP_IRC].value > 8.0 * one[i][PP_IRC].std_error);
+        assert_near(one[i][PP_DF].value, known.value.g,
+                    4.0 * hypot(one[i][PP_DF].std_error, known.error));
+    }
+    free(one);
+    pp_window_store_destroy(store);
+    pp_light_scene_destroy(scene);
     pp_world_destroy(world);
 }
 
@@ -432,6 +488,7 @@ int main(void)
         cmocka_unit_test(a_room_is_as_light_as_by_paths),
         cmocka_unit_test(a_record_on_an_edge_is_of_numbers),
         cmocka_unit_test(materials_left_out_reflect_nothing),
+        cmocka_unit_test(bounces_are_counted_from_the_point_on),
         cmocka_unit_test(options_that_make_no_sense_are_refused),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
