@@ -211,6 +211,12 @@ static enum pp_status run_xform(struct pp_rad_reader *reader, const struct line 
                            "more than %d copies, by this xform and those before it",
                            PP_RAD_COPIES_MOST);
     reader->copies += (long)copies;
+    for (int i = 0; i < xform.stage_count; i++)
+        if (!xform.stages[i].array) {
+            struct stage *stage = &xform.stages[i];
+            stage->transform = repeated(stage->transform, stage->count);
+            stage->count = 1;
+        }
     for (long copy = 0; copy < (long)copies && status == PP_OK; copy++) {
         struct pp_rad_transform own = copy_of(&xform, copy);
         struct pp_rad_way next = *way;
@@ -230,6 +236,11 @@ static enum pp_status run_xform(struct pp_rad_reader *reader, const struct line 
                             "files within files within files: does one name itself? ",
                             xform.files[i]);
             status = pp_rad_read_file(reader, xform.files[i], &next, err);
+            if (status == PP_OK && reader->bytes > PP_RAD_BYTES_MOST)
+                return fail(line, err,
+                            "more than 4 GiB of files are read, by this xform and "
+                            "those before it",
+                            "");
         }
         if (xform.file_count == 0)
             status = run(reader, line, which - 1, &next, err);
@@ -265,7 +276,9 @@ static enum pp_status run_gensky(struct pp_rad_reader *reader, const struct line
     sky.pattern.sun = pp_rad_turn(&way->transform, sun);
     int index;
     enum pp_status status =
-        pp_scene_add_pattern(reader->scene, &sky.pattern, &index, err);
+        pp_rad_check_materials(reader, line->words, line->number, err);
+    if (status == PP_OK)
+        status = pp_scene_add_pattern(reader->scene, &sky.pattern, &index, err);
     if (status != PP_OK)
         return status;
     if (!define(reader, "skyfunc", PP_RAD_PATTERN, index))

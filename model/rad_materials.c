@@ -232,6 +232,18 @@ static enum pp_status take_material(struct pp_rad_reader *reader,
                            : pp_fail(err, status, "%s", said.message);
 }
 
+enum pp_status pp_rad_check_materials(const struct pp_rad_reader *reader,
+                                      const struct pp_rad_words *words, int line,
+                                      struct pp_error *err)
+{
+    const struct pp_scene_description *scene = reader->scene;
+    return scene->material_count <= PP_RAD_MATERIALS_MOST - scene->pattern_count
+               ? PP_OK
+               : pp_rad_fail(words, line, err,
+                             "a scene of more than %d materials and patterns",
+                             PP_RAD_MATERIALS_MOST);
+}
+
 /* ---- the sky ---- */
 
 /* The turn about the vertical that the strings behind the function's file ask for. */

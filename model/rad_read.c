@@ -8,8 +8,7 @@
 #include "model/file_bytes.h"
 #include "model/rad_reader.h"
 
-/* Of one file, and of what one primitive has of strings or numbers. */
-static const size_t FILE_MOST = (size_t)4 << 30;
+/* What one primitive has of strings or numbers. */
 enum { ARGUMENTS_MOST = 3000000 };
 
 /* A list with room for count things of that size; NULL, and the old one stays, where
@@ -206,8 +205,11 @@ static enum pp_status read_next(struct pp_rad_reader *reader,
         && !pp_rad_find(&reader->names, modifier.text, modifier.length,
                         &primitive.modifier))
         return say_unknown(words, modifier, "material or pattern", err);
-    return alias ? take_alias(reader, &primitive, modifier, err)
-                 : take(reader, &primitive, way, err);
+    status = alias ? take_alias(reader, &primitive, modifier, err)
+                   : take(reader, &primitive, way, err);
+    return status == PP_OK
+               ? pp_rad_check_materials(reader, words, primitive.line, err)
+               : status;
 }
 
 static enum pp_status read_words(struct pp_rad_reader *reader,
@@ -225,11 +227,12 @@ enum pp_status pp_rad_read_file(struct pp_rad_reader *reader, const char *path,
 {
     char *bytes;
     size_t length;
-    enum pp_status status = pp_file_bytes(&bytes, &length, path, FILE_MOST, err);
+    enum pp_status status = pp_file_bytes(&bytes, &length, path, PP_RAD_BYTES_MOST, err);
     if (status != PP_OK)
         return status;
     struct pp_rad_words words = {pp_file_title(path), bytes, length, 0, 1};
-    status = length > FILE_MOST
+    reader->bytes += length;
+    status = length > PP_RAD_BYTES_MOST
                  ? pp_fail(err, PP_BAD_INPUT, "%s: larger than 4 GiB", words.file)
                  : read_words(reader, &words, way, err);
     free(bytes);

@@ -12,16 +12,25 @@
 #include "model/rad_transform.h"
 #include "model/rad_words.h"
 
-/* Files that read files that ...; copies that all xforms make, and shapes, in all: a
- * line of a hundred characters can ask for any number. The fuzzer's are smaller, for
- * speed. */
+/* Of one file, and of all that xforms read. */
+#define PP_RAD_BYTES_MOST ((size_t)4 << 30)
+
+/* Files that read files that ...; copies that all xforms make, shapes, and materials
+ * with patterns, in all: a line of a hundred characters can ask for any number. The
+ * fuzzer's are smaller, for speed. */
 #ifdef FUZZING_BUILD_MODE_UNSAFE_FOR_PRODUCTION
-enum { PP_RAD_DEPTH_MOST = 8, PP_RAD_COPIES_MOST = 1000, PP_RAD_SHAPES_MOST = 20000 };
+enum {
+    PP_RAD_DEPTH_MOST = 8,
+    PP_RAD_COPIES_MOST = 1000,
+    PP_RAD_SHAPES_MOST = 20000,
+    PP_RAD_MATERIALS_MOST = 2000
+};
 #else
 enum {
     PP_RAD_DEPTH_MOST = 32,
     PP_RAD_COPIES_MOST = 1000000,
-    PP_RAD_SHAPES_MOST = 50000000
+    PP_RAD_SHAPES_MOST = 50000000,
+    PP_RAD_MATERIALS_MOST = 1000000
 };
 #endif
 
@@ -50,7 +59,8 @@ struct pp_rad_reader {
     struct pp_scene_description *scene;
     struct pp_rad_summary *summary;
     struct pp_rad_names names;
-    long copies; /* that xforms have made so far */
+    long copies;              /* that xforms have made so far, */
+    unsigned long long bytes; /* and of the files read */
     /* Of the primitive that is being read; kept from one to the next. */
     struct pp_rad_word *strings;
     int string_space;
@@ -82,6 +92,11 @@ enum pp_status pp_rad_take_shape(struct pp_rad_reader *reader,
                                  const struct pp_rad_primitive *primitive,
                                  const struct pp_rad_way *way, bool *taken,
                                  struct pp_error *err);
+
+/* PP_BAD_INPUT where there are more materials and patterns than may be. */
+enum pp_status pp_rad_check_materials(const struct pp_rad_reader *reader,
+                                      const struct pp_rad_words *words, int line,
+                                      struct pp_error *err);
 
 /* Works out what the commands of a line, piped together, would print, and reads that.
  * `words` is where the line stands. */

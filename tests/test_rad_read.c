@@ -264,6 +264,51 @@ static void a_file_stands_in_a_file(void **state)
     unlink(inner);
 }
 
+static void assert_too_much(const char *text, const char *why)
+{
+    struct pp_scene_description scene;
+    struct pp_rad_summary summary;
+    struct pp_error err;
+    assert_int_equal(parse(&scene, &summary, text, strlen(text), &err), PP_BAD_INPUT);
+    if (!strstr(err.message, why) || !strstr(err.message, ":2: "))
+        fail_msg("\"%s\" is not \"%s\" of line 2", err.message, why);
+    pp_scene_description_clear(&scene);
+}
+
+/* A line asks for a million copies of a comment of 16 MiB, of a material, of a sky, or
+ * for a million times a million boxes. */
+static void short_scenes_that_ask_for_too_much_are_refused(void **state)
+{
+    (void)state;
+    enum { COMMENT = 16 << 20 };
+    char name[] = "/tmp/pp-large-XXXXXX", text[300];
+    int file = mkstemp(name);
+    assert_true(file >= 0);
+    char *comment = malloc(COMMENT);
+    assert_non_null(comment);
+    memset(comment, '#', COMMENT);
+    assert_int_equal(write(file, comment, COMMENT), COMMENT);
+    free(comment);
+    snprintf(text, sizeof text, WHITE "!xform -a 1000000 -t 1 0 0 %s\n", name);
+    assert_too_much(text, "4 GiB");
+    static const char two[] = "void plastic a 0 0 5 0 0 0 0 0 void light b 0 0 3 1 1 1";
+    assert_int_equal(ftruncate(file, 0), 0);
+    assert_int_equal(pwrite(file, two, sizeof two - 1, 0), sizeof two - 1);
+    struct pp_scene_description scene;
+    struct pp_rad_summary summary;
+    struct pp_error err;
+    assert_int_equal(parse(&scene, &summary, text, strlen(text), &err), PP_BAD_INPUT);
+    assert_non_null(strstr(err.message, "more than 1000000 materials"));
+    close(file);
+    unlink(name);
+    assert_too_much(WHITE "!gensky -ang 30 0 +s | xform -a 1000000 -rz 1\n",
+                    "more than 1000000 materials");
+    assert_too_much(WHITE
+                    "!genbox white b 1 1 1 | xform -a 1000000 -t 2 0 0 | xform -a "
+                    "1000000 -t 0 2 0\n",
+                    "more than 1000000 copies");
+}
+
 /* What Radiance's own gensky prints for these. */
 static void skies_are_those_of_gensky(void **state)
 {
@@ -483,6 +528,7 @@ int main(void)
         cmocka_unit_test(an_array_of_many_steps_ends_where_it_should),
         cmocka_unit_test(boxes_may_have_bevelled_and_round_edges),
         cmocka_unit_test(a_file_stands_in_a_file),
+        cmocka_unit_test(short_scenes_that_ask_for_too_much_are_refused),
         cmocka_unit_test(skies_are_those_of_gensky),
         cmocka_unit_test(what_has_no_area_or_is_not_seen_is_left_out),
         cmocka_unit_test(what_is_not_understood_is_refused_by_its_line),
