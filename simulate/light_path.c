@@ -6,10 +6,14 @@
 enum {
     /* A path ends here where nothing ever absorbs. */
     MOST_BOUNCES = 1 << 14,
-    /* Among its first surfaces a path looks both through glass and at what it mirrors.
-     */
-    BOTH_WAYS = 3,
+    /* At so many surfaces, up to the first that scatters, a path goes all ways. */
+    FIRST_FEW = 3,
 };
+
+/* What a gloss, a mirror or a pane leads to may be a window or a lamp, far brighter
+ * than all that they light: Russian roulette begins at this share of the weight that it
+ * does for diffuse light. */
+static const double LEAST_GLOSS = 0.1;
 
 enum pp_meeting pp_light_path_meet(struct pp_radiance_walk *walk,
                                    const struct pp_light_ray *ray,
@@ -142,16 +146,14 @@ static enum pp_lobe choose_lobe(const struct pp_lobes *lobes, double u,
     return chosen;
 }
 
-/* Sends the path on from the surface by one of its lobes; false where it ends. */
-static bool send_on(struct pp_radiance_walk *walk, struct pp_light_path *path,
-                    const struct pp_lobes *lobes, const struct pp_light_hit *hit)
+/* Turns the path to where one of the lobes sends it, by two numbers in (0, 1), with
+ * that lobe's weight already; false where it ends. */
+static bool leave_by(const struct pp_radiance_walk *walk, struct pp_light_path *path,
+                     const struct pp_lobes *lobes, enum pp_lobe lobe,
+                     const struct pp_light_hit *hit, double u, double v)
 {
-    double u[4]; /* direction (2), lobe, going on */
-    pp_sequence_draw(&walk->sequence, walk->index, path->vertex * PP_DRAWS, 4, u);
-    enum pp_lobe lobe = choose_lobe(lobes, u[2], &path->weight);
     double factor;
-    if (lobe == PP_LOBE_COUNT
-        || !pp_lobes_sample(lobes, lobe, u[0], u[1], &path->ray.to, &factor))
+    if (!pp_lobes_sample(lobes, lobe, u, v, &path->ray.to, &factor))
         return false;
     path->weight = pp_rgb_scale(path->weight, factor);
     bool through = lobe == PP_LOBE_THROUGH_DIFFUSE || lobe == PP_LOBE_THROUGH_GLOSS
@@ -170,29 +172,70 @@ static bool send_on(struct pp_radiance_walk *walk, struct pp_light_path *path,
     } else if (lobe == PP_LOBE_MIRROR) {
         path->aimed = PP_AIMED_AT_NOTHING;
     }
+    return true;
+}
 
-    double chance = pp_rgb_most(path->weight) / path->least;
+/* Sends the path on from the surface by one of its lobes; false where it ends. */
+static bool send_on(struct pp_radiance_walk *walk, struct pp_light_path *path,
+                    const struct pp_lobes *lobes, const struct pp_light_hit *hit)
+{
+    double u[4]; /* direction (2), lobe, going on */
+    pp_sequence_draw(&walk->sequence, walk->index, path->vertex * PP_DRAWS, 4, u);
+    enum pp_lobe lobe = choose_lobe(lobes, u[2], &path->weight);
+    if (lobe == PP_LOBE_COUNT || !leave_by(walk, path, lobes, lobe, hit, u[0], u[1]))
+        return false;
+    bool diffuse = lobe == PP_LOBE_DIFFUSE || lobe == PP_LOBE_THROUGH_DIFFUSE;
+    double least = diffuse ? path->least : LEAST_GLOSS * path->least;
+    double chance = pp_rgb_most(path->weight) / least;
     if (chance >= 1.0)
         return true;
     path->weight = pp_rgb_scale(path->weight, 1.0 / chance);
     return u[3] < chance;
 }
 
-/* What glass mirrors, as a path of its own: the first one looks through it alone. */
-static struct pp_rgb mirrored(struct pp_radiance_walk *walk,
-                              const struct pp_light_path *path, struct pp_lobes *lobes,
-                              const struct pp_light_hit *hit)
+/* What one of the lobes brings, as a path of its own. */
+static struct pp_rgb follow_lobe(struct pp_radiance_walk *walk,
+                                 const struct pp_light_path *path,
+                                 const struct pp_lobes *lobes, enum pp_lobe lobe,
+                                 const struct pp_light_hit *hit)
 {
     struct pp_light_path other = *path;
-    double factor;
-    other.weight = pp_rgb_times(path->weight, lobes->share[PP_LOBE_MIRROR]);
-    lobes->share[PP_LOBE_MIRROR] = pp_rgb_grey(0.0);
-    pp_lobes_sample(lobes, PP_LOBE_MIRROR, 0.0, 0.0, &other.ray.to, &factor);
-    other.ray.from = hit->point;
-    other.ray.off = lobes->n;
-    other.ray.space = hit->space;
-    other.vertex = pp_branch_off(path->vertex, PP_DRAWS);
+    double u[2];
+    other.vertex = pp_branch_off(path->vertex, PP_DRAWS + (int)lobe);
+    other.weight = pp_rgb_times(path->weight, lobes->share[lobe]);
+    pp_sequence_draw(&walk->sequence, walk->index, other.vertex++ * PP_DRAWS, 2, u);
+    if (!leave_by(walk, &other, lobes, lobe, hit, u[0], u[1]))
+        return pp_rgb_grey(0.0);
     return pp_light_path_follow(walk, &other, NULL);
+}
+
+/* Gloss and mirror bring much or nothing: where something else is left for the path
+ * itself, they are followed beside it, and done with. */
+static struct pp_rgb follow_others(struct pp_radiance_walk *walk,
+                                   const struct pp_light_path *path,
+                                   struct pp_lobes *lobes,
+                                   const struct pp_light_hit *hit)
+{
+    struct pp_rgb sum = pp_rgb_grey(0.0);
+    int left = 0;
+    for (int i = 0; i < PP_LOBE_COUNT; i++)
+        left += !pp_rgb_is_black(lobes->share[i]);
+    for (int i = PP_LOBE_GLOSS; i <= PP_LOBE_MIRROR && left > 1; i++) {
+        if (pp_rgb_is_black(lobes->share[i]))
+            continue;
+        sum = pp_rgb_add(sum, follow_lobe(walk, path, lobes, (enum pp_lobe)i, hit));
+        lobes->share[i] = pp_rgb_grey(0.0);
+        left--;
+    }
+    return sum;
+}
+
+static bool scatters(const struct pp_lobes *lobes)
+{
+    for (int i = PP_LOBE_DIFFUSE; i <= PP_LOBE_THROUGH_GLOSS; i++)
+        if (!pp_rgb_is_black(lobes->share[i]))
+            return true;
+    return false;
 }
 
 /* The point that was met, back along the ray by half of what lifts rays off their
@@ -226,11 +269,11 @@ bool pp_light_path_arrive(struct pp_radiance_walk *walk, struct pp_light_path *p
         lobes.share[PP_LOBE_STRAIGHT] = lobes.share[PP_LOBE_THROUGH_DIFFUSE] =
             pp_rgb_grey(0.0);
 
-    bool scatters = !pp_rgb_is_black(lobes.share[PP_LOBE_DIFFUSE])
-                    || !pp_rgb_is_black(lobes.share[PP_LOBE_THROUGH_DIFFUSE])
-                    || !pp_rgb_is_black(lobes.share[PP_LOBE_GLOSS]);
     struct pp_light_hit from = drawn_back(hit, path->ray.to);
     struct pp_rgb here = aim_at_all(walk, &lobes, &from, path);
+    /* Behind clear glass it is still the first surface that scatters. */
+    bool first = path->many && path->bounces <= FIRST_FEW;
+    path->many = path->many && !scatters(&lobes);
     int most = walk->options.bounces;
     if (most >= 0 && path->depth >= most)
         lobes.share[PP_LOBE_DIFFUSE] = lobes.share[PP_LOBE_THROUGH_DIFFUSE] =
@@ -238,12 +281,8 @@ bool pp_light_path_arrive(struct pp_radiance_walk *walk, struct pp_light_path *p
     else if (walk->ambient)
         here = pp_rgb_add(here, ask_ambient(walk, &lobes, hit, path));
     *total = pp_rgb_add(*total, pp_rgb_times(path->weight, here));
-    /* Behind clear glass it is still the first surface that scatters. */
-    if (path->many && path->bounces <= BOTH_WAYS
-        && !pp_rgb_is_black(lobes.share[PP_LOBE_MIRROR])
-        && !pp_rgb_is_black(lobes.share[PP_LOBE_STRAIGHT]))
-        *total = pp_rgb_add(*total, mirrored(walk, path, &lobes, &from));
-    path->many = path->many && !scatters;
+    if (first)
+        *total = pp_rgb_add(*total, follow_others(walk, path, &lobes, &from));
     bool goes = send_on(walk, path, &lobes, &from);
     path->vertex++;
     return goes;

@@ -33,7 +33,7 @@ enum pp_aimed_at {
 struct pp_light_path {
     struct pp_light_ray ray;
     struct pp_rgb weight;
-    double least; /* Russian roulette below this weight */
+    double least; /* Russian roulette below this weight; of a gloss a tenth of it */
     enum pp_aimed_at aimed;
     struct pp_vec3 from; /* of PP_AIMED_AT_SMALL: where, and how large is small */
     double width;

@@ -54,8 +54,8 @@ struct pp_radiance_options {
                          * pixel about 64/n is enough */
     int bounces;        /* diffuse reflections on the way, at most; -1: no limit but
                          * Russian roulette, without bias */
-    double least;       /* Russian roulette below this share of a path's first weight;
-                         * greater than 0 */
+    double least;       /* Russian roulette below this share of a path's first weight,
+                         * of a gloss and the like below a tenth of it; greater than 0 */
 };
 
 /* Everything on, unbiased but for `stored`: 0.2 of the distance, at most 64 directions,
