@@ -10,66 +10,17 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Corners that come back from the clipper are the polygons' own when they are nearer
- * than this. */
-static const double SAME_POINT_M = 1e-7;
+#include "model/face_region.h"
 
 typedef double point[2];
 
-/* The plane's own coordinates, from a corner of the face. */
-struct chart {
-    struct pp_vec3 origin, a, b;
-};
-
-static struct chart chart_of(const struct pp_polygon *face)
+static struct pp_face_axes axes_of(const struct pp_polygon *face)
 {
-    struct chart chart = {.origin = face->vertices[0]};
+    struct pp_face_axes axes = {.origin = face->vertices[0]};
     /* Along the first edge: upright walls then have upright coordinates. */
-    chart.a = pp_unit(pp_sub(face->vertices[1], face->vertices[0]));
-    chart.b = pp_cross(face->normal, chart.a);
-    return chart;
-}
-
-static enum pp_status region_of(struct pp_region *region, struct pp_clipper *clipper,
-                                const struct chart *chart,
-                                const struct pp_polygon *polygon, struct pp_error *err)
-{
-    point *xy = malloc(sizeof *xy * (size_t)polygon->count);
-    if (!xy)
-        return pp_fail_memory(err);
-    for (int i = 0; i < polygon->count; i++) {
-        struct pp_vec3 v = pp_sub(polygon->vertices[i], chart->origin);
-        xy[i][0] = pp_dot(v, chart->a);
-        xy[i][1] = pp_dot(v, chart->b);
-    }
-    enum pp_status status =
-        pp_region_of_ring(clipper, region, (const point *)xy, polygon->count, err);
-    free(xy);
-    return status;
-}
-
-/* The face less its openings, as the clipper sees it. */
-static enum pp_status cut_openings(struct pp_region *region, struct pp_clipper *clipper,
-                                   const struct chart *chart,
-                                   const struct pp_world *world, int face,
-                                   struct pp_error *err)
-{
-    enum pp_status status =
-        region_of(region, clipper, chart, &world->surfaces[face].outline, err);
-    for (int i = 0; status == PP_OK && i < world->opening_count; i++) {
-        if (world->openings[i].face != face)
-            continue;
-        struct pp_region gap = {0, NULL}, rest = {0, NULL};
-        status = region_of(&gap, clipper, chart, &world->openings[i].inner, err);
-        if (status == PP_OK)
-            status = pp_region_difference(clipper, &rest, region, &gap, err);
-        pp_region_destroy(&gap);
-        if (status == PP_OK) {
-            pp_region_destroy(region);
-            *region = rest;
-        }
-    }
-    return status;
+    axes.a = pp_unit(pp_sub(face->vertices[1], face->vertices[0]));
+    axes.b = pp_cross(face->normal, axes.a);
+    return axes;
 }
 
 /* ---- seams ---- */
@@ -181,30 +132,9 @@ static enum pp_status sew_all(struct line *outline, struct line *holes, int coun
 
 /* ---- back into the room ---- */
 
-static bool snap(struct pp_vec3 *corner, const struct pp_polygon *polygon)
-{
-    for (int i = 0; i < polygon->count; i++)
-        if (pp_length(pp_sub(polygon->vertices[i], *corner)) < SAME_POINT_M) {
-            *corner = polygon->vertices[i];
-            return true;
-        }
-    return false;
-}
-
-static struct pp_vec3 corner_at(const struct chart *chart, const double *xy,
-                                const struct pp_world *world, int face)
-{
-    struct pp_vec3 corner =
-        pp_along(pp_along(chart->origin, xy[0], chart->a), xy[1], chart->b);
-    bool found = snap(&corner, &world->surfaces[face].outline);
-    for (int i = 0; i < world->opening_count && !found; i++)
-        found =
-            world->openings[i].face == face && snap(&corner, &world->openings[i].inner);
-    return corner;
-}
-
 /* An outer ring and its holes, rings[0] to rings[count - 1], as one more outline. */
-static enum pp_status add_outline(struct pp_cut_face *cut, const struct chart *chart,
+static enum pp_status add_outline(struct pp_cut_face *cut,
+                                  const struct pp_face_axes *axes,
                                   const struct pp_ring *rings, int count,
                                   const struct pp_world *world, int face,
                                   struct pp_error *err)
@@ -225,7 +155,8 @@ static enum pp_status add_outline(struct pp_cut_face *cut, const struct chart *c
     }
     if (status == PP_OK) {
         for (int i = 0; i < outline.count; i++)
-            corners[i] = corner_at(chart, outline.xy[i], world, face);
+            corners[i] = pp_face_corner(axes, outline.xy[i],
+                                        &world->surfaces[face].outline, world, face);
         cut->outlines[cut->count++] = (struct pp_ring_3d){outline.count, corners};
         corners = NULL;
     }
@@ -259,7 +190,7 @@ enum pp_status pp_cut_face_create(struct pp_cut_face *cut, const struct pp_world
                                   int face, struct pp_error *err)
 {
     const struct pp_polygon *outline = &world->surfaces[face].outline;
-    struct chart chart = chart_of(outline);
+    struct pp_face_axes axes = axes_of(outline);
     struct pp_region region = {0, NULL};
     struct pp_clipper *clipper = NULL;
     bool whole = true;
@@ -270,7 +201,7 @@ enum pp_status pp_cut_face_create(struct pp_cut_face *cut, const struct pp_world
     if (!whole)
         status = pp_clipper_create(&clipper, err);
     if (!whole && status == PP_OK)
-        status = cut_openings(&region, clipper, &chart, world, face, err);
+        status = pp_face_region(&region, clipper, &axes, outline, world, face, err);
     cut->outlines = calloc((size_t)region.count + 1, sizeof *cut->outlines);
     if (status == PP_OK && !cut->outlines)
         status = pp_fail_memory(err);
@@ -280,7 +211,7 @@ enum pp_status pp_cut_face_create(struct pp_cut_face *cut, const struct pp_world
         next = i + 1;
         while (next < region.count && signed_area(&region.rings[next]) < 0.0)
             next++;
-        status = add_outline(cut, &chart, region.rings + i, next - i, world, face, err);
+        status = add_outline(cut, &axes, region.rings + i, next - i, world, face, err);
     }
     pp_region_destroy(&region);
     pp_clipper_destroy(clipper);

@@ -1,6 +1,7 @@
 /* light_sources.c - light from concentrated emitters, aimed at. See light_path.h. */
 #include <math.h>
 
+#include "simulate/choose.h"
 #include "simulate/light_path.h"
 
 enum {
@@ -106,28 +107,17 @@ static struct pp_rgb light_of_emitter(struct pp_radiance_walk *walk,
     return pp_rgb_scale(sum, 1.0 / count);
 }
 
-/* The emitter that u falls to, in proportion to what each may count; -1: none. */
-static int choose_emitter(const struct pp_light_scene *scene, const struct pp_lit *lit,
-                          double u, double *probability)
+/* What emitters may count for a lit surface. */
+struct lit_scene {
+    const struct pp_light_scene *scene;
+    const struct pp_lit *lit;
+};
+
+static double importance_of(const void *of, int emitter)
 {
-    double total = 0.0;
-    for (int i = 0; i < scene->emitter_count; i++)
-        total +=
-            pp_emitter_importance(&scene->emitters[i], scene, lit->point, lit->normal);
-    double left = u * total;
-    int chosen = -1;
-    for (int i = 0; i < scene->emitter_count; i++) {
-        double importance =
-            pp_emitter_importance(&scene->emitters[i], scene, lit->point, lit->normal);
-        if (!(importance > 0.0))
-            continue;
-        chosen = i;
-        *probability = importance / total;
-        if (left < importance)
-            break;
-        left -= importance;
-    }
-    return chosen;
+    const struct lit_scene *here = of;
+    return pp_emitter_importance(&here->scene->emitters[emitter], here->scene,
+                                 here->lit->point, here->lit->normal);
 }
 
 struct pp_rgb pp_light_from_sources(struct pp_radiance_walk *walk,
@@ -148,7 +138,8 @@ struct pp_rgb pp_light_from_sources(struct pp_radiance_walk *walk,
     }
     double u, probability;
     pp_sequence_draw(&walk->sequence, walk->index, pp_branch_off(vertex, 0), 1, &u);
-    int chosen = choose_emitter(scene, lit, u, &probability);
+    struct lit_scene here = {scene, lit};
+    int chosen = pp_choose(importance_of, &here, scene->emitter_count, u, &probability);
     if (chosen < 0)
         return sum;
     return pp_rgb_scale(light_of_emitter(walk, lit, chosen, vertex), 1.0 / probability);

@@ -212,30 +212,6 @@ static void light_of_window(struct pp_radiance_walk *walk, const struct pp_lit *
     walk->index = index;
 }
 
-static int choose_window(const struct pp_light_scene *scene, const struct pp_lit *lit,
-                         double u, double *probability)
-{
-    const struct pp_scene *room = scene->room;
-    double total = 0.0;
-    for (int i = 0; i < room->pane_count; i++)
-        total += pp_target_importance(&room->panes[i].target, lit->point, lit->normal,
-                                      room->brightness);
-    double left = u * total;
-    int chosen = -1;
-    for (int i = 0; i < room->pane_count; i++) {
-        double importance = pp_target_importance(&room->panes[i].target, lit->point,
-                                                 lit->normal, room->brightness);
-        if (!(importance > 0.0))
-            continue;
-        chosen = i;
-        *probability = importance / total;
-        if (left < importance)
-            break;
-        left -= importance;
-    }
-    return chosen;
-}
-
 void pp_light_from_windows(struct pp_radiance_walk *walk, const struct pp_lit *lit,
                            struct pp_irradiance *sum)
 {
@@ -252,7 +228,8 @@ void pp_light_from_windows(struct pp_radiance_walk *walk, const struct pp_lit *l
     }
     double u, probability;
     pp_sequence_draw(&walk->sequence, walk->index, pp_branch_off(vertex, 0), 1, &u);
-    int chosen = choose_window(scene, lit, u, &probability);
+    int chosen =
+        pp_scene_choose_pane(scene->room, lit->point, lit->normal, u, &probability);
     if (chosen >= 0)
         light_of_window(walk, lit, chosen, vertex, 1.0 / probability, sum);
 }

@@ -46,8 +46,8 @@ static struct pp_vec3 side_normal(const struct pp_facet *facet, enum pp_facet_si
     return side == PP_FRONT ? facet->normal : pp_scale(facet->normal, -1.0);
 }
 
-static struct pp_vec3 lobe(const struct pp_facet *facet, enum pp_facet_side side, double u,
-                           double v)
+static struct pp_vec3 lobe(const struct pp_facet *facet, enum pp_facet_side side,
+                           double u, double v)
 {
     return pp_sample_lobe(facet->a, facet->b, side_normal(facet, side), u, v);
 }
@@ -90,8 +90,7 @@ static struct optics optics_of(const struct pp_opening *opening,
     double glass =
         opening->frame_factor * pp_glass_reflectance(&opening->glass, cos_incidence);
     double through = pp_glass_transmittance(&opening->glass, cos_incidence)
-                     * opening->frame_factor * opening->maintenance
-                     * opening->curtains;
+                     * opening->frame_factor * opening->maintenance * opening->curtains;
     if (opening->glass.diffusing)
         return (struct optics){0.0, frame + glass, through};
     return (struct optics){glass, frame, through};
@@ -229,32 +228,6 @@ static void follow(struct pp_walk *walk, struct ray ray, int vertex,
 
 /* ---- openings, sampled directly ---- */
 
-/* The opening that u falls to, in proportion to what each may bring; -1: none can. */
-static int choose_opening(const struct pp_scene *scene, struct pp_vec3 p,
-                          struct pp_vec3 n, double u, double *probability)
-{
-    *probability = 1.0;
-    if (scene->pane_count == 1)
-        return pp_target_in_sight(&scene->panes[0].target, p, n) ? 0 : -1;
-    double total = 0.0;
-    for (int i = 0; i < scene->pane_count; i++)
-        total += pp_target_importance(&scene->panes[i].target, p, n, scene->brightness);
-    double left = u * total;
-    int chosen = -1;
-    for (int i = 0; i < scene->pane_count; i++) {
-        double importance =
-            pp_target_importance(&scene->panes[i].target, p, n, scene->brightness);
-        if (!(importance > 0.0))
-            continue;
-        chosen = i;
-        *probability = importance / total;
-        if (left < importance)
-            break;
-        left -= importance;
-    }
-    return chosen;
-}
-
 /* The ray that leaves by the opening where the aim goes; false where nothing comes in
  * that way, or a surface stands before it. */
 static bool leave_by(struct pp_walk *walk, const struct pp_pane *pane,
@@ -299,7 +272,7 @@ void pp_path_openings(struct pp_walk *walk, struct pp_vec3 p, struct pp_vec3 n,
 {
     const struct pp_scene *scene = walk->scene;
     double probability;
-    int chosen = choose_opening(scene, p, n, u[2], &probability);
+    int chosen = pp_scene_choose_pane(scene, p, n, u[2], &probability);
     if (chosen < 0)
         return;
     const struct pp_pane *pane = &scene->panes[chosen];

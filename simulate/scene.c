@@ -5,6 +5,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "simulate/choose.h"
 #include "simulate/lobe.h"
 #include "simulate/triangles.h"
 
@@ -280,6 +281,30 @@ struct pp_vec3 pp_scene_plane_point(const struct pp_scene *scene, double u, doub
     double root = sqrt(fmin(left / area, 1.0));
     return pp_add(pp_scale(t[0], 1.0 - root),
                   pp_add(pp_scale(t[1], root * (1.0 - v)), pp_scale(t[2], root * v)));
+}
+
+/* What panes may count at a point of a surface. */
+struct lit_point {
+    const struct pp_scene *scene;
+    struct pp_vec3 point, normal;
+};
+
+static double importance_of(const void *of, int pane)
+{
+    const struct lit_point *lit = of;
+    return pp_target_importance(&lit->scene->panes[pane].target, lit->point,
+                                lit->normal, lit->scene->brightness);
+}
+
+int pp_scene_choose_pane(const struct pp_scene *scene, struct pp_vec3 point,
+                         struct pp_vec3 normal, double u, double *probability)
+{
+    if (scene->pane_count == 1) {
+        *probability = 1.0;
+        return pp_target_in_sight(&scene->panes[0].target, point, normal) ? 0 : -1;
+    }
+    struct lit_point lit = {scene, point, normal};
+    return pp_choose(importance_of, &lit, scene->pane_count, u, probability);
 }
 
 /* Where a ray starts: off its plane by more than single precision can lose, so that it

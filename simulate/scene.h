@@ -57,8 +57,8 @@ struct pp_scene {
     double plane_area_m2;
 
     double most_exitance; /* of any surface by itself */
-    double decorations;   /* allowance on what is reflected inside, no matter of paths */
-    bool reflects;        /* does anything that the room sees? */
+    double decorations; /* allowance on what is reflected inside, no matter of paths */
+    bool reflects;      /* does anything that the room sees? */
 
     struct pp_outside outside;
     struct pp_brightness brightness; /* a guess of what lies beyond the openings */
@@ -71,6 +71,11 @@ void pp_scene_destroy(struct pp_scene *scene); /* NULL is allowed */
 
 /* A point of the working plane, uniform by area for two numbers in (0, 1). */
 struct pp_vec3 pp_scene_plane_point(const struct pp_scene *scene, double u, double v);
+
+/* The opening that u in [0, 1) falls to, in proportion to what each may bring to that
+ * side of a surface, and its probability; -1: none can bring anything. */
+int pp_scene_choose_pane(const struct pp_scene *scene, struct pp_vec3 point,
+                         struct pp_vec3 normal, double u, double *probability);
 
 /* A ray's first meeting. */
 struct pp_contact {

@@ -4,11 +4,8 @@
 #include <stdbool.h>
 #include <stdlib.h>
 
+#include "model/face_region.h"
 #include "simulate/lobe.h"
-
-/* Corners that come back from the clipper are the polygons' own when they are nearer
- * than this. */
-static const double SAME_POINT_M = 1e-7;
 
 double pp_triangle_area(const struct pp_vec3 triangle[3])
 {
@@ -66,98 +63,26 @@ static enum pp_status fan(struct pp_triangles *list, const struct pp_polygon *po
     return status;
 }
 
-/* A plane's own coordinates, from a corner of the polygon in it. */
-struct chart {
-    struct pp_vec3 origin, a, b;
-};
-
-static struct chart chart_of(const struct pp_polygon *polygon)
-{
-    struct chart chart = {.origin = polygon->vertices[0]};
-    pp_frame_about(polygon->normal, &chart.a, &chart.b);
-    return chart;
-}
-
-static enum pp_status region_of(struct pp_region *region, struct pp_clipper *clipper,
-                                const struct chart *chart,
-                                const struct pp_polygon *polygon, struct pp_error *err)
-{
-    double(*xy)[2] = malloc(sizeof *xy * (size_t)polygon->count);
-    if (!xy)
-        return pp_fail_memory(err);
-    for (int i = 0; i < polygon->count; i++) {
-        struct pp_vec3 v = pp_sub(polygon->vertices[i], chart->origin);
-        xy[i][0] = pp_dot(v, chart->a);
-        xy[i][1] = pp_dot(v, chart->b);
-    }
-    enum pp_status status =
-        pp_region_of_ring(clipper, region, (const double(*)[2])xy, polygon->count, err);
-    free(xy);
-    return status;
-}
-
-/* Takes an opening's outline from the region. */
-static enum pp_status cut(struct pp_region *region, struct pp_clipper *clipper,
-                          const struct chart *chart, const struct pp_polygon *hole,
-                          struct pp_error *err)
-{
-    struct pp_region gap = {0, NULL}, rest = {0, NULL};
-    enum pp_status status = region_of(&gap, clipper, chart, hole, err);
-    if (status == PP_OK)
-        status = pp_region_difference(clipper, &rest, region, &gap, err);
-    pp_region_destroy(&gap);
-    if (status == PP_OK) {
-        pp_region_destroy(region);
-        *region = rest;
-    }
-    return status;
-}
-
-/* The polygon's own vertex where there is one, else the point itself. */
-static bool snap(struct pp_vec3 *point, const struct pp_polygon *polygon)
-{
-    for (int i = 0; i < polygon->count; i++)
-        if (pp_length(pp_sub(polygon->vertices[i], *point)) < SAME_POINT_M) {
-            *point = polygon->vertices[i];
-            return true;
-        }
-    return false;
-}
-
-static struct pp_vec3 corner_at(const struct chart *chart, const double xy[2],
-                                const struct pp_polygon *polygon,
-                                const struct pp_world *world, int face)
-{
-    struct pp_vec3 point =
-        pp_along(pp_along(chart->origin, xy[0], chart->a), xy[1], chart->b);
-    bool found = snap(&point, polygon);
-    for (int i = 0; face >= 0 && !found && i < world->opening_count; i++)
-        found =
-            world->openings[i].face == face && snap(&point, &world->openings[i].inner);
-    return point;
-}
-
 /* A figure with or without openings (those in `face`, -1: none), by the clipper. */
 static enum pp_status triangulate(struct pp_triangles *list, struct pp_clipper *clipper,
                                   const struct pp_polygon *polygon, int facet,
                                   const struct pp_world *world, int face,
                                   struct pp_vec3 centre, struct pp_error *err)
 {
-    struct chart chart = chart_of(polygon);
+    struct pp_face_axes axes = {.origin = polygon->vertices[0]};
     struct pp_region region = {0, NULL};
     double(*pieces)[3][2] = NULL;
     int count = 0;
-    enum pp_status status = region_of(&region, clipper, &chart, polygon, err);
-    for (int i = 0; status == PP_OK && face >= 0 && i < world->opening_count; i++)
-        if (world->openings[i].face == face)
-            status = cut(&region, clipper, &chart, &world->openings[i].inner, err);
+    pp_frame_about(polygon->normal, &axes.a, &axes.b);
+    enum pp_status status =
+        pp_face_region(&region, clipper, &axes, polygon, world, face, err);
     if (status == PP_OK)
         status = pp_region_triangulate(clipper, &pieces, &count, &region, err);
     for (int i = 0; status == PP_OK && i < count; i++) {
         struct pp_vec3 corner[3];
         for (int k = 0; k < 3; k++)
-            corner[k] =
-                pp_sub(corner_at(&chart, pieces[i][k], polygon, world, face), centre);
+            corner[k] = pp_sub(
+                pp_face_corner(&axes, pieces[i][k], polygon, world, face), centre);
         status = append(list, corner[0], corner[1], corner[2], facet, err);
     }
     free(pieces);

@@ -1,0 +1,28 @@
+/* choose.h - one of several at random, in proportion to what each may count. */
+#ifndef PP_SIMULATE_CHOOSE_H
+#define PP_SIMULATE_CHOOSE_H
+
+/* The one of `count` that u in [0, 1) falls to, and its probability; -1 where none has
+ * an importance above 0. `importance` is asked twice of each, with `of` handed on. */
+static inline int pp_choose(double (*importance)(const void *of, int i), const void *of,
+                            int count, double u, double *probability)
+{
+    double total = 0.0;
+    for (int i = 0; i < count; i++)
+        total += importance(of, i);
+    double left = u * total;
+    int chosen = -1;
+    for (int i = 0; i < count; i++) {
+        double share = importance(of, i);
+        if (!(share > 0.0))
+            continue;
+        chosen = i;
+        *probability = share / total;
+        if (left < share)
+            break;
+        left -= share;
+    }
+    return chosen;
+}
+
+#endif
