@@ -129,10 +129,18 @@ static enum pp_status take_alias(struct pp_rad_reader *reader,
         return pp_rad_fail(words, primitive->line, err,
                            "an alias of a material by a material; expected void, "
                            "inherit or a pattern");
-    if (meaning.kind == PP_RAD_MATERIAL && !inherits) {
+    bool patterned = !inherits && primitive->modifier.kind == PP_RAD_PATTERN;
+    if (patterned
+        && (meaning.kind != PP_RAD_MATERIAL
+            || reader->scene->materials[meaning.index].emits == PP_EMITS_NOTHING))
+        return pp_rad_fail(words, primitive->line, err,
+                           "an alias that puts a sky's brightfunc on what gives off no "
+                           "light; expected void or inherit");
+    int pattern = patterned ? primitive->modifier.index : -1;
+    if (meaning.kind == PP_RAD_MATERIAL && !inherits
+        && reader->scene->materials[meaning.index].pattern != pattern) {
         struct pp_material copy = reader->scene->materials[meaning.index];
-        copy.pattern =
-            primitive->modifier.kind == PP_RAD_PATTERN ? primitive->modifier.index : -1;
+        copy.pattern = pattern;
         status = pp_scene_add_material(reader->scene, &copy, &meaning.index, err);
         if (status != PP_OK)
             return status;
@@ -207,9 +215,8 @@ static enum pp_status read_next(struct pp_rad_reader *reader,
         return say_unknown(words, modifier, "material or pattern", err);
     status = alias ? take_alias(reader, &primitive, modifier, err)
                    : take(reader, &primitive, way, err);
-    return status == PP_OK
-               ? pp_rad_check_materials(reader, words, primitive.line, err)
-               : status;
+    return status == PP_OK ? pp_rad_check_materials(reader, words, primitive.line, err)
+                           : status;
 }
 
 static enum pp_status read_words(struct pp_rad_reader *reader,
@@ -227,7 +234,8 @@ enum pp_status pp_rad_read_file(struct pp_rad_reader *reader, const char *path,
 {
     char *bytes;
     size_t length;
-    enum pp_status status = pp_file_bytes(&bytes, &length, path, PP_RAD_BYTES_MOST, err);
+    enum pp_status status =
+        pp_file_bytes(&bytes, &length, path, PP_RAD_BYTES_MOST, err);
     if (status != PP_OK)
         return status;
     struct pp_rad_words words = {pp_file_title(path), bytes, length, 0, 1};

@@ -3,13 +3,19 @@
 
 #include "model/rad_reader.h"
 
+/* A sky's pattern is of directions, and what it is on is infinitely far away. */
+static bool has_pattern(const struct pp_rad_reader *reader, int material)
+{
+    return material >= 0 && reader->scene->materials[material].pattern >= 0;
+}
+
 /* What a shape of this modifier is made of, -1: it is not seen; and its other side, -1:
  * of the same. */
 static enum pp_status material_of(const struct pp_rad_reader *reader,
                                   const struct pp_rad_words *words, int line,
                                   struct pp_rad_meaning modifier,
-                                  const struct pp_rad_way *way, int *material,
-                                  int *back, struct pp_error *err)
+                                  const struct pp_rad_way *way, bool distant,
+                                  int *material, int *back, struct pp_error *err)
 {
     if (way->replaced)
         modifier = way->modifier;
@@ -18,6 +24,12 @@ static enum pp_status material_of(const struct pp_rad_reader *reader,
     if (modifier.kind == PP_RAD_PATTERN)
         return pp_rad_fail(words, line, err,
                            "a shape's modifier is a pattern; expected a material");
+    int patterned = has_pattern(reader, *material) ? *material : *back;
+    if (!distant && has_pattern(reader, patterned))
+        return pp_rad_fail(words, line, err,
+                           "a shape of \"%s\", which has a sky's pattern; expected "
+                           "it on a source, or a material without one",
+                           reader->scene->materials[patterned].name);
     if (modifier.kind == PP_RAD_VOID)
         reader->summary->unseen++;
     return PP_OK;
@@ -51,7 +63,7 @@ enum pp_status pp_rad_add_polygon(struct pp_rad_reader *reader,
 {
     int material, back;
     enum pp_status status =
-        material_of(reader, words, line, modifier, way, &material, &back, err);
+        material_of(reader, words, line, modifier, way, false, &material, &back, err);
     if (status == PP_OK)
         status = check_count(reader, words, line, err);
     if (status != PP_OK || material < 0)
@@ -96,8 +108,9 @@ enum pp_status pp_rad_add_shape(struct pp_rad_reader *reader,
                                 const struct pp_rad_way *way, struct pp_error *err)
 {
     const struct pp_rad_transform *t = &way->transform;
-    enum pp_status status = material_of(reader, words, line, modifier, way,
-                                        &shape.material, &shape.back_material, err);
+    enum pp_status status =
+        material_of(reader, words, line, modifier, way, shape.kind == PP_SHAPE_DISTANT,
+                    &shape.material, &shape.back_material, err);
     if (status == PP_OK)
         status = check_count(reader, words, line, err);
     if (status != PP_OK || shape.material < 0)
