@@ -35,13 +35,27 @@ static const double slice_s = 0.1;
 struct import_options {
     const char *points_file; /* NULL: none */
     bool summary;
+    bool by_chance; /* lamps are not aimed at */
     enum pp_format format;
 };
+
+static enum pp_status read_lamps(const char *text, void *place, struct pp_error *err)
+{
+    bool by_chance = strcmp(text, "chance") == 0;
+    if (!by_chance && strcmp(text, "aimed") != 0)
+        return pp_fail(err, PP_BAD_INPUT, "aimed or chance");
+    *(bool *)place = by_chance;
+    return PP_OK;
+}
 
 static const struct pp_option import_options[] = {
     {"points-file", 0, "FILE",
      "Sensor points, a line \"x y z dx dy dz\" each; - is standard input.",
      pp_read_input, offsetof(struct import_options, points_file)},
+    {"lamps", 0, "HOW",
+     "How their light is hunted: aimed (default) or chance, as if each light were a "
+     "glow.",
+     read_lamps, offsetof(struct import_options, by_chance)},
     {"summary", 0, NULL, "Sum the scene up, before any points.", NULL,
      offsetof(struct import_options, summary)},
     {0},
@@ -79,7 +93,7 @@ static void trace(struct pp_sensors *sensors, struct pp_imported *imported,
 
 static enum pp_status simulate(struct pp_imported *imported,
                                struct pp_sensor_reading *readings,
-                               const struct pp_room_options *options,
+                               const struct pp_room_options *options, bool by_chance,
                                struct pp_error *err)
 {
     struct pp_light_scene *scene;
@@ -91,7 +105,8 @@ static enum pp_status simulate(struct pp_imported *imported,
         .samples = options->samples,
         .seed = options->seed,
         .threads = options->threads,
-        .horizontal = pp_rgb_luminance(imported->horizontal)};
+        .horizontal = pp_rgb_luminance(imported->horizontal),
+        .by_chance = by_chance};
     struct pp_sensors *sensors;
     status = pp_sensors_create(&sensors, scene, imported->points, imported->count,
                                &wanted, err);
@@ -150,7 +165,8 @@ static enum pp_exit run(const struct import_options *options,
         status = read_all(&imported, &scene, &points, options, &err);
     if (status == PP_OK && points) {
         readings = calloc((size_t)imported.count + 1, sizeof *readings);
-        status = readings ? simulate(&imported, readings, room_options, &err)
+        status = readings ? simulate(&imported, readings, room_options,
+                                     options->by_chance, &err)
                           : pp_fail_memory(&err);
     }
     if (status == PP_OK)

@@ -80,13 +80,15 @@ static enum pp_status create(struct pp_made_picture *made, const struct pp_world
         .seed = options->seed,
         .threads = options->threads,
     };
+    render.light.windows = choice->windows != PP_WINDOWS_CHANCE;
+    render.light.stored = choice->windows == PP_WINDOWS_STORED;
     if (choice->paths)
         render.light.bounces = choice->cache.options.bounces;
     enum pp_status status = pp_light_scene_of_world(&made->scene, world, err);
     struct pp_picture_size size;
     if (status == PP_OK)
         status = pp_render_view(&render.camera, &size, choice, made->scene, world, err);
-    if (status == PP_OK)
+    if (status == PP_OK && render.light.stored)
         status = pp_window_store_create(&made->store, made->scene, options->seed,
                                         options->threads, err);
     if (status != PP_OK)

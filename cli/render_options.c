@@ -161,6 +161,16 @@ static enum pp_status read_engine(const char *text, void *place, struct pp_error
     return PP_OK;
 }
 
+static enum pp_status read_windows(const char *text, void *place, struct pp_error *err)
+{
+    static const char *const words[] = {"stored", "aimed", "chance", NULL};
+    int which = which_word(text, words);
+    if (which < 0)
+        return pp_fail(err, PP_BAD_INPUT, "stored, aimed or chance");
+    *(enum pp_window_light *)place = (enum pp_window_light)which;
+    return PP_OK;
+}
+
 static enum pp_status read_size(const char *text, void *place, struct pp_error *err)
 {
     double sides[2];
@@ -279,6 +289,10 @@ const struct pp_option pp_render_picture_options[] = {
      "What is reflected between surfaces: cache (default), read from an irradiance "
      "cache, or path, without bias and with more noise.",
      read_engine, PLACE(paths)},
+    {"windows", 0, "HOW",
+     "How their light is hunted: stored (default: aimed at, and what stands outside "
+     "worked out once), aimed (the same along each path, without bias) or chance.",
+     read_windows, PLACE(windows)},
     {"filter", 0, "NAME", "Of pixels: box (default) or gauss, which is softer.",
      read_filter, PLACE(filter)},
     {"checkpoint", 0, "FILE",
@@ -425,6 +439,8 @@ enum pp_status pp_render_choice_check(struct pp_render_choice *choice,
                        choice->false_colour ? "false colour is"
                        : choice->grid       ? "a grid is"
                                             : "records are");
+    if (choice->windows != PP_WINDOWS_STORED && choice->from_picture)
+        return pp_fail(err, PP_BAD_INPUT, "--windows is of a room's picture");
     const char *of_cache =
         choice->records ? "--records" : pp_cache_words_used(&choice->cache);
     if (of_cache && (choice->paths || choice->from_picture))

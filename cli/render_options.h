@@ -50,6 +50,13 @@ struct pp_quantity_choice {
     enum pp_quantity is;
 };
 
+/* How light through windows is hunted. */
+enum pp_window_light {
+    PP_WINDOWS_STORED, /* aimed at; what surfaces outside send in is worked out once */
+    PP_WINDOWS_AIMED,  /* aimed at, and followed along each path */
+    PP_WINDOWS_CHANCE, /* found by the rays that spread */
+};
+
 struct pp_render_choice {
     enum pp_view_choice view;
     struct pp_coordinates from, towards, direction, up;
@@ -61,6 +68,7 @@ struct pp_render_choice {
     enum pp_pixel_filter filter;
     int samples;
     bool paths; /* by paths alone, not through a cache */
+    enum pp_window_light windows;
     struct pp_cache_words cache;
     const char *checkpoint;
 

@@ -33,6 +33,10 @@ _pepperpot()
         local engines='cache path'
         [ "$command" = render ] || engines='cache path path,cache'
         mapfile -t COMPREPLY < <(compgen -W "$engines" -- "$word")
+    elif [ "$command" = render ] && [ "$previous" = --windows ]; then
+        mapfile -t COMPREPLY < <(compgen -W 'stored aimed chance' -- "$word")
+    elif [ "$command" = import ] && [ "$previous" = --lamps ]; then
+        mapfile -t COMPREPLY < <(compgen -W 'aimed chance' -- "$word")
     elif [ "$command" = render ] && [ "$previous" = --filter ]; then
         mapfile -t COMPREPLY < <(compgen -W 'box gauss' -- "$word")
     elif [ "$previous" = --paper ]; then

@@ -190,6 +190,7 @@ static void step(struct pp_sensors *sensors, struct unit unit)
     const struct pp_sensor *sensor = &sensors->list[unit.point];
     struct pp_radiance_walk walk = {.scene = sensors->scene,
                                     .options = pp_radiance_defaults()};
+    walk.options.sources = !sensors->options.by_chance;
     uint64_t seed = pp_hash(pp_hash(sensors->options.seed, (uint64_t)unit.point),
                             (uint64_t)unit.item);
     pp_sequence_init(&walk.sequence, &sensors->sobol, seed);

@@ -32,6 +32,7 @@ struct pp_sensors_options {
     uint64_t seed;
     int threads;       /* 0: as many as the machine has processors */
     double horizontal; /* irradiance of the open level ground; 0: there is none */
+    bool by_chance; /* concentrated sources are not aimed at, but found as all else */
 };
 
 struct pp_sensor_reading {

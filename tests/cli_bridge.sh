@@ -110,6 +110,33 @@ check "from standard input" sh -c \
 check "which can be read once" refuses 2 "once" import - --points-file -
 
 printf 'void plastic a 0 0 5 .5 .5 .5 0 0\n\na polygon p 0 0 8 0 0 0 1 0 0 0 1\n' >"$scratch/bad.rad"
+# A square lamp over a plane: E = 179 x 4 (a/s) atan(a/s) lx, a = 0.35 m, s^2 = a^2 + 2.3^2.
+cat >"$scratch/lamp.rad" <<'END'
+void light lum
+0
+0
+3 1 1 1
+lum polygon lamp
+0
+0
+12 -0.35 -0.35 2.3  -0.35 0.35 2.3  0.35 0.35 2.3  0.35 -0.35 2.3
+END
+echo "0 0 0 0 0 1" >"$scratch/lamp.pts"
+# lamp_within ERRORS SHARE OPTIONS: that many standard errors from it, itself of that share.
+lamp_within() {
+    errors=$1
+    share=$2
+    shift 2
+    gives import "$scratch/lamp.rad" --points-file "$scratch/lamp.pts" -f json "$@" || return 1
+    sed -n 's/.*"lux": { "value": \([0-9.]*\), "se": \([0-9.e-]*\) }.*/\1 \2/p' "$scratch/out" |
+        awk -v n="$errors" -v share="$share" '{
+            off = $1 - 16.0844; if (off < 0) off = -off
+            exit !($2 < share * $1 && off < n * $2 + 5e-5) }'
+}
+check "a lamp is aimed at" lamp_within 4 1e-5
+check "or found by chance, with noise" lamp_within 4 0.02 --lamps chance --samples 4096
+check "or in no other way" refuses 2 "aimed or chance" import --lamps sometimes "$scratch/lamp.rad"
+
 check "a bad scene is refused by file and line" refuses 1 "bad.rad:3: " import "$scratch/bad.rad"
 printf '!rm -rf /\n' >"$scratch/bad.rad"
 check "nothing is executed" refuses 1 "nothing is executed" import "$scratch/bad.rad"

@@ -28,6 +28,11 @@ check "and names its view" grep -aq '^VIEW= -vtv -vp 1\.[0-9]* 8\.' "$scratch/a.
 check "and its exposure" grep -aqx 'EXPOSURE= 1.000000000e+00' "$scratch/a.hdr"
 check "and its size" grep -aqx -- '-Y 32 +X 48' "$scratch/a.hdr"
 check "a float map begins as one" begins a.pfm PF
+check "windows are aimed at" draws aimed.hdr $small --windows aimed "$deep"
+check "or found by chance" draws chance.hdr $small --windows chance "$deep"
+check "which is another picture" sh -c "! cmp -s '$scratch/aimed.hdr' '$scratch/chance.hdr'"
+check "and no otherwise" refuses 2 "stored, aimed or chance" \
+    render $small --windows open "$deep" -o "$scratch/x.hdr"
 check "a PNG begins as one" begins a.png PNG
 check "a PDF begins as one" begins a.pdf '%PDF'
 check "an SVG is one" grep -q '<svg ' "$scratch/a.svg"
