@@ -214,14 +214,17 @@ enum pp_status pp_render_resume(struct pp_render *render, const unsigned char *b
     enum pp_status status = check(render, &at, length, work, err);
     if (status != PP_OK)
         return status;
-    if (length < HEAD + (size_t)render->tile_count + TAIL
-        || length != size_of(render, at))
+    bool fits = length >= HEAD + (size_t)render->tile_count + TAIL
+                && length == size_of(render, at);
+    for (int i = 0; fits && i < render->tile_count; i++)
+        fits = at[i] <= 1;
+    if (!fits)
         return pp_fail(err, PP_BAD_INPUT, "the checkpoint is cut off or damaged");
     const unsigned char *done = at;
     at += render->tile_count;
     render->done_count = 0;
     for (int i = 0; i < render->tile_count; i++) {
-        render->tile_done[i] = done[i] != 0;
+        render->tile_done[i] = done[i];
         if (!done[i])
             continue;
         take_tile_pixels(&at, render, i);
