@@ -96,6 +96,8 @@ static enum pp_exit run(const struct pp_render_choice *choice,
                         const struct pp_room_options *options, char **files)
 {
     enum pp_exit result = try_output(options->output);
+    if (result == PP_EXIT_DONE && choice->checkpoint)
+        result = try_output(choice->checkpoint);
     if (result != PP_EXIT_DONE)
         return result;
     if (choice->from_picture)

@@ -6,6 +6,7 @@
 #include <strings.h>
 
 #include "model/number.h"
+#include "model/raster.h"
 
 struct pp_render_choice pp_render_choice_none(void)
 {
@@ -382,6 +383,20 @@ bool pp_on_sheet(const struct pp_render_choice *choice, enum pp_picture_format f
                && (choice->false_colour || choice->grid || choice->records));
 }
 
+/* What is shown is smaller than what is kept. */
+static enum pp_status check_size(const struct pp_render_choice *choice, bool shown,
+                                 struct pp_error *err)
+{
+    const struct pp_picture_size *size = &choice->size;
+    if (!shown
+        || (size->width <= PP_RASTER_SIDE_MOST && size->height <= PP_RASTER_SIDE_MOST))
+        return PP_OK;
+    return pp_fail(err, PP_BAD_INPUT,
+                   "a picture of %d x %d pixels can be kept, as .hdr or .pfm, but not "
+                   "shown; expected up to %d each way",
+                   size->width, size->height, PP_RASTER_SIDE_MOST);
+}
+
 static enum pp_status check_view(const struct pp_render_choice *choice,
                                  struct pp_error *err)
 {
@@ -473,5 +488,7 @@ enum pp_status pp_render_choice_check(struct pp_render_choice *choice,
                        "--quantity %s",
                        pp_quantity_words(choice->quantity.is).name);
     status = check_view(choice, err);
+    if (status == PP_OK)
+        status = check_size(choice, shown, err);
     return status == PP_OK ? pp_cache_words_settle(&choice->cache, err) : status;
 }

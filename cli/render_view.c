@@ -48,16 +48,17 @@ static enum pp_view_kind view_kind(enum pp_view_choice view)
     return PP_VIEW_PARALLEL;
 }
 
-/* What was typed takes the place of the room's own. */
-static void take_typed(struct pp_view_place *place,
-                       const struct pp_render_choice *choice,
-                       const struct pp_world *world)
+/* What was typed takes the place of the room's own; a height that was not typed stays.
+ */
+static enum pp_status take_typed(struct pp_view_place *place,
+                                 const struct pp_render_choice *choice,
+                                 struct pp_error *err)
 {
     if (choice->from.count) {
+        double height_m = place->eye.z;
         place->eye = choice->from.is;
         if (choice->from.count == 2)
-            place->eye.z =
-                is_fisheye(choice->view) ? world->working_plane_m : PP_EYE_HEIGHT_M;
+            place->eye.z = height_m;
     }
     if (choice->direction.count)
         place->toward = choice->direction.is;
@@ -66,6 +67,11 @@ static void take_typed(struct pp_view_place *place,
         if (choice->towards.count == 2)
             target.z = place->eye.z;
         place->toward = pp_sub(target, place->eye);
+        if (!(pp_length(place->toward) > 1e-9))
+            return pp_fail(err, PP_BAD_INPUT,
+                           "the view is towards (%g, %g, %g), where the eye is; "
+                           "expected --towards another place, or --direction X,Y,Z",
+                           target.x, target.y, target.z);
     }
     if (choice->up.count)
         place->up = choice->up.is;
@@ -73,6 +79,19 @@ static void take_typed(struct pp_view_place *place,
         place->up = pp_vec(0.0, 1.0, 0.0);
     else
         place->up = pp_vec(0.0, 0.0, 1.0);
+    return PP_OK;
+}
+
+/* From within a surface nothing can be seen. */
+static enum pp_status check_eye(struct pp_vec3 eye, const struct pp_world *world,
+                                struct pp_error *err)
+{
+    if (pp_world_in_surface(world, eye))
+        return pp_fail(err, PP_BAD_INPUT,
+                       "the eye, at (%g, %g, %g), is in a surface; expected --from a "
+                       "place in the air",
+                       eye.x, eye.y, eye.z);
+    return PP_OK;
 }
 
 /* A picture's other side, at a share of the first. */
@@ -132,8 +151,12 @@ enum pp_status pp_render_view(struct pp_camera *camera, struct pp_picture_size *
 {
     struct pp_view_place place;
     pp_default_view(&place, scene, world, room_view(choice->view));
-    take_typed(&place, choice, world);
     enum pp_view_kind kind = view_kind(choice->view);
+    enum pp_status status = take_typed(&place, choice, err);
+    if (status == PP_OK && kind != PP_VIEW_PARALLEL)
+        status = check_eye(place.eye, world, err);
+    if (status != PP_OK)
+        return status;
     double across, down;
     if (kind == PP_VIEW_PARALLEL)
         size_parallel(size, &across, &down, choice, &place);

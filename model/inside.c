@@ -54,6 +54,17 @@ bool pp_world_contains(const struct pp_world *world, struct pp_vec3 point)
     return ceilings > 0;
 }
 
+bool pp_world_in_surface(const struct pp_world *world, struct pp_vec3 point)
+{
+    for (int i = 0; i < world->surface_count; i++) {
+        const struct pp_polygon *outline = &world->surfaces[i].outline;
+        if (fabs(pp_polygon_height(outline, point)) < PP_TOUCH_M
+            && pp_polygon_side(outline, point, PP_TOUCH_M) != PP_OUTSIDE)
+            return true;
+    }
+    return false;
+}
+
 /* Is the point between the two outlines of an opening, or in its plane? */
 static bool is_in_opening(const struct pp_opening *opening, struct pp_vec3 point)
 {

@@ -5,6 +5,9 @@
 #include "model/picture.h"
 #include "model/tone.h"
 
+/* Of its sides: what cairo can draw. */
+enum { PP_RASTER_SIDE_MOST = 32767 };
+
 struct pp_raster {
     int width, height;  /* pixels */
     unsigned char *rgb; /* three a pixel; rows from the top, pixels from the left */

@@ -138,6 +138,10 @@ void pp_world_destroy(struct pp_world *world); /* NULL is allowed */
 /* Does a point lie within the room's envelope? Of one on it to the bit, either. */
 bool pp_world_contains(const struct pp_world *world, struct pp_vec3 point);
 
+/* Is the point in a face or any other surface of the world, by a tenth of a millimetre?
+ */
+bool pp_world_in_surface(const struct pp_world *world, struct pp_vec3 point);
+
 /* The room's section by the level plane at z (m), as world->plane is that of the working
  * plane; empty where the room does not reach. The region is the caller's. */
 enum pp_status pp_world_section(struct pp_region *region, const struct pp_world *world,

@@ -171,8 +171,7 @@ static enum pp_status check(const struct pp_render *render, const unsigned char 
     const unsigned char *bytes = *at;
     if (length < sizeof magic || memcmp(bytes, magic, sizeof magic) != 0)
         return pp_fail(err, PP_BAD_INPUT, "it is no checkpoint of a picture");
-    const unsigned char *tail = bytes + (length < TAIL ? 0 : length - TAIL);
-    if (length < HEAD + TAIL || hash_bytes(bytes, length - TAIL) != take(&tail, 8))
+    if (length < HEAD + TAIL)
         return pp_fail(err, PP_BAD_INPUT, "the checkpoint is cut off or damaged");
     *at += sizeof magic;
     unsigned version = (unsigned)take(at, 4);
@@ -180,6 +179,9 @@ static enum pp_status check(const struct pp_render *render, const unsigned char 
         return pp_fail(err, PP_BAD_INPUT,
                        "the checkpoint has version %u; this program reads version %d",
                        version, VERSION);
+    const unsigned char *tail = bytes + length - TAIL;
+    if (hash_bytes(bytes, length - TAIL) != take(&tail, 8))
+        return pp_fail(err, PP_BAD_INPUT, "the checkpoint is cut off or damaged");
     uint64_t mark = take(at, 8);
     int width = (int)take(at, 4), height = (int)take(at, 4), tiles = (int)take(at, 4);
     if (mark != pp_render_mark(render) || width != render->picture.width

@@ -130,6 +130,20 @@ check "interrupted, there is no picture" eval \
 check "interrupted with a checkpoint, what is done is kept" eval \
     'interrupted render $long --checkpoint "$scratch/c" "$deep" -o "$scratch/i.hdr";
      [ $status -eq 130 ] && [ ! -e "$scratch/i.hdr" ] && [ -s "$scratch/c" ] || told'
+# Of a picture of about 2 s; a machine that has done it before it is told to stop has
+# nothing to go on with.
+rest="--size 200x150 --samples 64 --engine path --threads 1 --quiet"
+interrupted render $rest --checkpoint "$scratch/r" "$deep" -o "$scratch/r.hdr"
+if [ $status -eq 130 ] && [ ! -e "$scratch/r.hdr" ]; then
+    check "the same command goes on from there" \
+        draws r.hdr $rest --checkpoint "$scratch/r" "$deep"
+    "$pepperpot" render $rest "$deep" -o "$scratch/w.hdr"
+    check "to the picture of one that was never interrupted" \
+        same "$scratch/r.hdr" "$scratch/w.hdr"
+else
+    skip "the same command goes on from there" "it was done too soon"
+    skip "to the picture of one that was never interrupted" "it was done too soon"
+fi
 check "nothing temporary is left" nothing "$(find "$scratch" -name '.pepperpot*')"
 check "another picture does not go on from it" refuses 1 "another picture" \
     render $small --checkpoint "$scratch/c" "$deep" -o "$scratch/x.hdr"
@@ -142,6 +156,39 @@ check "the same once more" same "$scratch/one.hdr" "$scratch/c.hdr"
 head -c 1000 "$scratch/d" >"$scratch/cut"
 check "a checkpoint that is cut off" refuses 1 "cut off or damaged" \
     render $small --checkpoint "$scratch/cut" "$deep" -o "$scratch/x.hdr"
+for length in 0 7 8 47 55 56 900; do
+    head -c $length "$scratch/d" >"$scratch/cut"
+    check "one of $length bytes is no better" refuses 1 "checkpoint" \
+        render $small --checkpoint "$scratch/cut" "$deep" -o "$scratch/x.hdr"
+done
+check "nor is it written over" test "$(wc -c <"$scratch/cut")" -eq 900
+for other in "--size 48x33" "--samples 4" "--seed 2" "--quantity df" "--sky uniform" \
+    "--filter gauss" "--view plan" "-ab 3" "--engine cache -ad 16 -as 0"; do
+    check "a checkpoint of a picture without $other" refuses 1 "another picture" \
+        render $small $other --checkpoint "$scratch/d" "$deep" -o "$scratch/x.hdr"
+done
+check "a checkpoint of another room" refuses 1 "another picture" \
+    render $small --checkpoint "$scratch/d" "$examples/office.xml" -o "$scratch/x.hdr"
+{ head -c 8 "$scratch/d"; printf '\7'; tail -c +10 "$scratch/d"; } >"$scratch/cut"
+check "a checkpoint of another version" refuses 1 "version 7" \
+    render $small --checkpoint "$scratch/cut" "$deep" -o "$scratch/x.hdr"
+check "a place for no checkpoint is said at once" refuses 3 "nowhere" \
+    render $long --checkpoint "$scratch/nowhere/c" "$deep" -o "$scratch/x.hdr"
+check "picture and checkpoint in one file" refuses 2 "one file" \
+    render $small --checkpoint "$scratch/x.hdr" "$deep" -o "$scratch/x.hdr"
+# fills WORDS: a disk that takes no more; status 3, and nothing is left of it.
+fills() {
+    (
+        trap '' XFSZ
+        ulimit -f 0
+        "$pepperpot" render $small "$@" "$deep" 2>/dev/null
+    )
+    test $? -eq 3 && nothing "$(find "$scratch" -name 'x.*' -o -name '.pepperpot*')"
+}
+for format in hdr pfm png pdf svg; do
+    check "a full disk leaves nothing of a $format" fills -o "$scratch/x.$format"
+done
+check "nor of a checkpoint" fills --checkpoint "$scratch/x.c" -o "$scratch/x.hdr"
 check "a file that is no checkpoint" refuses 1 "no checkpoint" \
     render $small --checkpoint "$examples/office.xml" "$deep" -o "$scratch/x.hdr"
 
@@ -160,6 +207,12 @@ check "a size too large" refuses 2 "65535" \
     render --size 65535x65535 "$deep" -o "$scratch/x.png"
 check "an angle of no perspective" refuses 2 "less than 180" \
     render --angle 180 $small "$deep" -o "$scratch/x.png"
+check "a picture that is kept but can't be shown" refuses 2 "up to 32767" \
+    render --size 1x40000 "$deep" -o "$scratch/x.png"
+check "an eye in a wall" refuses 1 "is in a surface" \
+    render --from 0,4,1.2 $small "$deep" -o "$scratch/x.png"
+check "an eye that looks at itself" refuses 1 "where the eye is" \
+    render --from 1,4 --towards 1,4 $small "$deep" -o "$scratch/x.png"
 check "a view along its own up" refuses 1 "another up" \
     render --direction 0,0,1 --up 0,0,2 $small "$deep" -o "$scratch/x.png"
 check "towards and direction" refuses 2 "expected one of them" \
