@@ -171,6 +171,25 @@ gives import "$scratch/sky.rad" --points-file "$scratch/up.pts" --samples 4096 -
 check "under the open sky the daylight factor is 100 %" \
     awk -F, 'NR == 2 { exit !($15 > 99.95 && $15 < 100.05) }' "$scratch/out"
 
+# An illum stands for what is behind it: a sky of 1, and 1 over a quarter of it again.
+printf 'void glow g 0 0 4 1 1 1 0\ng source s 0 0 4 0 0 1 180\nvoid glass pane 0 0 3 .9 .9 .9\n' >"$scratch/even.rad"
+echo "0 0 0 0 0 1" >"$scratch/up.pts"
+stands_for_the_sky() {
+    printf 'void illum i %s 0 3 1 1 1\ni polygon p 0 0 12 -1 -1 1 -1 1 1 1 1 1 1 -1 1\n' \
+        "$1" >"$scratch/illum.rad"
+    gives import "$scratch/even.rad" "$scratch/illum.rad" --points-file "$scratch/up.pts" \
+        --samples 4096 --format csv &&
+        awk -F, 'NR == 2 { exit !($15 > 99.9 && $15 < 100.1) }' "$scratch/out"
+}
+check "an illum is not added to what is behind it" stands_for_the_sky 0
+check "nor to its glass" stands_for_the_sky "1 pane"
+printf 'void illum i 1 nosuch 0 3 1 1 1\n' >"$scratch/bad.rad"
+check "what it looks like has to be there" refuses 1 'bad.rad:1: there is no material "nosuch"' \
+    import "$scratch/bad.rad"
+printf 'void glow g 0 0 4 1 1 1 0\nvoid illum i 1 g 0 3 1 1 1\n' >"$scratch/bad.rad"
+check "and gives off no light itself" refuses 1 "bad.rad:2: an illum that is \"g\" to the eye" \
+    import "$scratch/bad.rad"
+
 check "without Radiance, validate says so" sh -c \
     'PATH=/nowhere "$1" validate --against radiance "$2" 2>&1 | /bin/grep -q "not on PATH"' \
     sh "$pepperpot" "$deep"
