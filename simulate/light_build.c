@@ -127,6 +127,7 @@ static struct pp_light_part part_of(const struct pp_light_scene *scene,
         .round = -1,
         .window = -1,
         .emitter = {-1, -1},
+        .mirror = -1,
         .space = {PP_ANYWHERE, PP_ANYWHERE},
         .back_emits = own_back || scene->materials[shape->material].emits_both_sides};
 }
@@ -166,7 +167,9 @@ static enum pp_status add_polygon(struct builder *b, const struct pp_shape *shap
     for (int k = 0; k < count; k++)
         b->corners[k] =
             pp_sub(b->from->vertices[shape->is.polygon.first + k], scene->centre);
-    part->normal = pp_unit(pp_area_vector(b->corners, count));
+    struct pp_vec3 area = pp_area_vector(b->corners, count);
+    part->normal = pp_unit(area);
+    part->area_m2 = pp_length(area);
     for (int k = 0; k < count; k++)
         offset += pp_dot(part->normal, b->corners[k]);
     part->offset_m = offset / count;
@@ -221,6 +224,9 @@ static enum pp_status build(struct builder *b, struct pp_error *err)
     if (status != PP_OK)
         return status;
     pp_light_scene_settle_emitters(scene);
+    status = pp_light_scene_add_mirrors(scene, err);
+    if (status != PP_OK)
+        return status;
     pp_light_scene_stir(scene, (const float(*)[3][3])b->single);
     return pp_rays_create_with(&scene->rays, (const float(*)[3][3])b->single,
                                scene->triangle_count, scene->rounds, scene->round_count,

@@ -12,11 +12,13 @@
 struct pp_light_part {
     struct pp_vec3 normal; /* of its front, unit; of plane ones */
     double offset_m;       /* normal . x of its points, from the centre */
+    double area_m2;        /* of plane ones of a description */
     int material[2];       /* of front and back */
     int tag;
     int round;              /* which of the round shapes; -1: plane */
     int window;             /* whose pane; -1: none */
     int emitter[2];         /* what front and back are, if aimed at; -1: nothing */
+    int mirror;             /* in whose plane it is, if it mirrors; -1: none */
     unsigned char space[2]; /* enum pp_space of rays that leave front and back */
     bool skin;              /* of a room: its back is not seen from inside */
     bool back_emits;
@@ -52,6 +54,20 @@ struct pp_distant {
     int emitter; /* -1: extended */
 };
 
+/* A plane in which something mirrors, so that emitters are aimed at by it. */
+struct pp_mirror {
+    struct pp_vec3 normal; /* unit, of any side */
+    double offset_m;
+    double share; /* what it reflects at right angles, at most */
+};
+
+/* Reflections one after the other on the way from a point to an emitter. */
+enum { PP_CHAIN_MOST = 2 };
+struct pp_chain {
+    int mirrors[PP_CHAIN_MOST]; /* -1 behind the last */
+    double share;               /* of all of them */
+};
+
 struct pp_light_scene {
     struct pp_vec3 centre;        /* what is below is measured from there */
     const struct pp_world *world; /* NULL: of a description; not owned */
@@ -79,6 +95,11 @@ struct pp_light_scene {
     int emitter_triangle_count, emitter_triangle_space;
     struct pp_distant *distants;
     int distant_count;
+    struct pp_mirror *mirrors;
+    int mirror_count;
+    struct pp_chain *chains;
+    int chain_count;
+    double missed_share; /* the most that any other reflections leave */
 
     struct pp_vec3 low, high; /* of everything */
     uint64_t hash;
@@ -165,5 +186,25 @@ double pp_emitter_spread(const struct pp_emitter *emitter,
 /* How many directions make each one's share look smaller than `size`: a power of two,
  * at most `most`. */
 uint32_t pp_directions_to(double spread, double size, int most);
+
+/* ---- emitters in plane mirrors: mirrors.c ---- */
+
+/* Once all parts and emitters are there. */
+enum pp_status pp_light_scene_add_mirrors(struct pp_light_scene *scene,
+                                          struct pp_error *err);
+
+/* The chain with that mirror behind its last; -1: there is none. chain -1 is the empty
+ * one, here and below. */
+int pp_chain_longer(const struct pp_light_scene *scene, int chain, int mirror);
+
+/* Where the point, and what direction, is seen to be behind the chain's last mirror. */
+struct pp_vec3 pp_chain_point(const struct pp_light_scene *scene, int chain,
+                              struct pp_vec3 p);
+struct pp_vec3 pp_chain_direction(const struct pp_light_scene *scene, int chain,
+                                  struct pp_vec3 u);
+
+/* The direction in which what leaves the last mirror along u has left the point. */
+struct pp_vec3 pp_chain_unfold(const struct pp_light_scene *scene, int chain,
+                               struct pp_vec3 u);
 
 #endif

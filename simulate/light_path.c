@@ -164,13 +164,18 @@ static bool leave_by(const struct pp_radiance_walk *walk, struct pp_light_path *
         through ? pp_part_space(walk->scene, hit->part, !hit->back) : hit->space;
     if (lobe == PP_LOBE_DIFFUSE || lobe == PP_LOBE_THROUGH_DIFFUSE) {
         path->aimed = PP_AIMED_AT_ALL;
+        path->chain = -1;
         path->depth++;
     } else if (lobe == PP_LOBE_GLOSS || lobe == PP_LOBE_THROUGH_GLOSS) {
         path->aimed = PP_AIMED_AT_SMALL;
+        path->chain = -1;
         path->from = hit->point;
         path->width = PP_AIMED_WIDTHS * pp_lobes_width(lobes);
     } else if (lobe == PP_LOBE_MIRROR) {
-        path->aimed = PP_AIMED_AT_NOTHING;
+        path->chain = pp_chain_longer(walk->scene, path->chain,
+                                      walk->scene->parts[hit->part].mirror);
+        if (path->chain < 0)
+            path->aimed = PP_AIMED_AT_NOTHING;
     }
     return true;
 }

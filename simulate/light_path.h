@@ -20,7 +20,7 @@ enum {
 /* What has been aimed at from where a ray was sent off: if it comes to it all the same,
  * it counts nothing. */
 enum pp_aimed_at {
-    PP_AIMED_AT_NOTHING, /* from the eye, or a mirror */
+    PP_AIMED_AT_NOTHING, /* from the eye, or a mirror that is not aimed at */
     PP_AIMED_AT_SMALL,   /* from a gloss: at what looks small to it */
     PP_AIMED_AT_ALL,     /* from a diffuse surface */
 };
@@ -35,6 +35,7 @@ struct pp_light_path {
     struct pp_rgb weight;
     double least; /* Russian roulette below this weight; of a gloss a tenth of it */
     enum pp_aimed_at aimed;
+    int chain; /* of mirrors since then, by which it was aimed as well; -1: none */
     struct pp_vec3 from; /* of PP_AIMED_AT_SMALL: where, and how large is small */
     double width;
     int depth;   /* diffuse reflections behind it */

@@ -23,6 +23,8 @@ void pp_light_scene_destroy(struct pp_light_scene *scene)
     free(scene->emitters);
     free(scene->emitter_triangles);
     free(scene->distants);
+    free(scene->mirrors);
+    free(scene->chains);
     free(scene);
 }
 

@@ -84,6 +84,13 @@ const struct pp_material *pp_light_scene_material(const struct pp_light_scene *s
 void pp_light_scene_bounds(const struct pp_light_scene *scene, bool room,
                            struct pp_vec3 *low, struct pp_vec3 *high);
 
+/* How much irradiance of concentrated emitters, found by chance in mirrors alone, so many
+ * paths from the point may have missed: one path's worth of the brightest, or all that
+ * those mirrors can reflect to a point if that is less. Hollow mirrors are taken for
+ * plane ones. 0 where everything is aimed at. */
+struct pp_rgb pp_light_scene_missed(const struct pp_light_scene *scene,
+                                    struct pp_vec3 point, long paths);
+
 /* A number that hangs on every shape, material and light of the scene. */
 uint64_t pp_light_scene_hash(const struct pp_light_scene *scene);
 

@@ -34,6 +34,7 @@ static struct pp_light_path path_outside(const struct pp_radiance_walk *walk,
                                   .weight = pp_rgb_grey(1.0),
                                   .least = walk->options.least,
                                   .aimed = PP_AIMED_AT_ALL,
+                                  .chain = -1,
                                   .depth = depth,
                                   .vertex = vertex};
 }

@@ -43,6 +43,7 @@ static struct pp_light_part part_of(struct pp_light_scene *scene, int index)
         .round = -1,
         .window = -1,
         .emitter = {-1, -1},
+        .mirror = -1,
         .space = {(unsigned char)space,
                   (unsigned char)(facet->skin ? PP_OUTDOORS : space)},
         .skin = facet->skin,
@@ -63,6 +64,7 @@ static struct pp_light_part pane_of(struct pp_light_scene *scene, int window)
         .round = -1,
         .window = window,
         .emitter = {-1, -1},
+        .mirror = -1,
         .space = {PP_INDOORS, PP_OUTDOORS},
         .skin = true};
 }

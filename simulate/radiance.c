@@ -23,6 +23,7 @@ static struct pp_rgb along(struct pp_radiance_walk *walk,
                                  .weight = pp_rgb_grey(1.0),
                                  .least = walk->options.least,
                                  .aimed = aimed,
+                                 .chain = -1,
                                  .depth = aimed == PP_AIMED_AT_ALL,
                                  .vertex = 1,
                                  .many = aimed == PP_AIMED_AT_NOTHING};

@@ -37,6 +37,19 @@ struct pp_rgb pp_straight_through(const struct pp_material *material,
     }
 }
 
+struct pp_rgb pp_mirrored_by(const struct pp_material *material, double cos_incidence)
+{
+    switch (material->kind) {
+    case PP_MATERIAL_AIR:
+        return pp_rgb_grey(0.0);
+    case PP_MATERIAL_GLASS:
+        return pp_rgb_scale(glass_law(material, cos_incidence, pp_glass_reflectance),
+                            material->clear_share);
+    default:
+        return material->gloss;
+    }
+}
+
 /* The frame: along the grain's part in the surface where there is any. */
 static void lay_frame(struct pp_lobes *lobes, const struct pp_material *material)
 {
@@ -62,12 +75,7 @@ void pp_lobes_init(struct pp_lobes *lobes, const struct pp_material *material,
     if (material->kind == PP_MATERIAL_AIR)
         return;
     share[PP_LOBE_DIFFUSE] = material->diffuse;
-    if (material->kind == PP_MATERIAL_GLASS) {
-        share[PP_LOBE_MIRROR] = pp_rgb_scale(
-            glass_law(material, cosine, pp_glass_reflectance), material->clear_share);
-        return;
-    }
-    share[gloss ? PP_LOBE_GLOSS : PP_LOBE_MIRROR] = material->gloss;
+    share[gloss ? PP_LOBE_GLOSS : PP_LOBE_MIRROR] = pp_mirrored_by(material, cosine);
     if (material->kind == PP_MATERIAL_TRANSLUCENT) {
         share[PP_LOBE_THROUGH_DIFFUSE] = material->through_diffuse;
         if (gloss)

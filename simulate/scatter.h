@@ -40,6 +40,9 @@ void pp_lobes_init(struct pp_lobes *lobes, const struct pp_material *material,
 struct pp_rgb pp_straight_through(const struct pp_material *material,
                                   double cos_incidence);
 
+/* What it mirrors, or gives back as a gloss, at that cosine. */
+struct pp_rgb pp_mirrored_by(const struct pp_material *material, double cos_incidence);
+
 /* f of the glosses between the eye and direction o (unit, any side), 1/sr. */
 struct pp_rgb pp_lobes_gloss(const struct pp_lobes *lobes, struct pp_vec3 o);
 

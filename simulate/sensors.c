@@ -18,10 +18,11 @@
 enum {
     RANDOMISATIONS = 32,
     FIRST_PATHS = 64,
-    MOST_PATHS = 1 << 26, /* of a randomisation */
-    MOST_GROWTH = 16,     /* of a point's paths, from one pass to the next */
-    STEP = 256,           /* most paths at a time */
-    BATCH = 64            /* steps between looks at the clock */
+    MOST_PATHS = 1 << 26,   /* of a randomisation */
+    CHASED_PATHS = 1 << 11, /* with so many, what chance may have missed is only said */
+    MOST_GROWTH = 16,       /* of a point's paths, from one pass to the next */
+    STEP = 256,             /* most paths at a time */
+    BATCH = 64              /* steps between looks at the clock */
 };
 
 static const double OPEN_SKY_SHARE = 0.00002;
@@ -70,7 +71,8 @@ static double mean_of(const double *values, int count, double *error)
     return mean;
 }
 
-struct pp_sensor_reading pp_sensors_read(const struct pp_sensors *sensors, int index)
+static struct pp_sensor_reading read(const struct pp_sensors *sensors, int index,
+                                     bool with_missed)
 {
     const struct point *point = &sensors->points[index];
     double values[4][RANDOMISATIONS], means[4], errors[4];
@@ -97,10 +99,22 @@ struct pp_sensor_reading pp_sensors_read(const struct pp_sensors *sensors, int i
         if (!(errors[k] > 1e-12 * means[k]))
             errors[k] = fmax(means[k], sensors->options.horizontal) / (double)paths;
     }
+    if (with_missed && count >= 4) {
+        struct pp_rgb missed =
+            pp_light_scene_missed(sensors->scene, sensors->list[index].position, paths);
+        const double of[] = {missed.r, missed.g, missed.b, pp_rgb_luminance(missed)};
+        for (int k = 0; k < 4; k++)
+            errors[k] = fmax(errors[k], of[k]);
+    }
     return (struct pp_sensor_reading){.irradiance = {means[0], means[1], means[2]},
                                       .std_error = {errors[0], errors[1], errors[2]},
                                       .grey = means[3],
                                       .grey_error = errors[3]};
+}
+
+struct pp_sensor_reading pp_sensors_read(const struct pp_sensors *sensors, int index)
+{
+    return read(sensors, index, true);
 }
 
 double pp_sensors_error(const struct pp_sensors *sensors)
@@ -129,7 +143,8 @@ static void plan_point(struct pp_sensors *sensors, int index, double largest)
 {
     const struct pp_sensors_options *options = &sensors->options;
     struct point *point = &sensors->points[index];
-    struct pp_sensor_reading reading = pp_sensors_read(sensors, index);
+    struct pp_sensor_reading reading =
+        read(sensors, index, point->wanted < CHASED_PATHS);
     double goal = fmax(options->error * fmax(reading.grey, LARGEST_SHARE * largest),
                        OPEN_SKY_SHARE * options->horizontal);
     if (options->error <= 0.0)

@@ -10,6 +10,10 @@
  * irradiance is down to the largest of
  *
  *     error x value,  error x 0.001 of the largest value,  0.00002 of the open sky
+ *
+ * Lamps and the sun in curved mirrors, or by three reflections, are found by chance
+ * alone. What all paths may have missed of them (pp_light_scene_missed) is part of the
+ * stated error, and paths are added for its sake up to 65536 a point.
  */
 #ifndef PP_SIMULATE_SENSORS_H
 #define PP_SIMULATE_SENSORS_H

@@ -394,6 +394,138 @@ static void a_gloss_shows_the_same_lamp_aimed_at_and_found(void **state)
     }
 }
 
+/* ---- mirrors ---- */
+
+/* A lamp over the corner of up to two mirrors, x = -0.7 and y = -0.9; or, for each,
+ * what it shows as lamps of their own. */
+static struct pp_light_scene *by_mirrors(int mirrors, bool as_lamps,
+                                         struct pp_material mirror)
+{
+    struct pp_scene_description scene;
+    pp_scene_description_init(&scene);
+    double share = pp_rgb_luminance(mirror.gloss);
+    for (int i = 0; i < (as_lamps ? 1 << mirrors : 1); i++) {
+        double light = ((i & 1) ? share : 1.0) * ((i & 2) ? share : 1.0);
+        double x = (i & 1) ? -1.4 - 0.6 : 0.6, y = (i & 2) ? -1.8 - 0.5 : 0.5;
+        add_rectangle(&scene, add(&scene, pp_material_light(pp_rgb_grey(light))),
+                      pp_vec(x - 0.2, y - 0.2, 1.3), pp_vec(0.0, 0.4, 0.0),
+                      pp_vec(0.4, 0.0, 0.0));
+    }
+    int material = add(&scene, mirror);
+    if (!as_lamps && mirrors > 0)
+        add_rectangle(&scene, material, pp_vec(-0.7, -0.9, -1.0), pp_vec(0.0, 8.0, 0.0),
+                      pp_vec(0.0, 0.0, 9.0));
+    if (!as_lamps && mirrors > 1)
+        add_rectangle(&scene, material, pp_vec(-0.7, -0.9, -1.0), pp_vec(0.0, 0.0, 9.0),
+                      pp_vec(8.0, 0.0, 0.0));
+    return built(&scene);
+}
+
+/* Each mirror doubles the lamps: one shows a second, a corner of two a fourth by both.
+ * The tolerance is of rays that are lifted off what they leave. */
+static void a_mirror_gives_as_much_as_a_lamp_behind_it(void **state)
+{
+    (void)state;
+    struct pp_vec3 point = {0.2, 0.1, 0.0}, tilted = pp_unit(pp_vec(-0.3, -0.2, 1.0));
+    struct pp_material mirror = pp_material_mirror(pp_rgb_grey(0.8));
+    for (int mirrors = 1; mirrors <= 2; mirrors++) {
+        struct pp_light_scene *by = by_mirrors(mirrors, false, mirror);
+        struct pp_light_scene *lamps = by_mirrors(mirrors, true, mirror);
+        struct pp_test_mean mean =
+            pp_test_irradiance(by, NULL, pp_radiance_defaults(), point, tilted, 256);
+        struct pp_test_mean expected =
+            pp_test_irradiance(lamps, NULL, pp_radiance_defaults(), point, tilted, 256);
+        assert_relative(mean.value.g, expected.value.g, 1e-3);
+        assert_true(mean.error < 5e-4 * mean.value.g);
+        pp_light_scene_destroy(by);
+        pp_light_scene_destroy(lamps);
+    }
+}
+
+/* The sun, of half angle 0.2665 degrees, in a mirror of 0.8: found by chance it would
+ * take a ray of a hundred thousand. */
+static void the_sun_is_aimed_at_in_a_mirror(void **state)
+{
+    (void)state;
+    struct pp_scene_description scene;
+    pp_scene_description_init(&scene);
+    struct pp_vec3 sun = pp_unit(pp_vec(0.0, -0.8, 0.5));
+    double half = 0.2665 * PP_PI / 180.0;
+    add_dome(&scene, add(&scene, pp_material_light(pp_rgb_grey(1e5))), sun, half);
+    add_rectangle(&scene, add(&scene, pp_material_mirror(pp_rgb_grey(0.8))),
+                  pp_vec(-5.0, 5.0, -5.0), pp_vec(10.0, 0.0, 0.0),
+                  pp_vec(0.0, 0.0, 10.0));
+    struct pp_light_scene *made = built(&scene);
+    assert_lit(pp_test_irradiance(made, NULL, pp_radiance_defaults(),
+                                  pp_vec(0.0, 0.0, 0.0), up, 64),
+               1.8 * 1e5 * PP_PI * sin(half) * sin(half) * sun.z, 1e-3);
+    assert_near(pp_light_scene_missed(made, pp_vec(0.0, 0.0, 0.0), 64).g, 0.0, 0.0);
+    pp_light_scene_destroy(made);
+}
+
+/* A glossy floor between a pane of glass and a shiny wall, which mirrors and scatters:
+ * by chance and aimed at, no light is counted twice and none is lost. */
+static void mirrors_show_the_same_lamp_aimed_at_and_found(void **state)
+{
+    (void)state;
+    struct pp_scene_description scene;
+    pp_scene_description_init(&scene);
+    struct pp_material pane = pp_material_pane(pp_rgb(0.9, 0.8, 0.4), 1.52);
+    struct pp_material floor = pp_material_plastic(pp_rgb_grey(0.5), 0.3, 0.3, 0.3);
+    struct pp_material shiny = pp_material_plastic(pp_rgb_grey(0.5), 0.4, 0.0, 0.0);
+    add_rectangle(&scene, add(&scene, floor), pp_vec(-4.0, -4.0, 0.0),
+                  pp_vec(8.0, 0.0, 0.0), pp_vec(0.0, 8.0, 0.0));
+    add_rectangle(&scene, add(&scene, pane), pp_vec(-1.1, -4.0, 0.0),
+                  pp_vec(0.0, 8.0, 0.0), pp_vec(0.0, 0.0, 3.0));
+    add_rectangle(&scene, add(&scene, shiny), pp_vec(1.3, -4.0, 0.0),
+                  pp_vec(0.0, 0.0, 3.0), pp_vec(0.0, 8.0, 0.0));
+    add_rectangle(&scene, add(&scene, pp_material_light(pp_rgb_grey(1.0))),
+                  pp_vec(-0.4, -0.4, 1.9), pp_vec(0.0, 0.8, 0.0),
+                  pp_vec(0.8, 0.0, 0.0));
+    struct pp_light_scene *made = built(&scene);
+    struct pp_radiance_options options = pp_radiance_defaults();
+    struct pp_vec3 point = {0.2, 0.3, 0.7};
+    struct pp_vec3 to = pp_unit(pp_vec(0.7, 0.2, 0.1));
+    struct pp_test_mean aimed =
+        pp_test_irradiance(made, NULL, options, point, to, 1024);
+    options.sources = false;
+    struct pp_test_mean found =
+        pp_test_irradiance(made, NULL, options, point, to, 8192);
+    assert_near(aimed.value.g, found.value.g, 4.0 * hypot(aimed.error, found.error));
+    assert_true(aimed.error < 0.5 * found.error);
+    assert_true(found.error < 0.01 * found.value.g);
+    pp_light_scene_destroy(made);
+}
+
+/* What is left to chance is said: three reflections of two mirrors, one of a ball. */
+static void what_mirrors_may_hide_is_known(void **state)
+{
+    (void)state;
+    struct pp_vec3 point = {0.2, 0.1, 0.0};
+    struct pp_light_scene *corner =
+        by_mirrors(2, false, pp_material_mirror(pp_rgb_grey(0.8)));
+    /* A lamp of 0.16 m2 and radiance 1, seen along (0.4, 0.4, 1.3). */
+    double solid = 0.16 / (0.16 + 0.16 + 1.69);
+    assert_relative(pp_light_scene_missed(corner, point, 10).g, 0.8 * 0.8 * 0.8 * solid,
+                    1e-9);
+    assert_relative(pp_light_scene_missed(corner, point, 1000000).g, PP_PI / 1e6, 1e-9);
+    pp_light_scene_destroy(corner);
+
+    struct pp_scene_description scene;
+    pp_scene_description_init(&scene);
+    struct pp_shape ball = {.kind = PP_SHAPE_SPHERE,
+                            .material =
+                                add(&scene, pp_material_mirror(pp_rgb_grey(0.6))),
+                            .back_material = -1,
+                            .is.sphere = {pp_vec(1.0, 1.0, 1.0), 0.3}};
+    assert_int_equal(pp_scene_add_shape(&scene, &ball, NULL, NULL), PP_OK);
+    add_dome(&scene, add(&scene, pp_material_light(pp_rgb_grey(7.0))), up, 0.01);
+    struct pp_light_scene *made = built(&scene);
+    assert_relative(pp_light_scene_missed(made, point, 1).g,
+                    0.6 * 7.0 * 4.0 * PP_PI * sin(0.005) * sin(0.005), 1e-9);
+    pp_light_scene_destroy(made);
+}
+
 /* ---- what light passes ---- */
 
 /* Looked at through a pane, and lit through it: both the glass's transmittance. */
@@ -591,6 +723,10 @@ int main(void)
         cmocka_unit_test(a_cone_shines_the_same_aimed_at_and_found),
         cmocka_unit_test(the_sun_gives_its_solid_angle),
         cmocka_unit_test(a_gloss_shows_the_same_lamp_aimed_at_and_found),
+        cmocka_unit_test(a_mirror_gives_as_much_as_a_lamp_behind_it),
+        cmocka_unit_test(the_sun_is_aimed_at_in_a_mirror),
+        cmocka_unit_test(mirrors_show_the_same_lamp_aimed_at_and_found),
+        cmocka_unit_test(what_mirrors_may_hide_is_known),
         cmocka_unit_test(a_lamp_shines_through_glass),
         cmocka_unit_test(translucent_sheets_neither_gain_nor_lose_light),
         cmocka_unit_test(an_unseen_lamp_lights_but_does_not_show),
