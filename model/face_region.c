@@ -20,8 +20,8 @@ static enum pp_status region_of(struct pp_region *region, struct pp_clipper *cli
         xy[i][0] = pp_dot(v, axes->a);
         xy[i][1] = pp_dot(v, axes->b);
     }
-    enum pp_status status =
-        pp_region_of_ring(clipper, region, (const double(*)[2])xy, polygon->count, err);
+    enum pp_status status = pp_region_by_crossings(
+        clipper, region, (const double(*)[2])xy, polygon->count, err);
     free(xy);
     return status;
 }

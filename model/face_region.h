@@ -13,8 +13,9 @@ struct pp_face_axes {
     struct pp_vec3 origin, a, b;
 };
 
-/* The polygon as a region, without the world's openings in `face` (-1: none are cut,
- * and the world may be NULL). Whatever is returned, the region is the caller's. */
+/* The polygon as a region, by crossings (region.h), without the world's openings in
+ * `face` (-1: none are cut, and the world may be NULL). Whatever is returned, the
+ * region is the caller's. */
 enum pp_status pp_face_region(struct pp_region *region, struct pp_clipper *clipper,
                               const struct pp_face_axes *axes,
                               const struct pp_polygon *polygon,

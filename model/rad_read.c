@@ -73,10 +73,13 @@ static enum pp_status read_number(struct pp_rad_words *words, double *number,
     if (status == PP_OK && word.length == 0)
         status = pp_rad_fail(words, word.line, err,
                              "the file ends in the middle of a primitive");
-    if (status == PP_OK && (!pp_rad_number(word, number) || fabs(*number) > 1e30))
-        status =
-            pp_rad_fail(words, word.line, err, "\"%.*s\" where a number was expected",
-                        (int)(word.length < 60 ? word.length : 60), word.text);
+    int shown = (int)(word.length < 60 ? word.length : 60);
+    if (status == PP_OK && !pp_rad_number(word, number))
+        return pp_rad_fail(words, word.line, err,
+                           "\"%.*s\" where a number was expected", shown, word.text);
+    if (status == PP_OK && fabs(*number) > 1e30)
+        return pp_rad_fail(words, word.line, err,
+                           "the number %.*s; expected -1e30 to 1e30", shown, word.text);
     return status;
 }
 

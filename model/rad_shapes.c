@@ -79,16 +79,24 @@ enum pp_status pp_rad_add_polygon(struct pp_rad_reader *reader,
     /* Through a mirror what ran counter-clockwise runs clockwise. */
     bool backwards = way->transform.mirrored != way->inverted;
     struct pp_vec3 *moved = reader->corners, area = {0.0, 0.0, 0.0};
-    double size = 0.0;
+    double size = 0.0, turned = 0.0;
     for (int i = 0; i < count; i++) {
         moved[i] =
             pp_rad_move_point(&way->transform, corners[backwards ? count - 1 - i : i]);
         struct pp_vec3 side = pp_sub(moved[i], moved[0]);
         size = fmax(size, pp_length(side));
-        if (i > 1)
-            area = pp_add(area, pp_cross(pp_sub(moved[i - 1], moved[0]), side));
+        if (i < 2)
+            continue;
+        struct pp_vec3 part = pp_cross(pp_sub(moved[i - 1], moved[0]), side);
+        area = pp_add(area, part);
+        turned += pp_length(part);
     }
     if (!(pp_length(area) > 1e-12 * size * size)) {
+        if (turned > 1e-12 * size * size)
+            return pp_rad_fail(words, line, err,
+                               "a polygon that runs round as much one way as the "
+                               "other, which leaves it no front; expected one that "
+                               "doesn't cross itself");
         reader->summary->flat++;
         return PP_OK;
     }

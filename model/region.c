@@ -282,17 +282,11 @@ bool pp_ring_is_simple(struct pp_clipper *clipper, const double (*xy)[2], int co
     return simple;
 }
 
-enum pp_status pp_region_of_ring(struct pp_clipper *clipper, struct pp_region *region,
-                                 const double (*xy)[2], int count, struct pp_error *err)
+/* The figure of a ring that is simple. */
+static enum pp_status simple_ring(struct pp_region *region, const double (*xy)[2],
+                                  int count, struct pp_error *err)
 {
-    *region = (struct pp_region){0};
-    if (count < 3)
-        return PP_OK;
     double area = ring_area(xy, count);
-    if (area == 0.0)
-        return PP_OK;
-    if (!pp_ring_is_simple(clipper, xy, count))
-        return pp_fail(err, PP_BAD_INPUT, "the outline meets or crosses itself");
     region->rings = calloc(1, sizeof *region->rings);
     double(*points)[2] = malloc((size_t)count * sizeof *points);
     if (!region->rings || !points) {
@@ -305,6 +299,80 @@ enum pp_status pp_region_of_ring(struct pp_clipper *clipper, struct pp_region *r
     region->rings[0] = (struct pp_ring){count, points};
     region->count = 1;
     return PP_OK;
+}
+
+enum pp_status pp_region_of_ring(struct pp_clipper *clipper, struct pp_region *region,
+                                 const double (*xy)[2], int count, struct pp_error *err)
+{
+    *region = (struct pp_region){0};
+    if (count < 3 || ring_area(xy, count) == 0.0)
+        return PP_OK;
+    if (!pp_ring_is_simple(clipper, xy, count))
+        return pp_fail(err, PP_BAD_INPUT, "the outline meets or crosses itself");
+    return simple_ring(region, xy, count, err);
+}
+
+/* The faces that the closed line divides the plane into; NULL on failure. */
+static GEOSGeometry *faces_of(GEOSContextHandle_t geos, const double (*xy)[2],
+                              int count)
+{
+    GEOSGeometry *line = geos_ring(geos, xy, count), *faces = NULL;
+    GEOSGeometry *pieces = line ? GEOSUnaryUnion_r(geos, line) : NULL;
+    if (pieces)
+        faces = GEOSPolygonize_r(geos, (const GEOSGeometry *const *)&pieces, 1);
+    if (pieces)
+        GEOSGeom_destroy_r(geos, pieces);
+    if (line)
+        GEOSGeom_destroy_r(geos, line);
+    return faces;
+}
+
+/* Is the face's inside that of the line, by crossings? */
+static bool is_crossed_oddly(GEOSContextHandle_t geos, const GEOSGeometry *face,
+                             const struct pp_region *line)
+{
+    double x, y;
+    GEOSGeometry *point = GEOSPointOnSurface_r(geos, face);
+    bool inside = point && GEOSGeomGetX_r(geos, point, &x) == 1
+                  && GEOSGeomGetY_r(geos, point, &y) == 1
+                  && pp_region_contains(line, x, y);
+    if (point)
+        GEOSGeom_destroy_r(geos, point);
+    return inside;
+}
+
+enum pp_status pp_region_by_crossings(struct pp_clipper *clipper,
+                                      struct pp_region *region, const double (*xy)[2],
+                                      int count, struct pp_error *err)
+{
+    GEOSContextHandle_t geos = clipper->geos;
+    *region = (struct pp_region){0};
+    if (count < 3)
+        return PP_OK;
+    if (pp_ring_is_simple(clipper, xy, count))
+        return simple_ring(region, xy, count, err);
+    GEOSGeometry *faces = faces_of(geos, xy, count);
+    if (!faces)
+        return fail_geos(clipper, "finding the faces of an outline", err);
+    int face_count = GEOSGetNumGeometries_r(geos, faces), found = 0;
+    struct pp_region *inside = calloc((size_t)face_count + 1, sizeof *inside);
+    struct pp_ring ring = {count, (double(*)[2])xy};
+    enum pp_status status = inside ? PP_OK : pp_fail_memory(err);
+    for (int i = 0; i < face_count && status == PP_OK; i++) {
+        const GEOSGeometry *face = GEOSGetGeometryN_r(geos, faces, i);
+        if (!is_crossed_oddly(geos, face, &(struct pp_region){1, &ring}))
+            continue;
+        GEOSGeometry *copy = GEOSGeom_clone_r(geos, face);
+        status = copy ? region_from(clipper, &inside[found++], copy, err)
+                      : pp_fail_memory(err);
+    }
+    if (status == PP_OK)
+        status = pp_region_union(clipper, region, inside, found, err);
+    for (int i = 0; i < found; i++)
+        pp_region_destroy(&inside[i]);
+    free(inside);
+    GEOSGeom_destroy_r(geos, faces);
+    return status;
 }
 
 enum pp_status pp_region_copy(struct pp_region *copy, const struct pp_region *region,

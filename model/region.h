@@ -41,6 +41,12 @@ void pp_clipper_set_grid(struct pp_clipper *clipper, double grid);
 enum pp_status pp_region_of_ring(struct pp_clipper *clipper, struct pp_region *region,
                                  const double (*xy)[2], int count,
                                  struct pp_error *err);
+/* The figure of any closed line, by crossings: a point is in it where a ray from there
+ * crosses the line an odd number of times. What the line runs there and back, such as
+ * the seam between a rim and a hole, bounds nothing; a hole may run either way round. */
+enum pp_status pp_region_by_crossings(struct pp_clipper *clipper,
+                                      struct pp_region *region, const double (*xy)[2],
+                                      int count, struct pp_error *err);
 enum pp_status pp_region_copy(struct pp_region *copy, const struct pp_region *region,
                               struct pp_error *err);
 void pp_region_destroy(struct pp_region *region); /* leaves the empty figure */

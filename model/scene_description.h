@@ -15,7 +15,7 @@
 #include "model/vec.h"
 
 enum pp_shape_kind {
-    PP_SHAPE_POLYGON, /* plane, simple, concave allowed; a hole is joined by a seam */
+    PP_SHAPE_POLYGON, /* plane, by crossings: a hole is joined by a seam (region.h) */
     PP_SHAPE_SPHERE,
     PP_SHAPE_CONE,    /* open at both ends; a cylinder where both radii are equal */
     PP_SHAPE_RING,    /* a disc, or a disc with a round hole */

@@ -5,7 +5,6 @@
 #include <string.h>
 
 #include "model/polygon.h"
-#include "simulate/ears.h"
 #include "simulate/light_parts.h"
 #include "simulate/round.h"
 #include "simulate/triangles.h"
@@ -14,14 +13,10 @@
 struct builder {
     struct pp_light_scene *scene;
     const struct pp_scene_description *from;
-    float (*single)[3][3];
-    int space;
-    /* of the polygon at hand, with room for most_corners */
-    struct pp_vec3 *corners;
-    struct pp_vec3 (*pieces)[3];
-    int (*triangles)[3];
-    int *order;
-    int most_corners;
+    struct pp_clipper *clipper;
+    struct pp_triangles triangles; /* of all polygons */
+    struct pp_vec3 *corners;       /* of the polygon at hand, from the centre */
+    size_t rounds;                 /* how many there are */
 };
 
 static bool is_polygon(const struct pp_shape *shape)
@@ -75,35 +70,25 @@ static enum pp_status allocate(struct builder *b, struct pp_error *err)
 {
     struct pp_light_scene *scene = b->scene;
     const struct pp_scene_description *from = b->from;
-    size_t parts = 0, rounds = 0, distants = 0, triangles = 0;
+    size_t parts = 0, distants = 0;
+    int most_corners = 0;
     for (int i = 0; i < from->shape_count; i++) {
         const struct pp_shape *shape = &from->shapes[i];
         parts += shape->kind != PP_SHAPE_DISTANT;
-        rounds += !is_polygon(shape) && shape->kind != PP_SHAPE_DISTANT;
+        b->rounds += !is_polygon(shape) && shape->kind != PP_SHAPE_DISTANT;
         distants += shape->kind == PP_SHAPE_DISTANT;
-        if (!is_polygon(shape))
-            continue;
-        triangles += (size_t)shape->is.polygon.count - 2;
-        if (shape->is.polygon.count > b->most_corners)
-            b->most_corners = shape->is.polygon.count;
+        if (is_polygon(shape) && shape->is.polygon.count > most_corners)
+            most_corners = shape->is.polygon.count;
     }
-    size_t corners = (size_t)b->most_corners + 1;
     scene->materials =
         calloc((size_t)from->material_count + 1, sizeof *scene->materials);
     scene->patterns = calloc((size_t)from->pattern_count + 1, sizeof *scene->patterns);
     scene->parts = calloc(parts + 1, sizeof *scene->parts);
-    scene->rounds = calloc(rounds + 1, sizeof *scene->rounds);
+    scene->rounds = calloc(b->rounds + 1, sizeof *scene->rounds);
     scene->distants = calloc(distants + 1, sizeof *scene->distants);
-    scene->part_of_triangle =
-        calloc(triangles + rounds + 1, sizeof *scene->part_of_triangle);
-    b->single = malloc((triangles + 1) * sizeof *b->single);
-    b->corners = malloc(corners * sizeof *b->corners);
-    b->pieces = malloc(corners * sizeof *b->pieces);
-    b->triangles = malloc(corners * sizeof *b->triangles);
-    b->order = malloc(corners * sizeof *b->order);
+    b->corners = malloc(((size_t)most_corners + 1) * sizeof *b->corners);
     if (!scene->materials || !scene->patterns || !scene->parts || !scene->rounds
-        || !scene->distants || !scene->part_of_triangle || !b->single || !b->corners
-        || !b->pieces || !b->triangles || !b->order)
+        || !scene->distants || !b->corners)
         return pp_fail_memory(err);
     scene->material_count = from->material_count;
     scene->pattern_count = from->pattern_count;
@@ -132,30 +117,6 @@ static struct pp_light_part part_of(const struct pp_light_scene *scene,
         .back_emits = own_back || scene->materials[shape->material].emits_both_sides};
 }
 
-static bool is_convex(const struct pp_vec3 *corners, int count, struct pp_vec3 normal)
-{
-    for (int i = 0; i < count; i++) {
-        struct pp_vec3 a = corners[i], b = corners[(i + 1) % count];
-        struct pp_vec3 c = corners[(i + 2) % count];
-        if (pp_dot(normal, pp_cross(pp_sub(b, a), pp_sub(c, b))) < 0.0)
-            return false;
-    }
-    return true;
-}
-
-/* The triangles of the corners at hand, as numbers of them; how many. */
-static int cut(struct builder *b, int count, struct pp_vec3 normal)
-{
-    if (count > 3 && !is_convex(b->corners, count, normal))
-        return pp_cut_ears(b->corners, count, normal, b->triangles, b->order);
-    for (int i = 0; i < count - 2; i++) {
-        b->triangles[i][0] = 0;
-        b->triangles[i][1] = i + 1;
-        b->triangles[i][2] = i + 2;
-    }
-    return count - 2;
-}
-
 static enum pp_status add_polygon(struct builder *b, const struct pp_shape *shape,
                                   struct pp_error *err)
 {
@@ -174,23 +135,19 @@ static enum pp_status add_polygon(struct builder *b, const struct pp_shape *shap
         offset += pp_dot(part->normal, b->corners[k]);
     part->offset_m = offset / count;
 
-    int triangles = cut(b, count, part->normal);
-    for (int i = 0; i < triangles; i++) {
-        float(*to)[3] = b->single[scene->triangle_count];
-        scene->part_of_triangle[scene->triangle_count++] = index;
-        for (int k = 0; k < 3; k++) {
-            struct pp_vec3 v = b->pieces[i][k] = b->corners[b->triangles[i][k]];
-            to[k][0] = (float)v.x;
-            to[k][1] = (float)v.y;
-            to[k][2] = (float)v.z;
-        }
-    }
-    return pp_light_scene_add_emitters(scene, index, b->corners, count,
-                                       (const struct pp_vec3(*)[3])b->pieces, triangles,
-                                       err);
+    struct pp_polygon polygon = {count, b->corners, part->normal, 0.0};
+    int first = b->triangles.count;
+    enum pp_status status = pp_triangles_of_polygon(&b->triangles, b->clipper, &polygon,
+                                                    index, pp_vec(0.0, 0.0, 0.0), err);
+    int cut = b->triangles.count - first;
+    if (status != PP_OK || cut == 0)
+        return status;
+    return pp_light_scene_add_emitters(
+        scene, index, b->corners, count,
+        (const struct pp_vec3(*)[3])b->triangles.corners + first, cut, err);
 }
 
-/* Round shapes follow the last triangle. */
+/* Round shapes follow the last triangle, so that all polygons come before. */
 static enum pp_status add_round(struct builder *b, const struct pp_shape *shape,
                                 struct pp_error *err)
 {
@@ -204,6 +161,44 @@ static enum pp_status add_round(struct builder *b, const struct pp_shape *shape,
     return pp_light_scene_add_emitters(scene, index, NULL, 0, NULL, 0, err);
 }
 
+/* Whose the triangles are, and room for the round shapes. */
+static enum pp_status count_triangles(struct builder *b, struct pp_error *err)
+{
+    struct pp_light_scene *scene = b->scene;
+    size_t count = (size_t)b->triangles.count;
+    scene->part_of_triangle =
+        calloc(count + b->rounds + 1, sizeof *scene->part_of_triangle);
+    if (!scene->part_of_triangle)
+        return pp_fail_memory(err);
+    if (count > 0)
+        memcpy(scene->part_of_triangle, b->triangles.facet_of,
+               count * sizeof *scene->part_of_triangle);
+    scene->triangle_count = b->triangles.count;
+    return PP_OK;
+}
+
+static enum pp_status make_rays(struct builder *b, struct pp_error *err)
+{
+    struct pp_light_scene *scene = b->scene;
+    int count = scene->triangle_count;
+    float(*single)[3][3] = malloc(((size_t)count + 1) * sizeof *single);
+    if (!single)
+        return pp_fail_memory(err);
+    for (int i = 0; i < count; i++)
+        for (int k = 0; k < 3; k++) {
+            struct pp_vec3 v = b->triangles.corners[i][k];
+            single[i][k][0] = (float)v.x;
+            single[i][k][1] = (float)v.y;
+            single[i][k][2] = (float)v.z;
+        }
+    pp_light_scene_stir(scene, (const float(*)[3][3])single);
+    enum pp_status status =
+        pp_rays_create_with(&scene->rays, (const float(*)[3][3])single, count,
+                            scene->rounds, scene->round_count, err);
+    free(single);
+    return status;
+}
+
 static enum pp_status build(struct builder *b, struct pp_error *err)
 {
     struct pp_light_scene *scene = b->scene;
@@ -212,10 +207,14 @@ static enum pp_status build(struct builder *b, struct pp_error *err)
     if (status != PP_OK)
         return status;
     status = pp_light_scene_add_glosses(scene, err);
+    if (status == PP_OK)
+        status = pp_clipper_create(&b->clipper, err);
     measure(scene, from);
     for (int i = 0; status == PP_OK && i < from->shape_count; i++)
         if (is_polygon(&from->shapes[i]))
             status = add_polygon(b, &from->shapes[i], err);
+    if (status == PP_OK)
+        status = count_triangles(b, err);
     for (int i = 0; status == PP_OK && i < from->shape_count; i++)
         if (from->shapes[i].kind == PP_SHAPE_DISTANT)
             status = pp_light_scene_add_distant(scene, &from->shapes[i], err);
@@ -225,12 +224,7 @@ static enum pp_status build(struct builder *b, struct pp_error *err)
         return status;
     pp_light_scene_settle_emitters(scene);
     status = pp_light_scene_add_mirrors(scene, err);
-    if (status != PP_OK)
-        return status;
-    pp_light_scene_stir(scene, (const float(*)[3][3])b->single);
-    return pp_rays_create_with(&scene->rays, (const float(*)[3][3])b->single,
-                               scene->triangle_count, scene->rounds, scene->round_count,
-                               err);
+    return status == PP_OK ? make_rays(b, err) : status;
 }
 
 enum pp_status pp_light_scene_of_description(struct pp_light_scene **result,
@@ -243,11 +237,9 @@ enum pp_status pp_light_scene_of_description(struct pp_light_scene **result,
         return pp_fail_memory(err);
     struct builder b = {.scene = scene, .from = from};
     enum pp_status status = build(&b, err);
-    free(b.single);
+    pp_triangles_clear(&b.triangles);
+    pp_clipper_destroy(b.clipper);
     free(b.corners);
-    free(b.pieces);
-    free(b.triangles);
-    free(b.order);
     if (status != PP_OK) {
         pp_light_scene_destroy(scene);
         return status;

@@ -1,6 +1,7 @@
 /* triangles.c - see triangles.h. */
 #include "simulate/triangles.h"
 
+#include <math.h>
 #include <stdbool.h>
 #include <stdlib.h>
 
@@ -38,17 +39,23 @@ static enum pp_status append(struct pp_triangles *list, struct pp_vec3 a,
     return PP_OK;
 }
 
+/* Does it turn left at every corner, once round in all? */
 static bool is_convex(const struct pp_polygon *polygon)
 {
     int n = polygon->count;
+    double round = 0.0;
+    if (n == 3)
+        return true;
     for (int i = 0; i < n; i++) {
         struct pp_vec3 a = polygon->vertices[i], b = polygon->vertices[(i + 1) % n];
         struct pp_vec3 c = polygon->vertices[(i + 2) % n];
-        struct pp_vec3 turn = pp_cross(pp_sub(b, a), pp_sub(c, b));
-        if (pp_dot(turn, polygon->normal) < 0.0)
+        struct pp_vec3 in = pp_sub(b, a), out = pp_sub(c, b);
+        double turn = pp_dot(pp_cross(in, out), polygon->normal);
+        if (turn < 0.0)
             return false;
+        round += atan2(turn, pp_dot(in, out));
     }
-    return true;
+    return round < 3.0 * PP_PI;
 }
 
 /* A fan: for convex figures. */
@@ -88,6 +95,13 @@ static enum pp_status triangulate(struct pp_triangles *list, struct pp_clipper *
     free(pieces);
     pp_region_destroy(&region);
     return status;
+}
+
+void pp_triangles_clear(struct pp_triangles *list)
+{
+    free(list->corners);
+    free(list->facet_of);
+    *list = (struct pp_triangles){0};
 }
 
 enum pp_status pp_triangles_of_polygon(struct pp_triangles *list,

@@ -1,4 +1,4 @@
-/* triangles.h - the world's plane figures cut into triangles. */
+/* triangles.h - plane figures cut into triangles. */
 #ifndef PP_SIMULATE_TRIANGLES_H
 #define PP_SIMULATE_TRIANGLES_H
 
@@ -11,6 +11,8 @@ struct pp_triangles {
     int count, capacity;
 };
 
+void pp_triangles_clear(struct pp_triangles *list); /* leaves the empty list */
+
 /* Appends the triangles of a surface, a face of the room less its openings, as facet
  * `surface`, in coordinates from `centre`. Corners are the polygons' own to the bit, so
  * that neighbours leave no gap. */
@@ -19,6 +21,8 @@ enum pp_status pp_triangles_of_surface(struct pp_triangles *list,
                                        const struct pp_world *world, int surface,
                                        struct pp_vec3 centre, struct pp_error *err);
 
+/* The same of any polygon, by crossings where it meets or crosses itself (region.h):
+ * what they enclose may be nothing. */
 enum pp_status pp_triangles_of_polygon(struct pp_triangles *list,
                                        struct pp_clipper *clipper,
                                        const struct pp_polygon *polygon, int facet,

@@ -115,31 +115,73 @@ static void cones_are_open_and_rings_have_holes(void **state)
     pp_light_scene_destroy(made);
 }
 
-/* A square with a square hole, joined by a seam, as Radiance's files have them. */
-static void a_hole_joined_by_a_seam_lets_rays_through(void **state)
+/* Shoots down at every tenth of a metre of a polygon in the plane z = 0: what is met
+ * is what the crossings of a ray along the plane say. Returns how often it is met. */
+static int met_as_crossed(const struct pp_vec3 *v, int count)
 {
-    (void)state;
-    const struct pp_vec3 v[] = {{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}, {0, 0, 0},
-                                {1, 1, 0}, {1, 3, 0}, {3, 3, 0}, {3, 1, 0}, {1, 1, 0}};
     struct pp_scene_description scene;
     pp_scene_description_init(&scene);
     int material = add(&scene, "sheet");
     struct pp_error err = {0};
-    if (pp_scene_add_polygon(&scene, v, 10, material, NULL, &err) != PP_OK)
+    if (pp_scene_add_polygon(&scene, v, count, material, NULL, &err) != PP_OK)
         fail_msg("%s", err.message);
     struct pp_light_scene *made = built(&scene);
     int met = 0;
     for (int i = 0; i < 40; i++)
         for (int k = 0; k < 40; k++) {
             struct pp_light_hit hit;
-            double x = 0.05 + 0.1 * i, y = 0.05 + 0.1 * k;
-            bool hole = x > 1.0 && x < 3.0 && y > 1.0 && y < 3.0;
+            double x = 0.05 + 0.1 * i, y = 0.053 + 0.1 * k;
+            bool crossed = false;
+            for (int a = count - 1, b = 0; b < count; a = b++)
+                if ((v[a].y > y) != (v[b].y > y)
+                    && x < v[a].x
+                               + (y - v[a].y) / (v[b].y - v[a].y) * (v[b].x - v[a].x))
+                    crossed = !crossed;
             bool is_met = look(made, pp_vec(x, y, 2.0), pp_vec(0.0, 0.0, -1.0), &hit);
-            assert_int_equal(is_met, !hole);
+            assert_int_equal(is_met, crossed);
             met += is_met;
         }
-    assert_int_equal(met, 1600 - 400);
     pp_light_scene_destroy(made);
+    return met;
+}
+
+/* A square with a square hole, joined by a seam, as Radiance's files have them. */
+static void a_hole_joined_by_a_seam_lets_rays_through(void **state)
+{
+    (void)state;
+    const struct pp_vec3 v[] = {{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}, {0, 0, 0},
+                                {1, 1, 0}, {1, 3, 0}, {3, 3, 0}, {3, 1, 0}, {1, 1, 0}};
+    assert_int_equal(met_as_crossed(v, 10), 1600 - 400);
+}
+
+/* Radiance counts crossings: which way round the hole runs is nothing to it. */
+static void a_hole_may_run_round_as_its_rim_does(void **state)
+{
+    (void)state;
+    const struct pp_vec3 v[] = {{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}, {0, 0, 0},
+                                {1, 1, 0}, {3, 1, 0}, {3, 3, 0}, {1, 3, 0}, {1, 1, 0}};
+    assert_int_equal(met_as_crossed(v, 10), 1600 - 400);
+    /* From another corner of either, and the loop's ends in the middle of the seam. */
+    const struct pp_vec3 w[] = {{3, 1, 0}, {3, 3, 0}, {1, 3, 0}, {1, 1, 0}, {3, 1, 0},
+                                {4, 0, 0}, {4, 4, 0}, {0, 4, 0}, {0, 0, 0}, {4, 0, 0}};
+    assert_int_equal(met_as_crossed(w, 10), 1600 - 400);
+}
+
+/* A five-pointed star turns left at each of its corners, twice round: its middle is
+ * crossed twice. A crossed strip is met on either side of the crossing; a triangle run
+ * round twice is nothing. */
+static void outlines_that_cross_themselves_are_what_crossings_make_them(void **state)
+{
+    (void)state;
+    const struct pp_vec3 star[] = {
+        {2.0, 3.9, 0}, {0.9, 0.4, 0}, {3.8, 2.6, 0}, {0.2, 2.6, 0}, {3.1, 0.4, 0}};
+    const struct pp_vec3 strip[] = {
+        {0.2, 0.3, 0}, {3.7, 2.1, 0}, {3.7, 0.4, 0}, {0.2, 3.6, 0}};
+    const struct pp_vec3 twice[] = {{0.2, 0.3, 0}, {3.7, 0.4, 0}, {1.7, 3.1, 0},
+                                    {0.2, 0.3, 0}, {3.7, 0.4, 0}, {1.7, 3.1, 0}};
+    assert_true(met_as_crossed(star, 5) > 200);
+    assert_true(met_as_crossed(strip, 4) > 200);
+    assert_int_equal(met_as_crossed(twice, 6), 0);
 }
 
 static void what_makes_no_sense_is_refused(void **state)
@@ -315,6 +357,8 @@ int main(void)
         cmocka_unit_test(a_sphere_is_met_where_it_is_from_outside_and_from_inside),
         cmocka_unit_test(cones_are_open_and_rings_have_holes),
         cmocka_unit_test(a_hole_joined_by_a_seam_lets_rays_through),
+        cmocka_unit_test(a_hole_may_run_round_as_its_rim_does),
+        cmocka_unit_test(outlines_that_cross_themselves_are_what_crossings_make_them),
         cmocka_unit_test(a_small_ball_far_away_is_met),
         cmocka_unit_test(what_makes_no_sense_is_refused),
         cmocka_unit_test(an_empty_scene_is_met_nowhere),

@@ -67,6 +67,44 @@ static void a_bow_tie_is_refused(void **state)
     assert_false(pp_ring_is_simple(clipper, spike, 5));
 }
 
+static double area_by_crossings(const double (*xy)[2], int count)
+{
+    struct pp_region region;
+    struct pp_error err;
+    if (pp_region_by_crossings(clipper, &region, xy, count, &err) != PP_OK)
+        fail_msg("%s", err.message);
+    double area = pp_region_area(&region);
+    pp_region_destroy(&region);
+    return area;
+}
+
+static void any_closed_line_has_a_figure_by_crossings(void **state)
+{
+    (void)state;
+    /* A hole that turns as its rim does, and one with an edge in the rim: a notch. */
+    const double hole[10][2] = {{0.0, 0.0}, {5.3, 0.0}, {5.3, 2.7}, {0.0, 2.7},
+                                {0.0, 0.0}, {1.1, 0.9}, {3.4, 0.9}, {3.4, 2.2},
+                                {1.1, 2.2}, {1.1, 0.9}};
+    const double notch[10][2] = {{0.0, 0.0}, {5.3, 0.0}, {5.3, 2.7}, {0.0, 2.7},
+                                 {0.0, 0.0}, {1.1, 0.0}, {3.4, 0.0}, {3.4, 2.2},
+                                 {1.1, 2.2}, {1.1, 0.0}};
+    assert_near(area_by_crossings(hole, 10), 5.3 * 2.7 - 2.3 * 1.3, ROUNDING);
+    assert_near(area_by_crossings(notch, 10), 5.3 * 2.7 - 2.3 * 2.2, ROUNDING);
+    /* A bow tie is two triangles of like shape, on the bases 1.3 and 1.7: they share
+     * the width of 2.1 as 1.3 to 1.7. */
+    const double bow[4][2] = {{0.0, 0.0}, {2.1, 1.7}, {2.1, 0.0}, {0.0, 1.3}};
+    double left = 2.1 * 1.3 / 3.0, right = 2.1 * 1.7 / 3.0;
+    assert_near(area_by_crossings(bow, 4), (1.3 * left + 1.7 * right) / 2.0, ROUNDING);
+    /* There and back again bounds nothing, nor does what runs round twice. */
+    const double spike[5][2] = {
+        {0.0, 0.0}, {2.1, 0.0}, {3.4, 0.0}, {2.1, 0.0}, {0.9, 1.3}};
+    const double twice[6][2] = {{0.0, 0.0}, {2.1, 0.0}, {0.9, 1.3},
+                                {0.0, 0.0}, {2.1, 0.0}, {0.9, 1.3}};
+    assert_near(area_by_crossings(spike, 5), 2.1 * 1.3 / 2.0, ROUNDING);
+    assert_near(area_by_crossings(twice, 6), 0.0, 0.0);
+    assert_near(area_by_crossings(twice, 2), 0.0, 0.0);
+}
+
 static void a_hole_runs_clockwise_and_takes_its_area(void **state)
 {
     (void)state;
@@ -188,6 +226,7 @@ int main(void)
         cmocka_unit_test(a_clockwise_ring_is_turned_round),
         cmocka_unit_test(a_line_and_two_points_have_no_figure),
         cmocka_unit_test(a_bow_tie_is_refused),
+        cmocka_unit_test(any_closed_line_has_a_figure_by_crossings),
         cmocka_unit_test(a_hole_runs_clockwise_and_takes_its_area),
         cmocka_unit_test(two_windows_with_holes_keep_each_its_own),
         cmocka_unit_test(figures_that_only_touch_share_nothing),
