@@ -3,12 +3,14 @@
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
+#include <sys/ioctl.h>
 #include <unistd.h>
 
 #include "cli/utf8.h"
 #include "model/clock.h"
 
-enum { BAR = 24, LABEL = 20 };
+/* Columns that the bar, and the label, take at most; the bar at least. */
+enum { BAR = 24, LABEL = 20, BAR_LEAST = 5 };
 
 void pp_progress_begin(struct pp_progress *progress, const char *label, bool quiet)
 {
@@ -24,30 +26,74 @@ void pp_progress_resume(struct pp_progress *progress, double done)
     progress->before = done;
 }
 
-/* "8 s", "3 min", "2.5 h". */
-static void put_time(double seconds)
+/* ", 8 s left", ", 3 min left", ", 2.5 h left"; nothing where it is not known. */
+static void say_left(char *text, size_t room, double seconds)
 {
+    text[0] = '\0';
+    if (isnan(seconds))
+        return;
     if (seconds < 99.5)
-        fprintf(stderr, "%.0f s", ceil(seconds));
+        snprintf(text, room, ", %.0f s left", ceil(seconds));
     else if (seconds < 5970.0)
-        fprintf(stderr, "%.0f min", seconds / 60.0);
+        snprintf(text, room, ", %.0f min left", seconds / 60.0);
     else
-        fprintf(stderr, "%.1f h", seconds / 3600.0);
+        snprintf(text, room, ", %.*f h left", seconds < 99.5 * 3600.0 ? 1 : 0,
+                 fmin(seconds / 3600.0, 99999.0));
 }
 
-static void put_label(const char *label)
+/* As much of the label as takes so many columns; returns how many it took. */
+static int put_label(FILE *out, const char *label, int columns)
 {
     char start[4 * LABEL + 1];
     size_t length = 0;
-    for (int width = 0; label[length] && width < LABEL; width++) {
+    for (;;) {
         size_t next = (size_t)pp_utf8_length(label + length);
-        if (length + next >= sizeof start)
+        if (next == 0 || length + next >= sizeof start)
+            break;
+        memcpy(start + length, label + length, next);
+        start[length + next] = '\0';
+        if (pp_utf8_width(start) > columns)
             break;
         length += next;
     }
-    memcpy(start, label, length);
     start[length] = '\0';
-    pp_utf8_put(stderr, start);
+    pp_utf8_put(out, start);
+    return pp_utf8_width(start);
+}
+
+static int least(int a, int b)
+{
+    return a < b ? a : b;
+}
+
+void pp_progress_print(FILE *out, const char *label, double done, double error,
+                       double left_s, int columns)
+{
+    static const char full[] = "========================";
+    char tail[64], left[32];
+    say_left(left, sizeof left, left_s);
+    int tail_width =
+        isfinite(error)
+            ? snprintf(tail, sizeof tail, "%3.0f %%, error %.2g %%%s",
+                       floor(100.0 * done), 100.0 * error, left)
+            : snprintf(tail, sizeof tail, "%3.0f %%%s", floor(100.0 * done), left);
+    /* The bar gives way first, then the label; the last column is left free, or the
+     * line would break there. */
+    int free = columns - 1 - tail_width;
+    free -= put_label(out, label, least(free - 1, LABEL)) + 1;
+    if (free >= 3 + BAR_LEAST) {
+        int bar = least(free - 3, BAR), filled = (int)(done * bar);
+        fprintf(out, " [%.*s%*s]", filled, full, bar - filled, "");
+    }
+    fprintf(out, " %s", tail);
+}
+
+/* Of the terminal; 80 where it doesn't say. */
+static int terminal_columns(void)
+{
+    struct winsize size;
+    bool told = ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0;
+    return told ? size.ws_col : 80;
 }
 
 void pp_progress_show(struct pp_progress *progress, double done, double error)
@@ -57,21 +103,11 @@ void pp_progress_show(struct pp_progress *progress, double done, double error)
         return;
     progress->last_s = now;
     done = fmin(fmax(done, 0.0), 1.0);
-
-    static const char full[] = "========================";
-    int filled = (int)(done * BAR);
+    double elapsed = now - progress->started_s, left = NAN;
+    if (done > progress->before && elapsed > 0.3)
+        left = elapsed * (1.0 - done) / (done - progress->before);
     fputs("\r\033[K", stderr);
-    put_label(progress->label);
-    fprintf(stderr, " [%.*s%*s] %3.0f %%", filled, full, BAR - filled, "",
-            floor(100.0 * done));
-    if (isfinite(error))
-        fprintf(stderr, ", error %.2g %%", 100.0 * error);
-    double elapsed = now - progress->started_s;
-    if (done > progress->before && elapsed > 0.3) {
-        fputs(", ", stderr);
-        put_time(elapsed * (1.0 - done) / (done - progress->before));
-        fputs(" left", stderr);
-    }
+    pp_progress_print(stderr, progress->label, done, error, left, terminal_columns());
     fflush(stderr);
 }
 
