@@ -62,7 +62,7 @@ static struct pp_rgb light_outside(struct pp_radiance_walk *walk,
 {
     const struct pp_light_scene *scene = walk->scene;
     *is_sky = false;
-    if (scene->room->panes[window].nothing_beyond && scene->emitter_count == 0) {
+    if (scene->room->panes[window].nothing_beyond) {
         double exitance, near = pp_outside_near(&scene->room->outside, ray->from,
                                                 ray->to, &exitance);
         return pp_light_scene_beyond(scene, ray, near, is_sky);
@@ -76,7 +76,7 @@ static struct pp_rgb light_outside(struct pp_radiance_walk *walk,
         return radiance;
     if (walk->options.stored && walk->store
         && pp_window_store_radiance(walk->store, scene, window, ray->from, ray->to,
-                                    &radiance))
+                                    hit.distance_m, &radiance))
         return radiance;
     struct pp_light_path path = path_outside(walk, ray, vertex, depth);
     if (pp_light_path_arrive(walk, &path, meeting, &hit, &radiance))
@@ -84,63 +84,23 @@ static struct pp_rgb light_outside(struct pp_radiance_walk *walk,
     return radiance;
 }
 
-struct pp_irradiance pp_radiance_on_pane(struct pp_radiance_walk *walk, int window,
-                                         struct pp_vec3 point)
-{
-    const struct pp_light_scene *scene = walk->scene;
-    const struct pp_facet *facet =
-        &scene->room->facets[scene->room->panes[window].facet];
-    struct pp_irradiance e = {.rest = pp_rgb_grey(0.0)};
-    struct pp_lobes lobes = {.n = pp_scale(facet->normal, -1.0)};
-    lobes.share[PP_LOBE_DIFFUSE] = pp_rgb_grey(PP_PI);
-    struct pp_lit lit = {.point = point,
-                         .normal = lobes.n,
-                         .space = PP_OUTDOORS,
-                         .lobes = &lobes,
-                         .vertex = pp_branch_off(0, PP_DRAW_PANES)};
-    e.outside = pp_light_from_sources(walk, &lit);
-    double u[2];
-    bool is_sky;
-    pp_sequence_draw(&walk->sequence, walk->index, 0, 2, u);
-    struct pp_vec3 to = pp_sample_lobe(facet->a, facet->b, lobes.n, u[0], u[1]);
-    struct pp_light_ray ray = {point, lobes.n, to, PP_OUTDOORS};
-    struct pp_rgb light =
-        pp_rgb_scale(light_outside(walk, &ray, window, 1, 0, &is_sky), PP_PI);
-    if (is_sky)
-        e.sky = light;
-    else
-        e.outside = pp_rgb_add(e.outside, light);
-    return e;
-}
-
 /* ---- in the room ---- */
 
 /* What a diffusing pane gives off to the room, of what falls on it at the point. */
 static struct pp_rgb light_of_pane(struct pp_radiance_walk *walk, int window,
                                    struct pp_vec3 point, int vertex, int depth,
-                                   struct pp_rgb transmittance, struct pp_rgb *sky)
+                                   struct pp_rgb transmittance, bool *is_sky)
 {
-    struct pp_irradiance e;
-    struct pp_rgb share = pp_rgb_scale(transmittance, 1.0 / PP_PI);
-    if (!walk->options.stored || !walk->store
-        || !pp_window_store_irradiance(walk->store, walk->scene, window, point, &e)) {
-        const struct pp_facet *facet =
-            &walk->scene->room->facets[walk->scene->room->panes[window].facet];
-        struct pp_vec3 out = pp_scale(facet->normal, -1.0);
-        double u[2];
-        bool is_sky;
-        pp_sequence_draw(&walk->sequence, walk->index, vertex, 2, u);
-        struct pp_vec3 to = pp_sample_lobe(facet->a, facet->b, out, u[0], u[1]);
-        struct pp_light_ray ray = {point, out, to, PP_OUTDOORS};
-        struct pp_rgb light = pp_rgb_scale(
-            light_outside(walk, &ray, window, pp_branch_off(vertex, 1), depth, &is_sky),
-            PP_PI);
-        *sky = pp_rgb_times(share, is_sky ? light : pp_rgb_grey(0.0));
-        return pp_rgb_times(share, is_sky ? pp_rgb_grey(0.0) : light);
-    }
-    *sky = pp_rgb_times(share, e.sky);
-    e.sky = pp_rgb_grey(0.0);
-    return pp_rgb_times(share, pp_irradiance_sum(&e));
+    const struct pp_facet *facet =
+        &walk->scene->room->facets[walk->scene->room->panes[window].facet];
+    struct pp_vec3 out = pp_scale(facet->normal, -1.0);
+    double u[2];
+    pp_sequence_draw(&walk->sequence, walk->index, vertex, 2, u);
+    struct pp_light_ray ray = {
+        point, out, pp_sample_lobe(facet->a, facet->b, out, u[0], u[1]), PP_OUTDOORS};
+    return pp_rgb_times(
+        transmittance,
+        light_outside(walk, &ray, window, pp_branch_off(vertex, 1), depth, is_sky));
 }
 
 /* Light from one direction to a window; what of it is sky goes to *sky. */
@@ -167,19 +127,20 @@ static struct pp_rgb from_window(struct pp_radiance_walk *walk,
     const struct pp_light_part *part = &scene->parts[pane->facet];
     const struct pp_material *material = &scene->materials[part->material[0]];
     int beyond = pp_branch_off(pp_branch_off(lit->vertex, PP_DRAW_PANES), window);
-    if (material->kind == PP_MATERIAL_TRANSLUCENT) {
-        struct pp_rgb rest = light_of_pane(walk, window, aimed->point, beyond,
-                                           lit->depth, material->through_diffuse, sky);
-        *sky = pp_rgb_times(*sky, f);
-        return pp_rgb_times(rest, f);
-    }
-    f = pp_rgb_times(
-        f, pp_straight_through(material, -pp_dot(part->normal, aimed->direction)));
-    struct pp_light_ray ray = {aimed->point, pp_scale(part->normal, -1.0),
-                               aimed->direction, PP_OUTDOORS};
     bool is_sky;
-    struct pp_rgb light =
-        pp_rgb_times(f, light_outside(walk, &ray, window, beyond, lit->depth, &is_sky));
+    struct pp_rgb light;
+    if (material->kind == PP_MATERIAL_TRANSLUCENT) {
+        light = light_of_pane(walk, window, aimed->point, beyond, lit->depth,
+                              material->through_diffuse, &is_sky);
+    } else {
+        struct pp_light_ray ray = {aimed->point, pp_scale(part->normal, -1.0),
+                                   aimed->direction, PP_OUTDOORS};
+        double cosine = -pp_dot(part->normal, aimed->direction);
+        light = pp_rgb_times(
+            pp_straight_through(material, cosine),
+            light_outside(walk, &ray, window, beyond, lit->depth, &is_sky));
+    }
+    light = pp_rgb_times(f, light);
     if (is_sky)
         *sky = light;
     return is_sky ? none : light;

@@ -108,8 +108,9 @@ struct pp_irradiance pp_radiance_irradiance(struct pp_radiance_walk *walk,
                                             enum pp_space space);
 
 /* What surfaces outside send through each opening, worked out once: by patches of the
- * opening, the smaller the nearer something stands, and by direction. NULL where there
- * is nothing to work out. The same for any number of threads (0: all there are). */
+ * opening, the smaller the nearer something stands, and by direction (window_store.h).
+ * What stands nearer than patches can tell apart is not in it. NULL where there is
+ * nothing to work out. The same for any number of threads (0: all there are). */
 enum pp_status pp_window_store_create(struct pp_window_store **store,
                                       const struct pp_light_scene *scene, uint64_t seed,
                                       int threads, struct pp_error *err);

@@ -9,22 +9,20 @@
 #include "simulate/processors.h"
 
 enum {
-    BINS = 12,           /* of directions, along either axis of the opening */
-    BIN_SAMPLES = 32,    /* paths of each bin */
-    PANE_SAMPLES = 1024, /* paths of each patch of a diffusing pane */
-    MOST_PATCHES = 6,    /* along either axis */
-    PROBES = 256,        /* rays that see how near things stand */
+    BINS = 12,        /* of directions, along either axis of the opening */
+    BIN_SAMPLES = 32, /* paths of each bin */
+    MOST_PATCHES = 6, /* along either axis */
+    PROBES = 256,     /* rays that see how near things stand */
 };
 
-/* A patch is no larger than this share of the distance of what stands nearest. */
+/* A patch is no larger than this share of the distance of what is stored. */
 static const double PATCH_SIZE = 0.5;
 
 /* One opening's. */
 struct window_light {
     int columns, rows;
-    bool diffusing;
-    struct pp_rgb *radiance;     /* by patch and bin; NULL: nothing stands outside */
-    struct pp_irradiance *falls; /* by patch, of a diffusing pane */
+    double far_m;            /* what is nearer is not stored */
+    struct pp_rgb *radiance; /* by patch and bin; NULL: nothing stands outside */
 };
 
 struct pp_window_store {
@@ -124,34 +122,16 @@ static enum pp_status lay_out(struct window_light *light,
 {
     const struct pp_pane *pane = &scene->room->panes[window];
     double near = pane->nothing_beyond ? INFINITY : nearest(scene, window, sobol, seed);
-    light->diffusing = pane->opening->glass.diffusing;
     light->columns = patches_along(pane->target.width_m, near);
     light->rows = patches_along(pane->target.height_m, near);
-    size_t patches = (size_t)light->columns * (size_t)light->rows;
-    if (light->diffusing)
-        light->falls = calloc(patches, sizeof *light->falls);
-    else if (isfinite(near))
-        light->radiance = calloc(patches * BINS * BINS, sizeof *light->radiance);
-    else
+    if (!isfinite(near))
         return PP_OK;
-    return light->falls || light->radiance ? PP_OK : pp_fail_memory(err);
-}
-
-static void fill_falls(struct window_light *light, struct pp_radiance_walk *walk,
-                       int window, int patch)
-{
-    const struct pp_target *target = target_of(walk->scene, window);
-    struct pp_irradiance sum = {.rest = pp_rgb_grey(0.0)};
-    for (uint32_t i = 0; i < PANE_SAMPLES; i++) {
-        double u[2];
-        walk->index = i;
-        pp_sequence_draw(&walk->sequence, i, 3, 2, u);
-        struct pp_irradiance e = pp_radiance_on_pane(
-            walk, window, patch_point(target, light, patch, u[0], u[1]));
-        sum.sky = pp_rgb_along(sum.sky, 1.0 / PANE_SAMPLES, e.sky);
-        sum.outside = pp_rgb_along(sum.outside, 1.0 / PANE_SAMPLES, e.outside);
-    }
-    light->falls[patch] = sum;
+    size_t patches = (size_t)light->columns * (size_t)light->rows;
+    light->far_m =
+        fmax(pane->target.width_m / light->columns, pane->target.height_m / light->rows)
+        / PATCH_SIZE;
+    light->radiance = calloc(patches * BINS * BINS, sizeof *light->radiance);
+    return light->radiance ? PP_OK : pp_fail_memory(err);
 }
 
 /* Mean radiance of what is met in each bin; where nothing is, of what is met at all. */
@@ -172,7 +152,8 @@ static void fill_radiance(struct window_light *light, struct pp_radiance_walk *w
             pp_sequence_draw(&walk->sequence, walk->index, 0, 4, u);
             ray.from = patch_point(target, light, patch, u[0], u[1]);
             if (!bin_direction(target, bin, u[2], u[3], &ray.to)
-                || !pp_radiance_of_outside(walk, &ray, &radiance, &distance))
+                || !pp_radiance_of_outside(walk, &ray, &radiance, &distance)
+                || distance < light->far_m)
                 continue;
             bins[bin] = pp_rgb_add(bins[bin], radiance);
             met[bin]++;
@@ -194,10 +175,7 @@ static void fill(struct pp_window_store *store, const struct pp_light_scene *sce
     struct pp_radiance_walk walk = {.scene = scene, .options = pp_radiance_defaults()};
     pp_sequence_init(&walk.sequence, sobol,
                      pp_hash(pp_hash(seed, (uint64_t)window), (uint64_t)patch));
-    if (light->diffusing)
-        fill_falls(light, &walk, window, patch);
-    else
-        fill_radiance(light, &walk, window, patch);
+    fill_radiance(light, &walk, window, patch);
 }
 
 static void fill_all(struct pp_window_store *store, const struct pp_light_scene *scene,
@@ -206,8 +184,7 @@ static void fill_all(struct pp_window_store *store, const struct pp_light_scene 
     (void)threads;
     for (int i = 0; i < store->count; i++) {
         struct window_light *light = &store->windows[i];
-        int patches =
-            light->falls || light->radiance ? light->columns * light->rows : 0;
+        int patches = light->radiance ? light->columns * light->rows : 0;
 #pragma omp parallel for num_threads(threads) schedule(dynamic, 1)
         for (int k = 0; k < patches; k++)
             fill(store, scene, sobol, seed, i, k);
@@ -252,7 +229,6 @@ void pp_window_store_destroy(struct pp_window_store *store)
         return;
     for (int i = 0; store->windows && i < store->count; i++) {
         free(store->windows[i].radiance);
-        free(store->windows[i].falls);
     }
     free(store->windows);
     free(store);
@@ -263,24 +239,13 @@ void pp_window_store_destroy(struct pp_window_store *store)
 bool pp_window_store_radiance(const struct pp_window_store *store,
                               const struct pp_light_scene *scene, int window,
                               struct pp_vec3 point, struct pp_vec3 to,
-                              struct pp_rgb *radiance)
+                              double distance_m, struct pp_rgb *radiance)
 {
     const struct window_light *light = &store->windows[window];
-    if (!light->radiance)
+    if (!light->radiance || distance_m < light->far_m)
         return false;
     const struct pp_target *target = target_of(scene, window);
     *radiance = light->radiance[(size_t)patch_at(target, light, point) * BINS * BINS
                                 + (size_t)bin_of(target, to)];
-    return true;
-}
-
-bool pp_window_store_irradiance(const struct pp_window_store *store,
-                                const struct pp_light_scene *scene, int window,
-                                struct pp_vec3 point, struct pp_irradiance *irradiance)
-{
-    const struct window_light *light = &store->windows[window];
-    if (!light->falls)
-        return false;
-    *irradiance = light->falls[patch_at(target_of(scene, window), light, point)];
     return true;
 }

@@ -2,9 +2,9 @@
  *
  * An opening is cut into patches, the smaller the nearer something stands outside. For
  * each patch and each direction (bins of equal projected solid angle) it holds the mean
- * radiance of the surfaces that are met there. Sky, ground and skylines are not in it:
- * whoever looks out still finds out by a ray whether it meets a surface, so that the
- * silhouettes stay sharp. Of a diffusing pane it holds the irradiance of its outside.
+ * radiance of the surfaces that are met there, if they are as far away as twice the
+ * size of a patch. Sky, ground and skylines are not in it: whoever looks out still finds
+ * out by a ray whether it meets a surface, so that the silhouettes stay sharp.
  */
 #ifndef PP_SIMULATE_WINDOW_STORE_H
 #define PP_SIMULATE_WINDOW_STORE_H
@@ -12,18 +12,12 @@
 #include "simulate/light_parts.h"
 #include "simulate/radiance.h"
 
-/* The radiance of the surface that is met outside along `to` from a point (from the
- * scene's centre) of the window; false where the store has none. */
+/* The radiance of the surface that is met outside, at that distance along `to`, from a
+ * point (from the scene's centre) of the window; false where the store has none. */
 bool pp_window_store_radiance(const struct pp_window_store *store,
                               const struct pp_light_scene *scene, int window,
                               struct pp_vec3 point, struct pp_vec3 to,
-                              struct pp_rgb *radiance);
-
-/* The irradiance of a diffusing pane's outside there; `rest` is part of `outside` and
- * of `sky`. */
-bool pp_window_store_irradiance(const struct pp_window_store *store,
-                                const struct pp_light_scene *scene, int window,
-                                struct pp_vec3 point, struct pp_irradiance *irradiance);
+                              double distance_m, struct pp_rgb *radiance);
 
 /* ---- what the store is worked out with: light_windows.c ---- */
 
@@ -32,9 +26,5 @@ bool pp_window_store_irradiance(const struct pp_window_store *store,
 bool pp_radiance_of_outside(struct pp_radiance_walk *walk,
                             const struct pp_light_ray *ray, struct pp_rgb *radiance,
                             double *distance_m);
-
-/* One sample of the irradiance of a pane's outside. */
-struct pp_irradiance pp_radiance_on_pane(struct pp_radiance_walk *walk, int window,
-                                         struct pp_vec3 point);
 
 #endif
