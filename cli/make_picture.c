@@ -22,17 +22,20 @@ enum { DIRECTIONS = 16 };
 #define CHECKPOINT_MOST ((size_t)1 << 32)
 
 /* Lets the cache grow until it has all that the picture asks for. */
-static enum pp_status grow(struct pp_irradiance_cache *cache, bool quiet,
+static enum pp_status grow(struct pp_overture *overture, bool quiet,
                            struct pp_error *err)
 {
     struct pp_progress progress;
     enum pp_status status = PP_OK;
     pp_progress_begin(&progress, "irradiance cache", quiet);
-    while (status == PP_OK && !pp_irradiance_cache_done(cache)) {
-        status = pp_irradiance_cache_grow(cache, slice_s, err);
-        pp_progress_show(&progress, pp_irradiance_cache_progress(cache), NAN);
-        if (status == PP_OK && pp_interrupt_came())
-            status = pp_fail(err, PP_INTERRUPTED, "interrupted; there is no picture");
+    while (status == PP_OK && !pp_overture_done(overture)) {
+        status = pp_overture_advance(overture, slice_s, err);
+        pp_progress_show(&progress, pp_overture_progress(overture), NAN);
+        /* Half a cache would not grow on to the same one. */
+        if (status == PP_OK && pp_interrupt_came() && !pp_overture_done(overture))
+            status = pp_fail(err, PP_INTERRUPTED,
+                             "interrupted while the irradiance cache grew, of which "
+                             "nothing is kept; there is no picture");
     }
     pp_progress_end(&progress);
     return status;
@@ -45,18 +48,16 @@ static enum pp_status fill_cache(struct pp_made_picture *made,
                                  const struct pp_room_options *options,
                                  struct pp_error *err)
 {
-    struct pp_light_ray *rays = NULL;
-    size_t count;
+    struct pp_overture *overture = NULL;
     enum pp_status status =
         pp_cache_words_open(&made->cache, &choice->cache, made->scene, made->store,
                             &render->light, options->seed, options->threads, err);
     if (status == PP_OK)
-        status = pp_render_rays(&rays, &count, made->scene, render, err);
+        status =
+            pp_overture_create(&overture, made->cache, made->scene, render, 0, err);
     if (status == PP_OK)
-        status = pp_irradiance_cache_see(made->cache, rays, count, err);
-    free(rays);
-    if (status == PP_OK)
-        status = grow(made->cache, options->quiet, err);
+        status = grow(overture, options->quiet, err);
+    pp_overture_destroy(overture);
     if (status == PP_OK)
         status = pp_cache_words_save(&choice->cache, made->cache, err);
     if (status != PP_OK)
@@ -191,11 +192,8 @@ static enum pp_status take_picture(struct pp_made_picture *made,
                                    struct pp_error *err)
 {
     struct pp_shown *shown = &made->shown;
-    const struct pp_picture *from = pp_render_picture(made->render);
-    enum pp_status status =
-        pp_picture_create(&shown->picture, from->width, from->height, err);
-    if (status != PP_OK)
-        return status;
+    enum pp_status status = PP_OK;
+    pp_render_take_picture(made->render, &shown->picture);
     shown->quantity = choice->quantity.is;
     shown->world = world;
     shown->tags = pp_render_tags(made->render);
@@ -210,9 +208,9 @@ static enum pp_status take_picture(struct pp_made_picture *made,
     double scale = shown->quantity == PP_DAYLIGHT_FACTOR
                        ? 1.0
                        : options->external_lux / PP_LUMENS_PER_WATT;
-    size_t count = 3 * (size_t)from->width * (size_t)from->height;
+    size_t count = 3 * (size_t)shown->picture.width * (size_t)shown->picture.height;
     for (size_t i = 0; i < count; i++)
-        shown->picture.rgb[i] = (float)(scale * from->rgb[i]);
+        shown->picture.rgb[i] = (float)(scale * shown->picture.rgb[i]);
     return status;
 }
 

@@ -16,7 +16,8 @@
 
 enum {
     CHUNK = 1 << 16,
-    SPREAD_RAYS = 8192, /* at most, that look where what lights the wishes is */
+    SPREAD_RAYS = 8192, /* at most, that look where what lights the wishes is: what they
+                         * miss has its light by paths */
     SIGHTS = 2,         /* surfaces that one ray of a picture may ask for */
 };
 
@@ -40,6 +41,16 @@ static enum pp_status wish(struct pp_cache_layer *layer,
     }
     layer->wishes[layer->wish_count++] = (struct pp_cache_wish){.place = *place};
     return PP_OK;
+}
+
+/* Wishes that have been met are forgotten when others come. */
+static void forget(struct pp_irradiance_cache *cache)
+{
+    if (!pp_irradiance_cache_done(cache))
+        return;
+    for (int i = 0; i < PP_CACHE_DEPTHS; i++)
+        cache->layers[i].wish_count = cache->layers[i].next = 0;
+    cache->spread = 0;
 }
 
 /* Shuffles the wishes from `first` on: the same way each time. */
@@ -141,6 +152,7 @@ enum pp_status pp_irradiance_cache_see(struct pp_irradiance_cache *cache,
 {
     if (cache->options.bounces == 0)
         return PP_OK;
+    forget(cache);
     size_t first = cache->layers[0].wish_count;
     enum pp_status status = look_along(cache, rays, count, 0, err);
     if (status == PP_OK)
@@ -153,7 +165,10 @@ enum pp_status pp_irradiance_cache_want(struct pp_irradiance_cache *cache,
                                         enum pp_space space, struct pp_error *err)
 {
     struct pp_cache_place place = {point, normal, space};
-    return cache->options.bounces == 0 ? PP_OK : wish(&cache->layers[0], &place, err);
+    if (cache->options.bounces == 0)
+        return PP_OK;
+    forget(cache);
+    return wish(&cache->layers[0], &place, err);
 }
 
 /* Rays from a place over its hemisphere. */
@@ -183,6 +198,7 @@ enum pp_status pp_irradiance_cache_reach(struct pp_irradiance_cache *cache,
         return PP_OK;
     for (uint32_t i = 0; i < RAYS; i++)
         rays[i] = ray_about(cache, &place, cache->options.seed, i);
+    forget(cache);
     size_t first = cache->layers[1].wish_count;
     enum pp_status status = look_along(cache, rays, RAYS, 1, err);
     if (status == PP_OK)
@@ -195,9 +211,11 @@ static enum pp_status spread(struct pp_irradiance_cache *cache, struct pp_error 
 {
     const struct pp_cache_layer *seen = &cache->layers[0];
     size_t new = seen->wish_count - cache->spread;
-    size_t count = 8 * new < SPREAD_RAYS ? 8 * new : SPREAD_RAYS;
+    size_t left = SPREAD_RAYS - cache->spread_rays;
+    size_t count = 8 * new < left ? 8 * new : left;
     size_t begin = cache->spread, first = cache->layers[1].wish_count;
     cache->spread = seen->wish_count;
+    cache->spread_rays += count;
     if (count == 0 || (cache->options.bounces >= 0 && cache->options.bounces < 2))
         return PP_OK;
     struct pp_light_ray *rays = malloc(count * sizeof *rays);

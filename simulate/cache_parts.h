@@ -40,6 +40,7 @@ struct pp_irradiance_cache {
     struct pp_sobol sobol;
     struct pp_cache_layer layers[PP_CACHE_DEPTHS];
     size_t spread; /* wishes of depth 0 whose surroundings have been wished for */
+    size_t spread_rays; /* that have been sent for it */
     struct pp_ambient ambient;
 };
 

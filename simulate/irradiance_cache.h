@@ -74,7 +74,9 @@ void pp_irradiance_cache_destroy(
 
 /* Wishes: what the rays of a picture will ask for, through glass and by mirrors too.
  * Their order decides that of the records: a scattered one is best, and is made here.
- * May be called again, before or after growing. */
+ * May be called again, before or after growing; once the cache is done, it forgets the
+ * wishes that it has met when new ones come. What is made for these may shrink earlier
+ * records: whoever wishes in parts does so until nothing new is made. */
 enum pp_status pp_irradiance_cache_see(struct pp_irradiance_cache *cache,
                                        const struct pp_light_ray *rays, size_t count,
                                        struct pp_error *err);

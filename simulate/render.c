@@ -275,6 +275,12 @@ const struct pp_picture *pp_render_picture(const struct pp_render *render)
     return &render->picture;
 }
 
+void pp_render_take_picture(struct pp_render *render, struct pp_picture *picture)
+{
+    *picture = render->picture;
+    render->picture = (struct pp_picture){0};
+}
+
 const int *pp_render_tags(const struct pp_render *render)
 {
     return render->tags;

@@ -46,12 +46,30 @@ struct pp_render_options {
 
 struct pp_render;
 
-/* The rays through the middles of all pixels that have one, row by row: what a cache is
- * to see before it is the ambient store. *rays is the caller's to free. */
-enum pp_status pp_render_rays(struct pp_light_ray **rays, size_t *count,
-                              const struct pp_light_scene *scene,
-                              const struct pp_render_options *options,
-                              struct pp_error *err);
+/* ---- before it: overture.c ----
+ *
+ * Lets a cache grow until it has what the middles of all pixels ask for, so that the
+ * picture reads between records and not beyond them; then it may be the ambient store.
+ * A large picture is shown to it in parts, first each pixel of a coarser one, over and
+ * over until nothing is missing: memory is that of one part. */
+struct pp_overture;
+
+/* cache and scene must live as long as it. part_pixels: about how many a part has; 0: a
+ * million, which take some 170 MB. */
+enum pp_status pp_overture_create(struct pp_overture **overture,
+                                  struct pp_irradiance_cache *cache,
+                                  const struct pp_light_scene *scene,
+                                  const struct pp_render_options *options,
+                                  int part_pixels, struct pp_error *err);
+void pp_overture_destroy(struct pp_overture *overture); /* NULL is allowed */
+
+/* Works for about `seconds`; the records don't hang on how often. */
+enum pp_status pp_overture_advance(struct pp_overture *overture, double seconds,
+                                   struct pp_error *err);
+bool pp_overture_done(const struct pp_overture *overture);
+double pp_overture_progress(const struct pp_overture *overture); /* 0 to 1 */
+
+/* ---- the picture ---- */
 
 /* A number that hangs on all records of a cache, for ambient_mark. */
 uint64_t pp_render_cache_mark(const struct pp_irradiance_cache *cache);
@@ -72,9 +90,13 @@ double pp_render_progress(const struct pp_render *render);
 
 /* The picture so far, owned by the render; what is not done is black. A pixel where
  * there is nothing to show is NAN: outside a fisheye's circle, outside a room that is
- * cut, and, of irradiances, where most of it shows glass or sky. Of a pixel on the circle's edge the part outside
- * is black. */
+ * cut, and, of irradiances, where most of it shows glass or sky. Of a pixel on the
+ * circle's edge the part outside is black. */
 const struct pp_picture *pp_render_picture(const struct pp_render *render);
+
+/* The picture to keep, once it is done: *picture is the caller's to clear, and the
+ * render's own is empty. */
+void pp_render_take_picture(struct pp_render *render, struct pp_picture *picture);
 
 /* Row by row, the tag (light_scene.h) of what each pixel's middle shows, glass
  * included; -1: nothing. */

@@ -1,4 +1,4 @@
-/* render_cache.c - what a picture asks of an irradiance cache, and shows of it. */
+/* render_cache.c - what a picture shows of an irradiance cache. */
 #include <math.h>
 #include <stdlib.h>
 
@@ -7,28 +7,6 @@
 
 /* A record is seen where the ray towards it ends within this share of its way. */
 static const double seen_share = 1e-3;
-
-enum pp_status pp_render_rays(struct pp_light_ray **rays, size_t *count,
-                              const struct pp_light_scene *scene,
-                              const struct pp_render_options *options,
-                              struct pp_error *err)
-{
-    const struct pp_render render = {
-        .scene = scene,
-        .options = *options,
-        .eye_space = pp_light_scene_space(scene, options->camera.eye)};
-    size_t pixels = (size_t)options->width * (size_t)options->height;
-    *count = 0;
-    *rays = malloc((pixels + !pixels) * sizeof **rays);
-    if (!*rays)
-        return pp_fail_memory(err);
-    for (int y = 0; y < options->height; y++)
-        for (int x = 0; x < options->width; x++) {
-            const double middle[2] = {x + 0.5, y + 0.5};
-            *count += pp_render_camera_ray(&render, middle, *rays + *count);
-        }
-    return PP_OK;
-}
 
 uint64_t pp_render_cache_mark(const struct pp_irradiance_cache *cache)
 {

@@ -1,6 +1,7 @@
 /* test_render.c - pictures against what is known of the light in them. */
 #include "simulate/render.h"
 
+#include "simulate/cache_parts.h"
 #include "simulate/default_view.h"
 #include "tests/lit.h"
 #include "tests/room_of.h"
@@ -291,6 +292,83 @@ static void a_picture_does_not_hang_on_threads(void **state)
     clear(&scene);
 }
 
+/* ---- the overture ---- */
+
+/* A cache grown for the picture in parts of so many pixels. */
+static struct pp_irradiance_cache *grown(const struct scene *scene,
+                                         const struct pp_render_options *options,
+                                         int part_pixels, int threads, double slice_s)
+{
+    struct pp_cache_options sparse = pp_cache_defaults();
+    struct pp_irradiance_cache *cache = NULL;
+    struct pp_overture *overture = NULL;
+    sparse.accuracy = 0.3;
+    sparse.divisions = 64;
+    sparse.supersamples = 0;
+    sparse.bounces = 2;
+    sparse.threads = threads;
+    assert_int_equal(pp_irradiance_cache_create(&cache, scene->light, NULL,
+                                                &options->light, &sparse, NULL),
+                     PP_OK);
+    assert_int_equal(
+        pp_overture_create(&overture, cache, scene->light, options, part_pixels, NULL),
+        PP_OK);
+    while (!pp_overture_done(overture)) {
+        double progress = pp_overture_progress(overture);
+        assert_true(progress >= 0.0 && progress <= 1.0);
+        assert_int_equal(pp_overture_advance(overture, slice_s, NULL), PP_OK);
+    }
+    assert_near(pp_overture_progress(overture), 1.0, 0.0);
+    pp_overture_destroy(overture);
+    return cache;
+}
+
+/* Shown to the cache in one part or in many, a picture has a record near every pixel's
+ * middle; in many they are held a part at a time, and whatever the threads and slices
+ * the records are the same to the bit. */
+static void every_pixel_is_read_between_records(void **state)
+{
+    (void)state;
+    enum { WIDE = 91, HIGH = 67, PART = 500 };
+    struct scene scene = scene_of(DEEP);
+    struct pp_render_options options =
+        looking(PP_VIEW_PERSPECTIVE, pp_vec(1.3, 4.1, 1.6), pp_vec(0.1, -1.0, 0.0), 1.2,
+                WIDE, 1);
+    options.height = HIGH;
+    struct pp_irradiance_cache *caches[] = {grown(&scene, &options, 0, 1, 1.0),
+                                            grown(&scene, &options, PART, 1, 1.0),
+                                            grown(&scene, &options, PART, 3, 0.0)};
+    for (int which = 0; which < 2; which++)
+        for (int i = 0; i < WIDE * HIGH; i++) {
+            struct pp_light_ray ray = {.space = PP_INDOORS};
+            struct pp_light_hit hit;
+            struct pp_rgb value;
+            assert_true(pp_camera_ray(&options.camera, (i % WIDE + 0.5) / WIDE,
+                                      (i / WIDE + 0.5) / HIGH, &ray.from, &ray.to));
+            if (pp_light_scene_first(scene.light, &ray, &hit)
+                && pp_light_scene_material(scene.light, hit.material)->kind
+                       == PP_MATERIAL_OPAQUE)
+                assert_true(pp_irradiance_cache_value(
+                    caches[which], hit.point, hit.normal, hit.space, 0, &value));
+        }
+    assert_true(caches[0]->layers[0].wish_space >= WIDE * HIGH * 3 / 4);
+    assert_true(caches[1]->layers[0].wish_space <= 1024);
+
+    char *bytes[2];
+    size_t lengths[2];
+    for (int i = 0; i < 2; i++)
+        assert_int_equal(
+            pp_irradiance_cache_pack(caches[1 + i], &bytes[i], &lengths[i], NULL),
+            PP_OK);
+    assert_int_equal(lengths[0], lengths[1]);
+    assert_memory_equal(bytes[0], bytes[1], lengths[0]);
+    for (int i = 0; i < 2; i++)
+        free(bytes[i]);
+    for (int i = 0; i < 3; i++)
+        pp_irradiance_cache_destroy(caches[i]);
+    clear(&scene);
+}
+
 /* ---- checkpoints ---- */
 
 struct kept {
@@ -519,6 +597,7 @@ int main(void)
         cmocka_unit_test(glass_has_no_daylight_factor),
         cmocka_unit_test(a_cut_room_ends_at_its_walls),
         cmocka_unit_test(a_picture_does_not_hang_on_threads),
+        cmocka_unit_test(every_pixel_is_read_between_records),
         cmocka_unit_test(a_picture_taken_up_again_is_the_same),
         cmocka_unit_test(a_checkpoint_is_taken_whole_or_not_at_all),
         cmocka_unit_test(what_makes_no_picture_is_refused),
