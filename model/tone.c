@@ -6,8 +6,12 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Trimming the histogram ends when it takes less than this share of it [LRP97]. */
+/* Trimming the histogram ends when it takes less than this share of what is left of it:
+ * of the whole, as in [LRP97], it is half of what is left where little is. */
 static const double tolerance = 0.025;
+
+/* Of the histogram, what is put evenly over its bins. */
+static const double spread = 0.01;
 
 double pp_tone_threshold(double luminance)
 {
@@ -75,16 +79,19 @@ static double display_log(double below, double all)
     return log(PP_TONE_DISPLAY_LEAST) + display_range * below / all;
 }
 
-/* Cuts the histogram down to where the curve shows no more contrast than the eye sees
- * in the scene; returns how much was cut, with *total what is left. */
+/* Cuts the histogram down to where the curve shows no more contrast than there is in
+ * the scene, nor than the eye sees in it: the lower of [LRP97]'s two ceilings. That of
+ * the eye alone lets dark parts of the display, where it sees less, have more contrast
+ * than the scene has. Returns how much was cut, with *total what is left. */
 static double trim(double bins[PP_TONE_BINS], const struct pp_tone *tone, double *total)
 {
     double below = 0.0, cut = 0.0, all = *total;
     for (int i = 0; i < PP_TONE_BINS; i++) {
         double scene = exp(tone->low + (i + 0.5) * tone->step);
         double shown = exp(display_log(below + bins[i] / 2.0, all));
-        double most = pp_tone_threshold(shown) / pp_tone_threshold(scene) * all
-                      * tone->step * scene / (display_range * shown);
+        double by_eye =
+            pp_tone_threshold(shown) / shown / (pp_tone_threshold(scene) / scene);
+        double most = fmin(1.0, by_eye) * all * tone->step / display_range;
         below += bins[i];
         if (bins[i] > most) {
             cut += bins[i] - most;
@@ -114,6 +121,10 @@ static void make_curve(struct pp_tone *tone, const struct fields *fields)
         show_linearly(tone, exp(high) / PP_TONE_MIDDLE);
         return;
     }
+    if (high - low <= display_range) {
+        show_linearly(tone, exp(high));
+        return;
+    }
     tone->low = low;
     tone->step = (high - low) / PP_TONE_BINS;
     double bins[PP_TONE_BINS] = {0.0}, total = 0.0;
@@ -124,10 +135,15 @@ static void make_curve(struct pp_tone *tone, const struct fields *fields)
         bins[bin < PP_TONE_BINS ? bin : PP_TONE_BINS - 1] += 1.0;
         total += 1.0;
     }
-    double all = total;
-    for (double cut = INFINITY; cut > tolerance * all;) {
+    /* A hundredth of all evenly over the bins: what no contrast is left for goes into
+     * the gap between a room and its window, where nothing shows it. */
+    double all = total + spread * total;
+    for (int i = 0; i < PP_TONE_BINS; i++)
+        bins[i] += spread * total / PP_TONE_BINS;
+    total = all;
+    for (double cut = INFINITY; cut > tolerance * total;) {
         cut = trim(bins, tone, &total);
-        if (!(total > tolerance * all)) {
+        if (!(total > 1e-6 * all)) {
             show_linearly(tone, exp(high));
             return;
         }
@@ -181,9 +197,7 @@ double pp_tone_shown(const struct pp_tone *tone, double luminance)
     else
         shown = tone->curve[(int)at]
                 + (at - (int)at) * (tone->curve[(int)at + 1] - tone->curve[(int)at]);
-    /* Black is what the display gives off by itself. */
-    double black = PP_TONE_DISPLAY_LEAST;
-    return fmax(exp(shown) - black, 0.0) / (PP_TONE_DISPLAY_MOST - black);
+    return exp(shown) / PP_TONE_DISPLAY_MOST;
 }
 
 /* sRGB's own curve, 0 to 255. */

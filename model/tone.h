@@ -2,8 +2,8 @@
  *
  * Three ways to choose: an exposure by hand; one from the picture, which makes its
  * geometric mean a middle grey; or the curve of [LRP97], which spreads contrast over
- * the brightnesses that occur but never shows more of it than an eye that is adapted
- * to the scene would see: what looks alike there looks alike here.
+ * the brightnesses that occur but never shows more of it than there is, nor than an eye
+ * that is adapted to the scene would see: what looks alike there looks alike here.
  *
  * Luminances are cd/m2, from the picture's grey (rgb.h) times `unit`.
  */
@@ -46,7 +46,8 @@ enum pp_status pp_tone_prepare(struct pp_tone *tone, const struct pp_picture *pi
                                struct pp_error *err);
 
 /* What is shown of a luminance (cd/m2), of the display's white: 0 to 1 and, of the
- * first two ways, above. Grows with the luminance. */
+ * first two ways, above. Grows with the luminance. The display's black is not taken off
+ * the curve: on one that gives off less, the contrast of dark parts would grow. */
 double pp_tone_shown(const struct pp_tone *tone, double luminance);
 
 /* A pixel in sRGB [IEC61966]. */
