@@ -4,162 +4,50 @@
 #include <stdlib.h>
 
 #include "methods/direct.h"
-#include "methods/occluders.h"
 #include "methods/outside.h"
-#include "methods/quadrature.h"
+#include "methods/uneven_pane.h"
 #include "methods/visible.h"
 
 /* ---- diffusing panes ---- */
 
-/* Places along each side of a pane, from -1 to 1, at the nodes of Chebyshev's
- * polynomial: -cos((2 i + 1) pi / 10), and the product of each one's distances from the
- * others. */
-enum { PLACES = 5 };
-static const double places[PLACES] = {-0.95105651629515357, -0.58778525229247313, 0.0,
-                                      0.58778525229247313, 0.95105651629515357};
-static const double apart[PLACES] = {1.0112712429686841, -0.38627124296868427, 0.3125,
-                                     -0.38627124296868427, 1.0112712429686841};
-
-/* What falls on the outside of a pane, at places over its extent along the opening's
- * own axes (m, from the room's origin). */
-struct pane {
-    double low[2], high[2];
-    struct pp_outside at[PLACES][PLACES];
-};
-
-/* The pane as a receiver sees it. */
-struct pane_seen {
-    const struct pane *pane;
-    struct pp_vec3 along, up, toward;
-    double eye[2]; /* the foot of its perpendicular, on the pane's axes */
-    double distance_m;
-};
-
-/* Lagrange's polynomials through the places, at t from -1 to 1. */
-static void weigh(double weights[PLACES], double t)
-{
-    for (int i = 0; i < PLACES; i++) {
-        weights[i] = 1.0 / apart[i];
-        for (int k = 0; k < PLACES; k++)
-            if (k != i)
-                weights[i] *= t - places[k];
-    }
-}
-
-static struct pp_outside pane_at(const struct pane_seen *seen, struct pp_vec3 u)
-{
-    const struct pane *pane = seen->pane;
-    double reach_m = seen->distance_m / pp_dot(u, seen->toward);
-    double xy[2] = {seen->eye[0] + reach_m * pp_dot(u, seen->along),
-                    seen->eye[1] + reach_m * pp_dot(u, seen->up)};
-    double weights[2][PLACES];
-    for (int axis = 0; axis < 2; axis++) {
-        double middle = (pane->low[axis] + pane->high[axis]) / 2.0;
-        weigh(weights[axis],
-              (xy[axis] - middle) / ((pane->high[axis] - pane->low[axis]) / 2.0));
-    }
-    struct pp_outside sum = {0};
-    for (int i = 0; i < PLACES; i++)
-        for (int k = 0; k < PLACES; k++) {
-            double weight = weights[0][i] * weights[1][k];
-            sum.sky += weight * pane->at[i][k].sky;
-            sum.external += weight * pane->at[i][k].external;
-        }
-    return sum;
-}
-
-static double pane_sky(const void *seen, struct pp_vec3 u)
-{
-    return pane_at(seen, u).sky;
-}
-
-static double pane_external(const void *seen, struct pp_vec3 u)
-{
-    return pane_at(seen, u).external;
-}
-
-static enum pp_status light_pane(struct pane *pane, const struct pp_world *world,
-                                 const struct pp_opening *opening, struct pp_error *err)
-{
-    const struct pp_polygon *outline = &opening->outer;
-    struct pp_vec3 toward = pp_scale(opening->inner.normal, -1.0);
-    *pane = (struct pane){.low = {INFINITY, INFINITY}, .high = {-INFINITY, -INFINITY}};
-    for (int i = 0; i < outline->count; i++) {
-        struct pp_vec3 v = outline->vertices[i];
-        double xy[2] = {pp_dot(v, opening->along), pp_dot(v, opening->up)};
-        for (int axis = 0; axis < 2; axis++) {
-            pane->low[axis] = fmin(pane->low[axis], xy[axis]);
-            pane->high[axis] = fmax(pane->high[axis], xy[axis]);
-        }
-    }
-    struct pp_vec3 foot = pp_scale(toward, pp_dot(outline->vertices[0], toward));
-    for (int i = 0; i < PLACES; i++)
-        for (int k = 0; k < PLACES; k++) {
-            double share[2] = {(1.0 + places[i]) / 2.0, (1.0 + places[k]) / 2.0}, xy[2];
-            for (int axis = 0; axis < 2; axis++)
-                xy[axis] = pane->low[axis]
-                           + share[axis] * (pane->high[axis] - pane->low[axis]);
-            struct pp_vec3 at = pp_along(foot, xy[0], opening->along);
-            at = pp_along(at, xy[1], opening->up);
-            enum pp_status status = pp_outside_at(&pane->at[i][k], world, &world->sky,
-                                                  at, toward, opening->face, err);
-            if (status != PP_OK)
-                return status;
-        }
-    return PP_OK;
-}
-
 /* The panes that are lit unevenly are lit once for the room: a list with one for each
- * opening, of which the others stay empty. NULL where there are none. */
+ * opening, of which the others stay empty. */
+struct panes {
+    int count;
+    struct pp_uneven_pane list[];
+};
+
+static void put_away(void *tools)
+{
+    struct panes *panes = tools;
+    for (int i = 0; panes && i < panes->count; i++)
+        pp_uneven_pane_clear(&panes->list[i]);
+    free(panes);
+}
+
+/* NULL where there are none. */
 static enum pp_status light_panes(void **tools, const struct pp_world *world,
                                   struct pp_error *err)
 {
-    struct pane *panes = NULL;
+    struct panes *panes = NULL;
     enum pp_status status = PP_OK;
     for (int i = 0; i < world->opening_count && status == PP_OK; i++) {
         const struct pp_opening *opening = &world->openings[i];
         if (!opening->glass.diffusing || pp_outside_is_even(world, opening))
             continue;
-        if (!panes)
-            panes = calloc((size_t)world->opening_count, sizeof *panes);
-        status =
-            panes ? light_pane(&panes[i], world, opening, err) : pp_fail_memory(err);
+        if (!panes) {
+            size_t count = (size_t)world->opening_count;
+            panes = calloc(1, sizeof *panes + count * sizeof *panes->list);
+            if (!panes)
+                return pp_fail_memory(err);
+            panes->count = world->opening_count;
+        }
+        status = pp_uneven_pane_create(&panes->list[i], world, opening, err);
     }
     if (status != PP_OK)
-        free(panes);
+        put_away(panes);
     else
         *tools = panes;
-    return status;
-}
-
-/* Integral of what falls on the pane's outside times (n.u) over what is seen of it. */
-static enum pp_status from_uneven_pane(struct pp_direct *sum,
-                                       const struct pp_visible *visible,
-                                       const struct pane *pane,
-                                       const struct pp_opening *opening,
-                                       const struct pp_receiver *receiver,
-                                       struct pp_error *err)
-{
-    struct pp_vec3 eye = receiver->position;
-    struct pane_seen seen = {
-        .pane = pane,
-        .along = opening->along,
-        .up = opening->up,
-        .toward = pp_scale(opening->inner.normal, -1.0),
-        .eye = {pp_dot(eye, opening->along), pp_dot(eye, opening->up)}};
-    seen.distance_m = pp_dot(pp_sub(opening->outer.vertices[0], eye), seen.toward);
-    struct pp_integrand parts[2] = {{pane_sky, &seen, NULL},
-                                    {pane_external, &seen, NULL}};
-    double *values[2] = {&sum->sky, &sum->external};
-    enum pp_status status = PP_OK;
-    for (int i = 0; i < 2 && status == PP_OK; i++) {
-        struct pp_quadrature result;
-        status = pp_quadrature_over(
-            &result, &visible->view, &visible->patches[0].region, &receiver->normal, 1,
-            receiver->normal, &parts[i],
-            sum->rough ? PP_QUADRATURE_ROUGH : PP_QUADRATURE_GLAZED, err);
-        *values[i] += result.value;
-    }
     return status;
 }
 
@@ -211,7 +99,7 @@ static enum pp_status from_diffusing_pane(struct pp_direct *sum,
                                           const struct pp_world *world,
                                           const struct pp_opening *opening,
                                           const struct pp_receiver *receiver,
-                                          const struct pane *panes,
+                                          const struct panes *panes,
                                           struct pp_error *err)
 {
     struct pp_visible visible;
@@ -220,15 +108,18 @@ static enum pp_status from_diffusing_pane(struct pp_direct *sum,
     if (status != PP_OK)
         return status;
     if (visible.patch_count > 0) {
-        struct pane own;
-        const struct pane *pane = panes ? panes + (opening - world->openings) : &own;
-        bool even = pp_outside_is_even(world, opening);
-        if (!even && !panes)
-            status = light_pane(&own, world, opening, err);
-        if (even)
+        struct pp_uneven_pane own = {0};
+        if (pp_outside_is_even(world, opening)) {
             status = from_even_pane(sum, &visible, world, opening, receiver, err);
-        else if (status == PP_OK)
-            status = from_uneven_pane(sum, &visible, pane, opening, receiver, err);
+        } else {
+            if (!panes)
+                status = pp_uneven_pane_create(&own, world, opening, err);
+            if (status == PP_OK)
+                status = pp_uneven_pane_add(
+                    sum, panes ? &panes->list[opening - world->openings] : &own,
+                    &visible, opening, receiver, err);
+            pp_uneven_pane_clear(&own);
+        }
         /* A Lambertian emitter of exitance tau E has luminance tau E / pi. */
         sum->sky *= opening->glass.diffuse / PP_PI;
         sum->external *= opening->glass.diffuse / PP_PI;
@@ -282,7 +173,7 @@ const struct pp_method pp_method_exact = {
     .speaks_for = PP_FOR_POINT,
     .allowances = PP_ALLOWS_OWN_GLASS,
     .prepare = light_panes,
-    .put_away = free,
+    .put_away = put_away,
     .evaluate = evaluate,
     .evaluate_roughly = evaluate_roughly,
 };

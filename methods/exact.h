@@ -12,9 +12,9 @@
  *
  * A diffusing pane is a Lambertian emitter of what falls on its outside: exact where
  * that is the same all over it (nothing before it but the sky, ground and far
- * skylines), else by a polynomial through 5 x 5 places of the pane: to about 1e-3. Those places are
- * lit once for a room where the method is prepared, else for each receiver anew; the
- * numbers are the same. */
+ * skylines), else to 1e-6 by polynomials over parts of the pane (uneven_pane.h, which
+ * says where it is less). Those are lit once for a room where the method is prepared,
+ * else for each receiver anew; the numbers are the same. */
 extern const struct pp_method pp_method_exact;
 
 #endif
