@@ -26,8 +26,8 @@ static enum pp_status read_int(const char *text, int least, int most, int *numbe
                                struct pp_error *err)
 {
     double value;
-    if (!pp_number_parse(text, &value) || value != (double)(int)value || value < least
-        || value > most)
+    if (!pp_number_parse(text, &value) || !(value >= least && value <= most)
+        || value != (int)value)
         return pp_fail(err, PP_BAD_INPUT, "a whole number from %d to %d", least, most);
     *number = (int)value;
     return PP_OK;

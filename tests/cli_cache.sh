@@ -64,6 +64,8 @@ check "and its constant" \
     refuses 2 "--ambient needs --engine cache" df --simulate -av 0.1 "$deep"
 check "another engine is refused" refuses 2 "expected path, cache or path,cache" \
     df --simulate --engine radiosity "$deep"
+check "more rays than a number holds are refused" refuses 2 "expected a whole number" \
+    df $few -ad 1e300 "$deep"
 check "accuracy 0 is refused" refuses 2 "-aa is \"0\"" df $few -aa 0 "$deep"
 check "three bounces and a half are refused" \
     refuses 2 "--bounces is \"3.5\"" df $few --bounces=3.5 "$deep"
