@@ -223,6 +223,7 @@ static enum pp_status build(struct builder *b, struct pp_error *err)
     if (status != PP_OK)
         return status;
     pp_light_scene_settle_emitters(scene);
+    pp_light_scene_find_glow(scene);
     status = pp_light_scene_add_mirrors(scene, err);
     return status == PP_OK ? make_rays(b, err) : status;
 }

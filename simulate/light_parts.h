@@ -100,6 +100,7 @@ struct pp_light_scene {
     struct pp_chain *chains;
     int chain_count;
     double missed_share; /* the most that any other reflections leave */
+    struct pp_rgb glow;  /* the brightest of its extended emitters that has a place */
 
     struct pp_vec3 low, high; /* of everything */
     uint64_t hash;
@@ -186,6 +187,9 @@ double pp_emitter_spread(const struct pp_emitter *emitter,
 /* How many directions make each one's share look smaller than `size`: a power of two,
  * at most `most`. */
 uint32_t pp_directions_to(double spread, double size, int most);
+
+/* Once all parts are there: missed.c. */
+void pp_light_scene_find_glow(struct pp_light_scene *scene);
 
 /* ---- emitters in plane mirrors: mirrors.c ---- */
 

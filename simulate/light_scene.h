@@ -84,12 +84,13 @@ const struct pp_material *pp_light_scene_material(const struct pp_light_scene *s
 void pp_light_scene_bounds(const struct pp_light_scene *scene, bool room,
                            struct pp_vec3 *low, struct pp_vec3 *high);
 
-/* How much irradiance of concentrated emitters, found by chance in mirrors alone, so many
- * paths from the point may have missed: one path's worth of the brightest, or all that
- * those mirrors can reflect to a point if that is less. Hollow mirrors are taken for
- * plane ones. 0 where everything is aimed at. */
+/* How much irradiance so many paths from the point may have missed, of light that they
+ * find by chance alone: one path's worth of the brightest, or all that there can be of
+ * it if that is less. That light is of extended emitters (but for skies with a pattern),
+ * and of concentrated ones in curved mirrors, for which plane ones are taken, and by more
+ * reflections than they are aimed at by; of all of them if they are not aimed at. */
 struct pp_rgb pp_light_scene_missed(const struct pp_light_scene *scene,
-                                    struct pp_vec3 point, long paths);
+                                    struct pp_vec3 point, bool by_chance, long paths);
 
 /* A number that hangs on every shape, material and light of the scene. */
 uint64_t pp_light_scene_hash(const struct pp_light_scene *scene);

@@ -4,7 +4,8 @@
  * As Radiance does for its `mirror` [WS98], but for whatever mirrors: from the image of
  * a point behind the mirror the emitter is aimed at as from the point itself, and the
  * way is unfolded again. Curved mirrors, the lesser planes of many and third
- * reflections are left to chance; what that may bring goes into the stated error.
+ * reflections are left to chance; what that may bring goes into the stated error
+ * (missed.c).
  */
 #include <math.h>
 #include <stdlib.h>
@@ -240,22 +241,4 @@ struct pp_vec3 pp_chain_unfold(const struct pp_light_scene *scene, int chain,
         if (mirror_in(scene, chain, i))
             u = turned(mirror_in(scene, chain, i), u);
     return u;
-}
-
-struct pp_rgb pp_light_scene_missed(const struct pp_light_scene *scene,
-                                    struct pp_vec3 point, long paths)
-{
-    struct pp_rgb all = pp_rgb_grey(0.0), most = pp_rgb_grey(0.0);
-    struct pp_vec3 from = pp_sub(point, scene->centre);
-    for (int i = 0; i < scene->emitter_count && scene->missed_share > 0.0; i++) {
-        const struct pp_emitter *emitter = &scene->emitters[i];
-        double spread = pp_emitter_spread(emitter, scene, from);
-        struct pp_rgb light = emitter->radiance;
-        all = pp_rgb_along(all, scene->missed_share * fmin(spread * spread, PP_PI),
-                           light);
-        most =
-            pp_rgb(fmax(most.r, light.r), fmax(most.g, light.g), fmax(most.b, light.b));
-    }
-    most = pp_rgb_scale(most, PP_PI / (double)paths);
-    return pp_rgb(fmin(all.r, most.r), fmin(all.g, most.g), fmin(all.b, most.b));
 }

@@ -101,7 +101,8 @@ static struct pp_sensor_reading read(const struct pp_sensors *sensors, int index
     }
     if (with_missed && count >= 4) {
         struct pp_rgb missed =
-            pp_light_scene_missed(sensors->scene, sensors->list[index].position, paths);
+            pp_light_scene_missed(sensors->scene, sensors->list[index].position,
+                                  sensors->options.by_chance, paths);
         const double of[] = {missed.r, missed.g, missed.b, pp_rgb_luminance(missed)};
         for (int k = 0; k < 4; k++)
             errors[k] = fmax(errors[k], of[k]);

@@ -171,6 +171,16 @@ gives import "$scratch/sky.rad" --points-file "$scratch/up.pts" --samples 4096 -
 check "under the open sky the daylight factor is 100 %" \
     awk -F, 'NR == 2 { exit !($15 > 99.95 && $15 < 100.05) }' "$scratch/out"
 
+# A small glow of 1e6 that 2048 paths do not find: 0 lx are not known to be so.
+printf 'void glow g 0 0 4 1e6 1e6 1e6 0\ng polygon p 0 0 12 -.005 -.005 3 -.005 .005 3 .005 .005 3 .005 -.005 3\n' >"$scratch/glow.rad"
+echo "0 0 0 0 0 1" >"$scratch/up.pts"
+said_with_its_error() {
+    gives import "$scratch/glow.rad" --points-file "$scratch/up.pts" --samples 64 --format csv &&
+        # 179 lm/W of 1e6 (0.01/3)^2
+        awk -F, 'NR == 2 { off = $13 - 1988.9; exit !(off < 3 * $14 && -off < 3 * $14) }' "$scratch/out"
+}
+check "what no path found is within the error" said_with_its_error
+
 # An illum stands for what is behind it: a sky of 1, and 1 over a quarter of it again.
 printf 'void glow g 0 0 4 1 1 1 0\ng source s 0 0 4 0 0 1 180\nvoid glass pane 0 0 3 .9 .9 .9\n' >"$scratch/even.rad"
 echo "0 0 0 0 0 1" >"$scratch/up.pts"

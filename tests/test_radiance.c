@@ -459,7 +459,8 @@ static void the_sun_is_aimed_at_in_a_mirror(void **state)
     assert_lit(pp_test_irradiance(made, NULL, pp_radiance_defaults(),
                                   pp_vec(0.0, 0.0, 0.0), up, 64),
                1.8 * 1e5 * PP_PI * sin(half) * sin(half) * sun.z, 1e-3);
-    assert_near(pp_light_scene_missed(made, pp_vec(0.0, 0.0, 0.0), 64).g, 0.0, 0.0);
+    assert_near(pp_light_scene_missed(made, pp_vec(0.0, 0.0, 0.0), false, 64).g, 0.0,
+                0.0);
     pp_light_scene_destroy(made);
 }
 
@@ -497,7 +498,8 @@ static void mirrors_show_the_same_lamp_aimed_at_and_found(void **state)
     pp_light_scene_destroy(made);
 }
 
-/* What is left to chance is said: three reflections of two mirrors, one of a ball. */
+/* What is left to chance is said: three reflections of two mirrors, one of a ball, a
+ * small glow. */
 static void what_mirrors_may_hide_is_known(void **state)
 {
     (void)state;
@@ -506,9 +508,12 @@ static void what_mirrors_may_hide_is_known(void **state)
         by_mirrors(2, false, pp_material_mirror(pp_rgb_grey(0.8)));
     /* A lamp of 0.16 m2 and radiance 1, seen along (0.4, 0.4, 1.3). */
     double solid = 0.16 / (0.16 + 0.16 + 1.69);
-    assert_relative(pp_light_scene_missed(corner, point, 10).g, 0.8 * 0.8 * 0.8 * solid,
+    assert_relative(pp_light_scene_missed(corner, point, false, 10).g,
+                    0.8 * 0.8 * 0.8 * solid, 1e-9);
+    assert_relative(pp_light_scene_missed(corner, point, false, 1000000).g, PP_PI / 1e6,
                     1e-9);
-    assert_relative(pp_light_scene_missed(corner, point, 1000000).g, PP_PI / 1e6, 1e-9);
+    /* The lamp itself, where it is not aimed at. */
+    assert_relative(pp_light_scene_missed(corner, point, true, 10).g, solid, 1e-9);
     pp_light_scene_destroy(corner);
 
     struct pp_scene_description scene;
@@ -521,9 +526,15 @@ static void what_mirrors_may_hide_is_known(void **state)
     assert_int_equal(pp_scene_add_shape(&scene, &ball, NULL, NULL), PP_OK);
     add_dome(&scene, add(&scene, pp_material_light(pp_rgb_grey(7.0))), up, 0.01);
     struct pp_light_scene *made = built(&scene);
-    assert_relative(pp_light_scene_missed(made, point, 1).g,
+    assert_relative(pp_light_scene_missed(made, point, false, 1).g,
                     0.6 * 7.0 * 4.0 * PP_PI * sin(0.005) * sin(0.005), 1e-9);
     pp_light_scene_destroy(made);
+
+    struct pp_light_scene *glow =
+        under_square(pp_material_glow(pp_rgb_grey(1e6)), 0.005, 3.0);
+    assert_relative(pp_light_scene_missed(glow, point, false, 2048).g,
+                    PP_PI * 1e6 / 2048.0, 1e-9);
+    pp_light_scene_destroy(glow);
 }
 
 /* ---- what light passes ---- */
