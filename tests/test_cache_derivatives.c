@@ -33,6 +33,25 @@ static double irradiance_at(double x, double y)
     return fabs(sum) * radiance;
 }
 
+/* The same on a surface that leans by an angle to an azimuth, all of the patch being
+ * over its horizon: the scene is turned about it, and Lambert's formula is for a floor.
+ */
+static double irradiance_leaning(double x, double y, double azimuth, double lean)
+{
+    double sum = 0.0, c = cos(azimuth), s = sin(azimuth);
+    struct pp_vec3 turned[4];
+    for (int i = 0; i < 4; i++) {
+        struct pp_vec3 off = pp_sub(patch[i], pp_vec(x, y, 0.0));
+        struct pp_vec3 ahead = {c * off.x + s * off.y, c * off.y - s * off.x, off.z};
+        turned[i] = pp_vec(cos(lean) * ahead.x - sin(lean) * ahead.z, ahead.y,
+                           cos(lean) * ahead.z + sin(lean) * ahead.x);
+        assert_true(turned[i].z > 0.0);
+    }
+    for (int i = 0; i < 4; i++)
+        sum += edge_share(turned[i], turned[(i + 1) % 4]);
+    return fabs(sum) * radiance;
+}
+
 /* The floor is there so that there is a scene; the patch is `glow`. */
 static struct pp_light_scene *patch_over_floor(void)
 {
@@ -114,13 +133,50 @@ static void a_hemisphere_knows_how_a_patchs_light_changes(void **state)
     assert_near(change.curvature[0], aa, 0.05 * fabs(bb));
     assert_near(change.curvature[2], bb, 0.05 * fabs(bb));
 
-    /* Turned by a small angle about y, the normal leans to x. */
-    double lean = 0.0;
-    for (int k = 0; k < SIDE * SIDE; k++)
-        lean +=
-            cells[k].radiance.g * cells[k].to.x / cells[k].to.z * PP_PI / (SIDE * SIDE);
-    assert_near(change.turned[1][0], lean, 1e-3 * fabs(lean));
+    /* Leaning to x and to y, to 3e-3 of the steepest: the cells' sampling. */
+    double to_x = irradiance_leaning(x, y, 0.0, d) - irradiance_leaning(x, y, 0.0, -d);
+    double to_y = irradiance_leaning(x, y, 0.5 * PP_PI, d)
+                  - irradiance_leaning(x, y, 0.5 * PP_PI, -d);
+    double steepest = hypot(to_x, to_y) / (2 * d);
+    assert_true(fabs(to_y) > 0.05 * fabs(to_x));
+    assert_near(change.turned[1][0], to_x / (2 * d), 3e-3 * steepest);
+    assert_near(change.turned[1][1], to_y / (2 * d), 3e-3 * steepest);
     free(corners);
+    pp_light_scene_destroy(scene);
+}
+
+/* Read with a normal that leans by t, a record changes as the light does, but for
+ * (1 - cos t) of its value, the second order, and noise of 1 % of the change. */
+static void a_record_is_read_by_a_leaning_surface(void **state)
+{
+    (void)state;
+    struct pp_light_scene *scene = patch_over_floor();
+    struct pp_radiance_options light = pp_radiance_defaults();
+    struct pp_cache_options options = pp_cache_defaults();
+    options.divisions = SIDE * SIDE;
+    options.supersamples = 0;
+    struct pp_irradiance_cache *cache = NULL;
+    const struct pp_vec3 at = {0.1, 0.2, 0.0}, up = {0.0, 0.0, 1.0};
+    assert_int_equal(
+        pp_irradiance_cache_create(&cache, scene, NULL, &light, &options, NULL), PP_OK);
+    assert_int_equal(pp_irradiance_cache_want(cache, at, up, PP_ANYWHERE, NULL), PP_OK);
+    while (!pp_irradiance_cache_done(cache))
+        assert_int_equal(pp_irradiance_cache_grow(cache, 1.0, NULL), PP_OK);
+    double upright = irradiance_at(at.x, at.y);
+    struct pp_rgb value, leaning;
+    assert_true(pp_irradiance_cache_value(cache, at, up, PP_ANYWHERE, 0, &value));
+    for (int deg = 2; deg <= 8; deg += 3)
+        for (int azimuth = 0; azimuth < 360; azimuth += 50) {
+            double t = deg * PP_RAD, phi = azimuth * PP_RAD;
+            struct pp_vec3 normal = {sin(t) * cos(phi), sin(t) * sin(phi), cos(t)};
+            double steepest = irradiance_leaning(at.x, at.y, 0.0, t) - upright;
+            assert_true(
+                pp_irradiance_cache_value(cache, at, normal, PP_ANYWHERE, 0, &leaning));
+            assert_near(leaning.g - value.g,
+                        irradiance_leaning(at.x, at.y, phi, t) - upright,
+                        (1.0 - cos(t)) * upright + 0.01 * steepest);
+        }
+    pp_irradiance_cache_destroy(cache);
     pp_light_scene_destroy(scene);
 }
 
@@ -198,6 +254,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(an_edge_changes_as_its_closed_form_does),
         cmocka_unit_test(a_hemisphere_knows_how_a_patchs_light_changes),
+        cmocka_unit_test(a_record_is_read_by_a_leaning_surface),
         cmocka_unit_test(beside_a_record_the_error_is_of_second_order),
         cmocka_unit_test(an_ellipse_is_short_where_curvature_is_great),
     };
