@@ -141,13 +141,34 @@ static void lines_of_a_hill_are_circles(void **state)
     assert_relative(pp_curves_area(&lines), -M_PI * 31.7 * 31.7, 0.003);
     pp_curves_clear(&lines);
 
+    /* In another unit it is the same line. */
+    const double per_cent = 100.0;
+    struct pp_curves again = {0};
+    assert_int_equal(
+        pp_iso_lines(&lines, &picture, NULL, 1.0, &level, 1, 0.0, 3.0, NULL), PP_OK);
+    assert_int_equal(
+        pp_iso_lines(&again, &picture, NULL, 100.0, &per_cent, 1, 0.0, 3.0, NULL),
+        PP_OK);
+    assert_int_equal(again.count, 1);
+    assert_int_equal(again.list[0].count, lines.list[0].count);
+    assert_near(again.list[0].xy[7][0], lines.list[0].xy[7][0], 1e-9);
+    pp_curves_clear(&again);
+    pp_curves_clear(&lines);
+
     /* A line cut by the picture's edge is open and keeps inside. */
     const double low = exp(1.0 - 4.0);
     assert_int_equal(pp_iso_lines(&lines, &picture, NULL, 1.0, &low, 1, 0.0, 3.0, NULL),
                      PP_OK);
     assert_true(lines.count >= 2);
-    for (int k = 0; k < lines.count; k++)
+    for (int k = 0; k < lines.count; k++) {
         assert_false(lines.list[k].closed);
+        for (int i = 0; i < lines.list[k].count; i++) {
+            const double *at = lines.list[k].xy[i];
+            assert_true(at[0] >= 0.0 && at[0] <= 120.0 && at[1] >= 0.0
+                        && at[1] <= 100.0);
+            assert_near(hypot(at[0] - 60.2, at[1] - 50.9), 2.0 * 31.7, 0.02);
+        }
+    }
     pp_curves_clear(&lines);
     pp_picture_clear(&picture);
 }
@@ -180,6 +201,30 @@ static void lines_end_where_surfaces_meet(void **state)
         }
         pp_curves_clear(&lines);
     }
+    pp_picture_clear(&picture);
+}
+
+/* Where there is nothing (outside a fisheye, on glass) lines end. */
+static double nothing_right(double x, double y)
+{
+    return x < 30.0 ? 1.0 + 0.001 * y : NAN;
+}
+
+static void lines_end_where_there_is_nothing(void **state)
+{
+    (void)state;
+    struct pp_picture picture = picture_of(60, 40, nothing_right);
+    struct pp_curves lines = {0};
+    const double level = 1.02;
+    assert_int_equal(
+        pp_iso_lines(&lines, &picture, NULL, 1.0, &level, 1, 1.0, 3.0, NULL), PP_OK);
+    assert_int_equal(lines.count, 1);
+    assert_true(pp_curve_length(&lines.list[0]) > 27.0); /* to its last pixels */
+    for (int i = 0; i < lines.list[0].count; i++) {
+        assert_near(lines.list[0].xy[i][1], 20.0, 0.05);
+        assert_true(lines.list[0].xy[i][0] < 30.0);
+    }
+    pp_curves_clear(&lines);
     pp_picture_clear(&picture);
 }
 
@@ -241,6 +286,7 @@ int main(void)
         cmocka_unit_test(a_black_picture_has_a_scale_all_the_same),
         cmocka_unit_test(lines_of_a_hill_are_circles),
         cmocka_unit_test(lines_end_where_surfaces_meet),
+        cmocka_unit_test(lines_end_where_there_is_nothing),
         cmocka_unit_test(pixels_of_two_surfaces_draw_no_line),
         cmocka_unit_test(smoothing_keeps_noise_from_tearing_lines),
     };

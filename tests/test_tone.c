@@ -58,6 +58,52 @@ static void the_mean_is_a_middle_grey_and_white_is_where_one_says(void **state)
     pp_picture_clear(&picture);
 }
 
+/* An eye takes in a degree at once: of pixels of 1 and 99 cd/m2 in pairs it sees 50,
+ * and 50 is the middle grey, which 18 % of white is. Radiances of 1/179 of that are the
+ * same picture. */
+static void a_degree_is_seen_at_once(void **state)
+{
+    (void)state;
+    static const double pairs[] = {1.0, 99.0, 99.0, 1.0, 50.0}; /* the last is cut */
+    struct pp_picture picture = row_of(pairs, 5);
+    struct pp_tone tone;
+    struct pp_tone_options options = {PP_TONE_AUTOMATIC, 0.0, 1.0, 2.0};
+    assert_int_equal(pp_tone_prepare(&tone, &picture, &options, NULL), PP_OK);
+    assert_near(pp_tone_shown(&tone, 50.0), 0.18, 1e-12);
+    for (int i = 0; i < 15; i++)
+        picture.rgb[i] /= 179.0f;
+    options.unit = 179.0;
+    assert_int_equal(pp_tone_prepare(&tone, &picture, &options, NULL), PP_OK);
+    assert_near(pp_tone_shown(&tone, 50.0), 0.18, 1e-7); /* floats */
+    unsigned char shown[3];
+    pp_tone_apply(&tone, pp_rgb_grey(50.0 / 179.0), shown);
+    assert_int_equal(shown[0], 118);
+    pp_picture_clear(&picture);
+}
+
+/* By [IEC61966], backwards: half a byte is 1.1 % of the darkest channel here. */
+static double decoded(unsigned char byte)
+{
+    double v = byte / 255.0;
+    return v <= 0.04045 ? v / 12.92 : pow((v + 0.055) / 1.055, 2.4);
+}
+
+static void a_colour_keeps_its_channels_shares(void **state)
+{
+    (void)state;
+    static const double one[] = {1.0};
+    struct pp_picture picture = row_of(one, 1);
+    struct pp_tone tone = tone_of(&picture, PP_TONE_BY_HAND, 100.0);
+    unsigned char shown[3];
+    pp_tone_apply(&tone, pp_rgb(60.0, 30.0, 12.0), shown);
+    assert_relative(decoded(shown[0]), 0.60, 0.011);
+    assert_relative(decoded(shown[1]), 0.30, 0.011);
+    assert_relative(decoded(shown[2]), 0.12, 0.011);
+    pp_tone_apply(&tone, pp_rgb_grey(0.2), shown); /* where sRGB is straight */
+    assert_int_equal(shown[0], 7);                 /* 0.002 * 12.92 * 255 = 6.6 */
+    pp_picture_clear(&picture);
+}
+
 static void a_black_picture_is_shown_black(void **state)
 {
     (void)state;
@@ -130,7 +176,21 @@ static void contrast_is_never_added(void **state)
     pp_picture_clear(&picture);
 }
 
-/* Dim light of little contrast fits: it is shown as an exposure would. */
+/* Dim light of little contrast fits: it is shown as an exposure would. At 1 to 3 cd/m2
+ * an eye tells less apart than on a screen of up to 100. */
+static void dim_light_is_shown_as_an_exposure_would(void **state)
+{
+    (void)state;
+    double luminances[600];
+    for (int i = 0; i < 600; i++)
+        luminances[i] = 1.0 + 2.0 * i / 599.0;
+    struct pp_picture picture = row_of(luminances, 600);
+    struct pp_tone tone = tone_of(&picture, PP_TONE_HUMAN, 0.0);
+    assert_near(pp_tone_shown(&tone, 3.0), 1.0, 1e-6);
+    assert_near(pp_tone_shown(&tone, 1.5), 0.5, 1e-6);
+    pp_picture_clear(&picture);
+}
+
 static void a_picture_of_one_brightness_is_a_middle_grey(void **state)
 {
     (void)state;
@@ -146,9 +206,12 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(an_eye_in_bright_light_sees_a_difference_of_five_per_cent),
         cmocka_unit_test(the_mean_is_a_middle_grey_and_white_is_where_one_says),
+        cmocka_unit_test(a_degree_is_seen_at_once),
+        cmocka_unit_test(a_colour_keeps_its_channels_shares),
         cmocka_unit_test(a_black_picture_is_shown_black),
         cmocka_unit_test(room_and_window_are_both_seen),
         cmocka_unit_test(contrast_is_never_added),
+        cmocka_unit_test(dim_light_is_shown_as_an_exposure_would),
         cmocka_unit_test(a_picture_of_one_brightness_is_a_middle_grey),
     };
     return cmocka_run_group_tests_name("tone", tests, NULL, NULL);
