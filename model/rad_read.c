@@ -8,8 +8,9 @@
 #include "model/file_bytes.h"
 #include "model/rad_reader.h"
 
-/* What one primitive has of strings or numbers. */
-enum { ARGUMENTS_MOST = 3000000 };
+/* What one primitive has of strings or numbers: a polygon of 100,000 corners, which
+ * takes half a minute to be cut into triangles, in time that goes by their square. */
+enum { ARGUMENTS_MOST = 300000 };
 
 /* A list with room for count things of that size; NULL, and the old one stays, where
  * memory is out. */
@@ -36,8 +37,9 @@ static enum pp_status read_count(struct pp_rad_words *words, const char *what,
     if (!pp_rad_number(word, &number) || number < 0.0 || number > ARGUMENTS_MOST
         || number != (int)number)
         return pp_rad_fail(words, word.line, err,
-                           "\"%.*s\" where the number of %s was expected",
-                           (int)(word.length < 60 ? word.length : 60), word.text, what);
+                           "\"%.*s\" where the number of %s was expected, %d at most",
+                           (int)(word.length < 60 ? word.length : 60), word.text, what,
+                           ARGUMENTS_MOST);
     *count = (int)number;
     return PP_OK;
 }

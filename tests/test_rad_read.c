@@ -404,6 +404,7 @@ static void what_is_not_understood_is_refused_by_its_line(void **state)
         {WHITE "white polygon p 0 0 12 0 0 0 1 0 0 1 1 5 0 1 0\n", "not plane"},
         {WHITE "white polygon p 0 0 12 0 0 0 1 1 0 1 0 0 0 1 0\n",
          "2: a polygon that runs"},
+        {WHITE "white polygon p 0 0 300003\n", "300000 at most"},
         {WHITE "white polygon p 0 0 -9\n", "where the number of numbers"},
         {WHITE "white polygon p 9999999999 0 0\n", "where the number of strings"},
         {WHITE "white polygon", "ends in the middle"},
