@@ -41,6 +41,41 @@ static enum pp_status grow(struct pp_overture *overture, bool quiet,
     return status;
 }
 
+/* All of the file; *bytes is the caller's, NULL where there is no file. */
+static enum pp_status read_checkpoint(const char *path, char **bytes, size_t *length,
+                                      struct pp_error *err)
+{
+    *bytes = NULL;
+    if (access(path, F_OK) != 0 && errno == ENOENT)
+        return PP_OK;
+    return pp_file_bytes(bytes, length, path, CHECKPOINT_MOST, err);
+}
+
+/* Gives the cache the records that the checkpoint keeps. */
+static enum pp_status take_records(struct pp_irradiance_cache *cache, const char *path,
+                                   struct pp_error *err)
+{
+    char *bytes;
+    const char *records;
+    size_t length, count;
+    enum pp_status status = read_checkpoint(path, &bytes, &length, err);
+    if (status != PP_OK || !bytes)
+        return status;
+    struct pp_error own = {0};
+    status = pp_checkpoint_cache((const unsigned char *)bytes, length, &records, &count,
+                                 &own);
+    if (status != PP_OK)
+        pp_fail(err, status, "%s: %s", path, own.message);
+    else if (records
+             && pp_irradiance_cache_unpack(cache, records, count, path, &own) != PP_OK)
+        status = pp_fail(err, PP_BAD_INPUT,
+                         "%s: the checkpoint is of another picture: its room or "
+                         "options differ",
+                         path);
+    free(bytes);
+    return status;
+}
+
 /* The cache that the picture is read from. */
 static enum pp_status fill_cache(struct pp_made_picture *made,
                                  struct pp_render_options *render,
@@ -52,6 +87,9 @@ static enum pp_status fill_cache(struct pp_made_picture *made,
     enum pp_status status =
         pp_cache_words_open(&made->cache, &choice->cache, made->scene, made->store,
                             &render->light, options->seed, options->threads, err);
+    if (status == PP_OK && choice->checkpoint
+        && pp_irradiance_cache_count(made->cache) == 0)
+        status = take_records(made->cache, choice->checkpoint, err);
     if (status == PP_OK)
         status =
             pp_overture_create(&overture, made->cache, made->scene, render, 0, err);
@@ -113,19 +151,15 @@ static enum pp_status create(struct pp_made_picture *made, const struct pp_world
 static enum pp_status resume(struct pp_made_picture *made, const char *path,
                              struct pp_error *err)
 {
-    if (access(path, F_OK) != 0 && errno == ENOENT)
-        return PP_OK;
     char *bytes;
     size_t length;
-    enum pp_status status = pp_file_bytes(&bytes, &length, path, CHECKPOINT_MOST, err);
-    if (status != PP_OK)
+    enum pp_status status = read_checkpoint(path, &bytes, &length, err);
+    if (status != PP_OK || !bytes)
         return status;
     struct pp_error own = {0};
     status = pp_render_resume(made->render, (const unsigned char *)bytes, length, &own);
     free(bytes);
-    if (status != PP_OK)
-        return pp_fail(err, status, "%s: %s", path, own.message);
-    return PP_OK;
+    return status == PP_OK ? PP_OK : pp_fail(err, status, "%s: %s", path, own.message);
 }
 
 static enum pp_status save(const struct pp_made_picture *made, const char *path,
@@ -134,7 +168,7 @@ static enum pp_status save(const struct pp_made_picture *made, const char *path,
     struct pp_output output;
     enum pp_status status = pp_output_open(&output, path, err);
     if (status == PP_OK)
-        status = pp_render_save(made->render, output.stream, err);
+        status = pp_render_save(made->render, made->cache, output.stream, err);
     return pp_output_close(&output, status, err);
 }
 

@@ -3,12 +3,14 @@
  * Least significant byte first:
  *
  *     8 bytes   "PPRENDER"
- *     u32       version, 1
+ *     u32       version, 2
  *     u64       a number that hangs on the scene and all options
  *     u32 x 3   width, height, count of tiles
  *     i64 x 2   rays, leaks so far
  *     u8 each   tile: 1 done, 0 not
  *     the done tiles' pixels: three floats and a tag of four bytes each
+ *     the cache that the picture is read from, as cache_file.c has it; none: nothing
+ *     u64       how many bytes those are
  *     u64       a number that hangs on all bytes before
  */
 #include <stdlib.h>
@@ -19,7 +21,12 @@
 
 static const char magic[8] = {'P', 'P', 'R', 'E', 'N', 'D', 'E', 'R'};
 
-enum { VERSION = 1, HEAD = 8 + 4 + 8 + 3 * 4 + 2 * 8, TAIL = 8, PIXEL = 16 };
+enum {
+    VERSION = 2,
+    HEAD = 8 + 4 + 8 + 3 * 4 + 2 * 8,
+    TAIL = 8 + 8, /* the cache's length, the last number */
+    PIXEL = 16
+};
 
 /* ---- what it is a checkpoint of ---- */
 
@@ -108,7 +115,7 @@ static size_t tile_pixels(const struct pp_render *render, int tile)
     return (size_t)(box.x1 - box.x0) * (size_t)(box.y1 - box.y0);
 }
 
-/* Of a file with these tiles done. */
+/* Of a file with these tiles done and no cache. */
 static size_t size_of(const struct pp_render *render, const unsigned char *done)
 {
     size_t pixels = 0;
@@ -133,13 +140,11 @@ static void put_tile(unsigned char **at, const struct pp_render *render, int til
         }
 }
 
-enum pp_status pp_render_save(const struct pp_render *render, FILE *out,
-                              struct pp_error *err)
+/* All of the file; cache: `kept` bytes. */
+static void put_all(unsigned char *bytes, size_t size, const struct pp_render *render,
+                    const char *cache, size_t kept)
 {
-    size_t size = size_of(render, render->tile_done);
-    unsigned char *bytes = malloc(size), *at = bytes;
-    if (!bytes)
-        return pp_fail_memory(err);
+    unsigned char *at = bytes;
     memcpy(at, magic, sizeof magic);
     at += sizeof magic;
     put(&at, VERSION, 4);
@@ -154,7 +159,30 @@ enum pp_status pp_render_save(const struct pp_render *render, FILE *out,
     for (int i = 0; i < render->tile_count; i++)
         if (render->tile_done[i])
             put_tile(&at, render, i);
-    put(&at, hash_bytes(bytes, size - TAIL), 8);
+    if (kept > 0)
+        memcpy(at, cache, kept);
+    at += kept;
+    put(&at, kept, 8);
+    put(&at, hash_bytes(bytes, size - 8), 8);
+}
+
+enum pp_status pp_render_save(const struct pp_render *render,
+                              const struct pp_irradiance_cache *cache, FILE *out,
+                              struct pp_error *err)
+{
+    char *records = NULL;
+    size_t kept = 0;
+    enum pp_status status =
+        cache ? pp_irradiance_cache_pack(cache, &records, &kept, err) : PP_OK;
+    if (status != PP_OK)
+        return status;
+    size_t size = size_of(render, render->tile_done) + kept;
+    unsigned char *bytes = malloc(size);
+    if (bytes)
+        put_all(bytes, size, render, records, kept);
+    free(records);
+    if (!bytes)
+        return pp_fail_memory(err);
     size_t written = fwrite(bytes, 1, size, out);
     free(bytes);
     if (written != size)
@@ -164,24 +192,42 @@ enum pp_status pp_render_save(const struct pp_render *render, FILE *out,
 
 /* ---- reading ---- */
 
-/* Is it whole, and of this render? *at is moved behind the counts. */
-static enum pp_status check(const struct pp_render *render, const unsigned char **at,
-                            size_t length, long long work[2], struct pp_error *err)
+/* Is it a checkpoint, and whole? *kept: bytes of its cache. */
+static enum pp_status check_whole(const unsigned char *bytes, size_t length,
+                                  size_t *kept, struct pp_error *err)
 {
-    const unsigned char *bytes = *at;
     if (length < sizeof magic || memcmp(bytes, magic, sizeof magic) != 0)
         return pp_fail(err, PP_BAD_INPUT, "it is no checkpoint of a picture");
     if (length < HEAD + TAIL)
         return pp_fail(err, PP_BAD_INPUT, "the checkpoint is cut off or damaged");
-    *at += sizeof magic;
-    unsigned version = (unsigned)take(at, 4);
+    const unsigned char *head = bytes + sizeof magic, *tail = bytes + length - TAIL;
+    unsigned version = (unsigned)take(&head, 4);
     if (version != VERSION)
         return pp_fail(err, PP_BAD_INPUT,
                        "the checkpoint has version %u; this program reads version %d",
                        version, VERSION);
-    const unsigned char *tail = bytes + length - TAIL;
-    if (hash_bytes(bytes, length - TAIL) != take(&tail, 8))
+    uint64_t cache = take(&tail, 8), hash = take(&tail, 8);
+    if (hash != hash_bytes(bytes, length - 8) || cache > length - HEAD - TAIL)
         return pp_fail(err, PP_BAD_INPUT, "the checkpoint is cut off or damaged");
+    *kept = (size_t)cache;
+    return PP_OK;
+}
+
+enum pp_status pp_checkpoint_cache(const unsigned char *bytes, size_t length,
+                                   const char **cache, size_t *cache_length,
+                                   struct pp_error *err)
+{
+    size_t kept = 0;
+    enum pp_status status = check_whole(bytes, length, &kept, err);
+    *cache_length = status == PP_OK ? kept : 0;
+    *cache = *cache_length > 0 ? (const char *)bytes + length - TAIL - kept : NULL;
+    return status;
+}
+
+/* Is it of this render? *at: behind the version; it is moved behind the counts. */
+static enum pp_status check(const struct pp_render *render, const unsigned char **at,
+                            long long work[2], struct pp_error *err)
+{
     uint64_t mark = take(at, 8);
     int width = (int)take(at, 4), height = (int)take(at, 4), tiles = (int)take(at, 4);
     if (mark != pp_render_mark(render) || width != render->picture.width
@@ -211,13 +257,17 @@ static void take_tile_pixels(const unsigned char **at, struct pp_render *render,
 enum pp_status pp_render_resume(struct pp_render *render, const unsigned char *bytes,
                                 size_t length, struct pp_error *err)
 {
-    const unsigned char *at = bytes;
     long long work[2] = {0, 0};
-    enum pp_status status = check(render, &at, length, work, err);
+    size_t kept;
+    enum pp_status status = check_whole(bytes, length, &kept, err);
     if (status != PP_OK)
         return status;
-    bool fits = length >= HEAD + (size_t)render->tile_count + TAIL
-                && length == size_of(render, at);
+    const unsigned char *at = bytes + sizeof magic + 4;
+    status = check(render, &at, work, err);
+    if (status != PP_OK)
+        return status;
+    bool fits = length >= HEAD + (size_t)render->tile_count + TAIL + kept
+                && length == size_of(render, at) + kept;
     for (int i = 0; fits && i < render->tile_count; i++)
         fits = at[i] <= 1;
     if (!fits)

@@ -115,10 +115,18 @@ enum pp_status pp_render_records(const struct pp_render *render,
 
 /* ---- checkpoints: checkpoint.c ---- */
 
-/* Writes what is done, to be taken up again. What the stream makes of it is PP_SYSTEM.
- */
-enum pp_status pp_render_save(const struct pp_render *render, FILE *out,
+/* Writes what is done, to be taken up again, and the cache that it is read from (NULL:
+ * none). What the stream makes of it is PP_SYSTEM. */
+enum pp_status pp_render_save(const struct pp_render *render,
+                              const struct pp_irradiance_cache *cache, FILE *out,
                               struct pp_error *err);
+
+/* The cache in what pp_render_save wrote, for pp_irradiance_cache_unpack: a part of
+ * bytes; NULL and 0 where there is none. PP_BAD_INPUT as by pp_render_resume, but of
+ * another scene or options. */
+enum pp_status pp_checkpoint_cache(const unsigned char *bytes, size_t length,
+                                   const char **cache, size_t *cache_length,
+                                   struct pp_error *err);
 
 /* Takes up what pp_render_save wrote of the same scene and options, whole or not at
  * all; PP_BAD_INPUT where it is of others, of another version, cut off or damaged. */

@@ -153,6 +153,14 @@ check "is the same" same "$scratch/one.hdr" "$scratch/c.hdr"
 check "and comes again from the checkpoint" \
     draws c.hdr $small --checkpoint "$scratch/d" "$deep"
 check "the same once more" same "$scratch/one.hdr" "$scratch/c.hdr"
+check "a picture through a cache, with a checkpoint" \
+    draws c.hdr $cached --checkpoint "$scratch/e" "$deep"
+check "is the same as without" same "$scratch/k1.hdr" "$scratch/c.hdr"
+check "and comes again, with the records that the checkpoint keeps" \
+    draws c.hdr $cached --checkpoint "$scratch/e" "$deep"
+check "to the byte once more" same "$scratch/k1.hdr" "$scratch/c.hdr"
+check "another accuracy does not go on from it" refuses 1 "another picture" \
+    render $cached -aa 0.4 --checkpoint "$scratch/e" "$deep" -o "$scratch/x.hdr"
 head -c 1000 "$scratch/d" >"$scratch/cut"
 check "a checkpoint that is cut off" refuses 1 "cut off or damaged" \
     render $small --checkpoint "$scratch/cut" "$deep" -o "$scratch/x.hdr"

@@ -381,7 +381,7 @@ static struct kept kept_of(const struct pp_render *render)
     struct kept kept;
     FILE *out = open_memstream(&kept.bytes, &kept.size);
     assert_non_null(out);
-    assert_int_equal(pp_render_save(render, out, NULL), PP_OK);
+    assert_int_equal(pp_render_save(render, NULL, out, NULL), PP_OK);
     assert_int_equal(fclose(out), 0);
     return kept;
 }
@@ -422,6 +422,82 @@ static void a_picture_taken_up_again_is_the_same(void **state)
     pp_render_destroy(whole);
     pp_render_destroy(half);
     pp_render_destroy(rest);
+    clear(&scene);
+}
+
+static struct pp_irradiance_cache *cache_of(const struct pp_light_scene *scene,
+                                            const struct pp_render_options *options)
+{
+    struct pp_cache_options few = pp_cache_defaults();
+    struct pp_irradiance_cache *cache = NULL;
+    few.accuracy = 0.5;
+    few.divisions = 64;
+    few.supersamples = 0;
+    assert_int_equal(
+        pp_irradiance_cache_create(&cache, scene, NULL, &options->light, &few, NULL),
+        PP_OK);
+    return cache;
+}
+
+static void see_picture(struct pp_irradiance_cache *cache,
+                        const struct pp_light_scene *scene,
+                        struct pp_render_options *options)
+{
+    struct pp_overture *overture;
+    assert_int_equal(pp_overture_create(&overture, cache, scene, options, 0, NULL),
+                     PP_OK);
+    while (!pp_overture_done(overture))
+        assert_int_equal(pp_overture_advance(overture, 1.0, NULL), PP_OK);
+    pp_overture_destroy(overture);
+    options->ambient = pp_irradiance_cache_ambient(cache);
+    options->ambient_mark = pp_render_cache_mark(cache);
+}
+
+/* A checkpoint keeps the cache: it is not grown again, and the picture is the same. */
+static void a_picture_through_a_cache_is_taken_up_with_it(void **state)
+{
+    (void)state;
+    struct scene scene = scene_of(DEEP);
+    struct pp_render_options options = looking(
+        PP_VIEW_PERSPECTIVE, pp_vec(1.3, 4.1, 1.6), pp_vec(0.1, -1.0, 0.0), 1.2, 40, 2);
+    struct pp_irradiance_cache *cache = cache_of(scene.light, &options);
+    see_picture(cache, scene.light, &options);
+    struct pp_render *whole = rendered(scene.light, &options), *half, *rest;
+    assert_int_equal(pp_render_create(&half, scene.light, &options, NULL), PP_OK);
+    pp_render_advance(half, 0.0);
+    struct kept kept;
+    FILE *out = open_memstream(&kept.bytes, &kept.size);
+    assert_int_equal(pp_render_save(half, cache, out, NULL), PP_OK);
+    assert_int_equal(fclose(out), 0);
+
+    const char *records;
+    size_t length;
+    assert_int_equal(pp_checkpoint_cache((unsigned char *)kept.bytes, kept.size,
+                                         &records, &length, NULL),
+                     PP_OK);
+    options.ambient = NULL;
+    struct pp_irradiance_cache *again = cache_of(scene.light, &options);
+    assert_int_equal(pp_irradiance_cache_unpack(again, records, length, "kept", NULL),
+                     PP_OK);
+    assert_true(pp_irradiance_cache_count(again) == pp_irradiance_cache_count(cache));
+    see_picture(again, scene.light, &options);
+    assert_true(pp_irradiance_cache_count(again) == pp_irradiance_cache_count(cache));
+    assert_int_equal(pp_render_create(&rest, scene.light, &options, NULL), PP_OK);
+    assert_int_equal(take_up(rest, kept.bytes, kept.size, NULL), PP_OK);
+    while (!pp_render_done(rest))
+        pp_render_advance(rest, 1.0);
+    assert_same_pictures(whole, rest);
+
+    for (size_t size = 0; size < kept.size; size += 1 + size / 16)
+        assert_int_equal(pp_checkpoint_cache((unsigned char *)kept.bytes, size,
+                                             &records, &length, NULL),
+                         PP_BAD_INPUT);
+    free(kept.bytes);
+    pp_render_destroy(whole);
+    pp_render_destroy(half);
+    pp_render_destroy(rest);
+    pp_irradiance_cache_destroy(cache);
+    pp_irradiance_cache_destroy(again);
     clear(&scene);
 }
 
@@ -599,6 +675,7 @@ int main(void)
         cmocka_unit_test(a_picture_does_not_hang_on_threads),
         cmocka_unit_test(every_pixel_is_read_between_records),
         cmocka_unit_test(a_picture_taken_up_again_is_the_same),
+        cmocka_unit_test(a_picture_through_a_cache_is_taken_up_with_it),
         cmocka_unit_test(a_checkpoint_is_taken_whole_or_not_at_all),
         cmocka_unit_test(what_makes_no_picture_is_refused),
         cmocka_unit_test(the_default_view_stands_back_and_sees_the_window),
