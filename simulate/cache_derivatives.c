@@ -63,42 +63,49 @@ static const struct pp_hemisphere_cell *nearer(const struct pp_hemisphere_cell *
 
 /* Where direction u meets the plane of what the cell has met; at the cell's distance
  * where that is far from it. */
-static struct pp_vec3 on_surface(const struct pp_hemisphere_cell *cell,
+static struct pp_vec3 on_surface(const struct pp_hemisphere *h,
+                                 const struct pp_hemisphere_cell *cell,
                                  struct pp_vec3 u)
 {
     double here = pp_dot(cell->facing, cell->to), there = pp_dot(cell->facing, u);
     double ratio = there < 0.0 && here < 0.0 ? here / there : 1.0;
     if (!(ratio > 0.5 && ratio < 2.0))
         ratio = 1.0;
-    return pp_scale(u, cell->distance_m * ratio);
+    return pp_scale(u, fmax(cell->distance_m, h->nearest_m) * ratio);
 }
 
-static void add(struct pp_irradiance_change *change, struct pp_rgb difference,
-                const double gradient[2], const double hessian[3])
+/* An edge between two cells. */
+static void add(struct pp_irradiance_change *change, struct pp_hemisphere_cell *first,
+                struct pp_hemisphere_cell *second, const double gradient[2],
+                const double hessian[3])
 {
+    struct pp_rgb difference = pp_rgb_sub(first->radiance, second->radiance);
     for (int i = 0; i < 2; i++) {
+        first->pull[i] += gradient[i];
+        second->pull[i] -= gradient[i];
         change->along[0][i] += difference.r * gradient[i];
         change->along[1][i] += difference.g * gradient[i];
         change->along[2][i] += difference.b * gradient[i];
     }
-    for (int i = 0; i < 3; i++)
+    for (int i = 0; i < 3; i++) {
         change->curvature[i] += pp_rgb_luminance(difference) * hessian[i];
+        first->bend[i] += hessian[i];
+        second->bend[i] -= hessian[i];
+    }
 }
 
 /* The edge between two cells from direction p to q, ccw round the first. */
-static void add_edge(struct pp_irradiance_change *change,
-                     const struct pp_hemisphere_cell *first,
-                     const struct pp_hemisphere_cell *second, struct pp_vec3 p,
+static void add_edge(struct pp_irradiance_change *change, const struct pp_hemisphere *h,
+                     struct pp_hemisphere_cell *first,
+                     struct pp_hemisphere_cell *second, struct pp_vec3 p,
                      struct pp_vec3 q)
 {
-    struct pp_rgb difference = pp_rgb_sub(first->radiance, second->radiance);
     const struct pp_hemisphere_cell *near = nearer(first, second);
-    if (!isfinite(near->distance_m)
-        || (difference.r == 0.0 && difference.g == 0.0 && difference.b == 0.0))
+    if (!isfinite(near->distance_m))
         return;
     double gradient[2], hessian[3];
-    pp_edge_change(on_surface(near, p), on_surface(near, q), gradient, hessian);
-    add(change, difference, gradient, hessian);
+    pp_edge_change(on_surface(h, near, p), on_surface(h, near, q), gradient, hessian);
+    add(change, first, second, gradient, hessian);
 }
 
 static struct pp_vec3 corner(const struct pp_hemisphere *h, int i, int j)
@@ -112,12 +119,12 @@ static void add_edges(struct pp_irradiance_change *change,
     int n = h->side;
     for (int j = 0; j < n; j++)
         for (int i = 0; i < n; i++) {
-            const struct pp_hemisphere_cell *cell = &h->cells[j * n + i];
+            struct pp_hemisphere_cell *cell = &h->cells[j * n + i];
             struct pp_vec3 far = corner(h, i + 1, j + 1);
             if (i + 1 < n)
-                add_edge(change, cell, cell + 1, corner(h, i + 1, j), far);
+                add_edge(change, h, cell, cell + 1, corner(h, i + 1, j), far);
             if (j + 1 < n)
-                add_edge(change, cell, cell + n, far, corner(h, i, j + 1));
+                add_edge(change, h, cell, cell + n, far, corner(h, i, j + 1));
         }
 }
 
@@ -151,17 +158,17 @@ static void add_horizon(struct pp_irradiance_change *change,
     for (int k = 0; k < count; k++) {
         int after;
         struct pp_vec3 u = horizon_corner(h, k, &after);
-        const struct pp_hemisphere_cell *p = &h->cells[before], *q = &h->cells[after];
+        struct pp_hemisphere_cell *p = &h->cells[before], *q = &h->cells[after];
         const struct pp_hemisphere_cell *near = nearer(p, q);
         before = after;
         if (p == q || !isfinite(near->distance_m))
             continue;
-        struct pp_vec3 r = on_surface(near, u);
+        struct pp_vec3 r = on_surface(h, near, u);
         double r2 = r.x * r.x + r.y * r.y, r4 = r2 * r2;
         double gradient[2] = {0.5 * r.y / r2, -0.5 * r.x / r2};
         double hessian[3] = {r.x * r.y / r4, 0.5 * (r.y * r.y - r.x * r.x) / r4,
                              -r.x * r.y / r4};
-        add(change, pp_rgb_sub(p->radiance, q->radiance), gradient, hessian);
+        add(change, p, q, gradient, hessian);
     }
 }
 
@@ -180,11 +187,31 @@ static void add_turn(struct pp_irradiance_change *change, const struct pp_hemisp
     }
 }
 
-void pp_hemisphere_change(const struct pp_hemisphere *hemisphere,
+static void add_noise(struct pp_irradiance_change *change,
+                      const struct pp_hemisphere *h)
+{
+    int cells = h->side * h->side;
+    double pull2 = 0.0, bend2 = 0.0;
+    for (int k = 0; k < cells; k++) {
+        const double *p = h->cells[k].pull, *b = h->cells[k].bend;
+        pull2 += p[0] * p[0] + p[1] * p[1];
+        bend2 += b[0] * b[0] + 2.0 * b[1] * b[1] + b[2] * b[2];
+    }
+    change->along_noise = sqrt(0.5 * cells * pull2) / PP_PI;
+    change->curvature_noise = sqrt(cells * bend2) / PP_PI;
+}
+
+void pp_hemisphere_change(struct pp_hemisphere *hemisphere,
                           struct pp_irradiance_change *change)
 {
     *change = (struct pp_irradiance_change){.curvature = {0.0}};
+    for (int k = 0; k < hemisphere->side * hemisphere->side; k++) {
+        struct pp_hemisphere_cell *cell = &hemisphere->cells[k];
+        cell->pull[0] = cell->pull[1] = 0.0;
+        cell->bend[0] = cell->bend[1] = cell->bend[2] = 0.0;
+    }
     add_edges(change, hemisphere);
     add_horizon(change, hemisphere);
     add_turn(change, hemisphere);
+    add_noise(change, hemisphere);
 }

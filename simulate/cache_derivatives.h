@@ -18,6 +18,11 @@
  *     A = n . (r0 x e),  w = e x n,  g = 2 int r/|r|^4,
  *     H = int (8 r r^T/|r|^6 - 2/|r|^4).
  *
+ * A cell's radiance pulls at the gradient by its edges, p_k together, as it does at the
+ * irradiance by pi/n where there are n cells. So noise that each cell has by itself is
+ * sqrt(n sum p_k^2/2)/pi times as much in the gradient; the same for second
+ * derivatives.
+ *
  * Along the horizon an edge counts by the azimuths of its ends. With the turn of the
  * normal irradiance changes by the sum of L times the part of its direction that is
  * in the surface [WH92].
@@ -32,9 +37,12 @@ struct pp_irradiance_change {
     double along[3][2];  /* of red, green, blue: gradient with the place, 1/m */
     double turned[3][2]; /* with the normal, 1/rad */
     double curvature[3]; /* luminance's second derivatives aa, ab, bb, 1/m2 */
+    /* Where cells are noisy, each by itself: the noise of the gradient, on either axis,
+     * over that of the irradiance, 1/m, and that of the curvature, 1/m2. */
+    double along_noise, curvature_noise;
 };
 
-void pp_hemisphere_change(const struct pp_hemisphere *hemisphere,
+void pp_hemisphere_change(struct pp_hemisphere *hemisphere,
                           struct pp_irradiance_change *change);
 
 /* (1) to (3) of one edge from r0 to r1 (from the place), in the frame where n is z:

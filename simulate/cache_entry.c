@@ -49,6 +49,13 @@ double pp_cache_entry_distance(const struct pp_cache_entry *entry,
     return u * u + v * v > clear * clear ? NEVER : distance;
 }
 
+void pp_cache_entry_alone(struct pp_cache_entry *entry)
+{
+    entry->value = entry->is.value;
+    for (int c = 0; c < 3; c++)
+        entry->along[c] = entry->is.along[c];
+}
+
 static double read_channel(double value, struct pp_vec3 along, struct pp_vec3 off,
                            struct pp_vec3 turned, struct pp_vec3 turn)
 {
@@ -62,7 +69,8 @@ struct pp_rgb pp_cache_entry_read(const struct pp_cache_entry *entry,
     const struct pp_cache_record *is = &entry->is;
     struct pp_vec3 off = pp_sub(place->point, is->point);
     struct pp_vec3 turn = pp_sub(place->normal, is->normal);
-    return pp_rgb(read_channel(is->value.r, is->along[0], off, is->turned[0], turn),
-                  read_channel(is->value.g, is->along[1], off, is->turned[1], turn),
-                  read_channel(is->value.b, is->along[2], off, is->turned[2], turn));
+    const struct pp_vec3 *along = entry->along, *turned = is->turned;
+    return pp_rgb(read_channel(entry->value.r, along[0], off, turned[0], turn),
+                  read_channel(entry->value.g, along[1], off, turned[1], turn),
+                  read_channel(entry->value.b, along[2], off, turned[2], turn));
 }

@@ -17,7 +17,17 @@ struct pp_cache_entry {
     struct pp_cache_record is;
     struct pp_vec3 a, b; /* the frame (a, b, normal) that sectors count about */
     double horizon_m[PP_CACHE_SECTORS];
+    double along_noise; /* of the gradient over that of the value, 1/m */
+    double curvature;   /* greatest second derivative over the value, as far as it is
+                         * sure to be more than noise, 1/m2 */
+
+    /* What is read: `is` alone, or in agreement with its neighbours (cache_agree.c). */
+    struct pp_rgb value;
+    struct pp_vec3 along[3];
 };
+
+/* Value and gradients as the record has them. */
+void pp_cache_entry_alone(struct pp_cache_entry *entry);
 
 /* A place that is asked for. */
 struct pp_cache_place {

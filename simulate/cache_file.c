@@ -7,8 +7,9 @@
  *     each record: NUMBERS doubles (see put_entry),
  *     a checksum of all that stands before it
  *
- * The radii are those after neighbours have limited each other: nothing is fitted again
- * when a file is read, so that the same sums are formed in the same order.
+ * The radii are those after neighbours have limited each other, values and gradients
+ * those before they agree (cache_agree.c): that is done when a file is read as it is
+ * when a cache is grown, and the same sums are formed in the same order.
  */
 #include <math.h>
 #include <stdlib.h>
@@ -19,9 +20,9 @@
 #include "simulate/lobe.h"
 
 enum {
-    VERSION = 1,
+    VERSION = 2,
     WORD = 8,
-    NUMBERS = 36 + PP_CACHE_SECTORS,
+    NUMBERS = 38 + PP_CACHE_SECTORS,
     HEAD = 16 + 5 * WORD,
     ENTRY = NUMBERS * WORD
 };
@@ -97,6 +98,8 @@ static void put_entry(unsigned char **at, const struct pp_cache_entry *entry)
         put_number(at, is->radii_m[i]);
     for (int i = 0; i < PP_CACHE_SECTORS; i++)
         put_number(at, entry->horizon_m[i]);
+    put_number(at, entry->along_noise);
+    put_number(at, entry->curvature);
 }
 
 static bool is_finite(struct pp_vec3 v)
@@ -133,6 +136,9 @@ static bool take_entry(const unsigned char **at, struct pp_cache_entry *entry)
         entry->horizon_m[i] = take_number(at);
         good = good && entry->horizon_m[i] >= 0.0;
     }
+    entry->along_noise = take_number(at);
+    entry->curvature = take_number(at);
+    good = good && entry->along_noise >= 0.0 && entry->curvature >= 0.0;
     good = good && is_finite(is->point) && is_unit(is->normal) && is_finite(value)
            && value.x >= 0.0 && value.y >= 0.0 && value.z >= 0.0
            && (space == PP_ANYWHERE || space == PP_INDOORS || space == PP_OUTDOORS);
@@ -228,6 +234,8 @@ static enum pp_status take_all(struct pp_irradiance_cache *cache,
                                (unsigned long long)k + 1);
             status = pp_cache_layer_put(&cache->layers[i], &entry, err);
         }
+    for (int i = 0; status == PP_OK && i < PP_CACHE_DEPTHS; i++)
+        status = pp_cache_layer_agree(&cache->layers[i], err);
     return status;
 }
 

@@ -9,8 +9,8 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "simulate/cache_parts.h"
 #include "model/clock.h"
+#include "simulate/cache_parts.h"
 #include "simulate/hash.h"
 #include "simulate/lobe.h"
 
@@ -275,43 +275,65 @@ static void work(struct pp_irradiance_cache *cache, int depth,
     entry->is.depth = depth;
 }
 
-/* Which wishes of the list are not covered; keeps their order. */
-static void sift(struct pp_irradiance_cache *cache, struct pp_cache_layer *layer)
+/* Is there no record that speaks for the wish? Then also how large one may be there. */
+static bool is_open(const struct pp_irradiance_cache *cache,
+                    const struct pp_cache_layer *layer, struct pp_cache_wish *wish)
 {
-    int *open = layer->open, kept = 0;
-#pragma omp parallel for num_threads(cache->options.threads)                           \
-    schedule(dynamic, 64) if (layer->open_count > 256)
-    for (int i = 0; i < layer->open_count; i++) {
-        struct pp_cache_wish *wish = &layer->wishes[layer->next + (size_t)open[i]];
-        struct pp_rgb value;
-        double guess;
-        bool covered = pp_cache_layer_read(layer, &wish->place, &value, &guess);
-        wish->guess_m =
-            covered ? -1.0f
-                    : (float)(guess > 0.0 ? guess : FIRST_GUESS * cache->size_m);
-    }
-    for (int i = 0; i < layer->open_count; i++)
-        if (layer->wishes[layer->next + (size_t)open[i]].guess_m >= 0.0f)
-            open[kept++] = open[i];
-    layer->open_count = kept;
+    struct pp_rgb value;
+    double guess;
+    bool covered = pp_cache_layer_read(layer, &wish->place, &value, &guess);
+    wish->guess_m =
+        covered ? -1.0f : (float)(guess > 0.0 ? guess : FIRST_GUESS * cache->size_m);
+    return !covered;
 }
 
-/* The first open wishes that stand apart. */
-static int choose(const struct pp_cache_layer *layer,
+static struct pp_cache_wish *open_wish(const struct pp_cache_layer *layer, int i)
+{
+    return &layer->wishes[layer->next + (size_t)layer->open[i]];
+}
+
+/* Which wishes of the chunk are open, in their order. */
+static void sift(struct pp_irradiance_cache *cache, struct pp_cache_layer *layer,
+                 int count)
+{
+    layer->open_count = 0;
+#pragma omp parallel for num_threads(cache->options.threads)                           \
+    schedule(dynamic, 256) if (count > 4096)
+    for (int i = 0; i < count; i++)
+        is_open(cache, layer, &layer->wishes[layer->next + (size_t)i]);
+    for (int i = 0; i < count; i++)
+        if (layer->wishes[layer->next + (size_t)i].guess_m >= 0.0f)
+            layer->open[layer->open_count++] = i;
+}
+
+static bool stands_apart(const struct pp_cache_wish *wish,
+                         const struct pp_cache_wish *const chosen[], int count)
+{
+    for (int k = 0; k < count; k++)
+        if (pp_dot(wish->place.normal, chosen[k]->place.normal) >= 0.5
+            && pp_length(pp_sub(wish->place.point, chosen[k]->place.point))
+                   <= APART * fmin(wish->guess_m, chosen[k]->guess_m))
+            return false;
+    return true;
+}
+
+/* The first open wishes that stand apart. Those come to that are open no longer leave
+ * the list; no more of it is looked at than is needed for a batch. */
+static int choose(struct pp_irradiance_cache *cache, struct pp_cache_layer *layer,
                   const struct pp_cache_wish *chosen[])
 {
-    int count = 0;
-    for (int i = 0; i < layer->open_count && count < PP_CACHE_BATCH; i++) {
-        const struct pp_cache_wish *wish =
-            &layer->wishes[layer->next + (size_t)layer->open[i]];
-        bool apart = true;
-        for (int k = 0; apart && k < count; k++)
-            apart = pp_dot(wish->place.normal, chosen[k]->place.normal) < 0.5
-                    || pp_length(pp_sub(wish->place.point, chosen[k]->place.point))
-                           > APART * fmin(wish->guess_m, chosen[k]->guess_m);
-        if (apart)
+    int count = 0, kept = 0, i = 0;
+    for (; i < layer->open_count && count < PP_CACHE_BATCH; i++) {
+        struct pp_cache_wish *wish = open_wish(layer, i);
+        if (!is_open(cache, layer, wish))
+            continue;
+        if (stands_apart(wish, chosen, count))
             chosen[count++] = wish;
+        layer->open[kept++] = layer->open[i];
     }
+    for (; i < layer->open_count; i++)
+        layer->open[kept++] = layer->open[i];
+    layer->open_count = kept;
     return count;
 }
 
@@ -321,7 +343,9 @@ static enum pp_status batch(struct pp_irradiance_cache *cache, int depth,
 {
     struct pp_cache_layer *layer = &cache->layers[depth];
     const struct pp_cache_wish *chosen[PP_CACHE_BATCH];
-    int count = choose(layer, chosen);
+    int count = choose(cache, layer, chosen);
+    if (count == 0)
+        return PP_OK;
     size_t side = (size_t)layer->maker.side;
     struct pp_hemisphere_cell *cells =
         malloc(PP_CACHE_BATCH * side * side * sizeof *cells);
@@ -363,21 +387,19 @@ static enum pp_status step(struct pp_irradiance_cache *cache, struct pp_error *e
     size_t left = layer->wish_count - layer->next;
     int chunk = left < CHUNK ? (int)left : CHUNK;
     if (layer->open_count == 0) {
-        for (int i = 0; i < chunk; i++)
-            layer->open[i] = i;
-        layer->open_count = chunk;
-        sift(cache, layer);
+        sift(cache, layer, chunk);
     } else {
         enum pp_status status = batch(cache, depth, err);
         if (status != PP_OK)
             return status;
-        sift(cache, layer);
     }
     if (layer->open_count > 0)
         return PP_OK;
     layer->next += (size_t)chunk;
-    if (layer->next < layer->wish_count || !layer->again)
+    if (layer->next < layer->wish_count)
         return PP_OK;
+    if (!layer->again)
+        return pp_cache_layer_agree(layer, err);
     /* Neighbours have limited each other: is every wish still covered? Each gets a
      * record of its own at last, so that this ends. */
     layer->again = false;

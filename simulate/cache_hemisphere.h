@@ -17,7 +17,9 @@ struct pp_hemisphere_cell {
     double distance_m;      /* of what that met; INFINITY: nothing */
     struct pp_vec3 facing;  /* normal of what that met */
     double samples;
-    double unrest; /* of its neighbours: what more rays are dealt out by */
+    double unrest;  /* of its neighbours: what more rays are dealt out by */
+    double pull[2]; /* of its radiance on the gradient, 1/m */
+    double bend[3]; /* and on the second derivatives aa, ab, bb, 1/m2 */
 };
 
 struct pp_hemisphere {
@@ -25,6 +27,7 @@ struct pp_hemisphere {
     const struct pp_vec3 *corners;    /* (side + 1)^2 unit directions of the cells'
                                        * corners,    row by row; not owned */
     struct pp_hemisphere_cell *cells; /* side^2, row by row */
+    double nearest_m; /* what is nearer changes with the place as if it were so far */
     struct pp_vec3 a, b, normal;
     struct pp_rgb irradiance;
 };

@@ -52,6 +52,7 @@ enum pp_status pp_cache_layer_put(struct pp_cache_layer *layer,
         layer->entry_space = space;
     }
     layer->entries[layer->entry_count] = *entry;
+    pp_cache_entry_alone(&layer->entries[layer->entry_count]);
     enum pp_status status = pp_octree_add(&layer->tree, layer->entry_count,
                                           entry->is.point, reach_of(entry), err);
     layer->entry_count += status == PP_OK;

@@ -60,6 +60,10 @@ enum pp_status pp_cache_layer_put(struct pp_cache_layer *layer,
 enum pp_status pp_cache_layer_settle(struct pp_cache_layer *layer,
                                      struct pp_error *err);
 
+/* Lets all records agree with their neighbours, whatever they have agreed on before:
+ * cache_agree.c. */
+enum pp_status pp_cache_layer_agree(struct pp_cache_layer *layer, struct pp_error *err);
+
 /* Weighted mean of the records that are good there. Where none is: false, and *guess_m
  * (may be NULL) is the smaller radius of the nearest by its own measure, or 0. */
 bool pp_cache_layer_read(const struct pp_cache_layer *layer,

@@ -8,6 +8,10 @@
 /* An ellipse is no longer than so many times its width. */
 static const double LONGEST = 3.0;
 
+/* What is nearer than so many of the smallest radii changes with the place as if it
+ * were so far away: nearer still the noise of its rays would be all of the gradient. */
+static const double NEAREST = 4.0;
+
 /* Rays lower than this sine of altitude tell how far the surface is clear. */
 static const double LOW = 0.4;
 
@@ -134,12 +138,23 @@ static void limit_gradient(struct pp_cache_record *is, double value,
         is->along[c] = pp_scale(is->along[c], value / most);
 }
 
+/* The greatest second derivative, less what may be noise. */
+static double sure_curvature(const double curvature[3], double noise)
+{
+    double mean = 0.5 * (curvature[0] + curvature[2]);
+    double root = hypot(0.5 * (curvature[0] - curvature[2]), curvature[1]);
+    double greatest = fabs(mean) + root;
+    return greatest > noise ? sqrt(greatest * greatest - noise * noise) : 0.0;
+}
+
 void pp_cache_work(const struct pp_cache_maker *maker, struct pp_radiance_walk *walk,
                    const struct pp_cache_place *place, struct pp_hemisphere_cell *cells,
                    struct pp_cache_entry *entry)
 {
-    struct pp_hemisphere h = {
-        .side = maker->side, .corners = maker->corners, .cells = cells};
+    struct pp_hemisphere h = {.side = maker->side,
+                              .corners = maker->corners,
+                              .cells = cells,
+                              .nearest_m = NEAREST * maker->least_m};
     struct pp_irradiance_change change;
     pp_hemisphere_sample(&h, walk, place, maker->supersamples);
     pp_hemisphere_change(&h, &change);
@@ -157,6 +172,7 @@ void pp_cache_work(const struct pp_cache_maker *maker, struct pp_radiance_walk *
         is->turned[c] =
             pp_along(pp_scale(h.a, change.turned[c][0]), change.turned[c][1], h.b);
     }
+    entry->along_noise = change.along_noise;
     look_round(&h, entry);
 
     double value = pp_rgb_luminance(h.irradiance);
@@ -166,6 +182,7 @@ void pp_cache_work(const struct pp_cache_maker *maker, struct pp_radiance_walk *
             pp_rgb(change.along[0][i], change.along[1][i], change.along[2][i]));
     for (int i = 0; value > 0.0 && i < 3; i++)
         relative[i] = change.curvature[i] / value;
+    entry->curvature = sure_curvature(relative, maker->noise * change.curvature_noise);
     pp_cache_ellipse(relative, maker->error, maker->most_m, is->radii_m, axes);
     for (int i = 0; i < 2; i++) {
         is->axes[i] = pp_along(pp_scale(h.a, axes[i][0]), axes[i][1], h.b);

@@ -10,6 +10,7 @@ struct pp_cache_maker {
     int supersamples;
     const struct pp_vec3 *corners;
     double error;           /* the total error of a record, over its value, m2 */
+    double noise;           /* of a record's value, at random, over the value */
     double least_m, most_m; /* radii */
 };
 

@@ -21,6 +21,9 @@ static const double ERROR_SPACING = 1.0 / 64.0;
 /* Radii are at least so much of the scene's size, where nothing else is said. */
 static const double LEAST_RADIUS = 1e-5;
 
+/* One ray of a hemisphere is so far off the mean at random, over the mean. */
+static const double RAY_NOISE = 0.5;
+
 /* Radii are at most so much of the scene's size. */
 static const double MOST_RADIUS = 0.125;
 
@@ -115,6 +118,9 @@ static enum pp_status make_layer(struct pp_irradiance_cache *cache, int depth,
                        ? cache->size_m * options->accuracy / options->resolution
                        : LEAST_RADIUS * cache->size_m,
         .most_m = MOST_RADIUS * cache->size_m};
+    layer->maker.noise =
+        RAY_NOISE
+        / sqrt((double)layer->maker.side * layer->maker.side + layer->maker.supersamples);
     layer->corners = pp_hemisphere_corners(layer->maker.side);
     if (!layer->corners)
         return pp_fail_memory(err);

@@ -86,6 +86,10 @@ static struct pp_rgb light_outside(struct pp_radiance_walk *walk,
 
 /* ---- in the room ---- */
 
+/* Up to so many windows are all aimed at: choosing among them would be the most of a
+ * path's noise. */
+enum { FEW_WINDOWS = 4 };
+
 /* What a diffusing pane gives off to the room, of what falls on it at the point. */
 static struct pp_rgb light_of_pane(struct pp_radiance_walk *walk, int window,
                                    struct pp_vec3 point, int vertex, int depth,
@@ -182,7 +186,7 @@ void pp_light_from_windows(struct pp_radiance_walk *walk, const struct pp_lit *l
         || lit->space == PP_OUTDOORS)
         return;
     int vertex = lit->vertex * PP_DRAWS + PP_DRAW_WINDOWS;
-    if (scene->room->pane_count == 1 || lit->many) {
+    if (scene->room->pane_count <= FEW_WINDOWS || lit->many) {
         for (int i = 0; i < scene->room->pane_count; i++)
             light_of_window(walk, lit, i, i == 0 ? vertex : pp_branch_off(vertex, i),
                             1.0, sum);

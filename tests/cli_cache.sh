@@ -45,6 +45,23 @@ head -c 3000 "$scratch/first" >"$kept"
 check "one that is cut off is refused" \
     refuses 1 "is cut off or damaged" df $few --cache "$kept" "$deep"
 check "and not written over" test "$(wc -c <"$kept")" -eq 3000
+printf '\003' | cat "$scratch/first" - >"$scratch/longer"
+check "one with a byte too many is refused" \
+    refuses 1 "is cut off or damaged" df $few --cache "$scratch/longer" "$deep"
+cp "$scratch/first" "$kept"
+printf '\077' | dd of="$kept" bs=1 seek=16 conv=notrunc 2>/dev/null
+check "another version is refused" \
+    refuses 1 "is a cache of version 63" df $few --cache "$kept" "$deep"
+printf '\0\0\0\0\0\0\0\002' | dd of="$kept" bs=1 seek=16 conv=notrunc 2>/dev/null
+check "numbers turned round are refused" \
+    refuses 1 "is a cache of version 144115188075855872" df $few --cache "$kept" "$deep"
+cp "$scratch/first" "$kept"
+printf '\077' | dd of="$kept" bs=1 seek=5000 conv=notrunc 2>/dev/null
+check "a byte that is another is refused" \
+    refuses 1 "its checksum is wrong" df $few --cache "$kept" "$deep"
+: >"$kept"
+check "an empty file is no cache" \
+    refuses 1 "is not a cache" df $few --cache "$kept" "$deep"
 check "a room file is no cache" \
     refuses 1 "is not a cache" df $few --cache "$examples/office.xml" "$deep"
 check "nor is a directory" refuses 1 "" df $few --cache "$scratch" "$deep"
@@ -52,6 +69,30 @@ check "one room a cache" refuses 2 "--cache has the records of one room" \
     df $few --cache "$scratch/new" "$examples/building.xml"
 check "a directory that is not there is refused" \
     refuses 3 "can't be written" df $few --cache "$scratch/none/new" "$deep"
+# full WORDS: where no file may grow beyond 4 blocks, status 3.
+full() {
+    (
+        trap '' XFSZ # a write that fails, as on a full disk
+        ulimit -f 4
+        exec "$pepperpot" "$@"
+    ) >/dev/null 2>"$scratch/err" </dev/null
+    status=$?
+    [ $status -eq 3 ] && grep -q "can't be written" "$scratch/err" || told
+}
+check "a full disk is refused" full df $few --cache "$scratch/new" "$deep"
+check "and leaves no cache" test ! -e "$scratch/new"
+check "interrupted, it leaves none either" eval \
+    'interrupted df --simulate --engine cache -ad 16384 --error 0.01% \
+        --cache "$scratch/new" "$deep"; [ $status -eq 130 ] && [ ! -e "$scratch/new" ] || told'
+cp "$scratch/first" "$kept"
+chmod 0 "$kept"
+if [ -r "$kept" ]; then
+    skip "one that may not be read is refused" "root may read all"
+else
+    check "one that may not be read is refused" \
+        refuses 3 "" df $few --cache "$kept" "$deep"
+fi
+chmod 600 "$kept"
 check "no half of a cache is left anywhere" \
     nothing "$(ls -A "$scratch" | grep -F .pepperpot-)"
 

@@ -1,0 +1,174 @@
+/* bench_picture.c - a picture through the irradiance cache: its time, and how far its
+ * pixels are off a converged one. */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+
+#include "model/clock.h"
+#include "model/room.h"
+#include "simulate/default_view.h"
+#include "simulate/hash.h"
+#include "simulate/render.h"
+
+enum {
+    SIDE = 512,
+    BOUNCES = 5,
+    SAMPLES = 16,
+    THREADS = 2,
+    EVERY = 16,   /* every so many pixels across and down are compared */
+    PATHS = 2048, /* of each of the two references of such a pixel */
+};
+
+static void must(enum pp_status status, const struct pp_error *err)
+{
+    if (status != PP_OK) {
+        fprintf(stderr, "bench_picture: %s\n", err->message);
+        exit(3);
+    }
+}
+
+static double processor_s(void)
+{
+    struct timespec t;
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
+    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+}
+
+static struct pp_world *world_of(const char *xml)
+{
+    struct pp_building *building = NULL;
+    struct pp_world *world = NULL;
+    struct pp_mistakes mistakes;
+    struct pp_error err = {0};
+    pp_mistakes_init(&mistakes, "bench");
+    must(pp_building_parse(&building, xml, strlen(xml), &mistakes, &err), &err);
+    must(pp_world_create(&world, pp_building_room(building, 0), &mistakes, &err), &err);
+    pp_mistakes_clear(&mistakes);
+    pp_building_destroy(building);
+    return world;
+}
+
+/* As the command render has it, but for the bounces. */
+static struct pp_render_options picture_of(const struct pp_light_scene *scene,
+                                           const struct pp_world *world)
+{
+    struct pp_view_place from;
+    struct pp_error err;
+    struct pp_render_options options = {.width = SIDE,
+                                        .height = SIDE,
+                                        .samples = SAMPLES,
+                                        .light = pp_radiance_defaults(),
+                                        .threads = THREADS};
+    pp_default_view(&from, scene, world, PP_ROOM_VIEW_PERSPECTIVE);
+    must(pp_camera_set(&options.camera, PP_VIEW_PERSPECTIVE, from.eye, from.toward,
+                       from.up, 75.0 * PP_RAD, 75.0 * PP_RAD, &err),
+         &err);
+    return options;
+}
+
+static struct pp_irradiance_cache *grown(const struct pp_light_scene *scene,
+                                         const struct pp_render_options *options)
+{
+    struct pp_cache_options wanted = pp_cache_defaults();
+    struct pp_irradiance_cache *cache;
+    struct pp_overture *overture;
+    struct pp_error err;
+    wanted.bounces = BOUNCES;
+    wanted.threads = THREADS;
+    must(pp_irradiance_cache_create(&cache, scene, options->store, &options->light,
+                                    &wanted, &err),
+         &err);
+    must(pp_overture_create(&overture, cache, scene, options, 0, &err), &err);
+    while (!pp_overture_done(overture))
+        must(pp_overture_advance(overture, 1.0, &err), &err);
+    pp_overture_destroy(overture);
+    return cache;
+}
+
+/* Luminance of one pixel, by paths alone. */
+static double by_paths(const struct pp_light_scene *scene,
+                       const struct pp_render_options *options, int x, int y,
+                       uint64_t seed)
+{
+    static struct pp_sobol sobol;
+    pp_sobol_init(&sobol);
+    struct pp_radiance_walk walk = {
+        .scene = scene, .store = options->store, .options = options->light};
+    walk.options.bounces = BOUNCES;
+    walk.options.source_most = 1;
+    pp_sequence_init(&walk.sequence, &sobol, pp_hash(seed, (uint64_t)(y * SIDE + x)));
+    enum pp_space space = pp_light_scene_space(scene, options->camera.eye);
+    double sum = 0.0;
+    for (walk.index = 0; walk.index < PATHS; walk.index++) {
+        double u[2];
+        struct pp_light_ray ray = {.space = space};
+        pp_sequence_draw(&walk.sequence, walk.index, 1 << 29, 2, u);
+        pp_camera_ray(&options->camera, (x + u[0]) / SIDE, (y + u[1]) / SIDE, &ray.from,
+                      &ray.to);
+        sum += pp_rgb_luminance(pp_radiance_along(&walk, &ray, NULL)) / PATHS;
+    }
+    return sum;
+}
+
+/* The root of the mean square of (found - true)/true. The product of the differences
+ * from two independent references has none of their own noise in its mean. */
+static double error_of(const struct pp_picture *picture,
+                       const struct pp_light_scene *scene,
+                       const struct pp_render_options *options)
+{
+    double sum = 0.0;
+    int count = 0;
+    for (int y = EVERY / 2; y < SIDE; y += EVERY)
+        for (int x = EVERY / 2; x < SIDE; x += EVERY, count++) {
+            const float *rgb = pp_picture_at(picture, x, y);
+            double found = pp_rgb_luminance(pp_rgb(rgb[0], rgb[1], rgb[2]));
+            double a = by_paths(scene, options, x, y, 11);
+            double b = by_paths(scene, options, x, y, 12);
+            sum += (found - a) * (found - b) / (0.25 * (a + b) * (a + b));
+        }
+    return sqrt(fmax(sum / count, 0.0));
+}
+
+int main(void)
+{
+    struct pp_world *world =
+        world_of("<room version='1'><plan width='3' depth='9' height='2.7'/>"
+                 "<finishes floor='0.2' walls='0.5' ceiling='0.7'/>"
+                 "<window wall='south' left='0.2' sill='0.8' width='2.6' height='1.5' "
+                 "glazing='clear-single'/></room>");
+    struct pp_light_scene *scene;
+    struct pp_window_store *store;
+    struct pp_render *render;
+    struct pp_error err;
+    double start = pp_clock_s(), spent = processor_s();
+    must(pp_light_scene_of_world(&scene, world, &err), &err);
+    must(pp_window_store_create(&store, scene, 0, THREADS, &err), &err);
+    struct pp_render_options options = picture_of(scene, world);
+    options.store = store;
+    struct pp_irradiance_cache *cache = grown(scene, &options);
+    double growing = pp_clock_s() - start;
+    options.ambient = pp_irradiance_cache_ambient(cache);
+    options.light.source_most = 1;
+    must(pp_render_create(&render, scene, &options, &err), &err);
+    while (!pp_render_done(render))
+        pp_render_advance(render, 1.0);
+    start = pp_clock_s() - start;
+    spent = processor_s() - spent;
+
+    printf("deep room, 3 x 9 x 2.7 m: a picture of %d x %d, %d bounces, %d paths a "
+           "pixel, %d threads\n",
+           SIDE, SIDE, BOUNCES, SAMPLES, THREADS);
+    printf("  %zu records in %.2f s; all in %.2f s (wanted: 5), %.2f s of processor "
+           "time\n",
+           pp_irradiance_cache_count(cache), growing, start, spent);
+    printf("  off a converged picture by %.2f %% RMS (wanted: 2)\n",
+           100.0 * error_of(pp_render_picture(render), scene, &options));
+    pp_render_destroy(render);
+    pp_irradiance_cache_destroy(cache);
+    pp_window_store_destroy(store);
+    pp_light_scene_destroy(scene);
+    pp_world_destroy(world);
+    return 0;
+}
