@@ -191,6 +191,44 @@ static void dim_light_is_shown_as_an_exposure_would(void **state)
     pp_picture_clear(&picture);
 }
 
+/* Bright light that is spread evenly over the logarithms from 100 to 1e6 cd/m2, twice
+ * the display's two decades. An eye sees 5.6 % everywhere in it and no less on the
+ * display, where the same step is half as large: nothing is trimmed, and the curve is
+ * the display's range over the share of what is darker, 100^(log10(L/100)/4) cd/m2, by
+ * [LRP97]. The fields' last bin and its rounding are worth a hundredth of it. */
+static void evenly_spread_light_is_shown_by_the_closed_form(void **state)
+{
+    (void)state;
+    enum { COUNT = 20000 };
+    static double luminances[COUNT];
+    for (int i = 0; i < COUNT; i++)
+        luminances[i] = 100.0 * pow(1e4, i / (COUNT - 1.0));
+    struct pp_picture picture = row_of(luminances, COUNT);
+    struct pp_tone tone = tone_of(&picture, PP_TONE_HUMAN, 0.0);
+    for (double l = 137.0; l < 1e6; l *= 2.3) {
+        double display = pow(100.0, log10(l / 100.0) / 4.0);
+        assert_relative(PP_TONE_DISPLAY_MOST * pp_tone_shown(&tone, l), display, 2e-3);
+    }
+    assert_near(pp_tone_shown(&tone, 100.0), 0.01, 1e-6); /* black, and white */
+    assert_near(pp_tone_shown(&tone, 1e6), 1.0, 1e-6);
+    assert_near(pp_tone_shown(&tone, 1e9), 1.0, 1e-12);
+    pp_picture_clear(&picture);
+}
+
+/* A scene of less contrast than the display has is not stretched: it is shown in
+ * proportion, its brightest white ([LRP97], the linear case). */
+static void little_contrast_is_not_stretched(void **state)
+{
+    (void)state;
+    static const double luminances[] = {1000.0, 1020.0, 1050.0, 1010.0};
+    struct pp_picture picture = row_of(luminances, 4);
+    struct pp_tone tone = tone_of(&picture, PP_TONE_HUMAN, 0.0);
+    assert_near(pp_tone_shown(&tone, 1050.0), 1.0, 1e-6);
+    assert_near(pp_tone_shown(&tone, 1000.0), 1000.0 / 1050.0, 1e-6);
+    assert_near(pp_tone_shown(&tone, 525.0), 0.5, 1e-6);
+    pp_picture_clear(&picture);
+}
+
 static void a_picture_of_one_brightness_is_a_middle_grey(void **state)
 {
     (void)state;
@@ -212,6 +250,8 @@ int main(void)
         cmocka_unit_test(room_and_window_are_both_seen),
         cmocka_unit_test(contrast_is_never_added),
         cmocka_unit_test(dim_light_is_shown_as_an_exposure_would),
+        cmocka_unit_test(evenly_spread_light_is_shown_by_the_closed_form),
+        cmocka_unit_test(little_contrast_is_not_stretched),
         cmocka_unit_test(a_picture_of_one_brightness_is_a_middle_grey),
     };
     return cmocka_run_group_tests_name("tone", tests, NULL, NULL);
