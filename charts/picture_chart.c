@@ -133,24 +133,31 @@ static void draw_lines(struct drawing *drawing)
         stroke_seen(drawing, drawing->style->thin);
     }
     cairo_restore(cr);
-    for (int i = 0; i < lines->count; i++)
-        draw_figure(drawing, &lines->list[i]);
 }
 
 static void draw_grid(struct drawing *drawing)
 {
-    const struct pp_picture_sheet *sheet = drawing->sheet;
-    for (int i = 0; i < sheet->grid.count; i++) {
-        path(drawing, &sheet->grid.list[i]);
+    const struct pp_curves *grid = &drawing->sheet->grid;
+    for (int i = 0; i < grid->count; i++) {
+        path(drawing, &grid->list[i]);
         stroke_seen(drawing, drawing->style->hair);
     }
+}
+
+/* The grid's, then the figures of lines, which keep clear of them. */
+static void draw_words(struct drawing *drawing)
+{
+    const struct pp_picture_sheet *sheet = drawing->sheet;
     for (int i = 0; i < sheet->word_count; i++) {
         struct pp_text text = {.size = PP_TEXT_SMALL, .across = 0.5, .down = 0.5};
-        pp_text_draw_clear(drawing->cr, drawing->style, &text,
-                           drawing->box.x + drawing->mm * sheet->words[i].x,
-                           drawing->box.y + drawing->mm * sheet->words[i].y,
-                           sheet->words[i].words);
+        struct pp_box box = pp_text_draw_clear(
+            drawing->cr, drawing->style, &text,
+            drawing->box.x + drawing->mm * sheet->words[i].x,
+            drawing->box.y + drawing->mm * sheet->words[i].y, sheet->words[i].words);
+        pp_labels_note_box(&drawing->labels, box);
     }
+    for (int i = 0; i < sheet->lines.count; i++)
+        draw_figure(drawing, &sheet->lines.list[i]);
 }
 
 static void draw_marks(const struct drawing *drawing)
@@ -270,6 +277,7 @@ enum pp_status pp_picture_chart_draw(struct pp_canvas *canvas,
     if (status == PP_OK) {
         draw_grid(drawing);
         draw_lines(drawing);
+        draw_words(drawing);
         draw_marks(drawing);
         if (sheet->scaled)
             draw_scale(drawing);

@@ -6,6 +6,10 @@
 
 enum { STEPS = 180, EDGE_STEPS = 24, WORDS_MOST = 16 };
 
+/* Words keep so far from the picture's middle, of its half, that all of them is in it.
+ */
+static const double RIM = 0.95;
+
 struct tracing {
     struct pp_picture_sheet *sheet;
     const struct pp_camera *camera;
@@ -107,8 +111,11 @@ static void add_word(struct tracing *tracing, struct pp_vec3 point, const char *
     if (sheet->word_count == WORDS_MOST || !place(tracing, point, xy))
         return;
     struct pp_picture_word *word = &sheet->words[sheet->word_count++];
-    word->x = xy[0];
-    word->y = xy[1];
+    double x = 0.5 * sheet->raster.width, y = 0.5 * sheet->raster.height;
+    double out = hypot(xy[0] / x - 1.0, xy[1] / y - 1.0),
+           in = out > RIM ? RIM / out : 1.0;
+    word->x = x + in * (xy[0] - x);
+    word->y = y + in * (xy[1] - y);
     snprintf(word->words, sizeof word->words, "%s", words);
 }
 
