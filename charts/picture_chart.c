@@ -24,7 +24,8 @@ struct drawing {
 
 static void level_words(char *text, size_t room, double level)
 {
-    snprintf(text, room, "%.4g", level);
+    /* %g puts from 10000 up as powers of ten. */
+    snprintf(text, room, level >= 1e4 && level < 1e7 ? "%.0f" : "%.4g", level);
 }
 
 /* ---- the picture ---- */

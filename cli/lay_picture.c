@@ -57,7 +57,7 @@ void pp_lay_words(struct pp_picture_sheet *sheet, const struct pp_shown *shown,
     lay_lengths(sheet, shown);
     sheet->title = shown->world->name;
     pp_page_sky(sky, sizeof sky, shown->world);
-    pp_page_say(sheet->subtitle, room, "under a %s%s", sky,
+    pp_page_say(sheet->subtitle, room, "under %s %s%s", sky[0] == 'I' ? "an" : "a", sky,
                 shown->quantity == PP_DAYLIGHT_FACTOR ? "" : ",");
     if (shown->quantity != PP_DAYLIGHT_FACTOR)
         pp_page_say(sheet->subtitle, room, "%.0f lx outside", shown->external_lux);

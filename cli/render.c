@@ -121,7 +121,6 @@ enum pp_exit cmd_render(int argc, char **argv)
 {
     struct pp_room_options options = pp_room_options_none;
     struct pp_render_choice choice = pp_render_choice_none();
-    options.external_lux = 1e4;
     const struct pp_option_group groups[] = {
         {"The view", pp_render_view_options, &choice},
         {"The picture", pp_render_picture_options, &choice},
@@ -143,6 +142,8 @@ enum pp_exit cmd_render(int argc, char **argv)
         pp_options_read(&line, argc, argv, &file_count, &wants_help, &err);
     if (status == PP_OK && !wants_help)
         status = pp_render_choice_check(&choice, &options, file_count, &err);
+    if (options.external_lux == 0.0)
+        options.external_lux = 1e4;
     if (pp_command_starts(&line, argv, file_count, status, wants_help, &err,
                           &exit_status))
         exit_status = run(&choice, &options, argv);

@@ -10,7 +10,7 @@
 
 struct pp_render_choice pp_render_choice_none(void)
 {
-    return (struct pp_render_choice){.samples = 16, .cache = pp_cache_words_none()};
+    return (struct pp_render_choice){.cache = pp_cache_words_none()};
 }
 
 void pp_render_choice_clear(struct pp_render_choice *choice)
@@ -149,7 +149,20 @@ static enum pp_status read_whole(const char *text, int least, int most, int *val
 
 static enum pp_status read_samples(const char *text, void *place, struct pp_error *err)
 {
-    return read_whole(text, 1, PP_RENDER_SAMPLES_MOST, place, err);
+    int count = 0;
+    enum pp_status status = read_whole(text, 1, PP_RENDER_SAMPLES_MOST, &count, err);
+    if (status == PP_OK && (count & (count - 1)))
+        status = pp_fail(err, PP_BAD_INPUT, "a power of two from 1 to %d",
+                         PP_RENDER_SAMPLES_MOST);
+    *(int *)place = count;
+    return status;
+}
+
+static enum pp_status read_paper(const char *text, void *place, struct pp_error *err)
+{
+    struct pp_paper_choice *paper = place;
+    paper->said = true;
+    return pp_read_paper(text, &paper->is, err);
 }
 
 static enum pp_status read_engine(const char *text, void *place, struct pp_error *err)
@@ -281,7 +294,8 @@ const struct pp_option pp_render_view_options[] = {
 const struct pp_option pp_render_picture_options[] = {
     {"quantity", 0, "NAME",
      "luminance (default) in cd/m²; or, on the surfaces that are seen, illuminance in "
-     "lux or df, the daylight factor, in per cent.",
+     "lux or df, the daylight factor, in per cent. As .hdr and .pfm keep them, over "
+     "179, 179 and 100.",
      read_quantity, PLACE(quantity)},
     {"samples", 0, "N",
      "Paths a pixel, a power of two (default 16): four times as many halve the noise.",
@@ -332,7 +346,7 @@ const struct pp_option pp_render_shown_options[] = {
     {"format", 'f', "FORMAT",
      "hdr, pfm, png, pdf or svg (default: by the ending of -o FILE).",
      read_picture_format, PLACE(format)},
-    {"paper", 0, "SIZE", "Of a sheet: a5, a4 (default), a3 or a2.", pp_read_paper,
+    {"paper", 0, "SIZE", "Of a sheet: a5, a4 (default), a3 or a2.", read_paper,
      PLACE(paper)},
     {"orientation", 0, "WAY",
      "portrait or landscape (default: as the picture fits best).", pp_read_orientation,
@@ -381,6 +395,57 @@ bool pp_on_sheet(const struct pp_render_choice *choice, enum pp_picture_format f
     return format == PP_PICTURE_PDF || format == PP_PICTURE_SVG
            || (format == PP_PICTURE_PNG
                && (choice->false_colour || choice->grid || choice->records));
+}
+
+/* An option that says how a room's picture is made; NULL: none is there. */
+static const char *making_said(const struct pp_render_choice *choice,
+                               const struct pp_room_options *options)
+{
+    const struct {
+        const char *name;
+        bool said;
+    } list[] = {
+        {"--view", choice->view != PP_CHOOSE_PERSPECTIVE},
+        {"--from", choice->from.count > 0},
+        {"--towards", choice->towards.count > 0},
+        {"--direction", choice->direction.count > 0},
+        {"--up", choice->up.count > 0},
+        {"--angle", choice->angle_deg > 0.0},
+        {"--across", choice->across_m > 0.0},
+        {"--size", choice->size.width > 0},
+        {"--samples", choice->samples > 0},
+        {"--engine", choice->paths},
+        {"--windows", choice->windows != PP_WINDOWS_STORED},
+        {"--filter", choice->filter != PP_FILTER_BOX},
+        {"--checkpoint", choice->checkpoint != NULL},
+        {"--external", options->external_lux > 0.0},
+        {"--sky", options->sky != NULL},
+        {"--room", options->room != NULL},
+        {"--seed", options->seed != pp_room_options_none.seed},
+    };
+    for (size_t i = 0; i < sizeof list / sizeof *list; i++)
+        if (list[i].said)
+            return list[i].name;
+    return NULL;
+}
+
+/* What is of a sheet needs one; dots, one as PNG. */
+static enum pp_status check_sheet(const struct pp_render_choice *choice,
+                                  enum pp_picture_format format, struct pp_error *err)
+{
+    const char *of_sheet = choice->paper.said                  ? "--paper"
+                           : choice->orientation != PP_AS_FITS ? "--orientation"
+                           : choice->dpi > 0.0                 ? "--dpi"
+                                                               : NULL;
+    if (of_sheet && !pp_on_sheet(choice, format))
+        return pp_fail(err, PP_BAD_INPUT,
+                       "%s is of a sheet; expected -o FILE.pdf or FILE.svg, or "
+                       "--false-colour, --grid or --records",
+                       of_sheet);
+    if (choice->dpi > 0.0 && format != PP_PICTURE_PNG)
+        return pp_fail(err, PP_BAD_INPUT,
+                       "--dpi is of a sheet as PNG; a PDF and an SVG have no dots");
+    return PP_OK;
 }
 
 /* What is shown is smaller than what is kept. */
@@ -432,10 +497,12 @@ enum pp_status pp_render_choice_check(struct pp_render_choice *choice,
         return pp_fail(err, PP_BAD_INPUT,
                        "--from-picture shows a picture instead of a room; expected one "
                        "of them");
-    if (choice->from_picture && choice->checkpoint)
+    const char *making = making_said(choice, options);
+    if (choice->from_picture && making)
         return pp_fail(err, PP_BAD_INPUT,
-                       "--checkpoint is of a picture in the making; it goes without "
-                       "--from-picture");
+                       "%s is of a picture in the making; it goes without "
+                       "--from-picture",
+                       making);
     if (!choice->from_picture && file_count != 1)
         return pp_fail(err, PP_BAD_INPUT,
                        "expected one room file, or - for standard input");
@@ -454,8 +521,6 @@ enum pp_status pp_render_choice_check(struct pp_render_choice *choice,
                        choice->false_colour ? "false colour is"
                        : choice->grid       ? "a grid is"
                                             : "records are");
-    if (choice->windows != PP_WINDOWS_STORED && choice->from_picture)
-        return pp_fail(err, PP_BAD_INPUT, "--windows is of a room's picture");
     const char *of_cache =
         choice->records ? "--records" : pp_cache_words_used(&choice->cache);
     if (of_cache && (choice->paths || choice->from_picture))
@@ -487,7 +552,15 @@ enum pp_status pp_render_choice_check(struct pp_render_choice *choice,
                        "an eye sees luminance; --exposure human does not go with "
                        "--quantity %s",
                        pp_quantity_words(choice->quantity.is).name);
+    if (options->external_lux > 0.0 && choice->quantity.is == PP_DAYLIGHT_FACTOR)
+        return pp_fail(err, PP_BAD_INPUT,
+                       "a daylight factor is the same whatever it is outside; "
+                       "--external does not go with --quantity df");
+    if (choice->samples == 0)
+        choice->samples = 16;
     status = check_view(choice, err);
+    if (status == PP_OK)
+        status = check_sheet(choice, format, err);
     if (status == PP_OK)
         status = check_size(choice, shown, err);
     return status == PP_OK ? pp_cache_words_settle(&choice->cache, err) : status;

@@ -50,6 +50,11 @@ struct pp_quantity_choice {
     enum pp_quantity is;
 };
 
+struct pp_paper_choice {
+    bool said;
+    enum pp_paper is;
+};
+
 /* How light through windows is hunted. */
 enum pp_window_light {
     PP_WINDOWS_STORED, /* aimed at; what surfaces outside send in is worked out once */
@@ -66,7 +71,7 @@ struct pp_render_choice {
 
     struct pp_quantity_choice quantity;
     enum pp_pixel_filter filter;
-    int samples;
+    int samples; /* 0: not said, until checked */
     bool paths; /* by paths alone, not through a cache */
     enum pp_window_light windows;
     struct pp_cache_words cache;
@@ -80,9 +85,9 @@ struct pp_render_choice {
     bool grid;    /* altitudes and bearings over a fisheye */
 
     const char *format; /* as typed; NULL: by the file's name */
-    enum pp_paper paper;
+    struct pp_paper_choice paper;
     enum pp_orientation orientation;
-    double dpi;
+    double dpi; /* 0: not said */
     const char *from_picture;
 };
 
@@ -103,8 +108,8 @@ enum pp_picture_format {
     PP_PICTURE_SVG,
 };
 
-/* Do the options make sense together, with so many room files? Settles those of the
- * cache. */
+/* Do the options make sense together, with so many room files (an illuminance outside of
+ * 0: not said)? Settles the samples and what is of the cache. */
 enum pp_status pp_render_choice_check(struct pp_render_choice *choice,
                                       const struct pp_room_options *options,
                                       int file_count, struct pp_error *err);

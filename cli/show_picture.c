@@ -200,7 +200,7 @@ static enum pp_status write_sheet(FILE *out, const struct pp_shown *shown,
     struct pp_sheet paper = {.format = format == PP_PICTURE_PDF   ? PP_CHART_PDF
                                        : format == PP_PICTURE_SVG ? PP_CHART_SVG
                                                                   : PP_CHART_PNG,
-                             .paper = choice->paper,
+                             .paper = choice->paper.is,
                              .landscape = choice->orientation == PP_LANDSCAPE
                                           || (choice->orientation == PP_AS_FITS
                                               && pp_picture_chart_landscape(&sheet)),

@@ -97,6 +97,36 @@ static int cells_width(const struct pp_table *table,
 }
 
 /* Sets the columns' widths: of the cells and of the heading's longest piece. */
+static bool same_group(const struct pp_table_column *a, const struct pp_table_column *b)
+{
+    return a->group == b->group;
+}
+
+/* The column behind the group that starts at or holds `first`. */
+static int group_end(const struct pp_table *table, int first)
+{
+    int end = first + 1;
+    while (end < table->column_count
+           && same_group(&table->columns[end], &table->columns[first]))
+        end++;
+    return end;
+}
+
+/* A group whose columns are narrower than its short title has a wider first one, so
+ * that titles keep apart. */
+static void widen_groups(struct pp_table *table)
+{
+    for (int i = table->key_count, next; i < table->column_count; i = next) {
+        next = group_end(table, i);
+        const char *title = table->columns[i].group_short;
+        int width = table->columns[i].width;
+        for (int j = i + 1; j < next; j++)
+            width += GAP + table->columns[j].width;
+        if (title && pp_utf8_width(title) > width)
+            table->columns[i].width += pp_utf8_width(title) - width;
+    }
+}
+
 static void measure(struct pp_table *table)
 {
     for (int i = 0; i < table->column_count; i++) {
@@ -111,11 +141,7 @@ static void measure(struct pp_table *table)
             column->width = width > column->width ? width : column->width;
         }
     }
-}
-
-static bool same_group(const struct pp_table_column *a, const struct pp_table_column *b)
-{
-    return a->group == b->group;
+    widen_groups(table);
 }
 
 /* The gap before column i where column `first` stands next to the keys. */
@@ -134,16 +160,6 @@ static int keys_width(const struct pp_table *table)
     for (int i = 0; i < table->key_count; i++)
         width += gap_before(table, i, table->key_count) + table->columns[i].width;
     return width;
-}
-
-/* The column behind the group that starts at or holds `first`. */
-static int group_end(const struct pp_table *table, int first)
-{
-    int end = first + 1;
-    while (end < table->column_count
-           && same_group(&table->columns[end], &table->columns[first]))
-        end++;
-    return end;
 }
 
 /* The column behind the last that fits in a panel which begins with `first`: whole

@@ -18,18 +18,30 @@ static struct pp_glass named_glass(struct pp_room_reader *r, const char *name)
     return r->glasses[index];
 }
 
+static bool has(const struct pp_xml_element *e, const char *name)
+{
+    for (int i = 0; i < e->attribute_count; i++)
+        if (strcmp(e->attributes[i].name, name) == 0)
+            return true;
+    return false;
+}
+
+/* Is the glass said in one way? Whether well or not is not asked. */
+static bool said_once(struct pp_room_reader *r, const struct pp_xml_element *e)
+{
+    if (!has(e, "glazing") || !has(e, "transmittance"))
+        return true;
+    pp_mistake(r->mistakes, e->line,
+               "%s: glazing and transmittance are both given; expected one of them",
+               e->name);
+    return false;
+}
+
 /* The glass that the attributes describe; false where they contradict each other. */
 static bool glass_of(struct pp_room_reader *r, struct pp_glass *glass,
                      const struct pp_opening_form *form, const struct pp_xml_element *e)
 {
-    bool by_number = !isnan(form->transmittance);
-    if (by_number && form->glazing) {
-        pp_mistake(r->mistakes, e->line,
-                   "%s: glazing and transmittance are both given; expected one of them",
-                   e->name);
-        return false;
-    }
-    if (by_number) {
+    if (!isnan(form->transmittance)) {
         *glass = form->diffusing == 1 ? pp_glass_diffusing(form->transmittance)
                                       : pp_glass_scaled(named_glass(r, "clear-single"),
                                                         form->transmittance);
@@ -64,6 +76,7 @@ void pp_read_opening(struct pp_room_reader *r, struct pp_room *room,
                                    .depth_m = NAN};
     struct pp_opening_part part = {.kind = kind, .line = e->line};
     bool good = pp_reader_form(r, &form, rule, e);
+    good = said_once(r, e) && good;
     if (kind == PP_OPENING)
         good = pp_reader_vertices(r, &part.vertices, &pp_rule_vertex, e) && good;
     good = good && glass_of(r, &part.glazing.glass, &form, e);

@@ -57,4 +57,8 @@ printf '<room version="1" name="a,&quot;b"><plan width="3" depth="4" height="2.7
     '<point x="1" y="1"/>' >"$scratch/closed.xml"
 check "a closed room is computed" shows 'a,"b' df "$scratch/closed.xml"
 check "with no light" grep -qE '^ +1.00 +1.00 +0.00 ' "$scratch/out"
+sed 's|glazing="[^"]*"|glazing="stained" transmittance="0.5"|' "$deep" >"$scratch/two.xml"
+check "two mistakes of one glass are both told" refuses 1 'glazing is "stained"' \
+    df "$scratch/two.xml"
+check "the second one too" grep -qF "are both given" "$scratch/err"
 tap_done

@@ -102,6 +102,18 @@ check "a constant of paths" refuses 2 "--engine cache" \
 check "records of paths" refuses 2 "--engine cache" \
     render $small --records "$deep" -o "$scratch/x.png"
 
+# The words of a sheet, where there is a reader of them.
+sheet_says() {
+    command -v pdftotext >/dev/null || return 0
+    pdftotext "$scratch/words.pdf" "$scratch/words.txt"
+    for words; do
+        grep -qF -- "$words" "$scratch/words.txt" || { told; return 1; }
+    done
+}
+check "a sheet of a bright room" draws words.pdf $small --sky iso-1 --external 60000 \
+    --false-colour --range 10,10000 "$deep"
+check "has its words and its figures in full" sheet_says "under an ISO 15469 sky" 10000
+
 # ---- from a picture ----
 
 check "a picture shown again" draws s.png --from-picture "$scratch/one.hdr"
@@ -243,6 +255,24 @@ check "the eye's contrast of daylight factors" refuses 2 "an eye sees luminance"
     render --quantity df --exposure human "$deep" -o "$scratch/x.png"
 check "a room and a picture" refuses 2 "expected one of them" \
     render --from-picture "$scratch/one.hdr" "$deep" -o "$scratch/x.png"
+for option in --view=plan --from=1,2 --towards=1,2 --direction=0,1,0 --up=0,0,1 \
+    --angle=60 --across=3 --size=10x10 --samples=64 --engine=path --windows=aimed \
+    --filter=gauss --checkpoint="$scratch/x.kept" --external=5 --sky=uniform --room=A \
+    --seed=3; do
+    check "a picture that is there has no $option" refuses 2 \
+        "${option%%=*} is of a picture in the making" \
+        render --from-picture "$scratch/one.hdr" "$option" -o "$scratch/x.png"
+done
+for option in --paper=a4 --orientation=portrait --dpi=300; do
+    check "a plain picture has no $option" refuses 2 "${option%%=*} is of a sheet" \
+        render "$option" "$deep" -o "$scratch/x.png"
+done
+check "dots of a PDF" refuses 2 "--dpi is of a sheet as PNG" \
+    render --dpi 300 "$deep" -o "$scratch/x.pdf"
+check "three paths a pixel" refuses 2 "a power of two" \
+    render --samples 3 "$deep" -o "$scratch/x.png"
+check "daylight factors under so much light" refuses 2 "--external does not go" \
+    render --quantity df --external 5000 "$deep" -o "$scratch/x.png"
 check "a place for no output" refuses 3 "nowhere" \
     render $small "$deep" -o "$scratch/nowhere/x.png"
 run render $small --format hdr "$deep"

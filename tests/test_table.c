@@ -89,6 +89,25 @@ static void a_group_that_does_not_fit_goes_below_with_the_keys(void **state)
           "  mean       -\n");
 }
 
+static void titles_of_narrow_groups_keep_apart(void **state)
+{
+    (void)state;
+    static const char long_one[] = "illuminance", long_two[] = "daylight factor";
+    struct pp_table table;
+    pp_table_init(&table, 1);
+    add(&table, NULL, "x", "0.5");
+    table.key_count = 1;
+    add(&table, long_one, "lx", "0");
+    add(&table, long_one, "+-", "0");
+    add(&table, long_two, "DF %", "0.1");
+    shows(&table, 60,
+          "        illuminance   daylight factor\n"
+          "        -----------   ---------------\n"
+          "    x        lx  +-              DF %\n"
+          "  -----------------------------------\n"
+          "  0.5         0   0               0.1\n");
+}
+
 static void a_group_too_wide_for_any_line_is_broken(void **state)
 {
     (void)state;
@@ -117,6 +136,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(columns_stand_side_by_side_while_the_line_lasts),
         cmocka_unit_test(a_group_that_does_not_fit_goes_below_with_the_keys),
+        cmocka_unit_test(titles_of_narrow_groups_keep_apart),
         cmocka_unit_test(a_group_too_wide_for_any_line_is_broken),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
