@@ -38,6 +38,19 @@ struct pp_rgb pp_lit_sends_on(const struct pp_lit *lit, struct pp_vec3 o, double
     return f;
 }
 
+/* Goes on behind what it has met; false where nothing passes. */
+static bool pass(const struct pp_light_scene *scene, struct pp_light_ray *ray,
+                 const struct pp_light_hit *hit, struct pp_rgb *through)
+{
+    *through =
+        pp_rgb_times(*through, pp_straight_through(&scene->materials[hit->material],
+                                                   -pp_dot(hit->normal, ray->to)));
+    ray->from = hit->point;
+    ray->off = pp_scale(hit->normal, -1.0);
+    ray->space = pp_part_space(scene, hit->part, !hit->back);
+    return !pp_rgb_is_black(*through);
+}
+
 bool pp_lit_reach(struct pp_radiance_walk *walk, struct pp_light_ray ray, int part,
                   double distance_m, struct pp_rgb *through)
 {
@@ -53,16 +66,26 @@ bool pp_lit_reach(struct pp_radiance_walk *walk, struct pp_light_ray ray, int pa
         gone += hit.distance_m;
         if (hit.part == part && fabs(gone - distance_m) < 1e-4 * distance_m + 1e-5)
             return true;
-        *through =
-            pp_rgb_times(*through, pp_straight_through(&scene->materials[hit.material],
-                                                       -pp_dot(hit.normal, ray.to)));
-        if (pp_rgb_is_black(*through))
+        if (!pass(scene, &ray, &hit, through))
             return false;
-        ray.from = hit.point;
-        ray.off = pp_scale(hit.normal, -1.0);
-        ray.space = pp_part_space(scene, hit.part, !hit.back);
     }
     return false;
+}
+
+/* Turns back as what it has met mirrors it; false where that does not. */
+static bool reflect(const struct pp_light_scene *scene, struct pp_light_ray *ray,
+                    const struct pp_light_hit *hit, struct pp_rgb *through)
+{
+    double cosine = -pp_dot(hit->normal, ray->to);
+    if (pp_light_scene_gloss(scene, hit->material))
+        return false;
+    *through = pp_rgb_times(*through,
+                            pp_mirrored_by(&scene->materials[hit->material], cosine));
+    ray->from = hit->point;
+    ray->off = hit->normal;
+    ray->to = pp_along(ray->to, 2.0 * cosine, hit->normal);
+    ray->space = hit->space;
+    return !pp_rgb_is_black(*through);
 }
 
 /* Goes straight, through what is clear, to the mirror, and on as it sends the ray;
@@ -80,25 +103,11 @@ static bool reach_mirror(struct pp_radiance_walk *walk, struct pp_light_ray *ray
         struct pp_light_hit hit;
         if (pp_light_path_meet(walk, ray, &hit) != PP_MEETS_PART)
             return false;
-        const struct pp_material *material = &scene->materials[hit.material];
-        double cosine = -pp_dot(hit.normal, ray->to);
-        bool here = scene->parts[hit.part].mirror == index;
         *left_m -= hit.distance_m;
-        ray->from = hit.point;
-        if (here) {
-            *through = pp_light_scene_gloss(scene, hit.material)
-                           ? pp_rgb_grey(0.0)
-                           : pp_rgb_times(*through, pp_mirrored_by(material, cosine));
-            ray->off = hit.normal;
-            ray->to = pp_along(ray->to, 2.0 * cosine, hit.normal);
-            ray->space = hit.space;
-            return !pp_rgb_is_black(*through);
-        }
-        *through = pp_rgb_times(*through, pp_straight_through(material, cosine));
-        if (pp_rgb_is_black(*through))
+        if (scene->parts[hit.part].mirror == index)
+            return reflect(scene, ray, &hit, through);
+        if (!pass(scene, ray, &hit, through))
             return false;
-        ray->off = pp_scale(hit.normal, -1.0);
-        ray->space = pp_part_space(scene, hit.part, !hit.back);
     }
     return false;
 }
