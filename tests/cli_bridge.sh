@@ -81,6 +81,41 @@ full() {
 }
 check "a full disk leaves nothing behind" full
 
+full_again() {
+    cat "$scratch/matt"/* >"$scratch/before"
+    (
+        trap '' XFSZ
+        ulimit -f 0
+        "$pepperpot" export --to radiance --force -o "$scratch/matt" "$deep" 2>/dev/null
+    )
+    test $? -eq 3 && cat "$scratch/matt"/* | cmp - "$scratch/before" &&
+        nothing "$(ls "$scratch" | grep 'pepperpot-')"
+}
+check "and an export that was to be replaced as it was" full_again
+
+# Stopped at any moment: all of the building's 8 rooms of 8 files, or nothing.
+{
+    echo '<building version="1" name="b">'
+    for i in 1 2 3 4 5 6 7 8; do
+        echo "<room name=\"$i\"><plan width=\"30\" depth=\"40\" height=\"2.7\"/><grid spacing=\"0.5\"/></room>"
+    done
+    echo '</building>'
+} >"$scratch/large.xml"
+whole_or_nothing() {
+    for wait in 0.01 0.02 0.05 0.1 0.2; do
+        "$pepperpot" export --to radiance -q -o "$scratch/large" "$scratch/large.xml" \
+            2>/dev/null &
+        sleep $wait
+        kill -TERM $! 2>/dev/null
+        wait $!
+        test ! -e "$scratch/large" -o "$(ls "$scratch/large"/*/* 2>/dev/null | wc -l)" -eq 64 ||
+            return 1
+        nothing "$(ls "$scratch" | grep 'pepperpot-')" || return 1
+        rm -rf "$scratch/large"
+    done
+}
+check "one that is stopped is there whole or not at all" whole_or_nothing
+
 cd "$out" || exit 1
 case $pepperpot in /*) ;; *) pepperpot=$OLDPWD/$pepperpot ;; esac
 # shellcheck disable=SC2086
