@@ -15,6 +15,7 @@
 #include "cli/output.h"
 #include "cli/print.h"
 #include "cli/radiance_export.h"
+#include "model/file_bytes.h"
 #include "model/number.h"
 
 /* Each point is asked so often: rtrace has no standard error, their spread gives one.
@@ -305,6 +306,10 @@ static enum pp_status compare_room(struct beside **list,
     *list = calloc((size_t)room->receiver_count + 1, sizeof **list);
     if (!*list)
         return pp_fail_memory(err);
+    if (room->world->decorations < 1.0 && !options->quiet)
+        pp_say("%.200s: traced daylight factors allow for decorations of %g, those of "
+               "Radiance don't",
+               pp_file_title(room->file), room->world->decorations);
     enum pp_status status = ask_tracer(*list, room, options, err);
     return status == PP_OK ? ask_radiance(*list, room, err) : status;
 }
