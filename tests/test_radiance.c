@@ -570,12 +570,10 @@ static void a_lamp_shines_through_glass(void **state)
 
 /* A box of translucent sheets under a white dome all round, giving off what they
  * neither send back nor let through: in equilibrium all is 1, inside and out. */
-static void translucent_sheets_neither_gain_nor_lose_light(void **state)
+static void assert_in_equilibrium(struct pp_material trans)
 {
-    (void)state;
     struct pp_scene_description scene;
     pp_scene_description_init(&scene);
-    struct pp_material trans = pp_material_trans(pp_rgb_grey(0.9), 0.05, 0.0, 0.5, 0.3);
     trans.emits = PP_EMITS_EXTENDED;
     trans.emits_both_sides = true;
     trans.radiance = pp_rgb_grey(1.0 - (0.9 * 0.95 + 0.05));
@@ -583,12 +581,70 @@ static void translucent_sheets_neither_gain_nor_lose_light(void **state)
     add_dome(&scene, add(&scene, pp_material_glow(pp_rgb_grey(1.0))), up, PP_PI);
     struct pp_light_scene *made = built(&scene);
     struct pp_radiance_options options = pp_radiance_defaults();
-    assert_lit(pp_test_radiance(made, options, pp_vec(0.6, 0.9, 0.4),
-                                pp_vec(0.3, 0.5, -0.4), 256),
-               1.0, 0.01);
-    assert_lit(pp_test_radiance(made, options, pp_vec(0.6, 0.9, 4.4),
-                                pp_vec(0.03, 0.05, -1.0), 256),
-               1.0, 0.01);
+    const struct pp_vec3 from[] = {{0.6, 0.9, 0.4}, {0.6, 0.9, 4.4}, {-3.0, 0.2, 1.3}};
+    const struct pp_vec3 to[] = {
+        {0.3, 0.5, -0.4}, {0.03, 0.05, -1.0}, {4.0, 0.6, -0.2}};
+    for (int i = 0; i < 3; i++)
+        assert_lit(pp_test_radiance(made, options, from[i], to[i], 256), 1.0, 0.01);
+    pp_light_scene_destroy(made);
+}
+
+static void translucent_sheets_neither_gain_nor_lose_light(void **state)
+{
+    (void)state;
+    assert_in_equilibrium(pp_material_trans(pp_rgb_grey(0.9), 0.05, 0.0, 0.5, 0.3));
+    assert_in_equilibrium(pp_material_trans(pp_rgb_grey(0.9), 0.05, 0.25, 0.7, 0.8));
+}
+
+/* Panes that absorb nothing can't be told from a white dome all round, at whatever
+ * angle: what they don't let through they mirror. */
+static void a_box_of_lossless_glass_is_not_to_be_seen(void **state)
+{
+    (void)state;
+    struct pp_scene_description scene;
+    pp_scene_description_init(&scene);
+    add_box(&scene, add(&scene, pp_material_pane(pp_rgb_grey(1.0), 1.52)), 1.7, 2.3,
+            1.1);
+    add_dome(&scene, add(&scene, pp_material_glow(pp_rgb_grey(1.0))), up, PP_PI);
+    struct pp_light_scene *made = built(&scene);
+    const double tilts[] = {1.0, 45.0, 80.0, 87.0, 89.0, 89.9, 89.999};
+    for (int i = 0; i < 7; i++) {
+        double t = tilts[i] * PP_RAD;
+        assert_lit(pp_test_radiance(made, pp_radiance_defaults(),
+                                    pp_vec(-0.9, 1.1, 1.1 + 2.0 / tan(t)),
+                                    pp_vec(sin(t), 0.02 * sin(t), -cos(t)), 64),
+                   1.0, 1e-3);
+    }
+    pp_light_scene_destroy(made);
+}
+
+/* Sun and sky in a mirror, itself seen in another one: 0.9 times 0.8 of them. */
+static void the_sun_shows_in_mirrors(void **state)
+{
+    (void)state;
+    struct pp_scene_description scene;
+    pp_scene_description_init(&scene);
+    int one = add(&scene, pp_material_mirror(pp_rgb_grey(0.9)));
+    int other = add(&scene, pp_material_mirror(pp_rgb_grey(0.8)));
+    /* A floor, and a wall that faces along -x. */
+    add_rectangle(&scene, one, pp_vec(-9.0, -9.0, 0.0), pp_vec(18.0, 0.0, 0.0),
+                  pp_vec(0.0, 18.0, 0.0));
+    add_rectangle(&scene, other, pp_vec(5.0, -9.0, 0.0), pp_vec(0.0, 0.0, 18.0),
+                  pp_vec(0.0, 18.0, 0.0));
+    struct pp_vec3 sun = pp_unit(pp_vec(-0.6, 0.1, 0.5));
+    add_dome(&scene, add(&scene, pp_material_light(pp_rgb_grey(1e6))), sun,
+             0.2665 * PP_RAD);
+    add_dome(&scene, add(&scene, pp_material_glow(pp_rgb_grey(3.0))), up, PP_PI / 2.0);
+    struct pp_light_scene *made = built(&scene);
+    struct pp_vec3 eye = {0.3, 0.2, 1.5};
+    /* Mirrored in the floor and in the wall the sun's direction has both turned. */
+    struct pp_vec3 to = {-sun.x, sun.y, -sun.z};
+    struct pp_test_mean mean =
+        pp_test_radiance(made, pp_radiance_defaults(), eye, to, 4);
+    assert_relative(mean.value.g, 0.9 * 0.8 * (1e6 + 3.0), 1e-9);
+    to.y += 0.02; /* 1.4 degrees aside */
+    mean = pp_test_radiance(made, pp_radiance_defaults(), eye, to, 4);
+    assert_relative(mean.value.g, 0.9 * 0.8 * 3.0, 1e-9);
     pp_light_scene_destroy(made);
 }
 
@@ -740,6 +796,8 @@ int main(void)
         cmocka_unit_test(what_mirrors_may_hide_is_known),
         cmocka_unit_test(a_lamp_shines_through_glass),
         cmocka_unit_test(translucent_sheets_neither_gain_nor_lose_light),
+        cmocka_unit_test(a_box_of_lossless_glass_is_not_to_be_seen),
+        cmocka_unit_test(the_sun_shows_in_mirrors),
         cmocka_unit_test(an_unseen_lamp_lights_but_does_not_show),
         cmocka_unit_test(bounces_can_be_limited),
         cmocka_unit_test(inter_reflection_may_be_had_from_elsewhere),
