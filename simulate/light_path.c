@@ -63,7 +63,8 @@ static struct pp_rgb aim_at_all(struct pp_radiance_walk *walk,
             .depth = path->depth,
             .many = path->many};
         sum.sources = pp_rgb_add(sum.sources, pp_light_from_sources(walk, &lit));
-        pp_light_from_windows(walk, &lit, &sum);
+        if (!path->by_window)
+            pp_light_from_windows(walk, &lit, &sum);
     }
     return pp_irradiance_sum(&sum);
 }
@@ -162,6 +163,8 @@ static bool leave_by(const struct pp_radiance_walk *walk, struct pp_light_path *
     path->ray.off = through ? pp_scale(lobes->n, -1.0) : lobes->n;
     path->ray.space =
         through ? pp_part_space(walk->scene, hit->part, !hit->back) : hit->space;
+    if (lobe != PP_LOBE_STRAIGHT)
+        path->aimed_in = path->ray.space;
     if (lobe == PP_LOBE_DIFFUSE || lobe == PP_LOBE_THROUGH_DIFFUSE) {
         path->aimed = PP_AIMED_AT_ALL;
         path->chain = -1;

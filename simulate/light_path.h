@@ -26,7 +26,8 @@ enum pp_aimed_at {
 };
 
 /* A gloss aims at what looks smaller than so many of its roughnesses: then no aimed
- * sample is worth more than one that finds it, (3 a)^2 / (4 pi a^2) of it at most. */
+ * sample is worth more than one that finds it, (3 a)^2 / (4 pi a^2) of it at most where
+ * it is seen straight. */
 #define PP_AIMED_WIDTHS 3.0
 
 /* The end of a path so far. */
@@ -35,13 +36,16 @@ struct pp_light_path {
     struct pp_rgb weight;
     double least; /* Russian roulette below this weight; of a gloss a tenth of it */
     enum pp_aimed_at aimed;
+    enum pp_space aimed_in; /* where that was: windows aren't aimed at from outdoors */
     int chain; /* of mirrors since then, by which it was aimed as well; -1: none */
     struct pp_vec3 from; /* of PP_AIMED_AT_SMALL: where, and how large is small */
     double width;
-    int depth;   /* diffuse reflections behind it */
-    int vertex;  /* of the random numbers */
-    int bounces; /* surfaces met */
-    bool many;   /* aim in many directions at the next surface: it is the first */
+    int depth;      /* diffuse reflections behind it */
+    int vertex;     /* of the random numbers */
+    int bounces;    /* surfaces met */
+    bool many;      /* aim in many directions at the next surface: it is the first */
+    bool by_window; /* sent out by a window that was aimed at: it finds windows by
+                     * chance from then on, or aims would breed aims without end */
 };
 
 /* Vertex numbers for a path that branches off a vertex: anywhere else. */

@@ -17,7 +17,8 @@ static double window_spread(const struct pp_light_scene *scene, int window,
 bool pp_window_counted(const struct pp_radiance_walk *walk,
                        const struct pp_light_path *path, int window)
 {
-    if (!walk->options.windows || path->aimed == PP_AIMED_AT_NOTHING)
+    if (!walk->options.windows || path->by_window || path->aimed_in == PP_OUTDOORS
+        || path->aimed == PP_AIMED_AT_NOTHING || path->chain >= 0)
         return false;
     if (path->aimed == PP_AIMED_AT_ALL)
         return true;
@@ -34,9 +35,11 @@ static struct pp_light_path path_outside(const struct pp_radiance_walk *walk,
                                   .weight = pp_rgb_grey(1.0),
                                   .least = walk->options.least,
                                   .aimed = PP_AIMED_AT_ALL,
+                                  .aimed_in = PP_OUTDOORS,
                                   .chain = -1,
                                   .depth = depth,
-                                  .vertex = vertex};
+                                  .vertex = vertex,
+                                  .by_window = true};
 }
 
 bool pp_radiance_of_outside(struct pp_radiance_walk *walk,

@@ -9,10 +9,11 @@
 #include "simulate/processors.h"
 
 enum {
-    BINS = 12,        /* of directions, along either axis of the opening */
-    BIN_SAMPLES = 32, /* paths of each bin */
-    MOST_PATCHES = 6, /* along either axis */
-    PROBES = 256,     /* rays that see how near things stand */
+    BINS = 12,          /* of directions, along either axis of the opening */
+    PATHS = 1 << 19,    /* for all bins of all patches, half a microsecond each */
+    LEAST_SAMPLES = 16, /* of each bin, however many there are */
+    MOST_PATCHES = 6,   /* along either axis */
+    PROBES = 256,       /* rays that see how near things stand */
 };
 
 /* A patch is no larger than this share of the distance of what is stored. */
@@ -28,6 +29,7 @@ struct window_light {
 struct pp_window_store {
     struct window_light *windows;
     int count;
+    uint32_t samples; /* paths of each bin */
 };
 
 static const struct pp_target *target_of(const struct pp_light_scene *scene, int window)
@@ -136,19 +138,19 @@ static enum pp_status lay_out(struct window_light *light,
 
 /* Mean radiance of what is met in each bin; where nothing is, of what is met at all. */
 static void fill_radiance(struct window_light *light, struct pp_radiance_walk *walk,
-                          int window, int patch)
+                          int window, int patch, uint32_t samples)
 {
     const struct pp_target *target = target_of(walk->scene, window);
     struct pp_rgb *bins = &light->radiance[(size_t)patch * BINS * BINS];
     int met[BINS * BINS] = {0}, all = 0;
     struct pp_rgb sum = pp_rgb_grey(0.0);
     for (int bin = 0; bin < BINS * BINS; bin++) {
-        for (uint32_t i = 0; i < BIN_SAMPLES; i++) {
+        for (uint32_t i = 0; i < samples; i++) {
             double u[4], distance;
             struct pp_light_ray ray = {.off = pp_scale(target->normal, -1.0),
                                        .space = PP_OUTDOORS};
             struct pp_rgb radiance;
-            walk->index = (uint32_t)bin * BIN_SAMPLES + i;
+            walk->index = (uint32_t)bin * samples + i;
             pp_sequence_draw(&walk->sequence, walk->index, 0, 4, u);
             ray.from = patch_point(target, light, patch, u[0], u[1]);
             if (!bin_direction(target, bin, u[2], u[3], &ray.to)
@@ -175,7 +177,19 @@ static void fill(struct pp_window_store *store, const struct pp_light_scene *sce
     struct pp_radiance_walk walk = {.scene = scene, .options = pp_radiance_defaults()};
     pp_sequence_init(&walk.sequence, sobol,
                      pp_hash(pp_hash(seed, (uint64_t)window), (uint64_t)patch));
-    fill_radiance(light, &walk, window, patch);
+    fill_radiance(light, &walk, window, patch, store->samples);
+}
+
+/* As many paths for few large patches as for many small ones. */
+static uint32_t samples_of(const struct pp_window_store *store)
+{
+    long bins = 1;
+    for (int i = 0; i < store->count; i++)
+        if (store->windows[i].radiance)
+            bins +=
+                (long)store->windows[i].columns * store->windows[i].rows * BINS * BINS;
+    long samples = PATHS / bins;
+    return samples > LEAST_SAMPLES ? (uint32_t)samples : LEAST_SAMPLES;
 }
 
 static void fill_all(struct pp_window_store *store, const struct pp_light_scene *scene,
@@ -212,8 +226,10 @@ enum pp_status pp_window_store_create(struct pp_window_store **result,
     for (int i = 0; status == PP_OK && i < store->count; i++)
         status = lay_out(&store->windows[i], scene, i, sobol,
                          pp_hash(seed, (uint64_t)-1 - (uint64_t)i), err);
-    if (status == PP_OK)
+    if (status == PP_OK) {
+        store->samples = samples_of(store);
         fill_all(store, scene, sobol, seed, threads);
+    }
     free(sobol);
     if (status != PP_OK) {
         pp_window_store_destroy(store);

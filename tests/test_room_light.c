@@ -67,6 +67,18 @@ static void so_has_one_with_things_close_outside(void **state)
                      0.003);
 }
 
+/* A bright wall half a metre before the window: what it throws back into the room comes
+ * out again, and so on. Windows are aimed at on the first way out only; the store's
+ * patches may cost 1 % of the light right beside the window. */
+static void so_has_one_with_a_wall_right_before_its_window(void **state)
+{
+    (void)state;
+    assert_as_traced(DEEP "<block x='-1' y='-2.5' width='3' depth='2' height='4' "
+                          "reflectance='0.9'/>"
+                          "<line from='1.5 0.5' to='1.5 4.5' points='3'/></room>",
+                     0.01);
+}
+
 /* Two windows that see each other outside, reveals, frames, dirt, a diffusing
  * rooflight, a partition, a surface that glows. */
 static void so_has_one_with_all_that_there_is(void **state)
@@ -143,25 +155,52 @@ static void windows_aimed_at_save_time_not_light(void **state)
     pp_world_destroy(world);
 }
 
+/* Of a wall before one window, part is lit through the room and its other window.
+ * Windows aren't aimed at from there, so what it finds through both of them counts. */
+static void light_through_two_windows_falls_on_what_stands_outside(void **state)
+{
+    (void)state;
+    struct pp_world *world = pp_test_world(
+        "<room version='1'><plan width='3' depth='2' height='2.7'/>"
+        "<finishes floor='0.2' walls='0.2' ceiling='0.2'/>"
+        "<window wall='south' left='0.2' sill='0.3' width='2.6' height='2.2' "
+        "glazing='none'/><window wall='north' left='0.2' sill='0.3' width='2.6' "
+        "height='2.2' glazing='none'/>"
+        "<block x='-9' y='-3' width='21' depth='2' height='12' reflectance='0.8'/>"
+        "</room>");
+    struct pp_light_scene *scene = scene_of(world);
+    struct pp_radiance_options options = pp_radiance_defaults();
+    struct pp_vec3 eye = {1.5, 1.0, 1.5}, south = {0.0, -1.0, 0.0};
+    struct pp_test_mean aimed = pp_test_radiance(scene, options, eye, south, 1024);
+    options.windows = false;
+    struct pp_test_mean found = pp_test_radiance(scene, options, eye, south, 1024);
+    assert_near(aimed.value.g, found.value.g, 4.0 * hypot(aimed.error, found.error));
+    assert_true(hypot(aimed.error, found.error) < 0.01 * found.value.g);
+    pp_light_scene_destroy(scene);
+    pp_world_destroy(world);
+}
+
 /* A room in equilibrium with a white sky and ground, whose surfaces give off what they
- * don't reflect, whatever their gloss: all is 1 (the gloss is off by what it loses).
- */
+ * don't reflect, whatever their gloss, the window being aimed at or found: all is 1. */
 static void a_room_in_equilibrium_shows_one_everywhere(void **state)
 {
     (void)state;
     struct pp_world *world = pp_test_world(
         "<room version='1'><site ground-reflectance='1'/><sky type='uniform'/>"
         "<plan width='3.1' depth='4.3' height='2.6'/>"
-        "<finishes floor='0.3' walls='0.3' ceiling='mirror'/>"
+        "<finishes floor='steel' walls='0.3' ceiling='mirror'/>"
+        "<finish wall='east' reflectance='brushed-aluminium'/>"
+        "<finish wall='west' reflectance='white-tiles'/>"
         "<window wall='south' left='0.5' sill='0.4' width='1.9' height='1.6' "
         "glazing='none' reveal='0.3'/></room>");
     for (int i = 0; i < world->surface_count; i++)
         world->surfaces[i].exitance = 1.0 - world->surfaces[i].front;
     struct pp_light_scene *scene = scene_of(world);
     struct pp_radiance_options options = pp_radiance_defaults();
-    const struct pp_vec3 looks[] = {
-        {0.1, 0.2, 1.0}, {0.3, -1.0, 0.1}, {-0.4, 0.3, -0.6}, {0.0, -1.0, -0.2}};
-    for (int i = 0; i < 4; i++)
+    const struct pp_vec3 looks[] = {{0.1, 0.2, 1.0},   {0.3, -1.0, 0.1},
+                                    {-0.4, 0.3, -0.6}, {0.0, -1.0, -0.2},
+                                    {1.0, -0.3, 0.1},  {-1.0, -0.4, -0.1}};
+    for (int i = 0; i < 6; i++)
         assert_lit(
             pp_test_radiance(scene, options, pp_vec(1.4, 2.2, 1.1), looks[i], 256),
             1.0 / PP_PI, 0.002);
@@ -316,9 +355,11 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_deep_room_has_the_tracers_daylight_factors),
         cmocka_unit_test(so_has_one_with_things_close_outside),
+        cmocka_unit_test(so_has_one_with_a_wall_right_before_its_window),
         cmocka_unit_test(so_has_one_with_all_that_there_is),
         cmocka_unit_test(sky_and_outside_are_told_apart),
         cmocka_unit_test(windows_aimed_at_save_time_not_light),
+        cmocka_unit_test(light_through_two_windows_falls_on_what_stands_outside),
         cmocka_unit_test(a_room_in_equilibrium_shows_one_everywhere),
         cmocka_unit_test(no_light_leaks_in_by_the_edges),
         cmocka_unit_test(light_goes_on_from_the_edges),
