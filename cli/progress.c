@@ -79,10 +79,10 @@ void pp_progress_print(FILE *out, const char *label, double done, double error,
             : snprintf(tail, sizeof tail, "%3.0f %%%s", floor(100.0 * done), left);
     /* The bar gives way first, then the label; the last column is left free, or the
      * line would break there. */
-    int free = columns - 1 - tail_width;
-    free -= put_label(out, label, least(free - 1, LABEL)) + 1;
-    if (free >= 3 + BAR_LEAST) {
-        int bar = least(free - 3, BAR), filled = (int)(done * bar);
+    int spare = columns - 1 - tail_width;
+    spare -= put_label(out, label, least(spare - 1, LABEL)) + 1;
+    if (spare >= 3 + BAR_LEAST) {
+        int bar = least(spare - 3, BAR), filled = (int)(done * bar);
         fprintf(out, " [%.*s%*s]", filled, full, bar - filled, "");
     }
     fprintf(out, " %s", tail);
