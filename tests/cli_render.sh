@@ -139,6 +139,11 @@ long="--size 400x300 --samples 512 --engine path --quiet"
 check "interrupted, there is no picture" eval \
     'interrupted render $long "$deep" -o "$scratch/i.hdr"; [ $status -eq 130 ] &&
      [ ! -e "$scratch/i.hdr" ] && grep -q -- "--checkpoint" "$scratch/err" || told'
+check "interrupted while the cache grows, nothing is kept, and that is said" eval \
+    'interrupted render --size 64x48 --samples 1 -ad 16384 --quiet \
+         --checkpoint "$scratch/g" "$deep" -o "$scratch/i.hdr"; [ $status -eq 130 ] &&
+     [ ! -e "$scratch/i.hdr" ] && [ ! -e "$scratch/g" ] &&
+     grep -q "of which nothing is kept" "$scratch/err" || told'
 check "interrupted with a checkpoint, what is done is kept" eval \
     'interrupted render $long --checkpoint "$scratch/c" "$deep" -o "$scratch/i.hdr";
      [ $status -eq 130 ] && [ ! -e "$scratch/i.hdr" ] && [ -s "$scratch/c" ] || told'
