@@ -176,21 +176,6 @@ static void contrast_is_never_added(void **state)
     pp_picture_clear(&picture);
 }
 
-/* Dim light of little contrast fits: it is shown as an exposure would. At 1 to 3 cd/m2
- * an eye tells less apart than on a screen of up to 100. */
-static void dim_light_is_shown_as_an_exposure_would(void **state)
-{
-    (void)state;
-    double luminances[600];
-    for (int i = 0; i < 600; i++)
-        luminances[i] = 1.0 + 2.0 * i / 599.0;
-    struct pp_picture picture = row_of(luminances, 600);
-    struct pp_tone tone = tone_of(&picture, PP_TONE_HUMAN, 0.0);
-    assert_near(pp_tone_shown(&tone, 3.0), 1.0, 1e-6);
-    assert_near(pp_tone_shown(&tone, 1.5), 0.5, 1e-6);
-    pp_picture_clear(&picture);
-}
-
 /* Bright light that is spread evenly over the logarithms from 100 to 1e6 cd/m2, twice
  * the display's two decades. An eye sees 5.6 % everywhere in it and no less on the
  * display, where the same step is half as large: nothing is trimmed, and the curve is
@@ -249,7 +234,6 @@ int main(void)
         cmocka_unit_test(a_black_picture_is_shown_black),
         cmocka_unit_test(room_and_window_are_both_seen),
         cmocka_unit_test(contrast_is_never_added),
-        cmocka_unit_test(dim_light_is_shown_as_an_exposure_would),
         cmocka_unit_test(evenly_spread_light_is_shown_by_the_closed_form),
         cmocka_unit_test(little_contrast_is_not_stretched),
         cmocka_unit_test(a_picture_of_one_brightness_is_a_middle_grey),
