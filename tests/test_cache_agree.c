@@ -1,5 +1,7 @@
 /* test_cache_agree.c - records that agree with their neighbours: noise becomes less,
  * what is known does not change, and what stands apart keeps its own. */
+#include <stdlib.h>
+
 #include "simulate/cache_parts.h"
 #include "simulate/hash.h"
 #include "tests/near.h"
