@@ -135,6 +135,7 @@ static void no_light_passes_a_partition(void **state)
     assert_int_equal(pp_light_scene_of_world(&scene, world, NULL), PP_OK);
     struct pp_cache_options options = pp_cache_defaults();
     options.divisions = 400;
+    options.supersamples = 0;
     struct pp_irradiance_cache *cache = new_cache(scene, &options);
     see_all_round(cache, pp_vec(1.5, 1.6, 1.3), PP_INDOORS);
     see_all_round(cache, pp_vec(1.5, 4.1, 1.3), PP_INDOORS);
@@ -167,6 +168,7 @@ static char *packed_by(const struct pp_light_scene *scene, int threads, double s
 {
     struct pp_cache_options options = pp_cache_defaults();
     options.divisions = 100;
+    options.supersamples = 32;
     options.threads = threads;
     struct pp_irradiance_cache *cache = new_cache(scene, &options);
     assert_int_equal(pp_irradiance_cache_reach(cache, pp_vec(2.0, 2.5, 0.85),
@@ -228,6 +230,7 @@ static void a_file_gives_back_what_was_kept_or_nothing(void **state)
     struct pp_light_scene *scene = scene_of(world), *elsewhere = scene_of(other);
     struct pp_cache_options options = pp_cache_defaults();
     options.divisions = 100;
+    options.supersamples = 32;
     options.threads = 1;
     size_t length, back;
     char *bytes = packed_by(scene, 1, 10.0, &length), *again;
