@@ -1,17 +1,9 @@
 /* How fast the direct component is, on one core: rates and times, no verdict. */
 #include <stdio.h>
-#include <time.h>
 
+#include "bench/bench.h"
 #include "methods/exact.h"
 #include "methods/solid_angle.h"
-#include "model/room.h"
-
-static double now(void)
-{
-    struct timespec t;
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
-    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
-}
 
 /* A window's moments alone, from a row of points. */
 static void closed_form(void)
@@ -19,7 +11,7 @@ static void closed_form(void)
     enum { POINTS = 4000000 };
     const struct pp_vec3 zenith = {0.0, 0.0, 1.0};
     struct pp_sky sky = pp_sky_overcast();
-    double sum = 0.0, start = now();
+    double sum = 0.0, start = processor_s();
     for (int i = 0; i < POINTS; i++) {
         double y = 0.5 + 8.0 * i / POINTS;
         const struct pp_vec3 window[4] = {
@@ -28,26 +20,10 @@ static void closed_form(void)
         pp_moments_add(&moments, window, 4, zenith, &zenith, 1);
         sum += pp_moments_sky(&moments, &sky);
     }
-    double seconds = now() - start;
+    double seconds = processor_s() - start;
     printf(
         "closed form, overcast           %8.2f million window-points/s (mean %.6f)\n",
         POINTS / seconds / 1e6, sum / POINTS);
-}
-
-static struct pp_world *world_of(const char *xml)
-{
-    struct pp_mistakes mistakes;
-    struct pp_building *building = NULL;
-    struct pp_world *world = NULL;
-    pp_mistakes_init(&mistakes, "bench");
-    size_t length = 0;
-    while (xml[length])
-        length++;
-    if (pp_building_parse(&building, xml, length, &mistakes, NULL) == PP_OK)
-        pp_world_create(&world, pp_building_room(building, 0), &mistakes, NULL);
-    pp_building_destroy(building);
-    pp_mistakes_clear(&mistakes);
-    return world;
 }
 
 /* The whole method, over a grid of points, for about a second. */
@@ -64,7 +40,7 @@ static void rooms(const char *name, const char *parts)
     }
     enum { COLUMNS = 24, ROWS = 72 };
     long points = 0;
-    double sum = 0.0, start = now(), seconds;
+    double sum = 0.0, start = processor_s(), seconds;
     do {
         for (int i = 0; i < COLUMNS * ROWS; i++) {
             struct pp_receiver receiver = {{3.0 * (i % COLUMNS + 0.5) / COLUMNS,
@@ -79,7 +55,7 @@ static void rooms(const char *name, const char *parts)
             sum += part.sky + part.external;
             points++;
         }
-        seconds = now() - start;
+        seconds = processor_s() - start;
     } while (seconds < 0.7);
     printf("%-31s %8.3f us a point (mean %.6f)\n", name, 1e6 * seconds / (double)points,
            sum / (double)points);

@@ -6,28 +6,13 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <sys/resource.h>
-#include <time.h>
 #include <unistd.h>
 
+#include "bench/bench.h"
 #include "model/rad_read.h"
 #include "simulate/light_scene.h"
 
 enum { ACROSS = 1000, RUNS = 3 };
-
-static void must(enum pp_status status, const struct pp_error *err)
-{
-    if (status != PP_OK) {
-        fprintf(stderr, "bench_import: %s\n", err->message);
-        exit(3);
-    }
-}
-
-static double seconds(void)
-{
-    struct timespec t;
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
-    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
-}
 
 static const char materials[] = "void plastic a 0 0 5 .5 .4 .3 0 0\n"
                                 "void plastic b 0 0 5 .7 .7 .7 .02 .1\n"
@@ -81,12 +66,12 @@ static void bench(const char *name, void (*write_scene)(FILE *out))
         struct pp_light_scene *scene;
         struct pp_error err = {0};
         const char *const paths[] = {path};
-        double start = seconds();
+        double start = processor_s();
         must(pp_rad_read(&description, &summary, paths, 1, &err), &err);
-        double middle = seconds();
+        double middle = processor_s();
         must(pp_light_scene_of_description(&scene, &description, &err), &err);
         read = fmin(read, middle - start);
-        built = fmin(built, seconds() - middle);
+        built = fmin(built, processor_s() - middle);
         polygons = summary.polygons;
         pp_light_scene_destroy(scene);
         pp_scene_description_clear(&description);

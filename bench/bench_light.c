@@ -2,30 +2,12 @@
  */
 #include <math.h>
 #include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-#include <time.h>
 
-#include "model/room.h"
+#include "bench/bench.h"
 #include "simulate/hash.h"
 #include "simulate/radiance.h"
 
 enum { SEEDS = 32 };
-
-static void must(enum pp_status status, const struct pp_error *err)
-{
-    if (status != PP_OK) {
-        fprintf(stderr, "bench_light: %s\n", err->message);
-        exit(3);
-    }
-}
-
-static double seconds(void)
-{
-    struct timespec t;
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
-    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
-}
 
 /* A mean irradiance, the error of one sequence of `paths`, and what it took. */
 struct outcome {
@@ -40,7 +22,7 @@ static struct outcome measure(const struct pp_light_scene *scene,
     static struct pp_sobol sobol;
     pp_sobol_init(&sobol);
     enum pp_space space = pp_light_scene_space(scene, point);
-    double sum = 0.0, squares = 0.0, start = seconds();
+    double sum = 0.0, squares = 0.0, start = processor_s();
     struct outcome outcome = {.rays = 0.0};
     for (uint64_t seed = 0; seed < SEEDS; seed++) {
         struct pp_radiance_walk walk = {
@@ -56,7 +38,7 @@ static struct outcome measure(const struct pp_light_scene *scene,
         squares += value * value;
         outcome.rays += (double)walk.rays / SEEDS;
     }
-    outcome.seconds = (seconds() - start) / SEEDS;
+    outcome.seconds = (processor_s() - start) / SEEDS;
     outcome.value = sum / SEEDS;
     outcome.error = sqrt(fmax(0.0, squares / SEEDS - outcome.value * outcome.value))
                     / outcome.value;
@@ -112,20 +94,6 @@ static void light_and_glow(void)
 
 /* ---- openings ---- */
 
-static struct pp_world *world_of(const char *xml)
-{
-    struct pp_building *building = NULL;
-    struct pp_world *world = NULL;
-    struct pp_mistakes mistakes;
-    struct pp_error err = {0};
-    pp_mistakes_init(&mistakes, "bench");
-    must(pp_building_parse(&building, xml, strlen(xml), &mistakes, &err), &err);
-    must(pp_world_create(&world, pp_building_room(building, 0), &mistakes, &err), &err);
-    pp_mistakes_clear(&mistakes);
-    pp_building_destroy(building);
-    return world;
-}
-
 /* Time to one error goes with time x error^2. */
 static double cost(const struct outcome *outcome)
 {
@@ -139,9 +107,9 @@ static void openings(const char *name, const char *xml)
     struct pp_window_store *store;
     struct pp_error err;
     must(pp_light_scene_of_world(&scene, world, &err), &err);
-    double start = seconds(), log_sum = 0.0;
+    double start = processor_s(), log_sum = 0.0;
     must(pp_window_store_create(&store, scene, 1, 1, &err), &err);
-    printf("%s (store: %.3f s)\n", name, seconds() - start);
+    printf("%s (store: %.3f s)\n", name, processor_s() - start);
     printf("  %5s  %-19s %-19s %-19s  saves\n", "y", "aimed at, stored", "followed",
            "found by chance");
     struct pp_radiance_options options = pp_radiance_defaults();

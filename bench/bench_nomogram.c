@@ -4,12 +4,11 @@
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 
+#include "bench/bench.h"
 #include "methods/bre_terms.h"
 #include "methods/methods.h"
 #include "methods/nomogram_scale.h"
-#include "model/room.h"
 #include "simulate/hash.h"
 
 enum { ROOMS = 1000 };
@@ -65,13 +64,7 @@ static struct room random_room(uint64_t number)
                           room.angle_deg);
     }
     snprintf(xml + n, sizeof xml - (size_t)n, "</room>");
-    struct pp_mistakes mistakes;
-    struct pp_building *building = NULL;
-    pp_mistakes_init(&mistakes, "random");
-    if (pp_building_parse(&building, xml, strlen(xml), &mistakes, NULL) == PP_OK)
-        pp_world_create(&room.world, pp_building_room(building, 0), &mistakes, NULL);
-    pp_building_destroy(building);
-    pp_mistakes_clear(&mistakes);
+    room.world = world_of(xml);
     return room;
 }
 
@@ -93,7 +86,7 @@ static bool values_of(const struct pp_world *world, double values[3])
                       == PP_OK;
         values[0] += pp_bre_average(&terms);
         values[2] += part.value;
-        terms.R_fw = 2.0 / (1.0 + PP_NOMOGRAM_K) * terms.R;
+        terms.R_fw = 2.0 / (1.0 + PP_NOMOGRAM_K) * terms.all.reflectance;
         terms.R_cw = PP_NOMOGRAM_K * terms.R_fw;
         values[1] += pp_bre_average(&terms);
     }

@@ -2,12 +2,9 @@
  * pixels are off a converged one. */
 #include <math.h>
 #include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-#include <time.h>
 
+#include "bench/bench.h"
 #include "model/clock.h"
-#include "model/room.h"
 #include "simulate/default_view.h"
 #include "simulate/hash.h"
 #include "simulate/render.h"
@@ -20,35 +17,6 @@ enum {
     EVERY = 16,   /* every so many pixels across and down are compared */
     PATHS = 2048, /* of each of the two references of such a pixel */
 };
-
-static void must(enum pp_status status, const struct pp_error *err)
-{
-    if (status != PP_OK) {
-        fprintf(stderr, "bench_picture: %s\n", err->message);
-        exit(3);
-    }
-}
-
-static double processor_s(void)
-{
-    struct timespec t;
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
-    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
-}
-
-static struct pp_world *world_of(const char *xml)
-{
-    struct pp_building *building = NULL;
-    struct pp_world *world = NULL;
-    struct pp_mistakes mistakes;
-    struct pp_error err = {0};
-    pp_mistakes_init(&mistakes, "bench");
-    must(pp_building_parse(&building, xml, strlen(xml), &mistakes, &err), &err);
-    must(pp_world_create(&world, pp_building_room(building, 0), &mistakes, &err), &err);
-    pp_mistakes_clear(&mistakes);
-    pp_building_destroy(building);
-    return world;
-}
 
 /* As the command render has it, but for the bounces. */
 static struct pp_render_options picture_of(const struct pp_light_scene *scene,

@@ -3,43 +3,11 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
-#include <time.h>
 
-#include "model/room.h"
+#include "bench/bench.h"
 #include "simulate/hash.h"
 #include "simulate/item.h"
 #include "simulate/tracer.h"
-
-static void must(enum pp_status status, const struct pp_error *err)
-{
-    if (status != PP_OK) {
-        fprintf(stderr, "bench_tracer: %s\n", err->message);
-        exit(3);
-    }
-}
-
-/* Processor time of all threads: other work on the machine does not count. */
-static double seconds(void)
-{
-    struct timespec t;
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
-    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
-}
-
-static struct pp_world *world_of(const char *xml)
-{
-    struct pp_building *building = NULL;
-    struct pp_world *world = NULL;
-    struct pp_mistakes mistakes;
-    struct pp_error err = {0};
-    pp_mistakes_init(&mistakes, "bench");
-    must(pp_building_parse(&building, xml, strlen(xml), &mistakes, &err), &err);
-    must(pp_world_create(&world, pp_building_room(building, 0), &mistakes, &err), &err);
-    pp_mistakes_clear(&mistakes);
-    pp_building_destroy(building);
-    return world;
-}
 
 /* Daylight factors of all receivers (and the average behind them); seconds taken. */
 static double trace(const struct pp_world *world, double error, int threads,
@@ -49,13 +17,13 @@ static double trace(const struct pp_world *world, double error, int threads,
         .error = error, .seed = seed, .threads = threads, .average = true};
     struct pp_tracer *tracer;
     struct pp_error err;
-    double start = seconds();
+    double start = processor_s();
     must(pp_tracer_create(&tracer, world, world->receivers, world->receiver_count,
                           &options, &err),
          &err);
     while (!pp_tracer_done(tracer))
         must(pp_tracer_advance(tracer, 10.0, &err), &err);
-    double taken = seconds() - start;
+    double taken = processor_s() - start;
     for (int i = 0; i < world->receiver_count; i++) {
         struct pp_reading readings[PP_COMPONENT_COUNT];
         pp_tracer_read(tracer, i, readings);
@@ -148,16 +116,16 @@ static void bench_rays(const char *name, const struct pp_world *world, uint32_t 
     double traced = INFINITY, kernels = INFINITY, t;
     long hits = 0;
     for (int repeat = 0; repeat < 3; repeat++) {
-        double start = seconds();
+        double start = processor_s();
         run_items(world, scene, guess, &sobol, paths, every_ray, &walk, NULL);
-        traced = fmin(traced, seconds() - start);
-        start = seconds();
+        traced = fmin(traced, processor_s() - start);
+        start = processor_s();
         for (long i = 0; i < log.count; i++) {
             float distance;
             hits +=
                 pp_rays_first(scene->rays, &bare[i][0], &bare[i][3], &distance) >= 0;
         }
-        t = seconds() - start;
+        t = processor_s() - start;
         kernels = fmin(kernels, t);
     }
     printf("%s%s: %ld rays (%.0f %% hit), %.0f ns a ray traced, %.0f ns bare: "

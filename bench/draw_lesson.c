@@ -6,19 +6,12 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "bench/bench.h"
 #include "model/room.h"
 #include "simulate/hash.h"
 #include "simulate/radiance.h"
 
 enum { WIDE = 320, HIGH = 240 };
-
-static void must(enum pp_status status, const struct pp_error *err)
-{
-    if (status != PP_OK) {
-        fprintf(stderr, "draw_lesson: %s\n", err->message);
-        exit(3);
-    }
-}
 
 /* ---- a picture ---- */
 
@@ -170,16 +163,7 @@ static struct pp_world *deep_room(void)
         "<finishes floor='oak-floor' walls='0.7' ceiling='0.8'/>"
         "<window wall='south' left='0.2' sill='0.8' width='2.6' height='1.5'/>"
         "<block x='-4' y='-14' width='10' depth='6' height='8'/></room>";
-    struct pp_building *building = NULL;
-    struct pp_world *world = NULL;
-    struct pp_mistakes mistakes;
-    struct pp_error err = {0};
-    pp_mistakes_init(&mistakes, "lesson");
-    must(pp_building_parse(&building, xml, strlen(xml), &mistakes, &err), &err);
-    must(pp_world_create(&world, pp_building_room(building, 0), &mistakes, &err), &err);
-    pp_mistakes_clear(&mistakes);
-    pp_building_destroy(building);
-    return world;
+    return world_of(xml);
 }
 
 static void window_pictures(const char *folder)
