@@ -7,7 +7,7 @@
  * of our own exports (rad_functions.h); lines "!xform", "!genbox" and "!gensky", piped
  * too. Nothing is executed: the lines are worked out here. Everything else is refused
  * by its file and line, so that no scene is read otherwise than it is meant; so are
- * scenes of more than 50 million shapes, a million materials, a million copies by
+ * scenes of more than 50 million shapes, 200,000 materials, a million copies by
  * xform or 4 GiB that those read.
  */
 #ifndef PP_MODEL_RAD_READ_H

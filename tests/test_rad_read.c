@@ -457,7 +457,7 @@ static void what_is_not_understood_is_refused_by_its_line(void **state)
         {WHITE "!genbox white b 1 1 1 -r\n", "a size behind genbox's -r"},
         {WHITE "!genbox white b 1 1 1 -b .6\n", "edges that meet"},
         {WHITE "!genbox white b 1 1 1 -r .1 -n 1.5\n", "behind genbox's -n"},
-        {WHITE "!genbox white b 1 1 1 | xform -a 1000 | xform -a 1001\n",
+        {WHITE "!genbox white b 1 1 1 | xform -a 1001 | xform -a 999000\n",
          "2: more than 1000000 copies"},
         {WHITE "!genbox white b 1 1 1 | xform -i 2|xform -a 999999\n",
          "2: more than 1000000 copies"},
