@@ -10,6 +10,10 @@
  * still to be numbers. */
 static const double NEAREST_M = 1e-6;
 
+/* Wanted of an irradiance's error, over itself; passes over all cells at most. */
+static const double ERROR = 0.03;
+static const double PASSES_MOST = 16.0;
+
 struct pp_vec3 *pp_hemisphere_corners(int side)
 {
     size_t count = (size_t)(side + 1) * (size_t)(side + 1);
@@ -95,6 +99,36 @@ static void supersample(struct pp_hemisphere *h, struct pp_radiance_walk *walk,
     }
 }
 
+/* The irradiance's standard error over itself, by how much cells differ from the next
+ * in their row: what changes across the hemisphere counts too, so it is rather more
+ * than less. */
+static double relative_error(const struct pp_hemisphere *h)
+{
+    double sum = 0.0, squares = 0.0;
+    for (int k = 0; k < h->side * h->side; k++) {
+        double own = pp_rgb_luminance(h->cells[k].radiance);
+        sum += own;
+        if (k % h->side == 0)
+            continue;
+        double step = own - pp_rgb_luminance(h->cells[k - 1].radiance);
+        squares += 0.5 * step * step;
+    }
+    return sum > 0.0 ? sqrt(squares) / sum : 0.0;
+}
+
+/* Where few of the rays bring most of the light, as far from a window, more are sent
+ * into all cells until the error is about what it should be. */
+static void settle(struct pp_hemisphere *h, struct pp_radiance_walk *walk,
+                   const struct pp_cache_place *place, uint32_t index)
+{
+    double more = relative_error(h) / ERROR;
+    int passes = (int)fmin(more * more, PASSES_MOST) - 1;
+    int cells = h->side * h->side;
+    for (int pass = 0; pass < passes; pass++)
+        for (int k = 0; k < cells; k++)
+            send(h, walk, place, k, index++);
+}
+
 void pp_hemisphere_sample(struct pp_hemisphere *h, struct pp_radiance_walk *walk,
                           const struct pp_cache_place *place, int supersamples)
 {
@@ -107,6 +141,7 @@ void pp_hemisphere_sample(struct pp_hemisphere *h, struct pp_radiance_walk *walk
     }
     if (supersamples > 0)
         supersample(h, walk, place, supersamples);
+    settle(h, walk, place, (uint32_t)(cells + supersamples));
     struct pp_rgb sum = pp_rgb_grey(0.0);
     for (int k = 0; k < cells; k++)
         sum = pp_rgb_add(sum, h->cells[k].radiance);

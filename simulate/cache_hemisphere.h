@@ -2,8 +2,9 @@
  *
  * The unit square is cut into side x side cells and laid on the hemisphere [SC97], so
  * that every cell counts the same for the irradiance: one ray goes into each, more into
- * those that differ from their neighbours. Cells touch as they do in the square, which
- * is what the derivatives need (cache_derivatives.h).
+ * those that differ from their neighbours, and into all while the irradiance is not
+ * sure enough. Cells touch as they do in the square, which is what the derivatives need
+ * (cache_derivatives.h).
  */
 #ifndef PP_SIMULATE_CACHE_HEMISPHERE_H
 #define PP_SIMULATE_CACHE_HEMISPHERE_H
