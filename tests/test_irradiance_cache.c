@@ -2,7 +2,9 @@
  * its files. */
 #include "simulate/irradiance_cache.h"
 
+#include "simulate/cache_hemisphere.h"
 #include "simulate/cached_points.h"
+#include "simulate/hash.h"
 #include "tests/lit.h"
 #include "tests/room_of.h"
 #include "tests/traced.h"
@@ -379,6 +381,44 @@ static void a_record_on_an_edge_is_of_numbers(void **state)
     pp_world_destroy(world);
 }
 
+/* Far along a corridor few of a record's rays end in the light: its spread over seeds
+ * is within a few per cent all the same. One pass of 1,024 rays leaves 10 %. */
+static void a_record_that_is_unsure_gets_more_rays(void **state)
+{
+    (void)state;
+    enum { SEEDS = 16, SIDE = 32 };
+    struct pp_world *world = pp_test_world(
+        "<room version='1'><plan width='2' depth='40' height='2.6'/>"
+        "<finishes floor='0.25' walls='0.6' ceiling='0.8'/>"
+        "<window wall='south' left='0.4' sill='0.3' width='1.2' height='2'/></room>");
+    struct pp_light_scene *scene = scene_of(world);
+    struct pp_sobol sobol;
+    pp_sobol_init(&sobol);
+    struct pp_vec3 *corners = pp_hemisphere_corners(SIDE);
+    struct pp_hemisphere_cell *cells = malloc(SIDE * SIDE * sizeof *cells);
+    assert_true(corners && cells);
+    const struct pp_cache_place place = {
+        .point = {1.0, 12.0, 0.0}, .normal = {0.0, 0.0, 1.0}, .space = PP_INDOORS};
+    double sum = 0.0, squares = 0.0;
+    for (int seed = 0; seed < SEEDS; seed++) {
+        struct pp_hemisphere h = {
+            .side = SIDE, .corners = corners, .cells = cells, .nearest_m = 0.01};
+        struct pp_radiance_walk walk = {.scene = scene,
+                                        .options = pp_cached_points_light()};
+        pp_sequence_init(&walk.sequence, &sobol, pp_hash(7, (uint64_t)seed));
+        pp_hemisphere_sample(&h, &walk, &place, 0);
+        sum += h.irradiance.g;
+        squares += h.irradiance.g * h.irradiance.g;
+    }
+    double mean = sum / SEEDS;
+    double spread = sqrt((squares / SEEDS - mean * mean) * SEEDS / (SEEDS - 1.0));
+    assert_true(mean > 0.0 && spread < 0.06 * mean);
+    free(cells);
+    free(corners);
+    pp_light_scene_destroy(scene);
+    pp_world_destroy(world);
+}
+
 /* With everything left out that reflects, only sky and what stands outside are left. */
 static void materials_left_out_reflect_nothing(void **state)
 {
@@ -490,6 +530,7 @@ int main(void)
         cmocka_unit_test(a_file_gives_back_what_was_kept_or_nothing),
         cmocka_unit_test(a_room_is_as_light_as_by_paths),
         cmocka_unit_test(a_record_on_an_edge_is_of_numbers),
+        cmocka_unit_test(a_record_that_is_unsure_gets_more_rays),
         cmocka_unit_test(materials_left_out_reflect_nothing),
         cmocka_unit_test(bounces_are_counted_from_the_point_on),
         cmocka_unit_test(options_that_make_no_sense_are_refused),
