@@ -11,7 +11,7 @@
 static const double NEAREST_M = 1e-6;
 
 /* Wanted of an irradiance's error, over itself; passes over all cells at most. */
-static const double ERROR = 0.03;
+static const double ERROR = 0.05;
 static const double PASSES_MOST = 16.0;
 
 struct pp_vec3 *pp_hemisphere_corners(int side)

@@ -382,11 +382,11 @@ static void a_record_on_an_edge_is_of_numbers(void **state)
 }
 
 /* Far along a corridor few of a record's rays end in the light: its spread over seeds
- * is within a few per cent all the same. One pass of 1,024 rays leaves 10 %. */
+ * is within a few per cent all the same. One pass of 1,024 rays leaves 16 %. */
 static void a_record_that_is_unsure_gets_more_rays(void **state)
 {
     (void)state;
-    enum { SEEDS = 16, SIDE = 32 };
+    enum { SEEDS = 32, SIDE = 32 };
     struct pp_world *world = pp_test_world(
         "<room version='1'><plan width='2' depth='40' height='2.6'/>"
         "<finishes floor='0.25' walls='0.6' ceiling='0.8'/>"
@@ -398,7 +398,7 @@ static void a_record_that_is_unsure_gets_more_rays(void **state)
     struct pp_hemisphere_cell *cells = malloc(SIDE * SIDE * sizeof *cells);
     assert_true(corners && cells);
     const struct pp_cache_place place = {
-        .point = {1.0, 12.0, 0.0}, .normal = {0.0, 0.0, 1.0}, .space = PP_INDOORS};
+        .point = {1.0, 14.0, 0.0}, .normal = {0.0, 0.0, 1.0}, .space = PP_INDOORS};
     double sum = 0.0, squares = 0.0;
     for (int seed = 0; seed < SEEDS; seed++) {
         struct pp_hemisphere h = {
@@ -412,7 +412,7 @@ static void a_record_that_is_unsure_gets_more_rays(void **state)
     }
     double mean = sum / SEEDS;
     double spread = sqrt((squares / SEEDS - mean * mean) * SEEDS / (SEEDS - 1.0));
-    assert_true(mean > 0.0 && spread < 0.06 * mean);
+    assert_true(mean > 0.0 && spread < 0.08 * mean);
     free(cells);
     free(corners);
     pp_light_scene_destroy(scene);
