@@ -9,9 +9,9 @@
 #include <string.h>
 #include <time.h>
 
-#include "model/error.h"
-#include "model/room.h"
-#include "model/world.h"
+#include "model/base/error.h"
+#include "model/room/room.h"
+#include "model/room/world.h"
 
 static inline void must(enum pp_status status, const struct pp_error *err)
 {

@@ -9,8 +9,8 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "methods/pepper_pot_dots.h"
-#include "methods/waldram_squares.h"
+#include "methods/pepper_pot/pepper_pot_dots.h"
+#include "methods/waldram/waldram_squares.h"
 
 enum { BINS = 4, WINDOWS = 500, PANELS = 160 };
 static const double edges[BINS + 1] = {0.1, 0.5, 1.0, 2.0, 4.0};

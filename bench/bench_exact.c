@@ -2,8 +2,8 @@
 #include <stdio.h>
 
 #include "bench/bench.h"
-#include "methods/exact.h"
-#include "methods/solid_angle.h"
+#include "methods/exact/exact.h"
+#include "methods/exact/solid_angle.h"
 
 /* A window's moments alone, from a row of points. */
 static void closed_form(void)

@@ -9,8 +9,8 @@
 #include <unistd.h>
 
 #include "bench/bench.h"
-#include "model/rad_read.h"
-#include "simulate/light_scene.h"
+#include "formats/radiance/rad_read.h"
+#include "simulate/scene/light_scene.h"
 
 enum { ACROSS = 1000, RUNS = 3 };
 

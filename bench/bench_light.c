@@ -4,8 +4,8 @@
 #include <stdio.h>
 
 #include "bench/bench.h"
-#include "simulate/hash.h"
-#include "simulate/radiance.h"
+#include "simulate/sampling/hash.h"
+#include "simulate/transport/radiance.h"
 
 enum { SEEDS = 32 };
 

@@ -6,10 +6,10 @@
 #include <stdlib.h>
 
 #include "bench/bench.h"
-#include "methods/bre_terms.h"
+#include "methods/reflected/bre_terms.h"
 #include "methods/methods.h"
-#include "methods/nomogram_scale.h"
-#include "simulate/hash.h"
+#include "methods/nomogram/nomogram_scale.h"
+#include "simulate/sampling/hash.h"
 
 enum { ROOMS = 1000 };
 

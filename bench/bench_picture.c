@@ -4,10 +4,10 @@
 #include <stdio.h>
 
 #include "bench/bench.h"
-#include "model/clock.h"
-#include "simulate/default_view.h"
-#include "simulate/hash.h"
-#include "simulate/render.h"
+#include "model/base/clock.h"
+#include "simulate/render/default_view.h"
+#include "simulate/sampling/hash.h"
+#include "simulate/render/render.h"
 
 enum {
     SIDE = 512,

@@ -5,9 +5,9 @@
 #include <stdlib.h>
 
 #include "bench/bench.h"
-#include "simulate/hash.h"
-#include "simulate/item.h"
-#include "simulate/tracer.h"
+#include "simulate/sampling/hash.h"
+#include "simulate/tracer/item.h"
+#include "simulate/tracer/tracer.h"
 
 /* Daylight factors of all receivers (and the average behind them); seconds taken. */
 static double trace(const struct pp_world *world, double error, int threads,

@@ -7,9 +7,9 @@
 #include <string.h>
 
 #include "bench/bench.h"
-#include "model/room.h"
-#include "simulate/hash.h"
-#include "simulate/radiance.h"
+#include "model/room/room.h"
+#include "simulate/sampling/hash.h"
+#include "simulate/transport/radiance.h"
 
 enum { WIDE = 320, HIGH = 240 };
 

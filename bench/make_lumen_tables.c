@@ -6,8 +6,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "methods/lumen_cavity.h"
-#include "methods/lumen_room.h"
+#include "methods/lumen/lumen_cavity.h"
+#include "methods/lumen/lumen_room.h"
 
 static const double lights[] = {0.396, 0.75, 1.0, 1.25, 1.5, 1.75, NAN};
 static const double depths[] = {1, 2, 3, 4, 6, 8, 10};
@@ -53,7 +53,7 @@ static const char side_head[] =
     "# lumen_sidelight.csv - coefficients of utilization of the lumen method, light "
     "from "
     "the side\n"
-    "# source: worked out for this program by transfer of flux (methods/lumen_room.c; "
+    "# source: worked out for this program by transfer of flux (methods/lumen/lumen_room.c; "
     "make tables). The method is that of [IES84], whose\n"
     "#   own tables could not be had; these are not theirs\n"
     "# conditions: a box as deep and wide as given in window heights; the window is "
@@ -110,7 +110,7 @@ static const char top_head[] =
     "from "
     "above\n"
     "# source: worked out for this program by zonal transfer of flux "
-    "(methods/lumen_cavity.c; make tables); the method is that of [IES84]\n"
+    "(methods/lumen/lumen_cavity.c; make tables); the method is that of [IES84]\n"
     "# conditions: Lambertian openings spread evenly over the ceiling; square plan; "
     "working plane of reflectance 0.20; ceiling, walls and plane\n"
     "#   each evenly bright\n"

@@ -5,10 +5,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "charts/axes.h"
-#include "charts/labels.h"
-#include "charts/legend.h"
-#include "charts/page.h"
+#include "charts/sheet/axes.h"
+#include "charts/sheet/labels.h"
+#include "charts/sheet/legend.h"
+#include "charts/sheet/page.h"
 
 struct plot {
     cairo_t *cr;

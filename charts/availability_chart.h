@@ -10,8 +10,8 @@
 #ifndef PP_CHARTS_AVAILABILITY_CHART_H
 #define PP_CHARTS_AVAILABILITY_CHART_H
 
-#include "charts/canvas.h"
-#include "model/availability_sheet.h"
+#include "charts/sheet/canvas.h"
+#include "model/results/availability_sheet.h"
 
 enum pp_status pp_availability_chart_draw(struct pp_canvas *canvas,
                                           const struct pp_availability_sheet *sheet,

@@ -4,10 +4,10 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "charts/labels.h"
-#include "charts/page.h"
+#include "charts/sheet/labels.h"
+#include "charts/sheet/page.h"
 #include "charts/picture_png.h"
-#include "charts/room_plan.h"
+#include "charts/room/room_plan.h"
 
 /* Of what is left beside the picture for the scale of its colours, and below it for
  * that of its lengths, in style.scale. */

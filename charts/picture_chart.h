@@ -2,8 +2,8 @@
 #ifndef PP_CHARTS_PICTURE_CHART_H
 #define PP_CHARTS_PICTURE_CHART_H
 
-#include "charts/canvas.h"
-#include "model/picture_sheet.h"
+#include "charts/sheet/canvas.h"
+#include "model/results/picture_sheet.h"
 
 enum pp_status pp_picture_chart_draw(struct pp_canvas *canvas,
                                      const struct pp_picture_sheet *sheet,

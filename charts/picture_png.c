@@ -2,7 +2,7 @@
 
 #include <stdint.h>
 
-#include "charts/bytes.h"
+#include "charts/sheet/bytes.h"
 
 cairo_surface_t *pp_picture_surface(const struct pp_raster *raster)
 {

@@ -4,7 +4,7 @@
 
 #include <cairo.h>
 
-#include "model/raster.h"
+#include "model/pictures/raster.h"
 
 /* A cairo image of the raster; NULL when memory is out or it is too large. */
 cairo_surface_t *pp_picture_surface(const struct pp_raster *raster);

@@ -3,7 +3,7 @@
 #define PP_CLI_COMMAND_FILES_H
 
 #include "cli/options.h"
-#include "model/error.h"
+#include "model/base/error.h"
 
 /* Is no file that the options write another one of theirs, or one of the files that are
  * read? PP_BAD_INPUT if one is, whatever it is called the second time. files: those of

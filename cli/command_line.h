@@ -6,7 +6,7 @@
 
 #include "cli/exit_status.h"
 #include "cli/options.h"
-#include "model/error.h"
+#include "model/base/error.h"
 
 /* Once the words are read and checked, with what `status` and `err` say, and `files`
  * those that they name: whether the command shall start. If not, its help was printed

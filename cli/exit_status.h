@@ -2,7 +2,7 @@
 #ifndef PP_CLI_EXIT_STATUS_H
 #define PP_CLI_EXIT_STATUS_H
 
-#include "model/error.h"
+#include "model/base/error.h"
 
 enum pp_exit {
     PP_EXIT_DONE = 0,

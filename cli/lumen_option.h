@@ -5,7 +5,7 @@
 
 #include "cli/exit_status.h"
 #include "cli/options.h"
-#include "methods/lumen_table.h"
+#include "methods/lumen/lumen_table.h"
 
 enum { PP_LUMEN_FILES_MOST = 2 }; /* one for light from the side, one from above */
 

@@ -10,7 +10,7 @@
 
 #include "cli/commands.h"
 #include "cli/messages.h"
-#include "model/nearest.h"
+#include "model/base/names.h"
 
 struct command {
     const char *name;

@@ -3,7 +3,7 @@
 #include <stdarg.h>
 #include <stdio.h>
 
-#include "cli/utf8.h"
+#include "cli/print/utf8.h"
 
 static void put_line(const char *before, const char *message)
 {

@@ -3,8 +3,8 @@
 #define PP_CLI_MESSAGES_H
 
 #include "cli/exit_status.h"
-#include "model/error.h"
-#include "model/mistakes.h"
+#include "model/base/error.h"
+#include "model/base/mistakes.h"
 
 /* "pepperpot: what the error says". Returns the exit status that goes with it. */
 enum pp_exit pp_say_error(const struct pp_error *err);

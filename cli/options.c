@@ -5,9 +5,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "cli/utf8.h"
-#include "model/nearest.h"
-#include "model/number.h"
+#include "cli/print/utf8.h"
+#include "model/base/names.h"
+#include "model/base/number.h"
 
 enum { HELP_WIDTH = 80, HELP_INDENT = 24, MOST_OPTIONS = 64 };
 

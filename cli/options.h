@@ -11,7 +11,7 @@
 #include <stddef.h>
 #include <stdio.h>
 
-#include "model/error.h"
+#include "model/base/error.h"
 
 /* Puts the value `text` in its place, or fails with what was expected, as the end of
  * the sentence "--error is "x"; expected ...". */

@@ -12,7 +12,7 @@
 #include <stddef.h>
 #include <stdio.h>
 
-#include "model/error.h"
+#include "model/base/error.h"
 
 struct pp_output {
     FILE *stream; /* print here */

@@ -13,7 +13,7 @@
 #include <stdbool.h>
 #include <stdio.h>
 
-#include "model/error.h"
+#include "model/base/error.h"
 
 struct pp_directory_file {
     char *path;   /* in the directory; with one "/" at most */

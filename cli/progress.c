@@ -6,8 +6,8 @@
 #include <sys/ioctl.h>
 #include <unistd.h>
 
-#include "cli/utf8.h"
-#include "model/clock.h"
+#include "cli/print/utf8.h"
+#include "model/base/clock.h"
 
 /* Columns that the bar, and the label, take at most; the bar at least. */
 enum { BAR = 24, LABEL = 20, BAR_LEAST = 5 };

@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "model/number.h"
+#include "model/base/number.h"
 
 const struct pp_room_options pp_room_options_none = {.seed = 1};
 

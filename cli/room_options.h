@@ -7,7 +7,7 @@
 
 #include "cli/options.h"
 #include "methods/method.h"
-#include "model/world.h"
+#include "model/room/world.h"
 
 /* Points of --points; z is NAN for the working plane. */
 struct pp_point_list {

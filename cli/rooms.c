@@ -5,8 +5,8 @@
 #include <string.h>
 
 #include "cli/messages.h"
-#include "model/nearest.h"
-#include "model/room.h"
+#include "model/base/names.h"
+#include "model/room/room.h"
 
 /* What goes from file to file while all are read. */
 struct loading {

@@ -6,8 +6,8 @@
 
 #include "cli/exit_status.h"
 #include "cli/room_options.h"
-#include "model/room.h"
-#include "model/world.h"
+#include "model/room/room.h"
+#include "model/room/world.h"
 
 struct pp_loaded_room {
     const char *file; /* as typed; not owned */

@@ -21,8 +21,8 @@
  * through W, the frame; `average-df` dirt too. Neither is meant for obstructions that
  * one section angle does not describe; blocks are taken by obstruction_angle.h.
  */
-#include "methods/bre_terms.h"
-#include "methods/inside.h"
+#include "methods/reflected/bre_terms.h"
+#include "methods/reflected/interior.h"
 #include "methods/methods.h"
 #include "methods/refusals.h"
 #include "methods/visible_angle.h"

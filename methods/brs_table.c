@@ -28,10 +28,10 @@
 
 #include <stddef.h>
 
-#include "methods/elevation.h"
+#include "methods/view/elevation.h"
 #include "methods/methods.h"
 #include "methods/refusals.h"
-#include "methods/terms.h"
+#include "methods/part_steps.h"
 
 /* A first row of w/d, then rows of h/d and per cent, from infinity down. */
 static const double printed[][21] = {

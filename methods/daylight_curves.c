@@ -5,9 +5,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "methods/contour.h"
-#include "methods/exact.h"
-#include "methods/outside.h"
+#include "model/geometry/contour/contour.h"
+#include "methods/exact/exact.h"
+#include "methods/view/exterior_planes.h"
 #include "methods/plane_inset.h"
 
 /* Sky of a smaller solid angle than this (sr) is none: 1e-9 sr is what a slit of a

@@ -14,9 +14,9 @@
 #ifndef PP_METHODS_DAYLIGHT_CURVES_H
 #define PP_METHODS_DAYLIGHT_CURVES_H
 
-#include "model/daylight_plan.h"
-#include "model/error.h"
-#include "model/world.h"
+#include "model/results/daylight_plan.h"
+#include "model/base/error.h"
+#include "model/room/world.h"
 
 /* Fills plan (to be cleared by the caller; empty on failure).
  *

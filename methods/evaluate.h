@@ -3,7 +3,7 @@
  *
  * A method says what one opening gives. Here it is asked for each opening and each
  * receiver, what its figures lack of glass, frame and dirt is multiplied on
- * (model/allowance.h), and the parts are put together:
+ * (methods/allowance.h), and the parts are put together:
  *
  *     df(A+B) = sc(A) + erc(A) + irc(B)
  *
@@ -20,8 +20,8 @@
 #ifndef PP_METHODS_EVALUATE_H
 #define PP_METHODS_EVALUATE_H
 
-#include "model/error.h"
-#include "model/report.h"
+#include "model/base/error.h"
+#include "model/results/report.h"
 
 #define PP_AVERAGE_ERROR 1e-3
 #define PP_AVERAGE_ERROR_COUNTS 1e-2

@@ -1,7 +1,7 @@
 /* method.h - what every hand method is: one entry in one list.
  *
  * A method says what one opening gives, as its source has it; the sum over openings and
- * the settling of glass, frame and dirt (model/allowance.h) are done once for all, in
+ * the settling of glass, frame and dirt (methods/allowance.h) are done once for all, in
  * methods/evaluate.c.
  */
 #ifndef PP_METHODS_METHOD_H
@@ -9,10 +9,10 @@
 
 #include <stdbool.h>
 
-#include "model/allowance.h"
-#include "model/reading.h"
-#include "model/steps.h"
-#include "model/world.h"
+#include "methods/allowance.h"
+#include "model/results/reading.h"
+#include "model/results/steps.h"
+#include "model/room/world.h"
 
 enum pp_gives {
     PP_GIVES_DIRECT,   /* sky and externally reflected component, at a point */

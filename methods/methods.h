@@ -2,7 +2,7 @@
 #ifndef PP_METHODS_METHODS_H
 #define PP_METHODS_METHODS_H
 
-#include "methods/exact.h"
+#include "methods/exact/exact.h"
 #include "methods/method.h"
 
 extern const struct pp_method pp_method_brs_table;

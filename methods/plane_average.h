@@ -3,7 +3,7 @@
 #ifndef PP_METHODS_PLANE_AVERAGE_H
 #define PP_METHODS_PLANE_AVERAGE_H
 
-#include "model/world.h"
+#include "model/room/world.h"
 
 enum { PP_PLANE_VALUES = 2 };
 

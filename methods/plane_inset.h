@@ -3,8 +3,8 @@
 #ifndef PP_METHODS_PLANE_INSET_H
 #define PP_METHODS_PLANE_INSET_H
 
-#include "model/region.h"
-#include "model/vec.h"
+#include "model/geometry/region.h"
+#include "model/geometry/vec.h"
 
 /* The place at height z over (x, y), as far inside the figure as the inset (m): moved
  * along the inward normals of the edges that it is nearer to. On the edge itself, in a

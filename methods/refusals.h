@@ -2,7 +2,7 @@
 #ifndef PP_METHODS_REFUSALS_H
 #define PP_METHODS_REFUSALS_H
 
-#include "model/world.h"
+#include "model/room/world.h"
 
 /* Sentences of refuses_room(); NULL where there is no such reason. */
 

@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "methods/evaluate.h"
-#include "model/nearest.h"
+#include "model/base/names.h"
 
 static const char default_selection[] = "exact+bre,brs-table+bre,average-df";
 

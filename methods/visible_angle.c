@@ -1,7 +1,7 @@
 /* visible_angle.c - see visible_angle.h. */
 #include "methods/visible_angle.h"
 
-#include "methods/obstruction_angle.h"
+#include "methods/reflected/obstruction_angle.h"
 
 enum pp_status pp_visible_angle(struct pp_visible_angle *angle,
                                 const struct pp_world *world,

@@ -3,8 +3,8 @@
 #ifndef PP_METHODS_VISIBLE_ANGLE_H
 #define PP_METHODS_VISIBLE_ANGLE_H
 
-#include "model/steps.h"
-#include "model/world.h"
+#include "model/results/steps.h"
+#include "model/room/world.h"
 
 /* theta: in the vertical section through the middle of a vertical opening, in the plane
  * of the wall's inside, from the obstruction's angle up to the head of the reveal. */

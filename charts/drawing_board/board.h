@@ -1,0 +1,67 @@
+/* board.h - what the diagrams of the drawing board share on paper: pieces of windows,
+ * the sum that is written below them, a ruler. */
+#ifndef PP_CHARTS_BOARD_H
+#define PP_CHARTS_BOARD_H
+
+#include <stdbool.h>
+
+#include "charts/sheet/style.h"
+#include "charts/sheet/lettering.h"
+#include "model/results/board_windows.h"
+
+/* From a diagram's own coordinates to paper: x0 + mm x, y0 - mm y. */
+struct pp_board_map {
+    double x0, y0, mm;
+};
+
+/* Adds the outline of a region to the path. */
+void pp_board_path(cairo_t *cr, const struct pp_board_map *map,
+                   const struct pp_region *region);
+
+/* Tints a region as sky or, darker and hatched, as obstruction; `within` bounds the
+ * hatching, mm on paper. */
+void pp_board_fill(cairo_t *cr, const struct pp_style *style,
+                   const struct pp_board_map *map, const struct pp_region *region,
+                   bool hidden, struct pp_box within);
+
+/* Draws its outline. */
+void pp_board_outline(cairo_t *cr, const struct pp_style *style,
+                      const struct pp_board_map *map, const struct pp_region *region);
+
+/* Samples of both tints with their words, from x, y on; nothing is drawn unless
+ * `drawn`. Returns the box. */
+struct pp_box pp_board_tint_keys(cairo_t *cr, const struct pp_style *style, double x,
+                                 double y, bool hidden_too, bool drawn);
+
+/* What is written below a diagram: the sum of each window with its letter and line,
+ * those beyond the first few as so many further ones, and the sum of all. */
+struct pp_board_sums {
+    const char *unit; /* "squares" */
+    double worth;     /* of one, a fraction of Eh */
+    bool any_hidden;
+    double sky, external;
+    int windows;
+    char text[4096];
+};
+
+/* Adds the windows of a panel. */
+void pp_board_sums_add(struct pp_board_sums *sums,
+                       const struct pp_board_window *windows, int count);
+
+/* Draws them from x, y on, if `drawn`; returns the height. */
+double pp_board_sums_draw(cairo_t *cr, const struct pp_style *style,
+                          const struct pp_board_sums *sums, double x, double y,
+                          double width, bool drawn);
+
+/* "A", "B" ... of window number `index`. */
+const char *pp_board_letter(int index);
+
+/* A ruler of 100 mm with centimetres and millimetres, its left end at x, y its upper
+ * edge, and the note "print at 100 %". Returns its box. */
+struct pp_box pp_board_ruler(cairo_t *cr, const struct pp_style *style, double x,
+                             double y);
+
+/* How much height the ruler takes. */
+double pp_board_ruler_height(const struct pp_style *style);
+
+#endif

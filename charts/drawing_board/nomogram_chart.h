@@ -1,0 +1,25 @@
+/* nomogram_chart.h - a nomogram to lay a straight-edge on, blank or with the lines and
+ * readings of a room.
+ *
+ * It has no scale that must be kept: what lies on a line stays on one however the sheet
+ * is enlarged, in width and height apart too.
+ */
+#ifndef PP_CHARTS_NOMOGRAM_CHART_H
+#define PP_CHARTS_NOMOGRAM_CHART_H
+
+#include "charts/sheet/canvas.h"
+#include "model/results/nomogram_sheet.h"
+
+/* How high the scales stand on such a sheet, if its notes leave them room: 200 mm on
+ * upright A4. */
+double pp_nomogram_chart_height_mm(const struct pp_canvas *canvas);
+
+/* How near marks, and numbered marks, are to stand on it. */
+double pp_nomogram_chart_fine_mm(const struct pp_canvas *canvas);
+double pp_nomogram_chart_number_mm(const struct pp_canvas *canvas);
+
+enum pp_status pp_nomogram_chart_draw(struct pp_canvas *canvas,
+                                      const struct pp_nomogram_sheet *sheet,
+                                      struct pp_error *err);
+
+#endif

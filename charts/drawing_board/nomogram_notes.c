@@ -1,0 +1,239 @@
+#include "charts/drawing_board/nomogram_notes.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "charts/sheet/page.h"
+#include "model/geometry/vec.h"
+#include "model/base/text.h"
+
+const char *pp_nomogram_tag(const struct pp_nomogram *nomogram, int stem)
+{
+    switch (nomogram->stems[stem].quantity) {
+    case PP_NOMOGRAM_GLASS:
+        return "W/A";
+    case PP_NOMOGRAM_REFLECTANCE:
+        return "R";
+    case PP_NOMOGRAM_OBSTRUCTION:
+        return "\u03b1, degrees";
+    case PP_NOMOGRAM_SLOPE:
+        return "\u03b2, degrees";
+    case PP_NOMOGRAM_WALLS:
+        return "walls";
+    case PP_NOMOGRAM_COMPONENT:
+        break;
+    }
+    if (stem == nomogram->edges[PP_NOMOGRAM_EDGES - 1].read)
+        return "min., %";
+    return "IRC, %";
+}
+
+static const char *const numbers[PP_NOMOGRAMS] = {
+    [PP_NOMOGRAM_AVERAGE] = "I",
+    [PP_NOMOGRAM_MINIMUM] = "II",
+    [PP_NOMOGRAM_ROOFLIGHT] = "III",
+};
+
+void pp_nomogram_say_title(char *text, size_t room,
+                           const struct pp_nomogram_sheet *sheet)
+{
+    snprintf(text, room, "Nomogram %s", numbers[sheet->nomogram.kind]);
+}
+
+void pp_nomogram_say_subtitle(char *text, size_t room,
+                              const struct pp_nomogram_sheet *sheet)
+{
+    static const char *const what[PP_NOMOGRAMS] = {
+        [PP_NOMOGRAM_AVERAGE] = "average internally reflected component, side-lit room",
+        [PP_NOMOGRAM_MINIMUM] =
+            "average and minimum internally reflected component, side-lit room",
+        [PP_NOMOGRAM_ROOFLIGHT] =
+            "average internally reflected component, top-lit room",
+    };
+    *text = 0;
+    if (!sheet->blank)
+        pp_page_say(text, room, "Nomogram %s:", numbers[sheet->nomogram.kind]);
+    pp_page_say(text, room, "%s; CIE overcast sky, clear single glass",
+                what[sheet->nomogram.kind]);
+}
+
+void pp_nomogram_say_how(char *text, size_t room, const struct pp_nomogram *nomogram)
+{
+    bool top = nomogram->kind == PP_NOMOGRAM_ROOFLIGHT;
+    *text = 0;
+    pp_page_say(text, room,
+                "Straight-edge from A to B: read C, %s. From C to D: read E, %s.",
+                top ? "for horizontal glass" : "without obstruction",
+                top ? "for glass at that slope" : "with it");
+    if (nomogram->kind == PP_NOMOGRAM_MINIMUM)
+        pp_page_say(text, room,
+                    "From E (without obstruction, the figure of C on E) to F: read G, "
+                    "the minimum.");
+}
+
+/* --- the foot ------------------------------------------------------------------------
+ */
+
+static void say_letters(char *text, size_t room, const struct pp_nomogram *nomogram)
+{
+    bool top = nomogram->kind == PP_NOMOGRAM_ROOFLIGHT;
+    pp_page_say(text, room,
+                "A: net area of glass W over area of all inside surfaces A. B: their "
+                "mean reflectance R, openings 0.1. C: average internally reflected "
+                "component (IRC), %s.",
+                top ? "horizontal glass" : "no obstruction");
+    pp_page_say(text, room,
+                top ? "D: slope \u03b2 of the glass, 0 horizontal. E: IRC with it."
+                    : "D: altitude \u03b1 of a long obstruction from the middle of the "
+                      "window. E: IRC with it.");
+    if (nomogram->kind == PP_NOMOGRAM_MINIMUM)
+        pp_page_say(
+            text, room,
+            "F: mean reflectance of the walls. G: minimum IRC, far from the "
+            "window: E over 1.8, 1.4, 1.3, 1.2 for walls of 0.2, 0.4, 0.6, 0.8.");
+    pp_page_say(text, room,
+                "Off scale A: set ten times or a tenth of W/A, and shift the point of "
+                "the IRC back. Multiply by factors for other glass and dirt; add up "
+                "several windows.\n");
+}
+
+static void say_formula(char *text, size_t room, const struct pp_nomogram *nomogram)
+{
+    double k = nomogram->k, lower = nomogram->R_fw_R;
+    if (nomogram->kind == PP_NOMOGRAM_ROOFLIGHT)
+        pp_page_say(text, room,
+                    "IRC = 0.85 W/(A (1 \u2212 R)) (C Rfw + 5 (1 \u2212 cos \u03b2) "
+                    "Rcw) %%, C the sky\u2019s share on the glass, 100 if horizontal, "
+                    "ground 0.1, nothing in its way,");
+    else
+        pp_page_say(text, room,
+                    "IRC = 0.85 W/(A (1 \u2212 R)) (C Rfw + 5 Rcw) %%, C 39 without "
+                    "obstruction, by the printed table with it,");
+    pp_page_say(
+        text, room,
+        "with the rule Rcw = k Rfw, k = %.3g, and (Rfw + Rcw)/2 = R, so Rfw = "
+        "%.3g\u00a0R, Rcw = %.3g\u00a0R: right on average for floor 0.2, walls 0.5, "
+        "ceiling 0.7.",
+        k, lower, k * lower);
+    pp_page_say(text, room,
+                "BRE inter-reflection formula (Hopkinson, Longmore and Petherbridge, "
+                "1954; BRE Digest 310, 1986); rule and construction of the scales: "
+                "pepperpot.");
+}
+
+static void say_number(char *text, size_t room, const struct pp_nomogram_sheet *sheet,
+                       int stem, double value)
+{
+    switch (sheet->nomogram.stems[stem].quantity) {
+    case PP_NOMOGRAM_COMPONENT:
+        snprintf(text, room, "%.4g\u00a0%%", 100.0 * value);
+        return;
+    case PP_NOMOGRAM_OBSTRUCTION:
+    case PP_NOMOGRAM_SLOPE:
+        snprintf(text, room, "%.3g\u00b0", value / PP_RAD);
+        return;
+    case PP_NOMOGRAM_GLASS:
+    case PP_NOMOGRAM_REFLECTANCE:
+    case PP_NOMOGRAM_WALLS:
+        break;
+    }
+    snprintf(text, room, "%.4g", value);
+}
+
+void pp_nomogram_say_value(char *text, size_t room,
+                           const struct pp_nomogram_sheet *sheet, int window, int stem,
+                           bool briefly)
+{
+    char number[32];
+    enum pp_nomogram_quantity quantity = sheet->nomogram.stems[stem].quantity;
+    double value = sheet->windows[window].read.value[stem];
+    if (quantity == PP_NOMOGRAM_COMPONENT)
+        snprintf(number, sizeof number, "%.4g", 100.0 * value);
+    else
+        say_number(number, sizeof number, sheet, stem, value);
+    bool of_room = quantity == PP_NOMOGRAM_REFLECTANCE || quantity == PP_NOMOGRAM_WALLS;
+    if (sheet->window_count == 1 || of_room)
+        snprintf(text, room, "%s", number);
+    else if (briefly)
+        snprintf(text, room, "%d", window + 1);
+    else
+        snprintf(text, room, "%d: %s", window + 1, number);
+}
+
+/* "A 0.0155, B 0.522: C 0.54 %" and so on, of one window. */
+static void say_window(char *text, size_t room, const struct pp_nomogram_sheet *sheet,
+                       int index)
+{
+    const struct pp_nomogram_window *window = &sheet->windows[index];
+    const struct pp_nomogram_reading *read = &window->read;
+    pp_page_say(text, room, "Window");
+    if (sheet->window_count > 1)
+        pp_page_say(text, room, "%d", index + 1);
+    pp_page_say(text, room, "(line %d", window->line);
+    if (window->alike > 1)
+        pp_page_say(text, room, "and %d like it", window->alike - 1);
+    char shift[40] = "";
+    if (read->tens)
+        snprintf(shift, sizeof shift, ", set %s %.0f",
+                 read->tens > 0 ? "times" : "over", pow(10.0, abs(read->tens)));
+    pp_append(text, room, "): W/A = %.2f/%.2f = %.4f%s;", read->glass_m2,
+              read->inside_m2, read->ratio, shift);
+    for (int k = 0; k < sheet->nomogram.edge_count; k++) {
+        const struct pp_nomogram_edge *edge = &sheet->nomogram.edges[k];
+        char words[3][32];
+        if (!read->used[k])
+            continue;
+        say_number(words[0], 32, sheet, edge->from, read->value[edge->from]);
+        say_number(words[1], 32, sheet, edge->to, read->value[edge->to]);
+        say_number(words[2], 32, sheet, edge->read, read->value[edge->read]);
+        const struct pp_nomogram_stem *stems = sheet->nomogram.stems;
+        if (k == 0)
+            pp_page_say(text, room, "A %s and B %s: C %s;", words[0], words[1],
+                        words[2]);
+        else
+            pp_page_say(text, room, "with %c %s: %c %s;", stems[edge->to].letter,
+                        words[1], stems[edge->read].letter, words[2]);
+    }
+    double settled = window->allowance * read->component;
+    char least[32] = "";
+    if (isfinite(read->minimum))
+        snprintf(least, sizeof least, " and %.3g\u00a0%%",
+                 100.0 * window->allowance * read->minimum);
+    pp_page_say(text, room, "\u00d7 %.3g for its glass and dirt = %.3g\u00a0%%%s%s.",
+                window->allowance, 100.0 * settled, least,
+                window->alike > 1 ? " each" : "");
+}
+
+enum { WINDOWS_SAID = 6 };
+
+static void say_room(char *text, size_t room, const struct pp_nomogram_sheet *sheet)
+{
+    for (int i = 0; i < sheet->window_count && i < WINDOWS_SAID; i++)
+        say_window(text, room, sheet, i);
+    if (sheet->window_count > WINDOWS_SAID)
+        pp_page_say(text, room, "And %d more.", sheet->window_count - WINDOWS_SAID);
+    if (sheet->decorations != 1.0)
+        pp_page_say(text, room, "All \303\227 %.3g for decorations.",
+                    sheet->decorations);
+    pp_page_say(text, room, "Together: average IRC %.3g\u00a0%%",
+                100.0 * sheet->component);
+    if (isfinite(sheet->minimum))
+        pp_page_say(text, room, "and minimum %.3g\u00a0%%", 100.0 * sheet->minimum);
+    pp_page_say(text, room, "as read to a fifth of a division.");
+    if (sheet->left_out)
+        pp_page_say(text, room, "%d %s not for this nomogram.", sheet->left_out,
+                    sheet->left_out == 1 ? "further opening is"
+                                         : "further openings are");
+    pp_page_say(text, room, "\n");
+}
+
+void pp_nomogram_say_foot(char *text, size_t room,
+                          const struct pp_nomogram_sheet *sheet)
+{
+    *text = 0;
+    if (!sheet->blank)
+        say_room(text, room, sheet);
+    say_letters(text, room, &sheet->nomogram);
+    say_formula(text, room, &sheet->nomogram);
+}

@@ -1,0 +1,16 @@
+/* pepper_pot_chart.h - Pleijel's pepper-pot diagram at a stated viewing distance, blank
+ * or with a room's windows on it, their dots counted and the sum written below. */
+#ifndef PP_CHARTS_PEPPER_POT_CHART_H
+#define PP_CHARTS_PEPPER_POT_CHART_H
+
+#include "charts/sheet/canvas.h"
+#include "model/results/pepper_pot_sheet.h"
+
+/* viewing_mm: from the eye to the drawing, 5 to 200; 0: 30, for dots worth
+ * less than 0.05 % 60, or the largest usual one
+ * at which the windows stay on the sheet. */
+enum pp_status pp_pepper_pot_chart_draw(struct pp_canvas *canvas,
+                                        const struct pp_pepper_pot_sheet *sheet,
+                                        double viewing_mm, struct pp_error *err);
+
+#endif

@@ -1,0 +1,22 @@
+/* protractor_chart.h - a daylight protractor to print and cut out: a disc with the
+ * primary scale on one half and the auxiliary on the other.
+ *
+ * Angles have no scale: it is laid on drawings of any. Its radius is stated, the
+ * largest multiple of 5 mm that the sheet holds.
+ */
+#ifndef PP_CHARTS_PROTRACTOR_CHART_H
+#define PP_CHARTS_PROTRACTOR_CHART_H
+
+#include "charts/sheet/canvas.h"
+#include "model/results/protractor_sheet.h"
+
+/* The radius that the sheet holds, and of the arc that its primary scale stands on. */
+double pp_protractor_chart_radius_mm(const struct pp_canvas *canvas);
+double pp_protractor_chart_arc_mm(const struct pp_canvas *canvas, bool worked);
+
+/* Of a protractor by itself. */
+enum pp_status pp_protractor_chart_draw(struct pp_canvas *canvas,
+                                        const struct pp_protractor_sheet *sheet,
+                                        struct pp_error *err);
+
+#endif

@@ -1,0 +1,51 @@
+/* protractor_disc.h - a protractor about its centre: the primary scale on the half that
+ * is laid on sections, the auxiliary on the half that is laid on plans.
+ *
+ * Rings from the rim inwards: figures of degrees (outside the rim), degree marks, then
+ * the scale's own marks and figures.
+ */
+#ifndef PP_CHARTS_PROTRACTOR_DISC_H
+#define PP_CHARTS_PROTRACTOR_DISC_H
+
+#include <stdbool.h>
+
+#include "charts/sheet/style.h"
+#include "model/results/protractor_sheet.h"
+
+struct pp_protractor_disc {
+    const struct pp_protractor_scale *scale;
+    double x, y;    /* the centre, mm on paper */
+    double radius;  /* of the rim */
+    double grey;    /* of its lines and figures */
+    bool to_right;  /* does the section look to the right? else to the left */
+    double plan[2]; /* unit, on paper: the normal on the plan, out of the room */
+};
+
+/* How far figures reach beyond the rim. */
+double pp_protractor_disc_border(const struct pp_style *style);
+
+/* Radius of the primary scale's arc, and of the outermost semicircle. */
+double pp_protractor_disc_arc(const struct pp_style *style, double radius);
+
+/* On paper, at that distance from the centre under that angle of the section, or of the
+ * plan. */
+void pp_protractor_disc_section(const struct pp_protractor_disc *disc, double angle_rad,
+                                double distance, double xy[2]);
+void pp_protractor_disc_plan(const struct pp_protractor_disc *disc, double angle_rad,
+                             double distance, double xy[2]);
+
+/* The section's half, from 0 to the scale's end; `both`: a scale that ends at the
+ * zenith is drawn to the left and to the right. */
+void pp_protractor_disc_primary(cairo_t *cr, const struct pp_style *style,
+                                const struct pp_protractor_disc *disc, bool both);
+
+/* The plan's half; `whole`: the section's is there too. */
+void pp_protractor_disc_auxiliary(cairo_t *cr, const struct pp_style *style,
+                                  const struct pp_protractor_disc *disc, bool whole);
+
+/* Radius of the semicircle of an average altitude. */
+double pp_protractor_disc_semicircle(const struct pp_style *style,
+                                     const struct pp_protractor_disc *disc,
+                                     double average_rad);
+
+#endif

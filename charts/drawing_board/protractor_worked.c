@@ -1,0 +1,481 @@
+#include "charts/drawing_board/protractor_worked.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "charts/sheet/page.h"
+#include "charts/drawing_board/protractor_disc.h"
+#include "charts/room/room_plan.h"
+#include "charts/room/room_section.h"
+
+enum { SIGHTS_MOST = 12, SUMS_MOST = 5 };
+
+/* The protractor stands back behind the sight lines. */
+static const double disc_grey = 0.42;
+
+double pp_protractor_worked_radius_mm(const struct pp_canvas *canvas)
+{
+    struct pp_style style = pp_page_style(canvas);
+    double width = pp_canvas_width_mm(canvas), height = pp_canvas_height_mm(canvas);
+    double half = width > height ? 0.42 * fmin(width / 2.0, height)
+                                 : 0.40 * fmin(width, height / 2.0);
+    return fmin(0.62 * half, 62.0 * style.scale);
+}
+
+/* A line from the centre under an angle, and what is read there. */
+struct sight {
+    double angle_rad;
+    double reach; /* to the edge, mm */
+    char words[48];
+};
+
+struct sights {
+    int count;
+    struct sight list[SIGHTS_MOST];
+};
+
+struct drawing {
+    cairo_t *cr;
+    struct pp_style style;
+    const struct pp_protractor_sheet *sheet;
+    double radius;
+};
+
+/* As a careful reader reads it: to a hundredth of a per cent. */
+static void write_percent(char *text, size_t room, double fraction)
+{
+    snprintf(text, room, "%.2f\u00a0%%", 100.0 * fabs(fraction));
+}
+
+/* Notes a sight line, in order of angle; one that is there already is not noted twice.
+ */
+static void note(struct sights *sights, struct sight sight)
+{
+    int at = 0;
+    for (; at < sights->count && sights->list[at].angle_rad < sight.angle_rad + 1e-4;
+         at++)
+        if (fabs(sights->list[at].angle_rad - sight.angle_rad) < 1e-4)
+            return;
+    if (sights->count == SIGHTS_MOST)
+        return;
+    for (int i = sights->count++; i > at; i--)
+        sights->list[i] = sights->list[i - 1];
+    sights->list[at] = sight;
+}
+
+typedef void place_function(const struct pp_protractor_disc *disc, double angle_rad,
+                            double distance, double xy[2]);
+
+/* The words of a sight line, beyond what it leads to where that is near, else at the
+ * rim; further out where other words stand. */
+static struct pp_box write_sight(const struct drawing *drawing,
+                                 const struct pp_protractor_disc *disc,
+                                 place_function *place, const struct sight *sight,
+                                 const struct pp_box *taken, int count)
+{
+    const struct pp_style *style = &drawing->style;
+    double rim = disc->radius + pp_protractor_disc_border(style) + 1.0 * style->scale;
+    double outside = sight->reach + 3.0 * style->scale, label[2], from[2];
+    double at = outside < rim + 25.0 * style->scale ? fmax(outside, rim) : rim;
+    place(disc, sight->angle_rad, 1.0, label);
+    double dx = label[0] - disc->x, dy = label[1] - disc->y;
+    const struct pp_text set = {.size = PP_TEXT_SMALL,
+                                .bold = true,
+                                .across = 0.5 - 0.5 * dx,
+                                .down = 0.5 - 0.5 * dy};
+    struct pp_box box;
+    for (bool clear = false; !clear; at += 0.5 * style->scale) {
+        place(disc, sight->angle_rad, at, label);
+        box =
+            pp_text_measure(drawing->cr, style, &set, label[0], label[1], sight->words);
+        clear = true;
+        for (int i = 0; i < count; i++)
+            clear = clear && !pp_box_overlaps(box, taken[i]);
+    }
+    place(disc, sight->angle_rad, disc->radius, from);
+    pp_style_line(drawing->cr, style->hair, PP_INK);
+    cairo_move_to(drawing->cr, from[0], from[1]);
+    cairo_line_to(drawing->cr, label[0], label[1]);
+    cairo_stroke(drawing->cr);
+    return pp_text_draw_clear(drawing->cr, style, &set, label[0], label[1],
+                              sight->words);
+}
+
+/* Sight lines from the centre to the edges, then what is read there. */
+static void draw_sights(const struct drawing *drawing,
+                        const struct pp_protractor_disc *disc, place_function *place,
+                        const struct sights *sights)
+{
+    cairo_t *cr = drawing->cr;
+    const struct pp_style *style = &drawing->style;
+    pp_style_line(cr, style->medium, PP_INK);
+    for (int i = 0; i < sights->count; i++) {
+        double end[2];
+        place(disc, sights->list[i].angle_rad,
+              fmax(sights->list[i].reach, disc->radius), end);
+        cairo_move_to(cr, disc->x, disc->y);
+        cairo_line_to(cr, end[0], end[1]);
+    }
+    cairo_stroke(cr);
+    struct pp_box taken[SIGHTS_MOST];
+    for (int i = 0; i < sights->count; i++)
+        taken[i] = write_sight(drawing, disc, place, &sights->list[i], taken, i);
+    pp_style_marker(cr, style, PP_DISC, disc->x, disc->y);
+}
+
+/* --- the section ---------------------------------------------------------------------
+ */
+
+static void note_edges(struct sights *sights, const struct pp_protractor_sheet *sheet,
+                       double mm_per_m)
+{
+    for (int r = 0; r < sheet->read.count; r++) {
+        const struct pp_protractor_reading *reading = &sheet->read.list[r];
+        for (int k = 0; k < 2; k++) {
+            double angle = reading->edge_rad[k];
+            struct sight sight = {
+                .angle_rad = angle,
+                .reach = mm_per_m * (sheet->read.distance_m + sheet->opening->reveal_m)
+                         / fmax(sin(angle + sheet->read.slope_rad), 0.02)};
+            char percent[32];
+            write_percent(percent, sizeof percent, reading->share[k]);
+            snprintf(sight.words, sizeof sight.words, "%.1f\u00b0: %s", angle / PP_RAD,
+                     percent);
+            note(sights, sight);
+        }
+    }
+}
+
+static enum pp_status draw_section(const struct drawing *drawing, struct pp_box box,
+                                   double *height, struct pp_error *err)
+{
+    const struct pp_protractor_sheet *sheet = drawing->sheet;
+    const struct pp_style *style = &drawing->style;
+    struct pp_receiver line[2] = {{.position = sheet->point, .normal = {0, 0, 1}},
+                                  {.normal = {0, 0, 1}}};
+    line[1].position = pp_along(sheet->point, -0.01, sheet->read.out);
+    struct pp_section_cut cut = {0};
+    enum pp_status status = pp_section_cut_create(&cut, sheet->world, line, 2, err);
+    if (status != PP_OK)
+        return status;
+
+    struct pp_report report = {
+        .world = sheet->world, .receivers = line, .receiver_count = 1};
+    struct pp_room_section section = {
+        .world = sheet->world, .cut = &cut, .report = &report, .no_sights = true};
+    bool to_right =
+        cut.along[0] * sheet->read.out.x + cut.along[1] * sheet->read.out.y > 0.0;
+    double edge = drawing->radius + pp_protractor_disc_border(style);
+    double words = 26.0 * style->scale, s = pp_section_cut_s(&cut, sheet->point);
+
+    /* The scale, then what the protractor needs beside the room and above. */
+    bool overhead = sheet->read.list[0].edge_rad[1] > 1.0;
+    double left = 0.0, right = 0.0, top = (overhead ? 10.0 : 3.0) * style->scale;
+    for (int round = 0; round < 4; round++) {
+        pp_room_section_fit(&section, style, box.width - left - right,
+                            box.height - top);
+        double near = s * section.mm_per_m;
+        double far = (cut.length_m - s) * section.mm_per_m;
+        section.y = 0.0;
+        double above = pp_room_section_y(&section, sheet->point.z);
+        left = fmax(left, to_right ? fmax(edge + 2.0 - near, 4.0)
+                                   : fmax(edge + 0.8 * words - near, words));
+        right = fmax(right, to_right ? fmax(edge + 0.8 * words - far, words)
+                                     : fmax(edge + 2.0 - far, 4.0));
+        top = fmax(top, edge + 0.25 * words - above);
+    }
+    double used = left + cut.length_m * section.mm_per_m + right;
+    section.x = box.x + (box.width - used) / 2.0 + left;
+    section.y = box.y + top;
+    section.left_mm = left;
+    section.right_mm = right;
+
+    struct pp_protractor_disc disc = {.scale = &sheet->scale,
+                                      .x = pp_room_section_x(&section, s),
+                                      .y = pp_room_section_y(&section, sheet->point.z),
+                                      .radius = drawing->radius,
+                                      .grey = disc_grey,
+                                      .to_right = to_right};
+    pp_protractor_disc_primary(drawing->cr, style, &disc, false);
+    pp_room_section_draw(drawing->cr, style, &section);
+    struct sights sights = {0};
+    note_edges(&sights, sheet, section.mm_per_m);
+    draw_sights(drawing, &disc, pp_protractor_disc_section, &sights);
+    pp_section_cut_clear(&cut);
+    *height = fmax(top + section.height_mm,
+                   disc.y + 2.0 * style->text[PP_TEXT_SMALL] - box.y);
+    return PP_OK;
+}
+
+/* --- the plan ------------------------------------------------------------------------
+ */
+
+static void note_jambs(struct sights *sights, const struct pp_protractor_sheet *sheet,
+                       double ahead_mm)
+{
+    for (int r = 0; r < sheet->read.count; r++) {
+        const struct pp_protractor_reading *reading = &sheet->read.list[r];
+        for (int k = 0; k < 2; k++) {
+            struct sight sight = {.angle_rad = reading->jamb_rad[k]};
+            sight.reach = ahead_mm / fmax(cos(sight.angle_rad), 0.02);
+            snprintf(sight.words, sizeof sight.words, "%.0f\u00b0: %.3f",
+                     fabs(sight.angle_rad) / PP_RAD, fabs(reading->correction[k]));
+            note(sights, sight);
+        }
+    }
+}
+
+static void write_caption(const struct drawing *drawing, double x, double y,
+                          double width, const char *words)
+{
+    const struct pp_text set = {
+        .size = PP_TEXT_SMALL, .grey = PP_GREY_TEXT, .width = width, .lines = 2};
+    pp_text_draw(drawing->cr, &drawing->style, &set, x, y, words);
+}
+
+static double caption_mm(const struct pp_style *style)
+{
+    return 3.6 * style->text[PP_TEXT_SMALL];
+}
+
+/* The opening ahead, as a line across the sight lines to its jambs. */
+static void draw_turned_down(const struct drawing *drawing, struct pp_box box)
+{
+    const struct pp_protractor_sheet *sheet = drawing->sheet;
+    const struct pp_style *style = &drawing->style;
+    const struct pp_protractor_reading *reading = &sheet->read.list[0];
+    double edge = drawing->radius + pp_protractor_disc_border(style);
+    double slant = sheet->read.distance_m
+                   / fmax(sin(reading->average_rad + sheet->read.slope_rad), 0.02);
+    double jamb[2], least = INFINITY, widest = 1e-3;
+    for (int k = 0; k < 2; k++) {
+        jamb[k] = slant * tan(reading->jamb_rad[k]);
+        widest = fmax(widest, fabs(jamb[k]));
+    }
+    /* Words stand 20 mm about the line. */
+    double words = 20.0 * style->scale;
+    least = fmin((box.height - caption_mm(style) - 0.5 * words) / slant,
+                 (box.width / 2.0 - 1.6 * words) / widest);
+    static const double usual[] = {1, 2, 2.5, 5};
+    double scale = 1.0;
+    for (int i = 0; 1000.0 / scale > least && i < 40; i++)
+        scale = usual[i % 4] * pow(10.0, i / 4);
+    double ahead = slant * 1000.0 / scale;
+    double height = fmax(edge, ahead + 0.5 * words);
+
+    struct pp_protractor_disc disc = {
+        .scale = &sheet->scale,
+        .x = box.x + box.width / 2.0,
+        .y = box.y + (box.height - caption_mm(style) - height) / 2.0 + height,
+        .radius = drawing->radius,
+        .grey = disc_grey,
+        .plan = {0.0, -1.0}};
+    pp_protractor_disc_auxiliary(drawing->cr, style, &disc, false);
+    pp_style_line(drawing->cr, 1.3 * style->thick, PP_INK);
+    for (int k = 0; k < 2; k++)
+        cairo_line_to(drawing->cr, disc.x + jamb[k] * 1000.0 / scale, disc.y - ahead);
+    cairo_stroke(drawing->cr);
+    struct sights sights = {0};
+    note_jambs(&sights, sheet, ahead);
+    draw_sights(drawing, &disc, pp_protractor_disc_plan, &sights);
+    char text[200];
+    snprintf(text, sizeof text,
+             "Plan 1:%g, turned down into the average sight line; the opening is "
+             "%.2f\u00a0m ahead.",
+             scale, slant);
+    write_caption(drawing, box.x, disc.y + 1.5 * style->text[PP_TEXT_SMALL], box.width,
+                  text);
+}
+
+/* What the half disc and its words need beyond the room: `low` to the left and below,
+ * `high` to the right and above. */
+static void make_room(const struct drawing *drawing, const struct pp_room_plan *plan,
+                      double low[2], double high[2])
+{
+    const struct pp_protractor_sheet *sheet = drawing->sheet;
+    const struct pp_style *style = &drawing->style;
+    const double out[2] = {sheet->read.out.x, sheet->read.out.y};
+    const double at[2] = {sheet->point.x, sheet->point.y};
+    const double words[2] = {20.0 * style->scale, 8.0 * style->scale};
+    double edge = drawing->radius + pp_protractor_disc_border(style);
+    double border = pp_room_plan_border(plan, style);
+    for (int k = 0; k < 2; k++) {
+        double below = (at[k] - plan->low[k]) * plan->mm_per_m;
+        double above = (plan->high[k] - at[k]) * plan->mm_per_m;
+        double across = edge * fabs(out[1 - k]);
+        double to_low = fmax(edge * fmax(-out[k], 0.0), across) + words[k];
+        double to_high = fmax(edge * fmax(out[k], 0.0), across) + words[k];
+        low[k] = fmax(low[k], fmax(to_low - below, border + 0.5 * words[k]));
+        high[k] = fmax(high[k], fmax(to_high - above, border + 0.5 * words[k]));
+    }
+}
+
+static void draw_plan(const struct drawing *drawing, struct pp_box box)
+{
+    const struct pp_protractor_sheet *sheet = drawing->sheet;
+    const struct pp_style *style = &drawing->style;
+    struct pp_room_plan plan = {0};
+    double low[2] = {0.0, 0.0}, high[2] = {0.0, 0.0};
+    box.height -= caption_mm(style);
+    for (int round = 0; round < 4; round++) {
+        pp_room_plan_fit(&plan, sheet->world, style, box.width - low[0] - high[0],
+                         box.height - low[1] - high[1]);
+        make_room(drawing, &plan, low, high);
+    }
+    double width = (plan.high[0] - plan.low[0]) * plan.mm_per_m;
+    double height = (plan.high[1] - plan.low[1]) * plan.mm_per_m;
+    plan.x = box.x + (box.width - width - low[0] - high[0]) / 2.0 + low[0];
+    plan.y = box.y + (box.height - height - low[1] - high[1]) / 2.0 + high[1] + height;
+
+    struct pp_protractor_disc disc = {.scale = &sheet->scale,
+                                      .x = pp_room_plan_x(&plan, sheet->point.x),
+                                      .y = pp_room_plan_y(&plan, sheet->point.y),
+                                      .radius = drawing->radius,
+                                      .grey = disc_grey,
+                                      .plan = {sheet->read.out.x, -sheet->read.out.y}};
+    pp_protractor_disc_auxiliary(drawing->cr, style, &disc, false);
+    pp_room_plan_draw(drawing->cr, style, &plan);
+    struct sights sights = {0};
+    note_jambs(&sights, sheet,
+               (sheet->read.distance_m + sheet->opening->reveal_m) * plan.mm_per_m);
+    draw_sights(drawing, &disc, pp_protractor_disc_plan, &sights);
+    char text[100];
+    snprintf(text, sizeof text, "Plan 1:%g.", plan.scale);
+    write_caption(drawing, box.x, plan.y + low[1], box.width, text);
+}
+
+/* --- the sum -------------------------------------------------------------------------
+ */
+
+static void say_reading(char *text, size_t room,
+                        const struct pp_protractor_reading *reading)
+{
+    char a[32], b[32], c[32], d[32];
+    write_percent(a, sizeof a, reading->share[1]);
+    write_percent(b, sizeof b, reading->share[0]);
+    write_percent(c, sizeof c, reading->initial);
+    write_percent(d, sizeof d, reading->component);
+    double left = reading->correction[0], right = reading->correction[1];
+    bool apart = left < 0.0 && right > 0.0;
+    double first = left < 0.0 ? fabs(left) : right;
+    double second = left < 0.0 ? fabs(right) : left;
+    pp_page_say(
+        text, room,
+        "%s: initial %s \u2212 %s = %s; average altitude %.1f\u00b0; correction "
+        "%.3f %s %.3f = %.3f;",
+        reading->hidden ? "Obstruction" : "Opening", a, b, c,
+        reading->average_rad / PP_RAD, first, apart ? "+" : "\u2212", second,
+        reading->width_factor);
+    char factor[32] = "";
+    if (reading->hidden)
+        snprintf(factor, sizeof factor, " \u00d7 %.3g", reading->factor);
+    pp_page_say(text, room, "%s \u00d7 %.3f%s = %s.", c, reading->width_factor, factor,
+                d);
+}
+
+/* Goes on behind what is in the text, on a line of its own. */
+static void new_line(char **text, size_t *room)
+{
+    size_t used = strlen(*text);
+    if (used + 2 > *room)
+        return;
+    memcpy(*text + used, "\n", 2);
+    *text += used + 1;
+    *room -= used + 1;
+}
+
+static void say_sum(char *text, size_t room, const struct pp_protractor_sheet *sheet)
+{
+    for (int i = 0; i < sheet->read.count && i < SUMS_MOST; i++) {
+        say_reading(text, room, &sheet->read.list[i]);
+        new_line(&text, &room);
+    }
+    if (sheet->read.count > SUMS_MOST)
+        pp_page_say(text, room, "Likewise %d further parts.",
+                    sheet->read.count - SUMS_MOST);
+    if (sheet->read.less_hidden)
+        pp_page_say(text, room,
+                    "The sky component is the opening's less the obstruction's.");
+    char sky[32], external[32];
+    if (sheet->allowance < 0.9995 || sheet->allowance > 1.0005)
+        pp_page_say(text, room,
+                    "Frame, dirt and glass other than clear single: \u00d7 "
+                    "%.3g.",
+                    sheet->allowance);
+    write_percent(sky, sizeof sky, sheet->allowance * sheet->read.sky);
+    write_percent(external, sizeof external, sheet->allowance * sheet->read.external);
+    pp_page_say(text, room, "Sky component %s, externally reflected component %s.", sky,
+                external);
+}
+
+static void draw_lower(const struct drawing *drawing, struct pp_box box)
+{
+    if (drawing->sheet->scale.turned_down)
+        draw_turned_down(drawing, box);
+    else
+        draw_plan(drawing, box);
+}
+
+static void say_subtitle(char *text, size_t room,
+                         const struct pp_protractor_sheet *sheet)
+{
+    char name[64] = "Protractor";
+    if (sheet->scale.number)
+        snprintf(name, sizeof name, "Protractor %d", sheet->scale.number);
+    snprintf(
+        text, room,
+        "%s (%s; %s) laid on section and plan at x %.2f, y %.2f, z %.2f\u00a0m, to "
+        "read the opening on line %d",
+        name, sheet->scale.sky, sheet->scale.glass, sheet->point.x, sheet->point.y,
+        sheet->point.z, sheet->opening->line);
+}
+
+enum pp_status pp_protractor_worked_draw(struct pp_canvas *canvas,
+                                         const struct pp_protractor_sheet *sheet,
+                                         struct pp_error *err)
+{
+    struct drawing drawing = {.cr = pp_canvas_cairo(canvas),
+                              .style = pp_page_style(canvas),
+                              .sheet = sheet,
+                              .radius = pp_protractor_worked_radius_mm(canvas)};
+    char subtitle[320], foot[300] = "", sum[2000] = "";
+    say_subtitle(subtitle, sizeof subtitle, sheet);
+    say_sum(sum, sizeof sum, sheet);
+    if (sheet->others)
+        pp_page_say(
+            foot, sizeof foot,
+            "Of the room's openings the one that gives this point the most; the "
+            "other %d would be read likewise and added.",
+            sheet->others);
+    pp_page_say(foot, sizeof foot,
+                "Beyond the rim: angles, and what the scales read there. After BRE "
+                "Digest 309, 1986.");
+    const struct pp_page page = {
+        .title = sheet->world->name, .subtitle = subtitle, .foot = foot};
+    struct pp_box box = pp_page_draw(canvas, &drawing.style, &page);
+
+    struct pp_text set = {
+        .size = PP_TEXT_BODY, .down = 1.0, .width = box.width, .lines = 40};
+    struct pp_box written =
+        pp_text_draw(drawing.cr, &drawing.style, &set, box.x, box.y + box.height, sum);
+    double gap = 4.0 * drawing.style.scale, used;
+    box.height -= written.height + gap;
+    if (box.width > box.height) {
+        struct pp_box half = box;
+        half.width = (box.width - gap) / 2.0;
+        enum pp_status status = draw_section(&drawing, half, &used, err);
+        half.x += half.width + gap;
+        if (status == PP_OK)
+            draw_lower(&drawing, half);
+        return status;
+    }
+    struct pp_box part = box;
+    part.height = 0.5 * box.height;
+    enum pp_status status = draw_section(&drawing, part, &used, err);
+    part.y += used + gap;
+    part.height = box.height - used - gap;
+    if (status == PP_OK)
+        draw_lower(&drawing, part);
+    return status;
+}

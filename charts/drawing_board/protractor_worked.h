@@ -1,0 +1,16 @@
+/* protractor_worked.h - a protractor laid on a room's own section and plan: sight lines
+ * to the opening's edges and jambs, what is read there, and the sum below. */
+#ifndef PP_CHARTS_PROTRACTOR_WORKED_H
+#define PP_CHARTS_PROTRACTOR_WORKED_H
+
+#include "charts/sheet/canvas.h"
+#include "model/results/protractor_sheet.h"
+
+/* Radius of the protractor on that sheet. */
+double pp_protractor_worked_radius_mm(const struct pp_canvas *canvas);
+
+enum pp_status pp_protractor_worked_draw(struct pp_canvas *canvas,
+                                         const struct pp_protractor_sheet *sheet,
+                                         struct pp_error *err);
+
+#endif

@@ -1,0 +1,294 @@
+#include "charts/room/plan_chart.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "charts/room/contour_lines.h"
+#include "charts/sheet/legend.h"
+#include "charts/sheet/page.h"
+#include "charts/room/room_plan.h"
+
+struct sheet {
+    cairo_t *cr;
+    struct pp_style style;
+    const struct pp_plan_chart *chart;
+    struct pp_room_plan plan;
+    struct pp_labels *labels;
+    struct pp_key keys[4];
+    int key_count;
+};
+
+/* Dash of the no-sky line, of number 2 in style.c. */
+enum { NO_SKY_LINE = 2 };
+
+bool pp_plan_chart_landscape(const struct pp_world *world)
+{
+    struct pp_style style = pp_style_for(210.0);
+    struct pp_room_plan plan;
+    pp_room_plan_fit(&plan, world, &style, 200.0, 200.0);
+    return plan.high[0] - plan.low[0] > 1.1 * (plan.high[1] - plan.low[1]);
+}
+
+/* ---- the plane ---- */
+
+static void draw_dark(struct sheet *sheet)
+{
+    const struct pp_curves *dark = &sheet->chart->plan->dark;
+    for (int i = 0; i < dark->count; i++)
+        pp_contour_path(sheet->cr, &sheet->plan, &dark->list[i]);
+    cairo_set_fill_rule(sheet->cr, CAIRO_FILL_RULE_WINDING);
+    pp_style_grey(sheet->cr, PP_GREY_FILL);
+    cairo_fill(sheet->cr);
+}
+
+static void draw_no_sky_line(struct sheet *sheet)
+{
+    const struct pp_curves *lines = &sheet->chart->plan->no_sky;
+    struct pp_curve_style look = pp_style_curve(NO_SKY_LINE);
+    pp_style_pen(sheet->cr, &sheet->style, &look);
+    for (int i = 0; i < lines->count; i++)
+        pp_contour_path(sheet->cr, &sheet->plan, &lines->list[i]);
+    pp_labels_note_path(sheet->labels, sheet->cr, -1);
+    cairo_stroke(sheet->cr);
+}
+
+/* Reference points, but for those under figures and the no-sky line. */
+static void draw_receivers(struct sheet *sheet)
+{
+    const struct pp_report *report = sheet->chart->report;
+    for (int i = 0; report && i < report->receiver_count; i++) {
+        double x = pp_room_plan_x(&sheet->plan, report->receivers[i].position.x);
+        double y = pp_room_plan_y(&sheet->plan, report->receivers[i].position.y);
+        if (!pp_labels_is_near(sheet->labels, -1, x, y, 1.2 * sheet->style.scale))
+            pp_style_marker(sheet->cr, &sheet->style, PP_POINT_MARK, x, y);
+    }
+}
+
+/* Two and five per cent, by which rooms are judged, are drawn heavier. */
+static double weight_of(const struct pp_style *style, double level)
+{
+    bool heavy = fabs(level - 0.02) < 1e-9 || fabs(level - 0.05) < 1e-9;
+    return heavy ? style->medium : style->thin;
+}
+
+/* A level of which no line was long enough for its figure gets it beside one. */
+static void label_beside(struct sheet *sheet, int owner, const char *words)
+{
+    const struct pp_text set = {.size = PP_TEXT_SMALL};
+    struct pp_box size = pp_text_measure(sheet->cr, &sheet->style, &set, 0, 0, words),
+                  box;
+    double anchor[2];
+    if (!pp_labels_find(sheet->labels, &sheet->style, size.width, size.height, owner,
+                        &box, anchor))
+        return;
+    pp_labels_lead(sheet->cr, &sheet->style, box, anchor);
+    pp_text_draw(sheet->cr, &sheet->style, &set, box.x, box.y, words);
+    pp_labels_note_box(sheet->labels, box);
+}
+
+static void draw_contours(struct sheet *sheet)
+{
+    const struct pp_curves *curves = &sheet->chart->plan->contours;
+
+    /* Every line is noted before any is labelled, so that figures keep off all. */
+    for (int i = 0; i < curves->count; i++) {
+        pp_contour_path(sheet->cr, &sheet->plan, &curves->list[i]);
+        pp_labels_note_path(sheet->labels, sheet->cr, i);
+        cairo_new_path(sheet->cr);
+    }
+    for (int first = 0; first < curves->count;) {
+        double level = curves->list[first].level;
+        char words[32];
+        pp_style_level(words, sizeof words, level);
+        bool labelled = false;
+        int i = first, longest = first;
+        for (; i < curves->count && curves->list[i].level == level; i++) {
+            labelled |= pp_contour_line_draw(
+                sheet->cr, &sheet->style, &sheet->plan, &curves->list[i],
+                weight_of(&sheet->style, level), words, sheet->labels, i);
+            if (pp_curve_length(&curves->list[i])
+                > pp_curve_length(&curves->list[longest]))
+                longest = i;
+        }
+        if (!labelled)
+            label_beside(sheet, longest, words);
+        first = i;
+    }
+}
+
+static void say_flat(struct sheet *sheet)
+{
+    const struct pp_daylight_plan *plan = sheet->chart->plan;
+    char words[160];
+    if (plan->highest > 0.0) {
+        char percent[32];
+        pp_style_percent(percent, sizeof percent, plan->highest);
+        snprintf(words, sizeof words,
+                 "No contours: the daylight factor is about %s everywhere.", percent);
+    } else {
+        snprintf(words, sizeof words, "No contours: there is no daylight here.");
+    }
+    double middle[2];
+    for (int k = 0; k < 2; k++)
+        middle[k] = 0.5 * (sheet->plan.low[k] + sheet->plan.high[k]);
+    struct pp_text set = {.size = PP_TEXT_BODY,
+                          .grey = PP_GREY_TEXT,
+                          .across = 0.5,
+                          .down = 0.5,
+                          .width = fmax(0.8 * (sheet->plan.high[0] - sheet->plan.low[0])
+                                            * sheet->plan.mm_per_m,
+                                        30.0)};
+    pp_text_draw(sheet->cr, &sheet->style, &set,
+                 pp_room_plan_x(&sheet->plan, middle[0]),
+                 pp_room_plan_y(&sheet->plan, middle[1]), words);
+}
+
+/* ---- round about ---- */
+
+static void add_key(struct sheet *sheet, enum pp_legend_kind kind, int look,
+                    double weight, double grey, const char *words)
+{
+    struct pp_key *key = &sheet->keys[sheet->key_count++];
+    *key = (struct pp_key){.kind = kind, .curve = pp_style_curve(look), .grey = grey};
+    key->curve.weight = weight;
+    snprintf(key->words, sizeof key->words, "%s", words);
+}
+
+static void gather_keys(struct sheet *sheet)
+{
+    const struct pp_daylight_plan *plan = sheet->chart->plan;
+    char words[96];
+    if (plan->contours.count) {
+        snprintf(words, sizeof words, "daylight factor by %s (%%)", plan->name);
+        add_key(sheet, PP_KEY_LINE, 0, sheet->style.thin / sheet->style.medium, PP_INK,
+                words);
+    }
+    if (plan->no_sky.count)
+        add_key(sheet, PP_KEY_LINE, NO_SKY_LINE, 1.0, PP_INK, "no-sky line");
+    if (plan->dark.count) {
+        snprintf(words, sizeof words, "no direct sky: %.0f\u00a0%% of the plane",
+                 100.0 * (1.0 - plan->sky_share));
+        add_key(sheet, PP_KEY_TINT, 0, 1.0, PP_GREY_FILL, words);
+    }
+    if (sheet->chart->report && sheet->chart->report->receiver_count) {
+        add_key(sheet, PP_KEY_MARKER, 0, 1.0, PP_INK, "reference points");
+        sheet->keys[sheet->key_count - 1].curve.marker = PP_POINT_MARK;
+    }
+}
+
+static void say_foot(const struct pp_plan_chart *chart, char *foot, size_t room)
+{
+    const struct pp_daylight_plan *plan = chart->plan;
+    if (plan->highest > 0.0) {
+        char low[32], high[32];
+        pp_style_percent(low, sizeof low, plan->lowest);
+        pp_style_percent(high, sizeof high, plan->highest);
+        pp_page_say(
+            foot, room,
+            "Highest daylight factor %s at x\u00a0%.2f, y\u00a0%.2f\u00a0m; lowest "
+            "%s at x\u00a0%.2f, y\u00a0%.2f\u00a0m.",
+            high, plan->highest_xy[0], plan->highest_xy[1], low, plan->lowest_xy[0],
+            plan->lowest_xy[1]);
+    }
+    for (int i = 0; i < chart->world->skyline_count; i++) {
+        const struct pp_skyline *skyline = &chart->world->skylines[i];
+        const char *wall = chart->world->surfaces[skyline->face].name;
+        pp_page_say(foot, room, "Skyline of %.3g\u00b0 before wall %s.",
+                    skyline->angle_rad / PP_RAD, wall ? wall : "of the window");
+    }
+    pp_page_assumptions(foot, room, chart->world);
+    for (int i = 0; i < chart->note_count; i++)
+        pp_page_say(foot, room, "%s", chart->notes[i]);
+}
+
+/* Scale bar left, legend in the middle, north right, in a strip at the body's foot. */
+static double strip_height(const struct sheet *sheet)
+{
+    double keys = sheet->key_count * (1.35 * sheet->style.text[PP_TEXT_BODY])
+                  + 0.7 * sheet->style.scale * sheet->key_count;
+    return fmax(keys, 14.0 * sheet->style.scale);
+}
+
+static void draw_strip(struct sheet *sheet, struct pp_box strip)
+{
+    const struct pp_style *style = &sheet->style;
+    struct pp_box bar = pp_scale_bar_draw(sheet->cr, style, sheet->plan.mm_per_m,
+                                          strip.x + 1.0 * style->scale, strip.y);
+    char words[32];
+    snprintf(words, sizeof words, "1:%.0f", sheet->plan.scale);
+    struct pp_text set = {.size = PP_TEXT_BODY, .bold = true};
+    pp_text_draw(sheet->cr, style, &set, strip.x, bar.y + bar.height + style->scale,
+                 words);
+    struct pp_text note = {.size = PP_TEXT_SMALL, .grey = PP_GREY_TEXT};
+    pp_text_draw(sheet->cr, style, &note, strip.x,
+                 bar.y + bar.height + style->scale + 1.35 * style->text[PP_TEXT_BODY],
+                 "printed at 100\u00a0%");
+    double radius = 3.8 * style->scale;
+    double north = strip.x + strip.width - radius - 3.5 * style->scale;
+    pp_north_arrow_draw(sheet->cr, style, sheet->chart->world->north_rad, north,
+                        strip.y + radius + 2.5 * style->scale, radius);
+    double left =
+        fmax(bar.x + bar.width + 8.0 * style->scale, strip.x + 0.40 * strip.width);
+    pp_legend_draw(sheet->cr, style, sheet->keys, sheet->key_count, left, strip.y,
+                   north - radius - 4.0 * style->scale - left);
+}
+
+static void place_plan(struct sheet *sheet, struct pp_box room)
+{
+    struct pp_room_plan *plan = &sheet->plan;
+    pp_room_plan_fit(plan, sheet->chart->world, &sheet->style, room.width, room.height);
+    double width = (plan->high[0] - plan->low[0]) * plan->mm_per_m;
+    double height = (plan->high[1] - plan->low[1]) * plan->mm_per_m;
+    plan->x = room.x + 0.5 * (room.width - width);
+    plan->y = room.y + 0.5 * (room.height + height);
+    sheet->labels->field = (struct pp_box){plan->x, plan->y - height, width, height};
+}
+
+static void draw_sheet(struct sheet *sheet, struct pp_canvas *canvas)
+{
+    const struct pp_plan_chart *chart = sheet->chart;
+    const struct pp_world *world = chart->world;
+    char sky[96], plane[32], subtitle[256], foot[4096] = "";
+    pp_page_sky(sky, sizeof sky, world);
+    pp_style_metres(plane, sizeof plane, world->working_plane_m);
+    snprintf(subtitle, sizeof subtitle,
+             "Daylight factor on the working plane %s above the floor, %s", plane, sky);
+    say_foot(chart, foot, sizeof foot);
+    struct pp_page page = {world->name, subtitle, foot};
+    struct pp_box body = pp_page_draw(canvas, &sheet->style, &page);
+
+    gather_keys(sheet);
+    double strip = strip_height(sheet), gap = 5.0 * sheet->style.scale;
+    place_plan(sheet,
+               (struct pp_box){body.x, body.y, body.width, body.height - strip - gap});
+    cairo_save(sheet->cr);
+    pp_room_plan_path(sheet->cr, &sheet->plan);
+    cairo_clip(sheet->cr);
+    draw_dark(sheet);
+    cairo_restore(sheet->cr);
+    draw_no_sky_line(sheet);
+    draw_contours(sheet);
+    draw_receivers(sheet);
+    if (chart->plan->contours.count == 0)
+        say_flat(sheet);
+    pp_room_plan_draw(sheet->cr, &sheet->style, &sheet->plan);
+    draw_strip(sheet, (struct pp_box){body.x, body.y + body.height - strip, body.width,
+                                      strip});
+}
+
+enum pp_status pp_plan_chart_draw(struct pp_canvas *canvas,
+                                  const struct pp_plan_chart *chart,
+                                  struct pp_error *err)
+{
+    struct sheet sheet = {.cr = pp_canvas_cairo(canvas),
+                          .style = pp_page_style(canvas),
+                          .chart = chart,
+                          .labels = calloc(1, sizeof *sheet.labels)};
+    if (!sheet.labels)
+        return pp_fail_memory(err);
+    draw_sheet(&sheet, canvas);
+    free(sheet.labels);
+    return PP_OK;
+}

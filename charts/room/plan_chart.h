@@ -1,0 +1,31 @@
+/* plan_chart.h - the room's plan with contours of the daylight factor and the no-sky
+ * line, to a true scale.
+ *
+ * The scale is the largest of the usual ones (1:1, 2, 5, 10, 20, 25, 50, 100 ...) that
+ * fits the sheet, and is stated. Walls are cut at the working plane; openings in
+ * upright faces are drawn as in architects' plans, others in outline from above.
+ */
+#ifndef PP_CHARTS_PLAN_CHART_H
+#define PP_CHARTS_PLAN_CHART_H
+
+#include "charts/sheet/canvas.h"
+#include "model/results/daylight_plan.h"
+#include "model/results/report.h"
+
+struct pp_plan_chart {
+    const struct pp_world *world;        /* not owned */
+    const struct pp_daylight_plan *plan; /* not owned */
+    const struct pp_report
+        *report;              /* its receivers are marked; NULL: none; not owned */
+    const char *const *notes; /* further sentences for the foot; not owned */
+    int note_count;
+};
+
+/* Does the room fit better on a sheet that lies on its side? */
+bool pp_plan_chart_landscape(const struct pp_world *world);
+
+enum pp_status pp_plan_chart_draw(struct pp_canvas *canvas,
+                                  const struct pp_plan_chart *chart,
+                                  struct pp_error *err);
+
+#endif

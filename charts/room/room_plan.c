@@ -1,0 +1,289 @@
+#include "charts/room/room_plan.h"
+
+#include <math.h>
+#include <stdio.h>
+
+/* Sills higher than this above the working plane (m) are over the heads of those who
+ * sit at it: such windows are dashed, like all that lies above a plan's cut. */
+#define HIGH_SILL_M 1.0
+
+static double wall_weight(const struct pp_style *style)
+{
+    return 1.3 * style->thick;
+}
+
+static double deepest_reveal(const struct pp_world *world)
+{
+    double deepest = 0.0;
+    for (int i = 0; i < world->opening_count; i++)
+        deepest = fmax(deepest, world->openings[i].reveal_m);
+    return deepest;
+}
+
+double pp_room_plan_border(const struct pp_room_plan *plan,
+                           const struct pp_style *style)
+{
+    return fmax(wall_weight(style), plan->mm_per_m * deepest_reveal(plan->world))
+           + 0.5 * style->scale;
+}
+
+void pp_room_plan_fit(struct pp_room_plan *plan, const struct pp_world *world,
+                      const struct pp_style *style, double width_mm, double height_mm)
+{
+    static const double usual[] = {1, 2, 5, 10, 20, 25};
+    plan->world = world;
+    for (int k = 0; k < 2; k++) {
+        plan->low[k] = INFINITY;
+        plan->high[k] = -INFINITY;
+    }
+    for (int r = 0; r < world->plane.count; r++)
+        for (int i = 0; i < world->plane.rings[r].count; i++)
+            for (int k = 0; k < 2; k++) {
+                plan->low[k] = fmin(plan->low[k], world->plane.rings[r].xy[i][k]);
+                plan->high[k] = fmax(plan->high[k], world->plane.rings[r].xy[i][k]);
+            }
+    if (world->plane.count == 0)
+        for (int k = 0; k < 2; k++) {
+            plan->low[k] = 0.0;
+            plan->high[k] = 1.0;
+        }
+
+    /* 1, 2, 5, 10, 20, 25, 50, 100, 200, 250, 500 ... */
+    for (int i = 0;; i++) {
+        plan->scale =
+            i < 6 ? usual[i] : usual[2 + (i - 6) % 4] * pow(10.0, 1 + (i - 6) / 4);
+        plan->mm_per_m = 1000.0 / plan->scale;
+        double border = 2.0 * pp_room_plan_border(plan, style);
+        if ((plan->high[0] - plan->low[0]) * plan->mm_per_m + border <= width_mm
+            && (plan->high[1] - plan->low[1]) * plan->mm_per_m + border <= height_mm)
+            return;
+        if (plan->scale > 1e8)
+            return;
+    }
+}
+
+double pp_room_plan_x(const struct pp_room_plan *plan, double x)
+{
+    return plan->x + (x - plan->low[0]) * plan->mm_per_m;
+}
+
+double pp_room_plan_y(const struct pp_room_plan *plan, double y)
+{
+    return plan->y - (y - plan->low[1]) * plan->mm_per_m;
+}
+
+void pp_room_plan_path(cairo_t *cr, const struct pp_room_plan *plan)
+{
+    const struct pp_region *plane = &plan->world->plane;
+    for (int r = 0; r < plane->count; r++) {
+        cairo_new_sub_path(cr);
+        for (int i = 0; i < plane->rings[r].count; i++)
+            cairo_line_to(cr, pp_room_plan_x(plan, plane->rings[r].xy[i][0]),
+                          pp_room_plan_y(plan, plane->rings[r].xy[i][1]));
+        cairo_close_path(cr);
+    }
+}
+
+/* Strokes outside the room only: the drawn wall's inner edge is its inside face. */
+static void draw_walls(cairo_t *cr, const struct pp_style *style,
+                       const struct pp_room_plan *plan)
+{
+    double weight = wall_weight(style);
+    cairo_save(cr);
+    cairo_rectangle(cr, plan->x - 2.0 * weight,
+                    pp_room_plan_y(plan, plan->high[1]) - 2.0 * weight,
+                    (plan->high[0] - plan->low[0]) * plan->mm_per_m + 4.0 * weight,
+                    (plan->high[1] - plan->low[1]) * plan->mm_per_m + 4.0 * weight);
+    pp_room_plan_path(cr, plan);
+    cairo_set_fill_rule(cr, CAIRO_FILL_RULE_EVEN_ODD);
+    cairo_clip(cr);
+    pp_style_line(cr, 2.0 * weight, PP_INK);
+    pp_room_plan_path(cr, plan);
+    cairo_stroke(cr);
+    cairo_restore(cr);
+}
+
+/* The window's ends in the wall, on paper, and the direction out of the room there. */
+static void ends_of(const struct pp_room_plan *plan, const struct pp_opening *opening,
+                    double ends[2][2], double out[2])
+{
+    double low = INFINITY, high = -INFINITY;
+    for (int i = 0; i < opening->inner.count; i++) {
+        double along = pp_dot(opening->along, opening->inner.vertices[i]);
+        if (along < low) {
+            low = along;
+            ends[0][0] = pp_room_plan_x(plan, opening->inner.vertices[i].x);
+            ends[0][1] = pp_room_plan_y(plan, opening->inner.vertices[i].y);
+        }
+        if (along > high) {
+            high = along;
+            ends[1][0] = pp_room_plan_x(plan, opening->inner.vertices[i].x);
+            ends[1][1] = pp_room_plan_y(plan, opening->inner.vertices[i].y);
+        }
+    }
+    double level = hypot(opening->inner.normal.x, opening->inner.normal.y);
+    out[0] = -opening->inner.normal.x / level;
+    out[1] = opening->inner.normal.y / level;
+}
+
+/* The wall is opened, its faces go on as thin lines, the glass is a line where it
+ * stands: half way through the wall's line, or at the reveal's outer end. */
+static void draw_window(cairo_t *cr, const struct pp_style *style,
+                        const struct pp_room_plan *plan,
+                        const struct pp_opening *opening)
+{
+    double ends[2][2], out[2], weight = wall_weight(style);
+    ends_of(plan, opening, ends, out);
+    double lowest = INFINITY;
+    for (int i = 0; i < opening->inner.count; i++)
+        lowest = fmin(lowest, opening->inner.vertices[i].z);
+    bool high = lowest > plan->world->working_plane_m + HIGH_SILL_M;
+    double reveal = opening->reveal_m * plan->mm_per_m;
+    double depth = fmax(weight, reveal);
+
+    if (!high) {
+        pp_style_grey(cr, 1.0);
+        cairo_move_to(cr, ends[0][0], ends[0][1]);
+        cairo_line_to(cr, ends[1][0], ends[1][1]);
+        cairo_line_to(cr, ends[1][0] + depth * out[0], ends[1][1] + depth * out[1]);
+        cairo_line_to(cr, ends[0][0] + depth * out[0], ends[0][1] + depth * out[1]);
+        cairo_close_path(cr);
+        cairo_fill(cr);
+    }
+    double lines[] = {0.0, reveal > 0.0 ? reveal : 0.5 * depth, depth};
+    double dash = 1.0 * style->scale;
+    pp_style_line(cr, style->thin, high ? 1.0 : PP_INK);
+    if (high)
+        cairo_set_dash(cr, &dash, 1, 0.0);
+    for (int i = high ? 1 : 0; i < (high ? 2 : 3); i++) {
+        double off = lines[i];
+        cairo_move_to(cr, ends[0][0] + off * out[0], ends[0][1] + off * out[1]);
+        cairo_line_to(cr, ends[1][0] + off * out[0], ends[1][1] + off * out[1]);
+    }
+    for (int i = 0; i < 2 && !high; i++) {
+        cairo_move_to(cr, ends[i][0], ends[i][1]);
+        cairo_line_to(cr, ends[i][0] + depth * out[0], ends[i][1] + depth * out[1]);
+    }
+    cairo_stroke(cr);
+}
+
+/* Rooflights and sloping glass, over the cut: dashed. */
+static void draw_overhead(cairo_t *cr, const struct pp_style *style,
+                          const struct pp_room_plan *plan,
+                          const struct pp_opening *opening)
+{
+    double dashes[] = {1.4 * style->scale, 0.8 * style->scale};
+    pp_style_line(cr, style->thin, PP_INK);
+    cairo_set_dash(cr, dashes, 2, 0.0);
+    cairo_new_sub_path(cr);
+    for (int i = 0; i < opening->inner.count; i++)
+        cairo_line_to(cr, pp_room_plan_x(plan, opening->inner.vertices[i].x),
+                      pp_room_plan_y(plan, opening->inner.vertices[i].y));
+    cairo_close_path(cr);
+    cairo_stroke(cr);
+}
+
+/* Where a loose surface in the room is cut by the working plane. */
+static void draw_inside(cairo_t *cr, const struct pp_style *style,
+                        const struct pp_room_plan *plan,
+                        const struct pp_polygon *outline)
+{
+    double height = plan->world->working_plane_m;
+    int count = 0;
+    pp_style_line(cr, style->medium, PP_INK);
+    for (int i = 0; i < outline->count; i++) {
+        struct pp_vec3 a = outline->vertices[i];
+        struct pp_vec3 b = outline->vertices[(i + 1) % outline->count];
+        if ((a.z > height) == (b.z > height))
+            continue;
+        struct pp_vec3 p = pp_along(a, (height - a.z) / (b.z - a.z), pp_sub(b, a));
+        if (count++ % 2 == 0)
+            cairo_move_to(cr, pp_room_plan_x(plan, p.x), pp_room_plan_y(plan, p.y));
+        else
+            cairo_line_to(cr, pp_room_plan_x(plan, p.x), pp_room_plan_y(plan, p.y));
+    }
+    cairo_stroke(cr);
+}
+
+/* Does the opening stand over the plane's edge, and not in a monitor over its middle?
+ */
+static bool is_in_wall(const struct pp_room_plan *plan,
+                       const struct pp_opening *opening)
+{
+    struct pp_vec3 corner = opening->inner.vertices[0];
+    return pp_region_edge_distance(&plan->world->plane, corner.x, corner.y) < 0.05;
+}
+
+void pp_room_plan_draw(cairo_t *cr, const struct pp_style *style,
+                       const struct pp_room_plan *plan)
+{
+    const struct pp_world *world = plan->world;
+    draw_walls(cr, style, plan);
+    for (int i = world->face_count; i < world->surface_count; i++)
+        if (world->surfaces[i].inside && world->surfaces[i].role == PP_LOOSE)
+            draw_inside(cr, style, plan, &world->surfaces[i].outline);
+    for (int i = 0; i < world->opening_count; i++) {
+        const struct pp_opening *opening = &world->openings[i];
+        bool upright = opening->slope_rad >= 75.0 * PP_RAD && is_in_wall(plan, opening);
+        (upright ? draw_window : draw_overhead)(cr, style, plan, opening);
+    }
+}
+
+struct pp_box pp_scale_bar_draw(cairo_t *cr, const struct pp_style *style,
+                                double mm_per_m, double x, double y)
+{
+    /* The longest of 1, 2, 5 times a power of ten that is under 60 mm. */
+    double most = 60.0 * style->scale / mm_per_m;
+    double power = pow(10.0, floor(log10(most)));
+    double metres = most >= 5.0 * power   ? 5.0 * power
+                    : most >= 2.0 * power ? 2.0 * power
+                                          : power;
+    int parts = metres < 1.5 * power || metres > 4.0 * power ? 5 : 4;
+    double part = metres * mm_per_m / parts, height = 1.0 * style->scale;
+
+    struct pp_text set = {.size = PP_TEXT_SMALL, .across = 0.5};
+    double top = y + 1.3 * style->text[PP_TEXT_SMALL], right = x;
+    pp_style_line(cr, style->thin, PP_INK);
+    for (int i = 0; i < parts; i++) {
+        cairo_rectangle(cr, x + i * part, top, part, height);
+        if (i % 2 == 0)
+            cairo_fill_preserve(cr);
+        cairo_stroke(cr);
+    }
+    for (int end = 0; end < 2; end++) {
+        char words[32] = "0";
+        if (end)
+            pp_style_metres(words, sizeof words, metres);
+        struct pp_box box =
+            pp_text_draw(cr, style, &set, x + end * parts * part, y, words);
+        right = fmax(right, box.x + box.width);
+    }
+    return (struct pp_box){x, y, right - x, top + height - y};
+}
+
+void pp_north_arrow_draw(cairo_t *cr, const struct pp_style *style, double north_rad,
+                         double x, double y, double radius)
+{
+    cairo_save(cr);
+    cairo_translate(cr, x, y);
+    cairo_rotate(cr, -north_rad);
+    pp_style_line(cr, style->thin, PP_INK);
+    cairo_arc(cr, 0, 0, radius, 0, 2.0 * PP_PI);
+    cairo_stroke(cr);
+    cairo_move_to(cr, 0, -radius);
+    cairo_line_to(cr, 0.45 * radius, 0.75 * radius);
+    cairo_line_to(cr, 0, 0.4 * radius);
+    cairo_close_path(cr);
+    cairo_fill(cr);
+    cairo_move_to(cr, 0, -radius);
+    cairo_line_to(cr, -0.45 * radius, 0.75 * radius);
+    cairo_line_to(cr, 0, 0.4 * radius);
+    cairo_close_path(cr);
+    cairo_stroke(cr);
+    cairo_restore(cr);
+    struct pp_text set = {
+        .size = PP_TEXT_SMALL, .bold = true, .across = 0.5, .down = 0.5};
+    double away = radius + 0.7 * style->text[PP_TEXT_SMALL];
+    pp_text_draw(cr, style, &set, x - away * sin(north_rad), y - away * cos(north_rad),
+                 "N");
+}

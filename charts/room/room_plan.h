@@ -1,0 +1,50 @@
+/* room_plan.h - the room seen from above and cut at its working plane, to a true scale.
+ *
+ * True y runs up on paper. Walls have no thickness in the model: on paper they have the
+ * weight of a line, outside their inside face; windows are drawn in it as architects
+ * do.
+ */
+#ifndef PP_CHARTS_ROOM_PLAN_H
+#define PP_CHARTS_ROOM_PLAN_H
+
+#include "charts/sheet/style.h"
+#include "charts/sheet/lettering.h"
+#include "model/room/world.h"
+
+struct pp_room_plan {
+    const struct pp_world *world;
+    double low[2], high[2]; /* extent of the plane, m */
+    double scale;           /* 50 for 1:50 */
+    double mm_per_m;
+    double x, y; /* on paper, of low x, low y */
+};
+
+/* Measures the room and chooses the largest usual scale at which it fits into the
+ * width and height, its walls and reveals included; `style` gives their weight. */
+void pp_room_plan_fit(struct pp_room_plan *plan, const struct pp_world *world,
+                      const struct pp_style *style, double width_mm, double height_mm);
+
+/* How much the drawing takes beyond the plane's extent on each side, mm. */
+double pp_room_plan_border(const struct pp_room_plan *plan,
+                           const struct pp_style *style);
+
+/* On paper. */
+double pp_room_plan_x(const struct pp_room_plan *plan, double x);
+double pp_room_plan_y(const struct pp_room_plan *plan, double y);
+
+/* Adds the outline of the working plane to the path. */
+void pp_room_plan_path(cairo_t *cr, const struct pp_room_plan *plan);
+
+/* Walls, openings, things that stand in the room. */
+void pp_room_plan_draw(cairo_t *cr, const struct pp_style *style,
+                       const struct pp_room_plan *plan);
+
+/* A bar of a round length, 20 to 60 mm; x, y its upper left corner. Returns its box. */
+struct pp_box pp_scale_bar_draw(cairo_t *cr, const struct pp_style *style,
+                                double mm_per_m, double x, double y);
+
+/* An arrow to true north within a circle about x, y; north_rad is the bearing of up. */
+void pp_north_arrow_draw(cairo_t *cr, const struct pp_style *style, double north_rad,
+                         double x, double y, double radius);
+
+#endif

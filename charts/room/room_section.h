@@ -1,0 +1,40 @@
+/* room_section.h - the room cut upright, drawn to scale: floor, walls, openings,
+ * working plane with its receivers, obstructions outside.
+ */
+#ifndef PP_CHARTS_ROOM_SECTION_H
+#define PP_CHARTS_ROOM_SECTION_H
+
+#include "charts/room/section_cut.h"
+#include "charts/sheet/style.h"
+#include "model/results/report.h"
+
+struct pp_room_section {
+    const struct pp_world *world;
+    const struct pp_section_cut *cut;
+    const struct pp_report *report; /* its receivers are marked */
+    bool no_sights; /* leave out the angle of what stands outside */
+
+    /* By pp_room_section_fit. */
+    double mm_per_m;  /* a round scale: 1:20, 1:25, 1:30, 1:40 ... */
+    double height_mm; /* of the drawing, its caption included */
+
+    /* Where: x of the near wall's inside face, y of the top; how far it may reach
+     * beyond the walls. */
+    double x, y, left_mm, right_mm;
+};
+
+/* Is there something to be seen outside the wall at the near or far end? */
+bool pp_room_section_has_outside(const struct pp_room_section *section, bool near);
+
+/* The largest round scale at which the room is no longer and no higher than that. */
+void pp_room_section_fit(struct pp_room_section *section, const struct pp_style *style,
+                         double length_mm, double height_mm);
+
+/* On paper: a place in the section, once fitted. */
+double pp_room_section_x(const struct pp_room_section *section, double s);
+double pp_room_section_y(const struct pp_room_section *section, double z);
+
+void pp_room_section_draw(cairo_t *cr, const struct pp_style *style,
+                          const struct pp_room_section *section);
+
+#endif

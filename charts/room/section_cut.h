@@ -1,0 +1,47 @@
+/* section_cut.h - the line that receivers lie on, and the room cut upright along it.
+ *
+ * In the section a place has s, metres along the line from the inside face of the wall
+ * that distances are counted from, and z, height.
+ */
+#ifndef PP_CHARTS_SECTION_CUT_H
+#define PP_CHARTS_SECTION_CUT_H
+
+#include "model/room/world.h"
+
+enum pp_cut_kind {
+    PP_CUT_FACE,    /* of the envelope, openings taken out */
+    PP_CUT_OPENING, /* in the face's plane */
+    PP_CUT_GLASS,   /* at the reveal's outer end */
+    PP_CUT_INSIDE,  /* a loose surface in the room */
+    PP_CUT_OUTSIDE, /* a block or a loose surface outside */
+};
+
+struct pp_cut {
+    enum pp_cut_kind kind;
+    int of; /* surface or opening */
+    double s[2], z[2];
+};
+
+struct pp_section_cut {
+    double origin[2], along[2]; /* x, y of s = 0, and the unit direction of s */
+    double height_m;            /* of the receivers */
+    struct pp_cut *list;
+    int count;
+    double length_m;              /* of the room along the line: s of the far wall */
+    int near_face, far_face;      /* walls at s = 0 and length; -1: none met */
+    bool near_window, far_window; /* is there an opening in them? */
+};
+
+/* Cuts the world along its receivers, which must lie on a horizontal straight line; a
+ * single one is cut square to the nearest opening. PP_BAD_INPUT where they do not or
+ * where there is none. */
+enum pp_status pp_section_cut_create(struct pp_section_cut *cut,
+                                     const struct pp_world *world,
+                                     const struct pp_receiver *receivers, int count,
+                                     struct pp_error *err);
+void pp_section_cut_clear(struct pp_section_cut *cut);
+
+/* s of a point. */
+double pp_section_cut_s(const struct pp_section_cut *cut, struct pp_vec3 point);
+
+#endif

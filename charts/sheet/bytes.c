@@ -1,0 +1,225 @@
+#include "charts/sheet/bytes.h"
+
+#include <math.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+bool pp_bytes_add(struct pp_bytes *bytes, const void *more, size_t count)
+{
+    if (count > bytes->room - bytes->count) {
+        size_t room = bytes->room ? bytes->room : 65536;
+        while (count > room - bytes->count) {
+            if (room > SIZE_MAX / 2)
+                return false;
+            room *= 2;
+        }
+        unsigned char *list = realloc(bytes->list, room);
+        if (!list)
+            return false;
+        bytes->list = list;
+        bytes->room = room;
+    }
+    if (count)
+        memcpy(bytes->list + bytes->count, more, count);
+    bytes->count += count;
+    return true;
+}
+
+void pp_bytes_clear(struct pp_bytes *bytes)
+{
+    free(bytes->list);
+    *bytes = (struct pp_bytes){0};
+}
+
+static bool add_string(struct pp_bytes *bytes, const char *string)
+{
+    return pp_bytes_add(bytes, string, strlen(string));
+}
+
+/* Characters that XML 1.0 can't hold are left out. */
+static bool add_escaped(struct pp_bytes *bytes, const char *string)
+{
+    bool good = true;
+    for (const char *c = string; *c && good; c++) {
+        switch (*c) {
+        case '&':
+            good = add_string(bytes, "&amp;");
+            break;
+        case '<':
+            good = add_string(bytes, "&lt;");
+            break;
+        case '>':
+            good = add_string(bytes, "&gt;");
+            break;
+        default:
+            if ((unsigned char)*c >= 0x20 || *c == '\n' || *c == '\t')
+                good = pp_bytes_add(bytes, c, 1);
+        }
+    }
+    return good;
+}
+
+/* ---- SVG ---- */
+
+/* A piece of the file, not ended by a zero. */
+struct piece {
+    const char *start;
+    size_t length;
+};
+
+/* The ids in order of appearance; which number is whose. */
+struct ids {
+    char prefix[16];
+    struct piece *list;
+    size_t count, room;
+};
+
+/* The number of an id; -1: memory is out. */
+static long id_number(struct ids *ids, struct piece id)
+{
+    for (size_t i = 0; i < ids->count; i++)
+        if (ids->list[i].length == id.length
+            && memcmp(ids->list[i].start, id.start, id.length) == 0)
+            return (long)i;
+    if (ids->count == ids->room) {
+        size_t room = ids->room ? 2 * ids->room : 256;
+        struct piece *list = realloc(ids->list, room * sizeof *list);
+        if (!list)
+            return -1;
+        ids->list = list;
+        ids->room = room;
+    }
+    ids->list[ids->count] = id;
+    return (long)ids->count++;
+}
+
+/* FNV-1a. The names that cairo gives depend on what else was drawn before in the same
+ * process, so digits inside quotes and url() after # or id= are passed over. */
+static uint32_t hash_drawing(struct piece drawing, const char *title)
+{
+    uint32_t hash = 2166136261u;
+    for (const char *c = title; *c; c++)
+        hash = (hash ^ (unsigned char)*c) * 16777619u;
+    bool name = false;
+    for (size_t i = 0; i < drawing.length; i++) {
+        char c = drawing.start[i];
+        if (name && (c == '"' || c == ')'))
+            name = false;
+        if (!name)
+            hash = (hash ^ (unsigned char)c) * 16777619u;
+        if (c == '#' || (i >= 3 && memcmp(drawing.start + i - 3, "id=\"", 4) == 0))
+            name = true;
+    }
+    return hash;
+}
+
+/* Where an id begins next, at or after `from`; NULL: nowhere. */
+static const char *next_id(const char *from, const char *end)
+{
+    static const char *const openings[] = {" id=\"", "href=\"#", "url(#"};
+    for (const char *c = from; c < end; c++)
+        for (int i = 0; i < 3; i++) {
+            size_t length = strlen(openings[i]);
+            if ((size_t)(end - c) > length && *c == openings[i][0]
+                && memcmp(c, openings[i], length) == 0)
+                return c + length;
+        }
+    return 0;
+}
+
+static bool add_renamed(struct pp_bytes *svg, struct piece body, struct ids *ids)
+{
+    const char *at = body.start, *end = body.start + body.length;
+    const char *id;
+    while ((id = next_id(at, end))) {
+        const char *stop = id;
+        while (stop < end && *stop != '"' && *stop != ')')
+            stop++;
+        long number = id_number(ids, (struct piece){id, (size_t)(stop - id)});
+        char name[48];
+        snprintf(name, sizeof name, "%s-%ld", ids->prefix, number);
+        if (number < 0 || !pp_bytes_add(svg, at, (size_t)(id - at))
+            || !add_string(svg, name))
+            return false;
+        at = stop;
+    }
+    return pp_bytes_add(svg, at, (size_t)(end - at));
+}
+
+static bool add_head(struct pp_bytes *svg, const char *prefix, double width_mm,
+                     double height_mm, const char *title, const char *description)
+{
+    char head[1024];
+    snprintf(head, sizeof head,
+             "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
+             "<svg xmlns=\"http://www.w3.org/2000/svg\" "
+             "xmlns:xlink=\"http://www.w3.org/1999/xlink\" "
+             "width=\"%.0fmm\" height=\"%.0fmm\" viewBox=\"0 0 %.6f %.6f\" "
+             "version=\"1.1\" role=\"img\" "
+             "aria-labelledby=\"%s-title %s-desc\">\n<title id=\"%s-title\">",
+             width_mm, height_mm, width_mm * 72.0 / 25.4, height_mm * 72.0 / 25.4,
+             prefix, prefix, prefix);
+    char middle[64];
+    snprintf(middle, sizeof middle, "</title>\n<desc id=\"%s-desc\">", prefix);
+    return add_string(svg, head) && add_escaped(svg, title) && add_string(svg, middle)
+           && add_escaped(svg, description) && add_string(svg, "</desc>\n");
+}
+
+bool pp_bytes_name_svg(struct pp_bytes *svg, const struct pp_bytes *cairo,
+                       double width_mm, double height_mm, const char *title,
+                       const char *description)
+{
+    /* What follows cairo's own <svg ...> is the drawing. */
+    const char *start = (const char *)cairo->list, *end = start + cairo->count;
+    const char *root = memmem(start, cairo->count, "<svg", 4);
+    root = root ? memchr(root, '>', (size_t)(end - root)) : 0;
+    if (!root)
+        return false;
+    struct piece body = {root + 1, (size_t)(end - root - 1)};
+
+    struct ids ids = {0};
+    snprintf(ids.prefix, sizeof ids.prefix, "pp%08x",
+             (unsigned)hash_drawing(body, title));
+    bool good = add_head(svg, ids.prefix, width_mm, height_mm, title, description)
+                && add_renamed(svg, body, &ids);
+    free(ids.list);
+    return good;
+}
+
+/* ---- PNG ---- */
+
+static void big_endian(unsigned char four[4], uint32_t value)
+{
+    for (int i = 0; i < 4; i++)
+        four[i] = (unsigned char)(value >> (24 - 8 * i));
+}
+
+static uint32_t crc32_of(const unsigned char *bytes, size_t count)
+{
+    uint32_t crc = 0xffffffffu;
+    for (size_t i = 0; i < count; i++) {
+        crc ^= bytes[i];
+        for (int bit = 0; bit < 8; bit++)
+            crc = crc >> 1 ^ (crc & 1 ? 0xedb88320u : 0);
+    }
+    return ~crc;
+}
+
+/* A chunk pHYs (dots a metre, both ways) goes right after IHDR, which ends at byte 33:
+ * signature 8, length 4, name 4, data 13, check 4. */
+bool pp_bytes_resolve_png(struct pp_bytes *png, const struct pp_bytes *cairo,
+                          double dots_per_mm)
+{
+    enum { HEADER = 33 };
+    unsigned char chunk[21] = {0, 0, 0, 9, 'p', 'H', 'Y', 's'};
+    uint32_t dots_per_m = (uint32_t)lrint(1000.0 * dots_per_mm);
+    big_endian(chunk + 8, dots_per_m);
+    big_endian(chunk + 12, dots_per_m);
+    chunk[16] = 1; /* the unit is the metre */
+    big_endian(chunk + 17, crc32_of(chunk + 4, 13));
+    return cairo->count > HEADER && pp_bytes_add(png, cairo->list, HEADER)
+           && pp_bytes_add(png, chunk, sizeof chunk)
+           && pp_bytes_add(png, cairo->list + HEADER, cairo->count - HEADER);
+}

@@ -1,0 +1,270 @@
+#include "charts/sheet/canvas.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include <strings.h>
+
+#include <cairo-pdf.h>
+#include <cairo-svg.h>
+#include <pango/pangocairo.h>
+
+#include "charts/sheet/bytes.h"
+
+#define MM_PER_INCH 25.4
+#define POINTS_PER_MM (72.0 / MM_PER_INCH)
+
+/* The dates of every PDF, so that one drawing is one file. */
+#define FIXED_DATE "2000-01-01T00:00:00Z"
+
+struct pp_canvas {
+    struct pp_sheet sheet; /* its texts are owned here */
+    char *title, *description;
+    double width_mm, height_mm, dpi;
+    cairo_surface_t *surface;
+    cairo_t *cr;
+    struct pp_bytes raw;  /* as cairo writes it */
+    struct pp_bytes file; /* as the caller gets it */
+    bool finished;
+};
+
+static enum pp_status fail_cairo(struct pp_error *err, cairo_status_t status)
+{
+    if (status == CAIRO_STATUS_NO_MEMORY)
+        return pp_fail_memory(err);
+    return pp_fail(err, PP_SYSTEM, "the chart can't be drawn: %s",
+                   cairo_status_to_string(status));
+}
+
+static cairo_status_t append(void *closure, const unsigned char *bytes,
+                             unsigned int length)
+{
+    return pp_bytes_add(closure, bytes, length) ? CAIRO_STATUS_SUCCESS
+                                                : CAIRO_STATUS_NO_MEMORY;
+}
+
+static void paper_size(const struct pp_sheet *sheet, double *width_mm,
+                       double *height_mm)
+{
+    static const double upright[][2] = {[PP_PAPER_A4] = {210, 297},
+                                        [PP_PAPER_A5] = {148, 210},
+                                        [PP_PAPER_A3] = {297, 420},
+                                        [PP_PAPER_A2] = {420, 594}};
+    *width_mm = upright[sheet->paper][sheet->landscape ? 1 : 0];
+    *height_mm = upright[sheet->paper][sheet->landscape ? 0 : 1];
+}
+
+/* Pango ends the process where it finds no font at all; so look first. */
+static bool has_fonts(void)
+{
+    PangoFontFamily **families;
+    int count;
+    pango_font_map_list_families(pango_cairo_font_map_get_default(), &families, &count);
+    g_free(families);
+    return count > 0;
+}
+
+static void describe_pdf(struct pp_canvas *canvas)
+{
+    cairo_surface_t *pdf = canvas->surface;
+    cairo_pdf_surface_set_metadata(pdf, CAIRO_PDF_METADATA_TITLE, canvas->title);
+    cairo_pdf_surface_set_metadata(pdf, CAIRO_PDF_METADATA_SUBJECT,
+                                   canvas->description);
+    cairo_pdf_surface_set_metadata(pdf, CAIRO_PDF_METADATA_CREATOR, "pepperpot");
+    cairo_pdf_surface_set_metadata(pdf, CAIRO_PDF_METADATA_CREATE_DATE, FIXED_DATE);
+    cairo_pdf_surface_set_metadata(pdf, CAIRO_PDF_METADATA_MOD_DATE, FIXED_DATE);
+}
+
+static void open_surface(struct pp_canvas *canvas)
+{
+    double width_pt = canvas->width_mm * POINTS_PER_MM;
+    double height_pt = canvas->height_mm * POINTS_PER_MM;
+    double dots_per_mm = canvas->dpi / MM_PER_INCH;
+
+    switch (canvas->sheet.format) {
+    case PP_CHART_PDF:
+        canvas->surface = cairo_pdf_surface_create_for_stream(append, &canvas->raw,
+                                                              width_pt, height_pt);
+        describe_pdf(canvas);
+        break;
+    case PP_CHART_SVG:
+        canvas->surface = cairo_svg_surface_create_for_stream(append, &canvas->raw,
+                                                              width_pt, height_pt);
+        break;
+    case PP_CHART_PNG:
+        canvas->surface = cairo_image_surface_create(
+            CAIRO_FORMAT_RGB24, (int)lrint(canvas->width_mm * dots_per_mm),
+            (int)lrint(canvas->height_mm * dots_per_mm));
+        break;
+    }
+    canvas->cr = cairo_create(canvas->surface);
+    if (canvas->sheet.format == PP_CHART_PNG) {
+        cairo_set_source_rgb(canvas->cr, 1, 1, 1);
+        cairo_paint(canvas->cr);
+        cairo_scale(canvas->cr, dots_per_mm, dots_per_mm);
+    } else {
+        cairo_scale(canvas->cr, POINTS_PER_MM, POINTS_PER_MM);
+    }
+    cairo_set_source_rgb(canvas->cr, 0, 0, 0);
+}
+
+enum pp_status pp_canvas_create(struct pp_canvas **canvas_out,
+                                const struct pp_sheet *sheet, struct pp_error *err)
+{
+    *canvas_out = 0;
+    double dpi = sheet->dpi == 0.0 ? 200.0 : sheet->dpi;
+    if (!(dpi >= 20.0 && dpi <= 1200.0))
+        return pp_fail(err, PP_BAD_INPUT,
+                       "resolution is %g dots an inch; it must be from 20 to 1200",
+                       dpi);
+    if (!has_fonts())
+        return pp_fail(err, PP_SYSTEM,
+                       "no font is installed; charts need one, such as DejaVu Sans "
+                       "(Debian: fonts-dejavu-core)");
+
+    struct pp_canvas *canvas = calloc(1, sizeof *canvas);
+    if (!canvas)
+        return pp_fail_memory(err);
+    canvas->sheet = *sheet;
+    canvas->dpi = dpi;
+    canvas->title = g_utf8_make_valid(sheet->title ? sheet->title : "", -1);
+    canvas->description =
+        g_utf8_make_valid(sheet->description ? sheet->description : "", -1);
+    paper_size(sheet, &canvas->width_mm, &canvas->height_mm);
+    open_surface(canvas);
+
+    cairo_status_t status = cairo_status(canvas->cr);
+    if (status != CAIRO_STATUS_SUCCESS) {
+        pp_canvas_destroy(canvas);
+        return fail_cairo(err, status);
+    }
+    *canvas_out = canvas;
+    return PP_OK;
+}
+
+void pp_canvas_destroy(struct pp_canvas *canvas)
+{
+    if (!canvas)
+        return;
+    cairo_destroy(canvas->cr);
+    cairo_surface_destroy(canvas->surface);
+    pp_bytes_clear(&canvas->raw);
+    pp_bytes_clear(&canvas->file);
+    g_free(canvas->title);
+    g_free(canvas->description);
+    free(canvas);
+}
+
+cairo_t *pp_canvas_cairo(struct pp_canvas *canvas)
+{
+    return canvas->cr;
+}
+
+double pp_canvas_width_mm(const struct pp_canvas *canvas)
+{
+    return canvas->width_mm;
+}
+
+double pp_canvas_height_mm(const struct pp_canvas *canvas)
+{
+    return canvas->height_mm;
+}
+
+enum pp_status pp_canvas_next_sheet(struct pp_canvas *canvas, struct pp_error *err)
+{
+    if (canvas->sheet.format != PP_CHART_PDF)
+        return pp_fail(err, PP_BAD_INPUT,
+                       "an SVG or PNG file holds one sheet; several need PDF");
+    cairo_show_page(canvas->cr);
+    return PP_OK;
+}
+
+static enum pp_status take_file(struct pp_canvas *canvas, struct pp_error *err)
+{
+    bool whole = true;
+    switch (canvas->sheet.format) {
+    case PP_CHART_PDF:
+        canvas->file = canvas->raw;
+        canvas->raw = (struct pp_bytes){0};
+        break;
+    case PP_CHART_SVG:
+        whole =
+            pp_bytes_name_svg(&canvas->file, &canvas->raw, canvas->width_mm,
+                              canvas->height_mm, canvas->title, canvas->description);
+        break;
+    case PP_CHART_PNG:
+        whole = pp_bytes_resolve_png(&canvas->file, &canvas->raw,
+                                     canvas->dpi / MM_PER_INCH);
+        break;
+    }
+    return whole ? PP_OK : pp_fail_memory(err);
+}
+
+enum pp_status pp_canvas_finish(struct pp_canvas *canvas, const unsigned char **bytes,
+                                size_t *length, struct pp_error *err)
+{
+    if (!canvas->finished) {
+        cairo_status_t status = cairo_status(canvas->cr);
+        if (status == CAIRO_STATUS_SUCCESS && canvas->sheet.format == PP_CHART_PNG)
+            status = cairo_surface_write_to_png_stream(canvas->surface, append,
+                                                       &canvas->raw);
+        cairo_surface_finish(canvas->surface);
+        if (status == CAIRO_STATUS_SUCCESS)
+            status = cairo_surface_status(canvas->surface);
+        if (status != CAIRO_STATUS_SUCCESS)
+            return fail_cairo(err, status);
+        enum pp_status taken = take_file(canvas, err);
+        if (taken != PP_OK)
+            return taken;
+        canvas->finished = true;
+    }
+    *bytes = canvas->file.list;
+    *length = canvas->file.count;
+    return PP_OK;
+}
+
+enum pp_status pp_canvas_write(struct pp_canvas *canvas, pp_canvas_writer writer,
+                               void *closure, struct pp_error *err)
+{
+    const unsigned char *bytes;
+    size_t length;
+    enum pp_status status = pp_canvas_finish(canvas, &bytes, &length, err);
+    if (status != PP_OK)
+        return status;
+    return writer(closure, bytes, length, err);
+}
+
+enum pp_status pp_chart_format_of(enum pp_chart_format *format, const char *path,
+                                  struct pp_error *err)
+{
+    static const char *const endings[] = {
+        [PP_CHART_PDF] = ".pdf", [PP_CHART_SVG] = ".svg", [PP_CHART_PNG] = ".png"};
+    size_t length = strlen(path);
+    for (int i = 0; i < 3; i++)
+        if (length >= 4 && strcasecmp(path + length - 4, endings[i]) == 0) {
+            *format = (enum pp_chart_format)i;
+            return PP_OK;
+        }
+    return pp_fail(err, PP_BAD_INPUT,
+                   "what kind of file \"%s\" is can't be told from its name; it must "
+                   "end in .pdf, .svg or .png",
+                   path);
+}
+
+enum pp_status pp_paper_of(enum pp_paper *paper, const char *name, struct pp_error *err)
+{
+    static const struct {
+        const char *name;
+        enum pp_paper paper;
+    } papers[] = {{"a5", PP_PAPER_A5},
+                  {"a4", PP_PAPER_A4},
+                  {"a3", PP_PAPER_A3},
+                  {"a2", PP_PAPER_A2}};
+    for (int i = 0; i < 4; i++)
+        if (strcasecmp(name, papers[i].name) == 0) {
+            *paper = papers[i].paper;
+            return PP_OK;
+        }
+    return pp_fail(err, PP_BAD_INPUT,
+                   "paper \"%s\" is not known; it must be a5, a4, a3 or a2", name);
+}

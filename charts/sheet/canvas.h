@@ -1,0 +1,75 @@
+/* canvas.h - a sheet of paper to draw on, at true scale, as PDF, SVG or PNG.
+ *
+ * One unit of the cairo context is one millimetre on paper, y runs down from the upper
+ * left corner. The same drawing gives the same bytes: PDF dates are fixed, SVG ids are
+ * numbered in order, text is laid out unhinted.
+ *
+ *   PDF  text is text; title, subject and creator are set
+ *   SVG  has <title> and <desc>, its size in mm, and ids with a prefix of its own made
+ *        from its title and drawing, so that several can stand in one page
+ *   PNG  white ground, its resolution noted in the file
+ *
+ * The caller owns the file: a finished canvas is a block of bytes, or is handed to a
+ * function of the caller's.
+ */
+#ifndef PP_CHARTS_CANVAS_H
+#define PP_CHARTS_CANVAS_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#include <cairo.h>
+
+#include "model/base/error.h"
+
+enum pp_chart_format { PP_CHART_PDF, PP_CHART_SVG, PP_CHART_PNG };
+
+enum pp_paper { PP_PAPER_A4, PP_PAPER_A5, PP_PAPER_A3, PP_PAPER_A2 };
+
+struct pp_sheet {
+    enum pp_chart_format format;
+    enum pp_paper paper;
+    bool landscape;
+    double dpi;              /* PNG only, 20 to 1200; 0: 200 */
+    const char *title;       /* UTF-8, not owned; NULL: "" */
+    const char *description; /* likewise: what is to be seen, for who cannot see it */
+};
+
+struct pp_canvas;
+
+enum pp_status pp_canvas_create(struct pp_canvas **canvas, const struct pp_sheet *sheet,
+                                struct pp_error *err);
+void pp_canvas_destroy(struct pp_canvas *canvas); /* NULL is allowed */
+
+/* Units are millimetres; owned by the canvas. */
+cairo_t *pp_canvas_cairo(struct pp_canvas *canvas);
+double pp_canvas_width_mm(const struct pp_canvas *canvas);
+double pp_canvas_height_mm(const struct pp_canvas *canvas);
+
+/* A further sheet of the same size; of PDF only. */
+enum pp_status pp_canvas_next_sheet(struct pp_canvas *canvas, struct pp_error *err);
+
+/* Ends the drawing. Errors of all drawing done so far come out here. After it, *bytes
+ * (the canvas's own, good until it is destroyed) is the whole file. */
+enum pp_status pp_canvas_finish(struct pp_canvas *canvas, const unsigned char **bytes,
+                                size_t *length, struct pp_error *err);
+
+/* Takes some bytes of the file, in order; what it returns other than PP_OK ends the
+ * writing and is handed on, with the message that it left in err. */
+typedef enum pp_status (*pp_canvas_writer)(void *closure, const unsigned char *bytes,
+                                           size_t length, struct pp_error *err);
+
+/* pp_canvas_finish, then hands the file to writer. */
+enum pp_status pp_canvas_write(struct pp_canvas *canvas, pp_canvas_writer writer,
+                               void *closure, struct pp_error *err);
+
+/* The format that a file name's ending asks for (".pdf", ".svg", ".png", in either
+ * case). */
+enum pp_status pp_chart_format_of(enum pp_chart_format *format, const char *path,
+                                  struct pp_error *err);
+
+/* "a5" ... "a2", in either case. */
+enum pp_status pp_paper_of(enum pp_paper *paper, const char *name,
+                           struct pp_error *err);
+
+#endif

@@ -1,0 +1,55 @@
+/* labels.h - words put where there is room for them, next to what they name.
+ *
+ * What is drawn already is noted as places not to cover. A label is tried beside each
+ * of the places it may name, on all sides and ever further off, and stands where it
+ * covers nothing and is nearest; one that finds no such place is not drawn.
+ */
+#ifndef PP_CHARTS_LABELS_H
+#define PP_CHARTS_LABELS_H
+
+#include <stdbool.h>
+
+#include "charts/sheet/lettering.h"
+
+enum { PP_PLACES_MOST = 6000 };
+
+struct pp_place {
+    double x, y;
+    int owner; /* of which curve; -1: nobody's */
+};
+
+struct pp_labels {
+    struct pp_box field; /* labels stay within */
+    int count;
+    struct pp_place places[PP_PLACES_MOST];
+};
+
+/* Notes a straight line, as places at most a millimetre apart. Lines beyond
+ * PP_PLACES_MOST are forgotten. */
+void pp_labels_note(struct pp_labels *labels, int owner, double x0, double y0,
+                    double x1, double y1);
+
+/* Notes the whole path that cairo has, flattened. */
+void pp_labels_note_path(struct pp_labels *labels, cairo_t *cr, int owner);
+
+/* Notes all of a box. */
+void pp_labels_note_box(struct pp_labels *labels, struct pp_box box);
+
+/* Is something of that owner's noted within that distance? */
+bool pp_labels_is_near(const struct pp_labels *labels, int owner, double x, double y,
+                       double distance);
+
+/* Is a box within the field and clear of all that is noted? */
+bool pp_labels_is_free(const struct pp_labels *labels, struct pp_box box);
+
+/* Looks for a place for a box of that size next to one of the owner's places, clear of
+ * all others' by more than of its own; *anchor is where a leader points to. */
+bool pp_labels_find(const struct pp_labels *labels, const struct pp_style *style,
+                    double width, double height, int owner, struct pp_box *box,
+                    double anchor[2]);
+
+/* Draws a leader from the box to the anchor, unless they are next to each other. */
+void pp_labels_lead(cairo_t *cr, const struct pp_style *style, struct pp_box box,
+                    const double anchor[2]);
+
+#endif

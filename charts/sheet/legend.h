@@ -1,0 +1,39 @@
+/* legend.h - which line is which, in a column of samples and words.
+ */
+#ifndef PP_CHARTS_LEGEND_H
+#define PP_CHARTS_LEGEND_H
+
+#include "charts/sheet/style.h"
+#include "charts/sheet/lettering.h"
+
+enum pp_legend_kind {
+    PP_KEY_LINE,
+    PP_KEY_MARKED_LINE,
+    PP_KEY_SAMPLED, /* a marker with an error bar */
+    PP_KEY_MARKER,  /* a marker by itself */
+    PP_KEY_TINT,    /* a tinted field */
+};
+
+struct pp_key {
+    enum pp_legend_kind kind;
+    struct pp_curve_style curve; /* of lines and markers */
+    double grey;                 /* of a tint; else of the line */
+    char words[96];
+};
+
+/* Draws the keys below each other from x, y on, no wider than `width` (words end in ...
+ * where they have to). Returns the box filled. */
+struct pp_box pp_legend_draw(cairo_t *cr, const struct pp_style *style,
+                             const struct pp_key *keys, int count, double x, double y,
+                             double width);
+
+/* The box that pp_legend_draw would fill. */
+struct pp_box pp_legend_measure(cairo_t *cr, const struct pp_style *style,
+                                const struct pp_key *keys, int count, double x,
+                                double y, double width);
+
+/* A marker with a bar of a standard error up and down; also as a key. */
+void pp_legend_bar(cairo_t *cr, const struct pp_style *style, enum pp_marker marker,
+                   double x, double y, double y_low, double y_high);
+
+#endif

@@ -1,0 +1,123 @@
+#include "charts/sheet/lettering.h"
+
+#include <pango/pangocairo.h>
+
+/* The first of these that the machine has; the last is an alias that every one has. */
+static const char families[] =
+    "Source Sans 3, Source Sans Pro, Nimbus Sans, Liberation Sans, "
+    "DejaVu Sans Condensed, DejaVu Sans, sans-serif";
+
+bool pp_box_overlaps(struct pp_box a, struct pp_box b)
+{
+    return a.x < b.x + b.width && b.x < a.x + a.width && a.y < b.y + b.height
+           && b.y < a.y + a.height;
+}
+
+/* The caller's to unref. One unit of the layout is one of cairo's user space, a
+ * millimetre, so positions must not be rounded to units. */
+static PangoLayout *layout_of(cairo_t *cr, const struct pp_style *style,
+                              const struct pp_text *text, const char *words)
+{
+    PangoLayout *layout = pango_cairo_create_layout(cr);
+    PangoContext *context = pango_layout_get_context(layout);
+    cairo_font_options_t *options = cairo_font_options_create();
+    cairo_font_options_set_hint_style(options, CAIRO_HINT_STYLE_NONE);
+    cairo_font_options_set_hint_metrics(options, CAIRO_HINT_METRICS_OFF);
+    cairo_font_options_set_antialias(options, CAIRO_ANTIALIAS_GRAY);
+    pango_cairo_context_set_font_options(context, options);
+    cairo_font_options_destroy(options);
+    pango_context_set_round_glyph_positions(context, FALSE);
+    pango_layout_context_changed(layout);
+
+    PangoFontDescription *font = pango_font_description_new();
+    pango_font_description_set_family_static(font, families);
+    pango_font_description_set_absolute_size(font,
+                                             style->text[text->size] * PANGO_SCALE);
+    if (text->bold)
+        pango_font_description_set_weight(font, PANGO_WEIGHT_BOLD);
+    if (text->italic)
+        pango_font_description_set_style(font, PANGO_STYLE_ITALIC);
+    pango_layout_set_font_description(layout, font);
+    pango_font_description_free(font);
+
+    if (text->width > 0.0) {
+        pango_layout_set_width(layout, (int)(text->width * PANGO_SCALE));
+        pango_layout_set_wrap(layout, PANGO_WRAP_WORD_CHAR);
+        pango_layout_set_ellipsize(layout, text->lines ? PANGO_ELLIPSIZE_END
+                                                       : PANGO_ELLIPSIZE_NONE);
+        pango_layout_set_height(layout, text->lines ? -text->lines : -1);
+    }
+    if (text->across == 0.5)
+        pango_layout_set_alignment(layout, PANGO_ALIGN_CENTER);
+    if (text->across == 1.0)
+        pango_layout_set_alignment(layout, PANGO_ALIGN_RIGHT);
+    pango_layout_set_auto_dir(layout, FALSE);
+    char *valid = g_utf8_make_valid(words, -1);
+    pango_layout_set_text(layout, valid, -1);
+    g_free(valid);
+    return layout;
+}
+
+static struct pp_box box_of(PangoLayout *layout, const struct pp_text *text, double x,
+                            double y)
+{
+    PangoRectangle logical;
+    pango_layout_get_extents(layout, 0, &logical);
+    double width = (double)logical.width / PANGO_SCALE;
+    double height = (double)logical.height / PANGO_SCALE;
+    return (struct pp_box){x - text->across * width, y - text->down * height, width,
+                           height};
+}
+
+struct pp_box pp_text_measure(cairo_t *cr, const struct pp_style *style,
+                              const struct pp_text *text, double x, double y,
+                              const char *words)
+{
+    PangoLayout *layout = layout_of(cr, style, text, words);
+    struct pp_box box = box_of(layout, text, x, y);
+    g_object_unref(layout);
+    return box;
+}
+
+static struct pp_box draw(cairo_t *cr, const struct pp_style *style,
+                          const struct pp_text *text, double x, double y,
+                          const char *words, bool cleared)
+{
+    PangoLayout *layout = layout_of(cr, style, text, words);
+    struct pp_box box = box_of(layout, text, x, y);
+    PangoRectangle logical;
+    pango_layout_get_extents(layout, 0, &logical);
+
+    cairo_save(cr);
+    cairo_translate(cr, x, y);
+    cairo_rotate(cr, text->turn_rad);
+    cairo_translate(cr, box.x - x, box.y - y);
+    if (cleared) {
+        double pad = 0.12 * style->text[text->size];
+        pp_style_grey(cr, 1.0);
+        cairo_rectangle(cr, -pad, 0.0, box.width + 2.0 * pad, box.height);
+        cairo_fill(cr);
+    }
+    pp_style_grey(cr, text->grey);
+    /* In a layout of a set width, aligned lines stand off its left edge. */
+    cairo_move_to(cr, -(double)logical.x / PANGO_SCALE, 0.0);
+    pango_cairo_show_layout(cr, layout);
+    cairo_restore(cr);
+    cairo_new_path(cr);
+    g_object_unref(layout);
+    return box;
+}
+
+struct pp_box pp_text_draw(cairo_t *cr, const struct pp_style *style,
+                           const struct pp_text *text, double x, double y,
+                           const char *words)
+{
+    return draw(cr, style, text, x, y, words, false);
+}
+
+struct pp_box pp_text_draw_clear(cairo_t *cr, const struct pp_style *style,
+                                 const struct pp_text *text, double x, double y,
+                                 const char *words)
+{
+    return draw(cr, style, text, x, y, words, true);
+}

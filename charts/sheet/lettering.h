@@ -1,0 +1,48 @@
+/* lettering.h - words on a chart: placed by a point and by which of their sides it is.
+ *
+ * Text is UTF-8; what is not valid is shown as U+FFFD. Sizes don't depend on the format
+ * drawn to: glyphs are laid out unhinted, at fractions of a millimetre.
+ */
+#ifndef PP_CHARTS_TEXT_H
+#define PP_CHARTS_TEXT_H
+
+#include <stdbool.h>
+
+#include <cairo.h>
+
+#include "charts/sheet/style.h"
+
+struct pp_box {
+    double x, y, width, height; /* x, y: the upper left corner */
+};
+
+bool pp_box_overlaps(struct pp_box a, struct pp_box b);
+
+/* How a text is set. */
+struct pp_text {
+    enum pp_text_size size;
+    bool bold, italic;
+    double grey;
+    double across, down; /* which place of the text's box is put at x, y: 0 left or top,
+                          * 0.5 middle, 1 right or bottom */
+    double turn_rad;     /* about x, y, clockwise on paper */
+    double width;        /* lines are broken at this width; 0: one line */
+    int lines;           /* with a width: at most this many, then ...; 0: any number */
+};
+
+/* The box that pp_text_draw would fill (not turned). */
+struct pp_box pp_text_measure(cairo_t *cr, const struct pp_style *style,
+                              const struct pp_text *text, double x, double y,
+                              const char *words);
+
+/* Draws, and returns that box. */
+struct pp_box pp_text_draw(cairo_t *cr, const struct pp_style *style,
+                           const struct pp_text *text, double x, double y,
+                           const char *words);
+
+/* As pp_text_draw, on a white ground a little larger than the text. */
+struct pp_box pp_text_draw_clear(cairo_t *cr, const struct pp_style *style,
+                                 const struct pp_text *text, double x, double y,
+                                 const char *words);
+
+#endif

@@ -1,0 +1,167 @@
+#include "charts/sheet/page.h"
+#include "model/base/text.h"
+
+#include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+
+struct pp_style pp_page_style(const struct pp_canvas *canvas)
+{
+    return pp_style_for(fmin(pp_canvas_width_mm(canvas), pp_canvas_height_mm(canvas)));
+}
+
+void pp_page_say(char *text, size_t room, const char *format, ...)
+{
+    size_t length = strlen(text);
+    if (length && text[length - 1] != '\n')
+        pp_append(text, room, " ");
+    va_list arguments;
+    va_start(arguments, format);
+    pp_append_v(text, room, format, arguments);
+    va_end(arguments);
+}
+
+void pp_page_sky(char *text, size_t room, const struct pp_world *world)
+{
+    pp_page_sky_words(text, room, &world->sky, world->north_rad);
+}
+
+void pp_page_sky_words(char *text, size_t room, const struct pp_sky *sky,
+                       double north_rad)
+{
+    switch (sky->kind) {
+    case PP_SKY_OVERCAST:
+        snprintf(text, room, "CIE overcast sky");
+        return;
+    case PP_SKY_UNIFORM:
+        snprintf(text, room, "uniform sky");
+        return;
+    case PP_SKY_ISO:
+        break;
+    }
+    if (!pp_sky_has_azimuth(sky)) {
+        snprintf(text, room, "ISO 15469 sky of type %d", sky->iso);
+        return;
+    }
+    double bearing = north_rad + atan2(sky->sun.x, sky->sun.y);
+    bearing = fmod(bearing + 4.0 * PP_PI, 2.0 * PP_PI);
+    snprintf(text, room,
+             "ISO 15469 sky of type %d, sun %.0f\u00b0 high at bearing "
+             "%.0f\u00b0",
+             sky->iso, asin(fmin(sky->sun.z, 1.0)) / PP_RAD, bearing / PP_RAD);
+}
+
+/* "0.9", or "0.6 to 0.9". */
+static const char *range_text(char *text, size_t room, double low, double high)
+{
+    if (high - low < 5e-4)
+        snprintf(text, room, "%.3g", high);
+    else
+        snprintf(text, room, "%.3g to %.3g", low, high);
+    return text;
+}
+
+static void say_openings(char *text, size_t room, const struct pp_world *world)
+{
+    enum { GLASS, FRAME, DIRT, CURTAINS, COUNT };
+    double low[COUNT] = {1.0, 1.0, 1.0, 1.0}, high[COUNT] = {0.0, 0.0, 0.0, 0.0};
+    bool unglazed = world->opening_count > 0;
+    for (int i = 0; i < world->opening_count; i++) {
+        const struct pp_opening *opening = &world->openings[i];
+        double values[COUNT] = {opening->glass.normal, opening->frame_factor,
+                                opening->maintenance, opening->curtains};
+        unglazed = unglazed && opening->glass.panes == 0 && !opening->glass.diffusing;
+        for (int k = 0; k < COUNT; k++) {
+            low[k] = fmin(low[k], values[k]);
+            high[k] = fmax(high[k], values[k]);
+        }
+    }
+    char glass[32], frame[32], dirt[32];
+    range_text(frame, sizeof frame, low[FRAME], high[FRAME]);
+    range_text(dirt, sizeof dirt, low[DIRT], high[DIRT]);
+    if (unglazed)
+        pp_page_say(text, room, "Openings without glass, frame factor %s.", frame);
+    else if (world->opening_count)
+        pp_page_say(
+            text, room,
+            "Normal transmittance of the glass %s, frame factor %s, maintenance "
+            "%s.",
+            range_text(glass, sizeof glass, low[GLASS], high[GLASS]), frame, dirt);
+    if (low[CURTAINS] < 1.0)
+        pp_page_say(text, room, "Curtains leave %s.",
+                    range_text(glass, sizeof glass, low[CURTAINS], high[CURTAINS]));
+}
+
+/* What is said of light that is reflected inside. */
+static void say_decorations(char *text, size_t room, const struct pp_world *world)
+{
+    if (world->decorations != 1.0)
+        pp_page_say(text, room, "Decorations leave %.3g of what they reflect.",
+                    world->decorations);
+}
+
+void pp_page_assumptions(char *text, size_t room, const struct pp_world *world)
+{
+    static const char *const parts[] = {
+        [PP_FLOOR] = "floor", [PP_WALL] = "walls", [PP_CEILING] = "ceiling"};
+    say_openings(text, room, world);
+    char sentence[160] = "Reflectances:";
+    for (enum pp_role role = PP_FLOOR; role <= PP_CEILING; role++) {
+        double low = INFINITY, high = -INFINITY;
+        for (int i = 0; i < world->face_count; i++)
+            if (world->surfaces[i].role == role) {
+                low = fmin(low, world->surfaces[i].front);
+                high = fmax(high, world->surfaces[i].front);
+            }
+        char range[32];
+        if (high >= low)
+            pp_page_say(sentence, sizeof sentence, "%s %s,", parts[role],
+                        range_text(range, sizeof range, low, high));
+    }
+    pp_page_say(text, room, "%s ground %.3g.", sentence, world->ground_reflectance);
+    say_decorations(text, room, world);
+}
+
+struct pp_box pp_page_draw(struct pp_canvas *canvas, const struct pp_style *style,
+                           const struct pp_page *page)
+{
+    cairo_t *cr = pp_canvas_cairo(canvas);
+    double margin = style->margin;
+    double width = pp_canvas_width_mm(canvas) - 2.0 * margin;
+    double top = margin, bottom = pp_canvas_height_mm(canvas) - margin;
+
+    if (page->title) {
+        /* A long name is set smaller, in up to four lines. */
+        struct pp_text title = {.size = PP_TEXT_TITLE, .bold = true, .width = width};
+        if (pp_text_measure(cr, style, &title, 0, 0, page->title).height
+            > 2.7 * style->text[PP_TEXT_TITLE]) {
+            title.size = PP_TEXT_HEAD;
+            title.lines = 4;
+        }
+        top += pp_text_draw(cr, style, &title, margin, top, page->title).height;
+        top += 0.6 * style->scale;
+    }
+    if (page->subtitle) {
+        struct pp_text subtitle = {
+            .size = PP_TEXT_HEAD, .grey = PP_GREY_TEXT, .width = width, .lines = 3};
+        top += pp_text_draw(cr, style, &subtitle, margin, top, page->subtitle).height;
+    }
+    if (page->foot && *page->foot) {
+        int lines = (int)(0.22 * pp_canvas_height_mm(canvas)
+                          / (1.25 * style->text[PP_TEXT_SMALL]));
+        struct pp_text foot = {.size = PP_TEXT_SMALL,
+                               .grey = PP_GREY_TEXT,
+                               .down = 1.0,
+                               .width = width,
+                               .lines = lines};
+        bottom -= pp_text_draw(cr, style, &foot, margin, bottom, page->foot).height;
+        bottom -= 1.2 * style->scale;
+        pp_style_line(cr, style->hair, PP_GREY_LINE);
+        cairo_move_to(cr, margin, bottom);
+        cairo_line_to(cr, margin + width, bottom);
+        cairo_stroke(cr);
+    }
+    double gap = 4.0 * style->scale;
+    return (struct pp_box){margin, top + gap, width, bottom - top - 2.0 * gap};
+}

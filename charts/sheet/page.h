@@ -1,0 +1,42 @@
+/* page.h - what every chart's sheet has round its drawing: title and notes.
+ */
+#ifndef PP_CHARTS_PAGE_H
+#define PP_CHARTS_PAGE_H
+
+#include "charts/sheet/canvas.h"
+#include "charts/sheet/style.h"
+#include "charts/sheet/lettering.h"
+#include "model/room/world.h"
+
+struct pp_page {
+    const char *title;    /* the room's name; may be long; NULL: no line for it */
+    const char *subtitle; /* what the chart shows, under which sky */
+    const char *foot;     /* notes, one paragraph; NULL or "": none */
+};
+
+/* Draws title and notes and returns what is left of the sheet between them. */
+struct pp_box pp_page_draw(struct pp_canvas *canvas, const struct pp_style *style,
+                           const struct pp_page *page);
+
+/* Adds a sentence to what is in `text` (of `room` bytes), after a space unless a
+ * line begins; what does not
+ * fit is cut. */
+void pp_page_say(char *text, size_t room, const char *format, ...)
+    __attribute__((format(printf, 3, 4)));
+
+/* The sky as people call it: "CIE overcast sky", "ISO 15469 sky of type 12, sun 30°
+ * high at 180°". */
+void pp_page_sky(char *text, size_t room, const struct pp_world *world);
+
+/* The same of a sky by itself; north_rad is the bearing of the plan's +y axis. */
+void pp_page_sky_words(char *text, size_t room, const struct pp_sky *sky,
+                       double north_rad);
+
+/* Adds what the figures rest on to a text, as pp_page_say: glazing, frame and dirt,
+ * reflectances. */
+void pp_page_assumptions(char *text, size_t room, const struct pp_world *world);
+
+/* The style for the canvas' sheet. */
+struct pp_style pp_page_style(const struct pp_canvas *canvas);
+
+#endif

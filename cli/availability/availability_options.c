@@ -1,0 +1,475 @@
+#include "cli/availability/availability_options.h"
+
+#include <ctype.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <strings.h>
+
+#include "cli/messages.h"
+#include "model/base/read_file.h"
+#include "model/base/number.h"
+#include "model/geometry/vec.h"
+#include "model/base/text.h"
+
+const struct pp_availability_options pp_availability_options_default = {
+    .latitude_deg = NAN,
+    .longitude_deg = NAN,
+    .time_zone_h = NAN,
+    .hours = {2, {{8.0, 18.0, PP_ALL_DAYS}, {9.0, 17.0, PP_ALL_DAYS}}},
+    .days = PP_ALL_DAYS,
+    .illuminances = {2, {300.0, 500.0}},
+};
+
+static const char *const day_names[] = {"Mon", "Tue", "Wed", "Thu",
+                                        "Fri", "Sat", "Sun"};
+
+/* ---- what is typed ---- */
+
+/* "8" or "17:30" at *text, moved behind it; hours. */
+static bool read_clock(const char **text, double *hour)
+{
+    int hours = 0, minutes = 0, used = 0;
+    if (!isdigit((unsigned char)**text) || sscanf(*text, "%2d%n", &hours, &used) != 1)
+        return false;
+    *text += used;
+    if (**text == ':') {
+        ++*text;
+        if (!isdigit((unsigned char)(*text)[0]) || !isdigit((unsigned char)(*text)[1]))
+            return false;
+        minutes = 10 * ((*text)[0] - '0') + (*text)[1] - '0';
+        *text += 2;
+    }
+    *hour = hours + minutes / 60.0;
+    return minutes < 60 && *hour <= 24.0;
+}
+
+static enum pp_status read_hours(const char *text, void *place, struct pp_error *err)
+{
+    struct pp_clock_times times = {0};
+    for (const char *p = text; times.count < PP_PERIODS_MOST; p++) {
+        struct pp_working_hours *hours = &times.list[times.count++];
+        hours->days = PP_ALL_DAYS;
+        if (!read_clock(&p, &hours->from_h) || *p++ != '-'
+            || !read_clock(&p, &hours->to_h) || !(hours->from_h < hours->to_h))
+            break;
+        if (*p == '\0') {
+            *(struct pp_clock_times *)place = times;
+            return PP_OK;
+        }
+        if (*p != ',')
+            break;
+    }
+    return pp_fail(
+        err, PP_BAD_INPUT,
+        "hours FROM-TO of one day, with commas between, up to %d of them, such "
+        "as 9-17 or 8-18,8:30-17",
+        PP_PERIODS_MOST);
+}
+
+static int read_day(const char *text, size_t length)
+{
+    for (int i = 0; i < 7; i++)
+        if (length == 3 && strncasecmp(text, day_names[i], 3) == 0)
+            return i;
+    return -1;
+}
+
+static enum pp_status read_days(const char *text, void *place, struct pp_error *err)
+{
+    unsigned days = 0;
+    if (strcmp(text, "all") == 0) {
+        *(unsigned *)place = PP_ALL_DAYS;
+        return PP_OK;
+    }
+    for (const char *p = text;; p++) {
+        size_t length = strcspn(p, ",-");
+        int from = read_day(p, length), to = from;
+        p += length;
+        if (from >= 0 && *p == '-') {
+            length = strcspn(++p, ",");
+            to = read_day(p, length);
+            p += length;
+        }
+        if (from < 0 || to < 0)
+            break;
+        for (int day = from; day != to; day = (day + 1) % 7)
+            days |= 1u << day;
+        days |= 1u << to;
+        if (*p == '\0') {
+            *(unsigned *)place = days;
+            return PP_OK;
+        }
+        if (*p != ',')
+            break;
+    }
+    return pp_fail(err, PP_BAD_INPUT,
+                   "all, or days of the week such as mon-fri or mon,wed,sat");
+}
+
+static enum pp_status read_summer(const char *text, void *place, struct pp_error *err)
+{
+    struct pp_summer_choice choice = {0};
+    char from[16];
+    size_t length = strcspn(text, "-");
+    bool good = strcmp(text, "no") == 0;
+    if (strcmp(text, "file") == 0) {
+        good = choice.of_file = true;
+    } else if (text[length] == '-' && length < sizeof from) {
+        memcpy(from, text, length);
+        from[length] = '\0';
+        good = pp_month_day_parse(from, &choice.time.from)
+               && pp_month_day_parse(text + length + 1, &choice.time.to);
+    }
+    if (!good)
+        return pp_fail(
+            err, PP_BAD_INPUT,
+            "no, file, or its first and last day as MONTH/DAY-MONTH/DAY, such "
+            "as 3/30-10/26");
+    *(struct pp_summer_choice *)place = choice;
+    return PP_OK;
+}
+
+/* "300", "300lx" or "300 lx" of `length` bytes. */
+static bool read_lux(const char *text, size_t length, double *lx)
+{
+    char copy[32];
+    if (length >= sizeof copy)
+        return false;
+    memcpy(copy, text, length);
+    copy[length] = '\0';
+    if (length > 2 && strcmp(copy + length - 2, "lx") == 0)
+        copy[length - 2] = '\0';
+    return pp_number_parse(copy, lx) && *lx >= 0.1 && *lx <= 1e6;
+}
+
+static enum pp_status read_illuminances(const char *text, void *place,
+                                        struct pp_error *err)
+{
+    struct pp_illuminances wanted = {0};
+    for (const char *p = text; wanted.count < PP_ILLUMINANCES_MOST; p++) {
+        size_t length = strcspn(p, ",");
+        if (!read_lux(p, length, &wanted.lx[wanted.count++]))
+            break;
+        p += length;
+        if (*p == '\0') {
+            *(struct pp_illuminances *)place = wanted;
+            return PP_OK;
+        }
+    }
+    return pp_fail(
+        err, PP_BAD_INPUT,
+        "illuminances from 0.1 to 1000000 lx, with commas between, up to %d of "
+        "them, such as 300,500",
+        PP_ILLUMINANCES_MOST);
+}
+
+static enum pp_status read_within(const char *text, double *place, double low,
+                                  double high, const char *what, struct pp_error *err)
+{
+    double value;
+    if (!pp_number_parse(text, &value) || value < low || value > high)
+        return pp_fail(err, PP_BAD_INPUT, "%s from %g to %g", what, low, high);
+    *place = value;
+    return PP_OK;
+}
+
+static enum pp_status read_latitude(const char *text, void *place, struct pp_error *err)
+{
+    return read_within(text, place, -90.0, 90.0, "degrees north", err);
+}
+
+static enum pp_status read_longitude(const char *text, void *place,
+                                     struct pp_error *err)
+{
+    return read_within(text, place, -180.0, 180.0, "degrees east", err);
+}
+
+static enum pp_status read_zone(const char *text, void *place, struct pp_error *err)
+{
+    return read_within(text, place, -12.0, 14.0, "hours ahead of universal time", err);
+}
+
+#define PLACE(member) offsetof(struct pp_availability_options, member)
+
+const struct pp_option pp_light_options[] = {
+    {"weather", 'w', "FILE.epw",
+     "The year's diffuse light of a weather file in EnergyPlus format; - is standard "
+     "input. Without it: of overcast skies at the room's latitude.",
+     pp_read_input, PLACE(weather)},
+    {"latitude", 0, "DEG",
+     "Of the overcast skies, north positive (default: of the room's site).",
+     read_latitude, PLACE(latitude_deg)},
+    {"longitude", 0, "DEG", "East positive (default: of the site, else of the zone).",
+     read_longitude, PLACE(longitude_deg)},
+    {"time-zone", 0, "H",
+     "Of the clock, in hours ahead of universal time (default: nearest to the "
+     "longitude).",
+     read_zone, PLACE(time_zone_h)},
+    {"hours", 0, "H-H,...",
+     "Working hours by the clock, one curve each: 8-18,8:30-17 (default 8-18,9-17).",
+     read_hours, PLACE(hours)},
+    {"days", 0, "DAYS", "all (default), or such as mon-fri or mon,wed,sat.", read_days,
+     PLACE(days)},
+    {"summer-time", 0, "M/D-M/D",
+     "First and last day of summer time, when the clock is an hour ahead; or file, for "
+     "the weather file's; or no (default).",
+     read_summer, PLACE(summer)},
+    {0},
+};
+
+const struct pp_option pp_illuminance_options[] = {
+    {"illuminance", 'i', "LX,...",
+     "Illuminances wanted on the working plane (default 300,500).", read_illuminances,
+     PLACE(illuminances)},
+    {0},
+};
+
+enum pp_status pp_availability_options_check(
+    const struct pp_availability_options *options, char *const *files, int file_count,
+    struct pp_error *err)
+{
+    bool from_input = options->weather && strcmp(options->weather, "-") == 0;
+    for (int i = 0; i < file_count && from_input; i++)
+        if (strcmp(files[i], "-") == 0)
+            return pp_fail(err, PP_BAD_INPUT,
+                           "the room and the weather can't both come from standard "
+                           "input; expected a file for one of them");
+    const char *of_sky = !isnan(options->latitude_deg)    ? "--latitude"
+                         : !isnan(options->longitude_deg) ? "--longitude"
+                         : !isnan(options->time_zone_h)   ? "--time-zone"
+                                                          : NULL;
+    if (options->weather && of_sky)
+        return pp_fail(
+            err, PP_BAD_INPUT,
+            "%s is of overcast skies, and a weather file has its own; expected "
+            "%s or --weather",
+            of_sky, of_sky);
+    if (options->summer.of_file && !options->weather)
+        return pp_fail(err, PP_BAD_INPUT,
+                       "--summer-time file needs --weather FILE; expected that, or the "
+                       "days");
+    return PP_OK;
+}
+
+/* ---- the light ---- */
+
+enum pp_exit pp_availability_load(struct pp_availability_options *options)
+{
+    if (!options->weather)
+        return PP_EXIT_DONE;
+    struct pp_mistakes mistakes;
+    struct pp_error err = {0};
+    pp_mistakes_init(&mistakes, pp_file_title(options->weather));
+    enum pp_status status =
+        pp_epw_read(&options->epw, options->weather, &mistakes, &err);
+    enum pp_exit result = PP_EXIT_DONE;
+    if (status == PP_BAD_INPUT && mistakes.count > 0)
+        result = pp_say_mistakes(&mistakes);
+    else if (status != PP_OK)
+        result = pp_say_error(&err);
+    else if (options->summer.of_file && options->epw->summer_words[0]) {
+        pp_fail(
+            &err, PP_BAD_INPUT,
+            "%s:%d: summer time is from \"%s\"; expected days as MONTH/DAY, or those "
+            "by --summer-time M/D-M/D",
+            pp_file_title(options->weather), options->epw->summer_line,
+            options->epw->summer_words);
+        result = pp_say_error(&err);
+    }
+    pp_mistakes_clear(&mistakes);
+    return result;
+}
+
+enum pp_exit pp_weather_median(const char *path, double *median_lx)
+{
+    struct pp_availability_options options = pp_availability_options_default;
+    struct pp_diffuse_light light;
+    struct pp_error err = {0};
+    options.weather = path;
+    enum pp_exit result = pp_availability_load(&options);
+    if (result != PP_EXIT_DONE)
+        return result;
+    enum pp_status status =
+        pp_diffuse_light_of_epw(&light, options.epw, pp_file_title(path), &err);
+    *median_lx = status == PP_OK ? pp_diffuse_light_median_lx(&light) : NAN;
+    if (status == PP_OK && !(*median_lx > 0.0))
+        status = pp_fail(&err, PP_BAD_INPUT,
+                         "%s: it has no median of a year: its data cover less, or are "
+                         "dark",
+                         pp_file_title(path));
+    pp_diffuse_light_clear(&light);
+    pp_availability_unload(&options);
+    return status == PP_OK ? PP_EXIT_DONE : pp_say_error(&err);
+}
+
+void pp_availability_unload(struct pp_availability_options *options)
+{
+    pp_epw_destroy(options->epw);
+    options->epw = NULL;
+}
+
+static enum pp_status light_of_file(struct pp_outside_light *outside,
+                                    const struct pp_availability_options *options,
+                                    struct pp_error *err)
+{
+    const struct pp_epw *epw = options->epw;
+    const char *file = pp_file_title(options->weather);
+    struct pp_diffuse_light *light = &outside->light;
+    enum pp_status status = pp_diffuse_light_of_epw(light, epw, file, err);
+    if (status != PP_OK)
+        return status;
+    const char *slash = strrchr(file, '/');
+    char gaps[160] = "";
+    if (light->filled)
+        snprintf(gaps, sizeof gaps, ", %d records of them by luminous efficacy",
+                 light->filled);
+    if (light->missing)
+        pp_append(gaps, sizeof gaps, "; %d records have none and are left out",
+                  light->missing);
+    outside->latitude_deg = epw->latitude_rad / PP_RAD;
+    snprintf(outside->words, sizeof outside->words,
+             "%.120s (%.120s): %s%s; %d records of %g h", epw->place,
+             slash ? slash + 1 : file,
+             light->origin == PP_LIGHT_ILLUMINANCE
+                 ? "diffuse horizontal illuminance of the file"
+                 : "diffuse horizontal irradiance of the file times Perez's luminous "
+                   "efficacy, for it has no illuminance",
+             gaps, epw->record_count, epw->record_h);
+    return PP_OK;
+}
+
+/* "51.5 N". */
+static const char *say_degrees(char *text, size_t room, double degrees,
+                               const char letters[2])
+{
+    snprintf(text, room, "%.4g %c", fabs(degrees), letters[degrees < 0.0]);
+    return text;
+}
+
+static enum pp_status light_of_sky(struct pp_outside_light *outside,
+                                   const struct pp_availability_options *options,
+                                   const struct pp_world *world, struct pp_error *err)
+{
+    double latitude = options->latitude_deg, longitude = options->longitude_deg;
+    double zone = options->time_zone_h;
+    if (isnan(latitude) && world)
+        latitude = world->latitude_rad / PP_RAD;
+    if (isnan(longitude) && isnan(options->latitude_deg) && world)
+        longitude = world->longitude_rad / PP_RAD;
+    if (isnan(latitude))
+        return pp_fail(
+            err, PP_BAD_INPUT,
+            "%s does not say at which latitude it stands; expected --weather "
+            "FILE.epw, --latitude DEG, or <site latitude=\"DEG\"/> in the room "
+            "file",
+            world && world->name ? world->name : "the room");
+    char clock[120], north[24], east[24];
+    if (isnan(longitude)) {
+        zone = isnan(zone) ? 0.0 : zone;
+        longitude = 15.0 * zone;
+        snprintf(clock, sizeof clock, "local mean time");
+    } else {
+        zone = isnan(zone) ? round(longitude / 15.0) : zone;
+        snprintf(clock, sizeof clock, "%s, clock %g h %s universal time",
+                 say_degrees(east, sizeof east, longitude, "EW"), fabs(zone),
+                 zone < 0.0 ? "behind" : "ahead of");
+    }
+    outside->latitude_deg = latitude;
+    snprintf(outside->words, sizeof outside->words,
+             "overcast skies all year at %s (%s), E = 300 + 21000 sin(altitude of the "
+             "sun) lx: a curve of overcast skies, real ones give more",
+             say_degrees(north, sizeof north, latitude, "NS"), clock);
+    return pp_diffuse_light_overcast(&outside->light, latitude * PP_RAD,
+                                     fmax(-180.0, fmin(180.0, longitude)) * PP_RAD,
+                                     zone, err);
+}
+
+/* "Monday to Friday" would be nicer; any set of days is said like this: "Mon, Tue". */
+static void say_days(char *text, size_t room, unsigned days)
+{
+    int first = 0, last = 6;
+    while (first < 7 && !(days >> first & 1))
+        first++;
+    while (last > first && !(days >> last & 1))
+        last--;
+    unsigned run = (2u << last) - (1u << first);
+    if (days == PP_ALL_DAYS) {
+        snprintf(text, room, "all days");
+    } else if (days == run && last > first) {
+        snprintf(text, room, "%s to %s", day_names[first], day_names[last]);
+    } else {
+        text[0] = '\0';
+        for (int i = 0; i < 7; i++)
+            if (days >> i & 1)
+                pp_append(text, room, "%s%s", text[0] ? ", " : "", day_names[i]);
+    }
+}
+
+static struct pp_summer_time summer_of(const struct pp_availability_options *options)
+{
+    if (options->summer.of_file)
+        return (struct pp_summer_time){options->epw->summer_from,
+                                       options->epw->summer_to};
+    return options->summer.time;
+}
+
+static void say_calendar(struct pp_outside_light *outside,
+                         const struct pp_availability_options *options)
+{
+    struct pp_summer_time summer = summer_of(options);
+    char days[48], from[24], to[24];
+    say_days(days, sizeof days, options->days);
+    if (summer.from.month)
+        snprintf(outside->calendar, sizeof outside->calendar,
+                 "%s; standard time, an hour ahead from %s to %s", days,
+                 pp_month_day_words(from, sizeof from, summer.from),
+                 pp_month_day_words(to, sizeof to, summer.to));
+    else
+        snprintf(outside->calendar, sizeof outside->calendar,
+                 "%s; standard time all year", days);
+}
+
+enum pp_status pp_outside_light_find(struct pp_outside_light *outside,
+                                     const struct pp_availability_options *options,
+                                     const struct pp_world *world, struct pp_error *err)
+{
+    *outside = (struct pp_outside_light){.latitude_deg = NAN};
+    for (int i = 0; i < options->hours.count; i++) {
+        outside->periods[i] = options->hours.list[i];
+        outside->periods[i].days = options->days;
+    }
+    say_calendar(outside, options);
+    if (!options->epw)
+        return light_of_sky(outside, options, world, err);
+    if (options->days != PP_ALL_DAYS
+        && options->epw->records[0].weekday == PP_WEEKDAY_UNKNOWN)
+        return pp_fail(
+            err, PP_BAD_INPUT,
+            "%s: DATA PERIODS has no day of the week, so that --days can't be "
+            "told apart; expected --days all",
+            pp_file_title(options->weather));
+    return light_of_file(outside, options, err);
+}
+
+void pp_outside_light_clear(struct pp_outside_light *outside)
+{
+    pp_diffuse_light_clear(&outside->light);
+}
+
+struct pp_availability_question pp_availability_asked(
+    const struct pp_availability_options *options,
+    const struct pp_outside_light *outside)
+{
+    return (struct pp_availability_question){
+        .light = &outside->light,
+        .light_words = outside->words,
+        .calendar_words = outside->calendar,
+        .period_count = options->hours.count,
+        .periods = outside->periods,
+        .summer = summer_of(options),
+        .illuminance_count = options->illuminances.count,
+        .illuminances_lx = options->illuminances.lx,
+    };
+}

@@ -1,0 +1,35 @@
+#include "cli/availability/draw_availability.h"
+
+#include "charts/availability_chart.h"
+#include "cli/study_report.h"
+
+enum pp_status pp_draw_availability(struct pp_canvas *canvas,
+                                    const struct pp_loaded_room *room,
+                                    const struct pp_room_options *room_options,
+                                    const struct pp_availability_options *options,
+                                    bool *finished, struct pp_error *err)
+{
+    struct pp_report report = {0};
+    struct pp_outside_light outside;
+    struct pp_availability_sheet sheet = {0};
+    bool by_clock;
+    enum pp_status status =
+        pp_outside_light_find(&outside, options, room ? room->world : NULL, err);
+    if (status == PP_OK && room)
+        status = pp_gather_methods(&report, room, room_options, err);
+    if (status == PP_OK && room && room_options->simulate)
+        status = pp_gather_traced(&report, room_options, &by_clock, err);
+    if (status == PP_OK) {
+        struct pp_availability_question question =
+            pp_availability_asked(options, &outside);
+        status = pp_availability_fill(&sheet, &question, room ? &report : NULL, err);
+    }
+    if (status == PP_OK)
+        status = pp_availability_chart_draw(canvas, &sheet, err);
+    if (room)
+        *finished &= report.finished;
+    pp_availability_sheet_clear(&sheet);
+    pp_report_clear(&report);
+    pp_outside_light_clear(&outside);
+    return status;
+}

@@ -1,0 +1,185 @@
+#include "cli/chart/board_options.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "model/light/glazings.h"
+#include "model/base/number.h"
+#include "model/room/room.h"
+#include "model/room/room_parts.h"
+
+static enum pp_status read_either(const char *text, const char *yes, const char *no,
+                                  void *place, struct pp_error *err)
+{
+    if (strcmp(text, yes) != 0 && strcmp(text, no) != 0)
+        return pp_fail(err, PP_BAD_INPUT, "%s or %s", yes, no);
+    *(enum pp_yes_no *)place = strcmp(text, yes) == 0 ? PP_YES : PP_NO;
+    return PP_OK;
+}
+
+enum pp_status pp_read_yes_no(const char *text, void *place, struct pp_error *err)
+{
+    return read_either(text, "yes", "no", place, err);
+}
+
+enum pp_status pp_read_receiver(const char *text, void *place, struct pp_error *err)
+{
+    return read_either(text, "vertical", "horizontal", place, err);
+}
+
+enum pp_status pp_read_viewing_distance(const char *text, void *place,
+                                        struct pp_error *err)
+{
+    double mm;
+    if (!pp_number_parse(text, &mm) || !(mm >= 5.0 && mm <= 200.0))
+        return pp_fail(err, PP_BAD_INPUT, "a number of millimetres from 5 to 200");
+    *(double *)place = mm;
+    return PP_OK;
+}
+
+enum pp_status pp_read_protractor_number(const char *text, void *place,
+                                         struct pp_error *err)
+{
+    double number;
+    if (!pp_number_parse(text, &number) || number != floor(number) || number < 1.0
+        || number > 10.0)
+        return pp_fail(err, PP_BAD_INPUT, "a whole number from 1 to 10");
+    *(int *)place = (int)number;
+    return PP_OK;
+}
+
+enum pp_status pp_read_slope(const char *text, void *place, struct pp_error *err)
+{
+    struct pp_board_options *board = place;
+    double slope;
+    if (!pp_number_parse(text, &slope) || !(slope >= 0.0 && slope <= 90.0))
+        return pp_fail(err, PP_BAD_INPUT,
+                       "a number of degrees from 0, horizontal, to 90, vertical");
+    board->slope_deg = slope;
+    board->slope_said = true;
+    return PP_OK;
+}
+
+enum pp_status pp_read_nomogram(const char *text, void *place, struct pp_error *err)
+{
+    static const char *const names[PP_NOMOGRAMS] = {
+        [PP_NOMOGRAM_AVERAGE] = "average",
+        [PP_NOMOGRAM_MINIMUM] = "minimum",
+        [PP_NOMOGRAM_ROOFLIGHT] = "rooflight",
+    };
+    struct pp_board_options *board = place;
+    for (int i = 0; i < PP_NOMOGRAMS; i++)
+        if (strcmp(text, names[i]) == 0) {
+            board->nomogram = (enum pp_nomogram_kind)i;
+            board->nomogram_said = true;
+            return PP_OK;
+        }
+    return pp_fail(err, PP_BAD_INPUT, "average, minimum or rooflight");
+}
+
+/* The sky of a blank, by the words of --sky. */
+static enum pp_status set_sky(struct pp_sky *sky, const char *words,
+                              struct pp_error *err)
+{
+    *sky = pp_sky_overcast();
+    if (!words)
+        return PP_OK;
+    struct pp_room room = {.sky = {.sun_altitude_rad = NAN, .sun_bearing_rad = NAN}};
+    struct pp_error why = {0};
+    if (pp_room_set_sky(&room, words, &why) != PP_OK)
+        return pp_fail(err, PP_BAD_INPUT, "--sky: %s", why.message);
+    if (room.sky.kind == PP_SKY_UNIFORM)
+        *sky = pp_sky_uniform();
+    if (room.sky.kind != PP_SKY_ISO)
+        return PP_OK;
+    double altitude =
+        isnan(room.sky.sun_altitude_rad) ? PP_PI / 2.0 : room.sky.sun_altitude_rad;
+    double bearing = isnan(room.sky.sun_bearing_rad) ? 0.0 : room.sky.sun_bearing_rad;
+    struct pp_vec3 sun = {cos(altitude) * sin(bearing), cos(altitude) * cos(bearing),
+                          sin(altitude)};
+    return pp_sky_iso(sky, room.sky.iso, sun, err);
+}
+
+/* A protractor by glazing, slope and sky, where one of them was said. */
+static enum pp_status set_protractor(struct pp_board_options *board,
+                                     const char *sky_words, struct pp_error *err)
+{
+    const char *name = board->glazing ? board->glazing : "clear-single";
+    bool other = board->glazing || board->slope_said || sky_words;
+    if (board->number && other)
+        return pp_fail(
+            err, PP_BAD_INPUT,
+            "--number is one of the ten protractors, with glazing, slope and "
+            "sky; expected it, or --glazing, --slope and --sky");
+    board->any_protractor = !board->number && other;
+    board->slope_rad = (board->slope_said ? board->slope_deg : 90.0) * PP_RAD;
+    const struct pp_glazing *glazing = pp_glazing_find(name);
+    if (!glazing && strcmp(name, "none") != 0)
+        return pp_fail(err, PP_BAD_INPUT,
+                       "--glazing is \"%.60s\"; expected a name from the table of "
+                       "glazings, such as clear-double, or none",
+                       name);
+    board->glass = glazing ? pp_glazing_glass(glazing) : pp_glass_none();
+    if (board->glass.diffusing)
+        return pp_fail(err, PP_BAD_INPUT,
+                       "--glazing %s is diffusing, and a protractor is for clear glass",
+                       name);
+    if (pp_sky_has_azimuth(&board->sky))
+        return pp_fail(err, PP_BAD_INPUT,
+                       "--sky is \"%.60s\"; expected one that is the same in all "
+                       "azimuths",
+                       sky_words);
+    if (strcmp(name, "clear-single") == 0)
+        snprintf(board->glass_words, sizeof board->glass_words, "clear single glass");
+    else
+        snprintf(board->glass_words, sizeof board->glass_words, "glazing %.40s", name);
+    return PP_OK;
+}
+
+enum pp_status pp_board_options_check(struct pp_board_options *board,
+                                      const struct pp_room_options *options,
+                                      const struct pp_chart_kind *kind, bool blank,
+                                      struct pp_error *err)
+{
+    bool pepper_pot = strcmp(kind->name, "pepper-pot") == 0;
+    bool protractor = strcmp(kind->name, "protractor") == 0;
+    bool nomogram = strcmp(kind->name, "nomogram") == 0;
+    const char *needless = options->simulate                ? "--simulate"
+                           : options->methods               ? "--methods"
+                           : (blank || nomogram) && options->points.count
+                               ? "--points"
+                           : blank && options->room         ? "--room"
+                           : !pepper_pot && board->fine     ? "--fine"
+                           : !pepper_pot && board->vertical ? "--receiver"
+                           : !pepper_pot && board->viewing_mm > 0.0
+                               ? "--viewing-distance"
+                           : (protractor || nomogram) && board->glazed
+                               ? "--glazed"
+                           : !nomogram && board->nomogram_said ? "--which"
+                           : !protractor && board->number     ? "--number"
+                           : !protractor && board->glazing    ? "--glazing"
+                           : !protractor && board->slope_said ? "--slope"
+                                                              : NULL;
+    if (needless)
+        return pp_fail(err, PP_BAD_INPUT, "%s has no meaning for a %s%s diagram",
+                       needless, blank ? "blank " : "", kind->name);
+    if (!blank && (board->number || board->glazing || board->slope_said))
+        return pp_fail(err, PP_BAD_INPUT,
+                       "%s is for a blank protractor; a room has its own",
+                       board->number    ? "--number"
+                       : board->glazing ? "--glazing"
+                                        : "--slope");
+    if (!blank && (board->glazed || board->vertical))
+        return pp_fail(err, PP_BAD_INPUT,
+                       "%s is for a blank diagram; a room has its own",
+                       board->glazed ? "--glazed" : "--receiver");
+    enum pp_status status = set_sky(&board->sky, options->sky, err);
+    if (status == PP_OK && nomogram && board->sky.kind != PP_SKY_OVERCAST)
+        status = pp_fail(err, PP_BAD_INPUT,
+                         "--sky is \"%.60s\"; nomograms are made for the overcast sky",
+                         options->sky);
+    if (status == PP_OK && protractor)
+        status = set_protractor(board, options->sky, err);
+    return status;
+}

@@ -1,0 +1,407 @@
+/* chart - draws one chart of each room to a PDF, SVG or PNG. */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "cli/command_line.h"
+#include "cli/commands.h"
+#include "cli/chart/draw_chart.h"
+#include "cli/interrupt.h"
+#include "cli/messages.h"
+#include "cli/output.h"
+#include "methods/evaluate.h"
+#include "model/base/names.h"
+
+static enum pp_status read_format(const char *text, void *place, struct pp_error *err)
+{
+    if (strcmp(text, "pdf") != 0 && strcmp(text, "svg") != 0
+        && strcmp(text, "png") != 0)
+        return pp_fail(err, PP_BAD_INPUT, "pdf, svg or png");
+    *(const char **)place = text;
+    return PP_OK;
+}
+
+#define PLACE(member) offsetof(struct pp_chart_options, member)
+
+static const struct pp_option sheet_options[] = {
+    {"list", 'l', NULL,
+     "List the kinds of chart, behind KIND the options too, and stop.", NULL,
+     PLACE(list)},
+    {"format", 'f', "FORMAT", "pdf, svg or png (default: by the ending of -o FILE).",
+     read_format, PLACE(format)},
+    {"paper", 0, "SIZE", "a5, a4 (default), a3 or a2.", pp_read_paper, PLACE(paper)},
+    {"orientation", 0, "WAY", "portrait or landscape (default: as the room fits best).",
+     pp_read_orientation, PLACE(orientation)},
+    {"dpi", 0, "N", "Dots per inch of a PNG, 20 to 1200 (default 200).", pp_read_dpi,
+     PLACE(dpi)},
+    {"log", 0, NULL, "Section: daylight factors on a logarithmic scale.", NULL,
+     PLACE(logarithmic)},
+    {0},
+};
+
+#define BOARD(member) PLACE(board.member)
+
+static const struct pp_option board_options[] = {
+    {"glazed", 0, "yes|no",
+     "Blank diagram: with the losses of clear single glass (default), or without.",
+     pp_read_yes_no, BOARD(glazed)},
+    {"fine", 0, NULL, "Pepper-pot: dots worth 0.01 % instead of 0.1 %.", NULL,
+     BOARD(fine)},
+    {"receiver", 0, "WAY",
+     "Blank pepper-pot diagram: horizontal (default), or vertical, facing the window.",
+     pp_read_receiver, BOARD(vertical)},
+    {"viewing-distance", 0, "MM",
+     "Pepper-pot: from the eye to the drawing, 5 to 200 mm (default 30, with --fine "
+     "60, "
+     "or less where a window would leave the sheet).",
+     pp_read_viewing_distance, BOARD(viewing_mm)},
+    {"number", 0, "N",
+     "Blank protractor: 1 to 10 (default 2, vertical glass, overcast).",
+     pp_read_protractor_number, BOARD(number)},
+    {"glazing", 0, "NAME",
+     "Blank protractor of any glazing, by its name in the table; or none.",
+     pp_read_text, BOARD(glazing)},
+    {"slope", 0, "DEG",
+     "Blank protractor: slope of the glass, 0 horizontal to 90 vertical (default).",
+     pp_read_slope, PLACE(board)},
+    {"which", 0, "NAME",
+     "Nomogram: average (default) or minimum, for windows, or rooflight.",
+     pp_read_nomogram, PLACE(board)},
+    {0},
+};
+
+static const char about[] =
+    "Draws a chart of a room to -o FILE.pdf, FILE.svg or FILE.png. The rooms of a "
+    "building, or of several files, get a page each of a PDF, and a file each of the "
+    "other formats: FILE-1.png, FILE-2.png. FILE is a room file; - is standard input. "
+    "The diagrams of the drawing board are blank without FILE, and with it are drawn "
+    "from one point, by --points X,Y; a nomogram is for the whole room.";
+
+static void print_kinds(FILE *out)
+{
+    const struct pp_chart_kind *kind;
+    for (int i = 0; (kind = pp_chart_kind_at(i)) != NULL; i++)
+        pp_options_help_word(kind->name, kind->summary, out);
+}
+
+static void help_on_kinds(FILE *out)
+{
+    fputs("\nKinds of chart:\n", out);
+    print_kinds(out);
+}
+
+/* The kind that was typed, or NULL and err. */
+static const struct pp_chart_kind *find_kind(const char *typed, struct pp_error *err)
+{
+    const struct pp_chart_kind *kind = pp_chart_kind_find(typed);
+    if (kind)
+        return kind;
+    const char *names[32];
+    char known[256];
+    int count = 0;
+    for (; count < 32 && (kind = pp_chart_kind_at(count)) != NULL; count++)
+        names[count] = kind->name;
+    const char *guess = pp_nearest(typed, names, count);
+    if (guess)
+        pp_fail(err, PP_BAD_INPUT, "there is no chart \"%.100s\"; did you mean %s?",
+                typed, guess);
+    else
+        pp_fail(err, PP_BAD_INPUT, "there is no chart \"%.100s\"; expected %s", typed,
+                pp_name_list(known, sizeof known, names, count));
+    return NULL;
+}
+
+/* By --format, or by the file's ending. */
+static enum pp_status choose_format(enum pp_chart_format *format,
+                                    const struct pp_room_options *room_options,
+                                    const struct pp_chart_options *options,
+                                    struct pp_error *err)
+{
+    const char *output = room_options->output;
+    if (options->format) {
+        char name[16];
+        snprintf(name, sizeof name, "chart.%s", options->format);
+        return pp_chart_format_of(format, name, err);
+    }
+    if (!output || strcmp(output, "-") == 0)
+        return pp_fail(err, PP_BAD_INPUT,
+                       "expected -o FILE.pdf, FILE.svg or FILE.png, or --format");
+    return pp_chart_format_of(format, output, err);
+}
+
+/* What is drawn, of which rooms, and how it ended. */
+struct drawing {
+    const struct pp_chart_kind *kind;
+    enum pp_chart_format format;
+    const struct pp_room_options *room_options;
+    const struct pp_chart_options *options;
+    struct pp_loaded_room *rooms;
+    int count;
+    bool finished; /* false: a simulation was interrupted */
+};
+
+/* A sheet for each room, on one canvas. */
+static enum pp_status draw_rooms(struct drawing *drawing, struct pp_canvas *canvas,
+                                 struct pp_error *err)
+{
+    enum pp_status status = PP_OK;
+    if (drawing->count == 0)
+        return pp_draw_chart(drawing->kind, canvas, NULL, drawing->room_options,
+                             drawing->options, &drawing->finished, err);
+    for (int i = 0; i < drawing->count && status == PP_OK; i++) {
+        if (i > 0)
+            status = pp_canvas_next_sheet(canvas, err);
+        if (status == PP_OK)
+            status = pp_draw_chart(drawing->kind, canvas, &drawing->rooms[i],
+                                   drawing->room_options, drawing->options,
+                                   &drawing->finished, err);
+    }
+    return status;
+}
+
+static enum pp_status draw(struct drawing *drawing, FILE *out, struct pp_error *err)
+{
+    const struct pp_world *world = drawing->count ? drawing->rooms[0].world : NULL;
+    const struct pp_chart_options *options = drawing->options;
+    char description[256];
+    if (drawing->kind->outside && !world)
+        snprintf(description, sizeof description, "%s", drawing->kind->summary);
+    else
+        snprintf(description, sizeof description, "%s; sky: %s", drawing->kind->summary,
+                 pp_sky_name(world ? &world->sky : &options->board.sky));
+    const struct pp_sheet sheet = {.format = drawing->format,
+                                   .paper = options->paper,
+                                   .landscape =
+                                       options->orientation == PP_LANDSCAPE
+                                       || (options->orientation == PP_AS_FITS
+                                           && pp_chart_landscape(drawing->kind, world)),
+                                   .dpi = options->dpi,
+                                   .title = world ? world->name : drawing->kind->name,
+                                   .description = description};
+    struct pp_canvas *canvas;
+    enum pp_status status = pp_canvas_create(&canvas, &sheet, err);
+    if (status != PP_OK)
+        return status;
+
+    const unsigned char *bytes;
+    size_t length;
+    status = draw_rooms(drawing, canvas, err);
+    if (status == PP_OK)
+        status = pp_canvas_finish(canvas, &bytes, &length, err);
+    if (status == PP_OK && fwrite(bytes, 1, length, out) != length)
+        status = pp_fail_memory(err);
+    pp_canvas_destroy(canvas);
+    return status;
+}
+
+static enum pp_status draw_to_file(struct drawing *drawing, const char *path,
+                                   struct pp_error *err)
+{
+    struct pp_output output;
+    enum pp_status status = pp_output_open(&output, path, err);
+    if (status == PP_OK)
+        status = draw(drawing, output.stream, err);
+    return pp_output_close(&output, status, err);
+}
+
+/* "plan.png" with "-3" before its ending; to be freed. NULL when memory is out. */
+static char *numbered(const char *path, int number)
+{
+    const char *name = strrchr(path, '/');
+    const char *dot = strrchr(name ? name : path, '.');
+    if (!dot)
+        dot = path + strlen(path);
+    char *made;
+    int length = asprintf(&made, "%.*s-%d%s", (int)(dot - path), path, number, dot);
+    return length < 0 ? NULL : made;
+}
+
+/* A file for each room, in a format that has no pages. */
+static enum pp_status draw_numbered(struct drawing *all, struct pp_error *err)
+{
+    enum pp_status status = PP_OK;
+    for (int i = 0; i < all->count && status == PP_OK; i++) {
+        struct drawing one = *all;
+        one.rooms = &all->rooms[i];
+        one.count = 1;
+        char *path = numbered(all->room_options->output, i + 1);
+        status = path ? draw_to_file(&one, path, err) : pp_fail_memory(err);
+        free(path);
+        all->finished &= one.finished;
+    }
+    return status;
+}
+
+static enum pp_exit draw_all(struct drawing *drawing, bool to_standard_output)
+{
+    struct pp_error err = {0};
+    bool pages = drawing->format == PP_CHART_PDF || drawing->count <= 1;
+    if (!pages && to_standard_output) {
+        pp_fail(&err, PP_BAD_INPUT,
+                "there are %d rooms, and only a PDF has a page for each; expected -o "
+                "FILE, --format pdf or --room NAME",
+                drawing->count);
+        return pp_say_usage("chart", &err);
+    }
+    if (drawing->room_options->simulate)
+        pp_interrupt_watch();
+    enum pp_status status =
+        pages ? draw_to_file(drawing, drawing->room_options->output, &err)
+              : draw_numbered(drawing, &err);
+    if (status != PP_OK)
+        return pp_say_error(&err);
+    if (drawing->finished)
+        return PP_EXIT_DONE;
+    pp_say("interrupted; the chart shows what was reached so far");
+    return PP_EXIT_INTERRUPTED;
+}
+
+/* Most diagrams of the drawing board are drawn from one point. */
+static enum pp_exit check_points(const struct pp_chart_kind *kind,
+                                 const struct pp_rooms *rooms)
+{
+    for (int i = 0; kind->from_point && i < rooms->count; i++) {
+        if (rooms->list[i].receiver_count == 1)
+            continue;
+        struct pp_error err;
+        pp_fail(&err, PP_BAD_INPUT,
+                "%s is drawn from one point, and there are %d; expected one, by "
+                "--points X,Y",
+                kind->name, rooms->list[i].receiver_count);
+        return pp_say_usage("chart", &err);
+    }
+    return PP_EXIT_DONE;
+}
+
+static enum pp_exit run(const struct pp_chart_kind *kind,
+                        const struct pp_room_options *room_options,
+                        const struct pp_chart_options *options, char **files,
+                        int file_count)
+{
+    struct pp_error err = {0};
+    enum pp_chart_format format;
+    if (choose_format(&format, room_options, options, &err) != PP_OK)
+        return pp_say_usage("chart", &err);
+    bool to_standard_output =
+        !room_options->output || strcmp(room_options->output, "-") == 0;
+    if (to_standard_output && isatty(STDOUT_FILENO)) {
+        pp_fail(&err, PP_BAD_INPUT,
+                "a chart is not for the terminal; expected -o FILE");
+        return pp_say_usage("chart", &err);
+    }
+
+    struct pp_rooms rooms = {0};
+    enum pp_exit exit_status = PP_EXIT_DONE;
+    if (file_count > 0)
+        exit_status = pp_rooms_load(&rooms, "chart", files, file_count, room_options);
+    if (exit_status == PP_EXIT_DONE)
+        exit_status = check_points(kind, &rooms);
+    if (exit_status != PP_EXIT_DONE) {
+        pp_rooms_clear(&rooms);
+        return exit_status;
+    }
+    struct drawing drawing = {.kind = kind,
+                              .format = format,
+                              .room_options = room_options,
+                              .options = options,
+                              .rooms = rooms.list,
+                              .count = rooms.count,
+                              .finished = true};
+    exit_status = draw_all(&drawing, to_standard_output);
+    pp_rooms_clear(&rooms);
+    return exit_status;
+}
+
+/* The light outside is asked for where it is drawn, and known without a room. */
+static enum pp_status check_light(const struct pp_availability_options *light,
+                                  struct pp_room_options *options,
+                                  const struct pp_chart_kind *kind, char **files,
+                                  int file_count, struct pp_error *err)
+{
+    bool said = light->weather || !isnan(light->latitude_deg);
+    if (!kind->outside)
+        return said ? pp_fail(err, PP_BAD_INPUT,
+                              "%s is drawn without a year's light; --weather and "
+                              "--latitude are of availability",
+                              kind->name)
+                    : PP_OK;
+    if (!said && file_count == 0)
+        return pp_fail(
+            err, PP_BAD_INPUT,
+            "expected --weather FILE.epw, --latitude DEG, or a room file with "
+            "a site");
+    if (!options->methods)
+        options->methods = "exact+bre";
+    return pp_availability_options_check(light, files, file_count, err);
+}
+
+/* What the words say, before any file is opened. */
+static enum pp_status check(char **words, int word_count,
+                            struct pp_room_options *options,
+                            struct pp_chart_options *chart_options,
+                            const struct pp_chart_kind **kind, struct pp_error *err)
+{
+    if (word_count == 0)
+        return pp_fail(err, PP_BAD_INPUT,
+                       "expected a kind of chart; --list names them");
+    *kind = find_kind(words[0], err);
+    if (!*kind)
+        return PP_BAD_INPUT;
+    if (word_count == 1 && !(*kind)->board && !(*kind)->outside)
+        return pp_fail(err, PP_BAD_INPUT,
+                       "expected a room file, or - for standard input");
+    enum pp_status status = pp_room_options_settle(options, err);
+    if (status == PP_OK)
+        status = check_light(&chart_options->availability, options, *kind, words + 1,
+                             word_count - 1, err);
+    if (status == PP_OK && options->methods)
+        status = pp_methods_check(options->methods, err);
+    if (status == PP_OK && (*kind)->board)
+        status = pp_board_options_check(&chart_options->board, options, *kind,
+                                        word_count == 1, err);
+    return status;
+}
+
+enum pp_exit cmd_chart(int argc, char **argv)
+{
+    struct pp_room_options room_options = pp_room_options_none;
+    struct pp_chart_options options = {.paper = PP_PAPER_A4,
+                                       .availability = pp_availability_options_default};
+    const struct pp_option_group groups[] = {
+        {"The sheet", sheet_options, &options},
+        {"Diagrams of the drawing board", board_options, &options},
+        {"Availability", pp_light_options, &options.availability},
+        {"Availability", pp_illuminance_options, &options.availability},
+        {"What is computed", pp_room_choice_options, &room_options},
+        {"Simulation", pp_room_simulation_options, &room_options},
+        {"Output", pp_room_output_options, &room_options},
+        {0},
+    };
+    const struct pp_command_line line = {"chart", "KIND [FILE...]", about, groups,
+                                         help_on_kinds};
+
+    struct pp_error err = {0};
+    const struct pp_chart_kind *kind = NULL;
+    int word_count;
+    bool wants_help;
+    enum pp_exit exit_status;
+    enum pp_status status =
+        pp_options_read(&line, argc, argv, &word_count, &wants_help, &err);
+    wants_help = wants_help || (options.list && word_count > 0);
+    if (status == PP_OK && !wants_help && !options.list)
+        status = check(argv, word_count, &room_options, &options, &kind, &err);
+
+    if (pp_command_starts(&line, argv + 1, word_count - 1, status, wants_help, &err,
+                          &exit_status)) {
+        if (options.list)
+            print_kinds(stdout);
+        else
+            exit_status = pp_availability_load(&options.availability);
+        if (kind && exit_status == PP_EXIT_DONE)
+            exit_status = run(kind, &room_options, &options, argv + 1, word_count - 1);
+    }
+    pp_availability_unload(&options.availability);
+    pp_room_options_clear(&room_options);
+    return exit_status;
+}

@@ -1,0 +1,238 @@
+/* export - a room in another program's format. */
+#include <stdlib.h>
+#include <string.h>
+
+#include "cli/command_line.h"
+#include "cli/commands.h"
+#include "cli/messages.h"
+#include "cli/radiance/radiance_export.h"
+#include "cli/rooms.h"
+#include "cli/print/utf8.h"
+#include "model/base/read_file.h"
+#include "formats/radiance/rad_room.h"
+
+/* Of the open level ground, where nothing else is asked for. */
+static const double DEFAULT_LUX = 10000.0;
+
+static const char about[] =
+    "A room as scene files of another program. FILE is a room file; - is standard "
+    "input. For Radiance, the directory DIR gets materials, geometry, glazing, sky, "
+    "ground, the reference points, and a script that works out the same daylight "
+    "factors by rtrace; of a building or several files, one directory in it for each "
+    "room. It appears whole or not at all.";
+
+struct export_options {
+    const char *to;
+    const char *directory;
+    bool force, gloss;
+    double external_lux;
+};
+
+static enum pp_status read_program(const char *text, void *place, struct pp_error *err)
+{
+    if (strcmp(text, "radiance") != 0)
+        return pp_fail(err, PP_BAD_INPUT, "radiance");
+    *(const char **)place = text;
+    return PP_OK;
+}
+
+static const struct pp_option to_options[] = {
+    {"to", 't', "PROGRAM", "Whose format: radiance.", read_program,
+     offsetof(struct export_options, to)},
+    {"external", 0, "LUX",
+     "Illuminance of the open level ground under the sky that is written (default "
+     "10000).",
+     pp_read_lux, offsetof(struct export_options, external_lux)},
+    {"gloss", 0, NULL,
+     "Finishes with their colour and gloss, for pictures; daylight factors, and what "
+     "is "
+     "written without it, take them as matt and grey.",
+     NULL, offsetof(struct export_options, gloss)},
+    {0},
+};
+
+static const struct pp_option output_options[] = {
+    {"output", 'o', "DIR", "Directory to write: a new or an empty one.", pp_read_text,
+     offsetof(struct export_options, directory)},
+    {"force", 0, NULL,
+     "Replace DIR where it holds an export; where it holds anything else it is left "
+     "alone.",
+     NULL, offsetof(struct export_options, force)},
+    {0},
+};
+
+/* ---- folders of several rooms ---- */
+
+enum { FOLDER_MOST = 60 }; /* bytes, and a number behind them */
+
+static bool is_taken(const char *folder, char *const *before, int count)
+{
+    for (int i = 0; i < count; i++)
+        if (strcmp(before[i], folder) == 0)
+            return true;
+    return false;
+}
+
+/* The character that text begins with, of so many bytes, may be one of a folder's. */
+static bool is_fit(const char *text, int length)
+{
+    unsigned char c = (unsigned char)text[0];
+    if (length > 1)
+        return c != 0xc2 || (unsigned char)text[1] >= 0xa0; /* no control character */
+    return c > ' ' && c < 127 && !strchr("/\\:*?\"<>|'`$&;#", c);
+}
+
+/* A room's name as that of a folder, unlike those before; the caller's. */
+static char *folder_of(const struct pp_rooms *rooms, int which, char *const *before)
+{
+    const char *name = rooms->list[which].world->name;
+    char fit[FOLDER_MOST + 20];
+    int count = 0;
+    for (int length; name && *name; name += length) {
+        length = pp_utf8_length(name);
+        if (count + length > FOLDER_MOST)
+            break;
+        if (is_fit(name, length)) {
+            memcpy(fit + count, name, (size_t)length);
+            count += length;
+        } else if (count > 0 && fit[count - 1] != '-') {
+            fit[count++] = '-';
+        }
+    }
+    while (count > 0 && fit[count - 1] == '-')
+        count--;
+    fit[count] = '\0';
+    if (count == 0 || fit[0] == '.' || fit[0] == '-')
+        count = snprintf(fit, sizeof fit, "room-%d", which + 1);
+    for (int next = which + 1; is_taken(fit, before, which); next++)
+        snprintf(fit + count, sizeof fit - (size_t)count, "-%d", next);
+    return strdup(fit);
+}
+
+static enum pp_status add_rooms(struct pp_directory *directory,
+                                const struct pp_rooms *rooms,
+                                const struct export_options *options,
+                                struct pp_error *err)
+{
+    char **folders = calloc((size_t)rooms->count + 1, sizeof *folders);
+    enum pp_status status = folders ? PP_OK : pp_fail_memory(err);
+    for (int i = 0; i < rooms->count && status == PP_OK; i++) {
+        const struct pp_loaded_room *room = &rooms->list[i];
+        if (rooms->several && !(folders[i] = folder_of(rooms, i, folders)))
+            status = pp_fail_memory(err);
+        struct pp_error said;
+        if (status == PP_OK)
+            status = pp_radiance_export(directory, folders[i], room,
+                                        options->external_lux, options->gloss, &said);
+        if (status != PP_OK && folders[i] == NULL && rooms->several)
+            break;
+        if (status == PP_BAD_INPUT)
+            status = pp_fail(err, status, "%s: %.600s", pp_file_title(room->file),
+                             said.message);
+        else if (status != PP_OK)
+            status = pp_fail(err, status, "%s", said.message);
+    }
+    for (int i = 0; folders && i < rooms->count; i++)
+        free(folders[i]);
+    free(folders);
+    return status;
+}
+
+/* ---- what the scene leaves out ---- */
+
+static void say_left_out(const struct pp_rooms *rooms, bool gloss)
+{
+    for (int i = 0; i < rooms->count; i++) {
+        const struct pp_world *world = rooms->list[i].world;
+        const char *file = pp_file_title(rooms->list[i].file);
+        if (world->decorations < 1.0)
+            pp_say("%.200s: the scene leaves out the allowance of %g on the internally "
+                   "reflected component for decorations; its daylight factors are "
+                   "higher by that",
+                   file, world->decorations);
+        if (!gloss && pp_rad_room_has_gloss(world))
+            pp_say("%.200s: finishes are matt and grey in the scene, as daylight "
+                   "factors take them; --gloss writes their colour and gloss",
+                   file);
+    }
+}
+
+static enum pp_exit run(const struct export_options *options,
+                        const struct pp_room_options *room_options, char **files,
+                        int file_count)
+{
+    struct pp_rooms rooms;
+    enum pp_exit exit_status =
+        pp_rooms_load(&rooms, "export", files, file_count, room_options);
+    if (exit_status != PP_EXIT_DONE)
+        return exit_status;
+    struct pp_error err = {0};
+    struct pp_directory directory;
+    enum pp_status status = pp_directory_open(&directory, options->directory,
+                                              options->force, pp_radiance_files, &err);
+    if (status == PP_OK)
+        status = add_rooms(&directory, &rooms, options, &err);
+    if (status == PP_OK)
+        status = pp_directory_commit(&directory, &err);
+    if (status != PP_OK) {
+        pp_directory_abandon(&directory);
+        exit_status = pp_say_error(&err);
+    } else if (!room_options->quiet) {
+        say_left_out(&rooms, options->gloss);
+    }
+    pp_rooms_clear(&rooms);
+    return exit_status;
+}
+
+static enum pp_status check(struct export_options *options, int file_count,
+                            struct pp_error *err)
+{
+    if (file_count == 0)
+        return pp_fail(err, PP_BAD_INPUT,
+                       "expected a room file, or - for standard input");
+    if (!options->to)
+        return pp_fail(err, PP_BAD_INPUT, "expected --to radiance");
+    if (!options->directory)
+        return pp_fail(err, PP_BAD_INPUT, "expected -o DIR, the directory to write");
+    if (strcmp(options->directory, "-") == 0)
+        return pp_fail(err, PP_BAD_INPUT,
+                       "-o is \"-\"; expected a directory: an export is several files");
+    if (!(options->external_lux > 0.0))
+        options->external_lux = DEFAULT_LUX;
+    return PP_OK;
+}
+
+static const struct pp_option quiet_option[] = {
+    {"quiet", 'q', NULL, "Say nothing of what the scene leaves out.", NULL,
+     offsetof(struct pp_room_options, quiet)},
+    {0},
+};
+
+enum pp_exit cmd_export(int argc, char **argv)
+{
+    struct export_options options = {0};
+    struct pp_room_options room_options = pp_room_options_none;
+    const struct pp_option_group groups[] = {
+        {"What is written", to_options, &options},
+        {"What is written", pp_room_place_options, &room_options},
+        {"Output", output_options, &options},
+        {"Output", quiet_option, &room_options},
+        {0},
+    };
+    const struct pp_command_line line = {"export", "FILE...", about, groups, NULL};
+
+    struct pp_error err = {0};
+    int file_count;
+    bool wants_help;
+    enum pp_exit exit_status;
+    enum pp_status status =
+        pp_options_read(&line, argc, argv, &file_count, &wants_help, &err);
+    if (status == PP_OK && !wants_help)
+        status = check(&options, file_count, &err);
+
+    if (pp_command_starts(&line, argv, file_count, status, wants_help, &err,
+                          &exit_status))
+        exit_status = run(&options, &room_options, argv, file_count);
+    pp_room_options_clear(&room_options);
+    return exit_status;
+}

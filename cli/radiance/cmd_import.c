@@ -1,0 +1,242 @@
+/* import - another program's scene, and what sensors in it say. */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "cli/command_line.h"
+#include "cli/commands.h"
+#include "cli/format.h"
+#include "cli/interrupt.h"
+#include "cli/messages.h"
+#include "cli/output.h"
+#include "cli/print/print.h"
+#include "cli/radiance/print_sensors.h"
+#include "cli/progress.h"
+#include "cli/room_options.h"
+#include "cli/radiance/sensor_points.h"
+#include "cli/print/utf8.h"
+#include "model/base/clock.h"
+#include "model/light/scene_horizontal.h"
+
+static const char about[] =
+    "Reads a scene of Radiance's and simulates sensor points in it by path tracing: "
+    "irradiance, illuminance, and the daylight factor over what the scene's sky gives "
+    "the open level ground. SCENE files are read one after the other as if they were "
+    "one; - is standard input. Lines that begin with \"!\" (gensky, genbox, xform) are "
+    "worked out, and nothing is executed. Without --points-file the scene is summed "
+    "up.";
+
+/* Paths of a point in each randomisation, at most. */
+static const long MOST_SAMPLES = 1 << 26;
+
+/* Between two looks at the clock, the interrupt and the progress bar. */
+static const double slice_s = 0.1;
+
+struct import_options {
+    const char *points_file; /* NULL: none */
+    bool summary;
+    bool by_chance; /* lamps are not aimed at */
+    enum pp_format format;
+};
+
+static enum pp_status read_lamps(const char *text, void *place, struct pp_error *err)
+{
+    bool by_chance = strcmp(text, "chance") == 0;
+    if (!by_chance && strcmp(text, "aimed") != 0)
+        return pp_fail(err, PP_BAD_INPUT, "aimed or chance");
+    *(bool *)place = by_chance;
+    return PP_OK;
+}
+
+static const struct pp_option import_options[] = {
+    {"points-file", 0, "FILE",
+     "Sensor points, a line \"x y z dx dy dz\" each; - is standard input.",
+     pp_read_input, offsetof(struct import_options, points_file)},
+    {"lamps", 0, "HOW",
+     "How their light is hunted: aimed (default) or chance, as if each light were a "
+     "glow.",
+     read_lamps, offsetof(struct import_options, by_chance)},
+    {"summary", 0, NULL, "Sum the scene up, before any points.", NULL,
+     offsetof(struct import_options, summary)},
+    {0},
+};
+
+/* ---- simulation ---- */
+
+/* Until the sensors are done, the time is over, or somebody interrupts. */
+static void trace(struct pp_sensors *sensors, struct pp_imported *imported,
+                  const struct pp_room_options *options)
+{
+    struct pp_progress progress;
+    pp_progress_begin(&progress, "sensors", options->quiet);
+    imported->finished = true;
+    while (!pp_sensors_done(sensors)) {
+        if (pp_interrupt_came()) {
+            imported->finished = false;
+            break;
+        }
+        double spent = pp_clock_s() - progress.started_s, slice = slice_s;
+        if (options->seconds > 0.0) {
+            imported->by_clock = spent >= options->seconds;
+            if (imported->by_clock)
+                break;
+            slice = fmin(slice, options->seconds - spent);
+        }
+        pp_sensors_advance(sensors, slice);
+        double done = pp_sensors_progress(sensors);
+        if (options->seconds > 0.0)
+            done = fmax(done, spent / options->seconds);
+        pp_progress_show(&progress, done, pp_sensors_error(sensors));
+    }
+    pp_progress_end(&progress);
+}
+
+static enum pp_status simulate(struct pp_imported *imported,
+                               struct pp_sensor_reading *readings,
+                               const struct pp_room_options *options, bool by_chance,
+                               struct pp_error *err)
+{
+    struct pp_light_scene *scene;
+    enum pp_status status = pp_light_scene_of_description(&scene, imported->scene, err);
+    if (status != PP_OK)
+        return status;
+    const struct pp_sensors_options wanted = {
+        .error = options->error,
+        .samples = options->samples,
+        .seed = options->seed,
+        .threads = options->threads,
+        .horizontal = pp_rgb_luminance(imported->horizontal),
+        .by_chance = by_chance};
+    struct pp_sensors *sensors;
+    status = pp_sensors_create(&sensors, scene, imported->points, imported->count,
+                               &wanted, err);
+    if (status == PP_OK) {
+        pp_interrupt_watch();
+        trace(sensors, imported, options);
+        for (int i = 0; i < imported->count; i++)
+            readings[i] = pp_sensors_read(sensors, i);
+        imported->readings = readings;
+        pp_sensors_destroy(sensors);
+    }
+    pp_light_scene_destroy(scene);
+    return status;
+}
+
+/* ---- the command ---- */
+
+static enum pp_status read_all(struct pp_imported *imported,
+                               struct pp_scene_description *scene,
+                               struct pp_sensor **points,
+                               const struct import_options *options,
+                               struct pp_error *err)
+{
+    enum pp_status status = PP_OK;
+    if (options->points_file)
+        status =
+            pp_sensor_points_read(points, &imported->count, options->points_file, err);
+    imported->points = *points;
+    if (status == PP_OK)
+        status =
+            pp_rad_read(scene, &imported->summary, (const char *const *)imported->files,
+                        imported->file_count, err);
+    if (status != PP_OK)
+        return status;
+    imported->scene = scene;
+    imported->horizontal = pp_scene_horizontal(scene);
+    return PP_OK;
+}
+
+static enum pp_exit run(const struct import_options *options,
+                        const struct pp_room_options *room_options, char **files,
+                        int file_count)
+{
+    struct pp_imported imported = {.files = files,
+                                   .file_count = file_count,
+                                   .summarised =
+                                       options->summary || !options->points_file};
+    struct pp_scene_description scene;
+    struct pp_sensor *points = NULL;
+    struct pp_sensor_reading *readings = NULL;
+    struct pp_error err = {0};
+    struct pp_output output;
+    pp_scene_description_init(&scene);
+    enum pp_status status = pp_output_open(&output, room_options->output, &err);
+    if (status == PP_OK)
+        status = read_all(&imported, &scene, &points, options, &err);
+    if (status == PP_OK && points) {
+        readings = calloc((size_t)imported.count + 1, sizeof *readings);
+        status = readings ? simulate(&imported, readings, room_options,
+                                     options->by_chance, &err)
+                          : pp_fail_memory(&err);
+    }
+    if (status == PP_OK)
+        status = pp_print_imported(&imported, options->format,
+                                   pp_print_width(room_options->output),
+                                   pp_utf8_terminal(), output.stream, &err);
+    status = pp_output_close(&output, status, &err);
+    enum pp_exit exit_status = PP_EXIT_DONE;
+    if (status != PP_OK)
+        exit_status = pp_say_error(&err);
+    else if (imported.readings && !imported.finished)
+        exit_status = pp_say_unfinished();
+    pp_scene_description_clear(&scene);
+    free(points);
+    free(readings);
+    return exit_status;
+}
+
+static enum pp_status check(const struct import_options *options,
+                            struct pp_room_options *room_options, char **files,
+                            int file_count, struct pp_error *err)
+{
+    if (file_count == 0)
+        return pp_fail(err, PP_BAD_INPUT,
+                       "expected a scene file, or - for standard input");
+    bool from_input = options->points_file && strcmp(options->points_file, "-") == 0;
+    for (int i = 0; i < file_count; i++)
+        if (strcmp(files[i], "-") == 0) {
+            if (from_input)
+                return pp_fail(err, PP_BAD_INPUT,
+                               "standard input can be read once; expected - for one "
+                               "file");
+            from_input = true;
+        }
+    if (room_options->samples > MOST_SAMPLES)
+        return pp_fail(err, PP_BAD_INPUT, "--samples is %ld; expected %ld at most",
+                       room_options->samples, MOST_SAMPLES);
+    if (!options->points_file && options->format == PP_FORMAT_CSV)
+        return pp_fail(err, PP_BAD_INPUT,
+                       "a summary has no place in CSV; expected --points-file, or "
+                       "--format text or json");
+    room_options->simulate = true;
+    return pp_room_options_settle(room_options, err);
+}
+
+enum pp_exit cmd_import(int argc, char **argv)
+{
+    struct import_options options = {.format = PP_FORMAT_TEXT};
+    struct pp_room_options room_options = pp_room_options_none;
+    const struct pp_option_group groups[] = {
+        {"What is computed", import_options, &options},
+        {"Simulation", pp_room_simulation_options + 1, &room_options},
+        {"Output", pp_format_option, &options.format},
+        {"Output", pp_room_output_options, &room_options},
+        {0},
+    };
+    const struct pp_command_line line = {"import", "SCENE...", about, groups, NULL};
+
+    struct pp_error err = {0};
+    int file_count;
+    bool wants_help;
+    enum pp_exit exit_status;
+    enum pp_status status =
+        pp_options_read(&line, argc, argv, &file_count, &wants_help, &err);
+    if (status == PP_OK && !wants_help)
+        status = check(&options, &room_options, argv, file_count, &err);
+
+    if (pp_command_starts(&line, argv, file_count, status, wants_help, &err,
+                          &exit_status))
+        exit_status = run(&options, &room_options, argv, file_count);
+    pp_room_options_clear(&room_options);
+    return exit_status;
+}

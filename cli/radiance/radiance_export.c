@@ -1,0 +1,189 @@
+#include "cli/radiance/radiance_export.h"
+
+#include "config.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "formats/radiance/rad_functions.h"
+#include "formats/radiance/rad_room.h"
+#include "formats/radiance/rad_write.h"
+
+static const char materials_name[] = "materials.rad";
+static const char points_name[] = "points.pts";
+static const char script_name[] = "daylight_factors.sh";
+
+static const struct {
+    const char *file, *shapes, *says;
+} groups[PP_RAD_GROUPS] = {
+    [PP_RAD_ROOM] = {"room.rad", "room",
+                     "the room: floor, walls less their openings, ceiling, reveals, "
+                     "what stands in it"},
+    [PP_RAD_GLAZING] = {"glazing.rad", "pane", "panes, with frame and dirt in them"},
+    [PP_RAD_OUTSIDE] = {"outside.rad", "outside",
+                        "what stands outside: blocks, surfaces, skylines"},
+    [PP_RAD_SKY] = {"sky.rad", "half", "sky and ground"},
+};
+
+const char *const pp_radiance_files[] = {
+    "materials.rad", "room.rad",      "glazing.rad",         "outside.rad", "sky.rad",
+    "points.pts",    PP_RAD_CAL_NAME, "daylight_factors.sh", "scene.oct",   NULL};
+
+/* Another file of the room, with what it is on top, as a comment. */
+static enum pp_status add_file(struct pp_directory *directory, const char *folder,
+                               const char *name, bool runs, FILE **out,
+                               struct pp_error *err)
+{
+    char *path;
+    if (asprintf(&path, "%s%s%s", folder ? folder : "", folder ? "/" : "", name) < 0)
+        return pp_fail_memory(err);
+    enum pp_status status = pp_directory_add(directory, path, runs, out, err);
+    free(path);
+    return status;
+}
+
+/* A line of a comment: what would end it is left out. */
+static void print_comment(const char *text, FILE *out)
+{
+    for (; *text; text++)
+        fputc((unsigned char)*text < 32 ? ' ' : *text, out);
+}
+
+static enum pp_status add_scene_file(struct pp_directory *directory, const char *folder,
+                                     const char *name, const char *says,
+                                     const struct pp_world *world, FILE **out,
+                                     struct pp_error *err)
+{
+    enum pp_status status = add_file(directory, folder, name, false, out, err);
+    if (status != PP_OK)
+        return status;
+    fprintf(*out, "# %s - ", name);
+    print_comment(world->name ? world->name : "room", *out);
+    fprintf(*out,
+            ": %s\n# by " PACKAGE_NAME " " PACKAGE_VERSION
+            ", lengths in metres, z up\n",
+            says);
+    return PP_OK;
+}
+
+static enum pp_status add_points(struct pp_directory *directory, const char *folder,
+                                 const struct pp_loaded_room *room,
+                                 struct pp_error *err)
+{
+    FILE *out;
+    enum pp_status status = add_file(directory, folder, points_name, false, &out, err);
+    for (int i = 0; i < room->receiver_count && status == PP_OK; i++) {
+        const struct pp_receiver *at = &room->receivers[i];
+        const double numbers[6] = {at->position.x, at->position.y, at->position.z,
+                                   at->normal.x,   at->normal.y,   at->normal.z};
+        for (int k = 0; k < 6; k++) {
+            char text[32];
+            pp_rad_number_text(numbers[k], text);
+            fprintf(out, "%s%s", k ? " " : "", text);
+        }
+        fputc('\n', out);
+    }
+    return status;
+}
+
+static const char script[] =
+    "set -e\n"
+    "cd \"$(dirname \"$0\")\"\n"
+    "export LC_ALL=C # numbers have a point\n"
+    "# " PP_RAD_CAL_NAME " is found beside the scene.\n"
+    "[ -z \"$RAYPATH\" ] || RAYPATH=.:$RAYPATH\n"
+    "export RAYPATH\n"
+    "\n"
+    "horizontal=%s # of the open level ground: %s lx over 179 lm/W\n"
+    "options=${*:--ab 20 -lr 0 -ad 8192 -as 0 -aa 0 -lw 1e-7}\n"
+    "\n"
+    "oconv materials.rad%s > scene.oct\n"
+    "# shellcheck disable=SC2086 # options are several words\n"
+    "irradiances=$(rtrace -h -I -dt 0 $options scene.oct < points.pts)\n"
+    "printf '%%s\\n' \"$irradiances\" | paste -d' ' points.pts - |\n"
+    "    awk -v horizontal=\"$horizontal\" '\n"
+    "    NF != 9 {\n"
+    "        print \"rtrace gave fewer irradiances than there are points\" "
+    ">\"/dev/stderr\"\n"
+    "        exit 1\n"
+    "    }\n"
+    "    {\n"
+    "        grey = 0.265 * $7 + 0.670 * $8 + 0.065 * $9\n"
+    "        printf \"%%s %%s %%s %%.5g\\n\", $1, $2, $3, 100 * grey / horizontal\n"
+    "    }'\n";
+
+static enum pp_status add_script(struct pp_directory *directory, const char *folder,
+                                 const struct pp_rad_room *rad, double external_lux,
+                                 struct pp_error *err)
+{
+    FILE *out;
+    enum pp_status status = add_file(directory, folder, script_name, true, &out, err);
+    if (status != PP_OK)
+        return status;
+    char irradiance[32], lux[32];
+    pp_rad_number_text(external_lux / PP_RADIANCE_EFFICACY, irradiance);
+    pp_rad_number_text(external_lux, lux);
+    fputs("#!/bin/sh\n"
+          "# Daylight factors (%) at the points of points.pts, by Radiance's rtrace:\n"
+          "# lines \"x y z factor\". Options of rtrace may be given instead of those "
+          "below,\n"
+          "# which follow each path to its end without a cache.\n",
+          out);
+    char files[200] = ""; /* those that aren't empty: oconv would complain */
+    for (int i = 0; i < PP_RAD_GROUPS; i++)
+        if (rad->first[i + 1] > rad->first[i])
+            snprintf(files + strlen(files), sizeof files - strlen(files), " %s",
+                     groups[i].file);
+    fprintf(out, script, irradiance, lux, files);
+    return PP_OK;
+}
+
+static enum pp_status add_scene(struct pp_directory *directory, const char *folder,
+                                const struct pp_loaded_room *room,
+                                const struct pp_rad_room *rad,
+                                const struct pp_rad_writer *writer,
+                                struct pp_error *err)
+{
+    FILE *out;
+    enum pp_status status = add_scene_file(directory, folder, materials_name,
+                                           "materials, glazings, the sky's brightness",
+                                           room->world, &out, err);
+    if (status == PP_OK)
+        pp_rad_write_materials(writer, out);
+    for (int i = 0; i < PP_RAD_GROUPS && status == PP_OK; i++) {
+        status = add_scene_file(directory, folder, groups[i].file, groups[i].says,
+                                room->world, &out, err);
+        if (status == PP_OK)
+            pp_rad_write_shapes(writer, groups[i].shapes, rad->first[i],
+                                rad->first[i + 1], out);
+    }
+    return status;
+}
+
+enum pp_status pp_radiance_export(struct pp_directory *directory, const char *folder,
+                                  const struct pp_loaded_room *room,
+                                  double external_lux, bool gloss, struct pp_error *err)
+{
+    struct pp_rad_room rad;
+    enum pp_status status = pp_rad_room_create(
+        &rad, room->world, external_lux / PP_RADIANCE_EFFICACY, gloss, err);
+    if (status != PP_OK)
+        return status;
+    struct pp_rad_writer *writer;
+    status = pp_rad_writer_create(&writer, &rad.scene, err);
+    if (status == PP_OK) {
+        status = add_scene(directory, folder, room, &rad, writer, err);
+        pp_rad_writer_destroy(writer);
+    }
+    if (status == PP_OK)
+        status = add_script(directory, folder, &rad, external_lux, err);
+    pp_rad_room_clear(&rad);
+    if (status == PP_OK)
+        status = add_points(directory, folder, room, err);
+    FILE *out;
+    if (status == PP_OK)
+        status = add_file(directory, folder, PP_RAD_CAL_NAME, false, &out, err);
+    if (status == PP_OK)
+        fputs(pp_rad_cal_text(), out);
+    return status;
+}

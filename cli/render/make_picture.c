@@ -1,0 +1,276 @@
+#include "cli/render/make_picture.h"
+
+#include <errno.h>
+#include <math.h>
+#include <stdlib.h>
+#include <unistd.h>
+
+#include "cli/interrupt.h"
+#include "cli/output.h"
+#include "cli/progress.h"
+#include "cli/render/render_view.h"
+#include "model/base/clock.h"
+#include "model/base/read_file.h"
+
+/* A slice of the work, and the time between two checkpoints. */
+static const double slice_s = 0.1, checkpoint_s = 30.0;
+
+/* Directions from a pixel to one window, as many as its paths let each have. */
+enum { DIRECTIONS = 16 };
+
+/* Of a checkpoint: 4 GiB. */
+#define CHECKPOINT_MOST ((size_t)1 << 32)
+
+/* Lets the cache grow until it has all that the picture asks for. */
+static enum pp_status grow(struct pp_overture *overture, bool quiet,
+                           struct pp_error *err)
+{
+    struct pp_progress progress;
+    enum pp_status status = PP_OK;
+    pp_progress_begin(&progress, "irradiance cache", quiet);
+    while (status == PP_OK && !pp_overture_done(overture)) {
+        status = pp_overture_advance(overture, slice_s, err);
+        pp_progress_show(&progress, pp_overture_progress(overture), NAN);
+        /* Half a cache would not grow on to the same one. */
+        if (status == PP_OK && pp_interrupt_came() && !pp_overture_done(overture))
+            status = pp_fail(err, PP_INTERRUPTED,
+                             "interrupted while the irradiance cache grew, of which "
+                             "nothing is kept; there is no picture");
+    }
+    pp_progress_end(&progress);
+    return status;
+}
+
+/* All of the file; *bytes is the caller's, NULL where there is no file. */
+static enum pp_status read_checkpoint(const char *path, char **bytes, size_t *length,
+                                      struct pp_error *err)
+{
+    *bytes = NULL;
+    if (access(path, F_OK) != 0 && errno == ENOENT)
+        return PP_OK;
+    return pp_file_bytes(bytes, length, path, CHECKPOINT_MOST, err);
+}
+
+/* Gives the cache the records that the checkpoint keeps. */
+static enum pp_status take_records(struct pp_irradiance_cache *cache, const char *path,
+                                   struct pp_error *err)
+{
+    char *bytes;
+    const char *records;
+    size_t length, count;
+    enum pp_status status = read_checkpoint(path, &bytes, &length, err);
+    if (status != PP_OK || !bytes)
+        return status;
+    struct pp_error own = {0};
+    status = pp_checkpoint_cache((const unsigned char *)bytes, length, &records, &count,
+                                 &own);
+    if (status != PP_OK)
+        pp_fail(err, status, "%s: %s", path, own.message);
+    else if (records
+             && pp_irradiance_cache_unpack(cache, records, count, path, &own) != PP_OK)
+        status = pp_fail(err, PP_BAD_INPUT,
+                         "%s: the checkpoint is of another picture: its room or "
+                         "options differ",
+                         path);
+    free(bytes);
+    return status;
+}
+
+/* The cache that the picture is read from. */
+static enum pp_status fill_cache(struct pp_made_picture *made,
+                                 struct pp_render_options *render,
+                                 const struct pp_render_choice *choice,
+                                 const struct pp_room_options *options,
+                                 struct pp_error *err)
+{
+    struct pp_overture *overture = NULL;
+    enum pp_status status =
+        pp_cache_words_open(&made->cache, &choice->cache, made->scene, made->store,
+                            &render->light, options->seed, options->threads, err);
+    if (status == PP_OK && choice->checkpoint
+        && pp_irradiance_cache_count(made->cache) == 0)
+        status = take_records(made->cache, choice->checkpoint, err);
+    if (status == PP_OK)
+        status =
+            pp_overture_create(&overture, made->cache, made->scene, render, 0, err);
+    if (status == PP_OK)
+        status = grow(overture, options->quiet, err);
+    pp_overture_destroy(overture);
+    if (status == PP_OK)
+        status = pp_cache_words_save(&choice->cache, made->cache, err);
+    if (status != PP_OK)
+        return status;
+    render->ambient = pp_irradiance_cache_ambient(made->cache);
+    render->ambient_mark = pp_render_cache_mark(made->cache);
+    return PP_OK;
+}
+
+static enum pp_status create(struct pp_made_picture *made, const struct pp_world *world,
+                             const struct pp_render_choice *choice,
+                             const struct pp_room_options *options,
+                             struct pp_error *err)
+{
+    struct pp_render_options render = {
+        .irradiance = choice->quantity.is != PP_LUMINANCE,
+        .indoors = choice->view == PP_CHOOSE_PLAN || choice->view == PP_CHOOSE_SECTION,
+        .filter = choice->filter,
+        .samples = choice->samples,
+        .light = pp_radiance_defaults(),
+        .seed = options->seed,
+        .threads = options->threads,
+    };
+    render.light.windows = choice->windows != PP_WINDOWS_CHANCE;
+    render.light.stored = choice->windows == PP_WINDOWS_STORED;
+    if (choice->paths)
+        render.light.bounces = choice->cache.options.bounces;
+    enum pp_status status = pp_light_scene_of_world(&made->scene, world, err);
+    struct pp_picture_size size;
+    if (status == PP_OK)
+        status = pp_render_view(&render.camera, &size, choice, made->scene, world, err);
+    if (status == PP_OK && render.light.stored)
+        status = pp_window_store_create(&made->store, made->scene, options->seed,
+                                        options->threads, err);
+    if (status != PP_OK)
+        return status;
+    render.width = size.width;
+    render.height = size.height;
+    render.store = made->store;
+    made->shown.camera = render.camera;
+    if (!choice->paths)
+        status = fill_cache(made, &render, choice, options, err);
+    if (status != PP_OK)
+        return status;
+    render.light.source_most =
+        choice->samples < DIRECTIONS ? DIRECTIONS / choice->samples : 1;
+    return pp_render_create(&made->render, made->scene, &render, err);
+}
+
+/* ---- checkpoints ---- */
+
+/* Goes on from the file, if there is one. */
+static enum pp_status resume(struct pp_made_picture *made, const char *path,
+                             struct pp_error *err)
+{
+    char *bytes;
+    size_t length;
+    enum pp_status status = read_checkpoint(path, &bytes, &length, err);
+    if (status != PP_OK || !bytes)
+        return status;
+    struct pp_error own = {0};
+    status = pp_render_resume(made->render, (const unsigned char *)bytes, length, &own);
+    free(bytes);
+    return status == PP_OK ? PP_OK : pp_fail(err, status, "%s: %s", path, own.message);
+}
+
+static enum pp_status save(const struct pp_made_picture *made, const char *path,
+                           struct pp_error *err)
+{
+    struct pp_output output;
+    enum pp_status status = pp_output_open(&output, path, err);
+    if (status == PP_OK)
+        status = pp_render_save(made->render, made->cache, output.stream, err);
+    return pp_output_close(&output, status, err);
+}
+
+/* Ctrl-C: what is done is kept where there is a place for it. */
+static enum pp_status interrupted(const struct pp_made_picture *made, const char *path,
+                                  struct pp_error *err)
+{
+    if (!path)
+        return pp_fail(err, PP_INTERRUPTED,
+                       "interrupted; there is no picture (--checkpoint FILE keeps what "
+                       "is done)");
+    enum pp_status status = save(made, path, err);
+    if (status != PP_OK)
+        return status;
+    return pp_fail(err, PP_INTERRUPTED,
+                   "interrupted; %s keeps the %.0f %% that are done, for the same "
+                   "command to go on from",
+                   path, floor(100.0 * pp_render_progress(made->render)));
+}
+
+/* ---- the work ---- */
+
+static enum pp_status work(struct pp_made_picture *made, const struct pp_world *world,
+                           const char *checkpoint, bool quiet, struct pp_error *err)
+{
+    struct pp_progress progress;
+    enum pp_status status = checkpoint ? resume(made, checkpoint, err) : PP_OK;
+    double saved_s = pp_clock_s(), before = pp_render_progress(made->render);
+    bool all_there = pp_render_done(made->render);
+    pp_progress_begin(&progress, world->name ? world->name : "picture", quiet);
+    pp_progress_resume(&progress, before);
+    while (status == PP_OK && !pp_render_done(made->render)) {
+        pp_render_advance(made->render, slice_s);
+        pp_progress_show(&progress, pp_render_progress(made->render), NAN);
+        if (pp_interrupt_came() && !pp_render_done(made->render)) {
+            pp_progress_end(&progress);
+            return interrupted(made, checkpoint, err);
+        }
+        if (checkpoint && pp_clock_s() - saved_s > checkpoint_s) {
+            status = save(made, checkpoint, err);
+            saved_s = pp_clock_s();
+        }
+    }
+    pp_progress_end(&progress);
+    if (status == PP_OK && checkpoint && !all_there)
+        status = save(made, checkpoint, err);
+    return status;
+}
+
+/* The picture, out of shares of Eh into its own units. */
+static enum pp_status take_picture(struct pp_made_picture *made,
+                                   const struct pp_world *world,
+                                   const struct pp_render_choice *choice,
+                                   const struct pp_room_options *options,
+                                   struct pp_error *err)
+{
+    struct pp_shown *shown = &made->shown;
+    enum pp_status status = PP_OK;
+    pp_render_take_picture(made->render, &shown->picture);
+    shown->quantity = choice->quantity.is;
+    shown->world = world;
+    shown->tags = pp_render_tags(made->render);
+    shown->external_lux = options->external_lux;
+    pp_camera_options(&shown->camera, shown->view, sizeof shown->view);
+    pp_render_view_words(shown->words, sizeof shown->words, &shown->camera, world);
+    if (choice->records) {
+        status = pp_render_records(made->render, made->cache, &made->marks,
+                                   &shown->mark_count, err);
+        shown->marks = made->marks;
+    }
+    double scale = shown->quantity == PP_DAYLIGHT_FACTOR
+                       ? 1.0
+                       : options->external_lux / PP_LUMENS_PER_WATT;
+    size_t count = 3 * (size_t)shown->picture.width * (size_t)shown->picture.height;
+    for (size_t i = 0; i < count; i++)
+        shown->picture.rgb[i] = (float)(scale * shown->picture.rgb[i]);
+    return status;
+}
+
+enum pp_status pp_make_picture(struct pp_made_picture *made,
+                               const struct pp_world *world,
+                               const struct pp_render_choice *choice,
+                               const struct pp_room_options *options,
+                               struct pp_error *err)
+{
+    *made = (struct pp_made_picture){0};
+    pp_interrupt_watch();
+    enum pp_status status = create(made, world, choice, options, err);
+    if (status == PP_OK)
+        status = work(made, world, choice->checkpoint, options->quiet, err);
+    if (status == PP_OK)
+        status = take_picture(made, world, choice, options, err);
+    return status;
+}
+
+void pp_made_picture_clear(struct pp_made_picture *made)
+{
+    pp_picture_clear(&made->shown.picture);
+    pp_render_destroy(made->render);
+    pp_irradiance_cache_destroy(made->cache);
+    free(made->marks);
+    pp_window_store_destroy(made->store);
+    pp_light_scene_destroy(made->scene);
+    *made = (struct pp_made_picture){0};
+}

@@ -1,0 +1,26 @@
+/* make_picture.h - a room's picture, rendered with a bar, checkpoints and Ctrl-C. */
+#ifndef PP_CLI_MAKE_PICTURE_H
+#define PP_CLI_MAKE_PICTURE_H
+
+#include "cli/render/render_options.h"
+#include "cli/render/show_picture.h"
+
+struct pp_made_picture {
+    struct pp_shown shown;
+    struct pp_light_scene *scene;
+    struct pp_window_store *store;
+    struct pp_irradiance_cache *cache; /* NULL: by paths */
+    struct pp_render *render;
+    double (*marks)[2];
+};
+
+/* PP_INTERRUPTED by Ctrl-C: then there is no picture, and the message says what has
+ * been kept. What is made is the caller's to clear, whatever the status. */
+enum pp_status pp_make_picture(struct pp_made_picture *made,
+                               const struct pp_world *world,
+                               const struct pp_render_choice *choice,
+                               const struct pp_room_options *options,
+                               struct pp_error *err);
+void pp_made_picture_clear(struct pp_made_picture *made);
+
+#endif

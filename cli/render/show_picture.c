@@ -1,0 +1,237 @@
+#include "cli/render/show_picture.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "charts/picture_chart.h"
+#include "charts/picture_png.h"
+#include "cli/render/picture_words.h"
+#include "config.h"
+#include "model/base/read_file.h"
+#include "formats/pictures/picture_hdr.h"
+#include "formats/pictures/picture_pfm.h"
+#include "model/pictures/raster.h"
+#include "studies/pictures/view_grid.h"
+
+/* Of a picture's file: 1 GiB. */
+#define BYTES_MOST ((size_t)1 << 30)
+
+/* ---- from a file ---- */
+
+static enum pp_status take_notes(struct pp_shown *shown,
+                                 const struct pp_hdr_notes *notes,
+                                 const struct pp_render_choice *choice,
+                                 struct pp_error *err)
+{
+    snprintf(shown->view, sizeof shown->view, "%s", notes->view);
+    shown->quantity = choice->quantity.is;
+    if (!notes->quantity[0])
+        return PP_OK;
+    for (int i = 0; i < PP_QUANTITY_COUNT; i++)
+        if (strcmp(notes->quantity, pp_quantity_words((enum pp_quantity)i).name) == 0)
+            shown->quantity = (enum pp_quantity)i;
+    if (choice->quantity.said && choice->quantity.is != shown->quantity)
+        return pp_fail(err, PP_BAD_INPUT, "%s is a picture of %s, not of %s",
+                       choice->from_picture, notes->quantity,
+                       pp_quantity_words(choice->quantity.is).name);
+    return PP_OK;
+}
+
+enum pp_status pp_read_shown(struct pp_shown *shown,
+                             const struct pp_render_choice *choice,
+                             struct pp_error *err)
+{
+    *shown = (struct pp_shown){0};
+    char *bytes;
+    size_t length;
+    enum pp_status status =
+        pp_file_bytes(&bytes, &length, choice->from_picture, BYTES_MOST, err);
+    if (status != PP_OK)
+        return status;
+    struct pp_hdr_notes notes;
+    struct pp_error own = {0};
+    status = pp_hdr_read(&shown->picture, &notes, (const unsigned char *)bytes, length,
+                         &own);
+    free(bytes);
+    if (status != PP_OK)
+        return pp_fail(err, status, "%s: %s", pp_file_title(choice->from_picture),
+                       own.message);
+    size_t count = 3 * (size_t)shown->picture.width * (size_t)shown->picture.height;
+    for (size_t i = 0; i < count; i++)
+        shown->picture.rgb[i] = (float)(shown->picture.rgb[i] / notes.exposure);
+    status = take_notes(shown, &notes, choice, err);
+    if (status != PP_OK)
+        pp_picture_clear(&shown->picture);
+    return status;
+}
+
+/* ---- into one ---- */
+
+/* A copy where what is no number is black, as other programs expect. */
+static enum pp_status without_gaps(struct pp_picture *copy,
+                                   const struct pp_picture *picture,
+                                   struct pp_error *err)
+{
+    enum pp_status status =
+        pp_picture_create(copy, picture->width, picture->height, err);
+    if (status != PP_OK)
+        return status;
+    size_t count = 3 * (size_t)picture->width * (size_t)picture->height;
+    for (size_t i = 0; i < count; i++)
+        copy->rgb[i] = isfinite(picture->rgb[i]) ? picture->rgb[i] : 0.0f;
+    return PP_OK;
+}
+
+static enum pp_status write_pfm(FILE *out, const struct pp_shown *shown,
+                                struct pp_error *err)
+{
+    struct pp_picture whole;
+    enum pp_status status = without_gaps(&whole, &shown->picture, err);
+    if (status != PP_OK)
+        return status;
+    status = pp_pfm_write(out, &whole, err);
+    pp_picture_clear(&whole);
+    return status;
+}
+
+static enum pp_status write_hdr(FILE *out, const struct pp_shown *shown,
+                                struct pp_error *err)
+{
+    struct pp_hdr_notes notes = {.exposure = 1.0,
+                                 .software = PACKAGE_NAME " " PACKAGE_VERSION};
+    snprintf(notes.view, sizeof notes.view, "%s", shown->view);
+    if (shown->quantity != PP_LUMINANCE)
+        snprintf(notes.quantity, sizeof notes.quantity, "%s",
+                 pp_quantity_words(shown->quantity).name);
+    return pp_hdr_write(out, &shown->picture, &notes, err);
+}
+
+static enum pp_status tone_raster(struct pp_raster *raster,
+                                  const struct pp_shown *shown,
+                                  const struct pp_render_choice *choice,
+                                  struct pp_error *err)
+{
+    double across_deg = shown->camera.across / PP_RAD;
+    bool angle = shown->world && shown->camera.kind != PP_VIEW_PARALLEL;
+    struct pp_tone_options options = {
+        .way = choice->exposure.said ? choice->exposure.way : PP_TONE_AUTOMATIC,
+        .white = choice->exposure.white,
+        .unit = pp_quantity_words(shown->quantity).scale,
+        /* A picture without angles is looked at as if it were 50 degrees wide. */
+        .degree_pixels = fmax(shown->picture.width / (angle ? across_deg : 50.0), 1.0)};
+    struct pp_tone tone;
+    enum pp_status status = pp_tone_prepare(&tone, &shown->picture, &options, err);
+    if (status == PP_OK)
+        status = pp_raster_of_tone(raster, &shown->picture, &tone, err);
+    return status;
+}
+
+static enum pp_status write_png(FILE *out, const struct pp_shown *shown,
+                                const struct pp_render_choice *choice,
+                                struct pp_error *err)
+{
+    struct pp_raster raster = {0};
+    unsigned char *bytes = NULL;
+    size_t length = 0;
+    enum pp_status status = tone_raster(&raster, shown, choice, err);
+    if (status == PP_OK)
+        status = pp_picture_png(&bytes, &length, &raster, err);
+    if (status == PP_OK && fwrite(bytes, 1, length, out) != length)
+        status = pp_fail_memory(err);
+    free(bytes);
+    pp_raster_clear(&raster);
+    return status;
+}
+
+static enum pp_status lay_raster(struct pp_picture_sheet *sheet,
+                                 const struct pp_shown *shown,
+                                 const struct pp_render_choice *choice,
+                                 struct pp_error *err)
+{
+    if (choice->false_colour)
+        return pp_lay_false_colour(sheet, shown, choice, err);
+    return tone_raster(&sheet->raster, shown, choice, err);
+}
+
+static enum pp_status lay_marks(struct pp_picture_sheet *sheet,
+                                const struct pp_shown *shown, struct pp_error *err)
+{
+    if (shown->mark_count == 0)
+        return PP_OK;
+    size_t size = (size_t)shown->mark_count * sizeof *sheet->marks;
+    sheet->marks = malloc(size);
+    if (!sheet->marks)
+        return pp_fail_memory(err);
+    memcpy(sheet->marks, shown->marks, size);
+    sheet->mark_count = shown->mark_count;
+    return PP_OK;
+}
+
+static enum pp_status draw_sheet(FILE *out, const struct pp_picture_sheet *sheet,
+                                 const struct pp_sheet *paper, struct pp_error *err)
+{
+    struct pp_canvas *canvas;
+    enum pp_status status = pp_canvas_create(&canvas, paper, err);
+    if (status != PP_OK)
+        return status;
+    const unsigned char *bytes;
+    size_t length;
+    status = pp_picture_chart_draw(canvas, sheet, err);
+    if (status == PP_OK)
+        status = pp_canvas_finish(canvas, &bytes, &length, err);
+    if (status == PP_OK && fwrite(bytes, 1, length, out) != length)
+        status = pp_fail_memory(err);
+    pp_canvas_destroy(canvas);
+    return status;
+}
+
+static enum pp_status write_sheet(FILE *out, const struct pp_shown *shown,
+                                  const struct pp_render_choice *choice,
+                                  enum pp_picture_format format, struct pp_error *err)
+{
+    struct pp_picture_sheet sheet = {0};
+    pp_lay_words(&sheet, shown, choice);
+    enum pp_status status = lay_raster(&sheet, shown, choice, err);
+    if (status == PP_OK && choice->grid)
+        status = pp_view_grid(&sheet, &shown->camera, shown->world, err);
+    if (status == PP_OK)
+        status = lay_marks(&sheet, shown, err);
+    struct pp_sheet paper = {.format = format == PP_PICTURE_PDF   ? PP_CHART_PDF
+                                       : format == PP_PICTURE_SVG ? PP_CHART_SVG
+                                                                  : PP_CHART_PNG,
+                             .paper = choice->paper.is,
+                             .landscape = choice->orientation == PP_LANDSCAPE
+                                          || (choice->orientation == PP_AS_FITS
+                                              && pp_picture_chart_landscape(&sheet)),
+                             .dpi = choice->dpi,
+                             .title = sheet.title,
+                             .description = sheet.subtitle};
+    if (status == PP_OK)
+        status = draw_sheet(out, &sheet, &paper, err);
+    pp_picture_sheet_clear(&sheet);
+    return status;
+}
+
+enum pp_status pp_show_picture(const struct pp_shown *shown,
+                               const struct pp_render_choice *choice, const char *path,
+                               FILE *out, struct pp_error *err)
+{
+    enum pp_picture_format format;
+    enum pp_status status = pp_picture_format_of(&format, choice, path, err);
+    if (status != PP_OK)
+        return status;
+    if (pp_on_sheet(choice, format))
+        return write_sheet(out, shown, choice, format, err);
+    switch (format) {
+    case PP_PICTURE_HDR:
+        return write_hdr(out, shown, err);
+    case PP_PICTURE_PFM:
+        return write_pfm(out, shown, err);
+    case PP_PICTURE_PNG:
+    case PP_PICTURE_PDF:
+    case PP_PICTURE_SVG:
+        break;
+    }
+    return write_png(out, shown, choice, err);
+}

@@ -1,0 +1,33 @@
+/* show_picture.h - a picture into a file of the format that its name asks for. */
+#ifndef PP_CLI_SHOW_PICTURE_H
+#define PP_CLI_SHOW_PICTURE_H
+
+#include <stdio.h>
+
+#include "cli/render/render_options.h"
+
+/* A picture and what is known about it. */
+struct pp_shown {
+    struct pp_picture picture; /* in the units of its quantity (quantity.h) */
+    enum pp_quantity quantity;
+    struct pp_camera camera;      /* of a room's picture; */
+    const struct pp_world *world; /* not owned; NULL: the picture comes from a file */
+    const int *tags; /* row by row, which surface each pixel shows; not owned; NULL: not
+                      * known */
+    double (*marks)[2]; /* places of records, in pixels; not owned */
+    int mark_count;
+    char view[PP_HDR_VIEW_SIZE]; /* as in a picture's head; empty: not known */
+    char words[256];             /* the view in words; empty: not known */
+    double external_lux;         /* outside; 0: not known */
+};
+
+/* The picture of --from-picture; its own (picture) is the caller's to clear. */
+enum pp_status pp_read_shown(struct pp_shown *shown,
+                             const struct pp_render_choice *choice,
+                             struct pp_error *err);
+
+enum pp_status pp_show_picture(const struct pp_shown *shown,
+                               const struct pp_render_choice *choice, const char *path,
+                               FILE *out, struct pp_error *err);
+
+#endif

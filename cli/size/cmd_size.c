@@ -1,0 +1,175 @@
+/* size - the window that just reaches a target. */
+#include <omp.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "cli/command_line.h"
+#include "cli/commands.h"
+#include "cli/interrupt.h"
+#include "cli/messages.h"
+#include "cli/output.h"
+#include "cli/print/print.h"
+#include "cli/size/print_size.h"
+#include "cli/rooms.h"
+#include "cli/size/size_options.h"
+#include "cli/print/utf8.h"
+
+static const char about[] =
+    "The window that just reaches a target: the smallest width, height, head, sill or "
+    "number of windows with which the average daylight factor over the working plane "
+    "(with --points: the lowest of some points) is not below it. With --simulate the "
+    "answer is traced, too. FILE is a room file; - is standard input.";
+
+/* The room file with all that was sized. */
+static enum pp_status write_file(const struct pp_size_results *results,
+                                 struct pp_error *err)
+{
+    const char *path = results->options->write;
+    int count = 0;
+    bool reached = false;
+    for (int i = 0; i < results->count; i++)
+        count += results->list[i].edit_count;
+    struct pp_text_edit *edits = calloc((size_t)count + 1, sizeof *edits);
+    if (!edits)
+        return pp_fail_memory(err);
+    count = 0;
+    for (int i = 0; i < results->count; i++) {
+        const struct pp_size_result *result = &results->list[i];
+        if (result->answer.verdict != PP_SIZE_REACHED)
+            continue;
+        reached = true;
+        for (int k = 0; k < result->edit_count; k++) {
+            edits[count] = result->edits[k];
+            edits[count++].opening += result->file_opening;
+        }
+    }
+    char *text = NULL;
+    size_t length;
+    struct pp_output output = {0};
+    enum pp_status status =
+        reached ? pp_room_text_edit(&text, &length, results->list[0].file_text,
+                                    results->list[0].file_length, edits, count, err)
+                : pp_fail(err, PP_BAD_INPUT,
+                          "the target is not reached, so %s is not written", path);
+    if (status == PP_OK)
+        status = pp_output_open(&output, path, err);
+    if (status == PP_OK) {
+        fwrite(text, 1, length, output.stream);
+        status = pp_output_commit(&output, err);
+    }
+    free(text);
+    free(edits);
+    return status;
+}
+
+/* All rooms. Of several, one that has no window says so, and those that lack the very
+ * window that is asked for (--line, --wall) are left out; it is an error where no room
+ * has any. */
+static enum pp_status compute(struct pp_size_results *results,
+                              const struct pp_rooms *rooms, struct pp_error *err)
+{
+    bool of_one_window = results->options->line > 0 || results->options->wall;
+    int sized = 0;
+    for (int i = 0; i < rooms->count; i++) {
+        struct pp_size_result *result = &results->list[results->count++];
+        struct pp_error fault = {0};
+        enum pp_status status =
+            pp_size_room(result, rooms, i, results->options, &fault);
+        sized += status == PP_OK;
+        bool none = sized == 0 && i + 1 == rooms->count;
+        if (status != PP_OK && (status != PP_BAD_INPUT || none))
+            return pp_fail(err, status, "%s: %s", rooms->list[i].file, fault.message);
+        if (status == PP_BAD_INPUT)
+            pp_size_result_give_up(result, fault.message);
+        if (status == PP_BAD_INPUT && of_one_window)
+            results->count--;
+    }
+    return PP_OK;
+}
+
+static enum pp_exit size_rooms(struct pp_size_results *results,
+                               const struct pp_rooms *rooms)
+{
+    const struct pp_size_options *options = results->options;
+    struct pp_error err = {0};
+    struct pp_output output;
+    if (options->room.threads > 0)
+        omp_set_num_threads(options->room.threads);
+    if (options->room.simulate)
+        pp_interrupt_watch();
+    enum pp_status status = pp_output_open(&output, options->room.output, &err);
+    if (status == PP_OK)
+        status = compute(results, rooms, &err);
+    if (status == PP_OK && options->format == PP_FORMAT_JSON)
+        status = pp_print_size_json(results, output.stream, &err);
+    else if (status == PP_OK)
+        status = pp_print_size(results, pp_print_width(options->room.output),
+                               pp_utf8_terminal(), output.stream, &err);
+    status = pp_output_close(&output, status, &err);
+    if (status == PP_OK && options->write)
+        status = write_file(results, &err);
+    return status == PP_OK ? PP_EXIT_DONE : pp_say_error(&err);
+}
+
+static enum pp_exit run(const struct pp_size_options *options, char **files,
+                        int file_count)
+{
+    struct pp_rooms rooms;
+    enum pp_exit exit_status =
+        pp_rooms_load(&rooms, "size", files, file_count, &options->room);
+    if (exit_status != PP_EXIT_DONE)
+        return exit_status;
+    struct pp_size_results results = {.several = rooms.several,
+                                      .more_than_one_file = rooms.more_than_one_file,
+                                      .options = options};
+    results.list = calloc((size_t)rooms.count, sizeof *results.list);
+    if (results.list) {
+        exit_status = size_rooms(&results, &rooms);
+    } else {
+        struct pp_error err;
+        pp_fail_memory(&err);
+        exit_status = pp_say_error(&err);
+    }
+    for (int i = 0; i < results.count; i++)
+        pp_size_result_clear(&results.list[i]);
+    free(results.list);
+    pp_rooms_clear(&rooms);
+    return exit_status;
+}
+
+enum pp_exit cmd_size(int argc, char **argv)
+{
+    struct pp_size_options options = {.room = pp_room_options_none};
+    const struct pp_option_group groups[] = {
+        {"What is wanted", pp_size_task_options, &options},
+        {"What is wanted", pp_room_place_options, &options.room},
+        {"Simulation", pp_room_simulation_options, &options.room},
+        {"Output", pp_text_or_json_option, &options.format},
+        {"Output", pp_size_write_option, &options},
+        {"Output", pp_room_output_options, &options.room},
+        {0},
+    };
+    const struct pp_command_line line = {"size", "FILE...", about, groups, NULL};
+
+    struct pp_error err = {0};
+    int file_count;
+    bool wants_help;
+    enum pp_exit exit_status;
+    enum pp_status status =
+        pp_options_read(&line, argc, argv, &file_count, &wants_help, &err);
+    if (status == PP_OK && !wants_help) {
+        status = pp_size_options_settle(&options, &err);
+        if (status == PP_OK && file_count == 0)
+            status = pp_fail(&err, PP_BAD_INPUT,
+                             "expected a room file, or - for standard input");
+        if (status == PP_OK && options.write && file_count > 1)
+            status =
+                pp_fail(&err, PP_BAD_INPUT,
+                        "--write is of one room file, and there are %d", file_count);
+    }
+    if (pp_command_starts(&line, argv, file_count, status, wants_help, &err,
+                          &exit_status))
+        exit_status = run(&options, argv, file_count);
+    pp_room_options_clear(&options.room);
+    return exit_status;
+}

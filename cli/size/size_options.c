@@ -1,0 +1,73 @@
+#include "cli/size/size_options.h"
+
+#include <string.h>
+
+#include "methods/evaluate.h"
+
+const char *const pp_size_change_words[] = {"width", "height", "head",
+                                            "sill",  "number", NULL};
+
+static enum pp_status read_change(const char *text, void *place, struct pp_error *err)
+{
+    for (int i = 0; pp_size_change_words[i]; i++)
+        if (strcmp(text, pp_size_change_words[i]) == 0) {
+            *(enum pp_size_change *)place = (enum pp_size_change)i;
+            return PP_OK;
+        }
+    return pp_fail(err, PP_BAD_INPUT, "width, height, head, sill or number");
+}
+
+#define PLACE(member) offsetof(struct pp_size_options, member)
+
+const struct pp_option pp_size_task_options[] = {
+    {"target", 't', "DF%", "The daylight factor to reach: 2% or 2.", pp_read_per_cent,
+     PLACE(target)},
+    {"by", 'b', "METHOD",
+     "The method that it is worked out by: a method, a pair, or \"traced\" for the "
+     "simulation (default exact+bre, or exact+split-flux where that does not cover "
+     "the room).",
+     pp_read_text, PLACE(by)},
+    {"change", 'c', "WHAT",
+     "What may change: width (default), height, head, sill, or the number of windows.",
+     read_change, PLACE(change)},
+    {"wall", 0, "NAME", "Change the windows in that wall only.", pp_read_text,
+     PLACE(wall)},
+    {"window", 0, "LINE", "Change the window on that line of the room file only.",
+     pp_read_count, PLACE(line)},
+    {0},
+};
+
+const struct pp_option pp_size_write_option[] = {
+    {"write", 'w', "FILE",
+     "Write the room file with the sized windows to FILE, all else in it as it was.",
+     pp_read_output, PLACE(write)},
+    {0},
+};
+
+static enum pp_status check_method(const char *by, struct pp_error *err)
+{
+    if (strpbrk(by, ", ") || strcmp(by, "all") == 0 || strcmp(by, "default") == 0)
+        return pp_fail(err, PP_BAD_INPUT,
+                       "--by is \"%.200s\"; expected one method or pair, such as "
+                       "exact+bre, or traced",
+                       by);
+    struct pp_error fault = {0};
+    enum pp_status status = pp_methods_check(by, &fault);
+    return status == PP_OK ? status : pp_fail(err, status, "--by: %s", fault.message);
+}
+
+enum pp_status pp_size_options_settle(struct pp_size_options *options,
+                                      struct pp_error *err)
+{
+    if (!(options->target > 0.0))
+        return pp_fail(err, PP_BAD_INPUT,
+                       "expected --target, the daylight factor to reach, such as "
+                       "--target 2%%");
+    options->traced = options->by && strcmp(options->by, "traced") == 0;
+    if (options->traced)
+        options->room.simulate = true;
+    enum pp_status status = pp_room_options_settle(&options->room, err);
+    if (status == PP_OK && options->by && !options->traced)
+        status = check_method(options->by, err);
+    return status;
+}

@@ -1,0 +1,325 @@
+/* epw_header.c - where and when a weather file is of: see epw_parts.h. */
+#include <ctype.h>
+#include <stdio.h>
+#include <string.h>
+#include <strings.h>
+
+#include "formats/epw/epw_parts.h"
+#include "model/base/names.h"
+#include "model/base/number.h"
+#include "model/geometry/vec.h"
+
+/* What reading the header needs at each line. */
+struct header_reader {
+    struct pp_epw *epw;
+    struct pp_epw_header *header;
+    struct pp_mistakes *mistakes;
+    int line;
+    int count; /* of fields */
+    char **fields;
+    bool out_of_memory;
+};
+
+static const char *const weekdays[] = {"Monday", "Tuesday",  "Wednesday", "Thursday",
+                                       "Friday", "Saturday", "Sunday"};
+static const char *const months[] = {"January",   "February", "March",    "April",
+                                     "May",       "June",     "July",     "August",
+                                     "September", "October",  "November", "December"};
+
+int pp_month_days(int month)
+{
+    static const int days[] = {31, 29, 31, 30, 31, 30, 31, 31, 30, 31, 30, 31};
+    return days[month - 1];
+}
+
+const char *pp_month_day_words(char *text, size_t room, struct pp_month_day date)
+{
+    snprintf(text, room, "%d %s", date.day, months[date.month - 1]);
+    return text;
+}
+
+/* The field of that index, "" where there is none. */
+static const char *field(const struct header_reader *r, int index)
+{
+    return index < r->count && index < PP_EPW_FIELDS_MOST ? r->fields[index] : "";
+}
+
+/* A number within low ... high. */
+static double read_number(struct header_reader *r, int index, const char *name,
+                          double low, double high)
+{
+    double value;
+    char shown[64];
+    const char *text = field(r, index);
+    if (pp_number_parse(text, &value) && value >= low && value <= high)
+        return value;
+    pp_mistake(r->mistakes, r->line, "%s is \"%s\"; expected a number from %g to %g",
+               name, pp_excerpt(shown, sizeof shown, text), low, high);
+    return low;
+}
+
+static void read_location(struct header_reader *r)
+{
+    static const int names[] = {1, 2, 3}; /* city, state, country */
+    struct pp_epw *epw = r->epw;
+    if (epw->place) {
+        pp_mistake(r->mistakes, r->line, "a second LOCATION; expected one");
+        return;
+    }
+    r->out_of_memory |= !pp_epw_append(&epw->place, "", "");
+    for (int i = 0; i < 3; i++) {
+        const char *name = field(r, names[i]);
+        if (strcmp(name, "-") != 0)
+            r->out_of_memory |= !pp_epw_append(&epw->place, ", ", name);
+    }
+    epw->latitude_rad = PP_RAD * read_number(r, 6, "the latitude (field 7)", -90, 90);
+    epw->longitude_rad =
+        PP_RAD * read_number(r, 7, "the longitude (field 8)", -180, 180);
+    epw->time_zone_h = read_number(r, 8, "the time zone (field 9)", -12, 14);
+}
+
+static bool is_leading_number(const char *text)
+{
+    text += *text == '"';
+    return isdigit((unsigned char)text[0])
+           || (text[0] == '-' && isdigit((unsigned char)text[1]));
+}
+
+/* Up to three numbers with / between them. Returns how many, 0 for anything else. */
+static int split_date(const char *text, int parts[3])
+{
+    int count = 0;
+    for (const char *p = text; count < 3;) {
+        int used = 0;
+        while (*p == ' ')
+            p++;
+        if (sscanf(p, "%4d%n", &parts[count], &used) != 1 || parts[count] < 0)
+            return 0;
+        count++;
+        p += used;
+        while (*p == ' ')
+            p++;
+        if (*p == '\0')
+            return count;
+        if (*p++ != '/')
+            return 0;
+    }
+    return 0;
+}
+
+/* "M/D", "M/D/YEAR" or "YEAR/M/D"; *year is 0 where there is none. */
+static bool parse_date(const char *text, struct pp_month_day *date, int *year)
+{
+    int parts[3];
+    int count = split_date(text, parts);
+    if (count < 2)
+        return false;
+    bool year_first = count == 3 && parts[0] > 31;
+    *date = (struct pp_month_day){parts[year_first], parts[year_first + 1]};
+    *year = count < 3 ? 0 : year_first ? parts[0] : parts[2];
+    return date->month >= 1 && date->month <= 12 && date->day >= 1
+           && date->day <= pp_month_days(date->month);
+}
+
+bool pp_month_day_parse(const char *text, struct pp_month_day *date)
+{
+    struct pp_month_day read;
+    int year;
+    if (!parse_date(text, &read, &year) || year != 0)
+        return false;
+    *date = read;
+    return true;
+}
+
+/* Summer time and the leap year; the holidays behind them say nothing of light. */
+static void read_holidays(struct header_reader *r)
+{
+    const char *leap = field(r, 1), *from = field(r, 2), *to = field(r, 3);
+    char shown[64];
+    r->header->leap_line = r->line;
+    if (strcasecmp(leap, "yes") == 0)
+        r->header->leap = PP_LEAP_YES;
+    else if (strcasecmp(leap, "no") == 0)
+        r->header->leap = PP_LEAP_NO;
+    else if (*leap)
+        pp_mistake(
+            r->mistakes, r->line,
+            "leap year observed (field 2) is \"%s\"; expected Yes, No or nothing",
+            pp_excerpt(shown, sizeof shown, leap));
+
+    struct pp_epw *epw = r->epw;
+    bool none = (!*from || strcmp(from, "0") == 0) && (!*to || strcmp(to, "0") == 0);
+    epw->summer_line = r->line;
+    if (none)
+        return;
+    if (!pp_month_day_parse(from, &epw->summer_from)
+        || !pp_month_day_parse(to, &epw->summer_to)) {
+        char first[64];
+        epw->summer_from = epw->summer_to = (struct pp_month_day){0, 0};
+        snprintf(epw->summer_words, sizeof epw->summer_words, "%.18s to %.17s",
+                 pp_excerpt(first, sizeof first, from),
+                 pp_excerpt(shown, sizeof shown, to));
+    }
+}
+
+static int read_weekday(struct header_reader *r, const char *text)
+{
+    char shown[64];
+    for (int i = 0; i < 7; i++)
+        if (strcasecmp(text, weekdays[i]) == 0
+            || (strlen(text) == 3 && strncasecmp(text, weekdays[i], 3) == 0))
+            return i;
+    if (*text)
+        pp_mistake(
+            r->mistakes, r->line,
+            "a data period starts on \"%s\"; expected a day of the week, such as "
+            "Monday, or nothing",
+            pp_excerpt(shown, sizeof shown, text));
+    return PP_WEEKDAY_UNKNOWN;
+}
+
+static bool is_before(struct pp_month_day a, struct pp_month_day b)
+{
+    return a.month < b.month || (a.month == b.month && a.day < b.day);
+}
+
+static void read_period(struct header_reader *r, int index)
+{
+    struct pp_epw_period *period = &r->header->periods[index];
+    const char *from = field(r, 5 + 4 * index), *to = field(r, 6 + 4 * index);
+    char a[64], b[64];
+    int first = 0, last = 0;
+    period->weekday = read_weekday(r, field(r, 4 + 4 * index));
+    if (!parse_date(from, &period->from, &first)
+        || !parse_date(to, &period->to, &last)) {
+        pp_mistake(r->mistakes, r->line,
+                   "data period %d is from \"%s\" to \"%s\"; expected two days as "
+                   "MONTH/DAY",
+                   index + 1, pp_excerpt(a, sizeof a, from),
+                   pp_excerpt(b, sizeof b, to));
+        return;
+    }
+    if (first > 0 && last > 0)
+        period->years = last - first - is_before(period->to, period->from);
+    if (period->years < 0 || period->years > 200)
+        pp_mistake(r->mistakes, r->line,
+                   "data period %d ends before it starts, or 200 years later",
+                   index + 1);
+}
+
+static void read_periods(struct header_reader *r)
+{
+    struct pp_epw_header *header = r->header;
+    if (header->period_count > 0) {
+        pp_mistake(r->mistakes, r->line, "a second DATA PERIODS; expected one");
+        return;
+    }
+    header->periods_line = r->line;
+    double periods = read_number(r, 1, "the number of data periods (field 2)", 1,
+                                 PP_EPW_PERIODS_MOST);
+    double an_hour =
+        read_number(r, 2, "the number of records an hour (field 3)", 1, 60);
+    header->period_count = (int)periods;
+    header->records_an_hour = (int)an_hour;
+    if (periods != header->period_count)
+        pp_mistake(r->mistakes, r->line, "the number of data periods is %g", periods);
+    if (60 % header->records_an_hour != 0 || an_hour != header->records_an_hour)
+        pp_mistake(r->mistakes, r->line,
+                   "there are %g records an hour; expected a number that divides 60",
+                   an_hour);
+    if (r->count < 3 + 4 * header->period_count) {
+        pp_mistake(r->mistakes, r->line,
+                   "DATA PERIODS has %d fields; expected %d, four for each of %d "
+                   "period%s",
+                   r->count, 3 + 4 * header->period_count, header->period_count,
+                   header->period_count == 1 ? "" : "s");
+        return;
+    }
+    for (int i = 0; i < header->period_count; i++)
+        read_period(r, i);
+}
+
+static void pass_over(struct header_reader *r)
+{
+    (void)r;
+}
+
+/* The lines there are; what matters of a line is its name and fields. */
+static const struct header_line {
+    const char *name;
+    void (*read)(struct header_reader *r);
+} header_lines[] = {
+    {"LOCATION", read_location},
+    {"DESIGN CONDITIONS", pass_over},
+    {"TYPICAL/EXTREME PERIODS", pass_over},
+    {"GROUND TEMPERATURES", pass_over},
+    {"HOLIDAYS/DAYLIGHT SAVINGS", read_holidays},
+    {"HOLIDAYS/DAYLIGHT SAVING", read_holidays},
+    {"COMMENTS 1", pass_over},
+    {"COMMENTS 2", pass_over},
+    {"DATA PERIODS", read_periods},
+};
+enum { HEADER_LINES = sizeof header_lines / sizeof header_lines[0] };
+
+static void read_line(struct header_reader *r)
+{
+    char shown[64];
+    for (int i = 0; i < HEADER_LINES; i++)
+        if (strcasecmp(r->fields[0], header_lines[i].name) == 0) {
+            header_lines[i].read(r);
+            return;
+        }
+    pp_mistake(r->mistakes, r->line,
+               "a line that starts with \"%s\"; expected a header line of an EPW file "
+               "or a record",
+               pp_excerpt(shown, sizeof shown, r->fields[0]));
+}
+
+/* Does the line start as the first one of a weather file does? */
+static bool is_location(const char *line)
+{
+    return strncasecmp(line + (*line == '"'), "LOCATION", 8) == 0;
+}
+
+bool pp_epw_read_header(struct pp_epw *epw, struct pp_epw_header *header,
+                        struct pp_epw_lines *lines, char **record,
+                        struct pp_mistakes *mistakes, struct pp_error *err)
+{
+    char *fields[PP_EPW_FIELDS_MOST];
+    struct header_reader r = {
+        .epw = epw, .header = header, .mistakes = mistakes, .fields = fields};
+    int before = mistakes->count;
+    bool first = true;
+    while ((*record = pp_epw_next_line(lines)) && !is_leading_number(*record)) {
+        r.line = lines->line;
+        if (first && !is_location(*record)) {
+            pp_mistake(mistakes, r.line,
+                       "no weather file in EnergyPlus format (EPW): its first line "
+                       "starts with LOCATION");
+            return false;
+        }
+        first = false;
+        r.count = pp_epw_split(*record, fields, PP_EPW_FIELDS_MOST);
+        read_line(&r);
+        if (mistakes->count - before >= PP_EPW_MISTAKES_MOST) {
+            mistakes->truncated = true;
+            return false;
+        }
+    }
+    if (r.out_of_memory) {
+        pp_fail_memory(err);
+        return false;
+    }
+    if (!epw->place) {
+        pp_mistake(mistakes, lines->line,
+                   "no weather file in EnergyPlus format (EPW): its first line starts "
+                   "with LOCATION");
+        return false;
+    }
+    if (header->period_count == 0)
+        pp_mistake(mistakes, lines->line,
+                   *record ? "the records start here, without a line DATA PERIODS "
+                             "before them"
+                           : "the file ends here, without a line DATA PERIODS");
+    return mistakes->count == before;
+}

@@ -1,0 +1,154 @@
+/* epw_lines.c - from a weather file's bytes to lines and fields: see epw_parts.h. */
+#include <stdlib.h>
+#include <string.h>
+
+#include "formats/epw/epw_parts.h"
+
+static bool starts(const char *bytes, size_t length, const char *with)
+{
+    size_t count = strlen(with);
+    return length >= count && memcmp(bytes, with, count) == 0;
+}
+
+bool pp_epw_bytes_sound(const char *bytes, size_t length, struct pp_mistakes *mistakes)
+{
+    if (length > PP_EPW_BYTES_MOST) {
+        pp_mistake(mistakes, 0, "the file is larger than %d MiB, the most that is read",
+                   PP_EPW_BYTES_MOST >> 20);
+        return false;
+    }
+    if (starts(bytes, length, "\xFF\xFE") || starts(bytes, length, "\xFE\xFF")) {
+        pp_mistake(mistakes, 1, "the file is UTF-16; it must be plain text, in UTF-8");
+        return false;
+    }
+    int line = 1;
+    size_t start = 0;
+    bool blank = true;
+    for (size_t i = 0; i < length; i++) {
+        char c = bytes[i];
+        bool ends = c == '\n' || c == '\r';
+        if (c == '\0') {
+            pp_mistake(mistakes, line, "a NUL byte; a weather file is plain text");
+            return false;
+        }
+        if (i - start > PP_EPW_LINE_BYTES_MOST) {
+            pp_mistake(mistakes, line,
+                       "a line of more than %d bytes; a weather file has a record a "
+                       "line",
+                       PP_EPW_LINE_BYTES_MOST);
+            return false;
+        }
+        blank = blank && (ends || c == ' ' || c == '\t');
+        if (!ends)
+            continue;
+        start = i + 1;
+        line += !(c == '\r' && i + 1 < length && bytes[i + 1] == '\n');
+    }
+    if (blank)
+        pp_mistake(mistakes, 1, "the file is empty; expected a weather file (EPW)");
+    return !blank;
+}
+
+/* White space, and what DOS wrote behind the last line. */
+static bool is_white(char c)
+{
+    return c == ' ' || c == '\t' || c == '\x1A';
+}
+
+char *pp_epw_next_line(struct pp_epw_lines *lines)
+{
+    while (lines->at < lines->end) {
+        char *start = lines->at, *stop = start + strcspn(start, "\r\n");
+        bool pair = stop[0] == '\r' && stop[1] == '\n';
+        lines->at = stop < lines->end ? stop + (pair ? 2 : 1) : stop;
+        lines->line = lines->next_line++;
+        while (stop > start && is_white(stop[-1]))
+            stop--;
+        *stop = '\0';
+        while (is_white(*start))
+            start++;
+        if (*start)
+            return start;
+    }
+    return NULL;
+}
+
+/* The end of the field at p: its comma or NUL; a comma in quotes that the field starts
+ * with is not meant. */
+static char *field_end(char *p)
+{
+    char *start = p + strspn(p, " \t");
+    char *quote = *start == '"' ? strchr(start + 1, '"') : NULL;
+    return quote ? quote + strcspn(quote, ",") : p + strcspn(p, ",");
+}
+
+static char *trimmed(char *start, char *stop)
+{
+    while (is_white(*start))
+        start++;
+    while (stop > start && is_white(stop[-1]))
+        stop--;
+    if (stop - start >= 2 && *start == '"' && stop[-1] == '"') {
+        start++;
+        stop--;
+    }
+    *stop = '\0';
+    return start;
+}
+
+int pp_epw_split(char *line, char *fields[], int most)
+{
+    int count = 0;
+    for (char *p = line;; p++) {
+        char *stop = field_end(p);
+        bool last = *stop == '\0';
+        if (count < most)
+            fields[count] = trimmed(p, stop);
+        count++;
+        p = stop;
+        if (last)
+            return count;
+    }
+}
+
+/* Is all of it UTF-8? Overlong forms and surrogates, which no place is named by, are
+ * left to whoever prints it. */
+static bool is_utf8(const char *text)
+{
+    const unsigned char *p = (const unsigned char *)text;
+    while (*p) {
+        int more = *p < 0x80                 ? 0
+                   : *p >= 0xC2 && *p < 0xE0 ? 1
+                   : *p >= 0xE0 && *p < 0xF0 ? 2
+                   : *p >= 0xF0 && *p < 0xF5 ? 3
+                                             : -1;
+        if (more < 0)
+            return false;
+        for (p++; more > 0; more--, p++)
+            if ((*p & 0xC0) != 0x80)
+                return false;
+    }
+    return true;
+}
+
+bool pp_epw_append(char **whole, const char *before, const char *text)
+{
+    size_t length = *whole ? strlen(*whole) : 0;
+    char *grown = realloc(*whole, length + strlen(before) + 2 * strlen(text) + 1);
+    if (!grown)
+        return false;
+    *whole = grown;
+    char *out = grown + length;
+    out = stpcpy(out, length && *text ? before : "");
+    bool latin = !is_utf8(text);
+    for (const unsigned char *p = (const unsigned char *)text; *p; p++) {
+        if (latin && *p >= 0x80) {
+            *out++ = (char)(0xC0 | *p >> 6);
+            *out++ = (char)(0x80 | (*p & 0x3F));
+        } else {
+            *out++ = (char)*p;
+        }
+    }
+    *out = '\0';
+    return true;
+}

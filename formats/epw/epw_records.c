@@ -1,0 +1,315 @@
+/* epw_records.c - the records of a weather file, in their order: see epw_parts.h. */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "formats/epw/epw_parts.h"
+#include "model/base/names.h"
+#include "model/base/number.h"
+
+/* Where the records have got to, and what comes next. */
+struct record_reader {
+    struct pp_epw *epw;
+    const struct pp_epw_header *header;
+    struct pp_mistakes *mistakes;
+    int line;
+    char *fields[PP_EPW_FIELDS_MOST];
+
+    int period; /* index; period_count: after the last */
+    bool begun; /* any record of it? */
+    int years_left;
+    struct pp_month_day date; /* of the record to come */
+    int weekday;
+    int hour;   /* 1 to 24 */
+    int sub;    /* of the hour, from 0 */
+    int minute; /* of the record before in this hour; -1: none */
+    int room;   /* for records */
+    bool lost;  /* out of order: what follows can't be judged */
+};
+
+static void start_period(struct record_reader *r)
+{
+    r->begun = false;
+    r->hour = 1;
+    r->sub = 0;
+    r->minute = -1;
+    if (r->period == r->header->period_count)
+        return;
+    const struct pp_epw_period *period = &r->header->periods[r->period];
+    r->years_left = period->years;
+    r->date = period->from;
+    r->weekday = period->weekday;
+}
+
+static bool same_day(struct pp_month_day a, struct pp_month_day b)
+{
+    return a.month == b.month && a.day == b.day;
+}
+
+/* The day after, 29 February after the 28th. */
+static struct pp_month_day day_after(struct pp_month_day date)
+{
+    if (date.day < pp_month_days(date.month))
+        return (struct pp_month_day){date.month, date.day + 1};
+    return (struct pp_month_day){date.month % 12 + 1, 1};
+}
+
+/* To the record after the one just read. */
+static void step_on(struct record_reader *r)
+{
+    r->begun = true;
+    if (++r->sub < r->header->records_an_hour)
+        return;
+    r->sub = 0;
+    r->minute = -1;
+    if (++r->hour <= 24)
+        return;
+    r->hour = 1;
+    bool ends = same_day(r->date, r->header->periods[r->period].to);
+    if (ends && r->years_left-- == 0) {
+        r->period++;
+        start_period(r);
+        return;
+    }
+    r->date = day_after(r->date);
+    if (r->weekday != PP_WEEKDAY_UNKNOWN)
+        r->weekday = (r->weekday + 1) % 7;
+}
+
+static bool is_leap(int year)
+{
+    return (year % 4 == 0 && year % 100 != 0) || year % 400 == 0;
+}
+
+/* A whole number within low ... high. */
+static bool read_whole(struct record_reader *r, int index, const char *name, int low,
+                       int high, int *whole)
+{
+    double value;
+    char shown[64];
+    if (pp_number_parse(r->fields[index], &value) && value == floor(value)
+        && value >= low && value <= high) {
+        *whole = (int)value;
+        return true;
+    }
+    pp_mistake(r->mistakes, r->line, "%s (field %d) is \"%s\"; expected %d to %d", name,
+               index + 1, pp_excerpt(shown, sizeof shown, r->fields[index]), low, high);
+    return false;
+}
+
+/* Says what stands where another record should, and gives up. */
+static bool lose(struct record_reader *r, struct pp_month_day date, int hour)
+{
+    char found[32], wanted[32];
+    r->lost = true;
+    pp_mistake(r->mistakes, r->line,
+               "a record of %s, hour %d; expected %s, hour %d: records are missing or "
+               "out of order",
+               pp_month_day_words(found, sizeof found, date), hour,
+               pp_month_day_words(wanted, sizeof wanted, r->date), r->hour);
+    return false;
+}
+
+/* Says that no record was due any more, and gives up. */
+static bool is_after_last(struct record_reader *r)
+{
+    if (r->period < r->header->period_count)
+        return false;
+    pp_mistake(r->mistakes, r->line, "a record after the last data period of line %d",
+               r->header->periods_line);
+    r->lost = true;
+    return true;
+}
+
+/* 29 February is there in leap years, and in files that say so. */
+static bool settle_leap_day(struct record_reader *r, struct pp_month_day found,
+                            int year)
+{
+    enum pp_epw_leap leap = r->header->leap;
+    bool due = same_day(r->date, (struct pp_month_day){2, 29});
+    bool there = same_day(found, (struct pp_month_day){2, 29});
+    if (!due || r->hour != 1 || r->sub != 0)
+        return true;
+    if (there && leap == PP_LEAP_NO && !is_leap(year)) {
+        pp_mistake(
+            r->mistakes, r->line,
+            "a record of 29 February %d; but %d is no leap year, and line %d says "
+            "that there is none",
+            year, year, r->header->leap_line);
+        r->lost = true;
+        return false;
+    }
+    if (!there && leap == PP_LEAP_YES) {
+        pp_mistake(
+            r->mistakes, r->line,
+            "no record of 29 February before this one; but line %d says that the "
+            "year is a leap year",
+            r->header->leap_line);
+        r->lost = true;
+        return false;
+    }
+    if (there)
+        return true;
+    r->date = (struct pp_month_day){3, 1};
+    bool ends =
+        r->begun && r->years_left == 0
+        && same_day(r->header->periods[r->period].to, (struct pp_month_day){2, 29});
+    if (!ends)
+        return true;
+    r->period++;
+    start_period(r);
+    return !is_after_last(r);
+}
+
+/* Minutes rise within an hour; 0 at its end stands for 60. */
+static bool check_minute(struct record_reader *r, int minute)
+{
+    bool last = r->sub == r->header->records_an_hour - 1;
+    if (minute == 0 && last && r->sub > 0)
+        minute = 60;
+    if (minute > r->minute) {
+        r->minute = minute;
+        return true;
+    }
+    pp_mistake(r->mistakes, r->line,
+               "minute %d (field 5) after minute %d of the same hour; expected %d "
+               "records an hour in order",
+               minute, r->minute, r->header->records_an_hour);
+    r->lost = true;
+    return false;
+}
+
+/* Is it the record that is due? */
+static bool read_time(struct record_reader *r, struct pp_epw_record *record)
+{
+    int month, day, hour, minute;
+    if (!read_whole(r, 0, "the year", 1800, 2200, &record->year)
+        || !read_whole(r, 1, "the month", 1, 12, &month)
+        || !read_whole(r, 2, "the day", 1, pp_month_days(month), &day)
+        || !read_whole(r, 3, "the hour", 1, 24, &hour)
+        || !read_whole(r, 4, "the minute", 0, 60, &minute)) {
+        r->lost = true;
+        return false;
+    }
+    record->date = (struct pp_month_day){month, day};
+    if (!settle_leap_day(r, record->date, record->year))
+        return false;
+    if (!same_day(record->date, r->date) || hour != r->hour)
+        return lose(r, record->date, hour);
+    record->weekday = r->weekday;
+    record->start_h = r->hour - 1 + r->sub * r->epw->record_h;
+    return check_minute(r, minute);
+}
+
+/* A measured value; NAN where it is missing. */
+static double read_value(struct record_reader *r, int index, const char *name,
+                         double low, double high, double missing)
+{
+    double value;
+    char shown[64];
+    const char *text = r->fields[index];
+    if (!*text)
+        return NAN;
+    if (pp_number_parse(text, &value)) {
+        if (value >= missing)
+            return NAN;
+        if (value >= low && value <= high)
+            return value;
+    }
+    pp_mistake(r->mistakes, r->line,
+               "%s (field %d) is \"%s\"; expected %g to %g, or %g where it is missing",
+               name, index + 1, pp_excerpt(shown, sizeof shown, text), low, high,
+               missing);
+    return NAN;
+}
+
+static void read_values(struct record_reader *r, struct pp_epw_record *record)
+{
+    record->dew_point_c = read_value(r, 7, "the dew point", -90.0, 70.0, 99.9);
+    record->global_w_m2 =
+        read_value(r, 13, "global horizontal irradiance", 0.0, 2000.0, 9999.0);
+    record->direct_w_m2 =
+        read_value(r, 14, "direct normal irradiance", 0.0, 2000.0, 9999.0);
+    record->diffuse_w_m2 =
+        read_value(r, 15, "diffuse horizontal irradiance", 0.0, 2000.0, 9999.0);
+    record->diffuse_lx =
+        read_value(r, 18, "diffuse horizontal illuminance", 0.0, 250000.0, 999900.0);
+}
+
+/* Adds the record of a line; false when memory is out. */
+static bool read_record(struct record_reader *r, char *text)
+{
+    enum { FIELDS_NEEDED = 19 };
+    int count = pp_epw_split(text, r->fields, PP_EPW_FIELDS_MOST);
+    if (count < FIELDS_NEEDED) {
+        pp_mistake(r->mistakes, r->line,
+                   "a record of %d field%s; expected 35, at least %d, up to diffuse "
+                   "illuminance",
+                   count, count == 1 ? "" : "s", FIELDS_NEEDED);
+        r->lost = true;
+        return true;
+    }
+    if (is_after_last(r))
+        return true;
+    struct pp_epw *epw = r->epw;
+    if (epw->record_count == r->room) {
+        r->room = r->room ? 2 * r->room : 8784;
+        struct pp_epw_record *grown =
+            realloc(epw->records, (size_t)r->room * sizeof *grown);
+        if (!grown)
+            return false;
+        epw->records = grown;
+    }
+    struct pp_epw_record *record = &epw->records[epw->record_count];
+    if (!read_time(r, record))
+        return true;
+    read_values(r, record);
+    epw->record_count++;
+    step_on(r);
+    return true;
+}
+
+/* Did the file end where its last data period does? */
+static void check_end(struct record_reader *r)
+{
+    char wanted[32];
+    struct pp_month_day leap_day = {2, 29};
+    if (r->period == r->header->period_count)
+        return;
+    /* A period up to 29 February may do without it. */
+    bool leap_end = same_day(r->date, leap_day) && r->hour == 1 && r->sub == 0
+                    && same_day(r->header->periods[r->period].to, leap_day)
+                    && r->header->leap != PP_LEAP_YES;
+    if (leap_end && r->begun && r->period == r->header->period_count - 1
+        && r->years_left == 0)
+        return;
+    pp_mistake(
+        r->mistakes, r->line,
+        "the file ends here; expected a record of %s, hour %d: it is cut off, or "
+        "data period %d of line %d ends sooner than that line says",
+        pp_month_day_words(wanted, sizeof wanted, r->date), r->hour, r->period + 1,
+        r->header->periods_line);
+}
+
+enum pp_status pp_epw_read_records(struct pp_epw *epw,
+                                   const struct pp_epw_header *header,
+                                   struct pp_epw_lines *lines, char *record,
+                                   struct pp_mistakes *mistakes, struct pp_error *err)
+{
+    struct record_reader r = {.epw = epw, .header = header, .mistakes = mistakes};
+    int before = mistakes->count;
+    epw->record_h = 1.0 / header->records_an_hour;
+    start_period(&r);
+    for (; record; record = pp_epw_next_line(lines)) {
+        r.line = lines->line;
+        if (!read_record(&r, record))
+            return pp_fail_memory(err);
+        mistakes->truncated |= mistakes->count - before >= PP_EPW_MISTAKES_MOST;
+        if (r.lost || mistakes->truncated)
+            return PP_OK;
+    }
+    r.line = lines->line;
+    if (mistakes->count == before)
+        check_end(&r);
+    return PP_OK;
+}

@@ -1,0 +1,14 @@
+/* picture_pfm.h - portable float maps: a picture's numbers as they are. */
+#ifndef PP_MODEL_PICTURE_PFM_H
+#define PP_MODEL_PICTURE_PFM_H
+
+#include <stdio.h>
+
+#include "model/pictures/picture.h"
+
+/* Three floats a pixel, least significant byte first, rows from the bottom. What the
+ * stream makes of it is PP_SYSTEM. */
+enum pp_status pp_pfm_write(FILE *out, const struct pp_picture *picture,
+                            struct pp_error *err);
+
+#endif

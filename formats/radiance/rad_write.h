@@ -1,0 +1,46 @@
+/* rad_write.h - scene descriptions as Radiance scene files [WS98].
+ *
+ * What is written reads back (rad_read.h) as the same description: vertices to the bit,
+ * what materials do to rounding. Numbers have a point whatever the locale and as many
+ * digits as bring the double back.
+ *
+ *     glass         a single pane, nothing but glass
+ *     BRTDfunc      any other clear glazing, by pp_through and pp_mirrored
+ *     plastic ...   opaque; metal where the gloss has the colour, mirror where there is
+ *                   nothing else; plastic2, metal2 with two roughnesses
+ *     trans, trans2 translucent
+ *     glow, light   what gives off light, with a pattern where it has one
+ *     mixfunc       of shapes whose sides differ
+ */
+#ifndef PP_MODEL_RAD_WRITE_H
+#define PP_MODEL_RAD_WRITE_H
+
+#include <stdio.h>
+
+#include "model/base/error.h"
+#include "model/light/scene_description.h"
+
+/* The names that materials, patterns and pairs of materials go by: their own, made fit
+ * for Radiance and unlike each other. */
+struct pp_rad_writer;
+
+/* scene must live as long as the writer. PP_BAD_INPUT for materials that Radiance has
+ * no type for. */
+enum pp_status pp_rad_writer_create(struct pp_rad_writer **writer,
+                                    const struct pp_scene_description *scene,
+                                    struct pp_error *err);
+void pp_rad_writer_destroy(struct pp_rad_writer *writer); /* NULL is allowed */
+
+/* All patterns and materials; what the stream says of its errors is the caller's
+ * affair. */
+void pp_rad_write_materials(const struct pp_rad_writer *writer, FILE *out);
+
+/* Shapes `first` to `end` - 1, named `name` and their numbers from 1. */
+void pp_rad_write_shapes(const struct pp_rad_writer *writer, const char *name,
+                         int first, int end, FILE *out);
+
+/* The shortest of 15 to 17 digits that reads back as the same double, with a point;
+ * `text` has room for 32. */
+void pp_rad_number_text(double number, char *text);
+
+#endif

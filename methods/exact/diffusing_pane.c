@@ -1,0 +1,363 @@
+/* diffusing_pane.c - see diffusing_pane.h. */
+#include "methods/exact/diffusing_pane.h"
+
+#include <stdlib.h>
+
+#include "methods/view/occluders.h"
+#include "methods/view/exterior_planes.h"
+#include "methods/exact/quadrature.h"
+
+enum { PLACES = 7, CELLS_MOST = 96 };
+
+/* Evaluations times the square of the number of surfaces that they look at: some
+ * seconds. */
+static const double WORK_MOST = 2e6;
+
+/* Of what falls on the whole pane. */
+static const double ENOUGH = 1e-6;
+
+/* Coordinates are along the opening's own axes (m, from the room's origin). */
+struct pp_pane_cell {
+    double low[2], high[2];
+    double sky[PLACES][PLACES], external[PLACES][PLACES];
+    double total, error; /* of its integral over the cell */
+    int worse;           /* the axis that more of the error is along */
+};
+
+/* Places from -1 to 1, the nodes of Chebyshev's polynomial: -cos((2 i + 1) pi / 14),
+ * and their barycentric weights. */
+static const double places[PLACES] = {
+    -0.9749279121818236, -0.7818314824680298, -0.4338837391175582, 0.0,
+    0.43388373911755806, 0.7818314824680295,  0.9749279121818237};
+static const double barycentric[PLACES] = {
+    0.2225209339563144, -0.6234898018587335, 0.9009688679024191, -1.0,
+    0.9009688679024191, -0.6234898018587339, 0.2225209339563141};
+
+/* ---- where it may not be smooth ---- */
+
+/* Coordinates on either axis. */
+struct borders {
+    double *at[2];
+    int count[2];
+    int surfaces; /* before the pane */
+};
+
+/* The pane's plane: foot + x along + y up. */
+struct plane {
+    struct pp_vec3 foot, along, up, toward;
+};
+
+static struct plane plane_of(const struct pp_opening *opening)
+{
+    struct pp_vec3 toward = pp_scale(opening->inner.normal, -1.0);
+    double offset = pp_dot(opening->outer.vertices[0], toward);
+    return (struct plane){pp_scale(toward, offset), opening->along, opening->up,
+                          toward};
+}
+
+/* Where the plane m.p = offset meets the pane's, if that is parallel to an axis. */
+static void add_border(struct borders *borders, const struct plane *plane,
+                       struct pp_vec3 m, double offset)
+{
+    double slope[2] = {pp_dot(m, plane->along), pp_dot(m, plane->up)};
+    for (int axis = 0; axis < 2; axis++)
+        if (fabs(slope[axis]) > 1e-6 && fabs(slope[1 - axis]) < 1e-9)
+            borders->at[axis][borders->count[axis]++] =
+                (offset - pp_dot(m, plane->foot)) / slope[axis];
+}
+
+static bool is_beyond(const struct pp_polygon *outline, const struct plane *plane)
+{
+    for (int i = 0; i < outline->count; i++)
+        if (pp_dot(pp_sub(outline->vertices[i], plane->foot), plane->toward) > PP_HAIR)
+            return true;
+    return false;
+}
+
+static enum pp_status find_borders(struct borders *borders,
+                                   const struct pp_world *world,
+                                   const struct pp_opening *opening,
+                                   struct pp_error *err)
+{
+    const struct pp_vec3 zenith = {0.0, 0.0, 1.0};
+    struct plane plane = plane_of(opening);
+    size_t most = (size_t)world->skyline_count + 1;
+    for (int i = 0; i < world->surface_count; i++)
+        most += (size_t)world->surfaces[i].outline.count + 1;
+    *borders = (struct borders){
+        .at = {malloc(most * sizeof(double)), malloc(most * sizeof(double))}};
+    if (!borders->at[0] || !borders->at[1])
+        return pp_fail_memory(err);
+    for (int i = 0; i < world->surface_count; i++) {
+        const struct pp_surface *surface = &world->surfaces[i];
+        const struct pp_polygon *outline = &surface->outline;
+        if (i == opening->face || surface->role == PP_REVEAL
+            || !is_beyond(outline, &plane))
+            continue;
+        borders->surfaces++;
+        add_border(borders, &plane, outline->normal,
+                   pp_dot(outline->normal, outline->vertices[0]));
+        for (int k = 0; k < outline->count; k++)
+            add_border(borders, &plane, zenith, outline->vertices[k].z);
+    }
+    for (int i = 0; i < world->skyline_count; i++)
+        if (world->skylines[i].face == opening->face
+            && !isinf(world->skylines[i].distance_m))
+            add_border(borders, &plane, zenith, world->skylines[i].head_z_m);
+    return PP_OK;
+}
+
+/* The border nearest to the cell's middle, or that itself. */
+static double cut_of(const struct borders *borders, const struct pp_pane_cell *cell,
+                     int axis)
+{
+    double low = cell->low[axis], high = cell->high[axis];
+    double middle = (low + high) / 2.0, cut = NAN, hair = 1e-9 * (high - low);
+    for (int i = 0; i < borders->count[axis]; i++) {
+        double at = borders->at[axis][i];
+        if (at > low + hair && at < high - hair
+            && !(fabs(at - middle) >= fabs(cut - middle)))
+            cut = at;
+    }
+    return isnan(cut) ? middle : cut;
+}
+
+/* ---- lighting it ---- */
+
+/* Adds to tails what the last two of the polynomial's coefficients along either axis
+ * come to. */
+static void add_tails(double tails[2], const double values[PLACES][PLACES])
+{
+    double basis[PLACES][PLACES];
+    for (int m = 0; m < PLACES; m++)
+        for (int i = 0; i < PLACES; i++)
+            basis[m][i] = cos(m * acos(places[i])) * (m > 0 ? 2.0 : 1.0) / PLACES;
+    for (int m = 0; m < PLACES; m++)
+        for (int n = 0; n < PLACES; n++) {
+            double sum = 0.0;
+            for (int i = 0; i < PLACES; i++)
+                for (int k = 0; k < PLACES; k++)
+                    sum += values[i][k] * basis[m][i] * basis[n][k];
+            tails[0] += m >= PLACES - 2 ? fabs(sum) : 0.0;
+            tails[1] += n >= PLACES - 2 ? fabs(sum) : 0.0;
+        }
+}
+
+static enum pp_status light_cell(struct pp_pane_cell *cell,
+                                 const struct pp_world *world,
+                                 const struct pp_opening *opening, struct pp_error *err)
+{
+    struct plane plane = plane_of(opening);
+    double middle[2], half[2], sum = 0.0;
+    for (int axis = 0; axis < 2; axis++) {
+        middle[axis] = (cell->low[axis] + cell->high[axis]) / 2.0;
+        half[axis] = (cell->high[axis] - cell->low[axis]) / 2.0;
+    }
+    for (int i = 0; i < PLACES; i++)
+        for (int k = 0; k < PLACES; k++) {
+            struct pp_vec3 at =
+                pp_along(plane.foot, middle[0] + half[0] * places[i], plane.along);
+            at = pp_along(at, middle[1] + half[1] * places[k], plane.up);
+            struct pp_outside outside;
+            enum pp_status status = pp_outside_at(&outside, world, &world->sky, at,
+                                                  plane.toward, opening->face, err);
+            if (status != PP_OK)
+                return status;
+            cell->sky[i][k] = outside.sky;
+            cell->external[i][k] = outside.external;
+            sum += outside.sky + outside.external;
+        }
+    double area = 4.0 * half[0] * half[1], tails[2] = {0.0, 0.0};
+    add_tails(tails, (const double(*)[PLACES])cell->sky);
+    add_tails(tails, (const double(*)[PLACES])cell->external);
+    cell->total = area * sum / (PLACES * PLACES);
+    cell->error = area * (tails[0] + tails[1]);
+    cell->worse = tails[0] > tails[1] ? 0 : 1;
+    return PP_OK;
+}
+
+/* Sums up; the cell with the largest error. */
+static int worst_of(struct pp_uneven_pane *pane)
+{
+    double total = 0.0, error = 0.0;
+    int worst = 0;
+    for (int i = 0; i < pane->cell_count; i++) {
+        total += pane->cells[i].total;
+        error += pane->cells[i].error;
+        if (pane->cells[i].error > pane->cells[worst].error)
+            worst = i;
+    }
+    pane->error = total > 0.0 ? error / total : 0.0;
+    return worst;
+}
+
+static enum pp_status divide(struct pp_uneven_pane *pane, const struct borders *borders,
+                             const struct pp_world *world,
+                             const struct pp_opening *opening, struct pp_error *err)
+{
+    enum pp_status status = light_cell(&pane->cells[0], world, opening, err);
+    double work = PLACES * PLACES * (double)borders->surfaces * borders->surfaces;
+    int most = (int)fmin(CELLS_MOST, 1.0 + WORK_MOST / fmax(2.0 * work, 1.0));
+    pane->cell_count = 1;
+    while (status == PP_OK) {
+        int worst = worst_of(pane);
+        if (!(pane->error > ENOUGH) || pane->cell_count == most)
+            return PP_OK;
+        struct pp_pane_cell *cell = &pane->cells[worst];
+        struct pp_pane_cell *other = &pane->cells[pane->cell_count++];
+        int axis = cell->worse;
+        *other = *cell;
+        cell->high[axis] = other->low[axis] = cut_of(borders, cell, axis);
+        status = light_cell(cell, world, opening, err);
+        if (status == PP_OK)
+            status = light_cell(other, world, opening, err);
+    }
+    return status;
+}
+
+enum pp_status pp_uneven_pane_create(struct pp_uneven_pane *pane,
+                                     const struct pp_world *world,
+                                     const struct pp_opening *opening,
+                                     struct pp_error *err)
+{
+    const struct pp_polygon *outline = &opening->outer;
+    struct pp_pane_cell whole = {.low = {INFINITY, INFINITY},
+                                 .high = {-INFINITY, -INFINITY}};
+    for (int i = 0; i < outline->count; i++) {
+        struct pp_vec3 v = outline->vertices[i];
+        double xy[2] = {pp_dot(v, opening->along), pp_dot(v, opening->up)};
+        for (int axis = 0; axis < 2; axis++) {
+            whole.low[axis] = fmin(whole.low[axis], xy[axis]);
+            whole.high[axis] = fmax(whole.high[axis], xy[axis]);
+        }
+    }
+    struct borders borders;
+    enum pp_status status = find_borders(&borders, world, opening, err);
+    *pane = (struct pp_uneven_pane){malloc(CELLS_MOST * sizeof *pane->cells), 0, 0.0};
+    if (status == PP_OK && !pane->cells)
+        status = pp_fail_memory(err);
+    if (status == PP_OK) {
+        pane->cells[0] = whole;
+        status = divide(pane, &borders, world, opening, err);
+    }
+    free(borders.at[0]);
+    free(borders.at[1]);
+    if (status != PP_OK)
+        pp_uneven_pane_clear(pane);
+    return status;
+}
+
+void pp_uneven_pane_clear(struct pp_uneven_pane *pane)
+{
+    free(pane->cells);
+    *pane = (struct pp_uneven_pane){0};
+}
+
+/* ---- what it gives ---- */
+
+/* A cell as a receiver sees it. */
+struct cell_seen {
+    const struct pp_pane_cell *cell;
+    const double (*values)[PLACES];
+    struct plane plane;
+    double eye[2]; /* the foot of its perpendicular, on the pane's axes */
+    double distance_m;
+};
+
+/* What the values of the places count at t from -1 to 1: Lagrange's polynomials in
+ * their barycentric form. */
+static void weigh(double weights[PLACES], double t)
+{
+    double sum = 0.0;
+    for (int i = 0; i < PLACES; i++) {
+        double apart = t - places[i];
+        if (apart == 0.0) {
+            for (int k = 0; k < PLACES; k++)
+                weights[k] = k == i;
+            return;
+        }
+        weights[i] = barycentric[i] / apart;
+        sum += weights[i];
+    }
+    for (int i = 0; i < PLACES; i++)
+        weights[i] /= sum;
+}
+
+static double illuminance_at(const void *context, struct pp_vec3 u)
+{
+    const struct cell_seen *seen = context;
+    const struct pp_pane_cell *cell = seen->cell;
+    double reach_m = seen->distance_m / pp_dot(u, seen->plane.toward);
+    double xy[2] = {seen->eye[0] + reach_m * pp_dot(u, seen->plane.along),
+                    seen->eye[1] + reach_m * pp_dot(u, seen->plane.up)};
+    double weights[2][PLACES], sum = 0.0;
+    for (int axis = 0; axis < 2; axis++)
+        weigh(weights[axis], (2.0 * xy[axis] - cell->low[axis] - cell->high[axis])
+                                 / (cell->high[axis] - cell->low[axis]));
+    for (int i = 0; i < PLACES; i++) {
+        double row = 0.0;
+        for (int k = 0; k < PLACES; k++)
+            row += weights[1][k] * seen->values[i][k];
+        sum += weights[0][i] * row;
+    }
+    return sum;
+}
+
+/* The half-spaces through the eye that the cell lies in. */
+static void sides_of(struct pp_vec3 sides[4], const struct cell_seen *seen)
+{
+    const struct pp_vec3 axes[2] = {seen->plane.along, seen->plane.up};
+    for (int axis = 0; axis < 2; axis++) {
+        double low = seen->cell->low[axis] - seen->eye[axis];
+        double high = seen->cell->high[axis] - seen->eye[axis];
+        struct pp_vec3 across = pp_scale(axes[axis], seen->distance_m);
+        sides[2 * axis] = pp_along(across, -low, seen->plane.toward);
+        sides[2 * axis + 1] =
+            pp_scale(pp_along(across, -high, seen->plane.toward), -1.0);
+    }
+}
+
+static enum pp_status add_cell(struct pp_direct *sum, struct cell_seen *seen,
+                               const struct pp_visible *visible, struct pp_vec3 normal,
+                               struct pp_error *err)
+{
+    struct pp_vec3 half_spaces[5] = {normal};
+    sides_of(half_spaces + 1, seen);
+    double *values[2] = {&sum->sky, &sum->external};
+    enum pp_status status = PP_OK;
+    for (int i = 0; i < 2 && status == PP_OK; i++) {
+        struct pp_quadrature result;
+        seen->values =
+            (const double(*)[PLACES])(i == 0 ? seen->cell->sky : seen->cell->external);
+        struct pp_integrand part = {illuminance_at, seen, NULL};
+        status = pp_quadrature_over(
+            &result, &visible->view, &visible->patches[0].region, half_spaces, 5,
+            normal, &part, sum->rough ? PP_QUADRATURE_ROUGH : PP_QUADRATURE_GLAZED,
+            err);
+        *values[i] += result.value;
+        sum->error += result.error;
+    }
+    return status;
+}
+
+enum pp_status pp_uneven_pane_add(struct pp_direct *sum,
+                                  const struct pp_uneven_pane *pane,
+                                  const struct pp_visible *visible,
+                                  const struct pp_opening *opening,
+                                  const struct pp_receiver *receiver,
+                                  struct pp_error *err)
+{
+    struct cell_seen seen = {.plane = plane_of(opening)};
+    struct pp_vec3 eye = receiver->position;
+    seen.eye[0] = pp_dot(eye, seen.plane.along);
+    seen.eye[1] = pp_dot(eye, seen.plane.up);
+    seen.distance_m = pp_dot(pp_sub(seen.plane.foot, eye), seen.plane.toward);
+    double before = sum->sky + sum->external;
+    enum pp_status status = PP_OK;
+    for (int i = 0; i < pane->cell_count && status == PP_OK; i++) {
+        seen.cell = &pane->cells[i];
+        status = add_cell(sum, &seen, visible, receiver->normal, err);
+    }
+    sum->error += pane->error * (sum->sky + sum->external - before);
+    return status;
+}

@@ -1,0 +1,274 @@
+/* direct.c - see direct.h. */
+#include "methods/exact/direct.h"
+
+#include <float.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "methods/exact/direct_steps.h"
+#include "methods/exact/quadrature.h"
+
+double pp_direct_factor(const struct pp_sky *sky, double reflectance)
+{
+    return sky->kind == PP_SKY_OVERCAST ? reflectance : reflectance / 2.0;
+}
+
+/* ---- closed forms ---- */
+
+enum { CORNERS_ON_STACK = 64 };
+
+/* The patch's half-spaces and `more` in one array; returns their number. */
+static int gather(struct pp_vec3 all[PP_HALF_SPACES_MOST], const struct pp_patch *patch,
+                  const struct pp_vec3 *more, int more_count)
+{
+    int count = 0;
+    for (int i = 0; i < patch->half_space_count; i++)
+        all[count++] = patch->half_spaces[i];
+    for (int i = 0; i < more_count; i++)
+        all[count++] = more[i];
+    return count;
+}
+
+enum pp_status pp_direct_moments(struct pp_moments *moments,
+                                 const struct pp_visible *visible,
+                                 const struct pp_patch *patch, struct pp_vec3 normal,
+                                 const struct pp_vec3 *more, int more_count,
+                                 struct pp_error *err)
+{
+    struct pp_vec3 limits[PP_HALF_SPACES_MOST];
+    int limit_count = gather(limits, patch, more, more_count);
+    *moments = (struct pp_moments){0};
+    for (int r = 0; r < patch->region.count; r++) {
+        const struct pp_ring *ring = &patch->region.rings[r];
+        struct pp_vec3 stack[CORNERS_ON_STACK], *corners = stack;
+        if (ring->count > CORNERS_ON_STACK) {
+            corners = malloc((size_t)ring->count * sizeof *corners);
+            if (!corners)
+                return pp_fail_memory(err);
+        }
+        for (int i = 0; i < ring->count; i++)
+            corners[i] =
+                pp_view_vector(&visible->view, pp_vec(ring->xy[i][0], ring->xy[i][1],
+                                                      visible->view.distance_m));
+        pp_moments_add(moments, corners, ring->count, normal, limits, limit_count);
+        if (corners != stack)
+            free(corners);
+    }
+    return PP_OK;
+}
+
+/* ---- luminances for the quadrature ---- */
+
+struct lights {
+    const struct pp_sky *sky;
+    const struct pp_glass *glass;
+    struct pp_vec3 toward; /* through the glass, square to it */
+};
+
+static double through_glass(const struct lights *lights, struct pp_vec3 u)
+{
+    return pp_glass_transmittance(lights->glass, pp_dot(lights->toward, u));
+}
+
+static double sky_through_glass(const void *context, struct pp_vec3 u)
+{
+    const struct lights *lights = context;
+    return pp_sky_luminance(lights->sky, u) * through_glass(lights, u);
+}
+
+static double unity_through_glass(const void *context, struct pp_vec3 u)
+{
+    return through_glass(context, u);
+}
+
+static double horizon_luminance(const struct pp_sky *sky, struct pp_vec3 u)
+{
+    double across = hypot(u.x, u.y);
+    if (!(across > 0.0))
+        return pp_sky_luminance(sky, pp_vec(1.0, 0.0, DBL_MIN));
+    return pp_sky_luminance(sky, pp_vec(u.x / across, u.y / across, DBL_MIN));
+}
+
+static double horizon_through_glass(const void *context, struct pp_vec3 u)
+{
+    const struct lights *lights = context;
+    return horizon_luminance(lights->sky, u) * through_glass(lights, u);
+}
+
+/* ---- a patch ---- */
+
+/* What is asked of a patch, and of whom. */
+struct task {
+    struct pp_direct *sum;
+    const struct pp_visible *visible;
+    const struct pp_patch *patch;
+    struct pp_vec3 normal;
+    struct lights lights;
+};
+
+static bool is_unglazed(const struct task *task)
+{
+    return task->lights.glass->panes == 0;
+}
+
+/* Which side of the horizon? */
+enum side { ABOVE, BELOW, BOTH };
+
+/* The half-spaces of the receiver and of that side. */
+static int limits_of(struct pp_vec3 limits[2], const struct task *task, enum side side)
+{
+    struct pp_vec3 up = {0.0, 0.0, side == ABOVE ? 1.0 : -1.0};
+    limits[0] = task->normal;
+    if (side == BOTH
+        || (task->normal.x == 0.0 && task->normal.y == 0.0 && task->normal.z == up.z))
+        return 1;
+    limits[1] = up;
+    return 2;
+}
+
+static enum pp_status by_quadrature(double *value, const struct task *task,
+                                    enum side side, pp_luminance_function *luminance,
+                                    const struct pp_vec3 *cusp, struct pp_error *err)
+{
+    struct pp_vec3 sides[2], limits[PP_HALF_SPACES_MOST];
+    int count = limits_of(sides, task, side);
+    count = gather(limits, task->patch, sides, count);
+    struct pp_integrand integrand = {luminance, &task->lights, cusp};
+    double relative_error = task->sum->rough    ? PP_QUADRATURE_ROUGH
+                            : is_unglazed(task) ? PP_QUADRATURE_UNGLAZED
+                                                : PP_QUADRATURE_GLAZED;
+    struct pp_quadrature result;
+    enum pp_status status =
+        pp_quadrature_over(&result, &task->visible->view, &task->patch->region, limits,
+                           count, task->normal, &integrand, relative_error, err);
+    task->sum->error += result.error;
+    *value = result.value;
+    return status;
+}
+
+/* Integral of tau (n.u). */
+static enum pp_status transmitted(double *value, const struct task *task,
+                                  enum side side, struct pp_error *err)
+{
+    if (!is_unglazed(task))
+        return by_quadrature(value, task, side, unity_through_glass, NULL, err);
+    struct pp_vec3 limits[2];
+    int count = limits_of(limits, task, side);
+    struct pp_moments moments;
+    enum pp_status status = pp_direct_moments(&moments, task->visible, task->patch,
+                                              task->normal, limits, count, err);
+    *value = moments.cosine;
+    return status;
+}
+
+/* Integral of L tau (n.u), over the sky that is seen or would be. */
+static enum pp_status from_sky(double *value, const struct task *task,
+                               struct pp_error *err)
+{
+    const struct pp_sky *sky = task->lights.sky;
+    if (!is_unglazed(task) || !pp_sky_has_closed_form(sky))
+        return by_quadrature(value, task, ABOVE, sky_through_glass,
+                             pp_sky_has_azimuth(sky) ? &sky->sun : NULL, err);
+    struct pp_vec3 limits[2];
+    int count = limits_of(limits, task, ABOVE);
+    struct pp_moments moments;
+    enum pp_status status = pp_direct_moments(&moments, task->visible, task->patch,
+                                              task->normal, limits, count, err);
+    *value = pp_moments_sky(&moments, sky);
+    return status;
+}
+
+/* Integral of the horizon's luminance times tau (n.u), below the horizon. */
+static enum pp_status from_below(double *value, const struct task *task,
+                                 struct pp_error *err)
+{
+    const struct pp_sky *sky = task->lights.sky;
+    if (pp_sky_has_azimuth(sky))
+        return by_quadrature(value, task, BELOW, horizon_through_glass, NULL, err);
+    enum pp_status status = transmitted(value, task, BELOW, err);
+    *value *= horizon_luminance(sky, pp_vec(1.0, 0.0, 0.0));
+    return status;
+}
+
+/* Sets a patch out on paper. */
+static enum pp_status set_down(struct pp_terms *terms, const struct task *task,
+                               struct pp_patch_figures *figures, struct pp_error *err)
+{
+    const struct pp_sky *sky = task->lights.sky;
+    struct pp_vec3 limits[2];
+    int count = limits_of(limits, task, ABOVE);
+    figures->hidden = task->patch->hidden;
+    figures->closed_form = pp_sky_has_closed_form(sky);
+    figures->glazed = !is_unglazed(task);
+    enum pp_status status =
+        pp_direct_moments(&figures->moments, task->visible, task->patch, task->normal,
+                          limits, count, err);
+    if (status == PP_OK)
+        pp_direct_set_down(terms, figures, sky);
+    return status;
+}
+
+static enum pp_status add_patch(const struct task *task, const struct pp_world *world,
+                                struct pp_terms *terms, struct pp_error *err)
+{
+    const struct pp_patch *patch = task->patch;
+    struct pp_patch_figures of = {0};
+    double all = 0.0;
+    bool faces_up =
+        task->normal.x == 0.0 && task->normal.y == 0.0 && task->normal.z > 0.0;
+    enum pp_status status = from_sky(&of.above, task, err);
+    if (!patch->hidden) {
+        if (status == PP_OK && !faces_up)
+            status = transmitted(&of.below, task, BELOW, err);
+        task->sum->sky += of.above;
+        task->sum->external += world->ground_reflectance / PP_PI * of.below;
+        of.below /= PP_PI;
+        of.factor = world->ground_reflectance;
+    } else {
+        if (status == PP_OK && !faces_up)
+            status = from_below(&of.below, task, err);
+        if (status == PP_OK && patch->exitance > 0.0)
+            status = transmitted(&all, task, BOTH, err);
+        of.factor = pp_direct_factor(task->lights.sky, patch->reflectance);
+        of.own = patch->exitance / PP_PI * all;
+        task->sum->external += of.factor * (of.above + of.below) + of.own;
+    }
+    if (status == PP_OK && terms->steps)
+        status = set_down(terms, task, &of, err);
+    return status;
+}
+
+enum pp_status pp_direct_add(struct pp_direct *sum, const struct pp_visible *visible,
+                             struct pp_vec3 normal, const struct pp_glass *glass,
+                             const struct pp_world *world, const struct pp_sky *sky,
+                             struct pp_error *err)
+{
+    enum pp_status status = PP_OK;
+    struct pp_terms terms = pp_terms_begin(sum->steps, visible->patch_count);
+    for (int i = 0; i < visible->patch_count && status == PP_OK; i++) {
+        struct task task = {sum,
+                            visible,
+                            &visible->patches[i],
+                            normal,
+                            {sky, glass, visible->view.toward}};
+        status = add_patch(&task, world, &terms, err);
+    }
+    pp_terms_end(&terms);
+    return status;
+}
+
+enum pp_status pp_direct_through(struct pp_direct *sum, const struct pp_world *world,
+                                 const struct pp_opening *opening,
+                                 const struct pp_receiver *receiver,
+                                 const struct pp_glass *glass, struct pp_error *err)
+{
+    struct pp_visible visible;
+    enum pp_status status =
+        pp_visible_through(&visible, world, opening, receiver->position, err);
+    if (status != PP_OK)
+        return status;
+    status =
+        pp_direct_add(sum, &visible, receiver->normal, glass, world, &world->sky, err);
+    pp_visible_clear(&visible);
+    return status;
+}

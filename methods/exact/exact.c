@@ -1,0 +1,179 @@
+/* exact.c - see exact.h. */
+#include "methods/exact/exact.h"
+
+#include <stdlib.h>
+
+#include "methods/exact/direct.h"
+#include "methods/view/exterior_planes.h"
+#include "methods/exact/diffusing_pane.h"
+#include "methods/view/visible.h"
+
+/* ---- diffusing panes ---- */
+
+/* The panes that are lit unevenly are lit once for the room: a list with one for each
+ * opening, of which the others stay empty. */
+struct panes {
+    int count;
+    struct pp_uneven_pane list[];
+};
+
+static void put_away(void *tools)
+{
+    struct panes *panes = tools;
+    for (int i = 0; panes && i < panes->count; i++)
+        pp_uneven_pane_clear(&panes->list[i]);
+    free(panes);
+}
+
+/* NULL where there are none. */
+static enum pp_status light_panes(void **tools, const struct pp_world *world,
+                                  struct pp_error *err)
+{
+    struct panes *panes = NULL;
+    enum pp_status status = PP_OK;
+    for (int i = 0; i < world->opening_count && status == PP_OK; i++) {
+        const struct pp_opening *opening = &world->openings[i];
+        if (!opening->glass.diffusing || pp_outside_is_even(world, opening))
+            continue;
+        if (!panes) {
+            size_t count = (size_t)world->opening_count;
+            panes = calloc(1, sizeof *panes + count * sizeof *panes->list);
+            if (!panes)
+                return pp_fail_memory(err);
+            panes->count = world->opening_count;
+        }
+        status = pp_uneven_pane_create(&panes->list[i], world, opening, err);
+    }
+    if (status != PP_OK)
+        put_away(panes);
+    else
+        *tools = panes;
+    return status;
+}
+
+/* The pane is lit evenly: what falls on it, what of that it lets through, and its
+ * configuration factor c. */
+static void set_down_even_pane(struct pp_steps *steps, const struct pp_outside *outside,
+                               double c, double tau)
+{
+    pp_step_named(steps, PP_UNIT_NUMBER, c, "c",
+                  "configuration factor of what is seen of the diffusing pane");
+    pp_step_named(steps, PP_UNIT_NUMBER, tau, "tau", "its transmittance");
+    pp_step_named(steps, PP_UNIT_SHARE, outside->sky, "E_s",
+                  "illuminance of its outside, from the sky");
+    pp_step_worked(steps, PP_UNIT_SHARE, tau * outside->sky * c, "sc", "tau E_s c",
+                   "sky component");
+    if (outside->external == 0.0)
+        return;
+    pp_step_named(steps, PP_UNIT_SHARE, outside->external, "E_e",
+                  "the same, from the ground and what hides the sky");
+    pp_step_worked(steps, PP_UNIT_SHARE, tau * outside->external * c, "erc",
+                   "tau E_e c", "externally reflected component");
+}
+
+static enum pp_status from_even_pane(struct pp_direct *sum,
+                                     const struct pp_visible *visible,
+                                     const struct pp_world *world,
+                                     const struct pp_opening *opening,
+                                     const struct pp_receiver *receiver,
+                                     struct pp_error *err)
+{
+    struct pp_outside outside;
+    struct pp_moments moments;
+    enum pp_status status =
+        pp_outside_at(&outside, world, &world->sky, opening->outer.vertices[0],
+                      pp_scale(opening->inner.normal, -1.0), opening->face, err);
+    if (status == PP_OK)
+        status = pp_direct_moments(&moments, visible, &visible->patches[0],
+                                   receiver->normal, &receiver->normal, 1, err);
+    if (status != PP_OK)
+        return status;
+    sum->sky += outside.sky * moments.cosine;
+    sum->external += outside.external * moments.cosine;
+    set_down_even_pane(sum->steps, &outside, moments.cosine / PP_PI,
+                       opening->glass.diffuse);
+    return PP_OK;
+}
+
+static enum pp_status from_diffusing_pane(struct pp_direct *sum,
+                                          const struct pp_world *world,
+                                          const struct pp_opening *opening,
+                                          const struct pp_receiver *receiver,
+                                          const struct panes *panes,
+                                          struct pp_error *err)
+{
+    struct pp_visible visible;
+    enum pp_status status =
+        pp_visible_opening(&visible, world, opening, receiver->position, err);
+    if (status != PP_OK)
+        return status;
+    if (visible.patch_count > 0) {
+        struct pp_uneven_pane own = {0};
+        if (pp_outside_is_even(world, opening)) {
+            status = from_even_pane(sum, &visible, world, opening, receiver, err);
+        } else {
+            if (!panes)
+                status = pp_uneven_pane_create(&own, world, opening, err);
+            if (status == PP_OK)
+                status = pp_uneven_pane_add(
+                    sum, panes ? &panes->list[opening - world->openings] : &own,
+                    &visible, opening, receiver, err);
+            pp_uneven_pane_clear(&own);
+        }
+        /* A Lambertian emitter of exitance tau E has luminance tau E / pi. */
+        sum->sky *= opening->glass.diffuse / PP_PI;
+        sum->external *= opening->glass.diffuse / PP_PI;
+    }
+    pp_visible_clear(&visible);
+    return status;
+}
+
+/* ---- the method ---- */
+
+static enum pp_status direct_of(const struct pp_world *world,
+                                const struct pp_opening *opening,
+                                const struct pp_receiver *receiver, bool rough,
+                                const void *tools, struct pp_part *part,
+                                struct pp_error *err)
+{
+    struct pp_direct sum = {.rough = rough, .steps = part->steps};
+    enum pp_status status;
+    if (opening->glass.diffusing)
+        status = from_diffusing_pane(&sum, world, opening, receiver, tools, err);
+    else
+        status =
+            pp_direct_through(&sum, world, opening, receiver, &opening->glass, err);
+    part->sky = sum.sky;
+    part->external = sum.external;
+    return status;
+}
+
+static enum pp_status evaluate(const struct pp_world *world,
+                               const struct pp_opening *opening,
+                               const struct pp_receiver *receiver, const void *tools,
+                               struct pp_part *part, struct pp_error *err)
+{
+    return direct_of(world, opening, receiver, false, tools, part, err);
+}
+
+static enum pp_status evaluate_roughly(const struct pp_world *world,
+                                       const struct pp_opening *opening,
+                                       const struct pp_receiver *receiver,
+                                       const void *tools, struct pp_part *part,
+                                       struct pp_error *err)
+{
+    return direct_of(world, opening, receiver, true, tools, part, err);
+}
+
+const struct pp_method pp_method_exact = {
+    .name = "exact",
+    .summary = "direct component by closed form or quadrature",
+    .source = "ARVO95",
+    .gives = PP_GIVES_DIRECT,
+    .speaks_for = PP_FOR_POINT,
+    .allowances = PP_ALLOWS_OWN_GLASS,
+    .prepare = light_panes,
+    .put_away = put_away,
+    .evaluate = evaluate,
+    .evaluate_roughly = evaluate_roughly,
+};

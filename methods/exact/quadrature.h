@@ -1,0 +1,55 @@
+/* quadrature.h - what a part of a view gives a receiver, for any luminance.
+ *
+ *     integral over the part of L(u) (n.u) domega
+ *
+ * The part is divided into cells, each between two of its edges and two lines across;
+ * over a cell the integral runs in the azimuth alpha and the sine s of the altitude
+ * about the view's `up`, in which solid angle is uniform (domega = dalpha ds) however
+ * close the eye is to the plane. Both are adaptive Gauss-Kronrod rules (hcubature in
+ * one dimension), the one in s within the one in alpha.
+ */
+#ifndef PP_METHODS_QUADRATURE_H
+#define PP_METHODS_QUADRATURE_H
+
+#include "model/geometry/projection.h"
+#include "model/base/error.h"
+#include "model/geometry/region.h"
+
+/* Relative error bounds that `exact` asks for, with glass and without. What comes out
+ * is better by two powers of ten or more: over random windows at 0.05 to 8 m the worst
+ * error was 1e-7 and 1e-11. */
+#define PP_QUADRATURE_GLAZED 1e-5
+#define PP_QUADRATURE_UNGLAZED 1e-9
+
+/* From this bound on fixed Gauss-Legendre rules take the place of the adaptive ones,
+ * four to twenty times as fast and without an estimate of their error. Over 1,200
+ * random windows with clear glass the rms error is 2e-5 at 2 to 5 cm from the pane, 3e-6
+ * to 0.1 m and 1e-6 beyond, the worst 2e-4. */
+#define PP_QUADRATURE_ROUGH 1e-3
+
+/* Luminance towards the eye from direction u (unit, room's axes). */
+typedef double pp_luminance_function(const void *context, struct pp_vec3 u);
+
+struct pp_integrand {
+    pp_luminance_function *luminance;
+    const void *context;
+    const struct pp_vec3 *cusp; /* a direction where it is not smooth, or NULL */
+};
+
+struct pp_quadrature {
+    double value;
+    double error; /* estimated bound of the absolute error; 0 of a rough value */
+    long evaluations;
+};
+
+/* Over what lies of `region` (the view's coordinates) within the half-spaces (room's
+ * axes). n.u must not be negative there: n itself is to be among the half-spaces. */
+enum pp_status pp_quadrature_over(struct pp_quadrature *result,
+                                  const struct pp_view *view,
+                                  const struct pp_region *region,
+                                  const struct pp_vec3 *half_spaces,
+                                  int half_space_count, struct pp_vec3 normal,
+                                  const struct pp_integrand *integrand,
+                                  double relative_error, struct pp_error *err);
+
+#endif

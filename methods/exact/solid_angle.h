@@ -1,0 +1,51 @@
+/* solid_angle.h - what a plane polygon gives a receiver, in closed form.
+ *
+ * A polygon is seen from a point (the eye, at the origin of its vertices) as a patch of
+ * the unit sphere bounded by arcs of great circles. With unit directions r_i to its
+ * vertices, Theta_i the arc from r_i to r_i+1, Gamma_i = r_i x r_i+1 / |...|, n the
+ * receiver's normal and z the zenith:
+ *
+ *     omega = solid angle of the patch, triangle by triangle              [VOS83]
+ *     E0 = integral n.u domega = 1/2 sum Theta_i (n.Gamma_i)              Lambert
+ *     E1 = integral (n.u)(z.u) domega                                     [ARVO95]
+ *        = 1/3 [ (n.z) omega
+ *                + sum (z.Gamma_i) n.(r_i sin Theta_i
+ *                                     + (Gamma_i x r_i)(1 - cos Theta_i)) ]
+ *
+ * The overcast sky is (E0 + 2 E1)/3, the uniform one E0, times their luminance over
+ * that of the zenith. Any polygon, convex or not, any tilt of it and of the receiver.
+ */
+#ifndef PP_METHODS_SOLID_ANGLE_H
+#define PP_METHODS_SOLID_ANGLE_H
+
+#include "model/light/sky.h"
+#include "model/geometry/vec.h"
+
+struct pp_moments {
+    double omega;       /* solid angle, sr */
+    double cosine;      /* E0 */
+    double cosine_sine; /* E1 */
+};
+
+/* No more half-spaces than this in one call. */
+enum { PP_HALF_SPACES_MOST = 5 };
+
+/* Adds to *sum the moments of what lies of a ring within all the half-spaces h.u > 0.
+ *
+ * vertices are relative to the eye, counter-clockwise as it sees them (a clockwise
+ * ring, a hole, counts negative); they lie in one plane that does not pass through the
+ * eye. normal need not be among the half-spaces: without it, what lies behind the
+ * receiver counts negative. Errors are some units in the last place of the largest
+ * term; a polygon of angular size s comes out to about 1e-16/s relative. Allocates
+ * nothing. */
+void pp_moments_add(struct pp_moments *sum, const struct pp_vec3 *vertices, int count,
+                    struct pp_vec3 normal, const struct pp_vec3 *half_spaces,
+                    int half_space_count);
+
+/* Is the sky's luminance such that the moments suffice? */
+bool pp_sky_has_closed_form(const struct pp_sky *sky);
+
+/* What a patch of such a sky with these moments gives the receiver, over Eh. */
+double pp_moments_sky(const struct pp_moments *moments, const struct pp_sky *sky);
+
+#endif

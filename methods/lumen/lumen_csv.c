@@ -1,0 +1,470 @@
+/* lumen_csv.c - the lumen method's tables out of CSV files; see lumen_table.h. */
+#include <errno.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "methods/lumen/lumen_parts.h"
+#include "model/base/names.h"
+#include "model/base/number.h"
+
+enum {
+    FIELDS_MOST = 64,
+    FIELD_LONGEST = 64,
+    FILE_LARGEST = 1 << 24,
+};
+
+/* Of a coefficient, and of Ev/Eh. */
+static const double coefficient_most = 2.0, ratio_most = 10.0;
+
+enum column {
+    COMPONENT,
+    RATIO,
+    CEILING,
+    WALLS,
+    DEPTH,
+    POSITION,
+    RCR,
+    CU,
+    WIDTH, /* any number of them */
+};
+
+static const char *const column_names[] = {
+    [COMPONENT] = "component",
+    [RATIO] = "Ev_over_Eh",
+    [CEILING] = "ceiling_reflectance",
+    [WALLS] = "wall_reflectance",
+    [DEPTH] = "depth_over_window_height",
+    [POSITION] = "position_percent",
+    [RCR] = "rcr",
+    [CU] = "cu",
+};
+
+/* A line cut at its commas, white space off. */
+struct fields {
+    int count;
+    char text[FIELDS_MOST][FIELD_LONGEST];
+};
+
+struct reader {
+    struct pp_mistakes *mistakes;
+    int number;  /* of the line at hand */
+    int columns; /* 0: their names have not come yet */
+    bool sound;  /* do the columns make a table? */
+    enum column kinds[FIELDS_MOST];
+    struct pp_lumen_axis widths;
+    bool top; /* a table for light from above */
+    int count, capacity;
+    struct pp_lumen_line *side_lines; /* their cu in `cu`, filled in at the end */
+    struct pp_lumen_top_line *top_lines;
+    double (*cu)[PP_LUMEN_AXIS_MOST];
+};
+
+static bool is_white(char c)
+{
+    return c == ' ' || c == '\t' || c == '\r';
+}
+
+/* Cuts one line; false, with a mistake noted, where it can't be one of a table. */
+static bool cut(struct reader *reader, struct fields *fields, const char *line,
+                size_t length)
+{
+    fields->count = 0;
+    for (size_t start = 0; start <= length;) {
+        size_t end = start;
+        while (end < length && line[end] != ',')
+            end++;
+        size_t first = start, last = end;
+        while (first < last && is_white(line[first]))
+            first++;
+        while (last > first && is_white(line[last - 1]))
+            last--;
+        if (fields->count == FIELDS_MOST || last - first >= FIELD_LONGEST) {
+            pp_mistake(reader->mistakes, reader->number,
+                       fields->count == FIELDS_MOST
+                           ? "there are more than %d fields in this line"
+                           : "field %d of this line is too long for a number or a name",
+                       fields->count == FIELDS_MOST ? FIELDS_MOST : fields->count + 1);
+            return false;
+        }
+        char *text = fields->text[fields->count++];
+        memcpy(text, line + first, last - first);
+        text[last - first] = '\0';
+        start = end + 1;
+    }
+    return true;
+}
+
+/* A width over window height: a number above 0, or inf. */
+static bool read_width(const char *text, double *width)
+{
+    if (strcmp(text, "inf") == 0) {
+        *width = INFINITY;
+        return true;
+    }
+    return pp_number_parse(text, width) && *width > 0.0;
+}
+
+static bool has_column(const struct reader *reader, enum column kind)
+{
+    for (int i = 0; i < reader->columns; i++)
+        if (reader->kinds[i] == kind)
+            return true;
+    return false;
+}
+
+static void unknown_column(struct reader *reader, const char *text)
+{
+    char written[64];
+    pp_excerpt(written, sizeof written, text);
+    const char *nearest = pp_nearest(text, column_names, WIDTH);
+    if (nearest)
+        pp_mistake(reader->mistakes, reader->number,
+                   "\"%s\" is no column (did you mean \"%s\"?)", written, nearest);
+    else
+        pp_mistake(reader->mistakes, reader->number,
+                   "\"%s\" is no column; expected one of the tables' names, or a width "
+                   "over window height",
+                   written);
+}
+
+static void add_width(struct reader *reader, double width, const char *text)
+{
+    struct pp_lumen_axis *widths = &reader->widths;
+    if (widths->count == PP_LUMEN_AXIS_MOST)
+        pp_mistake(reader->mistakes, reader->number, "there are more than %d widths",
+                   PP_LUMEN_AXIS_MOST);
+    else if (widths->count > 0 && !(width > widths->at[widths->count - 1]))
+        pp_mistake(reader->mistakes, reader->number,
+                   "the widths have to ascend, and %s does not", text);
+    else
+        widths->at[widths->count++] = width;
+}
+
+/* Do the columns make one of the two tables? */
+static void check_columns(struct reader *reader)
+{
+    static const enum column side_needs[] = {RATIO, DEPTH, POSITION};
+    static const enum column top_needs[] = {RCR, CEILING, WALLS, CU};
+    reader->top = has_column(reader, RCR) || has_column(reader, CU);
+    const enum column *needs = reader->top ? top_needs : side_needs;
+    for (int i = 0; i < (reader->top ? 4 : 3); i++)
+        if (!has_column(reader, needs[i]))
+            pp_mistake(reader->mistakes, reader->number,
+                       "a table for light from %s needs a column \"%s\"",
+                       reader->top ? "above" : "the side", column_names[needs[i]]);
+    if (reader->top) {
+        static const enum column side_only[] = {COMPONENT, RATIO, DEPTH, POSITION};
+        for (int i = 0; i < 4; i++)
+            if (has_column(reader, side_only[i]))
+                pp_mistake(reader->mistakes, reader->number,
+                           "a table for light from above has no column \"%s\"",
+                           column_names[side_only[i]]);
+    } else if (has_column(reader, CEILING) != has_column(reader, WALLS)) {
+        pp_mistake(reader->mistakes, reader->number,
+                   "one of ceiling_reflectance and wall_reflectance is missing; "
+                   "expected both or none");
+    }
+    if (reader->top ? reader->widths.count > 0 : reader->widths.count == 0)
+        pp_mistake(reader->mistakes, reader->number,
+                   reader->top ? "a table for light from above has no columns of widths"
+                               : "there is no column for a width over window height; "
+                                 "expected a number as its name");
+}
+
+static void read_header(struct reader *reader, const struct fields *fields)
+{
+    reader->columns = fields->count;
+    for (int i = 0; i < fields->count; i++) {
+        const char *text = fields->text[i];
+        double width;
+        int kind = 0;
+        while (kind < WIDTH && strcmp(text, column_names[kind]) != 0)
+            kind++;
+        if (kind == WIDTH && !read_width(text, &width))
+            unknown_column(reader, text);
+        else if (kind == WIDTH)
+            add_width(reader, width, text);
+        for (int k = 0; k < i && kind != WIDTH; k++)
+            if (reader->kinds[k] == (enum column)kind)
+                pp_mistake(reader->mistakes, reader->number,
+                           "there are two columns \"%s\"", text);
+        reader->kinds[i] = (enum column)kind;
+    }
+    check_columns(reader);
+}
+
+/* A number in a range; notes what is wrong with it. */
+static double number(struct reader *reader, const char *text, const char *name,
+                     double low, bool low_too, double high)
+{
+    double value;
+    if (pp_number_parse(text, &value) && value <= high
+        && (low_too ? value >= low : value > low))
+        return value;
+    char written[64];
+    pp_excerpt(written, sizeof written, text);
+    pp_mistake(reader->mistakes, reader->number,
+               *text ? "%s is \"%s\"; expected a number %s%g, up to %g"
+                     : "%s is missing%s; expected a number %s%g, up to %g",
+               name, *text ? written : "", low_too ? "from " : "above ", low, high);
+    return NAN;
+}
+
+static bool is_ground(const char *text)
+{
+    return strcmp(text, "uniform") == 0 || strcmp(text, "ground") == 0;
+}
+
+static int read_position(struct reader *reader, const char *text)
+{
+    double per_cent;
+    if (*text == '\0' || strcmp(text, "average") == 0)
+        return PP_LUMEN_AVERAGE;
+    if (pp_number_parse(text, &per_cent))
+        for (int i = 0; i < PP_LUMEN_AVERAGE; i++)
+            if (per_cent == 10.0 + 20.0 * i)
+                return i;
+    char written[64];
+    pp_excerpt(written, sizeof written, text);
+    pp_mistake(
+        reader->mistakes, reader->number,
+        "position_percent is \"%s\"; expected 10, 30, 50, 70, 90, or nothing for "
+        "the average",
+        written);
+    return 0;
+}
+
+/* Room for one line more. */
+static bool grow(struct reader *reader)
+{
+    if (reader->count < reader->capacity)
+        return true;
+    size_t capacity = reader->capacity > 0 ? 2 * (size_t)reader->capacity : 256;
+    void *side = realloc(reader->side_lines, capacity * sizeof *reader->side_lines);
+    if (side)
+        reader->side_lines = side;
+    void *top = realloc(reader->top_lines, capacity * sizeof *reader->top_lines);
+    if (top)
+        reader->top_lines = top;
+    void *cu = realloc(reader->cu, capacity * sizeof *reader->cu);
+    if (cu)
+        reader->cu = cu;
+    if (side && top && cu)
+        reader->capacity = (int)capacity;
+    return side && top && cu;
+}
+
+static void read_side(struct reader *reader, const struct fields *fields)
+{
+    struct pp_lumen_line *line = &reader->side_lines[reader->count];
+    double *cu = reader->cu[reader->count];
+    const char *component = NULL, *ratio = "";
+    int width = 0;
+    *line = (struct pp_lumen_line){
+        .light = NAN, .ceiling = NAN, .walls = NAN, .line = reader->number};
+    for (int i = 0; i < fields->count; i++) {
+        const char *text = fields->text[i], *name = column_names[CU];
+        switch (reader->kinds[i]) {
+        case COMPONENT:
+            component = text;
+            break;
+        case RATIO:
+            ratio = text;
+            break;
+        case CEILING:
+        case WALLS:
+            name = column_names[reader->kinds[i]];
+            *(reader->kinds[i] == CEILING ? &line->ceiling : &line->walls) =
+                number(reader, text, name, 0.0, true, 1.0);
+            break;
+        case DEPTH:
+            line->depth = number(reader, text, column_names[DEPTH], 0.0, false, 1000.0);
+            break;
+        case POSITION:
+            line->position = read_position(reader, text);
+            break;
+        case RCR:
+        case CU:
+            break; /* not in such a table */
+        case WIDTH:
+            cu[width++] =
+                number(reader, text, "a coefficient", 0.0, false, coefficient_most);
+            break;
+        }
+    }
+    bool ground = *ratio == '\0' || is_ground(ratio);
+    if (!ground)
+        line->light =
+            number(reader, ratio, column_names[RATIO], 0.0, false, ratio_most);
+    if (component && strcmp(component, ground ? "ground" : "sky") != 0) {
+        char written[64];
+        pp_excerpt(written, sizeof written, component);
+        pp_mistake(
+            reader->mistakes, reader->number,
+            "component is \"%s\"; expected \"sky\", with a number as Ev_over_Eh, "
+            "or \"ground\", without one",
+            written);
+    }
+}
+
+static void read_top(struct reader *reader, const struct fields *fields)
+{
+    struct pp_lumen_top_line *line = &reader->top_lines[reader->count];
+    *line = (struct pp_lumen_top_line){.line = reader->number};
+    for (int i = 0; i < fields->count; i++) {
+        const char *text = fields->text[i], *name = "";
+        enum column kind = reader->kinds[i];
+        if (kind < WIDTH)
+            name = column_names[kind];
+        if (kind == RCR)
+            line->rcr = number(reader, text, name, 0.0, true, 1000.0);
+        else if (kind == CEILING)
+            line->ceiling = number(reader, text, name, 0.0, true, 1.0);
+        else if (kind == WALLS)
+            line->walls = number(reader, text, name, 0.0, true, 1.0);
+        else
+            line->cu = number(reader, text, name, 0.0, false, coefficient_most);
+    }
+}
+
+/* One line of the file; false: memory is out. */
+static bool read_line(struct reader *reader, const char *text, size_t length)
+{
+    struct fields fields;
+    size_t blank = 0;
+    while (blank < length && is_white(text[blank]))
+        blank++;
+    if (blank == length || text[0] == '#')
+        return true;
+    if (reader->columns > 0 && !reader->sound)
+        return true; /* of a table whose columns are wrong no line makes sense */
+    if (!cut(reader, &fields, text, length))
+        return true;
+    if (reader->columns == 0) {
+        read_header(reader, &fields);
+        reader->sound = reader->mistakes->count == 0;
+        return true;
+    }
+    if (fields.count != reader->columns) {
+        pp_mistake(reader->mistakes, reader->number,
+                   "there are %d fields in this line; expected %d, as many as columns",
+                   fields.count, reader->columns);
+        return true;
+    }
+    if (!grow(reader))
+        return false;
+    (reader->top ? read_top : read_side)(reader, &fields);
+    reader->count++;
+    return true;
+}
+
+/* What was read takes the place of the table of its kind. */
+static enum pp_status build(struct reader *reader, struct pp_lumen_table *table,
+                            struct pp_error *err)
+{
+    struct pp_lumen_table fresh = {0};
+    for (int i = 0; i < reader->count; i++)
+        reader->side_lines[i].cu = reader->cu[i];
+    enum pp_status status =
+        reader->top
+            ? pp_lumen_top_build(&fresh.top, reader->top_lines, reader->count,
+                                 reader->mistakes, err)
+            : pp_lumen_side_build(&fresh.side, &reader->widths, reader->side_lines,
+                                  reader->count, reader->mistakes, err);
+    if (status == PP_OK && reader->mistakes->count > 0)
+        status = pp_fail(err, PP_BAD_INPUT, "the table has mistakes");
+    if (status != PP_OK) {
+        free(fresh.side.cu);
+        free(fresh.top.cu);
+        return status;
+    }
+    if (reader->top) {
+        free(table->top.cu);
+        table->top = fresh.top;
+    } else {
+        free(table->side.cu);
+        table->side = fresh.side;
+    }
+    return PP_OK;
+}
+
+enum pp_status pp_lumen_table_parse(struct pp_lumen_table *table, const char *text,
+                                    size_t length, struct pp_mistakes *mistakes,
+                                    struct pp_error *err)
+{
+    static const char mark[] = "\xef\xbb\xbf"; /* of UTF-8, before the first line */
+    struct reader reader = {.mistakes = mistakes};
+    bool memory = true;
+    if (length >= 3 && memcmp(text, mark, 3) == 0) {
+        text += 3;
+        length -= 3;
+    }
+    if (memchr(text, '\0', length)) {
+        pp_mistake(mistakes, 0, "this is no text; expected a table in CSV");
+        length = 0;
+    }
+    for (size_t start = 0; start < length && memory;) {
+        const char *end = memchr(text + start, '\n', length - start);
+        size_t line = end ? (size_t)(end - text) - start : length - start;
+        reader.number++;
+        memory = read_line(&reader, text + start, line);
+        start += line + 1;
+    }
+    if (reader.count == 0 && mistakes->count == 0)
+        pp_mistake(mistakes, 0,
+                   reader.columns == 0
+                       ? "there is nothing in it; expected a table in CSV"
+                       : "there are no lines under the names of the "
+                         "columns");
+    enum pp_status status = PP_OK;
+    if (!memory)
+        status = pp_fail_memory(err);
+    else if (mistakes->count > 0)
+        status = pp_fail(err, PP_BAD_INPUT, "the table has mistakes");
+    else
+        status = build(&reader, table, err);
+    free(reader.side_lines);
+    free(reader.top_lines);
+    free(reader.cu);
+    return status;
+}
+
+enum pp_status pp_lumen_table_read(struct pp_lumen_table *table, const char *path,
+                                   struct pp_mistakes *mistakes, struct pp_error *err)
+{
+    FILE *file = fopen(path, "rb");
+    if (!file)
+        return pp_fail(err, errno == ENOENT ? PP_BAD_INPUT : PP_SYSTEM, "%s: %s", path,
+                       strerror(errno));
+    size_t length = 0, capacity = 0;
+    char *text = NULL;
+    enum pp_status status = PP_OK;
+    while (status == PP_OK) {
+        if (length == capacity) {
+            capacity = capacity > 0 ? 2 * capacity : 1 << 16;
+            char *grown = realloc(text, capacity);
+            if (!grown) {
+                status = pp_fail_memory(err);
+                break;
+            }
+            text = grown;
+        }
+        size_t got = fread(text + length, 1, capacity - length, file);
+        length += got;
+        if (got == 0)
+            break;
+        if (length > FILE_LARGEST)
+            status = pp_fail(err, PP_BAD_INPUT,
+                             "%s: too large for a table; expected 16 MB at most", path);
+    }
+    if (status == PP_OK && ferror(file))
+        status = pp_fail(err, errno == EISDIR ? PP_BAD_INPUT : PP_SYSTEM, "%s: %s",
+                         path, strerror(errno));
+    fclose(file);
+    if (status == PP_OK)
+        status = pp_lumen_table_parse(table, text, length, mistakes, err);
+    free(text);
+    return status;
+}

@@ -1,0 +1,222 @@
+/* lumen_scope.c - see lumen_scope.h. */
+#include "methods/lumen/lumen_scope.h"
+
+#include <stddef.h>
+
+#include "methods/refusals.h"
+
+/* Lengths (m) and cosines that count as none. */
+static const double small = 1e-3;
+
+static const double sill_within_m = 0.30, level_within_m = 0.05;
+static const double reveal_most = 0.2; /* of the window's height */
+
+static const struct pp_surface *floor_of(const struct pp_world *world)
+{
+    for (int i = 0; i < world->face_count; i++)
+        if (world->surfaces[i].role == PP_FLOOR)
+            return &world->surfaces[i];
+    return NULL;
+}
+
+/* One floor, rectangular, one ceiling, both level, and four upright walls. */
+static bool is_box(const struct pp_world *world)
+{
+    int of_role[PP_BLOCK + 1] = {0};
+    for (int i = 0; i < world->face_count; i++) {
+        const struct pp_surface *face = &world->surfaces[i];
+        double z = face->role == PP_WALL ? 0.0 : face->role == PP_FLOOR ? 1.0 : -1.0;
+        if (fabs(face->outline.normal.z - z) > small)
+            return false;
+        of_role[face->role]++;
+    }
+    if (of_role[PP_FLOOR] != 1 || of_role[PP_CEILING] != 1 || of_role[PP_WALL] != 4)
+        return false;
+    const struct pp_polygon *floor = &floor_of(world)->outline;
+    for (int i = 0; i < floor->count; i++) {
+        struct pp_vec3 v = floor->vertices[i], next = floor->vertices[(i + 1) % 4];
+        struct pp_vec3 last = floor->vertices[(i + 3) % 4];
+        if (floor->count != 4
+            || fabs(pp_dot(pp_unit(pp_sub(next, v)), pp_unit(pp_sub(last, v)))) > small)
+            return false;
+    }
+    return true;
+}
+
+const char *pp_lumen_refuses_room(const struct pp_world *world)
+{
+    if (!is_box(world))
+        return "its tables are for rooms with a rectangular plan and a level ceiling";
+    for (int i = world->face_count; i < world->surface_count; i++)
+        if (world->surfaces[i].inside && world->surfaces[i].role == PP_LOOSE)
+            return "its tables are for empty rooms, and something stands in this one";
+    double floor = floor_of(world)->front;
+    if (floor < 0.10 - small || floor > 0.50 + small)
+        return "its tables are for a floor reflectance of 0.3, and good for 0.1 to 0.5";
+    return pp_refuse_if_luminous(world);
+}
+
+bool pp_lumen_is_top(const struct pp_opening *opening)
+{
+    return opening->slope_rad < small;
+}
+
+/* How far the polygon reaches along a direction, from the origin. */
+static void extent(double range[2], const struct pp_polygon *polygon,
+                   struct pp_vec3 along)
+{
+    range[0] = INFINITY;
+    range[1] = -INFINITY;
+    for (int i = 0; i < polygon->count; i++) {
+        double place = pp_dot(polygon->vertices[i], along);
+        range[0] = fmin(range[0], place);
+        range[1] = fmax(range[1], place);
+    }
+}
+
+/* Are the windows in its wall level with it, and are those in other walls opposite? */
+static const char *refuses_neighbours(const struct pp_world *world,
+                                      const struct pp_opening *opening)
+{
+    double own[2], other[2];
+    extent(own, &opening->inner, opening->up);
+    for (int i = 0; i < world->opening_count; i++) {
+        const struct pp_opening *neighbour = &world->openings[i];
+        if (pp_lumen_is_top(neighbour))
+            continue;
+        if (neighbour->face != opening->face) {
+            if (pp_dot(neighbour->inner.normal, opening->inner.normal) > small - 1.0)
+                return "and another are in walls that do not face each other";
+            continue;
+        }
+        extent(other, &neighbour->inner, opening->up);
+        if (fabs(own[0] - other[0]) > level_within_m
+            || fabs(own[1] - other[1]) > level_within_m)
+            return "is not level with the others in its wall, sill and head";
+    }
+    return NULL;
+}
+
+/* Is there a stretch of wall beside it that it can't be spread over? To the side
+ * towards which `way` (1 or -1, along the opening) points. */
+static bool leaves_wall_bare(const struct pp_world *world,
+                             const struct pp_opening *opening, double way)
+{
+    struct pp_vec3 along = pp_scale(opening->along, way);
+    double own[2], wall[2], other[2];
+    extent(own, &opening->inner, along);
+    extent(wall, &world->surfaces[opening->face].outline, along);
+    double gap_m = wall[1] - own[1], most_m = opening->height_m;
+    for (int i = 0; i < world->opening_count; i++) {
+        if (world->openings[i].face != opening->face || &world->openings[i] == opening)
+            continue;
+        extent(other, &world->openings[i].inner, along);
+        if (other[0] > own[1] - small && other[0] - own[1] < gap_m) {
+            gap_m = other[0] - own[1];
+            most_m = 2.0 * opening->height_m;
+        }
+    }
+    return gap_m > most_m + small;
+}
+
+/* Does no point of the plan lie farther from the nearest rooflight than the ceiling is
+ * high above the working plane? Looked at on a net of 32 by 32. */
+static bool is_spread(const struct pp_world *world)
+{
+    enum { NET = 32 };
+    const struct pp_polygon *floor = &floor_of(world)->outline;
+    struct pp_vec3 corner = floor->vertices[0];
+    struct pp_vec3 a = pp_sub(floor->vertices[1], corner);
+    struct pp_vec3 b = pp_sub(floor->vertices[3], corner);
+    double reach_m = world->height_m - world->working_plane_m;
+    for (int k = 0; k <= (NET + 1) * (NET + 1) - 1; k++) {
+        struct pp_vec3 p = pp_along(pp_along(corner, (double)(k / (NET + 1)) / NET, a),
+                                    (double)(k % (NET + 1)) / NET, b);
+        double nearest_m = INFINITY;
+        for (int i = 0; i < world->opening_count; i++) {
+            const struct pp_opening *opening = &world->openings[i];
+            if (!pp_lumen_is_top(opening))
+                continue;
+            double along[2], up[2];
+            extent(along, &opening->inner, opening->along);
+            extent(up, &opening->inner, opening->up);
+            double x = pp_dot(p, opening->along), y = pp_dot(p, opening->up);
+            double dx = fmax(fmax(along[0] - x, x - along[1]), 0.0);
+            double dy = fmax(fmax(up[0] - y, y - up[1]), 0.0);
+            nearest_m = fmin(nearest_m, hypot(dx, dy));
+        }
+        if (nearest_m > reach_m + small)
+            return false;
+    }
+    return true;
+}
+
+static const char *refuses_window(const struct pp_world *world,
+                                  const struct pp_opening *opening)
+{
+    double z[2];
+    if (!opening->rectangle || fabs(opening->up.z - 1.0) > small)
+        return "is no upright rectangle, and its tables are for those";
+    if (opening->glass.diffusing)
+        return "has diffusing glass; its tables are for clear windows";
+    if (opening->reveal_m > reveal_most * opening->height_m + small)
+        return "stands back in a reveal deeper than a fifth of its height";
+    extent(z, &opening->inner, opening->up);
+    if (fabs(z[0] - world->working_plane_m) > sill_within_m + small)
+        return "has its sill more than 0.30 m above or below the working plane";
+    const char *why = refuses_neighbours(world, opening);
+    if (why)
+        return why;
+    if (leaves_wall_bare(world, opening, 1.0) || leaves_wall_bare(world, opening, -1.0))
+        return "leaves too much of its wall bare for windows spread along it";
+    return NULL;
+}
+
+const char *pp_lumen_refuses(const struct pp_world *world,
+                             const struct pp_opening *opening)
+{
+    if (pp_lumen_is_top(opening))
+        return is_spread(world)
+                   ? NULL
+                   : "and the other rooflights are not spread over the whole ceiling";
+    if (pp_refuse_unless_vertical(opening))
+        return "slopes; its tables are for upright windows and level rooflights";
+    return refuses_window(world, opening);
+}
+
+void pp_lumen_room_size(double *width_m, double *depth_m, const struct pp_world *world,
+                        const struct pp_opening *opening)
+{
+    const struct pp_polygon *floor = &floor_of(world)->outline;
+    bool top = pp_lumen_is_top(opening);
+    struct pp_vec3 along =
+        top ? pp_unit(pp_sub(floor->vertices[1], floor->vertices[0])) : opening->along;
+    struct pp_vec3 away = top ? pp_unit(pp_sub(floor->vertices[3], floor->vertices[0]))
+                              : opening->inner.normal;
+    double range[2];
+    extent(range, floor, along);
+    *width_m = range[1] - range[0];
+    extent(range, floor, away);
+    *depth_m = range[1] - range[0];
+}
+
+double pp_lumen_ceiling(const struct pp_world *world)
+{
+    for (int i = 0; i < world->face_count; i++)
+        if (world->surfaces[i].role == PP_CEILING)
+            return world->surfaces[i].front;
+    return NAN;
+}
+
+double pp_lumen_walls(const struct pp_world *world, int left_out)
+{
+    double sum = 0.0, area_m2 = 0.0;
+    for (int i = 0; i < world->face_count; i++) {
+        const struct pp_surface *face = &world->surfaces[i];
+        if (face->role != PP_WALL || i == left_out)
+            continue;
+        sum += face->front * face->outline.area_m2;
+        area_m2 += face->outline.area_m2;
+    }
+    return sum / area_m2;
+}

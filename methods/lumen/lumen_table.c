@@ -1,0 +1,403 @@
+/* lumen_table.c - see lumen_table.h. */
+#include "methods/lumen/lumen_table.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "methods/lumen/lumen_parts.h"
+
+/* Ev/Eh (NAN: ground), ceiling, walls, depth, per cent of the depth (NAN: average),
+ * then the coefficients for these widths. */
+static const double own_side[][13] = {
+#include "tables/lumen_sidelight.inc"
+};
+static const struct pp_lumen_axis own_widths = {8, {0.5, 1, 2, 3, 4, 6, 8, INFINITY}};
+
+static const double own_top[][4] = {
+#include "tables/lumen_toplight.inc"
+};
+
+enum {
+    OWN_SIDE = sizeof own_side / sizeof own_side[0],
+    OWN_TOP = sizeof own_top / sizeof own_top[0],
+};
+
+/* Tables for a smaller Ev/Eh are of overcast skies, from it on of clear ones. */
+static const double clear_from = 0.45;
+
+/* A value outside a range by no more than this lies in it. */
+static const double slack = 1e-3;
+
+/* Where `value` stands on the axis, put there in order if it is new; -1: no room left.
+ */
+static int place_on(struct pp_lumen_axis *axis, double value)
+{
+    int i = 0;
+    while (i < axis->count && axis->at[i] < value)
+        i++;
+    if (i < axis->count && axis->at[i] == value)
+        return i;
+    if (axis->count == PP_LUMEN_AXIS_MOST)
+        return -1;
+    for (int k = axis->count++; k > i; k--)
+        axis->at[k] = axis->at[k - 1];
+    axis->at[i] = value;
+    return i;
+}
+
+static int find_on(const struct pp_lumen_axis *axis, double value)
+{
+    for (int i = 0; i < axis->count; i++)
+        if (axis->at[i] == value)
+            return i;
+    return 0;
+}
+
+/* Lengths of the axes in cells: one that is not asked for has one. */
+static int cells_of(const struct pp_lumen_axis *axis)
+{
+    return axis->count > 0 ? axis->count : 1;
+}
+
+/* The cell of the first width. */
+static size_t side_cell(const struct pp_lumen_side_table *table, int light,
+                        const int at[PP_LUMEN_SIDE_AXES], int position)
+{
+    size_t cell = (size_t)light;
+    for (int axis = PP_LUMEN_CEILING; axis <= PP_LUMEN_DEPTH; axis++)
+        cell = cell * (size_t)cells_of(&table->axes[axis]) + (size_t)at[axis];
+    return (cell * PP_LUMEN_POSITIONS + (size_t)position)
+               * (size_t)table->axes[PP_LUMEN_WIDTH].count
+           + (size_t)at[PP_LUMEN_WIDTH];
+}
+
+static void too_many(struct pp_mistakes *mistakes, int line, const char *what)
+{
+    pp_mistake(mistakes, line, "there are more than %d different %s",
+               PP_LUMEN_AXIS_MOST, what);
+}
+
+static double *cells_create(size_t count)
+{
+    double *cells = malloc(count * sizeof *cells);
+    for (size_t i = 0; cells && i < count; i++)
+        cells[i] = NAN;
+    return cells;
+}
+
+/* The axes that lines need; false: too long a one, which is noted. */
+static bool side_axes(struct pp_lumen_side_table *table,
+                      const struct pp_lumen_line *lines, int count,
+                      struct pp_mistakes *mistakes)
+{
+    static const char *const names[] = {"ceiling reflectances", "wall reflectances",
+                                        "room depths"};
+    for (int i = 0; i < count; i++) {
+        const double at[] = {lines[i].ceiling, lines[i].walls, lines[i].depth};
+        for (int axis = 0; axis < 3; axis++)
+            if (!isnan(at[axis]) && place_on(&table->axes[axis], at[axis]) < 0) {
+                too_many(mistakes, lines[i].line, names[axis]);
+                return false;
+            }
+        if (!isnan(lines[i].light) && place_on(&table->sky, lines[i].light) < 0) {
+            too_many(mistakes, lines[i].line, "skies");
+            return false;
+        }
+    }
+    return true;
+}
+
+enum pp_status pp_lumen_side_build(struct pp_lumen_side_table *table,
+                                   const struct pp_lumen_axis *widths,
+                                   const struct pp_lumen_line *lines, int count,
+                                   struct pp_mistakes *mistakes, struct pp_error *err)
+{
+    *table = (struct pp_lumen_side_table){0};
+    table->axes[PP_LUMEN_WIDTH] = *widths;
+    if (!side_axes(table, lines, count, mistakes))
+        return pp_fail(err, PP_BAD_INPUT, "a table has too many lines");
+    size_t size = (size_t)(table->sky.count + 1) * PP_LUMEN_POSITIONS;
+    for (int axis = 0; axis < PP_LUMEN_SIDE_AXES; axis++)
+        size *= (size_t)cells_of(&table->axes[axis]);
+    table->cu = cells_create(size);
+    if (!table->cu)
+        return pp_fail_memory(err);
+    for (int i = 0; i < count; i++) {
+        int at[PP_LUMEN_SIDE_AXES] = {
+            find_on(&table->axes[PP_LUMEN_CEILING], lines[i].ceiling),
+            find_on(&table->axes[PP_LUMEN_WALLS], lines[i].walls),
+            find_on(&table->axes[PP_LUMEN_DEPTH], lines[i].depth), 0};
+        int light = isnan(lines[i].light) ? table->sky.count
+                                          : find_on(&table->sky, lines[i].light);
+        double *cell = table->cu + side_cell(table, light, at, lines[i].position);
+        if (!isnan(cell[0]))
+            pp_mistake(mistakes, lines[i].line,
+                       "this line's coefficients have been given before");
+        for (int k = 0; k < widths->count; k++)
+            cell[k] = lines[i].cu[k];
+    }
+    return PP_OK;
+}
+
+enum pp_status pp_lumen_top_build(struct pp_lumen_top_table *table,
+                                  const struct pp_lumen_top_line *lines, int count,
+                                  struct pp_mistakes *mistakes, struct pp_error *err)
+{
+    static const char *const names[] = {"room cavity ratios", "ceiling reflectances",
+                                        "wall reflectances"};
+    *table = (struct pp_lumen_top_table){0};
+    size_t size = 1;
+    for (int i = 0; i < count; i++) {
+        const double at[] = {lines[i].rcr, lines[i].ceiling, lines[i].walls};
+        for (int axis = 0; axis < PP_LUMEN_TOP_AXES; axis++)
+            if (place_on(&table->axes[axis], at[axis]) < 0) {
+                too_many(mistakes, lines[i].line, names[axis]);
+                return pp_fail(err, PP_BAD_INPUT, "a table has too many lines");
+            }
+    }
+    for (int axis = 0; axis < PP_LUMEN_TOP_AXES; axis++)
+        size *= (size_t)cells_of(&table->axes[axis]);
+    table->cu = cells_create(size);
+    if (!table->cu)
+        return pp_fail_memory(err);
+    for (int i = 0; i < count; i++) {
+        int r = find_on(&table->axes[0], lines[i].rcr);
+        int c = find_on(&table->axes[1], lines[i].ceiling);
+        int w = find_on(&table->axes[2], lines[i].walls);
+        double *cell =
+            table->cu + (r * table->axes[1].count + c) * table->axes[2].count + w;
+        if (!isnan(*cell))
+            pp_mistake(mistakes, lines[i].line,
+                       "this line's coefficient has been given before");
+        *cell = lines[i].cu;
+    }
+    return PP_OK;
+}
+
+static enum pp_status build_own(struct pp_lumen_table *table,
+                                struct pp_lumen_line *side,
+                                struct pp_lumen_top_line *top, struct pp_error *err)
+{
+    for (int i = 0; i < OWN_SIDE; i++) {
+        const double *row = own_side[i];
+        side[i] = (struct pp_lumen_line){
+            .light = row[0],
+            .ceiling = row[1],
+            .walls = row[2],
+            .depth = row[3],
+            .position =
+                isnan(row[4]) ? PP_LUMEN_AVERAGE : (int)((row[4] - 10.0) / 20.0),
+            .cu = row + 5,
+        };
+    }
+    for (int i = 0; i < OWN_TOP; i++)
+        top[i] = (struct pp_lumen_top_line){own_top[i][0], own_top[i][1], own_top[i][2],
+                                            own_top[i][3], 0};
+    struct pp_mistakes mistakes;
+    pp_mistakes_init(&mistakes, "the program's own");
+    enum pp_status status =
+        pp_lumen_side_build(&table->side, &own_widths, side, OWN_SIDE, &mistakes, err);
+    if (status == PP_OK)
+        status = pp_lumen_top_build(&table->top, top, OWN_TOP, &mistakes, err);
+    pp_mistakes_clear(&mistakes);
+    return status;
+}
+
+enum pp_status pp_lumen_table_create(struct pp_lumen_table **result,
+                                     struct pp_error *err)
+{
+    struct pp_lumen_table *table = calloc(1, sizeof *table);
+    struct pp_lumen_line *side = malloc(OWN_SIDE * sizeof *side);
+    struct pp_lumen_top_line *top = malloc(OWN_TOP * sizeof *top);
+    enum pp_status status =
+        table && side && top ? build_own(table, side, top, err) : pp_fail_memory(err);
+    free(side);
+    free(top);
+    if (status == PP_OK)
+        *result = table;
+    else
+        pp_lumen_table_destroy(table);
+    return status;
+}
+
+void pp_lumen_table_destroy(struct pp_lumen_table *table)
+{
+    if (!table)
+        return;
+    free(table->side.cu);
+    free(table->top.cu);
+    free(table);
+}
+
+/* Two neighbours on an axis, and how far from the first: 0 to 1. */
+struct between {
+    int low, high;
+    double share;
+};
+
+static bool find_between(struct between *between, const struct pp_lumen_axis *axis,
+                         int first, double value, bool reciprocal)
+{
+    *between = (struct between){0, 0, 0.0};
+    if (axis->count == 0)
+        return true;
+    int last = axis->count - 1;
+    if (!(first <= last && value >= axis->at[first] - slack
+          && value <= axis->at[last] + slack))
+        return false;
+    int i = first;
+    while (i < last && axis->at[i + 1] < value)
+        i++;
+    *between = (struct between){i, i < last ? i + 1 : i, 0.0};
+    double low = axis->at[i], high = axis->at[between->high];
+    if (high > low) {
+        double share = reciprocal ? (1.0 / low - 1.0 / value) / (1.0 / low - 1.0 / high)
+                                  : (value - low) / (high - low);
+        between->share = fmin(fmax(share, 0.0), 1.0);
+    }
+    return true;
+}
+
+/* One position's coefficient, of one light: over the corners of the box of neighbours,
+ * from the width inwards to the ceiling. Neighbours that carry no weight need not be
+ * given. */
+static double interpolate(const struct pp_lumen_side_table *table, int light,
+                          const struct between between[PP_LUMEN_SIDE_AXES],
+                          int position)
+{
+    double values[1 << PP_LUMEN_SIDE_AXES];
+    for (int corner = 0; corner < 1 << PP_LUMEN_SIDE_AXES; corner++) {
+        int at[PP_LUMEN_SIDE_AXES];
+        for (int axis = 0; axis < PP_LUMEN_SIDE_AXES; axis++)
+            at[axis] = corner >> axis & 1 ? between[axis].high : between[axis].low;
+        values[corner] = table->cu[side_cell(table, light, at, position)];
+    }
+    for (int axis = PP_LUMEN_SIDE_AXES - 1; axis >= 0; axis--) {
+        double t = between[axis].share;
+        for (int k = 0; k < 1 << axis; k++) {
+            double low = values[k], high = values[k + (1 << axis)];
+            bool geometric = axis == PP_LUMEN_DEPTH || axis == PP_LUMEN_WIDTH;
+            values[k] = t == 0.0    ? low
+                        : t == 1.0  ? high
+                        : geometric ? low * pow(high / low, t)
+                                    : low + t * (high - low);
+        }
+    }
+    return values[0];
+}
+
+static const char *const axis_names[PP_LUMEN_SIDE_AXES] = {
+    [PP_LUMEN_CEILING] = "looks on a ceiling reflectance of",
+    [PP_LUMEN_WALLS] = "looks on a mean wall reflectance of",
+    [PP_LUMEN_DEPTH] = "lights a room whose depth over window height is",
+    [PP_LUMEN_WIDTH] = "lights a room whose width over window height is",
+};
+
+static bool outside(char *why, size_t room, const char *what, double value,
+                    const struct pp_lumen_axis *axis, int first)
+{
+    if (first >= axis->count)
+        snprintf(why, room, "%s %.3g; the table has none such", what, value);
+    else
+        snprintf(why, room, "%s %.3g; the table has %.3g to %.3g", what, value,
+                 axis->at[first], axis->at[axis->count - 1]);
+    return false;
+}
+
+/* The two skies to read between, or the ground. */
+static bool find_light(struct between *light, const struct pp_lumen_side_table *table,
+                       const struct pp_lumen_query *query, char *why, size_t room)
+{
+    int clear = 0;
+    while (clear < table->sky.count && table->sky.at[clear] < clear_from)
+        clear++;
+    if (isnan(query->ev_over_eh)) {
+        *light = (struct between){table->sky.count, table->sky.count, 0.0};
+        return true;
+    }
+    if (query->overcast) {
+        if (clear == 0) {
+            snprintf(why, room,
+                     "looks at the overcast sky; the table has only Ev/Eh "
+                     "from %.3g on",
+                     table->sky.count > 0 ? table->sky.at[0] : NAN);
+            return false;
+        }
+        *light = (struct between){clear - 1, clear - 1, 0.0};
+        return true;
+    }
+    if (!find_between(light, &table->sky, clear, query->ev_over_eh, false))
+        return outside(why, room, "looks at a sky whose Ev/Eh is", query->ev_over_eh,
+                       &table->sky, clear);
+    return true;
+}
+
+bool pp_lumen_side(double cu[PP_LUMEN_POSITIONS], const struct pp_lumen_table *table,
+                   const struct pp_lumen_query *query, char *why, size_t room)
+{
+    const struct pp_lumen_side_table *side = &table->side;
+    struct between light, between[PP_LUMEN_SIDE_AXES];
+    if (!find_light(&light, side, query, why, room))
+        return false;
+    for (int axis = 0; axis < PP_LUMEN_SIDE_AXES; axis++)
+        if (!find_between(&between[axis], &side->axes[axis], 0, query->at[axis],
+                          axis == PP_LUMEN_WIDTH))
+            return outside(why, room, axis_names[axis], query->at[axis],
+                           &side->axes[axis], 0);
+    double five = 0.0;
+    for (int k = 0; k < PP_LUMEN_POSITIONS; k++) {
+        double low = interpolate(side, light.low, between, k);
+        cu[k] =
+            light.share == 0.0
+                ? low
+                : low + light.share * (interpolate(side, light.high, between, k) - low);
+        five += k < PP_LUMEN_AVERAGE ? cu[k] / PP_LUMEN_AVERAGE : 0.0;
+    }
+    if (isnan(cu[PP_LUMEN_AVERAGE]))
+        cu[PP_LUMEN_AVERAGE] = five;
+    if (!isnan(five))
+        return true;
+    snprintf(why, room, "needs coefficients for %s that the table leaves out",
+             isnan(query->ev_over_eh) ? "light from the ground" : "light from the sky");
+    return false;
+}
+
+double pp_lumen_at(const double cu[PP_LUMEN_POSITIONS], double share)
+{
+    double place = fmin(fmax((share - 0.1) / 0.2, 0.0), PP_LUMEN_AVERAGE - 1.0);
+    int i = (int)fmin(floor(place), PP_LUMEN_AVERAGE - 2.0);
+    return cu[i] * pow(cu[i + 1] / cu[i], place - i);
+}
+
+double pp_lumen_top(const struct pp_lumen_table *table, double rcr, double ceiling,
+                    double walls, char *why, size_t room)
+{
+    static const char *const names[PP_LUMEN_TOP_AXES] = {
+        "lights a room whose cavity ratio is", "is in a ceiling whose reflectance is",
+        "looks on a mean wall reflectance of"};
+    const struct pp_lumen_top_table *top = &table->top;
+    const double at[PP_LUMEN_TOP_AXES] = {rcr, ceiling, walls};
+    struct between between[PP_LUMEN_TOP_AXES];
+    for (int axis = 0; axis < PP_LUMEN_TOP_AXES; axis++)
+        if (!find_between(&between[axis], &top->axes[axis], 0, at[axis], false)) {
+            outside(why, room, names[axis], at[axis], &top->axes[axis], 0);
+            return NAN;
+        }
+    double sum = 0.0;
+    for (int corner = 0; corner < 8; corner++) {
+        double weight = 1.0;
+        int cell = 0;
+        for (int axis = 0; axis < PP_LUMEN_TOP_AXES; axis++) {
+            bool high = corner >> axis & 1;
+            weight *= high ? between[axis].share : 1.0 - between[axis].share;
+            cell = cell * top->axes[axis].count
+                   + (high ? between[axis].high : between[axis].low);
+        }
+        if (weight > 0.0)
+            sum += weight * top->cu[cell];
+    }
+    if (isnan(sum))
+        snprintf(why, room, "needs coefficients that the table leaves out");
+    return sum;
+}

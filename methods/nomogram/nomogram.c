@@ -1,0 +1,115 @@
+/* nomogram.c - `nomogram`: average internally reflected component as read with a
+ * straight-edge on nomogram I, which `chart nomogram` prints.
+ *
+ *     A to B, read C;  C to D, read E                                 [GEEBELEN]
+ *
+ *   A  net glass area over the area of all inside surfaces
+ *   B  mean reflectance of all inside surfaces, openings with 0.1
+ *   C  internally reflected component without an obstruction
+ *   D  altitude of the obstruction from the middle of the opening
+ *   E  internally reflected component with it
+ *
+ * The chart is the formula of `bre` with the rule R_cw = 1.5 R_fw, R_fw = 0.8 R in
+ * place of the room's own R_fw and R_cw (nomogram_scale.c). Every value is set and read
+ * to a fifth of a division of the chart on A4. Several openings are read one by one and
+ * add up.
+ *
+ * For vertical openings under the CIE overcast sky in rooms with a mean reflectance of
+ * 0.1 to 0.9. It contains clear single glass and, through A, the frame; no dirt, no
+ * deterioration of decorations.
+ */
+#include <math.h>
+#include <stddef.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "methods/methods.h"
+#include "methods/nomogram/nomogram_reading.h"
+#include "methods/nomogram/nomogram_scale.h"
+#include "methods/refusals.h"
+
+static enum pp_status prepare(void **tools, const struct pp_world *world,
+                              struct pp_error *err)
+{
+    (void)world;
+    struct pp_nomogram *nomogram = malloc(sizeof *nomogram);
+    if (!nomogram)
+        return pp_fail_memory(err);
+    *nomogram = pp_nomogram_make(PP_NOMOGRAM_AVERAGE);
+    *tools = nomogram;
+    return PP_OK;
+}
+
+static const char *refuses_room(const struct pp_world *world,
+                                const struct pp_receiver *receiver)
+{
+    const char *why = pp_refuse_room_of_formula(world, receiver);
+    return why ? why : pp_nomogram_refuses_room(world);
+}
+
+/* As on paper: what was put in, set and read. */
+static void set_down(struct pp_steps *steps, const struct pp_nomogram *nomogram,
+                     const struct pp_nomogram_reading *reading, int line)
+{
+    const double *value = reading->value;
+    char shift[32] = "", formula[32];
+    if (reading->tens)
+        snprintf(shift, sizeof shift, " %s %.0f", reading->tens > 0 ? "times" : "over",
+                 pow(10.0, abs(reading->tens)));
+    pp_step_named(steps, PP_UNIT_NUMBER, nomogram->k, "k",
+                  "rule of the chart: R_cw over R_fw");
+    pp_step_named(steps, PP_UNIT_SQUARE_METRE, reading->glass_m2, "W",
+                  "opening on line %d: net area of glass", line);
+    pp_step_named(steps, PP_UNIT_SQUARE_METRE, reading->inside_m2, "S",
+                  "area of all inside surfaces");
+    pp_step_worked(steps, PP_UNIT_NUMBER, reading->ratio, "a", "W / S", "their ratio");
+    pp_step_named(steps, PP_UNIT_NUMBER, value[PP_STEM_A], "A",
+                  "scale A, set to the ratio%s", shift);
+    pp_step_named(steps, PP_UNIT_NUMBER, value[PP_STEM_B], "B",
+                  "scale B, set to the mean reflectance of all inside surfaces");
+    pp_step_named(steps, PP_UNIT_SHARE, value[PP_STEM_C], "C",
+                  "scale C, read on the line from A to B: without obstruction");
+    if (reading->used[1]) {
+        pp_step_named(steps, PP_UNIT_ANGLE, value[PP_STEM_D], "D",
+                      "scale D, set to the altitude of the obstruction");
+        pp_step_named(steps, PP_UNIT_SHARE, value[PP_STEM_E], "E",
+                      "scale E, read on the line from C to D: with the obstruction");
+    }
+    snprintf(formula, sizeof formula, "%c %s %.0f", reading->used[1] ? 'E' : 'C',
+             reading->tens > 0 ? "/" : "*", pow(10.0, abs(reading->tens)));
+    if (reading->tens)
+        pp_step_worked(steps, PP_UNIT_SHARE, reading->component, "IRC", formula,
+                       "and back");
+}
+
+static enum pp_status evaluate(const struct pp_world *world,
+                               const struct pp_opening *opening,
+                               const struct pp_receiver *receiver, const void *tools,
+                               struct pp_part *part, struct pp_error *err)
+{
+    (void)receiver;
+    const struct pp_nomogram *nomogram = tools;
+    struct pp_nomogram_reading reading;
+    enum pp_status status =
+        pp_nomogram_read_opening(&reading, nomogram, world, opening, err);
+    if (status != PP_OK)
+        return status;
+    part->value = reading.component;
+    if (part->steps)
+        set_down(part->steps, nomogram, &reading, opening->line);
+    return PP_OK;
+}
+
+const struct pp_method pp_method_nomogram = {
+    .name = "nomogram",
+    .summary = "average internally reflected component, read off a nomogram",
+    .source = "GEEBELEN",
+    .gives = PP_GIVES_INTERNAL,
+    .speaks_for = PP_FOR_ROOM,
+    .allowances = PP_ALLOWS_CLEAR_GLASS | PP_ALLOWS_FRAME,
+    .refuses_room = refuses_room,
+    .refuses = pp_refuse_opening_unless_vertical,
+    .prepare = prepare,
+    .put_away = free,
+    .evaluate = evaluate,
+};

@@ -1,0 +1,87 @@
+/* nomogram_reading.c - see nomogram_reading.h. */
+#include "methods/nomogram/nomogram_reading.h"
+
+#include <math.h>
+#include <stddef.h>
+
+#include "methods/reflected/interior.h"
+#include "methods/nomogram/nomogram_scale.h"
+#include "methods/reflected/obstruction_angle.h"
+
+/* What is read where the straight-edge lies on values that are set already. */
+static void lay(struct pp_nomogram_reading *reading, const struct pp_nomogram *nomogram,
+                int index)
+{
+    const struct pp_nomogram_edge *edge = &nomogram->edges[index];
+    double y_from = pp_nomogram_place(nomogram, edge->from, reading->value[edge->from]);
+    double y_to = pp_nomogram_place(nomogram, edge->to, reading->value[edge->to]);
+    double y =
+        pp_nomogram_cross(nomogram, index, y_from, y_to, nomogram->stems[edge->read].x);
+    reading->value[edge->read] = pp_nomogram_read(
+        nomogram, edge->read, pp_nomogram_value(nomogram, edge->read, y));
+    reading->used[index] = true;
+}
+
+/* The ratio W/A times the power of ten that brings it on to scale A. */
+static double shifted(const struct pp_nomogram_stem *stem, double ratio, int *tens)
+{
+    *tens = 0;
+    for (; ratio < stem->low && *tens < 9; ++*tens)
+        ratio *= 10.0;
+    for (; ratio > stem->high && *tens > -9; --*tens)
+        ratio /= 10.0;
+    return ratio;
+}
+
+const char *pp_nomogram_refuses_room(const struct pp_world *world)
+{
+    double R = pp_inside_all(world).reflectance;
+    if (R >= PP_NOMOGRAM_LEAST_R && R <= PP_NOMOGRAM_MOST_R)
+        return NULL;
+    return "its scale of mean reflectances runs from 0.1 to 0.9";
+}
+
+enum pp_status pp_nomogram_read_opening(struct pp_nomogram_reading *reading,
+                                        const struct pp_nomogram *nomogram,
+                                        const struct pp_world *world,
+                                        const struct pp_opening *opening,
+                                        struct pp_error *err)
+{
+    struct pp_inside all = pp_inside_all(world);
+    *reading = (struct pp_nomogram_reading){.glass_m2 = opening->inner.area_m2
+                                                        * opening->frame_factor,
+                                            .inside_m2 = all.area_m2};
+    for (int i = 0; i < PP_NOMOGRAM_STEMS; i++)
+        reading->value[i] = NAN;
+    double turn_rad = opening->slope_rad;
+    enum pp_status status = PP_OK;
+    if (nomogram->kind != PP_NOMOGRAM_ROOFLIGHT)
+        status = pp_obstruction_angle(&turn_rad, world, opening, err);
+    if (status != PP_OK)
+        return status;
+
+    double *value = reading->value;
+    reading->ratio = reading->glass_m2 / reading->inside_m2;
+    value[PP_STEM_A] = pp_nomogram_read(
+        nomogram, PP_STEM_A,
+        shifted(&nomogram->stems[PP_STEM_A], reading->ratio, &reading->tens));
+    value[PP_STEM_B] = pp_nomogram_read(nomogram, PP_STEM_B, all.reflectance);
+    lay(reading, nomogram, 0);
+
+    value[PP_STEM_D] = pp_nomogram_read(nomogram, PP_STEM_D, turn_rad);
+    if (value[PP_STEM_D] > 0.0)
+        lay(reading, nomogram, 1);
+    else /* on the way to E the same figure, at its own height */
+        value[PP_STEM_E] = value[PP_STEM_C];
+
+    double back = pow(10.0, -reading->tens);
+    reading->component = back * value[PP_STEM_E];
+    reading->minimum = NAN;
+    if (nomogram->kind == PP_NOMOGRAM_MINIMUM) {
+        value[PP_STEM_F] = pp_nomogram_read(nomogram, PP_STEM_F,
+                                            pp_inside_role(world, PP_WALL).reflectance);
+        lay(reading, nomogram, 2);
+        reading->minimum = back * value[PP_STEM_G];
+    }
+    return PP_OK;
+}

@@ -1,0 +1,337 @@
+/* nomogram_scale.c - see nomogram_scale.h.
+ *
+ * THE FORMULA. For vertical glass the BRE formula [HLP54], [BRE310], per cent,
+ *
+ *     IRC = 0.85 W / (A (1 - R)) (C R_fw + 5 R_cw)                            (1)
+ *
+ * for top light the same with the sky's share C(beta) on glass of slope beta in place
+ * of C, and the ground's 5 (1 - cos beta) in place of 5: for horizontal glass 100 and
+ * 0. It knows the room by three reflectances, a scale by one. So a rule has to tie
+ * R_fw and R_cw to R:
+ *
+ *     R_cw = k R_fw,   R = (R_fw + R_cw)/2  =>  R_fw = 2 R/(1 + k)            (2)
+ *
+ * the second because the parts above and below the middle of the window are about
+ * equal. With (2) the formula is a product of functions of one quantity each,
+ *
+ *     IRC = K . W/A . R/(1 - R) . F,   K = 0.85 . 2/(1 + k) . (C0 + 5 k)      (3)
+ *
+ *     side-lit  C0 = 39    F = (C(alpha) + 5 k)/(39 + 5 k)
+ *     top-lit   C0 = 100   F = (C(beta) + 5 k (1 - cos beta))/100
+ *               (without "+ 5 k" in K; F is then 1 for horizontal glass)
+ *
+ *     minimum = IRC / f, with the published f by the walls' reflectance [BRE310]
+ *
+ * so its logarithm is a sum, which a straight-edge does on parallel scales.
+ *
+ * THE RULE. k is 1.5: to a tenth, the k by which (3) is right on average (geometric
+ * mean of (3)/(1) nearest to 1, no obstruction) over rooms of floor 0.2, walls 0.5,
+ * ceiling 0.7, 3 to 8 m wide and deep, 2.5 to 3.5 m high, with windows of 10 to 30 % of
+ * the floor in one wall. R_cw/R_fw itself is 1.7 there, but R contains the dark
+ * windows, which R_fw and R_cw leave out: R_fw + R_cw is 5 % above 2 R. The smaller k
+ * makes up for that. So R_fw = 0.8 R, R_cw = 1.2 R. For top light, where floor and all
+ * walls receive the light and are 0.8 R to 0.9 R in such finishes, the same rule holds.
+ *
+ * THE SCALES. Let the stem at x_1 have y_1 = m_1 u, the stem at x_2 have y_2 = m_2 v.
+ * A straight line through both crosses the stem at x_3 between them at
+ *
+ *     y_3 = (1 - t) m_1 u + t m_2 v,   t = (x_3 - x_1)/(x_2 - x_1)
+ *
+ * which is m_3 (u + v) if (1 - t) m_1 = t m_2 = m_3, that is
+ *
+ *     t = m_1/(m_1 + m_2),   m_3 = m_1 m_2/(m_1 + m_2)                        (4)
+ *
+ * with u, v logarithms to base ten and m the length of a decade. A foot that is not 0,
+ * y_1 = y_01 + m_1 u, adds (1 - t) y_01 to y_3, likewise t y_02.
+ *
+ *   A, B fill the whole height: m_A, m_B by their ranges. C lies at (4).
+ *   E is wanted at x_E between C and D: by (4) m_D = m_C (1 - t)/t.
+ *   G is wanted at x_G between E and F: likewise m_F.
+ *   D and F are shorter than the height and stand in its middle.
+ *
+ * Since A and B are the ends of the first line, D and F of the others, the scale that
+ * is read always lies between those set, so that their errors are averaged, not drawn
+ * out.
+ */
+#include "methods/nomogram/nomogram_scale.h"
+
+#include <math.h>
+#include <stddef.h>
+
+#include "methods/reflected/irc_minimum.h"
+#include "methods/reflected/obstruction_factor.h"
+#include "model/geometry/vec.h"
+
+/* Ranges of the scales that are set. */
+static const double least_glass = 0.005, most_glass = 0.2;
+static const double most_obstruction_rad = 80.0 * PP_RAD;
+static const double darkest_walls = 0.2, lightest_walls = 0.8;
+
+/* C(beta) + 5 k (1 - cos beta) over 100, overcast sky. */
+static double slope_factor(double beta)
+{
+    double c = cos(beta), s = sin(beta);
+    double C = 3.0 / 14.0 * (1.0 + c) + 4.0 / (7.0 * PP_PI) * (s + (PP_PI - beta) * c);
+    return C + 0.05 * PP_NOMOGRAM_K * (1.0 - c);
+}
+
+static double obstruction_factor(double alpha)
+{
+    double ground = 0.05 * PP_NOMOGRAM_K;
+    return (pp_obstruction_factor(alpha) + ground)
+           / (pp_obstruction_factor(0.0) + ground);
+}
+
+/* What (3) is a product of. */
+static double function_of(enum pp_nomogram_quantity quantity, double value)
+{
+    switch (quantity) {
+    case PP_NOMOGRAM_GLASS:
+    case PP_NOMOGRAM_COMPONENT:
+        break;
+    case PP_NOMOGRAM_REFLECTANCE:
+        return value / (1.0 - value);
+    case PP_NOMOGRAM_OBSTRUCTION:
+        return obstruction_factor(value);
+    case PP_NOMOGRAM_SLOPE:
+        return slope_factor(value);
+    case PP_NOMOGRAM_WALLS:
+        return 1.0 / pp_irc_average_over_minimum(value);
+    }
+    return value;
+}
+
+/* A stem over all of the height. */
+static struct pp_nomogram_stem whole_stem(enum pp_nomogram_quantity quantity, double x,
+                                          double low, double high)
+{
+    double bottom = log10(function_of(quantity, low));
+    double decade = 1.0 / (log10(function_of(quantity, high)) - bottom);
+    return (struct pp_nomogram_stem){.quantity = quantity,
+                                     .x = x,
+                                     .foot = -decade * bottom,
+                                     .decade = decade,
+                                     .low = low,
+                                     .high = high};
+}
+
+/* A stem in the middle of the height, its values ascending. */
+static struct pp_nomogram_stem middle_stem(enum pp_nomogram_quantity quantity, double x,
+                                           double decade, double low, double high)
+{
+    double sum = log10(function_of(quantity, low)) + log10(function_of(quantity, high));
+    return (struct pp_nomogram_stem){.quantity = quantity,
+                                     .x = x,
+                                     .foot = 0.5 - decade * sum / 2.0,
+                                     .decade = decade,
+                                     .low = low,
+                                     .high = high};
+}
+
+/* The y of its lower end, or of its upper. */
+static double end_y(const struct pp_nomogram_stem *stem, bool upper)
+{
+    double a =
+        stem->foot + stem->decade * log10(function_of(stem->quantity, stem->low));
+    double b =
+        stem->foot + stem->decade * log10(function_of(stem->quantity, stem->high));
+    return upper ? fmax(a, b) : fmin(a, b);
+}
+
+/* The stem that is read between two others, at the x that (4) gives; constant: what the
+ * sum of their logarithms lacks. */
+static struct pp_nomogram_stem between(const struct pp_nomogram_stem *from,
+                                       const struct pp_nomogram_stem *to,
+                                       double constant)
+{
+    double t = from->decade / (from->decade + to->decade);
+    struct pp_nomogram_stem stem = {.quantity = PP_NOMOGRAM_COMPONENT,
+                                    .x = from->x + t * (to->x - from->x),
+                                    .decade = t * to->decade};
+    stem.foot = (1.0 - t) * from->foot + t * to->foot - stem.decade * log10(constant);
+    for (int end = 0; end < 2; end++) {
+        double y = (1.0 - t) * end_y(from, end) + t * end_y(to, end);
+        *(end ? &stem.high : &stem.low) = pow(10.0, (y - stem.foot) / stem.decade);
+    }
+    return stem;
+}
+
+/* The decade of a stem at x_to, so that what is read between it and `from` lies at
+ * x_read. */
+static double decade_for(const struct pp_nomogram_stem *from, double x_read,
+                         double x_to)
+{
+    double t = (x_read - from->x) / (x_to - from->x);
+    return from->decade * (1.0 - t) / t;
+}
+
+struct pp_nomogram pp_nomogram_make(enum pp_nomogram_kind kind)
+{
+    /* Where stems are wanted: B, E, D, and of the minimum G, F. */
+    static const double wanted[PP_NOMOGRAMS][5] = {
+        [PP_NOMOGRAM_AVERAGE] = {0.78, 0.61, 1.0},
+        [PP_NOMOGRAM_MINIMUM] = {0.74, 0.52, 0.87, 0.63, 1.0},
+        [PP_NOMOGRAM_ROOFLIGHT] = {0.78, 0.56, 1.0},
+    };
+    const double *x = wanted[kind];
+    bool top = kind == PP_NOMOGRAM_ROOFLIGHT, minimum = kind == PP_NOMOGRAM_MINIMUM;
+    struct pp_nomogram nomogram = {
+        .kind = kind,
+        .k = PP_NOMOGRAM_K,
+        .R_fw_R = 2.0 / (1.0 + PP_NOMOGRAM_K),
+        .stem_count = minimum ? 7 : 5,
+        .edge_count = minimum ? 3 : 2,
+        .edges = {{PP_STEM_A, PP_STEM_B, PP_STEM_C},
+                  {PP_STEM_C, PP_STEM_D, PP_STEM_E},
+                  {PP_STEM_E, PP_STEM_F, PP_STEM_G}},
+    };
+    double open = top ? 1.0 : pp_obstruction_factor(0.0) + 0.05 * PP_NOMOGRAM_K;
+    double K = 0.85 * nomogram.R_fw_R * open;
+
+    struct pp_nomogram_stem *stem = nomogram.stems;
+    stem[PP_STEM_A] = whole_stem(PP_NOMOGRAM_GLASS, 0.0, least_glass, most_glass);
+    stem[PP_STEM_B] = whole_stem(PP_NOMOGRAM_REFLECTANCE, x[0], PP_NOMOGRAM_LEAST_R,
+                                 PP_NOMOGRAM_MOST_R);
+    stem[PP_STEM_C] = between(&stem[PP_STEM_A], &stem[PP_STEM_B], K);
+    stem[PP_STEM_D] = middle_stem(top ? PP_NOMOGRAM_SLOPE : PP_NOMOGRAM_OBSTRUCTION,
+                                  x[2], decade_for(&stem[PP_STEM_C], x[1], x[2]), 0.0,
+                                  top ? PP_PI / 2.0 : most_obstruction_rad);
+    stem[PP_STEM_E] = between(&stem[PP_STEM_C], &stem[PP_STEM_D], 1.0);
+    if (minimum) {
+        stem[PP_STEM_F] = middle_stem(PP_NOMOGRAM_WALLS, x[4],
+                                      decade_for(&stem[PP_STEM_E], x[3], x[4]),
+                                      darkest_walls, lightest_walls);
+        stem[PP_STEM_G] = between(&stem[PP_STEM_E], &stem[PP_STEM_F], 1.0);
+    }
+    for (int i = 0; i < nomogram.stem_count; i++)
+        stem[i].letter = (char)('A' + i);
+    return nomogram;
+}
+
+double pp_nomogram_place(const struct pp_nomogram *nomogram, int index, double value)
+{
+    const struct pp_nomogram_stem *stem = &nomogram->stems[index];
+    double within = fmin(fmax(value, stem->low), stem->high);
+    return stem->foot + stem->decade * log10(function_of(stem->quantity, within));
+}
+
+double pp_nomogram_value(const struct pp_nomogram *nomogram, int index, double y)
+{
+    const struct pp_nomogram_stem *stem = &nomogram->stems[index];
+    return pow(10.0, (y - stem->foot) / stem->decade);
+}
+
+double pp_nomogram_cross(const struct pp_nomogram *nomogram, int index, double y_from,
+                         double y_to, double x)
+{
+    const struct pp_nomogram_edge *edge = &nomogram->edges[index];
+    double x_from = nomogram->stems[edge->from].x, x_to = nomogram->stems[edge->to].x;
+    return y_from + (x - x_from) / (x_to - x_from) * (y_to - y_from);
+}
+
+bool pp_nomogram_holds(const struct pp_nomogram *nomogram, int index, double value)
+{
+    const struct pp_nomogram_stem *stem = &nomogram->stems[index];
+    return value >= stem->low && value <= stem->high;
+}
+
+double pp_nomogram_printed(enum pp_nomogram_quantity quantity)
+{
+    switch (quantity) {
+    case PP_NOMOGRAM_COMPONENT:
+        return 100.0;
+    case PP_NOMOGRAM_OBSTRUCTION:
+    case PP_NOMOGRAM_SLOPE:
+        return 1.0 / PP_RAD;
+    case PP_NOMOGRAM_GLASS:
+    case PP_NOMOGRAM_REFLECTANCE:
+    case PP_NOMOGRAM_WALLS:
+        break;
+    }
+    return 1.0;
+}
+
+/* The stretch between bold figures that a value lies in: 1, 2, 5, 10 ... on a
+ * logarithmic scale, tenths of a reflectance (of the walls what is published), tens of
+ * degrees. */
+static void find_stretch(enum pp_nomogram_quantity quantity, double printed,
+                         double stretch[2])
+{
+    double even = 0.0;
+    switch (quantity) {
+    case PP_NOMOGRAM_GLASS:
+    case PP_NOMOGRAM_COMPONENT:
+        break;
+    case PP_NOMOGRAM_REFLECTANCE:
+        even = 0.1;
+        break;
+    case PP_NOMOGRAM_WALLS:
+        even = 0.2;
+        break;
+    case PP_NOMOGRAM_OBSTRUCTION:
+    case PP_NOMOGRAM_SLOPE:
+        even = 10.0;
+        break;
+    }
+    if (even > 0.0) {
+        stretch[0] = even * floor(printed / even + 1e-9);
+        stretch[1] = stretch[0] + even;
+        return;
+    }
+    static const double bold[] = {1.0, 2.0, 5.0, 10.0};
+    double power = pow(10.0, floor(log10(printed) + 1e-9));
+    int i = 0;
+    while (i < 2 && printed / power > bold[i + 1] * (1.0 - 1e-9))
+        i++;
+    stretch[0] = bold[i] * power;
+    stretch[1] = bold[i + 1] * power;
+}
+
+double pp_nomogram_division(const struct pp_nomogram *nomogram, int index,
+                            double printed, double height_mm, double least_mm,
+                            double stretch[2])
+{
+    static const double usual[] = {1.0, 2.0, 5.0};
+    const struct pp_nomogram_stem *stem = &nomogram->stems[index];
+    double unit = pp_nomogram_printed(stem->quantity);
+    bool angle = stem->quantity == PP_NOMOGRAM_OBSTRUCTION
+                 || stem->quantity == PP_NOMOGRAM_SLOPE;
+    find_stretch(stem->quantity, printed, stretch);
+    double width = stretch[1] - stretch[0];
+    /* The scale's own end may cut the stretch short. */
+    double low = fmax(stretch[0], unit * stem->low);
+    double high = fmin(stretch[1], unit * stem->high);
+    double power = angle ? 1.0 : pow(10.0, floor(log10(width) + 1e-9) - 3.0);
+    for (int i = 0;; i++) {
+        double step = usual[i % 3] * power;
+        if (i % 3 == 2)
+            power *= 10.0;
+        if (step > 0.999 * width)
+            return width;
+        if (fabs(width / step - rint(width / step)) > 1e-6)
+            continue;
+        /* Divisions only shrink, or only grow, along a stretch. */
+        double ends[2] = {low, high - step};
+        double apart = INFINITY;
+        for (int end = 0; end < 2; end++) {
+            double y0 = pp_nomogram_place(nomogram, index, ends[end] / unit);
+            double y1 = pp_nomogram_place(nomogram, index, (ends[end] + step) / unit);
+            apart = fmin(apart, height_mm * fabs(y1 - y0));
+        }
+        if (apart >= least_mm)
+            return step;
+    }
+}
+
+double pp_nomogram_read(const struct pp_nomogram *nomogram, int index, double value)
+{
+    const struct pp_nomogram_stem *stem = &nomogram->stems[index];
+    double unit = pp_nomogram_printed(stem->quantity);
+    double within = fmin(fmax(value, stem->low), stem->high), stretch[2];
+    double fifth =
+        pp_nomogram_division(nomogram, index, unit * within, PP_NOMOGRAM_A4_MM,
+                             PP_NOMOGRAM_LEAST_MM, stretch)
+        / 5.0;
+    double read = fifth * rint(unit * within / fifth) / unit;
+    return fmin(fmax(read, stem->low), stem->high);
+}

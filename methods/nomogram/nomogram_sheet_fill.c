@@ -1,0 +1,170 @@
+/* nomogram_sheet_fill.c - see nomogram_sheet_fill.h. */
+#include "methods/nomogram/nomogram_sheet_fill.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "methods/methods.h"
+#include "methods/nomogram/nomogram_reading.h"
+#include "methods/nomogram/nomogram_scale.h"
+#include "methods/refusals.h"
+
+/* --- the marks -----------------------------------------------------------------------
+ */
+
+/* Is it a multiple of the step? */
+static bool multiple(double number, double step)
+{
+    return fabs(number / step - rint(number / step)) < 1e-6;
+}
+
+/* Adds the marks of the stretch that begins at `number`; *numbered is the y of the last
+ * numbered mark. */
+static void add_stretch(struct pp_nomogram_scale *scale,
+                        const struct pp_nomogram *nomogram, int stem, double number,
+                        struct pp_nomogram_spacing spacing, double stretch[2],
+                        double *numbered)
+{
+    double height = spacing.height_mm;
+    double unit = pp_nomogram_printed(nomogram->stems[stem].quantity);
+    double label = pp_nomogram_division(nomogram, stem, number, height,
+                                        spacing.number_mm, stretch);
+    double middle = pp_nomogram_division(nomogram, stem, number, height,
+                                         3.5 * spacing.fine_mm, stretch);
+    double fine =
+        pp_nomogram_division(nomogram, stem, number, height, spacing.fine_mm, stretch);
+    int count = (int)rint((stretch[1] - stretch[0]) / fine);
+    for (int i = 0; i <= count; i++) {
+        double at = stretch[0] + i * fine;
+        bool held = pp_nomogram_holds(nomogram, stem, at / unit * (1.0 + 1e-9))
+                    || pp_nomogram_holds(nomogram, stem, at / unit * (1.0 - 1e-9));
+        /* A stretch's end is the next one's beginning. */
+        bool next =
+            i == count && pp_nomogram_holds(nomogram, stem, at / unit * (1.0 + 1e-6));
+        if (!held || next)
+            continue;
+        struct pp_nomogram_mark mark = {
+            .y = pp_nomogram_place(nomogram, stem, at / unit), .number = at};
+        bool bold = i == 0 || i == count;
+        if (multiple(at, middle) || bold)
+            mark.rank = PP_MARK_MIDDLE;
+        if ((multiple(at, label) || bold)
+            && !(fabs(mark.y - *numbered) * height < 0.75 * spacing.number_mm)) {
+            mark.rank = PP_MARK_LABELLED;
+            *numbered = mark.y;
+        }
+        scale->marks[scale->count++] = mark;
+    }
+}
+
+enum { MARKS_MOST = 4000 };
+
+static enum pp_status make_marks(struct pp_nomogram_sheet *sheet,
+                                 struct pp_nomogram_spacing spacing,
+                                 struct pp_error *err)
+{
+    const struct pp_nomogram *nomogram = &sheet->nomogram;
+    for (int stem = 0; stem < nomogram->stem_count; stem++) {
+        struct pp_nomogram_scale *scale = &sheet->scales[stem];
+        double unit = pp_nomogram_printed(nomogram->stems[stem].quantity);
+        double high = unit * nomogram->stems[stem].high;
+        scale->marks = calloc(MARKS_MOST, sizeof *scale->marks);
+        if (!scale->marks)
+            return pp_fail_memory(err);
+        double number = unit * nomogram->stems[stem].low, stretch[2], numbered = NAN;
+        while (number < high * (1.0 - 1e-6)) {
+            add_stretch(scale, nomogram, stem, number, spacing, stretch, &numbered);
+            number = stretch[1];
+        }
+    }
+    return PP_OK;
+}
+
+enum pp_status pp_nomogram_sheet_blank(struct pp_nomogram_sheet *sheet,
+                                       enum pp_nomogram_kind kind,
+                                       struct pp_nomogram_spacing spacing,
+                                       struct pp_error *err)
+{
+    *sheet = (struct pp_nomogram_sheet){.nomogram = pp_nomogram_make(kind),
+                                        .blank = true,
+                                        .component = NAN,
+                                        .minimum = NAN};
+    return make_marks(sheet, spacing, err);
+}
+
+/* --- a room --------------------------------------------------------------------------
+ */
+
+/* Would one line serve for both? */
+static bool alike(const struct pp_nomogram_window *a,
+                  const struct pp_nomogram_window *b)
+{
+    bool same = a->allowance == b->allowance && a->read.tens == b->read.tens;
+    for (int i = 0; i < PP_NOMOGRAM_STEMS && same; i++)
+        same = a->read.value[i] == b->read.value[i]
+               || (isnan(a->read.value[i]) && isnan(b->read.value[i]));
+    return same;
+}
+
+static enum pp_status add_window(struct pp_nomogram_sheet *sheet,
+                                 const struct pp_world *world,
+                                 const struct pp_opening *opening, struct pp_error *err)
+{
+    struct pp_nomogram_window window = {
+        .line = opening->line,
+        .alike = 1,
+        .allowance = pp_allowance_factor(pp_method_nomogram.allowances, opening)};
+    enum pp_status status =
+        pp_nomogram_read_opening(&window.read, &sheet->nomogram, world, opening, err);
+    if (status != PP_OK)
+        return status;
+    sheet->component += sheet->decorations * window.allowance * window.read.component;
+    sheet->minimum += sheet->decorations * window.allowance * window.read.minimum;
+    for (int i = 0; i < sheet->window_count; i++)
+        if (alike(&sheet->windows[i], &window)) {
+            sheet->windows[i].alike++;
+            return PP_OK;
+        }
+    for (int i = 0; i < sheet->nomogram.stem_count; i++)
+        window.y[i] = pp_nomogram_place(&sheet->nomogram, i, window.read.value[i]);
+    sheet->windows[sheet->window_count++] = window;
+    return PP_OK;
+}
+
+enum pp_status pp_nomogram_sheet_of(struct pp_nomogram_sheet *sheet,
+                                    enum pp_nomogram_kind kind,
+                                    const struct pp_world *world,
+                                    struct pp_nomogram_spacing spacing,
+                                    struct pp_error *err)
+{
+    enum pp_status status = pp_nomogram_sheet_blank(sheet, kind, spacing, err);
+    sheet->blank = false;
+    sheet->name = world->name;
+    sheet->decorations = world->decorations;
+    sheet->component = 0.0;
+    sheet->minimum = kind == PP_NOMOGRAM_MINIMUM ? 0.0 : NAN;
+    if (status != PP_OK)
+        return status;
+    const char *why = pp_method_nomogram.refuses_room(world, NULL);
+    if (why)
+        return pp_fail(err, PP_BAD_INPUT, "no nomogram serves here: %s", why);
+    sheet->windows = calloc((size_t)world->opening_count + 1, sizeof *sheet->windows);
+    if (!sheet->windows)
+        return pp_fail_memory(err);
+    for (int i = 0; i < world->opening_count && status == PP_OK; i++) {
+        const struct pp_opening *opening = &world->openings[i];
+        bool upright = pp_refuse_unless_vertical(opening) == NULL;
+        if (upright == (kind != PP_NOMOGRAM_ROOFLIGHT))
+            status = add_window(sheet, world, opening, err);
+        else
+            sheet->left_out++;
+    }
+    if (status == PP_OK && sheet->window_count == 0)
+        return pp_fail(
+            err, PP_BAD_INPUT,
+            kind == PP_NOMOGRAM_ROOFLIGHT
+                ? "no opening is a rooflight; --which average and minimum are "
+                  "for windows"
+                : "no opening is vertical; --which rooflight is for others");
+    return status;
+}

@@ -1,0 +1,70 @@
+/* part_steps.c - see part_steps.h. */
+#include "methods/part_steps.h"
+#include "model/base/text.h"
+
+#include <stdio.h>
+
+struct pp_terms pp_terms_begin(struct pp_steps *steps, int parts)
+{
+    return (struct pp_terms){
+        .steps = steps, .first = steps ? steps->count : 0, .parts = parts};
+}
+
+void pp_terms_next(struct pp_terms *terms)
+{
+    terms->number++;
+}
+
+struct pp_symbol pp_terms_name(const struct pp_terms *terms, const char *name)
+{
+    struct pp_symbol symbol;
+    if (terms->parts == 1)
+        snprintf(symbol.text, sizeof symbol.text, "%s", name);
+    else
+        snprintf(symbol.text, sizeof symbol.text, "%s_%d", name, terms->number);
+    return symbol;
+}
+
+/* The formula with numbers, or none, for its marks. */
+static void number(char *text, size_t room, const struct pp_terms *terms,
+                   const char *formula)
+{
+    for (text[0] = '\0'; *formula; formula++)
+        if (*formula != '#')
+            pp_append(text, room, "%c", *formula);
+        else if (terms->parts > 1)
+            pp_append(text, room, "_%d", terms->number);
+}
+
+void pp_terms_figure(struct pp_terms *terms, enum pp_unit unit, double value,
+                     const char *name, const char *formula, const char *what)
+{
+    char numbered[160];
+    number(numbered, sizeof numbered, terms, formula);
+    pp_step_worked(terms->steps, unit, value, pp_terms_name(terms, name).text, numbered,
+                   "%s", what);
+}
+
+void pp_terms_worked(struct pp_terms *terms, bool hidden, double share,
+                     const char *formula, const char *what)
+{
+    *(hidden ? &terms->hidden_count : &terms->sky_count) += 1;
+    if (!hidden)
+        terms->sky += share;
+    pp_terms_figure(terms, PP_UNIT_SHARE, share, hidden ? "erc" : "sc", formula, what);
+}
+
+void pp_terms_end(struct pp_terms *terms)
+{
+    if (!terms->steps)
+        return;
+    bool alone = terms->parts == 1;
+    if (!alone || terms->sky_count == 0)
+        pp_step_sum(terms->steps, terms->first, terms->number, "sc", "sky component");
+    if (terms->sky < 0.0)
+        pp_step_worked(terms->steps, PP_UNIT_SHARE, 0.0, "sc", "max(sc, 0)",
+                       "less than nothing is nothing");
+    if (terms->hidden_count > 0 && !alone)
+        pp_step_sum(terms->steps, terms->first, terms->number, "erc",
+                    "externally reflected component");
+}

@@ -1,0 +1,161 @@
+/* pepper_pot.c - `pepper-pot`: direct component by counting dots on Pleijel's diagram
+ * [PLE54].
+ *
+ * The window as it looks from the point, in true perspective, is laid under the diagram
+ * (pepper_pot_dots.h); each dot in the outline is worth 0.1 %:
+ *
+ *     SC  = dots on the sky x 0.1 %
+ *     ERC = luminance factor x dots on obstructions x 0.1 %
+ *
+ * For vertical openings, clear glass or none, the overcast or the uniform sky, and
+ * points that face up or are upright (for each direction that an upright one faces, a
+ * diagram of its own).
+ */
+#include <stdlib.h>
+
+#include "methods/exact/direct.h"
+#include "methods/methods.h"
+#include "methods/pepper_pot/pepper_pot_dots.h"
+#include "methods/refusals.h"
+#include "methods/view/window_drawing.h"
+
+/* The diagrams for points that face up, those that the room's openings need. */
+struct diagrams {
+    struct pp_pepper_pot *unglazed, *glazed;
+};
+
+static void put_away(void *tools)
+{
+    struct diagrams *diagrams = tools;
+    if (diagrams) {
+        pp_pepper_pot_destroy(diagrams->unglazed);
+        pp_pepper_pot_destroy(diagrams->glazed);
+    }
+    free(diagrams);
+}
+
+static enum pp_status prepare(void **tools, const struct pp_world *world,
+                              struct pp_error *err)
+{
+    struct diagrams *diagrams = calloc(1, sizeof *diagrams);
+    if (!diagrams)
+        return pp_fail_memory(err);
+    enum pp_status status = PP_OK;
+    for (int i = 0; i < world->opening_count && status == PP_OK; i++) {
+        bool glazed = world->openings[i].glass.panes > 0;
+        struct pp_pepper_pot **pot = glazed ? &diagrams->glazed : &diagrams->unglazed;
+        if (!*pot)
+            status = pp_pepper_pot_create(pot, &world->sky, glazed, false, 0.0,
+                                          PP_PEPPER_POT_WORTH, err);
+    }
+    if (status != PP_OK)
+        put_away(diagrams);
+    else
+        *tools = diagrams;
+    return status;
+}
+
+static bool is_upright(struct pp_vec3 normal)
+{
+    return fabs(normal.z) < 1e-9;
+}
+
+static const char *refuses_room(const struct pp_world *world,
+                                const struct pp_receiver *receiver)
+{
+    if (world->sky.kind == PP_SKY_ISO)
+        return "the diagram holds the overcast and the uniform sky only";
+    if (receiver && !is_upright(receiver->normal) && pp_refuse_unless_up(receiver))
+        return "the diagram holds points that face up or are upright";
+    return pp_refuse_if_luminous(world);
+}
+
+static const char *refuses(const struct pp_world *world,
+                           const struct pp_opening *opening,
+                           const struct pp_receiver *receiver)
+{
+    (void)world, (void)receiver;
+    if (opening->glass.diffusing)
+        return "has diffusing glass; the diagram holds clear glass only";
+    return pp_refuse_unless_vertical(opening);
+}
+
+/* Dots on sky and on obstructions, of one diagram. */
+static void count_dots(struct pp_part *part, const struct pp_pepper_pot *pot,
+                       const struct pp_window_drawing *drawing)
+{
+    pp_step_named(part->steps, PP_UNIT_SHARE, pot->worth, "w",
+                  "a dot of the diagram is worth");
+    struct pp_terms terms = pp_terms_begin(part->steps, drawing->count);
+    for (int i = 0; i < drawing->count; i++) {
+        const struct pp_drawn_part *drawn = &drawing->parts[i];
+        int dots = pp_pepper_pot_count(pot, &drawn->region);
+        double share = drawn->factor * dots * pot->worth;
+        *(drawn->hidden ? &part->external : &part->sky) += share;
+        pp_window_drawing_set_down(&terms, drawn, dots, "dots", share);
+    }
+    pp_terms_end(&terms);
+}
+
+static enum pp_status evaluate(const struct pp_world *world,
+                               const struct pp_opening *opening,
+                               const struct pp_receiver *receiver, const void *tools,
+                               struct pp_part *part, struct pp_error *err)
+{
+    const struct diagrams *diagrams = tools;
+    bool glazed = opening->glass.panes > 0;
+    struct pp_window_drawing drawing;
+    enum pp_status status =
+        pp_window_drawing_create(&drawing, world, opening, receiver->position, err);
+    if (status != PP_OK)
+        return status;
+    if (is_upright(receiver->normal)) {
+        double facing = atan2(pp_dot(receiver->normal, drawing.axes.along),
+                              pp_dot(receiver->normal, drawing.axes.out));
+        struct pp_pepper_pot *pot;
+        status = pp_pepper_pot_create(&pot, &world->sky, glazed, true, facing,
+                                      PP_PEPPER_POT_WORTH, err);
+        if (status == PP_OK)
+            count_dots(part, pot, &drawing);
+        pp_pepper_pot_destroy(pot);
+    } else {
+        count_dots(part, glazed ? diagrams->glazed : diagrams->unglazed, &drawing);
+    }
+    pp_window_drawing_clear(&drawing);
+    return status;
+}
+
+/* The mean of many counts is what the dots stand for: for averages over many points it
+ * is taken by quadrature instead of dots. */
+static enum pp_status evaluate_roughly(const struct pp_world *world,
+                                       const struct pp_opening *opening,
+                                       const struct pp_receiver *receiver,
+                                       const void *tools, struct pp_part *part,
+                                       struct pp_error *err)
+{
+    const struct diagrams *diagrams = tools;
+    const struct pp_glass *glass =
+        opening->glass.panes > 0 ? &diagrams->glazed->glass : &opening->glass;
+    struct pp_direct sum = {.rough = true};
+    enum pp_status status =
+        pp_direct_through(&sum, world, opening, receiver, glass, err);
+    part->sky = sum.sky;
+    part->external = sum.external;
+    return status;
+}
+
+const struct pp_method pp_method_pepper_pot = {
+    .name = "pepper-pot",
+    .summary = "direct component by counting dots on a pepper-pot diagram",
+    .source = "PLE54",
+    .gives = PP_GIVES_DIRECT,
+    .speaks_for = PP_FOR_POINT,
+    .allowances = PP_ALLOWS_CLEAR_GLASS | PP_ALLOWS_NO_GLASS,
+    .counts = true,
+    .prepare = prepare,
+    .put_away = put_away,
+    .refuses_room = refuses_room,
+    .refuses = refuses,
+    .evaluate = evaluate,
+    .evaluate_roughly = evaluate_roughly,
+};

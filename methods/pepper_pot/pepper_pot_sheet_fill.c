@@ -1,0 +1,159 @@
+/* pepper_pot_sheet_fill.c - see pepper_pot_sheet_fill.h. */
+#include "methods/pepper_pot/pepper_pot_sheet_fill.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "methods/drawing_board.h"
+#include "methods/methods.h"
+#include "methods/pepper_pot/pepper_pot_dots.h"
+#include "methods/view/window_drawing.h"
+
+static enum pp_status fill_dots(struct pp_pepper_pot_panel *panel,
+                                const struct pp_pepper_pot *pot, struct pp_error *err)
+{
+    panel->glazed = pot->glazed;
+    panel->whole = pot->whole;
+    panel->dots = calloc((size_t)pot->count + 1, sizeof *panel->dots);
+    if (!panel->dots)
+        return pp_fail_memory(err);
+    panel->dot_count = pot->count;
+    for (int i = 0; i < pot->count; i++) {
+        panel->dots[i].a = pot->dots[i][0];
+        panel->dots[i].b = pot->dots[i][1];
+    }
+    return PP_OK;
+}
+
+static void count_dots(struct pp_pepper_pot_panel *panel, struct pp_board_piece *piece)
+{
+    for (int i = 0; i < panel->dot_count; i++) {
+        struct pp_pepper_pot_dot *dot = &panel->dots[i];
+        if (pp_region_contains(&piece->outline, dot->a, dot->b)) {
+            dot->counted = true;
+            piece->counted += 1.0;
+        }
+    }
+}
+
+static enum pp_status fill_window(struct pp_pepper_pot_panel *panel,
+                                  struct pp_board_window *window,
+                                  const struct pp_world *world,
+                                  const struct pp_opening *opening,
+                                  struct pp_vec3 point, double worth,
+                                  struct pp_error *err)
+{
+    window->line = opening->line;
+    window->allowance = pp_allowance_factor(pp_method_pepper_pot.allowances, opening);
+    struct pp_window_drawing drawing;
+    enum pp_status status =
+        pp_window_drawing_create(&drawing, world, opening, point, err);
+    if (status != PP_OK)
+        return status;
+    window->distance_m = drawing.distance_m;
+    window->pieces = calloc((size_t)drawing.count + 1, sizeof *window->pieces);
+    if (!window->pieces)
+        status = pp_fail_memory(err);
+    for (int i = 0; i < drawing.count && status == PP_OK; i++) {
+        struct pp_drawn_part *part = &drawing.parts[i];
+        struct pp_board_piece *piece = &window->pieces[window->count++];
+        /* The drawing's outline is handed over. */
+        *piece = (struct pp_board_piece){
+            .outline = part->region, .hidden = part->hidden, .factor = part->factor};
+        part->region = (struct pp_region){0};
+        count_dots(panel, piece);
+    }
+    pp_board_window_sum(window, worth);
+    pp_window_drawing_clear(&drawing);
+    return status;
+}
+
+/* The panel of the windows like opening `first`. */
+static enum pp_status fill_panel(struct pp_pepper_pot_panel *panel,
+                                 const struct pp_world *world, int first,
+                                 const struct pp_receiver *receiver, bool upright,
+                                 double worth, struct pp_error *err)
+{
+    const struct pp_opening *opening = &world->openings[first];
+    double facing = atan2(pp_dot(receiver->normal, opening->along),
+                          -pp_dot(receiver->normal, opening->inner.normal));
+    struct pp_pepper_pot *pot;
+    enum pp_status status = pp_pepper_pot_create(
+        &pot, &world->sky, opening->glass.panes > 0, upright, facing, worth, err);
+    if (status != PP_OK)
+        return status;
+    status = fill_dots(panel, pot, err);
+    pp_pepper_pot_destroy(pot);
+    panel->wall = world->surfaces[opening->face].name;
+    panel->windows =
+        calloc((size_t)pp_board_count_like(world, first), sizeof *panel->windows);
+    if (status == PP_OK && !panel->windows)
+        status = pp_fail_memory(err);
+    for (int i = first; i < world->opening_count && status == PP_OK; i++)
+        if (pp_board_first_like(world, i) == first)
+            status = fill_window(panel, &panel->windows[panel->count++], world,
+                                 &world->openings[i], receiver->position, worth, err);
+    return status;
+}
+
+enum pp_status pp_pepper_pot_sheet_blank(struct pp_pepper_pot_sheet *sheet,
+                                         const struct pp_sky *sky, bool glazed,
+                                         bool upright, double worth,
+                                         struct pp_error *err)
+{
+    *sheet = (struct pp_pepper_pot_sheet){
+        .blank = true, .upright = upright, .sky = *sky, .worth = worth};
+    struct pp_pepper_pot *pot;
+    enum pp_status status =
+        pp_pepper_pot_create(&pot, sky, glazed, upright, 0.0, worth, err);
+    if (status != PP_OK)
+        return status;
+    sheet->panels = calloc(1, sizeof *sheet->panels);
+    if (!sheet->panels) {
+        status = pp_fail_memory(err);
+    } else {
+        sheet->count = 1;
+        status = fill_dots(sheet->panels, pot, err);
+    }
+    pp_pepper_pot_destroy(pot);
+    if (status != PP_OK)
+        pp_pepper_pot_sheet_clear(sheet);
+    return status;
+}
+
+enum pp_status pp_pepper_pot_sheet_of(struct pp_pepper_pot_sheet *sheet,
+                                      const struct pp_world *world,
+                                      const struct pp_receiver *receiver, double worth,
+                                      struct pp_error *err)
+{
+    *sheet = (struct pp_pepper_pot_sheet){0};
+    bool upright = fabs(receiver->normal.z) < 0.5;
+    enum pp_status status =
+        pp_board_covers(&pp_method_pepper_pot, world, receiver, err);
+    if (status == PP_OK && world->opening_count == 0)
+        status =
+            pp_pepper_pot_sheet_blank(sheet, &world->sky, false, upright, worth, err);
+    if (status != PP_OK)
+        return status;
+    sheet->name = world->name;
+    sheet->blank = false;
+    sheet->upright = upright;
+    sheet->point = receiver->position;
+    sheet->sky = world->sky;
+    sheet->worth = worth;
+    if (world->opening_count == 0)
+        return PP_OK;
+    sheet->panels = calloc((size_t)pp_board_diagrams(world), sizeof *sheet->panels);
+    if (!sheet->panels)
+        return pp_fail_memory(err);
+    for (int i = 0; i < world->opening_count && status == PP_OK; i++)
+        if (pp_board_first_like(world, i) == i)
+            status = fill_panel(&sheet->panels[sheet->count++], world, i, receiver,
+                                upright, worth, err);
+    for (int i = 0; i < sheet->count; i++)
+        pp_board_windows_add(sheet->panels[i].windows, sheet->panels[i].count,
+                             &sheet->sky_component, &sheet->external);
+    if (status != PP_OK)
+        pp_pepper_pot_sheet_clear(sheet);
+    return status;
+}

@@ -1,0 +1,164 @@
+/* protractor_dial.c - see protractor_dial.h. */
+#include "methods/protractor/protractor_dial.h"
+
+#include <math.h>
+
+static const double between_semicircles_rad = 10.0 * PP_RAD;
+
+/* The strip's shape where it narrows to nothing, at the ends of the scale, is taken
+ * this near to them. */
+static const double end_rad = 1e-4;
+
+/* The cubic with these values and slopes at both ends of a step, at t in 0..1. */
+static double hermite(double t, double step, double a, double a_slope, double b,
+                      double b_slope)
+{
+    double u = 1.0 - t;
+    return a * u * u * (1.0 + 2.0 * t) + b * t * t * (3.0 - 2.0 * t)
+           + step * t * u * (a_slope * u - b_slope * t);
+}
+
+/* Of a table of values and slopes at even steps from 0 to `last`. */
+static double read_table(const double *values, const double *slopes, double last,
+                         double x)
+{
+    double step = last / PP_DIAL_STEPS;
+    double place = fmin(fmax(x / step, 0.0), PP_DIAL_STEPS);
+    int i = place < PP_DIAL_STEPS ? (int)place : PP_DIAL_STEPS - 1;
+    return hermite(place - i, step, values[i], slopes[i], values[i + 1], slopes[i + 1]);
+}
+
+static double simpson(double a, double middle, double b, double step)
+{
+    return (a + 4.0 * middle + b) * step / 6.0;
+}
+
+/* dF/dgamma: the whole strip, both sides of the section. */
+static double strip(const struct pp_protractor *protractor, double gamma)
+{
+    enum { STEPS = 90 };
+    double step = PP_PI / 2.0 / STEPS, sum = 0.0;
+    double low = pp_protractor_density(protractor, gamma, 0.0);
+    for (int i = 0; i < STEPS; i++) {
+        double middle = pp_protractor_density(protractor, gamma, (i + 0.5) * step);
+        double high = pp_protractor_density(protractor, gamma, (i + 1) * step);
+        sum += simpson(low, middle, high, step);
+        low = high;
+    }
+    return 2.0 * sum;
+}
+
+static void make_primary(struct pp_dial *dial)
+{
+    const struct pp_protractor *protractor = &dial->protractor;
+    double step = dial->range_rad / PP_DIAL_STEPS;
+    dial->primary[0] = 0.0;
+    dial->slope[0] = strip(protractor, 0.0);
+    for (int i = 0; i < PP_DIAL_STEPS; i++) {
+        dial->slope[i + 1] = strip(protractor, (i + 1) * step);
+        dial->primary[i + 1] =
+            dial->primary[i]
+            + simpson(dial->slope[i], strip(protractor, (i + 0.5) * step),
+                      dial->slope[i + 1], step);
+    }
+}
+
+void pp_semicircle_make(struct pp_semicircle *semicircle,
+                        const struct pp_protractor *protractor, double average_rad)
+{
+    double range = pp_protractor_range(protractor);
+    double gamma = fmin(fmax(average_rad, end_rad), range - end_rad);
+    double step = PP_PI / 2.0 / PP_DIAL_STEPS;
+    double *factor = semicircle->factor, *rate = semicircle->rate;
+    semicircle->average_rad = average_rad;
+    factor[0] = 0.0;
+    rate[0] = pp_protractor_density(protractor, gamma, 0.0);
+    for (int i = 0; i < PP_DIAL_STEPS; i++) {
+        double middle = pp_protractor_density(protractor, gamma, (i + 0.5) * step);
+        rate[i + 1] = pp_protractor_density(protractor, gamma, (i + 1) * step);
+        factor[i + 1] = factor[i] + simpson(rate[i], middle, rate[i + 1], step);
+    }
+    double whole = 2.0 * factor[PP_DIAL_STEPS];
+    for (int i = 0; i <= PP_DIAL_STEPS; i++) {
+        factor[i] /= whole;
+        rate[i] /= whole;
+    }
+}
+
+void pp_dial_make(struct pp_dial *dial, const struct pp_protractor *protractor)
+{
+    dial->protractor = *protractor;
+    dial->range_rad = pp_protractor_range(protractor);
+    make_primary(dial);
+    for (int k = 0; k < PP_DIAL_SEMICIRCLES; k++)
+        pp_semicircle_make(&dial->semicircles[k], protractor,
+                           k * between_semicircles_rad);
+}
+
+double pp_dial_share(const struct pp_dial *dial, double gamma_rad)
+{
+    return read_table(dial->primary, dial->slope, dial->range_rad, gamma_rad);
+}
+
+double pp_dial_slope(const struct pp_dial *dial, double gamma_rad)
+{
+    double place = gamma_rad / dial->range_rad * PP_DIAL_STEPS;
+    int k = (int)fmin(fmax(place, 0.0), PP_DIAL_STEPS - 1);
+    double t = fmin(place - k, 1.0);
+    return dial->slope[k] * (1.0 - t) + dial->slope[k + 1] * t;
+}
+
+double pp_dial_angle(const struct pp_dial *dial, double share, double start_rad)
+{
+    double low = 0.0, high = dial->range_rad;
+    double gamma = fmin(fmax(start_rad, low), high);
+    for (int i = 0; i < 100; i++) {
+        double off = pp_dial_share(dial, gamma) - share;
+        if (off < 0.0)
+            low = gamma;
+        else
+            high = gamma;
+        double next = gamma - off / pp_dial_slope(dial, gamma);
+        if (!(next > low && next < high))
+            next = (low + high) / 2.0;
+        if (fabs(next - gamma) < 1e-10)
+            return next;
+        gamma = next;
+    }
+    return gamma;
+}
+
+static double on_semicircle(const struct pp_semicircle *semicircle, double jamb,
+                            bool turned_down)
+{
+    double theta =
+        turned_down ? jamb : pp_protractor_theta(semicircle->average_rad, jamb);
+    return read_table(semicircle->factor, semicircle->rate, PP_PI / 2.0, theta);
+}
+
+double pp_dial_factor(const struct pp_dial *dial, double average_rad, double jamb_rad,
+                      bool turned_down)
+{
+    double place = average_rad / between_semicircles_rad;
+    int k = (int)fmin(fmax(place, 0.0), PP_DIAL_SEMICIRCLES - 2);
+    double jamb = fmin(fabs(jamb_rad), PP_PI / 2.0);
+    double outer = on_semicircle(&dial->semicircles[k], jamb, turned_down);
+    double inner = on_semicircle(&dial->semicircles[k + 1], jamb, turned_down);
+    return copysign(outer + (place - k) * (inner - outer), jamb_rad);
+}
+
+double pp_semicircle_jamb(const struct pp_semicircle *semicircle, double factor,
+                          bool turned_down)
+{
+    double low = 0.0, high = PP_PI / 2.0;
+    while (high - low > 1e-9) {
+        double theta = (low + high) / 2.0;
+        if (on_semicircle(semicircle, theta, true) < factor)
+            low = theta;
+        else
+            high = theta;
+    }
+    double theta = (low + high) / 2.0;
+    return turned_down ? theta
+                       : atan2(sin(theta), cos(theta) * cos(semicircle->average_rad));
+}

@@ -1,0 +1,280 @@
+/* protractor_read.c - an opening read with a protractor, rectangle by rectangle.
+ *
+ * A vertical opening and its obstructions are the upright rectangles of elevation.h,
+ * each read by itself: section altitudes of its edges tan gamma = z / d, jambs on the
+ * plan tan phi = x / d, d the distance of the opening's plane.
+ *
+ * An opening in a plane at the slope beta (0 level, 90 degrees upright) lies, for the
+ * point, at the distance d square to that plane; b and x are measured in the plane from
+ * the foot of that perpendicular, b up the slope. The section, cut square to the
+ * opening's level edges, shows an edge at b under
+ *
+ *     tan gamma = (b sin beta + d cos beta) / (d sin beta - b cos beta),
+ *
+ * over 90 degrees where the plane leans over the point. The sight line of the average
+ * altitude gamma meets the plane at the slant distance d / sin(gamma + beta), and so a
+ * jamb at x is seen, on the plan turned down into that sight line's plane, under
+ *
+ *     tan theta = x sin(gamma + beta) / d.
+ *
+ * (For beta = 90 degrees that is tan phi cos gamma.) A level opening has no level edges
+ * of its own choice: its section is cut square to the longer ones, since the average
+ * altitude serves long narrow strips best. What is not a rectangle is read as the
+ * rectangle of its area; obstructions seen through it have the jambs of what they hide
+ * and its edge nearer to the horizon, and an equal area; their readings are taken off
+ * the opening's.
+ */
+#include <math.h>
+#include <stdlib.h>
+
+#include "methods/exact/direct.h"
+#include "methods/view/elevation.h"
+#include "model/geometry/area_moments.h"
+#include "methods/protractor/protractor.h"
+#include "methods/view/window_drawing.h"
+
+/* A plane within this of upright or level is. */
+static const double slope_tolerance_rad = 1e-3;
+
+double pp_protractor_slope(const struct pp_opening *opening)
+{
+    struct pp_vec3 out = opening->inner.normal;
+    return atan2(hypot(out.x, out.y), -out.z);
+}
+
+enum pp_status pp_protractor_for(struct pp_protractor *protractor,
+                                 const struct pp_sky *sky,
+                                 const struct pp_opening *opening, struct pp_error *err)
+{
+    static const double made_deg[] = {90.0, 0.0, 30.0, 60.0};
+    double slope = pp_protractor_slope(opening);
+    *protractor = (struct pp_protractor){
+        .sky = *sky, .glass = pp_glass_none(), .slope_rad = slope};
+    bool bare = opening->glass.panes == 0 && !opening->glass.diffusing;
+    if (!bare)
+        protractor->glass = pp_glass_clear_single();
+    for (int i = 0; i < 4; i++)
+        if (fabs(slope - made_deg[i] * PP_RAD) < slope_tolerance_rad) {
+            protractor->slope_rad = made_deg[i] * PP_RAD;
+            return PP_OK;
+        }
+    if (bare)
+        return PP_OK;
+    return pp_fail(err, PP_BAD_INPUT,
+                   "there is no protractor for glass at %.0f degrees, only for 0, 30, "
+                   "60 and 90",
+                   slope / PP_RAD);
+}
+
+/* A rectangle in the opening's plane, over the distance of the plane. */
+struct rectangle {
+    double left, right, low, high;
+};
+
+static bool is_upright(double slope)
+{
+    return fabs(slope - PP_PI / 2.0) < slope_tolerance_rad;
+}
+
+static double section_altitude(double b, double slope)
+{
+    double up = b * sin(slope) + cos(slope), forward = sin(slope) - b * cos(slope);
+    return fmax(atan2(up, forward), 0.0);
+}
+
+static void read_rectangle(struct pp_protractor_reading *reading,
+                           const struct pp_dial *dial, double slope,
+                           struct rectangle at)
+{
+    const double b[2] = {at.low, at.high}, x[2] = {at.left, at.right};
+    bool turned_down = !is_upright(slope);
+    for (int i = 0; i < 2; i++) {
+        reading->edge_rad[i] = section_altitude(b[i], slope);
+        reading->share[i] = pp_dial_share(dial, reading->edge_rad[i]);
+    }
+    reading->initial = reading->share[1] - reading->share[0];
+    reading->average_rad = (reading->edge_rad[0] + reading->edge_rad[1]) / 2.0;
+    for (int i = 0; i < 2; i++) {
+        double nearer = turned_down ? sin(reading->average_rad + slope) : 1.0;
+        reading->jamb_rad[i] = atan(x[i] * nearer);
+        reading->correction[i] = pp_dial_factor(dial, reading->average_rad,
+                                                reading->jamb_rad[i], turned_down);
+    }
+    reading->width_factor = fmax(reading->correction[1] - reading->correction[0], 0.0);
+    reading->component = reading->initial * reading->width_factor * reading->factor;
+}
+
+static enum pp_status read_upright(struct pp_protractor_readings *readings,
+                                   const struct pp_dial *dial,
+                                   const struct pp_world *world,
+                                   const struct pp_opening *opening,
+                                   struct pp_vec3 point, struct pp_error *err)
+{
+    struct pp_elevation elevation;
+    enum pp_status status = pp_elevation_create(&elevation, world, opening, point, err);
+    if (status != PP_OK)
+        return status;
+    readings->list = calloc((size_t)elevation.count + 1, sizeof *readings->list);
+    if (!readings->list)
+        status = pp_fail_memory(err);
+    for (int i = 0; i < elevation.count && status == PP_OK; i++) {
+        const struct pp_upright *part = &elevation.parts[i];
+        struct pp_protractor_reading *reading = &readings->list[readings->count++];
+        reading->hidden = !isnan(part->reflectance);
+        reading->factor =
+            reading->hidden ? pp_direct_factor(&world->sky, part->reflectance) : 1.0;
+        read_rectangle(
+            reading, dial, PP_PI / 2.0,
+            (struct rectangle){part->left, part->right, part->low, part->high});
+        *(reading->hidden ? &readings->external : &readings->sky) += reading->component;
+    }
+    pp_elevation_clear(&elevation);
+    return status;
+}
+
+/* The axes of plan and section, in the opening's plane: `along` its level edges, `up`
+ * the slope. */
+struct axes {
+    bool turned; /* a level opening's, along its longer edges */
+    struct pp_vec3 along, up;
+};
+
+static struct axes axes_of(const struct pp_opening *opening, double slope)
+{
+    if (slope < slope_tolerance_rad && opening->height_m > opening->width_m)
+        return (struct axes){true, opening->up, pp_scale(opening->along, -1.0)};
+    return (struct axes){false, opening->along, opening->up};
+}
+
+/* What lies of a ring above the point's horizon, on the section's axes. */
+static enum pp_status add_ring(struct pp_extent *sum, const struct pp_ring *ring,
+                               const struct axes *axes, double horizon,
+                               struct pp_error *err)
+{
+    size_t room = (size_t)ring->count * PP_EXTENT_ROOM;
+    double(*points)[2] = malloc(2 * (room + 1) * sizeof *points);
+    if (!points)
+        return pp_fail_memory(err);
+    for (int i = 0; i < ring->count; i++) {
+        const double *xy = ring->xy[i];
+        points[i][0] = axes->turned ? xy[1] : xy[0];
+        points[i][1] = axes->turned ? -xy[0] : xy[1];
+    }
+    struct pp_extent extent = pp_extent_within(points, points + room, ring->count,
+                                               -INFINITY, INFINITY, horizon, INFINITY);
+    free(points);
+    sum->area += extent.area;
+    sum->left = fmin(sum->left, extent.left);
+    sum->right = fmax(sum->right, extent.right);
+    sum->low = fmin(sum->low, extent.low);
+    sum->high = fmax(sum->high, extent.high);
+    return PP_OK;
+}
+
+/* What hides the sky: its jambs, its head (the edge nearer to the zenith), and an equal
+ * area. */
+static struct rectangle hanging(const struct pp_extent *extent, double slope)
+{
+    double height = extent->area / (extent->right - extent->left);
+    bool behind =
+        section_altitude(extent->low, slope) + section_altitude(extent->high, slope)
+        > PP_PI;
+    double low = behind ? extent->low : extent->high - height;
+    return (struct rectangle){extent->left, extent->right, low, low + height};
+}
+
+/* Equal area, the same middle and proportions. */
+static struct rectangle equal(const struct pp_extent *extent)
+{
+    double width = extent->right - extent->left, height = extent->high - extent->low;
+    double spare = (1.0 - sqrt(extent->area / (width * height))) / 2.0;
+    if (!(spare > 1e-9))
+        spare = 0.0;
+    return (struct rectangle){
+        extent->left + spare * width, extent->right - spare * width,
+        extent->low + spare * height, extent->high - spare * height};
+}
+
+static enum pp_status extent_of(struct pp_extent *extent,
+                                const struct pp_region *region, const struct axes *axes,
+                                double horizon, struct pp_error *err)
+{
+    enum pp_status status = PP_OK;
+    for (int r = 0; r < region->count && status == PP_OK; r++)
+        status = add_ring(extent, &region->rings[r], axes, horizon, err);
+    return status;
+}
+
+/* The whole opening as sky, then each obstruction: off the sky, and as itself. */
+static enum pp_status read_sloping(struct pp_protractor_readings *readings,
+                                   const struct pp_dial *dial,
+                                   const struct pp_opening *opening,
+                                   const struct pp_window_drawing *drawing,
+                                   struct pp_error *err)
+{
+    double slope = pp_protractor_slope(opening);
+    struct axes axes = axes_of(opening, slope);
+    double horizon = slope < slope_tolerance_rad ? -INFINITY : -1.0 / tan(slope);
+    readings->list = calloc((size_t)drawing->count + 1, sizeof *readings->list);
+    if (!readings->list)
+        return pp_fail_memory(err);
+
+    struct pp_extent whole = pp_extent_none();
+    enum pp_status status = PP_OK;
+    for (int i = 0; i < drawing->count && status == PP_OK; i++)
+        status = extent_of(&whole, &drawing->parts[i].region, &axes, horizon, err);
+    if (status != PP_OK || !(whole.area > 0.0))
+        return status;
+    struct pp_protractor_reading *all = &readings->list[readings->count++];
+    all->factor = 1.0;
+    read_rectangle(all, dial, slope, equal(&whole));
+    readings->sky = all->component;
+
+    for (int i = 0; i < drawing->count && status == PP_OK; i++) {
+        struct pp_extent extent = pp_extent_none();
+        if (!drawing->parts[i].hidden)
+            continue;
+        status = extent_of(&extent, &drawing->parts[i].region, &axes, horizon, err);
+        if (status != PP_OK || !(extent.area > 1e-12))
+            continue;
+        struct pp_protractor_reading *reading = &readings->list[readings->count++];
+        reading->hidden = true;
+        reading->factor = drawing->parts[i].factor;
+        read_rectangle(reading, dial, slope, hanging(&extent, slope));
+        readings->sky -= reading->initial * reading->width_factor;
+        readings->less_hidden = true;
+        readings->external += reading->component;
+    }
+    readings->sky = fmax(readings->sky, 0.0);
+    return status;
+}
+
+enum pp_status pp_protractor_read(struct pp_protractor_readings *readings,
+                                  const struct pp_dial *dial,
+                                  const struct pp_world *world,
+                                  const struct pp_opening *opening,
+                                  struct pp_vec3 point, struct pp_error *err)
+{
+    double slope = pp_protractor_slope(opening);
+    struct axes axes = axes_of(opening, slope);
+    *readings = (struct pp_protractor_readings){
+        .along = axes.along,
+        .out = pp_unit(pp_cross(pp_vec(0.0, 0.0, 1.0), axes.along)),
+        .distance_m =
+            pp_dot(pp_sub(point, opening->inner.vertices[0]), opening->inner.normal),
+        .slope_rad = slope};
+    enum pp_status status;
+    if (is_upright(slope)) {
+        status = read_upright(readings, dial, world, opening, point, err);
+    } else {
+        struct pp_window_drawing drawing;
+        status = pp_window_drawing_create(&drawing, world, opening, point, err);
+        if (status != PP_OK)
+            return status;
+        status = read_sloping(readings, dial, opening, &drawing, err);
+        pp_window_drawing_clear(&drawing);
+    }
+    if (status != PP_OK)
+        pp_protractor_readings_clear(readings);
+    return status;
+}

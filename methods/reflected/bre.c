@@ -1,0 +1,36 @@
+/* bre.c - `bre`: average internally reflected component, BRE inter-reflection formula
+ * (bre_terms.h).
+ *
+ * For vertical openings under the CIE overcast sky. It contains clear single glass and,
+ * through W, the frame; no dirt, no deterioration of decorations.
+ */
+#include "methods/reflected/bre_terms.h"
+#include "methods/methods.h"
+#include "methods/refusals.h"
+
+static enum pp_status evaluate(const struct pp_world *world,
+                               const struct pp_opening *opening,
+                               const struct pp_receiver *receiver, const void *tools,
+                               struct pp_part *part, struct pp_error *err)
+{
+    (void)receiver, (void)tools;
+    struct pp_bre_terms terms;
+    enum pp_status status = pp_bre_terms(&terms, world, opening, err);
+    if (status != PP_OK)
+        return status;
+    part->value = pp_bre_average(&terms);
+    pp_bre_steps(part->steps, &terms, opening, "irc");
+    return PP_OK;
+}
+
+const struct pp_method pp_method_bre = {
+    .name = "bre",
+    .summary = "average internally reflected component, BRE inter-reflection formula",
+    .source = "BRE310",
+    .gives = PP_GIVES_INTERNAL,
+    .speaks_for = PP_FOR_ROOM,
+    .allowances = PP_ALLOWS_CLEAR_GLASS | PP_ALLOWS_FRAME,
+    .refuses_room = pp_refuse_room_of_formula,
+    .refuses = pp_refuse_opening_unless_vertical,
+    .evaluate = evaluate,
+};

@@ -1,0 +1,154 @@
+/* contains.c - see interior.h. */
+#include "methods/reflected/interior.h"
+
+/* Twice the signed area of triangle o a b, seen against the polygon's normal. */
+static double twice_area(const struct pp_polygon *polygon, struct pp_vec3 o,
+                         struct pp_vec3 a, struct pp_vec3 b)
+{
+    return pp_dot(polygon->normal, pp_cross(pp_sub(a, o), pp_sub(b, o)));
+}
+
+/* Where the edge from a to b meets the level plane at z; z lies between them. */
+static struct pp_vec3 crossing(struct pp_vec3 a, struct pp_vec3 b, double z)
+{
+    return pp_along(a, (z - a.z) / (b.z - a.z), pp_sub(b, a));
+}
+
+/* The sum over edges of the triangles with a fixed point o is the polygon's area. With
+ * o on the cut, the edges along the cut add nothing, so that only the parts of the
+ * polygon's own edges under z need to be summed. */
+double pp_polygon_area_below(const struct pp_polygon *polygon, double z)
+{
+    struct pp_vec3 o = polygon->vertices[0];
+    double lowest = o.z, highest = o.z;
+    for (int i = 0; i < polygon->count; i++) {
+        struct pp_vec3 a = polygon->vertices[i];
+        struct pp_vec3 b = polygon->vertices[(i + 1) % polygon->count];
+        lowest = fmin(lowest, a.z);
+        highest = fmax(highest, a.z);
+        if ((a.z < z) != (b.z < z))
+            o = crossing(a, b, z);
+    }
+    if (lowest >= z)
+        return 0.0;
+    if (highest < z)
+        return polygon->area_m2;
+
+    double sum = 0.0;
+    for (int i = 0; i < polygon->count; i++) {
+        struct pp_vec3 a = polygon->vertices[i];
+        struct pp_vec3 b = polygon->vertices[(i + 1) % polygon->count];
+        if (a.z >= z && b.z >= z)
+            continue;
+        if ((a.z < z) != (b.z < z)) {
+            struct pp_vec3 cut = crossing(a, b, z);
+            if (a.z < z)
+                b = cut;
+            else
+                a = cut;
+        }
+        sum += twice_area(polygon, o, a, b);
+    }
+    return fmin(fmax(sum / 2.0, 0.0), polygon->area_m2);
+}
+
+static double area_below(const struct pp_polygon *polygon, double z)
+{
+    bool level = fabs(polygon->normal.z) > 1.0 - 1e-12;
+    if (level && fabs(polygon->vertices[0].z - z) < 1e-9)
+        return polygon->normal.z > 0.0 ? polygon->area_m2 : 0.0;
+    return pp_polygon_area_below(polygon, z);
+}
+
+/* Sums of area and of area times reflectance on the way to a mean. */
+struct sums {
+    double area_m2, reflecting_m2;
+};
+
+static void add(struct sums *sums, double area_m2, double reflectance)
+{
+    sums->area_m2 += area_m2;
+    sums->reflecting_m2 += area_m2 * reflectance;
+}
+
+static struct pp_inside mean(struct sums sums)
+{
+    if (!(sums.area_m2 > 0.0))
+        return (struct pp_inside){0.0, 0.0};
+    return (struct pp_inside){sums.area_m2, sums.reflecting_m2 / sums.area_m2};
+}
+
+/* Adds `share` times a polygon to the parts below and above z. */
+static void add_split(struct sums *lower, struct sums *upper,
+                      const struct pp_polygon *outline, double z, double share,
+                      double reflectance)
+{
+    double below_m2 = area_below(outline, z);
+    add(lower, share * below_m2, reflectance);
+    add(upper, share * (outline->area_m2 - below_m2), reflectance);
+}
+
+static struct pp_inside_parts split(const struct pp_world *world, double z,
+                                    int left_out, bool with_openings)
+{
+    struct sums lower = {0}, upper = {0};
+    for (int i = 0; i < world->surface_count; i++) {
+        const struct pp_surface *surface = world->surfaces + i;
+        bool of_face_left_out = surface->role == PP_REVEAL
+                                    ? world->openings[surface->owner].face == left_out
+                                    : i == left_out;
+        if (!surface->inside || of_face_left_out)
+            continue;
+        add_split(&lower, &upper, &surface->outline, z, 1.0, surface->front);
+        if (surface->role == PP_LOOSE)
+            add_split(&lower, &upper, &surface->outline, z, 1.0, surface->back);
+    }
+    for (int i = 0; i < world->opening_count; i++) {
+        const struct pp_opening *opening = world->openings + i;
+        if (opening->face == left_out)
+            continue;
+        add_split(&lower, &upper, &opening->inner, z, -1.0,
+                  world->surfaces[opening->face].front);
+        if (with_openings)
+            add_split(&lower, &upper, &opening->inner, z, 1.0, PP_OPENING_REFLECTANCE);
+    }
+    return (struct pp_inside_parts){mean(lower), mean(upper)};
+}
+
+struct pp_inside pp_inside_all(const struct pp_world *world)
+{
+    return split(world, INFINITY, -1, true).lower;
+}
+
+void pp_inside_steps(struct pp_steps *steps, const struct pp_inside *all)
+{
+    pp_step_named(steps, PP_UNIT_SQUARE_METRE, all->area_m2, "A",
+                  "area of all inside surfaces, openings included");
+    pp_step_named(steps, PP_UNIT_NUMBER, all->reflectance, "R",
+                  "their mean reflectance, openings with 0.1");
+}
+
+struct pp_inside pp_inside_role(const struct pp_world *world, enum pp_role role)
+{
+    struct sums sums = {0};
+    for (int i = 0; i < world->face_count; i++)
+        if (world->surfaces[i].role == role)
+            add(&sums, world->surfaces[i].outline.area_m2, world->surfaces[i].front);
+    for (int i = 0; i < world->opening_count; i++) {
+        const struct pp_surface *face = world->surfaces + world->openings[i].face;
+        if (face->role == role)
+            add(&sums, -world->openings[i].inner.area_m2, face->front);
+    }
+    return mean(sums);
+}
+
+struct pp_inside_parts pp_inside_split(const struct pp_world *world, double z)
+{
+    return split(world, z, -1, false);
+}
+
+struct pp_inside_parts pp_inside_split_without(const struct pp_world *world, double z,
+                                               int left_out)
+{
+    return split(world, z, left_out, true);
+}

@@ -1,0 +1,117 @@
+/* irc_minimum.c - see irc_minimum.h. */
+#include "methods/reflected/irc_minimum.h"
+
+#include <math.h>
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "methods/broken_line.h"
+
+enum { FLOORS = 3, WALLS = 4, COLUMNS = 1 + FLOORS * WALLS };
+
+/* glass over floor, then the minimum by floor and walls, all per cent */
+static const double printed[][COLUMNS] = {
+#include "tables/irc_minimum.inc"
+};
+
+/* reflectance of the walls (per cent); average over minimum; factor of 10 m2, of 90 m2
+ */
+static const double by_walls[WALLS][4] = {
+#include "tables/irc_minimum_walls.inc"
+};
+
+/* reflectance of the ceiling (per cent); its factor */
+static const double by_ceiling[][2] = {
+#include "tables/irc_minimum_ceiling.inc"
+};
+
+/* of the floor (per cent), in the order of the columns of `printed` */
+static const double by_floor[FLOORS] = {10.0, 20.0, 40.0};
+
+enum {
+    ROWS = sizeof printed / sizeof *printed,
+    CEILINGS = sizeof by_ceiling / sizeof *by_ceiling,
+};
+
+static const double small_floor_m2 = 10.0, floor_m2 = 40.0, large_floor_m2 = 90.0;
+
+static double between(double low, double high, double share)
+{
+    return low + share * (high - low);
+}
+
+/* Is it within the printed range, rounding forgiven? */
+static bool covers(double low, double high, double value)
+{
+    double grain = 1e-9 * high;
+    return value >= low - grain && value <= high + grain;
+}
+
+const char *pp_irc_minimum_lacks(const struct pp_irc_minimum_entry *entry)
+{
+    if (!covers(small_floor_m2, large_floor_m2, entry->floor_m2))
+        return "its table holds floors of 10 to 90 m2 only";
+    if (!covers(by_floor[0], by_floor[FLOORS - 1], 100.0 * entry->floor))
+        return "its table holds floors that reflect 0.1 to 0.4 only";
+    if (!covers(by_walls[0][0], by_walls[WALLS - 1][0], 100.0 * entry->walls))
+        return "its table holds walls that reflect 0.2 to 0.8 only";
+    if (!covers(by_ceiling[0][0], by_ceiling[CEILINGS - 1][0], 100.0 * entry->ceiling))
+        return "its table holds ceilings that reflect 0.4 to 0.8 only";
+    if (!covers(0.0, printed[ROWS - 1][0], 100.0 * entry->glass_m2 / entry->floor_m2))
+        return "its table holds up to half as much glass as floor only";
+    return NULL;
+}
+
+/* One row at the room's reflectances. */
+static double read_row(const double row[COLUMNS], int floor, double floor_share,
+                       int walls, double walls_share)
+{
+    double at[2];
+    for (int i = 0; i < 2; i++) {
+        const double *cells = row + 1 + (floor - 1 + i) * WALLS;
+        at[i] = between(cells[walls - 1], cells[walls], walls_share);
+    }
+    return between(at[0], at[1], floor_share);
+}
+
+/* 1 at 40 m2, by the side of a square between the three. */
+static double floor_factor(double area_m2, const double factors[2])
+{
+    const double line[3][2] = {{sqrt(small_floor_m2), factors[0]},
+                               {sqrt(floor_m2), 1.0},
+                               {sqrt(large_floor_m2), factors[1]}};
+    return pp_broken_line(line, 3, sqrt(area_m2));
+}
+
+struct pp_irc_minimum pp_irc_minimum_read(const struct pp_irc_minimum_entry *entry)
+{
+    double glass_share, floor_share, walls_share;
+    double percent = 100.0 * entry->glass_m2 / entry->floor_m2;
+    int floor = pp_broken_line_place(by_floor, FLOORS, 1, 0, 100.0 * entry->floor,
+                                     &floor_share);
+    int walls = pp_broken_line_place(&by_walls[0][0], WALLS, 4, 0, 100.0 * entry->walls,
+                                     &walls_share);
+    int row =
+        pp_broken_line_place(&printed[0][0], ROWS, COLUMNS, 0, percent, &glass_share);
+    double low = read_row(printed[row - 1], floor, floor_share, walls, walls_share);
+    double high = read_row(printed[row], floor, floor_share, walls, walls_share);
+    double value = between(low, high, glass_share);
+    if (percent < printed[0][0])
+        value = low * percent / printed[0][0];
+
+    const double *dark = by_walls[walls - 1], *light = by_walls[walls];
+    const double factors[2] = {between(dark[2], light[2], walls_share),
+                               between(dark[3], light[3], walls_share)};
+    return (struct pp_irc_minimum){
+        .printed = value / 100.0,
+        .floor_factor = floor_factor(entry->floor_m2, factors),
+        .ceiling_factor = pp_broken_line(by_ceiling, CEILINGS, 100.0 * entry->ceiling)};
+}
+
+double pp_irc_average_over_minimum(double walls)
+{
+    double share;
+    int upper =
+        pp_broken_line_place(&by_walls[0][0], WALLS, 4, 0, 100.0 * walls, &share);
+    return between(by_walls[upper - 1][1], by_walls[upper][1], share);
+}

@@ -1,0 +1,90 @@
+/* obstruction_angle.c - see obstruction_angle.h. */
+#include "methods/reflected/obstruction_angle.h"
+
+#include "methods/view/exterior_planes.h"
+
+double pp_vertical_sky(enum pp_sky_kind sky, double angle_rad)
+{
+    double s = sin(angle_rad);
+    if (sky == PP_SKY_UNIFORM)
+        return (1.0 - s) / 2.0;
+    return 3.0 / 14.0 * (1.0 - s) + 4.0 / (7.0 * PP_PI) * (1.0 - s * s);
+}
+
+double pp_vertical_sky_angle(enum pp_sky_kind sky, double share)
+{
+    double s = 1.0 - 2.0 * share;
+    if (sky != PP_SKY_UNIFORM) {
+        /* q s^2 + p s - (p + q - share) = 0 in s = sin alpha; the root in [0, 1]. */
+        double p = 3.0 / 14.0, q = 4.0 / (7.0 * PP_PI);
+        s = (sqrt(p * p + 4.0 * q * fmax(p + q - share, 0.0)) - p) / (2.0 * q);
+    }
+    return asin(fmin(fmax(s, 0.0), 1.0));
+}
+
+/* Does any of the vertices lie beyond the opening's plane, on the outer side? */
+static bool lies_beyond(const struct pp_polygon *outline,
+                        const struct pp_opening *opening)
+{
+    for (int i = 0; i < outline->count; i++) {
+        struct pp_vec3 from = pp_sub(outline->vertices[i], opening->outer.vertices[0]);
+        if (pp_dot(from, opening->outer.normal) < -1e-6)
+            return true;
+    }
+    return false;
+}
+
+/* Does anything but an endless skyline stand before the opening? */
+static bool has_more_than_skyline(const struct pp_world *world,
+                                  const struct pp_opening *opening)
+{
+    for (int i = 0; i < world->surface_count; i++) {
+        const struct pp_surface *surface = world->surfaces + i;
+        bool out_of_doors = i < world->face_count || !surface->inside;
+        if (out_of_doors && lies_beyond(&surface->outline, opening))
+            return true;
+    }
+    return false;
+}
+
+static double skyline_angle(const struct pp_world *world,
+                            const struct pp_opening *opening)
+{
+    double angle_rad = 0.0;
+    for (int i = 0; i < world->skyline_count; i++) {
+        const struct pp_skyline *skyline = world->skylines + i;
+        if (skyline->face != opening->face)
+            continue;
+        double own_rad = skyline->angle_rad;
+        if (isfinite(skyline->distance_m))
+            own_rad =
+                atan2(skyline->head_z_m - opening->middle_z_m, skyline->distance_m);
+        angle_rad = fmax(angle_rad, own_rad);
+    }
+    return angle_rad;
+}
+
+enum pp_status pp_obstruction_angle(double *angle_rad, const struct pp_world *world,
+                                    const struct pp_opening *opening,
+                                    struct pp_error *err)
+{
+    if (!has_more_than_skyline(world, opening)) {
+        *angle_rad = skyline_angle(world, opening);
+        return PP_OK;
+    }
+    bool uniform = world->sky.kind == PP_SKY_UNIFORM;
+    struct pp_sky sky = uniform ? pp_sky_uniform() : pp_sky_overcast();
+    struct pp_vec3 out = pp_scale(opening->inner.normal, -1.0);
+    struct pp_vec3 level = pp_vec(out.x, out.y, 0.0);
+    bool horizontal = pp_length(level) < 1e-6;
+    struct pp_vec3 facing = horizontal ? out : pp_unit(level);
+
+    double share;
+    enum pp_status status =
+        pp_outside_sky_on_plane(&share, world, opening, facing, &sky, err);
+    if (status != PP_OK)
+        return status;
+    *angle_rad = horizontal ? PP_PI / 2.0 * fmin(fmax(1.0 - share, 0.0), 1.0)
+                            : pp_vertical_sky_angle(sky.kind, share);
+    return PP_OK;
+}

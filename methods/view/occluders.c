@@ -1,0 +1,370 @@
+/* occluders.c - see occluders.h. */
+#include "methods/view/occluders.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "model/geometry/clip.h"
+
+/* Coordinates in the view's plane that agree to this share of its extent are one: some
+ * roundings of a double. */
+#define GRAIN 2e-15
+
+/* Room for the planes that may cut a polygon: four of the pyramid, two of depth. */
+enum { CUTS = 6, ON_STACK = 32 };
+
+void pp_pieces_clear(struct pp_pieces *pieces)
+{
+    for (int i = 0; i < pieces->count; i++)
+        free(pieces->list[i].xy);
+    free(pieces->list);
+    *pieces = (struct pp_pieces){0};
+}
+
+/* What is cut at the edge of the extent lies on it, to the bit. */
+static double settle(double at, double low, double high)
+{
+    double grain = GRAIN * fmax(fabs(low), fabs(high));
+    return fabs(at - low) <= grain ? low : fabs(at - high) <= grain ? high : at;
+}
+
+static enum pp_status add_piece(struct pp_pieces *pieces, const struct pp_piece *like,
+                                const struct pp_vec3 *corners, int count,
+                                const struct pp_scene *scene, struct pp_error *err)
+{
+    double(*xy)[2] = malloc((size_t)count * sizeof *xy);
+    if (!xy)
+        return pp_fail_memory(err);
+    for (int i = 0; i < count; i++) {
+        double scale = scene->view->distance_m / corners[i].z;
+        xy[i][0] = settle(corners[i].x * scale, scene->low[0], scene->high[0]);
+        xy[i][1] = settle(corners[i].y * scale, scene->low[1], scene->high[1]);
+    }
+    double extent =
+        fmax(scene->high[0] - scene->low[0], scene->high[1] - scene->low[1]);
+    count = pp_clip_tidy(xy, count, GRAIN * extent);
+    if (count == 0) {
+        free(xy);
+        return PP_OK;
+    }
+    if (pieces->count == pieces->room) {
+        int room = pieces->room ? 2 * pieces->room : 8;
+        struct pp_piece *list =
+            realloc(pieces->list, (size_t)room * sizeof *pieces->list);
+        if (!list) {
+            free(xy);
+            return pp_fail_memory(err);
+        }
+        pieces->list = list;
+        pieces->room = room;
+    }
+    struct pp_piece *piece = &pieces->list[pieces->count++];
+    *piece = *like;
+    piece->count = count;
+    piece->xy = xy;
+    return PP_OK;
+}
+
+/* The four sides of the pyramid through the extent, and a layer of depth: what is
+ * inside has v.half_space > offset. */
+struct sides {
+    struct pp_vec3 normal[CUTS];
+    double offset[CUTS];
+};
+
+static struct sides sides_of(const struct pp_scene *scene, double near, double far)
+{
+    double d = scene->view->distance_m;
+    return (struct sides){{{0.0, 0.0, 1.0},
+                           {0.0, 0.0, -1.0},
+                           {d, 0.0, -scene->low[0]},
+                           {-d, 0.0, scene->high[0]},
+                           {0.0, d, -scene->low[1]},
+                           {0.0, -d, scene->high[1]}},
+                          {near, -far, 0.0, 0.0, 0.0, 0.0}};
+}
+
+/* Cuts a convex polygon to the sides and adds what is left. */
+static enum pp_status add_convex(struct pp_pieces *pieces, const struct pp_piece *like,
+                                 const struct pp_vec3 *corners, int count,
+                                 const struct sides *sides,
+                                 const struct pp_scene *scene, struct pp_error *err)
+{
+    /* Wholly outside one side? */
+    for (int s = 0; s < CUTS; s++) {
+        int i = 0;
+        while (i < count && !(pp_dot(sides->normal[s], corners[i]) > sides->offset[s]))
+            i++;
+        if (i == count)
+            return PP_OK;
+    }
+
+    struct pp_vec3 stack[2][ON_STACK + CUTS], *buffer[2] = {stack[0], stack[1]};
+    struct pp_vec3 *heap = NULL;
+    if (count > ON_STACK) {
+        heap = malloc(2 * (size_t)(count + CUTS) * sizeof *heap);
+        if (!heap)
+            return pp_fail_memory(err);
+        buffer[0] = heap;
+        buffer[1] = heap + count + CUTS;
+    }
+    const struct pp_vec3 *from = corners;
+    int left = count;
+    for (int s = 0; s < CUTS && left > 0; s++) {
+        left = pp_clip_convex(buffer[s % 2], from, left, sides->normal[s],
+                              sides->offset[s]);
+        from = buffer[s % 2];
+    }
+    enum pp_status status =
+        left > 0 ? add_piece(pieces, like, from, left, scene, err) : PP_OK;
+    free(heap);
+    return status;
+}
+
+static bool is_convex(const struct pp_polygon *outline)
+{
+    const struct pp_vec3 *v = outline->vertices;
+    for (int i = 0; i < outline->count; i++) {
+        int next = (i + 1) % outline->count, after = (i + 2) % outline->count;
+        struct pp_vec3 turn =
+            pp_cross(pp_sub(v[next], v[i]), pp_sub(v[after], v[next]));
+        if (pp_dot(turn, outline->normal) < -1e-12 * outline->area_m2)
+            return false;
+    }
+    return true;
+}
+
+/* Coordinates of a vertex in its polygon's plane: the two axes that see most of it,
+ * unchanged, so that a corner of a triangle is found again exactly. */
+static void flatten(double xy[2], struct pp_vec3 v, struct pp_vec3 normal)
+{
+    struct pp_vec3 n = pp_vec(fabs(normal.x), fabs(normal.y), fabs(normal.z));
+    if (n.z >= n.x && n.z >= n.y)
+        xy[0] = v.x, xy[1] = v.y;
+    else if (n.x >= n.y)
+        xy[0] = v.y, xy[1] = v.z;
+    else
+        xy[0] = v.z, xy[1] = v.x;
+}
+
+/* Corners of the triangles of a polygon that is not convex: *triangles is *count times
+ * three indices of its vertices, to be freed. */
+static enum pp_status triangles_of(int (**triangles)[3], int *count,
+                                   const struct pp_polygon *outline,
+                                   struct pp_error *err)
+{
+    *triangles = NULL;
+    *count = 0;
+    double(*flat)[2] = malloc((size_t)outline->count * sizeof *flat);
+    double(*found)[3][2] = NULL;
+    struct pp_clipper *clipper = NULL;
+    struct pp_region region = {0};
+    enum pp_status status = flat ? PP_OK : pp_fail_memory(err);
+    for (int i = 0; flat && i < outline->count; i++)
+        flatten(flat[i], outline->vertices[i], outline->normal);
+    if (status == PP_OK)
+        status = pp_clipper_create(&clipper, err);
+    if (status == PP_OK)
+        status = pp_region_of_ring(clipper, &region, (const double(*)[2])flat,
+                                   outline->count, err);
+    if (status == PP_OK)
+        status = pp_region_triangulate(clipper, &found, count, &region, err);
+    if (status == PP_OK) {
+        *triangles = malloc((size_t)(*count + 1) * sizeof **triangles);
+        if (!*triangles)
+            status = pp_fail_memory(err);
+    }
+    for (int t = 0; status == PP_OK && t < *count; t++)
+        for (int corner = 0; corner < 3; corner++) {
+            int i = 0;
+            while (i + 1 < outline->count
+                   && memcmp(flat[i], found[t][corner], sizeof *flat) != 0)
+                i++;
+            (*triangles)[t][corner] = i;
+        }
+    free(found);
+    free(flat);
+    pp_region_destroy(&region);
+    pp_clipper_destroy(clipper);
+    return status;
+}
+
+/* Cuts any polygon, given in the view's axes, and adds what is left. */
+static enum pp_status add_polygon(struct pp_pieces *pieces, const struct pp_piece *like,
+                                  const struct pp_polygon *outline,
+                                  const struct pp_vec3 *corners,
+                                  const struct sides *sides,
+                                  const struct pp_scene *scene, struct pp_error *err)
+{
+    if (is_convex(outline))
+        return add_convex(pieces, like, corners, outline->count, sides, scene, err);
+    int(*triangles)[3], count;
+    enum pp_status status = triangles_of(&triangles, &count, outline, err);
+    for (int t = 0; status == PP_OK && t < count; t++) {
+        struct pp_vec3 three[3] = {corners[triangles[t][0]], corners[triangles[t][1]],
+                                   corners[triangles[t][2]]};
+        status = add_convex(pieces, like, three, 3, sides, scene, err);
+    }
+    free(triangles);
+    return status;
+}
+
+/* Do the eye and all that is looked through lie on one side of the plane normal.v =
+ * offset (view's axes)? Then it can't come between them. */
+static bool stands_aside(const struct pp_scene *scene, struct pp_vec3 normal,
+                         double offset)
+{
+    double side = offset < 0.0 ? 1.0 : -1.0;
+    for (int i = 0; i < scene->outline_count; i++) {
+        struct pp_vec3 corner = {scene->outline[i][0], scene->outline[i][1],
+                                 scene->view->distance_m};
+        if (side * (pp_dot(normal, corner) - offset) < -PP_HAIR)
+            return false;
+    }
+    return true;
+}
+
+/* Does a closed box turn this side away, so that its other sides hide all that this one
+ * could? Not if the view's plane cuts it open. */
+static bool is_back_of_box(const struct pp_scene *scene,
+                           const struct pp_surface *surface, double offset)
+{
+    if (surface->role != PP_BLOCK || offset < 0.0)
+        return false;
+    const struct pp_block *block = &scene->world->blocks[surface->owner];
+    const struct pp_view *view = scene->view;
+    double c = cos(block->rotate_rad), s = sin(block->rotate_rad);
+    struct pp_vec3 t = view->toward;
+    double nearest = pp_dot(pp_sub(block->corner, view->eye), t)
+                     + fmin(0.0, block->width_m * (c * t.x + s * t.y))
+                     + fmin(0.0, block->depth_m * (c * t.y - s * t.x))
+                     + fmin(0.0, block->height_m * t.z);
+    return nearest > (scene->from_inside ? view->distance_m : 0.0) + PP_HAIR;
+}
+
+static enum pp_status collect_surface(struct pp_pieces *inside,
+                                      struct pp_pieces *outside,
+                                      const struct pp_scene *scene,
+                                      const struct pp_surface *surface,
+                                      struct pp_error *err)
+{
+    const struct pp_polygon *outline = &surface->outline;
+    const struct pp_view *view = scene->view;
+    double plane_m = view->distance_m;
+
+    /* How deep does it lie? */
+    double nearest = INFINITY, farthest = -INFINITY;
+    for (int i = 0; i < outline->count; i++) {
+        double depth = pp_dot(pp_sub(outline->vertices[i], view->eye), view->toward);
+        nearest = depth < nearest ? depth : nearest;
+        farthest = depth > farthest ? depth : farthest;
+    }
+    if (!(farthest > PP_HAIR))
+        return PP_OK;
+    bool before = false, beyond = true;
+    struct pp_vec3 normal = pp_view_axes(view, outline->normal);
+    double offset = pp_dot(outline->normal, pp_sub(outline->vertices[0], view->eye));
+    if (scene->from_inside) {
+        before = nearest < plane_m - PP_HAIR && !stands_aside(scene, normal, offset);
+        beyond = farthest > plane_m + PP_HAIR;
+        /* A loose plate that lies in the plane itself is outside. */
+        if (!before && !beyond && nearest >= plane_m - PP_HAIR)
+            beyond = surface->role == PP_LOOSE || surface->role == PP_BLOCK;
+    }
+    if ((!before && !beyond) || fabs(offset) <= PP_HAIR)
+        return PP_OK; /* nothing, or seen edge on */
+    if (is_back_of_box(scene, surface, offset))
+        return PP_OK;
+
+    bool front = offset < 0.0;
+    struct pp_piece like = {.nearness = pp_scale(normal, 1.0 / offset),
+                            .reflectance = front ? surface->front : surface->back,
+                            .exitance = surface->exitance};
+    struct pp_vec3 stack[ON_STACK], *corners = stack;
+    if (outline->count > ON_STACK) {
+        corners = malloc((size_t)outline->count * sizeof *corners);
+        if (!corners)
+            return pp_fail_memory(err);
+    }
+    for (int i = 0; i < outline->count; i++)
+        corners[i] = pp_view_point(view, outline->vertices[i]);
+    enum pp_status status = PP_OK;
+    double hair = 1e-9 * fmin(plane_m, 1.0);
+    if (before) {
+        struct sides sides = sides_of(scene, hair, plane_m);
+        status = add_polygon(inside, &like, outline, corners, &sides, scene, err);
+    }
+    if (beyond && status == PP_OK) {
+        double from = hair;
+        if (scene->from_inside)
+            from = nearest >= plane_m - PP_HAIR ? nearest - PP_HAIR : plane_m;
+        struct sides sides = sides_of(scene, from, 2.0 * farthest);
+        status = add_polygon(outside, &like, outline, corners, &sides, scene, err);
+    }
+    if (corners != stack)
+        free(corners);
+    return status;
+}
+
+enum pp_status pp_occluders_collect(struct pp_pieces *inside, struct pp_pieces *outside,
+                                    const struct pp_scene *scene, struct pp_error *err)
+{
+    const struct pp_world *world = scene->world;
+    enum pp_status status = PP_OK;
+    for (int i = 0; i < world->surface_count && status == PP_OK; i++)
+        if (i != scene->face && world->surfaces[i].role != PP_REVEAL)
+            status = collect_surface(inside, outside, scene, &world->surfaces[i], err);
+    return status;
+}
+
+struct pp_band pp_occluders_band(const struct pp_world *world,
+                                 const struct pp_skyline *skyline, struct pp_vec3 eye)
+{
+    const struct pp_polygon *wall = &world->surfaces[skyline->face].outline;
+    struct pp_vec3 zenith = {0.0, 0.0, 1.0};
+    struct pp_vec3 out = pp_unit(pp_vec(-wall->normal.x, -wall->normal.y, 0.0));
+    struct pp_band band;
+    if (isinf(skyline->distance_m)) {
+        band.above = pp_along(pp_scale(zenith, cos(skyline->angle_rad)),
+                              -sin(skyline->angle_rad), out);
+        band.below = pp_vec(0.0, 0.0, -1.0);
+        band.nearness = pp_vec(0.0, 0.0, 0.0);
+        return band;
+    }
+    /* Square to the wall, from the eye to the wall at the openings' middle height, and
+     * on to the skyline. */
+    struct pp_vec3 level = pp_vec(eye.x, eye.y, skyline->middle_z_m);
+    double to_wall = pp_dot(pp_sub(wall->vertices[0], level), wall->normal)
+                     / pp_dot(out, wall->normal);
+    double to_skyline = to_wall + skyline->distance_m;
+    band.above =
+        pp_along(pp_scale(zenith, to_skyline), -(skyline->head_z_m - eye.z), out);
+    band.below =
+        pp_along(pp_scale(zenith, -to_skyline), world->ground_level_m - eye.z, out);
+    band.nearness = pp_scale(out, 1.0 / to_skyline);
+    return band;
+}
+
+enum pp_status pp_occluders_add_skyline(struct pp_pieces *outside,
+                                        const struct pp_scene *scene,
+                                        const struct pp_skyline *skyline,
+                                        struct pp_error *err)
+{
+    const struct pp_view *view = scene->view;
+    double d = view->distance_m;
+    struct pp_band band = pp_occluders_band(scene->world, skyline, view->eye);
+    struct pp_vec3 whole[4] = {{scene->low[0], scene->low[1], d},
+                               {scene->high[0], scene->low[1], d},
+                               {scene->high[0], scene->high[1], d},
+                               {scene->low[0], scene->high[1], d}};
+    struct pp_vec3 under[5], left[6];
+    int count = pp_clip_convex(under, whole, 4,
+                               pp_view_axes(view, pp_scale(band.above, -1.0)), 0.0);
+    count = pp_clip_convex(left, under, count,
+                           pp_view_axes(view, pp_scale(band.below, -1.0)), 0.0);
+    if (count == 0)
+        return PP_OK;
+    struct pp_piece like = {.nearness = pp_view_axes(view, band.nearness),
+                            .reflectance = skyline->reflectance};
+    return add_piece(outside, &like, left, count, scene, err);
+}

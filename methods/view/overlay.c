@@ -1,0 +1,138 @@
+#include "methods/view/overlay.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "model/geometry/clip.h"
+
+/* pieces' figures as regions that borrow their coordinates, turned counter-clockwise.
+ */
+static enum pp_status borrow(struct pp_region **regions, struct pp_ring **rings,
+                             const struct pp_pieces *pieces, struct pp_error *err)
+{
+    size_t room = (size_t)pieces->count + 1;
+    *regions = calloc(room, sizeof **regions);
+    *rings = calloc(room, sizeof **rings);
+    if (!*regions || !*rings)
+        return pp_fail_memory(err);
+    for (int i = 0; i < pieces->count; i++) {
+        const struct pp_piece *piece = &pieces->list[i];
+        (*rings)[i] = (struct pp_ring){piece->count, piece->xy};
+        (*regions)[i] = (struct pp_region){1, &(*rings)[i]};
+        if (pp_region_area(&(*regions)[i]) < 0.0)
+            for (int a = 0, b = piece->count - 1; a < b; a++, b--) {
+                double swap[2];
+                memcpy(swap, piece->xy[a], sizeof swap);
+                memcpy(piece->xy[a], piece->xy[b], sizeof swap);
+                memcpy(piece->xy[b], swap, sizeof swap);
+            }
+    }
+    return PP_OK;
+}
+
+enum pp_status pp_overlay_union(struct pp_clipper *clipper, struct pp_region *whole,
+                                const struct pp_pieces *pieces, struct pp_error *err)
+{
+    struct pp_region *regions;
+    struct pp_ring *rings;
+    *whole = (struct pp_region){0};
+    enum pp_status status = borrow(&regions, &rings, pieces, err);
+    if (status == PP_OK)
+        status = pieces->count == 1
+                     ? pp_region_copy(whole, &regions[0], err)
+                     : pp_region_union(clipper, whole, regions, pieces->count, err);
+    free(regions);
+    free(rings);
+    return status;
+}
+
+bool pp_overlay_same_light(const struct pp_piece *a, const struct pp_piece *b)
+{
+    return a->reflectance == b->reflectance && a->exitance == b->exitance;
+}
+
+/* The part of `hider` that stands in front of `piece`: the rest lies beyond the line on
+ * which both are equally far. */
+static enum pp_status part_in_front(struct pp_pieces *parts,
+                                    const struct pp_piece *hider,
+                                    const struct pp_piece *piece, double distance_m,
+                                    struct pp_error *err)
+{
+    int count = hider->count;
+    struct pp_vec3 *from = malloc((size_t)count * sizeof *from);
+    struct pp_vec3 *left = malloc(((size_t)count + 1) * sizeof *left);
+    double(*xy)[2] = malloc(((size_t)count + 1) * sizeof *xy);
+    if (!from || !left || !xy) {
+        free(from);
+        free(left);
+        free(xy);
+        return pp_fail_memory(err);
+    }
+    for (int i = 0; i < count; i++)
+        from[i] = pp_vec(hider->xy[i][0], hider->xy[i][1], distance_m);
+    count = pp_clip_convex(left, from, count, pp_sub(hider->nearness, piece->nearness),
+                           0.0);
+    double extent = 0.0;
+    for (int i = 0; i < count; i++) {
+        xy[i][0] = left[i].x;
+        xy[i][1] = left[i].y;
+        extent = fmax(extent, hypot(left[i].x - left[0].x, left[i].y - left[0].y));
+    }
+    count = pp_clip_tidy(xy, count, 2e-15 * extent);
+    free(from);
+    free(left);
+    if (count == 0) {
+        free(xy);
+        return PP_OK;
+    }
+    parts->list[parts->count++] = (struct pp_piece){.count = count, .xy = xy};
+    return PP_OK;
+}
+
+/* What is seen of piece `index` behind all that give off another light. */
+static enum pp_status seen_part(struct pp_clipper *clipper, struct pp_region *seen,
+                                const struct pp_pieces *pieces, int index,
+                                double distance_m, struct pp_error *err)
+{
+    const struct pp_piece *piece = &pieces->list[index];
+    struct pp_pieces before = {0}, self = {1, 1, &pieces->list[index]};
+    struct pp_region taken = {0}, whole = {0};
+    before.room = pieces->count;
+    before.list = calloc((size_t)before.room, sizeof *before.list);
+    enum pp_status status = before.list ? PP_OK : pp_fail_memory(err);
+    for (int k = 0; k < pieces->count && status == PP_OK; k++)
+        if (!pp_overlay_same_light(&pieces->list[k], piece))
+            status = part_in_front(&before, &pieces->list[k], piece, distance_m, err);
+    if (status == PP_OK)
+        status = pp_overlay_union(clipper, &whole, &self, err);
+    if (status == PP_OK && before.count > 0)
+        status = pp_overlay_union(clipper, &taken, &before, err);
+    if (status == PP_OK)
+        status = pp_region_difference(clipper, seen, &whole, &taken, err);
+    pp_region_destroy(&taken);
+    pp_region_destroy(&whole);
+    pp_pieces_clear(&before);
+    return status;
+}
+
+enum pp_status pp_overlay_seen(struct pp_clipper *clipper, struct pp_region *seen,
+                               const struct pp_pieces *pieces, int index,
+                               double distance_m, struct pp_error *err)
+{
+    int count = pieces->count, found = 0;
+    struct pp_region *parts = calloc((size_t)count, sizeof *parts);
+    enum pp_status status = parts ? PP_OK : pp_fail_memory(err);
+    *seen = (struct pp_region){0};
+    for (int i = index; i < count && status == PP_OK; i++)
+        if (pp_overlay_same_light(&pieces->list[i], &pieces->list[index])) {
+            status = seen_part(clipper, &parts[found], pieces, i, distance_m, err);
+            if (status == PP_OK)
+                found++;
+        }
+    if (status == PP_OK)
+        status = pp_region_union(clipper, seen, parts, found, err);
+    for (int i = 0; i < found; i++)
+        pp_region_destroy(&parts[i]);
+    free(parts);
+    return status;
+}

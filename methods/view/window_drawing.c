@@ -1,0 +1,138 @@
+/* window_drawing.c - see window_drawing.h. */
+#include "methods/view/window_drawing.h"
+
+#include <stdlib.h>
+
+#include "methods/exact/direct.h"
+#include "methods/view/visible.h"
+
+/* A point of a ring against a half-space h.u > 0 of directions u = (x, y, 1). */
+static double beyond(const double *xy, struct pp_vec3 h)
+{
+    return h.x * xy[0] + h.y * xy[1] + h.z;
+}
+
+/* Cuts a ring in place by a half-space; room is for twice its points. What is left of a
+ * ring that is not convex may run twice along the cut: its area and what lies in it are
+ * right all the same [SH74]. */
+static int cut_ring(double (*xy)[2], int count, struct pp_vec3 h, double (*room)[2])
+{
+    int kept = 0;
+    for (int i = 0; i < count; i++) {
+        const double *p = xy[i], *q = xy[(i + 1) % count];
+        double from = beyond(p, h), to = beyond(q, h);
+        if (from >= 0.0) {
+            room[kept][0] = p[0];
+            room[kept++][1] = p[1];
+        }
+        if ((from > 0.0 && to < 0.0) || (from < 0.0 && to > 0.0)) {
+            double t = from / (from - to);
+            room[kept][0] = p[0] + t * (q[0] - p[0]);
+            room[kept++][1] = p[1] + t * (q[1] - p[1]);
+        }
+    }
+    for (int i = 0; i < kept; i++) {
+        xy[i][0] = room[i][0];
+        xy[i][1] = room[i][1];
+    }
+    return kept;
+}
+
+/* A ring of a patch, at unit distance and within the patch's half-spaces. */
+static enum pp_status draw_ring(struct pp_ring *drawn, const struct pp_ring *ring,
+                                const struct pp_visible *visible,
+                                const struct pp_patch *patch, struct pp_error *err)
+{
+    /* Each half-space can at most double the points. */
+    size_t most = (size_t)ring->count << patch->half_space_count;
+    double(*room)[2] = malloc((most + 1) * sizeof *room);
+    drawn->xy = malloc((most + 1) * sizeof *drawn->xy);
+    if (!room || !drawn->xy) {
+        free(room);
+        return pp_fail_memory(err);
+    }
+    for (int i = 0; i < ring->count; i++)
+        for (int axis = 0; axis < 2; axis++)
+            drawn->xy[i][axis] = ring->xy[i][axis] / visible->view.distance_m;
+    drawn->count = ring->count;
+    for (int i = 0; i < patch->half_space_count; i++)
+        drawn->count =
+            cut_ring(drawn->xy, drawn->count,
+                     pp_view_axes(&visible->view, patch->half_spaces[i]), room);
+    free(room);
+    return PP_OK;
+}
+
+static enum pp_status draw_patch(struct pp_drawn_part *part,
+                                 const struct pp_visible *visible,
+                                 const struct pp_patch *patch, const struct pp_sky *sky,
+                                 struct pp_error *err)
+{
+    part->hidden = patch->hidden;
+    part->factor = patch->hidden ? pp_direct_factor(sky, patch->reflectance) : 1.0;
+    part->region.rings = calloc(patch->region.count + 1, sizeof *part->region.rings);
+    if (!part->region.rings)
+        return pp_fail_memory(err);
+    enum pp_status status = PP_OK;
+    for (int i = 0; i < patch->region.count && status == PP_OK; i++) {
+        struct pp_ring *drawn = &part->region.rings[part->region.count];
+        status = draw_ring(drawn, &patch->region.rings[i], visible, patch, err);
+        if (status == PP_OK && drawn->count < 3)
+            free(drawn->xy);
+        else
+            part->region.count++;
+    }
+    return status;
+}
+
+enum pp_status pp_window_drawing_create(struct pp_window_drawing *drawing,
+                                        const struct pp_world *world,
+                                        const struct pp_opening *opening,
+                                        struct pp_vec3 point, struct pp_error *err)
+{
+    *drawing = (struct pp_window_drawing){
+        .axes = {opening->along, opening->up, pp_scale(opening->inner.normal, -1.0)}};
+    struct pp_visible visible;
+    enum pp_status status = pp_visible_through(&visible, world, opening, point, err);
+    if (status != PP_OK)
+        return status;
+    drawing->distance_m = visible.view.distance_m;
+    drawing->parts = calloc(visible.patch_count + 1, sizeof *drawing->parts);
+    if (!drawing->parts)
+        status = pp_fail_memory(err);
+    else
+        drawing->count = visible.patch_count;
+    for (int i = 0; i < drawing->count && status == PP_OK; i++)
+        status = draw_patch(&drawing->parts[i], &visible, &visible.patches[i],
+                            &world->sky, err);
+    pp_visible_clear(&visible);
+    if (status != PP_OK)
+        pp_window_drawing_clear(drawing);
+    return status;
+}
+
+void pp_window_drawing_clear(struct pp_window_drawing *drawing)
+{
+    for (int i = 0; i < drawing->count; i++)
+        pp_region_destroy(&drawing->parts[i].region);
+    free(drawing->parts);
+    drawing->parts = NULL;
+    drawing->count = 0;
+}
+
+void pp_window_drawing_set_down(struct pp_terms *terms,
+                                const struct pp_drawn_part *part, double count,
+                                const char *things, double share)
+{
+    pp_terms_next(terms);
+    pp_step_named(terms->steps, PP_UNIT_COUNT, count, pp_terms_name(terms, "n").text,
+                  "%s on %s", things, part->hidden ? "an obstruction" : "the sky");
+    if (!part->hidden) {
+        pp_terms_worked(terms, false, share, "n# w", "sky component");
+        return;
+    }
+    pp_step_named(terms->steps, PP_UNIT_NUMBER, part->factor,
+                  pp_terms_name(terms, "f").text,
+                  "luminance factor of the obstruction");
+    pp_terms_worked(terms, true, share, "f# n# w", "externally reflected component");
+}

@@ -1,0 +1,51 @@
+/* window_drawing.h - an opening and what hides the sky in it, drawn in true
+ * perspective: what a person lays under a pepper-pot diagram or carries over on to
+ * Waldram's.
+ *
+ * The drawing lies on the plane parallel to the opening at unit distance from the
+ * point: (a, b) is a to the right and b up (as the opening's own axes have it), over
+ * the distance of the plane. Straight edges are straight in it.
+ */
+#ifndef PP_METHODS_WINDOW_DRAWING_H
+#define PP_METHODS_WINDOW_DRAWING_H
+
+#include <stdbool.h>
+
+#include "methods/part_steps.h"
+#include "model/geometry/region.h"
+#include "model/room/world.h"
+
+/* The plane as seen from the point: a place (a, b) of the drawing lies in the direction
+ * a along + b up + out. */
+struct pp_window_axes {
+    struct pp_vec3 along, up; /* unit, in the plane; along is horizontal */
+    struct pp_vec3 out;       /* unit, square to the plane, away from the point */
+};
+
+struct pp_drawn_part {
+    struct pp_region region;
+    bool hidden;   /* does something outside stand there, or is the sky open? */
+    double factor; /* luminance factor of what hides it; 1 for the sky */
+};
+
+struct pp_window_drawing {
+    struct pp_window_axes axes;
+    double distance_m;           /* from the point to the plane */
+    int count;                   /* 0: the point sees nothing of the opening */
+    struct pp_drawn_part *parts; /* do not overlap */
+};
+
+/* To be cleared by the caller; empty on failure. */
+enum pp_status pp_window_drawing_create(struct pp_window_drawing *drawing,
+                                        const struct pp_world *world,
+                                        const struct pp_opening *opening,
+                                        struct pp_vec3 point, struct pp_error *err);
+void pp_window_drawing_clear(struct pp_window_drawing *drawing);
+
+/* Sets down what was counted on a part: so many `things`, each worth "w", which has
+ * been set down, give `share`. */
+void pp_window_drawing_set_down(struct pp_terms *terms,
+                                const struct pp_drawn_part *part, double count,
+                                const char *things, double share);
+
+#endif

@@ -1,0 +1,230 @@
+/* waldram_sheet_fill.c - see waldram_sheet_fill.h.
+ *
+ * Droop lines, gamma altitude and phi azimuth from the window's normal:
+ *
+ *     edges parallel to the window       tan gamma = tan gamma0 cos phi
+ *     edges perpendicular to it          tan gamma = tan gamma90 |sin phi|
+ */
+#include "methods/waldram/waldram_sheet_fill.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "methods/drawing_board.h"
+#include "methods/methods.h"
+#include "methods/waldram/waldram_squares.h"
+
+enum { DROOP_STEP_DEG = 10, DROOP_LINES = 8, DROOP_POINTS = 181 };
+
+static double azimuth_of(int point)
+{
+    return (point - (DROOP_POINTS - 1) / 2) * PP_RAD;
+}
+
+/* Lines of the levels 10, 20 ... 80 degrees; along: by the cosine of the azimuth, else
+ * by its sine. */
+static bool fill_droop(struct pp_curves *curves, const struct pp_waldram *waldram,
+                       bool along, double width, double height)
+{
+    curves->list = calloc(DROOP_LINES, sizeof *curves->list);
+    if (!curves->list)
+        return false;
+    curves->count = DROOP_LINES;
+    for (int i = 0; i < DROOP_LINES; i++) {
+        struct pp_curve *curve = &curves->list[i];
+        curve->level = (i + 1) * DROOP_STEP_DEG * PP_RAD;
+        curve->xy = malloc(DROOP_POINTS * sizeof *curve->xy);
+        if (!curve->xy)
+            return false;
+        curve->count = DROOP_POINTS;
+        for (int k = 0; k < DROOP_POINTS; k++) {
+            double phi = azimuth_of(k);
+            double way = along ? cos(phi) : fabs(sin(phi));
+            curve->xy[k][0] = pp_waldram_x(waldram, phi) / width;
+            curve->xy[k][1] =
+                pp_waldram_y(waldram, atan(tan(curve->level) * fmax(way, 0.0)))
+                / height;
+        }
+    }
+    return true;
+}
+
+static enum pp_status fill_scales(struct pp_waldram_panel *panel,
+                                  const struct pp_waldram *waldram,
+                                  struct pp_error *err)
+{
+    double width, height;
+    pp_waldram_square_size(waldram, &width, &height);
+    panel->glazed = waldram->glazed;
+    panel->low = -PP_WALDRAM_COLUMNS / 2;
+    panel->high = PP_WALDRAM_COLUMNS / 2;
+    panel->top = pp_waldram_y(waldram, PP_PI / 2.0) / height;
+    panel->whole = pp_waldram_whole(waldram);
+    for (int i = 0; i <= 180; i++)
+        panel->azimuth[i] = pp_waldram_x(waldram, i * PP_RAD) / width;
+    for (int i = 0; i <= 90; i++)
+        panel->altitude[i] = pp_waldram_y(waldram, i * PP_RAD) / height;
+    bool good = fill_droop(&panel->parallel, waldram, true, width, height)
+                && fill_droop(&panel->across, waldram, false, width, height);
+    return good ? PP_OK : pp_fail_memory(err);
+}
+
+/* In squares instead of X and Y. */
+static void to_squares(struct pp_region *outline, double width, double height)
+{
+    for (int r = 0; r < outline->count; r++)
+        for (int i = 0; i < outline->rings[r].count; i++) {
+            outline->rings[r].xy[i][0] /= width;
+            outline->rings[r].xy[i][1] /= height;
+        }
+}
+
+static enum pp_status fill_piece(struct pp_board_piece *piece,
+                                 const struct pp_waldram *waldram,
+                                 const struct pp_window_axes *axes,
+                                 const struct pp_drawn_part *part, struct pp_error *err)
+{
+    struct pp_waldram_count count;
+    piece->hidden = part->hidden;
+    piece->factor = part->factor;
+    enum pp_status status =
+        pp_waldram_count_squares(&count, waldram, axes, &part->region, err);
+    if (status != PP_OK)
+        return status;
+    piece->counted = count.squares;
+    piece->squares = malloc(((size_t)count.count + 1) * sizeof *piece->squares);
+    piece->square_count = piece->squares ? count.count : 0;
+    for (int i = 0; i < piece->square_count; i++)
+        piece->squares[i] =
+            (struct pp_counted_square){count.list[i].column, count.list[i].row,
+                                       (int)lrint(10.0 * count.list[i].estimated)};
+    pp_waldram_count_clear(&count);
+    if (!piece->squares)
+        return pp_fail_memory(err);
+
+    double width, height;
+    pp_waldram_square_size(waldram, &width, &height);
+    status = pp_waldram_outline(&piece->outline, waldram, axes, &part->region, err);
+    to_squares(&piece->outline, width, height);
+    return status;
+}
+
+static enum pp_status fill_window(struct pp_board_window *window,
+                                  const struct pp_waldram *waldram,
+                                  const struct pp_world *world,
+                                  const struct pp_opening *opening,
+                                  struct pp_vec3 point, struct pp_error *err)
+{
+    window->line = opening->line;
+    window->allowance = pp_allowance_factor(pp_method_waldram.allowances, opening);
+    struct pp_window_drawing drawing;
+    enum pp_status status =
+        pp_window_drawing_create(&drawing, world, opening, point, err);
+    if (status != PP_OK)
+        return status;
+    window->distance_m = drawing.distance_m;
+    window->pieces = calloc((size_t)drawing.count + 1, sizeof *window->pieces);
+    if (!window->pieces)
+        status = pp_fail_memory(err);
+    for (int i = 0; i < drawing.count && status == PP_OK; i++) {
+        struct pp_board_piece *piece = &window->pieces[window->count++];
+        status = fill_piece(piece, waldram, &drawing.axes, &drawing.parts[i], err);
+    }
+    pp_board_window_sum(window, PP_WALDRAM_WORTH);
+    pp_window_drawing_clear(&drawing);
+    return status;
+}
+
+/* Columns out to 180 degrees where an outline reaches beyond 90: of openings that
+ * slope. */
+static void widen(struct pp_waldram_panel *panel)
+{
+    for (int w = 0; w < panel->count && !panel->glazed; w++)
+        for (int p = 0; p < panel->windows[w].count; p++) {
+            const struct pp_board_piece *piece = &panel->windows[w].pieces[p];
+            for (int i = 0; i < piece->square_count; i++)
+                if (piece->squares[i].column < panel->low
+                    || piece->squares[i].column >= panel->high) {
+                    panel->low = -PP_WALDRAM_COLUMNS;
+                    panel->high = PP_WALDRAM_COLUMNS;
+                    return;
+                }
+        }
+}
+
+/* The panel of the windows like opening `first`. */
+static enum pp_status fill_panel(struct pp_waldram_panel *panel,
+                                 const struct pp_world *world, int first,
+                                 struct pp_vec3 point, struct pp_error *err)
+{
+    const struct pp_opening *opening = &world->openings[first];
+    struct pp_waldram waldram;
+    enum pp_status status =
+        pp_waldram_make(&waldram, &world->sky, opening->glass.panes > 0, err);
+    if (status == PP_OK)
+        status = fill_scales(panel, &waldram, err);
+    panel->wall = world->surfaces[opening->face].name;
+    panel->windows =
+        calloc((size_t)pp_board_count_like(world, first), sizeof *panel->windows);
+    if (status == PP_OK && !panel->windows)
+        status = pp_fail_memory(err);
+    for (int i = first; i < world->opening_count && status == PP_OK; i++)
+        if (pp_board_first_like(world, i) == first)
+            status = fill_window(&panel->windows[panel->count++], &waldram, world,
+                                 &world->openings[i], point, err);
+    widen(panel);
+    return status;
+}
+
+enum pp_status pp_waldram_sheet_blank(struct pp_waldram_sheet *sheet,
+                                      const struct pp_sky *sky, bool glazed,
+                                      struct pp_error *err)
+{
+    *sheet = (struct pp_waldram_sheet){
+        .blank = true, .sky = *sky, .worth = PP_WALDRAM_WORTH};
+    struct pp_waldram waldram;
+    enum pp_status status = pp_waldram_make(&waldram, sky, glazed, err);
+    if (status != PP_OK)
+        return status;
+    sheet->panels = calloc(1, sizeof *sheet->panels);
+    if (!sheet->panels)
+        return pp_fail_memory(err);
+    sheet->count = 1;
+    status = fill_scales(sheet->panels, &waldram, err);
+    if (status != PP_OK)
+        pp_waldram_sheet_clear(sheet);
+    return status;
+}
+
+enum pp_status pp_waldram_sheet_of(struct pp_waldram_sheet *sheet,
+                                   const struct pp_world *world,
+                                   const struct pp_receiver *receiver,
+                                   struct pp_error *err)
+{
+    *sheet = (struct pp_waldram_sheet){0};
+    enum pp_status status = pp_board_covers(&pp_method_waldram, world, receiver, err);
+    if (status == PP_OK && world->opening_count == 0)
+        status = pp_waldram_sheet_blank(sheet, &world->sky, false, err);
+    if (status != PP_OK)
+        return status;
+    sheet->name = world->name;
+    sheet->blank = false;
+    sheet->point = receiver->position;
+    sheet->sky = world->sky;
+    sheet->worth = PP_WALDRAM_WORTH;
+    if (world->opening_count == 0)
+        return PP_OK;
+    sheet->panels = calloc((size_t)pp_board_diagrams(world), sizeof *sheet->panels);
+    if (!sheet->panels)
+        return pp_fail_memory(err);
+    for (int i = 0; i < world->opening_count && status == PP_OK; i++)
+        if (pp_board_first_like(world, i) == i)
+            status = fill_panel(&sheet->panels[sheet->count++], world, i,
+                                receiver->position, err);
+    for (int i = 0; i < sheet->count; i++)
+        pp_board_windows_add(sheet->panels[i].windows, sheet->panels[i].count,
+                             &sheet->sky_component, &sheet->external);
+    if (status != PP_OK)
+        pp_waldram_sheet_clear(sheet);
+    return status;
+}

@@ -1,0 +1,268 @@
+/* waldram_squares.c - see waldram_squares.h. */
+#include "methods/waldram/waldram_squares.h"
+
+#include <math.h>
+#include <stdbool.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { DEEPEST = 12 }; /* halvings of one straight edge */
+
+void pp_waldram_square_size(const struct pp_waldram *waldram, double *width,
+                            double *height)
+{
+    *width = 2.0 * pp_waldram_x(waldram, PP_PI / 2.0) / PP_WALDRAM_COLUMNS;
+    *height = PP_WALDRAM_WORTH / *width;
+}
+
+/* A line under construction. */
+struct line {
+    double (*xy)[2];
+    int count, capacity;
+    bool failed;
+};
+
+static void add_point(struct line *line, double x, double y)
+{
+    if (line->count == line->capacity) {
+        int capacity = line->capacity ? 2 * line->capacity : 64;
+        double(*xy)[2] = realloc(line->xy, capacity * sizeof *xy);
+        if (!xy) {
+            line->failed = true;
+            return;
+        }
+        line->xy = xy;
+        line->capacity = capacity;
+    }
+    line->xy[line->count][0] = x;
+    line->xy[line->count][1] = y;
+    line->count++;
+}
+
+/* A place on the diagram; its azimuth is kept beside X so that it can be followed past
+ * 180 degrees. */
+struct place {
+    double azimuth, x, y;
+};
+
+struct mapping {
+    const struct pp_waldram *waldram;
+    double width, height; /* of a square */
+};
+
+/* Where direction u (right, ahead, up) falls, with an azimuth within 180 degrees of
+ * `near`. */
+static struct place place_of(const struct mapping *mapping, struct pp_vec3 u,
+                             double near)
+{
+    double azimuth = u.x == 0.0 && u.y == 0.0 ? near : atan2(u.x, u.y);
+    azimuth += 2.0 * PP_PI * round((near - azimuth) / (2.0 * PP_PI));
+    double y = pp_waldram_y(mapping->waldram, atan2(u.z, hypot(u.x, u.y)));
+    return (struct place){azimuth, pp_waldram_x(mapping->waldram, azimuth), y};
+}
+
+/* Adds what lies after `from` up to `to` of the straight edge that runs from direction
+ * a to b: halved until a chord's middle is nearly where the edge's is. The last bulge
+ * is drawn as a triangle of the bulge's own area (a parabola's is 2/3 of its box, a
+ * triangle's 1/2: 4/3 of its height), so that counts have no bias. */
+static void add_edge(struct line *line, const struct mapping *mapping, struct pp_vec3 a,
+                     struct place from, struct pp_vec3 b, struct place to, int depth)
+{
+    struct pp_vec3 middle = pp_scale(pp_add(a, b), 0.5);
+    struct place half = place_of(mapping, middle, from.azimuth);
+    double dx = (half.x - (from.x + to.x) / 2.0) / mapping->width;
+    double dy = (half.y - (from.y + to.y) / 2.0) / mapping->height;
+    bool far_apart = fabs(to.x - from.x) > 4.0 * mapping->width;
+    if (depth < DEEPEST && (far_apart || hypot(dx, dy) > 0.002)) {
+        add_edge(line, mapping, a, from, middle, half, depth + 1);
+        add_edge(line, mapping, middle, half, b, to, depth + 1);
+        return;
+    }
+    add_point(line, half.x + dx / 3.0 * mapping->width,
+              half.y + dy / 3.0 * mapping->height);
+    add_point(line, to.x, to.y);
+}
+
+static struct line ring_outline(const struct mapping *mapping,
+                                const struct pp_window_axes *axes,
+                                const struct pp_ring *ring)
+{
+    struct line line = {0};
+    struct pp_vec3 ahead = pp_cross(pp_vec(0.0, 0.0, 1.0), axes->along), last = ahead;
+    struct place first = {0}, from = {0};
+    for (int i = 0; i <= ring->count; i++) {
+        const double *xy = ring->xy[i % ring->count];
+        struct pp_vec3 u =
+            pp_along(pp_along(axes->out, xy[0], axes->along), xy[1], axes->up);
+        struct pp_vec3 here = pp_vec(pp_dot(u, axes->along), pp_dot(u, ahead), u.z);
+        if (i == 0) {
+            from = first = place_of(mapping, here, 0.0);
+            add_point(&line, first.x, first.y);
+        } else {
+            /* The far end's azimuth is followed along the edge, through its middle. */
+            struct pp_vec3 middle = pp_scale(pp_add(last, here), 0.5);
+            struct place half = place_of(mapping, middle, from.azimuth);
+            struct place to = place_of(mapping, here, half.azimuth);
+            if (last.z * here.z < 0.0) {
+                double t = last.z / (last.z - here.z);
+                struct pp_vec3 cut = pp_along(last, t, pp_sub(here, last));
+                struct place at = place_of(mapping, cut, from.azimuth);
+                add_edge(&line, mapping, last, from, cut, at, 0);
+                add_edge(&line, mapping, cut, at, here, to, 0);
+            } else {
+                add_edge(&line, mapping, last, from, here, to, 0);
+            }
+            from = to;
+        }
+        last = here;
+    }
+    if (fabs(from.azimuth - first.azimuth) > PP_PI) {
+        /* Once round the zenith: the region reaches up to it. */
+        double top = pp_waldram_y(mapping->waldram, PP_PI / 2.0);
+        add_point(&line, from.x, top);
+        add_point(&line, first.x, top);
+    } else if (line.count > 0) {
+        line.count--; /* the first point again */
+    }
+    return line;
+}
+
+enum pp_status pp_waldram_outline(struct pp_region *outline,
+                                  const struct pp_waldram *waldram,
+                                  const struct pp_window_axes *axes,
+                                  const struct pp_region *region, struct pp_error *err)
+{
+    struct mapping mapping = {.waldram = waldram};
+    pp_waldram_square_size(waldram, &mapping.width, &mapping.height);
+    *outline = (struct pp_region){0};
+    if (region->count == 0)
+        return PP_OK;
+    outline->rings = calloc(region->count, sizeof *outline->rings);
+    if (!outline->rings)
+        return pp_fail_memory(err);
+    for (int r = 0; r < region->count; r++) {
+        struct line line = ring_outline(&mapping, axes, &region->rings[r]);
+        outline->rings[outline->count++] = (struct pp_ring){line.count, line.xy};
+        if (line.failed) {
+            pp_region_destroy(outline);
+            return pp_fail_memory(err);
+        }
+    }
+    return PP_OK;
+}
+
+/* Cuts a ring at coordinate `axis` = limit and keeps what lies above it (sign 1) or
+ * below (sign -1); the signed area of what is left is right for any ring (Sutherland
+ * and Hodgman). */
+static void cut(struct line *kept, const double (*xy)[2], int count, int axis,
+                double limit, double sign)
+{
+    kept->count = 0;
+    for (int i = 0; i < count; i++) {
+        const double *p = xy[i], *q = xy[(i + 1) % count];
+        double from = sign * (p[axis] - limit), to = sign * (q[axis] - limit);
+        if (from >= 0.0)
+            add_point(kept, p[0], p[1]);
+        if ((from > 0.0 && to < 0.0) || (from < 0.0 && to > 0.0)) {
+            double t = from / (from - to);
+            double x = p[0] + t * (q[0] - p[0]), y = p[1] + t * (q[1] - p[1]);
+            add_point(kept, axis == 0 ? limit : x, axis == 1 ? limit : y);
+        }
+    }
+}
+
+static double signed_area(const struct line *line)
+{
+    double twice = 0.0;
+    for (int i = 0; i < line->count; i++) {
+        const double *p = line->xy[i], *q = line->xy[(i + 1) % line->count];
+        twice += p[0] * q[1] - p[1] * q[0];
+    }
+    return twice / 2.0;
+}
+
+/* Adds to parts[0 ... rows-1] the area of one ring in each square of a column. */
+static bool add_column(double *parts, int rows, const struct pp_ring *ring, double left,
+                       double width, double height)
+{
+    struct line a = {0}, b = {0}, strip = {0};
+    cut(&a, (const double(*)[2])ring->xy, ring->count, 0, left, 1.0);
+    cut(&strip, (const double(*)[2])a.xy, a.count, 0, left + width, -1.0);
+    for (int row = 0; row < rows && strip.count > 0; row++) {
+        cut(&a, (const double(*)[2])strip.xy, strip.count, 1, row * height, 1.0);
+        cut(&b, (const double(*)[2])a.xy, a.count, 1, (row + 1) * height, -1.0);
+        parts[row] += signed_area(&b);
+    }
+    bool failed = a.failed || b.failed || strip.failed;
+    free(a.xy);
+    free(b.xy);
+    free(strip.xy);
+    return !failed;
+}
+
+/* Estimates one column's squares and appends those that hold anything; *carried is what
+ * estimates so far have left over. */
+static bool count_column(struct pp_waldram_count *count, double *carried,
+                         const double *parts, int rows, int column, double square)
+{
+    for (int row = 0; row < rows; row++) {
+        double part = parts[row] / square;
+        if (part < 1e-9)
+            continue;
+        double wanted = part + *carried;
+        double estimated = part > 1.0 - 1e-9 ? 1.0 : round(wanted * 10.0) / 10.0;
+        estimated = fmin(fmax(estimated, 0.0), 1.0);
+        *carried = wanted - estimated;
+        struct pp_waldram_square *list =
+            realloc(count->list, (count->count + 1) * sizeof *list);
+        if (!list)
+            return false;
+        count->list = list;
+        list[count->count++] = (struct pp_waldram_square){column, row, part, estimated};
+        count->squares += estimated;
+    }
+    return true;
+}
+
+enum pp_status pp_waldram_count_squares(struct pp_waldram_count *count,
+                                        const struct pp_waldram *waldram,
+                                        const struct pp_window_axes *axes,
+                                        const struct pp_region *region,
+                                        struct pp_error *err)
+{
+    *count = (struct pp_waldram_count){0};
+    struct pp_region outline;
+    if (pp_waldram_outline(&outline, waldram, axes, region, err) != PP_OK)
+        return PP_SYSTEM;
+
+    double width, height, low = INFINITY, high = -INFINITY;
+    pp_waldram_square_size(waldram, &width, &height);
+    int rows = (int)ceil(pp_waldram_y(waldram, PP_PI / 2.0) / height);
+    for (int r = 0; r < outline.count; r++)
+        for (int i = 0; i < outline.rings[r].count; i++) {
+            low = fmin(low, outline.rings[r].xy[i][0]);
+            high = fmax(high, outline.rings[r].xy[i][0]);
+        }
+
+    double carried = 0.0, *parts = malloc(rows * sizeof *parts);
+    bool ok = parts != NULL;
+    for (int column = (int)floor(low / width); ok && column * width < high; column++) {
+        memset(parts, 0, rows * sizeof *parts);
+        for (int r = 0; ok && r < outline.count; r++)
+            ok = add_column(parts, rows, &outline.rings[r], column * width, width,
+                            height);
+        ok = ok && count_column(count, &carried, parts, rows, column, width * height);
+    }
+    free(parts);
+    pp_region_destroy(&outline);
+    if (ok)
+        return PP_OK;
+    pp_waldram_count_clear(count);
+    return pp_fail_memory(err);
+}
+
+void pp_waldram_count_clear(struct pp_waldram_count *count)
+{
+    free(count->list);
+    *count = (struct pp_waldram_count){0};
+}

@@ -1,0 +1,53 @@
+/* waldram_squares.h - counting squares on a Waldram diagram, as a careful person does.
+ *
+ * The diagram is ruled into squares of one worth (0.1 % of Eh): columns of equal width
+ * from azimuth -90 to 90 degrees, and rows from the horizon up, the last of which may
+ * be cut off by the zenith. A window's outline is drawn on it; whole squares count one,
+ * part squares are estimated to a tenth. Who sees the same sliver in square after
+ * square down a jamb rounds it up in one and down in the next: the remainder of each
+ * estimate is carried on to the next square, up a column and from column to column, so
+ * that counts have no bias.
+ */
+#ifndef PP_METHODS_WALDRAM_SQUARES_H
+#define PP_METHODS_WALDRAM_SQUARES_H
+
+#include "methods/waldram/waldram_scale.h"
+
+#define PP_WALDRAM_WORTH 0.001    /* of a fine square */
+enum { PP_WALDRAM_COLUMNS = 36 }; /* in 180 degrees: five degrees each without glass */
+
+/* One square with something in it. */
+struct pp_waldram_square {
+    int column, row;  /* from azimuth 0 (negative to the left) and from the horizon */
+    double part;      /* of its area, exact */
+    double estimated; /* as counted: tenths, 0 to 1 */
+};
+
+struct pp_waldram_count {
+    double squares;                 /* the sum of the estimates */
+    struct pp_waldram_square *list; /* column by column, from the horizon up */
+    int count;
+};
+
+/* Width of a square in X and its height in Y. */
+void pp_waldram_square_size(const struct pp_waldram *waldram, double *width,
+                            double *height);
+
+/* Counts a region of a window's plane (see pp_waldram_area). *count is to be cleared by
+ * the caller; empty on failure. */
+enum pp_status pp_waldram_count_squares(struct pp_waldram_count *count,
+                                        const struct pp_waldram *waldram,
+                                        const struct pp_window_axes *axes,
+                                        const struct pp_region *region,
+                                        struct pp_error *err);
+void pp_waldram_count_clear(struct pp_waldram_count *count);
+
+/* The region's outline on the diagram, in X and Y: droop lines as chords that stray
+ * from them by less than 1/500 of a square. Not cut at +-90 degrees; flattened on to
+ * the horizon below it. The outline is the caller's. */
+enum pp_status pp_waldram_outline(struct pp_region *outline,
+                                  const struct pp_waldram *waldram,
+                                  const struct pp_window_axes *axes,
+                                  const struct pp_region *region, struct pp_error *err);
+
+#endif

@@ -1,0 +1,79 @@
+/* mistakes.c - see mistakes.h. */
+#include "model/base/mistakes.h"
+
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+void pp_mistakes_init(struct pp_mistakes *mistakes, const char *file)
+{
+    *mistakes = (struct pp_mistakes){0};
+    mistakes->file = strdup(file);
+    mistakes->truncated = !mistakes->file;
+}
+
+void pp_mistakes_clear(struct pp_mistakes *mistakes)
+{
+    for (int i = 0; i < mistakes->count; i++)
+        free(mistakes->list[i].text);
+    free(mistakes->list);
+    free(mistakes->file);
+    *mistakes = (struct pp_mistakes){0};
+}
+
+static bool is_noted(const struct pp_mistakes *mistakes, int line, const char *text)
+{
+    for (int i = 0; i < mistakes->count; i++)
+        if (mistakes->list[i].line == line && strcmp(mistakes->list[i].text, text) == 0)
+            return true;
+    return false;
+}
+
+void pp_mistake(struct pp_mistakes *mistakes, int line, const char *format, ...)
+{
+    char *text = NULL;
+    va_list args;
+    va_start(args, format);
+    int length = vasprintf(&text, format, args);
+    va_end(args);
+    if (length < 0) {
+        mistakes->truncated = true;
+        return;
+    }
+    if (is_noted(mistakes, line, text)) {
+        free(text);
+        return;
+    }
+    if (mistakes->count == PP_MISTAKES_MOST) {
+        mistakes->truncated = true;
+        free(text);
+        return;
+    }
+
+    /* Room for a power of two of them, from eight. */
+    int count = mistakes->count;
+    if (count == 0 || (count >= 8 && (count & (count - 1)) == 0)) {
+        size_t room = count ? 2 * (size_t)count : 8;
+        struct pp_mistake *list = realloc(mistakes->list, room * sizeof *list);
+        if (!list) {
+            mistakes->truncated = true;
+            free(text);
+            return;
+        }
+        mistakes->list = list;
+    }
+    mistakes->list[mistakes->count++] = (struct pp_mistake){line, text};
+}
+
+/* By insertion: a thousand at most, mostly in order, and it is stable. */
+void pp_mistakes_sort(struct pp_mistakes *mistakes)
+{
+    for (int i = 1; i < mistakes->count; i++) {
+        struct pp_mistake moved = mistakes->list[i];
+        int k = i;
+        for (; k > 0 && mistakes->list[k - 1].line > moved.line; k--)
+            mistakes->list[k] = mistakes->list[k - 1];
+        mistakes->list[k] = moved;
+    }
+}

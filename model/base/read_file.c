@@ -1,0 +1,66 @@
+#include "model/base/read_file.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <stdbool.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+const char *pp_file_title(const char *path)
+{
+    return strcmp(path, "-") == 0 ? "standard input" : path;
+}
+
+static enum pp_status read_all(char **bytes, size_t *length, size_t most, int file,
+                               const char *name, struct pp_error *err)
+{
+    size_t room = most < 1 << 16 ? most + 1 : 1 << 16;
+    *length = 0;
+    *bytes = malloc(room);
+    while (*bytes && *length <= most) {
+        if (*length == room) {
+            room = room <= most / 4 ? room * 4 : most + 1;
+            char *moved = realloc(*bytes, room);
+            if (!moved)
+                break;
+            *bytes = moved;
+        }
+        ssize_t got = read(file, *bytes + *length, room - *length);
+        if (got == 0)
+            return PP_OK;
+        if (got < 0)
+            return errno == EINTR
+                       ? pp_fail(err, PP_INTERRUPTED, "%s: interrupted", name)
+                       : pp_fail(err, errno == EISDIR ? PP_BAD_INPUT : PP_SYSTEM,
+                                 "%s: cannot be read: %s", name, strerror(errno));
+        *length += (size_t)got;
+    }
+    return *length > most ? PP_OK : pp_fail_memory(err);
+}
+
+enum pp_status pp_file_bytes(char **bytes, size_t *length, const char *path,
+                             size_t most, struct pp_error *err)
+{
+    const char *name = pp_file_title(path);
+    bool standard = name != path;
+    *bytes = NULL;
+    if (!*path)
+        return pp_fail(err, PP_BAD_INPUT,
+                       "the name of a file is empty; expected one, or - for standard "
+                       "input");
+    int file = standard ? STDIN_FILENO : open(path, O_RDONLY | O_CLOEXEC);
+    if (file < 0) {
+        bool missing = errno == ENOENT || errno == ENOTDIR || errno == ENAMETOOLONG;
+        return pp_fail(err, missing ? PP_BAD_INPUT : PP_SYSTEM,
+                       "%s: cannot be opened: %s", name, strerror(errno));
+    }
+    enum pp_status status = read_all(bytes, length, most, file, name, err);
+    if (!standard)
+        close(file);
+    if (status != PP_OK) {
+        free(*bytes);
+        *bytes = NULL;
+    }
+    return status;
+}

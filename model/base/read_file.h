@@ -1,0 +1,19 @@
+/* read_file.h - all of a file in memory, up to a limit. */
+#ifndef PP_MODEL_FILE_BYTES_H
+#define PP_MODEL_FILE_BYTES_H
+
+#include <stddef.h>
+
+#include "model/base/error.h"
+
+/* Reads the file; path "-" is standard input. On success *bytes is the caller's to
+ * free, *length of them, and never more than one above `most`: that tells that the file
+ * is larger. PP_BAD_INPUT where there is no such file, or a directory; PP_INTERRUPTED
+ * by a signal; PP_SYSTEM for all else. */
+enum pp_status pp_file_bytes(char **bytes, size_t *length, const char *path,
+                             size_t most, struct pp_error *err);
+
+/* What messages call a path: itself, or "standard input" for "-". */
+const char *pp_file_title(const char *path);
+
+#endif

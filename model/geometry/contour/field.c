@@ -1,0 +1,156 @@
+#include "model/geometry/contour/field.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* Longest edge of the first triangles, over the figure's diagonal. */
+#define COARSE (1.0 / 24.0)
+/* The same along the figure's edge, over that: what comes in there is steepest there.
+ */
+#define FINE_EDGE 0.25
+
+enum pp_status pp_field_need_room(void **list, int *room, int count, size_t size,
+                                  struct pp_error *err)
+{
+    if (count < *room)
+        return PP_OK;
+    int more = *room ? *room : 256;
+    while (count >= more)
+        more *= 2;
+    void *larger = realloc(*list, (size_t)more * size);
+    if (!larger)
+        return pp_fail_memory(err);
+    *list = larger;
+    *room = more;
+    return PP_OK;
+}
+
+enum pp_status pp_field_evaluate(struct pp_field *field, const double xy[2],
+                                 double *value, struct pp_error *err)
+{
+    field->evaluations++;
+    return field->function(field->context, xy[0], xy[1], value, err);
+}
+
+/* Evaluates at the nodes that are new. */
+enum pp_status pp_field_fill(struct pp_field *field, struct pp_error *err)
+{
+    enum pp_status status =
+        pp_field_need_room((void **)&field->values, &field->value_room,
+                           field->mesh.node_count, sizeof *field->values, err);
+    while (field->value_count < field->mesh.node_count && status == PP_OK) {
+        int node = field->value_count;
+        status = pp_field_evaluate(field, field->mesh.nodes[node], &field->values[node],
+                                   err);
+        if (status == PP_OK)
+            field->value_count++;
+    }
+    return status;
+}
+
+static double diagonal_of(const struct pp_region *region)
+{
+    double low[2] = {INFINITY, INFINITY}, high[2] = {-INFINITY, -INFINITY};
+    for (int r = 0; r < region->count; r++)
+        for (int i = 0; i < region->rings[r].count; i++)
+            for (int k = 0; k < 2; k++) {
+                low[k] = fmin(low[k], region->rings[r].xy[i][k]);
+                high[k] = fmax(high[k], region->rings[r].xy[i][k]);
+            }
+    return hypot(high[0] - low[0], high[1] - low[1]);
+}
+
+/* Has the triangle a side on the figure's edge? */
+static bool is_on_edge(const struct pp_mesh *mesh, int triangle)
+{
+    const int *t = mesh->triangles[triangle];
+    for (int i = 0; i < 3; i++) {
+        const int *two =
+            mesh->edges[pp_mesh_edge(mesh, t[i], t[(i + 1) % 3])].triangles;
+        if (two[0] < 0 || two[1] < 0)
+            return true;
+    }
+    return false;
+}
+
+static enum pp_status halve_coarse(struct pp_field *field, struct pp_error *err)
+{
+    struct pp_mesh *mesh = &field->mesh;
+    enum pp_status status = PP_OK;
+    for (int t = 0; t < mesh->triangle_count && status == PP_OK; t++)
+        while (status == PP_OK
+               && pp_mesh_longest(mesh, t)
+                      > (is_on_edge(mesh, t) ? FINE_EDGE : 1.0) * field->coarse)
+            status = pp_mesh_halve(mesh, t, err);
+    return status;
+}
+
+enum pp_status pp_field_create(struct pp_field **field_out,
+                               const struct pp_region *region,
+                               pp_field_function function, void *context,
+                               double tolerance, struct pp_error *err)
+{
+    *field_out = 0;
+    if (!(tolerance > 0.0))
+        return pp_fail(err, PP_BAD_INPUT,
+                       "tolerance of contours is %g; it must be more than 0",
+                       tolerance);
+    if (region->count == 0)
+        return pp_fail(err, PP_BAD_INPUT,
+                       "there is nothing to draw contours on: the figure is empty");
+    struct pp_field *field = calloc(1, sizeof *field);
+    if (!field)
+        return pp_fail_memory(err);
+    field->function = function;
+    field->context = context;
+    field->tolerance = tolerance;
+    field->coarse = COARSE * diagonal_of(region);
+    enum pp_status status = pp_region_copy(&field->region, region, err);
+    if (status == PP_OK)
+        status = pp_mesh_create(&field->mesh, region, err);
+    if (status == PP_OK)
+        status = halve_coarse(field, err);
+    if (status == PP_OK)
+        status = pp_field_fill(field, err);
+    if (status != PP_OK) {
+        pp_field_destroy(field);
+        return status;
+    }
+    *field_out = field;
+    return PP_OK;
+}
+
+void pp_field_destroy(struct pp_field *field)
+{
+    if (!field)
+        return;
+    pp_mesh_clear(&field->mesh);
+    pp_region_destroy(&field->region);
+    free(field->values);
+    free(field->ends);
+    free(field->crossings);
+    free(field->between);
+    free(field);
+}
+
+void pp_field_range(const struct pp_field *field, double *lowest, double lowest_xy[2],
+                    double *highest, double highest_xy[2])
+{
+    int low = 0, high = 0;
+    for (int i = 1; i < field->value_count; i++) {
+        if (field->values[i] < field->values[low])
+            low = i;
+        if (field->values[i] > field->values[high])
+            high = i;
+    }
+    *lowest = field->values[low];
+    *highest = field->values[high];
+    memcpy(lowest_xy, field->mesh.nodes[low], sizeof(double[2]));
+    memcpy(highest_xy, field->mesh.nodes[high], sizeof(double[2]));
+}
+
+long pp_field_evaluations(const struct pp_field *field)
+{
+    return field->evaluations;
+}

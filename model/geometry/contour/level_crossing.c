@@ -1,0 +1,234 @@
+#include "model/geometry/contour/field.h"
+
+#include <math.h>
+#include <string.h>
+
+/* How often a chord between two crossings is halved at most. */
+enum { DEEPEST = 10 };
+
+/* The place between a and b, on different sides of the level by ga and gb (value less
+ * level; higher is > 0), to within the tolerance. Brent's zeroin [BRE73]: secant
+ * or inverse quadratic steps, halving where they don't help; it ends by a bracket, so
+ * that it holds for steps too. */
+static enum pp_status find_level(struct pp_field *field, const double a_xy[2],
+                                 double ga, const double b_xy[2], double gb,
+                                 double found[2], struct pp_error *err)
+{
+    double length = hypot(b_xy[0] - a_xy[0], b_xy[1] - a_xy[1]);
+    double tolerance = 0.5 * field->tolerance / length;
+    double a = 0.0, b = 1.0, c = 0.0, gc = ga;
+    double step = 1.0, before = 1.0;
+    for (;;) {
+        /* b is the best so far, c on the other side of the level, a the one before. */
+        if ((gb > 0.0) == (gc > 0.0)) {
+            c = a;
+            gc = ga;
+            step = before = b - a;
+        }
+        if (fabs(gc) < fabs(gb)) {
+            a = b, b = c, c = a;
+            ga = gb, gb = gc, gc = ga;
+        }
+        double half = 0.5 * (c - b);
+        if (!(fabs(half) > tolerance) || gb == 0.0)
+            break;
+        if (fabs(before) < tolerance || fabs(ga) <= fabs(gb)) {
+            step = before = half;
+        } else {
+            double p, q, s = gb / ga;
+            if (a == c) {
+                p = 2.0 * half * s;
+                q = 1.0 - s;
+            } else {
+                double r = gb / gc, t = ga / gc;
+                p = s * (2.0 * half * t * (t - r) - (b - a) * (r - 1.0));
+                q = (t - 1.0) * (r - 1.0) * (s - 1.0);
+            }
+            if (p > 0.0)
+                q = -q;
+            p = fabs(p);
+            if (2.0 * p
+                < fmin(3.0 * half * q - fabs(tolerance * q), fabs(before * q))) {
+                before = step;
+                step = p / q;
+            } else {
+                step = before = half;
+            }
+        }
+        a = b;
+        ga = gb;
+        b += fabs(step) > tolerance ? step : copysign(tolerance, half);
+        double xy[2], value;
+        for (int k = 0; k < 2; k++)
+            xy[k] = a_xy[k] + b * (b_xy[k] - a_xy[k]);
+        enum pp_status status = pp_field_evaluate(field, xy, &value, err);
+        if (status != PP_OK)
+            return status;
+        gb = value - field->level;
+    }
+    for (int k = 0; k < 2; k++)
+        found[k] = a_xy[k] + b * (b_xy[k] - a_xy[k]);
+    return PP_OK;
+}
+
+/* A triangle that the level crosses: its corner A stands alone on its side. The curve
+ * runs from edge AB to edge AC and is met by each ray from A to a place on BC. */
+struct fan {
+    const double *a, *b, *c;
+    bool a_high;
+};
+
+static void between_of(const double p[2], const double q[2], double share, double xy[2])
+{
+    for (int k = 0; k < 2; k++)
+        xy[k] = p[k] + share * (q[k] - p[k]);
+}
+
+/* Where the ray from A to BC at `share` meets the chord p q, as a share of that ray. */
+static double chord_on_ray(const struct fan *fan, const double r[2], const double p[2],
+                           const double q[2])
+{
+    double ux = r[0] - fan->a[0], uy = r[1] - fan->a[1];
+    double vx = q[0] - p[0], vy = q[1] - p[1];
+    double wx = p[0] - fan->a[0], wy = p[1] - fan->a[1];
+    double across = ux * vy - uy * vx;
+    double share = fabs(across) > 0.0 ? (wx * vy - wy * vx) / across : 0.5;
+    return fmin(fmax(share, 0.0), 1.0);
+}
+
+/* The curve's place on the ray from A to r, near `guess` (a share of the ray, where the
+ * chord is); *strays tells whether that is further from the chord than the tolerance.
+ * Looks at the chord, a tolerance beside it, then ever further until the level lies
+ * between. */
+static enum pp_status find_on_ray(struct pp_field *field, const struct fan *fan,
+                                  const double r[2], double guess, double found[2],
+                                  bool *strays, struct pp_error *err)
+{
+    double length = hypot(r[0] - fan->a[0], r[1] - fan->a[1]);
+    double near[2], far[2], near_value, far_value, near_step = 0.0;
+    *strays = false;
+    between_of(fan->a, r, guess, near);
+    memcpy(found, near, sizeof near);
+    if (!(length > field->tolerance))
+        return PP_OK;
+    enum pp_status status = pp_field_evaluate(field, near, &near_value, err);
+    if (status != PP_OK)
+        return status;
+    bool near_high = near_value > field->level;
+    double way = near_high == fan->a_high ? 1.0 : -1.0; /* away from A, or towards it */
+
+    double share = guess, step = field->tolerance / length;
+    for (;;) {
+        share = fmin(fmax(guess + way * step, 0.0), 1.0);
+        between_of(fan->a, r, share, far);
+        status = pp_field_evaluate(field, far, &far_value, err);
+        if (status != PP_OK)
+            return status;
+        if ((far_value > field->level) != near_high)
+            break;
+        if (share <= 0.0 || share >= 1.0)
+            return PP_OK; /* no level on this ray after all: keep to the chord */
+        /* A little beyond where a straight line would put the level. */
+        double rise = (far_value - near_value) / (step - near_step);
+        double reach = 1.2 * (field->level - far_value) / rise;
+        *strays = true;
+        memcpy(near, far, sizeof near);
+        near_value = far_value;
+        near_step = step;
+        step += fmin(fmax(reach, step), 31.0 * step);
+    }
+    if (!*strays)
+        return PP_OK;
+    return find_level(field, near, near_value - field->level, far,
+                      far_value - field->level, found, err);
+}
+
+static enum pp_status add_between(struct pp_field *field, const double xy[2],
+                                  struct pp_error *err)
+{
+    enum pp_status status =
+        pp_field_need_room((void **)&field->between, &field->between_room,
+                           field->between_count, sizeof *field->between, err);
+    if (status == PP_OK)
+        memcpy(field->between[field->between_count++], xy, sizeof(double[2]));
+    return status;
+}
+
+/* Puts the points in that the curve needs between p, on the ray to BC at p_share, and
+ * q, at q_share. */
+static enum pp_status follow(struct pp_field *field, const struct fan *fan,
+                             const double p[2], double p_share, const double q[2],
+                             double q_share, int depth, struct pp_error *err)
+{
+    if (depth == 0 || hypot(q[0] - p[0], q[1] - p[1]) < 2.0 * field->tolerance)
+        return PP_OK;
+    double share = 0.5 * (p_share + q_share);
+    double r[2], m[2];
+    between_of(fan->b, fan->c, share, r);
+    bool strays;
+    enum pp_status status =
+        find_on_ray(field, fan, r, chord_on_ray(fan, r, p, q), m, &strays, err);
+    if (status != PP_OK || !strays)
+        return status;
+    status = follow(field, fan, p, p_share, m, share, depth - 1, err);
+    if (status == PP_OK)
+        status = add_between(field, m, err);
+    if (status == PP_OK)
+        status = follow(field, fan, m, share, q, q_share, depth - 1, err);
+    return status;
+}
+
+/* The place of the level on an edge, found once. */
+static enum pp_status end_on_edge(struct pp_field *field, int edge,
+                                  struct pp_error *err)
+{
+    struct pp_curve_end *end = &field->ends[edge];
+    if (end->stamp == field->stamp)
+        return PP_OK;
+    *end = (struct pp_curve_end){.stamp = field->stamp, .leaving = -1, .arriving = -1};
+    int a = field->mesh.edges[edge].a, b = field->mesh.edges[edge].b;
+    return find_level(field, field->mesh.nodes[a], field->values[a] - field->level,
+                      field->mesh.nodes[b], field->values[b] - field->level, end->xy,
+                      err);
+}
+
+enum pp_status pp_field_cross(struct pp_field *field, int triangle,
+                              struct pp_error *err)
+{
+    const int *t = field->mesh.triangles[triangle];
+    bool high[3];
+    for (int i = 0; i < 3; i++)
+        high[i] = field->values[t[i]] > field->level;
+    if (high[0] == high[1] && high[1] == high[2])
+        return PP_OK;
+    int alone = high[1] == high[2] ? 0 : high[2] == high[0] ? 1 : 2;
+    int a = t[alone], b = t[(alone + 1) % 3], c = t[(alone + 2) % 3];
+
+    /* Higher values are on the left: from AB to AC where A is high. */
+    int from = pp_mesh_edge(&field->mesh, a, b), to = pp_mesh_edge(&field->mesh, a, c);
+    struct fan fan = {field->mesh.nodes[a], field->mesh.nodes[b], field->mesh.nodes[c],
+                      high[alone]};
+    if (!high[alone]) {
+        int other = from;
+        from = to;
+        to = other;
+        fan.b = field->mesh.nodes[c];
+        fan.c = field->mesh.nodes[b];
+    }
+    enum pp_status status = end_on_edge(field, from, err);
+    if (status == PP_OK)
+        status = end_on_edge(field, to, err);
+    if (status == PP_OK)
+        status =
+            pp_field_need_room((void **)&field->crossings, &field->crossing_room,
+                               field->crossing_count, sizeof *field->crossings, err);
+    if (status != PP_OK)
+        return status;
+    int first = field->between_count;
+    status = follow(field, &fan, field->ends[from].xy, 0.0, field->ends[to].xy, 1.0,
+                    DEEPEST, err);
+    field->ends[from].leaving = field->ends[to].arriving = field->crossing_count;
+    field->crossings[field->crossing_count++] =
+        (struct pp_crossing){from, to, first, field->between_count - first, false};
+    return status;
+}

@@ -1,0 +1,57 @@
+#include "model/geometry/curve.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+void pp_curves_clear(struct pp_curves *curves)
+{
+    for (int i = 0; i < curves->count; i++)
+        free(curves->list[i].xy);
+    free(curves->list);
+    *curves = (struct pp_curves){0};
+}
+
+void pp_curve_add_point(struct pp_curve *curve, const double xy[2])
+{
+    if (curve->count && memcmp(curve->xy[curve->count - 1], xy, sizeof(double[2])) == 0)
+        return;
+    memcpy(curve->xy[curve->count++], xy, sizeof(double[2]));
+}
+
+enum pp_status pp_curves_add(struct pp_curves *curves, struct pp_curve curve,
+                             struct pp_error *err)
+{
+    struct pp_curve *list =
+        realloc(curves->list, (size_t)(curves->count + 1) * sizeof *list);
+    if (!list) {
+        free(curve.xy);
+        return pp_fail_memory(err);
+    }
+    curves->list = list;
+    list[curves->count++] = curve;
+    return PP_OK;
+}
+
+double pp_curve_length(const struct pp_curve *curve)
+{
+    double length = 0.0;
+    for (int i = curve->closed ? 0 : 1; i < curve->count; i++) {
+        const double *a = curve->xy[i > 0 ? i - 1 : curve->count - 1];
+        const double *b = curve->xy[i];
+        length += hypot(b[0] - a[0], b[1] - a[1]);
+    }
+    return length;
+}
+
+double pp_curves_area(const struct pp_curves *curves)
+{
+    double twice = 0.0;
+    for (int i = 0; i < curves->count; i++)
+        for (int k = 0; k < curves->list[i].count; k++) {
+            const double *a = curves->list[i].xy[k];
+            const double *b = curves->list[i].xy[(k + 1) % curves->list[i].count];
+            twice += a[0] * b[1] - b[0] * a[1];
+        }
+    return 0.5 * twice;
+}

@@ -1,0 +1,41 @@
+/* projection.h - a plane as seen from a point: the frame in which directions are drawn.
+ *
+ * Whatever is seen from the eye is projected centrally on to a plane at distance_m,
+ * where straight edges stay straight. A direction is there the point (x, y), metres
+ * along `along` and `up` from the foot of the eye's perpendicular. Points of space are
+ * (X, Y, Z) in the same axes with the eye at the origin, Z the depth along `toward`.
+ */
+#ifndef PP_METHODS_VIEW_H
+#define PP_METHODS_VIEW_H
+
+#include "model/geometry/vec.h"
+
+struct pp_view {
+    struct pp_vec3 eye;
+    struct pp_vec3 along, up, toward; /* unit; along x up = -toward */
+    double distance_m;                /* greater than 0 */
+};
+
+/* A point of space in the view's own axes. */
+static inline struct pp_vec3 pp_view_point(const struct pp_view *view,
+                                           struct pp_vec3 point)
+{
+    struct pp_vec3 v = pp_sub(point, view->eye);
+    return pp_vec(pp_dot(v, view->along), pp_dot(v, view->up), pp_dot(v, view->toward));
+}
+
+/* A direction or half-space in the view's own axes. */
+static inline struct pp_vec3 pp_view_axes(const struct pp_view *view, struct pp_vec3 v)
+{
+    return pp_vec(pp_dot(v, view->along), pp_dot(v, view->up), pp_dot(v, view->toward));
+}
+
+/* From the view's axes to the room's: the vector from the eye. */
+static inline struct pp_vec3 pp_view_vector(const struct pp_view *view,
+                                            struct pp_vec3 own)
+{
+    struct pp_vec3 v = pp_scale(view->along, own.x);
+    return pp_along(pp_along(v, own.y, view->up), own.z, view->toward);
+}
+
+#endif

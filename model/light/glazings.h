@@ -1,0 +1,25 @@
+/* glazings.h - the glazings that have a name (tables/glazings.csv). */
+#ifndef PP_MODEL_GLAZING_TABLE_H
+#define PP_MODEL_GLAZING_TABLE_H
+
+#include "model/light/glass.h"
+
+struct pp_glazing {
+    const char *name;
+    double panes, n, kl;
+    double normal;         /* NAN: as the panes give it */
+    const char *diffusing; /* "yes": normal is its hemispherical transmittance */
+    const char *source;    /* as the head of the table explains it */
+    const char *description;
+};
+
+int pp_glazing_count(void);
+const struct pp_glazing *pp_glazing_at(int index); /* in the table's order */
+
+/* The glazing of that name, or NULL. "none" is not in the table: it is an opening
+ * without any. */
+const struct pp_glazing *pp_glazing_find(const char *name);
+
+struct pp_glass pp_glazing_glass(const struct pp_glazing *glazing);
+
+#endif

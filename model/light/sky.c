@@ -1,0 +1,180 @@
+/* sky.c - see sky.h. */
+#include "model/light/sky.h"
+
+#include <cubature.h>
+#include <stddef.h>
+
+static const double iso_parameters[][6] = {
+#include "tables/iso15469.inc"
+};
+
+enum { ISO_TYPES = sizeof iso_parameters / sizeof iso_parameters[0] };
+
+struct pp_sky pp_sky_overcast(void)
+{
+    return (struct pp_sky){.kind = PP_SKY_OVERCAST,
+                           .sun = {0.0, 0.0, 1.0},
+                           .per_horizontal = 9.0 / (7.0 * PP_PI)};
+}
+
+struct pp_sky pp_sky_uniform(void)
+{
+    return (struct pp_sky){
+        .kind = PP_SKY_UNIFORM, .sun = {0.0, 0.0, 1.0}, .per_horizontal = 1.0 / PP_PI};
+}
+
+bool pp_sky_iso_has_sun(int type)
+{
+    return type >= 1 && type <= ISO_TYPES && iso_parameters[type - 1][3] != 0.0;
+}
+
+bool pp_sky_has_azimuth(const struct pp_sky *sky)
+{
+    return sky->kind == PP_SKY_ISO && (sky->c != 0.0 || sky->e != 0.0);
+}
+
+/* Luminance over that of the zenith; for ISO skies over 1 / (f(Zs) phi(0)) of it. */
+static double relative_luminance(const struct pp_sky *sky, struct pp_vec3 u)
+{
+    if (sky->kind == PP_SKY_OVERCAST)
+        return (1.0 + 2.0 * u.z) / 3.0;
+    if (sky->kind == PP_SKY_UNIFORM)
+        return 1.0;
+    double gradation = 1.0;
+    if (sky->a != 0.0)
+        gradation += sky->a * exp(sky->b / u.z);
+    if (sky->c == 0.0 && sky->e == 0.0)
+        return gradation;
+    /* The angle to the sun by atan2: acos loses half its digits beside it. */
+    double chi = atan2(pp_length(pp_cross(u, sky->sun)), pp_dot(u, sky->sun));
+    double cos_chi = cos(chi);
+    double indicatrix = 1.0 + sky->c * (exp(sky->d * chi) - exp(sky->d * PP_PI / 2.0))
+                        + sky->e * cos_chi * cos_chi;
+    return gradation * indicatrix;
+}
+
+double pp_sky_luminance(const struct pp_sky *sky, struct pp_vec3 u)
+{
+    if (!(u.z > 0.0))
+        return 0.0;
+    return relative_luminance(sky, u) * sky->per_horizontal;
+}
+
+/* What the quadrature of pp_sky_on_plane needs at each node. */
+struct plane_integral {
+    const struct pp_sky *sky;
+    struct pp_vec3 normal;
+};
+
+/* Integrand over azimuth x[0] and x[1], the part 0 to 1 of the altitudes that the
+ * plane sees at that azimuth. */
+static int plane_integrand(unsigned dim, const double *x, void *data, unsigned fdim,
+                           double *value)
+{
+    (void)dim, (void)fdim;
+    const struct plane_integral *integral = data;
+    struct pp_vec3 n = integral->normal;
+    double toward = n.x * sin(x[0]) + n.y * cos(x[0]);
+
+    /* n.u = toward cos(altitude) + n.z sin(altitude) is positive from low to high. */
+    double low = 0.0, high = PP_PI / 2.0;
+    if (toward < 0.0)
+        low = n.z > 0.0 ? atan2(-toward, n.z) : high;
+    else if (n.z < 0.0)
+        high = atan2(toward, -n.z);
+
+    double altitude = low + (high - low) * x[1];
+    double c = cos(altitude);
+    struct pp_vec3 u = pp_vec(c * sin(x[0]), c * cos(x[0]), sin(altitude));
+    double facing = pp_dot(n, u);
+    *value = 0.0;
+    if (high > low && facing > 0.0)
+        *value = pp_sky_luminance(integral->sky, u) * facing * c * (high - low);
+    return 0;
+}
+
+static double quadrature_on_plane(const struct pp_sky *sky, struct pp_vec3 n)
+{
+    /* The integrand has a kink where the plane's own horizon meets the true one, and
+     * a cusp at the sun: cut there. */
+    double side = atan2(n.x, n.y) + PP_PI / 2.0;
+    double sun = atan2(sky->sun.x, sky->sun.y);
+    double cut[5] = {0.0, side, side + PP_PI, sun, sun + PP_PI};
+    for (int i = 1; i < 5; i++)
+        cut[i] -= 2.0 * PP_PI * floor(cut[i] / (2.0 * PP_PI));
+    for (int i = 1; i < 5; i++)
+        for (int k = i; k > 0 && cut[k] < cut[k - 1]; k--) {
+            double swap = cut[k];
+            cut[k] = cut[k - 1];
+            cut[k - 1] = swap;
+        }
+
+    struct plane_integral integral = {sky, n};
+    double sum = 0.0;
+    for (int i = 0; i < 5; i++) {
+        double low[2] = {cut[i], 0.0};
+        double high[2] = {i < 4 ? cut[i + 1] : 2.0 * PP_PI, 1.0};
+        double value = 0.0, error = 0.0;
+        if (high[0] > low[0])
+            hcubature(1, plane_integrand, &integral, 2, low, high, 400000, 1e-12, 1e-10,
+                      ERROR_INDIVIDUAL, &value, &error);
+        sum += value;
+    }
+    return sum;
+}
+
+enum pp_status pp_sky_iso(struct pp_sky *sky, int type, struct pp_vec3 sun,
+                          struct pp_error *err)
+{
+    if (type < 1 || type > ISO_TYPES)
+        return pp_fail(err, PP_BAD_INPUT,
+                       "sky type iso-%d is not one of iso-1 to iso-%d", type,
+                       ISO_TYPES);
+    if (pp_sky_iso_has_sun(type) && !(sun.z >= 0.0))
+        return pp_fail(err, PP_BAD_INPUT, "sky iso-%d has its sun below the horizon",
+                       type);
+    const double *row = iso_parameters[type - 1];
+    *sky =
+        (struct pp_sky){.kind = PP_SKY_ISO,
+                        .iso = type,
+                        .sun = pp_sky_iso_has_sun(type) ? sun : pp_vec(0.0, 0.0, 1.0),
+                        .a = row[1],
+                        .b = row[2],
+                        .c = row[3],
+                        .d = row[4],
+                        .e = row[5],
+                        .per_horizontal = 1.0};
+    sky->per_horizontal = 1.0 / quadrature_on_plane(sky, pp_vec(0.0, 0.0, 1.0));
+    return PP_OK;
+}
+
+double pp_sky_on_plane(const struct pp_sky *sky, struct pp_vec3 n)
+{
+    double beta = atan2(hypot(n.x, n.y), n.z);
+    switch (sky->kind) {
+    case PP_SKY_OVERCAST:
+        return 3.0 / 14.0 * (1.0 + cos(beta))
+               + 4.0 / (7.0 * PP_PI) * (sin(beta) + (PP_PI - beta) * cos(beta));
+    case PP_SKY_UNIFORM:
+        return (1.0 + cos(beta)) / 2.0;
+    case PP_SKY_ISO:
+        break;
+    }
+    return quadrature_on_plane(sky, n);
+}
+
+const char *pp_sky_name(const struct pp_sky *sky)
+{
+    static const char *const iso_names[] = {
+        "iso-1", "iso-2",  "iso-3",  "iso-4",  "iso-5",  "iso-6",  "iso-7", "iso-8",
+        "iso-9", "iso-10", "iso-11", "iso-12", "iso-13", "iso-14", "iso-15"};
+    switch (sky->kind) {
+    case PP_SKY_OVERCAST:
+        return "overcast";
+    case PP_SKY_UNIFORM:
+        return "uniform";
+    case PP_SKY_ISO:
+        break;
+    }
+    return iso_names[sky->iso - 1];
+}

@@ -1,0 +1,59 @@
+/* sky.h - the luminance of the sky, as the methods and the simulation see it.
+ *
+ * A sky is normalised by its own unobstructed horizontal illuminance Eh, so that
+ * what a receiver gets from it is a daylight factor without further division:
+ *
+ *     overcast   L = Lz (1 + 2 sin altitude)/3,  Eh = 7 pi Lz / 9       [MS42]
+ *     uniform    L = Lz,                         Eh = pi Lz
+ *     ISO 15469  L = Lz f(chi) phi(Z) / (f(Zs) phi(0)),                 [ISO15469]
+ *                f(chi) = 1 + c (exp(d chi) - exp(d pi/2)) + e cos^2 chi
+ *                phi(Z) = 1 + a exp(b / cos Z),  phi(pi/2) = 1
+ *                with Eh by adaptive quadrature to 1e-10
+ *
+ * The sun's disc is left out.
+ */
+#ifndef PP_MODEL_SKY_H
+#define PP_MODEL_SKY_H
+
+#include <stdbool.h>
+
+#include "model/base/error.h"
+#include "model/geometry/vec.h"
+
+enum pp_sky_kind { PP_SKY_OVERCAST, PP_SKY_UNIFORM, PP_SKY_ISO };
+
+struct pp_sky {
+    enum pp_sky_kind kind;
+    int iso;              /* 1 to 15 for PP_SKY_ISO, else 0 */
+    struct pp_vec3 sun;   /* towards the sun, unit length; zenith where there is none */
+    double a, b, c, d, e; /* ISO 15469, zero elsewhere */
+    double per_horizontal; /* the relative luminance times this is L / Eh (1/sr) */
+};
+
+struct pp_sky pp_sky_overcast(void);
+struct pp_sky pp_sky_uniform(void);
+
+/* ISO 15469 sky of type 1 to 15 with the sun in direction sun (unit, above the
+ * horizon; not looked at by types that have no sun). Fails on any other type and on
+ * a sun below the horizon. */
+enum pp_status pp_sky_iso(struct pp_sky *sky, int type, struct pp_vec3 sun,
+                          struct pp_error *err);
+
+/* Does the luminance of ISO type `type` depend on where the sun stands? */
+bool pp_sky_iso_has_sun(int type);
+
+/* Does the luminance change with azimuth? */
+bool pp_sky_has_azimuth(const struct pp_sky *sky);
+
+/* Luminance in direction u (unit) over the horizontal illuminance, 1/sr; 0 below the
+ * horizon. */
+double pp_sky_luminance(const struct pp_sky *sky, struct pp_vec3 u);
+
+/* Illuminance of a plane with normal n (unit, any tilt) from the unobstructed sky,
+ * as a fraction of Eh. Closed form for overcast and uniform, else to 1e-9. */
+double pp_sky_on_plane(const struct pp_sky *sky, struct pp_vec3 n);
+
+/* "overcast", "uniform", "iso-1" ... "iso-15". */
+const char *pp_sky_name(const struct pp_sky *sky);
+
+#endif

@@ -1,0 +1,36 @@
+/* picture.h - a picture as numbers: linear colour, a value a pixel, row by row. */
+#ifndef PP_MODEL_PICTURE_H
+#define PP_MODEL_PICTURE_H
+
+#include <stddef.h>
+
+#include "model/base/error.h"
+#include "model/light/rgb.h"
+
+/* Of both sides, and of all pixels: 768 MiB. */
+enum { PP_PICTURE_SIDE_MOST = 65535 };
+#define PP_PICTURE_PIXELS_MOST (1 << 26)
+
+struct pp_picture {
+    int width, height; /* pixels */
+    float *rgb;        /* three a pixel; rows from the top, pixels from the left */
+};
+
+/* A black picture; PP_BAD_INPUT where it would be larger than the limits or empty. */
+enum pp_status pp_picture_create(struct pp_picture *picture, int width, int height,
+                                 struct pp_error *err);
+void pp_picture_clear(struct pp_picture *picture);
+
+static inline float *pp_picture_at(const struct pp_picture *picture, int x, int y)
+{
+    return picture->rgb + 3 * ((size_t)y * (size_t)picture->width + (size_t)x);
+}
+
+static inline struct pp_rgb pp_picture_rgb(const struct pp_picture *picture, int x,
+                                           int y)
+{
+    const float *at = pp_picture_at(picture, x, y);
+    return pp_rgb(at[0], at[1], at[2]);
+}
+
+#endif

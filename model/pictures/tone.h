@@ -1,0 +1,61 @@
+/* tone.h - from the light in a picture to what a screen or paper can show of it.
+ *
+ * Three ways to choose: an exposure by hand; one from the picture, which makes its
+ * geometric mean a middle grey; or the curve of [LRP97], which spreads contrast over
+ * the brightnesses that occur but never shows more of it than there is, nor than an eye
+ * that is adapted to the scene would see: what looks alike there looks alike here.
+ *
+ * Luminances are cd/m2, from the picture's grey (rgb.h) times `unit`.
+ */
+#ifndef PP_MODEL_TONE_H
+#define PP_MODEL_TONE_H
+
+#include "model/pictures/picture.h"
+
+enum pp_tone_way { PP_TONE_BY_HAND, PP_TONE_AUTOMATIC, PP_TONE_HUMAN };
+
+/* The luminances of black and white of what the picture is shown on, cd/m2. */
+#define PP_TONE_DISPLAY_LEAST 1.0
+#define PP_TONE_DISPLAY_MOST 100.0
+
+/* What the geometric mean becomes of white: middle grey. */
+#define PP_TONE_MIDDLE 0.18
+
+struct pp_tone_options {
+    enum pp_tone_way way;
+    double white;         /* by hand: the luminance that is shown white, above 0 */
+    double unit;          /* luminance of a grey of 1 */
+    double degree_pixels; /* human: pixels to one degree of view, the width of what the
+                           * eye adapts to; at least 1 */
+};
+
+enum { PP_TONE_BINS = 100 };
+
+struct pp_tone {
+    double unit;
+    double white; /* of the first two ways; 0: the curve */
+    /* Logarithms of display luminance at PP_TONE_BINS + 1 equal steps of that of the
+     * scene's. */
+    double low, step, curve[PP_TONE_BINS + 1];
+};
+
+/* Looks at the whole picture. Pixels that are black or no number don't count; a picture
+ * of nothing else is shown black. */
+enum pp_status pp_tone_prepare(struct pp_tone *tone, const struct pp_picture *picture,
+                               const struct pp_tone_options *options,
+                               struct pp_error *err);
+
+/* What is shown of a luminance (cd/m2), of the display's white: 0 to 1 and, of the
+ * first two ways, above. Grows with the luminance. The display's black is not taken off
+ * the curve: on one that gives off less, the contrast of dark parts would grow. */
+double pp_tone_shown(const struct pp_tone *tone, double luminance);
+
+/* A pixel in sRGB [IEC61966]. */
+void pp_tone_apply(const struct pp_tone *tone, struct pp_rgb rgb,
+                   unsigned char shown[3]);
+
+/* The least difference of luminance that is seen by an eye adapted to `luminance`
+ * (cd/m2), rods and cones together: [LRP97] eq. 2, after [FERWERDA96]. */
+double pp_tone_threshold(double luminance);
+
+#endif

@@ -1,0 +1,59 @@
+/* board_windows.c - see board_windows.h. */
+#include "model/results/board_windows.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+void pp_board_window_sum(struct pp_board_window *window, double worth)
+{
+    window->sky = window->external = 0.0;
+    for (int i = 0; i < window->count; i++) {
+        const struct pp_board_piece *piece = &window->pieces[i];
+        double share = window->allowance * piece->factor * piece->counted * worth;
+        *(piece->hidden ? &window->external : &window->sky) += share;
+    }
+}
+
+void pp_board_windows_add(const struct pp_board_window *windows, int count, double *sky,
+                          double *external)
+{
+    for (int i = 0; i < count; i++) {
+        *sky += windows[i].sky;
+        *external += windows[i].external;
+    }
+}
+
+bool pp_board_windows_hidden(const struct pp_board_window *windows, int count)
+{
+    for (int w = 0; w < count; w++)
+        for (int p = 0; p < windows[w].count; p++)
+            if (windows[w].pieces[p].hidden)
+                return true;
+    return false;
+}
+
+void pp_board_window_extent(const struct pp_board_window *window, double low[2],
+                            double high[2])
+{
+    for (int p = 0; p < window->count; p++)
+        for (int r = 0; r < window->pieces[p].outline.count; r++) {
+            const struct pp_ring *ring = &window->pieces[p].outline.rings[r];
+            for (int i = 0; i < ring->count; i++)
+                for (int k = 0; k < 2; k++) {
+                    low[k] = fmin(low[k], ring->xy[i][k]);
+                    high[k] = fmax(high[k], ring->xy[i][k]);
+                }
+        }
+}
+
+void pp_board_windows_destroy(struct pp_board_window *windows, int count)
+{
+    for (int w = 0; w < count; w++) {
+        for (int p = 0; p < windows[w].count; p++) {
+            pp_region_destroy(&windows[w].pieces[p].outline);
+            free(windows[w].pieces[p].squares);
+        }
+        free(windows[w].pieces);
+    }
+    free(windows);
+}

@@ -1,0 +1,10 @@
+/* daylight_plan.c - see daylight_plan.h. */
+#include "model/results/daylight_plan.h"
+
+void pp_daylight_plan_clear(struct pp_daylight_plan *plan)
+{
+    pp_curves_clear(&plan->contours);
+    pp_curves_clear(&plan->no_sky);
+    pp_curves_clear(&plan->dark);
+    *plan = (struct pp_daylight_plan){0};
+}

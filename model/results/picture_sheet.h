@@ -1,0 +1,44 @@
+/* picture_sheet.h - what a sheet with a picture on it shows, for whoever draws it. */
+#ifndef PP_MODEL_PICTURE_SHEET_H
+#define PP_MODEL_PICTURE_SHEET_H
+
+#include "model/geometry/curve.h"
+#include "model/pictures/false_colour.h"
+#include "model/pictures/raster.h"
+
+/* A word at a place in the picture, in pixels. */
+struct pp_picture_word {
+    double x, y;
+    char words[16];
+};
+
+struct pp_picture_sheet {
+    const char *title;  /* not owned; NULL: none */
+    char subtitle[512]; /* what it shows, from where, under which sky */
+    char foot[512];     /* notes */
+
+    struct pp_raster raster;
+
+    double pixels_per_m; /* of a parallel view; 0: of no one scale */
+    bool upright;        /* not looked at from straight above or below; else: */
+    double north_rad;    /* north is so far anticlockwise of up */
+
+    bool scaled; /* in false colours: with a scale beside */
+    struct pp_colour_scale scale;
+    bool beyond[2];   /* are there darker, lighter pixels than the scale has? */
+    const char *unit; /* of the scale; not owned */
+    int level_count;  /* that have lines */
+    double levels[PP_COLOUR_LEVELS_MOST];
+    struct pp_curves lines; /* in pixels, levels in the unit */
+
+    struct pp_curves grid; /* over it, in pixels: directions, outlines */
+    struct pp_picture_word *words;
+    int word_count;
+
+    double (*marks)[2]; /* places of records, in pixels */
+    int mark_count;
+};
+
+void pp_picture_sheet_clear(struct pp_picture_sheet *sheet);
+
+#endif

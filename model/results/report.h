@@ -1,0 +1,64 @@
+/* report.h - all that was found out about one room, for whoever prints or draws it.
+ *
+ * A column is one entry of the results: a component by a method ("exact"), by a pair
+ * ("exact+bre"), or by the simulation ("traced").
+ */
+#ifndef PP_MODEL_REPORT_H
+#define PP_MODEL_REPORT_H
+
+#include <stdbool.h>
+
+#include "model/results/reading.h"
+#include "model/results/steps.h"
+#include "model/room/world.h"
+
+struct pp_column {
+    enum pp_component component;
+    char name[48];
+    struct pp_reading average; /* over the whole working plane */
+    bool of_all_surfaces; /* an average over the room's surfaces: not to be compared with
+                           * those over its working plane */
+    struct pp_reading
+        *points; /* one for each receiver; NULL: speaks for the room only */
+};
+
+struct pp_method_options; /* methods/method.h */
+
+struct pp_report {
+    const struct pp_world *world;            /* not owned */
+    const struct pp_method_options *options; /* not owned; NULL: nothing asked for */
+    const struct pp_receiver *receivers;     /* not owned */
+    int receiver_count;
+    struct pp_column *columns; /* in order of component, then as asked for */
+    int column_count;
+    bool finished;    /* false: interrupted, what is there is good */
+    bool explain;     /* are the methods to set down their steps? */
+    char **sentences; /* what readings' why points to, where it is not static */
+    int sentence_count;
+    struct pp_steps **steps; /* what readings' steps point to */
+    int steps_count;
+};
+
+/* A new column behind the others of its component, with room for the points' readings
+ * (or for none), all "not computed"; NULL when memory is out. The pointer is good until
+ * the next call. */
+struct pp_column *pp_report_add(struct pp_report *report, enum pp_component component,
+                                const char *name, bool for_points);
+
+/* The column of that component and name, or NULL. */
+const struct pp_column *pp_report_find(const struct pp_report *report,
+                                       enum pp_component component, const char *name);
+
+/* A sentence for a reading's why, kept (once) by the report until it is cleared; NULL
+ * when memory is out. */
+const char *pp_report_say(struct pp_report *report, const char *format, ...)
+    __attribute__((format(printf, 2, 3)));
+
+/* An empty list of steps, kept by the report until it is cleared; NULL when memory is
+ * out. */
+struct pp_steps *pp_report_steps(struct pp_report *report);
+
+/* Frees the columns, sentences and steps; what else is in the report stays. */
+void pp_report_clear(struct pp_report *report);
+
+#endif

@@ -1,0 +1,112 @@
+/* steps.c - see steps.h. */
+#include "model/results/steps.h"
+#include "model/base/text.h"
+
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* One more step at the end of the list; NULL where there is no list or no memory. */
+static struct pp_step *next(struct pp_steps *steps)
+{
+    if (!steps)
+        return NULL;
+    if (steps->count == steps->capacity) {
+        int capacity = steps->capacity ? 2 * steps->capacity : 16;
+        struct pp_step *list = realloc(steps->list, (size_t)capacity * sizeof *list);
+        if (!list) {
+            steps->failed = true;
+            return NULL;
+        }
+        steps->list = list;
+        steps->capacity = capacity;
+    }
+    struct pp_step *step = &steps->list[steps->count++];
+    *step = (struct pp_step){.line = steps->line};
+    return step;
+}
+
+static void fill(struct pp_steps *steps, enum pp_unit unit, double value,
+                 const char *symbol, const char *formula, const char *what,
+                 va_list args)
+{
+    struct pp_step *step = next(steps);
+    if (!step)
+        return;
+    step->unit = unit;
+    step->value = value;
+    snprintf(step->symbol, sizeof step->symbol, "%s", symbol);
+    snprintf(step->formula, sizeof step->formula, "%s", formula);
+    vsnprintf(step->what, sizeof step->what, what, args);
+}
+
+void pp_step(struct pp_steps *steps, enum pp_unit unit, double value, const char *what,
+             ...)
+{
+    va_list args;
+    va_start(args, what);
+    fill(steps, unit, value, "", "", what, args);
+    va_end(args);
+}
+
+void pp_step_named(struct pp_steps *steps, enum pp_unit unit, double value,
+                   const char *symbol, const char *what, ...)
+{
+    va_list args;
+    va_start(args, what);
+    fill(steps, unit, value, symbol, "", what, args);
+    va_end(args);
+}
+
+void pp_step_worked(struct pp_steps *steps, enum pp_unit unit, double value,
+                    const char *symbol, const char *formula, const char *what, ...)
+{
+    va_list args;
+    va_start(args, what);
+    fill(steps, unit, value, symbol, formula, what, args);
+    va_end(args);
+}
+
+/* Of long sums a line holds a part, which the next line goes on from. */
+void pp_step_sum(struct pp_steps *steps, int first, int count, const char *symbol,
+                 const char *what)
+{
+    enum { LONGEST_TERM = 32 };
+    if (!steps)
+        return;
+    char formula[sizeof steps->list->formula] = "";
+    double sum = 0.0;
+    for (int i = 1; i <= count; i++) {
+        char name[32];
+        snprintf(name, sizeof name, "%s_%d", symbol, i);
+        const struct pp_step *term = pp_steps_find(steps, first, name);
+        if (!term)
+            continue;
+        if (sizeof formula - strlen(formula) <= LONGEST_TERM) {
+            pp_step_worked(steps, PP_UNIT_SHARE, sum, symbol, formula,
+                           "%s, as far as here", what);
+            snprintf(formula, sizeof formula, "%s", symbol);
+            term = pp_steps_find(steps, first, name);
+        }
+        pp_append(formula, sizeof formula, "%s%s", formula[0] ? " + " : "", name);
+        sum += term->value;
+    }
+    pp_step_worked(steps, PP_UNIT_SHARE, sum, symbol, formula[0] ? formula : "0", "%s",
+                   what);
+}
+
+const struct pp_step *pp_steps_find(const struct pp_steps *steps, int first,
+                                    const char *symbol)
+{
+    for (int i = steps->count - 1; i >= first; i--)
+        if (strcmp(steps->list[i].symbol, symbol) == 0)
+            return &steps->list[i];
+    return NULL;
+}
+
+void pp_steps_clear(struct pp_steps *steps)
+{
+    free(steps->list);
+    *steps = (struct pp_steps){0};
+}

@@ -1,0 +1,202 @@
+/* blocks.c - buildings outside: boxes that stand clear of the room. */
+#include <stdlib.h>
+#include <string.h>
+
+#include "model/room/build/resolve.h"
+#include "model/geometry/tolerance.h"
+
+/* A box's own axes: unit, right-handed, w up. */
+struct box {
+    struct pp_vec3 corner, axes[3];
+    double size[3];
+};
+
+static struct box box_of(const struct pp_block *block)
+{
+    double c = cos(block->rotate_rad), s = sin(block->rotate_rad);
+    return (struct box){.corner = block->corner,
+                        .axes = {{c, s, 0.0}, {-s, c, 0.0}, {0.0, 0.0, 1.0}},
+                        .size = {block->width_m, block->depth_m, block->height_m}};
+}
+
+/* The corner at 0 or 1 along each axis. */
+static struct pp_vec3 box_corner(const struct box *box, int u, int v, int w)
+{
+    struct pp_vec3 p = pp_along(box->corner, u * box->size[0], box->axes[0]);
+    p = pp_along(p, v * box->size[1], box->axes[1]);
+    return pp_along(p, w * box->size[2], box->axes[2]);
+}
+
+/* ---- Does it stand clear? ---- */
+
+/* Cuts the polygon to sign * (coordinate along the axis) <= limit; the result may run
+ * back over itself along the cut, which changes no area. */
+static int clip(struct pp_vec3 *cut, const struct pp_vec3 *polygon, int count,
+                struct pp_vec3 origin, struct pp_vec3 axis, double limit)
+{
+    int cut_count = 0;
+    for (int i = 0; i < count; i++) {
+        struct pp_vec3 p = polygon[i], q = polygon[(i + 1) % count];
+        double over_p = pp_dot(axis, pp_sub(p, origin)) - limit;
+        double over_q = pp_dot(axis, pp_sub(q, origin)) - limit;
+        if (over_p <= 0.0)
+            cut[cut_count++] = p;
+        if ((over_p <= 0.0) != (over_q <= 0.0))
+            cut[cut_count++] = pp_along(p, over_p / (over_p - over_q), pp_sub(q, p));
+    }
+    return cut_count;
+}
+
+/* The polygon's area within the box, which is made smaller all round by what may
+ * touch (m2). */
+static enum pp_status area_in_box(double *area_m2, const struct box *box,
+                                  const struct pp_polygon *polygon,
+                                  struct pp_error *err)
+{
+    /* A cut adds at most one vertex for each two, and 1.5 to the sixth is under 12. */
+    size_t space = 16 * (size_t)polygon->count;
+    struct pp_vec3 *buffers = malloc(2 * space * sizeof *buffers);
+    if (!buffers)
+        return pp_fail_memory(err);
+    struct pp_vec3 *from = buffers, *to = buffers + space;
+    int count = polygon->count;
+    memcpy(from, polygon->vertices, count * sizeof *from);
+    for (int k = 0; k < 6 && count > 0; k++) {
+        double sign = k % 2 ? 1.0 : -1.0;
+        double limit = (k % 2 ? box->size[k / 2] : 0.0) - PP_ROUNDING_M;
+        count =
+            clip(to, from, count, box->corner, pp_scale(box->axes[k / 2], sign), limit);
+        struct pp_vec3 *swap = from;
+        from = to;
+        to = swap;
+    }
+    *area_m2 = count > 2 ? pp_length(pp_area_vector(from, count)) : 0.0;
+    free(buffers);
+    return PP_OK;
+}
+
+/* Notes a block that stands in the room or in an opening's depth; *clear if it does
+ * neither. */
+static enum pp_status check_clear(bool *clear, struct pp_resolver *r,
+                                  const struct pp_block *block, const struct box *box,
+                                  struct pp_error *err)
+{
+    const struct pp_world *world = r->world;
+    struct pp_vec3 middle = box->corner;
+    for (int k = 0; k < 3; k++)
+        middle = pp_along(middle, 0.5 * box->size[k], box->axes[k]);
+    bool overlaps = pp_world_contains(world, middle);
+    for (int i = 0; i < world->face_count && !overlaps; i++) {
+        double area_m2 = 0.0;
+        if (area_in_box(&area_m2, box, &world->surfaces[i].outline, err) != PP_OK)
+            return PP_SYSTEM;
+        overlaps = area_m2 > PP_ROUNDING_M;
+    }
+    *clear = !overlaps;
+    if (overlaps) {
+        pp_mistake(r->mistakes, block->line,
+                   "block: overlaps the room; expected it outside (x %g, y %g, base %g "
+                   "is its lower corner, about which it is turned)",
+                   block->corner.x, block->corner.y, block->corner.z);
+        return PP_OK;
+    }
+    for (int i = 0; i < world->opening_count; i++) {
+        const struct pp_opening *opening = &world->openings[i];
+        double area_m2 = 0.0;
+        if (area_in_box(&area_m2, box, &opening->outer, err) != PP_OK)
+            return PP_SYSTEM;
+        if (!(area_m2 > PP_ROUNDING_M))
+            continue;
+        *clear = false;
+        pp_mistake(r->mistakes, block->line,
+                   "block: stands in the depth of the opening of line %d; expected it "
+                   "outside the glass",
+                   opening->line);
+    }
+    return PP_OK;
+}
+
+/* ---- Its sides ---- */
+
+/* A side flush with a face of the room is set back into the block. */
+static void set_off(const struct pp_world *world, struct pp_vec3 *side)
+{
+    struct pp_vec3 area = pp_area_vector(side, 4);
+    struct pp_vec3 normal = pp_unit(area);
+    for (int i = 0; i < world->face_count; i++) {
+        const struct pp_polygon *face = &world->surfaces[i].outline;
+        double farthest = 0.0;
+        for (int k = 0; k < 4; k++)
+            farthest = fmax(farthest, fabs(pp_polygon_height(face, side[k])));
+        if (farthest >= PP_SET_OFF_M || pp_dot(normal, face->normal) < 0.0)
+            continue;
+        for (int k = 0; k < 4; k++)
+            side[k] = pp_along(side[k], -PP_SET_OFF_M, normal);
+        return;
+    }
+}
+
+static enum pp_status add_sides(struct pp_resolver *r, int index, const struct box *box,
+                                struct pp_error *err)
+{
+    /* Corners by the bits of u, v, w; each side counter-clockwise seen from outside. */
+    static const int sides[6][4][3] = {
+        {{0, 0, 0}, {1, 0, 0}, {1, 0, 1}, {0, 0, 1}}, /* -v */
+        {{1, 0, 0}, {1, 1, 0}, {1, 1, 1}, {1, 0, 1}}, /* +u */
+        {{1, 1, 0}, {0, 1, 0}, {0, 1, 1}, {1, 1, 1}}, /* +v */
+        {{0, 1, 0}, {0, 0, 0}, {0, 0, 1}, {0, 1, 1}}, /* -u */
+        {{0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}}, /* top */
+        {{0, 1, 0}, {1, 1, 0}, {1, 0, 0}, {0, 0, 0}}, /* bottom */
+    };
+    const struct pp_block *block = &r->world->blocks[index];
+    struct pp_surface surface = {.role = PP_BLOCK,
+                                 .front = block->reflectance,
+                                 .back = block->reflectance,
+                                 .finish = block->finish,
+                                 .owner = index,
+                                 .line = block->line};
+    bool floats = block->corner.z > r->world->ground_level_m;
+    for (int i = 0; i < (floats ? 6 : 5); i++) {
+        struct pp_vec3 side[4];
+        for (int k = 0; k < 4; k++)
+            side[k] = box_corner(box, sides[i][k][0], sides[i][k][1], sides[i][k][2]);
+        set_off(r->world, side);
+        if (pp_resolve_add_face(r, surface, side, 4, err) != PP_OK)
+            return PP_SYSTEM;
+    }
+    return PP_OK;
+}
+
+static bool is_read(const struct pp_block *block)
+{
+    return isfinite(block->corner.x + block->corner.y + block->corner.z)
+           && isfinite(block->rotate_rad) && isfinite(block->reflectance)
+           && block->width_m >= PP_SAME_M && block->depth_m >= PP_SAME_M
+           && block->height_m >= PP_SAME_M && isfinite(block->width_m)
+           && isfinite(block->depth_m) && isfinite(block->height_m);
+}
+
+enum pp_status pp_resolve_blocks(struct pp_resolver *r, struct pp_error *err)
+{
+    const struct pp_room *room = r->room;
+    struct pp_world *world = r->world;
+    world->blocks =
+        calloc(room->block_count ? room->block_count : 1, sizeof *world->blocks);
+    if (!world->blocks)
+        return pp_fail_memory(err);
+    for (int i = 0; i < room->block_count; i++) {
+        const struct pp_block *block = &room->blocks[i];
+        if (!is_read(block))
+            continue;
+        struct box box = box_of(block);
+        bool clear = true;
+        if (r->closed && check_clear(&clear, r, block, &box, err) != PP_OK)
+            return PP_SYSTEM;
+        if (!clear)
+            continue;
+        world->blocks[world->block_count++] = *block;
+        if (add_sides(r, world->block_count - 1, &box, err) != PP_OK)
+            return PP_SYSTEM;
+    }
+    return PP_OK;
+}

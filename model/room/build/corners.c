@@ -1,0 +1,89 @@
+/* corners.c - the envelope's corners: points nearer than PP_SAME_M are one, and become
+ * equal to the bit, so that later steps can follow edges from face to face.
+ */
+#include <stdint.h>
+#include <stdlib.h>
+
+#include "model/room/build/resolve.h"
+#include "model/geometry/tolerance.h"
+
+/* Points by the cube of space they are in, to find near ones without looking at all. */
+struct cubes {
+    struct pp_vec3 *points;
+    int *next;  /* of the points in the same bucket; -1: the last */
+    int *first; /* of a bucket */
+    int count;
+    unsigned bucket_count;
+};
+
+static const double cube_m = 4.0 * PP_SAME_M;
+
+static unsigned bucket_of(const struct cubes *cubes, double x, double y, double z)
+{
+    uint64_t hash = (uint64_t)(int64_t)x * 0x9E3779B97F4A7C15u;
+    hash = (hash ^ (uint64_t)(int64_t)y) * 0xC2B2AE3D27D4EB4Fu;
+    hash = (hash ^ (uint64_t)(int64_t)z) * 0x165667B19E3779F9u;
+    return (hash >> 32) % cubes->bucket_count;
+}
+
+/* The number of the point that p is one with, or of p as a new one. */
+static int point_number(struct cubes *cubes, struct pp_vec3 p)
+{
+    double low[3] = {floor((p.x - PP_SAME_M) / cube_m),
+                     floor((p.y - PP_SAME_M) / cube_m),
+                     floor((p.z - PP_SAME_M) / cube_m)};
+    double high[3] = {floor((p.x + PP_SAME_M) / cube_m),
+                      floor((p.y + PP_SAME_M) / cube_m),
+                      floor((p.z + PP_SAME_M) / cube_m)};
+    for (double x = low[0]; x <= high[0]; x++)
+        for (double y = low[1]; y <= high[1]; y++)
+            for (double z = low[2]; z <= high[2]; z++)
+                for (int i = cubes->first[bucket_of(cubes, x, y, z)]; i >= 0;
+                     i = cubes->next[i])
+                    if (pp_length(pp_sub(cubes->points[i], p)) < PP_SAME_M)
+                        return i;
+    unsigned bucket =
+        bucket_of(cubes, floor(p.x / cube_m), floor(p.y / cube_m), floor(p.z / cube_m));
+    int number = cubes->count++;
+    cubes->points[number] = p;
+    cubes->next[number] = cubes->first[bucket];
+    cubes->first[bucket] = number;
+    return number;
+}
+
+enum pp_status pp_resolve_corners(struct pp_resolver *r, struct pp_error *err)
+{
+    struct pp_world *world = r->world;
+    int corner_count = 0;
+    for (int i = 0; i < world->face_count; i++)
+        corner_count += world->surfaces[i].outline.count;
+    if (corner_count == 0)
+        return PP_OK;
+    struct cubes cubes = {.bucket_count = 2 * corner_count + 1};
+    cubes.points = malloc(corner_count * sizeof *cubes.points);
+    cubes.next = malloc(corner_count * sizeof *cubes.next);
+    cubes.first = malloc(cubes.bucket_count * sizeof *cubes.first);
+    free(r->corners);
+    r->corners = malloc(corner_count * sizeof *r->corners);
+    enum pp_status status = PP_OK;
+    if (cubes.points && cubes.next && cubes.first && r->corners) {
+        for (unsigned i = 0; i < cubes.bucket_count; i++)
+            cubes.first[i] = -1;
+        int corner = 0;
+        for (int i = 0; i < world->face_count; i++) {
+            struct pp_polygon *outline = &world->surfaces[i].outline;
+            for (int k = 0; k < outline->count; k++) {
+                int number = point_number(&cubes, outline->vertices[k]);
+                outline->vertices[k] = cubes.points[number];
+                r->corners[corner++] = number;
+            }
+            pp_polygon_measure(outline);
+        }
+    } else {
+        status = pp_fail_memory(err);
+    }
+    free(cubes.points);
+    free(cubes.next);
+    free(cubes.first);
+    return status;
+}

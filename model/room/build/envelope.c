@@ -1,0 +1,281 @@
+/* envelope.c - from the plan, or the faces of an envelope, to the room's own surfaces.
+ */
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "model/base/names.h"
+#include "model/room/build/resolve.h"
+#include "model/geometry/tolerance.h"
+
+/* The outer sides of walls and roof. */
+static const double outer_reflectance = 0.2;
+
+static enum pp_status name_wall(struct pp_resolver *r, const char *name, int face,
+                                struct pp_error *err)
+{
+    r->walls[r->wall_count] = strdup(name);
+    if (!r->walls[r->wall_count])
+        return pp_fail_memory(err);
+    r->wall_faces[r->wall_count++] = face;
+    return PP_OK;
+}
+
+static enum pp_status make_wall_list(struct pp_resolver *r, int most,
+                                     struct pp_error *err)
+{
+    r->walls = calloc(most > 0 ? most : 1, sizeof *r->walls);
+    r->wall_faces = calloc(most > 0 ? most : 1, sizeof *r->wall_faces);
+    return r->walls && r->wall_faces ? PP_OK : pp_fail_memory(err);
+}
+
+/* A reflectance, and the finish where it was given by one. */
+struct coat {
+    double reflectance;
+    const struct pp_finish *finish;
+};
+
+/* A wall's own if the file gives one, else that of all walls. */
+static struct coat wall_coat(const struct pp_room *room, const char *name)
+{
+    for (int i = 0; i < room->finish_count; i++)
+        if (room->finishes[i].wall && name && strcmp(room->finishes[i].wall, name) == 0)
+            return (struct coat){room->finishes[i].reflectance,
+                                 room->finishes[i].finish};
+    return (struct coat){room->walls, room->walls_finish};
+}
+
+/* That of a face of the role. */
+static struct coat coat_of(const struct pp_room *room, enum pp_role role,
+                           const char *name)
+{
+    if (role == PP_WALL)
+        return wall_coat(room, name);
+    if (role == PP_FLOOR)
+        return (struct coat){room->floor, room->floor_finish};
+    return (struct coat){room->ceiling, room->ceiling_finish};
+}
+
+static struct coat face_coat(const struct pp_room *room,
+                             const struct pp_face_part *face)
+{
+    if (!isnan(face->reflectance))
+        return (struct coat){face->reflectance, face->finish};
+    return coat_of(room, face->role, face->name);
+}
+
+/* Notes a wall whose name there is already. */
+static bool is_second_wall(struct pp_resolver *r, const struct pp_face_part *wall)
+{
+    for (const struct pp_face_part *face = r->room->plan.faces; face < wall; face++)
+        if (face->role == PP_WALL && face->name
+            && strcmp(face->name, wall->name) == 0) {
+            char name[64];
+            pp_mistake(
+                r->mistakes, wall->line,
+                "face: a second wall \"%s\", after that of line %d; expected a name "
+                "of its own for every wall",
+                pp_excerpt(name, sizeof name, wall->name), face->line);
+            return true;
+        }
+    return false;
+}
+
+static enum pp_status add_face(struct pp_resolver *r, enum pp_role role,
+                               const char *name, struct coat coat, int line,
+                               const struct pp_vec3 *vertices, int count,
+                               struct pp_error *err)
+{
+    struct pp_surface face = {.role = role,
+                              .inside = true,
+                              .name = name,
+                              .front = coat.reflectance,
+                              .back = outer_reflectance,
+                              .finish = coat.finish,
+                              .owner = -1,
+                              .line = line};
+    return pp_resolve_add_face(r, face, vertices, count, err);
+}
+
+/* Floor, ceiling, and a wall on each edge of the counter-clockwise ring. Walls are
+ * numbered by the file's edges, of which the ring may run the other way (turned): its
+ * edge i is then the file's count - 2 - i. */
+static enum pp_status raise_plan(struct pp_resolver *r, const struct pp_vec3 *ring,
+                                 int count, bool turned, struct pp_error *err)
+{
+    const struct pp_room *room = r->room;
+    double height_m = room->plan.height_m;
+    int line = room->plan.line;
+    struct pp_vec3 *level = malloc(count * sizeof *level);
+    if (!level)
+        return pp_fail_memory(err);
+
+    enum pp_status status = add_face(r, PP_FLOOR, NULL, coat_of(room, PP_FLOOR, NULL),
+                                     line, ring, count, err);
+    for (int i = 0; i < count; i++) {
+        struct pp_vec3 corner = ring[count - 1 - i];
+        level[i] = pp_vec(corner.x, corner.y, height_m);
+    }
+    if (status == PP_OK)
+        status = add_face(r, PP_CEILING, NULL, coat_of(room, PP_CEILING, NULL), line,
+                          level, count, err);
+    free(level);
+
+    for (int i = 0; i < count && status == PP_OK; i++) {
+        /* Seen from inside, the edge runs from right to left. */
+        struct pp_vec3 right = ring[i], left = ring[(i + 1) % count];
+        struct pp_vec3 wall[4] = {left, right, pp_vec(right.x, right.y, height_m),
+                                  pp_vec(left.x, left.y, height_m)};
+        int named = turned ? (2 * count - 2 - i) % count : i;
+        status = add_face(r, PP_WALL, r->walls[named], wall_coat(room, r->walls[named]),
+                          line, wall, 4, err);
+        r->wall_faces[named] = r->world->surface_count - 1;
+    }
+    return status;
+}
+
+static enum pp_status resolve_rectangle(struct pp_resolver *r, struct pp_error *err)
+{
+    static const char *const names[] = {"south", "east", "north", "west"};
+    const struct pp_plan_part *plan = &r->room->plan;
+    if (make_wall_list(r, 4, err) != PP_OK)
+        return PP_SYSTEM;
+    for (int i = 0; i < 4; i++)
+        if (name_wall(r, names[i], -1, err) != PP_OK)
+            return PP_SYSTEM;
+    if (!isfinite(plan->width_m) || !isfinite(plan->depth_m)
+        || !isfinite(plan->height_m))
+        return PP_OK;
+    if (plan->width_m < PP_SAME_M || plan->depth_m < PP_SAME_M
+        || plan->height_m < PP_SAME_M) {
+        pp_mistake(r->mistakes, plan->line,
+                   "plan: is %g m wide, %g m deep and %g m high; expected 1 mm or more "
+                   "each way",
+                   plan->width_m, plan->depth_m, plan->height_m);
+        return PP_OK;
+    }
+    struct pp_vec3 ring[4] = {{0.0, 0.0, 0.0},
+                              {plan->width_m, 0.0, 0.0},
+                              {plan->width_m, plan->depth_m, 0.0},
+                              {0.0, plan->depth_m, 0.0}};
+    return raise_plan(r, ring, 4, false, err);
+}
+
+static enum pp_status resolve_plan(struct pp_resolver *r, struct pp_error *err)
+{
+    const struct pp_plan_part *plan = &r->room->plan;
+    int count = plan->vertices.count;
+    if (make_wall_list(r, count, err) != PP_OK)
+        return PP_SYSTEM;
+    for (int i = 0; i < count; i++) {
+        char name[16];
+        snprintf(name, sizeof name, "%d", i + 1);
+        if (name_wall(r, name, -1, err) != PP_OK)
+            return PP_SYSTEM;
+    }
+    bool good = pp_resolve_good_outline(r, "plan", plan->line, &plan->vertices);
+    if (isfinite(plan->height_m) && plan->height_m < PP_SAME_M) {
+        pp_mistake(r->mistakes, plan->line, "plan: is %g m high; expected 1 mm or more",
+                   plan->height_m);
+        good = false;
+    }
+    if (!good || !isfinite(plan->height_m))
+        return PP_OK;
+    const struct pp_vec3 *ring = plan->vertices.list;
+    if (pp_area_vector(ring, count).z > 0.0)
+        return raise_plan(r, ring, count, false, err);
+
+    /* Go on with the plan turned round, to find what else is wrong. */
+    pp_mistake(r->mistakes, plan->line,
+               "plan: turns clockwise seen from above; expected counter-clockwise");
+    struct pp_vec3 *turned = malloc(count * sizeof *turned);
+    if (!turned)
+        return pp_fail_memory(err);
+    for (int i = 0; i < count; i++)
+        turned[i] = ring[count - 1 - i];
+    enum pp_status status = raise_plan(r, turned, count, true, err);
+    free(turned);
+    return status;
+}
+
+/* Faces of an envelope as the file gives them. */
+static enum pp_status resolve_faces(struct pp_resolver *r, struct pp_error *err)
+{
+    const struct pp_plan_part *plan = &r->room->plan;
+    if (make_wall_list(r, plan->face_count, err) != PP_OK)
+        return PP_SYSTEM;
+    for (int i = 0; i < plan->face_count; i++) {
+        const struct pp_face_part *part = &plan->faces[i];
+        char what[96], name[64];
+        snprintf(what, sizeof what, "face \"%s\"",
+                 pp_excerpt(name, sizeof name, part->name ? part->name : ""));
+        bool good = pp_resolve_good_outline(r, part->name ? what : "face", part->line,
+                                            &part->vertices);
+        r->faces_missing |= !good;
+        if (good) {
+            if (add_face(r, part->role, part->name, face_coat(r->room, part),
+                         part->line, part->vertices.list, part->vertices.count, err)
+                != PP_OK)
+                return PP_SYSTEM;
+        }
+        if (part->role != PP_WALL || !part->name)
+            continue;
+        if (!is_second_wall(r, part)
+            && name_wall(r, part->name, good ? r->world->surface_count - 1 : -1, err)
+                   != PP_OK)
+            return PP_SYSTEM;
+    }
+    return PP_OK;
+}
+
+/* A finish must be of a wall that there is, and the wall's only one. */
+static enum pp_status check_finishes(struct pp_resolver *r, struct pp_error *err)
+{
+    const struct pp_room *room = r->room;
+    int *lines = calloc(r->wall_count + 1, sizeof *lines); /* of each wall's finish */
+    if (!lines)
+        return pp_fail_memory(err);
+    for (int i = 0; i < room->plan.face_count; i++) {
+        const struct pp_face_part *face = &room->plan.faces[i];
+        if (face->role != PP_WALL || !face->name || isnan(face->reflectance))
+            continue;
+        int wall = pp_resolve_wall_index(r, face->name, "face", face->line);
+        if (wall >= 0)
+            lines[wall] = face->line;
+    }
+    for (int i = 0; i < room->finish_count; i++) {
+        const struct pp_finish_part *finish = &room->finishes[i];
+        int wall = pp_resolve_wall_index(r, finish->wall, "finish", finish->line);
+        if (wall >= 0 && lines[wall] > 0)
+            pp_mistake(r->mistakes, finish->line,
+                       "finish: that wall has one already, at line %d; expected one at "
+                       "most",
+                       lines[wall]);
+        else if (wall >= 0)
+            lines[wall] = finish->line;
+    }
+    free(lines);
+    return PP_OK;
+}
+
+enum pp_status pp_resolve_envelope(struct pp_resolver *r, struct pp_error *err)
+{
+    const struct pp_plan_part *plan = &r->room->plan;
+    enum pp_status status = PP_OK;
+    if (plan->envelope)
+        status = resolve_faces(r, err);
+    else if (plan->line != 0)
+        status = plan->rectangle ? resolve_rectangle(r, err) : resolve_plan(r, err);
+    if (status != PP_OK)
+        return status;
+
+    if (check_finishes(r, err) != PP_OK)
+        return PP_SYSTEM;
+    struct pp_world *world = r->world;
+    world->face_count = world->surface_count;
+    for (int i = 0; i < world->face_count; i++)
+        for (int k = 0; k < world->surfaces[i].outline.count; k++)
+            world->height_m =
+                fmax(world->height_m, world->surfaces[i].outline.vertices[k].z);
+    return PP_OK;
+}

@@ -1,0 +1,185 @@
+/* free_surfaces.c - opaque polygons inside the room or outside it, but not through its walls.
+ *
+ * A surface may touch the room's faces, or lie in one like a picture on a wall; then it
+ * is set off into the room.
+ */
+#include <stdlib.h>
+#include <string.h>
+
+#include "model/geometry/polygons_cross.h"
+#include "model/room/build/resolve.h"
+#include "model/geometry/tolerance.h"
+
+/* How much of it was seen where. */
+struct whereabouts {
+    bool inside, outside;
+    struct pp_vec3 inside_at, outside_at;
+};
+
+static bool is_on_envelope(const struct pp_world *world, struct pp_vec3 point)
+{
+    for (int i = 0; i < world->face_count; i++)
+        if (pp_polygon_distance(&world->surfaces[i].outline, point) <= PP_SAME_M)
+            return true;
+    return false;
+}
+
+static void look(struct whereabouts *seen, const struct pp_world *world,
+                 struct pp_vec3 point)
+{
+    if (is_on_envelope(world, point))
+        return;
+    if (pp_world_contains(world, point)) {
+        seen->inside = true;
+        seen->inside_at = point;
+    } else {
+        seen->outside = true;
+        seen->outside_at = point;
+    }
+}
+
+/* Looks at vertices, middles of edges, and middles of the triangles it falls into. */
+static enum pp_status look_over(struct whereabouts *seen, struct pp_resolver *r,
+                                const struct pp_polygon *polygon, struct pp_error *err)
+{
+    int count = polygon->count;
+    double(*xy)[2] = malloc(count * sizeof *xy), (*triangles)[3][2] = NULL;
+    int triangle_count = 0;
+    if (!xy)
+        return pp_fail_memory(err);
+    struct pp_vec3 along, up, origin = polygon->vertices[0];
+    pp_plane_axes(polygon->normal, &along, &up);
+    pp_flatten(polygon->vertices, count, origin, along, up, xy);
+    struct pp_region region = {0};
+    enum pp_status status =
+        pp_region_of_ring(r->clipper, &region, (const double(*)[2])xy, count, err);
+    if (status == PP_OK)
+        status = pp_region_triangulate(r->clipper, &triangles, &triangle_count, &region,
+                                       err);
+
+    for (int i = 0; i < count; i++) {
+        struct pp_vec3 p = polygon->vertices[i];
+        struct pp_vec3 edge = pp_sub(polygon->vertices[(i + 1) % count], p);
+        look(seen, r->world, p);
+        look(seen, r->world, pp_along(p, 0.5, edge));
+    }
+    for (int i = 0; i < triangle_count; i++) {
+        double x = 0.0, y = 0.0;
+        for (int k = 0; k < 3; k++) {
+            x += triangles[i][k][0] / 3.0;
+            y += triangles[i][k][1] / 3.0;
+        }
+        look(seen, r->world, pp_along(pp_along(origin, x, along), y, up));
+    }
+    pp_region_destroy(&region);
+    free(triangles);
+    free(xy);
+    return status;
+}
+
+static const char *role_word(enum pp_role role)
+{
+    return role == PP_FLOOR ? "floor" : role == PP_WALL ? "wall" : "ceiling";
+}
+
+/* Notes a surface that goes through the envelope; *clear if it does not. */
+static enum pp_status check_clear(bool *clear, struct pp_resolver *r,
+                                  const struct pp_surface_part *part,
+                                  const struct pp_polygon *polygon,
+                                  const struct whereabouts *seen, struct pp_error *err)
+{
+    const struct pp_world *world = r->world;
+    struct pp_vec3 where;
+    bool cross = false;
+    for (int i = 0; i < world->face_count && !cross; i++) {
+        const struct pp_surface *face = &world->surfaces[i];
+        if (pp_polygons_cross(&cross, polygon, &face->outline, &where, err) != PP_OK)
+            return PP_SYSTEM;
+        if (cross)
+            pp_mistake(r->mistakes, part->line,
+                       "surface: goes through a %s of the room at (%g, %g, %g); "
+                       "expected it all inside or all outside",
+                       role_word(face->role), where.x, where.y, where.z);
+    }
+    if (!cross && seen->inside && seen->outside) {
+        cross = true;
+        struct pp_vec3 in = seen->inside_at, out = seen->outside_at;
+        pp_mistake(r->mistakes, part->line,
+                   "surface: is in the room at (%g, %g, %g) and outside at (%g, %g, "
+                   "%g); expected it all inside or all outside",
+                   in.x, in.y, in.z, out.x, out.y, out.z);
+    }
+    *clear = !cross;
+    return PP_OK;
+}
+
+/* Moves vertices on to the polygon's own plane, and a surface that lies in a face of
+ * the envelope off it into the room, or out if that is where it stands. */
+static void flatten_and_set_off(const struct pp_world *world,
+                                struct pp_polygon *polygon, bool inside)
+{
+    struct pp_vec3 middle = pp_polygon_middle(polygon), n = polygon->normal;
+    for (int k = 0; k < polygon->count; k++) {
+        struct pp_vec3 *v = &polygon->vertices[k];
+        *v = pp_along(*v, -pp_dot(n, pp_sub(*v, middle)), n);
+    }
+    for (int i = 0; i < world->face_count; i++) {
+        const struct pp_polygon *face = &world->surfaces[i].outline;
+        double nearest = INFINITY, farthest = 0.0;
+        for (int k = 0; k < polygon->count; k++) {
+            double height = pp_polygon_height(face, polygon->vertices[k]);
+            nearest = fmin(nearest, fabs(height));
+            farthest = fmax(farthest, fabs(height));
+        }
+        if (farthest >= PP_SET_OFF_M)
+            continue;
+        double shift = inside ? PP_SET_OFF_M + nearest : -PP_SET_OFF_M - nearest;
+        for (int k = 0; k < polygon->count; k++)
+            polygon->vertices[k] = pp_along(polygon->vertices[k], shift, face->normal);
+        return;
+    }
+}
+
+static enum pp_status resolve_surface(struct pp_resolver *r,
+                                      const struct pp_surface_part *part,
+                                      struct pp_error *err)
+{
+    struct pp_surface surface = {.role = PP_LOOSE,
+                                 .front = part->reflectance,
+                                 .back = part->reflectance,
+                                 .exitance = part->exitance,
+                                 .finish = part->finish,
+                                 .owner = -1,
+                                 .line = part->line};
+    if (pp_polygon_of(&surface.outline, part->vertices.list, part->vertices.count, err)
+        != PP_OK)
+        return PP_SYSTEM;
+    struct whereabouts seen = {0};
+    bool clear = true;
+    enum pp_status status = look_over(&seen, r, &surface.outline, err);
+    if (status == PP_OK)
+        status = check_clear(&clear, r, part, &surface.outline, &seen, err);
+    if (status != PP_OK || !clear) {
+        pp_polygon_clear(&surface.outline);
+        return status;
+    }
+    /* One that lies in the envelope all over is the inside's. */
+    surface.inside = seen.inside || !seen.outside;
+    flatten_and_set_off(r->world, &surface.outline, surface.inside);
+    return pp_resolve_add_surface(r, &surface, err);
+}
+
+enum pp_status pp_resolve_loose(struct pp_resolver *r, struct pp_error *err)
+{
+    const struct pp_room *room = r->room;
+    for (int i = 0; i < room->surface_count; i++) {
+        const struct pp_surface_part *part = &room->surfaces[i];
+        if (!pp_resolve_good_outline(r, "surface", part->line, &part->vertices)
+            || !r->closed || !isfinite(part->reflectance) || !isfinite(part->exitance))
+            continue;
+        enum pp_status status = resolve_surface(r, part, err);
+        if (status != PP_OK)
+            return status;
+    }
+    return PP_OK;
+}

@@ -1,0 +1,242 @@
+/* place_openings.c - windows, rooflights and glazed polygons into the faces they are
+ * cut from.
+ */
+#include <stdlib.h>
+
+#include "model/room/allowance_words.h"
+#include "model/room/opening_outline.h"
+#include "model/room/build/resolve.h"
+#include "model/room/face_frame.h"
+#include "model/geometry/tolerance.h"
+
+/* Notes what of the ring sticks out of its face; by no more than the tolerance it is
+ * moved in. */
+static enum pp_status fit_in_face(bool *fits, struct pp_resolver *r,
+                                  const struct pp_opening_part *part,
+                                  const struct pp_sheet *sheet, double (*xy)[2],
+                                  int count, double tolerance, struct pp_error *err)
+{
+    char words[96];
+    double out_m = 0.0, out_m2 = 0.0;
+    struct pp_vec3 where;
+    enum pp_status status = pp_sheet_fit(sheet, r->clipper, xy, count, tolerance,
+                                         &out_m, &where, &out_m2, err);
+    if (status != PP_OK)
+        return status;
+    pp_face_words(words, sizeof words, sheet->face);
+    /* What is thinner than the tolerance may be nothing once moved in. */
+    bool whole = pp_ring_is_simple(r->clipper, (const double(*)[2])xy, count);
+    if (out_m > 0.0)
+        pp_mistake(r->mistakes, part->line,
+                   "%s: sticks out of %s by %.4g m at (%g, %g, %g); expected all of it "
+                   "within",
+                   pp_opening_word(part), words, out_m, where.x, where.y, where.z);
+    else if (out_m2 > 0.0)
+        pp_mistake(r->mistakes, part->line,
+                   "%s: %.4g m2 of it stick out of %s; expected all of it within",
+                   pp_opening_word(part), out_m2, words);
+    else if (!whole)
+        pp_mistake(r->mistakes, part->line,
+                   "%s: less than 1 mm of it lies within %s; expected all of it",
+                   pp_opening_word(part), words);
+    *fits = out_m == 0.0 && out_m2 == 0.0 && whole;
+    return PP_OK;
+}
+
+/* ---- What an opening is, from its outline ---- */
+
+/* Is the outline a rectangle with its edges along the axes? */
+static bool is_upright_rectangle(const double (*xy)[2], int count, const double low[2],
+                                 const double high[2])
+{
+    if (count != 4)
+        return false;
+    for (int i = 0; i < 4; i++)
+        for (int k = 0; k < 2; k++)
+            if (fmin(fabs(xy[i][k] - low[k]), fabs(xy[i][k] - high[k])) > PP_ROUNDING_M)
+                return false;
+    return true;
+}
+
+static enum pp_status add_opening(struct pp_resolver *r,
+                                  const struct pp_opening_part *part,
+                                  const struct pp_sheet *sheet, const double (*xy)[2],
+                                  int count, struct pp_error *err)
+{
+    struct pp_world *world = r->world;
+    struct pp_opening opening = {.face = (int)(sheet->face - world->surfaces),
+                                 .along = sheet->along,
+                                 .up = sheet->up,
+                                 .glass = part->glazing.glass,
+                                 .frame_factor = part->glazing.frame_factor,
+                                 .maintenance = part->glazing.maintenance,
+                                 .curtains = part->glazing.curtains,
+                                 .reveal_m = part->glazing.reveal_m,
+                                 .line = part->line};
+    struct pp_vec3 normal = sheet->face->outline.normal;
+    opening.slope_rad = atan2(hypot(normal.x, normal.y), -normal.z);
+    if (isnan(opening.maintenance))
+        opening.maintenance =
+            pp_maintenance_of(world->surroundings, world->work, opening.slope_rad);
+
+    struct pp_vec3 *vertices = malloc(count * sizeof *vertices);
+    if (!vertices)
+        return pp_fail_memory(err);
+    double low[2] = {INFINITY, INFINITY}, high[2] = {-INFINITY, -INFINITY};
+    double low_z = INFINITY, high_z = -INFINITY;
+    for (int i = 0; i < count; i++) {
+        vertices[i] = pp_sheet_point(sheet, xy[i][0], xy[i][1]);
+        low_z = fmin(low_z, vertices[i].z);
+        high_z = fmax(high_z, vertices[i].z);
+        for (int k = 0; k < 2; k++) {
+            low[k] = fmin(low[k], xy[i][k]);
+            high[k] = fmax(high[k], xy[i][k]);
+        }
+    }
+    opening.width_m = high[0] - low[0];
+    opening.height_m = high[1] - low[1];
+    opening.middle_z_m = 0.5 * (low_z + high_z);
+    opening.rectangle = is_upright_rectangle(xy, count, low, high);
+
+    enum pp_status status = pp_polygon_of(&opening.inner, vertices, count, err);
+    if (status == PP_OK) {
+        for (int i = 0; i < count; i++)
+            vertices[i] = pp_along(vertices[i], -opening.reveal_m, normal);
+        status = pp_polygon_of(&opening.outer, vertices, count, err);
+    }
+    free(vertices);
+    /* The face's normal to the bit, not one more rounding of it. */
+    opening.inner.normal = opening.outer.normal = normal;
+    if (status == PP_OK)
+        world->openings[world->opening_count++] = opening;
+    else
+        pp_polygon_clear(&opening.inner);
+    return status;
+}
+
+/* ---- One opening against those before it ---- */
+
+static enum pp_status check_overlaps(bool *free_of_others, struct pp_resolver *r,
+                                     const struct pp_opening_part *part,
+                                     const struct pp_sheet *sheet,
+                                     const double (*xy)[2], int count,
+                                     struct pp_error *err)
+{
+    const struct pp_world *world = r->world;
+    int face = (int)(sheet->face - world->surfaces);
+    *free_of_others = true;
+    for (int i = 0; i < world->opening_count; i++) {
+        const struct pp_opening *other = &world->openings[i];
+        if (other->face != face)
+            continue;
+        int other_count = other->inner.count;
+        double(*other_xy)[2] = malloc(other_count * sizeof *other_xy);
+        if (!other_xy)
+            return pp_fail_memory(err);
+        pp_flatten(other->inner.vertices, other_count, sheet->origin, sheet->along,
+                   sheet->up, other_xy);
+        double area_m2 = 0.0;
+        enum pp_status status =
+            pp_rings_overlap(r->clipper, xy, count, (const double(*)[2])other_xy,
+                             other_count, &area_m2, err);
+        free(other_xy);
+        if (status != PP_OK)
+            return status;
+        if (area_m2 > PP_ROUNDING_M * (other->width_m + other->height_m)) {
+            *free_of_others = false;
+            pp_mistake(r->mistakes, part->line,
+                       "%s: overlaps the one of line %d by %.4g m2; expected openings "
+                       "side by side",
+                       pp_opening_word(part), other->line, area_m2);
+        }
+    }
+    return PP_OK;
+}
+
+/* ---- The steps for one opening ---- */
+
+static bool is_read(const struct pp_opening_part *part)
+{
+    if (!isfinite(part->glazing.frame_factor) || !isfinite(part->glazing.curtains)
+        || !isfinite(part->glazing.reveal_m))
+        return false;
+    switch (part->kind) {
+    case PP_WINDOW:
+        return part->wall && isfinite(part->left_m) && isfinite(part->sill_m)
+               && isfinite(part->width_m) && isfinite(part->height_m);
+    case PP_ROOFLIGHT:
+        return isfinite(part->x) && isfinite(part->y) && isfinite(part->width_m)
+               && isfinite(part->depth_m);
+    case PP_OPENING:
+        break;
+    }
+    return true;
+}
+
+static bool is_large_enough(struct pp_resolver *r, const struct pp_opening_part *part)
+{
+    double second = part->kind == PP_WINDOW ? part->height_m : part->depth_m;
+    if (part->kind == PP_OPENING || (part->width_m >= PP_SAME_M && second >= PP_SAME_M))
+        return true;
+    pp_mistake(r->mistakes, part->line,
+               "%s: is %g m by %g m; expected 1 mm or more each way",
+               pp_opening_word(part), part->width_m, second);
+    return false;
+}
+
+static enum pp_status place_in(struct pp_resolver *r,
+                               const struct pp_opening_part *part,
+                               const struct pp_sheet *sheet, struct pp_error *err)
+{
+    int count = part->kind == PP_OPENING ? part->vertices.count : 4;
+    double tolerance = part->kind == PP_OPENING ? PP_SAME_M : PP_ROUNDING_M;
+    double(*xy)[2] = malloc(count * sizeof *xy);
+    if (!xy)
+        return pp_fail_memory(err);
+    bool good = pp_opening_outline(r, part, sheet, xy);
+    enum pp_status status = PP_OK;
+    if (good)
+        status = fit_in_face(&good, r, part, sheet, xy, count, tolerance, err);
+    if (status == PP_OK && good)
+        status =
+            check_overlaps(&good, r, part, sheet, (const double(*)[2])xy, count, err);
+    if (status == PP_OK && good)
+        status = add_opening(r, part, sheet, (const double(*)[2])xy, count, err);
+    free(xy);
+    return status;
+}
+
+static enum pp_status place(struct pp_resolver *r, const struct pp_opening_part *part,
+                            struct pp_error *err)
+{
+    if (!is_read(part) || !is_large_enough(r, part))
+        return PP_OK;
+    if (part->kind == PP_OPENING
+        && !pp_resolve_good_outline(r, "opening", part->line, &part->vertices))
+        return PP_OK;
+    int face = pp_opening_face(r, part);
+    if (face < 0)
+        return PP_OK;
+    struct pp_sheet sheet;
+    enum pp_status status = pp_sheet_open(&sheet, &r->world->surfaces[face], err);
+    if (status == PP_OK)
+        status = place_in(r, part, &sheet, err);
+    pp_sheet_close(&sheet);
+    return status;
+}
+
+enum pp_status pp_resolve_openings(struct pp_resolver *r, struct pp_error *err)
+{
+    const struct pp_room *room = r->room;
+    struct pp_world *world = r->world;
+    world->openings =
+        calloc(room->opening_count ? room->opening_count : 1, sizeof *world->openings);
+    if (!world->openings)
+        return pp_fail_memory(err);
+    for (int i = 0; i < room->opening_count; i++) {
+        enum pp_status status = place(r, &room->openings[i], err);
+        if (status != PP_OK)
+            return status;
+    }
+    return PP_OK;
+}

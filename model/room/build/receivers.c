@@ -1,0 +1,293 @@
+/* receivers.c - where light is measured: points, lines and grids.
+ *
+ * A grid covers the working plane inside its margin: the extent of the plane less the
+ * margin all round, in equal cells no larger than the spacing; a cell counts if its
+ * centre lies in the plane and no nearer to its edge than the margin.
+ */
+#include <stdlib.h>
+
+#include "model/room/build/resolve.h"
+#include "model/geometry/tolerance.h"
+
+/* Of the default grid, in both. */
+static const double default_spacing_m = 0.5;
+
+/* Of a room, in all; and every one is compared with every surface. */
+enum { RECEIVERS_MOST = 100000 };
+static const double comparisons_most = 1e8;
+
+struct list {
+    struct pp_receiver *items;
+    int count, space;
+};
+
+static enum pp_status add(struct list *list, struct pp_receiver receiver,
+                          struct pp_error *err)
+{
+    if (list->count == list->space) {
+        int space = list->space ? 2 * list->space : 64;
+        struct pp_receiver *grown = realloc(list->items, space * sizeof *grown);
+        if (!grown)
+            return pp_fail_memory(err);
+        list->items = grown;
+        list->space = space;
+    }
+    list->items[list->count++] = receiver;
+    return PP_OK;
+}
+
+enum pp_status pp_world_place_receiver(const struct pp_world *world, double x, double y,
+                                       double z, struct pp_receiver *receiver,
+                                       struct pp_error *err)
+{
+    if (isnan(z))
+        z = world->working_plane_m;
+    *receiver = (struct pp_receiver){.position = pp_vec(x, y, z),
+                                     .normal = pp_vec(0.0, 0.0, 1.0)};
+    const char *fault =
+        pp_world_receiver_fault(world, receiver->position, receiver->normal);
+    if (fault)
+        return pp_fail(err, PP_BAD_INPUT, "the point (%g, %g, %g) %s", x, y, z, fault);
+    return PP_OK;
+}
+
+/* Notes a part of so many points that the room would have too many. */
+static bool is_too_much(struct pp_resolver *r, const struct list *list,
+                        const struct pp_receiver_part *part, double count)
+{
+    static const char *const kinds[] = {"point", "line", "grid"};
+    double most =
+        fmin(RECEIVERS_MOST, comparisons_most / fmax(r->world->surface_count, 1.0));
+    if (list->count + count <= most)
+        return false;
+    int line = part->line ? part->line : r->room->line;
+    if (part->kind == PP_GRID)
+        pp_mistake(r->mistakes, line,
+                   "grid: %s of %g m makes %.0f cells%s; expected %.0f points at "
+                   "most in this room",
+                   part->line ? "its spacing" : "the default spacing", part->spacing_m,
+                   count, list->count ? ", besides the points before" : "", most);
+    else
+        pp_mistake(r->mistakes, line,
+                   "%s: the room has %.0f points with it; expected %.0f at most",
+                   kinds[part->kind], list->count + count, most);
+    return true;
+}
+
+/* Notes, once for the part, those of its points where one can't measure. */
+static void check_places(struct pp_resolver *r, const char *what, int line,
+                         const struct pp_receiver *receivers, int count)
+{
+    int bad = 0;
+    const char *first_fault = NULL;
+    struct pp_vec3 first = {0};
+    for (int i = 0; i < count && r->closed; i++) {
+        const char *fault = pp_world_receiver_fault(r->world, receivers[i].position,
+                                                    receivers[i].normal);
+        if (fault && bad++ == 0) {
+            first_fault = fault;
+            first = receivers[i].position;
+        }
+    }
+    if (bad > 0 && count == 1)
+        pp_mistake(r->mistakes, line,
+                   "%s: (%g, %g, %g) %s; expected a place in the room", what, first.x,
+                   first.y, first.z, first_fault);
+    else if (bad > 0)
+        pp_mistake(
+            r->mistakes, line,
+            "%s: %d of its %d points are at no place to measure; the first, (%g, "
+            "%g, %g), %s; expected places in the room",
+            what, bad, count, first.x, first.y, first.z, first_fault);
+}
+
+static enum pp_status resolve_point(struct pp_resolver *r, struct list *list,
+                                    const struct pp_receiver_part *part,
+                                    struct pp_error *err)
+{
+    double length = pp_length(part->normal);
+    if (!isfinite(part->x) || !isfinite(part->y) || !isfinite(length))
+        return PP_OK;
+    if (!(length > 0.0)) {
+        pp_mistake(r->mistakes, part->line,
+                   "point: its normal is 0; expected a direction");
+        return PP_OK;
+    }
+    if (is_too_much(r, list, part, 1.0))
+        return PP_OK;
+    double z = isnan(part->z) ? r->room->working_plane_m : part->z;
+    struct pp_receiver receiver = {.position = pp_vec(part->x, part->y, z),
+                                   .normal = pp_scale(part->normal, 1.0 / length),
+                                   .line = part->line};
+    check_places(r, "point", part->line, &receiver, 1);
+    return add(list, receiver, err);
+}
+
+static enum pp_status resolve_line(struct pp_resolver *r, struct list *list,
+                                   const struct pp_receiver_part *part,
+                                   struct pp_error *err)
+{
+    double dx = part->to[0] - part->from[0], dy = part->to[1] - part->from[1];
+    if (!isfinite(dx) || !isfinite(dy) || part->points < 1)
+        return PP_OK;
+    if (part->points > 1 && hypot(dx, dy) < PP_SAME_M) {
+        pp_mistake(r->mistakes, part->line,
+                   "line: its ends are %g m apart; expected 1 mm or more",
+                   hypot(dx, dy));
+        return PP_OK;
+    }
+    if (is_too_much(r, list, part, part->points))
+        return PP_OK;
+    int first = list->count;
+    for (int i = 0; i < part->points; i++) {
+        double t = part->points > 1 ? (double)i / (part->points - 1) : 0.0;
+        bool last = i > 0 && i == part->points - 1;
+        struct pp_receiver receiver = {
+            .position = pp_vec(last ? part->to[0] : part->from[0] + t * dx,
+                               last ? part->to[1] : part->from[1] + t * dy,
+                               r->room->working_plane_m),
+            .normal = pp_vec(0.0, 0.0, 1.0),
+            .line = part->line};
+        if (add(list, receiver, err) != PP_OK)
+            return PP_SYSTEM;
+    }
+    check_places(r, "line", part->line, list->items + first, list->count - first);
+    return PP_OK;
+}
+
+static void plane_extent(const struct pp_region *plane, double low[2], double high[2])
+{
+    for (int k = 0; k < 2; k++)
+        low[k] = INFINITY, high[k] = -INFINITY;
+    for (int i = 0; i < plane->count; i++)
+        for (int j = 0; j < plane->rings[i].count; j++)
+            for (int k = 0; k < 2; k++) {
+                low[k] = fmin(low[k], plane->rings[i].xy[j][k]);
+                high[k] = fmax(high[k], plane->rings[i].xy[j][k]);
+            }
+}
+
+/* How many cells each way; returns how many in all, 0 where the margin leaves none. */
+static double count_cells(const double low[2], const double high[2],
+                          const struct pp_receiver_part *grid, double cells[2])
+{
+    for (int k = 0; k < 2; k++) {
+        double extent = high[k] - low[k] - 2.0 * grid->margin_m;
+        if (extent < -PP_ROUNDING_M)
+            return 0.0;
+        /* 3.0000000001 cells are three. */
+        cells[k] = fmax(ceil(extent / grid->spacing_m - 1e-6), 1.0);
+    }
+    return cells[0] * cells[1];
+}
+
+static enum pp_status lay_grid(struct pp_resolver *r, struct list *list,
+                               const double low[2], const double high[2],
+                               const double cells[2], double margin_m, int line,
+                               struct pp_error *err)
+{
+    const struct pp_world *world = r->world;
+    double step[2];
+    for (int k = 0; k < 2; k++)
+        step[k] = fmax(high[k] - low[k] - 2.0 * margin_m, 0.0) / cells[k];
+    for (int j = 0; j < cells[1]; j++)
+        for (int i = 0; i < cells[0]; i++) {
+            double x = low[0] + margin_m + (i + 0.5) * step[0];
+            double y = low[1] + margin_m + (j + 0.5) * step[1];
+            struct pp_receiver receiver = {.position =
+                                               pp_vec(x, y, world->working_plane_m),
+                                           .normal = pp_vec(0.0, 0.0, 1.0),
+                                           .line = line};
+            if (!pp_region_contains(&world->plane, x, y)
+                || pp_region_edge_distance(&world->plane, x, y)
+                       < margin_m - PP_ROUNDING_M
+                || pp_world_receiver_fault(world, receiver.position, receiver.normal))
+                continue;
+            if (add(list, receiver, err) != PP_OK)
+                return PP_SYSTEM;
+        }
+    return PP_OK;
+}
+
+static enum pp_status resolve_grid(struct pp_resolver *r, struct list *list,
+                                   const struct pp_receiver_part *part,
+                                   struct pp_error *err)
+{
+    const struct pp_region *plane = &r->world->plane;
+    if (plane->count == 0 || !isfinite(part->spacing_m) || !isfinite(part->margin_m))
+        return PP_OK;
+    double low[2], high[2], cells[2];
+    int first = list->count;
+    plane_extent(plane, low, high);
+    double count = count_cells(low, high, part, cells);
+    if (is_too_much(r, list, part, count))
+        return PP_OK;
+    if (count > 0.0
+        && lay_grid(r, list, low, high, cells, part->margin_m, part->line, err)
+               != PP_OK)
+        return PP_SYSTEM;
+    if (list->count == first && part->line > 0)
+        pp_mistake(r->mistakes, part->line,
+                   "grid: no point of it lies in the room and %g m or more from the "
+                   "walls; expected a smaller margin or spacing in a plan of %g m by "
+                   "%g m",
+                   part->margin_m, high[0] - low[0], high[1] - low[1]);
+    return PP_OK;
+}
+
+/* A place well inside the plane, for a room too small for the default grid: the point
+ * of a fine mesh that is farthest from the edges. */
+static enum pp_status add_inmost(struct pp_resolver *r, struct list *list,
+                                 struct pp_error *err)
+{
+    enum { MESH = 33 }; /* odd: it has the middle */
+    const struct pp_world *world = r->world;
+    double low[2], high[2], farthest = 0.0;
+    plane_extent(&world->plane, low, high);
+    struct pp_receiver best = {.normal = pp_vec(0.0, 0.0, 1.0)};
+    for (int k = 0; k < MESH * MESH; k++) {
+        /* From the middle outwards, so that it is taken of several as far. */
+        int i = (k % MESH + MESH / 2) % MESH, j = (k / MESH + MESH / 2) % MESH;
+        double x = low[0] + (i + 0.5) / MESH * (high[0] - low[0]);
+        double y = low[1] + (j + 0.5) / MESH * (high[1] - low[1]);
+        struct pp_vec3 place = pp_vec(x, y, world->working_plane_m);
+        double distance = pp_region_edge_distance(&world->plane, x, y);
+        if (distance > farthest * (1.0 + 1e-9)
+            && pp_region_contains(&world->plane, x, y)
+            && !pp_world_receiver_fault(world, place, best.normal)) {
+            farthest = distance;
+            best.position = place;
+        }
+    }
+    return farthest > 0.0 ? add(list, best, err) : PP_OK;
+}
+
+static enum pp_status resolve_default(struct pp_resolver *r, struct list *list,
+                                      struct pp_error *err)
+{
+    struct pp_receiver_part grid = {
+        .kind = PP_GRID, .spacing_m = default_spacing_m, .margin_m = default_spacing_m};
+    if (resolve_grid(r, list, &grid, err) != PP_OK)
+        return PP_SYSTEM;
+    if (list->count == 0 && r->world->plane.count > 0)
+        return add_inmost(r, list, err);
+    return PP_OK;
+}
+
+enum pp_status pp_resolve_receivers(struct pp_resolver *r, struct pp_error *err)
+{
+    const struct pp_room *room = r->room;
+    struct list list = {0};
+    enum pp_status status = PP_OK;
+    for (int i = 0; i < room->receiver_count && status == PP_OK; i++) {
+        const struct pp_receiver_part *part = &room->receivers[i];
+        status = part->kind == PP_POINT  ? resolve_point(r, &list, part, err)
+                 : part->kind == PP_LINE ? resolve_line(r, &list, part, err)
+                                         : resolve_grid(r, &list, part, err);
+    }
+    if (status == PP_OK && room->receiver_count == 0)
+        status = resolve_default(r, &list, err);
+    r->world->receivers = list.items;
+    r->world->receiver_count = list.count;
+    return status;
+}

@@ -1,0 +1,71 @@
+/* resolve.c - what the steps of resolving a room share; see resolve.h. */
+#include "model/room/build/resolve.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "model/base/names.h"
+#include "model/geometry/tolerance.h"
+
+int pp_resolve_wall_index(struct pp_resolver *r, const char *name, const char *what,
+                          int line)
+{
+    if (!name)
+        return -1;
+    for (int i = 0; i < r->wall_count; i++)
+        if (strcmp(r->walls[i], name) == 0)
+            return i;
+    /* Of a room without a plan that is said already; and enough is enough. */
+    if (r->wall_count == 0 || r->unknown_walls++ > PP_MISTAKES_MOST)
+        return -1;
+
+    char typed[64], names[256];
+    const char *const *walls = (const char *const *)r->walls;
+    const char *nearest = pp_nearest(name, walls, r->wall_count);
+    pp_excerpt(typed, sizeof typed, name);
+    pp_name_list(names, sizeof names, walls, r->wall_count);
+    pp_mistake(r->mistakes, line, "%s: there is no wall \"%s\"; expected %s%s%s%s",
+               what, typed, names, nearest ? "; did you mean \"" : "",
+               nearest ? nearest : "", nearest ? "\"?" : "");
+    return -1;
+}
+
+int pp_resolve_wall(struct pp_resolver *r, const char *name, const char *what, int line)
+{
+    int index = pp_resolve_wall_index(r, name, what, line);
+    return index < 0 ? -1 : r->wall_faces[index];
+}
+
+enum pp_status pp_resolve_add_surface(struct pp_resolver *r, struct pp_surface *surface,
+                                      struct pp_error *err)
+{
+    struct pp_world *world = r->world;
+    char *name = surface->name ? strdup(surface->name) : NULL;
+    bool named = !surface->name == !name;
+    surface->name = name;
+    if (named && world->surface_count == r->surface_space) {
+        int space = r->surface_space ? 2 * r->surface_space : 16;
+        struct pp_surface *grown =
+            realloc(world->surfaces, space * sizeof *world->surfaces);
+        if (grown) {
+            world->surfaces = grown;
+            r->surface_space = space;
+        }
+    }
+    if (!named || world->surface_count == r->surface_space) {
+        free(name);
+        pp_polygon_clear(&surface->outline);
+        return pp_fail_memory(err);
+    }
+    world->surfaces[world->surface_count++] = *surface;
+    return PP_OK;
+}
+
+enum pp_status pp_resolve_add_face(struct pp_resolver *r, struct pp_surface surface,
+                                   const struct pp_vec3 *vertices, int count,
+                                   struct pp_error *err)
+{
+    if (pp_polygon_of(&surface.outline, vertices, count, err) != PP_OK)
+        return PP_SYSTEM;
+    return pp_resolve_add_surface(r, &surface, err);
+}

@@ -1,0 +1,293 @@
+/* watertight.c - do the faces of an envelope close the room?
+ *
+ * They do if every edge belongs to two faces that run along it in opposite directions.
+ * With all normals into the room, the volume
+ *
+ *     V = -1/3 sum A n . c    (c any point of the face)
+ *
+ * is positive. A face that turns the wrong way round is found by going from neighbour
+ * to neighbour; it is turned round, so that whatever else is wrong with the room is
+ * found as well.
+ */
+#include <stdlib.h>
+
+#include "model/geometry/polygons_cross.h"
+#include "model/room/build/resolve.h"
+#include "model/geometry/tolerance.h"
+
+struct edge {
+    int low, high; /* the corners' numbers */
+    bool upward;   /* does the face run from low to high? */
+    int face;
+    struct pp_vec3 from, to;
+};
+
+/* What is known of each face while its neighbours are visited. */
+struct visit {
+    int part;       /* number of the connected part it belongs to; -1: not visited */
+    bool turned;    /* does it turn the other way than the first of its part? */
+    int first;      /* its edges in the list of neighbours */
+    int loose;      /* edges that it shares with none */
+    int loose_edge; /* the first of them */
+};
+
+struct closing {
+    struct edge *edges; /* sorted, those that join the same two corners together */
+    int edge_count;
+    struct visit *faces;
+    int *neighbours; /* across the face's edges; -1: none */
+    bool *same_way;  /* and does that run along the edge in the same direction? */
+    int part_count;
+};
+
+static int compare_edges(const void *left, const void *right)
+{
+    const struct edge *a = left, *b = right;
+    if (a->low != b->low)
+        return a->low < b->low ? -1 : 1;
+    if (a->high != b->high)
+        return a->high < b->high ? -1 : 1;
+    return (a->face > b->face) - (a->face < b->face);
+}
+
+static void list_edges(const struct pp_resolver *r, struct closing *c)
+{
+    int corner = 0;
+    for (int i = 0; i < r->world->face_count; i++) {
+        const struct pp_polygon *outline = &r->world->surfaces[i].outline;
+        const int *numbers = r->corners + corner;
+        c->faces[i] = (struct visit){.part = -1, .first = corner};
+        for (int k = 0; k < outline->count; k++, corner++) {
+            int next = (k + 1) % outline->count;
+            int from = numbers[k], to = numbers[next];
+            c->neighbours[corner] = -1;
+            c->edges[corner] = (struct edge){.low = from < to ? from : to,
+                                             .high = from < to ? to : from,
+                                             .upward = from < to,
+                                             .face = i,
+                                             .from = outline->vertices[k],
+                                             .to = outline->vertices[next]};
+        }
+    }
+    c->edge_count = corner;
+    qsort(c->edges, corner, sizeof *c->edges, compare_edges);
+}
+
+/* Puts b among a's neighbours. */
+static void join(struct closing *c, const struct edge *a, const struct edge *b)
+{
+    int at = c->faces[a->face].first;
+    while (c->neighbours[at] >= 0)
+        at++;
+    c->neighbours[at] = b->face;
+    c->same_way[at] = a->upward == b->upward;
+}
+
+/* Edges that are shared by two faces make them neighbours; others are mistakes. */
+static void match_edges(struct pp_resolver *r, struct closing *c)
+{
+    const struct pp_surface *faces = r->world->surfaces;
+    r->closed = true;
+    for (int i = 0, end; i < c->edge_count; i = end) {
+        const struct edge *edge = &c->edges[i];
+        for (end = i + 1; end < c->edge_count && c->edges[end].low == edge->low
+                          && c->edges[end].high == edge->high;)
+            end++;
+        if (end - i == 2 && edge[0].face != edge[1].face) {
+            join(c, &edge[0], &edge[1]);
+            join(c, &edge[1], &edge[0]);
+            continue;
+        }
+        r->closed = false;
+        if (end - i == 1) {
+            if (c->faces[edge->face].loose++ == 0)
+                c->faces[edge->face].loose_edge = i;
+            continue;
+        }
+        pp_mistake(r->mistakes, faces[c->edges[end - 1].face].line,
+                   "face: its edge from (%g, %g, %g) to (%g, %g, %g) is shared by %d "
+                   "faces, first by that of line %d; expected two",
+                   edge->from.x, edge->from.y, edge->from.z, edge->to.x, edge->to.y,
+                   edge->to.z, end - i, faces[edge->face].line);
+    }
+    for (int i = 0; i < r->world->face_count; i++) {
+        if (c->faces[i].loose == 0)
+            continue;
+        const struct edge *edge = &c->edges[c->faces[i].loose_edge];
+        pp_mistake(
+            r->mistakes, faces[i].line,
+            "face: the envelope does not close at %d of its edges, such as that "
+            "from (%g, %g, %g) to (%g, %g, %g); expected every edge to be shared "
+            "by two faces, corner to corner",
+            c->faces[i].loose, edge->from.x, edge->from.y, edge->from.z, edge->to.x,
+            edge->to.y, edge->to.z);
+    }
+}
+
+/* Visits the faces that hang together with the first, in waves. */
+static void visit_part(const struct pp_resolver *r, struct closing *c, int first,
+                       int *queue)
+{
+    int head = 0, tail = 0;
+    c->faces[first].part = c->part_count++;
+    queue[tail++] = first;
+    while (head < tail) {
+        int face = queue[head++];
+        for (int k = 0; k < r->world->surfaces[face].outline.count; k++) {
+            int at = c->faces[face].first + k, next = c->neighbours[at];
+            if (next < 0 || c->faces[next].part >= 0)
+                continue;
+            c->faces[next].part = c->faces[face].part;
+            c->faces[next].turned = c->faces[face].turned != c->same_way[at];
+            queue[tail++] = next;
+        }
+    }
+}
+
+static void turn_round(struct pp_polygon *outline, int *corners)
+{
+    outline->normal = pp_scale(outline->normal, -1.0);
+    for (int a = 0, b = outline->count - 1; a < b; a++, b--) {
+        struct pp_vec3 vertex = outline->vertices[a];
+        outline->vertices[a] = outline->vertices[b];
+        outline->vertices[b] = vertex;
+        int corner = corners[a];
+        corners[a] = corners[b];
+        corners[b] = corner;
+    }
+}
+
+/* Of the part of that number, -1: of all. */
+static double volume_m3(const struct pp_world *world, const struct closing *c, int part)
+{
+    double sum = 0.0;
+    struct pp_vec3 origin = world->surfaces[0].outline.vertices[0];
+    for (int i = 0; i < world->face_count; i++) {
+        if (part >= 0 && c->faces[i].part != part)
+            continue;
+        const struct pp_polygon *outline = &world->surfaces[i].outline;
+        struct pp_vec3 from = pp_sub(pp_polygon_middle(outline), origin);
+        sum -= outline->area_m2 * pp_dot(outline->normal, from);
+    }
+    return sum / 3.0;
+}
+
+/* Turns those faces round that are so in the smaller number of each part, then all of
+ * them if the room is inside out, and notes those that are not as they were. */
+static void turn_faces(struct pp_resolver *r, struct closing *c, int *turned_in_part)
+{
+    struct pp_world *world = r->world;
+    for (int i = 0; i < world->face_count; i++)
+        turned_in_part[c->faces[i].part] += c->faces[i].turned ? 1 : -1;
+    for (int i = 0; i < world->face_count; i++) {
+        c->faces[i].turned ^= turned_in_part[c->faces[i].part] > 0;
+        if (c->faces[i].turned)
+            turn_round(&world->surfaces[i].outline, r->corners + c->faces[i].first);
+    }
+    bool inside_out = volume_m3(world, c, -1) < 0.0;
+    bool all = true;
+    for (int i = 0; i < world->face_count; i++) {
+        if (inside_out) {
+            turn_round(&world->surfaces[i].outline, r->corners + c->faces[i].first);
+            c->faces[i].turned = !c->faces[i].turned;
+        }
+        all = all && c->faces[i].turned;
+    }
+    if (all)
+        pp_mistake(r->mistakes, r->room->plan.line,
+                   "envelope: is inside out, all its faces turn clockwise seen from "
+                   "inside; expected counter-clockwise");
+    for (int i = 0; i < world->face_count && !all; i++)
+        if (c->faces[i].turned)
+            pp_mistake(r->mistakes, world->surfaces[i].line,
+                       "face: turns clockwise seen from inside; expected "
+                       "counter-clockwise");
+}
+
+/* A part by itself is a solid in the room, with its faces round it and so a negative
+ * volume; but one part must hold all. */
+static void check_parts(struct pp_resolver *r, const struct closing *c)
+{
+    int rooms = 0;
+    for (int part = 0; part < c->part_count; part++)
+        rooms += volume_m3(r->world, c, part) > 0.0;
+    if (rooms > 1)
+        pp_mistake(r->mistakes, r->room->plan.line,
+                   "envelope: its faces make %d rooms apart from each other; expected "
+                   "one",
+                   rooms);
+}
+
+static enum pp_status check_closing(struct pp_resolver *r, struct closing *c,
+                                    struct pp_error *err)
+{
+    struct pp_world *world = r->world;
+    list_edges(r, c);
+    match_edges(r, c);
+    if (!r->closed)
+        return PP_OK;
+    int *queue = calloc(world->face_count, sizeof *queue);
+    if (!queue)
+        return pp_fail_memory(err);
+    for (int i = 0; i < world->face_count; i++)
+        if (c->faces[i].part < 0)
+            visit_part(r, c, i, queue);
+    for (int i = 0; i < world->face_count; i++)
+        queue[i] = 0;
+    turn_faces(r, c, queue);
+    free(queue);
+    check_parts(r, c);
+    return PP_OK;
+}
+
+/* Faces that go through each other: all pairs that are near, but those of a plan, which
+ * can't. */
+static enum pp_status check_crossings(struct pp_resolver *r, struct pp_error *err)
+{
+    const struct pp_world *world = r->world;
+    for (int i = 0; i < world->face_count; i++)
+        for (int k = 0; k < i; k++) {
+            bool cross;
+            struct pp_vec3 where;
+            if (pp_polygons_cross(&cross, &world->surfaces[i].outline,
+                                  &world->surfaces[k].outline, &where, err)
+                != PP_OK)
+                return PP_SYSTEM;
+            if (!cross)
+                continue;
+            r->closed = false;
+            pp_mistake(r->mistakes, world->surfaces[i].line,
+                       "face: goes through that of line %d at (%g, %g, %g); expected "
+                       "faces to meet in their edges only",
+                       world->surfaces[k].line, where.x, where.y, where.z);
+        }
+    return PP_OK;
+}
+
+enum pp_status pp_resolve_closed(struct pp_resolver *r, struct pp_error *err)
+{
+    const struct pp_world *world = r->world;
+    if (world->face_count <= 0 || r->faces_missing)
+        return PP_OK;
+    size_t corner_count = 0;
+    for (int i = 0; i < world->face_count; i++)
+        corner_count += world->surfaces[i].outline.count;
+    struct closing c = {
+        .edges = malloc(corner_count * sizeof *c.edges),
+        .faces = malloc((size_t)world->face_count * sizeof *c.faces),
+        .neighbours = malloc(corner_count * sizeof *c.neighbours),
+        .same_way = malloc(corner_count * sizeof *c.same_way),
+    };
+    enum pp_status status = PP_OK;
+    if (c.edges && c.faces && c.neighbours && c.same_way)
+        status = check_closing(r, &c, err);
+    else
+        status = pp_fail_memory(err);
+    free(c.edges);
+    free(c.faces);
+    free(c.neighbours);
+    free(c.same_way);
+    if (status == PP_OK && r->closed && r->room->plan.envelope)
+        status = check_crossings(r, err);
+    return status;
+}

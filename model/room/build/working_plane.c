@@ -1,0 +1,305 @@
+/* working_plane.c - the room's section at the height of the working plane.
+ *
+ * The plane cuts each face along segments, from where the face's outline comes up
+ * through it to where it goes down again, which with the room on the left run round
+ * the section counter-clockwise, and round holes clockwise. A segment ends on an edge
+ * that two faces share; there the other face's begins. Corners that lie in the plane
+ * count as below it: the section is the one just above.
+ */
+#include <stdlib.h>
+
+#include "model/room/build/resolve.h"
+#include "model/geometry/tolerance.h"
+
+/* One edge of one face that goes through the plane. */
+struct passage {
+    int low, high;   /* numbers of the edge's corners, below and above the plane */
+    bool upward;     /* does the face run up it? */
+    double position; /* along the face's section */
+    double xy[2];
+};
+
+struct segment {
+    struct passage from, to;
+    bool used;
+};
+
+struct section {
+    struct segment *segments;
+    int count, space;
+};
+
+static struct passage passage_of(struct pp_vec3 low, struct pp_vec3 high, double z)
+{
+    double t = (z - low.z) / (high.z - low.z);
+    return (struct passage){
+        .xy = {low.x + t * (high.x - low.x), low.y + t * (high.y - low.y)}};
+}
+
+/* The passages of a face, as they follow each other along the direction in which the
+ * room lies on the left; returns how many (an even number). */
+static int face_passages(struct passage *passages, const struct pp_polygon *face,
+                         const int *corners, double z)
+{
+    int count = 0;
+    struct pp_vec3 n = face->normal;
+    for (int i = 0; i < face->count; i++) {
+        int next = (i + 1) % face->count;
+        struct pp_vec3 p = face->vertices[i], q = face->vertices[next];
+        if ((p.z > z) == (q.z > z))
+            continue;
+        bool upward = q.z > z;
+        struct passage passage = upward ? passage_of(p, q, z) : passage_of(q, p, z);
+        passage.low = corners[upward ? i : next];
+        passage.high = corners[upward ? next : i];
+        passage.upward = upward;
+        passage.position = n.y * passage.xy[0] - n.x * passage.xy[1];
+        int k = count++;
+        for (; k > 0 && passages[k - 1].position > passage.position; k--)
+            passages[k] = passages[k - 1];
+        passages[k] = passage;
+    }
+    /* Where two are at one place, up and down take turns all the same. */
+    for (int i = 0; i + 1 < count; i++)
+        if (passages[i].upward != (i % 2 == 0)) {
+            struct passage swap = passages[i];
+            passages[i] = passages[i + 1];
+            passages[i + 1] = swap;
+        }
+    return count;
+}
+
+static enum pp_status add_segment(struct section *section, struct passage from,
+                                  struct passage to, struct pp_error *err)
+{
+    if (section->count == section->space) {
+        int space = section->space ? 2 * section->space : 16;
+        struct segment *grown =
+            realloc(section->segments, space * sizeof *section->segments);
+        if (!grown)
+            return pp_fail_memory(err);
+        section->segments = grown;
+        section->space = space;
+    }
+    section->segments[section->count++] = (struct segment){from, to, false};
+    return PP_OK;
+}
+
+static enum pp_status cut_faces(struct section *section, const struct pp_world *world,
+                                const int *corners, double z, struct pp_error *err)
+{
+    for (int i = 0; i < world->face_count; i++) {
+        const struct pp_polygon *face = &world->surfaces[i].outline;
+        struct passage *passages = malloc(face->count * sizeof *passages);
+        if (!passages)
+            return pp_fail_memory(err);
+        int count = face_passages(passages, face, corners, z);
+        enum pp_status status = PP_OK;
+        for (int k = 0; k + 1 < count && status == PP_OK; k += 2)
+            status = add_segment(section, passages[k], passages[k + 1], err);
+        free(passages);
+        if (status != PP_OK)
+            return status;
+        corners += face->count;
+    }
+    return PP_OK;
+}
+
+static int compare_segments(const void *left, const void *right)
+{
+    const struct passage *a = &((const struct segment *)left)->from;
+    const struct passage *b = &((const struct segment *)right)->from;
+    if (a->low != b->low)
+        return a->low < b->low ? -1 : 1;
+    return (a->high > b->high) - (a->high < b->high);
+}
+
+static struct segment *segment_from(const struct section *section, struct passage end)
+{
+    struct segment key = {.from = end};
+    return bsearch(&key, section->segments, section->count, sizeof key,
+                   compare_segments);
+}
+
+/* Puts the points of a ring at the end of the region; a point that repeats the one
+ * before is left out, and so is a ring without area. */
+static enum pp_status add_ring(struct pp_region *region, const double (*xy)[2],
+                               int count, struct pp_error *err)
+{
+    struct pp_ring *rings = realloc(region->rings, (region->count + 1) * sizeof *rings);
+    if (!rings)
+        return pp_fail_memory(err);
+    region->rings = rings;
+    struct pp_ring ring = {.xy = malloc(count * sizeof *ring.xy)};
+    if (!ring.xy)
+        return pp_fail_memory(err);
+    for (int i = 0; i < count; i++) {
+        const double *before = ring.count > 0 ? ring.xy[ring.count - 1] : xy[count - 1];
+        if (hypot(xy[i][0] - before[0], xy[i][1] - before[1]) < PP_ROUNDING_M)
+            continue;
+        ring.xy[ring.count][0] = xy[i][0];
+        ring.xy[ring.count++][1] = xy[i][1];
+    }
+    if (ring.count < 3)
+        free(ring.xy);
+    else
+        region->rings[region->count++] = ring;
+    return PP_OK;
+}
+
+/* Follows the segments from face to face until each ring closes. */
+static enum pp_status chain(struct pp_region *region, struct section *section,
+                            struct pp_error *err)
+{
+    double(*xy)[2] = malloc((section->count + 1) * sizeof *xy);
+    if (!xy)
+        return pp_fail_memory(err);
+    enum pp_status status = PP_OK;
+    for (int i = 0; i < section->count && status == PP_OK; i++) {
+        int count = 0;
+        for (struct segment *segment = &section->segments[i]; segment && !segment->used;
+             segment = segment_from(section, segment->to)) {
+            segment->used = true;
+            xy[count][0] = segment->from.xy[0];
+            xy[count++][1] = segment->from.xy[1];
+        }
+        if (count >= 3)
+            status = add_ring(region, (const double(*)[2])xy, count, err);
+    }
+    free(xy);
+    return status;
+}
+
+static double ring_area_m2(const struct pp_ring *ring)
+{
+    double twice = 0.0;
+    for (int i = 1; i + 1 < ring->count; i++)
+        twice +=
+            (ring->xy[i][0] - ring->xy[0][0]) * (ring->xy[i + 1][1] - ring->xy[0][1])
+            - (ring->xy[i + 1][0] - ring->xy[0][0]) * (ring->xy[i][1] - ring->xy[0][1]);
+    return 0.5 * twice;
+}
+
+/* Outer rings, each followed by the holes in it. */
+static enum pp_status sort_rings(struct pp_region *region, struct pp_error *err)
+{
+    struct pp_ring *sorted = malloc((region->count + 1) * sizeof *sorted);
+    if (!sorted)
+        return pp_fail_memory(err);
+    int count = 0;
+    for (int i = 0; i < region->count; i++) {
+        const struct pp_ring *outer = &region->rings[i];
+        if (ring_area_m2(outer) <= 0.0)
+            continue;
+        sorted[count++] = *outer;
+        for (int k = 0; k < region->count; k++) {
+            struct pp_ring *hole = &region->rings[k];
+            if (hole->count == 0 || ring_area_m2(hole) > 0.0
+                || pp_ring_side((const double(*)[2])outer->xy, outer->count,
+                                hole->xy[0][0], hole->xy[0][1], 0.0)
+                       == PP_OUTSIDE)
+                continue;
+            sorted[count++] = *hole;
+            hole->count = 0;
+        }
+    }
+    free(region->rings);
+    region->rings = sorted;
+    region->count = count;
+    return PP_OK;
+}
+
+/* `corners` numbers the envelope's points, face after face: the same for all faces that
+ * meet in one. */
+static enum pp_status cut_room(struct pp_region *region, const struct pp_world *world,
+                               const int *corners, double z, struct pp_error *err)
+{
+    struct section section = {0};
+    enum pp_status status = cut_faces(&section, world, corners, z, err);
+    if (status == PP_OK && section.count > 0) {
+        qsort(section.segments, section.count, sizeof *section.segments,
+              compare_segments);
+        status = chain(region, &section, err);
+    }
+    if (status == PP_OK)
+        status = sort_rings(region, err);
+    free(section.segments);
+    return status;
+}
+
+enum pp_status pp_resolve_working_plane(struct pp_resolver *r, struct pp_error *err)
+{
+    struct pp_world *world = r->world;
+    double z = r->room->working_plane_m;
+    world->working_plane_m = z;
+    if (!r->closed || !isfinite(z))
+        return PP_OK;
+
+    double low = INFINITY;
+    for (int i = 0; i < world->face_count; i++)
+        for (int k = 0; k < world->surfaces[i].outline.count; k++)
+            low = fmin(low, world->surfaces[i].outline.vertices[k].z);
+    if (!(z >= low) || !(z < world->height_m)) {
+        int line = r->room->working_plane_line;
+        pp_mistake(
+            r->mistakes, line ? line : r->room->line,
+            "working-plane: its height is %g m%s; expected it from the room's "
+            "floor at %g m up to below its top at %g m",
+            z, line ? "" : ", since none is given", low, world->height_m);
+        return PP_OK;
+    }
+
+    return cut_room(&world->plane, world, r->corners, z, err);
+}
+
+/* A corner of a face, by its place; those of one place have one number. */
+struct corner {
+    struct pp_vec3 place;
+    int at; /* in the list of all faces' vertices */
+};
+
+static int compare_corners(const void *left, const void *right)
+{
+    struct pp_vec3 a = ((const struct corner *)left)->place;
+    struct pp_vec3 b = ((const struct corner *)right)->place;
+    return a.x != b.x   ? (a.x > b.x) - (a.x < b.x)
+           : a.y != b.y ? (a.y > b.y) - (a.y < b.y)
+                        : (a.z > b.z) - (a.z < b.z);
+}
+
+/* Faces share their corners to the bit. */
+static void number_corners(int *numbers, struct corner *corners,
+                           const struct pp_world *world)
+{
+    int count = 0, number = 0;
+    for (int i = 0; i < world->face_count; i++)
+        for (int k = 0; k < world->surfaces[i].outline.count; k++, count++)
+            corners[count] =
+                (struct corner){world->surfaces[i].outline.vertices[k], count};
+    qsort(corners, count, sizeof *corners, compare_corners);
+    for (int i = 0; i < count; i++) {
+        number += i > 0 && compare_corners(&corners[i - 1], &corners[i]) != 0;
+        numbers[corners[i].at] = number;
+    }
+}
+
+enum pp_status pp_world_section(struct pp_region *region, const struct pp_world *world,
+                                double z, struct pp_error *err)
+{
+    *region = (struct pp_region){0};
+    int count = 0;
+    for (int i = 0; i < world->face_count; i++)
+        count += world->surfaces[i].outline.count;
+    int *numbers = malloc((count + 1) * sizeof *numbers);
+    struct corner *corners = malloc((count + 1) * sizeof *corners);
+    enum pp_status status = numbers && corners ? PP_OK : pp_fail_memory(err);
+    if (status == PP_OK) {
+        number_corners(numbers, corners, world);
+        status = cut_room(region, world, numbers, z, err);
+    }
+    free(numbers);
+    free(corners);
+    if (status != PP_OK)
+        pp_region_destroy(region);
+    return status;
+}

@@ -1,0 +1,73 @@
+/* edit.h - a room as it might be: a copy of what the file says, and changes to
+ * it. Nothing is checked here: pp_world_create says whether the changed room makes
+ * sense, as it does of a file's.
+ */
+#ifndef PP_MODEL_ROOM_CHANGE_H
+#define PP_MODEL_ROOM_CHANGE_H
+
+#include <stdbool.h>
+
+#include "model/base/error.h"
+#include "model/light/glass.h"
+#include "model/room/room.h"
+
+/* A room of its own, equal to the given one. */
+enum pp_status pp_room_copy(struct pp_room **copy, const struct pp_room *room,
+                            struct pp_error *err);
+void pp_room_destroy(struct pp_room *room); /* of copies only; NULL is allowed */
+
+/* Openings have the file's order, which is that of the world's openings too. */
+int pp_room_opening_count(const struct pp_room *room);
+
+enum pp_opening_kind { PP_WINDOW, PP_ROOFLIGHT, PP_OPENING };
+
+/* Where a rectangular opening lies, in metres. */
+struct pp_place {
+    double left_m, width_m;  /* of a window, as its file has them; of a rooflight x */
+    double sill_m, height_m; /* of a window; of a rooflight y and its depth */
+};
+
+struct pp_room_opening {
+    enum pp_opening_kind kind;
+    const char *wall;      /* of a window, not owned; else NULL */
+    struct pp_place place; /* NAN of a PP_OPENING, which is any polygon */
+    struct pp_glass glass;
+    double frame_factor, maintenance; /* maintenance NAN: auto */
+    int line;
+};
+struct pp_room_opening pp_room_opening_at(const struct pp_room *room, int index);
+
+/* Moves and resizes a window or a rooflight. */
+void pp_room_set_place(struct pp_room *room, int index, struct pp_place place);
+
+/* One more opening like the one at index, behind all others. */
+enum pp_status pp_room_repeat_opening(struct pp_room *room, int index,
+                                      struct pp_place place, struct pp_error *err);
+
+/* Puts a window into another wall, at the same left and sill. */
+enum pp_status pp_room_set_wall(struct pp_room *room, int index, const char *wall,
+                                struct pp_error *err);
+
+/* Leaves one out; those behind it move up. */
+void pp_room_remove_opening(struct pp_room *room, int index);
+
+void pp_room_set_glass(struct pp_room *room, int index, struct pp_glass glass);
+void pp_room_set_frame_factor(struct pp_room *room, int index, double frame_factor);
+void pp_room_set_maintenance(struct pp_room *room, int index, double maintenance);
+
+/* Gives all faces of that role (PP_FLOOR, PP_WALL or PP_CEILING) that are darker this
+ * reflectance. */
+void pp_room_lighten(struct pp_room *room, enum pp_role role, double reflectance);
+
+/* The height of a plan's ceiling (m); false of an envelope, which stays as it is. */
+bool pp_room_set_height(struct pp_room *room, double height_m);
+
+/* Takes away skylines, blocks and the surfaces that stand outside in `world`, which is
+ * the room's. */
+void pp_room_clear_outside(struct pp_room *room, const struct pp_world *world);
+
+/* Does the room make sense? Fails only where the machine does. */
+enum pp_status pp_room_is_sound(bool *sound, const struct pp_room *room,
+                                struct pp_error *err);
+
+#endif

@@ -1,0 +1,229 @@
+/* keyhole.c - see keyhole.h.
+ *
+ * Of the holes not yet joined, the one is taken whose corner lies nearest to a corner
+ * of the outline so far with nothing in between: that pair is the seam.
+ */
+#include "model/room/keyhole.h"
+
+#include <math.h>
+#include <stdbool.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "model/room/face_less_openings.h"
+
+typedef double point[2];
+
+static struct pp_face_axes axes_of(const struct pp_polygon *face)
+{
+    struct pp_face_axes axes = {.origin = face->vertices[0]};
+    /* Along the first edge: upright walls then have upright coordinates. */
+    axes.a = pp_unit(pp_sub(face->vertices[1], face->vertices[0]));
+    axes.b = pp_cross(face->normal, axes.a);
+    return axes;
+}
+
+/* ---- seams ---- */
+
+struct line {
+    point *xy;
+    int count;
+};
+
+/* Twice the area of the triangle: above 0 where c lies left of a to b. */
+static double turn(const double *a, const double *b, const double *c)
+{
+    return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
+}
+
+static bool same(const double *a, const double *b)
+{
+    return a[0] == b[0] && a[1] == b[1];
+}
+
+/* Is the corner `at` of a line, figure on its left, open towards p? */
+static bool opens(const struct line *line, int at, const double *p)
+{
+    const double *before = line->xy[(at + line->count - 1) % line->count];
+    const double *here = line->xy[at];
+    const double *behind = line->xy[(at + 1) % line->count];
+    bool left_of_in = turn(before, here, p) > 0.0;
+    bool left_of_out = turn(here, behind, p) > 0.0;
+    return turn(before, here, behind) > 0.0 ? left_of_in && left_of_out
+                                            : left_of_in || left_of_out;
+}
+
+/* Do the pieces a to b and c to d meet, other than at a or b? */
+static bool meet(const double *a, const double *b, const double *c, const double *d)
+{
+    if (same(c, a) || same(c, b) || same(d, a) || same(d, b))
+        return false;
+    double c_side = turn(a, b, c), d_side = turn(a, b, d);
+    double a_side = turn(c, d, a), b_side = turn(c, d, b);
+    if (c_side == 0.0 && d_side == 0.0) { /* on one line: do they overlap? */
+        int k = fabs(b[0] - a[0]) < fabs(b[1] - a[1]);
+        return fmin(c[k], d[k]) <= fmax(a[k], b[k])
+               && fmin(a[k], b[k]) <= fmax(c[k], d[k]);
+    }
+    return c_side * d_side <= 0.0 && a_side * b_side <= 0.0;
+}
+
+static bool blocked(const struct line *line, const double *a, const double *b)
+{
+    for (int i = 0; i < line->count; i++)
+        if (meet(a, b, line->xy[i], line->xy[(i + 1) % line->count]))
+            return true;
+    return false;
+}
+
+struct seam {
+    int rim, hole, corner; /* corner `rim` of the outline, corner of which hole */
+    double length;
+};
+
+/* The shortest that nothing blocks; of rim -1 where there is none. */
+static struct seam find_seam(const struct line *outline, const struct line *holes,
+                             int count)
+{
+    struct seam best = {-1, -1, -1, INFINITY};
+    for (int h = 0; h < count; h++)
+        for (int k = 0; k < holes[h].count; k++)
+            for (int r = 0; r < outline->count; r++) {
+                const double *from = outline->xy[r], *to = holes[h].xy[k];
+                double length = hypot(to[0] - from[0], to[1] - from[1]);
+                if (!(length < best.length) || !opens(outline, r, to)
+                    || !opens(&holes[h], k, from) || blocked(outline, from, to))
+                    continue;
+                bool free_way = true;
+                for (int i = 0; i < count && free_way; i++)
+                    free_way = !blocked(&holes[i], from, to);
+                if (free_way)
+                    best = (struct seam){r, h, k, length};
+            }
+    return best;
+}
+
+/* The outline along the seam, round the hole, and back. There is room. */
+static void sew(struct line *outline, const struct line *hole, struct seam seam)
+{
+    int more = hole->count + 2, behind = outline->count - seam.rim;
+    memmove(outline->xy + seam.rim + more, outline->xy + seam.rim,
+            (size_t)behind * sizeof *outline->xy);
+    point *to = outline->xy + seam.rim;
+    memcpy(to[0], to[more], sizeof *to);
+    for (int i = 0; i <= hole->count; i++)
+        memcpy(to[1 + i], hole->xy[(seam.corner + i) % hole->count], sizeof *to);
+    outline->count += more;
+}
+
+static enum pp_status sew_all(struct line *outline, struct line *holes, int count,
+                              struct pp_error *err)
+{
+    while (count > 0) {
+        struct seam seam = find_seam(outline, holes, count);
+        if (seam.rim < 0)
+            return pp_fail(err, PP_BAD_INPUT,
+                           "a wall's openings can't be joined to its rim");
+        sew(outline, &holes[seam.hole], seam);
+        holes[seam.hole] = holes[--count];
+    }
+    return PP_OK;
+}
+
+/* ---- back into the room ---- */
+
+/* An outer ring and its holes, rings[0] to rings[count - 1], as one more outline. */
+static enum pp_status add_outline(struct pp_cut_face *cut,
+                                  const struct pp_face_axes *axes,
+                                  const struct pp_ring *rings, int count,
+                                  const struct pp_world *world, int face,
+                                  struct pp_error *err)
+{
+    size_t total = 0;
+    for (int i = 0; i < count; i++)
+        total += (size_t)rings[i].count + 2;
+    struct line outline = {malloc(total * sizeof(point)), rings[0].count};
+    struct line *holes = malloc((size_t)count * sizeof *holes);
+    struct pp_vec3 *corners = malloc(total * sizeof *corners);
+    enum pp_status status =
+        outline.xy && holes && corners ? PP_OK : pp_fail_memory(err);
+    if (status == PP_OK) {
+        memcpy(outline.xy, rings[0].xy, (size_t)rings[0].count * sizeof(point));
+        for (int i = 1; i < count; i++)
+            holes[i - 1] = (struct line){rings[i].xy, rings[i].count};
+        status = sew_all(&outline, holes, count - 1, err);
+    }
+    if (status == PP_OK) {
+        for (int i = 0; i < outline.count; i++)
+            corners[i] = pp_face_corner(axes, outline.xy[i],
+                                        &world->surfaces[face].outline, world, face);
+        cut->outlines[cut->count++] = (struct pp_ring_3d){outline.count, corners};
+        corners = NULL;
+    }
+    free(corners);
+    free(holes);
+    free(outline.xy);
+    return status;
+}
+
+static double signed_area(const struct pp_ring *ring)
+{
+    double sum = 0.0;
+    for (int i = 2; i < ring->count; i++)
+        sum += turn(ring->xy[0], ring->xy[i - 1], ring->xy[i]);
+    return sum;
+}
+
+static enum pp_status add_whole(struct pp_cut_face *cut, const struct pp_polygon *face,
+                                struct pp_error *err)
+{
+    size_t size = (size_t)face->count * sizeof *face->vertices;
+    struct pp_vec3 *corners = malloc(size);
+    if (!corners)
+        return pp_fail_memory(err);
+    memcpy(corners, face->vertices, size);
+    cut->outlines[cut->count++] = (struct pp_ring_3d){face->count, corners};
+    return PP_OK;
+}
+
+enum pp_status pp_cut_face_create(struct pp_cut_face *cut, const struct pp_world *world,
+                                  int face, struct pp_error *err)
+{
+    const struct pp_polygon *outline = &world->surfaces[face].outline;
+    struct pp_face_axes axes = axes_of(outline);
+    struct pp_region region = {0, NULL};
+    struct pp_clipper *clipper = NULL;
+    bool whole = true;
+    for (int i = 0; i < world->opening_count && whole; i++)
+        whole = world->openings[i].face != face;
+    *cut = (struct pp_cut_face){0};
+    enum pp_status status = PP_OK;
+    if (!whole)
+        status = pp_clipper_create(&clipper, err);
+    if (!whole && status == PP_OK)
+        status = pp_face_region(&region, clipper, &axes, outline, world, face, err);
+    cut->outlines = calloc((size_t)region.count + 1, sizeof *cut->outlines);
+    if (status == PP_OK && !cut->outlines)
+        status = pp_fail_memory(err);
+    if (status == PP_OK && whole)
+        status = add_whole(cut, outline, err);
+    for (int i = 0, next; i < region.count && status == PP_OK; i = next) {
+        next = i + 1;
+        while (next < region.count && signed_area(&region.rings[next]) < 0.0)
+            next++;
+        status = add_outline(cut, &axes, region.rings + i, next - i, world, face, err);
+    }
+    pp_region_destroy(&region);
+    pp_clipper_destroy(clipper);
+    if (status != PP_OK)
+        pp_cut_face_clear(cut);
+    return status;
+}
+
+void pp_cut_face_clear(struct pp_cut_face *cut)
+{
+    for (int i = 0; i < cut->count; i++)
+        free(cut->outlines[i].corners);
+    free(cut->outlines);
+    *cut = (struct pp_cut_face){0};
+}

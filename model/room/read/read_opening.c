@@ -1,0 +1,100 @@
+/* read_opening.c - windows, rooflights and openings, as the file has them. */
+#include "model/room/read/read_lists.h"
+
+#include <string.h>
+
+#include "model/light/glazings.h"
+
+static struct pp_glass named_glass(struct pp_room_reader *r, const char *name)
+{
+    const struct pp_glazing *glazing = pp_glazing_find(name);
+    if (!glazing)
+        return pp_glass_none(); /* the form has let through no other name */
+    size_t index = (size_t)(glazing - pp_glazing_at(0));
+    if (index >= PP_READER_GLASSES)
+        return pp_glazing_glass(glazing);
+    if (r->glasses[index].panes == 0)
+        r->glasses[index] = pp_glazing_glass(glazing);
+    return r->glasses[index];
+}
+
+static bool has(const struct pp_xml_element *e, const char *name)
+{
+    for (int i = 0; i < e->attribute_count; i++)
+        if (strcmp(e->attributes[i].name, name) == 0)
+            return true;
+    return false;
+}
+
+/* Is the glass said in one way? Whether well or not is not asked. */
+static bool said_once(struct pp_room_reader *r, const struct pp_xml_element *e)
+{
+    if (!has(e, "glazing") || !has(e, "transmittance"))
+        return true;
+    pp_mistake(r->mistakes, e->line,
+               "%s: glazing and transmittance are both given; expected one of them",
+               e->name);
+    return false;
+}
+
+/* The glass that the attributes describe; false where they contradict each other. */
+static bool glass_of(struct pp_room_reader *r, struct pp_glass *glass,
+                     const struct pp_opening_form *form, const struct pp_xml_element *e)
+{
+    if (!isnan(form->transmittance)) {
+        *glass = form->diffusing == 1 ? pp_glass_diffusing(form->transmittance)
+                                      : pp_glass_scaled(named_glass(r, "clear-single"),
+                                                        form->transmittance);
+        return true;
+    }
+    const char *name = form->glazing ? form->glazing : "clear-single";
+    *glass = named_glass(r, name);
+    if (form->diffusing < 0 || form->diffusing == (int)glass->diffusing)
+        return true;
+    pp_mistake(
+        r->mistakes, e->line,
+        glass->diffusing
+            ? "%s: diffusing is \"no\", but the glazing \"%s\" diffuses; expected "
+              "a clear glazing, or a transmittance instead of it"
+            : "%s: diffusing is \"yes\", but the glazing \"%s\" does not diffuse; "
+              "expected one that does, or a transmittance instead of it",
+        e->name, name);
+    return false;
+}
+
+void pp_read_opening(struct pp_room_reader *r, struct pp_room *room,
+                     const struct pp_xml_element *e, enum pp_opening_kind kind,
+                     const struct pp_element_rule *rule)
+{
+    /* The fields that the other kinds have stay at "not given". */
+    struct pp_opening_form form = {.left_m = NAN,
+                                   .sill_m = NAN,
+                                   .width_m = NAN,
+                                   .height_m = NAN,
+                                   .x = NAN,
+                                   .y = NAN,
+                                   .depth_m = NAN};
+    struct pp_opening_part part = {.kind = kind, .line = e->line};
+    bool good = pp_reader_form(r, &form, rule, e);
+    good = said_once(r, e) && good;
+    if (kind == PP_OPENING)
+        good = pp_reader_vertices(r, &part.vertices, &pp_rule_vertex, e) && good;
+    good = good && glass_of(r, &part.glazing.glass, &form, e);
+    if (!good || !PP_RESERVE(r, room->openings, room->opening_count)) {
+        pp_vertices_clear(&part.vertices);
+        return;
+    }
+    part.glazing.frame_factor = form.frame_factor;
+    part.glazing.maintenance = form.maintenance;
+    part.glazing.curtains = form.curtains;
+    part.glazing.reveal_m = form.reveal_m;
+    part.left_m = form.left_m;
+    part.sill_m = form.sill_m;
+    part.width_m = form.width_m;
+    part.height_m = form.height_m;
+    part.x = form.x;
+    part.y = form.y;
+    part.depth_m = form.depth_m;
+    part.wall = pp_reader_text(r, form.wall);
+    room->openings[room->opening_count++] = part;
+}

@@ -1,0 +1,184 @@
+/* room_schema.h - the elements of a room file, their attributes and what each may be.
+ *
+ * One row an attribute: its name, what kind of value it takes, whether it must be
+ * there, what stands for it if not, and where in the element's form the value goes.
+ * A form is the element as its attributes have it, before it becomes a part of a room.
+ */
+#ifndef PP_MODEL_ROOM_SCHEMA_H
+#define PP_MODEL_ROOM_SCHEMA_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "model/room/allowance_words.h"
+#include "model/base/mistakes.h"
+#include "model/room/read/xml_input.h"
+
+/* How the text of a value is read, and the C type that it is stored as. */
+enum pp_reading_of_value {
+    PP_VALUE_TEXT,        /* const char *, of the XML tree */
+    PP_VALUE_NAME,        /* the same, and not empty */
+    PP_VALUE_NUMBER,      /* double */
+    PP_VALUE_COUNT,       /* int, a whole number */
+    PP_VALUE_PAIR,        /* double[2], two numbers with white space between */
+    PP_VALUE_CHOICE,      /* int, index of the word among `words` */
+    PP_VALUE_REFLECTANCE, /* struct pp_finish_value; a number or a named finish */
+    PP_VALUE_AUTO,        /* double; a number, or "auto": NAN */
+    PP_VALUE_FACTOR,      /* double; a number, or a name among `factors` */
+    PP_VALUE_GLAZING,     /* const char *; a named glazing or "none" */
+};
+
+struct pp_value_kind {
+    enum pp_reading_of_value reading;
+    const char *expected;     /* in a message: "expected ..." */
+    double least, most;       /* of numbers, both allowed but: */
+    bool above_least;         /* least itself is not */
+    bool below_most;          /* most itself is not */
+    double unit;              /* what a number is multiplied by when stored; 0: 1 */
+    const char *const *words; /* of a choice; ends with NULL */
+    const struct pp_named_factors *factors;
+};
+
+struct pp_attribute_rule {
+    const char *name;
+    const struct pp_value_kind *kind;
+    bool required;
+    double fallback; /* stored where the attribute is left out, in the stored unit;
+                      * texts are NULL then */
+    size_t offset;   /* in the form */
+};
+
+struct pp_element_rule;
+
+struct pp_child_rule {
+    const struct pp_element_rule *rule;
+    int least, most; /* how many; most 0: any number */
+};
+
+struct pp_element_rule {
+    const char *name;
+    const struct pp_attribute_rule *attributes;
+    int attribute_count;
+    const struct pp_child_rule *children;
+    int child_count;
+};
+
+/* What a value or a polygon may be at most. */
+#define PP_ROOM_LENGTH_MOST_M 1e5   /* any coordinate or length, either sign */
+#define PP_ROOM_LENGTH_LEAST_M 1e-3 /* where it must be greater than 0 */
+enum { PP_ROOM_POINTS_MOST = 100000, PP_ROOM_VERTICES_MOST = 1000 };
+
+/* A reflectance, with the finish where that is how it was given. */
+struct pp_finish_value {
+    double reflectance;
+    const struct pp_finish *finish; /* NULL: a number */
+};
+
+struct pp_building_form {
+    int version;
+    const char *name;
+};
+
+struct pp_room_form {
+    int version; /* -1: not given */
+    const char *name;
+    double north_rad;
+};
+
+struct pp_site_form {
+    double latitude_rad, longitude_rad, ground_level_m;
+    struct pp_finish_value ground;
+    int surroundings; /* enum pp_surroundings */
+    int work;         /* enum pp_work, -1: not given */
+};
+
+struct pp_sky_form {
+    int type; /* 0 overcast, 1 uniform, 1 + i iso-i */
+    double sun_altitude_rad, sun_bearing_rad;
+};
+
+struct pp_plan_form {
+    double width_m, depth_m, height_m;
+};
+
+struct pp_face_form {
+    int role; /* enum pp_role */
+    const char *name;
+    struct pp_finish_value finish;
+};
+
+struct pp_vertex_form {
+    double x, y, z;
+};
+
+struct pp_finishes_form {
+    struct pp_finish_value floor, walls, ceiling;
+    double decorations;
+};
+
+struct pp_finish_form {
+    const char *wall;
+    struct pp_finish_value finish;
+};
+
+/* A window, a rooflight or an opening. */
+struct pp_opening_form {
+    const char *wall;
+    double left_m, sill_m, width_m, height_m, x, y, depth_m;
+    const char *glazing;
+    double transmittance, frame_factor, maintenance, curtains, reveal_m;
+    int diffusing; /* 0 no, 1 yes, -1 not given */
+};
+
+struct pp_skyline_form {
+    const char *wall;
+    double angle_rad, distance_m;
+    struct pp_finish_value finish;
+};
+
+struct pp_block_form {
+    double x, y, base, width_m, depth_m, height_m, rotate_rad;
+    struct pp_finish_value finish;
+};
+
+struct pp_loose_form { /* a <surface> */
+    struct pp_finish_value finish;
+    double exitance;
+};
+
+struct pp_plane_form {
+    double height_m;
+};
+
+/* A point, a line or a grid. */
+struct pp_receiver_form {
+    double x, y, z, nx, ny, nz;
+    double from[2], to[2];
+    int points;
+    double spacing_m, margin_m;
+};
+
+extern const struct pp_element_rule pp_rule_building, pp_rule_room, pp_rule_site,
+    pp_rule_sky, pp_rule_plan, pp_rule_plan_vertex, pp_rule_envelope, pp_rule_face,
+    pp_rule_vertex, pp_rule_finishes, pp_rule_finish, pp_rule_window, pp_rule_rooflight,
+    pp_rule_opening, pp_rule_skyline, pp_rule_block, pp_rule_surface,
+    pp_rule_working_plane, pp_rule_point, pp_rule_line, pp_rule_grid;
+
+/* The words of <sky type="...">, in the order of pp_sky_form.type. */
+extern const char *const pp_sky_words[];
+
+/* Fills the element's form from its attributes, defaults where they are left out, and
+ * notes what is wrong with them. False where anything is. */
+bool pp_form_fill(void *form, const struct pp_element_rule *rule,
+                  const struct pp_xml_element *element, struct pp_mistakes *mistakes);
+
+/* Notes children that the element can't have, has too often or too few times. False
+ * where there are any. */
+bool pp_children_check(const struct pp_element_rule *rule,
+                       const struct pp_xml_element *element,
+                       struct pp_mistakes *mistakes);
+
+/* Is the child an element by that rule? */
+bool pp_is(const struct pp_xml_element *element, const struct pp_element_rule *rule);
+
+#endif

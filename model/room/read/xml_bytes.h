@@ -1,0 +1,16 @@
+/* xml_bytes.h - what can be said of an XML file before it is parsed. */
+#ifndef PP_MODEL_XML_BYTES_H
+#define PP_MODEL_XML_BYTES_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "model/base/mistakes.h"
+
+/* Notes the first thing about the bytes that makes parsing useless or unsafe: another
+ * encoding than UTF-8, a NUL byte, bytes that are not UTF-8, a tag of more than
+ * PP_XML_TAG_BYTES_MOST (the parser's time for a tag grows with the square of its
+ * attributes), nothing at all. True where there is none. */
+bool pp_xml_bytes_sound(const char *bytes, size_t length, struct pp_mistakes *mistakes);
+
+#endif

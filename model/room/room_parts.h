@@ -1,0 +1,142 @@
+/* room_parts.h - a room as its file describes it: what the reader fills and the
+ * resolver (world.c) reads.
+ *
+ * Angles are radians, everything else is as in the file. Every part has the line of its
+ * element. A number that the file left out and that has no default is NAN; a string is
+ * NULL. Lists are grown by the reader and owned by the room.
+ *
+ * A part that the reader found a mistake in is left out: nothing further is to be said
+ * of it. A plan or envelope left out so (line 0) leaves nothing to be judged by it; the
+ * reader has noted why, as it notes that a room has neither or both.
+ */
+#ifndef PP_MODEL_ROOM_PARTS_H
+#define PP_MODEL_ROOM_PARTS_H
+
+#include <stdbool.h>
+
+#include "model/room/edit.h"
+#include "model/light/sky.h"
+#include "model/geometry/vec.h"
+#include "model/room/world.h"
+
+struct pp_site_part {
+    double latitude_rad, longitude_rad; /* NAN where not given */
+    enum pp_surroundings surroundings;  /* rural where not given */
+    enum pp_work work; /* where not given: clean, but dirty in industrial surroundings */
+    double ground_reflectance, ground_level_m;
+    int line;
+};
+
+struct pp_sky_part {
+    enum pp_sky_kind kind;
+    int iso;
+    double sun_altitude_rad, sun_bearing_rad; /* NAN where not given */
+    int line;
+};
+
+struct pp_vertices {
+    struct pp_vec3 *list; /* z is 0 for the corners of a plan */
+    int *lines;
+    int count;
+};
+
+struct pp_face_part {
+    enum pp_role role;
+    char *name;
+    double reflectance; /* NAN: the finishes' */
+    const struct pp_finish *finish; /* by which it was given; NULL: a number; likewise
+                                     * below */
+    struct pp_vertices vertices;
+    int line;
+};
+
+struct pp_plan_part {
+    bool envelope;  /* by faces instead of a plan */
+    bool rectangle; /* by width and depth instead of vertices */
+    double width_m, depth_m, height_m;
+    struct pp_vertices vertices; /* of any other plan */
+    struct pp_face_part *faces;  /* of an envelope */
+    int face_count;
+    int line; /* 0: the file has neither */
+};
+
+struct pp_finish_part {
+    char *wall;
+    double reflectance;
+    const struct pp_finish *finish;
+    int line;
+};
+
+struct pp_glazing_part {
+    struct pp_glass glass;
+    double frame_factor;
+    double maintenance; /* NAN: by surroundings, work and slope ("auto") */
+    double curtains;
+    double reveal_m;
+};
+
+struct pp_opening_part {
+    enum pp_opening_kind kind;
+    char *wall;                               /* window */
+    double left_m, sill_m, width_m, height_m; /* window */
+    double x, y, depth_m;                     /* rooflight, with width_m */
+    struct pp_vertices vertices;              /* opening */
+    struct pp_glazing_part glazing;
+    int line;
+};
+
+struct pp_skyline_part {
+    char *wall;
+    double angle_rad, distance_m; /* INFINITY where not given */
+    double reflectance;
+    int line;
+};
+
+struct pp_surface_part {
+    struct pp_vertices vertices;
+    double reflectance, exitance;
+    const struct pp_finish *finish;
+    int line;
+};
+
+enum pp_receiver_kind { PP_POINT, PP_LINE, PP_GRID };
+
+struct pp_receiver_part {
+    enum pp_receiver_kind kind;
+    double x, y, z;        /* point; z NAN: the working plane */
+    struct pp_vec3 normal; /* point; (0, 0, 1) where not given; not yet unit length */
+    double from[2], to[2]; /* line, on the working plane */
+    int points;            /* line */
+    double spacing_m, margin_m; /* grid */
+    int line;
+};
+
+/* pp_room_clear (read_elements.c) frees what this points to, pp_room_copy (edit.c)
+ * copies it. */
+struct pp_room {
+    char *name; /* NULL where not given */
+    double north_rad;
+    struct pp_site_part site; /* the building's where the room has none */
+    struct pp_sky_part sky;   /* likewise */
+    struct pp_plan_part plan;
+    double floor, walls, ceiling; /* reflectances */
+    const struct pp_finish *floor_finish, *walls_finish, *ceiling_finish;
+    double decorations;           /* NAN: by surroundings and work ("auto") */
+    double working_plane_m;
+    int working_plane_line; /* 0 where not given */
+    struct pp_finish_part *finishes;
+    int finish_count;
+    struct pp_opening_part *openings; /* windows, rooflights, openings in file order */
+    int opening_count;
+    struct pp_skyline_part *skylines;
+    int skyline_count;
+    struct pp_block *blocks; /* as resolved ones: nothing to work out */
+    int block_count;
+    struct pp_surface_part *surfaces;
+    int surface_count;
+    struct pp_receiver_part *receivers;
+    int receiver_count;
+    int line;
+};
+
+#endif

@@ -1,0 +1,121 @@
+/* surface_materials.c - see surface_materials.h. */
+#include "model/room/surface_materials.h"
+
+#include <stdio.h>
+#include <string.h>
+
+static const char *name_of(const struct pp_surface *surface)
+{
+    switch (surface->role) {
+    case PP_FLOOR:
+        return "floor";
+    case PP_WALL:
+        return surface->name ? surface->name : "wall";
+    case PP_CEILING:
+        return "ceiling";
+    case PP_REVEAL:
+        return "reveal";
+    case PP_LOOSE:
+        return "surface";
+    case PP_BLOCK:
+        return "block";
+    }
+    return "surface";
+}
+
+static void name(struct pp_material *material, const char *of, bool outside)
+{
+    snprintf(material->name, sizeof material->name, "%s%s", of,
+             outside ? " (outside)" : "");
+}
+
+struct pp_material pp_world_surface_material(const struct pp_world *world, int index,
+                                             bool front)
+{
+    const struct pp_surface *surface = &world->surfaces[index];
+    double reflectance = front ? surface->front : surface->back;
+    struct pp_material material = pp_material_diffuse(pp_rgb_grey(reflectance));
+    if (surface->finish && (front || !surface->inside || surface->role == PP_LOOSE))
+        material = pp_material_finish(surface->finish, reflectance);
+    if (surface->exitance > 0.0) {
+        material.emits = PP_EMITS_EXTENDED;
+        material.radiance = pp_rgb_grey(surface->exitance / PP_PI);
+    }
+    bool skin = index < world->face_count || surface->role == PP_REVEAL;
+    name(&material, name_of(surface), !front && skin);
+    return material;
+}
+
+struct pp_material pp_world_matt_material(const struct pp_world *world, int index,
+                                          bool front)
+{
+    const struct pp_surface *surface = &world->surfaces[index];
+    struct pp_material material = pp_world_surface_material(world, index, front);
+    material.diffuse = pp_rgb_grey(front ? surface->front : surface->back);
+    material.gloss = pp_rgb_grey(0.0);
+    material.roughness[0] = material.roughness[1] = 0.0;
+    material.grain = pp_vec(0.0, 0.0, 0.0);
+    return material;
+}
+
+struct pp_material pp_world_pane_material(const struct pp_world *world, int index,
+                                          bool inside)
+{
+    const struct pp_opening *opening = &world->openings[index];
+    const struct pp_surface *face = &world->surfaces[opening->face];
+    struct pp_material material = pp_material_glazing(
+        &opening->glass, opening->frame_factor,
+        opening->maintenance * opening->curtains, inside ? face->front : face->back);
+    name(&material, "glazing", !inside);
+    return material;
+}
+
+/* Behind *end, which goes on. */
+static void put(double **end, double number)
+{
+    *(*end)++ = number + 0.0;
+}
+
+static void put_rgb(double **end, struct pp_rgb c)
+{
+    put(end, c.r);
+    put(end, c.g);
+    put(end, c.b);
+}
+
+struct pp_material_key pp_material_key_of(const struct pp_material *m)
+{
+    struct pp_material_key key = {.name = ""};
+    double *end = key.numbers;
+    memcpy(key.name, m->name, strlen(m->name));
+    for (int i = 0; i < 3; i++) {
+        put(&end, m->glass[i].panes);
+        put(&end, m->glass[i].n);
+        put(&end, m->glass[i].kl);
+        put(&end, m->glass[i].scale);
+    }
+    put_rgb(&end, m->diffuse);
+    put_rgb(&end, m->gloss);
+    put_rgb(&end, m->through_diffuse);
+    put_rgb(&end, m->through_gloss);
+    put_rgb(&end, m->radiance);
+    put_rgb(&end, pp_rgb(m->grain.x, m->grain.y, m->grain.z));
+    put(&end, m->roughness[0]);
+    put(&end, m->roughness[1]);
+    put(&end, m->clear_share);
+    put(&end, m->dirt);
+    put(&end, m->kind);
+    put(&end, m->emits);
+    put(&end, m->emits_both_sides);
+    put(&end, m->unseen);
+    put(&end, m->pattern);
+    return key;
+}
+
+bool pp_material_same(const struct pp_material *a, const struct pp_material *b)
+{
+    if (a->diffuse.r != b->diffuse.r || strcmp(a->name, b->name) != 0)
+        return false; /* as most are that differ */
+    struct pp_material_key keys[2] = {pp_material_key_of(a), pp_material_key_of(b)};
+    return memcmp(&keys[0], &keys[1], sizeof keys[0]) == 0;
+}

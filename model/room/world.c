@@ -1,0 +1,173 @@
+/* world.c - from a room to its world, step by step, and the end of a world. */
+#include "model/room/world.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "model/room/allowance_words.h"
+#include "model/room/build/resolve.h"
+
+void pp_world_destroy(struct pp_world *world)
+{
+    if (!world)
+        return;
+    for (int i = 0; i < world->surface_count; i++) {
+        pp_polygon_clear(&world->surfaces[i].outline);
+        free((char *)world->surfaces[i].name);
+    }
+    for (int i = 0; i < world->opening_count; i++) {
+        pp_polygon_clear(&world->openings[i].inner);
+        pp_polygon_clear(&world->openings[i].outer);
+    }
+    free(world->surfaces);
+    free(world->openings);
+    free(world->skylines);
+    free(world->blocks);
+    free(world->receivers);
+    free(world->name);
+    pp_region_destroy(&world->plane);
+    free(world);
+}
+
+/* Where a bearing points to in the room's own axes: clockwise from true north, and +y
+ * lies at north_rad. */
+static struct pp_vec3 direction_of(double bearing_rad, double altitude_rad,
+                                   double north_rad)
+{
+    double turn = bearing_rad - north_rad, c = cos(altitude_rad);
+    return pp_vec(c * sin(turn), c * cos(turn), sin(altitude_rad));
+}
+
+static void resolve_sky(struct pp_resolver *r)
+{
+    const struct pp_sky_part *part = &r->room->sky;
+    struct pp_world *world = r->world;
+    struct pp_error fault = {0};
+    struct pp_vec3 sun = {0.0, 0.0, 1.0};
+    switch (part->kind) {
+    case PP_SKY_OVERCAST:
+        world->sky = pp_sky_overcast();
+        return;
+    case PP_SKY_UNIFORM:
+        world->sky = pp_sky_uniform();
+        return;
+    case PP_SKY_ISO:
+        break;
+    }
+    if (pp_sky_iso_has_sun(part->iso)) {
+        if (isnan(part->sun_altitude_rad) || isnan(part->sun_bearing_rad)) {
+            pp_mistake(r->mistakes, part->line,
+                       "sky: iso-%d needs to know where the sun stands; expected "
+                       "sun-altitude and sun-bearing",
+                       part->iso);
+            return;
+        }
+        sun = direction_of(part->sun_bearing_rad, part->sun_altitude_rad,
+                           r->room->north_rad);
+    }
+    if (pp_sky_iso(&world->sky, part->iso, sun, &fault) != PP_OK)
+        pp_mistake(r->mistakes, part->line, "sky: %s", fault.message);
+}
+
+static enum pp_status resolve_site(struct pp_resolver *r, struct pp_error *err)
+{
+    const struct pp_room *room = r->room;
+    struct pp_world *world = r->world;
+    world->north_rad = room->north_rad;
+    world->latitude_rad = room->site.latitude_rad;
+    world->longitude_rad = room->site.longitude_rad;
+    world->surroundings = room->site.surroundings;
+    world->work = room->site.work;
+    world->decorations = isnan(room->decorations)
+                             ? pp_decorations_of(world->surroundings, world->work)
+                             : room->decorations;
+    world->ground_reflectance = room->site.ground_reflectance;
+    world->ground_level_m = room->site.ground_level_m;
+    resolve_sky(r);
+    if (room->name) {
+        world->name = strdup(room->name);
+        if (!world->name)
+            return pp_fail_memory(err);
+    }
+    return PP_OK;
+}
+
+/* Faces are compared with each other and with all that is near them, corner by corner;
+ * a room of more pairs than this would take many seconds. */
+static const double corner_pairs_most = 3e8;
+
+static bool is_comparable(struct pp_resolver *r)
+{
+    const struct pp_room *room = r->room;
+    double faces = 6.0 * room->plan.vertices.count + 24.0, openings = 0.0,
+           surfaces = 0.0;
+    for (int i = 0; i < room->plan.face_count; i++)
+        faces += room->plan.faces[i].vertices.count;
+    for (int i = 0; i < room->opening_count; i++)
+        openings += 4.0 + room->openings[i].vertices.count;
+    for (int i = 0; i < room->surface_count; i++)
+        surfaces += 4.0 * room->surfaces[i].vertices.count;
+    double others = openings + surfaces + 8.0 * room->block_count + room->finish_count
+                    + room->skyline_count;
+    if (faces * (faces + others) + openings * openings <= corner_pairs_most)
+        return true;
+    pp_mistake(
+        r->mistakes, room->line,
+        "room: has %d faces, %d openings, %d blocks and %d surfaces, too many to "
+        "compare with each other; expected fewer",
+        room->plan.face_count, room->opening_count, room->block_count,
+        room->surface_count);
+    return false;
+}
+
+static enum pp_status resolve(struct pp_resolver *r, struct pp_error *err)
+{
+    if (!is_comparable(r))
+        return PP_OK;
+    static enum pp_status (*const steps[])(struct pp_resolver *, struct pp_error *) = {
+        resolve_site,        pp_resolve_envelope,
+        pp_resolve_corners,  pp_resolve_closed,
+        pp_resolve_openings, pp_resolve_reveals,
+        pp_resolve_blocks,   pp_resolve_skylines,
+        pp_resolve_loose,    pp_resolve_working_plane,
+        pp_resolve_receivers};
+    enum pp_status status = pp_clipper_create(&r->clipper, err);
+    for (size_t i = 0; i < sizeof steps / sizeof *steps && status == PP_OK; i++)
+        status = steps[i](r, err);
+
+    pp_clipper_destroy(r->clipper);
+    for (int i = 0; i < r->wall_count; i++)
+        free(r->walls[i]);
+    free(r->walls);
+    free(r->wall_faces);
+    free(r->corners);
+    return status;
+}
+
+enum pp_status pp_world_create(struct pp_world **world, const struct pp_room *room,
+                               struct pp_mistakes *mistakes, struct pp_error *err)
+{
+    *world = NULL;
+    struct pp_world *made = calloc(1, sizeof *made);
+    if (!made)
+        return pp_fail_memory(err);
+    struct pp_resolver r = {.room = room, .world = made, .mistakes = mistakes};
+    struct pp_error fault = {0};
+    enum pp_status status = resolve(&r, &fault);
+    /* What a step could not settle by itself, polygons that GEOS gives up on, say. */
+    if (status == PP_BAD_INPUT)
+        pp_mistake(mistakes, room->line, "room: %s", fault.message);
+    else if (status != PP_OK)
+        pp_fail(err, status, "%s", fault.message);
+    int count = mistakes->count;
+    if (status != PP_SYSTEM && (count > 0 || mistakes->truncated))
+        status = pp_fail(err, PP_BAD_INPUT, "%s: %d mistake%s",
+                         mistakes->file ? mistakes->file : "room file", count,
+                         count == 1 ? "" : "s");
+    if (status != PP_OK) {
+        pp_world_destroy(made);
+        return status;
+    }
+    *world = made;
+    return PP_OK;
+}

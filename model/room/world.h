@@ -1,0 +1,155 @@
+/* world.h - a room and what stands round it, resolved once, for all who compute.
+ *
+ * Nothing here has to be looked up by name or worked out a second time: polygons in
+ * metres, fractions, radians, the room's own x, y, z (floor at z = 0, z up). The hand
+ * methods, the tracer, the charts and the exports read only this; a world is never
+ * changed once made. Everything in it is owned by it.
+ */
+#ifndef PP_MODEL_WORLD_H
+#define PP_MODEL_WORLD_H
+
+#include <stdbool.h>
+
+#include "model/base/error.h"
+#include "model/light/glass.h"
+#include "model/geometry/polygon.h"
+#include "model/geometry/region.h"
+#include "model/light/sky.h"
+#include "model/geometry/vec.h"
+
+enum pp_role {
+    PP_FLOOR,   /* of the room's own envelope */
+    PP_WALL,    /* of the room's own envelope */
+    PP_CEILING, /* of the room's own envelope */
+    PP_REVEAL,  /* a side of an opening's depth */
+    PP_LOOSE,   /* a <surface>, inside or outside */
+    PP_BLOCK,   /* a side of a <block> */
+};
+
+/* Opaque, diffuse, seen from both sides. A face of the envelope stands whole here; the
+ * openings name it. */
+struct pp_surface {
+    struct pp_polygon outline; /* envelope and reveals: normal into the room;
+                                * blocks: outwards; loose: as the file turns it */
+    enum pp_role role;
+    bool inside;      /* does it stand in the room (envelope, reveal, loose inside)? */
+    const char *name; /* the wall's, or NULL */
+    double front,
+        back;        /* reflectance of the side the normal points to, and the other */
+    double exitance; /* given off by each side by itself, over Eh */
+    const struct pp_finish *finish; /* named in the file: of the front, and of both
+                                     * sides of what is loose or a block; NULL: grey and
+                                     * without gloss. front says how much it reflects */
+    int owner;       /* reveal: its opening; block: its block; else -1 */
+    int line;        /* in the room file; 0 where none */
+};
+
+/* An opening in a face, with its glass. Its own axes lie in the face's plane: along is
+ * horizontal and runs to the right seen from inside, up completes it; their cross
+ * product is the normal, into the room. */
+struct pp_opening {
+    int face;                /* the surface it is cut from */
+    struct pp_polygon inner; /* outline in the face, normal into the room */
+    struct pp_polygon outer; /* where the glass stands: inner moved out by the reveal */
+    struct pp_vec3 along, up; /* unit */
+    double slope_rad;         /* of the glass: 0 horizontal, pi/2 vertical */
+    double width_m, height_m; /* extent along `along` and `up` */
+    bool rectangle;           /* and with edges along its axes? */
+    double middle_z_m; /* middle of its height: where upper and lower parts meet */
+    struct pp_glass glass;
+    double frame_factor; /* glass area / opening area */
+    double maintenance;  /* share of the light that dirt leaves */
+    double curtains;     /* share of the light that curtains leave, 1: there are none */
+    double reveal_m;     /* depth, 0 where the glass stands in the face */
+    int line;
+};
+
+/* One endless obstruction parallel to a wall, as from the ground up. */
+struct pp_skyline {
+    int face;          /* its wall; outline.normal points away from the skyline */
+    double angle_rad;  /* above the horizontal from the middle of the wall's openings */
+    double middle_z_m; /* that middle's height */
+    double distance_m; /* from the wall's plane; INFINITY: the angle is the same from
+                        * every point */
+    double head_z_m; /* of its upper edge: middle_z + distance tan angle, or INFINITY */
+    double reflectance;
+    int line;
+};
+
+/* A box outside; its sides stand among the surfaces too. */
+struct pp_block {
+    struct pp_vec3 corner; /* lower corner */
+    double width_m, depth_m, height_m;
+    double rotate_rad; /* about the corner, counter-clockwise seen from above */
+    double reflectance;
+    const struct pp_finish *finish; /* as a surface's */
+    int line;
+};
+
+/* Where light is measured. */
+struct pp_receiver {
+    struct pp_vec3 position;
+    struct pp_vec3 normal; /* unit */
+    int line;
+};
+
+enum pp_surroundings { PP_RURAL, PP_URBAN, PP_INDUSTRIAL };
+enum pp_work { PP_CLEAN, PP_DIRTY }; /* that is done in the room */
+
+struct pp_world {
+    char *name;
+    double north_rad;                   /* bearing of +y, clockwise from true north */
+    double latitude_rad, longitude_rad; /* NAN where the file has none */
+    enum pp_surroundings surroundings;
+    enum pp_work work;
+    double decorations; /* share of the internally reflected component that their
+                         * deterioration leaves, 1: they are as new */
+
+    struct pp_sky sky;
+    double ground_reflectance;
+    double ground_level_m; /* z of the ground outside */
+
+    struct pp_surface *surfaces; /* the envelope's faces first */
+    int surface_count, face_count;
+    struct pp_opening *openings;
+    int opening_count;
+    struct pp_skyline *skylines;
+    int skyline_count;
+    struct pp_block *blocks;
+    int block_count;
+
+    double height_m;               /* of the highest point of the envelope */
+    double working_plane_m;        /* z of the working plane */
+    struct pp_region plane;        /* the room's section at that height */
+    struct pp_receiver *receivers; /* the file's, or the default grid */
+    int receiver_count;
+};
+
+void pp_world_destroy(struct pp_world *world); /* NULL is allowed */
+
+/* Does a point lie within the room's envelope? Of one on it to the bit, either. */
+bool pp_world_contains(const struct pp_world *world, struct pp_vec3 point);
+
+/* Is the point in a face or any other surface of the world, by a tenth of a millimetre?
+ */
+bool pp_world_in_surface(const struct pp_world *world, struct pp_vec3 point);
+
+/* The room's section by the level plane at z (m), as world->plane is that of the working
+ * plane; empty where the room does not reach. The region is the caller's. */
+enum pp_status pp_world_section(struct pp_region *region, const struct pp_world *world,
+                                double z, struct pp_error *err);
+
+/* What is wrong with a receiver at this position with that unit normal, as the end of a
+ * sentence ("lies outside the room", "lies in an opening"), or NULL if nothing is. On a
+ * floor, wall or ceiling one may measure what falls on it: facing straight into the
+ * room. */
+const char *pp_world_receiver_fault(const struct pp_world *world,
+                                    struct pp_vec3 position, struct pp_vec3 normal);
+
+/* A receiver that faces up at (x, y, z), z NAN: on the working plane, as the command
+ * line asks for one; PP_BAD_INPUT where one can't measure there. */
+enum pp_status pp_world_place_receiver(const struct pp_world *world, double x, double y,
+                                       double z, struct pp_receiver *receiver,
+                                       struct pp_error *err);
+
+#endif

@@ -1,0 +1,53 @@
+/* cache_derivatives.h - how irradiance changes with the place and the turn of a
+ * surface.
+ *
+ * The cells of the hemisphere are taken for patches of constant radiance that stand
+ * where their rays ended. With r from the place to points of a patch's outline, ccw
+ * seen from above the surface with normal n, its irradiance is L times
+ *
+ *     S = sum over edges of 1/2 n . (r0 x e) I1,   I1 = int_0^1 dt / |r0 + t e|^2   (1)
+ *
+ * (Lambert's formula, e = r1 - r0). An edge is shared by two cells and so counts by the
+ * difference of their radiances; it lies on the nearer of the two surfaces, which is
+ * the one that hides the other. When the place moves by d, r0 becomes r0 - d, and (1)
+ * can be differentiated under the integral [SWJ12]:
+ *
+ *     grad S = 1/2 (A g - w I1)                                                    (2)
+ *     hess S = 1/2 (A H - w g^T - g w^T)                                           (3)
+ *
+ *     A = n . (r0 x e),  w = e x n,  g = 2 int r/|r|^4,
+ *     H = int (8 r r^T/|r|^6 - 2/|r|^4).
+ *
+ * A cell's radiance pulls at the gradient by its edges, p_k together, as it does at the
+ * irradiance by pi/n where there are n cells. So noise that each cell has by itself is
+ * sqrt(n sum p_k^2/2)/pi times as much in the gradient; the same for second
+ * derivatives.
+ *
+ * Along the horizon an edge counts by the azimuths of its ends. With the turn of the
+ * normal irradiance changes by the sum of L times the part of its direction that is
+ * in the surface [WH92].
+ */
+#ifndef PP_SIMULATE_CACHE_DERIVATIVES_H
+#define PP_SIMULATE_CACHE_DERIVATIVES_H
+
+#include "simulate/cache/cache_hemisphere.h"
+
+/* In the frame (a, b) of the hemisphere. */
+struct pp_irradiance_change {
+    double along[3][2];  /* of red, green, blue: gradient with the place, 1/m */
+    double turned[3][2]; /* with the normal, 1/rad */
+    double curvature[3]; /* luminance's second derivatives aa, ab, bb, 1/m2 */
+    /* Where cells are noisy, each by itself: the noise of the gradient, on either axis,
+     * over that of the irradiance, 1/m, and that of the curvature, 1/m2. */
+    double along_noise, curvature_noise;
+};
+
+void pp_hemisphere_change(struct pp_hemisphere *hemisphere,
+                          struct pp_irradiance_change *change);
+
+/* (1) to (3) of one edge from r0 to r1 (from the place), in the frame where n is z:
+ * gradient and aa, ab, bb. Both 0 for an edge that the place is in line with. */
+void pp_edge_change(struct pp_vec3 r0, struct pp_vec3 r1, double gradient[2],
+                    double hessian[3]);
+
+#endif

@@ -1,0 +1,50 @@
+/* cache_entry.h - a record as the cache keeps it, and what it says of a place near by.
+ *
+ * Its weight falls from 1 at its own place to 0 at the edge of its ellipse: where one
+ * record takes over from another nothing jumps. It speaks for places on the same side
+ * only: facing alike, in the same space, not behind it, and with nothing standing
+ * between: `horizon_m` is how far the surface is clear in each direction, by the lowest
+ * rays of the hemisphere.
+ */
+#ifndef PP_SIMULATE_CACHE_ENTRY_H
+#define PP_SIMULATE_CACHE_ENTRY_H
+
+#include "simulate/cache/irradiance_cache.h"
+
+enum { PP_CACHE_SECTORS = 32 };
+
+struct pp_cache_entry {
+    struct pp_cache_record is;
+    struct pp_vec3 a, b; /* the frame (a, b, normal) that sectors count about */
+    double horizon_m[PP_CACHE_SECTORS];
+    double along_noise; /* of the gradient over that of the value, 1/m */
+    double curvature;   /* greatest second derivative over the value, as far as it is
+                         * sure to be more than noise, 1/m2 */
+
+    /* What is read: `is` alone, or in agreement with its neighbours (cache_smooth.c). */
+    struct pp_rgb value;
+    struct pp_vec3 along[3];
+};
+
+/* Value and gradients as the record has them. */
+void pp_cache_entry_alone(struct pp_cache_entry *entry);
+
+/* A place that is asked for. */
+struct pp_cache_place {
+    struct pp_vec3 point, normal;
+    enum pp_space space;
+};
+
+/* How far from the record the place is, 0 at it and 1 at the edge of its ellipse; more
+ * than 1e9 where it does not speak for it however near. */
+double pp_cache_entry_distance(const struct pp_cache_entry *entry,
+                               const struct pp_cache_place *place);
+
+/* What the record makes of the irradiance there, no channel below 0. */
+struct pp_rgb pp_cache_entry_read(const struct pp_cache_entry *entry,
+                                  const struct pp_cache_place *place);
+
+/* The sector of a direction by its parts along a and b. */
+int pp_cache_sector(double along_a, double along_b);
+
+#endif

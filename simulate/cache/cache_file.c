@@ -1,0 +1,259 @@
+/* cache_file.c - a cache's records as a file.
+ *
+ * All little-endian, 8 bytes each but the first 16:
+ *
+ *     "pepperpot cache\n", version, the scene's hash, the options' hash,
+ *     number of records of depth 0, of depth 1,
+ *     each record: NUMBERS doubles (see put_entry),
+ *     a checksum of all that stands before it
+ *
+ * The radii are those after neighbours have limited each other, values and gradients
+ * those before they agree (cache_smooth.c): that is done when a file is read as it is
+ * when a cache is grown, and the same sums are formed in the same order.
+ */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "simulate/cache/cache_parts.h"
+#include "simulate/sampling/hash.h"
+#include "simulate/sampling/lobe.h"
+
+enum {
+    VERSION = 2,
+    WORD = 8,
+    NUMBERS = 38 + PP_CACHE_SECTORS,
+    HEAD = 16 + 5 * WORD,
+    ENTRY = NUMBERS * WORD
+};
+
+static const char magic[17] = "pepperpot cache\n";
+
+static void put_word(unsigned char **at, uint64_t word)
+{
+    for (int i = 0; i < WORD; i++)
+        *(*at)++ = (unsigned char)(word >> 8 * i);
+}
+
+static uint64_t take_word(const unsigned char **at)
+{
+    uint64_t word = 0;
+    for (int i = 0; i < WORD; i++)
+        word |= (uint64_t) * (*at)++ << 8 * i;
+    return word;
+}
+
+static void put_number(unsigned char **at, double number)
+{
+    uint64_t word;
+    memcpy(&word, &number, sizeof word);
+    put_word(at, word);
+}
+
+static double take_number(const unsigned char **at)
+{
+    uint64_t word = take_word(at);
+    double number;
+    memcpy(&number, &word, sizeof number);
+    return number;
+}
+
+static void put_vec(unsigned char **at, struct pp_vec3 v)
+{
+    put_number(at, v.x);
+    put_number(at, v.y);
+    put_number(at, v.z);
+}
+
+static struct pp_vec3 take_vec(const unsigned char **at)
+{
+    double x = take_number(at), y = take_number(at), z = take_number(at);
+    return pp_vec(x, y, z);
+}
+
+static uint64_t checksum(const unsigned char *bytes, size_t length)
+{
+    uint64_t sum = length;
+    for (size_t i = 0; i < length; i += WORD) {
+        const unsigned char *at = bytes + i;
+        sum = pp_hash(sum, take_word(&at));
+    }
+    return sum;
+}
+
+static void put_entry(unsigned char **at, const struct pp_cache_entry *entry)
+{
+    const struct pp_cache_record *is = &entry->is;
+    put_vec(at, is->point);
+    put_vec(at, is->normal);
+    put_number(at, is->space);
+    put_vec(at, pp_vec(is->value.r, is->value.g, is->value.b));
+    for (int c = 0; c < 3; c++)
+        put_vec(at, is->along[c]);
+    for (int c = 0; c < 3; c++)
+        put_vec(at, is->turned[c]);
+    for (int i = 0; i < 2; i++)
+        put_vec(at, is->axes[i]);
+    for (int i = 0; i < 2; i++)
+        put_number(at, is->radii_m[i]);
+    for (int i = 0; i < PP_CACHE_SECTORS; i++)
+        put_number(at, entry->horizon_m[i]);
+    put_number(at, entry->along_noise);
+    put_number(at, entry->curvature);
+}
+
+static bool is_finite(struct pp_vec3 v)
+{
+    return isfinite(v.x) && isfinite(v.y) && isfinite(v.z);
+}
+
+static bool is_unit(struct pp_vec3 v)
+{
+    return is_finite(v) && fabs(pp_dot(v, v) - 1.0) < 1e-6;
+}
+
+/* False where the numbers can't be a record's. */
+static bool take_entry(const unsigned char **at, struct pp_cache_entry *entry)
+{
+    struct pp_cache_record *is = &entry->is;
+    bool good = true;
+    is->point = take_vec(at);
+    is->normal = take_vec(at);
+    double space = take_number(at);
+    struct pp_vec3 value = take_vec(at);
+    is->value = pp_rgb(value.x, value.y, value.z);
+    for (int c = 0; c < 3; c++)
+        good = is_finite(is->along[c] = take_vec(at)) && good;
+    for (int c = 0; c < 3; c++)
+        good = is_finite(is->turned[c] = take_vec(at)) && good;
+    for (int i = 0; i < 2; i++)
+        good = is_unit(is->axes[i] = take_vec(at)) && good;
+    for (int i = 0; i < 2; i++) {
+        is->radii_m[i] = take_number(at);
+        good = good && is->radii_m[i] >= 0.0 && isfinite(is->radii_m[i]);
+    }
+    for (int i = 0; i < PP_CACHE_SECTORS; i++) {
+        entry->horizon_m[i] = take_number(at);
+        good = good && entry->horizon_m[i] >= 0.0;
+    }
+    entry->along_noise = take_number(at);
+    entry->curvature = take_number(at);
+    good = good && entry->along_noise >= 0.0 && entry->curvature >= 0.0;
+    good = good && is_finite(is->point) && is_unit(is->normal) && is_finite(value)
+           && value.x >= 0.0 && value.y >= 0.0 && value.z >= 0.0
+           && (space == PP_ANYWHERE || space == PP_INDOORS || space == PP_OUTDOORS);
+    if (!good)
+        return false;
+    is->space = (enum pp_space)(int)space;
+    pp_frame_about(is->normal, &entry->a, &entry->b);
+    return true;
+}
+
+enum pp_status pp_irradiance_cache_pack(const struct pp_irradiance_cache *cache,
+                                        char **bytes, size_t *length,
+                                        struct pp_error *err)
+{
+    size_t size = HEAD + pp_irradiance_cache_count(cache) * ENTRY + WORD;
+    unsigned char *all = malloc(size), *at = all;
+    if (!all)
+        return pp_fail_memory(err);
+    memcpy(at, magic, 16);
+    at += 16;
+    put_word(&at, VERSION);
+    put_word(&at, pp_light_scene_hash(cache->scene));
+    put_word(&at, pp_cache_options_hash(cache));
+    for (int i = 0; i < PP_CACHE_DEPTHS; i++)
+        put_word(&at, (uint64_t)cache->layers[i].entry_count);
+    for (int i = 0; i < PP_CACHE_DEPTHS; i++)
+        for (int k = 0; k < cache->layers[i].entry_count; k++)
+            put_entry(&at, &cache->layers[i].entries[k]);
+    put_word(&at, checksum(all, size - WORD));
+    *bytes = (char *)all;
+    *length = size;
+    return PP_OK;
+}
+
+/* Looks at all but the records. */
+static enum pp_status check(const struct pp_irradiance_cache *cache,
+                            const unsigned char *bytes, size_t length,
+                            const char *title, uint64_t counts[PP_CACHE_DEPTHS],
+                            struct pp_error *err)
+{
+    if (length < 16 || memcmp(bytes, magic, 16) != 0)
+        return pp_fail(err, PP_BAD_INPUT,
+                       "%s is not a cache; expected a file that --cache has written",
+                       title);
+    const unsigned char *at = bytes + 16;
+    if (length < HEAD + WORD)
+        return pp_fail(err, PP_BAD_INPUT, "%s is cut off: the cache has no records",
+                       title);
+    uint64_t version = take_word(&at);
+    if (version != VERSION)
+        return pp_fail(err, PP_BAD_INPUT,
+                       "%s is a cache of version %llu; expected version %d", title,
+                       (unsigned long long)version, VERSION);
+    uint64_t scene = take_word(&at), options = take_word(&at), total = 0;
+    for (int i = 0; i < PP_CACHE_DEPTHS; i++) {
+        counts[i] = take_word(&at);
+        total += counts[i] < INT32_MAX ? counts[i] : INT32_MAX;
+    }
+    if (total >= INT32_MAX || length != HEAD + total * ENTRY + WORD)
+        return pp_fail(err, PP_BAD_INPUT,
+                       "%s is cut off or damaged: its length does not fit its number "
+                       "of records",
+                       title);
+    const unsigned char *end = bytes + length - WORD;
+    if (take_word(&end) != checksum(bytes, length - WORD))
+        return pp_fail(err, PP_BAD_INPUT, "%s is damaged: its checksum is wrong",
+                       title);
+    if (scene != pp_light_scene_hash(cache->scene))
+        return pp_fail(err, PP_BAD_INPUT,
+                       "%s is the cache of another room; expected one of this room, or "
+                       "the name of a new file",
+                       title);
+    if (options != pp_cache_options_hash(cache))
+        return pp_fail(err, PP_BAD_INPUT,
+                       "%s was made with other options of light or cache, or another "
+                       "seed; expected the same, or the name of a new file",
+                       title);
+    return PP_OK;
+}
+
+static enum pp_status take_all(struct pp_irradiance_cache *cache,
+                               const unsigned char *at, const char *title,
+                               const uint64_t counts[PP_CACHE_DEPTHS],
+                               struct pp_error *err)
+{
+    enum pp_status status = PP_OK;
+    for (int i = 0; status == PP_OK && i < PP_CACHE_DEPTHS; i++)
+        for (uint64_t k = 0; status == PP_OK && k < counts[i]; k++) {
+            struct pp_cache_entry entry = {.is = {.depth = i}};
+            if (!take_entry(&at, &entry))
+                return pp_fail(err, PP_BAD_INPUT,
+                               "%s is damaged: record %llu makes no sense", title,
+                               (unsigned long long)k + 1);
+            status = pp_cache_layer_put(&cache->layers[i], &entry, err);
+        }
+    for (int i = 0; status == PP_OK && i < PP_CACHE_DEPTHS; i++)
+        status = pp_cache_layer_agree(&cache->layers[i], err);
+    return status;
+}
+
+enum pp_status pp_irradiance_cache_unpack(struct pp_irradiance_cache *cache,
+                                          const char *bytes, size_t length,
+                                          const char *title, struct pp_error *err)
+{
+    uint64_t counts[PP_CACHE_DEPTHS];
+    const unsigned char *at = (const unsigned char *)bytes;
+    enum pp_status status = check(cache, at, length, title, counts, err);
+    if (status == PP_OK)
+        status = take_all(cache, at + HEAD, title, counts, err);
+    if (status == PP_OK)
+        return PP_OK;
+    for (int i = 0; i < PP_CACHE_DEPTHS; i++) {
+        cache->layers[i].entry_count = 0;
+        struct pp_error ignored;
+        pp_octree_empty(&cache->layers[i].tree, &ignored);
+    }
+    return status;
+}

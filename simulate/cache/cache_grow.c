@@ -1,0 +1,439 @@
+/* cache_grow.c - wishes, and how the cache grows until they are met.
+ *
+ * Wishes come in a scattered order, so that the first records stand far apart and later
+ * ones between them. They are looked at in chunks; of those in a chunk that no record
+ * speaks for, a batch is taken, its members not too near to each other; all are worked
+ * out from the cache as it is, entered in order, and the rest of the chunk is looked at
+ * again. First come the records that light what is seen, then those of what is seen.
+ */
+#include <math.h>
+#include <stdlib.h>
+
+#include "model/base/clock.h"
+#include "simulate/cache/cache_parts.h"
+#include "simulate/sampling/hash.h"
+#include "simulate/sampling/lobe.h"
+
+enum {
+    CHUNK = 1 << 16,
+    SPREAD_RAYS = 8192, /* at most, that look where what lights the wishes is: what they
+                         * miss has its light by paths */
+    SIGHTS = 2,         /* surfaces that one ray of a picture may ask for */
+};
+
+/* Two members of a batch stand no nearer than so much of the radius expected there. */
+static const double APART = 0.7;
+/* The radius expected where nothing is known, over the scene's size. */
+static const double FIRST_GUESS = 1.0 / 32.0;
+
+/* ---- wishes ---- */
+
+static enum pp_status wish(struct pp_cache_layer *layer,
+                           const struct pp_cache_place *place, struct pp_error *err)
+{
+    if (layer->wish_count == layer->wish_space) {
+        size_t space = layer->wish_space ? 2 * layer->wish_space : 1024;
+        struct pp_cache_wish *wishes = realloc(layer->wishes, space * sizeof *wishes);
+        if (!wishes)
+            return pp_fail_memory(err);
+        layer->wishes = wishes;
+        layer->wish_space = space;
+    }
+    layer->wishes[layer->wish_count++] = (struct pp_cache_wish){.place = *place};
+    return PP_OK;
+}
+
+/* Wishes that have been met are forgotten when others come. */
+static void forget(struct pp_irradiance_cache *cache)
+{
+    if (!pp_irradiance_cache_done(cache))
+        return;
+    for (int i = 0; i < PP_CACHE_DEPTHS; i++)
+        cache->layers[i].wish_count = cache->layers[i].next = 0;
+    cache->spread = 0;
+}
+
+/* Shuffles the wishes from `first` on: the same way each time. */
+static void scatter(struct pp_cache_layer *layer, size_t first)
+{
+    size_t count = layer->wish_count - first;
+    struct pp_cache_wish *wishes = layer->wishes + first;
+    for (size_t i = count; i > 1; i--) {
+        size_t k = (size_t)(pp_hash(i, count) % i);
+        struct pp_cache_wish swap = wishes[i - 1];
+        wishes[i - 1] = wishes[k];
+        wishes[k] = swap;
+    }
+}
+
+/* What one ray asks for on its way. */
+struct sight {
+    const struct pp_irradiance_cache *cache;
+    int depth; /* that is listened to */
+    int count;
+    struct pp_cache_place places[SIGHTS];
+};
+
+enum pp_space pp_cache_space(const struct pp_irradiance_cache *cache,
+                             const struct pp_light_hit *hit, struct pp_vec3 normal)
+{
+    if (pp_dot(normal, hit->normal) > 0.0)
+        return hit->space;
+    return pp_light_scene_space(cache->scene,
+                                pp_along(hit->point, 1e-6 * cache->size_m, normal));
+}
+
+static bool listen(void *store, const struct pp_light_hit *hit, struct pp_vec3 normal,
+                   int depth, struct pp_rgb *value)
+{
+    struct sight *sight = store;
+    *value = pp_rgb_grey(0.0);
+    if (depth != sight->depth || sight->cache->left_out[hit->material]
+        || sight->count == SIGHTS)
+        return true;
+    sight->places[sight->count++] = (struct pp_cache_place){
+        hit->point, normal, pp_cache_space(sight->cache, hit, normal)};
+    return true;
+}
+
+static struct pp_radiance_walk walk_of(const struct pp_irradiance_cache *cache,
+                                       uint64_t seed)
+{
+    struct pp_radiance_walk walk = {
+        .scene = cache->scene, .options = cache->light, .store = cache->store};
+    pp_sequence_init(&walk.sequence, &cache->sobol, seed);
+    return walk;
+}
+
+/* Follows a ray without aiming at anything. */
+static void look(const struct pp_irradiance_cache *cache,
+                 const struct pp_light_ray *ray, int depth, uint32_t index,
+                 struct sight *sight)
+{
+    *sight = (struct sight){.cache = cache, .depth = depth};
+    struct pp_ambient ambient = {listen, sight};
+    struct pp_radiance_walk walk = walk_of(cache, cache->options.seed);
+    walk.options.sources = walk.options.windows = false;
+    walk.ambient = &ambient;
+    walk.index = index;
+    if (depth == 0)
+        pp_radiance_along(&walk, ray, NULL);
+    else
+        pp_radiance_indirect(&walk, ray, NULL);
+}
+
+/* Wishes of depth `depth` by rays, in their order. */
+static enum pp_status look_along(struct pp_irradiance_cache *cache,
+                                 const struct pp_light_ray *rays, size_t count,
+                                 int depth, struct pp_error *err)
+{
+    enum pp_status status = PP_OK;
+    struct pp_cache_layer *layer = &cache->layers[depth];
+    struct sight *sights = malloc(CHUNK * sizeof *sights);
+    if (!sights)
+        return pp_fail_memory(err);
+    for (size_t first = 0; status == PP_OK && first < count; first += CHUNK) {
+        int n = count - first < CHUNK ? (int)(count - first) : CHUNK;
+#pragma omp parallel for num_threads(cache->options.threads) schedule(dynamic, 64)
+        for (int i = 0; i < n; i++)
+            look(cache, &rays[first + (size_t)i], depth, (uint32_t)(first + (size_t)i),
+                 &sights[i]);
+        for (int i = 0; i < n; i++)
+            for (int k = 0; status == PP_OK && k < sights[i].count; k++)
+                status = wish(layer, &sights[i].places[k], err);
+    }
+    free(sights);
+    return status;
+}
+
+enum pp_status pp_irradiance_cache_see(struct pp_irradiance_cache *cache,
+                                       const struct pp_light_ray *rays, size_t count,
+                                       struct pp_error *err)
+{
+    if (cache->options.bounces == 0)
+        return PP_OK;
+    forget(cache);
+    size_t first = cache->layers[0].wish_count;
+    enum pp_status status = look_along(cache, rays, count, 0, err);
+    if (status == PP_OK)
+        scatter(&cache->layers[0], first);
+    return status;
+}
+
+enum pp_status pp_irradiance_cache_want(struct pp_irradiance_cache *cache,
+                                        struct pp_vec3 point, struct pp_vec3 normal,
+                                        enum pp_space space, struct pp_error *err)
+{
+    struct pp_cache_place place = {point, normal, space};
+    if (cache->options.bounces == 0)
+        return PP_OK;
+    forget(cache);
+    return wish(&cache->layers[0], &place, err);
+}
+
+/* Rays from a place over its hemisphere. */
+static struct pp_light_ray ray_about(const struct pp_irradiance_cache *cache,
+                                     const struct pp_cache_place *place, uint64_t seed,
+                                     uint32_t index)
+{
+    struct pp_sequence sequence;
+    struct pp_vec3 a, b;
+    double u[2];
+    pp_sequence_init(&sequence, &cache->sobol, seed);
+    pp_sequence_draw(&sequence, index, 0, 2, u);
+    pp_frame_about(place->normal, &a, &b);
+    return (struct pp_light_ray){place->point, place->normal,
+                                 pp_sample_lobe(a, b, place->normal, u[0], u[1]),
+                                 place->space};
+}
+
+enum pp_status pp_irradiance_cache_reach(struct pp_irradiance_cache *cache,
+                                         struct pp_vec3 point, struct pp_vec3 normal,
+                                         enum pp_space space, struct pp_error *err)
+{
+    enum { RAYS = 256 };
+    struct pp_light_ray rays[RAYS];
+    struct pp_cache_place place = {point, normal, space};
+    if (cache->options.bounces >= 0 && cache->options.bounces < 2)
+        return PP_OK;
+    for (uint32_t i = 0; i < RAYS; i++)
+        rays[i] = ray_about(cache, &place, cache->options.seed, i);
+    forget(cache);
+    size_t first = cache->layers[1].wish_count;
+    enum pp_status status = look_along(cache, rays, RAYS, 1, err);
+    if (status == PP_OK)
+        scatter(&cache->layers[1], first);
+    return status;
+}
+
+/* Of the wishes of what is seen that are new, what lights them. */
+static enum pp_status spread(struct pp_irradiance_cache *cache, struct pp_error *err)
+{
+    const struct pp_cache_layer *seen = &cache->layers[0];
+    size_t new = seen->wish_count - cache->spread;
+    size_t left = SPREAD_RAYS - cache->spread_rays;
+    size_t count = 8 * new < left ? 8 * new : left;
+    size_t begin = cache->spread, first = cache->layers[1].wish_count;
+    cache->spread = seen->wish_count;
+    cache->spread_rays += count;
+    if (count == 0 || (cache->options.bounces >= 0 && cache->options.bounces < 2))
+        return PP_OK;
+    struct pp_light_ray *rays = malloc(count * sizeof *rays);
+    if (!rays)
+        return pp_fail_memory(err);
+    for (size_t i = 0; i < count; i++)
+        rays[i] = ray_about(cache, &seen->wishes[begin + i % new].place,
+                            cache->options.seed, (uint32_t)i);
+    enum pp_status status = look_along(cache, rays, count, 1, err);
+    if (status == PP_OK)
+        scatter(&cache->layers[1], first);
+    free(rays);
+    return status;
+}
+
+/* ---- growing ---- */
+
+/* The cache as a record that is being worked out sees it. */
+struct viewpoint {
+    struct pp_irradiance_cache *cache;
+    int depth; /* of the record */
+};
+
+static bool ask_from_record(void *store, const struct pp_light_hit *hit,
+                            struct pp_vec3 normal, int depth, struct pp_rgb *value)
+{
+    const struct viewpoint *from = store;
+    struct pp_irradiance_cache *cache = from->cache;
+    int at = from->depth + depth, bounces = cache->options.bounces;
+    /* What lights the rest is worked out without bias, by paths to their end. */
+    if (from->depth > 0 && !cache->left_out[hit->material]
+        && (bounces < 0 || at < bounces))
+        return false;
+    return cache->ambient.irradiance(cache, hit, normal, at, value);
+}
+
+static uint64_t seed_of(const struct pp_irradiance_cache *cache,
+                        const struct pp_cache_place *place, int depth)
+{
+    const double numbers[] = {place->point.x,  place->point.y,  place->point.z,
+                              place->normal.x, place->normal.y, place->normal.z};
+    uint64_t seed = pp_hash(cache->options.seed, (uint64_t)depth);
+    for (int i = 0; i < 6; i++)
+        seed = pp_hash_double(seed, numbers[i]);
+    return seed;
+}
+
+static void work(struct pp_irradiance_cache *cache, int depth,
+                 const struct pp_cache_place *place, struct pp_hemisphere_cell *cells,
+                 struct pp_cache_entry *entry)
+{
+    struct viewpoint from = {cache, depth};
+    struct pp_ambient ambient = {ask_from_record, &from};
+    struct pp_radiance_walk walk = walk_of(cache, seed_of(cache, place, depth));
+    walk.ambient = &ambient;
+    pp_cache_work(&cache->layers[depth].maker, &walk, place, cells, entry);
+    entry->is.depth = depth;
+}
+
+/* Is there no record that speaks for the wish? Then also how large one may be there. */
+static bool is_open(const struct pp_irradiance_cache *cache,
+                    const struct pp_cache_layer *layer, struct pp_cache_wish *wish)
+{
+    struct pp_rgb value;
+    double guess;
+    bool covered = pp_cache_layer_read(layer, &wish->place, &value, &guess);
+    wish->guess_m =
+        covered ? -1.0f : (float)(guess > 0.0 ? guess : FIRST_GUESS * cache->size_m);
+    return !covered;
+}
+
+static struct pp_cache_wish *open_wish(const struct pp_cache_layer *layer, int i)
+{
+    return &layer->wishes[layer->next + (size_t)layer->open[i]];
+}
+
+/* Which wishes of the chunk are open, in their order. */
+static void sift(struct pp_irradiance_cache *cache, struct pp_cache_layer *layer,
+                 int count)
+{
+    layer->open_count = 0;
+#pragma omp parallel for num_threads(cache->options.threads)                           \
+    schedule(dynamic, 256) if (count > 4096)
+    for (int i = 0; i < count; i++)
+        is_open(cache, layer, &layer->wishes[layer->next + (size_t)i]);
+    for (int i = 0; i < count; i++)
+        if (layer->wishes[layer->next + (size_t)i].guess_m >= 0.0f)
+            layer->open[layer->open_count++] = i;
+}
+
+static bool stands_apart(const struct pp_cache_wish *wish,
+                         const struct pp_cache_wish *const chosen[], int count)
+{
+    for (int k = 0; k < count; k++)
+        if (pp_dot(wish->place.normal, chosen[k]->place.normal) >= 0.5
+            && pp_length(pp_sub(wish->place.point, chosen[k]->place.point))
+                   <= APART * fmin(wish->guess_m, chosen[k]->guess_m))
+            return false;
+    return true;
+}
+
+/* The first open wishes that stand apart. Those come to that are open no longer leave
+ * the list; no more of it is looked at than is needed for a batch. */
+static int choose(struct pp_irradiance_cache *cache, struct pp_cache_layer *layer,
+                  const struct pp_cache_wish *chosen[])
+{
+    int count = 0, kept = 0, i = 0;
+    for (; i < layer->open_count && count < PP_CACHE_BATCH; i++) {
+        struct pp_cache_wish *wish = open_wish(layer, i);
+        if (!is_open(cache, layer, wish))
+            continue;
+        if (stands_apart(wish, chosen, count))
+            chosen[count++] = wish;
+        layer->open[kept++] = layer->open[i];
+    }
+    for (; i < layer->open_count; i++)
+        layer->open[kept++] = layer->open[i];
+    layer->open_count = kept;
+    return count;
+}
+
+/* One batch of the open wishes. */
+static enum pp_status batch(struct pp_irradiance_cache *cache, int depth,
+                            struct pp_error *err)
+{
+    struct pp_cache_layer *layer = &cache->layers[depth];
+    const struct pp_cache_wish *chosen[PP_CACHE_BATCH];
+    int count = choose(cache, layer, chosen);
+    if (count == 0)
+        return PP_OK;
+    size_t side = (size_t)layer->maker.side;
+    struct pp_hemisphere_cell *cells =
+        malloc(PP_CACHE_BATCH * side * side * sizeof *cells);
+    struct pp_cache_entry *entries = calloc(PP_CACHE_BATCH, sizeof *entries);
+    enum pp_status status = cells && entries ? PP_OK : pp_fail_memory(err);
+    if (status == PP_OK) {
+#pragma omp parallel for num_threads(cache->options.threads)                           \
+    schedule(dynamic, 1) if (count > 1)
+        for (int i = 0; i < count; i++)
+            work(cache, depth, &chosen[i]->place, cells + (size_t)i * side * side,
+                 &entries[i]);
+    }
+    for (int i = 0; status == PP_OK && i < count; i++)
+        status = pp_cache_layer_add(layer, &entries[i], err);
+    layer->again = true;
+    free(entries);
+    free(cells);
+    return status;
+}
+
+static int depth_at_work(const struct pp_irradiance_cache *cache)
+{
+    for (int depth = PP_CACHE_DEPTHS - 1; depth >= 0; depth--)
+        if (cache->layers[depth].next < cache->layers[depth].wish_count)
+            return depth;
+    return -1;
+}
+
+/* A batch of records, or the next chunk of wishes. */
+static enum pp_status step(struct pp_irradiance_cache *cache, struct pp_error *err)
+{
+    int depth = depth_at_work(cache);
+    struct pp_cache_layer *layer = &cache->layers[depth];
+    if (!layer->open) {
+        layer->open = malloc(CHUNK * sizeof *layer->open);
+        if (!layer->open)
+            return pp_fail_memory(err);
+    }
+    size_t left = layer->wish_count - layer->next;
+    int chunk = left < CHUNK ? (int)left : CHUNK;
+    if (layer->open_count == 0) {
+        sift(cache, layer, chunk);
+    } else {
+        enum pp_status status = batch(cache, depth, err);
+        if (status != PP_OK)
+            return status;
+    }
+    if (layer->open_count > 0)
+        return PP_OK;
+    layer->next += (size_t)chunk;
+    if (layer->next < layer->wish_count)
+        return PP_OK;
+    if (!layer->again)
+        return pp_cache_layer_agree(layer, err);
+    /* Neighbours have limited each other: is every wish still covered? Each gets a
+     * record of its own at last, so that this ends. */
+    layer->again = false;
+    layer->next = 0;
+    return pp_cache_layer_settle(layer, err);
+}
+
+enum pp_status pp_irradiance_cache_grow(struct pp_irradiance_cache *cache,
+                                        double seconds, struct pp_error *err)
+{
+    double end = pp_clock_s() + seconds;
+    enum pp_status status = PP_OK;
+    if (cache->spread < cache->layers[0].wish_count)
+        status = spread(cache, err);
+    while (status == PP_OK && !pp_irradiance_cache_done(cache)) {
+        status = step(cache, err);
+        if (pp_clock_s() >= end)
+            break;
+    }
+    return status;
+}
+
+bool pp_irradiance_cache_done(const struct pp_irradiance_cache *cache)
+{
+    return cache->spread == cache->layers[0].wish_count && depth_at_work(cache) < 0;
+}
+
+double pp_irradiance_cache_progress(const struct pp_irradiance_cache *cache)
+{
+    /* The first wishes bring most of the records. */
+    double done = 0.0, all = 0.0;
+    for (int i = 0; i < PP_CACHE_DEPTHS; i++) {
+        done += sqrt((double)cache->layers[i].next);
+        all += sqrt((double)cache->layers[i].wish_count);
+    }
+    return all > 0.0 ? done / all : 1.0;
+}

@@ -1,0 +1,149 @@
+/* cache_hemisphere.c - see cache_hemisphere.h. */
+#include "simulate/cache/cache_hemisphere.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "simulate/sampling/lobe.h"
+
+/* A place may stand on the edge that its rays meet; what changes with its distance is
+ * still to be numbers. */
+static const double NEAREST_M = 1e-6;
+
+/* Wanted of an irradiance's error, over itself; passes over all cells at most. */
+static const double ERROR = 0.05;
+static const double PASSES_MOST = 16.0;
+
+struct pp_vec3 *pp_hemisphere_corners(int side)
+{
+    size_t count = (size_t)(side + 1) * (size_t)(side + 1);
+    struct pp_vec3 *corners = malloc(count * sizeof *corners);
+    for (int j = 0; corners && j <= side; j++)
+        for (int i = 0; i <= side; i++)
+            corners[j * (side + 1) + i] =
+                pp_sample_cosine_hemisphere((double)i / side, (double)j / side);
+    return corners;
+}
+
+static struct pp_vec3 to_world(const struct pp_hemisphere *h, struct pp_vec3 v)
+{
+    return pp_along(pp_along(pp_scale(h->a, v.x), v.y, h->b), v.z, h->normal);
+}
+
+static struct pp_vec3 to_frame(const struct pp_hemisphere *h, struct pp_vec3 v)
+{
+    return pp_vec(pp_dot(v, h->a), pp_dot(v, h->b), pp_dot(v, h->normal));
+}
+
+/* One ray more into cell k, as path `index`. */
+static void send(struct pp_hemisphere *h, struct pp_radiance_walk *walk,
+                 const struct pp_cache_place *place, int k, uint32_t index)
+{
+    struct pp_hemisphere_cell *cell = &h->cells[k];
+    double u[2];
+    walk->index = index;
+    pp_sequence_draw(&walk->sequence, index, 0, 2, u);
+    struct pp_vec3 to = pp_sample_cosine_hemisphere((k % h->side + u[0]) / h->side,
+                                                    (k / h->side + u[1]) / h->side);
+    struct pp_light_ray ray = {place->point, place->normal, to_world(h, to),
+                               place->space};
+    struct pp_light_hit hit;
+    struct pp_rgb radiance = pp_radiance_indirect(walk, &ray, &hit);
+    if (cell->samples == 0.0) {
+        cell->to = to;
+        cell->distance_m = hit.part >= 0 ? fmax(hit.distance_m, NEAREST_M) : INFINITY;
+        cell->facing = to_frame(h, hit.normal);
+    }
+    cell->samples += 1.0;
+    cell->radiance = pp_rgb_along(cell->radiance, 1.0 / cell->samples,
+                                  pp_rgb_sub(radiance, cell->radiance));
+}
+
+/* How much the neighbours' luminances differ from each other. The cell's own is left
+ * out: were it sampled again because it came out high, the mean would be drawn down. */
+static double unrest_about(const struct pp_hemisphere *h, int k)
+{
+    int n = h->side, i = k % n, j = k / n, count = 0;
+    double seen[4], mean = 0.0, sum = 0.0;
+    if (i > 0)
+        seen[count++] = pp_rgb_luminance(h->cells[k - 1].radiance);
+    if (i < n - 1)
+        seen[count++] = pp_rgb_luminance(h->cells[k + 1].radiance);
+    if (j > 0)
+        seen[count++] = pp_rgb_luminance(h->cells[k - n].radiance);
+    if (j < n - 1)
+        seen[count++] = pp_rgb_luminance(h->cells[k + n].radiance);
+    for (int m = 0; m < count; m++)
+        mean += seen[m] / count;
+    for (int m = 0; m < count; m++)
+        sum += (seen[m] - mean) * (seen[m] - mean);
+    return sqrt(sum);
+}
+
+/* Rays are dealt out in proportion to the unrest, cell by cell, parts of one carried
+ * over. */
+static void supersample(struct pp_hemisphere *h, struct pp_radiance_walk *walk,
+                        const struct pp_cache_place *place, int count)
+{
+    int cells = h->side * h->side;
+    double total = 0.0, due = 0.0, dealt = 0.0;
+    for (int k = 0; k < cells; k++)
+        total += h->cells[k].unrest = unrest_about(h, k);
+    if (!(total > 0.0))
+        return;
+    uint32_t index = (uint32_t)cells;
+    for (int k = 0; k < cells; k++) {
+        due += h->cells[k].unrest / total * count;
+        for (; dealt + 1.0 <= due; dealt += 1.0)
+            send(h, walk, place, k, index++);
+    }
+}
+
+/* The irradiance's standard error over itself, by how much cells differ from the next
+ * in their row: what changes across the hemisphere counts too, so it is rather more
+ * than less. */
+static double relative_error(const struct pp_hemisphere *h)
+{
+    double sum = 0.0, squares = 0.0;
+    for (int k = 0; k < h->side * h->side; k++) {
+        double own = pp_rgb_luminance(h->cells[k].radiance);
+        sum += own;
+        if (k % h->side == 0)
+            continue;
+        double step = own - pp_rgb_luminance(h->cells[k - 1].radiance);
+        squares += 0.5 * step * step;
+    }
+    return sum > 0.0 ? sqrt(squares) / sum : 0.0;
+}
+
+/* Where few of the rays bring most of the light, as far from a window, more are sent
+ * into all cells until the error is about what it should be. */
+static void settle(struct pp_hemisphere *h, struct pp_radiance_walk *walk,
+                   const struct pp_cache_place *place, uint32_t index)
+{
+    double more = relative_error(h) / ERROR;
+    int passes = (int)fmin(more * more, PASSES_MOST) - 1;
+    int cells = h->side * h->side;
+    for (int pass = 0; pass < passes; pass++)
+        for (int k = 0; k < cells; k++)
+            send(h, walk, place, k, index++);
+}
+
+void pp_hemisphere_sample(struct pp_hemisphere *h, struct pp_radiance_walk *walk,
+                          const struct pp_cache_place *place, int supersamples)
+{
+    int cells = h->side * h->side;
+    h->normal = place->normal;
+    pp_frame_about(h->normal, &h->a, &h->b);
+    for (int k = 0; k < cells; k++) {
+        h->cells[k] = (struct pp_hemisphere_cell){.samples = 0.0};
+        send(h, walk, place, k, (uint32_t)k);
+    }
+    if (supersamples > 0)
+        supersample(h, walk, place, supersamples);
+    settle(h, walk, place, (uint32_t)(cells + supersamples));
+    struct pp_rgb sum = pp_rgb_grey(0.0);
+    for (int k = 0; k < cells; k++)
+        sum = pp_rgb_add(sum, h->cells[k].radiance);
+    h->irradiance = pp_rgb_scale(sum, PP_PI / cells);
+}

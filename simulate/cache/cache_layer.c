@@ -1,0 +1,109 @@
+/* cache_layer.c - the records of one depth: put in and read. */
+#include <math.h>
+#include <stdlib.h>
+
+#include "simulate/cache/cache_parts.h"
+
+/* A record is read where its weight is more than this: its edge counts nothing. */
+static const double LEAST_WEIGHT = 1e-6;
+
+struct meeting {
+    struct pp_cache_layer *layer;
+    struct pp_cache_entry *entry;
+};
+
+/* A radius is no more than another's and the distance to it. */
+static void limit(struct pp_cache_entry *entry, const struct pp_cache_entry *by,
+                  double distance_m)
+{
+    for (int i = 0; i < 2; i++)
+        entry->is.radii_m[i] =
+            fmin(entry->is.radii_m[i], by->is.radii_m[i] + distance_m);
+}
+
+static void meet_neighbour(void *context, int record)
+{
+    struct meeting *meeting = context;
+    struct pp_cache_entry *other = &meeting->layer->entries[record];
+    if (other->is.space != meeting->entry->is.space
+        || pp_dot(other->is.normal, meeting->entry->is.normal) < 0.0)
+        return;
+    double distance = pp_length(pp_sub(other->is.point, meeting->entry->is.point));
+    limit(meeting->entry, other, distance);
+    limit(other, meeting->entry, distance);
+}
+
+static double reach_of(const struct pp_cache_entry *entry)
+{
+    return fmax(entry->is.radii_m[0], entry->is.radii_m[1]);
+}
+
+enum pp_status pp_cache_layer_put(struct pp_cache_layer *layer,
+                                  const struct pp_cache_entry *entry,
+                                  struct pp_error *err)
+{
+    if (layer->entry_count == layer->entry_space) {
+        int space = layer->entry_space ? 2 * layer->entry_space : 256;
+        struct pp_cache_entry *entries =
+            realloc(layer->entries, (size_t)space * sizeof *entries);
+        if (!entries)
+            return pp_fail_memory(err);
+        layer->entries = entries;
+        layer->entry_space = space;
+    }
+    layer->entries[layer->entry_count] = *entry;
+    pp_cache_entry_alone(&layer->entries[layer->entry_count]);
+    enum pp_status status = pp_octree_add(&layer->tree, layer->entry_count,
+                                          entry->is.point, reach_of(entry), err);
+    layer->entry_count += status == PP_OK;
+    return status;
+}
+
+enum pp_status pp_cache_layer_add(struct pp_cache_layer *layer,
+                                  const struct pp_cache_entry *entry,
+                                  struct pp_error *err)
+{
+    struct pp_cache_entry fitted = *entry;
+    struct meeting meeting = {layer, &fitted};
+    pp_octree_about(&layer->tree, fitted.is.point, reach_of(&fitted), meet_neighbour,
+                    &meeting);
+    return pp_cache_layer_put(layer, &fitted, err);
+}
+
+enum pp_status pp_cache_layer_settle(struct pp_cache_layer *layer, struct pp_error *err)
+{
+    enum pp_status status = pp_octree_empty(&layer->tree, err);
+    for (int i = 0; status == PP_OK && i < layer->entry_count; i++)
+        status = pp_octree_add(&layer->tree, i, layer->entries[i].is.point,
+                               reach_of(&layer->entries[i]), err);
+    return status;
+}
+
+bool pp_cache_layer_read(const struct pp_cache_layer *layer,
+                         const struct pp_cache_place *place, struct pp_rgb *value,
+                         double *guess_m)
+{
+    struct pp_rgb sum = pp_rgb_grey(0.0);
+    double weights = 0.0, nearest = INFINITY, guess = 0.0;
+    struct pp_octree_way way = pp_octree_way(&layer->tree, place->point);
+    int record;
+    while (pp_octree_next(&way, &record)) {
+        const struct pp_cache_entry *entry = &layer->entries[record];
+        double distance = pp_cache_entry_distance(entry, place);
+        if (distance < nearest && distance < 1e9) {
+            nearest = distance;
+            guess = entry->is.radii_m[0];
+        }
+        double weight = 1.0 - distance;
+        if (!(weight > LEAST_WEIGHT))
+            continue;
+        sum = pp_rgb_along(sum, weight, pp_cache_entry_read(entry, place));
+        weights += weight;
+    }
+    if (guess_m)
+        *guess_m = guess;
+    if (!(weights > 0.0))
+        return false;
+    *value = pp_rgb_scale(sum, 1.0 / weights);
+    return true;
+}

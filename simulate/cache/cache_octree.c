@@ -1,0 +1,179 @@
+/* cache_octree.c - see cache_octree.h. */
+#include "simulate/cache/cache_octree.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+enum { MOST_LEVELS = 20 };
+
+/* A cell and its cube. */
+struct cube {
+    int cell;
+    struct pp_vec3 low;
+    double size_m;
+};
+
+static enum pp_status new_cell(struct pp_octree *tree, int *cell, struct pp_error *err)
+{
+    if (tree->cell_count == tree->cell_space) {
+        int space = tree->cell_space ? 2 * tree->cell_space : 256;
+        struct pp_octree_cell *cells =
+            realloc(tree->cells, (size_t)space * sizeof *cells);
+        if (!cells)
+            return pp_fail_memory(err);
+        tree->cells = cells;
+        tree->cell_space = space;
+    }
+    *cell = tree->cell_count++;
+    tree->cells[*cell] = (struct pp_octree_cell){.first = -1};
+    return PP_OK;
+}
+
+enum pp_status pp_octree_init(struct pp_octree *tree, struct pp_vec3 low, double size_m,
+                              struct pp_error *err)
+{
+    *tree = (struct pp_octree){.low = low, .size_m = size_m};
+    int root;
+    return new_cell(tree, &root, err);
+}
+
+void pp_octree_clear(struct pp_octree *tree)
+{
+    free(tree->cells);
+    free(tree->links);
+    *tree = (struct pp_octree){.cells = NULL};
+}
+
+enum pp_status pp_octree_empty(struct pp_octree *tree, struct pp_error *err)
+{
+    int root;
+    tree->cell_count = tree->link_count = 0;
+    return new_cell(tree, &root, err);
+}
+
+static struct cube root_of(const struct pp_octree *tree)
+{
+    return (struct cube){0, tree->low, tree->size_m};
+}
+
+static struct cube child_of(const struct pp_octree *tree, const struct cube *cube,
+                            int which)
+{
+    double half = 0.5 * cube->size_m;
+    struct pp_vec3 low = cube->low;
+    low.x += which & 1 ? half : 0.0;
+    low.y += which & 2 ? half : 0.0;
+    low.z += which & 4 ? half : 0.0;
+    return (struct cube){tree->cells[cube->cell].children[which], low, half};
+}
+
+static bool touches(const struct cube *cube, struct pp_vec3 point, double radius_m)
+{
+    struct pp_vec3 off = pp_sub(point, cube->low);
+    double most = cube->size_m + radius_m;
+    return off.x >= -radius_m && off.x <= most && off.y >= -radius_m && off.y <= most
+           && off.z >= -radius_m && off.z <= most;
+}
+
+static bool holds(const struct cube *cube, struct pp_vec3 point)
+{
+    return touches(cube, point, 0.0);
+}
+
+static enum pp_status add_link(struct pp_octree *tree, int cell, int record,
+                               struct pp_error *err)
+{
+    if (tree->link_count == tree->link_space) {
+        int space = tree->link_space ? 2 * tree->link_space : 1024;
+        struct pp_octree_link *links =
+            realloc(tree->links, (size_t)space * sizeof *links);
+        if (!links)
+            return pp_fail_memory(err);
+        tree->links = links;
+        tree->link_space = space;
+    }
+    tree->links[tree->link_count] =
+        (struct pp_octree_link){record, tree->cells[cell].first};
+    tree->cells[cell].first = tree->link_count++;
+    return PP_OK;
+}
+
+static enum pp_status add_below(struct pp_octree *tree, struct cube cube, int record,
+                                struct pp_vec3 point, double radius_m, int level,
+                                struct pp_error *err)
+{
+    if (cube.size_m < 3.0 * radius_m || level >= MOST_LEVELS)
+        return add_link(tree, cube.cell, record, err);
+    for (int which = 0; which < 8; which++) {
+        struct cube child = child_of(tree, &cube, which);
+        if (!touches(&child, point, radius_m))
+            continue;
+        enum pp_status status = PP_OK;
+        if (child.cell == 0) {
+            status = new_cell(tree, &child.cell, err);
+            if (status == PP_OK)
+                tree->cells[cube.cell].children[which] = child.cell;
+        }
+        if (status == PP_OK)
+            status = add_below(tree, child, record, point, radius_m, level + 1, err);
+        if (status != PP_OK)
+            return status;
+    }
+    return PP_OK;
+}
+
+enum pp_status pp_octree_add(struct pp_octree *tree, int record, struct pp_vec3 point,
+                             double radius_m, struct pp_error *err)
+{
+    struct cube root = root_of(tree);
+    if (!holds(&root, point))
+        return add_link(tree, 0, record, err);
+    return add_below(tree, root, record, point, radius_m, 0, err);
+}
+
+struct pp_octree_way pp_octree_way(const struct pp_octree *tree, struct pp_vec3 point)
+{
+    return (struct pp_octree_way){tree,         point, tree->low,
+                                  tree->size_m, 0,     tree->cells[0].first};
+}
+
+bool pp_octree_next(struct pp_octree_way *way, int *record)
+{
+    while (way->link < 0) {
+        struct cube cube = {way->cell, way->low, way->size_m};
+        double half = 0.5 * cube.size_m;
+        int which = (way->point.x - cube.low.x > half)
+                    | (way->point.y - cube.low.y > half) << 1
+                    | (way->point.z - cube.low.z > half) << 2;
+        struct cube child = child_of(way->tree, &cube, which);
+        if (child.cell == 0)
+            return false;
+        way->cell = child.cell;
+        way->low = child.low;
+        way->size_m = child.size_m;
+        way->link = way->tree->cells[child.cell].first;
+    }
+    *record = way->tree->links[way->link].record;
+    way->link = way->tree->links[way->link].next;
+    return true;
+}
+
+static void visit_below(const struct pp_octree *tree, struct cube cube,
+                        struct pp_vec3 point, double radius_m,
+                        void (*visit)(void *context, int record), void *context)
+{
+    for (int i = tree->cells[cube.cell].first; i >= 0; i = tree->links[i].next)
+        visit(context, tree->links[i].record);
+    for (int which = 0; which < 8; which++) {
+        struct cube child = child_of(tree, &cube, which);
+        if (child.cell != 0 && touches(&child, point, radius_m))
+            visit_below(tree, child, point, radius_m, visit, context);
+    }
+}
+
+void pp_octree_about(const struct pp_octree *tree, struct pp_vec3 point,
+                     double radius_m, void (*visit)(void *context, int record),
+                     void *context)
+{
+    visit_below(tree, root_of(tree), point, radius_m, visit, context);
+}

@@ -1,0 +1,194 @@
+/* cache_record.c - see cache_record.h. */
+#include "simulate/cache/cache_record.h"
+
+#include <math.h>
+
+#include "simulate/cache/cache_derivatives.h"
+
+/* An ellipse is no longer than so many times its width. */
+static const double LONGEST = 3.0;
+
+/* What is nearer than so many of the smallest radii changes with the place as if it
+ * were so far away: nearer still the noise of its rays would be all of the gradient. */
+static const double NEAREST = 4.0;
+
+/* Rays lower than this sine of altitude tell how far the surface is clear. */
+static const double LOW = 0.4;
+
+void pp_cache_ellipse(const double curvature[3], double error, double most_m,
+                      double radii_m[2], double axes[2][2])
+{
+    double mean = 0.5 * (curvature[0] + curvature[2]);
+    double half = 0.5 * (curvature[0] - curvature[2]);
+    double root = hypot(half, curvature[1]);
+    /* The eigenvalue of greater size, and its direction. */
+    double sign = mean < 0.0 ? -1.0 : 1.0;
+    double greater = mean + sign * root, smaller = mean - sign * root;
+    double x = sign * half + root, y = sign * curvature[1];
+    if (!(x * x + y * y > 0.0)) {
+        x = 0.0;
+        y = 1.0;
+    }
+    if (!(root > 0.0)) {
+        x = 1.0;
+        y = 0.0;
+    }
+    double length = hypot(x, y);
+    axes[0][0] = x / length;
+    axes[0][1] = y / length;
+    axes[1][0] = -axes[0][1];
+    axes[1][1] = axes[0][0];
+    const double eigenvalues[2] = {fabs(greater), fabs(smaller)};
+    for (int i = 0; i < 2; i++) {
+        double radius = sqrt(sqrt(4.0 * error / (PP_PI * eigenvalues[i])));
+        radii_m[i] = radius < most_m ? radius : most_m; /* also where it is infinite */
+    }
+    radii_m[1] = fmin(radii_m[1], LONGEST * radii_m[0]);
+}
+
+/* The direction between sector s - 1 and sector s, along a and b; of any length. */
+static void sector_border(int s, double u[2])
+{
+    enum { QUARTER = PP_CACHE_SECTORS / 4 };
+    double t = (double)(s % QUARTER) / QUARTER;
+    switch (s / QUARTER % 4) {
+    case 0:
+        u[0] = 1.0 - t;
+        u[1] = t;
+        return;
+    case 1:
+        u[0] = -t;
+        u[1] = 1.0 - t;
+        return;
+    case 2:
+        u[0] = t - 1.0;
+        u[1] = -t;
+        return;
+    default:
+        u[0] = t;
+        u[1] = t - 1.0;
+    }
+}
+
+/* How far off the plane that the cell has met stands in direction u of the surface;
+ * INFINITY if it does not stand there. */
+static double plane_distance(const struct pp_hemisphere_cell *cell, const double u[2])
+{
+    double length = hypot(u[0], u[1]);
+    double towards = (cell->facing.x * u[0] + cell->facing.y * u[1]) / length;
+    double off = cell->distance_m * pp_dot(cell->facing, cell->to);
+    return towards < 0.0 && off < 0.0 ? off / towards : INFINITY;
+}
+
+/* The least distance along the surface, anywhere in the sector, of the plane that the
+ * cell has met. */
+static double clear_of(const struct pp_hemisphere_cell *cell, int sector)
+{
+    double ends[2][2], square[2] = {-cell->facing.x, -cell->facing.y};
+    sector_border(sector, ends[0]);
+    sector_border(sector + 1, ends[1]);
+    double clear = fmin(plane_distance(cell, ends[0]), plane_distance(cell, ends[1]));
+    if (hypot(square[0], square[1]) > 1e-9
+        && pp_cache_sector(square[0], square[1]) == sector)
+        clear = fmin(clear, plane_distance(cell, square));
+    return clear;
+}
+
+/* How far the surface is clear all round, by what low rays met: in their sector, and in
+ * the next ones, which none may have come into. */
+static void look_round(const struct pp_hemisphere *h, struct pp_cache_entry *entry)
+{
+    int n = h->side;
+    for (int i = 0; i < PP_CACHE_SECTORS; i++)
+        entry->horizon_m[i] = INFINITY;
+    for (int k = 0; k < n * n; k++) {
+        const struct pp_hemisphere_cell *cell = &h->cells[k];
+        bool rim = k % n == 0 || k % n == n - 1 || k < n || k >= n * (n - 1);
+        if ((cell->to.z > LOW && !rim) || !isfinite(cell->distance_m))
+            continue;
+        int own = pp_cache_sector(cell->to.x, cell->to.y);
+        for (int step = -1; step <= 1; step++) {
+            int sector = (own + step + PP_CACHE_SECTORS) % PP_CACHE_SECTORS;
+            double clear = clear_of(cell, sector);
+            if (step == 0)
+                clear = fmin(clear, cell->distance_m * hypot(cell->to.x, cell->to.y));
+            entry->horizon_m[sector] = fmin(entry->horizon_m[sector], clear);
+        }
+    }
+}
+
+/* By its gradient, a record is not to say twice its value or none at all. */
+static double limit_by_gradient(double radius, double value, const double along[2],
+                                const double axis[2])
+{
+    double change = fabs(along[0] * axis[0] + along[1] * axis[1]);
+    return change * radius > value ? value / change : radius;
+}
+
+/* Where the radii may be no smaller, the gradient may: over the ellipse it is not to
+ * change the value by more than all of it. Beside an edge it grows without bound. */
+static void limit_gradient(struct pp_cache_record *is, double value,
+                           const double along[2], const double axes[2][2])
+{
+    double change[2];
+    for (int i = 0; i < 2; i++)
+        change[i] = is->radii_m[i] * (along[0] * axes[i][0] + along[1] * axes[i][1]);
+    double most = hypot(change[0], change[1]);
+    for (int c = 0; most > value && c < 3; c++)
+        is->along[c] = pp_scale(is->along[c], value / most);
+}
+
+/* The greatest second derivative, less what may be noise. */
+static double sure_curvature(const double curvature[3], double noise)
+{
+    double mean = 0.5 * (curvature[0] + curvature[2]);
+    double root = hypot(0.5 * (curvature[0] - curvature[2]), curvature[1]);
+    double greatest = fabs(mean) + root;
+    return greatest > noise ? sqrt(greatest * greatest - noise * noise) : 0.0;
+}
+
+void pp_cache_work(const struct pp_cache_maker *maker, struct pp_radiance_walk *walk,
+                   const struct pp_cache_place *place, struct pp_hemisphere_cell *cells,
+                   struct pp_cache_entry *entry)
+{
+    struct pp_hemisphere h = {.side = maker->side,
+                              .corners = maker->corners,
+                              .cells = cells,
+                              .nearest_m = NEAREST * maker->least_m};
+    struct pp_irradiance_change change;
+    pp_hemisphere_sample(&h, walk, place, maker->supersamples);
+    pp_hemisphere_change(&h, &change);
+
+    struct pp_cache_record *is = &entry->is;
+    is->point = place->point;
+    is->normal = place->normal;
+    is->space = place->space;
+    is->value = h.irradiance;
+    entry->a = h.a;
+    entry->b = h.b;
+    for (int c = 0; c < 3; c++) {
+        is->along[c] =
+            pp_along(pp_scale(h.a, change.along[c][0]), change.along[c][1], h.b);
+        is->turned[c] =
+            pp_along(pp_scale(h.a, change.turned[c][0]), change.turned[c][1], h.b);
+    }
+    entry->along_noise = change.along_noise;
+    look_round(&h, entry);
+
+    double value = pp_rgb_luminance(h.irradiance);
+    double luminance[2], relative[3] = {0.0, 0.0, 0.0}, axes[2][2];
+    for (int i = 0; i < 2; i++)
+        luminance[i] = pp_rgb_luminance(
+            pp_rgb(change.along[0][i], change.along[1][i], change.along[2][i]));
+    for (int i = 0; value > 0.0 && i < 3; i++)
+        relative[i] = change.curvature[i] / value;
+    entry->curvature = sure_curvature(relative, maker->noise * change.curvature_noise);
+    pp_cache_ellipse(relative, maker->error, maker->most_m, is->radii_m, axes);
+    for (int i = 0; i < 2; i++) {
+        is->axes[i] = pp_along(pp_scale(h.a, axes[i][0]), axes[i][1], h.b);
+        is->radii_m[i] =
+            fmax(limit_by_gradient(is->radii_m[i], value, luminance, axes[i]),
+                 maker->least_m);
+    }
+    limit_gradient(is, value, luminance, axes);
+}

@@ -1,0 +1,167 @@
+/* cache_smooth.c - what records have in common with their neighbours.
+ *
+ * A record is a few hundred rays: its value is some per cent off at random, and by its
+ * gradient more than that over its radius, the more the nearer things stand. Read as
+ * they are, records show as faint discs, above all where a room is dark and in its
+ * corners. But the truth is smooth over an ellipse: what records about it say of a
+ * place helps to find its value and gradient. Each is fitted, by weighted least
+ * squares, to what it says itself and to its neighbours' values,
+ *
+ *     (E - E0)^2 + (grad E - grad E0)^2/g^2 + (noise M grad E)^2
+ *     + sum of w (E + grad E . d - E')^2,
+ *     w = 1/(1 + (b/noise)^2),
+ *
+ * g the noise of its gradient over that of its value, b = C d^2/2 the share by which
+ * light may bend away at that distance, M the largest radius there is: over so much
+ * light may well change by all of itself, hardly by more. C is the curvature as far as
+ * it is more than the noise of the rays: where light does change quickly neighbours
+ * have no say, and none where they see something else altogether.
+ */
+#include <math.h>
+#include <stdlib.h>
+
+#include "simulate/cache/cache_parts.h"
+
+/* Neighbours are so near, over the radii. */
+static const double NEAR = 2.0;
+
+/* One that is farther off what is expected than so many times the noise of both sees
+ * something else. */
+static const double STRANGE = 4.0;
+
+/* Where light may bend away by so many times the noise a neighbour has no say. */
+static const double MOST_BEND = 10.0;
+
+/* The noise of a gradient over the radius, over that of the value, is at least so much
+ * and at most its inverse. */
+static const double LEAST_NOISE = 1e-3;
+
+/* The fit of one record. */
+struct fit {
+    const struct pp_cache_layer *layer;
+    const struct pp_cache_entry *entry;
+    int number;         /* of the record */
+    int *met;           /* of each record: the last one that has met it */
+    double matrix[6];   /* symmetric: 00 01 02 11 12 22; of E, R dE/da, R dE/db */
+    double right[3][3]; /* by channel */
+};
+
+static void add_equation(struct fit *fit, double weight, const double row[3],
+                         struct pp_rgb says)
+{
+    const double channels[3] = {says.r, says.g, says.b};
+    for (int i = 0, at = 0; i < 3; i++) {
+        for (int k = i; k < 3; k++)
+            fit->matrix[at++] += weight * row[i] * row[k];
+        for (int c = 0; c < 3; c++)
+            fit->right[c][i] += weight * row[i] * channels[c];
+    }
+}
+
+/* What one record says at its own place to a surface with normal n. */
+static struct pp_rgb turned_to(const struct pp_cache_record *is, struct pp_vec3 n)
+{
+    struct pp_vec3 turn = pp_sub(n, is->normal);
+    return pp_rgb(is->value.r + pp_dot(is->turned[0], turn),
+                  is->value.g + pp_dot(is->turned[1], turn),
+                  is->value.b + pp_dot(is->turned[2], turn));
+}
+
+static struct pp_cache_place place_of(const struct pp_cache_record *is)
+{
+    return (struct pp_cache_place){is->point, is->normal, is->space};
+}
+
+static void hear(void *context, int record)
+{
+    struct fit *fit = context;
+    if (record == fit->number || fit->met[record] == fit->number)
+        return;
+    fit->met[record] = fit->number;
+    const struct pp_cache_entry *other = &fit->layer->entries[record];
+    const struct pp_cache_record *is = &fit->entry->is;
+    const struct pp_cache_maker *maker = &fit->layer->maker;
+    struct pp_cache_place here = place_of(is), there = place_of(&other->is);
+    double distance = fmax(pp_cache_entry_distance(fit->entry, &there),
+                           pp_cache_entry_distance(other, &here));
+    if (!(distance < NEAR))
+        return;
+    double radius = is->radii_m[0];
+    double bend = 0.5 * fit->entry->curvature * radius * radius * distance * distance
+                  / maker->noise;
+    if (!(bend < MOST_BEND))
+        return;
+    double spread2 = 1.0 + bend * bend;
+    struct pp_rgb says = turned_to(&other->is, is->normal);
+    double expected = pp_rgb_luminance(pp_cache_entry_read(fit->entry, &there));
+    double off = fabs(pp_rgb_luminance(says) - expected)
+                 / (maker->noise * pp_rgb_luminance(is->value));
+    struct pp_vec3 away = pp_sub(other->is.point, is->point);
+    double steep = pp_length(away) * fit->entry->along_noise;
+    if (!(off * off < STRANGE * STRANGE * (spread2 + 1.0 + steep * steep)))
+        return;
+    const double row[3] = {1.0, pp_dot(away, fit->entry->a) / radius,
+                           pp_dot(away, fit->entry->b) / radius};
+    add_equation(fit, 1.0 / spread2, row, says);
+}
+
+/* Solves the fit for one channel, by Cholesky's method: the matrix is never singular,
+ * since the record's own equations are in it. */
+static void solve(const double m[6], const double right[3], double x[3])
+{
+    double l00 = sqrt(m[0]), l10 = m[1] / l00, l20 = m[2] / l00;
+    double l11 = sqrt(m[3] - l10 * l10), l21 = (m[4] - l20 * l10) / l11;
+    double l22 = sqrt(m[5] - l20 * l20 - l21 * l21);
+    double y0 = right[0] / l00, y1 = (right[1] - l10 * y0) / l11;
+    double y2 = (right[2] - l20 * y0 - l21 * y1) / l22;
+    x[2] = y2 / l22;
+    x[1] = (y1 - l21 * x[2]) / l11;
+    x[0] = (y0 - l10 * x[1] - l20 * x[2]) / l00;
+}
+
+static void agree(struct fit *fit, struct pp_cache_entry *entry)
+{
+    const struct pp_cache_record *is = &entry->is;
+    double radius = is->radii_m[0], x[3][3];
+    double noise = entry->along_noise * radius;
+    double sure = 1.0 / fmin(fmax(noise, LEAST_NOISE), 1.0 / LEAST_NOISE);
+    pp_cache_entry_alone(entry);
+    for (int i = 0; i < 3; i++) {
+        const double row[3] = {i == 0, i == 1, i == 2};
+        const struct pp_vec3 axis = i == 1 ? entry->a : entry->b;
+        add_equation(fit, i == 0 ? 1.0 : sure * sure, row,
+                     i == 0 ? is->value
+                            : pp_rgb_scale(pp_rgb(pp_dot(is->along[0], axis),
+                                                  pp_dot(is->along[1], axis),
+                                                  pp_dot(is->along[2], axis)),
+                                           radius));
+    }
+    double slow = fit->layer->maker.noise * fit->layer->maker.most_m / radius;
+    fit->matrix[3] += slow * slow;
+    fit->matrix[5] += slow * slow;
+    pp_octree_about(&fit->layer->tree, is->point,
+                    NEAR * fmax(is->radii_m[0], is->radii_m[1]), hear, fit);
+    for (int c = 0; c < 3; c++) {
+        solve(fit->matrix, fit->right[c], x[c]);
+        entry->along[c] =
+            pp_along(pp_scale(entry->a, x[c][1] / radius), x[c][2] / radius, entry->b);
+    }
+    entry->value = pp_rgb(fmax(x[0][0], 0.0), fmax(x[1][0], 0.0), fmax(x[2][0], 0.0));
+}
+
+enum pp_status pp_cache_layer_agree(struct pp_cache_layer *layer, struct pp_error *err)
+{
+    int *met = malloc(((size_t)layer->entry_count + 1) * sizeof *met);
+    if (!met)
+        return pp_fail_memory(err);
+    for (int i = 0; i < layer->entry_count; i++)
+        met[i] = -1;
+    for (int i = 0; i < layer->entry_count; i++) {
+        struct pp_cache_entry *entry = &layer->entries[i];
+        struct fit fit = {.layer = layer, .entry = entry, .number = i, .met = met};
+        if (entry->is.radii_m[0] > 0.0 && pp_rgb_luminance(entry->is.value) > 0.0)
+            agree(&fit, entry);
+    }
+    free(met);
+    return PP_OK;
+}

@@ -1,0 +1,58 @@
+/* cached_points.h - daylight factors of a room's points, with what its surfaces send on
+ * from an irradiance cache.
+ *
+ * Sky and what stands outside are sampled at the point itself, by its windows, and
+ * never interpolated. What is reflected inside comes by a hemisphere of rays at the
+ * point; what these meet is lit by the cache (depth 1). Only on request is that
+ * hemisphere, too, read from the cache (depth 0). In a cache of no bounces nothing is
+ * reflected, but for its ambient constant.
+ *
+ * The standard error is that of the sampling at the point, from 32 independent
+ * randomisations; what the cache has wrong is not in it. What is interpolated has none:
+ * PP_IRC and PP_DF of such a point.
+ */
+#ifndef PP_SIMULATE_CACHED_POINTS_H
+#define PP_SIMULATE_CACHED_POINTS_H
+
+#include "model/results/reading.h"
+#include "simulate/cache/irradiance_cache.h"
+
+struct pp_cached_options {
+    double error; /* wanted standard error over the daylight factor, never under 0.00002
+                   * of Eh; 0: by samples */
+    long samples; /* paths in each randomisation instead; 0: not set */
+    bool average; /* over the working plane too */
+    bool interpolate;
+    uint64_t seed;
+    int threads; /* 0: as many as the machine has processors */
+};
+
+struct pp_cached_points;
+
+/* Copies what it needs of receivers; scene (of a world), store (may be NULL) and cache
+ * must live as long as the points. Tells the cache what it wishes. */
+enum pp_status pp_cached_points_create(
+    struct pp_cached_points **points, const struct pp_light_scene *scene,
+    const struct pp_window_store *store, struct pp_irradiance_cache *cache,
+    const struct pp_receiver *receivers, int receiver_count,
+    const struct pp_cached_options *options, struct pp_error *err);
+void pp_cached_points_destroy(struct pp_cached_points *points); /* NULL is allowed */
+
+/* Works for about `seconds`: first the cache grows, then the points are sampled. */
+enum pp_status pp_cached_points_advance(struct pp_cached_points *points, double seconds,
+                                        struct pp_error *err);
+bool pp_cached_points_done(const struct pp_cached_points *points);
+double pp_cached_points_progress(const struct pp_cached_points *points); /* 0 to 1 */
+
+/* The largest standard error, of what is sampled, over daylight factor of any point;
+ * NAN before there is any. */
+double pp_cached_points_error(const struct pp_cached_points *points);
+
+/* readings[PP_SC] ... readings[PP_DF] of receiver `index`; of the average for -1. */
+void pp_cached_points_read(const struct pp_cached_points *points, int index,
+                           struct pp_reading readings[PP_COMPONENT_COUNT]);
+
+/* What the points' light is to be followed with: what the cache is made with, too. */
+struct pp_radiance_options pp_cached_points_light(void);
+
+#endif

@@ -1,0 +1,270 @@
+/* irradiance_cache.c - see irradiance_cache.h: made, and read. */
+#include "simulate/cache/irradiance_cache.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "simulate/cache/cache_parts.h"
+#include "simulate/sampling/hash.h"
+#include "simulate/sampling/processors.h"
+
+/* Records that light what is seen are averaged over a hemisphere once more: they stand
+ * farther apart and have fewer rays. */
+static const double LIGHTING_ERROR = 4.0;
+enum { LIGHTING_DIVISIONS = 4, LEAST_SIDE = 4, MOST_SIDE = 1024 };
+
+/* A record's total error over its value, m2, is accuracy times the square of so much of
+ * the scene's size. */
+static const double ERROR_SPACING = 1.0 / 64.0;
+
+/* Radii are at least so much of the scene's size, where nothing else is said. */
+static const double LEAST_RADIUS = 1e-5;
+
+/* One ray of a hemisphere is so far off the mean at random, over the mean. */
+static const double RAY_NOISE = 0.5;
+
+/* Radii are at most so much of the scene's size. */
+static const double MOST_RADIUS = 0.125;
+
+struct pp_cache_options pp_cache_defaults(void)
+{
+    return (struct pp_cache_options){.accuracy = 0.1,
+                                     .resolution = 128,
+                                     .divisions = 1024,
+                                     .supersamples = 256,
+                                     .bounces = -1};
+}
+
+static bool is_material(const struct pp_light_scene *scene, const char *name)
+{
+    for (int i = 0; i < pp_light_scene_material_count(scene); i++)
+        if (strcmp(pp_light_scene_material(scene, i)->name, name) == 0)
+            return true;
+    return false;
+}
+
+enum pp_status pp_cache_options_check(const struct pp_cache_options *options,
+                                      const struct pp_light_scene *scene,
+                                      struct pp_error *err)
+{
+    struct pp_rgb constant = options->constant;
+    if (!(options->accuracy > 0.0 && options->accuracy <= 1.0))
+        return pp_fail(err, PP_BAD_INPUT,
+                       "the cache's accuracy is %g; expected more than 0, at most 1",
+                       options->accuracy);
+    if (options->resolution < 0)
+        return pp_fail(err, PP_BAD_INPUT,
+                       "the cache's resolution is %d; expected 0 or more",
+                       options->resolution);
+    if (options->divisions < 16 || options->divisions > MOST_SIDE * MOST_SIDE)
+        return pp_fail(err, PP_BAD_INPUT,
+                       "the cache's divisions are %d; expected 16 to %d",
+                       options->divisions, MOST_SIDE * MOST_SIDE);
+    if (options->supersamples < 0 || options->supersamples > MOST_SIDE * MOST_SIDE)
+        return pp_fail(err, PP_BAD_INPUT,
+                       "the cache's supersamples are %d; expected 0 to %d",
+                       options->supersamples, MOST_SIDE * MOST_SIDE);
+    if (!(constant.r >= 0.0 && constant.g >= 0.0 && constant.b >= 0.0)
+        || !isfinite(pp_rgb_luminance(constant)))
+        return pp_fail(err, PP_BAD_INPUT,
+                       "the ambient constant is %g %g %g; expected 0 or more",
+                       constant.r, constant.g, constant.b);
+    for (int i = 0; i < options->material_count; i++)
+        if (!is_material(scene, options->materials[i]))
+            return pp_fail(
+                err, PP_BAD_INPUT, "the scene has no material \"%s\" to be %s",
+                options->materials[i], options->only ? "included" : "excluded");
+    return PP_OK;
+}
+
+/* Which materials take no part. */
+static enum pp_status leave_out(struct pp_irradiance_cache *cache, struct pp_error *err)
+{
+    const struct pp_cache_options *options = &cache->options;
+    int count = pp_light_scene_material_count(cache->scene);
+    cache->left_out = calloc((size_t)count + 1, sizeof *cache->left_out);
+    if (!cache->left_out)
+        return pp_fail_memory(err);
+    for (int i = 0; i < count; i++) {
+        const char *name = pp_light_scene_material(cache->scene, i)->name;
+        bool listed = false;
+        for (int k = 0; k < options->material_count; k++)
+            listed = listed || strcmp(name, options->materials[k]) == 0;
+        cache->left_out[i] = options->only ? !listed : listed;
+    }
+    return PP_OK;
+}
+
+static double greatest(struct pp_vec3 low, struct pp_vec3 high)
+{
+    return fmax(fmax(high.x - low.x, high.y - low.y), high.z - low.z);
+}
+
+static enum pp_status make_layer(struct pp_irradiance_cache *cache, int depth,
+                                 struct pp_vec3 low, double size, struct pp_error *err)
+{
+    const struct pp_cache_options *options = &cache->options;
+    struct pp_cache_layer *layer = &cache->layers[depth];
+    double spacing = ERROR_SPACING * cache->size_m;
+    int share = depth > 0 ? LIGHTING_DIVISIONS : 1;
+    int side = (int)ceil(sqrt((double)options->divisions / share) - 1e-9);
+    layer->maker = (struct pp_cache_maker){
+        .side = side < LEAST_SIDE ? LEAST_SIDE : side,
+        .supersamples = options->supersamples / share,
+        .error =
+            options->accuracy * spacing * spacing * (depth > 0 ? LIGHTING_ERROR : 1.0),
+        .least_m = options->resolution > 0
+                       ? cache->size_m * options->accuracy / options->resolution
+                       : LEAST_RADIUS * cache->size_m,
+        .most_m = MOST_RADIUS * cache->size_m};
+    layer->maker.noise =
+        RAY_NOISE
+        / sqrt((double)layer->maker.side * layer->maker.side + layer->maker.supersamples);
+    layer->corners = pp_hemisphere_corners(layer->maker.side);
+    if (!layer->corners)
+        return pp_fail_memory(err);
+    layer->maker.corners = layer->corners;
+    return pp_octree_init(&layer->tree, low, size, err);
+}
+
+static bool ask(void *store, const struct pp_light_hit *hit, struct pp_vec3 normal,
+                int depth, struct pp_rgb *value);
+
+static enum pp_status make(struct pp_irradiance_cache *cache, struct pp_error *err)
+{
+    struct pp_vec3 low, high;
+    pp_light_scene_bounds(cache->scene, true, &low, &high);
+    cache->size_m = greatest(low, high);
+    if (!(cache->size_m > 0.0))
+        cache->size_m = 1.0;
+    pp_light_scene_bounds(cache->scene, false, &low, &high);
+    double size = fmax(greatest(low, high), cache->size_m) * 1.01;
+    struct pp_vec3 middle = pp_scale(pp_add(low, high), 0.5);
+    low = pp_sub(middle, pp_vec(0.5 * size, 0.5 * size, 0.5 * size));
+    pp_sobol_init(&cache->sobol);
+    cache->ambient = (struct pp_ambient){ask, cache};
+    enum pp_status status = leave_out(cache, err);
+    for (int i = 0; status == PP_OK && i < PP_CACHE_DEPTHS; i++)
+        status = make_layer(cache, i, low, size, err);
+    return status;
+}
+
+enum pp_status pp_irradiance_cache_create(struct pp_irradiance_cache **result,
+                                          const struct pp_light_scene *scene,
+                                          const struct pp_window_store *store,
+                                          const struct pp_radiance_options *light,
+                                          const struct pp_cache_options *options,
+                                          struct pp_error *err)
+{
+    *result = NULL;
+    enum pp_status status = pp_cache_options_check(options, scene, err);
+    if (status != PP_OK)
+        return status;
+    struct pp_irradiance_cache *cache = calloc(1, sizeof *cache);
+    if (!cache)
+        return pp_fail_memory(err);
+    cache->scene = scene;
+    cache->store = store;
+    cache->light = *light;
+    cache->light.bounces = -1;
+    cache->options = *options;
+    if (cache->options.threads <= 0)
+        cache->options.threads = pp_processors();
+    status = make(cache, err);
+    cache->options.materials = NULL; /* the caller's: `left_out` has what they say */
+    if (status != PP_OK) {
+        pp_irradiance_cache_destroy(cache);
+        return status;
+    }
+    *result = cache;
+    return PP_OK;
+}
+
+void pp_irradiance_cache_destroy(struct pp_irradiance_cache *cache)
+{
+    if (!cache)
+        return;
+    for (int i = 0; i < PP_CACHE_DEPTHS; i++) {
+        struct pp_cache_layer *layer = &cache->layers[i];
+        pp_octree_clear(&layer->tree);
+        free(layer->corners);
+        free(layer->entries);
+        free(layer->wishes);
+        free(layer->open);
+    }
+    free(cache->left_out);
+    free(cache);
+}
+
+uint64_t pp_cache_options_hash(const struct pp_irradiance_cache *cache)
+{
+    const struct pp_cache_options *o = &cache->options;
+    const struct pp_radiance_options *light = &cache->light;
+    uint64_t hash = pp_hash_double(o->seed, o->accuracy);
+    const double numbers[] = {o->resolution, o->divisions,        o->supersamples,
+                              o->bounces,    o->constant.r,       o->constant.g,
+                              o->constant.b, light->sources,      light->windows,
+                              light->stored, light->source_size,  light->source_most,
+                              light->least,  cache->store != NULL};
+    for (size_t i = 0; i < sizeof numbers / sizeof *numbers; i++)
+        hash = pp_hash_double(hash, numbers[i]);
+    for (int i = 0; i < pp_light_scene_material_count(cache->scene); i++)
+        hash = pp_hash(hash, cache->left_out[i]);
+    return hash;
+}
+
+/* ---- read ---- */
+
+bool pp_irradiance_cache_value(const struct pp_irradiance_cache *cache,
+                               struct pp_vec3 point, struct pp_vec3 normal,
+                               enum pp_space space, int depth, struct pp_rgb *value)
+{
+    int bounces = cache->options.bounces;
+    if (bounces >= 0 && depth >= bounces) {
+        *value = pp_rgb_scale(cache->options.constant, PP_PI);
+        return true;
+    }
+    /* With a limit of bounces each depth has light of its own. */
+    if (bounces >= 0 && depth >= PP_CACHE_DEPTHS)
+        return false;
+    int layer = depth < PP_CACHE_DEPTHS ? depth : PP_CACHE_DEPTHS - 1;
+    struct pp_cache_place place = {point, normal, space};
+    return pp_cache_layer_read(&cache->layers[layer], &place, value, NULL);
+}
+
+static bool ask(void *store, const struct pp_light_hit *hit, struct pp_vec3 normal,
+                int depth, struct pp_rgb *value)
+{
+    const struct pp_irradiance_cache *cache = store;
+    if (cache->left_out[hit->material]) {
+        *value = pp_rgb_scale(cache->options.constant, PP_PI);
+        return true;
+    }
+    return pp_irradiance_cache_value(cache, hit->point, normal,
+                                     pp_cache_space(cache, hit, normal), depth, value);
+}
+
+const struct pp_ambient *pp_irradiance_cache_ambient(struct pp_irradiance_cache *cache)
+{
+    return &cache->ambient;
+}
+
+size_t pp_irradiance_cache_count(const struct pp_irradiance_cache *cache)
+{
+    size_t count = 0;
+    for (int i = 0; i < PP_CACHE_DEPTHS; i++)
+        count += (size_t)cache->layers[i].entry_count;
+    return count;
+}
+
+struct pp_cache_record pp_irradiance_cache_record(
+    const struct pp_irradiance_cache *cache, size_t index)
+{
+    int depth = 0;
+    for (; index >= (size_t)cache->layers[depth].entry_count; depth++)
+        index -= (size_t)cache->layers[depth].entry_count;
+    struct pp_cache_record record = cache->layers[depth].entries[index].is;
+    record.depth = depth;
+    return record;
+}

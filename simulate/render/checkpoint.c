@@ -1,0 +1,287 @@
+/* checkpoint.c - a render that is not done, kept in a file.
+ *
+ * Least significant byte first:
+ *
+ *     8 bytes   "PPRENDER"
+ *     u32       version, 2
+ *     u64       a number that hangs on the scene and all options
+ *     u32 x 3   width, height, count of tiles
+ *     i64 x 2   rays, leaks so far
+ *     u8 each   tile: 1 done, 0 not
+ *     the done tiles' pixels: three floats and a tag of four bytes each
+ *     the cache that the picture is read from, as cache_file.c has it; none: nothing
+ *     u64       how many bytes those are
+ *     u64       a number that hangs on all bytes before
+ */
+#include <stdlib.h>
+#include <string.h>
+
+#include "simulate/sampling/hash.h"
+#include "simulate/render/render_parts.h"
+
+static const char magic[8] = {'P', 'P', 'R', 'E', 'N', 'D', 'E', 'R'};
+
+enum {
+    VERSION = 2,
+    HEAD = 8 + 4 + 8 + 3 * 4 + 2 * 8,
+    TAIL = 8 + 8, /* the cache's length, the last number */
+    PIXEL = 16
+};
+
+/* ---- what it is a checkpoint of ---- */
+
+static uint64_t hash_light(uint64_t hash, const struct pp_radiance_options *light)
+{
+    hash = pp_hash(hash, light->sources);
+    hash = pp_hash(hash, light->windows);
+    hash = pp_hash(hash, light->stored);
+    hash = pp_hash_double(hash, light->source_size);
+    hash = pp_hash(hash, (uint64_t)light->source_most);
+    hash = pp_hash(hash, (uint64_t)light->bounces);
+    return pp_hash_double(hash, light->least);
+}
+
+uint64_t pp_render_mark(const struct pp_render *render)
+{
+    const struct pp_render_options *options = &render->options;
+    const struct pp_camera *camera = &options->camera;
+    uint64_t hash = pp_hash(VERSION, pp_light_scene_hash(render->scene));
+    hash = pp_hash(hash, camera->kind);
+    hash = pp_hash_vec(hash, camera->eye);
+    hash = pp_hash_vec(hash, camera->toward);
+    hash = pp_hash_vec(hash, camera->right);
+    hash = pp_hash_vec(hash, camera->up);
+    hash = pp_hash_double(hash, camera->across);
+    hash = pp_hash_double(hash, camera->down);
+    hash = pp_hash(hash, (uint64_t)options->width);
+    hash = pp_hash(hash, (uint64_t)options->height);
+    hash = pp_hash(hash, options->irradiance);
+    hash = pp_hash_double(hash, pp_render_decorations(render));
+    hash = pp_hash(hash, options->indoors);
+    hash = pp_hash(hash, options->filter);
+    hash = pp_hash(hash, (uint64_t)options->samples);
+    hash = hash_light(hash, &options->light);
+    hash = pp_hash(hash, options->store != NULL);
+    hash = pp_hash(hash, options->ambient != NULL);
+    hash = pp_hash(hash, options->ambient_mark);
+    return pp_hash(hash, options->seed);
+}
+
+static uint64_t hash_bytes(const unsigned char *bytes, size_t length)
+{
+    uint64_t hash = pp_hash(VERSION, length);
+    for (size_t i = 0; i < length; i += 8) {
+        uint64_t word = 0;
+        memcpy(&word, bytes + i, length - i < 8 ? length - i : 8);
+        hash = pp_hash(hash, word);
+    }
+    return hash;
+}
+
+/* ---- bytes ---- */
+
+static void put(unsigned char **at, uint64_t value, int bytes)
+{
+    for (int i = 0; i < bytes; i++)
+        *(*at)++ = (unsigned char)(value >> 8 * i);
+}
+
+static uint64_t take(const unsigned char **at, int bytes)
+{
+    uint64_t value = 0;
+    for (int i = 0; i < bytes; i++)
+        value |= (uint64_t) * (*at)++ << 8 * i;
+    return value;
+}
+
+static void put_float(unsigned char **at, float value)
+{
+    uint32_t bits;
+    memcpy(&bits, &value, sizeof bits);
+    put(at, bits, 4);
+}
+
+static float take_float(const unsigned char **at)
+{
+    uint32_t bits = (uint32_t)take(at, 4);
+    float value;
+    memcpy(&value, &bits, sizeof value);
+    return value;
+}
+
+static size_t tile_pixels(const struct pp_render *render, int tile)
+{
+    struct pp_render_tile box = pp_render_tile(render, tile);
+    return (size_t)(box.x1 - box.x0) * (size_t)(box.y1 - box.y0);
+}
+
+/* Of a file with these tiles done and no cache. */
+static size_t size_of(const struct pp_render *render, const unsigned char *done)
+{
+    size_t pixels = 0;
+    for (int i = 0; i < render->tile_count; i++)
+        pixels += done[i] ? tile_pixels(render, i) : 0;
+    return HEAD + (size_t)render->tile_count + PIXEL * pixels + TAIL;
+}
+
+/* ---- writing ---- */
+
+static void put_tile(unsigned char **at, const struct pp_render *render, int tile)
+{
+    struct pp_render_tile box = pp_render_tile(render, tile);
+    for (int y = box.y0; y < box.y1; y++)
+        for (int x = box.x0; x < box.x1; x++) {
+            const float *rgb = pp_picture_at(&render->picture, x, y);
+            for (int i = 0; i < 3; i++)
+                put_float(at, rgb[i]);
+            int tag =
+                render->tags[(size_t)y * (size_t)render->picture.width + (size_t)x];
+            put(at, (uint32_t)tag, 4);
+        }
+}
+
+/* All of the file; cache: `kept` bytes. */
+static void put_all(unsigned char *bytes, size_t size, const struct pp_render *render,
+                    const char *cache, size_t kept)
+{
+    unsigned char *at = bytes;
+    memcpy(at, magic, sizeof magic);
+    at += sizeof magic;
+    put(&at, VERSION, 4);
+    put(&at, pp_render_mark(render), 8);
+    put(&at, (uint64_t)render->picture.width, 4);
+    put(&at, (uint64_t)render->picture.height, 4);
+    put(&at, (uint64_t)render->tile_count, 4);
+    put(&at, (uint64_t)render->work.rays, 8);
+    put(&at, (uint64_t)render->work.leaks, 8);
+    memcpy(at, render->tile_done, (size_t)render->tile_count);
+    at += render->tile_count;
+    for (int i = 0; i < render->tile_count; i++)
+        if (render->tile_done[i])
+            put_tile(&at, render, i);
+    if (kept > 0)
+        memcpy(at, cache, kept);
+    at += kept;
+    put(&at, kept, 8);
+    put(&at, hash_bytes(bytes, size - 8), 8);
+}
+
+enum pp_status pp_render_save(const struct pp_render *render,
+                              const struct pp_irradiance_cache *cache, FILE *out,
+                              struct pp_error *err)
+{
+    char *records = NULL;
+    size_t kept = 0;
+    enum pp_status status =
+        cache ? pp_irradiance_cache_pack(cache, &records, &kept, err) : PP_OK;
+    if (status != PP_OK)
+        return status;
+    size_t size = size_of(render, render->tile_done) + kept;
+    unsigned char *bytes = malloc(size);
+    if (bytes)
+        put_all(bytes, size, render, records, kept);
+    free(records);
+    if (!bytes)
+        return pp_fail_memory(err);
+    size_t written = fwrite(bytes, 1, size, out);
+    free(bytes);
+    if (written != size)
+        return pp_fail(err, PP_SYSTEM, "the checkpoint can't be written");
+    return PP_OK;
+}
+
+/* ---- reading ---- */
+
+/* Is it a checkpoint, and whole? *kept: bytes of its cache. */
+static enum pp_status check_whole(const unsigned char *bytes, size_t length,
+                                  size_t *kept, struct pp_error *err)
+{
+    if (length < sizeof magic || memcmp(bytes, magic, sizeof magic) != 0)
+        return pp_fail(err, PP_BAD_INPUT, "it is no checkpoint of a picture");
+    if (length < HEAD + TAIL)
+        return pp_fail(err, PP_BAD_INPUT, "the checkpoint is cut off or damaged");
+    const unsigned char *head = bytes + sizeof magic, *tail = bytes + length - TAIL;
+    unsigned version = (unsigned)take(&head, 4);
+    if (version != VERSION)
+        return pp_fail(err, PP_BAD_INPUT,
+                       "the checkpoint has version %u; this program reads version %d",
+                       version, VERSION);
+    uint64_t cache = take(&tail, 8), hash = take(&tail, 8);
+    if (hash != hash_bytes(bytes, length - 8) || cache > length - HEAD - TAIL)
+        return pp_fail(err, PP_BAD_INPUT, "the checkpoint is cut off or damaged");
+    *kept = (size_t)cache;
+    return PP_OK;
+}
+
+enum pp_status pp_checkpoint_cache(const unsigned char *bytes, size_t length,
+                                   const char **cache, size_t *cache_length,
+                                   struct pp_error *err)
+{
+    size_t kept = 0;
+    enum pp_status status = check_whole(bytes, length, &kept, err);
+    *cache_length = status == PP_OK ? kept : 0;
+    *cache = *cache_length > 0 ? (const char *)bytes + length - TAIL - kept : NULL;
+    return status;
+}
+
+/* Is it of this render? *at: behind the version; it is moved behind the counts. */
+static enum pp_status check(const struct pp_render *render, const unsigned char **at,
+                            long long work[2], struct pp_error *err)
+{
+    uint64_t mark = take(at, 8);
+    int width = (int)take(at, 4), height = (int)take(at, 4), tiles = (int)take(at, 4);
+    if (mark != pp_render_mark(render) || width != render->picture.width
+        || height != render->picture.height || tiles != render->tile_count)
+        return pp_fail(err, PP_BAD_INPUT,
+                       "the checkpoint is of another picture: its room, view or "
+                       "options differ");
+    work[0] = (long long)take(at, 8);
+    work[1] = (long long)take(at, 8);
+    return PP_OK;
+}
+
+static void take_tile_pixels(const unsigned char **at, struct pp_render *render,
+                             int tile)
+{
+    struct pp_render_tile box = pp_render_tile(render, tile);
+    for (int y = box.y0; y < box.y1; y++)
+        for (int x = box.x0; x < box.x1; x++) {
+            float *rgb = pp_picture_at(&render->picture, x, y);
+            for (int i = 0; i < 3; i++)
+                rgb[i] = take_float(at);
+            render->tags[(size_t)y * (size_t)render->picture.width + (size_t)x] =
+                (int32_t)(uint32_t)take(at, 4);
+        }
+}
+
+enum pp_status pp_render_resume(struct pp_render *render, const unsigned char *bytes,
+                                size_t length, struct pp_error *err)
+{
+    long long work[2] = {0, 0};
+    size_t kept;
+    enum pp_status status = check_whole(bytes, length, &kept, err);
+    if (status != PP_OK)
+        return status;
+    const unsigned char *at = bytes + sizeof magic + 4;
+    status = check(render, &at, work, err);
+    if (status != PP_OK)
+        return status;
+    bool fits = length >= HEAD + (size_t)render->tile_count + TAIL + kept
+                && length == size_of(render, at) + kept;
+    for (int i = 0; fits && i < render->tile_count; i++)
+        fits = at[i] <= 1;
+    if (!fits)
+        return pp_fail(err, PP_BAD_INPUT, "the checkpoint is cut off or damaged");
+    const unsigned char *done = at;
+    at += render->tile_count;
+    render->done_count = 0;
+    for (int i = 0; i < render->tile_count; i++) {
+        render->tile_done[i] = done[i];
+        if (!done[i])
+            continue;
+        take_tile_pixels(&at, render, i);
+        render->done_count++;
+    }
+    render->work = (struct pp_render_work){work[0], work[1]};
+    return PP_OK;
+}

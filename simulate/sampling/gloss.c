@@ -1,0 +1,214 @@
+/* gloss.c - see gloss.h. */
+#include "simulate/sampling/gloss.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum {
+    COSINES = PP_GLOSS_COSINES,
+    SLOPES = 64, /* of facets, by size and by azimuth each */
+    FACETS = SLOPES * SLOPES,
+    ROUNDS = 60, /* of scaling; after 40 nothing changes in the twelfth digit */
+};
+
+static const double SMOOTH = 1e-3;
+
+bool pp_gloss_is_mirror(double along, double across)
+{
+    return along < SMOOTH && across < SMOOTH;
+}
+
+bool pp_gloss_is_of(const struct pp_gloss *gloss, double along, double across)
+{
+    return gloss->along == fmax(along, SMOOTH) && gloss->across == fmax(across, SMOOTH);
+}
+
+/* ---- where in the table ---- */
+
+/* The roughness in a direction's azimuth. Rows of the table are even in it. */
+static double roughness_towards(const struct pp_gloss *gloss, struct pp_vec3 d)
+{
+    double flat2 = d.x * d.x + d.y * d.y;
+    if (gloss->azimuths == 1 || !(flat2 > 0.0))
+        return gloss->along;
+    double x = gloss->along * d.x, y = gloss->across * d.y;
+    return sqrt((x * x + y * y) / flat2);
+}
+
+/* About the cosine that is the roughness the scale changes most: the columns are
+ * closest from there down to grazing incidence. */
+static const double BEND = 4.0;
+
+/* The nodes that a direction lies between, and its share of the latter of either two.
+ */
+struct place {
+    int row, column;
+    double up, right;
+};
+
+static int node_below(double x, int count, double *rest)
+{
+    int i = (int)(x * (count - 1));
+    if (i > count - 2)
+        i = count - 2;
+    *rest = x * (count - 1) - i;
+    return i;
+}
+
+static struct place place_of(const struct pp_gloss *gloss, struct pp_vec3 d)
+{
+    struct place place = {0, 0, 0.0, 0.0};
+    double rough = roughness_towards(gloss, d);
+    if (gloss->azimuths > 1)
+        place.row = node_below((rough - gloss->along) / (gloss->across - gloss->along),
+                               gloss->azimuths, &place.up);
+    double z = fmax(d.z, 0.0), k = BEND * rough;
+    place.column =
+        node_below(fmin(sqrt(z * (1.0 + k) / (z + k)), 1.0), COSINES, &place.right);
+    return place;
+}
+
+/* The direction of a node. */
+static struct pp_vec3 node_direction(const struct pp_gloss *gloss, int row, int column)
+{
+    double along = gloss->along, across = gloss->across, rough = along, x2 = 0.0;
+    if (gloss->azimuths > 1) {
+        rough += (double)row / (gloss->azimuths - 1) * (across - along);
+        x2 = (across * across - rough * rough) / (across * across - along * along);
+    }
+    double k = BEND * rough, part = (double)column / (COSINES - 1);
+    part *= part;
+    double z = fmin(fmax(k * part / (1.0 + k - part), 1e-6 * k), 1.0);
+    double flat = sqrt(1.0 - z * z);
+    return pp_vec(flat * sqrt(fmax(x2, 0.0)), flat * sqrt(1.0 - fmax(x2, 0.0)), z);
+}
+
+double pp_gloss_scale(const struct pp_gloss *gloss, struct pp_vec3 direction)
+{
+    struct place at = place_of(gloss, direction);
+    const double *low = &gloss->scale[at.row][at.column];
+    double value = low[0] + at.right * (low[1] - low[0]);
+    if (gloss->azimuths == 1)
+        return value;
+    const double *high = &gloss->scale[at.row + 1][at.column];
+    return value + at.up * (high[0] + at.right * (high[1] - high[0]) - value);
+}
+
+/* ---- the lobe ---- */
+
+double pp_gloss_value(const struct pp_gloss *gloss, struct pp_vec3 i, struct pp_vec3 o)
+{
+    struct pp_vec3 h = pp_add(i, o);
+    if (!(h.z > 0.0))
+        return 0.0;
+    double along = gloss->along, across = gloss->across;
+    double p = h.x / (along * h.z), q = h.y / (across * h.z);
+    double ward = exp(-(p * p + q * q)) / (PP_PI * along * across) * pp_dot(h, h)
+                  / (h.z * h.z * h.z * h.z);
+    return ward * pp_gloss_scale(gloss, i) * pp_gloss_scale(gloss, o);
+}
+
+/* What a facet of slope (a_x p, a_y q) mirrors from i, and the weight of that in the
+ * lobe before it is scaled; 0 where it goes down. */
+static double mirrored(const struct pp_gloss *gloss, struct pp_vec3 i, double p,
+                       double q, struct pp_vec3 *o)
+{
+    struct pp_vec3 h = {gloss->along * p, gloss->across * q, 1.0};
+    double facing = pp_dot(h, i);
+    *o = pp_along(pp_scale(i, -1.0), 2.0 * facing / pp_dot(h, h), h);
+    return facing > 0.0 && o->z > 0.0 ? 2.0 * o->z / (i.z + o->z) : 0.0;
+}
+
+double pp_gloss_sample(const struct pp_gloss *gloss, struct pp_vec3 i, double u,
+                       double v, struct pp_vec3 *o)
+{
+    double r = sqrt(-log(u)), sine, cosine;
+    sincos(2.0 * PP_PI * v, &sine, &cosine);
+    /* Of two opposite slopes one may mirror light down, near grazing incidence about
+     * always: then it is the other that is drawn, twice as often. */
+    struct pp_vec3 opposite;
+    double weight = mirrored(gloss, i, r * cosine, r * sine, o);
+    double other = mirrored(gloss, i, -r * cosine, -r * sine, &opposite);
+    if (!(weight > 0.0))
+        *o = opposite;
+    if (!(weight > 0.0) || !(other > 0.0))
+        weight = (weight + other) / 2.0;
+    if (!(weight > 0.0))
+        return 0.0;
+    return weight * pp_gloss_scale(gloss, i) * pp_gloss_scale(gloss, *o);
+}
+
+/* ---- balanced ---- */
+
+/* Facets of equal share: the midpoints of a square that is laid on the Gaussian. */
+static void draw_facets(double (*facets)[2])
+{
+    for (int i = 0; i < SLOPES; i++)
+        for (int k = 0; k < SLOPES; k++) {
+            double r = sqrt(-log((i + 0.5) / SLOPES)), sine, cosine;
+            sincos(2.0 * PP_PI * (k + 0.5) / SLOPES, &sine, &cosine);
+            facets[i * SLOPES + k][0] = r * cosine;
+            facets[i * SLOPES + k][1] = r * sine;
+        }
+}
+
+/* What of the light from one direction goes to the neighbourhood of each node. */
+static void spread(const struct pp_gloss *gloss, const double (*facets)[2],
+                   struct pp_vec3 from, double *to_node)
+{
+    for (int i = 0; i < FACETS; i++) {
+        struct pp_vec3 to;
+        double weight = mirrored(gloss, from, facets[i][0], facets[i][1], &to);
+        if (!(weight > 0.0))
+            continue;
+        struct place at = place_of(gloss, to);
+        double *low = &to_node[at.row * COSINES + at.column];
+        double right = weight / FACETS * at.right, left = weight / FACETS - right;
+        low[0] += (1.0 - at.up) * left;
+        low[1] += (1.0 - at.up) * right;
+        if (gloss->azimuths > 1) {
+            low[COSINES] += at.up * left;
+            low[COSINES + 1] += at.up * right;
+        }
+    }
+}
+
+/* [SK67], for a symmetric lobe: what is too small by a factor grows by its root. */
+static void balance(double *scale, const double *lobe, int nodes)
+{
+    double next[PP_GLOSS_AZIMUTHS * COSINES];
+    for (int i = 0; i < nodes; i++)
+        scale[i] = 1.0;
+    for (int round = 0; round < ROUNDS; round++) {
+        for (int i = 0; i < nodes; i++) {
+            double sum = 0.0;
+            for (int k = 0; k < nodes; k++)
+                sum += lobe[i * nodes + k] * scale[k];
+            next[i] = sqrt(scale[i] / sum);
+        }
+        memcpy(scale, next, (size_t)nodes * sizeof *scale);
+    }
+}
+
+enum pp_status pp_gloss_init(struct pp_gloss *gloss, double along, double across,
+                             struct pp_error *err)
+{
+    *gloss = (struct pp_gloss){.along = fmax(along, SMOOTH),
+                               .across = fmax(across, SMOOTH),
+                               .azimuths = along == across ? 1 : PP_GLOSS_AZIMUTHS};
+    int nodes = gloss->azimuths * COSINES;
+    double(*facets)[2] = malloc(FACETS * sizeof *facets);
+    double *lobe = calloc((size_t)nodes * (size_t)nodes, sizeof *lobe);
+    enum pp_status status = facets && lobe ? PP_OK : pp_fail_memory(err);
+    if (status == PP_OK) {
+        draw_facets(facets);
+        for (int i = 0; i < nodes; i++)
+            spread(gloss, (const double(*)[2])facets,
+                   node_direction(gloss, i / COSINES, i % COSINES), &lobe[i * nodes]);
+        balance(gloss->scale[0], lobe, nodes);
+    }
+    free(facets);
+    free(lobe);
+    return status;
+}

@@ -1,0 +1,66 @@
+/* gloss.h - the Gaussian gloss, made to give back all the light that it gets.
+ *
+ * With i and o the unit directions to where light comes from and goes to, on the side
+ * of the normal n, and h = i + o (not unit length), Ward's gloss [WARD92] in its
+ * bounded form [GMD10] is
+ *
+ *     f = 1/(pi a_x a_y) exp(-((h.x / a_x)^2 + (h.y / a_y)^2) / (h.n)^2)
+ *         (h.h) / (h.n)^4
+ *
+ * Its half vectors are drawn as Gaussian slopes; a direction then has the weight
+ * 2 cos o / (cos i + cos o). What a facet throws down on the surface is lost: a_x a_y
+ * of the light at normal incidence, up to a fifth near grazing incidence however smooth
+ * the surface, two thirds at a roughness of 1. In truth it meets other facets and goes
+ * on. So the lobe is scaled at both of its ends,
+ *
+ *     f'(i, o) = s(i) s(o) f(i, o)        s(i) int f(i, o) s(o) cos o do = 1
+ *
+ * for every i: nothing is lost, light may run either way, and the lobe keeps its
+ * shape. Such an s exists and is unique [SK67]; it lies between 0.88 and 1.18 at
+ * roughnesses up to 0.4.
+ *
+ * It is tabulated over the cosine of the direction and, where there are two
+ * roughnesses, over its azimuth, and read by linear interpolation: the albedo is that
+ * declared to 0.3 % (to 1 % where one roughness is hundreds of times the other).
+ */
+#ifndef PP_SIMULATE_GLOSS_H
+#define PP_SIMULATE_GLOSS_H
+
+#include <stdbool.h>
+
+#include "model/base/error.h"
+#include "model/geometry/vec.h"
+
+/* Is a gloss of these roughnesses a mirror? A smaller one counts as SMOOTH = 0.001
+ * where the other is not. */
+bool pp_gloss_is_mirror(double along, double across);
+
+enum { PP_GLOSS_COSINES = 33, PP_GLOSS_AZIMUTHS = 9 };
+
+struct pp_gloss {
+    double along, across; /* roughnesses */
+    int azimuths;         /* 1: isotropic */
+    double scale[PP_GLOSS_AZIMUTHS][PP_GLOSS_COSINES];
+};
+
+/* Works s out, which takes some milliseconds, or tens where the roughnesses differ.
+ * They must not make a mirror. */
+enum pp_status pp_gloss_init(struct pp_gloss *gloss, double along, double across,
+                             struct pp_error *err);
+
+/* Is it what pp_gloss_init makes of these? */
+bool pp_gloss_is_of(const struct pp_gloss *gloss, double along, double across);
+
+/* s in a unit direction of the surface's frame: x along the first roughness, z off the
+ * surface, from 0 to 1. The same frame for all that follows. */
+double pp_gloss_scale(const struct pp_gloss *gloss, struct pp_vec3 direction);
+
+/* f' between two unit directions, of a gloss that reflects all, 1/sr. */
+double pp_gloss_value(const struct pp_gloss *gloss, struct pp_vec3 i, struct pp_vec3 o);
+
+/* A direction o to i by two numbers in (0, 1): i mirrored in a facet of random slope.
+ * Returns f' cos o over its density, at most 4/3 s(i) s(o); 0 where it goes down. */
+double pp_gloss_sample(const struct pp_gloss *gloss, struct pp_vec3 i, double u,
+                       double v, struct pp_vec3 *o);
+
+#endif

@@ -1,0 +1,73 @@
+/* sample_polygon.h - directions towards an opening, more of them where it counts.
+ *
+ * A rectangle is sampled uniformly in solid angle by the area-preserving map of Ureña,
+ * Fajardo and King [URENA13], a triangle by Arvo's [ARVO95b]; where the opening looks
+ * small both by area. On top of the map a bilinear density over the unit square [PJH23]
+ * makes the sampling follow, corner to corner, the cosine at the receiving surface and
+ * the brightness behind the opening. All of it only guides: whatever the guess, the
+ * inverse density that comes with a direction is exact, and every direction to the
+ * opening has one.
+ */
+#ifndef PP_SIMULATE_SAMPLE_OPENING_H
+#define PP_SIMULATE_SAMPLE_OPENING_H
+
+#include <stdbool.h>
+
+#include "model/geometry/vec.h"
+
+/* What is aimed at: a plane figure that light comes out of on the side of `normal`. */
+struct pp_target {
+    struct pp_vec3 normal; /* unit, into the room */
+    struct pp_vec3 middle;
+    double area_m2;
+
+    bool rectangle;
+    struct pp_vec3 corner, along, up; /* of a rectangle; along and up of unit length */
+    double width_m, height_m;
+
+    struct pp_vec3 (*triangles)[3]; /* of any other figure, else NULL; not owned */
+    int triangle_count;
+};
+
+/* A guess of the luminance beyond the openings, over that of the horizon: 1 at the
+ * horizon, 3 at the zenith, `ground` below. */
+struct pp_brightness {
+    double ground;
+    bool even; /* the same everywhere: a lamp */
+};
+
+/* A target as it is seen from one point of a surface. */
+struct pp_aim {
+    const struct pp_target *target; /* not owned */
+    struct pp_vec3 from, facing;    /* the point, and the normal of its surface */
+    bool by_area;
+    double distance_m;          /* to the target's plane, greater than 0 */
+    double x0, x1, y0, y1;      /* rectangle, from the foot of the point */
+    double b0, b1, k, solid;    /* of the map of [URENA13]; solid angle in sr */
+    double corner_weight[2][2]; /* [v][u], their mean is 1 */
+};
+
+/* Is there any direction from this side of a surface at `from` with normal n to the
+ * lit side of the target? */
+bool pp_target_in_sight(const struct pp_target *target, struct pp_vec3 from,
+                        struct pp_vec3 n);
+
+/* How much the target may count at `from`, for choosing among several: never 0 for one
+ * that is in sight. */
+double pp_target_importance(const struct pp_target *target, struct pp_vec3 from,
+                            struct pp_vec3 n, struct pp_brightness brightness);
+
+/* The target must be in sight. n is the normal of the receiving surface. */
+void pp_aim_init(struct pp_aim *aim, const struct pp_target *target,
+                 struct pp_vec3 from, struct pp_vec3 n,
+                 struct pp_brightness brightness);
+
+/* A point of the target for two numbers in (0, 1), its direction from aim->from, its
+ * distance, and 1/density in steradians. */
+struct pp_aimed {
+    struct pp_vec3 point, direction;
+    double distance_m, per_density;
+};
+struct pp_aimed pp_aim_sample(const struct pp_aim *aim, double u, double v);
+
+#endif

@@ -1,0 +1,152 @@
+/* scatter.c - see scatter.h. */
+#include "simulate/sampling/scatter.h"
+
+#include <math.h>
+
+#include "simulate/sampling/lobe.h"
+
+static struct pp_rgb glass_law(const struct pp_material *material, double cosine,
+                               double (*law)(const struct pp_glass *, double))
+{
+    double value[3];
+    for (int i = 0; i < 3; i++) {
+        const struct pp_glass *glass = &material->glass[i],
+                              *first = &material->glass[0];
+        bool like = i > 0 && glass->kl == first->kl && glass->n == first->n
+                    && glass->panes == first->panes && glass->scale == first->scale;
+        value[i] = like ? value[0] : law(glass, cosine);
+    }
+    return pp_rgb(value[0], value[1], value[2]);
+}
+
+struct pp_rgb pp_straight_through(const struct pp_material *material,
+                                  double cos_incidence)
+{
+    switch (material->kind) {
+    case PP_MATERIAL_AIR:
+        return pp_rgb_grey(1.0);
+    case PP_MATERIAL_GLASS:
+        return pp_rgb_scale(glass_law(material, cos_incidence, pp_glass_transmittance),
+                            material->clear_share * material->dirt);
+    case PP_MATERIAL_TRANSLUCENT:
+        return pp_gloss_is_mirror(material->roughness[0], material->roughness[1])
+                   ? material->through_gloss
+                   : pp_rgb_grey(0.0);
+    default:
+        return pp_rgb_grey(0.0);
+    }
+}
+
+struct pp_rgb pp_mirrored_by(const struct pp_material *material, double cos_incidence)
+{
+    switch (material->kind) {
+    case PP_MATERIAL_AIR:
+        return pp_rgb_grey(0.0);
+    case PP_MATERIAL_GLASS:
+        return pp_rgb_scale(glass_law(material, cos_incidence, pp_glass_reflectance),
+                            material->clear_share);
+    default:
+        return material->gloss;
+    }
+}
+
+/* The frame: along the grain's part in the surface where there is any. */
+static void lay_frame(struct pp_lobes *lobes, const struct pp_material *material)
+{
+    struct pp_vec3 n = lobes->n, grain = material->grain;
+    struct pp_vec3 in = pp_along(grain, -pp_dot(grain, n), n);
+    double length = pp_length(in);
+    if (!(length > 1e-6 * pp_length(grain))) {
+        pp_frame_about(n, &lobes->a, &lobes->b);
+        return;
+    }
+    lobes->a = pp_scale(in, 1.0 / length);
+    lobes->b = pp_cross(n, lobes->a);
+}
+
+void pp_lobes_init(struct pp_lobes *lobes, const struct pp_material *material,
+                   const struct pp_gloss *gloss, struct pp_vec3 n, struct pp_vec3 eye)
+{
+    *lobes = (struct pp_lobes){.n = n, .eye = eye, .gloss = gloss};
+    lay_frame(lobes, material);
+    double cosine = fabs(pp_dot(n, eye));
+    struct pp_rgb *share = lobes->share;
+    share[PP_LOBE_STRAIGHT] = pp_straight_through(material, cosine);
+    if (material->kind == PP_MATERIAL_AIR)
+        return;
+    share[PP_LOBE_DIFFUSE] = material->diffuse;
+    share[gloss ? PP_LOBE_GLOSS : PP_LOBE_MIRROR] = pp_mirrored_by(material, cosine);
+    if (material->kind == PP_MATERIAL_TRANSLUCENT) {
+        share[PP_LOBE_THROUGH_DIFFUSE] = material->through_diffuse;
+        if (gloss)
+            share[PP_LOBE_THROUGH_GLOSS] = material->through_gloss;
+    }
+}
+
+double pp_lobes_width(const struct pp_lobes *lobes)
+{
+    return lobes->gloss ? sqrt(lobes->gloss->along * lobes->gloss->across) : 0.0;
+}
+
+static struct pp_vec3 mirrored(struct pp_vec3 v, struct pp_vec3 n)
+{
+    return pp_along(v, -2.0 * pp_dot(v, n), n);
+}
+
+static struct pp_vec3 in_frame(const struct pp_lobes *lobes, struct pp_vec3 v)
+{
+    return pp_vec(pp_dot(v, lobes->a), pp_dot(v, lobes->b), pp_dot(v, lobes->n));
+}
+
+static struct pp_vec3 out_of_frame(const struct pp_lobes *lobes, struct pp_vec3 v)
+{
+    return pp_along(pp_along(pp_scale(lobes->a, v.x), v.y, lobes->b), v.z, lobes->n);
+}
+
+struct pp_rgb pp_lobes_gloss(const struct pp_lobes *lobes, struct pp_vec3 o)
+{
+    bool through = pp_dot(o, lobes->n) < 0.0;
+    struct pp_rgb share = lobes->share[through ? PP_LOBE_THROUGH_GLOSS : PP_LOBE_GLOSS];
+    if (pp_rgb_is_black(share))
+        return share;
+    o = in_frame(lobes, o);
+    o.z = fabs(o.z);
+    return pp_rgb_scale(share,
+                        pp_gloss_value(lobes->gloss, in_frame(lobes, lobes->eye), o));
+}
+
+static bool sample_gloss(const struct pp_lobes *lobes, bool through, double u, double v,
+                         struct pp_vec3 *o, double *factor)
+{
+    *factor = pp_gloss_sample(lobes->gloss, in_frame(lobes, lobes->eye), u, v, o);
+    if (through)
+        o->z = -o->z;
+    *o = out_of_frame(lobes, *o);
+    return *factor > 0.0;
+}
+
+bool pp_lobes_sample(const struct pp_lobes *lobes, enum pp_lobe lobe, double u,
+                     double v, struct pp_vec3 *o, double *factor)
+{
+    struct pp_vec3 n = lobes->n;
+    *factor = 1.0;
+    switch (lobe) {
+    case PP_LOBE_DIFFUSE:
+        *o = pp_sample_lobe(lobes->a, lobes->b, n, u, v);
+        return true;
+    case PP_LOBE_THROUGH_DIFFUSE:
+        *o = mirrored(pp_sample_lobe(lobes->a, lobes->b, n, u, v), n);
+        return true;
+    case PP_LOBE_GLOSS:
+    case PP_LOBE_THROUGH_GLOSS:
+        return sample_gloss(lobes, lobe == PP_LOBE_THROUGH_GLOSS, u, v, o, factor);
+    case PP_LOBE_MIRROR:
+        *o = mirrored(pp_scale(lobes->eye, -1.0), n);
+        return true;
+    case PP_LOBE_STRAIGHT:
+        *o = pp_scale(lobes->eye, -1.0);
+        return true;
+    default:
+        return false;
+    }
+}

@@ -1,0 +1,258 @@
+/* light_scene.c - see light_scene.h: what rays meet. How the parts come about is in
+ * light_build.c and light_world.c. */
+#include <math.h>
+#include <stdlib.h>
+
+#include "simulate/scene/light_parts.h"
+#include "simulate/scene/round.h"
+
+void pp_light_scene_destroy(struct pp_light_scene *scene)
+{
+    if (!scene)
+        return;
+    if (!scene->room)
+        pp_rays_destroy(scene->rays);
+    pp_scene_destroy(scene->room);
+    free(scene->materials);
+    free(scene->glosses);
+    free(scene->gloss_of_material);
+    free(scene->patterns);
+    free(scene->parts);
+    free(scene->part_of_triangle);
+    free(scene->rounds);
+    free(scene->emitters);
+    free(scene->emitter_triangles);
+    free(scene->distants);
+    free(scene->mirrors);
+    free(scene->chains);
+    free(scene);
+}
+
+enum pp_space pp_light_scene_space(const struct pp_light_scene *scene,
+                                   struct pp_vec3 point)
+{
+    if (!scene->world || scene->world->face_count == 0)
+        return PP_ANYWHERE;
+    /* In the depth of a reveal a point is outside the envelope and still may see in. */
+    return pp_world_contains(scene->world, point) ? PP_INDOORS : PP_ANYWHERE;
+}
+
+int pp_light_scene_material_count(const struct pp_light_scene *scene)
+{
+    return scene->material_count;
+}
+
+const struct pp_material *pp_light_scene_material(const struct pp_light_scene *scene,
+                                                  int material)
+{
+    return &scene->materials[material];
+}
+
+uint64_t pp_light_scene_hash(const struct pp_light_scene *scene)
+{
+    return scene->hash;
+}
+
+void pp_light_scene_bounds(const struct pp_light_scene *scene, bool room,
+                           struct pp_vec3 *low, struct pp_vec3 *high)
+{
+    *low = scene->low;
+    *high = scene->high;
+    if (!room || !scene->world || scene->world->face_count == 0)
+        return;
+    *low = pp_vec(INFINITY, INFINITY, INFINITY);
+    *high = pp_vec(-INFINITY, -INFINITY, -INFINITY);
+    for (int i = 0; i < scene->world->face_count; i++) {
+        const struct pp_polygon *outline = &scene->world->surfaces[i].outline;
+        for (int k = 0; k < outline->count; k++) {
+            struct pp_vec3 v = outline->vertices[k];
+            *low = pp_vec(fmin(low->x, v.x), fmin(low->y, v.y), fmin(low->z, v.z));
+            *high = pp_vec(fmax(high->x, v.x), fmax(high->y, v.y), fmax(high->z, v.z));
+        }
+    }
+}
+
+/* ---- materials ---- */
+
+static bool is_rough(const struct pp_material *material)
+{
+    bool scatters = material->kind == PP_MATERIAL_OPAQUE
+                    || material->kind == PP_MATERIAL_TRANSLUCENT;
+    return scatters
+           && !(pp_rgb_is_black(material->gloss)
+                && pp_rgb_is_black(material->through_gloss))
+           && !pp_gloss_is_mirror(material->roughness[0], material->roughness[1]);
+}
+
+/* The number of the gloss of these roughnesses, worked out if it is a new one. */
+static enum pp_status find_gloss(struct pp_light_scene *scene, const double roughness[2],
+                                 int *number, struct pp_error *err)
+{
+    int count = scene->gloss_count;
+    for (*number = 0; *number < count; (*number)++)
+        if (pp_gloss_is_of(&scene->glosses[*number], roughness[0], roughness[1]))
+            return PP_OK;
+    if ((count & (count + 1)) == 0) { /* 0, 1, 3, 7, ...: full */
+        void *grown =
+            realloc(scene->glosses, ((size_t)count * 2 + 1) * sizeof *scene->glosses);
+        if (!grown)
+            return pp_fail_memory(err);
+        scene->glosses = grown;
+    }
+    return pp_gloss_init(&scene->glosses[scene->gloss_count++], roughness[0],
+                         roughness[1], err);
+}
+
+enum pp_status pp_light_scene_add_glosses(struct pp_light_scene *scene,
+                                          struct pp_error *err)
+{
+    size_t count = (size_t)scene->material_count + 1;
+    scene->gloss_of_material = malloc(count * sizeof *scene->gloss_of_material);
+    if (!scene->gloss_of_material)
+        return pp_fail_memory(err);
+    enum pp_status status = PP_OK;
+    for (int i = 0; status == PP_OK && i < scene->material_count; i++) {
+        scene->gloss_of_material[i] = -1;
+        if (is_rough(&scene->materials[i]))
+            status = find_gloss(scene, scene->materials[i].roughness,
+                                &scene->gloss_of_material[i], err);
+    }
+    return status;
+}
+
+const struct pp_gloss *pp_light_scene_gloss(const struct pp_light_scene *scene,
+                                            int material)
+{
+    int gloss = scene->gloss_of_material[material];
+    return gloss < 0 ? NULL : &scene->glosses[gloss];
+}
+
+/* ---- rays ---- */
+
+/* Off the surface that it leaves by more than single precision can lose. */
+static struct pp_vec3 lift(const struct pp_light_ray *ray)
+{
+    struct pp_vec3 p = ray->from;
+    double reach = fabs(p.x) + fabs(p.y) + fabs(p.z);
+    return pp_along(p, 0x1p-20 + 0x1p-20 * reach, ray->off);
+}
+
+/* Puts the hit on the part itself, in double precision. */
+static void refine(const struct pp_light_scene *scene, const struct pp_light_part *part,
+                   const struct pp_light_ray *ray, struct pp_vec3 start,
+                   struct pp_light_hit *hit)
+{
+    if (part->round >= 0) {
+        const struct pp_shape *round = &scene->rounds[part->round];
+        double t, d = hit->distance_m;
+        if (pp_round_meet(round, start, ray->to, 0.999 * d - 1e-6, 1.001 * d + 1e-6,
+                          &t))
+            hit->distance_m = t;
+        hit->point = pp_along(start, hit->distance_m, ray->to);
+        hit->normal = pp_round_normal(round, hit->point);
+    } else {
+        struct pp_vec3 near = pp_along(ray->from, hit->distance_m, ray->to);
+        hit->normal = part->normal;
+        hit->point =
+            pp_along(near, part->offset_m - pp_dot(part->normal, near), part->normal);
+    }
+    hit->back = pp_dot(hit->normal, ray->to) > 0.0;
+    if (hit->back)
+        hit->normal = pp_scale(hit->normal, -1.0);
+}
+
+enum pp_meeting pp_light_scene_meet(const struct pp_light_scene *scene,
+                                    const struct pp_light_ray *ray,
+                                    struct pp_light_hit *hit)
+{
+    struct pp_vec3 start = lift(ray);
+    float origin[3] = {(float)start.x, (float)start.y, (float)start.z};
+    float direction[3] = {(float)ray->to.x, (float)ray->to.y, (float)ray->to.z};
+    float distance;
+    int index = pp_rays_first(scene->rays, origin, direction, &distance);
+    *hit = (struct pp_light_hit){.part = -1, .distance_m = INFINITY};
+    bool indoors = ray->space == PP_INDOORS;
+    if (index >= 0)
+        hit->distance_m = distance;
+
+    /* A skyline with a distance may stand before it. */
+    if (scene->room && !indoors && scene->room->outside.near_count > 0) {
+        double exitance, near = pp_outside_near(&scene->room->outside, ray->from,
+                                                ray->to, &exitance);
+        if (near < hit->distance_m) {
+            hit->distance_m = near;
+            return PP_MEETS_BEYOND;
+        }
+    }
+    if (index < 0)
+        return indoors ? PP_MEETS_CRACK : PP_MEETS_BEYOND;
+
+    hit->part = scene->part_of_triangle[index];
+    const struct pp_light_part *part = &scene->parts[hit->part];
+    refine(scene, part, ray, start, hit);
+    hit->tag = part->tag;
+    hit->material = part->material[hit->back];
+    hit->space = part->space[hit->back];
+    bool wrong = ray->space != PP_ANYWHERE && hit->back == indoors;
+    return part->skin && wrong ? PP_MEETS_CRACK : PP_MEETS_PART;
+}
+
+bool pp_light_scene_first(const struct pp_light_scene *scene,
+                          const struct pp_light_ray *ray, struct pp_light_hit *hit)
+{
+    struct pp_light_ray moved = *ray;
+    moved.from = pp_sub(ray->from, scene->centre);
+    enum pp_meeting meeting = pp_light_scene_meet(scene, &moved, hit);
+    hit->point = pp_add(hit->point, scene->centre);
+    return meeting == PP_MEETS_PART;
+}
+
+/* ---- what is beyond ---- */
+
+struct pp_rgb pp_distant_radiance(const struct pp_light_scene *scene, int i,
+                                  struct pp_vec3 u)
+{
+    const struct pp_distant *distant = &scene->distants[i];
+    if (!(pp_dot(u, distant->direction) >= distant->cos_half))
+        return pp_rgb_grey(0.0);
+    const struct pp_material *material = &scene->materials[distant->material];
+    if (material->pattern < 0)
+        return material->radiance;
+    return pp_rgb_scale(material->radiance,
+                        pp_pattern_value(&scene->patterns[material->pattern], u));
+}
+
+/* The extended one that fills the smallest angle, of those in which u lies. */
+static int distant_in(const struct pp_light_scene *scene, struct pp_vec3 u)
+{
+    int found = -1;
+    for (int i = 0; i < scene->distant_count; i++) {
+        const struct pp_distant *distant = &scene->distants[i];
+        if (distant->emitter < 0 && pp_dot(u, distant->direction) >= distant->cos_half
+            && (found < 0 || distant->solid < scene->distants[found].solid))
+            found = i;
+    }
+    return found;
+}
+
+struct pp_rgb pp_light_scene_beyond(const struct pp_light_scene *scene,
+                                    const struct pp_light_ray *ray, double near_m,
+                                    bool *is_sky)
+{
+    bool sky = false;
+    double light = 0.0; /* pi L, as surroundings.h has it */
+    if (scene->room && isfinite(near_m))
+        pp_outside_near(&scene->room->outside, ray->from, ray->to, &light);
+    else if (scene->room)
+        light = pp_outside_light(&scene->room->outside, ray->to, &sky);
+    if (is_sky)
+        *is_sky = sky;
+    if (scene->room)
+        return pp_rgb_grey(light / PP_PI);
+
+    int distant = distant_in(scene, ray->to);
+    if (is_sky)
+        *is_sky = distant >= 0 && ray->to.z > 0.0;
+    return distant < 0 ? pp_rgb_grey(0.0)
+                       : pp_distant_radiance(scene, distant, ray->to);
+}

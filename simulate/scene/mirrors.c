@@ -1,0 +1,244 @@
+/* mirrors.c - plane mirrors, by which concentrated emitters are aimed at too. See
+ * light_parts.h.
+ *
+ * As Radiance does for its `mirror` [WS98], but for whatever mirrors: from the image of
+ * a point behind the mirror the emitter is aimed at as from the point itself, and the
+ * way is unfolded again. Curved mirrors, the lesser planes of many and third
+ * reflections are left to chance; what that may bring goes into the stated error
+ * (unsampled.c).
+ */
+#include <math.h>
+#include <stdlib.h>
+
+#include "simulate/scene/light_parts.h"
+#include "simulate/scene/round.h"
+#include "simulate/sampling/scatter.h"
+
+enum {
+    MOST_MIRRORS = 8, /* planes */
+    MOST_WAYS = 256,  /* chains of them times emitters */
+};
+
+/* Planes are one whose normals differ by less than this in the cosine, and whose
+ * offsets by less than this share. */
+static const double SAME_NORMAL = 1e-12, SAME_OFFSET = 1e-7;
+
+/* ---- found ---- */
+
+/* A part that mirrors. */
+struct candidate {
+    int part;
+    double share, weight; /* weight: how much it may matter */
+};
+
+/* What it mirrors of light at right angles, on the better of its sides. */
+static double share_of(const struct pp_light_scene *scene, int part)
+{
+    double share = 0.0;
+    for (int side = 0; side < 2; side++) {
+        int material = scene->parts[part].material[side];
+        if (!pp_light_scene_gloss(scene, material))
+            share = fmax(share,
+                         pp_rgb_most(pp_mirrored_by(&scene->materials[material], 1.0)));
+    }
+    return share;
+}
+
+static double area_of(const struct pp_light_scene *scene, int part)
+{
+    int round = scene->parts[part].round;
+    return round < 0 ? scene->parts[part].area_m2
+                     : pp_round_area(&scene->rounds[round]);
+}
+
+static int by_weight(const void *a, const void *b)
+{
+    const struct candidate *x = a, *y = b;
+    if (x->weight != y->weight)
+        return x->weight < y->weight ? 1 : -1;
+    return x->part - y->part;
+}
+
+/* The part's plane; false where it is curved. */
+static bool plane_of(const struct pp_light_scene *scene, int index,
+                     struct pp_mirror *plane)
+{
+    const struct pp_light_part *part = &scene->parts[index];
+    *plane = (struct pp_mirror){.normal = part->normal, .offset_m = part->offset_m};
+    if (part->round < 0)
+        return true;
+    const struct pp_shape *round = &scene->rounds[part->round];
+    if (round->kind != PP_SHAPE_RING)
+        return false;
+    plane->normal = round->is.ring.axis;
+    plane->offset_m = pp_dot(plane->normal, round->is.ring.centre);
+    return true;
+}
+
+static bool same_plane(const struct pp_mirror *a, const struct pp_mirror *b)
+{
+    double facing = pp_dot(a->normal, b->normal);
+    double offset = facing < 0.0 ? -b->offset_m : b->offset_m;
+    return fabs(facing) > 1.0 - SAME_NORMAL
+           && fabs(offset - a->offset_m) < SAME_OFFSET * (1.0 + fabs(a->offset_m));
+}
+
+/* The mirror in whose plane the part is, a new one if there is room; else -1. */
+static int mirror_of(struct pp_light_scene *scene, const struct candidate *candidate)
+{
+    struct pp_mirror plane;
+    if (!plane_of(scene, candidate->part, &plane))
+        return -1;
+    int i = 0;
+    while (i < scene->mirror_count && !same_plane(&scene->mirrors[i], &plane))
+        i++;
+    if (i == MOST_MIRRORS)
+        return -1;
+    if (i == scene->mirror_count)
+        scene->mirrors[scene->mirror_count++] = plane;
+    struct pp_mirror *mirror = &scene->mirrors[i];
+    mirror->share = fmax(mirror->share, candidate->share);
+    return i;
+}
+
+static enum pp_status find_mirrors(struct pp_light_scene *scene, struct pp_error *err)
+{
+    struct candidate *list = malloc(((size_t)scene->part_count + 1) * sizeof *list);
+    if (!list)
+        return pp_fail_memory(err);
+    int count = 0;
+    for (int i = 0; i < scene->part_count; i++) {
+        double share = share_of(scene, i);
+        if (share > 0.0)
+            list[count++] = (struct candidate){i, share, share * area_of(scene, i)};
+    }
+    qsort(list, (size_t)count, sizeof *list, by_weight);
+    for (int i = 0; i < count; i++) {
+        int mirror = mirror_of(scene, &list[i]);
+        scene->parts[list[i].part].mirror = mirror;
+        if (mirror < 0)
+            scene->missed_share = fmax(scene->missed_share, list[i].share);
+    }
+    free(list);
+    return PP_OK;
+}
+
+/* ---- chained ---- */
+
+static void add_chain(struct pp_light_scene *scene, int first, int second)
+{
+    double share = scene->mirrors[first].share;
+    if (second >= 0)
+        share *= scene->mirrors[second].share;
+    scene->chains[scene->chain_count++] = (struct pp_chain){{first, second}, share};
+}
+
+static int by_share(const void *a, const void *b)
+{
+    const struct pp_chain *x = a, *y = b;
+    if (x->share != y->share)
+        return x->share < y->share ? 1 : -1;
+    if (x->mirrors[0] != y->mirrors[0])
+        return x->mirrors[0] - y->mirrors[0];
+    return x->mirrors[1] - y->mirrors[1];
+}
+
+/* One mirror, or one and then another: the strongest of these. */
+static void make_chains(struct pp_light_scene *scene)
+{
+    int count = scene->mirror_count, most = MOST_WAYS / scene->emitter_count;
+    for (int i = 0; i < count; i++)
+        for (int k = -1; k < count; k++)
+            if (k != i)
+                add_chain(scene, i, k);
+    qsort(scene->chains, (size_t)scene->chain_count, sizeof *scene->chains, by_share);
+    for (; scene->chain_count > most; scene->chain_count--)
+        scene->missed_share =
+            fmax(scene->missed_share, scene->chains[scene->chain_count - 1].share);
+}
+
+/* The most that three reflections leave: there, back, and there again. */
+static double share_of_three(const struct pp_light_scene *scene)
+{
+    double first = 0.0, second = 0.0;
+    for (int i = 0; i < scene->mirror_count; i++) {
+        double share = scene->mirrors[i].share;
+        second = fmax(second, fmin(first, share));
+        first = fmax(first, share);
+    }
+    return first * first * second;
+}
+
+enum pp_status pp_light_scene_add_mirrors(struct pp_light_scene *scene,
+                                          struct pp_error *err)
+{
+    if (scene->emitter_count == 0)
+        return PP_OK;
+    scene->mirrors = calloc(MOST_MIRRORS, sizeof *scene->mirrors);
+    scene->chains = calloc((size_t)MOST_MIRRORS * MOST_MIRRORS, sizeof *scene->chains);
+    if (!scene->mirrors || !scene->chains)
+        return pp_fail_memory(err);
+    enum pp_status status = find_mirrors(scene, err);
+    if (status != PP_OK)
+        return status;
+    make_chains(scene);
+    scene->missed_share = fmin(1.0, fmax(scene->missed_share, share_of_three(scene)));
+    return PP_OK;
+}
+
+/* ---- used ---- */
+
+int pp_chain_longer(const struct pp_light_scene *scene, int chain, int mirror)
+{
+    int first = mirror, second = -1;
+    if (chain >= 0) {
+        first = scene->chains[chain].mirrors[0];
+        second = mirror;
+    }
+    bool full = mirror < 0 || (chain >= 0 && scene->chains[chain].mirrors[1] >= 0);
+    for (int i = 0; i < scene->chain_count && !full; i++)
+        if (scene->chains[i].mirrors[0] == first
+            && scene->chains[i].mirrors[1] == second)
+            return i;
+    return -1;
+}
+
+static const struct pp_mirror *mirror_in(const struct pp_light_scene *scene, int chain,
+                                         int i)
+{
+    int mirror = chain < 0 ? -1 : scene->chains[chain].mirrors[i];
+    return mirror < 0 ? NULL : &scene->mirrors[mirror];
+}
+
+static struct pp_vec3 turned(const struct pp_mirror *mirror, struct pp_vec3 u)
+{
+    return pp_along(u, -2.0 * pp_dot(mirror->normal, u), mirror->normal);
+}
+
+struct pp_vec3 pp_chain_point(const struct pp_light_scene *scene, int chain,
+                              struct pp_vec3 p)
+{
+    const struct pp_mirror *mirror;
+    for (int i = 0; i < PP_CHAIN_MOST && (mirror = mirror_in(scene, chain, i)); i++)
+        p = pp_along(p, 2.0 * (mirror->offset_m - pp_dot(mirror->normal, p)),
+                     mirror->normal);
+    return p;
+}
+
+struct pp_vec3 pp_chain_direction(const struct pp_light_scene *scene, int chain,
+                                  struct pp_vec3 u)
+{
+    const struct pp_mirror *mirror;
+    for (int i = 0; i < PP_CHAIN_MOST && (mirror = mirror_in(scene, chain, i)); i++)
+        u = turned(mirror, u);
+    return u;
+}
+
+struct pp_vec3 pp_chain_unfold(const struct pp_light_scene *scene, int chain,
+                               struct pp_vec3 u)
+{
+    for (int i = PP_CHAIN_MOST - 1; i >= 0; i--)
+        if (mirror_in(scene, chain, i))
+            u = turned(mirror_in(scene, chain, i), u);
+    return u;
+}

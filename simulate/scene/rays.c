@@ -1,0 +1,212 @@
+/* rays.c - see rays.h. */
+#include "config.h"
+
+#include "simulate/scene/rays.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#ifdef HAVE_EMBREE4
+/* Its headers declare functions without a prototype. */
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wstrict-prototypes"
+#include <embree4/rtcore.h>
+#pragma GCC diagnostic pop
+#else
+#include <embree3/rtcore.h>
+#endif
+
+#include "simulate/scene/round.h"
+
+struct pp_rays {
+    RTCDevice device;
+    RTCScene scene;
+    struct pp_shape *rounds;
+    unsigned round_geometry; /* as hits name it */
+    int triangle_count;
+};
+
+/* Embree's last complaint, as ours. */
+static enum pp_status embree_failed(RTCDevice device, struct pp_error *err)
+{
+    enum RTCError code = rtcGetDeviceError(device);
+    if (code == RTC_ERROR_OUT_OF_MEMORY)
+        return pp_fail_memory(err);
+    return pp_fail(err, PP_SYSTEM,
+                   "the ray kernels (Embree) failed with error %d; is this processor "
+                   "too old for them?",
+                   (int)code);
+}
+
+static enum pp_status attach_triangles(struct pp_rays *rays,
+                                       const float (*triangles)[3][3], int count,
+                                       struct pp_error *err)
+{
+    RTCGeometry mesh = rtcNewGeometry(rays->device, RTC_GEOMETRY_TYPE_TRIANGLE);
+    if (!mesh)
+        return embree_failed(rays->device, err);
+    float *vertices =
+        rtcSetNewGeometryBuffer(mesh, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
+                                3 * sizeof(float), (size_t)count * 3);
+    unsigned *indices =
+        rtcSetNewGeometryBuffer(mesh, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
+                                3 * sizeof(unsigned), (size_t)count);
+    if (vertices && indices) {
+        memcpy(vertices, triangles, (size_t)count * sizeof *triangles);
+        for (unsigned i = 0; i < 3u * (unsigned)count; i++)
+            indices[i] = i;
+        rtcCommitGeometry(mesh);
+        rtcAttachGeometry(rays->scene, mesh);
+    }
+    rtcReleaseGeometry(mesh);
+    if (!vertices || !indices)
+        return embree_failed(rays->device, err);
+    return PP_OK;
+}
+
+/* Single precision that is not within the box it was rounded from. */
+static float rounded_down(double x)
+{
+    return nextafterf((float)x, -INFINITY);
+}
+
+static float rounded_up(double x)
+{
+    return nextafterf((float)x, INFINITY);
+}
+
+static void round_bounds(const struct RTCBoundsFunctionArguments *asked)
+{
+    const struct pp_shape *rounds = asked->geometryUserPtr;
+    struct pp_vec3 low, high;
+    pp_round_box(&rounds[asked->primID], &low, &high);
+    *asked->bounds_o = (struct RTCBounds){.lower_x = rounded_down(low.x),
+                                          .lower_y = rounded_down(low.y),
+                                          .lower_z = rounded_down(low.z),
+                                          .upper_x = rounded_up(high.x),
+                                          .upper_y = rounded_up(high.y),
+                                          .upper_z = rounded_up(high.z)};
+}
+
+static void round_intersect(const struct RTCIntersectFunctionNArguments *asked)
+{
+    const struct pp_shape *rounds = asked->geometryUserPtr;
+    struct RTCRayHit *query = (struct RTCRayHit *)asked->rayhit;
+    double t;
+    if (!asked->valid[0]
+        || !pp_round_meet(&rounds[asked->primID],
+                          pp_vec(query->ray.org_x, query->ray.org_y, query->ray.org_z),
+                          pp_vec(query->ray.dir_x, query->ray.dir_y, query->ray.dir_z),
+                          query->ray.tnear, query->ray.tfar, &t))
+        return;
+    query->ray.tfar = (float)t;
+    query->hit.geomID = asked->geomID;
+    query->hit.primID = asked->primID;
+}
+
+static enum pp_status attach_rounds(struct pp_rays *rays, const struct pp_shape *rounds,
+                                    int count, struct pp_error *err)
+{
+    rays->rounds = malloc((size_t)count * sizeof *rounds);
+    if (!rays->rounds)
+        return pp_fail_memory(err);
+    memcpy(rays->rounds, rounds, (size_t)count * sizeof *rounds);
+    RTCGeometry geometry = rtcNewGeometry(rays->device, RTC_GEOMETRY_TYPE_USER);
+    if (!geometry)
+        return embree_failed(rays->device, err);
+    rtcSetGeometryUserPrimitiveCount(geometry, (unsigned)count);
+    rtcSetGeometryUserData(geometry, rays->rounds);
+    rtcSetGeometryBoundsFunction(geometry, round_bounds, NULL);
+    rtcSetGeometryIntersectFunction(geometry, round_intersect);
+    rtcCommitGeometry(geometry);
+    rays->round_geometry = rtcAttachGeometry(rays->scene, geometry);
+    rtcReleaseGeometry(geometry);
+    return PP_OK;
+}
+
+enum pp_status pp_rays_create(struct pp_rays **result, const float (*triangles)[3][3],
+                              int count, struct pp_error *err)
+{
+    return pp_rays_create_with(result, triangles, count, NULL, 0, err);
+}
+
+enum pp_status pp_rays_create_with(struct pp_rays **result,
+                                   const float (*triangles)[3][3], int count,
+                                   const struct pp_shape *rounds, int round_count,
+                                   struct pp_error *err)
+{
+    *result = NULL;
+    struct pp_rays *rays = calloc(1, sizeof *rays);
+    if (!rays)
+        return pp_fail_memory(err);
+    rays->triangle_count = count;
+    rays->round_geometry = RTC_INVALID_GEOMETRY_ID;
+    enum pp_status status = PP_OK;
+    rays->device = rtcNewDevice("threads=1,set_affinity=0");
+    if (!rays->device) {
+        status = embree_failed(NULL, err);
+        goto failed;
+    }
+    rays->scene = rtcNewScene(rays->device);
+    if (!rays->scene) {
+        status = embree_failed(rays->device, err);
+        goto failed;
+    }
+    rtcSetSceneFlags(rays->scene, RTC_SCENE_FLAG_ROBUST);
+    if (count > 0)
+        status = attach_triangles(rays, triangles, count, err);
+    if (status == PP_OK && round_count > 0)
+        status = attach_rounds(rays, rounds, round_count, err);
+    if (status != PP_OK)
+        goto failed;
+    rtcCommitScene(rays->scene);
+    if (rtcGetDeviceError(rays->device) != RTC_ERROR_NONE) {
+        status = pp_fail_memory(err);
+        goto failed;
+    }
+    *result = rays;
+    return PP_OK;
+failed:
+    pp_rays_destroy(rays);
+    return status;
+}
+
+void pp_rays_destroy(struct pp_rays *rays)
+{
+    if (!rays)
+        return;
+    if (rays->scene)
+        rtcReleaseScene(rays->scene);
+    if (rays->device)
+        rtcReleaseDevice(rays->device);
+    free(rays->rounds);
+    free(rays);
+}
+
+int pp_rays_first(const struct pp_rays *rays, const float origin[3],
+                  const float direction[3], float *distance)
+{
+    struct RTCRayHit query = {
+        .ray = {.org_x = origin[0],
+                .org_y = origin[1],
+                .org_z = origin[2],
+                .dir_x = direction[0],
+                .dir_y = direction[1],
+                .dir_z = direction[2],
+                .tfar = INFINITY,
+                .mask = ~0u},
+        .hit = {.geomID = RTC_INVALID_GEOMETRY_ID, .primID = RTC_INVALID_GEOMETRY_ID}};
+#ifdef HAVE_EMBREE4
+    rtcIntersect1(rays->scene, &query, NULL);
+#else
+    struct RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    rtcIntersect1(rays->scene, &context, &query);
+#endif
+    if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID)
+        return -1;
+    *distance = query.ray.tfar;
+    return (int)query.hit.primID
+           + (query.hit.geomID == rays->round_geometry ? rays->triangle_count : 0);
+}

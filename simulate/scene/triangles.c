@@ -1,0 +1,159 @@
+/* triangles.c - see triangles.h. */
+#include "simulate/scene/triangles.h"
+
+#include <math.h>
+#include <stdbool.h>
+#include <stdlib.h>
+
+#include "model/room/face_less_openings.h"
+#include "simulate/sampling/lobe.h"
+
+double pp_triangle_area(const struct pp_vec3 triangle[3])
+{
+    return pp_length(pp_cross(pp_sub(triangle[1], triangle[0]),
+                              pp_sub(triangle[2], triangle[0])))
+           / 2.0;
+}
+
+static enum pp_status append(struct pp_triangles *list, struct pp_vec3 a,
+                             struct pp_vec3 b, struct pp_vec3 c, int facet,
+                             struct pp_error *err)
+{
+    if (list->count == list->capacity) {
+        int capacity = list->capacity ? 2 * list->capacity : 64;
+        void *corners =
+            realloc(list->corners, (size_t)capacity * sizeof *list->corners);
+        if (!corners)
+            return pp_fail_memory(err);
+        list->corners = corners;
+        int *facet_of = realloc(list->facet_of, (size_t)capacity * sizeof *facet_of);
+        if (!facet_of)
+            return pp_fail_memory(err);
+        list->facet_of = facet_of;
+        list->capacity = capacity;
+    }
+    list->corners[list->count][0] = a;
+    list->corners[list->count][1] = b;
+    list->corners[list->count][2] = c;
+    list->facet_of[list->count++] = facet;
+    return PP_OK;
+}
+
+/* Does it turn left at every corner, once round in all? */
+static bool is_convex(const struct pp_polygon *polygon)
+{
+    int n = polygon->count;
+    double round = 0.0;
+    if (n == 3)
+        return true;
+    for (int i = 0; i < n; i++) {
+        struct pp_vec3 a = polygon->vertices[i], b = polygon->vertices[(i + 1) % n];
+        struct pp_vec3 c = polygon->vertices[(i + 2) % n];
+        struct pp_vec3 in = pp_sub(b, a), out = pp_sub(c, b);
+        double turn = pp_dot(pp_cross(in, out), polygon->normal);
+        if (turn < 0.0)
+            return false;
+        round += atan2(turn, pp_dot(in, out));
+    }
+    return round < 3.0 * PP_PI;
+}
+
+/* A fan: for convex figures. */
+static enum pp_status fan(struct pp_triangles *list, const struct pp_polygon *polygon,
+                          int facet, struct pp_vec3 centre, struct pp_error *err)
+{
+    struct pp_vec3 first = pp_sub(polygon->vertices[0], centre);
+    enum pp_status status = PP_OK;
+    for (int i = 2; status == PP_OK && i < polygon->count; i++)
+        status = append(list, first, pp_sub(polygon->vertices[i - 1], centre),
+                        pp_sub(polygon->vertices[i], centre), facet, err);
+    return status;
+}
+
+/* A figure with or without openings (those in `face`, -1: none), by the clipper. */
+static enum pp_status triangulate(struct pp_triangles *list, struct pp_clipper *clipper,
+                                  const struct pp_polygon *polygon, int facet,
+                                  const struct pp_world *world, int face,
+                                  struct pp_vec3 centre, struct pp_error *err)
+{
+    struct pp_face_axes axes = {.origin = polygon->vertices[0]};
+    struct pp_region region = {0, NULL};
+    double(*pieces)[3][2] = NULL;
+    int count = 0;
+    pp_frame_about(polygon->normal, &axes.a, &axes.b);
+    enum pp_status status =
+        pp_face_region(&region, clipper, &axes, polygon, world, face, err);
+    if (status == PP_OK)
+        status = pp_region_triangulate(clipper, &pieces, &count, &region, err);
+    for (int i = 0; status == PP_OK && i < count; i++) {
+        struct pp_vec3 corner[3];
+        for (int k = 0; k < 3; k++)
+            corner[k] = pp_sub(
+                pp_face_corner(&axes, pieces[i][k], polygon, world, face), centre);
+        status = append(list, corner[0], corner[1], corner[2], facet, err);
+    }
+    free(pieces);
+    pp_region_destroy(&region);
+    return status;
+}
+
+void pp_triangles_clear(struct pp_triangles *list)
+{
+    free(list->corners);
+    free(list->facet_of);
+    *list = (struct pp_triangles){0};
+}
+
+enum pp_status pp_triangles_of_polygon(struct pp_triangles *list,
+                                       struct pp_clipper *clipper,
+                                       const struct pp_polygon *polygon, int facet,
+                                       struct pp_vec3 centre, struct pp_error *err)
+{
+    if (is_convex(polygon))
+        return fan(list, polygon, facet, centre, err);
+    return triangulate(list, clipper, polygon, facet, NULL, -1, centre, err);
+}
+
+enum pp_status pp_triangles_of_surface(struct pp_triangles *list,
+                                       struct pp_clipper *clipper,
+                                       const struct pp_world *world, int surface,
+                                       struct pp_vec3 centre, struct pp_error *err)
+{
+    const struct pp_polygon *outline = &world->surfaces[surface].outline;
+    bool whole = true;
+    for (int i = 0; whole && surface < world->face_count && i < world->opening_count;
+         i++)
+        whole = world->openings[i].face != surface;
+    if (whole)
+        return pp_triangles_of_polygon(list, clipper, outline, surface, centre, err);
+    return triangulate(list, clipper, outline, surface, world, surface, centre, err);
+}
+
+enum pp_status pp_triangles_of_plane(struct pp_vec3 (**triangles)[3], int *count,
+                                     struct pp_clipper *clipper,
+                                     const struct pp_world *world,
+                                     struct pp_vec3 centre, struct pp_error *err)
+{
+    double(*pieces)[3][2] = NULL;
+    *triangles = NULL;
+    *count = 0;
+    if (world->plane.count == 0)
+        return PP_OK;
+    enum pp_status status =
+        pp_region_triangulate(clipper, &pieces, count, &world->plane, err);
+    if (status != PP_OK)
+        return status;
+    *triangles = malloc(sizeof **triangles * (size_t)(*count + 1));
+    if (!*triangles) {
+        free(pieces);
+        *count = 0;
+        return pp_fail_memory(err);
+    }
+    for (int i = 0; i < *count; i++)
+        for (int k = 0; k < 3; k++)
+            (*triangles)[i][k] =
+                pp_sub(pp_vec(pieces[i][k][0], pieces[i][k][1], world->working_plane_m),
+                       centre);
+    free(pieces);
+    return PP_OK;
+}

@@ -1,0 +1,39 @@
+/* triangles.h - plane figures cut into triangles. */
+#ifndef PP_SIMULATE_TRIANGLES_H
+#define PP_SIMULATE_TRIANGLES_H
+
+#include "model/base/error.h"
+#include "model/room/world.h"
+
+struct pp_triangles {
+    struct pp_vec3 (*corners)[3];
+    int *facet_of; /* of each triangle */
+    int count, capacity;
+};
+
+void pp_triangles_clear(struct pp_triangles *list); /* leaves the empty list */
+
+/* Appends the triangles of a surface, a face of the room less its openings, as facet
+ * `surface`, in coordinates from `centre`. Corners are the polygons' own to the bit, so
+ * that neighbours leave no gap. */
+enum pp_status pp_triangles_of_surface(struct pp_triangles *list,
+                                       struct pp_clipper *clipper,
+                                       const struct pp_world *world, int surface,
+                                       struct pp_vec3 centre, struct pp_error *err);
+
+/* The same of any polygon, by crossings where it meets or crosses itself (region.h):
+ * what they enclose may be nothing. */
+enum pp_status pp_triangles_of_polygon(struct pp_triangles *list,
+                                       struct pp_clipper *clipper,
+                                       const struct pp_polygon *polygon, int facet,
+                                       struct pp_vec3 centre, struct pp_error *err);
+
+/* The working plane; *triangles is to be freed. */
+enum pp_status pp_triangles_of_plane(struct pp_vec3 (**triangles)[3], int *count,
+                                     struct pp_clipper *clipper,
+                                     const struct pp_world *world,
+                                     struct pp_vec3 centre, struct pp_error *err);
+
+double pp_triangle_area(const struct pp_vec3 triangle[3]);
+
+#endif

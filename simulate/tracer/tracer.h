@@ -1,0 +1,67 @@
+/* tracer.h - daylight factors of a room by unbiased path tracing.
+ *
+ * The caller holds the loop: create, then advance until done, looking at the readings
+ * whenever it likes, then destroy.
+ *
+ *     while (!pp_tracer_done(tracer))
+ *         if (pp_tracer_advance(tracer, 0.1, err) != PP_OK) ...
+ *
+ * With --error or --samples the answer depends on world, receivers and seed alone, to
+ * the bit, whatever the number of threads and the length of the slices.
+ */
+#ifndef PP_SIMULATE_TRACER_H
+#define PP_SIMULATE_TRACER_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+#include "model/base/error.h"
+#include "model/results/reading.h"
+#include "model/room/world.h"
+
+struct pp_tracer_options {
+    double
+        error; /* wanted standard error over the daylight factor, at every point; never
+                * under 0.00002 of Eh. 0: go by samples or the caller's clock alone */
+    long samples; /* paths a point in each randomisation instead of error; 0: not set */
+    uint64_t seed;
+    int threads;  /* 0: as many as the machine has processors */
+    bool average; /* the average over the working plane too */
+    bool every_ray; /* trace also the rays whose end is known beforehand: for checks */
+};
+
+struct pp_tracer;
+
+/* Copies what it needs of receivers; world must live as long as the tracer. */
+enum pp_status pp_tracer_create(struct pp_tracer **tracer, const struct pp_world *world,
+                                const struct pp_receiver *receivers, int receiver_count,
+                                const struct pp_tracer_options *options,
+                                struct pp_error *err);
+
+/* Works for about `seconds` (by the clock; at least one batch of work). */
+enum pp_status pp_tracer_advance(struct pp_tracer *tracer, double seconds,
+                                 struct pp_error *err);
+bool pp_tracer_done(const struct pp_tracer *tracer);
+
+/* How far it is, 0 to 1, by the work that it now thinks it has to do. */
+double pp_tracer_progress(const struct pp_tracer *tracer);
+
+/* The largest standard error over daylight factor of any point so far; NAN before there
+ * is any. */
+double pp_tracer_error(const struct pp_tracer *tracer);
+
+/* What is known so far of receiver `index`, or of the average over the working plane
+ * for index -1: readings[PP_SC] ... readings[PP_DF]. */
+void pp_tracer_read(const struct pp_tracer *tracer, int index,
+                    struct pp_reading readings[PP_COMPONENT_COUNT]);
+
+/* What has been done so far. A leak is a ray that left the room through a crack between
+ * surfaces and was given up. */
+struct pp_tracer_work {
+    long long paths, rays, leaks;
+};
+struct pp_tracer_work pp_tracer_work(const struct pp_tracer *tracer);
+
+void pp_tracer_destroy(struct pp_tracer *tracer); /* NULL is allowed */
+
+#endif

@@ -1,0 +1,68 @@
+/* sensors.h - irradiance at sensor points of any light scene, by unbiased path tracing.
+ *
+ * As with the tracer the caller holds the loop: create, then advance until done,
+ * looking at the readings whenever it likes, then destroy. The answer depends on scene,
+ * points, options and seed alone, to the bit, whatever the number of threads and the
+ * slices.
+ *
+ * Each point has 32 independent randomisations; their paths are doubled, or more by
+ * what their spread asks for, until the standard error of the luminance-weighted
+ * irradiance is down to the largest of
+ *
+ *     error x value,  error x 0.001 of the largest value,  0.00002 of the open sky
+ *
+ * What all paths may have missed of light that only chance finds (a small glow, a lamp in
+ * a curved mirror: pp_light_scene_missed) is part of the stated error, and paths are
+ * added for its sake up to 65536 a point.
+ */
+#ifndef PP_SIMULATE_SENSORS_H
+#define PP_SIMULATE_SENSORS_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+#include "model/light/rgb.h"
+#include "simulate/scene/light_scene.h"
+
+struct pp_sensor {
+    struct pp_vec3 position, normal; /* normal: unit */
+    int line;                        /* in its file */
+};
+
+struct pp_sensors_options {
+    double error; /* wanted standard error over value. 0: go by samples or the caller's
+                   * clock alone */
+    long samples; /* paths a point in each randomisation; 0: not set */
+    uint64_t seed;
+    int threads;       /* 0: as many as the machine has processors */
+    double horizontal; /* irradiance of the open level ground; 0: there is none */
+    bool by_chance; /* concentrated sources are not aimed at, but found as all else */
+};
+
+struct pp_sensor_reading {
+    struct pp_rgb irradiance, std_error; /* NAN before there is any */
+    double grey, grey_error;             /* luminance-weighted */
+};
+
+struct pp_sensors;
+
+/* scene and list must live as long as the sensors. */
+enum pp_status pp_sensors_create(struct pp_sensors **sensors,
+                                 const struct pp_light_scene *scene,
+                                 const struct pp_sensor *list, int count,
+                                 const struct pp_sensors_options *options,
+                                 struct pp_error *err);
+void pp_sensors_destroy(struct pp_sensors *sensors); /* NULL is allowed */
+
+/* Works for about `seconds` (by the clock; at least one batch of work). */
+void pp_sensors_advance(struct pp_sensors *sensors, double seconds);
+bool pp_sensors_done(const struct pp_sensors *sensors);
+
+/* How far it is, 0 to 1, by the work that it now thinks it has to do; and the largest
+ * standard error over value so far, NAN before there is any. */
+double pp_sensors_progress(const struct pp_sensors *sensors);
+double pp_sensors_error(const struct pp_sensors *sensors);
+
+struct pp_sensor_reading pp_sensors_read(const struct pp_sensors *sensors, int index);
+
+#endif

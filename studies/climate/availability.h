@@ -1,0 +1,37 @@
+/* availability.h - in how many of the working hours daylight gives an illuminance.
+ *
+ * A daylight factor D turns an illuminance E on the working plane into what the sky has
+ * to give outside, Eh = E/D; the cumulative curve of the diffuse horizontal illuminance
+ * in the working hours says how often it does [GEEBELEN]. The daylight factor is taken
+ * to hold through the year, whatever the sky; sunlight is left out.
+ */
+#ifndef PP_DESIGN_AVAILABILITY_H
+#define PP_DESIGN_AVAILABILITY_H
+
+#include "studies/climate/diffuse_curve.h"
+#include "model/results/availability_sheet.h"
+
+struct pp_availability_question {
+    const struct pp_diffuse_light *light;
+    const char *light_words, *calendar_words; /* for the sheet; not owned */
+    int period_count;                         /* 1 to PP_PERIODS_MOST */
+    const struct pp_working_hours *periods;
+    struct pp_summer_time summer;
+    int illuminance_count; /* 0 to PP_ILLUMINANCES_MOST; with a report 1 or more */
+    const double *illuminances_lx; /* each greater than 0 */
+};
+
+/* E/D, both greater than 0; INFINITY for D of 0. */
+double pp_needed_outside_lx(double lx, double daylight_factor);
+
+/* The curves and, of a report's daylight factors (report may be NULL), how often each
+ * place has each illuminance: its points, their median where there are three or more
+ * that have values, and the average. A standard error is half the difference that one
+ * of the daylight factor's up or down makes. PP_BAD_INPUT where a period has no hour
+ * whose light is known. *sheet is to be cleared, in any case. */
+enum pp_status pp_availability_fill(struct pp_availability_sheet *sheet,
+                                    const struct pp_availability_question *question,
+                                    const struct pp_report *report,
+                                    struct pp_error *err);
+
+#endif

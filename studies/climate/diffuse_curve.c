@@ -1,0 +1,101 @@
+#include "studies/climate/diffuse_curve.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+struct worked_hour {
+    double lx, length_h;
+};
+
+/* Falling; of equal values the longer first, so that the order is one. */
+static int compare_hours(const void *a, const void *b)
+{
+    const struct worked_hour *p = a, *q = b;
+    if (p->lx != q->lx)
+        return p->lx > q->lx ? -1 : 1;
+    return (p->length_h < q->length_h) - (p->length_h > q->length_h);
+}
+
+static int gather(struct worked_hour *worked, struct pp_diffuse_curve *curve,
+                  const struct pp_diffuse_light *light,
+                  const struct pp_working_hours *hours,
+                  const struct pp_summer_time *summer)
+{
+    int count = 0;
+    for (int i = 0; i < light->count; i++) {
+        double length_h = pp_working_share_h(hours, summer, &light->list[i]);
+        if (length_h <= 0.0)
+            continue;
+        if (isnan(light->list[i].lx)) {
+            curve->missing_h += length_h;
+            continue;
+        }
+        worked[count++] = (struct worked_hour){light->list[i].lx, length_h};
+    }
+    qsort(worked, (size_t)count, sizeof *worked, compare_hours);
+    return count;
+}
+
+enum pp_status pp_diffuse_curve_create(struct pp_diffuse_curve *curve,
+                                       const struct pp_diffuse_light *light,
+                                       const struct pp_working_hours *hours,
+                                       const struct pp_summer_time *summer,
+                                       struct pp_error *err)
+{
+    *curve = (struct pp_diffuse_curve){0};
+    size_t room = (size_t)light->count + 1;
+    struct worked_hour *worked = malloc(room * sizeof *worked);
+    curve->lx = malloc(room * sizeof *curve->lx);
+    curve->reached_h = malloc(room * sizeof *curve->reached_h);
+    enum pp_status status =
+        worked && curve->lx && curve->reached_h ? PP_OK : pp_fail_memory(err);
+    int count = status == PP_OK ? gather(worked, curve, light, hours, summer) : 0;
+    for (int i = 0; i < count; i++) {
+        if (curve->count == 0 || worked[i].lx != curve->lx[curve->count - 1])
+            curve->lx[curve->count++] = worked[i].lx;
+        curve->total_h += worked[i].length_h;
+        curve->reached_h[curve->count - 1] = curve->total_h;
+    }
+    free(worked);
+    if (status == PP_OK && count == 0)
+        status = pp_fail(err, PP_BAD_INPUT,
+                         "there is no hour from %g to %g whose diffuse light is known",
+                         hours->from_h, hours->to_h);
+    if (status != PP_OK)
+        pp_diffuse_curve_clear(curve);
+    return status;
+}
+
+void pp_diffuse_curve_clear(struct pp_diffuse_curve *curve)
+{
+    free(curve->lx);
+    free(curve->reached_h);
+    *curve = (struct pp_diffuse_curve){0};
+}
+
+double pp_diffuse_curve_share(const struct pp_diffuse_curve *curve, double lx)
+{
+    /* How many values are lx or more, above 0 in any case. */
+    int low = 0, high = curve->count;
+    while (low < high) {
+        int middle = (low + high) / 2;
+        if (curve->lx[middle] >= lx && curve->lx[middle] > 0.0)
+            low = middle + 1;
+        else
+            high = middle;
+    }
+    return low ? curve->reached_h[low - 1] / curve->total_h : 0.0;
+}
+
+double pp_diffuse_curve_lx(const struct pp_diffuse_curve *curve, double share)
+{
+    int low = 0, high = curve->count - 1;
+    while (low < high) {
+        int middle = (low + high) / 2;
+        if (curve->reached_h[middle] >= share * curve->total_h * (1.0 - 1e-12))
+            high = middle;
+        else
+            low = middle + 1;
+    }
+    return curve->lx[low];
+}

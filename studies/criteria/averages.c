@@ -1,0 +1,106 @@
+/* averages.c - how high the daylight factor is on average, and how even.
+ *
+ *   average     1 % in bedrooms, 1.5 % in living rooms, 2 % in kitchens  [BS8206], over
+ *               the whole working plane: traced, else by the formula that the code
+ *               gives, `average-df`, else by a pair of hand methods
+ *   uniformity  minimum over average: 0.3 in rooms lit from the side, 0.7 under glazed
+ *               roofs [BREEAM14], of the points of the standard's grid, which leaves
+ *               0.5 m along the walls out
+ *
+ * A roof is glazed where more than half of the area of the openings slopes less than 75
+ * degrees.
+ */
+#include <math.h>
+
+#include "studies/criteria/criteria.h"
+#include "studies/criteria/factors.h"
+#include "studies/criteria/plane_share.h"
+
+static enum pp_status evaluate_average(const struct pp_inquiry *inquiry,
+                                       struct pp_findings *findings,
+                                       struct pp_error *err)
+{
+    static const struct {
+        const char *room;
+        double least;
+    } minima[] = {{"bedroom", 0.01}, {"living room", 0.015}, {"kitchen", 0.02}};
+    const char *why;
+    const struct pp_reading *average = pp_factors_average(inquiry, findings, &why);
+    enum pp_status status = PP_OK;
+    for (int i = 0; i < 3 && status == PP_OK; i++) {
+        struct pp_finding finding =
+            pp_finding_not_judged(why ? why : "", "%s", minima[i].room);
+        if (average)
+            finding = pp_finding_of(PP_FIGURE_FACTOR, average->value, minima[i].least,
+                                    false, "%s", minima[i].room);
+        if (average && average->std_error > 0.0)
+            pp_finding_sampled(&finding, average->std_error,
+                               pp_probability_at_least(average->value,
+                                                       average->std_error,
+                                                       minima[i].least));
+        status = pp_findings_add(findings, &finding, err);
+    }
+    return status;
+}
+
+static bool has_glazed_roof(const struct pp_world *world)
+{
+    double roof_m2 = 0.0, all_m2 = 0.0;
+    for (int i = 0; i < world->opening_count; i++) {
+        const struct pp_opening *opening = &world->openings[i];
+        all_m2 += opening->inner.area_m2;
+        if (opening->slope_rad < 75.0 * PP_RAD)
+            roof_m2 += opening->inner.area_m2;
+    }
+    return roof_m2 > 0.5 * all_m2;
+}
+
+static enum pp_status evaluate_uniformity(const struct pp_inquiry *inquiry,
+                                          struct pp_findings *findings,
+                                          struct pp_error *err)
+{
+    static const char what[] = "minimum over average";
+    const char *why;
+    const struct pp_column *column = pp_factors_of_grid(inquiry, findings, &why);
+    int count = inquiry->factors->receiver_count;
+    double mean = 0.0;
+    for (int i = 0; column && i < count; i++)
+        mean += column->points[i].value / count;
+    if (column && !(mean > 0.0))
+        why = "no light reaches the plane";
+    if (why) {
+        struct pp_finding finding = pp_finding_not_judged(why, what);
+        return pp_findings_add(findings, &finding, err);
+    }
+    double wanted = has_glazed_roof(inquiry->world) ? 0.7 : 0.3;
+    struct pp_plane_share share;
+    enum pp_status status =
+        pp_plane_share(&share, column->points, count, 1.0, wanted * mean, err);
+    if (status != PP_OK)
+        return status;
+    struct pp_finding finding =
+        pp_finding_of(PP_FIGURE_RATIO, share.level / mean, wanted, false, what);
+    if (isfinite(share.probability))
+        pp_finding_sampled(&finding, share.std_error / mean, share.probability);
+    pp_finding_note(&finding, "minimum %.2f %%, average %.2f %% on %d points",
+                    100.0 * share.level, 100.0 * mean, count);
+    return pp_findings_add(findings, &finding, err);
+}
+
+const struct pp_criterion pp_criterion_average = {
+    .name = "average",
+    .title = "Average daylight factor in dwellings",
+    .source = "BS8206",
+    .summary = "1 % in bedrooms, 1.5 % in living rooms, 2 % in kitchens",
+    .of_factors = true,
+    .evaluate = evaluate_average,
+};
+
+const struct pp_criterion pp_criterion_uniformity = {
+    .name = "uniformity",
+    .title = "Uniformity",
+    .source = "BREEAM14",
+    .summary = "minimum over average is 0.3, under glazed roofs 0.7",
+    .of_factors = true,
+    .evaluate = evaluate_uniformity,
+};

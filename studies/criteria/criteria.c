@@ -1,0 +1,34 @@
+/* criteria.c - the list of all criteria. */
+#include "studies/criteria/criteria.h"
+
+#include <stddef.h>
+#include <string.h>
+
+static const struct pp_criterion *const criteria[] = {
+    &pp_criterion_vertical_sky,
+    &pp_criterion_former_sky,
+    &pp_criterion_obstruction,
+    &pp_criterion_no_sky_line,
+    &pp_criterion_sky_line,
+    &pp_criterion_limiting_depth,
+    &pp_criterion_glazing_ratio,
+    &pp_criterion_average,
+    &pp_criterion_uniformity,
+    &pp_criterion_en17037,
+    &pp_criterion_uk_annex,
+    &pp_criterion_rights_of_light,
+    NULL,
+};
+
+const struct pp_criterion *pp_criterion_at(int index)
+{
+    return criteria[index];
+}
+
+const struct pp_criterion *pp_criterion_find(const char *name)
+{
+    for (int i = 0; criteria[i]; i++)
+        if (strcmp(criteria[i]->name, name) == 0)
+            return criteria[i];
+    return NULL;
+}

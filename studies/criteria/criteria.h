@@ -1,0 +1,20 @@
+/* criteria.h - each criterion's own entry, for the list and for tests. */
+#ifndef PP_DESIGN_CRITERIA_H
+#define PP_DESIGN_CRITERIA_H
+
+#include "studies/criteria/criterion.h"
+
+extern const struct pp_criterion pp_criterion_vertical_sky;
+extern const struct pp_criterion pp_criterion_former_sky;
+extern const struct pp_criterion pp_criterion_obstruction;
+extern const struct pp_criterion pp_criterion_no_sky_line;
+extern const struct pp_criterion pp_criterion_sky_line;
+extern const struct pp_criterion pp_criterion_limiting_depth;
+extern const struct pp_criterion pp_criterion_glazing_ratio;
+extern const struct pp_criterion pp_criterion_average;
+extern const struct pp_criterion pp_criterion_uniformity;
+extern const struct pp_criterion pp_criterion_en17037;
+extern const struct pp_criterion pp_criterion_uk_annex;
+extern const struct pp_criterion pp_criterion_rights_of_light;
+
+#endif

@@ -1,0 +1,165 @@
+/* en17037.c - daylight provision as [EN17037] recommends it, by its first method, the
+ * daylight factor; and as its UK national annex does for dwellings.
+ *
+ * An illuminance is reached over half of the year's daylight hours where the daylight
+ * factor is at least
+ *
+ *   D = E / E_v,d,med
+ *
+ * E_v,d,med the place's median diffuse illuminance (studies/criteria/place.h). What has to be
+ * reached, as a share of the reference plane:
+ *
+ *   windows (table A.1)       minimum 300 lx over 50 % and 100 lx over 95 %,
+ *                             medium 500 and 300 lx, high 750 and 500 lx
+ *   rooflights (table A.2)    300, 500, 750 lx over 95 %
+ *   UK annex (table NA.1)     100 lx bedrooms, 150 lx living rooms, 200 lx kitchens,
+ *                             each over 50 %
+ *
+ * The plane is the room's working plane less 0.5 m along the walls, by the standard's
+ * grid (studies/criteria/standard_grid.h); the sky is the CIE overcast one (type 16 or 1). A room
+ * all of whose glass is level, to 15 degrees, is one with rooflights.
+ */
+#include <math.h>
+#include <stdio.h>
+
+#include "studies/criteria/criteria.h"
+#include "studies/criteria/factors.h"
+#include "studies/criteria/plane_share.h"
+
+static const double half = 0.5, nearly_all = 0.95;
+static const double level_rad = 15.0 * PP_RAD;
+
+struct target {
+    const char *who; /* "minimum", "bedroom" */
+    double lux;
+    double part; /* of the plane */
+};
+
+static bool is_lit_by_rooflights(const struct pp_world *world)
+{
+    bool all = world->opening_count > 0;
+    for (int i = 0; i < world->opening_count; i++)
+        all &= world->openings[i].slope_rad < level_rad;
+    return all;
+}
+
+/* Adds the finding of one target. */
+static enum pp_status add_target(const struct pp_inquiry *inquiry,
+                                 const struct target *target,
+                                 const struct pp_column *column, const char *why,
+                                 struct pp_findings *findings, struct pp_error *err)
+{
+    char what[80];
+    snprintf(what, sizeof what, "%s: %g lx over %g %%", target->who, target->lux,
+             100.0 * target->part);
+    struct pp_finding finding = pp_finding_not_judged(why ? why : "", "%s", what);
+    if (!why) {
+        struct pp_plane_share share;
+        double wanted = target->lux / inquiry->median.lux;
+        enum pp_status status =
+            pp_plane_share(&share, column->points, inquiry->factors->receiver_count,
+                           target->part, wanted, err);
+        if (status != PP_OK)
+            return status;
+        finding =
+            pp_finding_of(PP_FIGURE_FACTOR, share.level, wanted, false, "%s", what);
+        finding.reached_over = share.over;
+        if (isfinite(share.probability))
+            pp_finding_sampled(&finding, share.std_error, share.probability);
+    }
+    return pp_findings_add(findings, &finding, err);
+}
+
+/* The figures, or why there are none. */
+static const struct pp_column *column_of(const struct pp_inquiry *inquiry,
+                                         struct pp_findings *findings, const char **why)
+{
+    /* What no option can help comes first. */
+    *why = pp_factors_refuse(inquiry);
+    if (!*why && isnan(inquiry->median.lux))
+        *why = inquiry->median.how;
+    if (*why)
+        return NULL;
+    const struct pp_column *column = pp_factors_of_grid(inquiry, findings, why);
+    if (column)
+        pp_findings_rest_on(findings, ", on %d points; median outside %.0f lx: %s",
+                            inquiry->factors->receiver_count, inquiry->median.lux,
+                            inquiry->median.how);
+    return column;
+}
+
+/* The verdict on a level: that of the worse of its findings from `first` on. */
+static enum pp_verdict level_verdict(const struct pp_findings *findings, int first)
+{
+    bool undecided = false;
+    for (int i = first; i < findings->count; i++) {
+        if (findings->list[i].verdict == PP_NOT_MET)
+            return PP_NOT_MET;
+        undecided |= findings->list[i].verdict == PP_UNDECIDED;
+    }
+    return undecided ? PP_UNDECIDED : PP_MET;
+}
+
+static enum pp_status evaluate(const struct pp_inquiry *inquiry,
+                               struct pp_findings *findings, struct pp_error *err)
+{
+    static const char *const levels[] = {"minimum", "medium", "high"};
+    static const double targets[] = {300, 500, 750}, minima[] = {100, 300, 500};
+    bool rooflights = is_lit_by_rooflights(inquiry->world);
+    const char *why, *reached = "none", *perhaps = NULL;
+    bool further = true;
+    const struct pp_column *column = column_of(inquiry, findings, &why);
+    for (int i = 0; i < 3; i++) {
+        struct target target = {levels[i], targets[i], rooflights ? nearly_all : half};
+        struct target least = {levels[i], minima[i], nearly_all};
+        int first = findings->count;
+        enum pp_status status =
+            add_target(inquiry, &target, column, why, findings, err);
+        if (status == PP_OK && !rooflights)
+            status = add_target(inquiry, &least, column, why, findings, err);
+        if (status != PP_OK)
+            return status;
+        enum pp_verdict verdict = level_verdict(findings, first);
+        further &= verdict != PP_NOT_MET;
+        if (further && verdict == PP_MET && !perhaps)
+            reached = levels[i];
+        else if (further)
+            perhaps = levels[i];
+    }
+    if (column)
+        pp_findings_rest_on(findings, "; level reached: %s%s%s", reached,
+                            perhaps ? ", perhaps " : "", perhaps ? perhaps : "");
+    return PP_OK;
+}
+
+static enum pp_status evaluate_annex(const struct pp_inquiry *inquiry,
+                                     struct pp_findings *findings, struct pp_error *err)
+{
+    static const struct target targets[] = {
+        {"bedroom", 100, 0.5}, {"living room", 150, 0.5}, {"kitchen", 200, 0.5}};
+    const char *why;
+    const struct pp_column *column = column_of(inquiry, findings, &why);
+    enum pp_status status = PP_OK;
+    for (int i = 0; i < 3 && status == PP_OK; i++) {
+        status = add_target(inquiry, &targets[i], column, why, findings, err);
+    }
+    return status;
+}
+
+const struct pp_criterion pp_criterion_en17037 = {
+    .name = "en17037",
+    .title = "EN 17037 daylight provision",
+    .source = "EN17037",
+    .summary = "300, 500, 750 lx over half the plane, 100, 300, 500 lx over 95 %",
+    .of_factors = true,
+    .evaluate = evaluate,
+};
+
+const struct pp_criterion pp_criterion_uk_annex = {
+    .name = "uk-annex",
+    .title = "EN 17037, UK annex for dwellings",
+    .source = "BSEN17037",
+    .summary = "100, 150, 200 lx over half the plane of bedroom, living room, kitchen",
+    .of_factors = true,
+    .evaluate = evaluate_annex,
+};

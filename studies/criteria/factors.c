@@ -1,0 +1,99 @@
+#include "studies/criteria/factors.h"
+
+#include <math.h>
+#include <stddef.h>
+
+#include "methods/evaluate.h"
+
+static const char traced[] = "traced", formula[] = "average-df";
+static const char *const pairs[] = {"exact+bre", "exact+split-flux"};
+static const char no_method[] =
+    "no hand method gives its daylight factors; --simulate does";
+
+static bool gives_average(const struct pp_report *report, const char *name)
+{
+    const struct pp_column *column = pp_report_find(report, PP_DF, name);
+    return column && isfinite(column->average.value);
+}
+
+enum pp_status pp_factors_by_hand(struct pp_report *report, struct pp_error *err)
+{
+    enum pp_status status = pp_methods_evaluate(report, formula, err);
+    for (int i = 0; i < 2 && status == PP_OK; i++) {
+        status = pp_methods_evaluate(report, pairs[i], err);
+        if (gives_average(report, pairs[i]))
+            break;
+    }
+    return status;
+}
+
+const char *pp_factors_refuse(const struct pp_inquiry *inquiry)
+{
+    const struct pp_sky *sky = &inquiry->world->sky;
+    bool overcast =
+        sky->kind == PP_SKY_OVERCAST || (sky->kind == PP_SKY_ISO && sky->iso == 1);
+    return overcast ? NULL : "it is asked under an overcast sky, and the room's is not";
+}
+
+/* The readings that findings rest on are named. */
+static void set_basis(struct pp_findings *findings, const char *name)
+{
+    bool simulated = name == traced;
+    pp_findings_rest_on(findings, "by %s%s", simulated ? "simulation" : name,
+                        simulated ? "" : ", not simulated");
+}
+
+/* Has every point a value? */
+static const char *missing(const struct pp_column *column, int count)
+{
+    for (int i = 0; i < count; i++)
+        if (!isfinite(column->points[i].value))
+            return column->points[i].why ? column->points[i].why : "not computed";
+    return NULL;
+}
+
+const struct pp_column *pp_factors_of_grid(const struct pp_inquiry *inquiry,
+                                           struct pp_findings *findings,
+                                           const char **why)
+{
+    const struct pp_report *report = inquiry->factors;
+    *why = pp_factors_refuse(inquiry);
+    if (!*why && report->receiver_count == 0)
+        *why = "no point of the standard's grid lies 0.5 m or more from the walls";
+    if (*why)
+        return NULL;
+    const struct pp_column *column = pp_report_find(report, PP_DF, traced);
+    if (column) {
+        *why = missing(column, report->receiver_count);
+        if (!*why)
+            set_basis(findings, traced);
+        return *why ? NULL : column;
+    }
+    for (int i = 0; i < 2; i++) {
+        column = pp_report_find(report, PP_DF, pairs[i]);
+        if (!column || missing(column, report->receiver_count))
+            continue;
+        set_basis(findings, pairs[i]);
+        return column;
+    }
+    *why = no_method;
+    return NULL;
+}
+
+const struct pp_reading *pp_factors_average(const struct pp_inquiry *inquiry,
+                                            struct pp_findings *findings,
+                                            const char **why)
+{
+    const char *const names[] = {traced, formula, pairs[0], pairs[1]};
+    const struct pp_report *report = inquiry->factors;
+    *why = pp_factors_refuse(inquiry);
+    for (int i = 0; i < 4 && !*why; i++) {
+        if (!gives_average(report, names[i]))
+            continue;
+        set_basis(findings, names[i]);
+        return &pp_report_find(report, PP_DF, names[i])->average;
+    }
+    if (!*why)
+        *why = no_method;
+    return NULL;
+}

@@ -1,0 +1,115 @@
+#include "studies/criteria/finding.h"
+#include "model/base/text.h"
+
+#include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* Figures and bounds are both worked out; this much of a difference is rounding. */
+static const double rounding = 1e-9;
+
+static bool is_met(const struct pp_finding *finding)
+{
+    double slack = rounding * fabs(finding->wanted);
+    return finding->at_most ? finding->figure <= finding->wanted + slack
+                            : finding->figure >= finding->wanted - slack;
+}
+
+struct pp_finding pp_finding_of(enum pp_figure kind, double figure, double wanted,
+                                bool at_most, const char *what, ...)
+{
+    struct pp_finding finding = {.kind = kind,
+                                 .figure = figure,
+                                 .std_error = NAN,
+                                 .wanted = wanted,
+                                 .at_most = at_most,
+                                 .reached_over = NAN,
+                                 .confidence = NAN};
+    finding.verdict = isnan(figure)      ? PP_NOT_JUDGED
+                      : isnan(wanted)    ? PP_STATED
+                      : is_met(&finding) ? PP_MET
+                                         : PP_NOT_MET;
+    va_list arguments;
+    va_start(arguments, what);
+    vsnprintf(finding.what, sizeof finding.what, what, arguments);
+    va_end(arguments);
+    return finding;
+}
+
+struct pp_finding pp_finding_not_judged(const char *why, const char *what, ...)
+{
+    struct pp_finding finding =
+        pp_finding_of(PP_FIGURE_RATIO, NAN, NAN, false, "%s", "");
+    snprintf(finding.note, sizeof finding.note, "%s", why);
+    va_list arguments;
+    va_start(arguments, what);
+    vsnprintf(finding.what, sizeof finding.what, what, arguments);
+    va_end(arguments);
+    return finding;
+}
+
+void pp_finding_within(struct pp_finding *finding, double error)
+{
+    bool judged = finding->verdict == PP_MET || finding->verdict == PP_NOT_MET;
+    if (judged && fabs(finding->figure - finding->wanted) < error)
+        finding->verdict = PP_UNDECIDED;
+}
+
+void pp_finding_sampled(struct pp_finding *finding, double std_error,
+                        double probability)
+{
+    finding->std_error = std_error;
+    if (finding->verdict != PP_MET && finding->verdict != PP_NOT_MET)
+        return;
+    if (probability >= PP_SURE) {
+        finding->verdict = PP_MET;
+        finding->confidence = probability;
+    } else if (probability <= 1.0 - PP_SURE) {
+        finding->verdict = PP_NOT_MET;
+        finding->confidence = 1.0 - probability;
+    } else {
+        finding->verdict = PP_UNDECIDED;
+        finding->confidence = probability;
+    }
+}
+
+double pp_probability_at_least(double value, double std_error, double wanted)
+{
+    return 0.5 * erfc((wanted - value) / (M_SQRT2 * std_error));
+}
+
+void pp_finding_note(struct pp_finding *finding, const char *format, ...)
+{
+    va_list arguments;
+    va_start(arguments, format);
+    pp_append_v(finding->note, sizeof finding->note, format, arguments);
+    va_end(arguments);
+}
+
+enum pp_status pp_findings_add(struct pp_findings *findings,
+                               const struct pp_finding *finding, struct pp_error *err)
+{
+    struct pp_finding *grown =
+        realloc(findings->list, ((size_t)findings->count + 1) * sizeof *grown);
+    if (!grown)
+        return pp_fail_memory(err);
+    findings->list = grown;
+    grown[findings->count++] = *finding;
+    return PP_OK;
+}
+
+void pp_findings_rest_on(struct pp_findings *findings, const char *format, ...)
+{
+    va_list arguments;
+    va_start(arguments, format);
+    pp_append_v(findings->basis, sizeof findings->basis, format, arguments);
+    va_end(arguments);
+}
+
+void pp_findings_clear(struct pp_findings *findings)
+{
+    free(findings->list);
+    *findings = (struct pp_findings){0};
+}

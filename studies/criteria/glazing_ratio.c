@@ -1,0 +1,46 @@
+/* glazing_ratio.c - windows over floor, as building codes ask for it:
+ *
+ *   glass, net of frames, over floor area          >= 8 %     [IBC21] section 1204.2
+ *   openings in the wall, frames included, over it >= 1/8     [MBO02] section 47
+ *
+ * All openings count, rooflights too, whatever their glass; the floor is that of the
+ * whole room.
+ */
+#include <math.h>
+
+#include "studies/criteria/criteria.h"
+
+#define GLASS_WANTED 0.08
+#define OPENING_WANTED 0.125
+
+static enum pp_status evaluate(const struct pp_inquiry *inquiry,
+                               struct pp_findings *findings, struct pp_error *err)
+{
+    const struct pp_world *world = inquiry->world;
+    double floor_m2 = 0.0, glass_m2 = 0.0, opening_m2 = 0.0;
+    for (int i = 0; i < world->face_count; i++)
+        if (world->surfaces[i].role == PP_FLOOR)
+            floor_m2 += world->surfaces[i].outline.area_m2;
+    for (int i = 0; i < world->opening_count; i++) {
+        const struct pp_opening *opening = &world->openings[i];
+        opening_m2 += opening->inner.area_m2;
+        glass_m2 += opening->inner.area_m2 * opening->frame_factor;
+    }
+    struct pp_finding glass =
+        pp_finding_of(PP_FIGURE_SHARE, glass_m2 / floor_m2, GLASS_WANTED, false,
+                      "glass over floor [IBC21]");
+    pp_finding_note(&glass, "%.2f m2 of glass, %.2f m2 of floor", glass_m2, floor_m2);
+    struct pp_finding opening =
+        pp_finding_of(PP_FIGURE_SHARE, opening_m2 / floor_m2, OPENING_WANTED, false,
+                      "openings over floor [MBO02]");
+    enum pp_status status = pp_findings_add(findings, &glass, err);
+    return status == PP_OK ? pp_findings_add(findings, &opening, err) : status;
+}
+
+const struct pp_criterion pp_criterion_glazing_ratio = {
+    .name = "glazing-ratio",
+    .title = "Glazing over floor",
+    .source = "IBC21, MBO02",
+    .summary = "glass is 8 % of the floor, openings are an eighth of it",
+    .evaluate = evaluate,
+};

@@ -1,0 +1,158 @@
+/* limiting_depth.c - how deep a room lit from one side may be [BS8206], [BREEAM14]:
+ *
+ *   d/w + d/h <= 2 / (1 - R_b)
+ *
+ *   d    depth: from the window wall to the wall opposite (m)
+ *   w    width of the room along the window wall (m)
+ *   h    height of the window head above the floor, of the highest one (m)
+ *   R_b  area-weighted mean reflectance of what lies in the rear half of the room,
+ *        farther than d/2 from the window wall: floor, ceiling, walls, and both sides
+ * of surfaces that stand there
+ *
+ * It speaks of box-shaped rooms with windows in one wall; of any other it says nothing.
+ * What stands outside, how large the windows are and their glass do not enter into it.
+ */
+#include <math.h>
+#include <stdlib.h>
+
+#include "studies/criteria/criteria.h"
+#include "methods/reflected/interior.h"
+#include "model/geometry/tolerance.h"
+
+static const char title_of_ratio[] = "d/w + d/h";
+
+static bool is_level(const struct pp_polygon *polygon)
+{
+    return fabs(polygon->normal.z) > cos(PP_LEVEL_RAD);
+}
+
+/* The window wall, or NULL, and then why. */
+static const struct pp_surface *window_wall(const struct pp_world *world,
+                                            const char **why)
+{
+    int floors = 0, ceilings = 0, corners = 0;
+    for (int i = 0; i < world->face_count; i++) {
+        const struct pp_surface *face = &world->surfaces[i];
+        floors += face->role == PP_FLOOR && is_level(&face->outline);
+        ceilings += face->role == PP_CEILING && is_level(&face->outline);
+        corners += face->outline.count == 4;
+        for (int k = 0; k < face->outline.count; k++) {
+            const struct pp_vec3 *v = face->outline.vertices;
+            int n = face->outline.count;
+            struct pp_vec3 a = pp_sub(v[(k + 1) % n], v[k]);
+            struct pp_vec3 b = pp_sub(v[(k + 2) % n], v[(k + 1) % n]);
+            corners -= fabs(pp_dot(a, b)) > 1e-3 * pp_length(a) * pp_length(b);
+        }
+    }
+    *why = world->face_count != 6 || floors != 1 || ceilings != 1 || corners != 6
+               ? "the room is not a plain box"
+           : world->opening_count == 0 ? "the room has no openings"
+                                       : NULL;
+    for (int i = 0; i < world->opening_count && !*why; i++) {
+        if (world->surfaces[world->openings[i].face].role != PP_WALL)
+            *why = "the room is lit from above too";
+        else if (world->openings[i].face != world->openings[0].face)
+            *why = "the room has windows in more than one wall";
+    }
+    return *why ? NULL : &world->surfaces[world->openings[0].face];
+}
+
+/* Adds a polygon's part farther than `from` along `into` to the sums of area and of
+ * area times reflectance. */
+static enum pp_status add_rear(double sums[2], const struct pp_polygon *polygon,
+                               struct pp_vec3 into, double from, double reflectance,
+                               struct pp_error *err)
+{
+    /* Turned so that the depth points down. */
+    struct pp_vec3 down = pp_scale(into, -1.0), up = {0.0, 0.0, 1.0};
+    struct pp_vec3 along = pp_cross(up, down);
+    struct pp_polygon turned = *polygon;
+    turned.vertices = malloc((size_t)polygon->count * sizeof *turned.vertices);
+    if (!turned.vertices)
+        return pp_fail_memory(err);
+    for (int i = 0; i < polygon->count; i++) {
+        struct pp_vec3 v = polygon->vertices[i];
+        turned.vertices[i] = pp_vec(pp_dot(v, along), pp_dot(v, up), pp_dot(v, down));
+    }
+    struct pp_vec3 n = polygon->normal;
+    turned.normal = pp_vec(pp_dot(n, along), pp_dot(n, up), pp_dot(n, down));
+    double area_m2 = pp_polygon_area_below(&turned, -from);
+    free(turned.vertices);
+    sums[0] += area_m2;
+    sums[1] += area_m2 * reflectance;
+    return PP_OK;
+}
+
+static enum pp_status rear_reflectance(double *mean, const struct pp_world *world,
+                                       struct pp_vec3 into, double from,
+                                       struct pp_error *err)
+{
+    double sums[2] = {0.0, 0.0};
+    for (int i = 0; i < world->surface_count; i++) {
+        const struct pp_surface *surface = &world->surfaces[i];
+        if (!surface->inside || surface->role == PP_REVEAL)
+            continue;
+        enum pp_status status =
+            add_rear(sums, &surface->outline, into, from, surface->front, err);
+        if (status == PP_OK && surface->role == PP_LOOSE)
+            status = add_rear(sums, &surface->outline, into, from, surface->back, err);
+        if (status != PP_OK)
+            return status;
+    }
+    *mean = sums[1] / sums[0];
+    return PP_OK;
+}
+
+/* Extent of the room along a level direction. */
+static double extent(const struct pp_world *world, struct pp_vec3 along, double *low)
+{
+    double high = -INFINITY;
+    *low = INFINITY;
+    for (int i = 0; i < world->face_count; i++)
+        for (int k = 0; k < world->surfaces[i].outline.count; k++) {
+            double at = pp_dot(world->surfaces[i].outline.vertices[k], along);
+            *low = fmin(*low, at);
+            high = fmax(high, at);
+        }
+    return high - *low;
+}
+
+static enum pp_status evaluate(const struct pp_inquiry *inquiry,
+                               struct pp_findings *findings, struct pp_error *err)
+{
+    const struct pp_world *world = inquiry->world;
+    const char *why;
+    const struct pp_surface *wall = window_wall(world, &why);
+    if (!wall) {
+        struct pp_finding finding = pp_finding_not_judged(why, title_of_ratio);
+        return pp_findings_add(findings, &finding, err);
+    }
+    struct pp_vec3 into = wall->outline.normal, up = {0.0, 0.0, 1.0};
+    double front, side, floor_z, head_z = -INFINITY;
+    double d = extent(world, into, &front);
+    double w = extent(world, pp_cross(up, into), &side);
+    extent(world, up, &floor_z);
+    for (int i = 0; i < world->opening_count; i++)
+        for (int k = 0; k < world->openings[i].inner.count; k++)
+            head_z = fmax(head_z, world->openings[i].inner.vertices[k].z);
+    double h = head_z - floor_z, R_b;
+    enum pp_status status = rear_reflectance(&R_b, world, into, front + d / 2.0, err);
+    if (status != PP_OK)
+        return status;
+
+    double most = 2.0 / (1.0 - R_b);
+    struct pp_finding finding =
+        pp_finding_of(PP_FIGURE_RATIO, d / w + d / h, most, true, title_of_ratio);
+    pp_finding_note(&finding,
+                    "d %.2f m, w %.2f m, h %.2f m, R_b %.2f; at most %.2f m deep", d, w,
+                    h, R_b, most / (1.0 / w + 1.0 / h));
+    return pp_findings_add(findings, &finding, err);
+}
+
+const struct pp_criterion pp_criterion_limiting_depth = {
+    .name = "limiting-depth",
+    .title = "Limiting depth",
+    .source = "BS8206, BREEAM14",
+    .summary = "d/w + d/h is at most 2/(1 - R_b), of rooms lit from one side",
+    .evaluate = evaluate,
+};

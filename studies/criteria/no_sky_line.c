@@ -1,0 +1,122 @@
+/* no_sky_line.c - how much of the working plane sees the sky.
+ *
+ * The no-sky line bounds the part of the working plane from which no sky can be seen
+ * (methods/daylight_curves.h), through whatever glass.
+ *
+ *   no-sky-line  the area beyond it, stated; with the room before, the area that sees
+ *                sky is 0.8 of what it was or more               [BR209]
+ *   sky-line     sky is seen from 80 % of the plane or more: a fifth of it beyond the
+ *                line makes the back of a room look gloomy       [BS8206], [BREEAM14]
+ */
+#include <math.h>
+
+#include "studies/criteria/criteria.h"
+#include "methods/daylight_curves.h"
+#include "model/geometry/region.h"
+
+#define SEEN_WANTED 0.8
+#define FORMER_SHARE_WANTED 0.8
+
+static const char no_plane[] = "the room has no working plane";
+
+/* What of a room's working plane sees the sky. */
+struct lit {
+    double plane_m2, lit_m2;
+    double error_m2; /* by the tolerance of the line */
+};
+
+static enum pp_status find_lit(struct lit *lit, const struct pp_world *world,
+                               struct pp_error *err)
+{
+    *lit = (struct lit){pp_region_area(&world->plane), 0.0, 0.0};
+    if (!(lit->plane_m2 > 0.0))
+        return PP_OK;
+    struct pp_daylight_plan plan;
+    enum pp_status status = pp_no_sky_line(&plan, world, err);
+    if (status != PP_OK)
+        return status;
+    lit->lit_m2 = plan.sky_share * lit->plane_m2;
+    for (int i = 0; i < plan.no_sky.count; i++)
+        lit->error_m2 += pp_curve_length(&plan.no_sky.list[i])
+                         * pp_daylight_curves_tolerance(&world->plane);
+    pp_daylight_plan_clear(&plan);
+    return PP_OK;
+}
+
+/* Adds the finding, or that there is no plane to find it on. */
+static enum pp_status add_if_plane(struct pp_findings *findings, const struct lit *lit,
+                                   struct pp_finding finding, struct pp_error *err)
+{
+    if (!(lit->plane_m2 > 0.0))
+        finding = pp_finding_not_judged(no_plane, "%s", finding.what);
+    return pp_findings_add(findings, &finding, err);
+}
+
+static enum pp_status add_former(const struct lit *now, const struct pp_world *before,
+                                 struct pp_findings *findings, struct pp_error *err)
+{
+    static const char what[] = "area that sees sky, now over before";
+    struct lit then;
+    enum pp_status status = find_lit(&then, before, err);
+    if (status != PP_OK)
+        return status;
+    struct pp_finding share =
+        pp_finding_not_judged("no sky was seen from it before", what);
+    if (then.lit_m2 > 0.0) {
+        share = pp_finding_of(PP_FIGURE_RATIO, now->lit_m2 / then.lit_m2,
+                              FORMER_SHARE_WANTED, false, what);
+        pp_finding_within(&share, (now->error_m2 + then.error_m2) / then.lit_m2);
+        pp_finding_note(&share, "%.2f m2 now, %.2f m2 before", now->lit_m2,
+                        then.lit_m2);
+    }
+    return pp_findings_add(findings, &share, err);
+}
+
+static enum pp_status evaluate_line(const struct pp_inquiry *inquiry,
+                                    struct pp_findings *findings, struct pp_error *err)
+{
+    struct lit lit;
+    enum pp_status status = find_lit(&lit, inquiry->world, err);
+    if (status != PP_OK)
+        return status;
+    double beyond_m2 = lit.plane_m2 - lit.lit_m2;
+    struct pp_finding area =
+        pp_finding_of(PP_FIGURE_AREA, beyond_m2, NAN, true, "area beyond it");
+    if (lit.plane_m2 > 0.0)
+        pp_finding_note(&area, "%.1f %% of the working plane",
+                        100.0 * beyond_m2 / lit.plane_m2);
+    status = add_if_plane(findings, &lit, area, err);
+    if (status == PP_OK && inquiry->before)
+        status = add_former(&lit, inquiry->before, findings, err);
+    return status;
+}
+
+static enum pp_status evaluate_rule(const struct pp_inquiry *inquiry,
+                                    struct pp_findings *findings, struct pp_error *err)
+{
+    struct lit lit;
+    enum pp_status status = find_lit(&lit, inquiry->world, err);
+    if (status != PP_OK)
+        return status;
+    struct pp_finding share =
+        pp_finding_of(PP_FIGURE_SHARE, lit.lit_m2 / lit.plane_m2, SEEN_WANTED, false,
+                      "working plane that sees sky");
+    pp_finding_within(&share, lit.error_m2 / lit.plane_m2);
+    return add_if_plane(findings, &lit, share, err);
+}
+
+const struct pp_criterion pp_criterion_no_sky_line = {
+    .name = "no-sky-line",
+    .title = "No-sky line",
+    .source = "BR209",
+    .summary = "the area beyond it; 0.8 of what saw sky before still does (--before)",
+    .evaluate = evaluate_line,
+};
+
+const struct pp_criterion pp_criterion_sky_line = {
+    .name = "sky-line",
+    .title = "Sky-line rule",
+    .source = "BS8206, BREEAM14",
+    .summary = "80 % of the working plane sees sky",
+    .evaluate = evaluate_rule,
+};

@@ -1,0 +1,152 @@
+/* rights_of_light.c - is the room adequately lit, as the English law of easements has
+ * it, and how much of it was taken away?
+ *
+ * The sky factor is the share of a uniform sky's light that reaches a level point
+ * straight, without glass, frame or dirt: of 500 foot-candles outside 0.2 % is one
+ * foot-candle, the least to read by ("grumble line", [WW23]). It is taken at 0.85 m
+ * above the floor, whatever the room's own sky and working plane:
+ *
+ *   SF = (1/pi) integral of sin altitude over the sky that is seen
+ *
+ * A room whose 0.2 % contour encloses half of it or more is counted as adequately lit.
+ * The contour is a true curve, to the tolerance of methods/daylight_curves.h.
+ */
+#include <math.h>
+
+#include "studies/criteria/criteria.h"
+#include "model/geometry/contour/contour.h"
+#include "methods/daylight_curves.h"
+#include "methods/exact/direct.h"
+#include "methods/plane_inset.h"
+
+#define SKY_FACTOR 0.002
+#define SHARE_WANTED 0.5
+#define PLANE_M 0.85
+#define INSET_M 0.001
+
+static enum pp_status sky_factor_at(void *context, double x, double y, double *value,
+                                    struct pp_error *err)
+{
+    const struct pp_world *world = context;
+    const struct pp_glass none = pp_glass_none();
+    const struct pp_receiver receiver = {
+        .position =
+            pp_plane_inset(&world->plane, world->working_plane_m, INSET_M, x, y),
+        .normal = pp_vec(0.0, 0.0, 1.0)};
+    struct pp_direct sum = {.rough = true};
+    for (int i = 0; i < world->opening_count; i++) {
+        enum pp_status status =
+            pp_direct_through(&sum, world, &world->openings[i], &receiver, &none, err);
+        if (status != PP_OK)
+            return status;
+    }
+    *value = sum.sky;
+    return PP_OK;
+}
+
+struct lit {
+    double plane_m2; /* of the room at 0.85 m */
+    double lit_m2;   /* within the contour */
+    double error_m2; /* by the tolerance of the contour */
+};
+
+/* Area where a room's sky factor is above 0.2 %; `world` has the law's sky and plane.
+ */
+static enum pp_status measure(struct lit *lit, struct pp_world *world,
+                              struct pp_error *err)
+{
+    lit->plane_m2 = pp_region_area(&world->plane);
+    if (!(lit->plane_m2 > 0.0))
+        return PP_OK;
+    struct pp_field *field;
+    struct pp_curves below = {0}, lines = {0};
+    double tolerance = pp_daylight_curves_tolerance(&world->plane);
+    enum pp_status status =
+        pp_field_create(&field, &world->plane, sky_factor_at, world, tolerance, err);
+    if (status != PP_OK)
+        return status;
+    status = pp_field_contour(field, SKY_FACTOR, &lines, err);
+    if (status == PP_OK)
+        status = pp_field_below(field, SKY_FACTOR, &below, err);
+    pp_field_destroy(field);
+    lit->lit_m2 = fmax(lit->plane_m2 - pp_curves_area(&below), 0.0);
+    for (int i = 0; i < lines.count; i++)
+        lit->error_m2 += pp_curve_length(&lines.list[i]) * tolerance;
+    pp_curves_clear(&lines);
+    pp_curves_clear(&below);
+    return status;
+}
+
+static enum pp_status find_lit(struct lit *lit, const struct pp_world *world,
+                               struct pp_error *err)
+{
+    *lit = (struct lit){0};
+    double floor_z = INFINITY;
+    for (int i = 0; i < world->face_count; i++)
+        for (int k = 0; k < world->surfaces[i].outline.count; k++)
+            floor_z = fmin(floor_z, world->surfaces[i].outline.vertices[k].z);
+
+    /* The world as the law looks at it; all but its plane is the other's. */
+    struct pp_world lawful = *world;
+    lawful.sky = pp_sky_uniform();
+    lawful.working_plane_m = floor_z + PLANE_M;
+    enum pp_status status =
+        pp_world_section(&lawful.plane, world, lawful.working_plane_m, err);
+    if (status != PP_OK)
+        return status;
+    status = measure(lit, &lawful, err);
+    pp_region_destroy(&lawful.plane);
+    return status;
+}
+
+/* What was lost since before. */
+static enum pp_status add_loss(const struct lit *now, const struct pp_inquiry *inquiry,
+                               struct pp_findings *findings, struct pp_error *err)
+{
+    struct lit then;
+    enum pp_status status = find_lit(&then, inquiry->before, err);
+    if (status != PP_OK)
+        return status;
+    struct pp_finding former =
+        pp_finding_of(PP_FIGURE_AREA, then.lit_m2, NAN, false, "area enclosed before");
+    struct pp_finding lost = pp_finding_of(PP_FIGURE_AREA, then.lit_m2 - now->lit_m2,
+                                           NAN, true, "area lost");
+    if (then.lit_m2 > 0.0)
+        pp_finding_note(&lost, "%.1f %% of what was enclosed before",
+                        100.0 * (then.lit_m2 - now->lit_m2) / then.lit_m2);
+    status = pp_findings_add(findings, &former, err);
+    return status == PP_OK ? pp_findings_add(findings, &lost, err) : status;
+}
+
+static enum pp_status evaluate(const struct pp_inquiry *inquiry,
+                               struct pp_findings *findings, struct pp_error *err)
+{
+    struct lit now;
+    enum pp_status status = find_lit(&now, inquiry->world, err);
+    if (status != PP_OK)
+        return status;
+    if (!(now.plane_m2 > 0.0)) {
+        struct pp_finding finding = pp_finding_not_judged(
+            "the room does not reach 0.85 m above its floor", "room within 0.2 %%");
+        return pp_findings_add(findings, &finding, err);
+    }
+    struct pp_finding area = pp_finding_of(PP_FIGURE_AREA, now.lit_m2, NAN, false,
+                                           "area the 0.2 %% contour encloses");
+    struct pp_finding share = pp_finding_of(PP_FIGURE_SHARE, now.lit_m2 / now.plane_m2,
+                                            SHARE_WANTED, false, "share of the room");
+    pp_finding_within(&share, now.error_m2 / now.plane_m2);
+    status = pp_findings_add(findings, &area, err);
+    if (status == PP_OK)
+        status = pp_findings_add(findings, &share, err);
+    if (status == PP_OK && inquiry->before)
+        status = add_loss(&now, inquiry, findings, err);
+    return status;
+}
+
+const struct pp_criterion pp_criterion_rights_of_light = {
+    .name = "rights-of-light",
+    .title = "Rights of light",
+    .source = "WW23",
+    .summary = "a sky factor of 0.2 % at 0.85 m over half of the room",
+    .evaluate = evaluate,
+};

@@ -1,0 +1,115 @@
+#include "studies/criteria/section_angle.h"
+
+#include <math.h>
+
+#include "methods/view/exterior_planes.h"
+#include "model/geometry/tolerance.h"
+
+/* The section: its middle is the origin, ahead runs level out of the wall. */
+struct section {
+    struct pp_vec3 eye, ahead, across;
+};
+
+/* Where the edge from p to q meets the section: forward of the eye, and up. Half-open,
+ * so that an edge that ends in the section counts once. */
+static bool crossing(const struct section *section, struct pp_vec3 p, struct pp_vec3 q,
+                     double at[2])
+{
+    struct pp_vec3 a = pp_sub(p, section->eye), b = pp_sub(q, section->eye);
+    double from = pp_dot(a, section->across), to = pp_dot(b, section->across);
+    if ((from >= 0.0) == (to >= 0.0))
+        return false;
+    struct pp_vec3 place = pp_along(a, from / (from - to), pp_sub(b, a));
+    at[0] = pp_dot(place, section->ahead);
+    at[1] = place.z;
+    return true;
+}
+
+/* Angle of the higher end of what lies before the eye of the piece from a to b. */
+static double angle_of_piece(const double a[2], const double b[2])
+{
+    const double nearest = PP_SAME_M;
+    double highest = 0.0;
+    for (int end = 0; end < 2; end++) {
+        const double *p = end ? b : a, *other = end ? a : b;
+        double forward = p[0], up = p[1];
+        if (forward < nearest) {
+            if (other[0] <= nearest)
+                continue;
+            up += (other[1] - up) * (nearest - forward) / (other[0] - forward);
+            forward = nearest;
+        }
+        highest = fmax(highest, atan2(up, forward));
+    }
+    return highest;
+}
+
+/* A place where an edge meets the section, along the line in which the polygon cuts it;
+ * edges that meet in one place come in their order. */
+struct place {
+    double along;
+    int edge;
+    double at[2];
+};
+
+static bool is_before(const struct place *a, const struct place *b)
+{
+    return a->along < b->along || (a->along == b->along && a->edge < b->edge);
+}
+
+/* The first place behind `last`; false: there is none. */
+static bool next_place(struct place *next, const struct place *last,
+                       const struct section *section, const struct pp_polygon *polygon)
+{
+    const double line[2] = {polygon->normal.z,
+                            -pp_dot(polygon->normal, section->ahead)};
+    *next = (struct place){.along = INFINITY, .edge = polygon->count};
+    for (int i = 0; i < polygon->count; i++) {
+        struct place place = {.edge = i};
+        if (!crossing(section, polygon->vertices[i],
+                      polygon->vertices[(i + 1) % polygon->count], place.at))
+            continue;
+        place.along = place.at[0] * line[0] + place.at[1] * line[1];
+        if (is_before(last, &place) && is_before(&place, next))
+            *next = place;
+    }
+    return isfinite(next->along);
+}
+
+/* Each two places, as they follow along the line, are the ends of a piece. */
+static double angle_of_polygon(const struct section *section,
+                               const struct pp_polygon *polygon)
+{
+    double highest = 0.0;
+    struct place from, to = {.along = -INFINITY};
+    while (next_place(&from, &to, section, polygon)
+           && next_place(&to, &from, section, polygon))
+        highest = fmax(highest, angle_of_piece(from.at, to.at));
+    return highest;
+}
+
+double pp_section_angle(const struct pp_world *world, const struct pp_opening *opening)
+{
+    struct pp_vec3 out = pp_scale(opening->inner.normal, -1.0);
+    struct pp_vec3 ahead = pp_unit(pp_vec(out.x, out.y, 0.0));
+    struct section section = {pp_outside_middle(opening), ahead,
+                              pp_vec(-ahead.y, ahead.x, 0.0)};
+    double highest = 0.0;
+    for (int i = 0; i < world->skyline_count; i++) {
+        const struct pp_skyline *skyline = &world->skylines[i];
+        if (skyline->face != opening->face)
+            continue;
+        struct pp_vec3 wall = world->surfaces[skyline->face].outline.vertices[0];
+        double away = skyline->distance_m - pp_dot(pp_sub(section.eye, wall), out);
+        highest = fmax(highest, isinf(skyline->distance_m)
+                                    ? skyline->angle_rad
+                                    : atan2(skyline->head_z_m - section.eye.z, away));
+    }
+    for (int i = 0; i < world->surface_count; i++) {
+        const struct pp_surface *surface = &world->surfaces[i];
+        bool loose_inside = surface->role == PP_LOOSE && surface->inside;
+        if (i != opening->face && surface->role != PP_REVEAL && !loose_inside)
+            highest = fmax(highest, angle_of_polygon(&section, &surface->outline));
+    }
+    return highest;
+}

@@ -1,0 +1,158 @@
+/* vertical_sky.c - what of the sky a window faces: the vertical sky component, the 0.8
+ * rule and the 25 degree rule of [BR209].
+ *
+ *   VSC >= 27 %                       on the outside, at the window's middle
+ *   VSC >= 27 %  or  VSC >= 0.8 VSC before
+ *   angle <= 25 degrees               of what rises before the window, in section
+ *
+ * The vertical sky component is the illuminance of the wall's plane from the sky alone
+ * over that of a level plane under the open CIE overcast sky, whatever the room's own
+ * sky; 39.6 % where nothing stands outside. An endless obstruction of 25 degrees leaves
+ * 27.3 %, which is how the two rules belong together: where the angle is met, the
+ * component need not be worked out; where it is not, the component decides.
+ */
+#include <math.h>
+
+#include "studies/criteria/criteria.h"
+#include "studies/criteria/section_angle.h"
+#include "studies/criteria/window_words.h"
+#include "methods/view/exterior_planes.h"
+
+#define VSC_WANTED 0.27
+#define FORMER_SHARE_WANTED 0.8
+#define NO_SKY 1e-6 /* a ratio to less than this means nothing */
+#define ANGLE_WANTED (25.0 * PP_RAD)
+
+static const char none[] = "the room has no openings";
+static const char slopes[] = "it is not upright; the rule is for windows in walls";
+
+static enum pp_status vertical_sky(double *share, const struct pp_world *world,
+                                   const struct pp_opening *opening,
+                                   struct pp_error *err)
+{
+    const struct pp_sky overcast = pp_sky_overcast();
+    return pp_outside_sky_on_plane(
+        share, world, opening, pp_scale(opening->inner.normal, -1.0), &overcast, err);
+}
+
+/* Adds a finding for each opening: what `find` makes of the upright ones. */
+static enum pp_status for_each_window(
+    const struct pp_inquiry *inquiry, struct pp_findings *findings,
+    enum pp_status (*find)(struct pp_finding *, const struct pp_inquiry *, int opening,
+                           const char *what, struct pp_error *),
+    struct pp_error *err)
+{
+    const struct pp_world *world = inquiry->world;
+    if (world->opening_count == 0) {
+        struct pp_finding finding = pp_finding_not_judged(none, "windows");
+        return pp_findings_add(findings, &finding, err);
+    }
+    for (int i = 0; i < world->opening_count; i++) {
+        const struct pp_opening *opening = &world->openings[i];
+        char words[PP_WINDOW_WORDS];
+        pp_window_words(words, world, opening);
+        struct pp_finding finding = pp_finding_not_judged(slopes, "%s", words);
+        enum pp_status status = PP_OK;
+        if (pp_window_is_upright(opening))
+            status = find(&finding, inquiry, i, words, err);
+        finding.line = opening->line;
+        if (status == PP_OK)
+            status = pp_findings_add(findings, &finding, err);
+        if (status != PP_OK)
+            return status;
+    }
+    return PP_OK;
+}
+
+static enum pp_status find_component(struct pp_finding *finding,
+                                     const struct pp_inquiry *inquiry, int opening,
+                                     const char *what, struct pp_error *err)
+{
+    double share;
+    enum pp_status status =
+        vertical_sky(&share, inquiry->world, &inquiry->world->openings[opening], err);
+    if (status == PP_OK)
+        *finding =
+            pp_finding_of(PP_FIGURE_FACTOR, share, VSC_WANTED, false, "%s", what);
+    return status;
+}
+
+static enum pp_status evaluate_component(const struct pp_inquiry *inquiry,
+                                         struct pp_findings *findings,
+                                         struct pp_error *err)
+{
+    return for_each_window(inquiry, findings, find_component, err);
+}
+
+static enum pp_status find_loss(struct pp_finding *finding,
+                                const struct pp_inquiry *inquiry, int opening,
+                                const char *what, struct pp_error *err)
+{
+    double now, then;
+    enum pp_status status =
+        vertical_sky(&now, inquiry->world, &inquiry->world->openings[opening], err);
+    if (status == PP_OK)
+        status = vertical_sky(&then, inquiry->before,
+                              &inquiry->before->openings[inquiry->pairs[opening]], err);
+    if (status != PP_OK)
+        return status;
+    if (!(then > NO_SKY)) {
+        *finding = pp_finding_not_judged("it faced no sky before", "%s", what);
+        return PP_OK;
+    }
+    *finding = pp_finding_of(PP_FIGURE_RATIO, now / then, FORMER_SHARE_WANTED, false,
+                             "%s", what);
+    pp_finding_note(finding, "%.1f %% now, %.1f %% before", 100.0 * now, 100.0 * then);
+    if (finding->verdict == PP_NOT_MET && now >= VSC_WANTED) {
+        finding->verdict = PP_MET;
+        pp_finding_note(finding, "; what is left is 27 %% or more");
+    }
+    return PP_OK;
+}
+
+static enum pp_status evaluate_loss(const struct pp_inquiry *inquiry,
+                                    struct pp_findings *findings, struct pp_error *err)
+{
+    return for_each_window(inquiry, findings, find_loss, err);
+}
+
+static enum pp_status find_angle(struct pp_finding *finding,
+                                 const struct pp_inquiry *inquiry, int opening,
+                                 const char *what, struct pp_error *err)
+{
+    (void)err;
+    double angle = pp_section_angle(inquiry->world, &inquiry->world->openings[opening]);
+    *finding = pp_finding_of(PP_FIGURE_ANGLE, angle, ANGLE_WANTED, true, "%s", what);
+    return PP_OK;
+}
+
+static enum pp_status evaluate_angle(const struct pp_inquiry *inquiry,
+                                     struct pp_findings *findings, struct pp_error *err)
+{
+    return for_each_window(inquiry, findings, find_angle, err);
+}
+
+const struct pp_criterion pp_criterion_vertical_sky = {
+    .name = "vertical-sky",
+    .title = "Vertical sky component",
+    .source = "BR209",
+    .summary = "27 % at the middle of each window's outside",
+    .evaluate = evaluate_component,
+};
+
+const struct pp_criterion pp_criterion_former_sky = {
+    .name = "former-sky",
+    .title = "0.8 of the former vertical sky component",
+    .source = "BR209",
+    .summary = "27 % or 0.8 of what it was before, at each window (--before)",
+    .needs_before = true,
+    .evaluate = evaluate_loss,
+};
+
+const struct pp_criterion pp_criterion_obstruction = {
+    .name = "obstruction",
+    .title = "25 degree rule",
+    .source = "BR209",
+    .summary = "nothing rises more than 25 degrees before a window, in section",
+    .evaluate = evaluate_angle,
+};

@@ -1,0 +1,156 @@
+#include "studies/pictures/view_grid.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+enum { STEPS = 180, EDGE_STEPS = 24, WORDS_MOST = 16 };
+
+/* Words keep so far from the picture's middle, of its half, that all of them is in it.
+ */
+static const double RIM = 0.95;
+
+struct tracing {
+    struct pp_picture_sheet *sheet;
+    const struct pp_camera *camera;
+    struct pp_curve curve; /* in the making; room for `space` points */
+    int space;
+};
+
+/* Where a point is seen, in pixels; false: not in the picture. */
+static bool place(const struct tracing *tracing, struct pp_vec3 point, double xy[2])
+{
+    double x, y, distance_m;
+    if (!pp_camera_project(tracing->camera, point, &x, &y, &distance_m)
+        || hypot(2.0 * x - 1.0, 2.0 * y - 1.0) > 1.0 + 1e-6)
+        return false;
+    xy[0] = x * tracing->sheet->raster.width;
+    xy[1] = y * tracing->sheet->raster.height;
+    return true;
+}
+
+/* Ends the line in the making, if there is one. */
+static enum pp_status end_line(struct tracing *tracing, struct pp_error *err)
+{
+    struct pp_curve curve = tracing->curve;
+    tracing->curve = (struct pp_curve){0};
+    if (curve.count >= 2)
+        return pp_curves_add(&tracing->sheet->grid, curve, err);
+    free(curve.xy);
+    return PP_OK;
+}
+
+/* The next point of the line; one that is not in the picture ends it. */
+static enum pp_status add(struct tracing *tracing, struct pp_vec3 point,
+                          struct pp_error *err)
+{
+    double xy[2];
+    if (!place(tracing, point, xy))
+        return end_line(tracing, err);
+    if (!tracing->curve.xy) {
+        tracing->curve.xy = malloc((size_t)tracing->space * sizeof *tracing->curve.xy);
+        if (!tracing->curve.xy)
+            return pp_fail_memory(err);
+    }
+    pp_curve_add_point(&tracing->curve, xy);
+    return PP_OK;
+}
+
+/* A point far enough to be a direction; bearing clockwise from north. */
+static struct pp_vec3 towards(const struct tracing *tracing, double north_rad,
+                              double bearing_rad, double altitude_rad)
+{
+    double azimuth = bearing_rad - north_rad; /* clockwise from +y */
+    struct pp_vec3 u = {sin(azimuth) * cos(altitude_rad),
+                        cos(azimuth) * cos(altitude_rad), sin(altitude_rad)};
+    return pp_add(tracing->camera->eye, u);
+}
+
+static enum pp_status trace_directions(struct tracing *tracing, double north_rad,
+                                       struct pp_error *err)
+{
+    enum pp_status status = PP_OK;
+    for (int altitude = 0; altitude <= 75 && status == PP_OK; altitude += 15) {
+        for (int i = 0; i <= STEPS && status == PP_OK; i++)
+            status = add(
+                tracing,
+                towards(tracing, north_rad, 2.0 * PP_PI * i / STEPS, altitude * PP_RAD),
+                err);
+        if (status == PP_OK)
+            status = end_line(tracing, err);
+    }
+    for (int bearing = 0; bearing < 360 && status == PP_OK; bearing += 30) {
+        for (int i = 0; i <= 75 && status == PP_OK; i++)
+            status =
+                add(tracing, towards(tracing, north_rad, bearing * PP_RAD, i * PP_RAD),
+                    err);
+        if (status == PP_OK)
+            status = end_line(tracing, err);
+    }
+    return status;
+}
+
+static enum pp_status trace_opening(struct tracing *tracing,
+                                    const struct pp_polygon *outline,
+                                    struct pp_error *err)
+{
+    enum pp_status status = PP_OK;
+    for (int i = 0; i < outline->count && status == PP_OK; i++) {
+        struct pp_vec3 a = outline->vertices[i];
+        struct pp_vec3 side = pp_sub(outline->vertices[(i + 1) % outline->count], a);
+        for (int k = 0; k <= EDGE_STEPS && status == PP_OK; k++)
+            status = add(tracing, pp_along(a, (double)k / EDGE_STEPS, side), err);
+    }
+    return status == PP_OK ? end_line(tracing, err) : status;
+}
+
+static void add_word(struct tracing *tracing, struct pp_vec3 point, const char *words)
+{
+    struct pp_picture_sheet *sheet = tracing->sheet;
+    double xy[2];
+    if (sheet->word_count == WORDS_MOST || !place(tracing, point, xy))
+        return;
+    struct pp_picture_word *word = &sheet->words[sheet->word_count++];
+    double x = 0.5 * sheet->raster.width, y = 0.5 * sheet->raster.height;
+    double out = hypot(xy[0] / x - 1.0, xy[1] / y - 1.0),
+           in = out > RIM ? RIM / out : 1.0;
+    word->x = x + in * (xy[0] - x);
+    word->y = y + in * (xy[1] - y);
+    snprintf(word->words, sizeof word->words, "%s", words);
+}
+
+static void add_words(struct tracing *tracing, double north_rad)
+{
+    static const char *const compass[] = {"N", "E", "S", "W"};
+    for (int i = 0; i < 4; i++)
+        add_word(tracing, towards(tracing, north_rad, i * PP_PI / 2.0, 4.0 * PP_RAD),
+                 compass[i]);
+    for (int altitude = 15; altitude <= 75; altitude += 15) {
+        char words[16];
+        snprintf(words, sizeof words, "%d°", altitude);
+        add_word(tracing, towards(tracing, north_rad, 45.0 * PP_RAD, altitude * PP_RAD),
+                 words);
+    }
+}
+
+enum pp_status pp_view_grid(struct pp_picture_sheet *sheet,
+                            const struct pp_camera *camera,
+                            const struct pp_world *world, struct pp_error *err)
+{
+    struct tracing tracing = {.sheet = sheet, .camera = camera};
+    tracing.space = STEPS + 1;
+    for (int i = 0; i < world->opening_count; i++) {
+        int points = world->openings[i].inner.count * (EDGE_STEPS + 1);
+        tracing.space = points > tracing.space ? points : tracing.space;
+    }
+    sheet->words = calloc(WORDS_MOST, sizeof *sheet->words);
+    if (!sheet->words)
+        return pp_fail_memory(err);
+    enum pp_status status = trace_directions(&tracing, world->north_rad, err);
+    for (int i = 0; i < world->opening_count && status == PP_OK; i++)
+        status = trace_opening(&tracing, &world->openings[i].inner, err);
+    free(tracing.curve.xy);
+    if (status == PP_OK)
+        add_words(&tracing, world->north_rad);
+    return status;
+}

@@ -1,0 +1,398 @@
+/* gain_changes.c - see gain_changes.h. */
+#include "studies/sizing/gain_changes.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "studies/sizing/window_sizes.h"
+#include "model/light/glazings.h"
+
+/* What finishes can be had: white paint, light walls, a light floor. */
+static const double light_ceiling = 0.85, light_walls = 0.7, light_floor = 0.4;
+
+#define SAY(gain, ...) snprintf((gain)->change, sizeof(gain)->change, __VA_ARGS__)
+
+/* ---- Finishes ---- */
+
+static enum pp_status lighten(struct pp_room **changed, struct pp_gain *gain,
+                              const struct pp_room *room, const struct pp_world *world,
+                              enum pp_role role, double wanted, const char *name,
+                              struct pp_error *err)
+{
+    double darkest = 1.0, lightest = 0.0;
+    for (int i = 0; i < world->face_count; i++)
+        if (world->surfaces[i].role == role) {
+            darkest = fmin(darkest, world->surfaces[i].front);
+            lightest = fmax(lightest, world->surfaces[i].front);
+        }
+    if (darkest >= wanted)
+        return PP_OK;
+    SAY(gain, "%s of reflectance %g instead of %g%s", name, wanted, darkest,
+        lightest > darkest ? " and more" : "");
+    enum pp_status status = pp_room_copy(changed, room, err);
+    if (status == PP_OK)
+        pp_room_lighten(*changed, role, wanted);
+    return status;
+}
+
+static enum pp_status lighter_ceiling(struct pp_room **changed, struct pp_gain *gain,
+                                      const struct pp_room *room,
+                                      const struct pp_world *world,
+                                      struct pp_error *err)
+{
+    return lighten(changed, gain, room, world, PP_CEILING, light_ceiling, "a ceiling",
+                   err);
+}
+
+static enum pp_status lighter_walls(struct pp_room **changed, struct pp_gain *gain,
+                                    const struct pp_room *room,
+                                    const struct pp_world *world, struct pp_error *err)
+{
+    return lighten(changed, gain, room, world, PP_WALL, light_walls, "walls", err);
+}
+
+static enum pp_status lighter_floor(struct pp_room **changed, struct pp_gain *gain,
+                                    const struct pp_room *room,
+                                    const struct pp_world *world, struct pp_error *err)
+{
+    return lighten(changed, gain, room, world, PP_FLOOR, light_floor, "a floor", err);
+}
+
+/* ---- Glass ---- */
+
+/* The worst of a figure over all openings. */
+static double least_of(const struct pp_world *world, size_t offset)
+{
+    double least = 1.0;
+    for (int i = 0; i < world->opening_count; i++) {
+        const char *opening = (const char *)&world->openings[i];
+        least = fmin(least, *(const double *)(opening + offset));
+    }
+    return least;
+}
+
+static enum pp_status cleaner_glass(struct pp_room **changed, struct pp_gain *gain,
+                                    const struct pp_room *room,
+                                    const struct pp_world *world, struct pp_error *err)
+{
+    double least = least_of(world, offsetof(struct pp_opening, maintenance));
+    if (least >= 1.0)
+        return PP_OK;
+    SAY(gain, "clean glass (maintenance 1 instead of %g)", least);
+    enum pp_status status = pp_room_copy(changed, room, err);
+    for (int i = 0; status == PP_OK && i < world->opening_count; i++)
+        pp_room_set_maintenance(*changed, i, 1.0);
+    return status;
+}
+
+static enum pp_status thinner_frames(struct pp_room **changed, struct pp_gain *gain,
+                                     const struct pp_room *room,
+                                     const struct pp_world *world, struct pp_error *err)
+{
+    double least = least_of(world, offsetof(struct pp_opening, frame_factor));
+    if (least >= 1.0)
+        return PP_OK;
+    SAY(gain, "frames half as wide (frame factor %.3g instead of %g)",
+        0.5 * (1.0 + least), least);
+    enum pp_status status = pp_room_copy(changed, room, err);
+    for (int i = 0; status == PP_OK && i < world->opening_count; i++)
+        pp_room_set_frame_factor(*changed, i,
+                                 0.5 * (1.0 + world->openings[i].frame_factor));
+    return status;
+}
+
+/* The clear glazing of as many panes, of two at the most. */
+static const char *clear_of(const struct pp_glass *glass)
+{
+    return glass->panes == 1 && !glass->diffusing ? "clear-single" : "clear-double";
+}
+
+static enum pp_status clearer_glazing(struct pp_room **changed, struct pp_gain *gain,
+                                      const struct pp_room *room,
+                                      const struct pp_world *world,
+                                      struct pp_error *err)
+{
+    enum pp_status status = pp_room_copy(changed, room, err);
+    int count = 0;
+    const char *last = "";
+    for (int i = 0; status == PP_OK && i < world->opening_count; i++) {
+        const struct pp_glass *glass = &world->openings[i].glass;
+        const char *name = clear_of(glass);
+        struct pp_glass clear = pp_glazing_glass(pp_glazing_find(name));
+        if (glass->panes == 0 || glass->diffuse > 0.99 * clear.diffuse)
+            continue;
+        pp_room_set_glass(*changed, i, clear);
+        if (count++ == 0)
+            SAY(gain, "%s glazing (diffuse transmittance %.2f instead of %.2f)", name,
+                clear.diffuse, glass->diffuse);
+        else if (strcmp(last, name) != 0)
+            SAY(gain, "clear glazing in all openings");
+        last = name;
+    }
+    if (count == 0) {
+        pp_room_destroy(*changed);
+        *changed = NULL;
+    }
+    return status;
+}
+
+/* ---- Windows ---- */
+
+/* The indices of all windows; the caller's. */
+static enum pp_status windows_of(int **windows, int *count, const struct pp_room *room,
+                                 struct pp_error *err)
+{
+    int all = pp_room_opening_count(room);
+    *count = 0;
+    *windows = malloc(((size_t)all + 1) * sizeof **windows);
+    if (!*windows)
+        return pp_fail_memory(err);
+    for (int i = 0; i < all; i++)
+        if (pp_room_opening_at(room, i).kind == PP_WINDOW)
+            (*windows)[(*count)++] = i;
+    return PP_OK;
+}
+
+/* All windows by one kind of change, as many steps larger than now (INT_MAX: as large
+ * as they can be); *changed NULL where they can't be. */
+static enum pp_status enlarge(struct pp_room **changed, const struct pp_room *room,
+                              enum pp_size_change change, int steps,
+                              struct pp_error *err)
+{
+    struct pp_window_sizes *sizes = NULL;
+    int *windows, count;
+    enum pp_status status = windows_of(&windows, &count, room, err);
+    if (status == PP_OK && count > 0)
+        status = pp_window_sizes_create(&sizes, room, change, windows, count, err);
+    if (status == PP_OK && sizes) {
+        int now = pp_window_sizes_now(sizes), last = pp_window_sizes_count(sizes) - 1;
+        int step = steps < last - now ? now + steps : last;
+        if (step > now)
+            status = pp_window_sizes_room(changed, sizes, step, err);
+    }
+    pp_window_sizes_destroy(sizes);
+    free(windows);
+    return status;
+}
+
+/* How far the edge that moved most has moved (m). */
+static double moved(const struct pp_room *room, const struct pp_room *changed,
+                    enum pp_size_change change)
+{
+    double most = 0.0;
+    for (int i = 0; i < pp_room_opening_count(room); i++) {
+        struct pp_place a = pp_room_opening_at(room, i).place;
+        struct pp_place b = pp_room_opening_at(changed, i).place;
+        double by = change == PP_CHANGE_HEAD
+                        ? b.sill_m + b.height_m - a.sill_m - a.height_m
+                        : a.sill_m - b.sill_m;
+        most = fmax(most, by);
+    }
+    return most;
+}
+
+static enum pp_status higher_heads(struct pp_room **changed, struct pp_gain *gain,
+                                   const struct pp_room *room,
+                                   const struct pp_world *world, struct pp_error *err)
+{
+    (void)world;
+    enum pp_status status = enlarge(changed, room, PP_CHANGE_HEAD, 1000000, err);
+    if (*changed) {
+        double by = moved(room, *changed, PP_CHANGE_HEAD);
+        SAY(gain, "window heads as high as they can be, up to %.2g m higher", by);
+    }
+    return status;
+}
+
+/* Below the working plane a sill changes little: not farther down than that. */
+static enum pp_status lower_sills(struct pp_room **changed, struct pp_gain *gain,
+                                  const struct pp_room *room,
+                                  const struct pp_world *world, struct pp_error *err)
+{
+    double least = INFINITY;
+    for (int i = 0; i < pp_room_opening_count(room); i++) {
+        struct pp_room_opening opening = pp_room_opening_at(room, i);
+        if (opening.kind == PP_WINDOW)
+            least = fmin(least, opening.place.sill_m - world->working_plane_m);
+    }
+    if (!(least > 0.02) || isinf(least))
+        return PP_OK;
+    enum pp_status status =
+        enlarge(changed, room, PP_CHANGE_SILL, (int)round(least / PP_SIZE_GRID_M), err);
+    if (*changed) {
+        double by = moved(room, *changed, PP_CHANGE_SILL);
+        SAY(gain, "sills nearer to the working plane, up to %.2g m lower", by);
+    }
+    return status;
+}
+
+static double width_of(const struct pp_room *room)
+{
+    double sum = 0.0;
+    for (int i = 0; i < pp_room_opening_count(room); i++) {
+        struct pp_room_opening opening = pp_room_opening_at(room, i);
+        sum += opening.kind == PP_WINDOW ? opening.place.width_m : 0.0;
+    }
+    return sum;
+}
+
+static enum pp_status wider_windows(struct pp_room **changed, struct pp_gain *gain,
+                                    const struct pp_room *room,
+                                    const struct pp_world *world, struct pp_error *err)
+{
+    (void)world;
+    double widest = 0.0;
+    for (int i = 0; i < pp_room_opening_count(room); i++) {
+        struct pp_room_opening opening = pp_room_opening_at(room, i);
+        if (opening.kind == PP_WINDOW)
+            widest = fmax(widest, opening.place.width_m);
+    }
+    /* A quarter wider. */
+    enum pp_status status = enlarge(changed, room, PP_CHANGE_WIDTH,
+                                    (int)round(widest / 4.0 / PP_SIZE_GRID_M), err);
+    if (*changed)
+        SAY(gain, "windows %.2g m wider in all (%.3g m instead of %.3g m)",
+            width_of(*changed) - width_of(room), width_of(*changed), width_of(room));
+    return status;
+}
+
+/* ---- One window more ---- */
+
+static int largest_window(const struct pp_room *room)
+{
+    int largest = -1;
+    double most = 0.0;
+    for (int i = 0; i < pp_room_opening_count(room); i++) {
+        struct pp_room_opening opening = pp_room_opening_at(room, i);
+        double area = opening.place.width_m * opening.place.height_m;
+        if (opening.kind == PP_WINDOW && area > most) {
+            most = area;
+            largest = i;
+        }
+    }
+    return largest;
+}
+
+/* Free places for one more are looked for along the wall at this distance (m). */
+static const double search_m = 0.1;
+
+/* A copy of the room with one more window like the largest, in the first place along
+ * its wall where there is space; *changed NULL where there is none. */
+static enum pp_status one_more_window(struct pp_room **changed, struct pp_gain *gain,
+                                      const struct pp_room *room,
+                                      const struct pp_world *world,
+                                      struct pp_error *err)
+{
+    int like = largest_window(room);
+    if (like < 0)
+        return PP_OK;
+    const struct pp_opening *opening = &world->openings[like];
+    const struct pp_polygon *wall = &world->surfaces[opening->face].outline;
+    double low = INFINITY, high = -INFINITY;
+    for (int k = 0; k < wall->count; k++) {
+        double at = pp_dot(opening->along, wall->vertices[k]);
+        low = fmin(low, at);
+        high = fmax(high, at);
+    }
+    struct pp_place place = pp_room_opening_at(room, like).place;
+    double most = high - low - place.width_m;
+    enum pp_status status = PP_OK;
+    bool sound = false;
+    for (int i = 0; status == PP_OK && !sound && i * search_m <= most; i++) {
+        pp_room_destroy(*changed);
+        place.left_m = i * search_m;
+        status = pp_room_copy(changed, room, err);
+        if (status == PP_OK)
+            status = pp_room_repeat_opening(*changed, like, place, err);
+        if (status == PP_OK)
+            status = pp_room_is_sound(&sound, *changed, err);
+    }
+    if (!sound) {
+        pp_room_destroy(*changed);
+        *changed = NULL;
+    }
+    SAY(gain, "one more window like that on line %d beside it, %.3g m by %.3g m",
+        opening->line, place.width_m, place.height_m);
+    return status;
+}
+
+/* The wall that faces most against the given one, if it faces away from it and has no
+ * opening; -1 where there is none. */
+static int opposite_wall(const struct pp_world *world, int face)
+{
+    struct pp_vec3 n = world->surfaces[face].outline.normal;
+    int found = -1;
+    double least = -0.5;
+    for (int i = 0; i < world->face_count; i++) {
+        const struct pp_surface *wall = &world->surfaces[i];
+        bool taken = false;
+        for (int k = 0; k < world->opening_count; k++)
+            taken = taken || world->openings[k].face == i;
+        double against = pp_dot(n, wall->outline.normal);
+        if (wall->role == PP_WALL && wall->name && !taken && against < least) {
+            least = against;
+            found = i;
+        }
+    }
+    return found;
+}
+
+static enum pp_status opposite_window(struct pp_room **changed, struct pp_gain *gain,
+                                      const struct pp_room *room,
+                                      const struct pp_world *world,
+                                      struct pp_error *err)
+{
+    int like = largest_window(room);
+    int face = like < 0 ? -1 : opposite_wall(world, world->openings[like].face);
+    if (face < 0)
+        return PP_OK;
+    const char *wall = world->surfaces[face].name;
+    struct pp_place place = pp_room_opening_at(room, like).place;
+    SAY(gain,
+        "a window as large in the opposite wall, %.40s, if that is an outside one",
+        wall);
+    enum pp_status status = pp_room_copy(changed, room, err);
+    if (status == PP_OK)
+        status = pp_room_repeat_opening(*changed, like, place, err);
+    if (status == PP_OK)
+        status =
+            pp_room_set_wall(*changed, pp_room_opening_count(*changed) - 1, wall, err);
+    return status;
+}
+
+/* ---- What stands outside ---- */
+
+static enum pp_status nothing_outside(struct pp_room **changed, struct pp_gain *gain,
+                                      const struct pp_room *room,
+                                      const struct pp_world *world,
+                                      struct pp_error *err)
+{
+    int outside = world->skyline_count + world->block_count;
+    for (int i = 0; i < world->surface_count; i++)
+        outside += world->surfaces[i].role == PP_LOOSE && !world->surfaces[i].inside;
+    if (outside == 0)
+        return PP_OK;
+    SAY(gain, "nothing outside that takes sky away");
+    enum pp_status status = pp_room_copy(changed, room, err);
+    if (status == PP_OK)
+        pp_room_clear_outside(*changed, world);
+    return status;
+}
+
+const struct pp_gain_kind pp_gain_kinds[] = {
+    {higher_heads, "low window heads", true},
+    {wider_windows, "narrow windows", true},
+    {one_more_window, "few windows", true},
+    {opposite_window, NULL, true},
+    {lower_sills, "high sills", true},
+    {clearer_glazing, "dim glazing", true},
+    {cleaner_glass, "dirty glass", true},
+    {thinner_frames, "wide frames", true},
+    {lighter_ceiling, "a dark ceiling", true},
+    {lighter_walls, "dark walls", true},
+    {lighter_floor, "a dark floor", true},
+    {nothing_outside, "what stands outside", false},
+    {NULL, NULL, false},
+};

@@ -1,0 +1,111 @@
+/* gains.c - see gains.h. */
+#include "studies/sizing/gains.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "studies/sizing/gain_changes.h"
+#include "studies/criteria/standard_grid.h"
+#include "methods/evaluate.h"
+#include "model/base/text.h"
+
+static const char *const methods[] = {"exact+bre", "exact+split-flux"};
+
+/* A change whose gain is a smaller share of the average is none. */
+static const double least_share = 0.002;
+
+static enum pp_status evaluate(struct pp_gain_values *values,
+                               const struct pp_world *world, const char *method,
+                               struct pp_error *err)
+{
+    *values = (struct pp_gain_values){NAN, NAN};
+    struct pp_report report = {.world = world, .finished = true};
+    struct pp_receiver *grid = NULL;
+    enum pp_status status = pp_standard_grid(&grid, &report.receiver_count, world, err);
+    report.receivers = grid;
+    if (status == PP_OK)
+        status = pp_methods_evaluate(&report, method, err);
+    const struct pp_column *df =
+        status == PP_OK ? pp_report_find(&report, PP_DF, method) : NULL;
+    if (df)
+        values->average = df->average.value;
+    for (int i = 0; df && i < report.receiver_count; i++)
+        values->darkest = fmin(values->darkest, df->points[i].value);
+    pp_report_clear(&report);
+    free(grid);
+    return status;
+}
+
+static enum pp_status evaluate_room(struct pp_gain_values *values,
+                                    const struct pp_room *room, const char *method,
+                                    struct pp_error *err)
+{
+    struct pp_world *world = NULL;
+    struct pp_mistakes mistakes;
+    pp_mistakes_init(&mistakes, "the changed room");
+    enum pp_status status = pp_world_create(&world, room, &mistakes, err);
+    *values = (struct pp_gain_values){NAN, NAN};
+    /* A change that the room has no space for is no gain. */
+    if (status == PP_BAD_INPUT)
+        status = PP_OK;
+    else if (status == PP_OK)
+        status = evaluate(values, world, method, err);
+    pp_world_destroy(world);
+    pp_mistakes_clear(&mistakes);
+    return status;
+}
+
+/* Puts a gain in its place, largest first. */
+static void rank(struct pp_gains *gains, const struct pp_gain *gain)
+{
+    int at = gains->count++;
+    for (; at > 0 && gains->list[at - 1].values.average < gain->values.average; at--)
+        gains->list[at] = gains->list[at - 1];
+    gains->list[at] = *gain;
+}
+
+static enum pp_status try_change(struct pp_gains *gains,
+                                 const struct pp_gain_kind *kind,
+                                 const struct pp_room *room,
+                                 const struct pp_world *world, struct pp_error *err)
+{
+    struct pp_gain gain = {.lacks = kind->lacks, .of_design = kind->of_design};
+    struct pp_room *changed = NULL;
+    enum pp_status status = kind->make(&changed, &gain, room, world, err);
+    if (status == PP_OK && changed) {
+        status = evaluate_room(&gain.values, changed, gains->method, err);
+        if (gain.values.average > (1.0 + least_share) * gains->now.average)
+            rank(gains, &gain);
+    }
+    pp_room_destroy(changed);
+    return status;
+}
+
+enum pp_status pp_gains_find(struct pp_gains *gains, const struct pp_room *room,
+                             const struct pp_world *world, struct pp_error *err)
+{
+    *gains = (struct pp_gains){.now = {NAN, NAN}};
+    enum pp_status status = PP_OK;
+    for (int i = 0; i < 2 && status == PP_OK && !gains->method; i++) {
+        status = evaluate(&gains->now, world, methods[i], err);
+        if (isfinite(gains->now.average))
+            gains->method = methods[i];
+    }
+    for (int i = 0; pp_gain_kinds[i].make && gains->method && status == PP_OK; i++)
+        status = try_change(gains, &pp_gain_kinds[i], room, world, err);
+    return status;
+}
+
+void pp_gains_sentence(const struct pp_gains *gains, char *text, size_t room)
+{
+    enum { NAMED = 3 };
+    const char *named[NAMED];
+    int count = 0;
+    for (int i = 0; i < gains->count && count < NAMED; i++)
+        if (gains->list[i].lacks)
+            named[count++] = gains->list[i].lacks;
+    snprintf(text, room, "%s", count ? "Most of all " : "");
+    pp_append_list(text, room, named, count, " and ");
+    pp_append(text, room, "%s", count ? "." : "");
+}

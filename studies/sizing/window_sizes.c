@@ -1,0 +1,424 @@
+/* window_sizes.c - see window_sizes.h. */
+#include "studies/sizing/window_sizes.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "studies/sizing/window_number.h"
+
+/* An edge this near to what it may not pass is as near as it can be (m): more than
+ * rounding to the grid takes away from two windows that meet. */
+static const double blocked_m = 0.0035;
+
+/* What rounding may have done to a length (m). */
+static const double slack_m = 1e-6;
+
+struct pp_window_sizes {
+    struct pp_room *room; /* as it is */
+    enum pp_size_change change;
+    int *openings; /* that change */
+    int opening_count;
+
+    /* Of edges: where each is at stations of the way from the smallest size to the
+     * largest. Edge 2 i is opening i's low one, 2 i + 1 its high one. */
+    bool upright;      /* do sill and head move, or the sides? */
+    double **stations; /* 2 opening_count edges each */
+    int station_count;
+    int fineness; /* steps a grid's width */
+
+    /* Of numbers: those that fit in the wall, in order. */
+    int *numbers;
+    int number_count;
+};
+
+/* ---- Edges of openings ---- */
+
+static struct pp_place place_of(const struct pp_window_sizes *sizes, int i,
+                                const double *edges)
+{
+    struct pp_place place = pp_room_opening_at(sizes->room, sizes->openings[i]).place;
+    double low = edges[2 * i], high = edges[2 * i + 1];
+    /* One that does not move keeps its length to the bit. */
+    double *first = sizes->upright ? &place.sill_m : &place.left_m;
+    double *length = sizes->upright ? &place.height_m : &place.width_m;
+    if (low != *first || high != *first + *length) {
+        *first = low;
+        *length = high - low;
+    }
+    return place;
+}
+
+static void take_edges(const struct pp_window_sizes *sizes, double *edges)
+{
+    for (int i = 0; i < sizes->opening_count; i++) {
+        struct pp_place place =
+            pp_room_opening_at(sizes->room, sizes->openings[i]).place;
+        edges[2 * i] = sizes->upright ? place.sill_m : place.left_m;
+        edges[2 * i + 1] = sizes->upright ? place.sill_m + place.height_m
+                                          : place.left_m + place.width_m;
+    }
+}
+
+static void put_edges(const struct pp_window_sizes *sizes, struct pp_room *room,
+                      const double *edges)
+{
+    for (int i = 0; i < sizes->opening_count; i++)
+        pp_room_set_place(room, sizes->openings[i], place_of(sizes, i, edges));
+}
+
+/* The edge on the grid, no farther out than it was. */
+static double on_grid(double edge_m, bool high, double grid_m)
+{
+    double n =
+        high ? floor((edge_m + slack_m) / grid_m) : ceil((edge_m - slack_m) / grid_m);
+    /* A division, since 0.001 is no binary fraction and 1000 is. */
+    return n / round(1.0 / grid_m) + 0.0;
+}
+
+/* ---- How far the edges can move ---- */
+
+static double *add_station(struct pp_window_sizes *sizes)
+{
+    double **grown =
+        realloc(sizes->stations, ((size_t)sizes->station_count + 1) * sizeof *grown);
+    if (!grown)
+        return NULL;
+    sizes->stations = grown;
+    double *edges = malloc(2 * (size_t)sizes->opening_count * sizeof *edges);
+    if (edges)
+        sizes->stations[sizes->station_count++] = edges;
+    return edges;
+}
+
+/* Can the room's openings have these edges? */
+static enum pp_status is_possible(bool *possible, const struct pp_window_sizes *sizes,
+                                  struct pp_room *trial, const double *edges,
+                                  struct pp_error *err)
+{
+    put_edges(sizes, trial, edges);
+    return pp_room_is_sound(possible, trial, err);
+}
+
+static void move(double *moved, const double *edges, const double *way, double by,
+                 int count)
+{
+    for (int e = 0; e < count; e++)
+        moved[e] = edges[e] + by * way[e];
+}
+
+/* How far the edges can go together along their ways, m of the fastest: by doubling and
+ * halving, down to the slack. */
+static enum pp_status farthest(double *by, const struct pp_window_sizes *sizes,
+                               struct pp_room *trial, const double *edges,
+                               const double *way, double *moved, struct pp_error *err)
+{
+    int count = 2 * sizes->opening_count;
+    double good = 0.0, bad = 0.125;
+    bool possible = true;
+    while (possible && bad < 1e5) {
+        move(moved, edges, way, bad, count);
+        enum pp_status status = is_possible(&possible, sizes, trial, moved, err);
+        if (status != PP_OK)
+            return status;
+        good = possible ? bad : good;
+        bad = possible ? 2.0 * bad : bad;
+    }
+    while (bad - good > 0.5 * slack_m) {
+        double middle = 0.5 * (good + bad);
+        move(moved, edges, way, middle, count);
+        enum pp_status status = is_possible(&possible, sizes, trial, moved, err);
+        if (status != PP_OK)
+            return status;
+        *(possible ? &good : &bad) = middle;
+    }
+    *by = good;
+    return PP_OK;
+}
+
+/* Stops the edges that can't go farther by themselves; *stopped is how many. */
+static enum pp_status stop_blocked(int *stopped, const struct pp_window_sizes *sizes,
+                                   struct pp_room *trial, const double *edges,
+                                   double *way, double *moved, struct pp_error *err)
+{
+    int count = 2 * sizes->opening_count;
+    *stopped = 0;
+    for (int e = 0; e < count; e++) {
+        bool possible = true;
+        if (way[e] == 0.0)
+            continue;
+        memcpy(moved, edges, (size_t)count * sizeof *moved);
+        moved[e] += copysign(blocked_m, way[e]);
+        enum pp_status status = is_possible(&possible, sizes, trial, moved, err);
+        if (status != PP_OK)
+            return status;
+        if (!possible) {
+            way[e] = 0.0;
+            ++*stopped;
+        }
+    }
+    return PP_OK;
+}
+
+/* One stretch of the way out: to where the first edge meets something. *done: nothing
+ * moves any more. */
+static enum pp_status go_out(bool *done, struct pp_window_sizes *sizes,
+                             struct pp_room *trial, double *way, double *moved,
+                             struct pp_error *err)
+{
+    int count = 2 * sizes->opening_count, stopped;
+    const double *from = sizes->stations[sizes->station_count - 1];
+    double by = 0.0;
+    enum pp_status status = farthest(&by, sizes, trial, from, way, moved, err);
+    if (status != PP_OK)
+        return status;
+    double *to = add_station(sizes);
+    if (!to)
+        return pp_fail_memory(err);
+    from = sizes->stations[sizes->station_count - 2];
+    for (int e = 0; e < count; e++) {
+        double edge = on_grid(from[e] + by * way[e], e % 2, PP_SIZE_GRID_M);
+        bool out = e % 2 ? edge > from[e] : edge < from[e];
+        to[e] = out ? edge : from[e];
+    }
+    status = stop_blocked(&stopped, sizes, trial, to, way, moved, err);
+    bool moves = false;
+    for (int e = 0; e < count; e++)
+        moves = moves || way[e] != 0.0;
+    *done = !moves || stopped == 0;
+    return status;
+}
+
+/* Which edges move, and how fast: the way out of the `leg`-th part of the change. False
+ * where there is no such part. */
+static bool way_of(const struct pp_window_sizes *sizes, int leg, double *way)
+{
+    double widest = 0.0;
+    for (int i = 0; i < sizes->opening_count; i++) {
+        struct pp_room_opening o = pp_room_opening_at(sizes->room, sizes->openings[i]);
+        widest = fmax(widest, o.place.width_m);
+    }
+    bool height = sizes->change == PP_CHANGE_HEIGHT;
+    for (int i = 0; i < sizes->opening_count; i++) {
+        struct pp_room_opening o = pp_room_opening_at(sizes->room, sizes->openings[i]);
+        bool rooflight = o.kind == PP_ROOFLIGHT;
+        bool low =
+            sizes->change == PP_CHANGE_SILL || (height && (leg == 1 || rooflight));
+        bool high =
+            sizes->change == PP_CHANGE_HEAD || (height && (leg == 0 || rooflight));
+        way[2 * i] = low ? -1.0 : 0.0;
+        way[2 * i + 1] = high ? 1.0 : 0.0;
+        if (sizes->change == PP_CHANGE_WIDTH) {
+            way[2 * i + 1] = o.place.width_m / widest;
+            way[2 * i] = -way[2 * i + 1];
+        }
+    }
+    return leg == 0 || (height && leg == 1);
+}
+
+/* The smallest sizes: what moves outwards has come from there. */
+static void shrink(const struct pp_window_sizes *sizes, const double *now,
+                   const double *way, double *least)
+{
+    for (int i = 0; i < sizes->opening_count; i++) {
+        double low = now[2 * i], high = now[2 * i + 1];
+        double length = fmin(PP_SIZE_LEAST_M, high - low);
+        bool low_moves = way[2 * i] != 0.0, high_moves = way[2 * i + 1] != 0.0;
+        double middle = 0.5 * (low + high);
+        least[2 * i] = !low_moves    ? low
+                       : !high_moves ? high - length
+                                     : middle - 0.5 * length;
+        least[2 * i + 1] = least[2 * i] + length;
+        if (!high_moves)
+            least[2 * i + 1] = high;
+    }
+}
+
+static enum pp_status find_stations(struct pp_window_sizes *sizes, struct pp_error *err)
+{
+    int count = 2 * sizes->opening_count;
+    struct pp_room *trial = NULL;
+    double *way = calloc(2 * (size_t)count, sizeof *way), *moved = way + count;
+    enum pp_status status = way ? pp_room_copy(&trial, sizes->room, err) : PP_OK;
+    double *least = way ? add_station(sizes) : NULL;
+    double *now = least ? add_station(sizes) : NULL;
+    if (!now)
+        status = pp_fail_memory(err);
+    if (status == PP_OK) {
+        take_edges(sizes, now);
+        way_of(sizes, 0, way);
+        shrink(sizes, now, way, least);
+    }
+    for (int leg = 0; status == PP_OK && way_of(sizes, leg, way); leg++) {
+        int stopped;
+        status =
+            stop_blocked(&stopped, sizes, trial,
+                         sizes->stations[sizes->station_count - 1], way, moved, err);
+        bool done = true;
+        for (int e = 0; e < count; e++)
+            done = done && way[e] == 0.0;
+        while (status == PP_OK && !done)
+            status = go_out(&done, sizes, trial, way, moved, err);
+    }
+    pp_room_destroy(trial);
+    free(way);
+    return status;
+}
+
+/* ---- Steps ---- */
+
+/* How far an opening's edges move from a station to the next, together (m): what its
+ * size grows by. */
+static double growth(const struct pp_window_sizes *sizes, int station, int opening)
+{
+    const double *from = sizes->stations[station] + 2 * opening;
+    const double *to = sizes->stations[station + 1] + 2 * opening;
+    return fabs(to[0] - from[0]) + fabs(to[1] - from[1]);
+}
+
+/* Steps between a station and the next: what most grows over the grid. */
+static int stretch(const struct pp_window_sizes *sizes, int station)
+{
+    double most = 0.0;
+    for (int i = 0; i < sizes->opening_count; i++)
+        most = fmax(most, growth(sizes, station, i));
+    return (int)ceil((most - slack_m) / PP_SIZE_GRID_M) * sizes->fineness;
+}
+
+int pp_window_sizes_count(const struct pp_window_sizes *sizes)
+{
+    if (sizes->change == PP_CHANGE_NUMBER)
+        return sizes->number_count;
+    int count = 1;
+    for (int s = 0; s + 1 < sizes->station_count; s++)
+        count += stretch(sizes, s);
+    return count;
+}
+
+int pp_window_sizes_now(const struct pp_window_sizes *sizes)
+{
+    for (int i = 0; i < sizes->number_count; i++)
+        if (sizes->numbers[i] == sizes->opening_count)
+            return i;
+    return stretch(sizes, 0);
+}
+
+void pp_window_sizes_refine(struct pp_window_sizes *sizes)
+{
+    sizes->fineness *= 10;
+}
+
+/* The edges at that step: on the straight way between two stations, and on the grid. */
+static void edges_at(const struct pp_window_sizes *sizes, int step, double *edges)
+{
+    int station = 0, steps = 0;
+    while (station + 2 < sizes->station_count
+           && step > (steps = stretch(sizes, station))) {
+        step -= steps;
+        station++;
+    }
+    steps = stretch(sizes, station);
+    const double *from = sizes->stations[station], *to = sizes->stations[station + 1];
+    double u = steps > 0 ? (double)step / steps : 1.0;
+    for (int e = 0; e < 2 * sizes->opening_count; e++) {
+        edges[e] = step == steps ? to[e] : from[e];
+        if (step == 0 || step == steps || from[e] == to[e])
+            continue;
+        /* Where both edges move, each does half of it. */
+        bool both = from[e ^ 1] != to[e ^ 1];
+        double grid_m = PP_SIZE_GRID_M / sizes->fineness / (both ? 2.0 : 1.0);
+        edges[e] = on_grid(from[e] + u * (to[e] - from[e]), e % 2, grid_m);
+    }
+}
+
+enum pp_status pp_window_sizes_room(struct pp_room **room,
+                                    const struct pp_window_sizes *sizes, int step,
+                                    struct pp_error *err)
+{
+    if (sizes->change == PP_CHANGE_NUMBER)
+        return pp_window_number_room(room, sizes->room, sizes->openings,
+                                     sizes->opening_count, sizes->numbers[step], err);
+    double *edges = malloc(2 * (size_t)sizes->opening_count * sizeof *edges);
+    *room = NULL;
+    if (!edges)
+        return pp_fail_memory(err);
+    enum pp_status status = pp_room_copy(room, sizes->room, err);
+    if (status == PP_OK) {
+        edges_at(sizes, step, edges);
+        put_edges(sizes, *room, edges);
+    }
+    free(edges);
+    return status;
+}
+
+/* ---- Create ---- */
+
+/* Is this change one of that opening? */
+static enum pp_status check_opening(const struct pp_room *room, int index,
+                                    enum pp_size_change change, struct pp_error *err)
+{
+    struct pp_room_opening opening = pp_room_opening_at(room, index);
+    if (opening.kind == PP_OPENING)
+        return pp_fail(
+            err, PP_BAD_INPUT,
+            "the opening on line %d is given by its vertices, and such a one "
+            "is not resized; expected a window or a rooflight",
+            opening.line);
+    if (opening.kind == PP_ROOFLIGHT && change != PP_CHANGE_WIDTH
+        && change != PP_CHANGE_HEIGHT)
+        return pp_fail(err, PP_BAD_INPUT,
+                       "the rooflight on line %d can change its width and its depth "
+                       "(height) only",
+                       opening.line);
+    return PP_OK;
+}
+
+enum pp_status pp_window_sizes_create(struct pp_window_sizes **sizes,
+                                      const struct pp_room *room,
+                                      enum pp_size_change change, const int *openings,
+                                      int opening_count, struct pp_error *err)
+{
+    *sizes = NULL;
+    if (opening_count < 1)
+        return pp_fail(err, PP_BAD_INPUT, "there is no window to change");
+    for (int i = 0; i < opening_count; i++) {
+        enum pp_status status = check_opening(room, openings[i], change, err);
+        if (status != PP_OK)
+            return status;
+    }
+    struct pp_window_sizes *made = calloc(1, sizeof *made);
+    if (!made)
+        return pp_fail_memory(err);
+    made->change = change;
+    made->upright = change != PP_CHANGE_WIDTH;
+    made->fineness = 1;
+    made->openings = malloc((size_t)opening_count * sizeof *openings);
+    enum pp_status status =
+        made->openings ? pp_room_copy(&made->room, room, err) : pp_fail_memory(err);
+    if (status == PP_OK) {
+        memcpy(made->openings, openings, (size_t)opening_count * sizeof *openings);
+        made->opening_count = opening_count;
+        status = change == PP_CHANGE_NUMBER
+                     ? pp_window_numbers(&made->numbers, &made->number_count, room,
+                                         openings, opening_count, err)
+                     : find_stations(made, err);
+    }
+    if (status == PP_OK)
+        *sizes = made;
+    else
+        pp_window_sizes_destroy(made);
+    return status;
+}
+
+void pp_window_sizes_destroy(struct pp_window_sizes *sizes)
+{
+    if (!sizes)
+        return;
+    for (int s = 0; s < sizes->station_count; s++)
+        free(sizes->stations[s]);
+    free(sizes->stations);
+    free(sizes->numbers);
+    free(sizes->openings);
+    pp_room_destroy(sizes->room);
+    free(sizes);
+}

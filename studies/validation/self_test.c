@@ -1,0 +1,419 @@
+/* self_test.c - see self_test.h.
+ *
+ * Expected are closed forms of sky components on paper, the limits that hold in any
+ * room, and small cases worked by hand or by independent quadrature; each to the digits
+ * that stand here.
+ */
+#include "studies/validation/self_test.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "methods/evaluate.h"
+#include "methods/reflected/obstruction_angle.h"
+#include "methods/protractor/protractor_scale.h"
+#include "model/room/room.h"
+#include "simulate/tracer/tracer.h"
+
+static void add(struct pp_known_list *known, const char *what, const char *by,
+                double answer, double expected, double tolerance)
+{
+    if (known->count == PP_KNOWN_MOST)
+        return;
+    struct pp_known *one = &known->list[known->count++];
+    *one = (struct pp_known){.by = by,
+                             .expected = expected,
+                             .tolerance = tolerance,
+                             .answer = answer,
+                             .std_error = NAN};
+    snprintf(one->what, sizeof one->what, "%s", what);
+}
+
+/* In per cent, expected to the decimals it is given with. */
+static void add_per_cent(struct pp_known_list *known, const char *what, const char *by,
+                         double answer, double per_cent, int decimals)
+{
+    add(known, what, by, answer, per_cent / 100.0, 0.5001 * pow(10.0, -decimals - 2));
+}
+
+bool pp_known_is_right(const struct pp_known *known)
+{
+    return fabs(known->answer - known->expected) <= known->tolerance;
+}
+
+/* ---- rooms ---- */
+
+static enum pp_status world_of(struct pp_world **world, const char *xml,
+                               struct pp_error *err)
+{
+    struct pp_building *building = NULL;
+    struct pp_mistakes mistakes;
+    pp_mistakes_init(&mistakes, "a room of known answer");
+    enum pp_status status =
+        pp_building_parse(&building, xml, strlen(xml), &mistakes, err);
+    if (status == PP_OK)
+        status = pp_world_create(world, pp_building_room(building, 0), &mistakes, err);
+    if (status == PP_BAD_INPUT && mistakes.count > 0)
+        pp_fail(err, status, "a room of known answer: %s", mistakes.list[0].text);
+    pp_building_destroy(building);
+    pp_mistakes_clear(&mistakes);
+    return status;
+}
+
+/* Readings of a room's first point and of its average. */
+struct answers {
+    struct pp_world *world;
+    struct pp_report report;
+};
+
+static void clear(struct answers *answers)
+{
+    pp_report_clear(&answers->report);
+    pp_world_destroy(answers->world);
+}
+
+static enum pp_status ask(struct answers *answers, const char *xml, const char *methods,
+                          struct pp_error *err)
+{
+    *answers = (struct answers){0};
+    enum pp_status status = world_of(&answers->world, xml, err);
+    if (status != PP_OK)
+        return status;
+    answers->report = (struct pp_report){.world = answers->world,
+                                         .receivers = answers->world->receivers,
+                                         .receiver_count = 1};
+    status = pp_methods_evaluate(&answers->report, methods, err);
+    if (status != PP_OK)
+        clear(answers);
+    return status;
+}
+
+static double at_point(const struct answers *answers, enum pp_component component,
+                       const char *name)
+{
+    const struct pp_column *column = pp_report_find(&answers->report, component, name);
+    return column && column->points ? column->points[0].value : NAN;
+}
+
+/* ---- by hand ---- */
+
+/* Rectangles seen from a point one metre off, one corner on the perpendicular. */
+static enum pp_status ask_rectangles(struct pp_known_list *known, struct pp_error *err)
+{
+    static const struct {
+        bool overhead;
+        double a, b, per_cent[2]; /* upright: height, width; overhead: both sides */
+    } list[] = {
+        {false, 0.5, 0.5, {1.3928, 0.9430}},  {false, 1.0, 1.0, {5.5734, 4.5251}},
+        {false, 1.0, 2.0, {6.8697, 5.4586}},  {false, 2.0, 1.0, {9.5068, 8.8164}},
+        {false, 0.5, 2.0, {2.5164, 1.6457}},  {true, 1.0, 1.0, {13.8532, 15.9497}},
+        {true, 0.5, 2.0, {10.6838, 12.2905}},
+    };
+    static const char *const skies[] = {"uniform", "overcast"};
+    for (size_t i = 0; i < sizeof list / sizeof list[0]; i++)
+        for (int sky = 0; sky < 2; sky++) {
+            char xml[640], opening[160], what[80];
+            snprintf(opening, sizeof opening,
+                     list[i].overhead ? "<rooflight x='1' y='1' width='%g' depth='%g' "
+                                        "glazing='none'/>"
+                                      : "<window wall='south' left='1' sill='1' "
+                                        "height='%g' width='%g' glazing='none'/>",
+                     list[i].a, list[i].b);
+            snprintf(xml, sizeof xml,
+                     "<room version='1'><sky type='%s'/><plan width='4' depth='4' "
+                     "height='%d'/>%s<working-plane height='1'/><point x='1' y='1'/>"
+                     "</room>",
+                     skies[sky], list[i].overhead ? 2 : 4, opening);
+            snprintf(what, sizeof what, "%s %g x %g m, 1 m off, %s sky",
+                     list[i].overhead ? "level" : "upright", list[i].a, list[i].b,
+                     skies[sky]);
+            struct answers answers;
+            enum pp_status status = ask(&answers, xml, "exact", err);
+            if (status != PP_OK)
+                return status;
+            add_per_cent(known, what, "exact", at_point(&answers, PP_SC, "exact"),
+                         list[i].per_cent[sky], 4);
+            clear(&answers);
+        }
+    return PP_OK;
+}
+
+#define HALL                                                                           \
+    "<room version='1'><plan width='9' depth='8' height='4'/>"                         \
+    "<window wall='south' left='3' sill='1.45' width='3' height='1.8'/>"               \
+    "<point x='5.1' y='3'/>"
+
+/* A window through clear glass, by quadrature in azimuth and altitude. */
+static enum pp_status ask_glass(struct pp_known_list *known, struct pp_error *err)
+{
+    struct answers answers;
+    enum pp_status status = ask(&answers, HALL "</room>", "exact", err);
+    if (status != PP_OK)
+        return status;
+    add_per_cent(known, "window 3 x 1.8 m, 3 m off, clear single glass", "exact",
+                 at_point(&answers, PP_SC, "exact"), 3.424, 3);
+    clear(&answers);
+    return PP_OK;
+}
+
+static void ask_skies(struct pp_known_list *known)
+{
+    struct pp_sky overcast = pp_sky_overcast(), uniform = pp_sky_uniform();
+    struct pp_vec3 up = {0.0, 0.0, 1.0}, south = {0.0, -1.0, 0.0};
+    add(known, "open sky on a level plane, overcast", "sky",
+        pp_sky_on_plane(&overcast, up), 1.0, 1e-9);
+    add(known, "open sky on a level plane, uniform", "sky",
+        pp_sky_on_plane(&uniform, up), 1.0, 1e-9);
+    add_per_cent(known, "open sky on an upright plane, overcast", "sky",
+                 pp_sky_on_plane(&overcast, south), 39.6177, 4);
+    add_per_cent(known, "above an endless skyline of 25 degrees, overcast", "sky",
+                 pp_vertical_sky(PP_SKY_OVERCAST, 25.0 * PP_RAD), 27.31, 2);
+    add_per_cent(known, "above an endless skyline of 25 degrees, uniform", "sky",
+                 pp_vertical_sky(PP_SKY_UNIFORM, 25.0 * PP_RAD), 28.87, 2);
+    struct pp_glass glass = pp_glass_clear_single();
+    add(known, "clear single glass, normal incidence", "glass", glass.normal, 0.900,
+        5.001e-4);
+    add(known, "clear single glass, diffuse light", "glass", glass.diffuse, 0.827,
+        5.001e-4);
+}
+
+static enum pp_status ask_protractors(struct pp_known_list *known, struct pp_error *err)
+{
+    static const struct {
+        int number;
+        double altitude_deg, per_cent;
+        int decimals;
+        const char *what;
+    } list[] = {
+        {9, 30.0, 6.6987, 4, "no. 9, endless strip to 30 degrees"},
+        {10, 30.0, 4.519, 3, "no. 10, endless strip to 30 degrees"},
+        {9, 60.0, 25.0, 3, "no. 9, endless strip to 60 degrees"},
+        {10, 60.0, 21.886, 3, "no. 10, endless strip to 60 degrees"},
+    };
+    struct pp_protractor protractor;
+    for (size_t i = 0; i < sizeof list / sizeof list[0]; i++) {
+        enum pp_status status =
+            pp_protractor_published(&protractor, list[i].number, err);
+        if (status != PP_OK)
+            return status;
+        add_per_cent(known, list[i].what, "protractor",
+                     pp_protractor_primary(&protractor, list[i].altitude_deg * PP_RAD),
+                     list[i].per_cent, list[i].decimals);
+    }
+    return PP_OK;
+}
+
+#define SCHOOLROOM                                                                     \
+    "<room version='1'><site ground-reflectance='0.1'/>"                               \
+    "<plan width='4' depth='6' height='3'/>"                                           \
+    "<finishes floor='0.2' walls='0.5' ceiling='0.7'/><point x='2' y='3'/>"            \
+    "<window wall='south' left='0.2' sill='0.9' width='3.6' height='1.5' "
+
+/* The reflected component of a room 4 x 6 x 3 m, and a window read off the table. */
+static enum pp_status ask_rooms(struct pp_known_list *known, struct pp_error *err)
+{
+    struct answers answers;
+    enum pp_status status =
+        ask(&answers, SCHOOLROOM "/></room>", "bre,split-flux", err);
+    if (status != PP_OK)
+        return status;
+    add_per_cent(known, "room 4 x 6 x 3 m, window 3.6 x 1.5 m", "bre",
+                 at_point(&answers, PP_IRC, "bre"), 1.3289, 4);
+    add_per_cent(known, "room 4 x 6 x 3 m, window 3.6 x 1.5 m", "split-flux",
+                 at_point(&answers, PP_IRC, "split-flux"), 1.2962, 4);
+    clear(&answers);
+
+    status = ask(&answers,
+                 SCHOOLROOM "diffusing='yes' transmittance='0.68' maintenance='0.9'/>"
+                            "<skyline wall='south' angle='25'/></room>",
+                 "average-df", err);
+    if (status != PP_OK)
+        return status;
+    const struct pp_column *column =
+        pp_report_find(&answers.report, PP_DF, "average-df");
+    add_per_cent(known, "the same room, T 0.68, M 0.9, theta 65 degrees", "average-df",
+                 column ? column->average.value : NAN, 2.5163, 4);
+    clear(&answers);
+
+    status = ask(&answers, HALL "</room>", "brs-table", err);
+    if (status != PP_OK)
+        return status;
+    add_per_cent(known, "window 3 x 1.8 m, 3 m off", "brs-table",
+                 at_point(&answers, PP_SC, "brs-table"), 3.35, 2);
+    clear(&answers);
+
+    status =
+        ask(&answers, HALL "<skyline wall='south' angle='26.565051177078'/></room>",
+            "brs-table", err);
+    if (status != PP_OK)
+        return status;
+    add_per_cent(known, "the same, a skyline to h/d 0.5: sky", "brs-table",
+                 at_point(&answers, PP_SC, "brs-table"), 2.08, 2);
+    add_per_cent(known, "the same: what the skyline reflects", "brs-table",
+                 at_point(&answers, PP_ERC, "brs-table"), 0.254, 3);
+    clear(&answers);
+    return PP_OK;
+}
+
+/* ---- traced ---- */
+
+static enum pp_status trace(struct pp_reading readings[PP_COMPONENT_COUNT],
+                            const struct pp_world *world, struct pp_receiver receiver,
+                            uint64_t seed, int threads, struct pp_error *err)
+{
+    struct pp_tracer_options options = {
+        .samples = 512, .seed = seed, .threads = threads};
+    struct pp_tracer *tracer = NULL;
+    enum pp_status status =
+        pp_tracer_create(&tracer, world, &receiver, 1, &options, err);
+    while (status == PP_OK && !pp_tracer_done(tracer))
+        status = pp_tracer_advance(tracer, 1.0, err);
+    if (status == PP_OK)
+        pp_tracer_read(tracer, 0, readings);
+    pp_tracer_destroy(tracer);
+    return status;
+}
+
+static void add_traced(struct pp_known_list *known, const char *what,
+                       struct pp_reading reading, double expected)
+{
+    add(known, what, "traced", reading.value, expected,
+        4.0 * reading.std_error + 1e-12);
+    known->list[known->count - 1].std_error = reading.std_error;
+}
+
+static const struct pp_receiver facing_up = {.position = {1.0, 1.0, 1.0},
+                                             .normal = {0.0, 0.0, 1.0}};
+
+/* Nothing but sky. */
+static enum pp_status trace_open_sky(struct pp_known_list *known, uint64_t seed,
+                                     int threads, struct pp_error *err)
+{
+    struct pp_world world = {.sky = pp_sky_overcast()};
+    struct pp_receiver upright = facing_up;
+    upright.normal = pp_vec(0.0, -1.0, 0.0);
+    struct pp_reading readings[PP_COMPONENT_COUNT];
+    enum pp_status status = trace(readings, &world, facing_up, seed, threads, err);
+    if (status != PP_OK)
+        return status;
+    add_traced(known, "open sky on a level plane, overcast", readings[PP_SC], 1.0);
+    status = trace(readings, &world, upright, seed, threads, err);
+    if (status == PP_OK)
+        add_traced(known, "open sky on an upright plane, overcast", readings[PP_SC],
+                   0.39617706);
+    return status;
+}
+
+/* In a closed room whose every surface gives off 1 and reflects rho, light goes on as
+ * 1 + rho + rho^2 + ... whatever its form: that of the integrating sphere. */
+static enum pp_status trace_closed_cube(struct pp_known_list *known, uint64_t seed,
+                                        int threads, struct pp_error *err)
+{
+    static const double reflectances[] = {0.2, 0.5, 0.8};
+    struct pp_world *world = NULL;
+    enum pp_status status = world_of(
+        &world,
+        "<room version='1'><plan width='2' depth='2' height='2'/><point x='1' y='1'/>"
+        "</room>",
+        err);
+    for (int i = 0; i < 3 && status == PP_OK; i++) {
+        char what[80];
+        for (int k = 0; k < world->surface_count; k++) {
+            world->surfaces[k].exitance = 1.0;
+            world->surfaces[k].front = reflectances[i];
+        }
+        struct pp_reading readings[PP_COMPONENT_COUNT];
+        struct pp_receiver oblique = facing_up;
+        oblique.position = pp_vec(0.6, 1.3, 0.7);
+        oblique.normal = pp_unit(pp_vec(0.2, 0.3, 1.0));
+        status = trace(readings, world, oblique, seed, threads, err);
+        snprintf(what, sizeof what, "closed glowing cube, 1/(1 - rho), rho %g",
+                 reflectances[i]);
+        if (status == PP_OK)
+            add_traced(known, what, readings[PP_IRC], 1.0 / (1.0 - reflectances[i]));
+    }
+    pp_world_destroy(world);
+    return status;
+}
+
+/* Windows of which the closed form, or quadrature, is known; a dark room. */
+static enum pp_status trace_windows(struct pp_known_list *known, uint64_t seed,
+                                    int threads, struct pp_error *err)
+{
+    static const struct {
+        const char *what, *xml;
+        double per_cent;
+        enum pp_component component;
+    } list[] = {
+        {"upright 1 x 1 m, 1 m off, overcast sky",
+         "<room version='1'><plan width='4' depth='4' height='4'/><window wall='south' "
+         "left='1' sill='1' height='1' width='1' glazing='none'/>"
+         "<working-plane height='1'/><point x='1' y='1'/></room>",
+         4.52508, PP_SC},
+        {"level 1 x 1 m, 1 m off, overcast sky",
+         "<room version='1'><plan width='4' depth='4' height='2'/><rooflight x='1' "
+         "y='1' width='1' depth='1' glazing='none'/><working-plane height='1'/>"
+         "<point x='1' y='1'/></room>",
+         15.94970, PP_SC},
+        {"a closed dark room",
+         "<room version='1'><plan width='4' depth='4' height='4'/><point x='1' y='1'/>"
+         "</room>",
+         0.0, PP_DF},
+    };
+    for (size_t i = 0; i < sizeof list / sizeof list[0]; i++) {
+        struct pp_world *world = NULL;
+        struct pp_reading readings[PP_COMPONENT_COUNT];
+        enum pp_status status = world_of(&world, list[i].xml, err);
+        if (status == PP_OK)
+            status = trace(readings, world, world->receivers[0], seed, threads, err);
+        pp_world_destroy(world);
+        if (status != PP_OK)
+            return status;
+        add_traced(known, list[i].what, readings[list[i].component],
+                   list[i].per_cent / 100.0);
+    }
+    return PP_OK;
+}
+
+/* Sky component of the hall's window through glass, by both: neither knows of the
+ * other. */
+static enum pp_status trace_against_exact(struct pp_known_list *known, uint64_t seed,
+                                          int threads, struct pp_error *err)
+{
+    struct answers answers;
+    struct pp_reading readings[PP_COMPONENT_COUNT];
+    enum pp_status status = ask(&answers, HALL "</room>", "exact", err);
+    if (status != PP_OK)
+        return status;
+    status =
+        trace(readings, answers.world, answers.world->receivers[0], seed, threads, err);
+    if (status == PP_OK)
+        add_traced(known, "window 3 x 1.8 m, 3 m off, glazed, against exact",
+                   readings[PP_SC], at_point(&answers, PP_SC, "exact"));
+    clear(&answers);
+    return status;
+}
+
+enum pp_status pp_known_ask(struct pp_known_list *known, uint64_t seed, int threads,
+                            struct pp_error *err)
+{
+    known->count = 0;
+    ask_skies(known);
+    enum pp_status status = ask_rectangles(known, err);
+    if (status == PP_OK)
+        status = ask_glass(known, err);
+    if (status == PP_OK)
+        status = ask_protractors(known, err);
+    if (status == PP_OK)
+        status = ask_rooms(known, err);
+    if (status == PP_OK)
+        status = trace_open_sky(known, seed, threads, err);
+    if (status == PP_OK)
+        status = trace_closed_cube(known, seed, threads, err);
+    if (status == PP_OK)
+        status = trace_windows(known, seed, threads, err);
+    if (status == PP_OK)
+        status = trace_against_exact(known, seed, threads, err);
+    return status;
+}

@@ -1,0 +1,457 @@
+/* test_board_charts.c - the diagrams of the drawing board on paper: what is drawn is
+ * what the methods count, and where the scales say. */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "charts/drawing_board/pepper_pot_chart.h"
+#include "charts/drawing_board/waldram_chart.h"
+#include "methods/evaluate.h"
+#include "methods/pepper_pot/pepper_pot_dots.h"
+#include "methods/pepper_pot/pepper_pot_sheet_fill.h"
+#include "methods/waldram/waldram_sheet_fill.h"
+#include "tests/lib/room_of.h"
+
+/* cairo writes coordinates to 1/1000 of a point or finer; lines to a tenth of a mm are
+ * asked for. */
+#define PAPER_MM 0.02
+
+static const char two_sides[] =
+    "<room version=\"1\" name=\"Two sides\">\n"
+    "<plan width=\"5.3\" depth=\"6.1\" height=\"2.9\"/>\n"
+    "<finishes floor=\"0.2\" walls=\"0.6\" ceiling=\"0.75\"/>\n"
+    "<window wall=\"south\" left=\"0.4\" sill=\"0.7\" width=\"1.9\" height=\"1.6\"/>\n"
+    "<window wall=\"south\" left=\"2.9\" sill=\"0.9\" width=\"1.7\" height=\"1.3\" "
+    "glazing=\"clear-double\" frame-factor=\"0.8\" maintenance=\"0.9\"/>\n"
+    "<window wall=\"east\" left=\"1.1\" sill=\"0.9\" width=\"1.2\" height=\"1.4\" "
+    "glazing=\"none\"/>\n"
+    "<block x=\"-3\" y=\"-12\" width=\"7\" depth=\"4\" height=\"6\"/>\n"
+    "<point x=\"2.3\" y=\"1.7\"/>\n"
+    "</room>\n";
+
+static double value_of(const struct pp_world *world, enum pp_component component,
+                       const char *method)
+{
+    struct pp_report report = {
+        .world = world, .receivers = world->receivers, .receiver_count = 1};
+    struct pp_error err = {0};
+    if (pp_methods_evaluate(&report, method, &err) != PP_OK)
+        fail_msg("%s", err.message);
+    double value = pp_report_find(&report, component, method)->points[0].value;
+    pp_report_clear(&report);
+    return value;
+}
+
+/* The file that a drawing makes; to be freed. */
+static char *finished(struct pp_canvas *canvas, size_t *length)
+{
+    const unsigned char *bytes;
+    struct pp_error err = {0};
+    if (pp_canvas_finish(canvas, &bytes, length, &err) != PP_OK)
+        fail_msg("%s", err.message);
+    char *copy = malloc(*length + 1);
+    assert_non_null(copy);
+    memcpy(copy, bytes, *length);
+    copy[*length] = '\0';
+    pp_canvas_destroy(canvas);
+    return copy;
+}
+
+static struct pp_canvas *canvas_of(enum pp_chart_format format, enum pp_paper paper,
+                                   bool landscape)
+{
+    const struct pp_sheet sheet = {
+        .format = format, .paper = paper, .landscape = landscape, .title = "Board"};
+    struct pp_canvas *canvas;
+    struct pp_error err = {0};
+    if (pp_canvas_create(&canvas, &sheet, &err) != PP_OK)
+        fail_msg("%s", err.message);
+    return canvas;
+}
+
+static char *waldram_file(const struct pp_waldram_sheet *sheet,
+                          enum pp_chart_format format, size_t *length)
+{
+    struct pp_canvas *canvas = canvas_of(format, PP_PAPER_A4, true);
+    assert_int_equal(pp_waldram_chart_draw(canvas, sheet, NULL), PP_OK);
+    return finished(canvas, length);
+}
+
+static char *pepper_pot_file(const struct pp_pepper_pot_sheet *sheet, double viewing,
+                             enum pp_chart_format format, enum pp_paper paper,
+                             size_t *length)
+{
+    struct pp_canvas *canvas = canvas_of(format, paper, true);
+    assert_int_equal(pp_pepper_pot_chart_draw(canvas, sheet, viewing, NULL), PP_OK);
+    return finished(canvas, length);
+}
+
+static struct pp_waldram_sheet blank_waldram(bool glazed)
+{
+    struct pp_sky sky = pp_sky_overcast();
+    struct pp_waldram_sheet sheet;
+    assert_int_equal(pp_waldram_sheet_blank(&sheet, &sky, glazed, NULL), PP_OK);
+    return sheet;
+}
+
+static struct pp_pepper_pot_sheet blank_pepper_pot(bool upright)
+{
+    struct pp_sky sky = pp_sky_overcast();
+    struct pp_pepper_pot_sheet sheet;
+    assert_int_equal(pp_pepper_pot_sheet_blank(&sheet, &sky, true, upright,
+                                               PP_PEPPER_POT_WORTH, NULL),
+                     PP_OK);
+    return sheet;
+}
+
+/* --- paths of an SVG, in millimetres -------------------------------------------------
+ */
+
+/* A straight stroke from M to L. */
+struct stroke {
+    double x0, y0, x1, y1;
+};
+
+struct strokes {
+    struct stroke *list;
+    int count;
+};
+
+/* Reads "x y" and goes on behind it; false where there is none. */
+static bool read_pair(const char **at, double *x, double *y)
+{
+    int used = 0;
+    if (sscanf(*at, " %lf %lf%n", x, y, &used) != 2)
+        return false;
+    *at += used;
+    return true;
+}
+
+/* Adds the strokes of one path whose data begin at `data`, with the scale and shift of
+ * its element. */
+static void add_strokes(struct strokes *strokes, const char *data, const double m[6],
+                        double mm_per_unit)
+{
+    double from[2] = {0.0, 0.0}, x, y;
+    while (*data && *data != '"') {
+        char command = *data++;
+        if (command != 'M' && command != 'L')
+            continue;
+        if (!read_pair(&data, &x, &y))
+            continue;
+        double to[2] = {(m[0] * x + m[4]) * mm_per_unit,
+                        (m[3] * y + m[5]) * mm_per_unit};
+        if (command == 'L') {
+            strokes->list =
+                realloc(strokes->list, (strokes->count + 1) * sizeof *strokes->list);
+            assert_non_null(strokes->list);
+            strokes->list[strokes->count++] =
+                (struct stroke){from[0], from[1], to[0], to[1]};
+        }
+        from[0] = to[0];
+        from[1] = to[1];
+    }
+}
+
+static struct strokes strokes_of(const char *svg)
+{
+    struct strokes strokes = {0};
+    double width_mm, view[4];
+    const char *root = strstr(svg, "<svg");
+    assert_int_equal(sscanf(strstr(root, "width=\""), "width=\"%lfmm", &width_mm), 1);
+    assert_int_equal(sscanf(strstr(root, "viewBox=\""), "viewBox=\"%lf %lf %lf %lf",
+                            &view[0], &view[1], &view[2], &view[3]),
+                     4);
+    for (const char *path = svg; (path = strstr(path, "<path")); path++) {
+        const char *end = strchr(path, '>');
+        const char *data = strstr(path, " d=\""), *matrix = strstr(path, "matrix(");
+        double m[6] = {1.0, 0.0, 0.0, 1.0, 0.0, 0.0};
+        if (matrix && matrix < end)
+            sscanf(matrix, "matrix(%lf,%lf,%lf,%lf,%lf,%lf)", m, m + 1, m + 2, m + 3,
+                   m + 4, m + 5);
+        if (data && data < end)
+            add_strokes(&strokes, data + 4, m, width_mm / view[2]);
+    }
+    assert_true(strokes.count > 0);
+    return strokes;
+}
+
+/* Is there an upright stroke at x with an end at y? */
+static bool has_upright(const struct strokes *strokes, double x, double y)
+{
+    for (int i = 0; i < strokes->count; i++) {
+        const struct stroke *s = &strokes->list[i];
+        if (fabs(s->x0 - x) < PAPER_MM && fabs(s->x1 - x) < PAPER_MM
+            && (fabs(s->y0 - y) < PAPER_MM || fabs(s->y1 - y) < PAPER_MM))
+            return true;
+    }
+    return false;
+}
+
+static bool has_level(const struct strokes *strokes, double x, double y)
+{
+    for (int i = 0; i < strokes->count; i++) {
+        const struct stroke *s = &strokes->list[i];
+        if (fabs(s->y0 - y) < PAPER_MM && fabs(s->y1 - y) < PAPER_MM
+            && (fabs(s->x0 - x) < PAPER_MM || fabs(s->x1 - x) < PAPER_MM))
+            return true;
+    }
+    return false;
+}
+
+/* The frame of the only panel: the rectangle that is as wide as the widest level stroke
+ * that has uprights at both its ends. */
+static struct stroke frame_of(const struct strokes *strokes)
+{
+    struct stroke best = {0};
+    for (int i = 0; i < strokes->count; i++) {
+        const struct stroke *s = &strokes->list[i];
+        for (int k = i + 1; k < strokes->count && k < i + 3; k++) {
+            const struct stroke *t = &strokes->list[k];
+            bool opposite =
+                fabs(s->x0 - t->x1) < PAPER_MM && fabs(s->x1 - t->x0) < PAPER_MM
+                && fabs(s->y0 - s->y1) < PAPER_MM && fabs(t->y0 - t->y1) < PAPER_MM;
+            if (opposite && fabs(s->x1 - s->x0) > fabs(best.x1 - best.x0))
+                best = (struct stroke){fmin(s->x0, s->x1), fmin(s->y0, t->y0),
+                                       fmax(s->x0, s->x1), fmax(s->y0, t->y0)};
+        }
+    }
+    assert_true(best.x1 - best.x0 > 50.0 && best.y1 > best.y0);
+    return best;
+}
+
+/* --- tests ---------------------------------------------------------------------------
+ */
+
+static void sheets_sum_up_to_what_the_methods_give(void **state)
+{
+    (void)state;
+    struct pp_world *world = pp_test_world(two_sides);
+    struct pp_waldram_sheet waldram;
+    struct pp_pepper_pot_sheet pots;
+    assert_int_equal(pp_waldram_sheet_of(&waldram, world, world->receivers, NULL),
+                     PP_OK);
+    assert_int_equal(pp_pepper_pot_sheet_of(&pots, world, world->receivers,
+                                            PP_PEPPER_POT_WORTH, NULL),
+                     PP_OK);
+    assert_near(waldram.sky_component, value_of(world, PP_SC, "waldram"), 1e-13);
+    assert_near(waldram.external, value_of(world, PP_ERC, "waldram"), 1e-13);
+    assert_near(pots.sky_component, value_of(world, PP_SC, "pepper-pot"), 1e-13);
+    assert_near(pots.external, value_of(world, PP_ERC, "pepper-pot"), 1e-13);
+    assert_true(waldram.external > 0.0 && pots.external > 0.0);
+    /* South with glass, east without. */
+    assert_int_equal(waldram.count, 2);
+    assert_int_equal(waldram.panels[0].count, 2);
+    assert_true(waldram.panels[0].glazed && !waldram.panels[1].glazed);
+    for (int i = 0; i < waldram.count; i++)
+        for (int w = 0; w < waldram.panels[i].count; w++)
+            for (int p = 0; p < waldram.panels[i].windows[w].count; p++) {
+                const struct pp_board_piece *piece =
+                    &waldram.panels[i].windows[w].pieces[p];
+                int tenths = 0;
+                for (int k = 0; k < piece->square_count; k++)
+                    tenths += piece->squares[k].tenths;
+                assert_near(tenths / 10.0, piece->counted, 1e-9);
+                /* The outline drawn has the squares' area. */
+                assert_near(pp_region_area(&piece->outline), piece->counted, 0.6);
+            }
+    pp_waldram_sheet_clear(&waldram);
+    pp_pepper_pot_sheet_clear(&pots);
+    pp_world_destroy(world);
+}
+
+static void the_ruler_is_100_mm_long_and_has_its_millimetres(void **state)
+{
+    (void)state;
+    const enum pp_paper papers[] = {PP_PAPER_A5, PP_PAPER_A4, PP_PAPER_A3, PP_PAPER_A2};
+    struct pp_pepper_pot_sheet sheet = blank_pepper_pot(false);
+    for (int i = 0; i < 4; i++) {
+        size_t length;
+        char *svg = pepper_pot_file(&sheet, 0.0, PP_CHART_SVG, papers[i], &length);
+        struct strokes strokes = strokes_of(svg);
+        bool found = false;
+        for (int k = 0; k < strokes.count && !found; k++) {
+            const struct stroke *s = &strokes.list[k];
+            if (fabs(s->y1 - s->y0) > 1e-9 || fabs(s->x1 - s->x0 - 100.0) > PAPER_MM)
+                continue;
+            found = true;
+            for (int mm = 0; mm <= 100; mm++)
+                found = found && has_upright(&strokes, s->x0 + mm, s->y0);
+        }
+        assert_true(found);
+        free(strokes.list);
+        free(svg);
+    }
+    pp_pepper_pot_sheet_clear(&sheet);
+}
+
+/* A metre 1.5 m away, at a viewing distance of 36 mm, is 24 mm long. */
+static void metres_are_drawn_as_the_viewing_distance_over_theirs(void **state)
+{
+    (void)state;
+    struct pp_pepper_pot_sheet sheet = blank_pepper_pot(false);
+    size_t length;
+    char *svg = pepper_pot_file(&sheet, 36.0, PP_CHART_SVG, PP_PAPER_A4, &length);
+    struct strokes strokes = strokes_of(svg);
+    bool found = false;
+    for (int k = 0; k < strokes.count && !found; k++) {
+        const struct stroke *s = &strokes.list[k];
+        double metres = (s->x1 - s->x0) / 24.0;
+        found = fabs(s->y1 - s->y0) < 1e-9 && metres > 1.5
+                && fabs(metres - rint(metres)) * 24.0 < PAPER_MM
+                && has_upright(&strokes, s->x0 + 24.0, s->y0)
+                && has_upright(&strokes, s->x0 + 48.0, s->y0)
+                && !has_upright(&strokes, s->x0 + 1.0, s->y0)
+                && !has_upright(&strokes, s->x0 + 12.0, s->y0);
+    }
+    assert_true(found);
+    free(strokes.list);
+    free(svg);
+    pp_pepper_pot_sheet_clear(&sheet);
+}
+
+/* Without glass azimuth is even and altitude as 3 sin^2 + 4 sin^3. */
+static void waldram_scale_marks_stand_where_the_formula_puts_them(void **state)
+{
+    (void)state;
+    struct pp_waldram_sheet sheet = blank_waldram(false);
+    size_t length;
+    char *svg = waldram_file(&sheet, PP_CHART_SVG, &length);
+    struct strokes strokes = strokes_of(svg);
+    struct stroke frame = frame_of(&strokes);
+    double width = frame.x1 - frame.x0, height = frame.y1 - frame.y0;
+    /* 36 squares by 500/36, all square. */
+    assert_near(height / width, 500.0 / 36.0 / 36.0, 1e-4);
+    for (int degree = 0; degree <= 180; degree += 5)
+        if (!has_upright(&strokes, frame.x0 + degree / 180.0 * width, frame.y1))
+            fail_msg("no mark at azimuth %d", degree - 90);
+    for (int degree = 5; degree < 90; degree += 5) {
+        double s = sin(degree * PP_RAD), share = s * s * (3.0 + 4.0 * s) / 7.0;
+        if (!has_level(&strokes, frame.x0, frame.y1 - share * height))
+            fail_msg("no mark at altitude %d", degree);
+    }
+    free(strokes.list);
+    free(svg);
+    pp_waldram_sheet_clear(&sheet);
+}
+
+static void droop_lines_pass_through_known_directions(void **state)
+{
+    (void)state;
+    struct pp_waldram_sheet sheet = blank_waldram(false);
+    const struct pp_waldram_panel *panel = sheet.panels;
+    assert_int_equal(panel->parallel.count, 8);
+    /* Parallel, 50 degrees at the middle: at 60 degrees of azimuth tan 50 cos 60. */
+    const struct pp_curve *curve = &panel->parallel.list[4];
+    assert_near(curve->level, 50.0 * PP_RAD, 1e-12);
+    double s = sin(atan(tan(50.0 * PP_RAD) * cos(60.0 * PP_RAD)));
+    double y = s * s * (3.0 + 4.0 * s) / 7.0 * panel->top;
+    assert_near(curve->xy[150][0], panel->azimuth[60], 1e-9);
+    assert_near(curve->xy[150][1], y, 1e-9);
+    /* Perpendicular: nothing straight ahead, its level at 90 degrees. */
+    curve = &panel->across.list[4];
+    assert_near(curve->xy[90][1], 0.0, 1e-12);
+    assert_near(curve->xy[180][1], panel->altitude[50], 1e-9);
+    pp_waldram_sheet_clear(&sheet);
+}
+
+static void two_drawings_are_the_same_bytes(void **state)
+{
+    (void)state;
+    const enum pp_chart_format formats[] = {PP_CHART_PDF, PP_CHART_SVG, PP_CHART_PNG};
+    struct pp_waldram_sheet waldram = blank_waldram(true);
+    struct pp_pepper_pot_sheet pot = blank_pepper_pot(true);
+    for (int i = 0; i < 3; i++) {
+        size_t lengths[4];
+        char *files[4];
+        for (int k = 0; k < 2; k++) {
+            files[k] = waldram_file(&waldram, formats[i], &lengths[k]);
+            files[2 + k] =
+                pepper_pot_file(&pot, 0.0, formats[i], PP_PAPER_A4, &lengths[2 + k]);
+        }
+        for (int k = 0; k < 4; k += 2) {
+            assert_int_equal(lengths[k], lengths[k + 1]);
+            assert_memory_equal(files[k], files[k + 1], lengths[k]);
+        }
+        for (int k = 0; k < 4; k++)
+            free(files[k]);
+    }
+    pp_waldram_sheet_clear(&waldram);
+    pp_pepper_pot_sheet_clear(&pot);
+}
+
+/* Behind the window's plane and in it, by way of a room with a bay. */
+static void a_window_that_is_not_seen_has_no_squares_and_no_dots(void **state)
+{
+    (void)state;
+    struct pp_world *world = pp_test_world(
+        "<room version=\"1\">\n"
+        "<plan height=\"2.7\"><vertex x=\"0\" y=\"0\"/><vertex x=\"3\" y=\"0\"/>"
+        "<vertex x=\"3\" y=\"3\"/><vertex x=\"6\" y=\"3\"/><vertex x=\"6\" y=\"7\"/>"
+        "<vertex x=\"0\" y=\"7\"/></plan>\n"
+        "<window wall=\"3\" left=\"0.5\" sill=\"0.9\" width=\"1.5\" height=\"1.2\"/>\n"
+        "<point x=\"1.1\" y=\"1.4\"/><point x=\"1.1\" y=\"3\"/>\n"
+        "</room>\n");
+    for (int i = 0; i < 2; i++) {
+        struct pp_waldram_sheet waldram;
+        struct pp_pepper_pot_sheet pot;
+        assert_int_equal(
+            pp_waldram_sheet_of(&waldram, world, &world->receivers[i], NULL), PP_OK);
+        assert_int_equal(pp_pepper_pot_sheet_of(&pot, world, &world->receivers[i],
+                                                PP_PEPPER_POT_WORTH, NULL),
+                         PP_OK);
+        assert_int_equal(waldram.panels[0].windows[0].count, 0);
+        assert_int_equal(pot.panels[0].windows[0].count, 0);
+        assert_near(waldram.sky_component + pot.sky_component, 0.0, 0.0);
+        size_t length;
+        free(waldram_file(&waldram, PP_CHART_SVG, &length));
+        free(pepper_pot_file(&pot, 0.0, PP_CHART_SVG, PP_PAPER_A5, &length));
+        pp_waldram_sheet_clear(&waldram);
+        pp_pepper_pot_sheet_clear(&pot);
+    }
+    pp_world_destroy(world);
+}
+
+static void what_the_diagrams_do_not_hold_is_refused_with_why(void **state)
+{
+    (void)state;
+    struct pp_world *world =
+        pp_test_world("<room version=\"1\">\n"
+                      "<plan width=\"4\" depth=\"5\" height=\"2.7\"/>\n"
+                      "<rooflight x=\"1\" y=\"1\" width=\"1\" depth=\"1\"/>\n"
+                      "<point x=\"1.1\" y=\"1.4\"/>\n"
+                      "</room>\n");
+    struct pp_waldram_sheet waldram;
+    struct pp_pepper_pot_sheet pot;
+    struct pp_error err = {0};
+    assert_int_equal(pp_waldram_sheet_of(&waldram, world, world->receivers, &err),
+                     PP_BAD_INPUT);
+    assert_non_null(strstr(err.message, "opening on line 3 has sloping glass"));
+    assert_int_equal(pp_pepper_pot_sheet_of(&pot, world, world->receivers,
+                                            PP_PEPPER_POT_WORTH, &err),
+                     PP_BAD_INPUT);
+    assert_non_null(strstr(err.message, "opening on line 3"));
+    pp_world_destroy(world);
+
+    struct pp_sky sky;
+    assert_int_equal(pp_sky_iso(&sky, 12, pp_vec(0.6, 0.0, 0.8), NULL), PP_OK);
+    assert_int_equal(pp_waldram_sheet_blank(&waldram, &sky, true, &err), PP_BAD_INPUT);
+    assert_int_equal(
+        pp_pepper_pot_sheet_blank(&pot, &sky, true, false, PP_PEPPER_POT_WORTH, &err),
+        PP_BAD_INPUT);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(sheets_sum_up_to_what_the_methods_give),
+        cmocka_unit_test(the_ruler_is_100_mm_long_and_has_its_millimetres),
+        cmocka_unit_test(metres_are_drawn_as_the_viewing_distance_over_theirs),
+        cmocka_unit_test(waldram_scale_marks_stand_where_the_formula_puts_them),
+        cmocka_unit_test(droop_lines_pass_through_known_directions),
+        cmocka_unit_test(two_drawings_are_the_same_bytes),
+        cmocka_unit_test(a_window_that_is_not_seen_has_no_squares_and_no_dots),
+        cmocka_unit_test(what_the_diagrams_do_not_hold_is_refused_with_why),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

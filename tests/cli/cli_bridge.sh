@@ -1,0 +1,285 @@
+#!/bin/sh
+# export to Radiance's formats, and import of its scenes.
+. "$srcdir/tests/lib/tap.sh"
+. "$srcdir/tests/lib/cli.sh"
+
+files="materials.rad room.rad glazing.rad sky.rad"
+out=$scratch/export
+
+export_to() {
+    "$pepperpot" export --to radiance "$@" >"$scratch/out" 2>"$scratch/err"
+}
+
+check "a room becomes a directory" export_to -o "$out" "$deep"
+check "with all its files" test "$(ls "$out" | tr '\n' ' ')" = \
+    "daylight_factors.sh glazing.rad materials.rad outside.rad pepperpot.cal points.pts room.rad sky.rad "
+check "and nothing beside it" nothing "$(ls "$scratch" | grep 'pepperpot-')"
+check "a script that a shell understands" sh -n "$out/daylight_factors.sh"
+check "which can be run" test -x "$out/daylight_factors.sh"
+check "its 17 points" test "$(wc -l <"$out/points.pts")" -eq 17
+check "a directory that is not empty is left alone" refuses 3 "not empty" \
+    export --to radiance -o "$out" "$deep"
+check "but by --force" export_to --force -o "$out" --points 1.5,2 "$deep"
+check "which replaces it" test "$(wc -l <"$out/points.pts")" -eq 1
+echo mine >"$out/mine.txt"
+check "not where there is anything else" refuses 3 "mine.txt" \
+    export --to radiance --force -o "$out" "$deep"
+check "and that is still there" grep -q mine "$out/mine.txt"
+rm "$out/mine.txt"
+check "a file in its place is left alone" refuses 3 "no directory" \
+    export --to radiance -o "$out/room.rad" "$deep"
+check "a building is a directory of directories" \
+    export_to -o "$scratch/building" "$examples/building.xml"
+check "one a room" test "$(ls "$scratch/building" | tr '\n' ' ')" = \
+    "Bedroom Kitchen Living-room Study "
+# Names of rooms as names of folders: 60 bytes at most, no character cut in two (59 and
+# an e acute of two), none alike, none that begins with a dot or a dash.
+long=xxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxx
+room='<plan width="3" depth="4" height="2.7"/><point x="1" y="1"/></room>'
+{
+    echo '<building version="1" name="b">'
+    for name in "${long}é" "${long}x" "${long}x" "A-5" "A" "A" "../up" "-rf" " k ü/c|h " ""; do
+        echo "<room name=\"$name\">$room"
+    done
+    echo '</building>'
+} >"$scratch/names.xml"
+check "rooms of any names" export_to -q -o "$scratch/names" "$scratch/names.xml"
+check "become folders" test "$(cd "$scratch/names" && printf '%s\n' * | LC_ALL=C sort | tr '\n' ' ')" = \
+    "A A-5 A-6 k-ü-c-h room-10 room-7 room-8 $long ${long}x ${long}x-3 "
+
+check "colour and gloss that are left out are said" \
+    export_to -o "$scratch/matt" "$examples/l-shaped.xml"
+check "with the option that writes them" grep -q "l-shaped.xml: .*--gloss" "$scratch/err"
+check "matt, the floor is grey" grep -q "^5 0.2[0-9]* \(0.2[0-9]*\) \1 0 0$" \
+    "$scratch/matt/materials.rad"
+check "--gloss writes them" export_to --gloss -o "$scratch/gloss" "$examples/l-shaped.xml"
+check "and nothing is left out" nothing "$(cat "$scratch/err")"
+check "the floor is oak" grep -q "^5 0.297[0-9]* 0.208[0-9]* 0.125[0-9]* 0.03 0.1$" \
+    "$scratch/gloss/materials.rad"
+
+check "without --to it is refused" refuses 2 "--to" export -o "$scratch/x" "$deep"
+check "and for other programs" refuses 2 "radiance" export --to dxf -o "$scratch/x" "$deep"
+check "without -o" refuses 2 "-o DIR" export --to radiance "$deep"
+check "to standard output" refuses 2 "directory" export --to radiance -o - "$deep"
+check "into what is not there" refuses 3 "can't be written" \
+    export --to radiance -o "$scratch/no/such" "$deep"
+sed 's|<working|<surface reflectance="0.2" exitance="0.1"><vertex x="1" y="1" z="1"/><vertex x="2" y="1" z="1"/><vertex x="2" y="2" z="1"/></surface><working|' \
+    "$deep" >"$scratch/lit.xml"
+check "what Radiance can't say is refused by its line" refuses 1 "line " \
+    export --to radiance -o "$scratch/lit" "$scratch/lit.xml"
+check "and nothing is written" test ! -e "$scratch/lit"
+
+# A disk that takes no more: files of no more than no blocks.
+full() {
+    (
+        trap '' XFSZ
+        ulimit -f 0
+        "$pepperpot" export --to radiance -o "$scratch/full" "$deep" 2>/dev/null
+    )
+    test $? -eq 3 && test ! -e "$scratch/full" &&
+        nothing "$(ls "$scratch" | grep 'pepperpot-')"
+}
+check "a full disk leaves nothing behind" full
+
+full_again() {
+    cat "$scratch/matt"/* >"$scratch/before"
+    (
+        trap '' XFSZ
+        ulimit -f 0
+        "$pepperpot" export --to radiance --force -o "$scratch/matt" "$deep" 2>/dev/null
+    )
+    test $? -eq 3 && cat "$scratch/matt"/* | cmp - "$scratch/before" &&
+        nothing "$(ls "$scratch" | grep 'pepperpot-')"
+}
+check "and an export that was to be replaced as it was" full_again
+
+# Stopped at any moment: all of the building's 8 rooms of 8 files, or nothing.
+{
+    echo '<building version="1" name="b">'
+    for i in 1 2 3 4 5 6 7 8; do
+        echo "<room name=\"$i\"><plan width=\"30\" depth=\"40\" height=\"2.7\"/><grid spacing=\"0.5\"/></room>"
+    done
+    echo '</building>'
+} >"$scratch/large.xml"
+whole_or_nothing() {
+    for wait in 0.01 0.02 0.05 0.1 0.2; do
+        "$pepperpot" export --to radiance -q -o "$scratch/large" "$scratch/large.xml" \
+            2>/dev/null &
+        sleep $wait
+        kill -TERM $! 2>/dev/null
+        wait $!
+        test ! -e "$scratch/large" -o "$(ls "$scratch/large"/*/* 2>/dev/null | wc -l)" -eq 64 ||
+            return 1
+        nothing "$(ls "$scratch" | grep 'pepperpot-')" || return 1
+        rm -rf "$scratch/large"
+    done
+}
+check "one that is stopped is there whole or not at all" whole_or_nothing
+
+cd "$out" || exit 1
+case $pepperpot in /*) ;; *) pepperpot=$OLDPWD/$pepperpot ;; esac
+# shellcheck disable=SC2086
+check "the export is read back" gives import $files
+check "with its polygons" grep -q "polygons          7, with 34 corners" "$scratch/out"
+check "and its sky" grep -q "10000 lx" "$scratch/out"
+# shellcheck disable=SC2086
+check "points in it are simulated" \
+    gives import $files --points-file points.pts --samples 2048 --format csv
+cp "$scratch/out" "$scratch/one"
+# df --simulate has 5.64 % at 2 m from this window; sampling leaves some per cent.
+check "the daylight factor is the room's" \
+    awk -F, 'NR == 2 { exit !($15 > 5.64 - 4 * $16 && $15 < 5.64 + 4 * $16 && $16 < .3) }' "$scratch/one"
+# shellcheck disable=SC2086
+gives import $files --points-file points.pts --samples 2048 --format csv --threads 3 >/dev/null
+check "to the digit with any number of threads" cmp "$scratch/out" "$scratch/one"
+# shellcheck disable=SC2086
+check "as JSON" gives import $files --points-file points.pts --samples 64 --summary \
+    --format json
+check "with its format" grep -q '"format": "pepperpot-import-1"' "$scratch/out"
+# shellcheck disable=SC2086
+check "in time" gives import $files --points-file points.pts --time 100ms
+check "which is said" grep -q -- "--time" "$scratch/out"
+cat materials.rad room.rad sky.rad >"$scratch/all.rad"
+check "from standard input" sh -c \
+    '"$1" import - <"$2" >"$3"' sh "$pepperpot" "$scratch/all.rad" "$scratch/out"
+check "which can be read once" refuses 2 "once" import - --points-file -
+
+printf 'void plastic a 0 0 5 .5 .5 .5 0 0\n\na polygon p 0 0 8 0 0 0 1 0 0 0 1\n' >"$scratch/bad.rad"
+# A square lamp over a plane: E = 179 x 4 (a/s) atan(a/s) lx, a = 0.35 m, s^2 = a^2 + 2.3^2.
+cat >"$scratch/lamp.rad" <<'END'
+void light lum
+0
+0
+3 1 1 1
+lum polygon lamp
+0
+0
+12 -0.35 -0.35 2.3  -0.35 0.35 2.3  0.35 0.35 2.3  0.35 -0.35 2.3
+END
+echo "0 0 0 0 0 1" >"$scratch/lamp.pts"
+# lamp_within ERRORS SHARE OPTIONS: that many standard errors from it, itself of that share.
+lamp_within() {
+    errors=$1
+    share=$2
+    shift 2
+    gives import "$scratch/lamp.rad" --points-file "$scratch/lamp.pts" -f json "$@" || return 1
+    sed -n 's/.*"lux": { "value": \([0-9.]*\), "se": \([0-9.e-]*\) }.*/\1 \2/p' "$scratch/out" |
+        awk -v n="$errors" -v share="$share" '{
+            off = $1 - 16.0844; if (off < 0) off = -off
+            exit !($2 < share * $1 && off < n * $2 + 5e-5) }'
+}
+check "a lamp is aimed at" lamp_within 4 1e-5
+check "or found by chance, with noise" lamp_within 4 0.02 --lamps chance --samples 4096
+check "or in no other way" refuses 2 "aimed or chance" import --lamps sometimes "$scratch/lamp.rad"
+
+check "a bad scene is refused by file and line" refuses 1 "bad.rad:3: " import "$scratch/bad.rad"
+printf '!rm -rf /\n' >"$scratch/bad.rad"
+check "nothing is executed" refuses 1 "nothing is executed" import "$scratch/bad.rad"
+printf 'a polygon p 0 0 9 0 0 0 1 0 0 0 1 0\n' >"$scratch/bad.rad"
+check "nor made of nothing" refuses 1 "bad.rad:1: " import "$scratch/bad.rad"
+check "a scene that is not there" refuses 1 "none.rad" import "$scratch/none.rad"
+printf '# points\n\n1 1 1 0 0\n' >"$scratch/bad.pts"
+check "so is a bad point" refuses 1 "bad.pts:3: " import sky.rad --points-file "$scratch/bad.pts"
+printf '1 1 1 0 0 0\n' >"$scratch/bad.pts"
+check "and one that looks nowhere" refuses 1 "bad.pts:1: " import sky.rad --points-file "$scratch/bad.pts"
+: >"$scratch/bad.pts"
+check "and none" refuses 1 "no points" import sky.rad --points-file "$scratch/bad.pts"
+check "a summary is no table" refuses 2 "CSV" import sky.rad --format csv
+
+# Ctrl-C: what is there is printed, and marked.
+interrupted() {
+    # shellcheck disable=SC2086
+    "$pepperpot" import $files --points-file points.pts --error 0.001% \
+        --format json >"$scratch/out" 2>/dev/null &
+    pid=$!
+    sleep 0.5
+    kill -TERM $pid
+    wait $pid
+    test $? -eq 130 && grep -q '"finished": false' "$scratch/out"
+}
+check "an interrupt leaves what there is" interrupted
+
+# An unobstructed sensor under gensky's overcast sky sees all of it: 100 %.
+printf 'void plastic g 0 0 5 0 0 0 0 0\n!gensky -ang 60 0 -c -b 1\nskyfunc glow s 0 0 4 1 1 1 0\ns source sky 0 0 4 0 0 1 180\ng polygon p 0 0 9 0 0 -9 1 0 -9 0 1 -9\n' >"$scratch/sky.rad"
+echo "0 0 1 0 0 1" >"$scratch/up.pts"
+gives import "$scratch/sky.rad" --points-file "$scratch/up.pts" --samples 4096 --format csv >/dev/null
+check "under the open sky the daylight factor is 100 %" \
+    awk -F, 'NR == 2 { exit !($15 > 99.95 && $15 < 100.05) }' "$scratch/out"
+
+# A small glow of 1e6 that 2048 paths do not find: 0 lx are not known to be so.
+printf 'void glow g 0 0 4 1e6 1e6 1e6 0\ng polygon p 0 0 12 -.005 -.005 3 -.005 .005 3 .005 .005 3 .005 -.005 3\n' >"$scratch/glow.rad"
+echo "0 0 0 0 0 1" >"$scratch/up.pts"
+said_with_its_error() {
+    gives import "$scratch/glow.rad" --points-file "$scratch/up.pts" --samples 64 --format csv &&
+        # 179 lm/W of 1e6 (0.01/3)^2
+        awk -F, 'NR == 2 { off = $13 - 1988.9; exit !(off < 3 * $14 && -off < 3 * $14) }' "$scratch/out"
+}
+check "what no path found is within the error" said_with_its_error
+
+# An illum stands for what is behind it: a sky of 1, and 1 over a quarter of it again.
+printf 'void glow g 0 0 4 1 1 1 0\ng source s 0 0 4 0 0 1 180\nvoid glass pane 0 0 3 .9 .9 .9\n' >"$scratch/even.rad"
+echo "0 0 0 0 0 1" >"$scratch/up.pts"
+stands_for_the_sky() {
+    printf 'void illum i %s 0 3 1 1 1\ni polygon p 0 0 12 -1 -1 1 -1 1 1 1 1 1 1 -1 1\n' \
+        "$1" >"$scratch/illum.rad"
+    gives import "$scratch/even.rad" "$scratch/illum.rad" --points-file "$scratch/up.pts" \
+        --samples 4096 --format csv &&
+        awk -F, 'NR == 2 { exit !($15 > 99.9 && $15 < 100.1) }' "$scratch/out"
+}
+check "an illum is not added to what is behind it" stands_for_the_sky 0
+check "nor to its glass" stands_for_the_sky "1 pane"
+printf 'void illum i 1 nosuch 0 3 1 1 1\n' >"$scratch/bad.rad"
+check "what it looks like has to be there" refuses 1 'bad.rad:1: there is no material "nosuch"' \
+    import "$scratch/bad.rad"
+printf 'void glow g 0 0 4 1 1 1 0\nvoid illum i 1 g 0 3 1 1 1\n' >"$scratch/bad.rad"
+check "and gives off no light itself" refuses 1 "bad.rad:2: an illum that is \"g\" to the eye" \
+    import "$scratch/bad.rad"
+
+check "without Radiance, validate says so" sh -c \
+    'PATH=/nowhere "$1" validate --against radiance "$2" 2>&1 | /bin/grep -q "not on PATH"' \
+    sh "$pepperpot" "$deep"
+check "of what room it has to be told" refuses 2 "--against" validate --against radiance
+
+# In the place of Radiance, two programs that find an irradiance of 1 everywhere: over the
+# 10000 lx / 179 of the open ground that is 1.79 %.
+mkdir "$scratch/bin" "$scratch/tmp"
+printf '#!/bin/sh\n' >"$scratch/bin/oconv"
+printf '#!/bin/sh\nwhile read -r line; do echo 1 1 1; done\n' >"$scratch/bin/rtrace"
+chmod +x "$scratch/bin/oconv" "$scratch/bin/rtrace"
+beside() {
+    (PATH=$scratch/bin:$PATH TMPDIR=$scratch/tmp && export TMPDIR && gives validate --against radiance --samples 64 "$@")
+}
+check "beside another program's" beside --points 1.5,2 "$deep"
+check "as a table" grep -q " 1.7900 " "$scratch/out"
+check "as CSV" beside --points 1.5,2 --format csv "$deep" "$examples/building.xml"
+check "with a line a point" test "$(wc -l <"$scratch/out")" -eq 6
+check "as JSON" beside --points 1.5,2 --format json "$deep" "$examples/building.xml"
+check "with rooms and both values" awk '
+    /"format": "pepperpot-validate-1"/ { format = 1 }
+    /"against": "radiance"/ { against = 1 }
+    /"room":/ { rooms++ }
+    /"x": 1.5, "y": 2, .*"traced": { "value": .*"rtrace": { "value": 1.79, "se": [^ ]* }, "off-by": / { points++ }
+    END { exit !(format && against && rooms == 5 && points == 5) }' "$scratch/out"
+check "methods have no part in it" refuses 2 "--methods" \
+    validate --against radiance --methods bre "$deep"
+printf '#!/bin/sh\necho 1 1 1\n' >"$scratch/bin/rtrace"
+fewer() {
+    (PATH=$scratch/bin:$PATH TMPDIR=$scratch/tmp && export TMPDIR && refuses 3 "fewer irradiances" validate --against radiance --samples 64 "$deep")
+}
+check "fewer answers than points are said" fewer
+printf '#!/bin/sh\nexit 1\n' >"$scratch/bin/rtrace"
+fails() {
+    (PATH=$scratch/bin:$PATH TMPDIR=$scratch/tmp && export TMPDIR && refuses 3 "rtrace failed" validate --against radiance --samples 64 "$deep")
+}
+check "so is that it failed" fails
+check "and nothing stays behind" nothing "$(ls "$scratch/tmp")"
+
+# Where Radiance is installed, its rtrace agrees.
+if command -v rtrace >/dev/null && command -v oconv >/dev/null; then
+    check "rtrace has the same daylight factor" sh -c \
+        './daylight_factors.sh -ab 6 -ad 4096 -as 0 -aa 0 -lw 1e-5 |
+            awk "{ exit !(\$4 > 5.3 && \$4 < 6.0) }"'
+else
+    skip "rtrace has the same daylight factor" "Radiance is not installed"
+fi
+tap_done

@@ -1,0 +1,181 @@
+#!/bin/sh
+# Charts reach their files, in every format.
+. "$srcdir/tests/lib/tap.sh"
+. "$srcdir/tests/lib/cli.sh"
+
+check "the kinds are listed" shows "section" chart --list
+check "with a kind too" shows "plan" chart plan --list
+check "and then the options" grep -q -- "--viewing-distance" "$scratch/out"
+check "no kind" refuses 2 "--list" chart
+check "a kind without a room" refuses 2 "room file" chart plan
+check "an unknown kind suggests the nearest" \
+    refuses 2 "did you mean section?" chart sektion -o x.pdf "$deep"
+check "a chart needs a format" refuses 2 "--format" chart plan "$deep"
+check "an ending that is no format" refuses 2 "pdf" chart plan -o "$scratch/x.jpg" "$deep"
+check "a size of paper that is none" refuses 2 "a4" chart plan --paper b4 -o x.pdf "$deep"
+check "a way of paper that is none" \
+    refuses 2 "landscape" chart plan --orientation up -o x.pdf "$deep"
+check "dots that are too many" refuses 2 "1200" chart plan --dpi 5000 -o x.png "$deep"
+check "a PNG has no pages for several rooms" \
+    refuses 2 "--room" chart plan --format png "$examples/building.xml"
+
+# starts_with BYTES FILE
+starts_with() {
+    [ "$(head -c ${#1} "$2")" = "$1" ]
+}
+
+# quietly WORDS: status 0, and not a word.
+quietly() {
+    run "$@"
+    [ $status -eq 0 ] && [ ! -s "$scratch/out" ] && [ ! -s "$scratch/err" ] || told
+}
+
+for kind in section plan; do
+    for format in pdf svg png; do
+        file="$scratch/a $kind.$format"
+        run chart $kind -o "$file" "$deep"
+        check "$kind becomes $format" test $status -eq 0
+        case $format in
+        pdf) check "$kind.pdf is one" starts_with "%PDF" "$file" ;;
+        svg) check "$kind.svg is one" starts_with "<?xml" "$file" ;;
+        png) check "$kind.png is one" starts_with "$(printf '\211PNG')" "$file" ;;
+        esac
+        run chart $kind --format $format "$deep"
+        check "$kind as $format to standard output is the same" same "$file" "$scratch/out"
+    done
+done
+for example in "$examples"/*.xml; do
+    for kind in section plan; do
+        run chart $kind -o "$scratch/example.pdf" "$example"
+        check "$kind of $(basename "$example")" test $status -eq 0
+    done
+done
+for kind in waldram pepper-pot; do
+    for format in pdf svg png; do
+        file="$scratch/a $kind.$format"
+        check "a blank $kind becomes $format" quietly chart $kind -o "$file"
+        run chart $kind --format $format
+        check "blank $kind as $format is the same again" same "$file" "$scratch/out"
+        check "$kind from a point becomes $format" \
+            quietly chart $kind --points 1,1.5 -o "$file" "$deep"
+    done
+    for paper in a5 a4 a3 a2; do
+        check "$kind on $paper" quietly chart $kind --paper $paper \
+            --orientation portrait -p 2,2 -o "$file" "$examples/l-shaped.xml"
+    done
+    check "$kind without glass" quietly chart $kind --glazed no --sky uniform -o "$file"
+    check "$kind of a sky that changes with azimuth" \
+        refuses 1 "" chart $kind --sky iso-12,30,180 -o "$file"
+    check "$kind from 17 points" refuses 2 "--points" chart $kind -o "$file" "$deep"
+    check "$kind of glass that slopes" \
+        refuses 1 "the opening on line" chart $kind -p 3,3 -o "$file" "$examples/studio.xml"
+    check "$kind of a point outside" \
+        refuses 1 "free space" chart $kind -p 3,-3 -o "$file" "$deep"
+    check "a blank $kind has no points" \
+        refuses 2 "--points" chart $kind -p 1,1 -o "$file"
+    check "$kind is not simulated" \
+        refuses 2 "--simulate" chart $kind --simulate -p 1,1 -o "$file" "$deep"
+    check "a room has its own glass" \
+        refuses 2 "--glazed" chart $kind --glazed no -p 1,1 -o "$file" "$deep"
+    check "glass is there or not" refuses 2 "yes or no" chart $kind --glazed maybe -o "$file"
+done
+check "a fine pepper-pot from afar" quietly chart pepper-pot --fine --receiver vertical \
+    --viewing-distance 60 -o "$scratch/fine.pdf"
+check "a viewing distance of none" \
+    refuses 2 "from 5 to 200" chart pepper-pot --viewing-distance 1 -o "$scratch/x.pdf"
+check "a receiver that is neither" \
+    refuses 2 "horizontal" chart pepper-pot --receiver up -o "$scratch/x.pdf"
+check "Waldram's squares are not fine" \
+    refuses 2 "--fine" chart waldram --fine -o "$scratch/x.pdf"
+for format in pdf svg png; do
+    file="$scratch/a protractor.$format"
+    check "a blank protractor becomes $format" quietly chart protractor -o "$file"
+    run chart protractor --format $format
+    check "a blank protractor as $format is the same again" same "$file" "$scratch/out"
+    check "a worked protractor becomes $format" \
+        quietly chart protractor -p 1,1.5 -o "$file" "$deep"
+done
+for number in 1 2 3 4 5 6 7 8 9 10; do
+    check "protractor $number" quietly chart protractor --number $number -o "$file"
+done
+for paper in a5 a4 a3 a2; do
+    check "a worked protractor on $paper" quietly chart protractor --paper $paper -p 2,2 \
+        --orientation landscape -o "$file" "$examples/l-shaped.xml"
+done
+check "a protractor that was never sold" quietly chart protractor --glazing clear-double \
+    --slope 45 --sky iso-3 -o "$file"
+check "there is no protractor 11" \
+    refuses 2 "from 1 to 10" chart protractor --number 11 -o "$file"
+check "a numbered protractor has its slope" \
+    refuses 2 "one of the ten" chart protractor --number 3 --slope 20 -o "$file"
+check "a glazing that is not in the table" \
+    refuses 2 "table" chart protractor --glazing milk -o "$file"
+check "a protractor of a sky that changes with azimuth" \
+    refuses 2 "azimuths" chart protractor --sky iso-12,30,180 -o "$file"
+check "a room has its own protractor" \
+    refuses 2 "blank" chart protractor --number 2 -p 1,1 -o "$file" "$deep"
+check "no protractor for glass at such a slope" \
+    refuses 1 "the opening on line" chart protractor -p 3,3 -o "$file" "$examples/studio.xml"
+check "Waldram's diagram has no number" \
+    refuses 2 "--number" chart waldram --number 2 -o "$file"
+for which in average minimum rooflight; do
+    for format in pdf svg png; do
+        file="$scratch/a nomogram.$format"
+        check "a blank nomogram of the $which becomes $format" \
+            quietly chart nomogram --which $which -o "$file"
+        run chart nomogram --which $which --format $format
+        check "and is the same again" same "$file" "$scratch/out"
+    done
+done
+for paper in a5 a4 a3 a2; do
+    check "a worked nomogram on $paper" quietly chart nomogram --paper $paper \
+        --which minimum --orientation landscape -o "$file" "$examples/l-shaped.xml"
+done
+check "a nomogram of a top-lit room" \
+    quietly chart nomogram --which rooflight -o "$file" "$examples/studio.xml"
+check "windows are not rooflights" \
+    refuses 1 "no opening is a rooflight" chart nomogram --which rooflight -o "$file" "$deep"
+check "a nomogram under another sky" \
+    refuses 2 "overcast" chart nomogram --sky uniform -o "$file" "$deep"
+check "a blank nomogram under another sky" \
+    refuses 2 "overcast" chart nomogram --sky uniform -o "$file"
+check "a nomogram is for the whole room" \
+    refuses 2 "--points" chart nomogram -p 1,1 -o "$file" "$deep"
+check "there are three nomograms" \
+    refuses 2 "average, minimum or rooflight" chart nomogram --which most -o "$file"
+check "a plan has none of them" refuses 2 "--which" chart waldram --which average -o "$file"
+if command -v pdftotext >/dev/null; then
+    run chart nomogram -o "$scratch/words.pdf" "$deep"
+    pdftotext "$scratch/words.pdf" "$scratch/words.txt"
+    check "rule and reading stand on the sheet, as text" \
+        grep -q "k = 1.5" "$scratch/words.txt"
+fi
+if command -v pdftotext >/dev/null; then
+    run chart waldram --points 1,1.5 -o "$scratch/words.pdf" "$deep"
+    pdftotext "$scratch/words.pdf" "$scratch/words.txt"
+    check "the sum is written below, as text" \
+        grep -q "Sky component .*together" "$scratch/words.txt"
+else
+    skip "the sum is written below, as text" "no pdftotext"
+fi
+run chart plan -o "$scratch/building.pdf" "$examples/building.xml"
+pages=$(grep -ac '/Type /Page[^s]' "$scratch/building.pdf")
+if [ "$pages" -gt 0 ]; then
+    check "a building has a page a room" test "$pages" -eq 4
+else
+    skip "a building has a page a room" "this cairo compresses the PDF's page list"
+fi
+run chart plan --dpi 50 -o "$scratch/rooms.v1/plan.png" "$examples/building.xml"
+check "a directory that is not there" test $status -eq 3
+mkdir "$scratch/rooms.v1"
+run chart plan --dpi 50 -o "$scratch/rooms.v1/plan.png" "$examples/building.xml"
+check "PNGs of a building are numbered" \
+    test "$(cd "$scratch/rooms.v1" && echo *)" = "plan-1.png plan-2.png plan-3.png plan-4.png"
+run chart section --log --paper a3 --orientation landscape --simulate --samples 16 \
+    --methods all -o "$scratch/all.pdf" "$deep"
+check "every option at once" test $status -eq 0
+if [ -c /dev/full ]; then
+    check "a full disk is noticed" \
+        refuses 3 "/dev/full" chart plan --format pdf -o /dev/full "$deep"
+fi
+tap_done

@@ -1,0 +1,64 @@
+#!/bin/sh
+# Room files from everywhere, wrong ones too: nothing is computed, all mistakes are said.
+. "$srcdir/tests/lib/tap.sh"
+. "$srcdir/tests/lib/cli.sh"
+
+check "a file that is not there" refuses 1 "missing.xml" df "$scratch/missing.xml"
+check "a directory is no room" refuses 1 "$scratch" df "$scratch"
+check "an empty file" refuses 1 "standard input" df -
+
+cat >"$scratch/wrong.xml" <<'XML'
+<room version="1">
+  <plan width="3" depth="4" height="2.7"/>
+  <window wall="south" left="0.5" sill="0.8" width="22" height="1.5"/>
+  <windoww/>
+</room>
+XML
+check "a mistake names file and line" refuses 1 "$scratch/wrong.xml:3: " \
+    df "$scratch/wrong.xml"
+check "all mistakes are named at once" refuses 1 "$scratch/wrong.xml:4: " \
+    df "$scratch/wrong.xml"
+check "a wrong file among right ones stops all of them" refuses 1 "wrong.xml:3: " \
+    df "$deep" "$scratch/wrong.xml"
+check "mistakes of all files are named" refuses 1 "missing.xml" \
+    df "$scratch/missing.xml" "$scratch/wrong.xml"
+check "the second of two wrong files is named too" grep -q "wrong.xml:3: " "$scratch/err"
+check "a chart of a wrong file" refuses 1 "wrong.xml:3: " \
+    chart plan -o "$scratch/none.pdf" "$scratch/wrong.xml"
+check "leaves no file behind" test ! -e "$scratch/none.pdf"
+
+if [ "$(id -u)" -ne 0 ]; then
+    cp "$deep" "$scratch/locked.xml"
+    chmod 0 "$scratch/locked.xml"
+    check "a file that may not be read" refuses 3 "locked.xml" df "$scratch/locked.xml"
+else
+    skip "a file that may not be read" "root may read everything"
+fi
+
+mkdir "$scratch/Büro mit Räumen"
+cp "$deep" "$scratch/Büro mit Räumen/tief & hell.xml"
+check "paths with blanks and UTF-8" shows "tief & hell.xml" \
+    df "$scratch/Büro mit Räumen/tief & hell.xml"
+
+"$pepperpot" df --format csv "$deep" | sed 's/^[^,]*,//' >"$scratch/named"
+"$pepperpot" df --format csv - <"$deep" | sed 's/^[^,]*,//' >"$scratch/piped"
+check "standard input gives the same numbers" same "$scratch/named" "$scratch/piped"
+cp "$deep" "$scratch/--methods"
+check "a file whose name is an option, behind --" \
+    sh -c "cd '$scratch' && '$pepperpot' df -- --methods >out"
+
+# What others wrote reaches no terminal as it is.
+escape=$(printf '\033[31m')
+check "a message with a control character" refuses 1 '\x1b[31m' df "no${escape}such"
+check "shows it in letters" nothing "$(grep -F "$escape" "$scratch/err")"
+
+# Rooms without any window have no light, and that is no mistake.
+printf '<room version="1" name="a,&quot;b"><plan width="3" depth="4" height="2.7"/>%s</room>' \
+    '<point x="1" y="1"/>' >"$scratch/closed.xml"
+check "a closed room is computed" shows 'a,"b' df "$scratch/closed.xml"
+check "with no light" grep -qE '^ +1.00 +1.00 +0.00 ' "$scratch/out"
+sed 's|glazing="[^"]*"|glazing="stained" transmittance="0.5"|' "$deep" >"$scratch/two.xml"
+check "two mistakes of one glass are both told" refuses 1 'glazing is "stained"' \
+    df "$scratch/two.xml"
+check "the second one too" grep -qF "are both given" "$scratch/err"
+tap_done

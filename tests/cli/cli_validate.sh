@@ -1,0 +1,76 @@
+#!/bin/sh
+# validate: answers known on paper, and methods against the simulation, whose figures are
+# worked out again here from what df says of the same room.
+. "$srcdir/tests/lib/tap.sh"
+. "$srcdir/tests/lib/cli.sh"
+
+check "what is known on paper is asked" shows "The program against answers" validate
+check "and all of it is right" grep -qE '^  ([0-9]+) of \1 right' "$scratch/out"
+check "none is wrong" nothing "$(grep WRONG "$scratch/out")"
+check "no line is wider than 80 columns" nothing "$(too_wide)"
+check "no line ends with a blank" nothing "$(grep -n ' $' "$scratch/out")"
+check "in JSON too" shows '"format": "pepperpot-validate-1"' validate --format json
+check "with at least 40 answers" test "$(grep -c '"right": true' "$scratch/out")" -ge 40
+check "all right" nothing "$(grep '"right": false' "$scratch/out")"
+check "in CSV too" shows 'what,by,answer,expected,difference' validate --format csv
+check "8 fields a line" nothing \
+    "$(sed 's/"[^"]*"/text/g' "$scratch/out" | awk -F, 'NF != 8')"
+check "another seed is right too" shows "right:" validate --seed 7
+
+# A room: bias, spread and worst once more from df's own figures, with the same paths.
+methods=exact+bre,brs-table+bre,average-df
+gives df --simulate --samples 16 --methods "$methods" --format csv "$deep" >/dev/null
+tr -d '\r' <"$scratch/out" >"$scratch/df"
+check "a room is compared with what is traced" \
+    gives validate --samples 16 --methods "$methods" --format csv "$deep"
+tr -d '\r"' <"$scratch/out" >"$scratch/validate"
+check "with 18 fields a line" nothing "$(awk -F, 'NF != 18' "$scratch/validate")"
+# worked_again METHOD: its bias, spread and worst difference as this script finds them.
+worked_again() {
+    awk -F, -v method="$1" '
+        $3 == "point" && $10 == "df" && $11 == "traced" { truth[$4 " " $5] = $12; error[$4 " " $5] = $13 }
+        $3 == "point" && $10 == "df" && $11 == method { value[$4 " " $5] = $12 }
+        END {
+            for (at in value) {
+                off = value[at] - truth[at]; n++
+                sum += off; squares += off^2; noise += error[at]^2
+                if (off^2 > worst^2) worst = off
+            }
+            spread = (squares - noise) / n
+            printf "%.6f %.6f %.6f\n", sum / n, sqrt(spread > 0 ? spread : 0), worst
+        }' "$scratch/df"
+}
+said() {
+    awk -F, -v method="$1" '
+        $3 == "df" && $4 == method { printf "%.6f %.6f %.6f\n", $10, $12, $13 }
+        ' "$scratch/validate"
+}
+for method in exact+bre brs-table+bre; do
+    check "$method: bias, spread and worst are those of df's figures" \
+        test "$(said $method)" = "$(worked_again $method)"
+done
+check "an average formula has its average compared" \
+    grep -qE '^[^,]*,Deep office,df,average-df,3\.11[0-9]*,4\.' "$scratch/validate"
+check "the text names the worst point" \
+    shows "at x, y" validate --samples 16 --methods exact+bre "$deep"
+check "and fits in 80 columns" nothing "$(too_wide)"
+check "a room that methods refuse is said to be" \
+    shows "not vertical" validate --samples 16 "$examples/studio.xml"
+check "several rooms are summed up" shows "All 2 rooms" \
+    validate --samples 16 --methods exact+bre "$deep" "$examples/office.xml"
+check "in JSON" shows '"all": [' \
+    validate --samples 16 --methods exact+bre --format json "$deep" "$examples/studio.xml"
+check "with the reason where there is nothing" grep -q '"why": "bre: ' "$scratch/out"
+check "no nan" nothing "$(grep -i '[^a-z]nan' "$scratch/out")"
+for threads in 1 2; do
+    "$pepperpot" validate --samples 16 --threads $threads "$deep" >"$scratch/threads.$threads"
+done
+check "the same bytes with 1 and 2 threads" same "$scratch/threads.1" "$scratch/threads.2"
+
+check "options of rooms need one" refuses 2 "--methods is about a room" \
+    validate --methods bre
+check "a method that there is not" refuses 2 "bre" validate --methods brr "$deep"
+check "a file that there is not" refuses 1 "nowhere.xml" validate nowhere.xml
+check "a format that there is not" refuses 2 "text, json or csv" validate --format xml
+check "--simulate goes without saying" refuses 2 "--simulate" validate --simulate "$deep"
+tap_done

@@ -1,0 +1,17 @@
+/* test_round_trip.c - rooms as Radiance scenes have the same daylight factors. The
+ * long test (long_round_trip.c) is the same to a fifth of the error. */
+#include "tests/lib/round_trip.h"
+
+static void every_example_is_as_light_when_it_comes_back(void **state)
+{
+    (void)state;
+    pp_test_examples_beside(0.03);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(every_example_is_as_light_when_it_comes_back),
+    };
+    return cmocka_run_group_tests_name("round_trip", tests, NULL, NULL);
+}

@@ -1,0 +1,90 @@
+/* fuzz_cache.c - whatever bytes a cache file holds, reading it ends well.
+ *
+ * For clang's libFuzzer (make fuzz). A file is refused with a reason and nothing is
+ * kept of it, or it is taken, and what is read of it is a number. The checksum is put
+ * right first, and so are the hashes: else no bytes would come past them.
+ */
+#include <math.h>
+#include <stdbool.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "simulate/sampling/hash.h"
+#include "simulate/cache/irradiance_cache.h"
+
+int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t length);
+
+static void must(bool holds)
+{
+    if (!holds)
+        abort();
+}
+
+static struct pp_irradiance_cache *empty_cache(void)
+{
+    static struct pp_light_scene *scene;
+    const struct pp_vec3 floor[3] = {{0, 0, 0}, {2, 0, 0}, {0, 3, 0}};
+    struct pp_material grey = pp_material_diffuse(pp_rgb_grey(0.4));
+    struct pp_scene_description from;
+    if (!scene) {
+        pp_scene_description_init(&from);
+        must(pp_scene_add_material(&from, &grey, NULL, NULL) == PP_OK);
+        must(pp_scene_add_polygon(&from, floor, 3, 0, NULL, NULL) == PP_OK);
+        must(pp_light_scene_of_description(&scene, &from, NULL) == PP_OK);
+        pp_scene_description_clear(&from);
+    }
+    struct pp_radiance_options light = pp_radiance_defaults();
+    struct pp_cache_options options = pp_cache_defaults();
+    struct pp_irradiance_cache *cache = NULL;
+    options.threads = 1;
+    must(pp_irradiance_cache_create(&cache, scene, NULL, &light, &options, NULL)
+         == PP_OK);
+    return cache;
+}
+
+static uint64_t word_at(const unsigned char *at)
+{
+    uint64_t word = 0;
+    for (int i = 0; i < 8; i++)
+        word |= (uint64_t)at[i] << 8 * i;
+    return word;
+}
+
+static void put_right(char *bytes, size_t length, const char *head)
+{
+    if (length < 64 || length % 8 != 0)
+        return;
+    memcpy(bytes, head, 40);
+    uint64_t sum = length - 8;
+    for (size_t i = 0; i + 8 < length; i += 8)
+        sum = pp_hash(sum, word_at((unsigned char *)bytes + i));
+    for (int i = 0; i < 8; i++)
+        bytes[length - 8 + (size_t)i] = (char)(sum >> 8 * i);
+}
+
+int LLVMFuzzerTestOneInput(const uint8_t *given, size_t length)
+{
+    struct pp_error err = {PP_OK, ""};
+    struct pp_irradiance_cache *cache = empty_cache();
+    char *head, *bytes = malloc(length + 1);
+    size_t head_length;
+    must(bytes && pp_irradiance_cache_pack(cache, &head, &head_length, NULL) == PP_OK);
+    memcpy(bytes, given, length);
+    if (length > 0 && given[length - 1] & 1)
+        put_right(bytes, length, head);
+    enum pp_status status =
+        pp_irradiance_cache_unpack(cache, bytes, length, "fuzz", &err);
+    must(status == PP_OK
+         || (err.message[0] != '\0' && pp_irradiance_cache_count(cache) == 0));
+    for (int i = 0; status == PP_OK && i < 16; i++) {
+        struct pp_rgb value;
+        if (pp_irradiance_cache_value(cache, pp_vec(0.1 * i, 0.2, 0.0),
+                                      pp_vec(0.0, 0.0, 1.0), PP_ANYWHERE, i % 3,
+                                      &value))
+            must(value.g >= 0.0);
+    }
+    free(head);
+    free(bytes);
+    pp_irradiance_cache_destroy(cache);
+    return 0;
+}

@@ -1,0 +1,105 @@
+/* fuzz_checkpoint.c - whatever bytes a checkpoint holds, taking it up ends well.
+ *
+ * For clang's libFuzzer (make fuzz). A file is refused with a reason and nothing is
+ * taken of it; or it is taken, is what would be written again to the byte, and the
+ * picture goes on from there to its end. Head and checksum are put right first: else no
+ * bytes would come past them.
+ */
+#include <stdbool.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "simulate/sampling/hash.h"
+#include "simulate/render/render.h"
+
+int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t length);
+
+/* Up to the counts, as checkpoint.c has it, and with them; the sum at the end. */
+enum { MARKED = 8 + 4 + 8 + 3 * 4, TAIL = 8 };
+
+static void must(bool holds)
+{
+    if (!holds)
+        abort();
+}
+
+/* Of 2 by 2 tiles, the right and lower ones narrower. */
+static struct pp_render *fresh_render(void)
+{
+    static struct pp_light_scene *scene;
+    const struct pp_vec3 floor[3] = {{0, 0, 0}, {2, 0, 0}, {0, 3, 0}};
+    struct pp_material grey = pp_material_diffuse(pp_rgb_grey(0.4));
+    struct pp_scene_description from;
+    if (!scene) {
+        pp_scene_description_init(&from);
+        must(pp_scene_add_material(&from, &grey, NULL, NULL) == PP_OK);
+        must(pp_scene_add_polygon(&from, floor, 3, 0, NULL, NULL) == PP_OK);
+        must(pp_light_scene_of_description(&scene, &from, NULL) == PP_OK);
+        pp_scene_description_clear(&from);
+    }
+    struct pp_render_options options = {.width = 17,
+                                        .height = 18,
+                                        .samples = 1,
+                                        .light = pp_radiance_defaults(),
+                                        .threads = 1};
+    struct pp_render *render = NULL;
+    must(pp_camera_set(&options.camera, PP_VIEW_PARALLEL, pp_vec(1.0, 1.0, 1.0),
+                       pp_vec(0.0, 0.0, -1.0), pp_vec(0.0, 1.0, 0.0), 1.0, 1.0, NULL)
+         == PP_OK);
+    must(pp_render_create(&render, scene, &options, NULL) == PP_OK);
+    return render;
+}
+
+static unsigned char *saved(const struct pp_render *render, size_t *length)
+{
+    char *bytes = NULL;
+    FILE *out = open_memstream(&bytes, length);
+    must(out && pp_render_save(render, NULL, out, NULL) == PP_OK && fclose(out) == 0);
+    return (unsigned char *)bytes;
+}
+
+static void put_right(unsigned char *bytes, size_t length, const unsigned char *head)
+{
+    if (length < MARKED + TAIL)
+        return;
+    memcpy(bytes, head, MARKED);
+    size_t summed = length - TAIL;
+    uint64_t sum = pp_hash(2, summed);
+    for (size_t i = 0; i < summed; i += 8) {
+        uint64_t word = 0;
+        memcpy(&word, bytes + i, summed - i < 8 ? summed - i : 8);
+        sum = pp_hash(sum, word);
+    }
+    for (int i = 0; i < TAIL; i++)
+        bytes[summed + (size_t)i] = (unsigned char)(sum >> 8 * i);
+}
+
+int LLVMFuzzerTestOneInput(const uint8_t *given, size_t length)
+{
+    struct pp_error err = {PP_OK, ""};
+    struct pp_render *render = fresh_render();
+    size_t own_length;
+    unsigned char *own = saved(render, &own_length), *bytes = malloc(length + 1);
+    must(bytes);
+    memcpy(bytes, given, length);
+    if (length > 0 && given[length - 1] & 1)
+        put_right(bytes, length, own);
+    free(own);
+    enum pp_status status = pp_render_resume(render, bytes, length, &err);
+    if (status == PP_OK) {
+        const char *cache;
+        size_t kept;
+        must(pp_checkpoint_cache(bytes, length, &cache, &kept, NULL) == PP_OK);
+        own = saved(render, &own_length);
+        must(own_length + kept == length);
+        must(kept > 0 || memcmp(own, bytes, length) == 0);
+        free(own);
+        pp_render_advance(render, 10.0);
+        must(pp_render_done(render));
+    } else {
+        must(err.message[0] != '\0' && pp_render_progress(render) == 0.0);
+    }
+    free(bytes);
+    pp_render_destroy(render);
+    return 0;
+}

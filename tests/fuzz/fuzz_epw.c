@@ -1,0 +1,68 @@
+/* fuzz_epw.c - whatever bytes a weather file holds, reading it ends well, and so does
+ * what is made of it.
+ *
+ * For clang's libFuzzer (make fuzz). The sanitizers say what is wrong; besides, a file
+ * is refused with a reason, or taken; then its light is finite and not negative, and
+ * its curve falls.
+ */
+#include <math.h>
+#include <stdbool.h>
+#include <stdint.h>
+#include <stdlib.h>
+
+#include "studies/climate/diffuse_curve.h"
+#include "formats/epw/epw.h"
+
+int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t length);
+
+static void must(bool holds)
+{
+    if (!holds)
+        abort();
+}
+
+static void follow(const struct pp_epw *epw)
+{
+    static const struct pp_working_hours hours = {8.5, 17.0, 0x1F};
+    const struct pp_summer_time summer = {epw->summer_from, epw->summer_to};
+    struct pp_error err = {PP_OK, ""};
+    struct pp_diffuse_light light;
+    enum pp_status status = pp_diffuse_light_of_epw(&light, epw, "fuzz.epw", &err);
+    must(status == PP_OK || err.message[0] != '\0');
+    if (status != PP_OK)
+        return;
+    must(light.count == epw->record_count);
+    for (int i = 0; i < light.count; i++)
+        must(isnan(light.list[i].lx)
+             || (light.list[i].lx >= 0.0 && light.list[i].lx < 1e6));
+
+    struct pp_diffuse_curve curve;
+    status = pp_diffuse_curve_create(&curve, &light, &hours, &summer, &err);
+    must(status == PP_OK || err.message[0] != '\0');
+    for (int i = 1; status == PP_OK && i < curve.count; i++)
+        must(curve.lx[i] < curve.lx[i - 1]
+             && curve.reached_h[i] > curve.reached_h[i - 1]);
+    pp_diffuse_curve_clear(&curve);
+    pp_diffuse_light_median_lx(&light);
+    pp_diffuse_light_clear(&light);
+}
+
+int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t length)
+{
+    struct pp_mistakes mistakes;
+    struct pp_error err = {PP_OK, ""};
+    struct pp_epw *epw = NULL;
+    pp_mistakes_init(&mistakes, "fuzz.epw");
+    enum pp_status status =
+        pp_epw_parse(&epw, (const char *)bytes, length, &mistakes, &err);
+    must(status == PP_OK || err.message[0] != '\0');
+    must((status == PP_OK) == (epw != NULL));
+    must((status == PP_BAD_INPUT) == (mistakes.count > 0 || mistakes.truncated));
+    for (int i = 0; i < mistakes.count; i++)
+        must(mistakes.list[i].line >= 0 && mistakes.list[i].text[0] != '\0');
+    if (epw)
+        follow(epw);
+    pp_epw_destroy(epw);
+    pp_mistakes_clear(&mistakes);
+    return 0;
+}

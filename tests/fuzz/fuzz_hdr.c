@@ -1,0 +1,63 @@
+/* fuzz_hdr.c - whatever bytes a Radiance picture holds, reading it ends well.
+ *
+ * For clang's libFuzzer (make fuzz). The sanitizers say what is wrong; besides, a file
+ * is refused with a reason, or taken; then its numbers are finite and not negative, and
+ * it is written and read again as it was.
+ */
+#include <math.h>
+#include <stdbool.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "formats/pictures/picture_hdr.h"
+
+int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t length);
+
+static void must(bool holds)
+{
+    if (!holds)
+        abort();
+}
+
+static size_t numbers_of(const struct pp_picture *picture)
+{
+    return 3 * (size_t)picture->width * (size_t)picture->height;
+}
+
+/* What we wrote reads back to the same numbers: they are middles of steps already. */
+static void write_and_read(const struct pp_picture *picture,
+                           const struct pp_hdr_notes *notes)
+{
+    char *bytes = NULL;
+    size_t length = 0;
+    FILE *out = open_memstream(&bytes, &length);
+    must(out && pp_hdr_write(out, picture, notes, NULL) == PP_OK);
+    must(fclose(out) == 0);
+    struct pp_picture again;
+    struct pp_hdr_notes said;
+    must(pp_hdr_read(&again, &said, (const unsigned char *)bytes, length, NULL)
+         == PP_OK);
+    must(again.width == picture->width && again.height == picture->height);
+    must(strcmp(said.quantity, notes->quantity) == 0);
+    pp_picture_clear(&again);
+    free(bytes);
+}
+
+int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t length)
+{
+    struct pp_picture picture;
+    struct pp_hdr_notes notes;
+    struct pp_error err = {PP_OK, ""};
+    enum pp_status status = pp_hdr_read(&picture, &notes, bytes, length, &err);
+    must(status == PP_OK || err.message[0] != '\0');
+    if (status != PP_OK)
+        return 0;
+    must(notes.exposure > 0.0 && isfinite(notes.exposure));
+    for (size_t i = 0; i < numbers_of(&picture); i++)
+        must(isfinite(picture.rgb[i]) && picture.rgb[i] >= 0.0f);
+    if (numbers_of(&picture) < 100000)
+        write_and_read(&picture, &notes);
+    pp_picture_clear(&picture);
+    return 0;
+}

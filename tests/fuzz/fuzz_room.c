@@ -1,0 +1,43 @@
+/* fuzz_room.c - whatever bytes a room file holds, reading and resolving it ends well.
+ *
+ * For clang's libFuzzer (make fuzz). The sanitizers say what is wrong; besides, a file
+ * is refused with a reason, or taken.
+ */
+#include <stdbool.h>
+#include <stdint.h>
+#include <stdlib.h>
+
+#include "model/room/room.h"
+
+int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t length);
+
+static void must(bool holds)
+{
+    if (!holds)
+        abort();
+}
+
+int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t length)
+{
+    struct pp_mistakes mistakes;
+    struct pp_error err = {PP_OK, ""};
+    struct pp_building *building = NULL;
+    pp_mistakes_init(&mistakes, "fuzz.xml");
+
+    enum pp_status status =
+        pp_building_parse(&building, (const char *)bytes, length, &mistakes, &err);
+    must(status == PP_OK || err.message[0] != '\0');
+    must((status == PP_BAD_INPUT) == (mistakes.count > 0 || mistakes.truncated));
+
+    for (int i = 0; building && i < pp_building_room_count(building); i++) {
+        struct pp_world *world = NULL;
+        status =
+            pp_world_create(&world, pp_building_room(building, i), &mistakes, &err);
+        must((status == PP_OK) == (world != NULL));
+        must(status != PP_BAD_INPUT || mistakes.count > 0);
+        pp_world_destroy(world);
+    }
+    pp_building_destroy(building);
+    pp_mistakes_clear(&mistakes);
+    return 0;
+}

@@ -1,0 +1,176 @@
+#!/bin/sh
+# The arrows between the folders, by what the sources include and by what the objects
+# call: down only, so that what stands lower never knows of what stands on it. methods and
+# simulate know nothing of each other; only studies holds both. A header that says
+# "Inside X/ only" is included there only; no circle of files includes itself. The library
+# never prints, exits or looks at its surroundings, and keeps nothing in writable data.
+. "$srcdir/tests/lib/tap.sh"
+
+folders="model formats methods simulate studies charts cli"
+library="model formats methods simulate studies charts"
+
+# Each place, what it may use besides itself, lowest first. "model" as a whole is all of
+# its folders.
+places='
+model/base
+model/geometry      model/base
+model/light         model/base model/geometry
+model/room          model/base model/geometry model/light
+model/pictures      model/base model/geometry model/light
+model/results       model/base model/geometry model/light model/room model/pictures
+formats             model
+methods             model
+simulate/sampling   model
+simulate/scene      model simulate/sampling
+simulate/tracer     model simulate/sampling simulate/scene
+simulate/transport  model simulate/sampling simulate/scene simulate/tracer
+simulate/cache      model simulate/sampling simulate/scene simulate/transport
+simulate/render     model simulate
+studies             model formats methods simulate
+charts              model
+cli                 model formats methods simulate studies charts'
+
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+printf '%s\n' "$places" | sed 1d >"$scratch/places"
+
+# Functions of awk on the table of places, which is read first.
+arrows='
+    function place_of(path,    name) {
+        name = path
+        while (name != "" && !(name in uses))
+            if (!sub(/\/[^\/]*$/, "", name))
+                name = ""
+        return name
+    }
+    function may_use(from, to,    mine, theirs, list, i, n) {
+        mine = place_of(from); theirs = place_of(to)
+        if (mine == "" || theirs == "")
+            return 0
+        if (mine == theirs)
+            return 1
+        n = split(uses[mine], list, " ")
+        for (i = 1; i <= n; i++)
+            if (theirs == list[i] || index(theirs, list[i] "/") == 1)
+                return 1
+        return 0
+    }
+    FILENAME == ARGV[1] { name = $1; $1 = ""; uses[name] = $0; next }'
+
+# Lines "FILE HEADER": which of our own headers each of our files includes.
+(cd "$srcdir" && grep -rH --include='*.[ch]' '^[ 	]*#[ 	]*include[ 	]*"' $folders) |
+    sed -n 's/^\([^:]*\):[^"]*"\([^"]*\)".*/\1 \2/p' |
+    grep -Ev ' (config\.h|pepperpot\.h|tables/.*)$' >"$scratch/includes"
+
+wrong_includes() {
+    awk "$arrows"'
+        $2 !~ /\// { print $1 " includes " $2 " without its folder"; next }
+        !may_use($1, $2) { print $1 " includes " $2 }
+    ' "$scratch/places" "$scratch/includes"
+}
+
+# Headers whose head names the folder they are for, and who else includes them.
+wrong_guests() {
+    (cd "$srcdir" && grep -rl --include='*.h' '' $folders) | while read -r header; do
+        owner=$(sed '/\*\//q' "$srcdir/$header" | tr '\n' ' ' | sed 's/ \* / /g' |
+            sed -n 's/.*[Ii]nside \([a-z_/]*\)\/ only.*/\1/p')
+        [ -z "$owner" ] || awk -v header="$header" -v owner="$owner/" '
+            $2 == header && index($1, owner) != 1 {
+                print $1 " includes " header ", which is inside " owner " only"
+            }' "$scratch/includes"
+    done
+}
+
+# Lines "FILE NAME" of what a folder's objects define for others, or ask of others; from
+# its archive, which holds no object of a source that is gone. File names are unique, so
+# that an object's tells its folder.
+symbols_of() {
+    $NM -A -g "$2" ".libs/lib$1.a" 2>/dev/null |
+        sed -n 's/^[^:]*:\([^:]*\)\.o:.* \([^ ]*\)$/\1 \2/p' | sed 's/^lib[a-z]*_la-//' |
+        awk 'NR == FNR { path[$1] = $2; next } { print path[$1], $2 }' "$scratch/stems" -
+}
+
+(cd "$srcdir" && find $folders -name '*.c') |
+    sed 's|^\(.*/\)\([^/]*\)\.c$|\2 \1\2.c|' >"$scratch/stems"
+for folder in $library cli; do
+    symbols_of "$folder" --undefined-only >>"$scratch/wants"
+    symbols_of "$folder" --defined-only >>"$scratch/gives"
+done
+
+wrong_calls() {
+    awk "$arrows"'
+        FILENAME == ARGV[2] { defined[$2] = $1; next }
+        $2 in defined && !may_use($1, defined[$2]) {
+            print $1 " calls " $2 " of " defined[$2]
+        }
+    ' "$scratch/places" "$scratch/gives" "$scratch/wants"
+}
+
+# Lines "FILE uses NAME" for names that match a pattern in the library's objects.
+library_uses() {
+    grep -v '^cli/' "$scratch/wants" |
+        awk -v pattern="^($1)\$" '$2 ~ pattern { print $1 " uses " $2 }'
+}
+
+# What prints, ends the process, or makes a result depend on its surroundings.
+forbidden='(__)?v?printf(_chk)?|puts|putchar|perror|stdout|stderr|stdin'
+forbidden="$forbidden|exit|_exit|_Exit|quick_exit|abort|atexit|signal|sigaction"
+forbidden="$forbidden|getenv|secure_getenv|setenv|putenv|setlocale|rand|srand|random|time"
+
+# The reader of room files may read standard input: "-" is a path of INTERFACE.
+uses_forbidden() {
+    library_uses "$forbidden" | grep -v '^model/base/.*uses stdin$'
+}
+
+# Files that include a header: there may be one at most.
+includers() {
+    (cd "$srcdir" && grep -Erl --include='*.[ch]' "^[ 	]*#[ 	]*include[ 	]*<($1)" $folders)
+}
+
+one_file_at_most() {
+    files=$(includers "$1")
+    [ "$(printf '%s\n' "$files" | grep -c .)" -le 1 ] || {
+        echo "more than one file includes $1:"
+        echo "$files"
+        return 1
+    }
+}
+
+only_in() {
+    nothing "$(includers "$2" | grep -Ev "^($1)/")"
+}
+
+# Symbols in sections that are written to. Tables of pointers that are constant but for
+# their relocation lie in .data.rel.ro and are not meant.
+writable_data() {
+    for folder in $library; do
+        $NM -A -f sysv ".libs/lib$folder.a" 2>/dev/null |
+            sed -n "s|^[^:]*:|$folder/|; s|:|\||p" | awk -F'|' '
+                { section = $NF; gsub(/ /, "", section); gsub(/ /, "", $2) }
+                section ~ /^\.?(data|bss|tdata|tbss|\*COM\*)/ &&
+                    section !~ /^\.data\.rel\.ro/ && $2 !~ /^\.gomp_critical_user_/ {
+                    print $1 " keeps " $2 " in " section
+                }'
+    done
+}
+
+check "there are arrows to hold" test -s "$scratch/includes" -a -s "$scratch/gives"
+check "every include follows the arrows" nothing "$(wrong_includes)"
+check "every call between the folders follows the arrows" nothing "$(wrong_calls)"
+check "what is inside a folder is included there only" nothing "$(wrong_guests)"
+check "the library neither prints nor exits nor looks at its surroundings" \
+    nothing "$(uses_forbidden)"
+check "one file at most knows GEOS" one_file_at_most geos_c.h
+check "one file at most knows Embree 3" one_file_at_most embree3/
+check "one file at most knows Embree 4" one_file_at_most embree4/
+check "XML is read in model/room/read" only_in model/room/read libxml/
+check "ray queries are made in simulate/scene" only_in simulate/scene embree
+check "charts alone draw" only_in charts 'cairo|<pango'
+check "JSON is written in cli" only_in cli json
+
+if $NM .libs/libmodel.a 2>/dev/null | grep -Eq '__(asan|ubsan|gcov|llvm_profile)'; then
+    skip "file-scope data is constant" "the build is instrumented, and that keeps data"
+else
+    check "file-scope data is constant" nothing "$(writable_data)"
+fi
+tap_done

@@ -1,0 +1,476 @@
+/* meridians.c - see meridians.h. */
+#include "tests/lib/meridians.h"
+
+#include <cubature.h>
+#include <float.h>
+#include <stdlib.h>
+
+enum { CORNERS = 16, SHAPES = 40, CUTS = 1000, STOPS = 40000, WEB = 400 };
+
+/* A polygon seen from the eye. */
+struct shape {
+    int count;
+    struct pp_vec3 corners[CORNERS]; /* from the eye */
+    struct pp_vec3 nearness;         /* . u is one over the distance along u */
+    double reflectance, exitance;
+};
+
+struct sight {
+    const struct pp_world *world;
+    const struct pp_opening *opening;
+    struct pp_vec3 normal; /* the receiver's */
+    struct shape inner, outer;
+    struct shape shapes[SHAPES];
+    int shape_count;
+    bool colours; /* do the shapes differ in what they give off? */
+    double relative_error;
+};
+
+/* ---- one meridian ---- */
+
+/* Where a shape lies on the meridian: `starts` says whether the nadir is in it. */
+struct track {
+    double cuts[CORNERS];
+    int count;
+    bool starts;
+};
+
+static struct track track_of(const struct shape *shape, struct pp_vec3 level)
+{
+    struct pp_vec3 side = {-level.y, level.x, 0.0};
+    struct track track = {.count = 0};
+    for (int i = 0, k = shape->count - 1; i < shape->count; k = i++) {
+        double a = pp_dot(side, shape->corners[k]), b = pp_dot(side, shape->corners[i]);
+        if ((a > 0.0) == (b > 0.0))
+            continue;
+        double t = a / (a - b);
+        struct pp_vec3 at = pp_along(shape->corners[k], t,
+                                     pp_sub(shape->corners[i], shape->corners[k]));
+        double out = pp_dot(level, at);
+        if (out > 0.0)
+            track.cuts[track.count++] = atan2(at.z, out);
+    }
+    /* An odd number: it holds the zenith or the nadir, whichever its plane meets. */
+    track.starts = track.count % 2 == 1 && shape->nearness.z < 0.0;
+    return track;
+}
+
+static bool is_on(const struct track *track, double altitude)
+{
+    bool on = track->starts;
+    for (int i = 0; i < track->count; i++)
+        if (track->cuts[i] < altitude)
+            on = !on;
+    return on;
+}
+
+static int by_size(const void *a, const void *b)
+{
+    double x = *(const double *)a, y = *(const double *)b;
+    return (x > y) - (x < y);
+}
+
+/* What a ray meets. */
+enum meets { NOTHING, OPEN, HIDDEN };
+
+struct hit {
+    enum meets meets;
+    double reflectance, exitance;
+};
+
+/* Is u within the skyline's band, and how near? */
+static bool meets_skyline(const struct sight *sight, const struct pp_skyline *skyline,
+                          struct pp_vec3 eye, struct pp_vec3 u, double *nearness)
+{
+    const struct pp_polygon *wall = &sight->world->surfaces[skyline->face].outline;
+    double level = hypot(wall->normal.x, wall->normal.y);
+    double out = -(u.x * wall->normal.x + u.y * wall->normal.y) / level;
+    if (isinf(skyline->distance_m)) {
+        *nearness = 0.0;
+        return out > 0.0 && u.z > 0.0 && u.z / out < tan(skyline->angle_rad);
+    }
+    /* Along the outward horizontal from the eye, at the height of the windows' middle,
+     * to the wall: solve for it in the wall's plane. */
+    struct pp_vec3 v = wall->vertices[0];
+    double rest = wall->normal.x * (eye.x - v.x) + wall->normal.y * (eye.y - v.y)
+                  + wall->normal.z * (skyline->middle_z_m - v.z);
+    double away = rest / level + skyline->distance_m;
+    double z = eye.z + u.z / out * away;
+    *nearness = out / away;
+    return out > 0.0 && z > sight->world->ground_level_m && z < skyline->head_z_m;
+}
+
+static struct hit cast(const struct sight *sight, const struct track *tracks,
+                       const struct track *inner, const struct track *outer,
+                       struct pp_vec3 eye, struct pp_vec3 u, double altitude)
+{
+    struct hit hit = {NOTHING, 0.0, 0.0};
+    double opening = pp_dot(sight->inner.nearness, u), nearest = -1.0;
+    if (!(opening > 0.0) || !is_on(inner, altitude) || !is_on(outer, altitude))
+        return hit;
+    for (int i = 0; i < sight->shape_count; i++) {
+        if (!is_on(&tracks[i], altitude))
+            continue;
+        double nearness = pp_dot(sight->shapes[i].nearness, u);
+        if (nearness > opening * (1.0 + 1e-12))
+            return hit;
+        if (nearness > nearest) {
+            nearest = nearness;
+            hit.reflectance = sight->shapes[i].reflectance;
+            hit.exitance = sight->shapes[i].exitance;
+        }
+    }
+    for (int i = 0; i < sight->world->skyline_count; i++) {
+        const struct pp_skyline *skyline = &sight->world->skylines[i];
+        double nearness;
+        if (skyline->face != sight->opening->face
+            || !meets_skyline(sight, skyline, eye, u, &nearness)
+            || !(nearness > nearest))
+            continue;
+        nearest = nearness;
+        hit.reflectance = skyline->reflectance;
+        hit.exitance = 0.0;
+    }
+    hit.meets = nearest >= 0.0 ? HIDDEN : OPEN;
+    return hit;
+}
+
+/* What one piece of a meridian is integrated with, where there is no closed form. */
+struct beam {
+    const struct sight *sight;
+    struct pp_vec3 level;
+    enum { SKY, HORIZON, UNITY } what;
+};
+
+static int at_altitude(unsigned dim, const double *altitude, void *data, unsigned fdim,
+                       double *value)
+{
+    (void)dim, (void)fdim;
+    const struct beam *beam = data;
+    const struct sight *sight = beam->sight;
+    double c = cos(*altitude);
+    struct pp_vec3 u = pp_vec(beam->level.x * c, beam->level.y * c, sin(*altitude));
+    struct pp_vec3 flat = pp_vec(beam->level.x, beam->level.y, DBL_MIN);
+    double light = beam->what == UNITY ? 1.0
+                   : beam->what == SKY ? pp_sky_luminance(&sight->world->sky, u)
+                                       : pp_sky_luminance(&sight->world->sky, flat);
+    *value = light * pp_dot(sight->normal, u) * c
+             * pp_glass_transmittance(&sight->opening->glass,
+                                      -pp_dot(sight->opening->inner.normal, u));
+    return 0;
+}
+
+static double beam_between(struct beam beam, double from, double to)
+{
+    const struct sight *sight = beam.sight;
+    const struct pp_sky *sky = &sight->world->sky;
+    if (sight->opening->glass.panes == 0 && sky->kind != PP_SKY_ISO) {
+        double p = pp_dot(sight->normal, beam.level), q = sight->normal.z;
+        double s[2] = {sin(from), sin(to)}, c[2] = {cos(from), cos(to)};
+        double plain = p * ((to - from) / 2.0 + (s[1] * c[1] - s[0] * c[0]) / 2.0)
+                       + q * (s[1] * s[1] - s[0] * s[0]) / 2.0;
+        double sine = p * (c[0] * c[0] * c[0] - c[1] * c[1] * c[1]) / 3.0
+                      + q * (s[1] * s[1] * s[1] - s[0] * s[0] * s[0]) / 3.0;
+        if (beam.what == UNITY)
+            return plain;
+        if (sky->kind == PP_SKY_UNIFORM)
+            return plain / PP_PI;
+        if (beam.what == HORIZON)
+            return plain * 3.0 / (7.0 * PP_PI);
+        return (plain + 2.0 * sine) * 3.0 / (7.0 * PP_PI);
+    }
+    double value, error;
+    hcubature(1, at_altitude, &beam, 1, &from, &to, 20000, 1e-17,
+              0.1 * sight->relative_error, ERROR_INDIVIDUAL, &value, &error);
+    return value;
+}
+
+static void add_cut(double *cuts, int *count, double rise, double run)
+{
+    /* rise sin + run cos = 0 */
+    if (*count < CUTS && (rise != 0.0 || run != 0.0))
+        cuts[(*count)++] = rise != 0.0 ? atan(-run / rise) : 0.0;
+}
+
+static int at_azimuth(unsigned dim, const double *azimuth, void *data, unsigned fdim,
+                      double *value)
+{
+    (void)dim, (void)fdim;
+    const struct sight *sight = data;
+    const struct pp_world *world = sight->world;
+    struct pp_vec3 level = {cos(*azimuth), sin(*azimuth), 0.0};
+    struct track inner = track_of(&sight->inner, level);
+    struct track outer = track_of(&sight->outer, level);
+    struct track tracks[SHAPES];
+    double cuts[CUTS];
+    int count = 0;
+
+    value[0] = value[1] = 0.0;
+    if (inner.count == 0)
+        return 0;
+    cuts[count++] = -PP_PI / 2.0;
+    cuts[count++] = PP_PI / 2.0;
+    cuts[count++] = 0.0;
+    add_cut(cuts, &count, sight->normal.z, pp_dot(sight->normal, level));
+    for (int i = 0; i < inner.count; i++)
+        cuts[count++] = inner.cuts[i];
+    for (int i = 0; i < outer.count; i++)
+        cuts[count++] = outer.cuts[i];
+    for (int i = 0; i < sight->shape_count; i++) {
+        tracks[i] = track_of(&sight->shapes[i], level);
+        for (int k = 0; k < tracks[i].count; k++)
+            cuts[count++] = tracks[i].cuts[k];
+        if (tracks[i].count == 0)
+            continue;
+        struct pp_vec3 apart = pp_sub(sight->shapes[i].nearness, sight->inner.nearness);
+        add_cut(cuts, &count, apart.z, pp_dot(apart, level));
+        for (int k = 0; k < i; k++) {
+            apart = pp_sub(sight->shapes[i].nearness, sight->shapes[k].nearness);
+            if (tracks[k].count > 0)
+                add_cut(cuts, &count, apart.z, pp_dot(apart, level));
+        }
+    }
+    struct pp_vec3 eye =
+        pp_sub(sight->opening->inner.vertices[0], sight->inner.corners[0]);
+    for (int i = 0; i < world->skyline_count; i++) {
+        const struct pp_skyline *skyline = &world->skylines[i];
+        const struct pp_polygon *wall = &world->surfaces[skyline->face].outline;
+        double along = hypot(wall->normal.x, wall->normal.y);
+        double out = -pp_dot(level, wall->normal) / along;
+        if (isinf(skyline->distance_m)) {
+            cuts[count++] = atan(tan(skyline->angle_rad) * out);
+            continue;
+        }
+        struct pp_vec3 v = wall->vertices[0];
+        double away = (wall->normal.x * (eye.x - v.x) + wall->normal.y * (eye.y - v.y)
+                       + wall->normal.z * (skyline->middle_z_m - v.z))
+                          / along
+                      + skyline->distance_m;
+        cuts[count++] = atan((skyline->head_z_m - eye.z) * out / away);
+        cuts[count++] = atan((world->ground_level_m - eye.z) * out / away);
+        for (int k = 0; k < sight->shape_count; k++) {
+            struct pp_vec3 n = sight->shapes[k].nearness;
+            add_cut(cuts, &count, n.z, pp_dot(n, level) - out / away);
+        }
+    }
+    qsort(cuts, (size_t)count, sizeof *cuts, by_size);
+
+    for (int i = 0; i + 1 < count; i++) {
+        double from = cuts[i], to = cuts[i + 1], middle = (from + to) / 2.0;
+        if (!(to > from))
+            continue;
+        struct pp_vec3 u =
+            pp_vec(level.x * cos(middle), level.y * cos(middle), sin(middle));
+        if (!(pp_dot(sight->normal, u) > 0.0))
+            continue;
+        struct hit hit = cast(sight, tracks, &inner, &outer, eye, u, middle);
+        if (hit.meets == NOTHING)
+            continue;
+        struct beam beam = {sight, level, middle > 0.0 ? SKY : HORIZON};
+        struct beam plain = {sight, level, UNITY};
+        double factor =
+            hit.reflectance * (world->sky.kind == PP_SKY_OVERCAST ? 1.0 : 0.5);
+        if (hit.meets == HIDDEN) {
+            value[1] += factor * beam_between(beam, from, to);
+            if (hit.exitance > 0.0)
+                value[1] += hit.exitance / PP_PI * beam_between(plain, from, to);
+        } else if (middle > 0.0) {
+            value[0] += beam_between(beam, from, to);
+        } else {
+            value[1] +=
+                world->ground_reflectance / PP_PI * beam_between(plain, from, to);
+        }
+    }
+    return 0;
+}
+
+/* ---- all of them ---- */
+
+static struct shape shape_of(const struct pp_polygon *outline, struct pp_vec3 eye)
+{
+    struct shape shape = {.count = outline->count};
+    for (int i = 0; i < outline->count && i < CORNERS; i++)
+        shape.corners[i] = pp_sub(outline->vertices[i], eye);
+    shape.nearness =
+        pp_scale(outline->normal, 1.0 / pp_dot(outline->normal, shape.corners[0]));
+    return shape;
+}
+
+static double azimuth_of(struct pp_vec3 v)
+{
+    double azimuth = atan2(v.y, v.x);
+    return azimuth < 0.0 ? azimuth + 2.0 * PP_PI : azimuth;
+}
+
+/* Azimuths at which two edges are seen to cross. */
+static void add_crossings(double *stops, int *count, const struct shape *one,
+                          const struct shape *other)
+{
+    for (int i = 0, k = one->count - 1; i < one->count; k = i++) {
+        struct pp_vec3 a = one->corners[k], b = one->corners[i], ab = pp_cross(a, b);
+        for (int m = 0, l = other->count - 1; m < other->count; l = m++) {
+            struct pp_vec3 c = other->corners[l], d = other->corners[m];
+            struct pp_vec3 cd = pp_cross(c, d);
+            if (pp_dot(ab, c) * pp_dot(ab, d) > 0.0
+                || pp_dot(cd, a) * pp_dot(cd, b) > 0.0 || *count + 2 > STOPS)
+                continue;
+            struct pp_vec3 w = pp_cross(ab, cd);
+            if (w.x == 0.0 && w.y == 0.0)
+                continue;
+            stops[(*count)++] = azimuth_of(w);
+            stops[(*count)++] = azimuth_of(pp_scale(w, -1.0));
+        }
+    }
+}
+
+static void add_corners(double *stops, int *count, const struct shape *shape)
+{
+    for (int i = 0; i < shape->count && *count < STOPS; i++)
+        stops[(*count)++] = azimuth_of(shape->corners[i]);
+}
+
+/* Azimuths at which the edges are seen to cross the plane through the eye normal to
+ * `square`. */
+static void add_circle(double *stops, int *count, const struct shape *shape,
+                       struct pp_vec3 square)
+{
+    for (int i = 0, k = shape->count - 1; i < shape->count; k = i++) {
+        struct pp_vec3 a = shape->corners[k], b = shape->corners[i];
+        double da = pp_dot(square, a), db = pp_dot(square, b);
+        if (da * db < 0.0 && *count < STOPS)
+            stops[(*count)++] = azimuth_of(pp_along(a, da / (da - db), pp_sub(b, a)));
+    }
+}
+
+/* The points at which a shape's edges pierce a plane, as a shape of their own: the seam
+ * along which the two change places. */
+static struct shape seam_of(const struct shape *shape, struct pp_vec3 nearness)
+{
+    struct shape seam = {.count = 0};
+    for (int i = 0, k = shape->count - 1; i < shape->count; k = i++) {
+        struct pp_vec3 a = shape->corners[k], b = shape->corners[i];
+        double da = pp_dot(nearness, a) - 1.0, db = pp_dot(nearness, b) - 1.0;
+        if (da * db < 0.0)
+            seam.corners[seam.count++] = pp_along(a, da / (da - db), pp_sub(b, a));
+    }
+    return seam;
+}
+
+/* The shapes of a sight, all seams, and the great circles that matter. */
+struct web {
+    struct shape shapes[WEB];
+    int shape_count;
+    struct pp_vec3 circles[8];
+    int circle_count;
+};
+
+static void add_to_web(struct web *web, const struct shape *shape)
+{
+    if (shape->count > 0 && web->shape_count < WEB)
+        web->shapes[web->shape_count++] = *shape;
+}
+
+static void add_seams(struct web *web, const struct sight *sight, struct pp_vec3 plane)
+{
+    for (int i = 0; i < sight->shape_count; i++) {
+        struct shape seam = seam_of(&sight->shapes[i], plane);
+        add_to_web(web, &seam);
+    }
+}
+
+static void weave(struct web *web, const struct sight *sight, struct pp_vec3 eye)
+{
+    const struct pp_world *world = sight->world;
+    web->shape_count = web->circle_count = 0;
+    add_to_web(web, &sight->inner);
+    add_to_web(web, &sight->outer);
+    for (int i = 0; i < sight->shape_count; i++)
+        add_to_web(web, &sight->shapes[i]);
+    add_seams(web, sight, sight->inner.nearness);
+    for (int i = 0; i < sight->shape_count; i++)
+        if (sight->colours)
+            add_seams(web, sight, sight->shapes[i].nearness);
+    web->circles[web->circle_count++] = pp_vec(0.0, 0.0, 1.0);
+    web->circles[web->circle_count++] = sight->normal;
+    for (int i = 0; i < world->skyline_count && web->circle_count + 2 <= 8; i++) {
+        const struct pp_skyline *skyline = &world->skylines[i];
+        struct pp_vec3 n = world->surfaces[skyline->face].outline.normal;
+        double level = hypot(n.x, n.y);
+        struct pp_vec3 out = {-n.x / level, -n.y / level, 0.0};
+        struct pp_vec3 v = world->surfaces[skyline->face].outline.vertices[0];
+        double away = (n.x * (eye.x - v.x) + n.y * (eye.y - v.y)
+                       + n.z * (skyline->middle_z_m - v.z))
+                          / level
+                      + skyline->distance_m;
+        bool far = isinf(skyline->distance_m);
+        double rise =
+            far ? tan(skyline->angle_rad) : (skyline->head_z_m - eye.z) / away;
+        double fall = far ? 0.0 : (world->ground_level_m - eye.z) / away;
+        web->circles[web->circle_count++] = pp_vec(-rise * out.x, -rise * out.y, 1.0);
+        web->circles[web->circle_count++] = pp_vec(-fall * out.x, -fall * out.y, 1.0);
+        if (!far)
+            add_seams(web, sight, pp_scale(out, 1.0 / away));
+    }
+}
+
+struct pp_meridian_sums pp_meridians(const struct pp_world *world,
+                                     const struct pp_opening *opening,
+                                     const struct pp_receiver *receiver,
+                                     double relative_error, int parts)
+{
+    struct sight sight = {.world = world,
+                          .opening = opening,
+                          .normal = receiver->normal,
+                          .inner = shape_of(&opening->inner, receiver->position),
+                          .outer = shape_of(&opening->outer, receiver->position),
+                          .relative_error = relative_error};
+    struct pp_meridian_sums sums = {0.0, 0.0};
+    if (!(pp_dot(opening->inner.normal, sight.inner.corners[0]) < 0.0))
+        return sums;
+    for (int i = 0; i < world->surface_count && sight.shape_count < SHAPES; i++) {
+        const struct pp_surface *surface = &world->surfaces[i];
+        if (i == opening->face || surface->role == PP_REVEAL)
+            continue;
+        struct shape *shape = &sight.shapes[sight.shape_count++];
+        *shape = shape_of(&surface->outline, receiver->position);
+        bool front = pp_dot(surface->outline.normal, shape->corners[0]) < 0.0;
+        shape->reflectance = front ? surface->front : surface->back;
+        shape->exitance = surface->exitance;
+        sight.colours = sight.colours
+                        || shape->reflectance != sight.shapes[0].reflectance
+                        || shape->exitance != sight.shapes[0].exitance;
+    }
+
+    double *stops = malloc(STOPS * sizeof *stops);
+    struct web *web = malloc(sizeof *web);
+    if (!stops || !web)
+        abort();
+    weave(web, &sight, receiver->position);
+    int count = 0;
+    stops[count++] = 0.0;
+    stops[count++] = 2.0 * PP_PI;
+    for (int i = 0; i < web->shape_count; i++) {
+        add_corners(stops, &count, &web->shapes[i]);
+        for (int k = 0; k < i; k++)
+            add_crossings(stops, &count, &web->shapes[k], &web->shapes[i]);
+        for (int k = 0; k < web->circle_count; k++)
+            add_circle(stops, &count, &web->shapes[i], web->circles[k]);
+    }
+    free(web);
+    qsort(stops, (size_t)count, sizeof *stops, by_size);
+    /* Each stretch in parts, in case it hides a narrow turn, as of an edge that passes
+     * close to the zenith. */
+    for (int k = 0; k < (count - 1) * parts; k++) {
+        int i = k / parts;
+        double width = (stops[i + 1] - stops[i]) / parts, value[2], error[2];
+        double low = stops[i] + width * (k % parts), high = low + width;
+        if (!(width > 1e-15))
+            continue;
+        hcubature(2, at_azimuth, &sight, 1, &low, &high, 20000, 1e-17, relative_error,
+                  ERROR_INDIVIDUAL, value, error);
+        sums.sky += value[0];
+        sums.external += value[1];
+    }
+    free(stops);
+    return sums;
+}

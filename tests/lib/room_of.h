@@ -1,0 +1,37 @@
+/* room_of.h - a world out of a string, for tests. */
+#ifndef PP_TESTS_ROOM_OF_H
+#define PP_TESTS_ROOM_OF_H
+
+#include <stdio.h>
+
+#include "model/room/room.h"
+#include "tests/lib/near.h"
+
+/* The world of the first room in the file's text, and what is wrong with it; NULL where
+ * there is none. The caller clears the mistakes and destroys the world. */
+static inline struct pp_world *pp_test_resolve(const char *xml,
+                                               struct pp_mistakes *mistakes)
+{
+    struct pp_building *building = NULL;
+    struct pp_world *world = NULL;
+    pp_mistakes_init(mistakes, "test");
+    if (pp_building_parse(&building, xml, strlen(xml), mistakes, NULL) == PP_OK)
+        pp_world_create(&world, pp_building_room(building, 0), mistakes, NULL);
+    pp_building_destroy(building);
+    return world;
+}
+
+/* The same where nothing may be wrong: else the test fails, with the mistakes printed.
+ */
+static inline struct pp_world *pp_test_world(const char *xml)
+{
+    struct pp_mistakes mistakes;
+    struct pp_world *world = pp_test_resolve(xml, &mistakes);
+    for (int i = 0; i < mistakes.count; i++)
+        print_message("# line %d: %s\n", mistakes.list[i].line, mistakes.list[i].text);
+    pp_mistakes_clear(&mistakes);
+    assert_non_null(world);
+    return world;
+}
+
+#endif

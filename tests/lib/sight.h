@@ -1,0 +1,152 @@
+/* sight.h - what is seen from a point, by shooting rays at every polygon one after the
+ * other: slow and plain, for tests of what is worked out with care elsewhere. It shares
+ * nothing with methods/ or simulate/.
+ */
+#ifndef PP_TESTS_SIGHT_H
+#define PP_TESTS_SIGHT_H
+
+#include <math.h>
+
+#include "model/room/world.h"
+
+/* Is p, in the polygon's plane, within it? By the winding of its edges' projection. */
+static inline bool sight_within(const struct pp_polygon *polygon, struct pp_vec3 p)
+{
+    struct pp_vec3 n = polygon->normal;
+    int drop = fabs(n.x) > fabs(n.y)   ? fabs(n.x) > fabs(n.z) ? 0 : 2
+               : fabs(n.y) > fabs(n.z) ? 1
+                                       : 2;
+    bool inside = false;
+    for (int i = 0, j = polygon->count - 1; i < polygon->count; j = i++) {
+        struct pp_vec3 a = polygon->vertices[i], b = polygon->vertices[j];
+        double ax = drop == 0 ? a.y : a.x, ay = drop == 2 ? a.y : a.z;
+        double bx = drop == 0 ? b.y : b.x, by = drop == 2 ? b.y : b.z;
+        double px = drop == 0 ? p.y : p.x, py = drop == 2 ? p.y : p.z;
+        if ((ay > py) != (by > py) && px < ax + (py - ay) / (by - ay) * (bx - ax))
+            inside = !inside;
+    }
+    return inside;
+}
+
+/* Where the ray from eye along u meets the polygon, in lengths of u; -1: nowhere. */
+static inline double sight_meets(const struct pp_polygon *polygon, struct pp_vec3 eye,
+                                 struct pp_vec3 u)
+{
+    double slope = pp_dot(u, polygon->normal);
+    if (fabs(slope) < 1e-12)
+        return -1.0;
+    double t = pp_dot(pp_sub(polygon->vertices[0], eye), polygon->normal) / slope;
+    return t > 1e-7 && sight_within(polygon, pp_along(eye, t, u)) ? t : -1.0;
+}
+
+/* Is the sky hidden by a skyline of that face, for who looks from eye along u? */
+static inline bool sight_skyline(const struct pp_world *world, int face,
+                                 struct pp_vec3 eye, struct pp_vec3 u)
+{
+    for (int i = 0; i < world->skyline_count; i++) {
+        const struct pp_skyline *line = &world->skylines[i];
+        if (line->face != face)
+            continue;
+        const struct pp_polygon *wall = &world->surfaces[face].outline;
+        double out = -pp_dot(u, wall->normal);
+        double from = -pp_dot(pp_sub(eye, wall->vertices[0]), wall->normal);
+        if (isinf(line->distance_m)) {
+            if (u.z < out * tan(line->angle_rad))
+                return true;
+        } else {
+            double t = (line->distance_m - from) / out;
+            double head = line->middle_z_m + line->distance_m * tan(line->angle_rad);
+            if (out > 0.0 && eye.z + t * u.z < head)
+                return true;
+        }
+    }
+    return false;
+}
+
+/* Does the ray see the sky? It may leave through openings. `own`: a face that hides
+ * nothing, and through which it looks; -1 for an eye in the room. */
+static inline bool sight_sees_sky(const struct pp_world *world, struct pp_vec3 eye,
+                                  struct pp_vec3 u, int own)
+{
+    int through = own;
+    if (u.z <= 0.0)
+        return false;
+    for (int i = 0; i < world->surface_count; i++) {
+        const struct pp_surface *surface = &world->surfaces[i];
+        if (i == own || (own >= 0 && surface->role == PP_REVEAL))
+            continue;
+        double t = sight_meets(&surface->outline, eye, u);
+        if (t < 0.0)
+            continue;
+        bool open = false;
+        for (int k = 0; k < world->opening_count && own < 0 && !open; k++)
+            open = world->openings[k].face == i
+                   && sight_within(&world->openings[k].inner, pp_along(eye, t, u));
+        if (!open)
+            return false;
+        through = through < 0 ? i : through;
+    }
+    return through >= 0 && !sight_skyline(world, through, eye, u);
+}
+
+/* Illuminance of a level plane at eye, straight from a uniform sky through the openings
+ * without glass, over that of the open plane, by n pieces of each opening's
+ * outer outline across and 4 n up: what cuts the sky off is level mostly. at_all: above
+ * 0 with the first piece that shows sky, and no more. */
+static inline double sight_sky_factor(const struct pp_world *world, struct pp_vec3 eye,
+                                      int n, bool at_all)
+{
+    double sum = 0.0;
+    for (int k = 0; k < world->opening_count; k++) {
+        const struct pp_opening *opening = &world->openings[k];
+        const struct pp_polygon *outline = &opening->outer;
+        double low[2] = {INFINITY, INFINITY}, high[2] = {-INFINITY, -INFINITY};
+        for (int i = 0; i < outline->count; i++) {
+            struct pp_vec3 v = pp_sub(outline->vertices[i], outline->vertices[0]);
+            double at[2] = {pp_dot(v, opening->along), pp_dot(v, opening->up)};
+            for (int c = 0; c < 2; c++) {
+                low[c] = fmin(low[c], at[c]);
+                high[c] = fmax(high[c], at[c]);
+            }
+        }
+        double step[2] = {(high[0] - low[0]) / n, (high[1] - low[1]) / (4 * n)};
+        for (int i = 0; i < 4 * n * n && !(at_all && sum > 0.0); i++) {
+            struct pp_vec3 p = pp_along(
+                outline->vertices[0], low[0] + (i % n + 0.5) * step[0], opening->along);
+            p = pp_along(p, low[1] + (i / n + 0.5) * step[1], opening->up);
+            struct pp_vec3 way = pp_sub(p, eye);
+            double r = pp_length(way), cosine = -pp_dot(way, outline->normal) / r;
+            if (cosine <= 0.0 || way.z <= 0.0 || !sight_within(outline, p)
+                || !sight_sees_sky(world, eye, pp_scale(way, 1.0 / r), -1))
+                continue;
+            sum += way.z / r * cosine * step[0] * step[1] / (r * r);
+        }
+    }
+    return sum / PP_PI;
+}
+
+/* Vertical sky component: illuminance of a plane outside, with the unit normal `normal`
+ * (level), from the overcast sky over that of the open level plane, by n x 2n pieces of
+ * the quarter sphere before it. `own`: the face whose plane it is. */
+static inline double sight_vertical_sky(const struct pp_world *world,
+                                        struct pp_vec3 eye, struct pp_vec3 normal,
+                                        int own, int n)
+{
+    struct pp_vec3 across = {-normal.y, normal.x, 0.0};
+    double sum = 0.0, step = PP_PI / 2.0 / n;
+    for (int i = 0; i < n; i++)
+        for (int k = 0; k < 2 * n; k++) {
+            double altitude = (i + 0.5) * step;
+            double azimuth = (k + 0.5) * step - PP_PI / 2.0;
+            struct pp_vec3 level =
+                pp_along(pp_scale(normal, cos(azimuth)), sin(azimuth), across);
+            struct pp_vec3 u = pp_scale(level, cos(altitude));
+            u.z = sin(altitude);
+            if (sight_sees_sky(world, eye, u, own))
+                sum += (1.0 + 2.0 * sin(altitude)) / 3.0 * cos(altitude) * cos(azimuth)
+                       * cos(altitude) * step * step;
+        }
+    return sum / (7.0 * PP_PI / 9.0);
+}
+
+#endif

@@ -1,0 +1,54 @@
+/* traced.h - a room traced to the end, for tests. */
+#ifndef PP_TESTS_TRACED_H
+#define PP_TESTS_TRACED_H
+
+#include <stdlib.h>
+
+#include "simulate/tracer/tracer.h"
+#include "tests/lib/near.h"
+
+static inline struct pp_receiver pp_test_receiver(double x, double y, double z,
+                                                  double nx, double ny, double nz)
+{
+    return (struct pp_receiver){{x, y, z}, pp_unit(pp_vec(nx, ny, nz)), 0};
+}
+
+/* Everything read of `count` receivers, and of the average behind them where options
+ * ask for it; free it. */
+static inline struct pp_reading (*pp_test_trace(
+    const struct pp_world *world, const struct pp_receiver *receivers, int count,
+    const struct pp_tracer_options *options, struct pp_tracer_work *work))[4]
+{
+    struct pp_tracer *tracer = NULL;
+    struct pp_error err = {0};
+    if (pp_tracer_create(&tracer, world, receivers, count, options, &err) != PP_OK)
+        fail_msg("no tracer: %s", err.message);
+    while (!pp_tracer_done(tracer))
+        assert_int_equal(pp_tracer_advance(tracer, 1.0, &err), PP_OK);
+    struct pp_reading(*readings)[4] = calloc((size_t)count + 1, sizeof *readings);
+    for (int i = 0; i < count; i++)
+        pp_tracer_read(tracer, i, readings[i]);
+    if (options->average)
+        pp_tracer_read(tracer, -1, readings[count]);
+    if (work)
+        *work = pp_tracer_work(tracer);
+    pp_tracer_destroy(tracer);
+    return readings;
+}
+
+/* The fixed number of paths that most tests take; 32 randomisations of it. */
+static inline struct pp_tracer_options pp_test_paths(long samples)
+{
+    return (struct pp_tracer_options){.samples = samples, .seed = 20, .threads = 1};
+}
+
+/* A traced value lies within four of its standard errors of the true one (missed once
+ * in 3000 by chance, and seeds are fixed), and the error is no more than `error`. */
+#define assert_traced(reading, expected, error)                                        \
+    do {                                                                               \
+        struct pp_reading reading_ = (reading);                                        \
+        assert_near(reading_.value, expected, 4.0 * reading_.std_error + 1e-12);       \
+        assert_near(reading_.std_error, 0.0, error);                                   \
+    } while (0)
+
+#endif

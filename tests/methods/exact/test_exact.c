@@ -1,0 +1,147 @@
+/* The direct component of rooms: limits and figures known on paper. */
+#include "tests/lib/near.h"
+
+#include "methods/exact/exact.h"
+#include "methods/view/exterior_planes.h"
+#include "tests/lib/room_of.h"
+
+static struct pp_part at(const struct pp_world *world, struct pp_vec3 position,
+                         struct pp_vec3 normal)
+{
+    struct pp_receiver receiver = {position, pp_unit(normal), 0};
+    struct pp_part sum = {0};
+    for (int i = 0; i < world->opening_count; i++) {
+        struct pp_part part = {0};
+        struct pp_error err = {0};
+        if (pp_method_exact.evaluate(world, &world->openings[i], &receiver, NULL, &part,
+                                     &err)
+            != PP_OK)
+            fail_msg("exact: %s", err.message);
+        sum.sky += part.sky;
+        sum.external += part.external;
+    }
+    return sum;
+}
+
+static struct pp_part facing_up(const struct pp_world *world, double x, double y,
+                                double z)
+{
+    return at(world, pp_vec(x, y, z), pp_vec(0.0, 0.0, 1.0));
+}
+
+#define ROOM(inside)                                                                   \
+    "<room version='1'><site ground-reflectance='0.3'/>"                               \
+    "<plan width='3.0' depth='9.0' height='2.7'/>" inside "</room>"
+#define WINDOW                                                                         \
+    "<window wall='south' left='0.2' sill='0.9' width='2.6' height='1.4'"              \
+    " glazing='none'/>"
+
+static void the_design_window_keeps_its_digits_in_a_room(void **state)
+{
+    (void)state;
+    struct pp_world *world = pp_test_world(ROOM(WINDOW));
+    struct pp_part part = facing_up(world, 1.1, 2.0, 0.8);
+    assert_relative(part.sky, 0.04486082291318, 1e-12);
+    assert_near(part.external, 0.0, 0.0);
+    pp_world_destroy(world);
+    world = pp_test_world(ROOM("<sky type='uniform'/>" WINDOW));
+    assert_relative(facing_up(world, 1.1, 2.0, 0.8).sky, 0.05899459937149, 1e-12);
+    pp_world_destroy(world);
+}
+
+/* The same window over a floor raised to the design's point: in the plane of a surface
+ * nothing of it stands in the way. */
+static void a_point_on_the_floor_sees_what_one_above_it_does(void **state)
+{
+    (void)state;
+    struct pp_world *world = pp_test_world(
+        "<room version='1'><plan width='3.0' depth='9.0' height='2.7'/>"
+        "<window wall='south' left='0.2' sill='0.1' width='2.6' height='1.4' "
+        "glazing='none'/><working-plane height='0'/>"
+        "<point x='1.1' y='2.0'/></room>");
+    assert_int_equal(world->receiver_count, 1);
+    assert_near(pp_region_area(&world->plane), 27.0, 1e-12);
+    assert_relative(facing_up(world, 1.1, 2.0, 0.0).sky, 0.04486082291318, 1e-12);
+    pp_world_destroy(world);
+}
+
+static void the_open_sky_is_one_and_a_closed_room_dark(void **state)
+{
+    (void)state;
+    /* A rooflight as wide as the room, from just under it. */
+    struct pp_world *world = pp_test_world(
+        "<room version='1'><plan width='4.1' depth='3.7' height='3.0'/>"
+        "<rooflight x='0' y='0' width='4.1' depth='3.7' glazing='none'/></room>");
+    assert_near(facing_up(world, 2.1, 1.7, 3.0 - 1e-5).sky, 1.0, 1e-9);
+    pp_world_destroy(world);
+    world = pp_test_world(ROOM(""));
+    struct pp_part part = facing_up(world, 1.5, 4.0, 0.85);
+    assert_near(part.sky + part.external, 0.0, 0.0);
+    pp_world_destroy(world);
+}
+
+/* A receiver close before a wide window sees half the sky and half the ground. */
+static void a_receiver_at_the_glass_sees_the_vertical_sky_component(void **state)
+{
+    (void)state;
+    struct pp_world *world = pp_test_world(
+        ROOM("<window wall='south' left='0' sill='0' width='3' height='2.7'"
+             " glazing='none'/>"));
+    struct pp_part part = at(world, pp_vec(1.4, 1e-5, 1.3), pp_vec(0.0, -1.0, 0.0));
+    assert_near(part.sky, 3.0 / 14.0 + 4.0 / (7.0 * PP_PI), 1e-9);
+    assert_near(part.external, 0.3 / 2.0, 1e-9);
+    pp_world_destroy(world);
+}
+
+static void behind_and_in_its_plane_a_window_gives_nothing(void **state)
+{
+    (void)state;
+    struct pp_world *world = pp_test_world(ROOM(WINDOW));
+    assert_near(facing_up(world, 1.1, 0.0, 0.8).sky, 0.0, 0.0);
+    assert_near(facing_up(world, 1.1, -2.0, 0.8).sky, 0.0, 0.0);
+    assert_near(at(world, pp_vec(1.1, 2.0, 0.8), pp_vec(0.0, 1.0, 0.0)).sky, 0.0, 0.0);
+    /* A receiver whose horizon is the head: nothing left; the sill: nothing lost. */
+    double head = 2.3 - 0.8, sill = 0.9 - 0.8;
+    struct pp_vec3 p = {1.1, 2.0, 0.8};
+    struct pp_part none = at(world, p, pp_vec(0.0, head, 2.0));
+    struct pp_part some = at(world, p, pp_vec(0.0, sill, 2.0));
+    assert_near(none.sky, 0.0, 1e-16);
+    assert_true(some.sky > 0.03);
+    pp_world_destroy(world);
+}
+
+/* A far skyline of 20 degrees before an endless band of window: the vertical sky
+ * component above it and rho times the rest. */
+static void a_far_skyline_leaves_its_vertical_sky_component(void **state)
+{
+    (void)state;
+    struct pp_world *world = pp_test_world(
+        ROOM("<window wall='south' left='0' sill='0' width='3' height='2.7'"
+             " glazing='none'/><skyline wall='south' angle='20' reflectance='0.4'/>"));
+    double alpha = 20.0 * PP_RAD, all = 3.0 / 14.0 + 4.0 / (7.0 * PP_PI);
+    double left =
+        3.0 / 14.0 * (1.0 - sin(alpha)) + 4.0 / (7.0 * PP_PI) * cos(alpha) * cos(alpha);
+    struct pp_part part = at(world, pp_vec(1.4, 1e-5, 1.3), pp_vec(0.0, -1.0, 0.0));
+    assert_near(part.sky, left, 1e-9);
+    assert_near(part.external, 0.4 * (all - left) + 0.3 / 2.0, 1e-9);
+    double share;
+    struct pp_sky sky = pp_sky_overcast();
+    assert_int_equal(pp_outside_sky_on_plane(&share, world, &world->openings[0],
+                                             pp_vec(0.0, -1.0, 0.0), &sky, NULL),
+                     PP_OK);
+    assert_near(share, left, 1e-13);
+    pp_world_destroy(world);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(the_design_window_keeps_its_digits_in_a_room),
+        cmocka_unit_test(a_point_on_the_floor_sees_what_one_above_it_does),
+        cmocka_unit_test(the_open_sky_is_one_and_a_closed_room_dark),
+        cmocka_unit_test(a_receiver_at_the_glass_sees_the_vertical_sky_component),
+        cmocka_unit_test(behind_and_in_its_plane_a_window_gives_nothing),
+        cmocka_unit_test(a_far_skyline_leaves_its_vertical_sky_component),
+    };
+    return cmocka_run_group_tests_name("exact", tests, NULL, NULL);
+}

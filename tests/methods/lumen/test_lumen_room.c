@@ -1,0 +1,290 @@
+/* Transfer of flux in the lumen method's rooms, and the tables made of it. */
+#include "methods/lumen/lumen_cavity.h"
+#include "methods/lumen/lumen_room.h"
+#include "methods/lumen/lumen_table.h"
+#include "methods/lumen/rectangle_factor.h"
+#include "methods/exact/solid_angle.h"
+#include "tests/lib/room_of.h"
+#include "tests/lib/traced.h"
+
+/* A first row of NAN is not there: Ev/Eh, depth, per cent, then the widths. */
+static const double handbook[][11] = {
+#include "tests/methods/lumen/lumen_handbook.inc"
+};
+enum { HANDBOOK = sizeof handbook / sizeof handbook[0] };
+
+static const double widths[8] = {0.5, 1, 2, 3, 4, 6, 8, INFINITY};
+
+/* A room's coefficients, Ev/Eh NAN for the ground. */
+static struct pp_lumen_coefficients solve(double width, double depth, double ev_over_eh,
+                                          double ceiling, double walls, double *lost)
+{
+    struct pp_sky sky;
+    struct pp_lumen_room *room = NULL;
+    bool ground = isnan(ev_over_eh);
+    if (!ground)
+        assert_int_equal(pp_lumen_sky(&sky, ev_over_eh, NULL), PP_OK);
+    assert_int_equal(pp_lumen_room_create(&room, width, depth, 1, NULL), PP_OK);
+    pp_lumen_room_light(room, ground ? NULL : &sky);
+    const struct pp_lumen_finishes finishes = {ceiling, walls};
+    struct pp_lumen_coefficients cu = pp_lumen_room_solve(room, &finishes);
+    if (lost)
+        *lost = pp_lumen_room_imbalance(room);
+    pp_lumen_room_destroy(room);
+    return cu;
+}
+
+/* The unit cube's two form factors, as every handbook of heat transfer prints them. */
+static void faces_of_a_cube_have_the_printed_form_factors(void **state)
+{
+    (void)state;
+    const struct pp_upright_rectangle floor = {2, {0, 0, 0}, {1, 1, 0}};
+    const struct pp_upright_rectangle ceiling = {2, {0, 0, 1}, {1, 1, 1}};
+    const struct pp_upright_rectangle wall = {0, {0, 0, 0}, {0, 1, 1}};
+    assert_near(pp_rectangle_exchange(&floor, &ceiling), 0.199825, 5e-7);
+    assert_near(pp_rectangle_exchange(&floor, &wall), 0.200044, 5e-7);
+}
+
+/* What a piece of floor sends out arrives: on the ceiling, the four walls. */
+static void all_light_of_a_piece_of_floor_arrives(void **state)
+{
+    (void)state;
+    const struct pp_upright_rectangle piece = {2, {0.3, 1.1, 0}, {0.9, 1.3, 0}};
+    const struct pp_upright_rectangle faces[] = {{2, {0, 0, 1.7}, {2.3, 3.1, 1.7}},
+                                                 {0, {0, 0, 0}, {0, 3.1, 1.7}},
+                                                 {0, {2.3, 0, 0}, {2.3, 3.1, 1.7}},
+                                                 {1, {0, 0, 0}, {2.3, 0, 1.7}},
+                                                 {1, {0, 3.1, 0}, {2.3, 3.1, 1.7}}};
+    double sum = 0.0;
+    for (int i = 0; i < 5; i++)
+        sum += pp_rectangle_exchange(&piece, &faces[i]);
+    assert_near(sum, pp_upright_rectangle_area(&piece), 1e-14);
+}
+
+/* Four lines across: an endless strip's factor to the one opposite, by crossed strings,
+ * (sqrt(w^2 + h^2) - h) / w. */
+static void long_strips_go_by_crossed_strings(void **state)
+{
+    (void)state;
+    double w = 1.3, h = 0.7, length = 1e4;
+    const struct pp_upright_rectangle a = {2, {0, 0, 0}, {length, w, 0}};
+    const struct pp_upright_rectangle b = {2, {0, 0, h}, {length, w, h}};
+    /* The ends take 1e-4 of it. */
+    assert_relative(pp_rectangle_exchange(&a, &b) / (length * w), (hypot(w, h) - h) / w,
+                    2e-4);
+}
+
+/* In a black room there is direct light only, which has a closed form. */
+static void black_room_has_the_closed_form_of_its_window(void **state)
+{
+    (void)state;
+    double w = 2.3, d = 3.1;
+    struct pp_lumen_room *room = NULL;
+    struct pp_sky sky = pp_sky_overcast();
+    assert_int_equal(pp_lumen_room_create(&room, w, d, 1, NULL), PP_OK);
+    pp_lumen_room_light(room, &sky);
+    const struct pp_lumen_finishes black = {0.0, 0.0};
+    struct pp_lumen_coefficients cu = pp_lumen_room_solve(room, &black);
+    pp_lumen_room_destroy(room);
+    const struct pp_vec3 up = {0, 0, 1};
+    for (int k = 0; k < PP_LUMEN_POINTS; k++) {
+        double y = pp_lumen_places[k] * d;
+        const struct pp_vec3 window[4] = {
+            {-w / 2, y, 0}, {w / 2, y, 0}, {w / 2, y, 1}, {-w / 2, y, 1}};
+        struct pp_moments moments = {0};
+        pp_moments_add(&moments, window, 4, up, &up, 1);
+        double expected = fabs(pp_moments_sky(&moments, &sky))
+                          / pp_sky_on_plane(&sky, pp_vec(0, -1, 0));
+        assert_relative(cu.at[k], expected, 1e-9); /* Gauss's rule of 48 points */
+    }
+}
+
+static void light_is_kept(void **state)
+{
+    (void)state;
+    const double lights[] = {0.396, 0.75, 1.75, NAN};
+    for (int i = 0; i < 4; i++) {
+        double lost;
+        solve(1.7, 4.3, lights[i], 0.7, 0.5, &lost);
+        assert_near(lost, 0.0, 1e-3); /* of direct light over a patch's four points */
+    }
+}
+
+/* By the simulation, in which the working plane is the floor and nothing comes from the
+ * ground. Its own error, and 1 % of the mesh's. */
+static void simulation_agrees(void **state)
+{
+    (void)state;
+    struct pp_world *world = pp_test_world(
+        "<room version='1'><site ground-reflectance='0'/>"
+        "<plan width='2' depth='3' height='1'/>"
+        "<finishes floor='0.2' walls='0.5' ceiling='0.7'/>"
+        "<window wall='south' left='0' sill='0' width='2' height='1' glazing='none'/>"
+        "<working-plane height='0.001'/></room>");
+    struct pp_receiver points[PP_LUMEN_POINTS];
+    for (int k = 0; k < PP_LUMEN_POINTS; k++)
+        points[k] = pp_test_receiver(1.0, 3.0 * pp_lumen_places[k], 0.001, 0, 0, 1);
+    struct pp_tracer_options options = pp_test_paths(512);
+    struct pp_reading(*traced)[4] =
+        pp_test_trace(world, points, PP_LUMEN_POINTS, &options, NULL);
+    struct pp_lumen_coefficients cu = solve(2.0, 3.0, 0.396, 0.7, 0.5, NULL);
+    double ev = pp_sky_on_plane(&world->sky, pp_vec(0, -1, 0));
+    for (int k = 0; k < PP_LUMEN_POINTS; k++) {
+        struct pp_reading df = traced[k][PP_DF];
+        assert_near(df.value / ev, cu.at[k], 3.0 * df.std_error / ev + 0.01 * cu.at[k]);
+        assert_true(df.std_error < 0.02 * df.value); /* so that it says something */
+    }
+    free(traced);
+    pp_world_destroy(world);
+}
+
+static struct pp_lumen_table *own_table(void)
+{
+    struct pp_lumen_table *table = NULL;
+    assert_int_equal(pp_lumen_table_create(&table, NULL), PP_OK);
+    return table;
+}
+
+static void read_own(double cu[PP_LUMEN_POSITIONS], const struct pp_lumen_table *table,
+                     double light, double ceiling, double walls, double depth,
+                     double width)
+{
+    char why[200];
+    const struct pp_lumen_query query = {.ev_over_eh = light,
+                                         .overcast = light < 0.45,
+                                         .at = {ceiling, walls, depth, width}};
+    if (!pp_lumen_side(cu, table, &query, why, sizeof why))
+        fail_msg("%s", why);
+}
+
+/* A sample of the table is worked out again: the same to its four digits. */
+static void table_is_what_the_rooms_give(void **state)
+{
+    (void)state;
+    static const double cells[][5] = {{0.396, 0.7, 0.5, 6, 2},
+                                      {0.75, 0.5, 0.9, 3, 0.5},
+                                      {1.75, 0.9, 0.3, 1, INFINITY},
+                                      {NAN, 0.7, 0.7, 10, 1}};
+    struct pp_lumen_table *table = own_table();
+    for (int i = 0; i < 4; i++) {
+        double cu[PP_LUMEN_POSITIONS];
+        const double *c = cells[i];
+        read_own(cu, table, c[0], c[1], c[2], c[3], c[4]);
+        struct pp_lumen_coefficients again = solve(c[4], c[3], c[0], c[1], c[2], NULL);
+        for (int k = 0; k < PP_LUMEN_POSITIONS; k++) {
+            char printed[32], worked[32];
+            snprintf(printed, sizeof printed, "%.4g", cu[k]);
+            snprintf(worked, sizeof worked, "%.4g",
+                     k < PP_LUMEN_AVERAGE ? again.at[k] : again.average);
+            assert_string_equal(printed, worked);
+        }
+    }
+    pp_lumen_table_destroy(table);
+}
+
+static void handbook_rows_are_near(void **state)
+{
+    (void)state;
+    struct pp_lumen_table *table = own_table();
+    int beyond = 0, beyond_wide = 0;
+    double squares = 0.0;
+    for (int i = 0; i < HANDBOOK; i++)
+        for (int w = 0; w < 8; w++) {
+            double cu[PP_LUMEN_POSITIONS];
+            const double *row = handbook[i];
+            read_own(cu, table, row[0], 0.7, 0.5, row[1], widths[w]);
+            double off = cu[(int)(row[2] / 20.0)] / row[3 + w] - 1.0;
+            squares += off * off;
+            beyond += fabs(off) > 0.20;
+            beyond_wide += fabs(off) > 0.20 && widths[w] > 0.5;
+            assert_true(fabs(off) < 0.44);
+        }
+    /* 10 to 13 % a block; the narrow rooms' backs are what is off. */
+    assert_true(sqrt(squares / (8 * HANDBOOK)) < 0.12);
+    assert_int_equal(HANDBOOK, 25);
+    assert_in_range(beyond, 0, 10);
+    assert_in_range(beyond_wide, 0, 3);
+    pp_lumen_table_destroy(table);
+}
+
+static void clear_skies_have_their_ratio(void **state)
+{
+    (void)state;
+    const double ratios[] = {0.75, 1.0, 1.25, 1.5, 1.75};
+    struct pp_sky sky;
+    for (int i = 0; i < 5; i++) {
+        assert_int_equal(pp_lumen_sky(&sky, ratios[i], NULL), PP_OK);
+        assert_near(pp_sky_on_plane(&sky, pp_vec(0, -1, 0)), ratios[i], 1e-6);
+    }
+    assert_int_equal(pp_lumen_sky(&sky, 4.0, NULL), PP_BAD_INPUT);
+}
+
+/* Half-way between its lines, against the rooms themselves: 8 %, as is claimed. */
+static void table_is_good_between_its_lines(void **state)
+{
+    (void)state;
+    static const double rooms[][4] = {
+        {0.396, 0.6, 1.5, 1.5}, {0.875, 0.4, 5.0, 2.5}, {NAN, 0.6, 2.5, 5.0}};
+    struct pp_lumen_table *table = own_table();
+    for (int i = 0; i < 3; i++) {
+        double cu[PP_LUMEN_POSITIONS];
+        const double *r = rooms[i];
+        read_own(cu, table, r[0], 0.8, r[1], r[2], r[3]);
+        struct pp_lumen_coefficients own = solve(r[3], r[2], r[0], 0.8, r[1], NULL);
+        for (int k = 0; k < PP_LUMEN_POSITIONS; k++)
+            assert_relative(cu[k], k < 5 ? own.at[k] : own.average, 0.08);
+    }
+    pp_lumen_table_destroy(table);
+}
+
+/* With no walls to speak of all light falls on the plane; white rooms lose none; in
+ * black ones it is the form factor. */
+static void light_from_above_has_its_limits(void **state)
+{
+    (void)state;
+    assert_near(pp_lumen_cavity(0.0, 0.0, 0.3, 0.2), 1.0, 1e-12);
+    assert_near(pp_lumen_cavity(0.0, 0.5, 0.3, 0.2), 1.0 / 0.9, 1e-12);
+    assert_near(pp_lumen_cavity(3.7, 1.0, 1.0, 0.0), 1.0, 1e-12);
+    assert_near(pp_lumen_cavity(1e-6, 0.8, 0.5, 0.2),
+                pp_lumen_cavity(0.0, 0.8, 0.5, 0.2), 1e-5);
+    /* RCR 10: a square as wide as it is high, whose factor is the cube's. */
+    assert_near(pp_lumen_cavity(10.0, 0.0, 0.0, 0.2), 0.199825, 5e-7);
+    assert_near(pp_lumen_well(1.0, 1.0, 1.0, 0.0), 0.199825, 5e-7);
+    /* White sides send up as much as down of what does not go straight through. */
+    double through = pp_lumen_well(1.3, 0.7, 1.1, 0.0);
+    assert_near(pp_lumen_well(1.3, 0.7, 1.1, 1.0), (1.0 + through) / 2.0, 1e-12);
+    assert_near(pp_lumen_well(1.3, 0.7, 0.0, 0.5), 1.0, 0.0);
+}
+
+static void top_table_is_what_the_cavity_gives(void **state)
+{
+    (void)state;
+    char why[200];
+    struct pp_lumen_table *table = own_table();
+    for (int rcr = 0; rcr <= 10; rcr++)
+        assert_near(pp_lumen_top(table, rcr, 0.5, 0.3, why, sizeof why),
+                    pp_lumen_cavity(rcr, 0.5, 0.3, 0.2), 5.1e-5);
+    assert_true(isnan(pp_lumen_top(table, 10.2, 0.5, 0.3, why, sizeof why)));
+    assert_string_equal(why, "lights a room whose cavity ratio is 10.2; the table has "
+                             "0 to 10");
+    pp_lumen_table_destroy(table);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(faces_of_a_cube_have_the_printed_form_factors),
+        cmocka_unit_test(all_light_of_a_piece_of_floor_arrives),
+        cmocka_unit_test(long_strips_go_by_crossed_strings),
+        cmocka_unit_test(black_room_has_the_closed_form_of_its_window),
+        cmocka_unit_test(light_is_kept),
+        cmocka_unit_test(simulation_agrees),
+        cmocka_unit_test(table_is_what_the_rooms_give),
+        cmocka_unit_test(handbook_rows_are_near),
+        cmocka_unit_test(clear_skies_have_their_ratio),
+        cmocka_unit_test(table_is_good_between_its_lines),
+        cmocka_unit_test(light_from_above_has_its_limits),
+        cmocka_unit_test(top_table_is_what_the_cavity_gives),
+    };
+    return cmocka_run_group_tests_name("lumen_room", tests, NULL, NULL);
+}

@@ -1,0 +1,279 @@
+/* test_nomogram.c - nomograms of the internally reflected component: what a
+ * straight-edge does on their scales, the rule behind them, and the method. */
+#include <stdio.h>
+
+#include "methods/reflected/interior.h"
+#include "methods/methods.h"
+#include "methods/nomogram/nomogram_reading.h"
+#include "methods/nomogram/nomogram_scale.h"
+#include "methods/reflected/obstruction_factor.h"
+#include "model/geometry/vec.h"
+
+#include "tests/lib/near.h"
+
+#include "tests/lib/box_room.h"
+#include "tests/lib/room_of.h"
+
+/* The formula with the rule, written out once more; per cent in, fraction out. */
+static double formula(double ratio, double R, double C, double ground, double k)
+{
+    double R_fw = 2.0 * R / (1.0 + k), R_cw = k * R_fw;
+    return 0.85 * ratio / (1.0 - R) * (C * R_fw + ground * R_cw) / 100.0;
+}
+
+static double across(const struct pp_nomogram *nomogram, int index, double from,
+                     double to)
+{
+    const struct pp_nomogram_edge *edge = &nomogram->edges[index];
+    double y = pp_nomogram_cross(
+        nomogram, index, pp_nomogram_place(nomogram, edge->from, from),
+        pp_nomogram_place(nomogram, edge->to, to), nomogram->stems[edge->read].x);
+    return pp_nomogram_value(nomogram, edge->read, y);
+}
+
+/* By hand: W/A 0.05, R 0.45778, k 1.5: R_fw 0.366224, R_cw 0.549336; 39 R_fw + 5 R_cw =
+ * 17.029; 0.85 x 0.05/0.54222 x 17.029 = 1.3348 %; at 40 degrees 20 in place of 39:
+ * 10.0712, 0.7894 %. */
+static void straight_edge_does_the_sum_worked_by_hand(void **state)
+{
+    (void)state;
+    struct pp_nomogram nomogram = pp_nomogram_make(PP_NOMOGRAM_AVERAGE);
+    double C = across(&nomogram, 0, 0.05, 0.45778);
+    assert_near(100.0 * C, 1.3348, 5e-5);
+    assert_near(100.0 * across(&nomogram, 1, C, 40.0 * PP_RAD), 0.7894, 5e-5);
+}
+
+static void straight_edge_gives_the_formula_with_its_rule(void **state)
+{
+    (void)state;
+    struct pp_nomogram nomogram = pp_nomogram_make(PP_NOMOGRAM_AVERAGE);
+    for (double ratio = 0.005; ratio <= 0.2; ratio *= 1.37)
+        for (double R = 0.1; R <= 0.9; R += 0.07)
+            for (double alpha = 0.0; alpha <= 80.0; alpha += 7.3) {
+                double C = across(&nomogram, 0, ratio, R);
+                assert_relative(C, formula(ratio, R, 39.0, 5.0, PP_NOMOGRAM_K), 1e-12);
+                double E = across(&nomogram, 1, C, alpha * PP_RAD);
+                double factor = 100.0 * pp_obstruction_factor(alpha * PP_RAD);
+                assert_relative(E, formula(ratio, R, factor, 5.0, PP_NOMOGRAM_K),
+                                1e-12);
+            }
+}
+
+/* Glass under the open sky: all of it above a horizontal pane, 39.6 % on an upright one
+ * with 5 % from the ground. */
+static void straight_edge_gives_the_formula_for_top_light(void **state)
+{
+    (void)state;
+    struct pp_nomogram nomogram = pp_nomogram_make(PP_NOMOGRAM_ROOFLIGHT);
+    double k = PP_NOMOGRAM_K;
+    for (double R = 0.13; R <= 0.9; R += 0.11) {
+        double C = across(&nomogram, 0, 0.031, R);
+        assert_relative(C, formula(0.031, R, 100.0, 0.0, k), 1e-12);
+        assert_relative(across(&nomogram, 1, C, 0.0), C, 1e-12);
+        double upright = 100.0 * (3.0 / 14.0 + 4.0 / (7.0 * PP_PI));
+        assert_relative(across(&nomogram, 1, C, PP_PI / 2.0),
+                        formula(0.031, R, upright, 5.0, k), 1e-12);
+        double at_60 =
+            100.0
+            * (3.0 / 14.0 * 1.5
+               + 4.0 / (7.0 * PP_PI) * (sqrt(0.75) + PP_PI * 2.0 / 3.0 * 0.5));
+        assert_relative(across(&nomogram, 1, C, PP_PI / 3.0),
+                        formula(0.031, R, at_60, 2.5, k), 1e-12);
+    }
+}
+
+/* What is read lies between what is set, on the sheet, for all values. */
+static void scales_keep_to_the_sheet(void **state)
+{
+    (void)state;
+    for (int kind = 0; kind < PP_NOMOGRAMS; kind++) {
+        struct pp_nomogram nomogram = pp_nomogram_make((enum pp_nomogram_kind)kind);
+        for (int i = 0; i < nomogram.stem_count; i++) {
+            const struct pp_nomogram_stem *stem = &nomogram.stems[i];
+            assert_int_equal(stem->letter, 'A' + i);
+            assert_true(stem->x >= 0.0 && stem->x <= 1.0);
+            double low = pp_nomogram_place(&nomogram, i, stem->low);
+            double high = pp_nomogram_place(&nomogram, i, stem->high);
+            assert_in_range((int)(1000.0 * low + 1e-6), 0, 1000);
+            assert_in_range((int)(1000.0 * high + 1e-6), 0, 1000);
+            for (int j = 0; j < i; j++)
+                assert_true(fabs(nomogram.stems[j].x - stem->x) > 0.08);
+        }
+        for (int i = 0; i < nomogram.edge_count; i++) {
+            const struct pp_nomogram_edge *edge = &nomogram.edges[i];
+            assert_true(nomogram.stems[edge->from].x < nomogram.stems[edge->read].x);
+            assert_true(nomogram.stems[edge->read].x < nomogram.stems[edge->to].x);
+        }
+    }
+}
+
+/* 1-2-5 divisions, each at least 0.9 mm, that meet the bold figures. */
+static void divisions_can_be_told_apart(void **state)
+{
+    (void)state;
+    struct pp_nomogram nomogram = pp_nomogram_make(PP_NOMOGRAM_AVERAGE);
+    for (int i = 0; i < 3; i++) {
+        const struct pp_nomogram_stem *stem = &nomogram.stems[i];
+        double unit = pp_nomogram_printed(stem->quantity);
+        double stretch[2];
+        for (double p = unit * stem->low * 1.0001; p < unit * stem->high; p *= 1.013) {
+            double step = pp_nomogram_division(&nomogram, i, p, 200.0, 0.9, stretch);
+            assert_true(stretch[0] <= p * (1.0 + 1e-8) && p < stretch[1]);
+            double count = (stretch[1] - stretch[0]) / step;
+            assert_near(count, rint(count), 1e-6);
+            double low = stretch[0] + step * floor((p - stretch[0]) / step);
+            if (low < unit * stem->low || low + step > unit * stem->high)
+                continue;
+            double apart = pp_nomogram_place(&nomogram, i, (low + step) / unit)
+                           - pp_nomogram_place(&nomogram, i, low / unit);
+            assert_true(200.0 * apart > 0.9 - 1e-9);
+            double read = unit * pp_nomogram_read(&nomogram, i, p / unit);
+            assert_near(read, p, 0.1 * step + 1e-12);
+            assert_near(5.0 * read / step, rint(5.0 * read / step), 1e-6);
+        }
+    }
+}
+
+/* The rooms that k is chosen for. `mean` is the geometric mean of the formula with the
+ * rule over the formula itself, without an obstruction. */
+static double mean_ratio(double k)
+{
+    static const double sides[] = {3.0, 4.5, 6.0, 8.0}, heights[] = {2.5, 3.0, 3.5},
+                        shares[] = {0.1, 0.15, 0.2, 0.3};
+    double sum = 0.0;
+    int count = 0;
+    for (int i = 0; i < 4 * 4 * 3 * 4; i++) {
+        double w = sides[i % 4], d = sides[i / 4 % 4], h = heights[i / 16 % 3];
+        double high = h - 1.2, wide = shares[i / 48] * w * d / high;
+        if (wide > 0.95 * w)
+            continue;
+        struct box_room box;
+        box_room_build(&box, w, d, h, 0.2, 0.5, 0.7);
+        box_room_south(&box, 0.02 * w, 0.9, wide, high);
+        struct pp_part part = {0};
+        assert_int_equal(
+            pp_method_bre.evaluate(&box.world, box.openings, NULL, NULL, &part, NULL),
+            PP_OK);
+        struct pp_inside all = pp_inside_all(&box.world);
+        sum += log(formula(wide * high / all.area_m2, all.reflectance, 39.0, 5.0, k)
+                   / part.value);
+        count++;
+    }
+    assert_int_equal(count, 164);
+    return exp(sum / count);
+}
+
+static void k_is_what_agrees_best_in_typical_rooms(void **state)
+{
+    (void)state;
+    double best = fabs(log(mean_ratio(PP_NOMOGRAM_K)));
+    assert_true(best < 0.011); /* 1.05 % */
+    assert_true(fabs(log(mean_ratio(PP_NOMOGRAM_K - 0.1))) > best);
+    assert_true(fabs(log(mean_ratio(PP_NOMOGRAM_K + 0.1))) > best);
+}
+
+static double nomogram_of(const struct pp_world *world, int index,
+                          struct pp_steps *steps)
+{
+    const struct pp_method *method = &pp_method_nomogram;
+    struct pp_part part = {.steps = steps};
+    void *tools;
+    assert_null(method->refuses_room(world, NULL));
+    assert_null(method->refuses(world, &world->openings[index], NULL));
+    assert_int_equal(method->prepare(&tools, world, NULL), PP_OK);
+    assert_int_equal(
+        method->evaluate(world, &world->openings[index], NULL, tools, &part, NULL),
+        PP_OK);
+    method->put_away(tools);
+    return part.value;
+}
+
+/* Room 6 x 4 x 3 m, window 3.6 x 1.5 m: A = 0.05, R = 0.45778, set to 0.458 (divisions
+ * of 0.01, fifths of 0.002). The sum is 1.336 %, read 1.34 on divisions of 0.05 (fifths
+ * 0.01). */
+static void worked_room_is_read_to_a_fifth_of_a_division(void **state)
+{
+    (void)state;
+    struct box_room box;
+    box_room_build(&box, 4.0, 6.0, 3.0, 0.2, 0.5, 0.7);
+    box_room_south(&box, 0.2, 0.9, 3.6, 1.5);
+    assert_near(100.0 * nomogram_of(&box.world, 0, NULL), 1.34, 1e-12);
+    box_room_skyline(&box, 40.0 * PP_RAD, 1.65, INFINITY);
+    /* 1.34 x 27.5/46.5 = 0.7925, on divisions of 0.1 */
+    assert_near(100.0 * nomogram_of(&box.world, 0, NULL), 0.80, 1e-12);
+}
+
+/* A pane of 2 dm2 is far below scale A; the glass house far above it. */
+static void ratios_off_the_scale_are_shifted_by_tens(void **state)
+{
+    (void)state;
+    static const struct {
+        double left, sill, width, height;
+        int tens;
+    } cases[] = {{1.0, 1.5, 0.1, 0.2, 2}, {1.0, 1.5, 0.5, 0.6, 1}, {0, 0, 4, 9, -1}};
+    for (int i = 0; i < 3; i++) {
+        struct box_room box;
+        double height = i == 2 ? 9.0 : 3.0, depth = i == 2 ? 0.5 : 6.0;
+        box_room_build(&box, 4.0, depth, height, 0.3, 0.5, 0.7);
+        box_room_south(&box, cases[i].left, cases[i].sill, cases[i].width,
+                       cases[i].height);
+        struct pp_nomogram nomogram = pp_nomogram_make(PP_NOMOGRAM_AVERAGE);
+        struct pp_nomogram_reading reading;
+        assert_int_equal(pp_nomogram_read_opening(&reading, &nomogram, &box.world,
+                                                  box.openings, NULL),
+                         PP_OK);
+        assert_int_equal(reading.tens, cases[i].tens);
+        struct pp_inside all = pp_inside_all(&box.world);
+        /* A fifth of a division is 1.1 % at the most where scale C is, half of it is
+         * the error; as much for A and B together. */
+        assert_relative(
+            reading.component,
+            formula(reading.ratio, all.reflectance, 39.0, 5.0, PP_NOMOGRAM_K), 0.012);
+    }
+}
+
+static void others_are_refused_with_a_reason(void **state)
+{
+    (void)state;
+    const struct pp_method *method = &pp_method_nomogram;
+    struct pp_world *world = pp_test_world(
+        "<room version='1'><sky type='uniform'/><plan width='4' depth='5' height='3'/>"
+        "<window wall='south' left='1' sill='1' width='2' height='1'/></room>");
+    assert_non_null(strstr(method->refuses_room(world, NULL), "overcast"));
+    pp_world_destroy(world);
+
+    world = pp_test_world("<room version='1'><plan width='4' depth='5' height='3'/>"
+                          "<rooflight x='1' y='1' width='2' depth='1'/></room>");
+    assert_null(method->refuses_room(world, NULL));
+    assert_non_null(strstr(method->refuses(world, world->openings, NULL), "vertical"));
+    pp_world_destroy(world);
+
+    static const char *const greys[] = {"0.05", "0.97"};
+    for (int i = 0; i < 2; i++) {
+        char xml[400];
+        snprintf(xml, sizeof xml,
+                 "<room version='1'><plan width='4' depth='5' height='3'/>"
+                 "<finishes floor='%s' walls='%s' ceiling='%s'/><window wall='south' "
+                 "left='1' sill='1' width='1' height='1'/></room>",
+                 greys[i], greys[i], greys[i]);
+        world = pp_test_world(xml);
+        assert_non_null(strstr(method->refuses_room(world, NULL), "0.1 to 0.9"));
+        pp_world_destroy(world);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(straight_edge_does_the_sum_worked_by_hand),
+        cmocka_unit_test(straight_edge_gives_the_formula_with_its_rule),
+        cmocka_unit_test(straight_edge_gives_the_formula_for_top_light),
+        cmocka_unit_test(scales_keep_to_the_sheet),
+        cmocka_unit_test(divisions_can_be_told_apart),
+        cmocka_unit_test(k_is_what_agrees_best_in_typical_rooms),
+        cmocka_unit_test(worked_room_is_read_to_a_fifth_of_a_division),
+        cmocka_unit_test(ratios_off_the_scale_are_shifted_by_tens),
+        cmocka_unit_test(others_are_refused_with_a_reason),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

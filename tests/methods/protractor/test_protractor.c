@@ -1,0 +1,632 @@
+/* test_protractor.c - `protractor`: readings step by step, and how far they are from
+ * the exact direct component. */
+#include <stdlib.h>
+
+#include "methods/methods.h"
+#include "methods/protractor/protractor.h"
+#include "methods/allowance.h"
+
+#include "tests/lib/near.h"
+#include "tests/lib/room_of.h"
+
+static double next(uint64_t *seed)
+{
+    *seed = *seed * 6364136223846793005u + 1442695040888963407u;
+    return (double)(*seed >> 11) * 0x1p-53;
+}
+
+static struct pp_receiver facing_up(double x, double y, double z)
+{
+    return (struct pp_receiver){{x, y, z}, {0.0, 0.0, 1.0}, 0};
+}
+
+/* What the method gives of the world's first opening, its figures as read. */
+static struct pp_part read_with(const void *tools, const struct pp_method *method,
+                                const struct pp_world *world, double x, double y,
+                                double z, struct pp_steps *steps)
+{
+    struct pp_receiver receiver = facing_up(x, y, z);
+    struct pp_part part = {.steps = steps};
+    const struct pp_opening *opening = &world->openings[0];
+    assert_null(method->refuses_room ? method->refuses_room(world, &receiver) : NULL);
+    assert_null(method->refuses ? method->refuses(world, opening, &receiver) : NULL);
+    assert_int_equal(method->evaluate(world, opening, &receiver, tools, &part, NULL),
+                     PP_OK);
+    return part;
+}
+
+/* The same by itself. */
+static struct pp_part read_first(const struct pp_method *method,
+                                 const struct pp_world *world, double x, double y,
+                                 double z, struct pp_steps *steps)
+{
+    void *tools = NULL;
+    if (method->prepare)
+        assert_int_equal(method->prepare(&tools, world, NULL), PP_OK);
+    struct pp_part part = read_with(tools, method, world, x, y, z, steps);
+    if (method->put_away)
+        method->put_away(tools);
+    return part;
+}
+
+static double step_of(const struct pp_steps *steps, const char *words, int which)
+{
+    for (int i = 0; i < steps->count; i++)
+        if (strstr(steps->list[i].what, words) && which-- == 0)
+            return steps->list[i].value;
+    fail_msg("no step \"%s\"", words);
+    return NAN;
+}
+
+/* A window in the south wall of a hall, its head and sill over the point, and x of its
+ * jambs from the point, 3 m away; the point stands at (50, 3, 0.85). */
+static struct pp_world *hall(const char *sky, const char *glazing, double left,
+                             double right, double sill, double head, const char *more)
+{
+    char xml[900];
+    snprintf(xml, sizeof xml,
+             "<room version=\"1\"><sky type=\"%s\"/>"
+             "<plan width=\"100\" depth=\"20\" height=\"60\"/>"
+             "<window wall=\"south\" left=\"%.9g\" sill=\"%.9g\" width=\"%.9g\" "
+             "height=\"%.9g\" glazing=\"%s\"/>%s</room>",
+             sky, 50.0 + left, 0.85 + sill, right - left, head - sill, glazing, more);
+    return pp_test_world(xml);
+}
+
+/* Protractors 1, 2, 9, 10 through the method: per cent at 10 to 80 degrees, the printed
+ * figures; and the primary scale itself to 1e-6. */
+static void an_endless_window_has_the_reading_of_the_primary_scale(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *sky, *glazing;
+        int number;
+        double printed[8];
+    } scale[] = {
+        {"overcast",
+         "clear-single",
+         2,
+         {.344, 1.585, 3.978, 7.662, 12.600, 18.495, 24.634, 29.656}},
+        {"uniform",
+         "clear-single",
+         1,
+         {.670, 2.655, 5.878, 10.196, 15.383, 21.070, 26.628, 30.982}},
+        {"overcast",
+         "none",
+         10,
+         {.390, 1.796, 4.519, 8.755, 14.571, 21.886, 30.476, 39.994}},
+        {"uniform",
+         "none",
+         9,
+         {.760, 3.015, 6.699, 11.698, 17.861, 25.000, 32.899, 41.318}},
+    };
+    for (int s = 0; s < 4; s++)
+        for (int i = 0; i < 8; i++) {
+            char xml[600];
+            double gamma = (i + 1) * 10.0 * PP_RAD;
+            snprintf(
+                xml, sizeof xml,
+                "<room version=\"1\"><sky type=\"%s\"/>"
+                "<plan width=\"90000\" depth=\"20\" height=\"60\"/>"
+                "<window wall=\"south\" left=\"1\" sill=\"0.85\" width=\"89998\" "
+                "height=\"%.12g\" glazing=\"%s\"/><point x=\"45000\" y=\"3\"/></room>",
+                scale[s].sky, 3.0 * tan(gamma), scale[s].glazing);
+            struct pp_world *world = pp_test_world(xml);
+            double sky =
+                read_first(&pp_method_protractor, world, 45000.0, 3.0, 0.85, NULL).sky;
+            struct pp_protractor protractor;
+            pp_protractor_published(&protractor, scale[s].number, NULL);
+            assert_near(sky, pp_protractor_primary(&protractor, gamma), 1e-6);
+            assert_near(100.0 * sky, scale[s].printed[i], 6e-4);
+            pp_world_destroy(world);
+        }
+}
+
+/* Sky components of rectangles with a jamb on the normal and the sill at the point's
+ * height have closed forms; a reading is as near as one average altitude allows. */
+static void rectangles_with_a_closed_form(void **state)
+{
+    (void)state;
+    static const struct {
+        double h, w, uniform, overcast, tolerance;
+    } rectangle[] = {{0.5, 0.5, 1.3928, 0.9430, 0.02},
+                     {1.0, 1.0, 5.5734, 4.5251, 0.04},
+                     {1.0, 2.0, 6.8697, 5.4586, 0.015},
+                     {2.0, 1.0, 9.5068, 8.8164, 0.12},
+                     {0.5, 2.0, 2.5164, 1.6457, 0.005}};
+    for (int i = 0; i < 5; i++)
+        for (int uniform = 0; uniform < 2; uniform++) {
+            double h = 3.0 * rectangle[i].h, w = 3.0 * rectangle[i].w;
+            struct pp_world *world =
+                hall(uniform ? "uniform" : "overcast", "none", 0.0, w, 0.0, h, "");
+            double expected = uniform ? rectangle[i].uniform : rectangle[i].overcast;
+            double read =
+                100.0
+                * read_first(&pp_method_protractor, world, 50.0, 3.0, 0.85, NULL).sky;
+            assert_relative(read, expected, rectangle[i].tolerance);
+            pp_world_destroy(world);
+        }
+}
+
+/* Windows of a width that is so many times their height, the point anywhere before them
+ * within their width and a height to each side, one to four heights away. */
+static struct pp_world *window_of_shape(uint64_t *seed, double shape, const char *sky,
+                                        const char *glazing, double *point)
+{
+    double height = 0.8 + 1.4 * next(seed), width = shape * height;
+    double sill = 0.3 * next(seed);
+    char xml[700];
+    snprintf(xml, sizeof xml,
+             "<room version=\"1\"><sky type=\"%s\"/>"
+             "<plan width=\"60\" depth=\"12\" height=\"4\"/>"
+             "<window wall=\"south\" left=\"30\" sill=\"%.6f\" width=\"%.6f\" "
+             "height=\"%.6f\" glazing=\"%s\"/><point x=\"30\" y=\"3\"/></room>",
+             sky, 0.85 + sill, width, height, glazing);
+    point[0] = 30.0 - height + (width + 2.0 * height) * next(seed);
+    point[1] = height * (1.0 + 3.0 * next(seed));
+    point[2] = 0.85;
+    return pp_test_world(xml);
+}
+
+/* A roof that rises by the slope towards +y, over a room 5 m by 5 m, with a rectangle
+ * of glass in it, 1.7 m high and 2.9 m wide. */
+static struct pp_world *roof(double slope_deg, const char *sky, const char *glazing)
+{
+    double c = cos(slope_deg * PP_RAD), s = sin(slope_deg * PP_RAD), t = s / c;
+    double low = 2.5, high = low + 5.0 * t, y0 = 1.3, y1 = y0 + 1.7 * c;
+    char xml[3000];
+    snprintf(
+        xml, sizeof xml,
+        "<room version=\"1\"><sky type=\"%s\"/><envelope>"
+        "<face role=\"floor\" name=\"f\"><vertex x=\"0\" y=\"0\" z=\"0\"/><vertex "
+        "x=\"5\" "
+        "y=\"0\" z=\"0\"/><vertex x=\"5\" y=\"5\" z=\"0\"/><vertex x=\"0\" y=\"5\" "
+        "z=\"0\"/></face>"
+        "<face role=\"ceiling\" name=\"c\"><vertex x=\"0\" y=\"0\" "
+        "z=\"%.12g\"/><vertex x=\"0\" "
+        "y=\"5\" z=\"%.12g\"/><vertex x=\"5\" y=\"5\" z=\"%.12g\"/><vertex x=\"5\" "
+        "y=\"0\" z=\"%.12g\"/></face>"
+        "<face role=\"wall\" name=\"s\"><vertex x=\"5\" y=\"0\" z=\"0\"/><vertex "
+        "x=\"0\" y=\"0\" z=\"0\"/><vertex x=\"0\" y=\"0\" z=\"%.12g\"/><vertex "
+        "x=\"5\" y=\"0\" z=\"%.12g\"/></face>"
+        "<face role=\"wall\" name=\"n\"><vertex x=\"0\" y=\"5\" z=\"0\"/><vertex "
+        "x=\"5\" y=\"5\" z=\"0\"/><vertex x=\"5\" y=\"5\" z=\"%.12g\"/><vertex "
+        "x=\"0\" y=\"5\" z=\"%.12g\"/></face>"
+        "<face role=\"wall\" name=\"w\"><vertex x=\"0\" y=\"0\" z=\"0\"/><vertex "
+        "x=\"0\" y=\"5\" z=\"0\"/><vertex x=\"0\" y=\"5\" z=\"%.12g\"/><vertex "
+        "x=\"0\" y=\"0\" z=\"%.12g\"/></face>"
+        "<face role=\"wall\" name=\"e\"><vertex x=\"5\" y=\"5\" z=\"0\"/><vertex "
+        "x=\"5\" y=\"0\" z=\"0\"/><vertex x=\"5\" y=\"0\" z=\"%.12g\"/><vertex "
+        "x=\"5\" y=\"5\" z=\"%.12g\"/></face></envelope>"
+        "<finishes floor=\"0.2\" walls=\"0.5\" ceiling=\"0.7\"/>"
+        "<opening glazing=\"%s\"><vertex x=\"1\" y=\"%.12g\" z=\"%.12g\"/><vertex "
+        "x=\"1\" y=\"%.12g\" z=\"%.12g\"/><vertex x=\"3.9\" y=\"%.12g\" "
+        "z=\"%.12g\"/><vertex x=\"3.9\" y=\"%.12g\" z=\"%.12g\"/></opening>"
+        "<point x=\"2\" y=\"2\"/></room>",
+        sky, low, high, high, low, low, low, high, high, high, low, low, high, glazing,
+        y0, low + y0 * t, y1, low + y1 * t, y1, low + y1 * t, y0, low + y0 * t);
+    return pp_test_world(xml);
+}
+
+enum { WINDOWS = 2000 };
+
+/* Relative distances of readings from `exact`. */
+struct distances {
+    void *tools;
+    int count;
+    double off[WINDOWS];
+};
+
+static void compare(struct distances *distances, const struct pp_world *world,
+                    const double *point)
+{
+    const struct pp_opening *opening = &world->openings[0];
+    if (!distances->tools)
+        assert_int_equal(pp_method_protractor.prepare(&distances->tools, world, NULL),
+                         PP_OK);
+    double read = read_with(distances->tools, &pp_method_protractor, world, point[0],
+                            point[1], point[2], NULL)
+                      .sky
+                  * pp_allowance_factor(pp_method_protractor.allowances, opening);
+    double exact =
+        read_first(&pp_method_exact, world, point[0], point[1], point[2], NULL).sky
+        * pp_allowance_factor(pp_method_exact.allowances, opening);
+    if (exact > 1e-3)
+        distances->off[distances->count++] = read / exact - 1.0;
+}
+
+static int ascending(const void *a, const void *b)
+{
+    double p = fabs(*(const double *)a), q = fabs(*(const double *)b);
+    return (p > q) - (p < q);
+}
+
+/* Half the last digit that the manual prints. */
+static void assert_distances(struct distances *distances, double mean_expected,
+                             double p95_expected)
+{
+    double mean = 0.0;
+    pp_method_protractor.put_away(distances->tools);
+    for (int i = 0; i < distances->count; i++)
+        mean += distances->off[i] / distances->count;
+    qsort(distances->off, (size_t)distances->count, sizeof *distances->off, ascending);
+    double p95 = fabs(distances->off[(int)(0.95 * (distances->count - 1))]);
+    assert_near(mean, mean_expected, 0.0006);
+    assert_near(p95, p95_expected, 0.0006);
+}
+
+/* The table of the manual. */
+static void readings_of_finite_windows_are_as_far_from_exact_as_the_manual_says(
+    void **state)
+{
+    (void)state;
+    static const struct {
+        double shape, mean[2], p95[2]; /* glazed, unglazed */
+    } rows[] = {{0.5, {.007, .008}, {.040, .046}},
+                {1.0, {.003, .005}, {.038, .041}},
+                {2.0, {.002, .002}, {.029, .033}},
+                {4.0, {-.000, .001}, {.020, .020}},
+                {8.0, {.000, .000}, {.012, .014}}};
+    uint64_t seed = 41;
+    for (int r = 0; r < 5; r++)
+        for (int bare = 0; bare < 2; bare++) {
+            struct distances distances = {0};
+            for (int i = 0; i < WINDOWS; i++) {
+                double point[3];
+                struct pp_world *world =
+                    window_of_shape(&seed, rows[r].shape, "overcast",
+                                    bare ? "none" : "clear-single", point);
+                compare(&distances, world, point);
+                pp_world_destroy(world);
+            }
+            assert_distances(&distances, rows[r].mean[bare], rows[r].p95[bare]);
+        }
+    static const struct {
+        double slope, mean[2], p95[2];
+    } roofs[] = {{0.0, {.001, .002}, {.015, .016}},
+                 {30.0, {.004, .005}, {.010, .011}},
+                 {60.0, {.003, .004}, {.006, .006}}};
+    for (int r = 0; r < 3; r++)
+        for (int bare = 0; bare < 2; bare++) {
+            struct distances distances = {0};
+            struct pp_world *world =
+                roof(roofs[r].slope, "overcast", bare ? "none" : "clear-single");
+            for (int i = 0; i < WINDOWS; i++) {
+                double point[3] = {0.2 + 4.6 * next(&seed), 0.2 + 4.6 * next(&seed),
+                                   0.85};
+                compare(&distances, world, point);
+            }
+            pp_world_destroy(world);
+            assert_distances(&distances, roofs[r].mean[bare], roofs[r].p95[bare]);
+        }
+}
+
+/* A window 3 m wide, 0.9 m of it left of the normal, 3 m away, sill 0.6 and head 2.4 m
+ * above the point: each step, and the sky component beside the integral (3.424 %). */
+static void worked_use_step_by_step(void **state)
+{
+    (void)state;
+    struct pp_world *world = hall("overcast", "clear-single", -2.1, 0.9, 0.6, 2.4, "");
+    struct pp_steps steps = {0};
+    struct pp_part part =
+        read_first(&pp_method_protractor, world, 50.0, 3.0, 0.85, &steps);
+    double head = atan(0.8), sill = atan(0.2);
+    assert_near(step_of(&steps, "upper edge: altitude", 0), head, 1e-9);
+    assert_near(step_of(&steps, "lower edge: altitude", 0), sill, 1e-9);
+    struct pp_protractor two;
+    pp_protractor_published(&two, 2, NULL);
+    double read[2] = {pp_protractor_primary(&two, head),
+                      pp_protractor_primary(&two, sill)};
+    assert_near(step_of(&steps, "primary scale", 0), read[0], 1e-7);
+    assert_near(step_of(&steps, "primary scale", 1), read[1], 1e-7);
+    double initial = step_of(&steps, "initial component", 0);
+    assert_near(initial, read[0] - read[1], 1e-7);
+    double average = step_of(&steps, "average altitude", 0);
+    assert_near(average, (head + sill) / 2.0, 1e-9);
+
+    /* Seen from inside, right is towards the plan's smaller x. */
+    double jamb[2] = {-atan(0.3), atan(0.7)};
+    for (int i = 0; i < 2; i++) {
+        assert_near(step_of(&steps, "from the normal", i), jamb[i], 1e-9);
+        /* The average of 25 degrees lies midway between two semicircles. */
+        double cf[2];
+        for (int k = 0; k < 2; k++)
+            cf[k] = pp_protractor_auxiliary(
+                &two, (2 + k) * 10.0 * PP_RAD,
+                pp_protractor_theta((2 + k) * 10.0 * PP_RAD, jamb[i]));
+        double t = average / (10.0 * PP_RAD) - 2.0;
+        assert_near(step_of(&steps, "auxiliary scale", i), cf[0] + t * (cf[1] - cf[0]),
+                    1e-7);
+    }
+    double factor = step_of(&steps, "correction factor", 0);
+    assert_near(factor,
+                step_of(&steps, "auxiliary scale", 1)
+                    - step_of(&steps, "auxiliary scale", 0),
+                1e-12);
+    assert_near(part.sky, initial * factor, 1e-12);
+    /* one average altitude reads 2 % over here */
+    assert_near(part.sky, 0.03424, 0.0007);
+    pp_steps_clear(&steps);
+    pp_world_destroy(world);
+}
+
+/* Correction factors of protractor 10 at azimuths of 10 to 80 degrees, as printed, on
+ * its semicircles and, as a reader interpolates, at 45 and 75 degrees between them. */
+static void correction_factors_are_read_between_semicircles(void **state)
+{
+    (void)state;
+    static const struct {
+        double gamma, tolerance, cf[8];
+    } row[] = {{0, 5.1e-4, {.110, .213, .304, .379, .435, .471, .491, .499}},
+               {30, 5.1e-4, {.103, .202, .292, .369, .429, .469, .491, .499}},
+               {45, 3e-3, {.086, .171, .254, .332, .400, .453, .485, .498}},
+               {60, 5.1e-4, {.062, .125, .191, .261, .334, .406, .465, .495}},
+               {75, 0.017, {.032, .066, .104, .148, .203, .276, .371, .471}}};
+    static struct pp_dial dial;
+    struct pp_protractor ten;
+    pp_protractor_published(&ten, 10, NULL);
+    pp_dial_make(&dial, &ten);
+    for (int r = 0; r < 5; r++)
+        for (int i = 0; i < 8; i++)
+            for (int side = -1; side <= 1; side += 2)
+                assert_near(side
+                                * pp_dial_factor(&dial, row[r].gamma * PP_RAD,
+                                                 side * (i + 1) * 10.0 * PP_RAD, false),
+                            row[r].cf[i], row[r].tolerance);
+}
+
+/* Of all ten, both scales against adaptive quadrature, also between their marks. */
+static void dials_agree_with_quadrature(void **state)
+{
+    (void)state;
+    static struct pp_dial dial;
+    for (int number = 1; number <= 10; number++) {
+        struct pp_protractor protractor;
+        pp_protractor_published(&protractor, number, NULL);
+        pp_dial_make(&dial, &protractor);
+        for (double gamma = 0.0371; gamma < PP_PI; gamma += 0.3719) {
+            double share = pp_protractor_primary(&protractor, gamma);
+            assert_near(pp_dial_share(&dial, gamma), share, 1e-6);
+            if (gamma < dial.range_rad)
+                assert_near(pp_dial_angle(&dial, pp_dial_share(&dial, gamma), 0.0),
+                            gamma, 1e-7);
+        }
+        for (int k = 1; k * 10.0 * PP_RAD < dial.range_rad - 1e-3; k++)
+            for (double theta = 0.073; theta < 1.57; theta += 0.31) {
+                double gamma = k * 10.0 * PP_RAD;
+                double cf = pp_protractor_auxiliary(&protractor, gamma, theta);
+                assert_near(pp_dial_factor(&dial, gamma, theta, true), cf, 1e-7);
+            }
+    }
+}
+
+/* The closed form of a rectangle overhead, A = B = 1 with one corner over the point. */
+static void horizontal_openings_with_a_closed_form(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *sky;
+        double width, depth, per_cent;
+    } rooflight[] = {{"overcast", 2.0, 2.0, 15.9497}, {"uniform", 2.0, 2.0, 13.8532},
+                     {"overcast", 4.0, 1.0, 12.2905}, {"uniform", 4.0, 1.0, 10.6838},
+                     {"overcast", 1.0, 4.0, 12.2905}, {"uniform", 1.0, 4.0, 10.6838}};
+    for (int i = 0; i < 6; i++) {
+        char xml[600];
+        snprintf(xml, sizeof xml,
+                 "<room version=\"1\"><sky type=\"%s\"/>"
+                 "<plan width=\"9\" depth=\"9\" height=\"2.85\"/>"
+                 "<rooflight x=\"3\" y=\"3\" width=\"%g\" depth=\"%g\" "
+                 "glazing=\"none\"/><working-plane height=\"0.85\"/></room>",
+                 rooflight[i].sky, rooflight[i].width, rooflight[i].depth);
+        struct pp_world *world = pp_test_world(xml);
+        double read =
+            100.0 * read_first(&pp_method_protractor, world, 3.0, 3.0, 0.85, NULL).sky;
+        /* one average altitude for all from the zenith to the far edge */
+        assert_relative(read, rooflight[i].per_cent, 0.055);
+        pp_world_destroy(world);
+    }
+}
+
+/* Under protractor 10 the plane of the aperture does not matter: of the same four
+ * corners' sky, seen upright, sloping and level. An endless opening in any plane is
+ * exact. */
+static void an_endless_sloping_strip_is_exact(void **state)
+{
+    (void)state;
+    static struct pp_dial dial;
+    for (int number = 1; number <= 10; number++) {
+        struct pp_protractor protractor;
+        pp_protractor_published(&protractor, number, NULL);
+        pp_dial_make(&dial, &protractor);
+        double high = dial.range_rad - 0.2, low = 0.31;
+        assert_near(pp_dial_factor(&dial, (low + high) / 2.0, PP_PI / 2.0, true)
+                        - pp_dial_factor(&dial, (low + high) / 2.0, -PP_PI / 2.0, true),
+                    1.0, 1e-12);
+        assert_near(pp_dial_share(&dial, high) - pp_dial_share(&dial, low),
+                    pp_protractor_primary(&protractor, high)
+                        - pp_protractor_primary(&protractor, low),
+                    1e-7);
+    }
+}
+
+/* Halves on both sides of the normal add up to the whole, and a window beside the point
+ * is the difference of two: the same average altitude serves all. */
+static void jambs_on_one_side_are_subtracted(void **state)
+{
+    (void)state;
+    double place[3][2] = {{-1.3, 0.0}, {0.0, 2.7}, {-1.3, 2.7}}, sky[3];
+    for (int i = 0; i < 3; i++) {
+        struct pp_world *world = hall("overcast", "clear-single", place[i][0] + 4.1,
+                                      place[i][1] + 4.1, 0.3, 2.1, "");
+        sky[i] = read_first(&pp_method_protractor, world, 50.0, 3.0, 0.85, NULL).sky;
+        pp_world_destroy(world);
+    }
+    assert_near(sky[0] + sky[1], sky[2], 1e-12);
+    assert_true(sky[0] > 0.0 && sky[1] > 0.0);
+}
+
+/* A skyline cuts the window like a sill, and is read up to its edge as if it were sky:
+ * 0.2 of that under the overcast sky, 0.1 under the uniform one. */
+static void obstructions_are_read_as_sky_and_dimmed(void **state)
+{
+    (void)state;
+    static const char skyline[] = "<skyline wall=\"south\" angle=\"21\"/>";
+    const char *skies[] = {"overcast", "uniform"};
+    double factor[] = {0.2, 0.1};
+    for (int i = 0; i < 2; i++) {
+        struct pp_world *open = hall(skies[i], "clear-single", -2.1, 0.9, 0.6,
+                                     3.0 * tan(21.0 * PP_RAD), "");
+        struct pp_world *cut =
+            hall(skies[i], "clear-single", -2.1, 0.9, 0.6, 2.4, skyline);
+        struct pp_part below =
+            read_first(&pp_method_protractor, open, 50.0, 3.0, 0.85, NULL);
+        struct pp_part both =
+            read_first(&pp_method_protractor, cut, 50.0, 3.0, 0.85, NULL);
+        assert_relative(both.external, factor[i] * below.sky, 1e-6);
+        struct pp_part exact = read_first(&pp_method_exact, cut, 50.0, 3.0, 0.85, NULL);
+        assert_relative(both.sky, exact.sky, 0.03);
+        assert_relative(both.external, exact.external, 0.03);
+        pp_world_destroy(open);
+        pp_world_destroy(cut);
+    }
+}
+
+/* A block before a rooflight: sky less what it hides. Seen from near it tapers, and a
+ * rectangle of equal area is out by a tenth at one point, but not on average. */
+static void obstructions_before_a_roof_window(void **state)
+{
+    (void)state;
+    struct pp_world *world = pp_test_world(
+        "<room version=\"1\"><plan width=\"5\" depth=\"5\" height=\"3\"/>"
+        "<rooflight x=\"1\" y=\"1\" width=\"2.9\" depth=\"1.7\" glazing=\"none\"/>"
+        "<block x=\"-3\" y=\"-4\" width=\"12\" depth=\"2\" height=\"17\"/>"
+        "<point x=\"2.3\" y=\"3.1\"/></room>");
+    struct pp_part read = {0}, exact = {0};
+    for (int i = 0; i < 100; i++) {
+        double x = 0.25 + i / 10 * 0.5, y = 0.25 + i % 10 * 0.5;
+        struct pp_part r = read_first(&pp_method_protractor, world, x, y, 0.85, NULL);
+        struct pp_part e = read_first(&pp_method_exact, world, x, y, 0.85, NULL);
+        assert_near(r.sky, e.sky, 0.01);
+        assert_near(r.external, e.external, 0.002);
+        read.sky += r.sky / 100.0;
+        read.external += r.external / 100.0;
+        exact.sky += e.sky / 100.0;
+        exact.external += e.external / 100.0;
+    }
+    assert_true(exact.external > 0.005);
+    assert_relative(read.sky, exact.sky, 0.02);
+    assert_relative(read.external, exact.external, 0.03);
+    pp_world_destroy(world);
+}
+
+/* From under the head, beside the window, with the sill below the point, close to the
+ * pane: never negative, never more than the sky, near exact from half a metre on. */
+static void odd_places_before_a_window(void **state)
+{
+    (void)state;
+    struct pp_world *world =
+        pp_test_world("<room version=\"1\"><plan width=\"9\" depth=\"7\" height=\"3\"/>"
+                      "<window wall=\"south\" left=\"3\" sill=\"0.2\" width=\"2.2\" "
+                      "height=\"2.4\"/><point x=\"1\" y=\"1\"/></room>");
+    uint64_t seed = 5;
+    void *tools;
+    assert_int_equal(pp_method_protractor.prepare(&tools, world, NULL), PP_OK);
+    for (int i = 0; i < 500; i++) {
+        double x = 0.05 + 8.9 * next(&seed), y = 0.002 + 2.0 * next(&seed);
+        double read =
+            read_with(tools, &pp_method_protractor, world, x, y, 0.85, NULL).sky;
+        double exact = read_first(&pp_method_exact, world, x, y, 0.85, NULL).sky;
+        assert_true(read >= 0.0 && read < 0.35);
+        if (y > 0.5)
+            assert_near(read, exact, 0.005 + 0.25 * exact);
+    }
+    for (int behind = 0; behind < 2; behind++) {
+        struct pp_part part = read_with(tools, &pp_method_protractor, world, 4.0,
+                                        behind ? -0.7 : 0.0, 0.1, NULL);
+        assert_near(part.sky + part.external, 0.0, 0.0);
+    }
+    /* head below the point: nothing is above the horizon */
+    struct pp_part over =
+        read_with(tools, &pp_method_protractor, world, 4.0, 2.0, 2.8, NULL);
+    assert_near(over.sky + over.external, 0.0, 0.0);
+    pp_method_protractor.put_away(tools);
+    pp_world_destroy(world);
+}
+
+static double settled(const char *glazing)
+{
+    struct pp_world *world = hall("overcast", glazing, -2.1, 0.9, 0.6, 2.4, "");
+    double sky =
+        read_first(&pp_method_protractor, world, 50.0, 3.0, 0.85, NULL).sky
+        * pp_allowance_factor(pp_method_protractor.allowances, &world->openings[0]);
+    pp_world_destroy(world);
+    return sky;
+}
+
+static void glass_is_counted_once(void **state)
+{
+    (void)state;
+    struct pp_glass two = pp_glass_panes(2, 1.52, 0.02);
+    double clear = settled("clear-single"), bare = settled("none");
+    assert_relative(settled("clear-double") / clear,
+                    two.diffuse / pp_glass_clear_single().diffuse, 0.02);
+    assert_true(bare > 1.08 * clear && bare < 1.25 * clear);
+}
+
+static void what_no_protractor_is_made_for_is_refused(void **state)
+{
+    (void)state;
+    const struct pp_method *method = &pp_method_protractor;
+    struct pp_receiver up = facing_up(2.0, 2.0, 0.85);
+    struct pp_receiver tilted = {{2.0, 2.0, 0.85}, {0.6, 0.0, 0.8}, 0};
+    double refused[] = {20.0, 45.0, 75.0}, read[] = {30.0, 60.0};
+    for (int i = 0; i < 3; i++) {
+        struct pp_world *glazed = roof(refused[i], "overcast", "clear-single");
+        assert_non_null(strstr(method->refuses(glazed, &glazed->openings[0], &up),
+                               "30, 60 and 90"));
+        pp_world_destroy(glazed);
+        struct pp_world *bare = roof(refused[i], "overcast", "none");
+        assert_null(method->refuses(bare, &bare->openings[0], &up));
+        double sky = read_first(method, bare, 2.0, 2.0, 0.85, NULL).sky;
+        double exact = read_first(&pp_method_exact, bare, 2.0, 2.0, 0.85, NULL).sky;
+        assert_relative(sky, exact, 0.02);
+        pp_world_destroy(bare);
+    }
+    for (int i = 0; i < 2; i++) {
+        struct pp_world *world = roof(read[i], "overcast", "clear-single");
+        assert_null(method->refuses(world, &world->openings[0], &up));
+        pp_world_destroy(world);
+    }
+    struct pp_world *world = hall("iso-3", "clear-single", -1.0, 1.0, 0.2, 2.0, "");
+    assert_non_null(strstr(method->refuses_room(world, &up), "overcast"));
+    pp_world_destroy(world);
+    world = hall("uniform", "clear-single", -1.0, 1.0, 0.2, 2.0, "");
+    assert_null(method->refuses_room(world, &up));
+    assert_non_null(strstr(method->refuses_room(world, &tilted), "face up"));
+    world->openings[0].glass = pp_glass_diffusing(0.6);
+    assert_non_null(
+        strstr(method->refuses(world, &world->openings[0], &up), "diffusing"));
+    pp_world_destroy(world);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(an_endless_window_has_the_reading_of_the_primary_scale),
+        cmocka_unit_test(rectangles_with_a_closed_form),
+        cmocka_unit_test(
+            readings_of_finite_windows_are_as_far_from_exact_as_the_manual_says),
+        cmocka_unit_test(worked_use_step_by_step),
+        cmocka_unit_test(correction_factors_are_read_between_semicircles),
+        cmocka_unit_test(dials_agree_with_quadrature),
+        cmocka_unit_test(horizontal_openings_with_a_closed_form),
+        cmocka_unit_test(an_endless_sloping_strip_is_exact),
+        cmocka_unit_test(jambs_on_one_side_are_subtracted),
+        cmocka_unit_test(obstructions_are_read_as_sky_and_dimmed),
+        cmocka_unit_test(obstructions_before_a_roof_window),
+        cmocka_unit_test(odd_places_before_a_window),
+        cmocka_unit_test(glass_is_counted_once),
+        cmocka_unit_test(what_no_protractor_is_made_for_is_refused),
+    };
+    return cmocka_run_group_tests_name("protractor", tests, NULL, NULL);
+}

@@ -1,0 +1,205 @@
+/* test_sphere.c - the integrating-sphere formula, and what it has to do with the
+ * others. */
+#include "methods/reflected/interior.h"
+#include "methods/methods.h"
+
+#include "tests/lib/near.h"
+
+#include "tests/lib/box_room.h"
+
+static double value_of(const struct pp_method *method, struct box_room *box, int index)
+{
+    struct pp_part part = {0};
+    const struct pp_opening *opening = box->openings + index;
+    assert_null(method->refuses_room(&box->world, NULL));
+    assert_true(!method->refuses || !method->refuses(&box->world, opening, NULL));
+    assert_int_equal(method->evaluate(&box->world, opening, NULL, NULL, &part, NULL),
+                     PP_OK);
+    return part.value;
+}
+
+/* A room with all numbers awkward, and what the formula names in it. */
+struct symbols {
+    double tau, Ag, A, R, rho_u, rho_l, rho_g, C;
+};
+
+static struct symbols build_awkward_room(struct box_room *box, struct pp_glass glass)
+{
+    double w = 3.7, d = 5.3, h = 2.9, middle = 0.7 + 1.3 / 2;
+    double floor = 0.15, walls = 0.62, ceiling = 0.81;
+    box_room_build(box, w, d, h, floor, walls, ceiling);
+    struct pp_opening *window = box_room_south(box, 0.4, 0.7, 1.9, 1.3);
+    window->glass = glass;
+    window->frame_factor = 0.83;
+    box->world.ground_reflectance = 0.17;
+    box_room_skyline(box, 34.0 * PP_RAD, middle, INFINITY);
+
+    double glass_m2 = 1.9 * 1.3, round = 2 * (w + d);
+    double upper_walls = round * (h - middle) - glass_m2 / 2;
+    double lower_walls = round * middle - glass_m2 / 2;
+    struct symbols s = {.Ag = glass_m2 * 0.83, .rho_g = 0.17, .C = 0.23};
+    s.tau = 0.85 * glass.diffuse / pp_glass_clear_single().diffuse;
+    s.A = 2 * w * d + round * h;
+    s.R = (w * d * (floor + ceiling) + (round * h - glass_m2) * walls + glass_m2 * 0.1)
+          / s.A;
+    s.rho_u = (w * d * ceiling + upper_walls * walls) / (w * d + upper_walls);
+    s.rho_l = (w * d * floor + lower_walls * walls) / (w * d + lower_walls);
+    return s;
+}
+
+static void clear_window_is_the_published_equation_15(void **state)
+{
+    (void)state;
+    struct box_room box;
+    struct symbols s = build_awkward_room(&box, pp_glass_clear_single());
+    double published =
+        s.tau * s.Ag / (s.A * (1 - s.R)) * (s.rho_u * s.rho_g / 2 + s.rho_l * s.C);
+    assert_relative(value_of(&pp_method_sphere, &box, 0), published, 1e-12);
+}
+
+/* Half of the diffusing pane's light goes up, half goes down. */
+static void diffusing_window_lights_both_parts_alike(void **state)
+{
+    (void)state;
+    struct box_room box;
+    struct symbols s = build_awkward_room(&box, pp_glass_diffusing(0.52));
+    double expected = s.tau * s.Ag / (s.A * (1 - s.R)) * (s.rho_g / 2 + s.C)
+                      * (s.rho_u + s.rho_l) / 2;
+    assert_relative(value_of(&pp_method_sphere, &box, 0), expected, 1e-12);
+}
+
+/* With one colour inside, the window's own wall and the two ways of naming the ground
+ * make no difference but 0.1/2 against 5 %: then it is the BRE formula. */
+static void one_colour_and_ground_of_0_1_is_the_bre_formula(void **state)
+{
+    (void)state;
+    struct box_room box;
+    box_room_build(&box, 3.7, 5.3, 2.9, 0.44, 0.44, 0.44);
+    box_room_south(&box, 0.4, 0.7, 1.9, 1.3);
+    box_room_skyline(&box, 34.0 * PP_RAD, 1.35, INFINITY);
+    box.world.ground_reflectance = 0.1;
+    assert_relative(value_of(&pp_method_sphere, &box, 0),
+                    value_of(&pp_method_bre, &box, 0), 1e-12);
+}
+
+/* Both formulae, with the sphere's A (1 - R) in one, A_u + A_l and their reflectance in
+ * the other: the opening, which the one counts with 0.1 and the other not, is taken out
+ * of the comparison. */
+static double split_over_sphere(struct box_room *box, double rho)
+{
+    struct pp_inside all = pp_inside_all(&box->world);
+    struct pp_inside_parts parts = pp_inside_split(&box->world, 1.3);
+    double without = (parts.lower.area_m2 + parts.upper.area_m2) * (1 - rho);
+    double opening = all.area_m2 * (1 - all.reflectance) / without;
+    return value_of(&pp_method_split_flux, box, 0)
+           / (value_of(&pp_method_sphere, box, 0) * opening);
+}
+
+static void one_colour_and_equal_halves_are_2rho_over_1_plus_rho(void **state)
+{
+    (void)state;
+    for (double rho = 0.1; rho < 0.95; rho += 0.21) {
+        struct box_room box;
+        box_room_build(&box, 3.3, 4.9, 2.6, rho, rho, rho);
+        box_room_south(&box, 0.7, 0.8, 1.7, 1.0); /* its middle is the room's */
+        box.world.ground_reflectance = 0.0;
+        assert_relative(split_over_sphere(&box, rho), 2 * rho / (1 + rho), 1e-12);
+        /* where the ground is as bright as the sky above it, they are equal */
+        box.world.ground_reflectance = 2 * 0.39;
+        assert_relative(split_over_sphere(&box, rho), 1.0, 1e-12);
+    }
+}
+
+/* The same without taking anything out: the smaller the opening, the less its own
+ * reflectance matters, to its share of the room's surface times 0.9/(1 - rho). */
+static void a_small_opening_needs_no_taking_out(void **state)
+{
+    (void)state;
+    double rho = 0.6;
+    struct box_room box;
+    box_room_build(&box, 3.3, 4.9, 2.6, rho, rho, rho);
+    box_room_south(&box, 0.7, 1.3 - 5e-4, 1e-3, 1e-3);
+    box.world.ground_reflectance = 0.0;
+    double share = 1e-6 / pp_inside_all(&box.world).area_m2;
+    assert_relative(value_of(&pp_method_split_flux, &box, 0)
+                        / value_of(&pp_method_sphere, &box, 0),
+                    2 * rho / (1 + rho), 3 * share);
+}
+
+/* An unglazed rooflight over a floor and walls of 0.4: all that falls in is lit by the
+ * whole sky, C = 1, and nothing comes from the ground. */
+static void rooflight_lets_the_whole_sky_in(void **state)
+{
+    (void)state;
+    struct box_room box;
+    box_room_build(&box, 3.3, 4.9, 2.6, 0.4, 0.4, 0.8);
+    box_room_open(&box, BOX_CEILING, pp_vec(1.0, 2.4, 2.6), 1.1, 0.7)->glass =
+        pp_glass_none();
+    double floor = 3.3 * 4.9, A = 2 * floor + 2 * 8.2 * 2.6;
+    double loss = A - 0.4 * (A - floor) - 0.8 * (floor - 0.77) - 0.1 * 0.77;
+    double expected = 0.77 / loss * 0.4;
+    assert_relative(value_of(&pp_method_sphere, &box, 0), expected, 1e-12);
+    box.world.sky = pp_sky_uniform();
+    assert_relative(value_of(&pp_method_sphere, &box, 0), expected, 1e-12);
+    /* it sends nothing up, clear or diffusing */
+    box.openings[0].glass = pp_glass_diffusing(pp_glass_clear_single().diffuse);
+    assert_relative(value_of(&pp_method_sphere, &box, 0), 0.85 * expected, 1e-12);
+}
+
+/* What the open overcast sky gives glass at the slope beta. */
+static double open_sky_on_slope(double beta)
+{
+    return 3.0 / 14.0 * (1 + cos(beta))
+           + 4.0 / (7.0 * PP_PI) * (sin(beta) + (PP_PI - beta) * cos(beta));
+}
+
+/* A pane in the ceiling turned up by degrees, as a monitor's would be: only its normal
+ * and slope count. At 90 degrees C is the table's 39 per cent. */
+static void sloping_glass_has_the_skys_exact_share_and_its_ground(void **state)
+{
+    (void)state;
+    for (double deg = 5.0; deg < 90.0; deg += 17.0) {
+        struct box_room box;
+        box_room_build(&box, 3.3, 4.9, 2.6, 0.4, 0.4, 0.4);
+        double beta = deg * PP_RAD;
+        struct pp_opening *pane =
+            box_room_open(&box, BOX_CEILING, pp_vec(1.0, 2.4, 2.6), 1.1, 0.7);
+        pane->inner.normal = pane->outer.normal = pp_vec(0, -sin(beta), -cos(beta));
+        pane->slope_rad = beta;
+        double A = 2 * 3.3 * 4.9 + 2 * 8.2 * 2.6;
+        double scale = 0.85 * 0.77 / (A - 0.4 * (A - 0.77) - 0.1 * 0.77) * 0.4;
+        double ground = 0.2 * (1 - cos(beta)) / 2;
+        /* both parts have one colour, so that where light falls first is all the same
+         */
+        assert_relative(value_of(&pp_method_sphere, &box, 0),
+                        scale * (open_sky_on_slope(beta) + ground), 1e-12);
+        box.world.sky = pp_sky_uniform();
+        assert_relative(value_of(&pp_method_sphere, &box, 0),
+                        scale * ((1 + cos(beta)) / 2 + ground), 1e-12);
+    }
+}
+
+static void rooms_with_light_of_their_own_are_refused(void **state)
+{
+    (void)state;
+    struct box_room box;
+    box_room_build(&box, 3.3, 4.9, 2.6, 0.4, 0.4, 0.8);
+    box_room_south(&box, 0.7, 0.8, 1.7, 1.0);
+    box.surfaces[BOX_NORTH].exitance = 0.1;
+    assert_non_null(pp_method_sphere.refuses_room(&box.world, NULL));
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(clear_window_is_the_published_equation_15),
+        cmocka_unit_test(diffusing_window_lights_both_parts_alike),
+        cmocka_unit_test(one_colour_and_ground_of_0_1_is_the_bre_formula),
+        cmocka_unit_test(one_colour_and_equal_halves_are_2rho_over_1_plus_rho),
+        cmocka_unit_test(a_small_opening_needs_no_taking_out),
+        cmocka_unit_test(rooflight_lets_the_whole_sky_in),
+        cmocka_unit_test(sloping_glass_has_the_skys_exact_share_and_its_ground),
+        cmocka_unit_test(rooms_with_light_of_their_own_are_refused),
+    };
+    return cmocka_run_group_tests_name("sphere", tests, NULL, NULL);
+}

@@ -1,0 +1,181 @@
+/* test_split_flux.c - the split-flux formula, for clear and diffusing glass. */
+#include "methods/reflected/interior.h"
+#include "methods/methods.h"
+
+#include "tests/lib/near.h"
+
+#include "tests/lib/box_room.h"
+
+static double split_flux_of(struct box_room *box, int index)
+{
+    struct pp_part part = {0};
+    const struct pp_opening *opening = box->openings + index;
+    assert_null(pp_method_split_flux.refuses_room(&box->world, NULL));
+    assert_null(pp_method_split_flux.refuses(&box->world, opening, NULL));
+    assert_int_equal(
+        pp_method_split_flux.evaluate(&box->world, opening, NULL, NULL, &part, NULL),
+        PP_OK);
+    return part.value;
+}
+
+static void worked_room_has_1_2962_per_cent(void **state)
+{
+    (void)state;
+    struct box_room box;
+    box_room_build(&box, 4.0, 6.0, 3.0, 0.2, 0.5, 0.7);
+    box_room_south(&box, 0.2, 0.9, 3.6, 1.5);
+    box.world.ground_reflectance = 0.1;
+    assert_near(100.0 * split_flux_of(&box, 0), 1.2962, 5e-5); /* as printed */
+}
+
+/* A room with all numbers awkward, and what the formulae name in it. */
+struct symbols {
+    double tau, Ag, A_u, A_l, rho_u, rho_l, rho_g, C;
+};
+
+static struct symbols build_awkward_room(struct box_room *box, struct pp_glass glass)
+{
+    double w = 3.7, d = 5.3, h = 2.9, middle = 0.7 + 1.3 / 2;
+    double floor = 0.15, walls = 0.62, ceiling = 0.81;
+    box_room_build(box, w, d, h, floor, walls, ceiling);
+    struct pp_opening *window = box_room_south(box, 0.4, 0.7, 1.9, 1.3);
+    window->glass = glass;
+    window->frame_factor = 0.83;
+    box->world.ground_reflectance = 0.17;
+    box_room_skyline(box, 34.0 * PP_RAD, middle, INFINITY);
+
+    double half_glass = 1.9 * 1.3 / 2, round = 2 * (w + d);
+    double upper_walls = round * (h - middle) - half_glass;
+    double lower_walls = round * middle - half_glass;
+    struct symbols s = {.Ag = 1.9 * 1.3 * 0.83, .rho_g = 0.17, .C = 0.23};
+    s.tau = 0.85 * glass.diffuse / pp_glass_clear_single().diffuse;
+    s.A_u = w * d + upper_walls;
+    s.A_l = w * d + lower_walls;
+    s.rho_u = (w * d * ceiling + upper_walls * walls) / s.A_u;
+    s.rho_l = (w * d * floor + lower_walls * walls) / s.A_l;
+    return s;
+}
+
+static void clear_window_is_the_published_equation_9(void **state)
+{
+    (void)state;
+    struct box_room box;
+    struct symbols s = build_awkward_room(&box, pp_glass_clear_single());
+    double published =
+        s.tau * s.Ag / (1 - s.rho_u * s.rho_l)
+        * (s.rho_u * s.rho_g / (2 * s.A_u) + s.rho_u * s.rho_l * s.C / s.A_l);
+    assert_relative(split_flux_of(&box, 0), published, 1e-12);
+}
+
+static void diffusing_window_is_the_published_equation_12(void **state)
+{
+    (void)state;
+    struct box_room box;
+    struct symbols s = build_awkward_room(&box, pp_glass_diffusing(0.52));
+    double published = s.tau * s.Ag / (1 - s.rho_u * s.rho_l) * 0.5
+                       * (s.rho_g / 2 + s.C)
+                       * (s.rho_u / s.A_u + s.rho_u * s.rho_l / s.A_l);
+    assert_relative(split_flux_of(&box, 0), published, 1e-12);
+}
+
+/* In an integrating sphere of the same area and reflectance
+ * IRC = tau Ag rho C / (A (1 - rho)). With all light on the lower of two equal halves
+ * the split flux has 2 rho/(1 + rho) of that: what comes back from above. */
+static void one_colour_and_equal_halves_give_2rho_over_1_plus_rho_of_a_sphere(
+    void **state)
+{
+    (void)state;
+    for (double rho = 0.1; rho < 0.95; rho += 0.21) {
+        struct box_room box;
+        box_room_build(&box, 3.3, 4.9, 2.6, rho, rho, rho);
+        box_room_south(&box, 0.7, 0.8, 1.7, 1.0); /* its middle is the room's */
+        box.world.ground_reflectance = 0.0;
+        struct pp_inside_parts parts = pp_inside_split(&box.world, 1.3);
+        double A = parts.lower.area_m2 + parts.upper.area_m2;
+        double sphere = 0.85 * 1.7 * rho * 0.39 / (A * (1 - rho));
+        assert_relative(split_flux_of(&box, 0), 2 * rho / (1 + rho) * sphere, 1e-12);
+    }
+}
+
+/* An unglazed rooflight over a black floor and black walls: light falls down and none
+ * comes back. Over white ones it is as eq. 9 with C = 1. */
+static void rooflight_lights_the_floor_with_the_whole_sky(void **state)
+{
+    (void)state;
+    struct box_room box;
+    box_room_build(&box, 3.3, 4.9, 2.6, 0.0, 0.0, 0.8);
+    struct pp_opening *rooflight =
+        box_room_open(&box, BOX_CEILING, pp_vec(1.0, 2.4, 2.6), 1.1, 0.7);
+    rooflight->glass = pp_glass_none();
+    assert_near(split_flux_of(&box, 0), 0.0, 0.0);
+
+    box_room_build(&box, 3.3, 4.9, 2.6, 0.4, 0.4, 0.8);
+    box_room_open(&box, BOX_CEILING, pp_vec(1.0, 2.4, 2.6), 1.1, 0.7)->glass =
+        pp_glass_none();
+    double A_l = 3.3 * 4.9 + 2 * 8.2 * 2.6;
+    double published = 0.77 / (1 - 0.8 * 0.4) * 0.8 * 0.4 / A_l;
+    assert_relative(split_flux_of(&box, 0), published, 1e-12);
+    box.world.sky = pp_sky_uniform();
+    assert_relative(split_flux_of(&box, 0), published, 1e-12);
+}
+
+/* The exact ratio of a vertical plane, times 1 - alpha/90. */
+static void other_skies_use_their_own_ratio(void **state)
+{
+    (void)state;
+    struct box_room box;
+    struct symbols s = build_awkward_room(&box, pp_glass_none());
+    box.world.sky = pp_sky_uniform();
+    s.C = 0.5 * (1 - 34.0 / 90.0);
+    double published =
+        s.Ag / (1 - s.rho_u * s.rho_l)
+        * (s.rho_u * s.rho_g / (2 * s.A_u) + s.rho_u * s.rho_l * s.C / s.A_l);
+    assert_relative(split_flux_of(&box, 0), published, 1e-12);
+
+    struct pp_vec3 sun = pp_unit(pp_vec(0.1, -0.8, 0.7));
+    assert_int_equal(pp_sky_iso(&box.world.sky, 12, sun, NULL), PP_OK);
+    s.C = pp_sky_on_plane(&box.world.sky, pp_vec(0, -1, 0)) * (1 - 34.0 / 90.0);
+    published = s.Ag / (1 - s.rho_u * s.rho_l)
+                * (s.rho_u * s.rho_g / (2 * s.A_u) + s.rho_u * s.rho_l * s.C / s.A_l);
+    assert_relative(split_flux_of(&box, 0), published, 1e-12);
+}
+
+static void brighter_surfaces_and_ground_give_more(void **state)
+{
+    (void)state;
+    double last = 0.0;
+    for (int k = 1; k <= 9; k++) {
+        struct box_room box;
+        box_room_build(&box, 3.3, 4.9, 2.6, 0.1 * k, 0.1 * k, 0.1 * k);
+        box_room_south(&box, 0.7, 0.8, 1.7, 1.0);
+        double now = split_flux_of(&box, 0);
+        box.world.ground_reflectance = 0.4;
+        assert_true(split_flux_of(&box, 0) > now && now > last);
+        last = now;
+    }
+}
+
+static void a_room_that_keeps_all_its_light_is_refused(void **state)
+{
+    (void)state;
+    struct box_room box;
+    box_room_build(&box, 3.3, 4.9, 2.6, 1.0, 1.0, 1.0);
+    struct pp_opening *window = box_room_south(&box, 0.7, 0.8, 1.7, 1.0);
+    assert_non_null(pp_method_split_flux.refuses(&box.world, window, NULL));
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(worked_room_has_1_2962_per_cent),
+        cmocka_unit_test(clear_window_is_the_published_equation_9),
+        cmocka_unit_test(diffusing_window_is_the_published_equation_12),
+        cmocka_unit_test(
+            one_colour_and_equal_halves_give_2rho_over_1_plus_rho_of_a_sphere),
+        cmocka_unit_test(rooflight_lights_the_floor_with_the_whole_sky),
+        cmocka_unit_test(other_skies_use_their_own_ratio),
+        cmocka_unit_test(brighter_surfaces_and_ground_give_more),
+        cmocka_unit_test(a_room_that_keeps_all_its_light_is_refused),
+    };
+    return cmocka_run_group_tests_name("split flux", tests, NULL, NULL);
+}

@@ -1,0 +1,83 @@
+/* test_allowance.c - glass, frame and dirt, each counted once. */
+#include "methods/allowance.h"
+
+#include "tests/lib/near.h"
+
+static struct pp_opening opening_with(struct pp_glass glass)
+{
+    return (struct pp_opening){
+        .glass = glass, .frame_factor = 0.7, .maintenance = 0.9, .curtains = 1.0};
+}
+
+static const unsigned all_bits = PP_ALLOWS_OWN_GLASS | PP_ALLOWS_FRAME | PP_ALLOWS_DIRT;
+
+static void a_figure_that_contains_all_needs_nothing(void **state)
+{
+    (void)state;
+    struct pp_opening opening = opening_with(pp_glass_of_normal(2, 1.52, 0.02, 0.61));
+    assert_near(pp_allowance_factor(all_bits, &opening), 1.0, 0.0);
+}
+
+/* Tolerances below: a few products and quotients of doubles. */
+
+static void what_is_missing_is_multiplied_on_once(void **state)
+{
+    (void)state;
+    struct pp_opening opening = opening_with(pp_glass_of_normal(2, 1.52, 0.02, 0.61));
+    assert_near(pp_allowance_factor(all_bits & ~PP_ALLOWS_FRAME, &opening), 0.7, 1e-15);
+    assert_near(pp_allowance_factor(all_bits & ~PP_ALLOWS_DIRT, &opening), 0.9, 1e-15);
+    assert_near(pp_allowance_factor(PP_ALLOWS_OWN_GLASS, &opening), 0.7 * 0.9, 1e-15);
+}
+
+static void figures_for_clear_glass_become_those_of_the_glass_by_diffuse_light(
+    void **state)
+{
+    (void)state;
+    struct pp_glass tinted = pp_glass_of_normal(1, 1.52, 0.02, 0.45);
+    struct pp_opening opening = opening_with(tinted);
+    unsigned clear = PP_ALLOWS_CLEAR_GLASS | PP_ALLOWS_FRAME | PP_ALLOWS_DIRT;
+    /* one pane scaled down: half the normal transmittance is half the diffuse one */
+    assert_near(pp_allowance_factor(clear, &opening),
+                0.45 / pp_glass_clear_single().normal, 1e-14);
+    opening.glass = pp_glass_clear_single();
+    assert_near(pp_allowance_factor(clear, &opening), 1.0, 1e-15);
+    opening.glass = pp_glass_none();
+    assert_near(pp_allowance_factor(clear, &opening), 1.0 / 0.85, 1e-15);
+}
+
+static void glass_of_the_reflected_component_is_085_for_clear_and_1_for_none(
+    void **state)
+{
+    (void)state;
+    struct pp_opening opening = opening_with(pp_glass_clear_single());
+    assert_near(pp_allowance_reflected_glass(&opening), 0.85, 1e-15);
+    opening.glass = pp_glass_none();
+    assert_near(pp_allowance_reflected_glass(&opening), 1.0, 0.0);
+    opening.glass = pp_glass_diffusing(0.5);
+    assert_near(pp_allowance_reflected_glass(&opening),
+                0.85 * 0.5 / pp_glass_clear_single().diffuse, 1e-15);
+}
+
+static void a_figure_for_a_bare_hole_gets_all_of_glass_frame_and_dirt(void **state)
+{
+    (void)state;
+    struct pp_opening opening = opening_with(pp_glass_clear_single());
+    assert_near(pp_allowance_factor(PP_ALLOWS_NOTHING, &opening), 0.85 * 0.7 * 0.9,
+                1e-15);
+    opening.glass = pp_glass_none();
+    assert_near(pp_allowance_factor(PP_ALLOWS_NOTHING, &opening), 0.7 * 0.9, 1e-15);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_figure_that_contains_all_needs_nothing),
+        cmocka_unit_test(what_is_missing_is_multiplied_on_once),
+        cmocka_unit_test(
+            figures_for_clear_glass_become_those_of_the_glass_by_diffuse_light),
+        cmocka_unit_test(
+            glass_of_the_reflected_component_is_085_for_clear_and_1_for_none),
+        cmocka_unit_test(a_figure_for_a_bare_hole_gets_all_of_glass_frame_and_dirt),
+    };
+    return cmocka_run_group_tests_name("allowance", tests, NULL, NULL);
+}

@@ -1,0 +1,111 @@
+/* test_average_df.c - the average daylight factor formula. */
+#include "methods/reflected/interior.h"
+#include "methods/methods.h"
+
+#include "tests/lib/near.h"
+
+#include "tests/lib/box_room.h"
+
+static double value_of(const struct pp_method *method, struct box_room *box, int index)
+{
+    struct pp_part part = {0};
+    const struct pp_opening *opening = box->openings + index;
+    assert_null(method->refuses_room(&box->world, NULL));
+    assert_null(method->refuses(&box->world, opening, NULL));
+    assert_int_equal(method->evaluate(&box->world, opening, NULL, NULL, &part, NULL),
+                     PP_OK);
+    return part.value;
+}
+
+static double average_df_of(struct box_room *box, int index)
+{
+    return value_of(&pp_method_average_df, box, index);
+}
+
+static void build_worked_room(struct box_room *box)
+{
+    box_room_build(box, 4.0, 6.0, 3.0, 0.2, 0.5, 0.7);
+    struct pp_opening *window = box_room_south(box, 0.2, 0.9, 3.6, 1.5);
+    window->glass = pp_glass_diffusing(0.68); /* T by its diffuse transmittance */
+    window->maintenance = 0.9;
+}
+
+static void worked_room_has_2_5163_per_cent(void **state)
+{
+    (void)state;
+    struct box_room box;
+    build_worked_room(&box);
+    box_room_skyline(&box, 25.0 * PP_RAD, 1.65, INFINITY);     /* theta 65 degrees */
+    assert_near(100.0 * average_df_of(&box, 0), 2.5163, 5e-5); /* as printed */
+}
+
+static void proportional_to_glass_frame_dirt_and_angle(void **state)
+{
+    (void)state;
+    struct box_room box;
+    build_worked_room(&box);
+    double base = average_df_of(&box, 0);
+    box.openings[0].frame_factor = 0.71;
+    assert_relative(average_df_of(&box, 0), 0.71 * base, 1e-14);
+    box.openings[0].maintenance = 0.45;
+    assert_relative(average_df_of(&box, 0), 0.71 * 0.5 * base, 1e-14);
+    box.openings[0].glass = pp_glass_none();
+    assert_relative(average_df_of(&box, 0), 0.71 * 0.5 / 0.68 * base, 1e-14);
+    box_room_skyline(&box, 27.0 * PP_RAD, 1.65, INFINITY);
+    assert_relative(average_df_of(&box, 0), 0.7 * 0.71 * 0.5 / 0.68 * base, 1e-14);
+}
+
+/* From the middle of a window 1.5 m high, 0.75 m under the head: a reveal of as much
+ * leaves 45 degrees. */
+static void reveal_cuts_the_angle_from_above(void **state)
+{
+    (void)state;
+    struct box_room box;
+    build_worked_room(&box);
+    double base = average_df_of(&box, 0);
+    box_room_reveal(&box, 0, 0.75);
+    assert_relative(average_df_of(&box, 0), base / 2.0, 1e-14);
+    box_room_skyline(&box, 46.0 * PP_RAD, 1.65, INFINITY);
+    assert_near(average_df_of(&box, 0), 0.0, 0.0);
+}
+
+/* (1 + R)/2 of the newer form, but for the dirt that it does not hold. By hand for the
+ * worked room: R 0.45778, 2.5163 / 0.9 / 2 * 1.45778 = 2.0379. */
+static void older_form_is_over_all_surfaces(void **state)
+{
+    (void)state;
+    struct box_room box;
+    build_worked_room(&box);
+    box_room_skyline(&box, 25.0 * PP_RAD, 1.65, INFINITY);
+    assert_near(100.0 * value_of(&pp_method_average_df_lynes, &box, 0), 2.0379, 2e-4);
+    double R = pp_inside_all(&box.world).reflectance, M = 0.9;
+    assert_near(R, 0.45778, 5e-6); /* as printed */
+    assert_relative(value_of(&pp_method_average_df_lynes, &box, 0),
+                    (1 + R) / 2 / M * average_df_of(&box, 0), 1e-14);
+    assert_true(pp_method_average_df_lynes.of_all_surfaces);
+    assert_int_equal(pp_method_average_df_lynes.allowances & PP_ALLOWS_DIRT, 0);
+}
+
+static void other_skies_and_slopes_are_refused(void **state)
+{
+    (void)state;
+    struct box_room box;
+    build_worked_room(&box);
+    box.world.sky = pp_sky_uniform();
+    assert_non_null(pp_method_average_df.refuses_room(&box.world, NULL));
+    struct pp_opening *rooflight =
+        box_room_open(&box, BOX_CEILING, pp_vec(1.0, 2.4, 3.0), 1.1, 0.7);
+    assert_non_null(pp_method_average_df.refuses(&box.world, rooflight, NULL));
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(worked_room_has_2_5163_per_cent),
+        cmocka_unit_test(proportional_to_glass_frame_dirt_and_angle),
+        cmocka_unit_test(reveal_cuts_the_angle_from_above),
+        cmocka_unit_test(older_form_is_over_all_surfaces),
+        cmocka_unit_test(other_skies_and_slopes_are_refused),
+    };
+    return cmocka_run_group_tests_name("average daylight factor", tests, NULL, NULL);
+}

@@ -1,0 +1,480 @@
+/* What hides what: odd cases of openings, occluders inside and obstructions outside. */
+#include "tests/lib/near.h"
+
+#include <stdio.h>
+
+#include "methods/exact/direct.h"
+#include "methods/exact/exact.h"
+#include "methods/view/exterior_planes.h"
+#include "methods/view/visible.h"
+#include "tests/lib/meridians.h"
+#include "tests/lib/room_of.h"
+
+static struct pp_receiver receiver_at(double x, double y, double z)
+{
+    return (struct pp_receiver){{x, y, z}, {0.0, 0.0, 1.0}, 0};
+}
+
+static struct pp_part part_of(const struct pp_world *world,
+                              const struct pp_receiver *receiver)
+{
+    struct pp_part sum = {0};
+    for (int i = 0; i < world->opening_count; i++) {
+        struct pp_part part = {0};
+        struct pp_error err = {0};
+        if (pp_method_exact.evaluate(world, &world->openings[i], receiver, NULL, &part,
+                                     &err)
+            != PP_OK)
+            fail_msg("exact: %s", err.message);
+        sum.sky += part.sky;
+        sum.external += part.external;
+    }
+    return sum;
+}
+
+/* exact and the sum over meridians, for every opening of a room. */
+static struct pp_part assert_by_two_routes(const struct pp_world *world,
+                                           struct pp_receiver receiver)
+{
+    struct pp_part part = part_of(world, &receiver);
+    double sky = 0.0, external = 0.0;
+    for (int i = 0; i < world->opening_count; i++) {
+        struct pp_meridian_sums sums =
+            pp_meridians(world, &world->openings[i], &receiver, 1e-11, 3);
+        sky += sums.sky;
+        external += sums.external;
+    }
+    assert_near(part.sky, sky, fmax(1e-15, 1e-9 * sky));
+    assert_near(part.external, external, fmax(1e-15, 1e-9 * external));
+    return part;
+}
+
+#define PLAN(inside)                                                                   \
+    "<room version='1'><plan width='4.2' depth='5.1' height='2.9'/>" inside "</room>"
+#define WINDOW                                                                         \
+    "<window wall='south' left='0.7' sill='0.9' width='2.3' height='1.4'"              \
+    " glazing='none'/>"
+
+/* An L: a wing along the south, another up the west side. From the west wing's end the
+ * window in the east wall is round the corner; from the joint it is in full view. */
+static void walls_of_an_l_shaped_room_hide_its_windows(void **state)
+{
+    (void)state;
+    struct pp_world *world = pp_test_world(
+        "<room version='1'><plan height='2.8'><vertex x='0' y='0'/>"
+        "<vertex x='7.3' y='0'/><vertex x='7.3' y='3.1'/><vertex x='2.9' y='3.1'/>"
+        "<vertex x='2.9' y='8.2'/><vertex x='0' y='8.2'/></plan>"
+        "<window wall='2' left='0.4' sill='0.9' width='2.2' height='1.3'"
+        " glazing='none'/></room>");
+    struct pp_receiver joint = receiver_at(1.3, 1.6, 0.85);
+    struct pp_receiver round = receiver_at(1.1, 7.4, 0.85);
+    struct pp_receiver partly = receiver_at(2.2, 3.3, 0.85);
+    assert_true(assert_by_two_routes(world, joint).sky > 1e-4);
+    struct pp_part some = assert_by_two_routes(world, partly);
+    assert_true(some.sky > 0.0);
+    assert_near(assert_by_two_routes(world, round).sky, 0.0, 0.0);
+    double seen;
+    assert_int_equal(pp_outside_sky_seen(&seen, world, round.position, NULL), PP_OK);
+    assert_near(seen, 0.0, 0.0);
+    assert_int_equal(pp_outside_sky_seen(&seen, world, partly.position, NULL), PP_OK);
+    assert_true(seen > 1e-3);
+    pp_world_destroy(world);
+}
+
+/* In the same L, a window looks on to the other wing's outside: that is an obstruction
+ * with the 0.2 of outer faces. */
+static void another_wing_obstructs_from_outside(void **state)
+{
+    (void)state;
+    struct pp_world *world = pp_test_world(
+        "<room version='1'><plan height='2.8'><vertex x='0' y='0'/>"
+        "<vertex x='7.3' y='0'/><vertex x='7.3' y='3.1'/><vertex x='2.9' y='3.1'/>"
+        "<vertex x='2.9' y='8.2'/><vertex x='0' y='8.2'/></plan>"
+        "<window wall='3' left='0.5' sill='0.9' width='3.2' height='1.6'"
+        " glazing='none'/></room>");
+    struct pp_part part = assert_by_two_routes(world, receiver_at(4.4, 1.2, 0.85));
+    assert_true(part.sky > 0.0);
+    assert_true(part.external > 1e-4);
+    pp_world_destroy(world);
+}
+
+static void a_partition_inside_takes_light_and_gives_none(void **state)
+{
+    (void)state;
+    struct pp_world *bare = pp_test_world(PLAN(WINDOW));
+    struct pp_world *world = pp_test_world(
+        PLAN(WINDOW "<surface reflectance='0.6'><vertex x='1.9' y='0' z='0'/>"
+                    "<vertex x='1.9' y='1.7' z='0'/><vertex x='1.9' y='1.7' z='2.9'/>"
+                    "<vertex x='1.9' y='0' z='2.9'/></surface>"));
+    struct pp_receiver receiver = receiver_at(1.1, 3.3, 0.85);
+    struct pp_part part = assert_by_two_routes(world, receiver);
+    assert_true(part.sky < part_of(bare, &receiver).sky);
+    assert_near(part.external, 0.0, 0.0);
+    pp_world_destroy(world);
+    pp_world_destroy(bare);
+}
+
+/* Before the glass, behind the point, under the sill: none of it hides anything. */
+static void what_is_not_in_the_way_changes_nothing(void **state)
+{
+    (void)state;
+    struct pp_world *bare = pp_test_world(PLAN(WINDOW));
+    struct pp_world *world = pp_test_world(
+        PLAN(WINDOW "<block x='-3' y='6' width='9' depth='4' height='30'/>"
+                    "<block x='-9' y='-3' width='30' depth='1' height='0.6'/>"
+                    "<surface reflectance='0.5'><vertex x='1' y='4.5' z='0'/>"
+                    "<vertex x='2' y='4.5' z='0'/><vertex x='2' y='4.5' z='2'/>"
+                    "<vertex x='1' y='4.5' z='2'/></surface>"));
+    struct pp_receiver receiver = receiver_at(1.4, 2.3, 0.85);
+    struct pp_part part = part_of(world, &receiver), alone = part_of(bare, &receiver);
+    assert_near(part.sky, alone.sky, 0.0);
+    assert_near(part.external, 0.0, 0.0);
+    pp_world_destroy(world);
+    pp_world_destroy(bare);
+}
+
+/* A block that stands against the wall covers the lower half of the window; where it
+ * covers all of it, no sky is left and all of it is the block's. */
+static void a_block_against_the_window_covers_it(void **state)
+{
+    (void)state;
+    struct pp_world *bare = pp_test_world(PLAN(WINDOW));
+    struct pp_world *world = pp_test_world(
+        PLAN(WINDOW "<block x='-3' y='-2' width='9' depth='2' height='1.6'/>"));
+    struct pp_receiver receiver = receiver_at(1.4, 2.3, 0.85);
+    struct pp_part part = assert_by_two_routes(world, receiver);
+    double whole = part_of(bare, &receiver).sky;
+    assert_near(part.sky + part.external / 0.2, whole, 1e-15);
+    assert_true(part.sky > 0.3 * whole && part.sky < 0.9 * whole);
+    pp_world_destroy(world);
+
+    world = pp_test_world(
+        PLAN(WINDOW "<block x='-3' y='-2' width='9' depth='2' height='5'/>"));
+    part = part_of(world, &receiver);
+    assert_near(part.sky, 0.0, 1e-15);
+    assert_near(part.external, 0.2 * whole, 1e-15);
+    pp_world_destroy(world);
+    pp_world_destroy(bare);
+}
+
+/* The nearer of two things of different reflectance counts, whichever comes first in
+ * the file. */
+static void the_nearer_obstruction_counts(void **state)
+{
+    (void)state;
+#define DARK "<block x='-9' y='-9' width='22' depth='1' height='4' reflectance='0.1'/>"
+#define LIGHT                                                                          \
+    "<block x='-9' y='-30' width='22' depth='1' height='20' reflectance='0.7'/>"
+    struct pp_world *one = pp_test_world(PLAN(WINDOW DARK LIGHT));
+    struct pp_world *other = pp_test_world(PLAN(WINDOW LIGHT DARK));
+    struct pp_receiver receiver = receiver_at(1.4, 2.3, 0.85);
+    struct pp_part a = assert_by_two_routes(one, receiver);
+    struct pp_part b = assert_by_two_routes(other, receiver);
+    assert_near(a.sky, b.sky, 1e-16);
+    assert_near(a.external, b.external, 1e-16);
+    assert_true(a.external > 0.0);
+    pp_world_destroy(one);
+    pp_world_destroy(other);
+}
+
+static void a_skyline_at_a_distance_is_a_long_wall_there(void **state)
+{
+    (void)state;
+    /* From the middle of the window, z = 1.6, 25 degrees at 12 m. */
+    struct pp_world *skyline =
+        pp_test_world(PLAN(WINDOW "<skyline wall='south' angle='25' distance='12'/>"));
+    char xml[1024];
+    double head = 1.6 + 12.0 * tan(25.0 * PP_RAD);
+    snprintf(xml, sizeof xml,
+             PLAN(WINDOW "<surface><vertex x='-1e4' y='-12' z='0'/>"
+                         "<vertex x='1e4' y='-12' z='0'/>"
+                         "<vertex x='1e4' y='-12' z='%.17g'/>"
+                         "<vertex x='-1e4' y='-12' z='%.17g'/></surface>"),
+             head, head);
+    struct pp_world *wall = pp_test_world(xml);
+    struct pp_receiver receiver = receiver_at(1.4, 2.3, 0.85);
+    struct pp_part part = assert_by_two_routes(skyline, receiver);
+    assert_true(part.sky > 0.0 && part.external > 0.0);
+    assert_relative(part.sky, part_of(wall, &receiver).sky, 1e-12);
+    assert_relative(part.external, part_of(wall, &receiver).external, 1e-12);
+    struct pp_receiver high = {{2.0, 1.0, 2.5}, pp_unit(pp_vec(0.0, -1.0, -0.2)), 0};
+    part = assert_by_two_routes(skyline, high);
+    assert_relative(part.external, part_of(wall, &high).external, 1e-12);
+    pp_world_destroy(skyline);
+    pp_world_destroy(wall);
+}
+
+/* Through a reveal as deep as the opening is wide, from the side, nothing is seen. */
+static void a_reveal_narrows_the_view(void **state)
+{
+    (void)state;
+    struct pp_world *bare = pp_test_world(PLAN(WINDOW));
+    struct pp_world *world = pp_test_world(
+        PLAN("<window wall='south' left='0.7' sill='0.9' width='2.3' height='1.4'"
+             " glazing='none' reveal='0.35'/>"));
+    struct pp_receiver receiver = receiver_at(1.4, 2.3, 0.85);
+    struct pp_part part = assert_by_two_routes(world, receiver);
+    assert_true(part.sky < part_of(bare, &receiver).sky);
+    struct pp_receiver beside = receiver_at(4.1, 0.02, 0.85);
+    assert_near(part_of(world, &beside).sky, 0.0, 0.0);
+    assert_true(part_of(bare, &beside).sky > 0.0);
+    pp_world_destroy(world);
+    pp_world_destroy(bare);
+}
+
+static void a_round_headed_window_is_the_sum_of_its_outline(void **state)
+{
+    (void)state;
+    struct pp_world *world = pp_test_world(PLAN(
+        "<opening glazing='none' reveal='0.1'><vertex x='3.0' y='0' z='0.9'/>"
+        "<vertex x='1.0' y='0' z='0.9'/><vertex x='1.0' y='0' z='1.8'/>"
+        "<vertex x='1.4' y='0' z='2.3'/><vertex x='2.0' y='0' z='2.5'/>"
+        "<vertex x='2.6' y='0' z='2.3'/><vertex x='3.0' y='0' z='1.8'/></opening>"));
+    assert_true(assert_by_two_routes(world, receiver_at(1.2, 2.2, 0.85)).sky > 0.01);
+    pp_world_destroy(world);
+}
+
+/* A rooflight with a corner straight above the point and an edge through its zenith. */
+static void a_rooflight_corner_may_stand_overhead(void **state)
+{
+    (void)state;
+    struct pp_world *world = pp_test_world(
+        PLAN("<rooflight x='1.2' y='1.6' width='1.1' depth='1.7' glazing='none'/>"
+             "<block x='9' y='1' width='3' depth='4' height='40'/>"));
+    struct pp_part corner =
+        part_of(world, &(struct pp_receiver){{1.2, 1.6, 0.8}, {0, 0, 1}, 0});
+    struct pp_part beside =
+        assert_by_two_routes(world, receiver_at(1.2003, 1.6002, 0.8));
+    assert_near(corner.sky, beside.sky, 2e-4);
+    pp_world_destroy(world);
+}
+
+/* A plate that shines and covers all that is seen is a Lambertian emitter: its exitance
+ * times the configuration factor of the window, here from the uniform sky. */
+static void what_shines_outside_gives_its_configuration_factor(void **state)
+{
+    (void)state;
+    struct pp_world *bare = pp_test_world(PLAN("<sky type='uniform'/>" WINDOW));
+    struct pp_world *world = pp_test_world(
+        PLAN("<sky type='uniform'/>" WINDOW
+             "<surface reflectance='0' exitance='0.3'><vertex x='-200' y='-2' z='-90'/>"
+             "<vertex x='200' y='-2' z='-90'/><vertex x='200' y='-2' z='300'/>"
+             "<vertex x='-200' y='-2' z='300'/></surface>"));
+    struct pp_receiver receiver = receiver_at(1.4, 2.3, 0.85);
+    struct pp_part part = part_of(world, &receiver);
+    assert_near(part.sky, 0.0, 1e-15);
+    assert_relative(part.external, 0.3 * part_of(bare, &receiver).sky, 1e-12);
+    pp_world_destroy(world);
+    pp_world_destroy(bare);
+}
+
+/* ---- outside ---- */
+
+static void outside_nothing_hides_the_open_sky(void **state)
+{
+    (void)state;
+    struct pp_world *world = pp_test_world(
+        PLAN(WINDOW "<block x='-40' y='-44' width='3' depth='2' height='0.1'/>"));
+    struct pp_outside outside;
+    struct pp_sky sky = pp_sky_overcast();
+    assert_int_equal(pp_outside_at(&outside, world, &sky, pp_vec(2.0, -9.0, 9.0),
+                                   pp_vec(0.0, 0.0, 1.0), -1, NULL),
+                     PP_OK);
+    assert_near(outside.sky, 1.0, 1e-13);
+    assert_near(outside.external, 0.0, 1e-13);
+    pp_world_destroy(world);
+}
+
+/* A wall so long and near that it hides all below 30 degrees. */
+static void a_long_block_opposite_is_a_continuous_obstruction(void **state)
+{
+    (void)state;
+    double alpha = 30.0 * PP_RAD;
+    char xml[512];
+    snprintf(xml, sizeof xml,
+             PLAN(WINDOW "<block x='-20000' y='-11' width='40000' depth='1'"
+                         " height='%.17g'/>"),
+             1.6 + 10.0 * tan(alpha));
+    struct pp_world *world = pp_test_world(xml);
+    double share, paper = 3.0 / 14.0 * (1.0 - sin(alpha))
+                          + 4.0 / (7.0 * PP_PI) * cos(alpha) * cos(alpha);
+    struct pp_sky sky = pp_sky_overcast();
+    assert_int_equal(pp_outside_sky_on_plane(&share, world, &world->openings[0],
+                                             pp_vec(0.0, -1.0, 0.0), &sky, NULL),
+                     PP_OK);
+    assert_near(share, paper, 1e-6); /* the block's ends, at 1/2000 of its length */
+    pp_world_destroy(world);
+}
+
+/* ---- diffusing panes ---- */
+
+static void a_diffusing_pane_emits_what_falls_on_it(void **state)
+{
+    (void)state;
+#define PANE                                                                           \
+    "<window wall='south' left='0.7' sill='0.9' width='2.3' height='1.4'"              \
+    " transmittance='0.6' diffusing='yes'/>"
+    struct pp_world *bare = pp_test_world(PLAN("<sky type='uniform'/>" WINDOW));
+    struct pp_world *world = pp_test_world(PLAN(PANE));
+    struct pp_receiver receiver = receiver_at(1.4, 2.3, 1.6);
+    /* The configuration factor of the whole pane: what the uniform sky gives above the
+     * horizon, and by symmetry about the window's middle height below it. */
+    struct pp_receiver upside_down = receiver;
+    upside_down.normal.z = -1.0;
+    double factor = part_of(bare, &receiver).sky;
+    double vertical = 3.0 / 14.0 + 4.0 / (7.0 * PP_PI);
+    struct pp_part part = part_of(world, &receiver);
+    assert_relative(part.sky, 0.6 * vertical * factor, 1e-12);
+    assert_relative(part.external, 0.6 * 0.2 / 2.0 * factor, 1e-12);
+    assert_relative(part_of(world, &upside_down).sky, part.sky, 1e-12);
+    double seen;
+    assert_int_equal(pp_outside_sky_seen(&seen, world, receiver.position, NULL), PP_OK);
+    assert_near(seen, 0.0, 0.0);
+    pp_world_destroy(world);
+    pp_world_destroy(bare);
+}
+
+/* Places and weights from low to high: between borders (of which there may be one) at
+ * most 0.3 m with a rule of eight places each. */
+enum { RULE = 8, PLACES_MOST = 12 * RULE };
+static int places_of(double places[][2], double low, double high, double border)
+{
+    static const double rule[RULE / 2][2] = {
+        {0.18343464249564980, 0.36268378337836198},
+        {0.52553240991632899, 0.31370664587788729},
+        {0.79666647741362674, 0.22238103445337447},
+        {0.96028985649753623, 0.10122853629037626}};
+    double ends[3] = {low, border > low && border < high ? border : high, high};
+    int count = 0;
+    for (int part = 0; part < 2; part++) {
+        int pieces = (int)ceil((ends[part + 1] - ends[part]) / 0.3);
+        double half = pieces ? (ends[part + 1] - ends[part]) / pieces / 2.0 : 0.0;
+        for (int i = 0; i < pieces * RULE; i++) {
+            const double *node = rule[i % RULE / 2];
+            double middle = ends[part] + half * (2 * (i / RULE) + 1);
+            assert_true(count < PLACES_MOST);
+            places[count][0] = middle + (i % 2 ? half : -half) * node[0];
+            places[count++][1] = node[1] * half;
+        }
+    }
+    return count;
+}
+
+/* What a pane with something before it gives points from 0.4 m to the back, against a
+ * sum over the pane's area. Its illuminance is not smooth at x and at z. */
+static void assert_sum_of_pieces(const char *before, double x, double z)
+{
+    char xml[2000];
+    snprintf(xml, sizeof xml, PLAN(PANE "%s"), before);
+    struct pp_world *world = pp_test_world(xml);
+    enum { POINTS = 3 };
+    double sky[POINTS] = {0.0}, external[POINTS] = {0.0};
+    double across[PLACES_MOST][2], up[PLACES_MOST][2];
+    int columns = places_of(across, 0.7, 3.0, x), rows = places_of(up, 0.9, 2.3, z);
+    const struct pp_receiver points[POINTS] = {receiver_at(1.4, 0.4, 0.85),
+                                               receiver_at(2.7, 1.9, 0.85),
+                                               receiver_at(0.3, 4.1, 0.2)};
+    for (int i = 0; i < columns; i++)
+        for (int k = 0; k < rows; k++) {
+            struct pp_vec3 at = {across[i][0], 0.0, up[k][0]};
+            struct pp_outside outside;
+            assert_int_equal(pp_outside_at(&outside, world, &world->sky, at,
+                                           pp_vec(0.0, -1.0, 0.0),
+                                           world->openings[0].face, NULL),
+                             PP_OK);
+            for (int p = 0; p < POINTS; p++) {
+                struct pp_vec3 v = pp_sub(at, points[p].position);
+                double r2 = pp_dot(v, v);
+                double weight = 0.6 / PP_PI * fmax(0.0, v.z) * -v.y / (r2 * r2)
+                                * across[i][1] * up[k][1];
+                sky[p] += weight * outside.sky;
+                external[p] += weight * outside.external;
+            }
+        }
+    void *tools = NULL;
+    assert_int_equal(pp_method_exact.prepare(&tools, world, NULL), PP_OK);
+    for (int p = 0; p < POINTS; p++) {
+        struct pp_part part = {0};
+        assert_int_equal(pp_method_exact.evaluate(world, &world->openings[0],
+                                                  &points[p], tools, &part, NULL),
+                         PP_OK);
+        assert_relative(part.sky, sky[p], 1e-6); /* what exact.h promises with glass */
+        assert_relative(part.external, external[p], 1e-6);
+    }
+    pp_method_exact.put_away(tools);
+    pp_world_destroy(world);
+}
+
+#define SHELF(y)                                                                       \
+    "<surface reflectance='0.1'><vertex x='0.2' y='" y "' z='1.5'/>"                   \
+    "<vertex x='3.4' y='" y "' z='1.5'/><vertex x='3.4' y='-1' z='1.5'/>"              \
+    "<vertex x='0.2' y='-1' z='1.5'/></surface>"
+
+/* Smooth, with kinks and with a jump: a block whose head and side the pane looks
+ * along, a shelf a hand's width before it, one that touches it, a fin that does. */
+static void a_pane_lit_unevenly_is_the_sum_of_its_pieces(void **state)
+{
+    (void)state;
+    assert_sum_of_pieces("<block x='3.5' y='-5' width='3' depth='2' height='6'/>", 0,
+                         0);
+    assert_sum_of_pieces("<block x='1.9' y='-5' width='3' depth='2' height='1.7'/>",
+                         1.9, 1.7);
+    assert_sum_of_pieces(SHELF("-0.2"), 0, 1.5);
+    assert_sum_of_pieces(SHELF("0"), 0, 1.5);
+    assert_sum_of_pieces("<surface reflectance='0.1'><vertex x='1.2' y='0' z='0.5'/>"
+                         "<vertex x='1.2' y='0' z='2.7'/><vertex x='1.2' y='-1' "
+                         "z='2.7'/><vertex x='1.2' y='-1' z='0.5'/></surface>",
+                         1.2, 0);
+}
+
+/* Lit once for the room or for the receiver the pane is the same, to the bit; and the
+ * rough rule of averages is as good for it as method.h says, from 0.1 m to the back. */
+static void an_uneven_pane_is_the_same_prepared_and_roughly(void **state)
+{
+    (void)state;
+    struct pp_world *world = pp_test_world(
+        PLAN(PANE "<block x='1.9' y='-5' width='3' depth='2' height='6'/>"));
+    const struct pp_method *exact = &pp_method_exact;
+    void *tools = NULL;
+    assert_int_equal(exact->prepare(&tools, world, NULL), PP_OK);
+    assert_non_null(tools);
+    for (int i = 0; i < 6; i++) {
+        struct pp_receiver receiver = receiver_at(0.7 + 0.37 * i, 0.1 + 0.53 * i, 0.85);
+        struct pp_part alone = part_of(world, &receiver), prepared = {0}, rough = {0};
+        assert_int_equal(exact->evaluate(world, &world->openings[0], &receiver, tools,
+                                         &prepared, NULL),
+                         PP_OK);
+        assert_int_equal(exact->evaluate_roughly(world, &world->openings[0], &receiver,
+                                                 tools, &rough, NULL),
+                         PP_OK);
+        assert_true(alone.sky > 0.0 && prepared.sky == alone.sky);
+        assert_true(prepared.external == alone.external);
+        assert_relative(rough.sky, alone.sky, 1e-4);
+        assert_relative(rough.external, alone.external, 1e-4);
+    }
+    exact->put_away(tools);
+    pp_world_destroy(world);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(walls_of_an_l_shaped_room_hide_its_windows),
+        cmocka_unit_test(another_wing_obstructs_from_outside),
+        cmocka_unit_test(a_partition_inside_takes_light_and_gives_none),
+        cmocka_unit_test(what_is_not_in_the_way_changes_nothing),
+        cmocka_unit_test(a_block_against_the_window_covers_it),
+        cmocka_unit_test(the_nearer_obstruction_counts),
+        cmocka_unit_test(a_skyline_at_a_distance_is_a_long_wall_there),
+        cmocka_unit_test(a_reveal_narrows_the_view),
+        cmocka_unit_test(a_round_headed_window_is_the_sum_of_its_outline),
+        cmocka_unit_test(a_rooflight_corner_may_stand_overhead),
+        cmocka_unit_test(what_shines_outside_gives_its_configuration_factor),
+        cmocka_unit_test(outside_nothing_hides_the_open_sky),
+        cmocka_unit_test(a_long_block_opposite_is_a_continuous_obstruction),
+        cmocka_unit_test(a_diffusing_pane_emits_what_falls_on_it),
+        cmocka_unit_test(a_pane_lit_unevenly_is_the_sum_of_its_pieces),
+        cmocka_unit_test(an_uneven_pane_is_the_same_prepared_and_roughly),
+    };
+    return cmocka_run_group_tests_name("visible", tests, NULL, NULL);
+}

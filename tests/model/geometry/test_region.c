@@ -1,0 +1,237 @@
+/* Plane figures: what GEOS is asked for, against areas known on paper. */
+#include "tests/lib/near.h"
+
+#include <stdlib.h>
+
+#include "model/geometry/region.h"
+
+/* Coordinates of a few metres: areas are right to some units in the last place. */
+#define ROUNDING 1e-13
+
+static struct pp_clipper *clipper;
+
+static int set_up(void **state)
+{
+    (void)state;
+    return pp_clipper_create(&clipper, NULL) == PP_OK ? 0 : -1;
+}
+
+static int tear_down(void **state)
+{
+    (void)state;
+    pp_clipper_destroy(clipper);
+    return 0;
+}
+
+static struct pp_region rectangle(double x0, double y0, double x1, double y1)
+{
+    const double xy[4][2] = {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}};
+    struct pp_region region;
+    assert_int_equal(pp_region_of_ring(clipper, &region, xy, 4, NULL), PP_OK);
+    return region;
+}
+
+static void a_clockwise_ring_is_turned_round(void **state)
+{
+    (void)state;
+    const double xy[4][2] = {{1.3, 0.7}, {1.3, 2.9}, {4.6, 2.9}, {4.6, 0.7}};
+    struct pp_region region;
+    assert_int_equal(pp_region_of_ring(clipper, &region, xy, 4, NULL), PP_OK);
+    assert_near(pp_region_area(&region), 3.3 * 2.2, ROUNDING);
+    pp_region_destroy(&region);
+    assert_int_equal(region.count, 0);
+}
+
+static void a_line_and_two_points_have_no_figure(void **state)
+{
+    (void)state;
+    const double xy[3][2] = {{0.0, 0.0}, {1.5, 1.5}, {3.0, 3.0}};
+    struct pp_region region;
+    assert_int_equal(pp_region_of_ring(clipper, &region, xy, 3, NULL), PP_OK);
+    assert_int_equal(region.count, 0);
+    assert_int_equal(pp_region_of_ring(clipper, &region, xy, 2, NULL), PP_OK);
+    assert_int_equal(region.count, 0);
+}
+
+static void a_bow_tie_is_refused(void **state)
+{
+    (void)state;
+    const double bow[4][2] = {{0.0, 0.0}, {2.1, 1.7}, {2.1, 0.0}, {0.0, 1.3}};
+    const double spike[5][2] = {
+        {0.0, 0.0}, {2.1, 0.0}, {3.4, 0.0}, {2.1, 0.0}, {0.9, 1.3}};
+    struct pp_region region;
+    struct pp_error err;
+    assert_int_equal(pp_region_of_ring(clipper, &region, bow, 4, &err), PP_BAD_INPUT);
+    assert_int_equal(region.count, 0);
+    assert_false(pp_ring_is_simple(clipper, bow, 4));
+    assert_false(pp_ring_is_simple(clipper, spike, 5));
+}
+
+static double area_by_crossings(const double (*xy)[2], int count)
+{
+    struct pp_region region;
+    struct pp_error err;
+    if (pp_region_by_crossings(clipper, &region, xy, count, &err) != PP_OK)
+        fail_msg("%s", err.message);
+    double area = pp_region_area(&region);
+    pp_region_destroy(&region);
+    return area;
+}
+
+static void any_closed_line_has_a_figure_by_crossings(void **state)
+{
+    (void)state;
+    /* A hole that turns as its rim does, and one with an edge in the rim: a notch. */
+    const double hole[10][2] = {{0.0, 0.0}, {5.3, 0.0}, {5.3, 2.7}, {0.0, 2.7},
+                                {0.0, 0.0}, {1.1, 0.9}, {3.4, 0.9}, {3.4, 2.2},
+                                {1.1, 2.2}, {1.1, 0.9}};
+    const double notch[10][2] = {{0.0, 0.0}, {5.3, 0.0}, {5.3, 2.7}, {0.0, 2.7},
+                                 {0.0, 0.0}, {1.1, 0.0}, {3.4, 0.0}, {3.4, 2.2},
+                                 {1.1, 2.2}, {1.1, 0.0}};
+    assert_near(area_by_crossings(hole, 10), 5.3 * 2.7 - 2.3 * 1.3, ROUNDING);
+    assert_near(area_by_crossings(notch, 10), 5.3 * 2.7 - 2.3 * 2.2, ROUNDING);
+    /* A bow tie is two triangles of like shape, on the bases 1.3 and 1.7: they share
+     * the width of 2.1 as 1.3 to 1.7. */
+    const double bow[4][2] = {{0.0, 0.0}, {2.1, 1.7}, {2.1, 0.0}, {0.0, 1.3}};
+    double left = 2.1 * 1.3 / 3.0, right = 2.1 * 1.7 / 3.0;
+    assert_near(area_by_crossings(bow, 4), (1.3 * left + 1.7 * right) / 2.0, ROUNDING);
+    /* There and back again bounds nothing, nor does what runs round twice. */
+    const double spike[5][2] = {
+        {0.0, 0.0}, {2.1, 0.0}, {3.4, 0.0}, {2.1, 0.0}, {0.9, 1.3}};
+    const double twice[6][2] = {{0.0, 0.0}, {2.1, 0.0}, {0.9, 1.3},
+                                {0.0, 0.0}, {2.1, 0.0}, {0.9, 1.3}};
+    assert_near(area_by_crossings(spike, 5), 2.1 * 1.3 / 2.0, ROUNDING);
+    assert_near(area_by_crossings(twice, 6), 0.0, 0.0);
+    assert_near(area_by_crossings(twice, 2), 0.0, 0.0);
+}
+
+static void a_hole_runs_clockwise_and_takes_its_area(void **state)
+{
+    (void)state;
+    struct pp_region wall = rectangle(0.0, 0.0, 5.3, 2.7);
+    struct pp_region window = rectangle(1.1, 0.9, 3.4, 2.2);
+    struct pp_region rest;
+    assert_int_equal(pp_region_difference(clipper, &rest, &wall, &window, NULL), PP_OK);
+    assert_int_equal(rest.count, 2);
+    assert_near(pp_region_area(&rest), 5.3 * 2.7 - 2.3 * 1.3, ROUNDING);
+    assert_true(pp_region_contains(&rest, 0.4, 1.3));
+    assert_false(pp_region_contains(&rest, 2.2, 1.6));
+    assert_false(pp_region_contains(&rest, 5.4, 1.6));
+    /* 0.3 m to the left of the window, 0.8 m from the wall's end. */
+    assert_near(pp_region_edge_distance(&rest, 0.8, 1.5), 0.3, ROUNDING);
+
+    /* What has a hole goes in again as it came out. */
+    struct pp_region both[2], whole, none;
+    both[0] = rest;
+    both[1] = window;
+    assert_int_equal(pp_region_union(clipper, &whole, both, 2, NULL), PP_OK);
+    assert_near(pp_region_area(&whole), 5.3 * 2.7, ROUNDING);
+    assert_int_equal(pp_region_intersection(clipper, &none, &rest, &window, NULL),
+                     PP_OK);
+    assert_int_equal(none.count, 0);
+    pp_region_destroy(&whole);
+    pp_region_destroy(&rest);
+    pp_region_destroy(&wall);
+    pp_region_destroy(&window);
+}
+
+static void two_windows_with_holes_keep_each_its_own(void **state)
+{
+    (void)state;
+    struct pp_region parts[2] = {rectangle(0.0, 0.0, 2.0, 3.0),
+                                 rectangle(4.0, 0.0, 6.0, 3.0)};
+    struct pp_region band = rectangle(0.5, 1.0, 1.5, 2.0),
+                     band2 = rectangle(4.5, 1.0, 5.5, 2.0);
+    struct pp_region holes[2] = {band, band2}, walls, cut, left;
+    assert_int_equal(pp_region_union(clipper, &walls, parts, 2, NULL), PP_OK);
+    assert_int_equal(pp_region_union(clipper, &cut, holes, 2, NULL), PP_OK);
+    assert_int_equal(pp_region_difference(clipper, &left, &walls, &cut, NULL), PP_OK);
+    assert_int_equal(left.count, 4);
+    assert_near(pp_region_area(&left), 2.0 * (6.0 - 1.0), ROUNDING);
+    struct pp_region copy;
+    assert_int_equal(pp_region_copy(&copy, &left, NULL), PP_OK);
+    struct pp_region again;
+    assert_int_equal(pp_region_intersection(clipper, &again, &copy, &parts[1], NULL),
+                     PP_OK);
+    assert_near(pp_region_area(&again), 5.0, ROUNDING);
+    pp_region_destroy(&again);
+    pp_region_destroy(&copy);
+    pp_region_destroy(&left);
+    pp_region_destroy(&cut);
+    pp_region_destroy(&walls);
+    for (int i = 0; i < 2; i++) {
+        pp_region_destroy(&parts[i]);
+        pp_region_destroy(&holes[i]);
+    }
+}
+
+static void figures_that_only_touch_share_nothing(void **state)
+{
+    (void)state;
+    struct pp_region a = rectangle(0.0, 0.0, 1.7, 2.3);
+    struct pp_region b = rectangle(1.7, 0.4, 3.1, 1.9), shared;
+    assert_int_equal(pp_region_intersection(clipper, &shared, &a, &b, NULL), PP_OK);
+    assert_int_equal(shared.count, 0);
+    pp_region_destroy(&a);
+    pp_region_destroy(&b);
+}
+
+static void triangles_cover_an_outline_with_a_hole(void **state)
+{
+    (void)state;
+    struct pp_region wall = rectangle(0.0, 0.0, 5.3, 2.7);
+    struct pp_region window = rectangle(1.1, 0.9, 3.4, 2.2), rest;
+    assert_int_equal(pp_region_difference(clipper, &rest, &wall, &window, NULL), PP_OK);
+    double(*triangles)[3][2], area = 0.0;
+    int count;
+    assert_int_equal(pp_region_triangulate(clipper, &triangles, &count, &rest, NULL),
+                     PP_OK);
+    assert_int_equal(count, 8);
+    for (int i = 0; i < count; i++) {
+        double(*t)[2] = triangles[i];
+        double part = ((t[1][0] - t[0][0]) * (t[2][1] - t[0][1])
+                       - (t[2][0] - t[0][0]) * (t[1][1] - t[0][1]))
+                      / 2.0;
+        assert_true(part > 0.0);
+        area += part;
+        assert_true(pp_region_contains(&rest, (t[0][0] + t[1][0] + t[2][0]) / 3.0,
+                                       (t[0][1] + t[1][1] + t[2][1]) / 3.0));
+    }
+    assert_near(area, pp_region_area(&rest), ROUNDING);
+    free(triangles);
+    pp_region_destroy(&rest);
+    pp_region_destroy(&window);
+    pp_region_destroy(&wall);
+}
+
+static void the_union_of_nothing_is_empty(void **state)
+{
+    (void)state;
+    struct pp_region none;
+    assert_int_equal(pp_region_union(clipper, &none, NULL, 0, NULL), PP_OK);
+    assert_int_equal(none.count, 0);
+    assert_near(pp_region_area(&none), 0.0, 0.0);
+    assert_true(isinf(pp_region_edge_distance(&none, 0.3, 0.4)));
+    double(*triangles)[3][2];
+    int count;
+    assert_int_equal(pp_region_triangulate(clipper, &triangles, &count, &none, NULL),
+                     PP_OK);
+    assert_int_equal(count, 0);
+    free(triangles);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_clockwise_ring_is_turned_round),
+        cmocka_unit_test(a_line_and_two_points_have_no_figure),
+        cmocka_unit_test(a_bow_tie_is_refused),
+        cmocka_unit_test(any_closed_line_has_a_figure_by_crossings),
+        cmocka_unit_test(a_hole_runs_clockwise_and_takes_its_area),
+        cmocka_unit_test(two_windows_with_holes_keep_each_its_own),
+        cmocka_unit_test(figures_that_only_touch_share_nothing),
+        cmocka_unit_test(triangles_cover_an_outline_with_a_hole),
+        cmocka_unit_test(the_union_of_nothing_is_empty),
+    };
+    return cmocka_run_group_tests_name("region", tests, set_up, tear_down);
+}

@@ -1,0 +1,133 @@
+/* test_glass.c - transmittance by angle of incidence. */
+#include "model/light/glazings.h"
+
+#include "tests/lib/near.h"
+
+#define RAD (3.14159265358979323846 / 180.0)
+
+/* Angles 0 to 80 degrees; four printed digits of an independent computation. */
+static void one_and_two_panes_by_angle(void **state)
+{
+    (void)state;
+    static const double lossless[] = {.9183, .9183, .9179, .9160, .9095,
+                                      .8912, .8435, .7247, .4560};
+    static const double single[] = {.9001, .8999, .8992, .8967, .8895,
+                                    .8705, .8226, .7051, .4403};
+    static const double twofold[] = {.8154, .8151, .8141, .8110, .8027,
+                                     .7808, .7223, .5722, .2855};
+    struct pp_glass clear = pp_glass_panes(1, 1.52, 0.0);
+    struct pp_glass brs = pp_glass_clear_single();
+    struct pp_glass two = pp_glass_panes(2, 1.52, 0.02);
+    for (int i = 0; i <= 8; i++) {
+        double c = cos(10.0 * i * RAD);
+        assert_near(pp_glass_transmittance(&clear, c), lossless[i], 5e-5);
+        assert_near(pp_glass_transmittance(&brs, c), single[i], 5e-5);
+        assert_near(pp_glass_transmittance(&two, c), twofold[i], 5e-5);
+    }
+}
+
+static void diffuse_transmittances(void **state)
+{
+    (void)state;
+    assert_near(pp_glass_panes(1, 1.52, 0.0).diffuse, 0.8464, 5e-5);
+    assert_near(pp_glass_clear_single().diffuse, 0.8269, 5e-5);
+    assert_near(pp_glass_panes(1, 1.52, 0.025).diffuse, 0.8221, 5e-5);
+    assert_near(pp_glass_panes(2, 1.52, 0.0).diffuse, 0.7646, 5e-5);
+    assert_near(pp_glass_panes(2, 1.52, 0.02).diffuse, 0.7292, 5e-5);
+}
+
+/* Without absorption what is not reflected goes through, at every angle and for any
+ * number of panes; at grazing incidence nothing does. */
+static void lossless_glass_keeps_all_light(void **state)
+{
+    (void)state;
+    for (int panes = 1; panes <= 4; panes++) {
+        struct pp_glass glass = pp_glass_panes(panes, 1.52, 0.0);
+        for (double c = 0.013; c < 1.0; c += 0.037)
+            assert_near(pp_glass_transmittance(&glass, c)
+                            + pp_glass_reflectance(&glass, c),
+                        1.0, 1e-13);
+        assert_near(pp_glass_transmittance(&glass, 0.0), 0.0, 0.0);
+        assert_near(pp_glass_reflectance(&glass, 0.0), 1.0, 1e-13);
+    }
+}
+
+static void a_normal_transmittance_scales_the_pane_at_every_angle(void **state)
+{
+    (void)state;
+    struct pp_glass brs = pp_glass_clear_single();
+    struct pp_glass tinted = pp_glass_of_normal(1, 1.52, 0.02, 0.37);
+    for (double c = 0.07; c <= 1.0; c += 0.1)
+        assert_relative(pp_glass_transmittance(&tinted, c),
+                        0.37 / brs.normal * pp_glass_transmittance(&brs, c), 1e-14);
+    assert_near(tinted.normal, 0.37, 0.0);
+    assert_relative(tinted.diffuse / tinted.normal, brs.diffuse / brs.normal, 1e-14);
+}
+
+static void no_glazing_gives_more_than_it_gets(void **state)
+{
+    (void)state;
+    struct pp_glass clearest = pp_glass_of_normal(1, 1.52, 0.02, 1.0);
+    for (double c = 0.0; c <= 1.0; c += 0.01)
+        assert_true(pp_glass_transmittance(&clearest, c)
+                        + pp_glass_reflectance(&clearest, c)
+                    <= 1.0 + 1e-15);
+}
+
+/* Normal transmittances of ordinary products, as makers give them, and of diffusing
+ * glass; the figure of every clear one falls with the angle. */
+static void named_glazings_are_within_their_published_ranges(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *name;
+        double low, high;
+    } published[] = {
+        {"clear-single", 0.88, 0.90},       {"clear-double", 0.78, 0.82},
+        {"clear-triple", 0.70, 0.74},       {"low-e-double", 0.70, 0.80},
+        {"low-e-triple", 0.55, 0.70},       {"solar-control-light", 0.30, 0.70},
+        {"solar-control-dark", 0.30, 0.70}, {"etched-glass", 0.70, 0.85},
+        {"opal-glass", 0.30, 0.65},         {"opal-glass-solid", 0.15, 0.40},
+        {"opal-acrylic", 0.30, 0.70},
+    };
+    for (size_t i = 0; i < sizeof published / sizeof *published; i++) {
+        const struct pp_glazing *glazing = pp_glazing_find(published[i].name);
+        assert_non_null(glazing);
+        struct pp_glass glass = pp_glazing_glass(glazing);
+        double shown = glass.diffusing ? glass.diffuse : glass.normal;
+        /* half a unit of the last digit of the range */
+        assert_true(shown >= published[i].low - 0.005);
+        assert_true(shown <= published[i].high + 0.005);
+    }
+    for (int i = 0; i < pp_glazing_count(); i++) {
+        struct pp_glass glass = pp_glazing_glass(pp_glazing_at(i));
+        assert_true(glass.diffuse > 0.0 && glass.diffuse <= 1.0);
+        for (int deg = 5; deg < 90 && !glass.diffusing; deg += 5)
+            assert_true(pp_glass_transmittance(&glass, cos(deg * RAD))
+                        <= pp_glass_transmittance(&glass, cos((deg - 5) * RAD)));
+    }
+}
+
+static void an_unglazed_opening_lets_all_through_at_any_angle(void **state)
+{
+    (void)state;
+    struct pp_glass none = pp_glass_none();
+    assert_near(pp_glass_transmittance(&none, 0.0), 1.0, 0.0);
+    assert_near(pp_glass_transmittance(&none, 0.31), 1.0, 0.0);
+    assert_near(pp_glass_reflectance(&none, 0.31), 0.0, 0.0);
+    assert_near(none.diffuse, 1.0, 0.0);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(one_and_two_panes_by_angle),
+        cmocka_unit_test(diffuse_transmittances),
+        cmocka_unit_test(lossless_glass_keeps_all_light),
+        cmocka_unit_test(a_normal_transmittance_scales_the_pane_at_every_angle),
+        cmocka_unit_test(no_glazing_gives_more_than_it_gets),
+        cmocka_unit_test(named_glazings_are_within_their_published_ranges),
+        cmocka_unit_test(an_unglazed_opening_lets_all_through_at_any_angle),
+    };
+    return cmocka_run_group_tests_name("glass", tests, NULL, NULL);
+}

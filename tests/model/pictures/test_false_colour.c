@@ -1,0 +1,294 @@
+/* test_false_colour.c - numbers as colours, and the lines between them. */
+#include "model/pictures/false_colour.h"
+
+#include "model/pictures/iso_lines.h"
+#include "tests/lib/near.h"
+
+static struct pp_picture picture_of(int width, int height,
+                                    double value(double x, double y))
+{
+    struct pp_picture picture;
+    assert_int_equal(pp_picture_create(&picture, width, height, NULL), PP_OK);
+    for (int y = 0; y < height; y++)
+        for (int x = 0; x < width; x++)
+            for (int i = 0; i < 3; i++)
+                pp_picture_at(&picture, x, y)[i] = (float)value(x + 0.5, y + 0.5);
+    return picture;
+}
+
+/* Of the eye, for a byte of sRGB: relative luminance by [IEC61966]. */
+static double light_of(const unsigned char rgb[3])
+{
+    static const double weights[3] = {0.2126, 0.7152, 0.0722};
+    double sum = 0.0;
+    for (int i = 0; i < 3; i++) {
+        double v = rgb[i] / 255.0;
+        sum += weights[i] * (v <= 0.04045 ? v / 12.92 : pow((v + 0.055) / 1.055, 2.4));
+    }
+    return sum;
+}
+
+static void colours_grow_lighter_all_the_way(void **state)
+{
+    (void)state;
+    unsigned char before[3], rgb[3];
+    pp_false_colour(0.0, before);
+    for (int i = 1; i <= 40; i++) {
+        pp_false_colour(i / 40.0, rgb);
+        assert_true(light_of(rgb) > light_of(before));
+        memcpy(before, rgb, 3);
+    }
+    pp_false_colour(0.0, rgb);
+    assert_true(light_of(rgb) < 0.03);
+    pp_false_colour(1.0, rgb);
+    assert_true(light_of(rgb) > 0.7 && light_of(rgb) < 0.97);
+}
+
+/* [GREEN11] eq. 2 by hand at the middle, lambda 0.5: phi = 2 pi (1/6 + 1 - 0.75) =
+ * 150 degrees, a = 1/8; red = 0.5 + 0.125 (0.14861 * 0.8660 + 1.78277 * 0.5) = 0.6275,
+ * green = 0.5 + 0.125 (0.29227 * 0.8660 - 0.90649 * 0.5) = 0.4750, blue = 0.5 - 0.125 *
+ * 1.97294 * 0.8660 = 0.2864. */
+static void the_middle_has_the_published_colour(void **state)
+{
+    (void)state;
+    unsigned char rgb[3];
+    pp_false_colour(0.5, rgb);
+    assert_int_equal(rgb[0], 160);
+    assert_int_equal(rgb[1], 121);
+    assert_int_equal(rgb[2], 73);
+}
+
+static double ramp(double x, double y)
+{
+    (void)y;
+    return 0.3 * pow(10.0, 3.0 * x / 200.0); /* 0.3 to 300 */
+}
+
+static void a_scale_ends_at_round_numbers(void **state)
+{
+    (void)state;
+    struct pp_picture picture = picture_of(200, 5, ramp);
+    pp_picture_at(&picture, 7, 1)[0] = pp_picture_at(&picture, 7, 1)[1] = NAN;
+    pp_picture_at(&picture, 9, 1)[1] = 1e9f; /* one glaring pixel of 1000 */
+    struct pp_colour_scale scale;
+    assert_int_equal(pp_colour_scale_fit(&scale, &picture, 2.0, true, NULL), PP_OK);
+    assert_near(scale.low, 0.5, 1e-12);
+    assert_near(scale.high, 1000.0, 1e-9);
+    double levels[PP_COLOUR_LEVELS_MOST];
+    assert_int_equal(pp_colour_scale_levels(&scale, levels), 11);
+    static const double round[] = {0.5, 1, 2, 5, 10, 20, 50, 100, 200, 500, 1000};
+    for (int i = 0; i < 11; i++)
+        assert_near(levels[i], round[i], 1e-12 * round[i]);
+    assert_near(pp_colour_scale_at(&scale, sqrt(500.0)), 0.5, 1e-12);
+    assert_near(pp_colour_scale_at(&scale, 0.0), 0.0, 0.0);
+    assert_near(pp_colour_scale_at(&scale, 1e5), 1.0, 0.0);
+
+    assert_int_equal(pp_colour_scale_fit(&scale, &picture, 2.0, false, NULL), PP_OK);
+    assert_near(scale.low, 0.0, 0.0);
+    assert_near(pp_colour_scale_at(&scale, 250.0), 0.25, 1e-12);
+    assert_int_equal(pp_colour_scale_levels(&scale, levels), 11);
+    assert_near(levels[3], 300.0, 1e-9);
+    pp_picture_clear(&picture);
+}
+
+static double black(double x, double y)
+{
+    return 0.0 * x * y;
+}
+
+static void a_black_picture_has_a_scale_all_the_same(void **state)
+{
+    (void)state;
+    struct pp_picture picture = picture_of(4, 3, black);
+    struct pp_colour_scale scale;
+    for (int logarithmic = 0; logarithmic < 2; logarithmic++) {
+        assert_int_equal(pp_colour_scale_fit(&scale, &picture, 1.0, logarithmic, NULL),
+                         PP_OK);
+        assert_true(scale.low < scale.high);
+        double levels[PP_COLOUR_LEVELS_MOST];
+        assert_true(pp_colour_scale_levels(&scale, levels) >= 2);
+    }
+    pp_picture_clear(&picture);
+}
+
+/* ---- lines ---- */
+
+/* A hill whose level 1 is the circle of radius 31.7 about (60.2, 50.9). */
+static double hill(double x, double y)
+{
+    double d = ((x - 60.2) * (x - 60.2) + (y - 50.9) * (y - 50.9)) / (31.7 * 31.7);
+    return exp(1.0 - d);
+}
+
+static void lines_of_a_hill_are_circles(void **state)
+{
+    (void)state;
+    struct pp_picture picture = picture_of(120, 100, hill);
+    struct pp_curves lines = {0};
+    const double level = 1.0;
+    /* A step across a pixel is straight to 1/8 of its curvature: under 0.02 pixels. */
+    assert_int_equal(
+        pp_iso_lines(&lines, &picture, NULL, 1.0, &level, 1, 0.0, 3.0, NULL), PP_OK);
+    assert_int_equal(lines.count, 1);
+    assert_true(lines.list[0].closed);
+    assert_near(lines.list[0].level, 1.0, 0.0);
+    for (int i = 0; i < lines.list[0].count; i++)
+        assert_near(hypot(lines.list[0].xy[i][0] - 60.2, lines.list[0].xy[i][1] - 50.9),
+                    31.7, 0.02);
+    assert_relative(pp_curve_length(&lines.list[0]), 2.0 * M_PI * 31.7, 0.002);
+    /* Brighter on the left as it is seen, y down: clockwise about the origin's sense.
+     */
+    assert_relative(pp_curves_area(&lines), -M_PI * 31.7 * 31.7, 0.003);
+    pp_curves_clear(&lines);
+
+    /* In another unit it is the same line. */
+    const double per_cent = 100.0;
+    struct pp_curves again = {0};
+    assert_int_equal(
+        pp_iso_lines(&lines, &picture, NULL, 1.0, &level, 1, 0.0, 3.0, NULL), PP_OK);
+    assert_int_equal(
+        pp_iso_lines(&again, &picture, NULL, 100.0, &per_cent, 1, 0.0, 3.0, NULL),
+        PP_OK);
+    assert_int_equal(again.count, 1);
+    assert_int_equal(again.list[0].count, lines.list[0].count);
+    assert_near(again.list[0].xy[7][0], lines.list[0].xy[7][0], 1e-9);
+    pp_curves_clear(&again);
+    pp_curves_clear(&lines);
+
+    /* A line cut by the picture's edge is open and keeps inside. */
+    const double low = exp(1.0 - 4.0);
+    assert_int_equal(pp_iso_lines(&lines, &picture, NULL, 1.0, &low, 1, 0.0, 3.0, NULL),
+                     PP_OK);
+    assert_true(lines.count >= 2);
+    for (int k = 0; k < lines.count; k++) {
+        assert_false(lines.list[k].closed);
+        for (int i = 0; i < lines.list[k].count; i++) {
+            const double *at = lines.list[k].xy[i];
+            assert_true(at[0] >= 0.0 && at[0] <= 120.0 && at[1] >= 0.0
+                        && at[1] <= 100.0);
+            assert_near(hypot(at[0] - 60.2, at[1] - 50.9), 2.0 * 31.7, 0.02);
+        }
+    }
+    pp_curves_clear(&lines);
+    pp_picture_clear(&picture);
+}
+
+/* Two walls, one twice as bright: a level between them is in neither. */
+static double step(double x, double y)
+{
+    return (x < 30.0 ? 1.0 : 2.0) * (1.0 + 0.001 * y);
+}
+
+static void lines_end_where_surfaces_meet(void **state)
+{
+    (void)state;
+    struct pp_picture picture = picture_of(60, 40, step);
+    int tags[60 * 40];
+    for (int i = 0; i < 60 * 40; i++)
+        tags[i] = i % 60 < 30 ? 7 : 8;
+    const double levels[] = {1.02, 1.5};
+    for (int known = 0; known < 2; known++) {
+        struct pp_curves lines = {0};
+        assert_int_equal(pp_iso_lines(&lines, &picture, known ? tags : NULL, 1.0,
+                                      levels, 2, 1.0, 3.0, NULL),
+                         PP_OK);
+        /* 1.02 runs across the darker wall at y = 20, and there is none of 1.5. */
+        assert_int_equal(lines.count, 1);
+        assert_near(lines.list[0].level, 1.02, 0.0);
+        for (int i = 0; i < lines.list[0].count; i++) {
+            assert_near(lines.list[0].xy[i][1], 20.0, 0.05);
+            assert_true(lines.list[0].xy[i][0] < 30.0);
+        }
+        pp_curves_clear(&lines);
+    }
+    pp_picture_clear(&picture);
+}
+
+/* Where there is nothing (outside a fisheye, on glass) lines end. */
+static double nothing_right(double x, double y)
+{
+    return x < 30.0 ? 1.0 + 0.001 * y : NAN;
+}
+
+static void lines_end_where_there_is_nothing(void **state)
+{
+    (void)state;
+    struct pp_picture picture = picture_of(60, 40, nothing_right);
+    struct pp_curves lines = {0};
+    const double level = 1.02;
+    assert_int_equal(
+        pp_iso_lines(&lines, &picture, NULL, 1.0, &level, 1, 1.0, 3.0, NULL), PP_OK);
+    assert_int_equal(lines.count, 1);
+    assert_true(pp_curve_length(&lines.list[0]) > 27.0); /* to its last pixels */
+    for (int i = 0; i < lines.list[0].count; i++) {
+        assert_near(lines.list[0].xy[i][1], 20.0, 0.05);
+        assert_true(lines.list[0].xy[i][0] < 30.0);
+    }
+    pp_curves_clear(&lines);
+    pp_picture_clear(&picture);
+}
+
+/* A dark wall beside a window: the wall's last pixels have some of the window in them,
+ * of which there is no line along the window's edge. */
+static double mixture(double x, double y)
+{
+    return x < 29.0 ? 1.0 + 0.001 * y : x < 30.0 ? 3.0 + 2.0 * cos(0.3 * y) : 9.0;
+}
+
+static void pixels_of_two_surfaces_draw_no_line(void **state)
+{
+    (void)state;
+    struct pp_picture picture = picture_of(60, 40, mixture);
+    int tags[60 * 40];
+    for (int i = 0; i < 60 * 40; i++)
+        tags[i] = i % 60 < 30 ? 7 : 8;
+    const double levels[] = {1.02, 2.0, 4.0};
+    struct pp_curves lines = {0};
+    assert_int_equal(
+        pp_iso_lines(&lines, &picture, tags, 1.0, levels, 3, 1.0, 3.0, NULL), PP_OK);
+    assert_int_equal(lines.count, 1);
+    assert_near(lines.list[0].level, 1.02, 0.0);
+    for (int i = 0; i < lines.list[0].count; i++)
+        assert_near(lines.list[0].xy[i][1], 20.0, 0.05);
+    pp_curves_clear(&lines);
+    pp_picture_clear(&picture);
+}
+
+/* Noise of 5 % on a slope: with smoothing one line stays one. */
+static double noisy(double x, double y)
+{
+    double noise = sin(12.9898 * x + 78.233 * y) * 43758.5453;
+    return exp(0.02 * (x - 50.0)) * (1.0 + 0.1 * (noise - floor(noise) - 0.5));
+}
+
+static void smoothing_keeps_noise_from_tearing_lines(void **state)
+{
+    (void)state;
+    struct pp_picture picture = picture_of(100, 80, noisy);
+    int tags[100 * 80] = {0};
+    struct pp_curves lines = {0};
+    const double level = 1.0;
+    assert_int_equal(
+        pp_iso_lines(&lines, &picture, tags, 1.0, &level, 1, 3.0, 10.0, NULL), PP_OK);
+    assert_int_equal(lines.count, 1);
+    for (int i = 0; i < lines.list[0].count; i++)
+        assert_near(lines.list[0].xy[i][0], 50.0, 2.5);
+    pp_curves_clear(&lines);
+    pp_picture_clear(&picture);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(colours_grow_lighter_all_the_way),
+        cmocka_unit_test(the_middle_has_the_published_colour),
+        cmocka_unit_test(a_scale_ends_at_round_numbers),
+        cmocka_unit_test(a_black_picture_has_a_scale_all_the_same),
+        cmocka_unit_test(lines_of_a_hill_are_circles),
+        cmocka_unit_test(lines_end_where_surfaces_meet),
+        cmocka_unit_test(lines_end_where_there_is_nothing),
+        cmocka_unit_test(pixels_of_two_surfaces_draw_no_line),
+        cmocka_unit_test(smoothing_keeps_noise_from_tearing_lines),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,262 @@
+/* test_cache_derivatives.c - how irradiance changes beside a luminous patch, against
+ * Lambert's formula. */
+#include "simulate/cache/cache_derivatives.h"
+
+#include <stdlib.h>
+
+#include "simulate/cache/cache_record.h"
+#include "simulate/cache/irradiance_cache.h"
+#include "tests/lib/near.h"
+
+enum { SIDE = 128 };
+
+/* A square of 1.1 x 0.8 m, 1.3 m over the floor and off to one side; it shines down. */
+static const struct pp_vec3 patch[4] = {
+    {0.2, -0.3, 1.3}, {0.2, 0.5, 1.3}, {1.3, 0.5, 1.3}, {1.3, -0.3, 1.3}};
+static const double radiance = 0.7;
+
+/* One edge's share of (1) in the header, from its own closed form. */
+static double edge_share(struct pp_vec3 r0, struct pp_vec3 r1)
+{
+    struct pp_vec3 across = pp_cross(r0, r1);
+    double angle = atan2(pp_length(across), pp_dot(r0, r1));
+    return 0.5 * angle * across.z / pp_length(across);
+}
+
+/* What the patch gives to the floor at (x, y), by Lambert. */
+static double irradiance_at(double x, double y)
+{
+    struct pp_vec3 from = pp_vec(x, y, 0.0);
+    double sum = 0.0;
+    for (int i = 0; i < 4; i++)
+        sum += edge_share(pp_sub(patch[i], from), pp_sub(patch[(i + 1) % 4], from));
+    return fabs(sum) * radiance;
+}
+
+/* The same on a surface that leans by an angle to an azimuth, all of the patch being
+ * over its horizon: the scene is turned about it, and Lambert's formula is for a floor.
+ */
+static double irradiance_leaning(double x, double y, double azimuth, double lean)
+{
+    double sum = 0.0, c = cos(azimuth), s = sin(azimuth);
+    struct pp_vec3 turned[4];
+    for (int i = 0; i < 4; i++) {
+        struct pp_vec3 off = pp_sub(patch[i], pp_vec(x, y, 0.0));
+        struct pp_vec3 ahead = {c * off.x + s * off.y, c * off.y - s * off.x, off.z};
+        turned[i] = pp_vec(cos(lean) * ahead.x - sin(lean) * ahead.z, ahead.y,
+                           cos(lean) * ahead.z + sin(lean) * ahead.x);
+        assert_true(turned[i].z > 0.0);
+    }
+    for (int i = 0; i < 4; i++)
+        sum += edge_share(turned[i], turned[(i + 1) % 4]);
+    return fabs(sum) * radiance;
+}
+
+/* The floor is there so that there is a scene; the patch is `glow`. */
+static struct pp_light_scene *patch_over_floor(void)
+{
+    struct pp_scene_description from;
+    struct pp_light_scene *scene = NULL;
+    struct pp_material glow = pp_material_glow(pp_rgb_grey(radiance));
+    struct pp_material grey = pp_material_diffuse(pp_rgb_grey(0.4));
+    const struct pp_vec3 floor[4] = {
+        {-3.0, -3.0, 0.0}, {3.0, -3.0, 0.0}, {3.0, 3.0, 0.0}, {-3.0, 3.0, 0.0}};
+    pp_scene_description_init(&from);
+    assert_int_equal(pp_scene_add_material(&from, &glow, NULL, NULL), PP_OK);
+    assert_int_equal(pp_scene_add_material(&from, &grey, NULL, NULL), PP_OK);
+    assert_int_equal(pp_scene_add_polygon(&from, patch, 4, 0, NULL, NULL), PP_OK);
+    assert_int_equal(pp_scene_add_polygon(&from, floor, 4, 1, NULL, NULL), PP_OK);
+    assert_int_equal(pp_light_scene_of_description(&scene, &from, NULL), PP_OK);
+    pp_scene_description_clear(&from);
+    return scene;
+}
+
+/* Central differences of step 1e-4: their own error is 1e-8 of the third derivative. */
+static void an_edge_changes_as_its_closed_form_does(void **state)
+{
+    (void)state;
+    const struct pp_vec3 ends[][2] = {
+        {{0.7, -0.4, 1.1}, {0.2, 0.9, 0.8}},
+        {{1.9, 0.3, 0.2}, {0.6, 0.1, 0.05}}, /* nearly in line with the place */
+        {{-0.3, 0.2, 0.01}, {-0.1, -0.4, 0.02}},
+    };
+    const double h = 1e-4;
+    for (size_t k = 0; k < sizeof ends / sizeof *ends; k++) {
+        double gradient[2], hessian[3], at[3][3];
+        for (int i = -1; i <= 1; i++)
+            for (int j = -1; j <= 1; j++) {
+                struct pp_vec3 move = pp_vec(i * h, j * h, 0.0);
+                at[i + 1][j + 1] =
+                    edge_share(pp_sub(ends[k][0], move), pp_sub(ends[k][1], move));
+            }
+        pp_edge_change(ends[k][0], ends[k][1], gradient, hessian);
+        double size = fabs(hessian[0]) + fabs(hessian[1]) + fabs(hessian[2]);
+        assert_near(gradient[0], (at[2][1] - at[0][1]) / (2 * h), 1e-4 * size);
+        assert_near(gradient[1], (at[1][2] - at[1][0]) / (2 * h), 1e-4 * size);
+        assert_near(hessian[0], (at[2][1] - 2 * at[1][1] + at[0][1]) / (h * h),
+                    1e-3 * size);
+        assert_near(hessian[2], (at[1][2] - 2 * at[1][1] + at[1][0]) / (h * h),
+                    1e-3 * size);
+        assert_near(hessian[1],
+                    (at[2][2] - at[2][0] - at[0][2] + at[0][0]) / (4 * h * h),
+                    1e-3 * size);
+    }
+}
+
+/* The patch's outline follows the cells' edges in steps: about 1 % with 128 x 128. */
+static void a_hemisphere_knows_how_a_patchs_light_changes(void **state)
+{
+    (void)state;
+    static struct pp_hemisphere_cell cells[SIDE * SIDE];
+    static struct pp_sobol sobol;
+    struct pp_light_scene *scene = patch_over_floor();
+    struct pp_vec3 *corners = pp_hemisphere_corners(SIDE);
+    struct pp_hemisphere h = {.side = SIDE, .corners = corners, .cells = cells};
+    struct pp_cache_place place = {{0.1, 0.2, 0.0}, {0.0, 0.0, 1.0}, PP_ANYWHERE};
+    struct pp_radiance_walk walk = {.scene = scene, .options = pp_radiance_defaults()};
+    struct pp_irradiance_change change;
+    pp_sobol_init(&sobol);
+    pp_sequence_init(&walk.sequence, &sobol, 5);
+    pp_hemisphere_sample(&h, &walk, &place, 0);
+    pp_hemisphere_change(&h, &change);
+
+    const double x = 0.1, y = 0.2, d = 1e-3, e = irradiance_at(x, y);
+    double along = (irradiance_at(x + d, y) - irradiance_at(x - d, y)) / (2 * d);
+    double across = (irradiance_at(x, y + d) - irradiance_at(x, y - d)) / (2 * d);
+    double aa = (irradiance_at(x + d, y) - 2 * e + irradiance_at(x - d, y)) / (d * d);
+    double bb = (irradiance_at(x, y + d) - 2 * e + irradiance_at(x, y - d)) / (d * d);
+    /* The frame about +z is x, y. */
+    assert_near(h.a.x, 1.0, 1e-12);
+    assert_near(h.irradiance.g, e, 2e-3 * e);
+    assert_near(change.along[1][0], along, 0.02 * fabs(along));
+    assert_near(change.along[1][1], across, 0.02 * fabs(along));
+    assert_near(change.curvature[0], aa, 0.05 * fabs(bb));
+    assert_near(change.curvature[2], bb, 0.05 * fabs(bb));
+
+    /* Leaning to x and to y, to 3e-3 of the steepest: the cells' sampling. */
+    double to_x = irradiance_leaning(x, y, 0.0, d) - irradiance_leaning(x, y, 0.0, -d);
+    double to_y = irradiance_leaning(x, y, 0.5 * PP_PI, d)
+                  - irradiance_leaning(x, y, 0.5 * PP_PI, -d);
+    double steepest = hypot(to_x, to_y) / (2 * d);
+    assert_true(fabs(to_y) > 0.05 * fabs(to_x));
+    assert_near(change.turned[1][0], to_x / (2 * d), 3e-3 * steepest);
+    assert_near(change.turned[1][1], to_y / (2 * d), 3e-3 * steepest);
+    free(corners);
+    pp_light_scene_destroy(scene);
+}
+
+/* Read with a normal that leans by t, a record changes as the light does, but for
+ * (1 - cos t) of its value, the second order, and noise of 1 % of the change. */
+static void a_record_is_read_by_a_leaning_surface(void **state)
+{
+    (void)state;
+    struct pp_light_scene *scene = patch_over_floor();
+    struct pp_radiance_options light = pp_radiance_defaults();
+    struct pp_cache_options options = pp_cache_defaults();
+    options.divisions = SIDE * SIDE;
+    options.supersamples = 0;
+    struct pp_irradiance_cache *cache = NULL;
+    const struct pp_vec3 at = {0.1, 0.2, 0.0}, up = {0.0, 0.0, 1.0};
+    assert_int_equal(
+        pp_irradiance_cache_create(&cache, scene, NULL, &light, &options, NULL), PP_OK);
+    assert_int_equal(pp_irradiance_cache_want(cache, at, up, PP_ANYWHERE, NULL), PP_OK);
+    while (!pp_irradiance_cache_done(cache))
+        assert_int_equal(pp_irradiance_cache_grow(cache, 1.0, NULL), PP_OK);
+    double upright = irradiance_at(at.x, at.y);
+    struct pp_rgb value, leaning;
+    assert_true(pp_irradiance_cache_value(cache, at, up, PP_ANYWHERE, 0, &value));
+    for (int deg = 2; deg <= 8; deg += 3)
+        for (int azimuth = 0; azimuth < 360; azimuth += 50) {
+            double t = deg * PP_RAD, phi = azimuth * PP_RAD;
+            struct pp_vec3 normal = {sin(t) * cos(phi), sin(t) * sin(phi), cos(t)};
+            double steepest = irradiance_leaning(at.x, at.y, 0.0, t) - upright;
+            assert_true(
+                pp_irradiance_cache_value(cache, at, normal, PP_ANYWHERE, 0, &leaning));
+            assert_near(leaning.g - value.g,
+                        irradiance_leaning(at.x, at.y, phi, t) - upright,
+                        (1.0 - cos(t)) * upright + 0.01 * steepest);
+        }
+    pp_irradiance_cache_destroy(cache);
+    pp_light_scene_destroy(scene);
+}
+
+/* Value and gradient leave the second order: the error of what a record says grows as
+ * the square of the distance. Fitted over half a decade. */
+static void beside_a_record_the_error_is_of_second_order(void **state)
+{
+    (void)state;
+    struct pp_light_scene *scene = patch_over_floor();
+    struct pp_radiance_options light = pp_radiance_defaults();
+    struct pp_cache_options options = pp_cache_defaults();
+    options.divisions = 256 * 256;
+    options.supersamples = 0;
+    struct pp_irradiance_cache *cache = NULL;
+    struct pp_error err = {0};
+    const struct pp_vec3 at = {0.75, 0.1, 0.0}, up = {0.0, 0.0, 1.0};
+    assert_int_equal(
+        pp_irradiance_cache_create(&cache, scene, NULL, &light, &options, &err), PP_OK);
+    assert_int_equal(pp_irradiance_cache_want(cache, at, up, PP_ANYWHERE, &err), PP_OK);
+    while (!pp_irradiance_cache_done(cache))
+        assert_int_equal(pp_irradiance_cache_grow(cache, 1.0, &err), PP_OK);
+    struct pp_cache_record record = {.depth = -1};
+    for (size_t i = 0; i < pp_irradiance_cache_count(cache); i++)
+        if (pp_irradiance_cache_record(cache, i).depth == 0)
+            record = pp_irradiance_cache_record(cache, i);
+    assert_int_equal(record.depth, 0);
+
+    double sx = 0.0, sy = 0.0, sxx = 0.0, sxy = 0.0;
+    int n = 0;
+    for (double d = 0.12; d < 0.5; d *= 1.25, n++) {
+        double worst = 0.0;
+        for (int k = 0; k < 8; k++) {
+            double x = d * cos(k * PP_PI / 4), y = d * sin(k * PP_PI / 4);
+            double read =
+                record.value.g + record.along[1].x * x + record.along[1].y * y;
+            worst = fmax(worst, fabs(read - irradiance_at(at.x + x, at.y + y)));
+        }
+        sx += log(d);
+        sy += log(worst);
+        sxx += log(d) * log(d);
+        sxy += log(d) * log(worst);
+    }
+    double exponent = (n * sxy - sx * sy) / (n * sxx - sx * sx);
+    print_message("# exponent %.3f\n", exponent);
+    assert_true(exponent > 1.8 && exponent < 2.3);
+    pp_irradiance_cache_destroy(cache);
+    pp_light_scene_destroy(scene);
+}
+
+/* R = (4 e / (pi l))^(1/4): for e = pi/4 and l = 16, 1/2. */
+static void an_ellipse_is_short_where_curvature_is_great(void **state)
+{
+    (void)state;
+    double radii[2], axes[2][2];
+    const double steep[3] = {1.0, 0.0, -16.0};
+    pp_cache_ellipse(steep, PP_PI / 4, 10.0, radii, axes);
+    assert_near(radii[0], 0.5, 1e-12);
+    assert_near(radii[1], 1.0, 1e-12);
+    assert_near(fabs(axes[0][1]), 1.0, 1e-12);
+    /* Turned by 30 degrees. */
+    double c = cos(PP_PI / 6), s = sin(PP_PI / 6);
+    const double turned[3] = {16 * c * c + s * s, 15 * c * s, 16 * s * s + c * c};
+    pp_cache_ellipse(turned, PP_PI / 4, 10.0, radii, axes);
+    assert_near(radii[0], 0.5, 1e-12);
+    assert_near(fabs(axes[0][0] * c + axes[0][1] * s), 1.0, 1e-12);
+    /* Flat: as large as allowed. */
+    const double flat[3] = {0.0, 0.0, 0.0};
+    pp_cache_ellipse(flat, PP_PI / 4, 3.7, radii, axes);
+    assert_near(radii[0], 3.7, 1e-12);
+    assert_near(radii[1], 3.7, 1e-12);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(an_edge_changes_as_its_closed_form_does),
+        cmocka_unit_test(a_hemisphere_knows_how_a_patchs_light_changes),
+        cmocka_unit_test(a_record_is_read_by_a_leaning_surface),
+        cmocka_unit_test(beside_a_record_the_error_is_of_second_order),
+        cmocka_unit_test(an_ellipse_is_short_where_curvature_is_great),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,687 @@
+/* test_render.c - pictures against what is known of the light in them. */
+#include "simulate/render/render.h"
+
+#include "simulate/cache/cache_parts.h"
+#include "simulate/render/default_view.h"
+#include "tests/lib/lit.h"
+#include "tests/lib/room_of.h"
+#include "tests/lib/traced.h"
+
+#define DEEP                                                                           \
+    "<room version='1'><sky type='uniform'/><plan width='3' depth='6' height='2.7'/>"  \
+    "<finishes floor='0.2' walls='0.7' ceiling='0.8'/>"                                \
+    "<window wall='south' left='0.2' sill='0.8' width='2.6' height='1.5'/></room>"
+
+struct scene {
+    struct pp_world *world;
+    struct pp_light_scene *light;
+};
+
+static struct scene scene_of(const char *xml)
+{
+    struct scene scene = {pp_test_world(xml), NULL};
+    assert_int_equal(pp_light_scene_of_world(&scene.light, scene.world, NULL), PP_OK);
+    return scene;
+}
+
+static void clear(struct scene *scene)
+{
+    pp_light_scene_destroy(scene->light);
+    pp_world_destroy(scene->world);
+}
+
+static struct pp_render_options looking(enum pp_view_kind kind, struct pp_vec3 eye,
+                                        struct pp_vec3 toward, double across, int side,
+                                        int samples)
+{
+    struct pp_render_options options = {.width = side,
+                                        .height = side,
+                                        .samples = samples,
+                                        .light = pp_radiance_defaults(),
+                                        .seed = 3,
+                                        .threads = 1};
+    options.light.source_most = 4;
+    struct pp_vec3 up =
+        toward.z * toward.z > 0.9 ? pp_vec(0.0, 1.0, 0.0) : pp_vec(0.0, 0.0, 1.0);
+    assert_int_equal(
+        pp_camera_set(&options.camera, kind, eye, toward, up, across, across, NULL),
+        PP_OK);
+    return options;
+}
+
+static struct pp_render *rendered(const struct pp_light_scene *scene,
+                                  const struct pp_render_options *options)
+{
+    struct pp_render *render = NULL;
+    assert_int_equal(pp_render_create(&render, scene, options, NULL), PP_OK);
+    while (!pp_render_done(render))
+        pp_render_advance(render, 0.01);
+    assert_near(pp_render_progress(render), 1.0, 0.0);
+    assert_int_equal(pp_render_work(render).leaks, 0);
+    return render;
+}
+
+/* Mean of all pixels, black where there is nothing. */
+static double mean_of(const struct pp_render *render)
+{
+    const struct pp_picture *picture = pp_render_picture(render);
+    double sum = 0.0;
+    for (int y = 0; y < picture->height; y++)
+        for (int x = 0; x < picture->width; x++) {
+            double value = pp_rgb_luminance(pp_picture_rgb(picture, x, y));
+            sum += isfinite(value) ? value : 0.0;
+        }
+    return sum / picture->width / picture->height;
+}
+
+/* Almost square through one pane of clear-single glass, of normal transmittance 0.900,
+ * from a black room, which its inside reflects nothing of. The uniform sky's radiance
+ * is Eh / pi; the picture is of 2 degrees, over which the transmittance is flat to
+ * 1e-4. */
+static void a_uniform_sky_through_glass_is_dimmed_by_it(void **state)
+{
+    (void)state;
+    struct scene scene =
+        scene_of("<room version='1'><sky type='uniform'/>"
+                 "<plan width='3' depth='6' height='2.7'/>"
+                 "<finishes floor='0' walls='0' ceiling='0'/>"
+                 "<window wall='south' left='0.2' sill='0.8' width='2.6' "
+                 "height='1.5'/></room>");
+    /* Up a little: sky alone. */
+    double tilt = 5.0 * PP_RAD;
+    struct pp_render_options options =
+        looking(PP_VIEW_PERSPECTIVE, pp_vec(1.5, 2.0, 1.6),
+                pp_vec(0.0, -cos(tilt), sin(tilt)), 2.0 * PP_RAD, 8, 4);
+    struct pp_render *render = rendered(scene.light, &options);
+    const struct pp_glass *glass = &scene.world->openings[0].glass;
+    double transmittance = pp_glass_transmittance(glass, cos(tilt));
+    assert_near(mean_of(render), transmittance / PP_PI, 1e-4);
+    assert_near(transmittance, 0.900, 1e-3);
+    pp_render_destroy(render);
+    clear(&scene);
+}
+
+/* The projection weighs as the cosine does: a disc of radius 1 in a square of side 2
+ * has E = pi times its mean, which is 4 / pi times the square's. The illuminance by
+ * another route: paths from the point itself. 4096 pixels of 16 paths give it to 1 % or
+ * so; the square's own pixels cut the circle to 0.1 %. */
+static void a_fisheyes_mean_is_the_illuminance(void **state)
+{
+    (void)state;
+    struct scene scene = scene_of(DEEP);
+    struct pp_vec3 point = {1.1, 1.7, 0.85}, up = {0.0, 0.0, 1.0};
+    struct pp_render_options options =
+        looking(PP_VIEW_HEMISPHERICAL, point, up, PP_PI, 64, 16);
+    struct pp_render *render = rendered(scene.light, &options);
+    struct pp_test_mean known =
+        pp_test_irradiance(scene.light, NULL, pp_radiance_defaults(), point, up, 256);
+    assert_true(known.error < 0.003 * known.value.g);
+    assert_relative(4.0 * mean_of(render), known.value.g, 0.012);
+    pp_render_destroy(render);
+    clear(&scene);
+}
+
+/* Surfaces give off what they don't reflect, under a sky of one: whoever looks anywhere
+ * sees one, but for the noise of 64 paths a pixel. */
+static void a_furnace_is_even(void **state)
+{
+    (void)state;
+    struct scene scene = {
+        pp_test_world("<room version='1'><sky type='uniform'/>"
+                      "<site ground-reflectance='1'/>"
+                      "<plan width='3.1' depth='4.3' height='2.3'/>"
+                      "<finishes floor='0.3' walls='0.4' ceiling='0.5'/>"
+                      "<window wall='south' left='0.4' sill='0.7' width='2.2' "
+                      "height='1.3' glazing='none'/></room>"),
+        NULL};
+    for (int i = 0; i < scene.world->surface_count; i++)
+        scene.world->surfaces[i].exitance = 1.0 - scene.world->surfaces[i].front;
+    assert_int_equal(pp_light_scene_of_world(&scene.light, scene.world, NULL), PP_OK);
+    struct pp_render_options options =
+        looking(PP_VIEW_PERSPECTIVE, pp_vec(1.2, 3.9, 1.1), pp_vec(0.1, -1.0, 0.1), 1.9,
+                16, 64);
+    struct pp_render *render = rendered(scene.light, &options);
+    const struct pp_picture *picture = pp_render_picture(render);
+    double squares = 0.0;
+    for (int y = 0; y < 16; y++)
+        for (int x = 0; x < 16; x++) {
+            double one = PP_PI * pp_rgb_luminance(pp_picture_rgb(picture, x, y));
+            assert_near(one, 1.0, 0.15); /* beside the window it is noisiest */
+            squares += (one - 1.0) * (one - 1.0) / 256.0;
+        }
+    assert_true(sqrt(squares) < 0.03);
+    assert_relative(mean_of(render), 1.0 / PP_PI, 0.002);
+    pp_render_destroy(render);
+    clear(&scene);
+}
+
+/* Down on the floor, the daylight factor is that of a receiver on it. */
+static void a_plan_of_daylight_factors_has_those_of_receivers(void **state)
+{
+    (void)state;
+    struct scene scene = scene_of(DEEP);
+    struct pp_vec3 eye = {1.4, 2.2, 1.0}, down = {0.0, 0.0, -1.0};
+    struct pp_render_options options =
+        looking(PP_VIEW_PARALLEL, eye, down, 0.01, 4, 256);
+    options.irradiance = true;
+    struct pp_render *render = rendered(scene.light, &options);
+    struct pp_test_mean known =
+        pp_test_irradiance(scene.light, NULL, pp_radiance_defaults(),
+                           pp_vec(1.4, 2.2, 0.0), pp_vec(0.0, 0.0, 1.0), 256);
+    assert_relative(mean_of(render), known.value.g, 0.015);
+    assert_int_equal(pp_render_tags(render)[5], 0); /* the floor is the first face */
+    pp_render_destroy(render);
+    clear(&scene);
+}
+
+/* The deterioration of decorations dims what is reflected inside and nothing else, as
+ * in the tracer, by paths and through a cache. The tracer is known to 0.3 %, the
+ * picture by paths to 0.5 %; the cache's default accuracy is worth 1 %. */
+static void decorations_dim_a_picture_of_daylight_factors(void **state)
+{
+    (void)state;
+    struct scene scene = scene_of(
+        "<room version='1'><plan width='3' depth='5' height='2.7'/>"
+        "<finishes floor='0.3' walls='0.7' ceiling='0.8' decorations='0.53'/>"
+        "<window wall='south' left='0.2' sill='0.8' width='2.6' height='1.5'/></room>");
+    struct pp_receiver receiver = pp_test_receiver(1.6, 3.9, 0.0005, 0.0, 0.0, 1.0);
+    struct pp_tracer_options traced = pp_test_paths(256);
+    struct pp_reading(*known)[4] =
+        pp_test_trace(scene.world, &receiver, 1, &traced, NULL);
+    assert_true(known[0][PP_DF].std_error < 0.003 * known[0][PP_DF].value);
+    assert_true(known[0][PP_IRC].value > 0.3 * known[0][PP_DF].value);
+
+    struct pp_render_options options = looking(PP_VIEW_PARALLEL, pp_vec(1.6, 3.9, 1.0),
+                                               pp_vec(0.0, 0.0, -1.0), 0.01, 4, 256);
+    options.irradiance = true;
+    struct pp_render *render = rendered(scene.light, &options);
+    assert_relative(mean_of(render), known[0][PP_DF].value, 0.02);
+    pp_render_destroy(render);
+
+    struct pp_cache_options sparse = pp_cache_defaults();
+    struct pp_irradiance_cache *cache = NULL;
+    assert_int_equal(pp_irradiance_cache_create(&cache, scene.light, NULL,
+                                                &options.light, &sparse, NULL),
+                     PP_OK);
+    assert_int_equal(pp_irradiance_cache_want(cache, pp_vec(1.6, 3.9, 0.0),
+                                              pp_vec(0.0, 0.0, 1.0), PP_INDOORS, NULL),
+                     PP_OK);
+    while (!pp_irradiance_cache_done(cache))
+        assert_int_equal(pp_irradiance_cache_grow(cache, 1.0, NULL), PP_OK);
+    options.ambient = pp_irradiance_cache_ambient(cache);
+    render = rendered(scene.light, &options);
+    assert_relative(mean_of(render), known[0][PP_DF].value, 0.02);
+    pp_render_destroy(render);
+    pp_irradiance_cache_destroy(cache);
+    free(known);
+    clear(&scene);
+}
+
+/* Glass, and what is outside a fisheye, have no daylight factor. */
+static void glass_has_no_daylight_factor(void **state)
+{
+    (void)state;
+    struct scene scene = scene_of(DEEP);
+    struct pp_render_options options = looking(PP_VIEW_ANGULAR, pp_vec(1.5, 0.7, 1.55),
+                                               pp_vec(0.0, -1.0, 0.0), PP_PI, 9, 4);
+    options.irradiance = true;
+    struct pp_render *render = rendered(scene.light, &options);
+    const struct pp_picture *picture = pp_render_picture(render);
+    assert_true(isnan(pp_picture_at(picture, 4, 4)[0]));
+    assert_true(isnan(pp_picture_at(picture, 0, 0)[0]));
+    assert_true(pp_picture_at(picture, 4, 8)[0] > 0.0f);
+    assert_int_equal(pp_render_tags(render)[0], -1);
+    pp_render_destroy(render);
+    clear(&scene);
+}
+
+#define L_SHAPED                                                                       \
+    "<room version='1'><plan height='2.6'><vertex x='0' y='0'/>"                       \
+    "<vertex x='5.4' y='0'/><vertex x='5.4' y='3.6'/><vertex x='3' y='3.6'/>"          \
+    "<vertex x='3' y='6.6'/><vertex x='0' y='6.6'/></plan>"                            \
+    "<window wall='1' left='1.8' sill='0.5' width='2.8' height='1.7'/></room>"
+
+/* Cut, an L-shaped room shows nothing in its missing corner; whoever only looks along
+ * parallel rays sees the ground there. */
+static void a_cut_room_ends_at_its_walls(void **state)
+{
+    (void)state;
+    struct scene scene = scene_of(L_SHAPED);
+    struct pp_render_options options = looking(PP_VIEW_PARALLEL, pp_vec(2.7, 2.7, 1.2),
+                                               pp_vec(0.0, 0.0, -1.0), 5.4, 6, 1);
+    for (int indoors = 0; indoors <= 1; indoors++) {
+        options.indoors = indoors;
+        struct pp_render *render = rendered(scene.light, &options);
+        const struct pp_picture *picture = pp_render_picture(render);
+        float missing = pp_picture_at(picture, 5, 0)[0]; /* about (4.95, 4.95) */
+        assert_true(indoors ? isnan(missing) : missing > 0.05f);
+        assert_true(pp_picture_at(picture, 0, 5)[0] > 0.0f);
+        assert_true(pp_picture_at(picture, 5, 5)[0] > 0.0f);
+        pp_render_destroy(render);
+    }
+    clear(&scene);
+}
+
+static void assert_same_pictures(const struct pp_render *a, const struct pp_render *b)
+{
+    const struct pp_picture *p = pp_render_picture(a), *q = pp_render_picture(b);
+    assert_memory_equal(p->rgb, q->rgb,
+                        3 * sizeof *p->rgb * (size_t)(p->width * p->height));
+    assert_memory_equal(pp_render_tags(a), pp_render_tags(b),
+                        sizeof(int) * (size_t)(p->width * p->height));
+}
+
+static void a_picture_does_not_hang_on_threads(void **state)
+{
+    (void)state;
+    struct scene scene = scene_of(DEEP);
+    struct pp_render_options options = looking(
+        PP_VIEW_PERSPECTIVE, pp_vec(1.3, 4.1, 1.6), pp_vec(0.1, -1.0, 0.0), 1.2, 37, 3);
+    options.filter = PP_FILTER_GAUSS;
+    struct pp_render *one = rendered(scene.light, &options);
+    options.threads = 3;
+    struct pp_render *three = rendered(scene.light, &options);
+    assert_same_pictures(one, three);
+    assert_true(pp_render_work(one).rays == pp_render_work(three).rays);
+    options.seed++;
+    struct pp_render *other = rendered(scene.light, &options);
+    assert_true(mean_of(other) != mean_of(one));
+    pp_render_destroy(one);
+    pp_render_destroy(three);
+    pp_render_destroy(other);
+    clear(&scene);
+}
+
+/* ---- the overture ---- */
+
+/* A cache grown for the picture in parts of so many pixels. */
+static struct pp_irradiance_cache *grown(const struct scene *scene,
+                                         const struct pp_render_options *options,
+                                         int part_pixels, int threads, double slice_s)
+{
+    struct pp_cache_options sparse = pp_cache_defaults();
+    struct pp_irradiance_cache *cache = NULL;
+    struct pp_overture *overture = NULL;
+    sparse.accuracy = 0.3;
+    sparse.divisions = 64;
+    sparse.supersamples = 0;
+    sparse.bounces = 2;
+    sparse.threads = threads;
+    assert_int_equal(pp_irradiance_cache_create(&cache, scene->light, NULL,
+                                                &options->light, &sparse, NULL),
+                     PP_OK);
+    assert_int_equal(
+        pp_overture_create(&overture, cache, scene->light, options, part_pixels, NULL),
+        PP_OK);
+    while (!pp_overture_done(overture)) {
+        double progress = pp_overture_progress(overture);
+        assert_true(progress >= 0.0 && progress <= 1.0);
+        assert_int_equal(pp_overture_advance(overture, slice_s, NULL), PP_OK);
+    }
+    assert_near(pp_overture_progress(overture), 1.0, 0.0);
+    pp_overture_destroy(overture);
+    return cache;
+}
+
+/* Shown to the cache in one part or in many, a picture has a record near every pixel's
+ * middle; in many they are held a part at a time, and whatever the threads and slices
+ * the records are the same to the bit. */
+static void every_pixel_is_read_between_records(void **state)
+{
+    (void)state;
+    enum { WIDE = 91, HIGH = 67, PART = 500 };
+    struct scene scene = scene_of(DEEP);
+    struct pp_render_options options =
+        looking(PP_VIEW_PERSPECTIVE, pp_vec(1.3, 4.1, 1.6), pp_vec(0.1, -1.0, 0.0), 1.2,
+                WIDE, 1);
+    options.height = HIGH;
+    struct pp_irradiance_cache *caches[] = {grown(&scene, &options, 0, 1, 1.0),
+                                            grown(&scene, &options, PART, 1, 1.0),
+                                            grown(&scene, &options, PART, 3, 0.0)};
+    for (int which = 0; which < 2; which++)
+        for (int i = 0; i < WIDE * HIGH; i++) {
+            struct pp_light_ray ray = {.space = PP_INDOORS};
+            struct pp_light_hit hit;
+            struct pp_rgb value;
+            assert_true(pp_camera_ray(&options.camera, (i % WIDE + 0.5) / WIDE,
+                                      (i / WIDE + 0.5) / HIGH, &ray.from, &ray.to));
+            if (pp_light_scene_first(scene.light, &ray, &hit)
+                && pp_light_scene_material(scene.light, hit.material)->kind
+                       == PP_MATERIAL_OPAQUE)
+                assert_true(pp_irradiance_cache_value(
+                    caches[which], hit.point, hit.normal, hit.space, 0, &value));
+        }
+    assert_true(caches[0]->layers[0].wish_space >= WIDE * HIGH * 3 / 4);
+    assert_true(caches[1]->layers[0].wish_space <= 1024);
+
+    char *bytes[2];
+    size_t lengths[2];
+    for (int i = 0; i < 2; i++)
+        assert_int_equal(
+            pp_irradiance_cache_pack(caches[1 + i], &bytes[i], &lengths[i], NULL),
+            PP_OK);
+    assert_int_equal(lengths[0], lengths[1]);
+    assert_memory_equal(bytes[0], bytes[1], lengths[0]);
+    for (int i = 0; i < 2; i++)
+        free(bytes[i]);
+    for (int i = 0; i < 3; i++)
+        pp_irradiance_cache_destroy(caches[i]);
+    clear(&scene);
+}
+
+/* ---- checkpoints ---- */
+
+struct kept {
+    char *bytes;
+    size_t size;
+};
+
+static struct kept kept_of(const struct pp_render *render)
+{
+    struct kept kept;
+    FILE *out = open_memstream(&kept.bytes, &kept.size);
+    assert_non_null(out);
+    assert_int_equal(pp_render_save(render, NULL, out, NULL), PP_OK);
+    assert_int_equal(fclose(out), 0);
+    return kept;
+}
+
+static enum pp_status take_up(struct pp_render *render, const char *bytes, size_t size,
+                              struct pp_error *err)
+{
+    /* An own block of the very size: a read behind it would be seen. */
+    unsigned char *copy = malloc(size + !size);
+    assert_non_null(copy);
+    memcpy(copy, bytes, size);
+    enum pp_status status = pp_render_resume(render, copy, size, err);
+    free(copy);
+    return status;
+}
+
+static void a_picture_taken_up_again_is_the_same(void **state)
+{
+    (void)state;
+    struct scene scene = scene_of(DEEP);
+    struct pp_render_options options = looking(
+        PP_VIEW_PERSPECTIVE, pp_vec(1.3, 4.1, 1.6), pp_vec(0.1, -1.0, 0.0), 1.2, 70, 2);
+    struct pp_render *whole = rendered(scene.light, &options);
+    struct pp_render *half, *rest;
+    assert_int_equal(pp_render_create(&half, scene.light, &options, NULL), PP_OK);
+    while (pp_render_progress(half) < 0.4)
+        pp_render_advance(half, 0.0);
+    assert_false(pp_render_done(half));
+    struct kept kept = kept_of(half);
+    assert_int_equal(pp_render_create(&rest, scene.light, &options, NULL), PP_OK);
+    assert_int_equal(take_up(rest, kept.bytes, kept.size, NULL), PP_OK);
+    assert_near(pp_render_progress(rest), pp_render_progress(half), 0.0);
+    while (!pp_render_done(rest))
+        pp_render_advance(rest, 1.0);
+    assert_same_pictures(whole, rest);
+    assert_true(pp_render_work(whole).rays == pp_render_work(rest).rays);
+    free(kept.bytes);
+    pp_render_destroy(whole);
+    pp_render_destroy(half);
+    pp_render_destroy(rest);
+    clear(&scene);
+}
+
+static struct pp_irradiance_cache *cache_of(const struct pp_light_scene *scene,
+                                            const struct pp_render_options *options)
+{
+    struct pp_cache_options few = pp_cache_defaults();
+    struct pp_irradiance_cache *cache = NULL;
+    few.accuracy = 0.5;
+    few.divisions = 64;
+    few.supersamples = 0;
+    assert_int_equal(
+        pp_irradiance_cache_create(&cache, scene, NULL, &options->light, &few, NULL),
+        PP_OK);
+    return cache;
+}
+
+static void see_picture(struct pp_irradiance_cache *cache,
+                        const struct pp_light_scene *scene,
+                        struct pp_render_options *options)
+{
+    struct pp_overture *overture;
+    assert_int_equal(pp_overture_create(&overture, cache, scene, options, 0, NULL),
+                     PP_OK);
+    while (!pp_overture_done(overture))
+        assert_int_equal(pp_overture_advance(overture, 1.0, NULL), PP_OK);
+    pp_overture_destroy(overture);
+    options->ambient = pp_irradiance_cache_ambient(cache);
+    options->ambient_mark = pp_render_cache_mark(cache);
+}
+
+/* A checkpoint keeps the cache: it is not grown again, and the picture is the same. */
+static void a_picture_through_a_cache_is_taken_up_with_it(void **state)
+{
+    (void)state;
+    struct scene scene = scene_of(DEEP);
+    struct pp_render_options options = looking(
+        PP_VIEW_PERSPECTIVE, pp_vec(1.3, 4.1, 1.6), pp_vec(0.1, -1.0, 0.0), 1.2, 40, 2);
+    struct pp_irradiance_cache *cache = cache_of(scene.light, &options);
+    see_picture(cache, scene.light, &options);
+    struct pp_render *whole = rendered(scene.light, &options), *half, *rest;
+    assert_int_equal(pp_render_create(&half, scene.light, &options, NULL), PP_OK);
+    pp_render_advance(half, 0.0);
+    struct kept kept;
+    FILE *out = open_memstream(&kept.bytes, &kept.size);
+    assert_int_equal(pp_render_save(half, cache, out, NULL), PP_OK);
+    assert_int_equal(fclose(out), 0);
+
+    const char *records;
+    size_t length;
+    assert_int_equal(pp_checkpoint_cache((unsigned char *)kept.bytes, kept.size,
+                                         &records, &length, NULL),
+                     PP_OK);
+    options.ambient = NULL;
+    struct pp_irradiance_cache *again = cache_of(scene.light, &options);
+    assert_int_equal(pp_irradiance_cache_unpack(again, records, length, "kept", NULL),
+                     PP_OK);
+    assert_true(pp_irradiance_cache_count(again) == pp_irradiance_cache_count(cache));
+    see_picture(again, scene.light, &options);
+    assert_true(pp_irradiance_cache_count(again) == pp_irradiance_cache_count(cache));
+    assert_int_equal(pp_render_create(&rest, scene.light, &options, NULL), PP_OK);
+    assert_int_equal(take_up(rest, kept.bytes, kept.size, NULL), PP_OK);
+    while (!pp_render_done(rest))
+        pp_render_advance(rest, 1.0);
+    assert_same_pictures(whole, rest);
+
+    for (size_t size = 0; size < kept.size; size += 1 + size / 16)
+        assert_int_equal(pp_checkpoint_cache((unsigned char *)kept.bytes, size,
+                                             &records, &length, NULL),
+                         PP_BAD_INPUT);
+    free(kept.bytes);
+    pp_render_destroy(whole);
+    pp_render_destroy(half);
+    pp_render_destroy(rest);
+    pp_irradiance_cache_destroy(cache);
+    pp_irradiance_cache_destroy(again);
+    clear(&scene);
+}
+
+static void a_checkpoint_is_taken_whole_or_not_at_all(void **state)
+{
+    (void)state;
+    struct scene scene = scene_of(DEEP);
+    struct pp_render_options options = looking(
+        PP_VIEW_PERSPECTIVE, pp_vec(1.3, 4.1, 1.6), pp_vec(0.1, -1.0, 0.0), 1.2, 20, 1);
+    struct pp_render *whole = rendered(scene.light, &options), *fresh;
+    struct kept kept = kept_of(whole);
+    assert_int_equal(pp_render_create(&fresh, scene.light, &options, NULL), PP_OK);
+    struct pp_error err;
+    for (size_t size = 0; size < kept.size; size += 1 + size / 16)
+        assert_int_equal(take_up(fresh, kept.bytes, size, &err), PP_BAD_INPUT);
+    assert_non_null(strstr(err.message, "cut off"));
+    for (size_t at = 0; at < kept.size; at += 7) {
+        kept.bytes[at] ^= 4;
+        assert_int_equal(take_up(fresh, kept.bytes, kept.size, &err), PP_BAD_INPUT);
+        kept.bytes[at] ^= 4;
+    }
+    assert_near(pp_render_progress(fresh), 0.0, 0.0);
+    assert_int_equal(take_up(fresh, kept.bytes, kept.size, &err), PP_OK);
+    assert_true(pp_render_done(fresh));
+
+    /* Another seed, another eye, another scene: another picture. */
+    struct pp_render *other;
+    options.seed++;
+    assert_int_equal(pp_render_create(&other, scene.light, &options, NULL), PP_OK);
+    assert_int_equal(take_up(other, kept.bytes, kept.size, &err), PP_BAD_INPUT);
+    assert_non_null(strstr(err.message, "another picture"));
+    pp_render_destroy(other);
+    options.seed--;
+    options.camera.eye.x += 1e-9;
+    assert_int_equal(pp_render_create(&other, scene.light, &options, NULL), PP_OK);
+    assert_int_equal(take_up(other, kept.bytes, kept.size, &err), PP_BAD_INPUT);
+    pp_render_destroy(other);
+    free(kept.bytes);
+    pp_render_destroy(whole);
+    pp_render_destroy(fresh);
+    clear(&scene);
+}
+
+static void what_makes_no_picture_is_refused(void **state)
+{
+    (void)state;
+    struct scene scene = scene_of(DEEP);
+    struct pp_render_options options = looking(
+        PP_VIEW_PERSPECTIVE, pp_vec(1.3, 4.1, 1.6), pp_vec(0.1, -1.0, 0.0), 1.2, 8, 0);
+    struct pp_render *render;
+    assert_int_equal(pp_render_create(&render, scene.light, &options, NULL),
+                     PP_BAD_INPUT);
+    assert_null(render);
+    options.samples = 1;
+    options.height = 0;
+    assert_int_equal(pp_render_create(&render, scene.light, &options, NULL),
+                     PP_BAD_INPUT);
+    clear(&scene);
+}
+
+/* ---- from where to look ---- */
+
+static void the_default_view_stands_back_and_sees_the_window(void **state)
+{
+    (void)state;
+    struct scene scene = scene_of(DEEP);
+    struct pp_view_place place;
+    pp_default_view(&place, scene.light, scene.world, PP_ROOM_VIEW_PERSPECTIVE);
+    assert_near(place.eye.z, 1.6, 1e-12);
+    assert_near(place.eye.x, 1.5, 0.15); /* half a step of the places tried */
+    assert_true(place.eye.y > 5.2 && place.eye.y < 5.65); /* clear of the wall at 6 */
+    assert_near(place.toward.z, 0.0, 0.0);
+    assert_true(place.toward.y < -4.0);
+
+    pp_default_view(&place, scene.light, scene.world, PP_ROOM_VIEW_SECTION);
+    assert_near(place.across_m, 6.0, 1e-9);
+    assert_near(place.down_m, 2.7, 1e-9);
+    struct pp_camera camera;
+    assert_int_equal(pp_camera_set(&camera, PP_VIEW_PARALLEL, place.eye, place.toward,
+                                   place.up, place.across_m, place.down_m, NULL),
+                     PP_OK);
+    double x, y, distance_m;
+    assert_true(pp_camera_project(&camera, pp_vec(1.4, 0.0, 0.0), &x, &y, &distance_m));
+    assert_near(x, 0.0, 1e-9); /* the window's wall is on the left, the floor below */
+    assert_near(y, 1.0, 1e-9);
+
+    pp_default_view(&place, scene.light, scene.world, PP_ROOM_VIEW_FISHEYE);
+    assert_near(place.eye.z, scene.world->working_plane_m, 1e-12);
+    clear(&scene);
+}
+
+/* A cupboard across the back, a column in the middle: the eye is before the one and not
+ * behind the other. */
+static void the_default_view_is_clear_of_what_stands_in_the_room(void **state)
+{
+    (void)state;
+    struct scene scene = scene_of(
+        "<room version='1'><plan width='4' depth='6' height='2.7'/>"
+        "<window wall='south' left='1' sill='0.8' width='2' height='1.5'/>"
+        "<surface><vertex x='0' y='4.5' z='0'/><vertex x='4' y='4.5' z='0'/>"
+        "<vertex x='4' y='4.5' z='2.2'/><vertex x='0' y='4.5' z='2.2'/></surface>"
+        "<surface><vertex x='1.7' y='2' z='0'/><vertex x='2.3' y='2' z='0'/>"
+        "<vertex x='2.3' y='2' z='2.7'/><vertex x='1.7' y='2' z='2.7'/></surface>"
+        "</room>");
+    struct pp_view_place place;
+    pp_default_view(&place, scene.light, scene.world, PP_ROOM_VIEW_PERSPECTIVE);
+    assert_true(place.eye.y < 4.2);
+    struct pp_vec3 way = pp_sub(pp_vec(2.0, 0.0, place.eye.z), place.eye);
+    struct pp_light_ray ray = {
+        .from = place.eye, .to = pp_unit(way), .space = PP_INDOORS};
+    struct pp_light_hit hit;
+    assert_true(pp_light_scene_first(scene.light, &ray, &hit));
+    assert_true(hit.distance_m > 0.95 * pp_length(way));
+    clear(&scene);
+}
+
+/* How far the next thing is, level, in that direction. */
+static double free_m(const struct scene *scene, struct pp_vec3 eye, double angle_rad)
+{
+    struct pp_light_ray ray = {.from = eye,
+                               .to = pp_vec(cos(angle_rad), sin(angle_rad), 0.0),
+                               .space = PP_INDOORS};
+    struct pp_light_hit hit;
+    return pp_light_scene_first(scene->light, &ray, &hit) ? hit.distance_m : INFINITY;
+}
+
+/* From behind the corner of the L its wall would fill a third of the picture 3 m away.
+ */
+static void the_default_view_does_not_look_round_a_corner(void **state)
+{
+    (void)state;
+    struct scene scene = scene_of(L_SHAPED);
+    struct pp_view_place place;
+    pp_default_view(&place, scene.light, scene.world, PP_ROOM_VIEW_PERSPECTIVE);
+    double middle = atan2(place.toward.y, place.toward.x);
+    int near = 0;
+    for (int i = -37; i <= 37; i++)
+        near += free_m(&scene, place.eye, middle + i * PP_RAD) < 4.0;
+    assert_in_range(near, 0, 8); /* of 75 degrees */
+    assert_true(place.eye.y > 3.6);
+    clear(&scene);
+}
+
+/* A hand's breadth from a wall half the picture would be that wall. */
+static void the_default_view_keeps_clear_of_walls(void **state)
+{
+    (void)state;
+    static const char *const rooms[] = {
+        DEEP, L_SHAPED,
+        "<room version='1'><plan width='1.6' depth='60' height='2.4'/>"
+        "<window wall='south' left='0.3' sill='0.5' width='1' height='1.6'/></room>",
+        "<room version='1'><plan width='8' depth='5' height='4'/>"
+        "<rooflight x='1.5' y='1.5' width='2' depth='2' reveal='0.5'/></room>",
+        "<room version='1'><plan width='3' depth='5' height='2.5'/></room>"};
+    for (size_t i = 0; i < sizeof rooms / sizeof rooms[0]; i++) {
+        struct scene scene = scene_of(rooms[i]);
+        struct pp_view_place place;
+        pp_default_view(&place, scene.light, scene.world, PP_ROOM_VIEW_PERSPECTIVE);
+        for (int deg = 0; deg < 360; deg += 3)
+            assert_true(free_m(&scene, place.eye, deg * PP_RAD) > 0.3);
+        clear(&scene);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_uniform_sky_through_glass_is_dimmed_by_it),
+        cmocka_unit_test(a_fisheyes_mean_is_the_illuminance),
+        cmocka_unit_test(a_furnace_is_even),
+        cmocka_unit_test(a_plan_of_daylight_factors_has_those_of_receivers),
+        cmocka_unit_test(decorations_dim_a_picture_of_daylight_factors),
+        cmocka_unit_test(glass_has_no_daylight_factor),
+        cmocka_unit_test(a_cut_room_ends_at_its_walls),
+        cmocka_unit_test(a_picture_does_not_hang_on_threads),
+        cmocka_unit_test(every_pixel_is_read_between_records),
+        cmocka_unit_test(a_picture_taken_up_again_is_the_same),
+        cmocka_unit_test(a_picture_through_a_cache_is_taken_up_with_it),
+        cmocka_unit_test(a_checkpoint_is_taken_whole_or_not_at_all),
+        cmocka_unit_test(what_makes_no_picture_is_refused),
+        cmocka_unit_test(the_default_view_stands_back_and_sees_the_window),
+        cmocka_unit_test(the_default_view_is_clear_of_what_stands_in_the_room),
+        cmocka_unit_test(the_default_view_does_not_look_round_a_corner),
+        cmocka_unit_test(the_default_view_keeps_clear_of_walls),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,202 @@
+/* test_sample_opening.c - directions towards openings, against closed forms. */
+#include "simulate/sampling/sample_polygon.h"
+#include "simulate/sampling/sobol.h"
+
+#include "tests/lib/near.h"
+
+static struct pp_sobol sobol;
+
+static int make_sobol(void **state)
+{
+    (void)state;
+    pp_sobol_init(&sobol);
+    return 0;
+}
+
+/* A window in the plane y = 0 that lights y > 0. */
+static struct pp_target window(double x, double z, double width, double height)
+{
+    return (struct pp_target){.normal = {0.0, 1.0, 0.0},
+                              .middle = {x + width / 2.0, 0.0, z + height / 2.0},
+                              .area_m2 = width * height,
+                              .rectangle = true,
+                              .corner = {x + width, 0.0, z},
+                              .along = {-1.0, 0.0, 0.0},
+                              .up = {0.0, 0.0, 1.0},
+                              .width_m = width,
+                              .height_m = height};
+}
+
+/* Lambert's formula: the integral of the cosine over a polygon all before n. */
+static double lambert(const struct pp_vec3 *p, int count, struct pp_vec3 from,
+                      struct pp_vec3 n)
+{
+    double sum = 0.0;
+    for (int i = 0; i < count; i++) {
+        struct pp_vec3 a = pp_unit(pp_sub(p[i], from));
+        struct pp_vec3 b = pp_unit(pp_sub(p[(i + 1) % count], from));
+        struct pp_vec3 across = pp_cross(a, b);
+        double sine = pp_length(across);
+        sum += atan2(sine, pp_dot(a, b)) * pp_dot(across, n) / sine;
+    }
+    return fabs(sum) / 2.0;
+}
+
+/* Solid angle of a rectangle whose corner is the foot of the point. */
+static double corner_solid_angle(double a, double b, double d)
+{
+    return atan2(a * b, d * sqrt(a * a + b * b + d * d));
+}
+
+static double solid_angle(double x0, double x1, double z0, double z1, double d)
+{
+    return corner_solid_angle(x1, z1, d) - corner_solid_angle(x0, z1, d)
+           - corner_solid_angle(x1, z0, d) + corner_solid_angle(x0, z0, d);
+}
+
+/* Solid angle and configuration integral by 2^m samples. */
+static void sample_sums(const struct pp_target *target, struct pp_vec3 from,
+                        struct pp_vec3 n, int m, double *solid, double *facing)
+{
+    struct pp_sequence sequence;
+    pp_sequence_init(&sequence, &sobol, 161803);
+    struct pp_aim aim;
+    pp_aim_init(&aim, target, from, n, (struct pp_brightness){.ground = 0.2});
+    *solid = *facing = 0.0;
+    for (uint32_t i = 0; i < UINT32_C(1) << m; i++) {
+        double u[2];
+        pp_sequence_draw(&sequence, i, 0, 2, u);
+        struct pp_aimed aimed = pp_aim_sample(&aim, u[0], u[1]);
+        *solid += aimed.per_density / (1 << m);
+        double c = pp_dot(aimed.direction, n);
+        *facing += aimed.per_density * (c > 0.0 ? c : 0.0) / (1 << m);
+        assert_near(pp_length(aimed.direction), 1.0, 1e-9);
+        assert_near(pp_dot(pp_sub(aimed.point, target->middle), target->normal), 0.0,
+                    1e-9 * aimed.distance_m);
+    }
+}
+
+static const struct pp_vec3 up = {0.0, 0.0, 1.0};
+
+/* Near and far, low and high, straight on and askew: the two densities and the guess
+ * on top leave the integrals what they are. 2^14 points of a net give 1e-4. */
+static void a_rectangle_has_its_solid_angle_from_anywhere(void **state)
+{
+    (void)state;
+    struct pp_target target = window(0.2, 0.9, 2.6, 1.4);
+    const struct pp_vec3 points[] = {{1.1, 2.0, 0.8},  {0.1, 0.05, 1.0},
+                                     {1.4, 0.02, 1.6}, {2.9, 8.3, 0.0},
+                                     {-4.0, 1.0, 2.7}, {1.5, 40.0, 0.3}};
+    for (size_t i = 0; i < sizeof points / sizeof *points; i++) {
+        struct pp_vec3 p = points[i];
+        double solid, facing;
+        sample_sums(&target, p, pp_vec(0.0, -1.0, 0.0), 14, &solid, &facing);
+        double expected = solid_angle(0.2 - p.x, 2.8 - p.x, 0.9 - p.z, 2.3 - p.z, p.y);
+        assert_relative(solid, expected, 3e-4);
+        struct pp_vec3 corners[4] = {
+            {0.2, 0, 0.9}, {2.8, 0, 0.9}, {2.8, 0, 2.3}, {0.2, 0, 2.3}};
+        assert_relative(facing, lambert(corners, 4, p, pp_vec(0.0, -1.0, 0.0)), 3e-4);
+    }
+}
+
+static void a_polygon_has_its_configuration_factor(void **state)
+{
+    (void)state;
+    /* A sloping triangle and a trapezium that together are a pentagon. */
+    struct pp_vec3 slope = pp_unit(pp_vec(0.0, 0.5, -1.0));
+    struct pp_vec3 along = {1.0, 0.0, 0.0}, over = pp_cross(slope, along);
+    struct pp_vec3 origin = {0.7, 1.1, 2.9};
+    const double plan[5][2] = {
+        {0, 0}, {1.7, -0.2}, {2.1, 1.0}, {0.9, 1.9}, {-0.3, 1.2}};
+    struct pp_vec3 corner[5], triangles[3][3];
+    for (int i = 0; i < 5; i++)
+        corner[i] = pp_along(pp_along(origin, plan[i][0], along), plan[i][1], over);
+    struct pp_target target = {.normal = slope, .middle = origin, .triangle_count = 3};
+    for (int i = 0; i < 3; i++) {
+        triangles[i][0] = corner[0];
+        triangles[i][1] = corner[i + 1];
+        triangles[i][2] = corner[i + 2];
+        target.area_m2 += pp_length(pp_cross(pp_sub(corner[i + 1], corner[0]),
+                                             pp_sub(corner[i + 2], corner[0])))
+                          / 2.0;
+    }
+    target.triangles = triangles;
+    const struct pp_vec3 points[] = {
+        {1.1, 2.0, 0.8}, {1.4, 1.5, 2.6}, {30.0, 40.0, -9.0}};
+    for (int i = 0; i < 3; i++) {
+        double solid, facing;
+        struct pp_vec3 n = pp_scale(slope, -1.0);
+        sample_sums(&target, points[i], n, 14, &solid, &facing);
+        assert_relative(facing, lambert(corner, 5, points[i], n), 1e-3);
+    }
+}
+
+/* What a fifth of the window contributes to the solid angle is that fifth's own. */
+static void density_is_right_in_every_part_of_a_rectangle(void **state)
+{
+    (void)state;
+    struct pp_target target = window(0.2, 0.9, 2.6, 1.4);
+    const struct pp_vec3 points[] = {{1.1, 1.0, 0.4}, {3.1, 6.0, 1.7}};
+    for (int k = 0; k < 2; k++) {
+        struct pp_vec3 p = points[k];
+        double part[5][5] = {{0.0}};
+        struct pp_sequence sequence;
+        pp_sequence_init(&sequence, &sobol, 42);
+        struct pp_aim aim;
+        pp_aim_init(&aim, &target, p, up, (struct pp_brightness){.ground = 0.2});
+        enum { N = 1 << 20 };
+        for (uint32_t i = 0; i < N; i++) {
+            double u[2];
+            pp_sequence_draw(&sequence, i, 0, 2, u);
+            struct pp_aimed aimed = pp_aim_sample(&aim, u[0], u[1]);
+            int column = (int)((aimed.point.x - 0.2) / 2.6 * 5.0);
+            int row = (int)((aimed.point.z - 0.9) / 1.4 * 5.0);
+            part[row < 5 ? row : 4][column < 5 ? column : 4] += aimed.per_density / N;
+        }
+        for (int row = 0; row < 5; row++)
+            for (int column = 0; column < 5; column++) {
+                double x = 0.2 + 0.52 * column - p.x, z = 0.9 + 0.28 * row - p.z;
+                assert_relative(part[row][column],
+                                solid_angle(x, x + 0.52, z, z + 0.28, p.y), 5e-3);
+            }
+    }
+}
+
+/* A receiver facing up beside a window, all of it above: the cosine is guessed so well
+ * that 64 directions give the configuration factor to 1 %. */
+static void the_guess_makes_a_few_directions_enough(void **state)
+{
+    (void)state;
+    struct pp_target target = window(0.2, 0.9, 2.6, 1.4);
+    struct pp_vec3 corners[4] = {
+        {0.2, 0, 0.9}, {2.8, 0, 0.9}, {2.8, 0, 2.3}, {0.2, 0, 2.3}};
+    struct pp_vec3 p = {1.1, 2.0, 0.8};
+    double solid, facing;
+    sample_sums(&target, p, up, 6, &solid, &facing);
+    assert_relative(facing, lambert(corners, 4, p, up), 0.01);
+}
+
+static void a_window_is_seen_from_its_own_side_only(void **state)
+{
+    (void)state;
+    struct pp_target target = window(0.2, 0.9, 2.6, 1.4);
+    assert_true(pp_target_in_sight(&target, pp_vec(1.0, 2.0, 0.8), up));
+    assert_false(pp_target_in_sight(&target, pp_vec(1.0, -2.0, 0.8), up));
+    assert_false(pp_target_in_sight(&target, pp_vec(3.0, 0.0, 0.8), up));
+    assert_false(pp_target_in_sight(&target, pp_vec(1.0, 2.0, 2.4), up));
+    assert_true(pp_target_in_sight(&target, pp_vec(1.0, 2.0, 2.2), up));
+    assert_false(
+        pp_target_in_sight(&target, pp_vec(1.0, 2.0, 2.0), pp_vec(0.0, 1.0, 0.0)));
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_rectangle_has_its_solid_angle_from_anywhere),
+        cmocka_unit_test(a_polygon_has_its_configuration_factor),
+        cmocka_unit_test(density_is_right_in_every_part_of_a_rectangle),
+        cmocka_unit_test(the_guess_makes_a_few_directions_enough),
+        cmocka_unit_test(a_window_is_seen_from_its_own_side_only),
+    };
+    return cmocka_run_group_tests_name("sample_opening", tests, make_sobol, NULL);
+}

@@ -1,0 +1,132 @@
+/* test_scatter.c - where light goes from a surface: the shares of its lobes, and which
+ * way they lie. */
+#include "simulate/sampling/scatter.h"
+
+#include "tests/lib/near.h"
+
+static const struct pp_vec3 up = {0.0, 0.0, 1.0};
+
+static struct pp_lobes lobes_of(const struct pp_material *material, struct pp_vec3 eye)
+{
+    static struct pp_gloss gloss;
+    const double *roughness = material->roughness;
+    bool rough = !pp_gloss_is_mirror(roughness[0], roughness[1]);
+    if (rough)
+        assert_int_equal(pp_gloss_init(&gloss, roughness[0], roughness[1], NULL),
+                         PP_OK);
+    struct pp_lobes lobes;
+    pp_lobes_init(&lobes, material, rough ? &gloss : NULL, up, eye);
+    return lobes;
+}
+
+static struct pp_vec3 towards(double tilt_deg, double azimuth_deg)
+{
+    double t = tilt_deg * PP_RAD, a = azimuth_deg * PP_RAD;
+    return pp_vec(sin(t) * cos(a), sin(t) * sin(a), cos(t));
+}
+
+/* A grained gloss in a frame of the world's: by whichever axes it is tabulated. */
+static void a_gloss_lies_along_its_grain(void **state)
+{
+    (void)state;
+    struct pp_material metal = pp_material_metal(pp_rgb(0.8, 0.7, 0.5), 1.0, 0.05, 0.2);
+    metal.grain = pp_vec(0.0, 2.0, 1.0);
+    struct pp_vec3 eye = towards(52.0, 100.0);
+    struct pp_lobes lobes = lobes_of(&metal, eye);
+    assert_near(lobes.a.y, 1.0, 1e-12);
+    assert_near(lobes.b.x, -1.0, 1e-12);
+    assert_true(pp_rgb_is_black(lobes.share[PP_LOBE_DIFFUSE]));
+
+    struct pp_vec3 o = towards(47.0, 275.0);
+    double value = pp_gloss_value(lobes.gloss, pp_vec(eye.y, -eye.x, eye.z),
+                                  pp_vec(o.y, -o.x, o.z));
+    assert_relative(pp_lobes_gloss(&lobes, o).r, 0.8 * value, 1e-12);
+    assert_relative(pp_lobes_gloss(&lobes, o).b, 0.5 * value, 1e-12);
+
+    double factor;
+    struct pp_vec3 drawn, in_frame;
+    assert_true(pp_lobes_sample(&lobes, PP_LOBE_GLOSS, 0.3, 0.6, &drawn, &factor));
+    assert_relative(
+        factor,
+        pp_gloss_sample(lobes.gloss, pp_vec(eye.y, -eye.x, eye.z), 0.3, 0.6, &in_frame),
+        1e-12);
+    assert_near(pp_length(pp_sub(drawn, pp_vec(-in_frame.y, in_frame.x, in_frame.z))),
+                0.0, 1e-12);
+}
+
+static void a_smooth_gloss_is_a_mirror(void **state)
+{
+    (void)state;
+    struct pp_material mirror = pp_material_mirror(pp_rgb(0.9, 0.8, 0.7));
+    struct pp_lobes lobes = lobes_of(&mirror, towards(33.0, 60.0));
+    struct pp_vec3 o;
+    double factor;
+    assert_true(pp_lobes_sample(&lobes, PP_LOBE_MIRROR, 0.1, 0.2, &o, &factor));
+    struct pp_vec3 expected = towards(33.0, 240.0);
+    assert_near(pp_length(pp_sub(o, expected)), 0.0, 1e-12);
+    assert_near(lobes.share[PP_LOBE_MIRROR].b, 0.7, 0.0);
+    assert_true(pp_rgb_is_black(lobes.share[PP_LOBE_GLOSS]));
+}
+
+/* Clear glass: what is not reflected or let through is absorbed; of a lossless pane
+ * nothing is. A frame and dirt take their shares. */
+static void glass_shares_light_out_as_its_law_says(void **state)
+{
+    (void)state;
+    struct pp_material pane = pp_material_pane(pp_rgb(1.0, 0.9, 0.5), 1.52);
+    for (double tilt = 0.0; tilt < 90.0; tilt += 8.9) {
+        struct pp_lobes lobes = lobes_of(&pane, towards(tilt, 5.0));
+        struct pp_rgb sum =
+            pp_rgb_add(lobes.share[PP_LOBE_MIRROR], lobes.share[PP_LOBE_STRAIGHT]);
+        assert_near(sum.r, 1.0, 1e-12);
+        assert_true(sum.g < 0.95 && sum.b < sum.g);
+    }
+    /* At normal incidence rho = (0.52/2.52)^2, tau = (1 - rho)^2 t / (1 - rho^2 t^2).
+     */
+    double rho = 0.52 / 2.52 * (0.52 / 2.52);
+    struct pp_lobes lobes = lobes_of(&pane, up);
+    assert_near(lobes.share[PP_LOBE_STRAIGHT].g,
+                (1.0 - rho) * (1.0 - rho) * 0.9 / (1.0 - rho * rho * 0.81), 1e-12);
+
+    struct pp_glass clear = pp_glass_clear_single();
+    struct pp_material framed = pp_material_glazing(&clear, 0.7, 0.8, 0.5);
+    lobes = lobes_of(&framed, up);
+    assert_near(lobes.share[PP_LOBE_STRAIGHT].g, clear.normal * 0.7 * 0.8, 1e-12);
+    assert_near(lobes.share[PP_LOBE_DIFFUSE].g, 0.3 * 0.5, 1e-12);
+}
+
+static void translucent_panels_share_light_out_as_radiance_does(void **state)
+{
+    (void)state;
+    /* By hand: 0.9 colour, 0.05 specular, 0.6 through, 0.25 of that straight. */
+    struct pp_material trans =
+        pp_material_trans(pp_rgb_grey(0.9), 0.05, 0.0, 0.6, 0.25);
+    assert_near(trans.diffuse.g, 0.9 * 0.95 * 0.4, 1e-12);
+    assert_near(trans.through_diffuse.g, 0.9 * 0.95 * 0.6 * 0.75, 1e-12);
+    assert_near(trans.through_gloss.g, 0.9 * 0.95 * 0.6 * 0.25, 1e-12);
+    struct pp_lobes lobes = lobes_of(&trans, towards(20.0, 0.0));
+    assert_near(lobes.share[PP_LOBE_STRAIGHT].g, trans.through_gloss.g, 0.0);
+    struct pp_vec3 o;
+    double factor;
+    assert_true(
+        pp_lobes_sample(&lobes, PP_LOBE_THROUGH_DIFFUSE, 0.4, 0.7, &o, &factor));
+    assert_true(o.z < 0.0);
+    /* Rough, what goes through spreads as the gloss does, on the other side. */
+    trans = pp_material_trans(pp_rgb_grey(0.9), 0.05, 0.2, 0.6, 0.25);
+    lobes = lobes_of(&trans, towards(20.0, 0.0));
+    struct pp_vec3 above = towards(25.0, 170.0), below = above;
+    below.z = -below.z;
+    assert_relative(pp_lobes_gloss(&lobes, below).g / trans.through_gloss.g,
+                    pp_lobes_gloss(&lobes, above).g / trans.gloss.g, 1e-12);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_gloss_lies_along_its_grain),
+        cmocka_unit_test(a_smooth_gloss_is_a_mirror),
+        cmocka_unit_test(glass_shares_light_out_as_its_law_says),
+        cmocka_unit_test(translucent_panels_share_light_out_as_radiance_does),
+    };
+    return cmocka_run_group_tests_name("scatter", tests, NULL, NULL);
+}

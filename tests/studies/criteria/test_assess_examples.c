@@ -1,0 +1,544 @@
+/* What `pepperpot assess` says of the examples, against figures by another route: rays
+ * shot at every polygon (sight.h), formulae worked from the rooms' own dimensions as
+ * typed below, and points counted one by one. Runs ./pepperpot. */
+#include <json.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "methods/evaluate.h"
+#include "model/room/room.h"
+#include "tests/lib/near.h"
+#include "tests/lib/sight.h"
+
+/* As in the files: what the formulae need. Depth from the window wall, which in all
+ * boxes here is a short or a long side as given. */
+struct facts {
+    const char *file, *room;
+    const char *capital;
+    double median_lux;
+    double opening_m2, glass_m2, floor_m2;
+    /* Of boxes with windows in one wall; depth 0: any other room. */
+    double width, depth, height, head, floor, walls, ceiling, back;
+};
+
+static const struct facts facts[] = {
+    {"deep-office", "Deep office", "London", 14100, 2.6 * 1.5, 2.6 * 1.5, 27.0, 3.0,
+     9.0, 2.7, 2.3, 0.2, 0.5, 0.7, 0.5},
+    {"deep-office-obstructed", "Deep office, obstructed", "London", 14100, 3.9, 3.9,
+     27.0, 3.0, 9.0, 2.7, 2.3, 0.2, 0.5, 0.7, 0.5},
+    {"office", "Office for two", "London", 14100, 2 * 1.3 * 1.6, 2 * 1.3 * 1.6 * 0.75,
+     4.2 * 5.4, 4.2, 5.4, 2.8, 2.5, 0.25, 0.6, 0.8, 0.4},
+    {"classroom", "Classroom", "Prague", 14900, 3 * 2.4 * 1.7 + 7.8 * 0.7,
+     3 * 2.4 * 1.7 * 0.8 + 7.8 * 0.7 * 0.85, 9.0 * 7.2, .depth = 0},
+    {"l-shaped", "Living room", "Brussels", 15000, 2.8 * 1.7 + 0.9 * 2.1,
+     2.8 * 1.7 * 0.8 + 0.9 * 2.1 * 0.7, 5.4 * 3.6 + 3.0 * 3.0, .depth = 0},
+    {"studio", "Studio", "Paris", 15900, 2 * 1.8 * 1.9386593306 + 1.2 * 1.2,
+     2 * 1.8 * 1.9386593306 * 0.85 + 1.2 * 1.2 * 0.75, 7.0 * 5.5, .depth = 0},
+    {"workshop", "Workshop", "Amsterdam", 14400, 3 * 14 * 1.3, 3 * 14 * 1.3 * 0.8,
+     15.0 * 12.0, .depth = 0},
+    {"building", "Living room", "Berlin", 13900, 2 * 1.4 * 1.9, 2 * 1.4 * 1.9 * 0.72,
+     4.8 * 5.2, 4.8, 5.2, 2.9, 2.5, 0.3, 0.6, 0.8, 0.6},
+    {"building", "Study", "Berlin", 13900, 1.4 * 1.9, 1.4 * 1.9 * 0.72, 2.6 * 5.2, 2.6,
+     5.2, 2.9, 2.5, 0.3, 0.6, 0.8, 0.6},
+    {"building", "Bedroom", "Berlin", 13900, 1.8 * 1.5, 1.8 * 1.5 * 0.7, 4.2 * 3.9, 4.2,
+     3.9, 2.9, 2.4, 0.25, 0.7, 0.8, 0.7},
+    {"building", "Kitchen", "Berlin", 13900, 1.2 * 1.3 + 0.8 * 2.3,
+     1.2 * 1.3 * 0.7 + 0.8 * 2.3 * 0.65, 3.2 * 3.9, 3.2, 3.9, 2.9, 2.3, 0.35, 0.65, 0.8,
+     0.65},
+};
+enum { ROOMS = sizeof facts / sizeof *facts };
+
+struct room {
+    struct pp_world *world;
+    struct json_object *said;
+};
+
+static struct room rooms[ROOMS];
+
+/* ---- what the program says ---- */
+
+static struct json_object *said_of(const char *file, const char *room)
+{
+    char *command;
+    const char *source = getenv("srcdir");
+    assert_true(
+        asprintf(&command,
+                 "./pepperpot assess --format json --room '%s' %s/examples/%s.xml",
+                 room, source ? source : ".", file)
+        > 0);
+    FILE *out = popen(command, "r");
+    char *text = NULL;
+    size_t size = 0;
+    assert_true(getdelim(&text, &size, EOF, out) > 0);
+    assert_int_equal(pclose(out), 0);
+    struct json_object *said = json_tokener_parse(text);
+    assert_non_null(said);
+    if (json_object_is_type(said, json_type_array)) {
+        assert_int_equal(json_object_array_length(said), 1);
+        struct json_object *all = said;
+        said = json_object_get(json_object_array_get_idx(all, 0));
+        json_object_put(all);
+    }
+    free(text);
+    free(command);
+    return said;
+}
+
+static struct json_object *field(struct json_object *object, const char *key)
+{
+    struct json_object *value = NULL;
+    json_object_object_get_ex(object, key, &value);
+    return value;
+}
+
+/* The finding of that criterion whose name begins so; NULL: there is none. */
+static struct json_object *finding(const struct room *room, const char *criterion,
+                                   const char *of)
+{
+    struct json_object *criteria = field(room->said, "criteria");
+    for (size_t i = 0; i < json_object_array_length(criteria); i++) {
+        struct json_object *one = json_object_array_get_idx(criteria, i);
+        if (strcmp(json_object_get_string(field(one, "criterion")), criterion) != 0)
+            continue;
+        struct json_object *list = field(one, "findings");
+        for (size_t k = 0; k < json_object_array_length(list); k++) {
+            struct json_object *found = json_object_array_get_idx(list, k);
+            if (strncmp(json_object_get_string(field(found, "of")), of, strlen(of))
+                == 0)
+                return found;
+        }
+    }
+    return NULL;
+}
+
+static int verdicts_held;
+
+/* The figure is ours within a tolerance, what is wanted is that, and the verdict
+ * follows from ours: nothing in the examples is so near to what is wanted that our
+ * tolerance could not tell. */
+static void assert_finding(const struct room *room, const char *criterion,
+                           const char *of, double figure, double tolerance,
+                           double wanted, bool at_most)
+{
+    struct json_object *found = finding(room, criterion, of);
+    if (!found)
+        fail_msg("no %s of %s", criterion, of);
+    double said = json_object_get_double(field(found, "figure"));
+    if (!(fabs(said - figure) <= tolerance))
+        fail_msg("%s, %s: %s is %g, by another route %g +- %g",
+                 json_object_get_string(field(room->said, "room")), criterion, of, said,
+                 figure, tolerance);
+    assert_near(json_object_get_double(field(found, "wanted")), wanted,
+                1e-6 * fabs(wanted));
+    if (!(fabs(figure - wanted) > tolerance))
+        fail_msg("%s: %s of %g is too near to %g to tell", criterion, of, figure,
+                 wanted);
+    bool met = at_most ? figure < wanted : figure > wanted;
+    assert_string_equal(json_object_get_string(field(found, "verdict")),
+                        met ? "met" : "not met");
+    verdicts_held++;
+}
+
+static void assert_not_judged(const struct room *room, const char *criterion,
+                              const char *of)
+{
+    struct json_object *found = finding(room, criterion, of);
+    assert_non_null(found);
+    assert_null(field(found, "figure"));
+    assert_non_null(field(found, "why"));
+    assert_string_equal(json_object_get_string(field(found, "verdict")), "not judged");
+}
+
+/* ---- the rooms ---- */
+
+static struct pp_world *world_of(const char *file, const char *name)
+{
+    char *path;
+    const char *source = getenv("srcdir");
+    assert_true(asprintf(&path, "%s/examples/%s.xml", source ? source : ".", file) > 0);
+    struct pp_mistakes mistakes;
+    pp_mistakes_init(&mistakes, path);
+    struct pp_building *building;
+    assert_int_equal(pp_building_read(&building, path, &mistakes, NULL), PP_OK);
+    struct pp_world *found = NULL;
+    for (int i = 0; i < pp_building_room_count(building); i++) {
+        struct pp_world *world;
+        assert_int_equal(
+            pp_world_create(&world, pp_building_room(building, i), &mistakes, NULL),
+            PP_OK);
+        if (!found && strcmp(world->name, name) == 0)
+            found = world;
+        else
+            pp_world_destroy(world);
+    }
+    assert_non_null(found);
+    pp_building_destroy(building);
+    pp_mistakes_clear(&mistakes);
+    free(path);
+    return found;
+}
+
+static int load(void **state)
+{
+    (void)state;
+    for (int i = 0; i < ROOMS; i++) {
+        rooms[i].world = world_of(facts[i].file, facts[i].room);
+        rooms[i].said = said_of(facts[i].file, facts[i].room);
+    }
+    return 0;
+}
+
+static int unload(void **state)
+{
+    (void)state;
+    for (int i = 0; i < ROOMS; i++) {
+        pp_world_destroy(rooms[i].world);
+        json_object_put(rooms[i].said);
+    }
+    return 0;
+}
+
+/* The name that the program gives an opening. */
+static const char *words_of(char words[80], const struct pp_world *world, int opening)
+{
+    const char *name = world->surfaces[world->openings[opening].face].name;
+    snprintf(words, 80, "%s, line %d", name ? name : "ceiling",
+             world->openings[opening].line);
+    return words;
+}
+
+static bool is_upright(const struct pp_opening *opening)
+{
+    return fabs(opening->inner.normal.z) < 0.01;
+}
+
+static struct pp_vec3 middle_outside(const struct pp_opening *opening)
+{
+    struct pp_vec3 sum = {0, 0, 0};
+    for (int i = 0; i < opening->outer.count; i++)
+        sum = pp_along(sum, 1.0 / opening->outer.count, opening->outer.vertices[i]);
+    return sum;
+}
+
+/* ---- the tests ---- */
+
+/* VSC(alpha) = 3/14 (1 - sin alpha) + 4/(7 pi) cos^2 alpha behind an endless skyline,
+ * with alpha from the middle of the pane itself; what blocks and roofs hide is counted
+ * in 80,000 directions, each 3e-5 of the whole, along an outline of some 300: 0.3 %. */
+static void vertical_sky_components_agree(void **state)
+{
+    (void)state;
+    char words[80];
+    for (int i = 0; i < ROOMS; i++) {
+        const struct pp_world *world = rooms[i].world;
+        for (int k = 0; k < world->opening_count; k++) {
+            const struct pp_opening *opening = &world->openings[k];
+            words_of(words, world, k);
+            if (!is_upright(opening)) {
+                assert_not_judged(&rooms[i], "vertical-sky", words);
+                continue;
+            }
+            struct pp_vec3 eye = middle_outside(opening);
+            double vsc = 0.0, tolerance = 0.3;
+            const struct pp_skyline *line = NULL;
+            for (int s = 0; s < world->skyline_count; s++)
+                if (world->skylines[s].face == opening->face)
+                    line = &world->skylines[s];
+            if (line) {
+                double head =
+                    line->middle_z_m + line->distance_m * tan(line->angle_rad);
+                double alpha =
+                    isinf(line->distance_m)
+                        ? line->angle_rad
+                        : atan((head - eye.z) / (line->distance_m - opening->reveal_m));
+                vsc = 300.0 / 14.0 * (1.0 - sin(alpha))
+                      + 400.0 / (7.0 * PP_PI) * cos(alpha) * cos(alpha);
+                tolerance = 1e-6;
+            } else {
+                vsc = 100.0
+                      * sight_vertical_sky(world, eye,
+                                           pp_scale(opening->inner.normal, -1.0),
+                                           opening->face, 200);
+            }
+            assert_finding(&rooms[i], "vertical-sky", words, vsc, tolerance, 27.0,
+                           false);
+        }
+    }
+}
+
+/* The highest of directions 0.05 degrees apart in which something is met. */
+static void angles_in_section_agree(void **state)
+{
+    (void)state;
+    char words[80];
+    for (int i = 0; i < ROOMS; i++) {
+        const struct pp_world *world = rooms[i].world;
+        for (int k = 0; k < world->opening_count; k++) {
+            const struct pp_opening *opening = &world->openings[k];
+            if (!is_upright(opening))
+                continue;
+            double highest = 0.0;
+            for (double angle = 0.025; angle < 90.0; angle += 0.05) {
+                struct pp_vec3 u =
+                    pp_scale(opening->inner.normal, -cos(angle * PP_RAD));
+                u.z = sin(angle * PP_RAD);
+                if (!sight_sees_sky(world, middle_outside(opening), u, opening->face))
+                    highest = angle;
+            }
+            assert_finding(&rooms[i], "obstruction", words_of(words, world, k), highest,
+                           0.06, 25.0, true);
+        }
+    }
+}
+
+/* Areas by counting 40 x 40 points of the plan's extent, of which the line cuts some
+ * 50: 1 % of the plane. */
+static void areas_that_see_sky_agree(void **state)
+{
+    (void)state;
+    enum { N = 40 };
+    for (int i = 0; i < ROOMS; i++) {
+        const struct pp_world *world = rooms[i].world;
+        double low[2] = {INFINITY, INFINITY}, high[2] = {-INFINITY, -INFINITY};
+        for (int f = 0; f < world->face_count; f++)
+            for (int k = 0; k < world->surfaces[f].outline.count; k++) {
+                struct pp_vec3 v = world->surfaces[f].outline.vertices[k];
+                low[0] = fmin(low[0], v.x), high[0] = fmax(high[0], v.x);
+                low[1] = fmin(low[1], v.y), high[1] = fmax(high[1], v.y);
+            }
+        int points = 0, see = 0, lit = 0;
+        for (int k = 0; k < N * N; k++) {
+            double x = low[0] + (k % N + 0.5) / N * (high[0] - low[0]);
+            double y = low[1] + (k / N + 0.5) / N * (high[1] - low[1]);
+            if (!pp_region_contains(&world->plane, x, y))
+                continue;
+            struct pp_vec3 eye = {x, y, world->working_plane_m};
+            points++;
+            see += sight_sky_factor(world, eye, 4, true) > 0.0
+                   || sight_sky_factor(world, eye, 24, true) > 0.0;
+            eye.z = 0.85;
+            lit += sight_sky_factor(world, eye, 8, false) > 0.002;
+        }
+        double area = facts[i].floor_m2; /* all walls are upright */
+        struct json_object *beyond = finding(&rooms[i], "no-sky-line", "area beyond");
+        assert_near(json_object_get_double(field(beyond, "figure")),
+                    (1.0 - (double)see / points) * area, 0.015 * area);
+        assert_null(field(beyond, "verdict"));
+        assert_finding(&rooms[i], "sky-line", "working plane", 100.0 * see / points,
+                       1.5, 80.0, false);
+        struct json_object *enclosed = finding(&rooms[i], "rights-of-light", "area");
+        assert_near(json_object_get_double(field(enclosed, "figure")),
+                    (double)lit / points * area, 0.015 * area);
+        assert_finding(&rooms[i], "rights-of-light", "share", 100.0 * lit / points, 1.5,
+                       50.0, false);
+    }
+}
+
+static void limiting_depths_agree(void **state)
+{
+    (void)state;
+    for (int i = 0; i < ROOMS; i++) {
+        const struct facts *f = &facts[i];
+        if (!(f->depth > 0.0)) {
+            assert_not_judged(&rooms[i], "limiting-depth", "d/w");
+            continue;
+        }
+        double rear = f->depth / 2.0;
+        double reflecting = rear * f->width * (f->floor + f->ceiling)
+                            + 2.0 * rear * f->height * f->walls
+                            + f->width * f->height * f->back;
+        double area = 2.0 * rear * (f->width + f->height) + f->width * f->height;
+        assert_finding(&rooms[i], "limiting-depth", "d/w",
+                       f->depth / f->width + f->depth / f->head, 1e-9,
+                       2.0 / (1.0 - reflecting / area), true);
+    }
+}
+
+static void glazing_over_floor_agrees(void **state)
+{
+    (void)state;
+    for (int i = 0; i < ROOMS; i++) {
+        const struct facts *f = &facts[i];
+        assert_finding(&rooms[i], "glazing-ratio", "glass",
+                       100.0 * f->glass_m2 / f->floor_m2, 1e-6, 8.0, false);
+        assert_finding(&rooms[i], "glazing-ratio", "openings",
+                       100.0 * f->opening_m2 / f->floor_m2, 1e-6, 12.5, false);
+    }
+}
+
+/* ---- daylight factors: the methods' own, on points that are laid out here ---- */
+
+enum { POINTS_MOST = 400 };
+
+struct points {
+    struct pp_receiver list[POINTS_MOST];
+    int count;
+    double values[POINTS_MOST]; /* falling */
+    double mean, average;       /* of the points; of the whole plane */
+};
+
+static int falling(const void *a, const void *b)
+{
+    double x = *(const double *)a, y = *(const double *)b;
+    return (x < y) - (x > y);
+}
+
+/* Centres of cells of the rectangle that the plan's extent less 0.5 m is. */
+static void lay_out(struct points *points, const struct pp_world *world)
+{
+    double low[2] = {INFINITY, INFINITY}, high[2] = {-INFINITY, -INFINITY};
+    const struct pp_ring *ring = &world->plane.rings[0];
+    for (int i = 0; i < ring->count; i++)
+        for (int k = 0; k < 2; k++) {
+            low[k] = fmin(low[k], ring->xy[i][k] + 0.5);
+            high[k] = fmax(high[k], ring->xy[i][k] - 0.5);
+        }
+    double w = high[0] - low[0], d = high[1] - low[1];
+    double across = fmax(w, d) < 2.0 * fmin(w, d) ? fmax(w, d) : fmin(w, d);
+    double p = 0.5 * pow(across, 0.69897000433601880479); /* log10 5 */
+    int nx = (int)ceil(w / p - 1e-9), ny = (int)ceil(d / p - 1e-9);
+    points->count = 0;
+    for (int j = 0; j < ny; j++)
+        for (int i = 0; i < nx; i++) {
+            double x = low[0] + (i + 0.5) * w / nx, y = low[1] + (j + 0.5) * d / ny;
+            bool clear = pp_region_contains(&world->plane, x, y);
+            for (int k = 0; k < ring->count; k++) {
+                const double *a = ring->xy[k], *b = ring->xy[(k + 1) % ring->count];
+                double ux = b[0] - a[0], uy = b[1] - a[1];
+                double t = ((x - a[0]) * ux + (y - a[1]) * uy) / (ux * ux + uy * uy);
+                t = fmin(fmax(t, 0.0), 1.0);
+                clear &= hypot(x - a[0] - t * ux, y - a[1] - t * uy) > 0.5 - 1e-6;
+            }
+            if (clear)
+                points->list[points->count++] =
+                    (struct pp_receiver){{x, y, world->working_plane_m}, {0, 0, 1}, 0};
+        }
+}
+
+static void fill(struct points *points, const struct pp_world *world)
+{
+    lay_out(points, world);
+    struct pp_report report = {
+        .world = world, .receivers = points->list, .receiver_count = points->count};
+    assert_int_equal(
+        pp_methods_evaluate(&report, "average-df,exact+bre,exact+split-flux", NULL),
+        PP_OK);
+    const struct pp_column *pair = pp_report_find(&report, PP_DF, "exact+bre");
+    const struct pp_column *formula = pp_report_find(&report, PP_DF, "average-df");
+    if (isnan(pair->average.value))
+        pair = pp_report_find(&report, PP_DF, "exact+split-flux");
+    points->average =
+        isnan(formula->average.value) ? pair->average.value : formula->average.value;
+    points->mean = 0.0;
+    for (int i = 0; i < points->count; i++) {
+        points->values[i] = pair->points[i].value;
+        points->mean += points->values[i] / points->count;
+    }
+    qsort(points->values, (size_t)points->count, sizeof(double), falling);
+    pp_report_clear(&report);
+}
+
+/* The least of the largest values that are so much of the points, in per cent. */
+static double reached_by(const struct points *points, int per_cent)
+{
+    int wanted = (points->count * per_cent + 99) / 100;
+    return 100.0 * points->values[wanted - 1];
+}
+
+static void daylight_provision_agrees(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *criterion, *of;
+        double lux;
+        int per_cent;
+    } targets[] = {
+        {"en17037", "minimum: 300 lx", 300, 50},
+        {"en17037", "minimum: 100 lx", 100, 95},
+        {"en17037", "medium: 500 lx", 500, 50},
+        {"en17037", "medium: 300 lx", 300, 95},
+        {"en17037", "high: 750 lx", 750, 50},
+        {"en17037", "high: 500 lx", 500, 95},
+        {"uk-annex", "bedroom: 100 lx", 100, 50},
+        {"uk-annex", "living room: 150 lx", 150, 50},
+        {"uk-annex", "kitchen: 200 lx", 200, 50},
+    };
+    for (int i = 0; i < ROOMS; i++) {
+        struct points points;
+        fill(&points, rooms[i].world);
+        assert_near(json_object_get_double(field(rooms[i].said, "median_diffuse")),
+                    facts[i].median_lux, 0.0);
+        assert_non_null(
+            strstr(json_object_get_string(field(rooms[i].said, "median_diffuse_by")),
+                   facts[i].capital));
+        for (size_t t = 0; t < sizeof targets / sizeof *targets; t++) {
+            double wanted = 100.0 * targets[t].lux / facts[i].median_lux;
+            assert_finding(&rooms[i], targets[t].criterion, targets[t].of,
+                           reached_by(&points, targets[t].per_cent), 1e-6, wanted,
+                           false);
+            int reach = 0;
+            while (reach < points.count && 100.0 * points.values[reach] >= wanted)
+                reach++;
+            assert_near(json_object_get_double(field(
+                            finding(&rooms[i], targets[t].criterion, targets[t].of),
+                            "reached_over")),
+                        100.0 * reach / points.count, 1e-6);
+        }
+    }
+}
+
+static void averages_and_uniformity_agree(void **state)
+{
+    (void)state;
+    for (int i = 0; i < ROOMS; i++) {
+        struct points points;
+        fill(&points, rooms[i].world);
+        double average = 100.0 * points.average;
+        assert_finding(&rooms[i], "average", "bedroom", average, 1e-6, 1.0, false);
+        assert_finding(&rooms[i], "average", "living room", average, 1e-6, 1.5, false);
+        assert_finding(&rooms[i], "average", "kitchen", average, 1e-6, 2.0, false);
+        bool roof = strcmp(facts[i].file, "studio") == 0;
+        assert_finding(&rooms[i], "uniformity", "minimum",
+                       points.values[points.count - 1] / points.mean, 1e-6,
+                       roof ? 0.7 : 0.3, false);
+    }
+}
+
+/* 11 rooms; one verdict a window of two criteria, 17 of each room and one of boxes. */
+static void every_verdict_was_held_against_another_route(void **state)
+{
+    (void)state;
+    int windows = 0, boxes = 0, said = 0;
+    for (int i = 0; i < ROOMS; i++) {
+        boxes += facts[i].depth > 0.0;
+        for (int k = 0; k < rooms[i].world->opening_count; k++)
+            windows += is_upright(&rooms[i].world->openings[k]);
+        struct json_object *criteria = field(rooms[i].said, "criteria");
+        for (size_t c = 0; c < json_object_array_length(criteria); c++) {
+            struct json_object *list =
+                field(json_object_array_get_idx(criteria, c), "findings");
+            for (size_t k = 0; k < json_object_array_length(list); k++) {
+                const char *verdict = json_object_get_string(
+                    field(json_object_array_get_idx(list, k), "verdict"));
+                said += verdict && strcmp(verdict, "not judged") != 0;
+            }
+        }
+    }
+    assert_int_equal(verdicts_held, 2 * windows + 17 * ROOMS + boxes);
+    assert_int_equal(verdicts_held, said);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(vertical_sky_components_agree),
+        cmocka_unit_test(angles_in_section_agree),
+        cmocka_unit_test(areas_that_see_sky_agree),
+        cmocka_unit_test(limiting_depths_agree),
+        cmocka_unit_test(glazing_over_floor_agrees),
+        cmocka_unit_test(daylight_provision_agrees),
+        cmocka_unit_test(averages_and_uniformity_agree),
+        cmocka_unit_test(every_verdict_was_held_against_another_route),
+    };
+    return cmocka_run_group_tests(tests, load, unload);
+}

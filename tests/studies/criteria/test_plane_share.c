@@ -1,0 +1,193 @@
+/* Over how much of the plane a daylight factor is reached, and how surely. */
+#include "studies/criteria/finding.h"
+#include "studies/criteria/plane_share.h"
+#include "tests/lib/near.h"
+
+enum { MOST = 400 };
+
+static struct pp_plane_share share_of(const struct pp_reading *points, int count,
+                                      double part, double target)
+{
+    struct pp_plane_share share;
+    assert_int_equal(pp_plane_share(&share, points, count, part, target, NULL), PP_OK);
+    return share;
+}
+
+static void computed_points_are_counted(void **state)
+{
+    (void)state;
+    static const double values[] = {0.031, 0.007, 0.022, 0.014, 0.019, 0.0205, 0.009};
+    struct pp_reading points[7];
+    for (int i = 0; i < 7; i++)
+        points[i] = pp_reading_of(values[i]);
+    struct pp_plane_share half = share_of(points, 7, 0.5, 0.02);
+    assert_near(half.level, 0.019, 0.0); /* 4 of 7 are half of them or more */
+    assert_near(half.over, 3.0 / 7.0, 1e-15);
+    assert_true(isnan(half.std_error) && isnan(half.probability));
+    /* Of 95 % of 7 points all 7 are the least number. */
+    assert_near(share_of(points, 7, 0.95, 0.02).level, 0.007, 0.0);
+    assert_near(share_of(points, 7, 1.0, 0.007).over, 1.0, 0.0);
+    /* Of 20 points 19 are 95 %, whatever 0.95 * 20 is in binary. */
+    struct pp_reading many[20];
+    for (int i = 0; i < 20; i++)
+        many[i] = pp_reading_of(0.001 * (i + 1));
+    assert_near(share_of(many, 20, 0.95, 0.01).level, 0.002, 0.0);
+}
+
+static void one_point_is_as_sure_as_the_normal_distribution(void **state)
+{
+    (void)state;
+    struct pp_reading point = {.value = 0.0213, .std_error = 0.0004};
+    struct pp_plane_share share = share_of(&point, 1, 0.5, 0.0209);
+    assert_near(share.probability, 0.8413447460685429, 1e-12);
+    assert_near(share.level, 0.0213, 0.0);
+    /* 0.8413 and 0.1587 lie one standard error off, to 2e-4 of it. */
+    assert_relative(share.std_error, 0.0004, 1e-3);
+}
+
+/* All ways in which six points can fall, one by one. */
+static void sums_of_unlike_tosses_are_what_enumeration_gives(void **state)
+{
+    (void)state;
+    static const double values[] = {0.018, 0.0192, 0.0199, 0.0207, 0.0211, 0.0231};
+    static const double errors[] = {0.0007, 0.0011, 0.0006, 0.0009, 0.0013, 0.0008};
+    struct pp_reading points[6];
+    double p[6];
+    for (int i = 0; i < 6; i++) {
+        points[i] = (struct pp_reading){.value = values[i], .std_error = errors[i]};
+        p[i] = 0.5 * (1.0 - erf((0.02 - values[i]) / errors[i] / sqrt(2.0)));
+    }
+    for (int wanted = 1; wanted <= 6; wanted++) {
+        double sum = 0.0;
+        for (int ways = 0; ways < 64; ways++) {
+            double odds = 1.0;
+            int reach = 0;
+            for (int i = 0; i < 6; i++) {
+                reach += ways >> i & 1;
+                odds *= ways >> i & 1 ? p[i] : 1.0 - p[i];
+            }
+            sum += reach >= wanted ? odds : 0.0;
+        }
+        assert_near(share_of(points, 6, wanted / 6.0, 0.02).probability, sum, 1e-11);
+    }
+}
+
+/* Small steps of a congruential generator, whose odds are known well enough here. */
+static double uniform(unsigned *state)
+{
+    *state = *state * 1664525u + 1013904223u;
+    return (*state >> 8) / 16777216.0 + 1.0 / 33554432.0;
+}
+
+static double normal(unsigned *state)
+{
+    double u = uniform(state), v = uniform(state);
+    return sqrt(-2.0 * log(u)) * cos(2.0 * 3.14159265358979323846 * v);
+}
+
+/* Values drawn round the readings reach the target as often as the probability says,
+ * and the level spreads as its standard error says. 20,000 draws: four standard errors
+ * of a frequency are 1.4 %; the spread of what is not quite normal is good to 5 %. */
+static void probability_and_error_are_what_drawing_gives(void **state)
+{
+    (void)state;
+    enum { COUNT = 31, DRAWS = 20000, WANTED = 16 };
+    struct pp_reading points[COUNT];
+    unsigned seed = 7;
+    for (int i = 0; i < COUNT; i++)
+        points[i] = (struct pp_reading){.value = 0.012 * pow(1.04, i),
+                                        .std_error = 0.0007 * pow(1.02, i)};
+    double target = 0.0214, hits = 0.0, sum = 0.0, squares = 0.0;
+    for (int draw = 0; draw < DRAWS; draw++) {
+        double values[COUNT];
+        for (int i = 0; i < COUNT; i++) {
+            double value = points[i].value + points[i].std_error * normal(&seed);
+            int k = i;
+            for (; k > 0 && values[k - 1] < value; k--)
+                values[k] = values[k - 1];
+            values[k] = value;
+        }
+        hits += values[WANTED - 1] >= target;
+        sum += values[WANTED - 1];
+        squares += values[WANTED - 1] * values[WANTED - 1];
+    }
+    struct pp_plane_share share = share_of(points, COUNT, 0.5, target);
+    assert_near(share.probability, hits / DRAWS, 0.014);
+    double mean = sum / DRAWS;
+    assert_relative(share.std_error, sqrt(squares / DRAWS - mean * mean), 0.05);
+    assert_true(share.probability > 0.2 && share.probability < 0.8);
+}
+
+static void points_without_an_error_are_sure(void **state)
+{
+    (void)state;
+    struct pp_reading points[3] = {{.value = 0.01, .std_error = 0.0},
+                                   {.value = 0.03, .std_error = 0.0},
+                                   {.value = 0.02, .std_error = 0.001}};
+    assert_near(share_of(points, 3, 1.0 / 3.0, 0.025).probability, 1.0, 0.0);
+    assert_near(share_of(points, 3, 1.0, 0.015).probability, 0.0, 0.0);
+    assert_near(share_of(points, 3, 2.0 / 3.0, 0.02).probability, 0.5, 1e-12);
+}
+
+static void many_points_are_quick_and_as_sure(void **state)
+{
+    (void)state;
+    struct pp_reading points[MOST];
+    for (int i = 0; i < MOST; i++)
+        points[i] = (struct pp_reading){.value = 0.02, .std_error = 0.0003};
+    /* Alike tosses: 200 or more of 400 heads. */
+    struct pp_plane_share share = share_of(points, MOST, 0.5, 0.02);
+    double middle = exp(lgamma(401.0) - 2.0 * lgamma(201.0) - 400.0 * log(2.0));
+    assert_near(share.probability, 0.5 + 0.5 * middle, 1e-9);
+}
+
+static void verdicts_need_ninety_five_per_cent(void **state)
+{
+    (void)state;
+    static const struct {
+        double probability;
+        enum pp_verdict verdict;
+        double confidence;
+    } cases[] = {{0.9999, PP_MET, 0.9999},     {0.951, PP_MET, 0.951},
+                 {0.949, PP_UNDECIDED, 0.949}, {0.5, PP_UNDECIDED, 0.5},
+                 {0.051, PP_UNDECIDED, 0.051}, {0.049, PP_NOT_MET, 0.951},
+                 {0.0001, PP_NOT_MET, 0.9999}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        struct pp_finding finding =
+            pp_finding_of(PP_FIGURE_FACTOR, 0.021, 0.02, false, "test");
+        assert_int_equal(finding.verdict, PP_MET);
+        pp_finding_sampled(&finding, 0.001, cases[i].probability);
+        assert_int_equal(finding.verdict, cases[i].verdict);
+        assert_near(finding.confidence, cases[i].confidence, 1e-12);
+    }
+}
+
+static void a_figure_nearer_than_its_error_decides_nothing(void **state)
+{
+    (void)state;
+    struct pp_finding finding =
+        pp_finding_of(PP_FIGURE_SHARE, 0.803, 0.8, false, "seen");
+    pp_finding_within(&finding, 0.002);
+    assert_int_equal(finding.verdict, PP_MET);
+    pp_finding_within(&finding, 0.004);
+    assert_int_equal(finding.verdict, PP_UNDECIDED);
+    struct pp_finding stated =
+        pp_finding_of(PP_FIGURE_AREA, 12.0, NAN, false, "%s", "area");
+    pp_finding_within(&stated, 1e9);
+    assert_int_equal(stated.verdict, PP_STATED);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(computed_points_are_counted),
+        cmocka_unit_test(one_point_is_as_sure_as_the_normal_distribution),
+        cmocka_unit_test(sums_of_unlike_tosses_are_what_enumeration_gives),
+        cmocka_unit_test(probability_and_error_are_what_drawing_gives),
+        cmocka_unit_test(points_without_an_error_are_sure),
+        cmocka_unit_test(many_points_are_quick_and_as_sure),
+        cmocka_unit_test(verdicts_need_ninety_five_per_cent),
+        cmocka_unit_test(a_figure_nearer_than_its_error_decides_nothing),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,181 @@
+/* What each change to a room would bring: the same as the room with that change written
+ * into its file. */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "studies/sizing/gains.h"
+#include "studies/criteria/standard_grid.h"
+#include "methods/evaluate.h"
+#include "tests/lib/room_of.h"
+
+static const char office[] =
+    "<room version='1'><plan width='4.1' depth='5.3' height='2.9'/>"
+    "<finishes floor='0.2' walls='0.45' ceiling='0.65'/>"
+    "<finish wall='west' reflectance='0.8'/>"
+    "<window wall='south' left='1.7' sill='1.1' width='1.2' height='1.3' "
+    "glazing='solar-control-light' frame-factor='0.7' maintenance='0.8'/>"
+    "<skyline wall='south' angle='23'/></room>";
+
+static const struct {
+    const char *change;   /* in what the gain says */
+    const char *was, *is; /* in the file */
+} cases[] = {
+    {"ceiling of reflectance 0.85", "ceiling='0.65'", "ceiling='0.85'"},
+    {"walls of reflectance 0.7", "walls='0.45'", "walls='0.7'"},
+    {"floor of reflectance 0.4", "floor='0.2'", "floor='0.4'"},
+    {"clean glass", "maintenance='0.8'", "maintenance='1'"},
+    {"frames half as wide", "frame-factor='0.7'", "frame-factor='0.85'"},
+    {"clear-double glazing", "solar-control-light", "clear-double"},
+    {"0.5 m higher", "height='1.3'", "height='1.8'"},
+    {"0.25 m lower", "sill='1.1' width='1.2' height='1.3'",
+     "sill='0.85' width='1.2' height='1.55'"},
+    {"0.3 m wider", "left='1.7' sill='1.1' width='1.2'",
+     "left='1.55' sill='1.1' width='1.5'"},
+    {"one more window", "<skyline",
+     "<window wall='south' left='0' sill='1.1' width='1.2' height='1.3' "
+     "glazing='solar-control-light' frame-factor='0.7' maintenance='0.8'/><skyline"},
+    {"opposite wall, north", "<skyline",
+     "<window wall='north' left='1.7' sill='1.1' width='1.2' height='1.3' "
+     "glazing='solar-control-light' frame-factor='0.7' maintenance='0.8'/><skyline"},
+    {"nothing outside", "<skyline wall='south' angle='23'/>", ""},
+};
+enum { CASES = sizeof cases / sizeof *cases };
+
+static void gains_of(struct pp_gains *gains, const char *xml)
+{
+    struct pp_building *building = NULL;
+    struct pp_mistakes mistakes;
+    struct pp_error err = {0};
+    pp_mistakes_init(&mistakes, "test");
+    assert_int_equal(pp_building_parse(&building, xml, strlen(xml), &mistakes, &err),
+                     PP_OK);
+    struct pp_world *world = pp_test_world(xml);
+    if (pp_gains_find(gains, pp_building_room(building, 0), world, &err) != PP_OK)
+        fail_msg("%s", err.message);
+    pp_world_destroy(world);
+    pp_building_destroy(building);
+    pp_mistakes_clear(&mistakes);
+}
+
+/* Average and darkest point of a file, without a change made in memory. */
+static struct pp_gain_values values_of(const char *xml, const char *method)
+{
+    struct pp_world *world = pp_test_world(xml);
+    struct pp_receiver *grid;
+    struct pp_report report = {.world = world};
+    assert_int_equal(pp_standard_grid(&grid, &report.receiver_count, world, NULL),
+                     PP_OK);
+    report.receivers = grid;
+    assert_int_equal(pp_methods_evaluate(&report, method, NULL), PP_OK);
+    const struct pp_column *df = pp_report_find(&report, PP_DF, method);
+    struct pp_gain_values values = {df->average.value, INFINITY};
+    for (int i = 0; i < report.receiver_count; i++)
+        if (df->points[i].value < values.darkest)
+            values.darkest = df->points[i].value;
+    pp_report_clear(&report);
+    free(grid);
+    pp_world_destroy(world);
+    return values;
+}
+
+static void each_gain_is_that_of_the_changed_file(void **state)
+{
+    (void)state;
+    struct pp_gains gains;
+    gains_of(&gains, office);
+    assert_string_equal(gains.method, "exact+bre");
+    assert_int_equal(gains.count, CASES);
+    struct pp_gain_values now = values_of(office, "exact+bre");
+    assert_relative(gains.now.average, now.average, 1e-12);
+    assert_relative(gains.now.darkest, now.darkest, 1e-12);
+    for (int i = 0; i < CASES; i++) {
+        const struct pp_gain *gain = NULL;
+        for (int k = 0; k < gains.count; k++)
+            if (strstr(gains.list[k].change, cases[i].change))
+                gain = &gains.list[k];
+        if (!gain)
+            fail_msg("no gain says \"%s\"", cases[i].change);
+        char file[1024];
+        const char *at = strstr(office, cases[i].was);
+        assert_non_null(at);
+        snprintf(file, sizeof file, "%.*s%s%s", (int)(at - office), office, cases[i].is,
+                 at + strlen(cases[i].was));
+        struct pp_gain_values values = values_of(file, "exact+bre");
+        /* Lengths are the file's to a rounding of the millimetre's grid. */
+        assert_relative(gain->values.average, values.average, 1e-6);
+        assert_relative(gain->values.darkest, values.darkest, 1e-6);
+        assert_true(gain->of_design
+                    == (strcmp(cases[i].change, "nothing outside") != 0));
+    }
+}
+
+static void the_largest_gain_comes_first(void **state)
+{
+    (void)state;
+    struct pp_gains gains;
+    gains_of(&gains, office);
+    for (int i = 0; i < gains.count; i++) {
+        assert_true(gains.list[i].values.average > gains.now.average);
+        if (i > 0)
+            assert_true(gains.list[i].values.average
+                        <= gains.list[i - 1].values.average);
+    }
+    char sentence[256];
+    pp_gains_sentence(&gains, sentence, sizeof sentence);
+    assert_true(strncmp(sentence, "Most of all ", 12) == 0);
+    /* The chance of light from another side is no lack; the first lack is named. */
+    const char *first = gains.list[0].lacks ? gains.list[0].lacks : gains.list[1].lacks;
+    assert_true(strncmp(sentence + 12, first, strlen(first)) == 0);
+}
+
+static void what_is_as_good_as_can_be_is_no_gain(void **state)
+{
+    (void)state;
+    struct pp_gains gains;
+    gains_of(
+        &gains,
+        "<room version='1'><plan width='4.1' depth='5.3' height='2.9'/>"
+        "<finishes floor='0.4' walls='0.7' ceiling='0.85'/>"
+        "<window wall='south' left='0' sill='0' width='4.1' height='2.9'/>"
+        "<window wall='north' left='0' sill='0' width='4.1' height='2.9'/></room>");
+    assert_int_equal(gains.count, 0);
+    char sentence[256];
+    pp_gains_sentence(&gains, sentence, sizeof sentence);
+    assert_string_equal(sentence, "");
+}
+
+static void where_bre_says_nothing_split_flux_does(void **state)
+{
+    (void)state;
+    char file[1024];
+    struct pp_gains gains;
+    snprintf(file, sizeof file, "<room version='1'><sky type='uniform'/>%s",
+             strstr(office, "<plan"));
+    gains_of(&gains, file);
+    assert_string_equal(gains.method, "exact+split-flux");
+    assert_relative(gains.now.average, values_of(file, "exact+split-flux").average,
+                    1e-12);
+    assert_in_range(gains.count, CASES - 1, CASES);
+}
+
+static void a_room_without_openings_has_nothing_to_gain(void **state)
+{
+    (void)state;
+    struct pp_gains gains;
+    gains_of(&gains, "<room version='1'><plan width='4.1' depth='5.3' height='2.9'/>"
+                     "<finishes floor='0.1' walls='0.2' ceiling='0.3'/></room>");
+    assert_int_equal(gains.count, 0);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(each_gain_is_that_of_the_changed_file),
+        cmocka_unit_test(the_largest_gain_comes_first),
+        cmocka_unit_test(what_is_as_good_as_can_be_is_no_gain),
+        cmocka_unit_test(where_bre_says_nothing_split_flux_does),
+        cmocka_unit_test(a_room_without_openings_has_nothing_to_gain),
+    };
+    return cmocka_run_group_tests_name("gains", tests, NULL, NULL);
+}
