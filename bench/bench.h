@@ -10,7 +10,7 @@
 #include <time.h>
 
 #include "model/base/error.h"
-#include "model/room/room.h"
+#include "model/room/building.h"
 #include "model/room/world.h"
 
 static inline void must(enum pp_status status, const struct pp_error *err)

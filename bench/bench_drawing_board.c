@@ -99,23 +99,25 @@ static void measure(const struct diagrams *diagrams, int wide, int high, double 
         const struct pp_region region = {1, &ring};
         double exact = integral(&w, &diagrams->sky, &diagrams->waldram.glass);
         struct pp_waldram_count count = {0};
-        if (pp_waldram_count_squares(&count, &diagrams->waldram, &axes, &region, NULL)
+        if (pp_waldram_squares_count(&count, &diagrams->waldram, &axes, &region, NULL)
             != PP_OK)
             exit(1);
-        area[i] = pp_waldram_area(&diagrams->waldram, &axes, &region) / exact - 1.0;
+        area[i] =
+            pp_waldram_scale_area(&diagrams->waldram, &axes, &region) / exact - 1.0;
         squares[i] = count.squares * PP_WALDRAM_WORTH - exact;
         dots[i] =
-            pp_pepper_pot_count(diagrams->pot, &region) * diagrams->pot->worth - exact;
-        pp_waldram_count_clear(&count);
+            pp_pepper_pot_dots_count(diagrams->pot, &region) * diagrams->pot->worth
+            - exact;
+        pp_waldram_squares_clear(&count);
     }
 }
 
 int main(void)
 {
     struct diagrams diagrams = {.sky = pp_sky_overcast()};
-    if (pp_waldram_make(&diagrams.waldram, &diagrams.sky, true, NULL) != PP_OK
-        || pp_pepper_pot_create(&diagrams.pot, &diagrams.sky, true, false, 0.0,
-                                PP_PEPPER_POT_WORTH, NULL)
+    if (pp_waldram_scale_init(&diagrams.waldram, &diagrams.sky, true, NULL) != PP_OK
+        || pp_pepper_pot_dots_create(&diagrams.pot, &diagrams.sky, true, false, 0.0,
+                                     PP_PEPPER_POT_WORTH, NULL)
                != PP_OK)
         return 1;
     puts("w/d        h/d        area over the integral, %          squares, % DF"
@@ -136,6 +138,6 @@ int main(void)
                    100.0 * area.worst, 100.0 * squares.mean, 100.0 * squares.rms,
                    100.0 * dots.mean, 100.0 * dots.rms);
         }
-    pp_pepper_pot_destroy(diagrams.pot);
+    pp_pepper_pot_dots_destroy(diagrams.pot);
     return 0;
 }

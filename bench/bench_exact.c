@@ -17,8 +17,8 @@ static void closed_form(void)
         const struct pp_vec3 window[4] = {
             {-0.9, y, 0.1}, {1.7, y, 0.1}, {1.7, y, 1.5}, {-0.9, y, 1.5}};
         struct pp_moments moments = {0};
-        pp_moments_add(&moments, window, 4, zenith, &zenith, 1);
-        sum += pp_moments_sky(&moments, &sky);
+        pp_solid_angle_add_moments(&moments, window, 4, zenith, &zenith, 1);
+        sum += pp_solid_angle_sky_component(&moments, &sky);
     }
     double seconds = processor_s() - start;
     printf(

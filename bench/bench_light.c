@@ -25,18 +25,18 @@ static struct outcome measure(const struct pp_light_scene *scene,
     double sum = 0.0, squares = 0.0, start = processor_s();
     struct outcome outcome = {.rays = 0.0};
     for (uint64_t seed = 0; seed < SEEDS; seed++) {
-        struct pp_radiance_walk walk = {
+        struct pp_radiance_state path_state = {
             .scene = scene, .store = store, .options = options};
-        pp_sequence_init(&walk.sequence, &sobol, pp_hash(seed, 3));
+        pp_sobol_sequence_init(&path_state.sequence, &sobol, pp_hash(seed, 3));
         double value = 0.0;
-        for (walk.index = 0; walk.index < paths; walk.index++) {
-            struct pp_irradiance e =
-                pp_radiance_irradiance(&walk, point, pp_vec(0.0, 0.0, 1.0), space);
+        for (path_state.index = 0; path_state.index < paths; path_state.index++) {
+            struct pp_irradiance e = pp_radiance_irradiance(
+                &path_state, point, pp_vec(0.0, 0.0, 1.0), space);
             value += (e.sources.g + e.sky.g + e.outside.g + e.rest.g) / paths;
         }
         sum += value;
         squares += value * value;
-        outcome.rays += (double)walk.rays / SEEDS;
+        outcome.rays += (double)path_state.rays / SEEDS;
     }
     outcome.seconds = (processor_s() - start) / SEEDS;
     outcome.value = sum / SEEDS;
@@ -56,8 +56,8 @@ static struct pp_light_scene *lamp(struct pp_material material)
     struct pp_error err;
     int index;
     pp_scene_description_init(&from);
-    must(pp_scene_add_material(&from, &material, &index, &err), &err);
-    must(pp_scene_add_polygon(&from, corners, 4, index, NULL, &err), &err);
+    must(pp_scene_description_add_material(&from, &material, &index, &err), &err);
+    must(pp_scene_description_add_polygon(&from, corners, 4, index, NULL, &err), &err);
     must(pp_light_scene_of_description(&scene, &from, &err), &err);
     pp_scene_description_clear(&from);
     return scene;

@@ -7,7 +7,7 @@
 
 #include "bench/bench.h"
 #include "methods/reflected/bre_terms.h"
-#include "methods/methods.h"
+#include "methods/method_entries.h"
 #include "methods/nomogram/nomogram_scale.h"
 #include "simulate/sampling/hash.h"
 
@@ -84,11 +84,11 @@ static bool values_of(const struct pp_world *world, double values[3])
         done = pp_bre_terms(&terms, world, &world->openings[i], NULL) == PP_OK
                && method->evaluate(world, &world->openings[i], NULL, tools, &part, NULL)
                       == PP_OK;
-        values[0] += pp_bre_average(&terms);
+        values[0] += pp_bre_terms_average(&terms);
         values[2] += part.value;
         terms.R_fw = 2.0 / (1.0 + PP_NOMOGRAM_K) * terms.all.reflectance;
         terms.R_cw = PP_NOMOGRAM_K * terms.R_fw;
-        values[1] += pp_bre_average(&terms);
+        values[1] += pp_bre_terms_average(&terms);
     }
     method->put_away(tools);
     return done;

@@ -39,7 +39,7 @@ static struct pp_render_options picture_of(const struct pp_light_scene *scene,
 static struct pp_irradiance_cache *grown(const struct pp_light_scene *scene,
                                          const struct pp_render_options *options)
 {
-    struct pp_cache_options wanted = pp_cache_defaults();
+    struct pp_cache_options wanted = pp_irradiance_cache_defaults();
     struct pp_irradiance_cache *cache;
     struct pp_overture *overture;
     struct pp_error err;
@@ -62,20 +62,21 @@ static double by_paths(const struct pp_light_scene *scene,
 {
     static struct pp_sobol sobol;
     pp_sobol_init(&sobol);
-    struct pp_radiance_walk walk = {
+    struct pp_radiance_state path_state = {
         .scene = scene, .store = options->store, .options = options->light};
-    walk.options.bounces = BOUNCES;
-    walk.options.source_most = 1;
-    pp_sequence_init(&walk.sequence, &sobol, pp_hash(seed, (uint64_t)(y * SIDE + x)));
+    path_state.options.bounces = BOUNCES;
+    path_state.options.source_most = 1;
+    pp_sobol_sequence_init(&path_state.sequence, &sobol,
+                           pp_hash(seed, (uint64_t)(y * SIDE + x)));
     enum pp_space space = pp_light_scene_space(scene, options->camera.eye);
     double sum = 0.0;
-    for (walk.index = 0; walk.index < PATHS; walk.index++) {
+    for (path_state.index = 0; path_state.index < PATHS; path_state.index++) {
         double u[2];
         struct pp_light_ray ray = {.space = space};
-        pp_sequence_draw(&walk.sequence, walk.index, 1 << 29, 2, u);
+        pp_sobol_sequence_draw(&path_state.sequence, path_state.index, 1 << 29, 2, u);
         pp_camera_ray(&options->camera, (x + u[0]) / SIDE, (y + u[1]) / SIDE, &ray.from,
                       &ray.to);
-        sum += pp_rgb_luminance(pp_radiance_along(&walk, &ray, NULL)) / PATHS;
+        sum += pp_rgb_luminance(pp_radiance_along(&path_state, &ray, NULL)) / PATHS;
     }
     return sum;
 }

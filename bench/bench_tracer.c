@@ -6,7 +6,7 @@
 
 #include "bench/bench.h"
 #include "simulate/sampling/hash.h"
-#include "simulate/tracer/item.h"
+#include "simulate/tracer/randomisation.h"
 #include "simulate/tracer/tracer.h"
 
 /* Daylight factors of all receivers (and the average behind them); seconds taken. */
@@ -70,21 +70,21 @@ static void bench_room(const char *name, const char *xml)
 
 /* 32 randomisations of `paths` paths of each kind at all receivers, with rays logged
  * where there is a log. */
-static void run_items(const struct pp_world *world, const struct pp_scene *scene,
+static void run_items(const struct pp_world *world, const struct pp_ray_scene *scene,
                       const struct pp_radiosity *guess, const struct pp_sobol *sobol,
-                      uint32_t paths, bool every_ray, struct pp_walk *walk,
+                      uint32_t paths, bool every_ray, struct pp_path_state *path_state,
                       struct pp_ray_log *log)
 {
-    *walk = (struct pp_walk){
+    *path_state = (struct pp_path_state){
         .scene = scene, .guess = guess, .every_ray = every_ray, .log = log};
     struct pp_counts counts = {{paths, paths, paths / 4}};
     for (int i = 0; i < world->receiver_count; i++)
         for (uint64_t k = 0; k < 32; k++) {
             struct pp_start start = {
-                .position = pp_sub(world->receivers[i].position, scene->centre),
+                .position = pp_vec_sub(world->receivers[i].position, scene->centre),
                 .normal = world->receivers[i].normal};
-            struct pp_item item = {.seed = pp_hash(k, (uint64_t)i)};
-            pp_item_run(&item, walk, sobol, &start, counts, paths);
+            struct pp_randomisation item = {.seed = pp_hash(k, (uint64_t)i)};
+            pp_randomisation_run(&item, path_state, sobol, &start, counts, paths);
         }
 }
 
@@ -92,22 +92,22 @@ static void bench_rays(const char *name, const struct pp_world *world, uint32_t 
                        bool every_ray)
 {
     struct pp_error err;
-    struct pp_scene *scene;
+    struct pp_ray_scene *scene;
     struct pp_radiosity *guess;
     static struct pp_sobol sobol;
     pp_sobol_init(&sobol);
-    must(pp_scene_create(&scene, world, &err), &err);
+    must(pp_ray_scene_create(&scene, world, &err), &err);
     must(pp_radiosity_create(&guess, scene, world, &sobol, 1, 1, &err), &err);
-    struct pp_walk walk;
-    run_items(world, scene, guess, &sobol, paths, every_ray, &walk, NULL);
-    struct pp_ray_log log = {NULL, 0, walk.rays};
-    log.rays = malloc(sizeof *log.rays * (size_t)walk.rays);
-    float(*bare)[6] = malloc(sizeof *bare * (size_t)walk.rays);
+    struct pp_path_state path_state;
+    run_items(world, scene, guess, &sobol, paths, every_ray, &path_state, NULL);
+    struct pp_ray_log log = {NULL, 0, path_state.rays};
+    log.rays = malloc(sizeof *log.rays * (size_t)path_state.rays);
+    float(*bare)[6] = malloc(sizeof *bare * (size_t)path_state.rays);
     if (!log.rays || !bare)
         exit(3);
-    run_items(world, scene, guess, &sobol, paths, every_ray, &walk, &log);
+    run_items(world, scene, guess, &sobol, paths, every_ray, &path_state, &log);
     for (long i = 0; i < log.count; i++) {
-        struct pp_vec3 p = pp_along(log.rays[i].point, 1e-5, log.rays[i].normal);
+        struct pp_vec3 p = pp_vec_along(log.rays[i].point, 1e-5, log.rays[i].normal);
         struct pp_vec3 u = log.rays[i].direction;
         const double six[6] = {p.x, p.y, p.z, u.x, u.y, u.z};
         for (int k = 0; k < 6; k++)
@@ -117,7 +117,7 @@ static void bench_rays(const char *name, const struct pp_world *world, uint32_t 
     long hits = 0;
     for (int repeat = 0; repeat < 3; repeat++) {
         double start = processor_s();
-        run_items(world, scene, guess, &sobol, paths, every_ray, &walk, NULL);
+        run_items(world, scene, guess, &sobol, paths, every_ray, &path_state, NULL);
         traced = fmin(traced, processor_s() - start);
         start = processor_s();
         for (long i = 0; i < log.count; i++) {
@@ -136,7 +136,7 @@ static void bench_rays(const char *name, const struct pp_world *world, uint32_t 
     free(bare);
     free(log.rays);
     pp_radiosity_destroy(guess);
-    pp_scene_destroy(scene);
+    pp_ray_scene_destroy(scene);
 }
 
 /* The world with a million small triangles in the air of its room. */
@@ -159,13 +159,14 @@ static void fill_with_triangles(struct pp_world *world, int count)
         if (!v)
             exit(3);
         v[0] = pp_vec(0.1 + 4.7 * r[0], 0.1 + 1.7 * r[1], 1.0 + 1.4 * r[2]);
-        v[1] = pp_along(v[0], 0.01, pp_vec(r[3], r[4], r[5]));
-        v[2] = pp_along(v[0], 0.01, pp_vec(r[6], -r[7], r[8]));
-        struct pp_vec3 normal = pp_cross(pp_sub(v[1], v[0]), pp_sub(v[2], v[0]));
-        double length = pp_length(normal);
+        v[1] = pp_vec_along(v[0], 0.01, pp_vec(r[3], r[4], r[5]));
+        v[2] = pp_vec_along(v[0], 0.01, pp_vec(r[6], -r[7], r[8]));
+        struct pp_vec3 normal =
+            pp_vec_cross(pp_vec_sub(v[1], v[0]), pp_vec_sub(v[2], v[0]));
+        double length = pp_vec_length(normal);
         surfaces[i] = (struct pp_surface){
-            .outline = {3, v, pp_scale(normal, 1.0 / length), length / 2.0},
-            .role = PP_LOOSE,
+            .outline = {3, v, pp_vec_scale(normal, 1.0 / length), length / 2.0},
+            .role = PP_FREE_SURFACE,
             .inside = true,
             .front = 0.5,
             .back = 0.5,

@@ -7,7 +7,7 @@
 #include <string.h>
 
 #include "bench/bench.h"
-#include "model/room/room.h"
+#include "model/room/building.h"
 #include "simulate/sampling/hash.h"
 #include "simulate/transport/radiance.h"
 
@@ -24,27 +24,29 @@ static struct view view_of(struct pp_vec3 eye, struct pp_vec3 at, double half_wi
                            double exposure)
 {
     struct view view = {
-        .eye = eye, .to = pp_unit(pp_sub(at, eye)), .exposure = exposure};
-    struct pp_vec3 right = pp_unit(pp_cross(view.to, pp_vec(0.0, 0.0, 1.0)));
-    view.right = pp_scale(right, half_wide);
-    view.up = pp_scale(pp_cross(right, view.to), half_wide * HIGH / WIDE);
+        .eye = eye, .to = pp_vec_unit(pp_vec_sub(at, eye)), .exposure = exposure};
+    struct pp_vec3 right = pp_vec_unit(pp_vec_cross(view.to, pp_vec(0.0, 0.0, 1.0)));
+    view.right = pp_vec_scale(right, half_wide);
+    view.up = pp_vec_scale(pp_vec_cross(right, view.to), half_wide * HIGH / WIDE);
     return view;
 }
 
-static struct pp_rgb pixel(struct pp_radiance_walk *walk, const struct view *view,
-                           const struct pp_sobol *sobol, int x, int y, uint32_t paths)
+static struct pp_rgb pixel(struct pp_radiance_state *path_state,
+                           const struct view *view, const struct pp_sobol *sobol, int x,
+                           int y, uint32_t paths)
 {
     struct pp_rgb sum = pp_rgb_grey(0.0);
-    pp_sequence_init(&walk->sequence, sobol, pp_hash((uint64_t)y, (uint64_t)x));
-    for (walk->index = 0; walk->index < paths; walk->index++) {
+    pp_sobol_sequence_init(&path_state->sequence, sobol,
+                           pp_hash((uint64_t)y, (uint64_t)x));
+    for (path_state->index = 0; path_state->index < paths; path_state->index++) {
         double u[2];
-        pp_sequence_draw(&walk->sequence, walk->index, 0, 2, u);
+        pp_sobol_sequence_draw(&path_state->sequence, path_state->index, 0, 2, u);
         struct pp_light_ray ray = {.from = view->eye};
         struct pp_vec3 to =
-            pp_along(view->to, 2.0 * (x + u[0]) / WIDE - 1.0, view->right);
-        ray.to = pp_unit(pp_along(to, 1.0 - 2.0 * (y + u[1]) / HIGH, view->up));
-        ray.space = pp_light_scene_space(walk->scene, view->eye);
-        sum = pp_rgb_along(sum, 1.0 / paths, pp_radiance_along(walk, &ray, NULL));
+            pp_vec_along(view->to, 2.0 * (x + u[0]) / WIDE - 1.0, view->right);
+        ray.to = pp_vec_unit(pp_vec_along(to, 1.0 - 2.0 * (y + u[1]) / HIGH, view->up));
+        ray.space = pp_light_scene_space(path_state->scene, view->eye);
+        sum = pp_rgb_along(sum, 1.0 / paths, pp_radiance_along(path_state, &ray, NULL));
     }
     return sum;
 }
@@ -64,11 +66,11 @@ static void draw(const char *folder, const char *name,
         cairo_image_surface_create(CAIRO_FORMAT_RGB24, WIDE, HIGH);
     unsigned char *bytes = cairo_image_surface_get_data(surface);
     int stride = cairo_image_surface_get_stride(surface);
-    struct pp_radiance_walk walk = {.scene = scene, .options = options};
+    struct pp_radiance_state path_state = {.scene = scene, .options = options};
     for (int y = 0; y < HIGH; y++)
         for (int x = 0; x < WIDE; x++) {
-            struct pp_rgb c =
-                pp_rgb_scale(pixel(&walk, view, &sobol, x, y, paths), view->exposure);
+            struct pp_rgb c = pp_rgb_scale(
+                pixel(&path_state, view, &sobol, x, y, paths), view->exposure);
             uint32_t word = shown(c.r) << 16 | shown(c.g) << 8 | shown(c.b);
             memcpy(bytes + y * stride + 4 * x, &word, sizeof word);
         }
@@ -80,7 +82,7 @@ static void draw(const char *folder, const char *name,
         exit(3);
     }
     cairo_surface_destroy(surface);
-    printf("%s: %.0f rays a pixel\n", path, (double)walk.rays / (WIDE * HIGH));
+    printf("%s: %.0f rays a pixel\n", path, (double)path_state.rays / (WIDE * HIGH));
 }
 
 /* ---- a lamp ---- */
@@ -89,18 +91,18 @@ static int add(struct pp_scene_description *scene, struct pp_material material)
 {
     struct pp_error err;
     int index;
-    must(pp_scene_add_material(scene, &material, &index, &err), &err);
+    must(pp_scene_description_add_material(scene, &material, &index, &err), &err);
     return index;
 }
 
 static void add_wall(struct pp_scene_description *scene, int material,
                      struct pp_vec3 corner, struct pp_vec3 along, struct pp_vec3 across)
 {
-    struct pp_vec3 v[4] = {corner, pp_add(corner, along),
-                           pp_add(pp_add(corner, along), across),
-                           pp_add(corner, across)};
+    struct pp_vec3 v[4] = {corner, pp_vec_add(corner, along),
+                           pp_vec_add(pp_vec_add(corner, along), across),
+                           pp_vec_add(corner, across)};
     struct pp_error err;
-    must(pp_scene_add_polygon(scene, v, 4, material, NULL, &err), &err);
+    must(pp_scene_description_add_polygon(scene, v, 4, material, NULL, &err), &err);
 }
 
 /* A corner of a room with a brass ball on a block, under a square lamp. */
@@ -125,15 +127,15 @@ static struct pp_light_scene *lamp_room(struct pp_material lamp)
     struct pp_vec3 b = {1.5, 2.2, 0.0}, bx = {0.8, 0.2, 0.0}, by = {-0.2, 0.8, 0.0};
     struct pp_vec3 bz = {0.0, 0.0, 0.7};
     add_wall(&from, white, b, bx, bz);
-    add_wall(&from, white, pp_add(b, by), bz, bx);
+    add_wall(&from, white, pp_vec_add(b, by), bz, bx);
     add_wall(&from, white, b, bz, by);
-    add_wall(&from, white, pp_add(b, bx), by, bz);
-    add_wall(&from, white, pp_add(b, bz), bx, by);
+    add_wall(&from, white, pp_vec_add(b, bx), by, bz);
+    add_wall(&from, white, pp_vec_add(b, bz), bx, by);
     struct pp_shape ball = {.kind = PP_SHAPE_SPHERE,
                             .material = brass,
                             .back_material = -1,
                             .is.sphere = {pp_vec(1.8, 2.7, 1.0), 0.3}};
-    must(pp_scene_add_shape(&from, &ball, NULL, &err), &err);
+    must(pp_scene_description_add_shape(&from, &ball, NULL, &err), &err);
     add_wall(&from, add(&from, lamp), pp_vec(1.8, 1.8, 2.58), pp_vec(0.0, 0.4, 0.0),
              pp_vec(0.4, 0.0, 0.0));
     must(pp_light_scene_of_description(&scene, &from, &err), &err);

@@ -53,7 +53,8 @@ static const char side_head[] =
     "# lumen_sidelight.csv - coefficients of utilization of the lumen method, light "
     "from "
     "the side\n"
-    "# source: worked out for this program by transfer of flux (methods/lumen/lumen_room.c; "
+    "# source: worked out for this program by transfer of flux "
+    "(methods/lumen/lumen_room.c; "
     "make tables). The method is that of [IES84], whose\n"
     "#   own tables could not be had; these are not theirs\n"
     "# conditions: a box as deep and wide as given in window heights; the window is "
@@ -192,7 +193,7 @@ int main(int argc, char **argv)
         return 2;
     }
     for (int l = 0; l < LIGHTS - 1; l++)
-        check(pp_lumen_sky(&skies[l], lights[l], &err), &err);
+        check(pp_lumen_room_sky(&skies[l], lights[l], &err), &err);
     if (strcmp(argv[1], "errors") == 0) {
         errors(skies);
         return 0;

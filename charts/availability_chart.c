@@ -5,12 +5,12 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "charts/sheet/axes.h"
+#include "charts/sheet/axis.h"
 #include "charts/sheet/labels.h"
 #include "charts/sheet/legend.h"
 #include "charts/sheet/page.h"
 
-struct plot {
+struct availability_plot {
     cairo_t *cr;
     struct pp_style style;
     const struct pp_availability_sheet *sheet;
@@ -26,7 +26,7 @@ struct plot {
 /* ---- what is drawn ---- */
 
 /* The first method's rows of the only point, or of the average. */
-static void choose_rows(struct plot *plot)
+static void choose_rows(struct availability_plot *plot)
 {
     const struct pp_availability_sheet *sheet = plot->sheet;
     const struct pp_report *report = sheet->report;
@@ -69,7 +69,7 @@ static double three_figures(double lx)
     return round(lx / unit) * unit;
 }
 
-static void say_rows(struct plot *plot)
+static void say_rows(struct availability_plot *plot)
 {
     const struct pp_availability_sheet *sheet = plot->sheet;
     char percent[32];
@@ -97,7 +97,7 @@ static void say_rows(struct plot *plot)
     }
 }
 
-static void say_notes(struct plot *plot)
+static void say_notes(struct availability_plot *plot)
 {
     const struct pp_availability_sheet *sheet = plot->sheet;
     say_rows(plot);
@@ -122,14 +122,14 @@ static void say_notes(struct plot *plot)
 /* ---- curves ---- */
 
 /* A share of the hours, as places on paper. */
-static double up_at(const struct plot *plot, double share)
+static double up_at(const struct availability_plot *plot, double share)
 {
     return pp_axis_at(&plot->up, 100.0 * share);
 }
 
 /* The staircase from no light up to the brightest hour, without the steps that are too
  * small to see. */
-static void draw_curve(struct plot *plot, int index)
+static void draw_curve(struct availability_plot *plot, int index)
 {
     const struct pp_availability_period *period = &plot->sheet->periods[index];
     const struct pp_curve_style look = pp_style_curve(index);
@@ -156,7 +156,7 @@ static void draw_curve(struct plot *plot, int index)
     cairo_stroke(plot->cr);
 }
 
-static struct pp_key key_of(const struct plot *plot, int index)
+static struct pp_key key_of(const struct availability_plot *plot, int index)
 {
     const struct pp_availability_period *period = &plot->sheet->periods[index];
     struct pp_key key = {
@@ -165,7 +165,7 @@ static struct pp_key key_of(const struct plot *plot, int index)
     return key;
 }
 
-static void clear_box(struct plot *plot, struct pp_box box)
+static void clear_box(struct availability_plot *plot, struct pp_box box)
 {
     pp_style_grey(plot->cr, 1.0);
     cairo_rectangle(plot->cr, box.x, box.y, box.width, box.height);
@@ -174,7 +174,7 @@ static void clear_box(struct plot *plot, struct pp_box box)
 
 /* Names beside their curves where there is room for all, else in a legend in the upper
  * right corner, which curves that fall leave free. */
-static void name_curves(struct plot *plot)
+static void name_curves(struct availability_plot *plot)
 {
     struct pp_key keys[PP_PERIODS_MOST];
     struct pp_box boxes[PP_PERIODS_MOST];
@@ -213,8 +213,8 @@ static void name_curves(struct plot *plot)
 
 /* A line up from what an illuminance needs outside, its name above the field, a dot at
  * each curve. *free_from is where names may begin. */
-static void draw_mark(struct plot *plot, const struct pp_availability_row *row,
-                      double *free_from)
+static void draw_mark(struct availability_plot *plot,
+                      const struct pp_availability_row *row, double *free_from)
 {
     char words[32];
     double bottom = plot->field.y + plot->field.height;
@@ -232,18 +232,19 @@ static void draw_mark(struct plot *plot, const struct pp_availability_row *row,
         pp_labels_note(plot->labels, -1, x - 1.0, y, x + 1.0, y);
     }
 
-    struct pp_text text = {
+    struct pp_lettering text = {
         .size = PP_TEXT_SMALL, .bold = true, .across = 0.5, .down = 1.0};
     double y = plot->field.y - 0.8 * plot->style.scale;
     snprintf(words, sizeof words, "%g lx inside", row->lx);
-    struct pp_box box = pp_text_measure(plot->cr, &plot->style, &text, x, y, words);
+    struct pp_box box =
+        pp_lettering_measure(plot->cr, &plot->style, &text, x, y, words);
     if (box.x < *free_from) {
         snprintf(words, sizeof words, "%g", row->lx);
-        box = pp_text_measure(plot->cr, &plot->style, &text, x, y, words);
+        box = pp_lettering_measure(plot->cr, &plot->style, &text, x, y, words);
     }
     if (box.x < *free_from)
         return;
-    pp_text_draw(plot->cr, &plot->style, &text, x, y, words);
+    pp_lettering_draw(plot->cr, &plot->style, &text, x, y, words);
     *free_from = box.x + box.width + 1.5 * plot->style.scale;
 }
 
@@ -254,7 +255,7 @@ static int compare_needs(const void *a, const void *b)
     return (p > q) - (p < q);
 }
 
-static void draw_marks(struct plot *plot)
+static void draw_marks(struct availability_plot *plot)
 {
     const struct pp_availability_row *ordered[PP_ILLUMINANCES_MOST];
     double free_from = -INFINITY;
@@ -268,7 +269,7 @@ static void draw_marks(struct plot *plot)
 /* ---- scales ---- */
 
 /* The scale of the illuminance inside, from y down; its title below. */
-static void draw_inside_scale(struct plot *plot, double y)
+static void draw_inside_scale(struct availability_plot *plot, double y)
 {
     const struct pp_style *style = &plot->style;
     double df = plot->rows->df.value;
@@ -280,17 +281,17 @@ static void draw_inside_scale(struct plot *plot, double y)
     pp_style_percent(percent, sizeof percent, df);
     snprintf(title, sizeof title, "Illuminance inside %s, daylight factor %s (lx)",
              plot->place, percent);
-    struct pp_text text = {.size = PP_TEXT_BODY, .across = 1.0};
-    pp_text_draw(plot->cr, style, &text, plot->field.x + plot->field.width,
-                 y + reach + 0.2 * style->scale, title);
+    struct pp_lettering text = {.size = PP_TEXT_BODY, .across = 1.0};
+    pp_lettering_draw(plot->cr, style, &text, plot->field.x + plot->field.width,
+                      y + reach + 0.2 * style->scale, title);
 }
 
-static bool has_inside_scale(const struct plot *plot)
+static bool has_inside_scale(const struct availability_plot *plot)
 {
     return plot->row_count > 0 && plot->rows->df.value > 0.0;
 }
 
-static void draw_plot(struct plot *plot)
+static void draw_plot(struct availability_plot *plot)
 {
     cairo_t *cr = plot->cr;
     const struct pp_style *style = &plot->style;
@@ -300,15 +301,16 @@ static void draw_plot(struct plot *plot)
     pp_axis_draw_up(cr, style, &plot->up, plot->field.x);
     double reach = pp_axis_draw_across(cr, style, &plot->across, bottom);
 
-    struct pp_text title = {.size = PP_TEXT_BODY, .down = 1.0};
-    pp_text_draw(cr, style, &title, plot->field.x - pp_axis_reach(cr, style, &plot->up),
-                 plot->field.y - 4.2 * style->scale, "Working hours (%)");
+    struct pp_lettering title = {.size = PP_TEXT_BODY, .down = 1.0};
+    pp_lettering_draw(cr, style, &title,
+                      plot->field.x - pp_axis_reach(cr, style, &plot->up),
+                      plot->field.y - 4.2 * style->scale, "Working hours (%)");
     title.down = 0.0;
     title.across = 1.0;
     struct pp_box box =
-        pp_text_draw(cr, style, &title, plot->field.x + plot->field.width,
-                     bottom + reach + 0.2 * style->scale,
-                     "Diffuse horizontal illuminance outside (lx)");
+        pp_lettering_draw(cr, style, &title, plot->field.x + plot->field.width,
+                          bottom + reach + 0.2 * style->scale,
+                          "Diffuse horizontal illuminance outside (lx)");
     if (has_inside_scale(plot))
         draw_inside_scale(plot, box.y + box.height + 2.5 * style->scale);
 
@@ -319,7 +321,7 @@ static void draw_plot(struct plot *plot)
     name_curves(plot);
 }
 
-static void draw_sheet(struct plot *plot, struct pp_canvas *canvas)
+static void draw_sheet(struct availability_plot *plot, struct pp_canvas *canvas)
 {
     const struct pp_availability_sheet *sheet = plot->sheet;
     const struct pp_style *style = &plot->style;
@@ -351,10 +353,10 @@ enum pp_status pp_availability_chart_draw(struct pp_canvas *canvas,
                                           const struct pp_availability_sheet *sheet,
                                           struct pp_error *err)
 {
-    struct plot plot = {.cr = pp_canvas_cairo(canvas),
-                        .style = pp_page_style(canvas),
-                        .sheet = sheet,
-                        .labels = calloc(1, sizeof *plot.labels)};
+    struct availability_plot plot = {.cr = pp_canvas_cairo(canvas),
+                                     .style = pp_page_style(canvas),
+                                     .sheet = sheet,
+                                     .labels = calloc(1, sizeof *plot.labels)};
     if (!plot.labels)
         return pp_fail_memory(err);
     choose_rows(&plot);

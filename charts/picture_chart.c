@@ -13,7 +13,7 @@
  * that of its lengths, in style.scale. */
 static const double scale_mm = 22.0, bar_mm = 7.0, below_mm = 11.0;
 
-struct drawing {
+struct picture_drawing {
     cairo_t *cr;
     const struct pp_style *style;
     const struct pp_picture_sheet *sheet;
@@ -30,7 +30,7 @@ static void level_words(char *text, size_t room, double level)
 
 /* ---- the picture ---- */
 
-static void place_picture(struct drawing *drawing, struct pp_box free)
+static void place_picture(struct picture_drawing *drawing, struct pp_box free)
 {
     const struct pp_raster *raster = &drawing->sheet->raster;
     double beside = drawing->sheet->scaled ? scale_mm * drawing->style->scale : 0.0;
@@ -44,11 +44,12 @@ static void place_picture(struct drawing *drawing, struct pp_box free)
     drawing->box.y = free.y;
 }
 
-static enum pp_status draw_raster(const struct drawing *drawing, struct pp_error *err)
+static enum pp_status draw_raster(const struct picture_drawing *drawing,
+                                  struct pp_error *err)
 {
     cairo_t *cr = drawing->cr;
     struct pp_box box = drawing->box;
-    cairo_surface_t *image = pp_picture_surface(&drawing->sheet->raster);
+    cairo_surface_t *image = pp_picture_png_surface(&drawing->sheet->raster);
     if (!image)
         return pp_fail(err, PP_SYSTEM,
                        "the picture can't be drawn: too large, or out of memory");
@@ -71,7 +72,7 @@ static enum pp_status draw_raster(const struct drawing *drawing, struct pp_error
 
 /* ---- over it ---- */
 
-static void path(const struct drawing *drawing, const struct pp_curve *curve)
+static void path(const struct picture_drawing *drawing, const struct pp_curve *curve)
 {
     cairo_new_path(drawing->cr);
     for (int i = 0; i < curve->count; i++)
@@ -82,7 +83,7 @@ static void path(const struct drawing *drawing, const struct pp_curve *curve)
 }
 
 /* Dark on a light border: seen on any colour. */
-static void stroke_seen(const struct drawing *drawing, double weight_mm)
+static void stroke_seen(const struct picture_drawing *drawing, double weight_mm)
 {
     cairo_t *cr = drawing->cr;
     cairo_set_line_join(cr, CAIRO_LINE_JOIN_ROUND);
@@ -94,11 +95,11 @@ static void stroke_seen(const struct drawing *drawing, double weight_mm)
 }
 
 /* The figure of a line, on the free place nearest to its middle. */
-static void draw_figure(struct drawing *drawing, const struct pp_curve *curve)
+static void draw_figure(struct picture_drawing *drawing, const struct pp_curve *curve)
 {
     char words[32];
     level_words(words, sizeof words, curve->level);
-    struct pp_text text = {.size = PP_TEXT_SMALL, .across = 0.5, .down = 0.5};
+    struct pp_lettering text = {.size = PP_TEXT_SMALL, .across = 0.5, .down = 0.5};
     double apart = 4.0 * drawing->style->text[PP_TEXT_SMALL];
     if (drawing->mm * pp_curve_length(curve) < 2.0 * apart)
         return;
@@ -109,21 +110,21 @@ static void draw_figure(struct drawing *drawing, const struct pp_curve *curve)
         double x = drawing->box.x + drawing->mm * curve->xy[i][0];
         double y = drawing->box.y + drawing->mm * curve->xy[i][1];
         struct pp_box box =
-            pp_text_measure(drawing->cr, drawing->style, &text, x, y, words);
+            pp_lettering_measure(drawing->cr, drawing->style, &text, x, y, words);
         double gap = 0.8 * drawing->style->scale;
         struct pp_box wide = {box.x - gap, box.y - gap, box.width + 2.0 * gap,
                               box.height + 2.0 * gap};
         if (!pp_labels_is_free(&drawing->labels, wide))
             continue;
-        pp_text_draw_clear(drawing->cr, drawing->style, &text, x, y, words);
+        pp_lettering_draw_on_white(drawing->cr, drawing->style, &text, x, y, words);
         pp_labels_note_box(&drawing->labels, wide);
         return;
     }
 }
 
-static void draw_lines(struct drawing *drawing)
+static void draw_lines(struct picture_drawing *drawing)
 {
-    const struct pp_curves *lines = &drawing->sheet->lines;
+    const struct pp_curve_list *lines = &drawing->sheet->lines;
     cairo_t *cr = drawing->cr;
     cairo_save(cr);
     cairo_rectangle(cr, drawing->box.x, drawing->box.y, drawing->box.width,
@@ -136,9 +137,9 @@ static void draw_lines(struct drawing *drawing)
     cairo_restore(cr);
 }
 
-static void draw_grid(struct drawing *drawing)
+static void draw_grid(struct picture_drawing *drawing)
 {
-    const struct pp_curves *grid = &drawing->sheet->grid;
+    const struct pp_curve_list *grid = &drawing->sheet->grid;
     for (int i = 0; i < grid->count; i++) {
         path(drawing, &grid->list[i]);
         stroke_seen(drawing, drawing->style->hair);
@@ -146,12 +147,12 @@ static void draw_grid(struct drawing *drawing)
 }
 
 /* The grid's, then the figures of lines, which keep clear of them. */
-static void draw_words(struct drawing *drawing)
+static void draw_words(struct picture_drawing *drawing)
 {
     const struct pp_picture_sheet *sheet = drawing->sheet;
     for (int i = 0; i < sheet->word_count; i++) {
-        struct pp_text text = {.size = PP_TEXT_SMALL, .across = 0.5, .down = 0.5};
-        struct pp_box box = pp_text_draw_clear(
+        struct pp_lettering text = {.size = PP_TEXT_SMALL, .across = 0.5, .down = 0.5};
+        struct pp_box box = pp_lettering_draw_on_white(
             drawing->cr, drawing->style, &text,
             drawing->box.x + drawing->mm * sheet->words[i].x,
             drawing->box.y + drawing->mm * sheet->words[i].y, sheet->words[i].words);
@@ -161,7 +162,7 @@ static void draw_words(struct drawing *drawing)
         draw_figure(drawing, &sheet->lines.list[i]);
 }
 
-static void draw_marks(const struct drawing *drawing)
+static void draw_marks(const struct picture_drawing *drawing)
 {
     const struct pp_picture_sheet *sheet = drawing->sheet;
     cairo_t *cr = drawing->cr;
@@ -180,7 +181,7 @@ static void draw_marks(const struct drawing *drawing)
 
 /* ---- the scale ---- */
 
-static void draw_bar(const struct drawing *drawing, struct pp_box bar)
+static void draw_bar(const struct picture_drawing *drawing, struct pp_box bar)
 {
     enum { STEPS = 256 };
     cairo_t *cr = drawing->cr;
@@ -189,7 +190,7 @@ static void draw_bar(const struct drawing *drawing, struct pp_box bar)
         return;
     for (int i = 0; i < STEPS; i++)
         pp_false_colour((STEPS - 1 - i + 0.5) / STEPS, pp_raster_at(&raster, 0, i));
-    cairo_surface_t *image = pp_picture_surface(&raster);
+    cairo_surface_t *image = pp_picture_png_surface(&raster);
     pp_raster_clear(&raster);
     if (!image)
         return;
@@ -207,14 +208,15 @@ static void draw_bar(const struct drawing *drawing, struct pp_box bar)
     cairo_stroke(cr);
 }
 
-static void draw_scale(const struct drawing *drawing)
+static void draw_scale(const struct picture_drawing *drawing)
 {
     const struct pp_picture_sheet *sheet = drawing->sheet;
     const struct pp_style *style = drawing->style;
     cairo_t *cr = drawing->cr;
     double x = drawing->box.x + drawing->box.width + 4.0 * style->scale;
-    struct pp_text unit = {.size = PP_TEXT_BODY, .bold = true};
-    struct pp_box head = pp_text_draw(cr, style, &unit, x, drawing->box.y, sheet->unit);
+    struct pp_lettering unit = {.size = PP_TEXT_BODY, .bold = true};
+    struct pp_box head =
+        pp_lettering_draw(cr, style, &unit, x, drawing->box.y, sheet->unit);
     double top = drawing->box.y + head.height + 2.5 * style->scale;
     double height =
         fmin(drawing->box.y + drawing->box.height - top, 120.0 * style->scale);
@@ -222,12 +224,12 @@ static void draw_scale(const struct drawing *drawing)
                          fmax(height, 25.0 * style->scale)};
     draw_bar(drawing, bar);
 
-    double levels[PP_COLOUR_LEVELS_MOST], last = INFINITY;
-    int count = pp_colour_scale_levels(&sheet->scale, levels);
-    struct pp_text text = {.size = PP_TEXT_BODY, .down = 0.5};
+    double levels[PP_FALSE_COLOUR_LEVELS_MOST], last = INFINITY;
+    int count = pp_false_colour_scale_levels(&sheet->scale, levels);
+    struct pp_lettering text = {.size = PP_TEXT_BODY, .down = 0.5};
     for (int i = 0; i < count; i++) {
         double y = bar.y + bar.height
-                   - bar.height * pp_colour_scale_at(&sheet->scale, levels[i]);
+                   - bar.height * pp_false_colour_scale_at(&sheet->scale, levels[i]);
         pp_style_line(cr, style->thin, PP_INK);
         cairo_move_to(cr, bar.x + 0.6 * bar.width, y);
         cairo_line_to(cr, bar.x + bar.width + 1.0 * style->scale, y);
@@ -239,23 +241,24 @@ static void draw_scale(const struct drawing *drawing)
         bool less = i == 0 && sheet->beyond[0];
         bool more = i == count - 1 && sheet->beyond[1];
         snprintf(words, sizeof words, "%s%s", less ? "≤ " : more ? "≥ " : "", figure);
-        pp_text_draw(cr, style, &text, bar.x + bar.width + 1.8 * style->scale, y,
-                     words);
+        pp_lettering_draw(cr, style, &text, bar.x + bar.width + 1.8 * style->scale, y,
+                          words);
         last = y;
     }
 }
 
 /* A bar of metres below the picture and, of one from above, where north is. */
-static void draw_lengths(const struct drawing *drawing)
+static void draw_lengths(const struct picture_drawing *drawing)
 {
     const struct pp_picture_sheet *sheet = drawing->sheet;
     double mm = drawing->style->scale;
-    struct pp_box bar = pp_scale_bar_draw(
+    struct pp_box bar = pp_room_plan_scale_bar(
         drawing->cr, drawing->style, sheet->pixels_per_m * drawing->mm,
         drawing->box.x + mm, drawing->box.y + drawing->box.height + 2.5 * mm);
     if (!sheet->upright)
-        pp_north_arrow_draw(drawing->cr, drawing->style, sheet->north_rad,
-                            bar.x + bar.width + 9.0 * mm, bar.y + 4.5 * mm, 3.5 * mm);
+        pp_room_plan_north_arrow(drawing->cr, drawing->style, sheet->north_rad,
+                                 bar.x + bar.width + 9.0 * mm, bar.y + 4.5 * mm,
+                                 3.5 * mm);
 }
 
 /* ---- the sheet ---- */
@@ -266,7 +269,7 @@ enum pp_status pp_picture_chart_draw(struct pp_canvas *canvas,
 {
     struct pp_style style = pp_page_style(canvas);
     struct pp_page page = {sheet->title, sheet->subtitle, sheet->foot};
-    struct drawing *drawing = calloc(1, sizeof *drawing);
+    struct picture_drawing *drawing = calloc(1, sizeof *drawing);
     if (!drawing)
         return pp_fail_memory(err);
     drawing->cr = pp_canvas_cairo(canvas);

@@ -4,7 +4,7 @@
 
 #include "charts/sheet/bytes.h"
 
-cairo_surface_t *pp_picture_surface(const struct pp_raster *raster)
+cairo_surface_t *pp_picture_png_surface(const struct pp_raster *raster)
 {
     cairo_surface_t *image =
         cairo_image_surface_create(CAIRO_FORMAT_RGB24, raster->width, raster->height);
@@ -36,7 +36,7 @@ enum pp_status pp_picture_png(unsigned char **bytes, size_t *length,
                               const struct pp_raster *raster, struct pp_error *err)
 {
     struct pp_bytes file = {0};
-    cairo_surface_t *image = pp_picture_surface(raster);
+    cairo_surface_t *image = pp_picture_png_surface(raster);
     if (!image)
         return pp_fail(err, PP_SYSTEM,
                        "a picture of %d x %d pixels can't be shown: too large, or out "

@@ -7,7 +7,7 @@
 #include "model/pictures/raster.h"
 
 /* A cairo image of the raster; NULL when memory is out or it is too large. */
-cairo_surface_t *pp_picture_surface(const struct pp_raster *raster);
+cairo_surface_t *pp_picture_png_surface(const struct pp_raster *raster);
 
 /* The whole file: *length bytes, the caller's to free. */
 enum pp_status pp_picture_png(unsigned char **bytes, size_t *length,

@@ -53,9 +53,10 @@ static int list_files(struct named_file *list, const struct pp_command_line *lin
     int count = 0;
     for (const struct pp_option_group *group = line->groups; group->title; group++)
         for (const struct pp_option *option = group->options; option->name; option++) {
-            bool written =
-                option->read == pp_read_output || option->read == pp_read_kept;
-            if ((!written && option->read != pp_read_input) || count == FILES_MOST)
+            bool written = option->read == pp_options_read_output
+                           || option->read == pp_options_read_updated;
+            if ((!written && option->read != pp_options_read_input)
+                || count == FILES_MOST)
                 continue;
             const char *path = *(const char **)((char *)group->values + option->offset);
             if (path)

@@ -12,8 +12,8 @@
  * those that they name: whether the command shall start. If not, its help was printed
  * or its mistake said, and *exit_status is how it ends; if so, *exit_status is
  * PP_EXIT_DONE. */
-bool pp_command_starts(const struct pp_command_line *line, char **files, int file_count,
-                       enum pp_status status, bool wants_help, struct pp_error *err,
-                       enum pp_exit *exit_status);
+bool pp_command_line_starts(const struct pp_command_line *line, char **files,
+                            int file_count, enum pp_status status, bool wants_help,
+                            struct pp_error *err, enum pp_exit *exit_status);
 
 #endif

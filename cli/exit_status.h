@@ -12,7 +12,7 @@ enum pp_exit {
     PP_EXIT_INTERRUPTED = 130, /* what there was is given, marked as unfinished */
 };
 
-static inline enum pp_exit pp_exit_of(enum pp_status status)
+static inline enum pp_exit pp_exit_status_of(enum pp_status status)
 {
     switch (status) {
     case PP_OK:

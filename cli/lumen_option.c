@@ -1,6 +1,6 @@
 #include "cli/lumen_option.h"
 
-#include "cli/messages.h"
+#include "cli/message.h"
 
 static enum pp_status read_file_name(const char *text, void *place,
                                      struct pp_error *err)
@@ -31,21 +31,21 @@ static enum pp_exit load_file(struct pp_lumen_table *table, const char *file)
     struct pp_mistakes mistakes;
     pp_mistakes_init(&mistakes, file);
     enum pp_exit exit_status = PP_EXIT_DONE;
-    if (pp_lumen_table_read(table, file, &mistakes, &err) != PP_OK)
-        exit_status =
-            mistakes.count > 0 ? pp_say_mistakes(&mistakes) : pp_say_error(&err);
+    if (pp_lumen_csv_read(table, file, &mistakes, &err) != PP_OK)
+        exit_status = mistakes.count > 0 ? pp_message_mistakes(&mistakes)
+                                         : pp_message_error(&err);
     pp_mistakes_clear(&mistakes);
     return exit_status;
 }
 
-enum pp_exit pp_lumen_load(struct pp_lumen_table **table,
-                           const struct pp_lumen_files *files)
+enum pp_exit pp_lumen_option_load(struct pp_lumen_table **table,
+                                  const struct pp_lumen_files *files)
 {
     struct pp_error err;
     enum pp_exit exit_status = PP_EXIT_DONE;
     *table = NULL;
     if (files->count > 0 && pp_lumen_table_create(table, &err) != PP_OK)
-        return pp_say_error(&err);
+        return pp_message_error(&err);
     for (int i = 0; i < files->count; i++) {
         enum pp_exit own = load_file(*table, files->list[i]);
         exit_status = own != PP_EXIT_DONE ? own : exit_status;

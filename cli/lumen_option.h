@@ -20,7 +20,7 @@ extern const struct pp_option pp_lumen_option[];
 /* The program's tables with those of the files in their places, for the caller to
  * destroy; *table is NULL where there are no files. All mistakes of all files are said
  * on standard error; then *table is NULL. */
-enum pp_exit pp_lumen_load(struct pp_lumen_table **table,
-                           const struct pp_lumen_files *files);
+enum pp_exit pp_lumen_option_load(struct pp_lumen_table **table,
+                                  const struct pp_lumen_files *files);
 
 #endif

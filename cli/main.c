@@ -9,16 +9,16 @@
 #include <unistd.h>
 
 #include "cli/commands.h"
-#include "cli/messages.h"
-#include "model/base/names.h"
+#include "cli/message.h"
+#include "model/base/text.h"
 
-struct command {
+struct command_entry {
     const char *name;
     pp_command *run;
     const char *does;
 };
 
-static const struct command commands[] = {
+static const struct command_entry commands[] = {
     {"df", cmd_df, "daylight factors at the reference points and their average"},
     {"chart", cmd_chart, "one chart of a room as PDF, SVG or PNG"},
     {"render", cmd_render, "pictures of a room's light"},
@@ -56,12 +56,13 @@ static enum pp_exit fail_unknown(const char *word)
 {
     const char *names[COMMAND_COUNT];
     list_names(names);
-    const char *guess = pp_nearest(word, names, COMMAND_COUNT);
+    const char *guess = pp_text_nearest(word, names, COMMAND_COUNT);
     if (guess)
-        pp_say("there is no %s \"%s\"; did you mean %s?",
-               word[0] == '-' ? "option" : "command", word, guess);
+        pp_message("there is no %s \"%s\"; did you mean %s?",
+                   word[0] == '-' ? "option" : "command", word, guess);
     else
-        pp_say("there is no %s \"%s\"", word[0] == '-' ? "option" : "command", word);
+        pp_message("there is no %s \"%s\"", word[0] == '-' ? "option" : "command",
+                   word);
     fputs("Try: pepperpot --help\n", stderr);
     return PP_EXIT_USAGE;
 }
@@ -73,8 +74,8 @@ static enum pp_exit run(int argc, char **argv)
         const char *names[COMMAND_COUNT];
         char known[256];
         list_names(names);
-        pp_say("expected a command: %s",
-               pp_name_list(known, sizeof known, names, COMMAND_COUNT));
+        pp_message("expected a command: %s",
+                   pp_text_list_names(known, sizeof known, names, COMMAND_COUNT));
         fputs("Try: pepperpot --help\n", stderr);
         return PP_EXIT_USAGE;
     }
@@ -108,7 +109,7 @@ int main(int argc, char **argv)
 
     enum pp_exit status = run(argc, argv);
     if (fflush(stdout) != 0 || ferror(stdout)) {
-        pp_say("standard output can't be written: %s", strerror(errno));
+        pp_message("standard output can't be written: %s", strerror(errno));
         return PP_EXIT_MACHINE;
     }
     return status;

@@ -5,9 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "cli/print/utf8.h"
-#include "model/base/names.h"
-#include "model/base/number.h"
+#include "cli/print/format.h"
+#include "model/base/text.h"
 
 enum { HELP_WIDTH = 80, HELP_INDENT = 24, MOST_OPTIONS = 64 };
 
@@ -91,7 +90,7 @@ static enum pp_status fail_unknown(const struct pp_command_line *line, const cha
 
     char typed[64];
     snprintf(typed, sizeof typed, "%.*s", (int)length, word);
-    const char *guess = pp_nearest(typed, names, count);
+    const char *guess = pp_text_nearest(typed, names, count);
     if (guess)
         return pp_fail(err, PP_BAD_INPUT, "there is no option --%s; did you mean --%s?",
                        typed, guess);
@@ -144,7 +143,7 @@ static enum pp_status read_option(const struct pp_command_line *line, char **wor
                        word, short_word);
     if (!found.option)
         return pp_fail(err, PP_BAD_INPUT, "there is no option %.*s",
-                       1 + pp_utf8_length(word + 1), word);
+                       1 + pp_format_utf8_length(word + 1), word);
 
     char shown[64];
     if (is_short || is_long)
@@ -276,7 +275,7 @@ static bool read_whole(const char *text, uint64_t *number)
     return errno == 0 && whole <= UINT64_MAX;
 }
 
-enum pp_status pp_read_text(const char *text, void *place, struct pp_error *err)
+enum pp_status pp_options_read_text(const char *text, void *place, struct pp_error *err)
 {
     if (!*text)
         return pp_fail(err, PP_BAD_INPUT, "something that is not empty");
@@ -284,24 +283,28 @@ enum pp_status pp_read_text(const char *text, void *place, struct pp_error *err)
     return PP_OK;
 }
 
-enum pp_status pp_read_input(const char *text, void *place, struct pp_error *err)
+enum pp_status pp_options_read_input(const char *text, void *place,
+                                     struct pp_error *err)
 {
-    return pp_read_text(text, place, err);
+    return pp_options_read_text(text, place, err);
 }
 
-enum pp_status pp_read_output(const char *text, void *place, struct pp_error *err)
+enum pp_status pp_options_read_output(const char *text, void *place,
+                                      struct pp_error *err)
 {
-    return pp_read_text(text, place, err);
+    return pp_options_read_text(text, place, err);
 }
 
-enum pp_status pp_read_kept(const char *text, void *place, struct pp_error *err)
+enum pp_status pp_options_read_updated(const char *text, void *place,
+                                       struct pp_error *err)
 {
     if (strcmp(text, "-") == 0)
         return pp_fail(err, PP_BAD_INPUT, "the name of a file, which is kept");
-    return pp_read_text(text, place, err);
+    return pp_options_read_text(text, place, err);
 }
 
-enum pp_status pp_read_count(const char *text, void *place, struct pp_error *err)
+enum pp_status pp_options_read_count(const char *text, void *place,
+                                     struct pp_error *err)
 {
     uint64_t count;
     if (!read_whole(text, &count) || count < 1 || count > 1000000000000000)
@@ -310,7 +313,8 @@ enum pp_status pp_read_count(const char *text, void *place, struct pp_error *err
     return PP_OK;
 }
 
-enum pp_status pp_read_threads(const char *text, void *place, struct pp_error *err)
+enum pp_status pp_options_read_threads(const char *text, void *place,
+                                       struct pp_error *err)
 {
     uint64_t count;
     if (!read_whole(text, &count) || count < 1 || count > 1024)
@@ -319,7 +323,7 @@ enum pp_status pp_read_threads(const char *text, void *place, struct pp_error *e
     return PP_OK;
 }
 
-enum pp_status pp_read_seed(const char *text, void *place, struct pp_error *err)
+enum pp_status pp_options_read_seed(const char *text, void *place, struct pp_error *err)
 {
     if (!read_whole(text, (uint64_t *)place))
         return pp_fail(err, PP_BAD_INPUT,
@@ -342,13 +346,14 @@ static bool read_with_unit(const char *text, const char *const endings[],
         memcpy(digits, text, length - end);
         digits[length - end] = '\0';
         *which = i;
-        if (pp_number_parse(digits, number))
+        if (pp_text_parse_number(digits, number))
             return true;
     }
     return false;
 }
 
-enum pp_status pp_read_per_cent(const char *text, void *place, struct pp_error *err)
+enum pp_status pp_options_read_per_cent(const char *text, void *place,
+                                        struct pp_error *err)
 {
     static const char *const endings[] = {"%", "", NULL};
     double per_cent;
@@ -361,7 +366,7 @@ enum pp_status pp_read_per_cent(const char *text, void *place, struct pp_error *
     return PP_OK;
 }
 
-enum pp_status pp_read_lux(const char *text, void *place, struct pp_error *err)
+enum pp_status pp_options_read_lux(const char *text, void *place, struct pp_error *err)
 {
     static const char *const endings[] = {" lx", "lx", "", NULL};
     double lux;
@@ -373,7 +378,8 @@ enum pp_status pp_read_lux(const char *text, void *place, struct pp_error *err)
     return PP_OK;
 }
 
-enum pp_status pp_read_seconds(const char *text, void *place, struct pp_error *err)
+enum pp_status pp_options_read_seconds(const char *text, void *place,
+                                       struct pp_error *err)
 {
     static const char *const endings[] = {"ms", "s", "m", "h", "", NULL};
     static const double seconds[] = {1e-3, 1.0, 60.0, 3600.0, 1.0};

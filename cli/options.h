@@ -58,16 +58,19 @@ void pp_options_help(const struct pp_command_line *line, FILE *out);
 void pp_options_help_word(const char *word, const char *text, FILE *out);
 
 /* Readers, by the type of the place. */
-pp_option_reader pp_read_text;     /* const char *, not empty; borrowed from argv */
-pp_option_reader pp_read_input;    /* the same, of a file that is read */
-pp_option_reader pp_read_output;   /* of a file that is written; - is standard output */
-pp_option_reader pp_read_kept;     /* of one that is read and written again; no - */
-pp_option_reader pp_read_count;    /* long, 1 to 1e15 */
-pp_option_reader pp_read_threads;  /* int, 1 to 1024 */
-pp_option_reader pp_read_seed;     /* uint64_t, any */
-pp_option_reader pp_read_per_cent; /* double, a fraction, above 0 to 1; "1%" or "1" */
-pp_option_reader pp_read_lux;      /* double, 1 to 200000; "5000" or "5000 lx" */
+pp_option_reader pp_options_read_text; /* const char *, not empty; borrowed from argv */
+pp_option_reader pp_options_read_input; /* the same, of a file that is read */
 pp_option_reader
-    pp_read_seconds; /* double, above 0; "10s", "2m", "500ms", "1h", "10" */
+    pp_options_read_output; /* of a file that is written; - is standard output */
+pp_option_reader
+    pp_options_read_updated; /* of one that is read and written again; no - */
+pp_option_reader pp_options_read_count;   /* long, 1 to 1e15 */
+pp_option_reader pp_options_read_threads; /* int, 1 to 1024 */
+pp_option_reader pp_options_read_seed;    /* uint64_t, any */
+pp_option_reader
+    pp_options_read_per_cent; /* double, a fraction, above 0 to 1; "1%" or "1" */
+pp_option_reader pp_options_read_lux; /* double, 1 to 200000; "5000" or "5000 lx" */
+pp_option_reader
+    pp_options_read_seconds; /* double, above 0; "10s", "2m", "500ms", "1h", "10" */
 
 #endif

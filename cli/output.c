@@ -83,13 +83,13 @@ enum pp_status pp_output_open(struct pp_output *output, const char *path,
         if (status == PP_OK)
             status = check(output->path, err);
         if (status != PP_OK) {
-            pp_output_abandon(output);
+            pp_output_clear(output);
             return status;
         }
     }
     output->stream = open_memstream(&output->bytes, &output->size);
     if (!output->stream) {
-        pp_output_abandon(output);
+        pp_output_clear(output);
         return pp_fail_memory(err);
     }
     return PP_OK;
@@ -177,7 +177,7 @@ enum pp_status pp_output_commit(struct pp_output *output, struct pp_error *err)
     broken |= fclose(output->stream);
     output->stream = NULL;
     if (broken) {
-        pp_output_abandon(output);
+        pp_output_clear(output);
         return pp_fail_memory(err);
     }
 
@@ -194,11 +194,11 @@ enum pp_status pp_output_commit(struct pp_output *output, struct pp_error *err)
     enum pp_status status = PP_OK;
     if (done != 0)
         status = fail_file(err, output->path ? output->path : "standard output", errno);
-    pp_output_abandon(output);
+    pp_output_clear(output);
     return status;
 }
 
-void pp_output_abandon(struct pp_output *output)
+void pp_output_clear(struct pp_output *output)
 {
     if (output->stream)
         fclose(output->stream);
@@ -212,6 +212,6 @@ enum pp_status pp_output_close(struct pp_output *output, enum pp_status status,
 {
     if (status == PP_OK)
         return pp_output_commit(output, err);
-    pp_output_abandon(output);
+    pp_output_clear(output);
     return status;
 }

@@ -30,7 +30,7 @@ enum pp_status pp_output_open(struct pp_output *output, const char *path,
 enum pp_status pp_output_commit(struct pp_output *output, struct pp_error *err);
 
 /* Closes the output and leaves everything as it was. May follow a commit. */
-void pp_output_abandon(struct pp_output *output);
+void pp_output_clear(struct pp_output *output);
 
 /* The end of all work on an output: commits it where the work is good (`status`), else
  * abandons it. Returns what came of both. */

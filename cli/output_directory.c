@@ -22,7 +22,7 @@ static char *joined(const char *directory, const char *name)
 
 /* ---- what is there already ---- */
 
-static bool is_known(const struct pp_directory *directory, const char *name)
+static bool is_known(const struct pp_output_directory *directory, const char *name)
 {
     for (int i = 0; directory->known[i]; i++)
         if (strcmp(directory->known[i], name) == 0)
@@ -31,8 +31,9 @@ static bool is_known(const struct pp_directory *directory, const char *name)
 }
 
 /* Nothing but what may be replaced? *entries counts what there is. */
-static enum pp_status look(const struct pp_directory *directory, const char *path,
-                           int depth, int *entries, struct pp_error *err)
+static enum pp_status look(const struct pp_output_directory *directory,
+                           const char *path, int depth, int *entries,
+                           struct pp_error *err)
 {
     DIR *list = opendir(path);
     if (!list)
@@ -63,7 +64,8 @@ static enum pp_status look(const struct pp_directory *directory, const char *pat
     return status;
 }
 
-static enum pp_status check(const struct pp_directory *directory, struct pp_error *err)
+static enum pp_status check(const struct pp_output_directory *directory,
+                            struct pp_error *err)
 {
     const char *path = directory->path;
     struct stat there;
@@ -99,11 +101,11 @@ static enum pp_status check(const struct pp_directory *directory, struct pp_erro
     return status;
 }
 
-enum pp_status pp_directory_open(struct pp_directory *directory, const char *path,
-                                 bool replace, const char *const *known,
-                                 struct pp_error *err)
+enum pp_status pp_output_directory_open(struct pp_output_directory *directory,
+                                        const char *path, bool replace,
+                                        const char *const *known, struct pp_error *err)
 {
-    *directory = (struct pp_directory){.replace = replace, .known = known};
+    *directory = (struct pp_output_directory){.replace = replace, .known = known};
     directory->path = realpath(path, NULL);
     if (!directory->path)
         directory->path = strdup(path);
@@ -113,20 +115,22 @@ enum pp_status pp_directory_open(struct pp_directory *directory, const char *pat
         directory->path[--i] = '\0';
     enum pp_status status = check(directory, err);
     if (status != PP_OK)
-        pp_directory_abandon(directory);
+        pp_output_directory_clear(directory);
     return status;
 }
 
-enum pp_status pp_directory_add(struct pp_directory *directory, const char *path,
-                                bool runs, FILE **stream, struct pp_error *err)
+enum pp_status pp_output_directory_add(struct pp_output_directory *directory,
+                                       const char *path, bool runs, FILE **stream,
+                                       struct pp_error *err)
 {
     size_t count = (size_t)directory->count + 1;
-    struct pp_directory_file *files = realloc(directory->files, count * sizeof *files);
+    struct pp_output_directory_file *files =
+        realloc(directory->files, count * sizeof *files);
     if (!files)
         return pp_fail_memory(err);
     directory->files = files;
-    struct pp_directory_file *file = &files[directory->count];
-    *file = (struct pp_directory_file){.path = strdup(path), .runs = runs};
+    struct pp_output_directory_file *file = &files[directory->count];
+    *file = (struct pp_output_directory_file){.path = strdup(path), .runs = runs};
     if (!file->path)
         return pp_fail_memory(err);
     file->gathered = calloc(1, sizeof *file->gathered);
@@ -158,8 +162,8 @@ static int write_all(int file, const char *bytes, size_t size)
     return 0;
 }
 
-static int write_file(const char *directory, const struct pp_directory_file *file,
-                      mode_t mask)
+static int write_file(const char *directory,
+                      const struct pp_output_directory_file *file, mode_t mask)
 {
     char *path = joined(directory, file->path);
     if (!path)
@@ -187,7 +191,7 @@ static int write_file(const char *directory, const struct pp_directory_file *fil
     return failed;
 }
 
-int pp_directory_remove(const char *path)
+int pp_output_directory_remove(const char *path)
 {
     DIR *list = opendir(path);
     if (!list)
@@ -201,7 +205,7 @@ int pp_directory_remove(const char *path)
         if (!inner)
             failed = ENOMEM;
         else if (lstat(inner, &what) == 0 && S_ISDIR(what.st_mode))
-            failed = pp_directory_remove(inner);
+            failed = pp_output_directory_remove(inner);
         else if (unlink(inner) != 0)
             failed = errno;
         free(inner);
@@ -221,12 +225,12 @@ static int take_place(const char *temporary, const char *path)
         return errno;
     if (renameat2(AT_FDCWD, temporary, AT_FDCWD, path, RENAME_EXCHANGE) != 0)
         return errno;
-    pp_directory_remove(temporary);
+    pp_output_directory_remove(temporary);
     return 0;
 }
 
 /* Signals wait, so that none can leave the new directory behind. */
-static int replace(const struct pp_directory *directory)
+static int replace(const struct pp_output_directory *directory)
 {
     char *temporary;
     if (asprintf(&temporary, "%s.pepperpot-XXXXXX", directory->path) < 0)
@@ -245,7 +249,7 @@ static int replace(const struct pp_directory *directory)
         if (!failed)
             failed = take_place(temporary, directory->path);
         if (failed)
-            pp_directory_remove(temporary);
+            pp_output_directory_remove(temporary);
     }
     sigprocmask(SIG_SETMASK, &before, NULL);
     free(temporary);
@@ -253,11 +257,11 @@ static int replace(const struct pp_directory *directory)
 }
 
 /* All streams are closed, and their bytes are the files'. */
-static bool close_streams(struct pp_directory *directory)
+static bool close_streams(struct pp_output_directory *directory)
 {
     bool good = true;
     for (int i = 0; i < directory->count; i++) {
-        struct pp_directory_file *file = &directory->files[i];
+        struct pp_output_directory_file *file = &directory->files[i];
         if (!file->stream)
             continue;
         good = !ferror(file->stream) && good;
@@ -267,7 +271,8 @@ static bool close_streams(struct pp_directory *directory)
     return good;
 }
 
-enum pp_status pp_directory_commit(struct pp_directory *directory, struct pp_error *err)
+enum pp_status pp_output_directory_commit(struct pp_output_directory *directory,
+                                          struct pp_error *err)
 {
     enum pp_status status = PP_OK;
     if (!close_streams(directory))
@@ -277,11 +282,11 @@ enum pp_status pp_directory_commit(struct pp_directory *directory, struct pp_err
     int failed = status == PP_OK ? replace(directory) : 0;
     if (failed)
         status = fail_path(err, directory->path, failed);
-    pp_directory_abandon(directory);
+    pp_output_directory_clear(directory);
     return status;
 }
 
-void pp_directory_abandon(struct pp_directory *directory)
+void pp_output_directory_clear(struct pp_output_directory *directory)
 {
     close_streams(directory);
     for (int i = 0; i < directory->count; i++) {
@@ -291,5 +296,5 @@ void pp_directory_abandon(struct pp_directory *directory)
     }
     free(directory->files);
     free(directory->path);
-    *directory = (struct pp_directory){0};
+    *directory = (struct pp_output_directory){0};
 }

@@ -1,7 +1,7 @@
 /* output_directory.h - results of several files: a directory that appears whole or not
  * at all.
  *
- * What is printed is gathered in memory. pp_directory_commit writes it to a new
+ * What is printed is gathered in memory. pp_output_directory_commit writes it to a new
  * directory beside the one that was named, which then takes its place in one step. A
  * directory that is there already has to be empty, or an export of the same kind that
  * is to be replaced: every file in it is looked at by its name before, so that nothing
@@ -15,7 +15,7 @@
 
 #include "model/base/error.h"
 
-struct pp_directory_file {
+struct pp_output_directory_file {
     char *path;   /* in the directory; with one "/" at most */
     bool runs;    /* is it a program? */
     FILE *stream; /* NULL once closed */
@@ -25,33 +25,34 @@ struct pp_directory_file {
     } * gathered; /* stays where it is: the stream writes to it */
 };
 
-struct pp_directory {
+struct pp_output_directory {
     char *path;
     bool replace;
     const char *const *known; /* names of files that may be replaced; ends with NULL;
                                * not owned */
-    struct pp_directory_file *files;
+    struct pp_output_directory_file *files;
     int count;
 };
 
 /* Fails early where it could not be written later on. `replace`: an existing export may
  * be. */
-enum pp_status pp_directory_open(struct pp_directory *directory, const char *path,
-                                 bool replace, const char *const *known,
-                                 struct pp_error *err);
+enum pp_status pp_output_directory_open(struct pp_output_directory *directory,
+                                        const char *path, bool replace,
+                                        const char *const *known, struct pp_error *err);
 
 /* A new file; print to *stream. */
-enum pp_status pp_directory_add(struct pp_directory *directory, const char *path,
-                                bool runs, FILE **stream, struct pp_error *err);
+enum pp_status pp_output_directory_add(struct pp_output_directory *directory,
+                                       const char *path, bool runs, FILE **stream,
+                                       struct pp_error *err);
 
 /* Writes all, and closes the directory whether it succeeds or not. */
-enum pp_status pp_directory_commit(struct pp_directory *directory,
-                                   struct pp_error *err);
+enum pp_status pp_output_directory_commit(struct pp_output_directory *directory,
+                                          struct pp_error *err);
 
 /* Closes it and leaves everything as it was. May follow a commit. */
-void pp_directory_abandon(struct pp_directory *directory);
+void pp_output_directory_clear(struct pp_output_directory *directory);
 
 /* Takes a directory made by this program away, with its files and theirs, one deep. */
-int pp_directory_remove(const char *path);
+int pp_output_directory_remove(const char *path);
 
 #endif

@@ -6,7 +6,7 @@
 #include <sys/ioctl.h>
 #include <unistd.h>
 
-#include "cli/print/utf8.h"
+#include "cli/print/format.h"
 #include "model/base/clock.h"
 
 /* Columns that the bar, and the label, take at most; the bar at least. */
@@ -47,18 +47,18 @@ static int put_label(FILE *out, const char *label, int columns)
     char start[4 * LABEL + 1];
     size_t length = 0;
     for (;;) {
-        size_t next = (size_t)pp_utf8_length(label + length);
+        size_t next = (size_t)pp_format_utf8_length(label + length);
         if (next == 0 || length + next >= sizeof start)
             break;
         memcpy(start + length, label + length, next);
         start[length + next] = '\0';
-        if (pp_utf8_width(start) > columns)
+        if (pp_format_utf8_width(start) > columns)
             break;
         length += next;
     }
     start[length] = '\0';
-    pp_utf8_put(out, start);
-    return pp_utf8_width(start);
+    pp_format_utf8_put(out, start);
+    return pp_format_utf8_width(start);
 }
 
 static int least(int a, int b)

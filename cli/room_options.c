@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "model/base/number.h"
+#include "model/base/text.h"
 
 const struct pp_room_options pp_room_options_none = {.seed = 1};
 
@@ -22,7 +22,8 @@ static bool read_point(const char *text, size_t length, struct pp_vec3 *point)
     double xyz[3] = {NAN, NAN, NAN};
     int count = 0;
     for (char *rest = copy, *part; (part = strsep(&rest, ",")) != NULL; count++)
-        if (count == 3 || !pp_number_parse(part, &xyz[count]) || fabs(xyz[count]) > 1e6)
+        if (count == 3 || !pp_text_parse_number(part, &xyz[count])
+            || fabs(xyz[count]) > 1e6)
             return false;
     *point = pp_vec(xyz[0], xyz[1], xyz[2]);
     return count >= 2;
@@ -59,7 +60,7 @@ const struct pp_option pp_room_choice_options[] = {
     {"methods", 'm', "LIST",
      "The methods to use, by name and with commas between, or "
      "\"all\", or \"default\".",
-     pp_read_text, PLACE(methods)},
+     pp_options_read_text, PLACE(methods)},
     {"points", 'p', "X,Y[,Z]",
      "Reference points in metres instead of the file's; several "
      "with spaces between, or the option repeated. Without Z "
@@ -69,8 +70,9 @@ const struct pp_option pp_room_choice_options[] = {
      "Another sky than the file's: overcast, uniform, or iso-1 to iso-15, "
      "with \",ALTITUDE,BEARING\" of the sun in degrees behind it where "
      "the type needs one.",
-     pp_read_text, PLACE(sky)},
-    {"room", 0, "NAME", "Only the room of that name.", pp_read_text, PLACE(room)},
+     pp_options_read_text, PLACE(sky)},
+    {"room", 0, "NAME", "Only the room of that name.", pp_options_read_text,
+     PLACE(room)},
     {0},
 };
 
@@ -78,7 +80,7 @@ const struct pp_option pp_room_external_option[] = {
     {"external", 0, "LUX",
      "Set illuminances beside the daylight factors: what they make of so many lux "
      "outside (5000 is usual).",
-     pp_read_lux, PLACE(external_lux)},
+     pp_options_read_lux, PLACE(external_lux)},
     {0},
 };
 
@@ -93,23 +95,23 @@ const struct pp_option pp_room_simulation_options[] = {
      "Stop when the standard error of the daylight factor is down "
      "to that share of it, or to 0.002 % daylight factor, at "
      "every point (default 1%).",
-     pp_read_per_cent, PLACE(error)},
+     pp_options_read_per_cent, PLACE(error)},
     {"samples", 0, "N",
      "Stop after N paths a point in each randomisation, instead of "
      "--error.",
-     pp_read_count, PLACE(samples)},
+     pp_options_read_count, PLACE(samples)},
     {"time", 0, "TIME",
      "Stop after that time a room: 10s, 500ms, 2m, 1h. The result then "
      "depends on the machine.",
-     pp_read_seconds, PLACE(seconds)},
+     pp_options_read_seconds, PLACE(seconds)},
     {"seed", 0, "N",
      "Start of the random numbers (default 1); the same seed gives the "
      "same result.",
-     pp_read_seed, PLACE(seed)},
+     pp_options_read_seed, PLACE(seed)},
     {"threads", 'j', "N",
      "Threads to work with (default: one for each processor); the "
      "result does not depend on it.",
-     pp_read_threads, PLACE(threads)},
+     pp_options_read_threads, PLACE(threads)},
     {0},
 };
 
@@ -119,7 +121,7 @@ const struct pp_option pp_room_output_options[] = {
     {"output", 'o', "FILE",
      "Write to FILE instead of standard output, whole or not at "
      "all; - is standard output.",
-     pp_read_output, PLACE(output)},
+     pp_options_read_output, PLACE(output)},
     {"quiet", 'q', NULL, "No progress bar.", NULL, PLACE(quiet)},
     {0},
 };

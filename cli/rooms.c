@@ -4,9 +4,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "cli/messages.h"
-#include "model/base/names.h"
-#include "model/room/room.h"
+#include "cli/message.h"
+#include "model/base/text.h"
+#include "model/room/building.h"
 
 /* What goes from file to file while all are read. */
 struct loading {
@@ -25,7 +25,7 @@ static enum pp_exit add_world(struct loading *loading, const char *file,
         struct pp_error err;
         pp_world_destroy(world);
         pp_fail_memory(&err);
-        return pp_say_error(&err);
+        return pp_message_error(&err);
     }
     rooms->list = grown;
     rooms->list[rooms->count++] =
@@ -42,8 +42,8 @@ static enum pp_exit resolve_room(struct loading *loading, const char *file,
     if (sky && pp_room_set_sky(room, sky, &err) != PP_OK) {
         struct pp_error usage;
         pp_fail(&usage, PP_BAD_INPUT, "--sky: %s", err.message);
-        return err.status == PP_BAD_INPUT ? pp_say_usage(loading->command, &usage)
-                                          : pp_say_error(&err);
+        return err.status == PP_BAD_INPUT ? pp_message_usage(loading->command, &usage)
+                                          : pp_message_error(&err);
     }
 
     struct pp_world *world = NULL;
@@ -51,7 +51,7 @@ static enum pp_exit resolve_room(struct loading *loading, const char *file,
     if (status == PP_BAD_INPUT && mistakes->count > 0)
         return PP_EXIT_DONE; /* they are said with those of the rest of the file */
     if (status != PP_OK)
-        return pp_say_error(&err);
+        return pp_message_error(&err);
     return add_world(loading, file, room, world);
 }
 
@@ -64,7 +64,7 @@ static enum pp_exit keep_building(struct pp_rooms *rooms, struct pp_building *bu
         struct pp_error err;
         pp_building_destroy(building);
         pp_fail_memory(&err);
-        return pp_say_error(&err);
+        return pp_message_error(&err);
     }
     rooms->buildings = grown;
     rooms->buildings[rooms->building_count++] = building;
@@ -81,7 +81,7 @@ static enum pp_exit load_file(struct loading *loading, const char *file)
 
     enum pp_exit result = PP_EXIT_DONE;
     if (status != PP_OK && (status != PP_BAD_INPUT || mistakes.count == 0))
-        result = pp_say_error(&err);
+        result = pp_message_error(&err);
     enum pp_exit kept = keep_building(loading->rooms, building);
     if (kept != PP_EXIT_DONE) {
         pp_mistakes_clear(&mistakes);
@@ -91,7 +91,7 @@ static enum pp_exit load_file(struct loading *loading, const char *file)
     for (int i = 0; i < count && result == PP_EXIT_DONE; i++)
         result = resolve_room(loading, file, pp_building_room(building, i), &mistakes);
     if (mistakes.count > 0 && result == PP_EXIT_DONE)
-        result = pp_say_mistakes(&mistakes);
+        result = pp_message_mistakes(&mistakes);
     loading->rooms->several |= building && pp_building_name(building);
     loading->rooms->several |= count > 1;
     pp_mistakes_clear(&mistakes);
@@ -106,7 +106,7 @@ static enum pp_exit place_points(struct pp_loaded_room *room,
     struct pp_receiver *receivers = calloc((size_t)points->count, sizeof *receivers);
     if (!receivers) {
         pp_fail_memory(&err);
-        return pp_say_error(&err);
+        return pp_message_error(&err);
     }
     room->receivers = receivers;
     room->receiver_count = points->count;
@@ -117,7 +117,7 @@ static enum pp_exit place_points(struct pp_loaded_room *room,
         receivers[i].position = at;
         receivers[i].normal = pp_vec(0.0, 0.0, 1.0);
         const char *fault =
-            pp_world_receiver_fault(room->world, at, receivers[i].normal);
+            pp_position_receiver_fault(room->world, at, receivers[i].normal);
         if (fault) {
             const char *name = room->world->name;
             pp_fail(&err, PP_BAD_INPUT,
@@ -125,7 +125,7 @@ static enum pp_exit place_points(struct pp_loaded_room *room,
                     "in the room's free space",
                     room->file, at.x, at.y, at.z, fault, name ? " of " : "",
                     name ? name : "");
-            return pp_say_error(&err);
+            return pp_message_error(&err);
         }
     }
     return PP_EXIT_DONE;
@@ -137,22 +137,22 @@ static enum pp_exit say_no_such_room(const struct pp_rooms *rooms, const char *w
     const char **names = calloc((size_t)rooms->count + 1, sizeof *names);
     if (!names) {
         pp_fail_memory(&err);
-        return pp_say_error(&err);
+        return pp_message_error(&err);
     }
     int count = 0;
     for (int i = 0; i < rooms->count; i++)
         if (rooms->list[i].world->name)
             names[count++] = rooms->list[i].world->name;
     char known[512];
-    const char *guess = pp_nearest(wanted, names, count);
+    const char *guess = pp_text_nearest(wanted, names, count);
     if (guess)
         pp_fail(&err, PP_BAD_INPUT,
                 "no room is named \"%.200s\"; did you mean \"%.200s\"?", wanted, guess);
     else
         pp_fail(&err, PP_BAD_INPUT, "no room is named \"%.200s\"; expected %s", wanted,
-                pp_name_list(known, sizeof known, names, count));
+                pp_text_list_names(known, sizeof known, names, count));
     free(names);
-    return pp_say_error(&err);
+    return pp_message_error(&err);
 }
 
 /* Leaves only the rooms of that name. */

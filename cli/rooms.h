@@ -6,7 +6,7 @@
 
 #include "cli/exit_status.h"
 #include "cli/room_options.h"
-#include "model/room/room.h"
+#include "model/room/building.h"
 #include "model/room/world.h"
 
 struct pp_loaded_room {

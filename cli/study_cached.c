@@ -26,15 +26,15 @@ const struct pp_option pp_engine_options[] = {
     {"engine", 0, "LIST",
      "What simulates: path (default), without bias; cache, through an irradiance "
      "cache; or path,cache, and how far they are apart.",
-     read_engines, offsetof(struct pp_engine_words, engines)},
+     read_engines, offsetof(struct pp_engine_choice, engines)},
     {"interpolate", 0, NULL,
      "Interpolate what is reflected at the points, too, from the cache.", NULL,
-     offsetof(struct pp_engine_words, interpolate)},
+     offsetof(struct pp_engine_choice, interpolate)},
     {0},
 };
 
-enum pp_status pp_engine_settle(struct pp_engine_words *words, bool simulate,
-                                struct pp_error *err)
+enum pp_status pp_study_cached_settle(struct pp_engine_choice *words, bool simulate,
+                                      struct pp_error *err)
 {
     words->cached = words->engines && strstr(words->engines, "cache");
     words->path = !words->engines || strstr(words->engines, "path");
@@ -43,12 +43,12 @@ enum pp_status pp_engine_settle(struct pp_engine_words *words, bool simulate,
                        "--engine says what simulates; it needs --simulate");
     if (words->interpolate && !words->cached)
         return pp_fail(err, PP_BAD_INPUT, "--interpolate needs --engine cache");
-    const char *used = pp_cache_words_used(&words->cache);
-    if (!used && words->cache.options.bounces != pp_cache_defaults().bounces)
+    const char *used = pp_cache_choice_used(&words->cache);
+    if (!used && words->cache.options.bounces != pp_irradiance_cache_defaults().bounces)
         used = "--bounces"; /* the tracer has no limit */
     if (used && !words->cached)
         return pp_fail(err, PP_BAD_INPUT, "%s needs --engine cache", used);
-    return pp_cache_words_settle(&words->cache, err);
+    return pp_cache_choice_settle(&words->cache, err);
 }
 
 static enum pp_status add_columns(struct pp_report *report,
@@ -99,7 +99,7 @@ static enum pp_status sample(struct pp_cached_points *points, struct pp_report *
 /* With scene, store and cache made. */
 static enum pp_status gather(struct pp_report *report,
                              const struct pp_room_options *options,
-                             const struct pp_engine_words *words,
+                             const struct pp_engine_choice *words,
                              const struct pp_light_scene *scene,
                              const struct pp_window_store *store,
                              struct pp_irradiance_cache *cache, bool *by_clock,
@@ -120,27 +120,27 @@ static enum pp_status gather(struct pp_report *report,
     if (status == PP_OK)
         status = add_columns(report, points, err);
     pp_cached_points_destroy(points);
-    if (status == PP_OK && report->finished && pp_irradiance_cache_done(cache))
-        status = pp_cache_words_save(&words->cache, cache, err);
+    if (status == PP_OK && report->finished && pp_cache_grow_done(cache))
+        status = pp_cache_choice_save(&words->cache, cache, err);
     return status;
 }
 
-enum pp_status pp_gather_cached(struct pp_report *report,
-                                const struct pp_room_options *options,
-                                const struct pp_engine_words *words, bool *by_clock,
-                                struct pp_error *err)
+enum pp_status pp_study_cached_add(struct pp_report *report,
+                                   const struct pp_room_options *options,
+                                   const struct pp_engine_choice *words, bool *by_clock,
+                                   struct pp_error *err)
 {
     const struct pp_radiance_options light = pp_cached_points_light();
     struct pp_light_scene *scene;
     struct pp_window_store *store = NULL;
     struct pp_irradiance_cache *cache = NULL;
-    enum pp_status status = pp_light_scene_of_matt_world(&scene, report->world, err);
+    enum pp_status status = pp_light_scene_of_world_matt(&scene, report->world, err);
     if (status == PP_OK)
         status =
             pp_window_store_create(&store, scene, options->seed, options->threads, err);
     if (status == PP_OK)
-        status = pp_cache_words_open(&cache, &words->cache, scene, store, &light,
-                                     options->seed, options->threads, err);
+        status = pp_cache_choice_open(&cache, &words->cache, scene, store, &light,
+                                      options->seed, options->threads, err);
     if (status == PP_OK)
         status = gather(report, options, words, scene, store, cache, by_clock, err);
     pp_irradiance_cache_destroy(cache);

@@ -11,10 +11,10 @@
 /* Between two looks at the clock, the interrupt and the progress bar. */
 static const double slice_s = 0.1;
 
-enum pp_status pp_gather_methods(struct pp_report *report,
-                                 const struct pp_loaded_room *room,
-                                 const struct pp_room_options *options,
-                                 struct pp_error *err)
+enum pp_status pp_study_report_methods(struct pp_report *report,
+                                       const struct pp_loaded_room *room,
+                                       const struct pp_room_options *options,
+                                       struct pp_error *err)
 {
     *report = (struct pp_report){.world = room->world,
                                  .options = &options->method_options,
@@ -78,9 +78,9 @@ static enum pp_status add_columns(struct pp_report *report,
     return PP_OK;
 }
 
-enum pp_status pp_gather_traced(struct pp_report *report,
-                                const struct pp_room_options *options, bool *by_clock,
-                                struct pp_error *err)
+enum pp_status pp_study_report_traced(struct pp_report *report,
+                                      const struct pp_room_options *options,
+                                      bool *by_clock, struct pp_error *err)
 {
     const char *name = report->world->name;
     struct pp_progress progress;

@@ -8,7 +8,7 @@
 #include <stdio.h>
 
 #include "methods/evaluate.h"
-#include "model/room/room.h"
+#include "model/room/building.h"
 
 static void print_report(const struct pp_report *report)
 {

@@ -81,16 +81,16 @@ double pp_allowance_factor(unsigned allowances, const struct pp_opening *opening
     return factor;
 }
 
-void pp_allowance_set_down(struct pp_steps *steps, unsigned allowances,
-                           const struct pp_opening *opening, char *product, size_t room)
+void pp_allowance_steps(struct pp_steps *steps, unsigned allowances,
+                        const struct pp_opening *opening, char *product, size_t room)
 {
     struct correction list[CORRECTIONS_MOST];
     int count = correct(list, allowances, opening);
     product[0] = '\0';
     for (int i = 0; i < count; i++) {
-        pp_step_named(steps, PP_UNIT_NUMBER, list[i].value, list[i].symbol, "%s",
-                      list[i].what);
-        pp_append(product, room, " %s", list[i].symbol);
+        pp_steps_add_named(steps, PP_UNIT_NUMBER, list[i].value, list[i].symbol, "%s",
+                           list[i].what);
+        pp_text_append(product, room, " %s", list[i].symbol);
     }
 }
 
@@ -113,5 +113,5 @@ void pp_allowance_words(char *text, size_t room, unsigned allowances)
         if (allowances & parts[i].bit)
             found[count++] = parts[i].words;
     snprintf(text, room, "%s", count == 0 ? "nothing of glass, frame or dirt" : "");
-    pp_append_list(text, room, found, count, " and ");
+    pp_text_append_list(text, room, found, count, " and ");
 }

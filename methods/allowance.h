@@ -11,8 +11,8 @@
  * published figure. D is the room's, not an opening's: methods/evaluate.c multiplies it
  * on the internally reflected component.
  */
-#ifndef PP_MODEL_ALLOWANCE_H
-#define PP_MODEL_ALLOWANCE_H
+#ifndef PP_METHODS_ALLOWANCE_H
+#define PP_METHODS_ALLOWANCE_H
 
 #include <stddef.h>
 
@@ -26,7 +26,7 @@ enum pp_allowance {
     PP_ALLOWS_OWN_GLASS = 1 << 1, /* the opening's own glazing */
     PP_ALLOWS_FRAME = 1 << 2,     /* frame and bars */
     PP_ALLOWS_DIRT = 1 << 3,      /* dirt on the glass */
-    PP_ALLOWS_NO_GLASS = 1 << 4,    /* with CLEAR_GLASS: has figures of its own, which
+    PP_ALLOWS_NO_GLASS = 1 << 4,  /* with CLEAR_GLASS: has figures of its own, which
                                      * contain no glass, for unglazed openings */
 };
 
@@ -38,9 +38,8 @@ double pp_allowance_factor(unsigned allowances, const struct pp_opening *opening
 
 /* Sets down the corrections that make up that factor, one by one, and puts their
  * symbols into `product` as further factors of a formula: " M G B", or nothing. */
-void pp_allowance_set_down(struct pp_steps *steps, unsigned allowances,
-                           const struct pp_opening *opening, char *product,
-                           size_t room);
+void pp_allowance_steps(struct pp_steps *steps, unsigned allowances,
+                        const struct pp_opening *opening, char *product, size_t room);
 
 /* What figures with these allowances contain: "clear single glass and the frame",
  * "nothing of glass, frame or dirt". */

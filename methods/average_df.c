@@ -23,14 +23,14 @@
  */
 #include "methods/reflected/bre_terms.h"
 #include "methods/reflected/interior.h"
-#include "methods/methods.h"
+#include "methods/method_entries.h"
 #include "methods/refusals.h"
 #include "methods/visible_angle.h"
 
 struct terms {
     double T, W, M;
     struct pp_visible_angle angle;
-    struct pp_inside all; /* A and R */
+    struct pp_interior all; /* A and R */
 };
 
 static enum pp_status find_terms(struct terms *terms, const struct pp_world *world,
@@ -39,7 +39,7 @@ static enum pp_status find_terms(struct terms *terms, const struct pp_world *wor
     terms->T = opening->glass.diffuse;
     terms->W = opening->inner.area_m2 * opening->frame_factor;
     terms->M = opening->maintenance;
-    terms->all = pp_inside_all(world);
+    terms->all = pp_interior_all(world);
     return pp_visible_angle(&terms->angle, world, opening, err);
 }
 
@@ -48,14 +48,14 @@ static void set_down(struct pp_steps *steps, const struct terms *terms,
                      const struct pp_opening *opening, bool dirt)
 {
     int line = opening->line;
-    pp_step_named(steps, PP_UNIT_NUMBER, terms->T, "T",
-                  "opening on line %d: diffuse transmittance", line);
-    pp_step_net_area(steps, opening, "W");
+    pp_steps_add_named(steps, PP_UNIT_NUMBER, terms->T, "T",
+                       "opening on line %d: diffuse transmittance", line);
+    pp_bre_terms_net_area_step(steps, opening, "W");
     pp_visible_angle_steps(steps, &terms->angle, opening);
     if (dirt)
-        pp_step_named(steps, PP_UNIT_NUMBER, terms->M, "M",
-                      "opening on line %d: maintenance", line);
-    pp_inside_steps(steps, &terms->all);
+        pp_steps_add_named(steps, PP_UNIT_NUMBER, terms->M, "M",
+                           "opening on line %d: maintenance", line);
+    pp_interior_steps(steps, &terms->all);
 }
 
 static enum pp_status evaluate(const struct pp_world *world,
@@ -72,9 +72,9 @@ static enum pp_status evaluate(const struct pp_world *world,
     double M = terms.M, A = terms.all.area_m2, R = terms.all.reflectance;
     part->value = T * W * theta_deg * M / (A * (1.0 - R * R)) / 100.0;
     set_down(part->steps, &terms, opening, true);
-    pp_step_worked(part->steps, PP_UNIT_SHARE, part->value, "df",
-                   "T W theta M / (A (1 - R^2))",
-                   "opening on line %d: average daylight factor", opening->line);
+    pp_steps_add_worked(part->steps, PP_UNIT_SHARE, part->value, "df",
+                        "T W theta M / (A (1 - R^2))",
+                        "opening on line %d: average daylight factor", opening->line);
     return PP_OK;
 }
 
@@ -93,9 +93,9 @@ static enum pp_status evaluate_lynes(const struct pp_world *world,
     double A = terms.all.area_m2, R = terms.all.reflectance;
     part->value = T * W * theta_deg / (2.0 * A * (1.0 - R)) / 100.0;
     set_down(part->steps, &terms, opening, false);
-    pp_step_worked(part->steps, PP_UNIT_SHARE, part->value, "df",
-                   "T W theta / (2 A (1 - R))",
-                   "opening on line %d: average over all surfaces", opening->line);
+    pp_steps_add_worked(part->steps, PP_UNIT_SHARE, part->value, "df",
+                        "T W theta / (2 A (1 - R))",
+                        "opening on line %d: average over all surfaces", opening->line);
     return PP_OK;
 }
 
@@ -106,8 +106,8 @@ const struct pp_method pp_method_average_df = {
     .gives = PP_GIVES_WHOLE,
     .speaks_for = PP_FOR_ROOM,
     .allowances = PP_ALLOWS_OWN_GLASS | PP_ALLOWS_FRAME | PP_ALLOWS_DIRT,
-    .refuses_room = pp_refuse_room_of_formula,
-    .refuses = pp_refuse_opening_unless_vertical,
+    .refuses_room = pp_refusals_formula_room,
+    .refuses = pp_refusals_sloping_opening,
     .evaluate = evaluate,
 };
 
@@ -119,7 +119,7 @@ const struct pp_method pp_method_average_df_lynes = {
     .speaks_for = PP_FOR_ROOM,
     .of_all_surfaces = true,
     .allowances = PP_ALLOWS_OWN_GLASS | PP_ALLOWS_FRAME,
-    .refuses_room = pp_refuse_room_of_formula,
-    .refuses = pp_refuse_opening_unless_vertical,
+    .refuses_room = pp_refusals_formula_room,
+    .refuses = pp_refusals_sloping_opening,
     .evaluate = evaluate_lynes,
 };

@@ -29,7 +29,7 @@
 #include <stddef.h>
 
 #include "methods/view/elevation.h"
-#include "methods/methods.h"
+#include "methods/method_entries.h"
 #include "methods/refusals.h"
 #include "methods/part_steps.h"
 
@@ -81,7 +81,7 @@ static double to_one_side(double h_over_d, double x_over_d)
     return copysign(pp_brs_table_read(h_over_d, fabs(x_over_d)), x_over_d);
 }
 
-static double of_rectangle(const struct pp_upright *part)
+static double of_rectangle(const struct pp_elevation_part *part)
 {
     double head =
         to_one_side(part->high, part->right) - to_one_side(part->high, part->left);
@@ -93,70 +93,72 @@ static double of_rectangle(const struct pp_upright *part)
 /* ---- on paper ---- */
 
 /* Names of an edge's figures and the words for them. */
-struct edge {
+struct edge_names {
     const char *height, *left, *right, *sum;
     const char *added, *left_less, *right_less; /* formulae of the sum */
     const char *what;
 };
 
-static const struct edge upper = {
+static const struct edge_names upper = {
     "h",         "T_hl", "T_hr", "H", "T_hl# + T_hr#", "T_hl# - T_hr#", "T_hr# - T_hl#",
     "upper edge"};
-static const struct edge lower = {
+static const struct edge_names lower = {
     "s",         "T_sl", "T_sr", "S", "T_sl# + T_sr#", "T_sl# - T_sr#", "T_sr# - T_sl#",
     "lower edge"};
 
 /* The table read at one edge: halves on both sides of the normal added, else the wider
  * less the narrower. */
-static void set_down_edge(struct pp_terms *terms, const struct edge *edge,
-                          double h_over_d, const struct pp_upright *part)
+static void set_down_edge(struct pp_part_steps *terms, const struct edge_names *edge,
+                          double h_over_d, const struct pp_elevation_part *part)
 {
     struct pp_steps *steps = terms->steps;
-    pp_step_named(steps, PP_UNIT_NUMBER, h_over_d,
-                  pp_terms_name(terms, edge->height).text, "%s over distance, h/d",
-                  edge->what);
-    pp_step_named(steps, PP_UNIT_SHARE, pp_brs_table_read(h_over_d, fabs(part->left)),
-                  pp_terms_name(terms, edge->left).text,
-                  "table at that h/d and w/d %.3f", fabs(part->left));
-    pp_step_named(steps, PP_UNIT_SHARE, pp_brs_table_read(h_over_d, fabs(part->right)),
-                  pp_terms_name(terms, edge->right).text,
-                  "table at that h/d and w/d %.3f", fabs(part->right));
+    pp_steps_add_named(steps, PP_UNIT_NUMBER, h_over_d,
+                       pp_part_steps_symbol(terms, edge->height).text,
+                       "%s over distance, h/d", edge->what);
+    pp_steps_add_named(steps, PP_UNIT_SHARE,
+                       pp_brs_table_read(h_over_d, fabs(part->left)),
+                       pp_part_steps_symbol(terms, edge->left).text,
+                       "table at that h/d and w/d %.3f", fabs(part->left));
+    pp_steps_add_named(steps, PP_UNIT_SHARE,
+                       pp_brs_table_read(h_over_d, fabs(part->right)),
+                       pp_part_steps_symbol(terms, edge->right).text,
+                       "table at that h/d and w/d %.3f", fabs(part->right));
     double sum = to_one_side(h_over_d, part->right) - to_one_side(h_over_d, part->left);
-    pp_terms_figure(terms, PP_UNIT_SHARE, sum, edge->sum,
-                    part->left < 0.0 && part->right > 0.0 ? edge->added
-                    : part->right > 0.0                   ? edge->right_less
-                                                          : edge->left_less,
-                    part->left < 0.0 && part->right > 0.0
-                        ? "both sides of the normal added"
-                        : "the wider less the narrower");
+    pp_part_steps_figure(terms, PP_UNIT_SHARE, sum, edge->sum,
+                         part->left < 0.0 && part->right > 0.0 ? edge->added
+                         : part->right > 0.0                   ? edge->right_less
+                                                               : edge->left_less,
+                         part->left < 0.0 && part->right > 0.0
+                             ? "both sides of the normal added"
+                             : "the wider less the narrower");
 }
 
 /* One rectangle: upper edge less lower edge, which is nothing at the point's height. */
-static void set_down(struct pp_terms *terms, const struct pp_upright *part)
+static void set_down(struct pp_part_steps *terms, const struct pp_elevation_part *part)
 {
     bool hidden = !isnan(part->reflectance);
     double share = of_rectangle(part);
-    pp_terms_next(terms);
-    pp_step(terms->steps, PP_UNIT_NUMBER, part->left,
-            "%s: left jamb over distance, w/d, right is positive",
-            hidden ? "obstruction" : "sky");
-    pp_step(terms->steps, PP_UNIT_NUMBER, part->right, "right jamb");
+    pp_part_steps_next(terms);
+    pp_steps_add(terms->steps, PP_UNIT_NUMBER, part->left,
+                 "%s: left jamb over distance, w/d, right is positive",
+                 hidden ? "obstruction" : "sky");
+    pp_steps_add(terms->steps, PP_UNIT_NUMBER, part->right, "right jamb");
     set_down_edge(terms, &upper, part->high, part);
     bool raised = part->low > 0.0;
     if (raised)
         set_down_edge(terms, &lower, part->low, part);
     if (!hidden) {
-        pp_terms_worked(terms, false, share, raised ? "H# - S#" : "H#",
-                        "sky component");
+        pp_part_steps_component(terms, false, share, raised ? "H# - S#" : "H#",
+                                "sky component");
         return;
     }
-    pp_terms_figure(terms, PP_UNIT_SHARE, share, "e", raised ? "H# - S#" : "H#",
-                    "equivalent sky component of the obstruction");
-    pp_step_named(terms->steps, PP_UNIT_NUMBER, part->reflectance,
-                  pp_terms_name(terms, "f").text,
-                  "luminance factor of the obstruction");
-    pp_terms_worked(terms, true, part->reflectance * share, "f# e#",
-                    "externally reflected component");
+    pp_part_steps_figure(terms, PP_UNIT_SHARE, share, "e", raised ? "H# - S#" : "H#",
+                         "equivalent sky component of the obstruction");
+    pp_steps_add_named(terms->steps, PP_UNIT_NUMBER, part->reflectance,
+                       pp_part_steps_symbol(terms, "f").text,
+                       "luminance factor of the obstruction");
+    pp_part_steps_component(terms, true, part->reflectance * share, "f# e#",
+                            "externally reflected component");
 }
 
 /* ---- the method ---- */
@@ -164,8 +166,8 @@ static void set_down(struct pp_terms *terms, const struct pp_upright *part)
 static const char *refuses_room(const struct pp_world *world,
                                 const struct pp_receiver *receiver)
 {
-    const char *why = pp_refuse_unless_overcast_and_up(world, receiver);
-    return why ? why : pp_refuse_if_luminous(world);
+    const char *why = pp_refusals_unless_overcast_and_up(world, receiver);
+    return why ? why : pp_refusals_if_luminous(world);
 }
 
 static const char *refuses(const struct pp_world *world,
@@ -175,7 +177,7 @@ static const char *refuses(const struct pp_world *world,
     (void)world, (void)receiver;
     if (opening->glass.diffusing)
         return "has diffusing glass; the table holds clear glass only";
-    return pp_refuse_unless_vertical(opening);
+    return pp_refusals_unless_vertical(opening);
 }
 
 static enum pp_status evaluate(const struct pp_world *world,
@@ -190,13 +192,13 @@ static enum pp_status evaluate(const struct pp_world *world,
     if (status != PP_OK)
         return status;
     double sky = 0.0, external = 0.0;
-    pp_step(part->steps, PP_UNIT_METRE,
-            pp_dot(pp_sub(receiver->position, opening->inner.vertices[0]),
-                   opening->inner.normal),
-            "distance d of the point from the opening's plane");
-    struct pp_terms terms = pp_terms_begin(part->steps, elevation.count);
+    pp_steps_add(part->steps, PP_UNIT_METRE,
+                 pp_vec_dot(pp_vec_sub(receiver->position, opening->inner.vertices[0]),
+                            opening->inner.normal),
+                 "distance d of the point from the opening's plane");
+    struct pp_part_steps terms = pp_part_steps_begin(part->steps, elevation.count);
     for (int i = 0; i < elevation.count; i++) {
-        const struct pp_upright *seen = elevation.parts + i;
+        const struct pp_elevation_part *seen = elevation.parts + i;
         double equivalent_sky = of_rectangle(seen);
         if (isnan(seen->reflectance))
             sky += equivalent_sky;
@@ -205,7 +207,7 @@ static enum pp_status evaluate(const struct pp_world *world,
         if (part->steps)
             set_down(&terms, seen);
     }
-    pp_terms_end(&terms);
+    pp_part_steps_end(&terms);
     part->sky = fmax(sky, 0.0);
     part->external = fmax(external, 0.0);
     pp_elevation_clear(&elevation);

@@ -7,7 +7,7 @@
 
 #include "model/geometry/contour/contour.h"
 #include "methods/exact/exact.h"
-#include "methods/view/exterior_planes.h"
+#include "methods/view/exterior.h"
 #include "methods/plane_inset.h"
 
 /* Sky of a smaller solid angle than this (sr) is none: 1e-9 sr is what a slit of a
@@ -21,7 +21,7 @@
 #define DAYLIGHT_INSET_MOST_M 0.02
 #define SKY_INSET_M 0.001
 
-struct scene {
+struct contoured_plane {
     const struct pp_world *world;
     double irc;
     double inset_m; /* the plane's edge itself is in the walls */
@@ -32,7 +32,7 @@ struct scene {
 static enum pp_status daylight_at(void *context, double x, double y, double *value,
                                   struct pp_error *err)
 {
-    const struct scene *scene = context;
+    const struct contoured_plane *scene = context;
     const struct pp_world *world = scene->world;
     struct pp_receiver receiver = {
         .position =
@@ -55,11 +55,11 @@ static enum pp_status daylight_at(void *context, double x, double y, double *val
 static enum pp_status sky_seen_at(void *context, double x, double y, double *value,
                                   struct pp_error *err)
 {
-    const struct scene *scene = context;
+    const struct contoured_plane *scene = context;
     const struct pp_world *world = scene->world;
     struct pp_vec3 eye =
         pp_plane_inset(&world->plane, world->working_plane_m, scene->inset_m, x, y);
-    return pp_outside_sky_seen(value, world, eye, err);
+    return pp_exterior_sky_solid_angle(value, world, eye, err);
 }
 
 /* ---- levels ---- */
@@ -94,9 +94,10 @@ static int choose_levels(double levels[LEVELS_MOST], double low, double high)
 
 /* ---- the plan ---- */
 
-static enum pp_status add_contours(struct pp_daylight_plan *plan, struct scene *scene,
-                                   double tolerance, const double *levels,
-                                   int level_count, struct pp_error *err)
+static enum pp_status add_contours(struct pp_daylight_plan *plan,
+                                   struct contoured_plane *scene, double tolerance,
+                                   const double *levels, int level_count,
+                                   struct pp_error *err)
 {
     struct pp_field *field;
     double usual[LEVELS_MOST];
@@ -111,7 +112,7 @@ static enum pp_status add_contours(struct pp_daylight_plan *plan, struct scene *
         levels = usual;
     }
     for (int i = 0; i < level_count && status == PP_OK; i++)
-        status = pp_field_contour(field, levels[i], &plan->contours, err);
+        status = pp_contour_curves(field, levels[i], &plan->contours, err);
     /* Refining near the levels may have come upon a higher or lower place. */
     pp_field_range(field, &plan->lowest, plan->lowest_xy, &plan->highest,
                    plan->highest_xy);
@@ -120,7 +121,7 @@ static enum pp_status add_contours(struct pp_daylight_plan *plan, struct scene *
 }
 
 static enum pp_status add_no_sky_line(struct pp_daylight_plan *plan,
-                                      struct scene *scene, double tolerance,
+                                      struct contoured_plane *scene, double tolerance,
                                       struct pp_error *err)
 {
     struct pp_field *field;
@@ -128,11 +129,12 @@ static enum pp_status add_no_sky_line(struct pp_daylight_plan *plan,
                                             scene, tolerance, err);
     if (status != PP_OK)
         return status;
-    status = pp_field_contour(field, NO_SKY_SR, &plan->no_sky, err);
+    status = pp_contour_curves(field, NO_SKY_SR, &plan->no_sky, err);
     if (status == PP_OK)
-        status = pp_field_below(field, NO_SKY_SR, &plan->dark, err);
+        status = pp_contour_below(field, NO_SKY_SR, &plan->dark, err);
     pp_field_destroy(field);
-    double share = pp_curves_area(&plan->dark) / pp_region_area(&scene->world->plane);
+    double share =
+        pp_curve_list_area(&plan->dark) / pp_region_area(&scene->world->plane);
     plan->sky_share = fmin(fmax(1.0 - share, 0.0), 1.0);
     return status;
 }
@@ -160,7 +162,7 @@ enum pp_status pp_daylight_curves(struct pp_daylight_plan *plan,
                                   int level_count, struct pp_error *err)
 {
     *plan = (struct pp_daylight_plan){0};
-    struct scene scene = {world, irc_name ? irc : 0.0, 0.0};
+    struct contoured_plane scene = {world, irc_name ? irc : 0.0, 0.0};
     if (irc_name && !(isfinite(irc) && irc >= 0.0))
         return pp_fail(err, PP_BAD_INPUT,
                        "internally reflected component is %g; contours need a number "
@@ -181,11 +183,12 @@ enum pp_status pp_daylight_curves(struct pp_daylight_plan *plan,
     return status;
 }
 
-enum pp_status pp_no_sky_line(struct pp_daylight_plan *plan,
-                              const struct pp_world *world, struct pp_error *err)
+enum pp_status pp_daylight_curves_no_sky(struct pp_daylight_plan *plan,
+                                         const struct pp_world *world,
+                                         struct pp_error *err)
 {
     *plan = (struct pp_daylight_plan){0};
-    struct scene scene = {world, 0.0, SKY_INSET_M};
+    struct contoured_plane scene = {world, 0.0, SKY_INSET_M};
     enum pp_status status =
         add_no_sky_line(plan, &scene, pp_daylight_curves_tolerance(&world->plane), err);
     if (status != PP_OK)

@@ -31,8 +31,9 @@ enum pp_status pp_daylight_curves(struct pp_daylight_plan *plan,
 
 /* The no-sky line alone: no_sky, dark and sky_share of the plan, which is to be cleared
  * by the caller; empty on failure. */
-enum pp_status pp_no_sky_line(struct pp_daylight_plan *plan,
-                              const struct pp_world *world, struct pp_error *err);
+enum pp_status pp_daylight_curves_no_sky(struct pp_daylight_plan *plan,
+                                         const struct pp_world *world,
+                                         struct pp_error *err);
 
 /* The tolerance (m) that curves over a plane are true to. */
 double pp_daylight_curves_tolerance(const struct pp_region *plane);

@@ -1,9 +1,10 @@
 /* drawing_board.c - see drawing_board.h. */
 #include "methods/drawing_board.h"
 
-enum pp_status pp_board_covers(const struct pp_method *method,
-                               const struct pp_world *world,
-                               const struct pp_receiver *receiver, struct pp_error *err)
+enum pp_status pp_drawing_board_check(const struct pp_method *method,
+                                      const struct pp_world *world,
+                                      const struct pp_receiver *receiver,
+                                      struct pp_error *err)
 {
     const char *why = method->refuses_room(world, receiver);
     if (why)
@@ -19,11 +20,11 @@ enum pp_status pp_board_covers(const struct pp_method *method,
 
 static bool alike(const struct pp_opening *a, const struct pp_opening *b)
 {
-    struct pp_vec3 off = pp_sub(a->inner.normal, b->inner.normal);
-    return pp_dot(off, off) < 1e-12 && (a->glass.panes > 0) == (b->glass.panes > 0);
+    struct pp_vec3 off = pp_vec_sub(a->inner.normal, b->inner.normal);
+    return pp_vec_dot(off, off) < 1e-12 && (a->glass.panes > 0) == (b->glass.panes > 0);
 }
 
-int pp_board_first_like(const struct pp_world *world, int index)
+int pp_drawing_board_first_alike(const struct pp_world *world, int index)
 {
     int first = 0;
     while (first < index && !alike(&world->openings[first], &world->openings[index]))
@@ -31,18 +32,18 @@ int pp_board_first_like(const struct pp_world *world, int index)
     return first;
 }
 
-int pp_board_count_like(const struct pp_world *world, int first)
+int pp_drawing_board_count_alike(const struct pp_world *world, int first)
 {
     int count = 0;
     for (int i = first; i < world->opening_count; i++)
-        count += pp_board_first_like(world, i) == first;
+        count += pp_drawing_board_first_alike(world, i) == first;
     return count;
 }
 
-int pp_board_diagrams(const struct pp_world *world)
+int pp_drawing_board_diagram_count(const struct pp_world *world)
 {
     int count = 0;
     for (int i = 0; i < world->opening_count; i++)
-        count += pp_board_first_like(world, i) == i;
+        count += pp_drawing_board_first_alike(world, i) == i;
     return count;
 }

@@ -9,7 +9,7 @@
 #include "methods/selection.h"
 
 /* A method at work on one world. */
-struct work {
+struct method_run {
     const struct pp_method *method;
     const struct pp_world *world;
     double *factors; /* what the method's figures still need, an opening each */
@@ -27,17 +27,18 @@ struct answer {
 
 /* D, which bears on what is reflected inside. A method that gives the daylight factor as
  * a whole keeps no such part: it does without. */
-static double decorations_of(const struct work *work)
+static double decorations_of(const struct method_run *work)
 {
     return work->method->gives == PP_GIVES_INTERNAL ? work->world->decorations : 1.0;
 }
 
-static enum pp_status work_create(struct work *work, const struct pp_method *method,
+static enum pp_status work_create(struct method_run *work,
+                                  const struct pp_method *method,
                                   const struct pp_report *report, struct pp_error *err)
 {
     static const struct pp_method_options nothing_asked;
     const struct pp_world *world = report->world;
-    *work = (struct work){.method = method, .world = world};
+    *work = (struct method_run){.method = method, .world = world};
     work->factors = malloc(((size_t)world->opening_count + 1) * sizeof(double));
     if (!work->factors)
         return pp_fail_memory(err);
@@ -57,7 +58,7 @@ static enum pp_status work_create(struct work *work, const struct pp_method *met
     return status;
 }
 
-static void work_clear(struct work *work)
+static void work_clear(struct method_run *work)
 {
     if (work->method->put_away)
         work->method->put_away(work->tools);
@@ -109,9 +110,9 @@ static int components_of(enum pp_component list[2], const struct pp_method *meth
 
 /* Sets down one opening's corrections and what comes of them, behind the method's own
  * steps, which begin with step `first`. */
-static void set_down_opening(struct answer *answer, const struct work *work, int index,
-                             const struct pp_part *part, const struct pp_part *settled,
-                             int first)
+static void set_down_opening(struct answer *answer, const struct method_run *work,
+                             int index, const struct pp_part *part,
+                             const struct pp_part *settled, int first)
 {
     struct pp_steps *steps = answer->steps;
     const struct pp_opening *opening = &work->world->openings[index];
@@ -119,16 +120,16 @@ static void set_down_opening(struct answer *answer, const struct work *work, int
     int count = components_of(components, work->method, part, steps, first);
     for (int i = 0; i < count; i++)
         if (!pp_steps_find(steps, first, own_symbols[components[i]]))
-            pp_step_named(steps, PP_UNIT_SHARE, figure(part, components[i]),
-                          own_symbols[components[i]], "%s, as read",
-                          component_names[components[i]]);
+            pp_steps_add_named(steps, PP_UNIT_SHARE, figure(part, components[i]),
+                               own_symbols[components[i]], "%s, as read",
+                               component_names[components[i]]);
     char product[64];
-    pp_allowance_set_down(steps, work->method->allowances, opening, product,
-                          sizeof product);
+    pp_allowance_steps(steps, work->method->allowances, opening, product,
+                       sizeof product);
     double D = decorations_of(work);
     if (D != 1.0) {
-        pp_step_named(steps, PP_UNIT_NUMBER, D, "D",
-                      "decorations: what their deterioration leaves");
+        pp_steps_add_named(steps, PP_UNIT_NUMBER, D, "D",
+                           "decorations: what their deterioration leaves");
         strncat(product, " D", sizeof product - strlen(product) - 1);
     }
     for (int i = 0; i < count; i++) {
@@ -137,21 +138,21 @@ static void set_down_opening(struct answer *answer, const struct work *work, int
         snprintf(symbol, sizeof symbol, alone ? "%s" : "%s_%d", symbols[components[i]],
                  index + 1);
         snprintf(formula, sizeof formula, "%s%s", own_symbols[components[i]], product);
-        pp_step_worked(steps, PP_UNIT_SHARE, figure(settled, components[i]), symbol,
-                       formula, "%s", component_names[components[i]]);
+        pp_steps_add_worked(steps, PP_UNIT_SHARE, figure(settled, components[i]),
+                            symbol, formula, "%s", component_names[components[i]]);
     }
 }
 
 /* Sets down the sums over several openings, or none. */
-static void set_down_sums(const struct answer *answer, const struct work *work)
+static void set_down_sums(const struct answer *answer, const struct method_run *work)
 {
     enum pp_component components[2];
     int count =
         components_of(components, work->method, &answer->part, answer->steps, 0);
     answer->steps->line = 0;
     for (int i = 0; i < count; i++)
-        pp_step_sum(answer->steps, 0, work->world->opening_count,
-                    symbols[components[i]], component_names[components[i]]);
+        pp_steps_add_sum(answer->steps, 0, work->world->opening_count,
+                         symbols[components[i]], component_names[components[i]]);
 }
 
 /* What one opening gives, times the factor that settles its glass, frame and dirt. */
@@ -163,7 +164,7 @@ static struct pp_part settle(const struct pp_part *part, double factor)
 }
 
 /* Asks the method for each opening and adds up. */
-static enum pp_status add_openings(const struct work *work,
+static enum pp_status add_openings(const struct method_run *work,
                                    const struct pp_receiver *receiver,
                                    struct answer *answer, struct pp_error *err)
 {
@@ -198,7 +199,7 @@ static enum pp_status add_openings(const struct work *work,
 
 /* Sums the method over the openings for a receiver (NULL: for the room). The answer's
  * steps are the caller's. */
-static enum pp_status sum_openings(const struct work *work,
+static enum pp_status sum_openings(const struct method_run *work,
                                    const struct pp_receiver *receiver,
                                    struct answer *answer, struct pp_error *err)
 {
@@ -248,7 +249,7 @@ static enum pp_status to_reading(struct pp_reading *reading, struct pp_report *r
 
 /* What the integral over the working plane needs at each point. */
 struct plane_sum {
-    const struct work *work;
+    const struct method_run *work;
     struct answer refusal; /* the last one; all points refuse for one reason */
     bool failed;
 };
@@ -275,10 +276,10 @@ static bool plane_sum_at(void *data, const struct pp_receiver *receiver,
 }
 
 /* The average over the working plane, of a method that speaks for a point. */
-static enum pp_status average_of_points(const struct work *work, struct answer *answer,
-                                        struct pp_error *err)
+static enum pp_status average_of_points(const struct method_run *work,
+                                        struct answer *answer, struct pp_error *err)
 {
-    struct work rough_work = *work;
+    struct method_run rough_work = *work;
     rough_work.roughly = true;
     struct plane_sum sum = {.work = &rough_work};
     double mean[PP_PLANE_VALUES];
@@ -308,7 +309,7 @@ static enum pp_status average_of_points(const struct work *work, struct answer *
 }
 
 /* The answers at each receiver, and of the room's average behind them. */
-static enum pp_status answer_all(const struct work *work,
+static enum pp_status answer_all(const struct method_run *work,
                                  const struct pp_report *report, struct answer *answers,
                                  struct pp_error *err)
 {
@@ -390,7 +391,7 @@ static enum pp_status add_method(struct pp_report *report,
     if (pp_report_find(report, component, method->name))
         return PP_OK;
 
-    struct work work;
+    struct method_run work;
     enum pp_status status = work_create(&work, method, report, err);
     if (status != PP_OK)
         return status;
@@ -422,9 +423,9 @@ static struct pp_reading pair_of(struct pp_reading sc, struct pp_reading erc,
 static void set_down_column(struct pp_steps *steps, const struct pp_column *column,
                             int point)
 {
-    pp_step_named(steps, PP_UNIT_SHARE, column->points[point].value,
-                  symbols[column->component], "%s by %s",
-                  component_names[column->component], column->name);
+    pp_steps_add_named(steps, PP_UNIT_SHARE, column->points[point].value,
+                       symbols[column->component], "%s by %s",
+                       component_names[column->component], column->name);
 }
 
 static enum pp_status add_pair(struct pp_report *report, const struct pp_method *direct,
@@ -449,8 +450,8 @@ static enum pp_status add_pair(struct pp_report *report, const struct pp_method 
         set_down_column(steps, sc, i);
         set_down_column(steps, erc, i);
         set_down_column(steps, irc, i);
-        pp_step_worked(steps, PP_UNIT_SHARE, df->points[i].value, symbols[PP_DF],
-                       "SC + ERC + IRC", "%s", component_names[PP_DF]);
+        pp_steps_add_worked(steps, PP_UNIT_SHARE, df->points[i].value, symbols[PP_DF],
+                            "SC + ERC + IRC", "%s", component_names[PP_DF]);
         if (!steps || steps->failed)
             return pp_fail_memory(err);
         df->points[i].steps = steps;

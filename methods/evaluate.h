@@ -50,6 +50,6 @@ enum pp_status pp_methods_evaluate(struct pp_report *report, const char *selecti
 
 /* Does the selection make sense? PP_BAD_INPUT, with the known names and the nearest
  * one, where it does not. */
-enum pp_status pp_methods_check(const char *selection, struct pp_error *err);
+enum pp_status pp_selection_check(const char *selection, struct pp_error *err);
 
 #endif

@@ -1,9 +1,9 @@
-/* interpolate.c - see interpolate.h. */
 #include "methods/interpolate.h"
 
 #include <math.h>
 
-double pp_even_table(const double *values, int count, double low, double high, double x)
+double pp_interpolate_cubic(const double *values, int count, double low, double high,
+                            double x)
 {
     double place = (x - low) / (high - low) * (count - 1);
     place = fmin(fmax(place, 0.0), count - 1.0);
@@ -18,9 +18,10 @@ double pp_even_table(const double *values, int count, double low, double high, d
            - v[2] * t * t1 * t3 / 2.0 + v[3] * t * t1 * t2 / 6.0;
 }
 
-void pp_even_table_integrate(double *values, int count, double low, double high,
-                             double (*function)(const void *context, double x),
-                             const void *context)
+void pp_interpolate_tabulate_integral(double *values, int count, double low,
+                                      double high,
+                                      double (*function)(const void *context, double x),
+                                      const void *context)
 {
     static const double place[] = {0.33998104358485626, 0.86113631159405258};
     static const double weight[] = {0.65214515486254614, 0.34785484513745386};
@@ -36,8 +37,8 @@ void pp_even_table_integrate(double *values, int count, double low, double high,
     }
 }
 
-double pp_even_table_find(const double *values, int count, double low, double high,
-                          double value)
+double pp_interpolate_inverse(const double *values, int count, double low, double high,
+                              double value)
 {
     /* Which step it lies in, then where in that step. */
     int below = 0, above = count - 1;
@@ -52,10 +53,30 @@ double pp_even_table_find(const double *values, int count, double low, double hi
     double left = low + below * step, right = low + above * step;
     while (right - left > 1e-10 * (high - low)) {
         double middle = (left + right) / 2.0;
-        if (pp_even_table(values, count, low, high, middle) < value)
+        if (pp_interpolate_cubic(values, count, low, high, middle) < value)
             left = middle;
         else
             right = middle;
     }
     return (left + right) / 2.0;
+}
+
+int pp_interpolate_interval(const double *rows, int count, int width, int column,
+                            double x, double *share)
+{
+    int upper = 1;
+    while (upper < count - 1 && x > rows[upper * width + column])
+        upper++;
+    double low = rows[(upper - 1) * width + column],
+           high = rows[upper * width + column];
+    *share = fmin(fmax((x - low) / (high - low), 0.0), 1.0);
+    return upper;
+}
+
+double pp_interpolate_linear(const double (*rows)[2], int count, double x)
+{
+    double share;
+    int upper = pp_interpolate_interval(&rows[0][0], count, 2, 0, x, &share);
+    double low = rows[upper - 1][1], high = rows[upper][1];
+    return low + share * (high - low);
 }

@@ -54,8 +54,8 @@ struct pp_method {
     enum pp_speaks_for speaks_for;
     bool of_all_surfaces; /* an average over the room's surfaces, not its working plane:
                            * not to be compared with one */
-    unsigned allowances; /* what its figures already contain, enum pp_allowance */
-    bool counts;         /* squares or dots: no finer than one of them */
+    unsigned allowances;  /* what its figures already contain, enum pp_allowance */
+    bool counts;          /* squares or dots: no finer than one of them */
     bool has_average; /* of PP_FOR_POINT: evaluate without a receiver gives the average
                        * over the working plane, in place of an integral over points */
 

@@ -4,18 +4,19 @@
 
 #include <stdio.h>
 
-struct pp_terms pp_terms_begin(struct pp_steps *steps, int parts)
+struct pp_part_steps pp_part_steps_begin(struct pp_steps *steps, int parts)
 {
-    return (struct pp_terms){
+    return (struct pp_part_steps){
         .steps = steps, .first = steps ? steps->count : 0, .parts = parts};
 }
 
-void pp_terms_next(struct pp_terms *terms)
+void pp_part_steps_next(struct pp_part_steps *terms)
 {
     terms->number++;
 }
 
-struct pp_symbol pp_terms_name(const struct pp_terms *terms, const char *name)
+struct pp_symbol pp_part_steps_symbol(const struct pp_part_steps *terms,
+                                      const char *name)
 {
     struct pp_symbol symbol;
     if (terms->parts == 1)
@@ -26,45 +27,48 @@ struct pp_symbol pp_terms_name(const struct pp_terms *terms, const char *name)
 }
 
 /* The formula with numbers, or none, for its marks. */
-static void number(char *text, size_t room, const struct pp_terms *terms,
+static void number(char *text, size_t room, const struct pp_part_steps *terms,
                    const char *formula)
 {
     for (text[0] = '\0'; *formula; formula++)
         if (*formula != '#')
-            pp_append(text, room, "%c", *formula);
+            pp_text_append(text, room, "%c", *formula);
         else if (terms->parts > 1)
-            pp_append(text, room, "_%d", terms->number);
+            pp_text_append(text, room, "_%d", terms->number);
 }
 
-void pp_terms_figure(struct pp_terms *terms, enum pp_unit unit, double value,
-                     const char *name, const char *formula, const char *what)
+void pp_part_steps_figure(struct pp_part_steps *terms, enum pp_step_unit unit,
+                          double value, const char *name, const char *formula,
+                          const char *what)
 {
     char numbered[160];
     number(numbered, sizeof numbered, terms, formula);
-    pp_step_worked(terms->steps, unit, value, pp_terms_name(terms, name).text, numbered,
-                   "%s", what);
+    pp_steps_add_worked(terms->steps, unit, value,
+                        pp_part_steps_symbol(terms, name).text, numbered, "%s", what);
 }
 
-void pp_terms_worked(struct pp_terms *terms, bool hidden, double share,
-                     const char *formula, const char *what)
+void pp_part_steps_component(struct pp_part_steps *terms, bool hidden, double share,
+                             const char *formula, const char *what)
 {
     *(hidden ? &terms->hidden_count : &terms->sky_count) += 1;
     if (!hidden)
         terms->sky += share;
-    pp_terms_figure(terms, PP_UNIT_SHARE, share, hidden ? "erc" : "sc", formula, what);
+    pp_part_steps_figure(terms, PP_UNIT_SHARE, share, hidden ? "erc" : "sc", formula,
+                         what);
 }
 
-void pp_terms_end(struct pp_terms *terms)
+void pp_part_steps_end(struct pp_part_steps *terms)
 {
     if (!terms->steps)
         return;
     bool alone = terms->parts == 1;
     if (!alone || terms->sky_count == 0)
-        pp_step_sum(terms->steps, terms->first, terms->number, "sc", "sky component");
+        pp_steps_add_sum(terms->steps, terms->first, terms->number, "sc",
+                         "sky component");
     if (terms->sky < 0.0)
-        pp_step_worked(terms->steps, PP_UNIT_SHARE, 0.0, "sc", "max(sc, 0)",
-                       "less than nothing is nothing");
+        pp_steps_add_worked(terms->steps, PP_UNIT_SHARE, 0.0, "sc", "max(sc, 0)",
+                            "less than nothing is nothing");
     if (terms->hidden_count > 0 && !alone)
-        pp_step_sum(terms->steps, terms->first, terms->number, "erc",
-                    "externally reflected component");
+        pp_steps_add_sum(terms->steps, terms->first, terms->number, "erc",
+                         "externally reflected component");
 }

@@ -1,14 +1,14 @@
 /* part_steps.h - the parts of an opening that are read one by one, sky here and an
  * obstruction there, as they stand in formulae: sc_1, erc_2, sc_3, and their sums.
  */
-#ifndef PP_METHODS_TERMS_H
-#define PP_METHODS_TERMS_H
+#ifndef PP_METHODS_PART_STEPS_H
+#define PP_METHODS_PART_STEPS_H
 
 #include <stdbool.h>
 
 #include "model/results/steps.h"
 
-struct pp_terms {
+struct pp_part_steps {
     struct pp_steps *steps;      /* NULL: nothing is set down */
     int first;                   /* the first step of this opening */
     int parts;                   /* in all: of a single one names have no number */
@@ -23,26 +23,28 @@ struct pp_symbol {
 };
 
 /* `parts` are about to be read. */
-struct pp_terms pp_terms_begin(struct pp_steps *steps, int parts);
+struct pp_part_steps pp_part_steps_begin(struct pp_steps *steps, int parts);
 
 /* Goes on to the next part. */
-void pp_terms_next(struct pp_terms *terms);
+void pp_part_steps_next(struct pp_part_steps *terms);
 
 /* The name of a figure of this part: "n", or "n_2" where there are several. */
-struct pp_symbol pp_terms_name(const struct pp_terms *terms, const char *name);
+struct pp_symbol pp_part_steps_symbol(const struct pp_part_steps *terms,
+                                      const char *name);
 
 /* Sets down a figure of this part, worked out by a formula in which each # stands for
  * the part's number: "k_r# - k_l#". */
-void pp_terms_figure(struct pp_terms *terms, enum pp_unit unit, double value,
-                     const char *name, const char *formula, const char *what);
+void pp_part_steps_figure(struct pp_part_steps *terms, enum pp_step_unit unit,
+                          double value, const char *name, const char *formula,
+                          const char *what);
 
 /* Sets down what this part comes to, sky component or externally reflected one, by a
  * formula of that kind. */
-void pp_terms_worked(struct pp_terms *terms, bool hidden, double share,
-                     const char *formula, const char *what);
+void pp_part_steps_component(struct pp_part_steps *terms, bool hidden, double share,
+                             const char *formula, const char *what);
 
 /* Sets down the sums: sc, and erc where anything is hidden. A sum of sky that comes out
  * below 0 counts as 0. */
-void pp_terms_end(struct pp_terms *terms);
+void pp_part_steps_end(struct pp_part_steps *terms);
 
 #endif

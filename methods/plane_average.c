@@ -7,7 +7,7 @@
 /* A piece of the plane, of points origin + s a + t b of a figure: a rectangle for s and
  * t from 0 to 1, a triangle where t goes from 0 to s. A triangle is a piece of its own;
  * of the rectangle a piece is what s = g(u) and t = g(v) make of a smaller one. */
-struct piece {
+struct plane_piece {
     double origin[2], a[2], b[2];
     bool triangle;
     double low[2], wide[2];    /* u and v from low to low + wide */
@@ -27,9 +27,9 @@ static double graded_slope(double u)
     return 6.0 * u * (1.0 - u);
 }
 
-struct pieces {
+struct plane_pieces {
     int count;
-    struct piece *list;
+    struct plane_piece *list;
 };
 
 /* Is the region one rectangle with edges along x and y? */
@@ -48,8 +48,8 @@ static bool is_upright_rectangle(const struct pp_region *region)
 
 /* Uneven, so that no cut falls on the middle of a room: windows like to be there, and
  * what is even about it makes the estimated errors too small. */
-static enum pp_status cut_rectangle(struct pieces *pieces, const double (*corners)[2],
-                                    struct pp_error *err)
+static enum pp_status cut_rectangle(struct plane_pieces *pieces,
+                                    const double (*corners)[2], struct pp_error *err)
 {
     static const double cuts[4] = {0.0, 0.27, 0.69, 1.0};
     const double *o = corners[0];
@@ -63,7 +63,7 @@ static enum pp_status cut_rectangle(struct pieces *pieces, const double (*corner
     for (int i = 0; i < 9; i++) {
         double u = cuts[i % 3], v = cuts[i / 3];
         double wide[2] = {cuts[i % 3 + 1] - u, cuts[i / 3 + 1] - v};
-        pieces->list[i] = (struct piece){
+        pieces->list[i] = (struct plane_piece){
             .origin = {o[0], o[1]},
             .a = {a[0], a[1]},
             .b = {b[0], b[1]},
@@ -77,15 +77,15 @@ static enum pp_status cut_rectangle(struct pieces *pieces, const double (*corner
     return PP_OK;
 }
 
-static enum pp_status cut_figure(struct pieces *pieces, const struct pp_region *plane,
-                                 struct pp_error *err)
+static enum pp_status cut_figure(struct plane_pieces *pieces,
+                                 const struct pp_region *plane, struct pp_error *err)
 {
     struct pp_clipper *clipper = NULL;
     double(*triangles)[3][2] = NULL;
-    enum pp_status status = pp_clipper_create(&clipper, err);
+    enum pp_status status = pp_region_clipper_create(&clipper, err);
     if (status == PP_OK)
         status = pp_region_triangulate(clipper, &triangles, &pieces->count, plane, err);
-    pp_clipper_destroy(clipper);
+    pp_region_clipper_destroy(clipper);
     if (status != PP_OK)
         return status;
     pieces->list = malloc(((size_t)pieces->count + 1) * sizeof *pieces->list);
@@ -97,7 +97,7 @@ static enum pp_status cut_figure(struct pieces *pieces, const struct pp_region *
         double(*p)[2] = triangles[i];
         double a[2] = {p[1][0] - p[0][0], p[1][1] - p[0][1]};
         double b[2] = {p[2][0] - p[1][0], p[2][1] - p[1][1]};
-        pieces->list[i] = (struct piece){
+        pieces->list[i] = (struct plane_piece){
             .origin = {p[0][0], p[0][1]},
             .a = {a[0], a[1]},
             .b = {b[0], b[1]},
@@ -111,7 +111,7 @@ static enum pp_status cut_figure(struct pieces *pieces, const struct pp_region *
 
 /* What the integral over one piece needs at each point. */
 struct integral {
-    const struct piece *piece;
+    const struct plane_piece *piece;
     double z;
     pp_plane_function *function;
     void *data;
@@ -127,7 +127,7 @@ static int at_point(unsigned dim, const double *square, void *data, unsigned fdi
 {
     (void)dim, (void)fdim;
     struct integral *integral = data;
-    const struct piece *piece = integral->piece;
+    const struct plane_piece *piece = integral->piece;
     double s, t, element;
     if (piece->triangle) {
         s = square[0];
@@ -158,7 +158,7 @@ enum { FIRST_POINTS = 17 };
 
 /* The integrals over all pieces, summed in their order, each to an absolute error of
  * the sum of its values and with so many points. False: stopped. */
-static bool integrate(double sum[PP_PLANE_VALUES], const struct pieces *pieces,
+static bool integrate(double sum[PP_PLANE_VALUES], const struct plane_pieces *pieces,
                       const struct integral *integral, double absolute, int points,
                       double (*values)[PP_PLANE_VALUES])
 {
@@ -191,7 +191,7 @@ enum pp_status pp_plane_average(double mean[PP_PLANE_VALUES], bool *stopped,
                                 double relative_error, int most_points,
                                 struct pp_error *err)
 {
-    struct pieces pieces = {0};
+    struct plane_pieces pieces = {0};
     enum pp_status status =
         is_upright_rectangle(&world->plane)
             ? cut_rectangle(&pieces, (const double(*)[2])world->plane.rings[0].xy, err)

@@ -7,7 +7,7 @@
  * written with three decimals pass. */
 static const double angle_tolerance_rad = 1e-3;
 
-const char *pp_refuse_unless_up(const struct pp_receiver *receiver)
+const char *pp_refusals_unless_up(const struct pp_receiver *receiver)
 {
     if (receiver
         && (hypot(receiver->normal.x, receiver->normal.y) > angle_tolerance_rad
@@ -16,15 +16,15 @@ const char *pp_refuse_unless_up(const struct pp_receiver *receiver)
     return NULL;
 }
 
-const char *pp_refuse_unless_overcast_and_up(const struct pp_world *world,
-                                             const struct pp_receiver *receiver)
+const char *pp_refusals_unless_overcast_and_up(const struct pp_world *world,
+                                               const struct pp_receiver *receiver)
 {
     if (world->sky.kind != PP_SKY_OVERCAST)
         return "it is made for the CIE overcast sky only";
-    return pp_refuse_unless_up(receiver);
+    return pp_refusals_unless_up(receiver);
 }
 
-const char *pp_refuse_if_luminous(const struct pp_world *world)
+const char *pp_refusals_if_luminous(const struct pp_world *world)
 {
     for (int i = 0; i < world->surface_count; i++)
         if (world->surfaces[i].exitance > 0.0)
@@ -32,31 +32,31 @@ const char *pp_refuse_if_luminous(const struct pp_world *world)
     return NULL;
 }
 
-const char *pp_refuse_luminous_room(const struct pp_world *world,
-                                    const struct pp_receiver *receiver)
-{
-    (void)receiver;
-    return pp_refuse_if_luminous(world);
-}
-
-const char *pp_refuse_room_of_formula(const struct pp_world *world,
+const char *pp_refusals_luminous_room(const struct pp_world *world,
                                       const struct pp_receiver *receiver)
 {
-    const char *why = pp_refuse_unless_overcast_and_up(world, receiver);
-    return why ? why : pp_refuse_if_luminous(world);
+    (void)receiver;
+    return pp_refusals_if_luminous(world);
 }
 
-const char *pp_refuse_unless_vertical(const struct pp_opening *opening)
+const char *pp_refusals_formula_room(const struct pp_world *world,
+                                     const struct pp_receiver *receiver)
+{
+    const char *why = pp_refusals_unless_overcast_and_up(world, receiver);
+    return why ? why : pp_refusals_if_luminous(world);
+}
+
+const char *pp_refusals_unless_vertical(const struct pp_opening *opening)
 {
     if (fabs(opening->slope_rad - PP_PI / 2.0) > angle_tolerance_rad)
         return "is not vertical, and only vertical ones are covered";
     return NULL;
 }
 
-const char *pp_refuse_opening_unless_vertical(const struct pp_world *world,
-                                              const struct pp_opening *opening,
-                                              const struct pp_receiver *receiver)
+const char *pp_refusals_sloping_opening(const struct pp_world *world,
+                                        const struct pp_opening *opening,
+                                        const struct pp_receiver *receiver)
 {
     (void)world, (void)receiver;
-    return pp_refuse_unless_vertical(opening);
+    return pp_refusals_unless_vertical(opening);
 }

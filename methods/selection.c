@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "methods/evaluate.h"
-#include "model/base/names.h"
+#include "model/base/text.h"
 
 static const char default_selection[] = "exact+bre,brs-table+bre,average-df";
 
@@ -37,9 +37,9 @@ static enum pp_status unknown(const char *name, struct pp_error *err)
     names[count++] = "default";
     names[count++] = "all";
     char written[64], known[512];
-    pp_excerpt(written, sizeof written, name);
-    pp_name_list(known, sizeof known, names, count);
-    const char *nearest = pp_nearest(name, names, count);
+    pp_text_excerpt(written, sizeof written, name);
+    pp_text_list_names(known, sizeof known, names, count);
+    const char *nearest = pp_text_nearest(name, names, count);
     if (nearest)
         return pp_fail(err, PP_BAD_INPUT,
                        "\"%s\" is no method (did you mean \"%s\"?); expected %s, or "
@@ -154,7 +154,7 @@ void pp_selection_clear(struct pp_selection *selection)
     *selection = (struct pp_selection){0};
 }
 
-enum pp_status pp_methods_check(const char *selection, struct pp_error *err)
+enum pp_status pp_selection_check(const char *selection, struct pp_error *err)
 {
     struct pp_selection parsed;
     enum pp_status status = pp_selection_parse(&parsed, selection, err);

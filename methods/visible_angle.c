@@ -20,18 +20,18 @@ void pp_visible_angle_steps(struct pp_steps *steps,
 {
     int line = opening->line;
     if (opening->reveal_m > 0.0) {
-        pp_step_named(steps, PP_UNIT_METRE, opening->height_m, "h",
-                      "opening on line %d: height", line);
-        pp_step_named(steps, PP_UNIT_METRE, opening->reveal_m, "d",
-                      "opening on line %d: depth of the reveal", line);
-        pp_step_worked(steps, PP_UNIT_ANGLE, angle->head_rad, "theta_h",
-                       "atan(h / 2 / d)", "altitude of the reveal's head");
+        pp_steps_add_named(steps, PP_UNIT_METRE, opening->height_m, "h",
+                           "opening on line %d: height", line);
+        pp_steps_add_named(steps, PP_UNIT_METRE, opening->reveal_m, "d",
+                           "opening on line %d: depth of the reveal", line);
+        pp_steps_add_worked(steps, PP_UNIT_ANGLE, angle->head_rad, "theta_h",
+                            "atan(h / 2 / d)", "altitude of the reveal's head");
     } else {
-        pp_step_named(steps, PP_UNIT_ANGLE, angle->head_rad, "theta_h",
-                      "opening on line %d: up to the zenith", line);
+        pp_steps_add_named(steps, PP_UNIT_ANGLE, angle->head_rad, "theta_h",
+                           "opening on line %d: up to the zenith", line);
     }
-    pp_step_named(steps, PP_UNIT_ANGLE, angle->alpha_rad, "alpha",
-                  "opening on line %d: angle of the obstruction", line);
-    pp_step_worked(steps, PP_UNIT_ANGLE, angle->theta_rad, "theta",
-                   "max(theta_h - alpha, 0)", "angle of visible sky");
+    pp_steps_add_named(steps, PP_UNIT_ANGLE, angle->alpha_rad, "alpha",
+                       "opening on line %d: angle of the obstruction", line);
+    pp_steps_add_worked(steps, PP_UNIT_ANGLE, angle->theta_rad, "theta",
+                        "max(theta_h - alpha, 0)", "angle of visible sky");
 }

@@ -1,7 +1,7 @@
 /* room_value.h - one figure of a room by one hand method: what a design is judged by.
  */
-#ifndef PP_DESIGN_ROOM_VALUE_H
-#define PP_DESIGN_ROOM_VALUE_H
+#ifndef PP_STUDIES_ROOM_VALUE_H
+#define PP_STUDIES_ROOM_VALUE_H
 
 #include "model/base/error.h"
 #include "model/results/reading.h"

@@ -82,14 +82,14 @@ struct pp_box pp_board_tint_keys(cairo_t *cr, const struct pp_style *style, doub
                                  double y, bool hidden_too, bool drawn)
 {
     static const char *const words[] = {"sky", "obstruction"};
-    const struct pp_text set = {.size = PP_TEXT_BODY};
+    const struct pp_lettering set = {.size = PP_TEXT_BODY};
     double width = 7.0 * style->scale, gap = 1.5 * style->scale, at = x, height = 0.0;
     for (int i = 0; i < 1 + hidden_too; i++) {
         double left = at + width + gap;
-        struct pp_box box = pp_text_measure(cr, style, &set, left, y, words[i]);
+        struct pp_box box = pp_lettering_measure(cr, style, &set, left, y, words[i]);
         struct pp_box sample = {at, y + 0.15 * box.height, width, 0.7 * box.height};
         if (drawn) {
-            pp_text_draw(cr, style, &set, left, y, words[i]);
+            pp_lettering_draw(cr, style, &set, left, y, words[i]);
             cairo_rectangle(cr, sample.x, sample.y, sample.width, sample.height);
             fill_path(cr, style, i == 1, sample);
             cairo_rectangle(cr, sample.x, sample.y, sample.width, sample.height);
@@ -170,11 +170,12 @@ void pp_board_sums_add(struct pp_board_sums *sums,
         if (sums->windows >= SUMS_MOST)
             continue;
         if (sums->windows > 0)
-            pp_append(sums->text, sizeof sums->text, "\n");
+            pp_text_append(sums->text, sizeof sums->text, "\n");
         say_window(sums, &windows[i]);
     }
-    pp_board_windows_add(windows, count, &sums->sky, &sums->external);
-    sums->any_hidden = sums->any_hidden || pp_board_windows_hidden(windows, count);
+    pp_board_sheets_windows_add(windows, count, &sums->sky, &sums->external);
+    sums->any_hidden =
+        sums->any_hidden || pp_board_sheets_windows_hidden(windows, count);
 }
 
 double pp_board_sums_draw(cairo_t *cr, const struct pp_style *style,
@@ -191,14 +192,14 @@ double pp_board_sums_draw(cairo_t *cr, const struct pp_style *style,
                 "%.2f\u00a0%%, together %.2f\u00a0%%.",
                 100.0 * sums->sky, 100.0 * sums->external,
                 100.0 * (sums->sky + sums->external));
-    struct pp_text set = {.size = PP_TEXT_BODY, .width = width};
+    struct pp_lettering set = {.size = PP_TEXT_BODY, .width = width};
     double height = 0.0;
     for (int i = 0; i < 2; i++) {
         const char *words = i ? total : text;
         set.bold = i == 1;
         if (drawn)
-            pp_text_draw(cr, style, &set, x, y + height, words);
-        height += pp_text_measure(cr, style, &set, x, y + height, words).height;
+            pp_lettering_draw(cr, style, &set, x, y + height, words);
+        height += pp_lettering_measure(cr, style, &set, x, y + height, words).height;
     }
     return height;
 }
@@ -221,14 +222,15 @@ struct pp_box pp_board_ruler(cairo_t *cr, const struct pp_style *style, double x
         cairo_line_to(cr, x + mm, bottom - length * style->scale);
     }
     cairo_stroke(cr);
-    const struct pp_text set = {.size = PP_TEXT_SMALL, .across = 0.5};
+    const struct pp_lettering set = {.size = PP_TEXT_SMALL, .across = 0.5};
     for (int mm = 0; mm <= 100; mm += 20) {
         char words[16];
         snprintf(words, sizeof words, mm == 100 ? "%d\u00a0mm" : "%d", mm);
-        pp_text_draw(cr, style, &set, x + mm, y, words);
+        pp_lettering_draw(cr, style, &set, x + mm, y, words);
     }
-    const struct pp_text note = {.size = PP_TEXT_SMALL, .down = 1.0};
-    struct pp_box said = pp_text_draw(cr, style, &note, x + 100.0 + 3.0 * style->scale,
-                                      bottom, "print at 100\u00a0%");
+    const struct pp_lettering note = {.size = PP_TEXT_SMALL, .down = 1.0};
+    struct pp_box said =
+        pp_lettering_draw(cr, style, &note, x + 100.0 + 3.0 * style->scale, bottom,
+                          "print at 100\u00a0%");
     return (struct pp_box){x, y, said.x + said.width - x, bottom - y};
 }

@@ -1,13 +1,13 @@
 /* board.h - what the diagrams of the drawing board share on paper: pieces of windows,
  * the sum that is written below them, a ruler. */
-#ifndef PP_CHARTS_BOARD_H
-#define PP_CHARTS_BOARD_H
+#ifndef PP_CHARTS_DRAWING_BOARD_BOARD_H
+#define PP_CHARTS_DRAWING_BOARD_BOARD_H
 
 #include <stdbool.h>
 
 #include "charts/sheet/style.h"
 #include "charts/sheet/lettering.h"
-#include "model/results/board_windows.h"
+#include "model/results/board_sheets.h"
 
 /* From a diagram's own coordinates to paper: x0 + mm x, y0 - mm y. */
 struct pp_board_map {

@@ -73,7 +73,7 @@ static void write_numbers(const struct view *view, int stem)
     const struct pp_nomogram_scale *scale = &view->sheet->scales[stem];
     double side = side_of(stem);
     double x = x_of(view, stem) + side * 3.3 * view->style.scale;
-    const struct pp_text set = {
+    const struct pp_lettering set = {
         .size = PP_TEXT_SMALL, .across = side < 0.0 ? 1.0 : 0.0, .down = 0.5};
     for (int i = 0; i < scale->count; i++) {
         if (scale->marks[i].rank != PP_MARK_LABELLED)
@@ -81,7 +81,7 @@ static void write_numbers(const struct view *view, int stem)
         char words[32];
         snprintf(words, sizeof words, "%.4g", scale->marks[i].number);
         /* A room's lines end at the figures. */
-        (view->sheet->blank ? pp_text_draw : pp_text_draw_clear)(
+        (view->sheet->blank ? pp_lettering_draw : pp_lettering_draw_on_white)(
             view->cr, &view->style, &set, x, y_of(view, scale->marks[i].y), words);
     }
 }
@@ -103,14 +103,14 @@ static void write_head(const struct view *view, int stem, double top)
     const struct pp_style *style = &view->style;
     const struct pp_nomogram *nomogram = &view->sheet->nomogram;
     double x = x_of(view, stem), y = top - 1.2 * style->text[PP_TEXT_SMALL];
-    const struct pp_text tag = {
+    const struct pp_lettering tag = {
         .size = PP_TEXT_SMALL, .grey = PP_GREY_TEXT, .across = 0.5, .down = 1.0};
-    const struct pp_text letter = {
+    const struct pp_lettering letter = {
         .size = PP_TEXT_HEAD, .bold = true, .across = 0.5, .down = 1.0};
     const char words[2] = {nomogram->stems[stem].letter, 0};
-    struct pp_box box = pp_text_draw_clear(view->cr, style, &tag, x, y,
-                                           pp_nomogram_tag(nomogram, stem));
-    pp_text_draw_clear(view->cr, style, &letter, x, box.y, words);
+    struct pp_box box = pp_lettering_draw_on_white(
+        view->cr, style, &tag, x, y, pp_nomogram_notes_stem_label(nomogram, stem));
+    pp_lettering_draw_on_white(view->cr, style, &letter, x, box.y, words);
 }
 
 static double head_height(const struct pp_style *style)
@@ -290,7 +290,8 @@ static void write_readings(const struct view *view, int stem)
         double y = y_of(view, window->y[stem]);
         pp_style_marker(view->cr, style, PP_CIRCLE, x, y);
         char words[48];
-        pp_nomogram_say_value(words, sizeof words, sheet, i, stem, narrow(view, stem));
+        pp_nomogram_notes_value(words, sizeof words, sheet, i, stem,
+                                narrow(view, stem));
         bool known = count == NOTED_MOST;
         for (int k = 0; k < count && !known; k++)
             known = strcmp(notes[k].words, words) == 0;
@@ -302,22 +303,23 @@ static void write_readings(const struct view *view, int stem)
     }
     spread(notes, count, 1.5 * style->text[PP_TEXT_BODY]);
     double side = -side_of(stem);
-    const struct pp_text set = {.size = PP_TEXT_BODY,
-                                .bold = true,
-                                .across = side < 0.0 ? 1.0 : 0.0,
-                                .down = 0.5};
+    const struct pp_lettering set = {.size = PP_TEXT_BODY,
+                                     .bold = true,
+                                     .across = side < 0.0 ? 1.0 : 0.0,
+                                     .down = 0.5};
     for (int i = 0; i < count; i++) {
         double at = x + side * 3.0 * style->scale;
         if (count == 1) {
             double width =
-                pp_text_measure(view->cr, style, &set, 0, 0, notes[i].words).width;
+                pp_lettering_measure(view->cr, style, &set, 0, 0, notes[i].words).width;
             notes[i].y = clear_height(view, stem, notes[i].wanted, notes[i].y, width);
         }
         pp_style_line(view->cr, style->hair, PP_INK);
         cairo_move_to(view->cr, x + side * 0.8 * style->scale, notes[i].wanted);
         cairo_line_to(view->cr, at - side * 0.4 * style->scale, notes[i].y);
         cairo_stroke(view->cr);
-        pp_text_draw_clear(view->cr, style, &set, at, notes[i].y, notes[i].words);
+        pp_lettering_draw_on_white(view->cr, style, &set, at, notes[i].y,
+                                   notes[i].words);
     }
 }
 
@@ -335,9 +337,9 @@ enum pp_status pp_nomogram_chart_draw(struct pp_canvas *canvas,
                         .height = pp_nomogram_chart_height_mm(canvas)};
     const struct pp_style *style = &view.style;
     char foot[4000] = "", subtitle[256] = "", title[32];
-    pp_nomogram_say_title(title, sizeof title, sheet);
-    pp_nomogram_say_subtitle(subtitle, sizeof subtitle, sheet);
-    pp_nomogram_say_foot(foot, sizeof foot, sheet);
+    pp_nomogram_notes_title(title, sizeof title, sheet);
+    pp_nomogram_notes_subtitle(subtitle, sizeof subtitle, sheet);
+    pp_nomogram_notes_foot(foot, sizeof foot, sheet);
     const struct pp_page page = {.title =
                                      sheet->blank || !sheet->name ? title : sheet->name,
                                  .subtitle = subtitle,
@@ -345,9 +347,10 @@ enum pp_status pp_nomogram_chart_draw(struct pp_canvas *canvas,
     struct pp_box box = pp_page_draw(canvas, style, &page);
 
     char how[256] = "";
-    pp_nomogram_say_how(how, sizeof how, &sheet->nomogram);
-    const struct pp_text set = {.size = PP_TEXT_BODY, .width = box.width, .lines = 3};
-    double taken = pp_text_draw(view.cr, style, &set, box.x, box.y, how).height
+    pp_nomogram_notes_instructions(how, sizeof how, &sheet->nomogram);
+    const struct pp_lettering set = {
+        .size = PP_TEXT_BODY, .width = box.width, .lines = 3};
+    double taken = pp_lettering_draw(view.cr, style, &set, box.x, box.y, how).height
                    + 2.0 * style->scale;
     double numbers = 3.3 * style->scale + 3.2 * style->text[PP_TEXT_SMALL];
     view.left = box.x + numbers;

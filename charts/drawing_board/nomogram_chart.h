@@ -4,8 +4,8 @@
  * It has no scale that must be kept: what lies on a line stays on one however the sheet
  * is enlarged, in width and height apart too.
  */
-#ifndef PP_CHARTS_NOMOGRAM_CHART_H
-#define PP_CHARTS_NOMOGRAM_CHART_H
+#ifndef PP_CHARTS_DRAWING_BOARD_NOMOGRAM_CHART_H
+#define PP_CHARTS_DRAWING_BOARD_NOMOGRAM_CHART_H
 
 #include "charts/sheet/canvas.h"
 #include "model/results/nomogram_sheet.h"

@@ -8,7 +8,7 @@
 #include "model/geometry/vec.h"
 #include "model/base/text.h"
 
-const char *pp_nomogram_tag(const struct pp_nomogram *nomogram, int stem)
+const char *pp_nomogram_notes_stem_label(const struct pp_nomogram *nomogram, int stem)
 {
     switch (nomogram->stems[stem].quantity) {
     case PP_NOMOGRAM_GLASS:
@@ -35,14 +35,14 @@ static const char *const numbers[PP_NOMOGRAMS] = {
     [PP_NOMOGRAM_ROOFLIGHT] = "III",
 };
 
-void pp_nomogram_say_title(char *text, size_t room,
-                           const struct pp_nomogram_sheet *sheet)
+void pp_nomogram_notes_title(char *text, size_t room,
+                             const struct pp_nomogram_sheet *sheet)
 {
     snprintf(text, room, "Nomogram %s", numbers[sheet->nomogram.kind]);
 }
 
-void pp_nomogram_say_subtitle(char *text, size_t room,
-                              const struct pp_nomogram_sheet *sheet)
+void pp_nomogram_notes_subtitle(char *text, size_t room,
+                                const struct pp_nomogram_sheet *sheet)
 {
     static const char *const what[PP_NOMOGRAMS] = {
         [PP_NOMOGRAM_AVERAGE] = "average internally reflected component, side-lit room",
@@ -58,7 +58,8 @@ void pp_nomogram_say_subtitle(char *text, size_t room,
                 what[sheet->nomogram.kind]);
 }
 
-void pp_nomogram_say_how(char *text, size_t room, const struct pp_nomogram *nomogram)
+void pp_nomogram_notes_instructions(char *text, size_t room,
+                                    const struct pp_nomogram *nomogram)
 {
     bool top = nomogram->kind == PP_NOMOGRAM_ROOFLIGHT;
     *text = 0;
@@ -141,9 +142,9 @@ static void say_number(char *text, size_t room, const struct pp_nomogram_sheet *
     snprintf(text, room, "%.4g", value);
 }
 
-void pp_nomogram_say_value(char *text, size_t room,
-                           const struct pp_nomogram_sheet *sheet, int window, int stem,
-                           bool briefly)
+void pp_nomogram_notes_value(char *text, size_t room,
+                             const struct pp_nomogram_sheet *sheet, int window,
+                             int stem, bool briefly)
 {
     char number[32];
     enum pp_nomogram_quantity quantity = sheet->nomogram.stems[stem].quantity;
@@ -177,8 +178,8 @@ static void say_window(char *text, size_t room, const struct pp_nomogram_sheet *
     if (read->tens)
         snprintf(shift, sizeof shift, ", set %s %.0f",
                  read->tens > 0 ? "times" : "over", pow(10.0, abs(read->tens)));
-    pp_append(text, room, "): W/A = %.2f/%.2f = %.4f%s;", read->glass_m2,
-              read->inside_m2, read->ratio, shift);
+    pp_text_append(text, room, "): W/A = %.2f/%.2f = %.4f%s;", read->glass_m2,
+                   read->inside_m2, read->ratio, shift);
     for (int k = 0; k < sheet->nomogram.edge_count; k++) {
         const struct pp_nomogram_edge *edge = &sheet->nomogram.edges[k];
         char words[3][32];
@@ -228,8 +229,8 @@ static void say_room(char *text, size_t room, const struct pp_nomogram_sheet *sh
     pp_page_say(text, room, "\n");
 }
 
-void pp_nomogram_say_foot(char *text, size_t room,
-                          const struct pp_nomogram_sheet *sheet)
+void pp_nomogram_notes_foot(char *text, size_t room,
+                            const struct pp_nomogram_sheet *sheet)
 {
     *text = 0;
     if (!sheet->blank)

@@ -1,7 +1,7 @@
 /* nomogram_notes.h - the words on a nomogram: what it is, how it is used, what was read
  * on it. */
-#ifndef PP_CHARTS_NOMOGRAM_NOTES_H
-#define PP_CHARTS_NOMOGRAM_NOTES_H
+#ifndef PP_CHARTS_DRAWING_BOARD_NOMOGRAM_NOTES_H
+#define PP_CHARTS_DRAWING_BOARD_NOMOGRAM_NOTES_H
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -9,22 +9,23 @@
 #include "model/results/nomogram_sheet.h"
 
 /* What stands above a stem: "W/A". Static. */
-const char *pp_nomogram_tag(const struct pp_nomogram *nomogram, int stem);
+const char *pp_nomogram_notes_stem_label(const struct pp_nomogram *nomogram, int stem);
 
 /* These add to a text of `room` bytes as pp_page_say does; the text begins empty. */
-void pp_nomogram_say_title(char *text, size_t room,
-                           const struct pp_nomogram_sheet *sheet);
-void pp_nomogram_say_subtitle(char *text, size_t room,
-                              const struct pp_nomogram_sheet *sheet);
-void pp_nomogram_say_how(char *text, size_t room, const struct pp_nomogram *nomogram);
-void pp_nomogram_say_foot(char *text, size_t room,
-                          const struct pp_nomogram_sheet *sheet);
+void pp_nomogram_notes_title(char *text, size_t room,
+                             const struct pp_nomogram_sheet *sheet);
+void pp_nomogram_notes_subtitle(char *text, size_t room,
+                                const struct pp_nomogram_sheet *sheet);
+void pp_nomogram_notes_instructions(char *text, size_t room,
+                                    const struct pp_nomogram *nomogram);
+void pp_nomogram_notes_foot(char *text, size_t room,
+                            const struct pp_nomogram_sheet *sheet);
 
 /* A window's reading on a stem, "1.34", with the window's number before it where it is
  * one of several and does not hold for the room as a whole; briefly: that number
  * alone. */
-void pp_nomogram_say_value(char *text, size_t room,
-                           const struct pp_nomogram_sheet *sheet, int window, int stem,
-                           bool briefly);
+void pp_nomogram_notes_value(char *text, size_t room,
+                             const struct pp_nomogram_sheet *sheet, int window,
+                             int stem, bool briefly);
 
 #endif

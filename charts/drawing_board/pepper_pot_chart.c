@@ -17,7 +17,7 @@ enum { RULERS_MOST = 6 };
 /* Dots over the unit square where they are densest, for a worth of 0.1 %. */
 static const double densest = 90.0;
 
-struct drawing {
+struct pepper_pot_drawing {
     cairo_t *cr;
     struct pp_style style;
     const struct pp_pepper_pot_sheet *sheet;
@@ -25,7 +25,7 @@ struct drawing {
 };
 
 /* One panel on paper. */
-struct plot {
+struct pepper_pot_plot {
     const struct pp_pepper_pot_panel *panel;
     struct pp_box frame;
     struct pp_board_map map; /* its mm is the viewing distance */
@@ -45,12 +45,13 @@ static struct extent panel_extent(const struct pp_pepper_pot_panel *panel)
 {
     struct extent extent = {{0.0, 0.0}, {0.0, 0.0}};
     for (int w = 0; w < panel->count; w++)
-        pp_board_window_extent(&panel->windows[w], extent.low, extent.high);
+        pp_board_sheets_window_extent(&panel->windows[w], extent.low, extent.high);
     extent.low[1] = fmax(extent.low[1], -0.3);
     return extent;
 }
 
-static void draw_tints(const struct drawing *drawing, const struct plot *plot)
+static void draw_tints(const struct pepper_pot_drawing *drawing,
+                       const struct pepper_pot_plot *plot)
 {
     for (int w = 0; w < plot->panel->count; w++)
         for (int p = 0; p < plot->panel->windows[w].count; p++) {
@@ -60,7 +61,8 @@ static void draw_tints(const struct drawing *drawing, const struct plot *plot)
         }
 }
 
-static void draw_outlines(const struct drawing *drawing, const struct plot *plot)
+static void draw_outlines(const struct pepper_pot_drawing *drawing,
+                          const struct pepper_pot_plot *plot)
 {
     for (int w = 0; w < plot->panel->count; w++)
         for (int p = 0; p < plot->panel->windows[w].count; p++)
@@ -69,26 +71,30 @@ static void draw_outlines(const struct drawing *drawing, const struct plot *plot
 }
 
 /* Beside the upper left corner of what is seen of each window. */
-static void draw_letters(const struct drawing *drawing, const struct plot *plot)
+static void draw_letters(const struct pepper_pot_drawing *drawing,
+                         const struct pepper_pot_plot *plot)
 {
     for (int w = 0; w < plot->panel->count; w++) {
         struct extent extent = {{INFINITY, INFINITY}, {-INFINITY, -INFINITY}};
-        pp_board_window_extent(&plot->panel->windows[w], extent.low, extent.high);
+        pp_board_sheets_window_extent(&plot->panel->windows[w], extent.low,
+                                      extent.high);
         if (!(extent.high[0] > extent.low[0]))
             continue;
-        const struct pp_text set = {.size = PP_TEXT_HEAD, .bold = true, .down = 1.0};
+        const struct pp_lettering set = {
+            .size = PP_TEXT_HEAD, .bold = true, .down = 1.0};
         double x = plot->map.x0 + plot->map.mm * extent.low[0];
         double y = plot->map.y0 - plot->map.mm * extent.high[1];
-        pp_text_draw_clear(drawing->cr, &drawing->style, &set, x,
-                           y - 0.4 * drawing->style.scale,
-                           pp_board_letter(plot->first + w));
+        pp_lettering_draw_on_white(drawing->cr, &drawing->style, &set, x,
+                                   y - 0.4 * drawing->style.scale,
+                                   pp_board_letter(plot->first + w));
     }
 }
 
 /* --- the diagram ---------------------------------------------------------------------
  */
 
-static void draw_dots(const struct drawing *drawing, const struct plot *plot)
+static void draw_dots(const struct pepper_pot_drawing *drawing,
+                      const struct pepper_pot_plot *plot)
 {
     double spacing = drawing->viewing / sqrt(densest * 0.001 / drawing->sheet->worth);
     double radius = fmin(0.42 * drawing->style.scale,
@@ -111,7 +117,7 @@ static void draw_dots(const struct drawing *drawing, const struct plot *plot)
 }
 
 /* The step of the scales, so that labels have room. */
-static double scale_step(const struct drawing *drawing)
+static double scale_step(const struct pepper_pot_drawing *drawing)
 {
     static const double steps[] = {0.1, 0.2, 0.5, 1.0, 2.0, 5.0};
     double room = 9.0 * drawing->style.scale;
@@ -121,8 +127,8 @@ static double scale_step(const struct drawing *drawing)
     return steps[i];
 }
 
-static void draw_scale(const struct drawing *drawing, const struct plot *plot,
-                       bool upright)
+static void draw_scale(const struct pepper_pot_drawing *drawing,
+                       const struct pepper_pot_plot *plot, bool upright)
 {
     const struct pp_style *style = &drawing->style;
     double step = scale_step(drawing), mm = plot->map.mm;
@@ -131,9 +137,9 @@ static void draw_scale(const struct drawing *drawing, const struct plot *plot,
         upright ? (plot->map.y0 - bottom) / mm : (plot->frame.x - plot->map.x0) / mm;
     double to = upright ? (plot->map.y0 - plot->frame.y) / mm
                         : (plot->frame.x + plot->frame.width - plot->map.x0) / mm;
-    struct pp_text set = {.size = PP_TEXT_SMALL,
-                          .across = upright ? 1.0 : 0.5,
-                          .down = upright ? 0.5 : 0.0};
+    struct pp_lettering set = {.size = PP_TEXT_SMALL,
+                               .across = upright ? 1.0 : 0.5,
+                               .down = upright ? 0.5 : 0.0};
     int first = (int)ceil(from / step - 1e-9), last = (int)floor(to / step + 1e-9);
     pp_style_line(drawing->cr, style->thin, PP_INK);
     for (int i = first; i <= last; i++) {
@@ -144,12 +150,13 @@ static void draw_scale(const struct drawing *drawing, const struct plot *plot,
         cairo_move_to(drawing->cr, x, y);
         cairo_line_to(drawing->cr, upright ? x - tick : x, upright ? y : y + tick);
         cairo_stroke(drawing->cr);
-        pp_text_draw(drawing->cr, style, &set, upright ? x - 1.4 * tick : x,
-                     upright ? y : y + 1.2 * tick, words);
+        pp_lettering_draw(drawing->cr, style, &set, upright ? x - 1.4 * tick : x,
+                          upright ? y : y + 1.2 * tick, words);
     }
 }
 
-static void draw_eye(const struct drawing *drawing, const struct plot *plot)
+static void draw_eye(const struct pepper_pot_drawing *drawing,
+                     const struct pepper_pot_plot *plot)
 {
     const struct pp_box *frame = &plot->frame;
     pp_style_line(drawing->cr, drawing->style.thin, PP_GREY_LINE);
@@ -175,34 +182,37 @@ static void panel_words(char *words, size_t room,
 }
 
 /* What a panel takes around its frame: left, top, right, bottom. */
-struct border {
+struct pepper_pot_margins {
     double left, top, right, bottom;
 };
 
-static struct border panel_border(const struct drawing *drawing)
+static struct pepper_pot_margins panel_border(const struct pepper_pot_drawing *drawing)
 {
     const struct pp_style *style = &drawing->style;
-    const struct pp_text set = {.size = PP_TEXT_SMALL};
-    struct pp_box label = pp_text_measure(drawing->cr, style, &set, 0.0, 0.0, "0.5");
+    const struct pp_lettering set = {.size = PP_TEXT_SMALL};
+    struct pp_box label =
+        pp_lettering_measure(drawing->cr, style, &set, 0.0, 0.0, "0.5");
     double tick = 1.4 * style->scale;
-    return (struct border){2.0 * tick + label.width + label.height,
-                           1.6 * style->text[PP_TEXT_BODY], 0.5 * label.width,
-                           1.2 * tick + 2.0 * label.height};
+    return (struct pepper_pot_margins){
+        2.0 * tick + label.width + label.height, 1.6 * style->text[PP_TEXT_BODY],
+        0.5 * label.width, 1.2 * tick + 2.0 * label.height};
 }
 
-static struct pp_box frame_within(const struct drawing *drawing, struct pp_box room)
+static struct pp_box frame_within(const struct pepper_pot_drawing *drawing,
+                                  struct pp_box room)
 {
-    struct border border = panel_border(drawing);
+    struct pepper_pot_margins border = panel_border(drawing);
     return (struct pp_box){room.x + border.left, room.y + border.top,
                            room.width - border.left - border.right,
                            room.height - border.top - border.bottom};
 }
 
-static void draw_panel(const struct drawing *drawing, struct plot *plot)
+static void draw_panel(const struct pepper_pot_drawing *drawing,
+                       struct pepper_pot_plot *plot)
 {
     const struct pp_style *style = &drawing->style;
     const struct pp_box *frame = &plot->frame;
-    struct border border = panel_border(drawing);
+    struct pepper_pot_margins border = panel_border(drawing);
     struct extent extent = panel_extent(plot->panel);
     double mm = drawing->viewing;
     double low = extent.low[0], high = extent.high[0];
@@ -212,9 +222,9 @@ static void draw_panel(const struct drawing *drawing, struct plot *plot)
 
     char words[128];
     panel_words(words, sizeof words, drawing->sheet, plot->panel);
-    struct pp_text set = {.size = PP_TEXT_BODY, .bold = true, .across = 0.5};
-    pp_text_draw(drawing->cr, style, &set, frame->x + 0.5 * frame->width,
-                 frame->y - border.top, words);
+    struct pp_lettering set = {.size = PP_TEXT_BODY, .bold = true, .across = 0.5};
+    pp_lettering_draw(drawing->cr, style, &set, frame->x + 0.5 * frame->width,
+                      frame->y - border.top, words);
     cairo_save(drawing->cr);
     cairo_rectangle(drawing->cr, frame->x, frame->y, frame->width, frame->height);
     cairo_clip(drawing->cr);
@@ -229,14 +239,15 @@ static void draw_panel(const struct drawing *drawing, struct plot *plot)
     cairo_stroke(drawing->cr);
     draw_scale(drawing, plot, false);
     draw_scale(drawing, plot, true);
-    set = (struct pp_text){.size = PP_TEXT_SMALL, .across = 0.5, .down = 1.0};
-    pp_text_draw(drawing->cr, style, &set, frame->x + 0.5 * frame->width,
-                 frame->y + frame->height + border.bottom,
-                 "to the side \u00f7 distance of the window's plane");
+    set = (struct pp_lettering){.size = PP_TEXT_SMALL, .across = 0.5, .down = 1.0};
+    pp_lettering_draw(drawing->cr, style, &set, frame->x + 0.5 * frame->width,
+                      frame->y + frame->height + border.bottom,
+                      "to the side \u00f7 distance of the window's plane");
     set.turn_rad = -PP_PI / 2.0;
     set.down = 0.0;
-    pp_text_draw(drawing->cr, style, &set, frame->x - border.left,
-                 frame->y + 0.5 * frame->height, "above the point \u00f7 distance");
+    pp_lettering_draw(drawing->cr, style, &set, frame->x - border.left,
+                      frame->y + 0.5 * frame->height,
+                      "above the point \u00f7 distance");
 }
 
 /* --- rulers --------------------------------------------------------------------------
@@ -268,14 +279,15 @@ static double ruler_pitch(const struct pp_style *style)
 }
 
 /* Metres in planes at several distances, as they are drawn. */
-static void draw_metres(const struct drawing *drawing, double x, double y, double width)
+static void draw_metres(const struct pepper_pot_drawing *drawing, double x, double y,
+                        double width)
 {
     const struct pp_style *style = &drawing->style;
     double distances[RULERS_MOST];
     int count = ruler_distances(drawing->sheet, distances);
     double label = 20.0 * style->scale, end = 15.0 * style->scale;
-    const struct pp_text head = {.size = PP_TEXT_SMALL, .bold = true};
-    pp_text_draw(drawing->cr, style, &head, x, y, "Metres in the window's plane");
+    const struct pp_lettering head = {.size = PP_TEXT_SMALL, .bold = true};
+    pp_lettering_draw(drawing->cr, style, &head, x, y, "Metres in the window's plane");
     for (int i = 0; i < count; i++) {
         double metre = drawing->viewing / distances[i];
         double base = y + (i + 1.85) * ruler_pitch(style);
@@ -285,8 +297,8 @@ static void draw_metres(const struct drawing *drawing, double x, double y, doubl
         char words[64], shown[32];
         pp_style_metres(shown, sizeof shown, distances[i]);
         snprintf(words, sizeof words, "%s away", shown);
-        struct pp_text set = {.size = PP_TEXT_SMALL, .down = 0.8};
-        pp_text_draw(drawing->cr, style, &set, x, base, words);
+        struct pp_lettering set = {.size = PP_TEXT_SMALL, .down = 0.8};
+        pp_lettering_draw(drawing->cr, style, &set, x, base, words);
         double part = metre <= room ? 1.0 : 0.1; /* too near for a whole metre */
         if (part < 1.0)
             metres = (int)fmin(floor(room / (0.1 * metre)), 10.0);
@@ -300,12 +312,14 @@ static void draw_metres(const struct drawing *drawing, double x, double y, doubl
         }
         cairo_stroke(drawing->cr);
         pp_style_metres(shown, sizeof shown, metres * part);
-        pp_text_draw(drawing->cr, style, &set,
-                     x + label + metres * part * metre + style->scale, base, shown);
+        pp_lettering_draw(drawing->cr, style, &set,
+                          x + label + metres * part * metre + style->scale, base,
+                          shown);
     }
 }
 
-static void viewing_words(const struct drawing *drawing, char *words, size_t room)
+static void viewing_words(const struct pepper_pot_drawing *drawing, char *words,
+                          size_t room)
 {
     static const int scales[] = {20, 50, 100, 200};
     *words = 0;
@@ -325,7 +339,8 @@ static void viewing_words(const struct drawing *drawing, char *words, size_t roo
 
 /* The ruler, the rule of scale and the metres; returns the height, drawn only if
  * asked. */
-static double draw_rulers(const struct drawing *drawing, struct pp_box room, bool drawn)
+static double draw_rulers(const struct pepper_pot_drawing *drawing, struct pp_box room,
+                          bool drawn)
 {
     const struct pp_style *style = &drawing->style;
     double distances[RULERS_MOST], gap = 4.0 * style->scale;
@@ -336,13 +351,13 @@ static double draw_rulers(const struct drawing *drawing, struct pp_box room, boo
     bool beside = room.width > ruler_width + gap + 52.0 * style->scale;
     char words[512];
     viewing_words(drawing, words, sizeof words);
-    struct pp_text set = {.size = PP_TEXT_BODY,
-                          .width = beside ? ruler_width : room.width};
+    struct pp_lettering set = {.size = PP_TEXT_BODY,
+                               .width = beside ? ruler_width : room.width};
     struct pp_box said =
-        pp_text_measure(drawing->cr, style, &set, room.x, room.y, words);
+        pp_lettering_measure(drawing->cr, style, &set, room.x, room.y, words);
     double left = said.height + style->scale + ruler;
     if (drawn) {
-        pp_text_draw(drawing->cr, style, &set, room.x, room.y, words);
+        pp_lettering_draw(drawing->cr, style, &set, room.x, room.y, words);
         pp_board_ruler(drawing->cr, style, room.x + inset,
                        room.y + said.height + style->scale);
         if (beside)
@@ -358,7 +373,8 @@ static double draw_rulers(const struct drawing *drawing, struct pp_box room, boo
  */
 
 /* The tints' keys and the sum; returns the height, drawn only if asked. */
-static double draw_sums(const struct drawing *drawing, struct pp_box room, bool drawn)
+static double draw_sums(const struct pepper_pot_drawing *drawing, struct pp_box room,
+                        bool drawn)
 {
     const struct pp_pepper_pot_sheet *sheet = drawing->sheet;
     if (sheet->blank)
@@ -388,8 +404,8 @@ static void say_foot(char *foot, size_t room, const struct pp_pepper_pot_sheet *
                 "edge. After Pleijel, 1954.");
 }
 
-static void titles(const struct drawing *drawing, char *title, char *subtitle,
-                   size_t room)
+static void titles(const struct pepper_pot_drawing *drawing, char *title,
+                   char *subtitle, size_t room)
 {
     const struct pp_pepper_pot_sheet *sheet = drawing->sheet;
     char sky[96];
@@ -440,11 +456,11 @@ enum pp_status pp_pepper_pot_chart_draw(struct pp_canvas *canvas,
                                         double viewing_mm, struct pp_error *err)
 {
     (void)err;
-    struct drawing drawing = {.cr = pp_canvas_cairo(canvas),
-                              .style = pp_page_style(canvas),
-                              .sheet = sheet,
-                              .viewing = viewing_mm > 0.0 ? viewing_mm
-                                                          : default_viewing(sheet)};
+    struct pepper_pot_drawing drawing = {
+        .cr = pp_canvas_cairo(canvas),
+        .style = pp_page_style(canvas),
+        .sheet = sheet,
+        .viewing = viewing_mm > 0.0 ? viewing_mm : default_viewing(sheet)};
     char title[512], subtitle[512], foot[2048] = "";
     titles(&drawing, title, subtitle, sizeof title);
     say_foot(foot, sizeof foot, sheet);
@@ -466,9 +482,9 @@ enum pp_status pp_pepper_pot_chart_draw(struct pp_canvas *canvas,
     for (int i = 0; i < sheet->count; i++) {
         struct pp_box room = {body.x + i % columns * width,
                               body.y + i / columns * height, width, height - gap};
-        struct plot plot = {.panel = &sheet->panels[i],
-                            .frame = frame_within(&drawing, room),
-                            .first = first};
+        struct pepper_pot_plot plot = {.panel = &sheet->panels[i],
+                                       .frame = frame_within(&drawing, room),
+                                       .first = first};
         draw_panel(&drawing, &plot);
         first += sheet->panels[i].count;
     }

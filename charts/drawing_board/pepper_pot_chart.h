@@ -1,10 +1,10 @@
 /* pepper_pot_chart.h - Pleijel's pepper-pot diagram at a stated viewing distance, blank
  * or with a room's windows on it, their dots counted and the sum written below. */
-#ifndef PP_CHARTS_PEPPER_POT_CHART_H
-#define PP_CHARTS_PEPPER_POT_CHART_H
+#ifndef PP_CHARTS_DRAWING_BOARD_PEPPER_POT_CHART_H
+#define PP_CHARTS_DRAWING_BOARD_PEPPER_POT_CHART_H
 
 #include "charts/sheet/canvas.h"
-#include "model/results/pepper_pot_sheet.h"
+#include "model/results/board_sheets.h"
 
 /* viewing_mm: from the eye to the drawing, 5 to 200; 0: 30, for dots worth
  * less than 0.05 % 60, or the largest usual one

@@ -69,13 +69,13 @@ static double write_line(cairo_t *cr, const struct pp_style *style,
                          enum pp_text_size size, bool bold, double x, double y,
                          double width, const char *words)
 {
-    const struct pp_text set = {.size = size,
-                                .bold = bold,
-                                .across = 0.5,
-                                .down = 0.0,
-                                .width = width,
-                                .lines = 2};
-    return y + pp_text_draw(cr, style, &set, x, y, words).height;
+    const struct pp_lettering set = {.size = size,
+                                     .bold = bold,
+                                     .across = 0.5,
+                                     .down = 0.0,
+                                     .width = width,
+                                     .lines = 2};
+    return y + pp_lettering_draw(cr, style, &set, x, y, words).height;
 }
 
 /* What it is, on the disc itself, which may be cut out. */

@@ -4,8 +4,8 @@
  * Angles have no scale: it is laid on drawings of any. Its radius is stated, the
  * largest multiple of 5 mm that the sheet holds.
  */
-#ifndef PP_CHARTS_PROTRACTOR_CHART_H
-#define PP_CHARTS_PROTRACTOR_CHART_H
+#ifndef PP_CHARTS_DRAWING_BOARD_PROTRACTOR_CHART_H
+#define PP_CHARTS_DRAWING_BOARD_PROTRACTOR_CHART_H
 
 #include "charts/sheet/canvas.h"
 #include "model/results/protractor_sheet.h"

@@ -88,12 +88,12 @@ static void write_round(cairo_t *cr, const struct pp_style *style,
     double turn = atan2(xy[0] - disc->x, disc->y - xy[1]);
     if (fabs(turn) > PP_PI / 2.0 + 0.01)
         turn += turn > 0.0 ? -PP_PI : PP_PI;
-    const struct pp_text set = {.size = PP_TEXT_SMALL,
-                                .across = 0.5,
-                                .down = 0.5,
-                                .grey = grey,
-                                .turn_rad = turn};
-    pp_text_draw(cr, style, &set, xy[0], xy[1], words);
+    const struct pp_lettering set = {.size = PP_TEXT_SMALL,
+                                     .across = 0.5,
+                                     .down = 0.5,
+                                     .grey = grey,
+                                     .turn_rad = turn};
+    pp_lettering_draw(cr, style, &set, xy[0], xy[1], words);
 }
 
 /* Degrees on the rim, `low` to `high`; labels say how far from 0. */
@@ -187,10 +187,11 @@ static void draw_lines(cairo_t *cr, const struct pp_style *style,
             for (int side = -1; side <= 1 && is_heavy == (heavy == 1); side += 2)
                 for (int k = 0; k < line->count; k++) {
                     double xy[2];
-                    pp_protractor_disc_plan(disc, side * line->jamb_rad[k],
-                                            pp_protractor_disc_semicircle(
-                                                style, disc, k * PP_LINE_STEP_RAD),
-                                            xy);
+                    pp_protractor_disc_plan(
+                        disc, side * line->jamb_rad[k],
+                        pp_protractor_disc_semicircle(style, disc,
+                                                      k * PP_PROTRACTOR_LINE_STEP_RAD),
+                        xy);
                     if (k == 0)
                         cairo_move_to(cr, xy[0], xy[1]);
                     else
@@ -233,9 +234,9 @@ static void write_averages(cairo_t *cr, const struct pp_style *style,
         snprintf(words, sizeof words, "%d\u00b0", degree);
         pp_protractor_disc_plan(
             disc, 0.0, pp_protractor_disc_semicircle(style, disc, degree * PP_RAD), xy);
-        const struct pp_text set = {
+        const struct pp_lettering set = {
             .size = PP_TEXT_SMALL, .across = 0.5, .down = 0.5, .grey = disc->grey};
-        pp_text_draw_clear(cr, style, &set, xy[0], xy[1], words);
+        pp_lettering_draw_on_white(cr, style, &set, xy[0], xy[1], words);
     }
 }
 

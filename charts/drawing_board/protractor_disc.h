@@ -4,8 +4,8 @@
  * Rings from the rim inwards: figures of degrees (outside the rim), degree marks, then
  * the scale's own marks and figures.
  */
-#ifndef PP_CHARTS_PROTRACTOR_DISC_H
-#define PP_CHARTS_PROTRACTOR_DISC_H
+#ifndef PP_CHARTS_DRAWING_BOARD_PROTRACTOR_DISC_H
+#define PP_CHARTS_DRAWING_BOARD_PROTRACTOR_DISC_H
 
 #include <stdbool.h>
 

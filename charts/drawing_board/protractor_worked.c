@@ -24,18 +24,18 @@ double pp_protractor_worked_radius_mm(const struct pp_canvas *canvas)
 }
 
 /* A line from the centre under an angle, and what is read there. */
-struct sight {
+struct sight_line {
     double angle_rad;
     double reach; /* to the edge, mm */
     char words[48];
 };
 
-struct sights {
+struct sight_lines {
     int count;
-    struct sight list[SIGHTS_MOST];
+    struct sight_line list[SIGHTS_MOST];
 };
 
-struct drawing {
+struct protractor_drawing {
     cairo_t *cr;
     struct pp_style style;
     const struct pp_protractor_sheet *sheet;
@@ -50,7 +50,7 @@ static void write_percent(char *text, size_t room, double fraction)
 
 /* Notes a sight line, in order of angle; one that is there already is not noted twice.
  */
-static void note(struct sights *sights, struct sight sight)
+static void note(struct sight_lines *sights, struct sight_line sight)
 {
     int at = 0;
     for (; at < sights->count && sights->list[at].angle_rad < sight.angle_rad + 1e-4;
@@ -69,9 +69,9 @@ typedef void place_function(const struct pp_protractor_disc *disc, double angle_
 
 /* The words of a sight line, beyond what it leads to where that is near, else at the
  * rim; further out where other words stand. */
-static struct pp_box write_sight(const struct drawing *drawing,
+static struct pp_box write_sight(const struct protractor_drawing *drawing,
                                  const struct pp_protractor_disc *disc,
-                                 place_function *place, const struct sight *sight,
+                                 place_function *place, const struct sight_line *sight,
                                  const struct pp_box *taken, int count)
 {
     const struct pp_style *style = &drawing->style;
@@ -80,32 +80,32 @@ static struct pp_box write_sight(const struct drawing *drawing,
     double at = outside < rim + 25.0 * style->scale ? fmax(outside, rim) : rim;
     place(disc, sight->angle_rad, 1.0, label);
     double dx = label[0] - disc->x, dy = label[1] - disc->y;
-    const struct pp_text set = {.size = PP_TEXT_SMALL,
-                                .bold = true,
-                                .across = 0.5 - 0.5 * dx,
-                                .down = 0.5 - 0.5 * dy};
+    const struct pp_lettering set = {.size = PP_TEXT_SMALL,
+                                     .bold = true,
+                                     .across = 0.5 - 0.5 * dx,
+                                     .down = 0.5 - 0.5 * dy};
     struct pp_box box;
     for (bool clear = false; !clear; at += 0.5 * style->scale) {
         place(disc, sight->angle_rad, at, label);
-        box =
-            pp_text_measure(drawing->cr, style, &set, label[0], label[1], sight->words);
+        box = pp_lettering_measure(drawing->cr, style, &set, label[0], label[1],
+                                   sight->words);
         clear = true;
         for (int i = 0; i < count; i++)
-            clear = clear && !pp_box_overlaps(box, taken[i]);
+            clear = clear && !pp_lettering_boxes_overlap(box, taken[i]);
     }
     place(disc, sight->angle_rad, disc->radius, from);
     pp_style_line(drawing->cr, style->hair, PP_INK);
     cairo_move_to(drawing->cr, from[0], from[1]);
     cairo_line_to(drawing->cr, label[0], label[1]);
     cairo_stroke(drawing->cr);
-    return pp_text_draw_clear(drawing->cr, style, &set, label[0], label[1],
-                              sight->words);
+    return pp_lettering_draw_on_white(drawing->cr, style, &set, label[0], label[1],
+                                      sight->words);
 }
 
 /* Sight lines from the centre to the edges, then what is read there. */
-static void draw_sights(const struct drawing *drawing,
+static void draw_sights(const struct protractor_drawing *drawing,
                         const struct pp_protractor_disc *disc, place_function *place,
-                        const struct sights *sights)
+                        const struct sight_lines *sights)
 {
     cairo_t *cr = drawing->cr;
     const struct pp_style *style = &drawing->style;
@@ -127,14 +127,14 @@ static void draw_sights(const struct drawing *drawing,
 /* --- the section ---------------------------------------------------------------------
  */
 
-static void note_edges(struct sights *sights, const struct pp_protractor_sheet *sheet,
-                       double mm_per_m)
+static void note_edges(struct sight_lines *sights,
+                       const struct pp_protractor_sheet *sheet, double mm_per_m)
 {
     for (int r = 0; r < sheet->read.count; r++) {
         const struct pp_protractor_reading *reading = &sheet->read.list[r];
         for (int k = 0; k < 2; k++) {
             double angle = reading->edge_rad[k];
-            struct sight sight = {
+            struct sight_line sight = {
                 .angle_rad = angle,
                 .reach = mm_per_m * (sheet->read.distance_m + sheet->opening->reveal_m)
                          / fmax(sin(angle + sheet->read.slope_rad), 0.02)};
@@ -147,14 +147,15 @@ static void note_edges(struct sights *sights, const struct pp_protractor_sheet *
     }
 }
 
-static enum pp_status draw_section(const struct drawing *drawing, struct pp_box box,
-                                   double *height, struct pp_error *err)
+static enum pp_status draw_section(const struct protractor_drawing *drawing,
+                                   struct pp_box box, double *height,
+                                   struct pp_error *err)
 {
     const struct pp_protractor_sheet *sheet = drawing->sheet;
     const struct pp_style *style = &drawing->style;
     struct pp_receiver line[2] = {{.position = sheet->point, .normal = {0, 0, 1}},
                                   {.normal = {0, 0, 1}}};
-    line[1].position = pp_along(sheet->point, -0.01, sheet->read.out);
+    line[1].position = pp_vec_along(sheet->point, -0.01, sheet->read.out);
     struct pp_section_cut cut = {0};
     enum pp_status status = pp_section_cut_create(&cut, sheet->world, line, 2, err);
     if (status != PP_OK)
@@ -199,7 +200,7 @@ static enum pp_status draw_section(const struct drawing *drawing, struct pp_box 
                                       .to_right = to_right};
     pp_protractor_disc_primary(drawing->cr, style, &disc, false);
     pp_room_section_draw(drawing->cr, style, &section);
-    struct sights sights = {0};
+    struct sight_lines sights = {0};
     note_edges(&sights, sheet, section.mm_per_m);
     draw_sights(drawing, &disc, pp_protractor_disc_section, &sights);
     pp_section_cut_clear(&cut);
@@ -211,13 +212,13 @@ static enum pp_status draw_section(const struct drawing *drawing, struct pp_box 
 /* --- the plan ------------------------------------------------------------------------
  */
 
-static void note_jambs(struct sights *sights, const struct pp_protractor_sheet *sheet,
-                       double ahead_mm)
+static void note_jambs(struct sight_lines *sights,
+                       const struct pp_protractor_sheet *sheet, double ahead_mm)
 {
     for (int r = 0; r < sheet->read.count; r++) {
         const struct pp_protractor_reading *reading = &sheet->read.list[r];
         for (int k = 0; k < 2; k++) {
-            struct sight sight = {.angle_rad = reading->jamb_rad[k]};
+            struct sight_line sight = {.angle_rad = reading->jamb_rad[k]};
             sight.reach = ahead_mm / fmax(cos(sight.angle_rad), 0.02);
             snprintf(sight.words, sizeof sight.words, "%.0f\u00b0: %.3f",
                      fabs(sight.angle_rad) / PP_RAD, fabs(reading->correction[k]));
@@ -226,12 +227,12 @@ static void note_jambs(struct sights *sights, const struct pp_protractor_sheet *
     }
 }
 
-static void write_caption(const struct drawing *drawing, double x, double y,
+static void write_caption(const struct protractor_drawing *drawing, double x, double y,
                           double width, const char *words)
 {
-    const struct pp_text set = {
+    const struct pp_lettering set = {
         .size = PP_TEXT_SMALL, .grey = PP_GREY_TEXT, .width = width, .lines = 2};
-    pp_text_draw(drawing->cr, &drawing->style, &set, x, y, words);
+    pp_lettering_draw(drawing->cr, &drawing->style, &set, x, y, words);
 }
 
 static double caption_mm(const struct pp_style *style)
@@ -240,7 +241,8 @@ static double caption_mm(const struct pp_style *style)
 }
 
 /* The opening ahead, as a line across the sight lines to its jambs. */
-static void draw_turned_down(const struct drawing *drawing, struct pp_box box)
+static void draw_turned_down(const struct protractor_drawing *drawing,
+                             struct pp_box box)
 {
     const struct pp_protractor_sheet *sheet = drawing->sheet;
     const struct pp_style *style = &drawing->style;
@@ -276,7 +278,7 @@ static void draw_turned_down(const struct drawing *drawing, struct pp_box box)
     for (int k = 0; k < 2; k++)
         cairo_line_to(drawing->cr, disc.x + jamb[k] * 1000.0 / scale, disc.y - ahead);
     cairo_stroke(drawing->cr);
-    struct sights sights = {0};
+    struct sight_lines sights = {0};
     note_jambs(&sights, sheet, ahead);
     draw_sights(drawing, &disc, pp_protractor_disc_plan, &sights);
     char text[200];
@@ -290,8 +292,8 @@ static void draw_turned_down(const struct drawing *drawing, struct pp_box box)
 
 /* What the half disc and its words need beyond the room: `low` to the left and below,
  * `high` to the right and above. */
-static void make_room(const struct drawing *drawing, const struct pp_room_plan *plan,
-                      double low[2], double high[2])
+static void make_room(const struct protractor_drawing *drawing,
+                      const struct pp_room_plan *plan, double low[2], double high[2])
 {
     const struct pp_protractor_sheet *sheet = drawing->sheet;
     const struct pp_style *style = &drawing->style;
@@ -311,7 +313,7 @@ static void make_room(const struct drawing *drawing, const struct pp_room_plan *
     }
 }
 
-static void draw_plan(const struct drawing *drawing, struct pp_box box)
+static void draw_plan(const struct protractor_drawing *drawing, struct pp_box box)
 {
     const struct pp_protractor_sheet *sheet = drawing->sheet;
     const struct pp_style *style = &drawing->style;
@@ -336,7 +338,7 @@ static void draw_plan(const struct drawing *drawing, struct pp_box box)
                                       .plan = {sheet->read.out.x, -sheet->read.out.y}};
     pp_protractor_disc_auxiliary(drawing->cr, style, &disc, false);
     pp_room_plan_draw(drawing->cr, style, &plan);
-    struct sights sights = {0};
+    struct sight_lines sights = {0};
     note_jambs(&sights, sheet,
                (sheet->read.distance_m + sheet->opening->reveal_m) * plan.mm_per_m);
     draw_sights(drawing, &disc, pp_protractor_disc_plan, &sights);
@@ -409,7 +411,7 @@ static void say_sum(char *text, size_t room, const struct pp_protractor_sheet *s
                 external);
 }
 
-static void draw_lower(const struct drawing *drawing, struct pp_box box)
+static void draw_lower(const struct protractor_drawing *drawing, struct pp_box box)
 {
     if (drawing->sheet->scale.turned_down)
         draw_turned_down(drawing, box);
@@ -435,10 +437,11 @@ enum pp_status pp_protractor_worked_draw(struct pp_canvas *canvas,
                                          const struct pp_protractor_sheet *sheet,
                                          struct pp_error *err)
 {
-    struct drawing drawing = {.cr = pp_canvas_cairo(canvas),
-                              .style = pp_page_style(canvas),
-                              .sheet = sheet,
-                              .radius = pp_protractor_worked_radius_mm(canvas)};
+    struct protractor_drawing drawing = {.cr = pp_canvas_cairo(canvas),
+                                         .style = pp_page_style(canvas),
+                                         .sheet = sheet,
+                                         .radius =
+                                             pp_protractor_worked_radius_mm(canvas)};
     char subtitle[320], foot[300] = "", sum[2000] = "";
     say_subtitle(subtitle, sizeof subtitle, sheet);
     say_sum(sum, sizeof sum, sheet);
@@ -455,10 +458,10 @@ enum pp_status pp_protractor_worked_draw(struct pp_canvas *canvas,
         .title = sheet->world->name, .subtitle = subtitle, .foot = foot};
     struct pp_box box = pp_page_draw(canvas, &drawing.style, &page);
 
-    struct pp_text set = {
+    struct pp_lettering set = {
         .size = PP_TEXT_BODY, .down = 1.0, .width = box.width, .lines = 40};
-    struct pp_box written =
-        pp_text_draw(drawing.cr, &drawing.style, &set, box.x, box.y + box.height, sum);
+    struct pp_box written = pp_lettering_draw(drawing.cr, &drawing.style, &set, box.x,
+                                              box.y + box.height, sum);
     double gap = 4.0 * drawing.style.scale, used;
     box.height -= written.height + gap;
     if (box.width > box.height) {

@@ -1,7 +1,7 @@
 /* protractor_worked.h - a protractor laid on a room's own section and plan: sight lines
  * to the opening's edges and jambs, what is read there, and the sum below. */
-#ifndef PP_CHARTS_PROTRACTOR_WORKED_H
-#define PP_CHARTS_PROTRACTOR_WORKED_H
+#ifndef PP_CHARTS_DRAWING_BOARD_PROTRACTOR_WORKED_H
+#define PP_CHARTS_DRAWING_BOARD_PROTRACTOR_WORKED_H
 
 #include "charts/sheet/canvas.h"
 #include "model/results/protractor_sheet.h"

@@ -16,25 +16,25 @@ enum { HALF_COLUMNS = 18 };
 /* Dash of the droop lines of edges perpendicular to the window, of style.c. */
 enum { ACROSS_DASH = 1 };
 
-struct drawing {
+struct waldram_drawing {
     cairo_t *cr;
     struct pp_style style;
     const struct pp_waldram_sheet *sheet;
 };
 
 /* One panel on paper; its map's mm is the side of a square. */
-struct plot {
+struct waldram_plot {
     const struct pp_waldram_panel *panel;
     struct pp_board_map map;
     int first; /* number of its first window */
 };
 
-static double at_x(const struct plot *plot, double x)
+static double at_x(const struct waldram_plot *plot, double x)
 {
     return plot->map.x0 + plot->map.mm * x;
 }
 
-static double at_y(const struct plot *plot, double y)
+static double at_y(const struct waldram_plot *plot, double y)
 {
     return plot->map.y0 - plot->map.mm * y;
 }
@@ -42,7 +42,7 @@ static double at_y(const struct plot *plot, double y)
 /* --- the diagram ---------------------------------------------------------------------
  */
 
-static struct pp_box frame_of(const struct plot *plot)
+static struct pp_box frame_of(const struct waldram_plot *plot)
 {
     const struct pp_waldram_panel *panel = plot->panel;
     return (struct pp_box){at_x(plot, panel->low), at_y(plot, panel->top),
@@ -50,7 +50,8 @@ static struct pp_box frame_of(const struct plot *plot)
                            panel->top * plot->map.mm};
 }
 
-static void draw_squares(const struct drawing *drawing, const struct plot *plot)
+static void draw_squares(const struct waldram_drawing *drawing,
+                         const struct waldram_plot *plot)
 {
     cairo_t *cr = drawing->cr;
     struct pp_box frame = frame_of(plot);
@@ -66,7 +67,8 @@ static void draw_squares(const struct drawing *drawing, const struct plot *plot)
     cairo_stroke(cr);
 }
 
-static void draw_frame(const struct drawing *drawing, const struct plot *plot)
+static void draw_frame(const struct waldram_drawing *drawing,
+                       const struct waldram_plot *plot)
 {
     struct pp_box frame = frame_of(plot);
     pp_style_line(drawing->cr, drawing->style.medium, PP_INK);
@@ -78,8 +80,9 @@ static void draw_frame(const struct drawing *drawing, const struct plot *plot)
     cairo_stroke(drawing->cr);
 }
 
-static void trace_curves(const struct drawing *drawing, const struct plot *plot,
-                         const struct pp_curves *curves)
+static void trace_curves(const struct waldram_drawing *drawing,
+                         const struct waldram_plot *plot,
+                         const struct pp_curve_list *curves)
 {
     for (int i = 0; i < curves->count; i++)
         for (int k = 0; k < curves->list[i].count; k++) {
@@ -98,7 +101,8 @@ static struct pp_curve_style droop_style(const struct pp_style *style, bool acro
     return look;
 }
 
-static void draw_droop_lines(const struct drawing *drawing, const struct plot *plot)
+static void draw_droop_lines(const struct waldram_drawing *drawing,
+                             const struct waldram_plot *plot)
 {
     for (int across = 0; across < 2; across++) {
         struct pp_curve_style look = droop_style(&drawing->style, across);
@@ -112,23 +116,25 @@ static void draw_droop_lines(const struct drawing *drawing, const struct plot *p
 }
 
 /* Altitudes of the lines of edges parallel to the window, where they have room. */
-static void label_droop_lines(const struct drawing *drawing, const struct plot *plot)
+static void label_droop_lines(const struct waldram_drawing *drawing,
+                              const struct waldram_plot *plot)
 {
-    const struct pp_curves *lines = &plot->panel->parallel;
-    const struct pp_text set = {.size = PP_TEXT_SMALL, .across = 0.5, .down = 0.5};
+    const struct pp_curve_list *lines = &plot->panel->parallel;
+    const struct pp_lettering set = {.size = PP_TEXT_SMALL, .across = 0.5, .down = 0.5};
     double last = plot->map.y0;
     for (int i = 0; i < lines->count; i++) {
         int degree = (int)lrint(lines->list[i].level / PP_RAD);
         double y = at_y(plot, plot->panel->altitude[degree]);
         char words[16];
         snprintf(words, sizeof words, "%d\u00b0", degree);
-        struct pp_box box =
-            pp_text_measure(drawing->cr, &drawing->style, &set, plot->map.x0, y, words);
+        struct pp_box box = pp_lettering_measure(drawing->cr, &drawing->style, &set,
+                                                 plot->map.x0, y, words);
         if (last - y < 0.9 * box.height
             || y - at_y(plot, plot->panel->top) < 0.6 * box.height)
             continue;
         last = y;
-        pp_text_draw_clear(drawing->cr, &drawing->style, &set, plot->map.x0, y, words);
+        pp_lettering_draw_on_white(drawing->cr, &drawing->style, &set, plot->map.x0, y,
+                                   words);
     }
 }
 
@@ -138,19 +144,22 @@ static void label_droop_lines(const struct drawing *drawing, const struct plot *
 /* Altitudes in the order in which they get their labels where they have room. */
 static const int altitudes[] = {0, 90, 50, 30, 70, 40, 60, 20, 80, 10};
 
-static double label_height(const struct drawing *drawing)
+static double label_height(const struct waldram_drawing *drawing)
 {
-    const struct pp_text set = {.size = PP_TEXT_SMALL};
-    return pp_text_measure(drawing->cr, &drawing->style, &set, 0, 0, "90\u00b0").height;
+    const struct pp_lettering set = {.size = PP_TEXT_SMALL};
+    return pp_lettering_measure(drawing->cr, &drawing->style, &set, 0, 0, "90\u00b0")
+        .height;
 }
 
-static double label_width(const struct drawing *drawing)
+static double label_width(const struct waldram_drawing *drawing)
 {
-    const struct pp_text set = {.size = PP_TEXT_SMALL};
-    return pp_text_measure(drawing->cr, &drawing->style, &set, 0, 0, "90\u00b0").width;
+    const struct pp_lettering set = {.size = PP_TEXT_SMALL};
+    return pp_lettering_measure(drawing->cr, &drawing->style, &set, 0, 0, "90\u00b0")
+        .width;
 }
 
-static void draw_altitudes(const struct drawing *drawing, const struct plot *plot)
+static void draw_altitudes(const struct waldram_drawing *drawing,
+                           const struct waldram_plot *plot)
 {
     enum { COUNT = sizeof altitudes / sizeof altitudes[0] };
     const struct pp_style *style = &drawing->style;
@@ -178,24 +187,25 @@ static void draw_altitudes(const struct drawing *drawing, const struct plot *plo
         taken[count++] = y;
         char words[16];
         snprintf(words, sizeof words, "%d\u00b0", altitudes[i]);
-        struct pp_text set = {.size = PP_TEXT_SMALL, .across = 1.0, .down = 0.5};
-        pp_text_draw(drawing->cr, style, &set, frame.x - 2.4 * tick, y, words);
+        struct pp_lettering set = {.size = PP_TEXT_SMALL, .across = 1.0, .down = 0.5};
+        pp_lettering_draw(drawing->cr, style, &set, frame.x - 2.4 * tick, y, words);
         set.across = 0.0;
-        pp_text_draw(drawing->cr, style, &set, right + 2.4 * tick, y, words);
+        pp_lettering_draw(drawing->cr, style, &set, right + 2.4 * tick, y, words);
     }
-    struct pp_text title = {
+    struct pp_lettering title = {
         .size = PP_TEXT_SMALL, .across = 0.5, .down = 1.0, .turn_rad = -PP_PI / 2.0};
-    pp_text_draw(drawing->cr, style, &title,
-                 frame.x - 2.8 * tick - label_width(drawing),
-                 frame.y + 0.5 * frame.height, "altitude");
+    pp_lettering_draw(drawing->cr, style, &title,
+                      frame.x - 2.8 * tick - label_width(drawing),
+                      frame.y + 0.5 * frame.height, "altitude");
 }
 
-static double azimuth_place(const struct plot *plot, int degree)
+static double azimuth_place(const struct waldram_plot *plot, int degree)
 {
     return at_x(plot, copysign(plot->panel->azimuth[abs(degree)], degree));
 }
 
-static void draw_azimuths(const struct drawing *drawing, const struct plot *plot)
+static void draw_azimuths(const struct waldram_drawing *drawing,
+                          const struct waldram_plot *plot)
 {
     const struct pp_style *style = &drawing->style;
     struct pp_box frame = frame_of(plot);
@@ -210,7 +220,7 @@ static void draw_azimuths(const struct drawing *drawing, const struct plot *plot
         cairo_line_to(drawing->cr, x, bottom + (degree % 10 ? tick : 1.8 * tick));
     }
     cairo_stroke(drawing->cr);
-    const struct pp_text set = {.size = PP_TEXT_SMALL, .across = 0.5};
+    const struct pp_lettering set = {.size = PP_TEXT_SMALL, .across = 0.5};
     double last = -INFINITY, width = 1.25 * label_width(drawing);
     for (int degree = -end; degree <= end; degree += step) {
         double x = azimuth_place(plot, degree);
@@ -223,25 +233,26 @@ static void draw_azimuths(const struct drawing *drawing, const struct plot *plot
         last = x;
         char words[16];
         snprintf(words, sizeof words, "%d\u00b0", abs(degree));
-        pp_text_draw(drawing->cr, style, &set, x, bottom + 2.2 * tick, words);
+        pp_lettering_draw(drawing->cr, style, &set, x, bottom + 2.2 * tick, words);
     }
-    pp_text_draw(drawing->cr, style, &set, plot->map.x0,
-                 bottom + 2.2 * tick + label_height(drawing),
-                 "azimuth, left and right of the direction square to the window");
+    pp_lettering_draw(drawing->cr, style, &set, plot->map.x0,
+                      bottom + 2.2 * tick + label_height(drawing),
+                      "azimuth, left and right of the direction square to the window");
 }
 
 /* --- windows -------------------------------------------------------------------------
  */
 
 /* Figures of part squares: of sky in the upper part, of obstruction in the lower. */
-static void draw_tenths(const struct drawing *drawing, const struct plot *plot,
+static void draw_tenths(const struct waldram_drawing *drawing,
+                        const struct waldram_plot *plot,
                         const struct pp_board_piece *piece)
 {
     struct pp_style style = drawing->style;
     style.text[PP_TEXT_SMALL] = fmin(style.text[PP_TEXT_SMALL], 0.36 * plot->map.mm);
     if (style.text[PP_TEXT_SMALL] < 1.3)
         return;
-    const struct pp_text set = {
+    const struct pp_lettering set = {
         .size = PP_TEXT_SMALL, .italic = piece->hidden, .across = 0.5, .down = 0.5};
     double down = piece->hidden ? 0.25 : 0.72;
     for (int i = 0; i < piece->square_count; i++) {
@@ -251,32 +262,34 @@ static void draw_tenths(const struct drawing *drawing, const struct plot *plot,
         char words[16];
         snprintf(words, sizeof words, "%d", square->tenths);
         double x = at_x(plot, square->column + 0.5), y = at_y(plot, square->row + down);
-        pp_text_draw_clear(drawing->cr, &style, &set, x, y, words);
+        pp_lettering_draw_on_white(drawing->cr, &style, &set, x, y, words);
     }
 }
 
 /* A letter in the middle of what is seen of a window, or above it. */
-static void draw_letter(const struct drawing *drawing, const struct plot *plot,
+static void draw_letter(const struct waldram_drawing *drawing,
+                        const struct waldram_plot *plot,
                         const struct pp_board_window *window, int index)
 {
     double low[2] = {INFINITY, INFINITY}, high[2] = {-INFINITY, -INFINITY};
-    pp_board_window_extent(window, low, high);
+    pp_board_sheets_window_extent(window, low, high);
     if (!(high[0] > low[0]))
         return;
-    struct pp_text set = {
+    struct pp_lettering set = {
         .size = PP_TEXT_HEAD, .bold = true, .across = 0.5, .down = 0.5};
     double y = at_y(plot, 0.5 * (low[1] + high[1]));
     if ((high[1] - low[1]) * plot->map.mm < 1.8 * drawing->style.text[PP_TEXT_HEAD]) {
         set.down = 1.0; /* too low for it: above */
         y = at_y(plot, high[1]) - 0.4 * drawing->style.scale;
     }
-    pp_text_draw_clear(drawing->cr, &drawing->style, &set,
-                       at_x(plot, 0.5 * (low[0] + high[0])), y, pp_board_letter(index));
+    pp_lettering_draw_on_white(drawing->cr, &drawing->style, &set,
+                               at_x(plot, 0.5 * (low[0] + high[0])), y,
+                               pp_board_letter(index));
 }
 
 /* All windows, tinted or outlined. */
-static void draw_pieces(const struct drawing *drawing, const struct plot *plot,
-                        bool tints)
+static void draw_pieces(const struct waldram_drawing *drawing,
+                        const struct waldram_plot *plot, bool tints)
 {
     struct pp_box frame = frame_of(plot);
     for (int w = 0; w < plot->panel->count; w++)
@@ -293,8 +306,8 @@ static void draw_pieces(const struct drawing *drawing, const struct plot *plot,
         }
 }
 
-static void draw_windows(const struct drawing *drawing, const struct plot *plot,
-                         bool tints)
+static void draw_windows(const struct waldram_drawing *drawing,
+                         const struct waldram_plot *plot, bool tints)
 {
     const struct pp_waldram_panel *panel = plot->panel;
     struct pp_box frame = frame_of(plot);
@@ -304,7 +317,7 @@ static void draw_windows(const struct drawing *drawing, const struct plot *plot,
     draw_pieces(drawing, plot, tints);
     /* What leaves a diagram of all azimuths on one side comes in on the other. */
     for (int side = -1; side <= 1 && panel->high > HALF_COLUMNS; side += 2) {
-        struct plot turned = *plot;
+        struct waldram_plot turned = *plot;
         turned.map.x0 += side * (panel->high - panel->low) * plot->map.mm;
         cairo_save(drawing->cr);
         cairo_rectangle(drawing->cr, frame.x, frame.y, frame.width, frame.height);
@@ -354,35 +367,36 @@ static void panel_words(char *words, size_t room, const struct pp_waldram_sheet 
 }
 
 /* What a panel takes around its frame. */
-struct border {
+struct waldram_margins {
     double side, head, foot;
 };
 
-static struct border panel_border(const struct drawing *drawing)
+static struct waldram_margins panel_border(const struct waldram_drawing *drawing)
 {
     const struct pp_style *style = &drawing->style;
     double small = label_height(drawing), tick = 0.9 * style->scale;
-    return (struct border){3.2 * tick + label_width(drawing) + small,
-                           1.6 * style->text[PP_TEXT_BODY], 2.2 * tick + 2.0 * small};
+    return (struct waldram_margins){3.2 * tick + label_width(drawing) + small,
+                                    1.6 * style->text[PP_TEXT_BODY],
+                                    2.2 * tick + 2.0 * small};
 }
 
 /* The largest side of a square at which a panel fits into a room of that size. */
-static double fitting_square(const struct drawing *drawing,
+static double fitting_square(const struct waldram_drawing *drawing,
                              const struct pp_waldram_panel *panel, double width,
                              double height)
 {
-    struct border border = panel_border(drawing);
+    struct waldram_margins border = panel_border(drawing);
     return fmin((width - 2.0 * border.side) / (panel->high - panel->low),
                 (height - border.head - border.foot) / panel->top);
 }
 
 /* Draws a panel in the middle of its part of the sheet. */
-static void draw_panel(const struct drawing *drawing, struct plot *plot,
+static void draw_panel(const struct waldram_drawing *drawing, struct waldram_plot *plot,
                        struct pp_box room)
 {
     const struct pp_style *style = &drawing->style;
     const struct pp_waldram_panel *panel = plot->panel;
-    struct border border = panel_border(drawing);
+    struct waldram_margins border = panel_border(drawing);
     double mm = fitting_square(drawing, panel, room.width, room.height);
     double height = border.head + panel->top * mm + border.foot;
     double top = room.y + 0.5 * (room.height - height);
@@ -390,8 +404,8 @@ static void draw_panel(const struct drawing *drawing, struct plot *plot,
                                       top + border.head + panel->top * mm, mm};
     char words[128];
     panel_words(words, sizeof words, drawing->sheet, panel);
-    const struct pp_text set = {.size = PP_TEXT_BODY, .bold = true, .across = 0.5};
-    pp_text_draw(drawing->cr, style, &set, plot->map.x0, top, words);
+    const struct pp_lettering set = {.size = PP_TEXT_BODY, .bold = true, .across = 0.5};
+    pp_lettering_draw(drawing->cr, style, &set, plot->map.x0, top, words);
     draw_windows(drawing, plot, true);
     draw_squares(drawing, plot);
     draw_droop_lines(drawing, plot);
@@ -404,7 +418,7 @@ static void draw_panel(const struct drawing *drawing, struct plot *plot,
 }
 
 /* Keys and sum below the panels; returns their height, drawn only if asked. */
-static double draw_below(const struct drawing *drawing, double x, double y,
+static double draw_below(const struct waldram_drawing *drawing, double x, double y,
                          double width, bool drawn)
 {
     const struct pp_waldram_sheet *sheet = drawing->sheet;
@@ -451,7 +465,8 @@ static void titles(const struct pp_waldram_sheet *sheet, char *title, char *subt
 }
 
 /* Into how many columns panels are put so that the smallest squares are largest. */
-static int choose_columns(const struct drawing *drawing, struct pp_box body, double gap)
+static int choose_columns(const struct waldram_drawing *drawing, struct pp_box body,
+                          double gap)
 {
     const struct pp_waldram_sheet *sheet = drawing->sheet;
     int best = 1;
@@ -476,7 +491,7 @@ enum pp_status pp_waldram_chart_draw(struct pp_canvas *canvas,
                                      struct pp_error *err)
 {
     (void)err;
-    const struct drawing drawing = {
+    const struct waldram_drawing drawing = {
         .cr = pp_canvas_cairo(canvas), .style = pp_page_style(canvas), .sheet = sheet};
     char title[512], subtitle[512], foot[2048] = "";
     titles(sheet, title, subtitle, sizeof title);
@@ -491,7 +506,7 @@ enum pp_status pp_waldram_chart_draw(struct pp_canvas *canvas,
     int rows = (sheet->count + columns - 1) / columns, first = 0;
     double width = body.width / columns, height = body.height / rows;
     for (int i = 0; i < sheet->count; i++) {
-        struct plot plot = {.panel = &sheet->panels[i], .first = first};
+        struct waldram_plot plot = {.panel = &sheet->panels[i], .first = first};
         draw_panel(&drawing, &plot,
                    (struct pp_box){body.x + i % columns * width,
                                    body.y + i / columns * height, width, height - gap});

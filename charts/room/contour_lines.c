@@ -3,8 +3,8 @@
 #include <math.h>
 #include <stdlib.h>
 
-void pp_contour_path(cairo_t *cr, const struct pp_room_plan *plan,
-                     const struct pp_curve *curve)
+void pp_contour_lines_path(cairo_t *cr, const struct pp_room_plan *plan,
+                           const struct pp_curve *curve)
 {
     cairo_new_sub_path(cr);
     for (int i = 0; i < curve->count; i++)
@@ -151,9 +151,9 @@ static void draw_label(cairo_t *cr, const struct pp_style *style,
         turn -= PP_PI;
     if (turn <= -PP_PI / 2.0 + 1e-6)
         turn += PP_PI;
-    struct pp_text set = {
+    struct pp_lettering set = {
         .size = PP_TEXT_SMALL, .across = 0.5, .down = 0.5, .turn_rad = turn};
-    struct pp_box box = pp_text_draw(cr, style, &set, chord.x, chord.y, words);
+    struct pp_box box = pp_lettering_draw(cr, style, &set, chord.x, chord.y, words);
     for (int side = -1; side <= 1; side++) {
         double off = 0.4 * side * box.height;
         double cx = chord.x - off * sin(turn), cy = chord.y + off * cos(turn);
@@ -162,13 +162,13 @@ static void draw_label(cairo_t *cr, const struct pp_style *style,
     }
 }
 
-bool pp_contour_line_draw(cairo_t *cr, const struct pp_style *style,
-                          const struct pp_room_plan *plan, const struct pp_curve *curve,
-                          double weight_mm, const char *words, struct pp_labels *labels,
-                          int owner)
+bool pp_contour_lines_draw(cairo_t *cr, const struct pp_style *style,
+                           const struct pp_room_plan *plan,
+                           const struct pp_curve *curve, double weight_mm,
+                           const char *words, struct pp_labels *labels, int owner)
 {
-    struct pp_text set = {.size = PP_TEXT_SMALL};
-    struct pp_box size = pp_text_measure(cr, style, &set, 0, 0, words);
+    struct pp_lettering set = {.size = PP_TEXT_SMALL};
+    struct pp_box size = pp_lettering_measure(cr, style, &set, 0, 0, words);
     double gap = size.width + 1.6 * style->scale, at = -1.0;
     struct track track;
     bool laid = lay_track(&track, plan, curve);
@@ -178,7 +178,7 @@ bool pp_contour_line_draw(cairo_t *cr, const struct pp_style *style,
     pp_style_line(cr, weight_mm, PP_INK);
     cairo_set_line_join(cr, CAIRO_LINE_JOIN_ROUND);
     if (at < 0.0) {
-        pp_contour_path(cr, plan, curve);
+        pp_contour_lines_path(cr, plan, curve);
     } else {
         path_between(cr, &track, 0.0, at - 0.5 * gap);
         path_between(cr, &track, at + 0.5 * gap, track.length[track.count - 1]);

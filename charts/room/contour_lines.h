@@ -1,7 +1,7 @@
 /* contour_lines.h - level lines on paper, each with its figure set into it.
  */
-#ifndef PP_CHARTS_CONTOUR_LINES_H
-#define PP_CHARTS_CONTOUR_LINES_H
+#ifndef PP_CHARTS_ROOM_CONTOUR_LINES_H
+#define PP_CHARTS_ROOM_CONTOUR_LINES_H
 
 #include "charts/sheet/labels.h"
 #include "charts/room/room_plan.h"
@@ -10,13 +10,13 @@
 /* Draws a curve with its level's figure in a gap, along the line and not upside down,
  * clear of what `labels` holds of others than the owner, and notes the figure. False:
  * the line is too short or nowhere free, and has no figure. */
-bool pp_contour_line_draw(cairo_t *cr, const struct pp_style *style,
-                          const struct pp_room_plan *plan, const struct pp_curve *curve,
-                          double weight_mm, const char *words, struct pp_labels *labels,
-                          int owner);
+bool pp_contour_lines_draw(cairo_t *cr, const struct pp_style *style,
+                           const struct pp_room_plan *plan,
+                           const struct pp_curve *curve, double weight_mm,
+                           const char *words, struct pp_labels *labels, int owner);
 
 /* Adds a curve to the path. */
-void pp_contour_path(cairo_t *cr, const struct pp_room_plan *plan,
-                     const struct pp_curve *curve);
+void pp_contour_lines_path(cairo_t *cr, const struct pp_room_plan *plan,
+                           const struct pp_curve *curve);
 
 #endif

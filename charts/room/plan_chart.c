@@ -35,9 +35,9 @@ bool pp_plan_chart_landscape(const struct pp_world *world)
 
 static void draw_dark(struct sheet *sheet)
 {
-    const struct pp_curves *dark = &sheet->chart->plan->dark;
+    const struct pp_curve_list *dark = &sheet->chart->plan->dark;
     for (int i = 0; i < dark->count; i++)
-        pp_contour_path(sheet->cr, &sheet->plan, &dark->list[i]);
+        pp_contour_lines_path(sheet->cr, &sheet->plan, &dark->list[i]);
     cairo_set_fill_rule(sheet->cr, CAIRO_FILL_RULE_WINDING);
     pp_style_grey(sheet->cr, PP_GREY_FILL);
     cairo_fill(sheet->cr);
@@ -45,11 +45,11 @@ static void draw_dark(struct sheet *sheet)
 
 static void draw_no_sky_line(struct sheet *sheet)
 {
-    const struct pp_curves *lines = &sheet->chart->plan->no_sky;
+    const struct pp_curve_list *lines = &sheet->chart->plan->no_sky;
     struct pp_curve_style look = pp_style_curve(NO_SKY_LINE);
     pp_style_pen(sheet->cr, &sheet->style, &look);
     for (int i = 0; i < lines->count; i++)
-        pp_contour_path(sheet->cr, &sheet->plan, &lines->list[i]);
+        pp_contour_lines_path(sheet->cr, &sheet->plan, &lines->list[i]);
     pp_labels_note_path(sheet->labels, sheet->cr, -1);
     cairo_stroke(sheet->cr);
 }
@@ -76,25 +76,26 @@ static double weight_of(const struct pp_style *style, double level)
 /* A level of which no line was long enough for its figure gets it beside one. */
 static void label_beside(struct sheet *sheet, int owner, const char *words)
 {
-    const struct pp_text set = {.size = PP_TEXT_SMALL};
-    struct pp_box size = pp_text_measure(sheet->cr, &sheet->style, &set, 0, 0, words),
+    const struct pp_lettering set = {.size = PP_TEXT_SMALL};
+    struct pp_box size =
+                      pp_lettering_measure(sheet->cr, &sheet->style, &set, 0, 0, words),
                   box;
     double anchor[2];
     if (!pp_labels_find(sheet->labels, &sheet->style, size.width, size.height, owner,
                         &box, anchor))
         return;
     pp_labels_lead(sheet->cr, &sheet->style, box, anchor);
-    pp_text_draw(sheet->cr, &sheet->style, &set, box.x, box.y, words);
+    pp_lettering_draw(sheet->cr, &sheet->style, &set, box.x, box.y, words);
     pp_labels_note_box(sheet->labels, box);
 }
 
 static void draw_contours(struct sheet *sheet)
 {
-    const struct pp_curves *curves = &sheet->chart->plan->contours;
+    const struct pp_curve_list *curves = &sheet->chart->plan->contours;
 
     /* Every line is noted before any is labelled, so that figures keep off all. */
     for (int i = 0; i < curves->count; i++) {
-        pp_contour_path(sheet->cr, &sheet->plan, &curves->list[i]);
+        pp_contour_lines_path(sheet->cr, &sheet->plan, &curves->list[i]);
         pp_labels_note_path(sheet->labels, sheet->cr, i);
         cairo_new_path(sheet->cr);
     }
@@ -105,7 +106,7 @@ static void draw_contours(struct sheet *sheet)
         bool labelled = false;
         int i = first, longest = first;
         for (; i < curves->count && curves->list[i].level == level; i++) {
-            labelled |= pp_contour_line_draw(
+            labelled |= pp_contour_lines_draw(
                 sheet->cr, &sheet->style, &sheet->plan, &curves->list[i],
                 weight_of(&sheet->style, level), words, sheet->labels, i);
             if (pp_curve_length(&curves->list[i])
@@ -133,16 +134,17 @@ static void say_flat(struct sheet *sheet)
     double middle[2];
     for (int k = 0; k < 2; k++)
         middle[k] = 0.5 * (sheet->plan.low[k] + sheet->plan.high[k]);
-    struct pp_text set = {.size = PP_TEXT_BODY,
-                          .grey = PP_GREY_TEXT,
-                          .across = 0.5,
-                          .down = 0.5,
-                          .width = fmax(0.8 * (sheet->plan.high[0] - sheet->plan.low[0])
+    struct pp_lettering set = {.size = PP_TEXT_BODY,
+                               .grey = PP_GREY_TEXT,
+                               .across = 0.5,
+                               .down = 0.5,
+                               .width =
+                                   fmax(0.8 * (sheet->plan.high[0] - sheet->plan.low[0])
                                             * sheet->plan.mm_per_m,
                                         30.0)};
-    pp_text_draw(sheet->cr, &sheet->style, &set,
-                 pp_room_plan_x(&sheet->plan, middle[0]),
-                 pp_room_plan_y(&sheet->plan, middle[1]), words);
+    pp_lettering_draw(sheet->cr, &sheet->style, &set,
+                      pp_room_plan_x(&sheet->plan, middle[0]),
+                      pp_room_plan_y(&sheet->plan, middle[1]), words);
 }
 
 /* ---- round about ---- */
@@ -214,21 +216,22 @@ static double strip_height(const struct sheet *sheet)
 static void draw_strip(struct sheet *sheet, struct pp_box strip)
 {
     const struct pp_style *style = &sheet->style;
-    struct pp_box bar = pp_scale_bar_draw(sheet->cr, style, sheet->plan.mm_per_m,
-                                          strip.x + 1.0 * style->scale, strip.y);
+    struct pp_box bar = pp_room_plan_scale_bar(sheet->cr, style, sheet->plan.mm_per_m,
+                                               strip.x + 1.0 * style->scale, strip.y);
     char words[32];
     snprintf(words, sizeof words, "1:%.0f", sheet->plan.scale);
-    struct pp_text set = {.size = PP_TEXT_BODY, .bold = true};
-    pp_text_draw(sheet->cr, style, &set, strip.x, bar.y + bar.height + style->scale,
-                 words);
-    struct pp_text note = {.size = PP_TEXT_SMALL, .grey = PP_GREY_TEXT};
-    pp_text_draw(sheet->cr, style, &note, strip.x,
-                 bar.y + bar.height + style->scale + 1.35 * style->text[PP_TEXT_BODY],
-                 "printed at 100\u00a0%");
+    struct pp_lettering set = {.size = PP_TEXT_BODY, .bold = true};
+    pp_lettering_draw(sheet->cr, style, &set, strip.x,
+                      bar.y + bar.height + style->scale, words);
+    struct pp_lettering note = {.size = PP_TEXT_SMALL, .grey = PP_GREY_TEXT};
+    pp_lettering_draw(sheet->cr, style, &note, strip.x,
+                      bar.y + bar.height + style->scale
+                          + 1.35 * style->text[PP_TEXT_BODY],
+                      "printed at 100\u00a0%");
     double radius = 3.8 * style->scale;
     double north = strip.x + strip.width - radius - 3.5 * style->scale;
-    pp_north_arrow_draw(sheet->cr, style, sheet->chart->world->north_rad, north,
-                        strip.y + radius + 2.5 * style->scale, radius);
+    pp_room_plan_north_arrow(sheet->cr, style, sheet->chart->world->north_rad, north,
+                             strip.y + radius + 2.5 * style->scale, radius);
     double left =
         fmax(bar.x + bar.width + 8.0 * style->scale, strip.x + 0.40 * strip.width);
     pp_legend_draw(sheet->cr, style, sheet->keys, sheet->key_count, left, strip.y,

@@ -5,8 +5,8 @@
  * fits the sheet, and is stated. Walls are cut at the working plane; openings in
  * upright faces are drawn as in architects' plans, others in outline from above.
  */
-#ifndef PP_CHARTS_PLAN_CHART_H
-#define PP_CHARTS_PLAN_CHART_H
+#ifndef PP_CHARTS_ROOM_PLAN_CHART_H
+#define PP_CHARTS_ROOM_PLAN_CHART_H
 
 #include "charts/sheet/canvas.h"
 #include "model/results/daylight_plan.h"

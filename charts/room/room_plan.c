@@ -109,7 +109,7 @@ static void ends_of(const struct pp_room_plan *plan, const struct pp_opening *op
 {
     double low = INFINITY, high = -INFINITY;
     for (int i = 0; i < opening->inner.count; i++) {
-        double along = pp_dot(opening->along, opening->inner.vertices[i]);
+        double along = pp_vec_dot(opening->along, opening->inner.vertices[i]);
         if (along < low) {
             low = along;
             ends[0][0] = pp_room_plan_x(plan, opening->inner.vertices[i].x);
@@ -196,7 +196,8 @@ static void draw_inside(cairo_t *cr, const struct pp_style *style,
         struct pp_vec3 b = outline->vertices[(i + 1) % outline->count];
         if ((a.z > height) == (b.z > height))
             continue;
-        struct pp_vec3 p = pp_along(a, (height - a.z) / (b.z - a.z), pp_sub(b, a));
+        struct pp_vec3 p =
+            pp_vec_along(a, (height - a.z) / (b.z - a.z), pp_vec_sub(b, a));
         if (count++ % 2 == 0)
             cairo_move_to(cr, pp_room_plan_x(plan, p.x), pp_room_plan_y(plan, p.y));
         else
@@ -220,7 +221,7 @@ void pp_room_plan_draw(cairo_t *cr, const struct pp_style *style,
     const struct pp_world *world = plan->world;
     draw_walls(cr, style, plan);
     for (int i = world->face_count; i < world->surface_count; i++)
-        if (world->surfaces[i].inside && world->surfaces[i].role == PP_LOOSE)
+        if (world->surfaces[i].inside && world->surfaces[i].role == PP_FREE_SURFACE)
             draw_inside(cr, style, plan, &world->surfaces[i].outline);
     for (int i = 0; i < world->opening_count; i++) {
         const struct pp_opening *opening = &world->openings[i];
@@ -229,8 +230,8 @@ void pp_room_plan_draw(cairo_t *cr, const struct pp_style *style,
     }
 }
 
-struct pp_box pp_scale_bar_draw(cairo_t *cr, const struct pp_style *style,
-                                double mm_per_m, double x, double y)
+struct pp_box pp_room_plan_scale_bar(cairo_t *cr, const struct pp_style *style,
+                                     double mm_per_m, double x, double y)
 {
     /* The longest of 1, 2, 5 times a power of ten that is under 60 mm. */
     double most = 60.0 * style->scale / mm_per_m;
@@ -241,7 +242,7 @@ struct pp_box pp_scale_bar_draw(cairo_t *cr, const struct pp_style *style,
     int parts = metres < 1.5 * power || metres > 4.0 * power ? 5 : 4;
     double part = metres * mm_per_m / parts, height = 1.0 * style->scale;
 
-    struct pp_text set = {.size = PP_TEXT_SMALL, .across = 0.5};
+    struct pp_lettering set = {.size = PP_TEXT_SMALL, .across = 0.5};
     double top = y + 1.3 * style->text[PP_TEXT_SMALL], right = x;
     pp_style_line(cr, style->thin, PP_INK);
     for (int i = 0; i < parts; i++) {
@@ -255,14 +256,14 @@ struct pp_box pp_scale_bar_draw(cairo_t *cr, const struct pp_style *style,
         if (end)
             pp_style_metres(words, sizeof words, metres);
         struct pp_box box =
-            pp_text_draw(cr, style, &set, x + end * parts * part, y, words);
+            pp_lettering_draw(cr, style, &set, x + end * parts * part, y, words);
         right = fmax(right, box.x + box.width);
     }
     return (struct pp_box){x, y, right - x, top + height - y};
 }
 
-void pp_north_arrow_draw(cairo_t *cr, const struct pp_style *style, double north_rad,
-                         double x, double y, double radius)
+void pp_room_plan_north_arrow(cairo_t *cr, const struct pp_style *style,
+                              double north_rad, double x, double y, double radius)
 {
     cairo_save(cr);
     cairo_translate(cr, x, y);
@@ -281,9 +282,9 @@ void pp_north_arrow_draw(cairo_t *cr, const struct pp_style *style, double north
     cairo_close_path(cr);
     cairo_stroke(cr);
     cairo_restore(cr);
-    struct pp_text set = {
+    struct pp_lettering set = {
         .size = PP_TEXT_SMALL, .bold = true, .across = 0.5, .down = 0.5};
     double away = radius + 0.7 * style->text[PP_TEXT_SMALL];
-    pp_text_draw(cr, style, &set, x - away * sin(north_rad), y - away * cos(north_rad),
-                 "N");
+    pp_lettering_draw(cr, style, &set, x - away * sin(north_rad),
+                      y - away * cos(north_rad), "N");
 }

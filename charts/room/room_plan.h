@@ -4,8 +4,8 @@
  * weight of a line, outside their inside face; windows are drawn in it as architects
  * do.
  */
-#ifndef PP_CHARTS_ROOM_PLAN_H
-#define PP_CHARTS_ROOM_PLAN_H
+#ifndef PP_CHARTS_ROOM_ROOM_PLAN_H
+#define PP_CHARTS_ROOM_ROOM_PLAN_H
 
 #include "charts/sheet/style.h"
 #include "charts/sheet/lettering.h"
@@ -40,11 +40,11 @@ void pp_room_plan_draw(cairo_t *cr, const struct pp_style *style,
                        const struct pp_room_plan *plan);
 
 /* A bar of a round length, 20 to 60 mm; x, y its upper left corner. Returns its box. */
-struct pp_box pp_scale_bar_draw(cairo_t *cr, const struct pp_style *style,
-                                double mm_per_m, double x, double y);
+struct pp_box pp_room_plan_scale_bar(cairo_t *cr, const struct pp_style *style,
+                                     double mm_per_m, double x, double y);
 
 /* An arrow to true north within a circle about x, y; north_rad is the bearing of up. */
-void pp_north_arrow_draw(cairo_t *cr, const struct pp_style *style, double north_rad,
-                         double x, double y, double radius);
+void pp_room_plan_north_arrow(cairo_t *cr, const struct pp_style *style,
+                              double north_rad, double x, double y, double radius);
 
 #endif

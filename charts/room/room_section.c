@@ -9,7 +9,7 @@
 #include "model/base/text.h"
 
 /* What stands before a window, as seen from the middle of it. */
-struct sight {
+struct window_obstruction {
     double angle_rad; /* above the horizontal; 0: nothing */
     double s, z;      /* the window's middle */
     double distance_m;
@@ -51,9 +51,10 @@ static bool middle_of_openings(const struct pp_room_section *section, int face,
 
 /* The highest line of sight from the window's middle, outwards in the section's plane,
  * to what hides sky there. */
-static struct sight sight_of(const struct pp_room_section *section, bool near)
+static struct window_obstruction sight_of(const struct pp_room_section *section,
+                                          bool near)
 {
-    struct sight sight = {.s = near ? 0.0 : section->cut->length_m};
+    struct window_obstruction sight = {.s = near ? 0.0 : section->cut->length_m};
     int face = face_at(section->cut, near);
     double out = near ? -1.0 : 1.0;
     if (face < 0 || !middle_of_openings(section, face, &sight.z))
@@ -138,30 +139,31 @@ void pp_room_section_fit(struct pp_room_section *section, const struct pp_style 
 
 /* ---- drawing ---- */
 
-struct frame {
+struct section_drawing {
     const struct pp_room_section *section;
     cairo_t *cr;
     const struct pp_style *style;
     double low, high; /* z */
 };
 
-static double at_s(const struct frame *frame, double s)
+static double at_s(const struct section_drawing *frame, double s)
 {
     return frame->section->x + s * frame->section->mm_per_m;
 }
 
-static double at_z(const struct frame *frame, double z)
+static double at_z(const struct section_drawing *frame, double z)
 {
     return frame->section->y + (frame->high - z) * frame->section->mm_per_m;
 }
 
-static void line(const struct frame *frame, const double s[2], const double z[2])
+static void line(const struct section_drawing *frame, const double s[2],
+                 const double z[2])
 {
     cairo_move_to(frame->cr, at_s(frame, s[0]), at_z(frame, z[0]));
     cairo_line_to(frame->cr, at_s(frame, s[1]), at_z(frame, z[1]));
 }
 
-static void stroke_cuts(const struct frame *frame, enum pp_cut_kind kind,
+static void stroke_cuts(const struct section_drawing *frame, enum pp_cut_kind kind,
                         double weight_mm, double grey, cairo_line_cap_t cap)
 {
     const struct pp_section_cut *cut = frame->section->cut;
@@ -174,7 +176,7 @@ static void stroke_cuts(const struct frame *frame, enum pp_cut_kind kind,
 }
 
 /* Openings that the plane does not cut, as seen in elevation beyond it. */
-static int draw_openings_beyond(const struct frame *frame)
+static int draw_openings_beyond(const struct section_drawing *frame)
 {
     const struct pp_world *world = frame->section->world;
     const struct pp_section_cut *cut = frame->section->cut;
@@ -203,7 +205,7 @@ static int draw_openings_beyond(const struct frame *frame)
 }
 
 /* Glass as two thin lines; the sides of a reveal out to it. */
-static void draw_openings_cut(const struct frame *frame)
+static void draw_openings_cut(const struct section_drawing *frame)
 {
     const struct pp_section_cut *cut = frame->section->cut;
     const struct pp_world *world = frame->section->world;
@@ -239,7 +241,7 @@ static void draw_openings_cut(const struct frame *frame)
     }
 }
 
-static void draw_plane(const struct frame *frame)
+static void draw_plane(const struct section_drawing *frame)
 {
     const struct pp_room_section *section = frame->section;
     cairo_t *cr = frame->cr;
@@ -264,7 +266,7 @@ static void draw_plane(const struct frame *frame)
 
 /* The ground outside, from the wall to the end of the strip, if it is near the floor.
  */
-static void draw_ground(const struct frame *frame)
+static void draw_ground(const struct section_drawing *frame)
 {
     const struct pp_room_section *section = frame->section;
     double z = section->world->ground_level_m, y = at_z(frame, z);
@@ -283,10 +285,10 @@ static void draw_ground(const struct frame *frame)
 }
 
 /* The line of sight to the head of what obstructs, the horizontal, and the angle. */
-static void draw_sight(const struct frame *frame, bool near)
+static void draw_sight(const struct section_drawing *frame, bool near)
 {
     const struct pp_room_section *section = frame->section;
-    struct sight sight = sight_of(section, near);
+    struct window_obstruction sight = sight_of(section, near);
     if (!(sight.angle_rad > 0.0))
         return;
     cairo_t *cr = frame->cr;
@@ -320,12 +322,12 @@ static void draw_sight(const struct frame *frame, bool near)
         pp_style_metres(far, sizeof far, sight.distance_m);
     snprintf(words, sizeof words, "%.0f\u00b0%s%s", sight.angle_rad / PP_RAD,
              *far ? " at " : "", far);
-    struct pp_text text = {
+    struct pp_lettering text = {
         .size = PP_TEXT_SMALL, .across = near ? 0.0 : 1.0, .down = 0.0};
-    pp_text_draw(cr, style, &text, x + out * reach, y + 0.5 * style->scale, words);
+    pp_lettering_draw(cr, style, &text, x + out * reach, y + 0.5 * style->scale, words);
 }
 
-static void write_caption(const struct frame *frame, int beyond)
+static void write_caption(const struct section_drawing *frame, int beyond)
 {
     const struct pp_room_section *section = frame->section;
     char text[512], length[32], plane[32];
@@ -347,23 +349,23 @@ static void write_caption(const struct frame *frame, int beyond)
         char sill[32], head[32];
         pp_style_metres(sill, sizeof sill, low);
         pp_style_metres(head, sizeof head, high);
-        pp_append(text, sizeof text, "; window sill %s, head %s", sill, head);
+        pp_text_append(text, sizeof text, "; window sill %s, head %s", sill, head);
     }
-    pp_append(text, sizeof text, ".%s",
-              beyond ? " Openings beside the section dashed." : "");
-    struct pp_text set = {.size = PP_TEXT_SMALL, .grey = PP_GREY_TEXT};
+    pp_text_append(text, sizeof text, ".%s",
+                   beyond ? " Openings beside the section dashed." : "");
+    struct pp_lettering set = {.size = PP_TEXT_SMALL, .grey = PP_GREY_TEXT};
     double left = section->x, right = at_s(frame, section->cut->length_m);
     /* A narrow room's caption may go on beyond it. */
     set.width = fmax(right - left, 90.0 * frame->style->scale);
     set.lines = 2;
-    pp_text_draw(frame->cr, frame->style, &set, left,
-                 at_z(frame, frame->low) + 1.4 * frame->style->scale, text);
+    pp_lettering_draw(frame->cr, frame->style, &set, left,
+                      at_z(frame, frame->low) + 1.4 * frame->style->scale, text);
 }
 
 void pp_room_section_draw(cairo_t *cr, const struct pp_style *style,
                           const struct pp_room_section *section)
 {
-    struct frame frame = {section, cr, style, 0.0, 0.0};
+    struct section_drawing frame = {section, cr, style, 0.0, 0.0};
     heights_of(section->cut, &frame.low, &frame.high);
 
     /* What lies outside may reach far beyond the sheet. */

@@ -1,8 +1,8 @@
 /* room_section.h - the room cut upright, drawn to scale: floor, walls, openings,
  * working plane with its receivers, obstructions outside.
  */
-#ifndef PP_CHARTS_ROOM_SECTION_H
-#define PP_CHARTS_ROOM_SECTION_H
+#ifndef PP_CHARTS_ROOM_ROOM_SECTION_H
+#define PP_CHARTS_ROOM_ROOM_SECTION_H
 
 #include "charts/room/section_cut.h"
 #include "charts/sheet/style.h"
@@ -12,7 +12,7 @@ struct pp_room_section {
     const struct pp_world *world;
     const struct pp_section_cut *cut;
     const struct pp_report *report; /* its receivers are marked */
-    bool no_sights; /* leave out the angle of what stands outside */
+    bool no_sights;                 /* leave out the angle of what stands outside */
 
     /* By pp_room_section_fit. */
     double mm_per_m;  /* a round scale: 1:20, 1:25, 1:30, 1:40 ... */

@@ -170,14 +170,15 @@ static void draw_level(struct pp_section_plot *plot, int index)
 
 static void say_nothing_there(struct pp_section_plot *plot)
 {
-    struct pp_text text = {.size = PP_TEXT_HEAD,
-                           .grey = PP_GREY_TEXT,
-                           .across = 0.5,
-                           .down = 0.5,
-                           .width = 0.9 * plot->field.width};
-    pp_text_draw(plot->cr, &plot->style, &text, plot->field.x + 0.5 * plot->field.width,
-                 plot->field.y + 0.5 * plot->field.height,
-                 "There are no daylight factors to draw.");
+    struct pp_lettering text = {.size = PP_TEXT_HEAD,
+                                .grey = PP_GREY_TEXT,
+                                .across = 0.5,
+                                .down = 0.5,
+                                .width = 0.9 * plot->field.width};
+    pp_lettering_draw(plot->cr, &plot->style, &text,
+                      plot->field.x + 0.5 * plot->field.width,
+                      plot->field.y + 0.5 * plot->field.height,
+                      "There are no daylight factors to draw.");
 }
 
 static void draw_plot(struct pp_section_plot *plot, struct pp_box aside)
@@ -189,15 +190,16 @@ static void draw_plot(struct pp_section_plot *plot, struct pp_box aside)
     pp_axis_draw_up(cr, style, &plot->up, plot->field.x);
     double reach = pp_axis_draw_across(cr, style, &plot->across, bottom);
 
-    struct pp_text title = {.size = PP_TEXT_BODY, .down = 1.0};
-    pp_text_draw(cr, style, &title, plot->field.x - pp_axis_reach(cr, style, &plot->up),
-                 plot->field.y - 1.6 * style->scale, "Daylight factor (%)");
+    struct pp_lettering title = {.size = PP_TEXT_BODY, .down = 1.0};
+    pp_lettering_draw(cr, style, &title,
+                      plot->field.x - pp_axis_reach(cr, style, &plot->up),
+                      plot->field.y - 1.6 * style->scale, "Daylight factor (%)");
     title.down = 0.0;
     title.across = 1.0;
-    pp_text_draw(cr, style, &title, plot->field.x + plot->field.width,
-                 bottom + reach + 0.2 * style->scale,
-                 plot->cut.near_window ? "Distance from the window wall (m)"
-                                       : "Distance from the wall (m)");
+    pp_lettering_draw(cr, style, &title, plot->field.x + plot->field.width,
+                      bottom + reach + 0.2 * style->scale,
+                      plot->cut.near_window ? "Distance from the window wall (m)"
+                                            : "Distance from the wall (m)");
 
     for (int kind = PP_LEVEL; kind >= PP_CURVE; kind--)
         for (int i = 0; i < plot->series_count; i++) {
@@ -214,7 +216,7 @@ static void draw_plot(struct pp_section_plot *plot, struct pp_box aside)
     if (plot->series_count == 0)
         say_nothing_there(plot);
     else if (plot->legend.columns == 0)
-        pp_section_name_curves(plot, aside);
+        pp_section_names_draw(plot, aside);
 }
 
 /* ---- the sheet ---- */
@@ -257,7 +259,7 @@ static void draw_sheet(struct pp_section_plot *plot, struct pp_canvas *canvas,
     struct pp_page page = {world->name, subtitle, plot->foot};
     struct pp_box body = pp_page_draw(canvas, &plot->style, &page);
 
-    pp_section_lay_legend(plot, body.width);
+    pp_section_names_fit_legend(plot, body.width);
     if (plot->legend.columns)
         body.height -= plot->legend.height + 4.0 * plot->style.scale;
 
@@ -300,9 +302,9 @@ static void draw_sheet(struct pp_section_plot *plot, struct pp_canvas *canvas,
     for (int i = 0; i < plot->legend.columns; i++) {
         int first = i * plot->legend.rows, rest = plot->series_count - first;
         if (rest > 0)
-            pp_section_draw_keys(plot, first,
-                                 rest < plot->legend.rows ? rest : plot->legend.rows,
-                                 body.x + i * plot->legend.wide, below, body.width);
+            pp_section_names_draw_keys(
+                plot, first, rest < plot->legend.rows ? rest : plot->legend.rows,
+                body.x + i * plot->legend.wide, below, body.width);
     }
 }
 
@@ -320,7 +322,7 @@ enum pp_status pp_section_chart_draw(struct pp_canvas *canvas,
         return status;
     status = sort_points(&plot, err);
     if (status == PP_OK) {
-        pp_section_choose(&plot);
+        pp_section_series_choose(&plot);
         draw_sheet(&plot, canvas, chart);
     }
     pp_section_cut_clear(&plot.cut);

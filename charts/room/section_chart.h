@@ -13,8 +13,8 @@
  * Openings that are not cut are drawn in outline, as seen beyond the cut. Obstructions
  * outside show as the line of sight from the window's middle to their head.
  */
-#ifndef PP_CHARTS_SECTION_CHART_H
-#define PP_CHARTS_SECTION_CHART_H
+#ifndef PP_CHARTS_ROOM_SECTION_CHART_H
+#define PP_CHARTS_ROOM_SECTION_CHART_H
 
 #include "charts/sheet/canvas.h"
 #include "model/results/report.h"

@@ -39,9 +39,9 @@ static void aim_at_opening(struct pp_section_cut *cut, const struct pp_world *wo
         const struct pp_polygon *outline = &world->openings[i].inner;
         struct pp_vec3 middle = pp_vec(0, 0, 0);
         for (int k = 0; k < outline->count; k++)
-            middle = pp_along(middle, 1.0 / outline->count, outline->vertices[k]);
+            middle = pp_vec_along(middle, 1.0 / outline->count, outline->vertices[k]);
         double level = hypot(outline->normal.x, outline->normal.y);
-        double away = pp_length(pp_sub(middle, point));
+        double away = pp_vec_length(pp_vec_sub(middle, point));
         if (level < 1e-6 || away >= nearest)
             continue;
         nearest = away;
@@ -138,7 +138,7 @@ static int places_of(const struct pp_section_cut *cut, const struct pp_polygon *
         double off_a = off_plane(cut, a), off_b = off_plane(cut, b);
         if ((off_a > 0.0) == (off_b > 0.0))
             continue;
-        struct pp_vec3 p = pp_along(a, off_a / (off_a - off_b), pp_sub(b, a));
+        struct pp_vec3 p = pp_vec_along(a, off_a / (off_a - off_b), pp_vec_sub(b, a));
         (*places)[count][0] = pp_section_cut_s(cut, p);
         (*places)[count++][1] = p.z;
     }

@@ -3,8 +3,8 @@
  * In the section a place has s, metres along the line from the inside face of the wall
  * that distances are counted from, and z, height.
  */
-#ifndef PP_CHARTS_SECTION_CUT_H
-#define PP_CHARTS_SECTION_CUT_H
+#ifndef PP_CHARTS_ROOM_SECTION_CUT_H
+#define PP_CHARTS_ROOM_SECTION_CUT_H
 
 #include "model/room/world.h"
 

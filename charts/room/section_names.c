@@ -8,17 +8,17 @@ static struct pp_box draw_name(struct pp_section_plot *plot,
                                const struct pp_series *series, double x, double y,
                                bool drawn)
 {
-    const struct pp_text text = {.size = PP_TEXT_BODY};
+    const struct pp_lettering text = {.size = PP_TEXT_BODY};
     double wide = plot->field.width;
     if (series->kind == PP_CURVE)
         return (drawn ? pp_legend_draw : pp_legend_measure)(
             plot->cr, &plot->style, &series->key, 1, x, y, wide);
-    return (drawn ? pp_text_draw : pp_text_measure)(plot->cr, &plot->style, &text, x, y,
-                                                    series->key.words);
+    return (drawn ? pp_lettering_draw : pp_lettering_measure)(
+        plot->cr, &plot->style, &text, x, y, series->key.words);
 }
 
-void pp_section_draw_keys(struct pp_section_plot *plot, int first, int count, double x,
-                          double y, double width)
+void pp_section_names_draw_keys(struct pp_section_plot *plot, int first, int count,
+                                double x, double y, double width)
 {
     struct pp_key keys[PP_KEYS_MOST];
     for (int i = 0; i < count; i++)
@@ -31,7 +31,7 @@ void pp_section_draw_keys(struct pp_section_plot *plot, int first, int count, do
     pp_legend_draw(plot->cr, &plot->style, keys, count, x, y, width);
 }
 
-void pp_section_lay_legend(struct pp_section_plot *plot, double width)
+void pp_section_names_fit_legend(struct pp_section_plot *plot, double width)
 {
     struct pp_section_legend *legend = &plot->legend;
     legend->columns = 0;
@@ -74,10 +74,11 @@ static void draw_legend_inside(struct pp_section_plot *plot, struct pp_box aside
             break;
         }
     }
-    pp_section_draw_keys(plot, 0, plot->series_count, aside.x, aside.y, aside.width);
+    pp_section_names_draw_keys(plot, 0, plot->series_count, aside.x, aside.y,
+                               aside.width);
 }
 
-void pp_section_name_curves(struct pp_section_plot *plot, struct pp_box aside)
+void pp_section_names_draw(struct pp_section_plot *plot, struct pp_box aside)
 {
     struct pp_labels *labels = plot->labels;
     struct pp_box boxes[PP_KEYS_INSIDE];

@@ -1,9 +1,9 @@
 /* section_plot.h - what the files of section_chart.h share.
  */
-#ifndef PP_CHARTS_SECTION_PLOT_H
-#define PP_CHARTS_SECTION_PLOT_H
+#ifndef PP_CHARTS_ROOM_SECTION_PLOT_H
+#define PP_CHARTS_ROOM_SECTION_PLOT_H
 
-#include "charts/sheet/axes.h"
+#include "charts/sheet/axis.h"
 #include "charts/sheet/labels.h"
 #include "charts/sheet/legend.h"
 #include "charts/room/section_cut.h"
@@ -44,18 +44,18 @@ struct pp_section_plot {
 /* The columns of daylight factors that have a value, into plot->series, which has room
  * for all. Sampled ones are points with error bars, the others lines; where these are
  * more than four, they get markers too. What has no value is said in plot->foot. */
-void pp_section_choose(struct pp_section_plot *plot);
+void pp_section_series_choose(struct pp_section_plot *plot);
 
 /* Names next to the curves where there is room for all, else in a legend in a free
  * corner of the field, or at `aside` where that lies beside it. */
-void pp_section_name_curves(struct pp_section_plot *plot, struct pp_box aside);
+void pp_section_names_draw(struct pp_section_plot *plot, struct pp_box aside);
 
 /* The columns of plot->legend that more than PP_KEYS_INSIDE names need below the
  * section, and their size. */
-void pp_section_lay_legend(struct pp_section_plot *plot, double width);
+void pp_section_names_fit_legend(struct pp_section_plot *plot, double width);
 
 /* A legend of some of the names, on white. */
-void pp_section_draw_keys(struct pp_section_plot *plot, int first, int count, double x,
-                          double y, double width);
+void pp_section_names_draw_keys(struct pp_section_plot *plot, int first, int count,
+                                double x, double y, double width);
 
 #endif

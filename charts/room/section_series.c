@@ -68,7 +68,7 @@ static void name_series(struct pp_series *series)
     }
 }
 
-void pp_section_choose(struct pp_section_plot *plot)
+void pp_section_series_choose(struct pp_section_plot *plot)
 {
     int lines = 0;
     for (int i = 0; i < plot->report->column_count; i++) {

@@ -64,7 +64,7 @@ static bool add_escaped(struct pp_bytes *bytes, const char *string)
 /* ---- SVG ---- */
 
 /* A piece of the file, not ended by a zero. */
-struct piece {
+struct svg_span {
     const char *start;
     size_t length;
 };
@@ -72,12 +72,12 @@ struct piece {
 /* The ids in order of appearance; which number is whose. */
 struct ids {
     char prefix[16];
-    struct piece *list;
+    struct svg_span *list;
     size_t count, room;
 };
 
 /* The number of an id; -1: memory is out. */
-static long id_number(struct ids *ids, struct piece id)
+static long id_number(struct ids *ids, struct svg_span id)
 {
     for (size_t i = 0; i < ids->count; i++)
         if (ids->list[i].length == id.length
@@ -85,7 +85,7 @@ static long id_number(struct ids *ids, struct piece id)
             return (long)i;
     if (ids->count == ids->room) {
         size_t room = ids->room ? 2 * ids->room : 256;
-        struct piece *list = realloc(ids->list, room * sizeof *list);
+        struct svg_span *list = realloc(ids->list, room * sizeof *list);
         if (!list)
             return -1;
         ids->list = list;
@@ -97,7 +97,7 @@ static long id_number(struct ids *ids, struct piece id)
 
 /* FNV-1a. The names that cairo gives depend on what else was drawn before in the same
  * process, so digits inside quotes and url() after # or id= are passed over. */
-static uint32_t hash_drawing(struct piece drawing, const char *title)
+static uint32_t hash_drawing(struct svg_span drawing, const char *title)
 {
     uint32_t hash = 2166136261u;
     for (const char *c = title; *c; c++)
@@ -129,7 +129,7 @@ static const char *next_id(const char *from, const char *end)
     return 0;
 }
 
-static bool add_renamed(struct pp_bytes *svg, struct piece body, struct ids *ids)
+static bool add_renamed(struct pp_bytes *svg, struct svg_span body, struct ids *ids)
 {
     const char *at = body.start, *end = body.start + body.length;
     const char *id;
@@ -137,7 +137,7 @@ static bool add_renamed(struct pp_bytes *svg, struct piece body, struct ids *ids
         const char *stop = id;
         while (stop < end && *stop != '"' && *stop != ')')
             stop++;
-        long number = id_number(ids, (struct piece){id, (size_t)(stop - id)});
+        long number = id_number(ids, (struct svg_span){id, (size_t)(stop - id)});
         char name[48];
         snprintf(name, sizeof name, "%s-%ld", ids->prefix, number);
         if (number < 0 || !pp_bytes_add(svg, at, (size_t)(id - at))
@@ -177,7 +177,7 @@ bool pp_bytes_name_svg(struct pp_bytes *svg, const struct pp_bytes *cairo,
     root = root ? memchr(root, '>', (size_t)(end - root)) : 0;
     if (!root)
         return false;
-    struct piece body = {root + 1, (size_t)(end - root - 1)};
+    struct svg_span body = {root + 1, (size_t)(end - root - 1)};
 
     struct ids ids = {0};
     snprintf(ids.prefix, sizeof ids.prefix, "pp%08x",

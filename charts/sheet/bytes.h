@@ -1,7 +1,7 @@
 /* bytes.h - a growing block of bytes, and what cairo's files lack until they are good.
  */
-#ifndef PP_CHARTS_BYTES_H
-#define PP_CHARTS_BYTES_H
+#ifndef PP_CHARTS_SHEET_BYTES_H
+#define PP_CHARTS_SHEET_BYTES_H
 
 #include <stdbool.h>
 #include <stddef.h>

@@ -234,8 +234,8 @@ enum pp_status pp_canvas_write(struct pp_canvas *canvas, pp_canvas_writer writer
     return writer(closure, bytes, length, err);
 }
 
-enum pp_status pp_chart_format_of(enum pp_chart_format *format, const char *path,
-                                  struct pp_error *err)
+enum pp_status pp_canvas_format_of(enum pp_chart_format *format, const char *path,
+                                   struct pp_error *err)
 {
     static const char *const endings[] = {
         [PP_CHART_PDF] = ".pdf", [PP_CHART_SVG] = ".svg", [PP_CHART_PNG] = ".png"};
@@ -251,7 +251,8 @@ enum pp_status pp_chart_format_of(enum pp_chart_format *format, const char *path
                    path);
 }
 
-enum pp_status pp_paper_of(enum pp_paper *paper, const char *name, struct pp_error *err)
+enum pp_status pp_canvas_paper_of(enum pp_paper *paper, const char *name,
+                                  struct pp_error *err)
 {
     static const struct {
         const char *name;

@@ -12,8 +12,8 @@
  * The caller owns the file: a finished canvas is a block of bytes, or is handed to a
  * function of the caller's.
  */
-#ifndef PP_CHARTS_CANVAS_H
-#define PP_CHARTS_CANVAS_H
+#ifndef PP_CHARTS_SHEET_CANVAS_H
+#define PP_CHARTS_SHEET_CANVAS_H
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -65,11 +65,11 @@ enum pp_status pp_canvas_write(struct pp_canvas *canvas, pp_canvas_writer writer
 
 /* The format that a file name's ending asks for (".pdf", ".svg", ".png", in either
  * case). */
-enum pp_status pp_chart_format_of(enum pp_chart_format *format, const char *path,
-                                  struct pp_error *err);
+enum pp_status pp_canvas_format_of(enum pp_chart_format *format, const char *path,
+                                   struct pp_error *err);
 
 /* "a5" ... "a2", in either case. */
-enum pp_status pp_paper_of(enum pp_paper *paper, const char *name,
-                           struct pp_error *err);
+enum pp_status pp_canvas_paper_of(enum pp_paper *paper, const char *name,
+                                  struct pp_error *err);
 
 #endif

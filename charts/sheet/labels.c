@@ -9,10 +9,10 @@ void pp_labels_note(struct pp_labels *labels, int owner, double x0, double y0,
     if (!isfinite(length))
         return;
     int steps = (int)ceil(fmin(length, 5000.0));
-    for (int i = 0; i <= steps && labels->count < PP_PLACES_MOST; i++) {
+    for (int i = 0; i <= steps && labels->count < PP_LABEL_PLACES_MOST; i++) {
         double share = steps ? (double)i / steps : 0.0;
-        labels->places[labels->count++] =
-            (struct pp_place){x0 + share * (x1 - x0), y0 + share * (y1 - y0), owner};
+        labels->places[labels->count++] = (struct pp_label_place){
+            x0 + share * (x1 - x0), y0 + share * (y1 - y0), owner};
     }
 }
 
@@ -45,7 +45,7 @@ bool pp_labels_is_near(const struct pp_labels *labels, int owner, double x, doub
                        double distance)
 {
     for (int i = 0; i < labels->count; i++) {
-        const struct pp_place *p = &labels->places[i];
+        const struct pp_label_place *p = &labels->places[i];
         if (p->owner == owner && hypot(p->x - x, p->y - y) < distance)
             return true;
     }
@@ -63,7 +63,7 @@ static bool is_free(const struct pp_labels *labels, struct pp_box box, int owner
         || box.y + box.height > field->y + field->height)
         return false;
     for (int i = 0; i < labels->count; i++) {
-        const struct pp_place *p = &labels->places[i];
+        const struct pp_label_place *p = &labels->places[i];
         double off = p->owner == owner ? 0.25 * pad : pad;
         if (p->x > box.x - off && p->x < box.x + box.width + off && p->y > box.y - off
             && p->y < box.y + box.height + off)
@@ -84,7 +84,7 @@ static double clearance(const struct pp_labels *labels, const double a[2],
     double nearest = INFINITY, dx = b[0] - a[0], dy = b[1] - a[1];
     double square = dx * dx + dy * dy;
     for (int i = 0; i < labels->count; i++) {
-        const struct pp_place *p = &labels->places[i];
+        const struct pp_label_place *p = &labels->places[i];
         if (p->owner == owner)
             continue;
         double share =
@@ -116,7 +116,7 @@ bool pp_labels_find(const struct pp_labels *labels, const struct pp_style *style
     int stride = own > 60 ? own / 60 : 1, seen = 0;
 
     for (int i = 0; i < labels->count; i++) {
-        const struct pp_place *p = &labels->places[i];
+        const struct pp_label_place *p = &labels->places[i];
         if (p->owner != owner || seen++ % stride)
             continue;
         double at[2] = {p->x, p->y};

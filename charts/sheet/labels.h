@@ -4,16 +4,16 @@
  * of the places it may name, on all sides and ever further off, and stands where it
  * covers nothing and is nearest; one that finds no such place is not drawn.
  */
-#ifndef PP_CHARTS_LABELS_H
-#define PP_CHARTS_LABELS_H
+#ifndef PP_CHARTS_SHEET_LABELS_H
+#define PP_CHARTS_SHEET_LABELS_H
 
 #include <stdbool.h>
 
 #include "charts/sheet/lettering.h"
 
-enum { PP_PLACES_MOST = 6000 };
+enum { PP_LABEL_PLACES_MOST = 6000 };
 
-struct pp_place {
+struct pp_label_place {
     double x, y;
     int owner; /* of which curve; -1: nobody's */
 };
@@ -21,11 +21,11 @@ struct pp_place {
 struct pp_labels {
     struct pp_box field; /* labels stay within */
     int count;
-    struct pp_place places[PP_PLACES_MOST];
+    struct pp_label_place places[PP_LABEL_PLACES_MOST];
 };
 
 /* Notes a straight line, as places at most a millimetre apart. Lines beyond
- * PP_PLACES_MOST are forgotten. */
+ * PP_LABEL_PLACES_MOST are forgotten. */
 void pp_labels_note(struct pp_labels *labels, int owner, double x0, double y0,
                     double x1, double y1);
 

@@ -58,15 +58,15 @@ static struct pp_box legend(cairo_t *cr, const struct pp_style *style,
                             double width, bool drawn)
 {
     double indent = sample_width(style) + 1.5 * style->scale;
-    struct pp_text words = {
+    struct pp_lettering words = {
         .size = PP_TEXT_BODY, .width = fmax(width - indent, 5.0), .lines = 2};
     struct pp_box all = {x, y, 0.0, 0.0};
     for (int i = 0; i < count; i++) {
         double top = y + all.height;
         struct pp_box box =
-            pp_text_measure(cr, style, &words, x + indent, top, keys[i].words);
+            pp_lettering_measure(cr, style, &words, x + indent, top, keys[i].words);
         if (drawn) {
-            pp_text_draw(cr, style, &words, x + indent, top, keys[i].words);
+            pp_lettering_draw(cr, style, &words, x + indent, top, keys[i].words);
             draw_sample(cr, style, &keys[i], x, top + 0.65 * style->text[PP_TEXT_BODY]);
         }
         all.width = fmax(all.width, indent + box.width);

@@ -1,7 +1,7 @@
 /* legend.h - which line is which, in a column of samples and words.
  */
-#ifndef PP_CHARTS_LEGEND_H
-#define PP_CHARTS_LEGEND_H
+#ifndef PP_CHARTS_SHEET_LEGEND_H
+#define PP_CHARTS_SHEET_LEGEND_H
 
 #include "charts/sheet/style.h"
 #include "charts/sheet/lettering.h"

@@ -7,7 +7,7 @@ static const char families[] =
     "Source Sans 3, Source Sans Pro, Nimbus Sans, Liberation Sans, "
     "DejaVu Sans Condensed, DejaVu Sans, sans-serif";
 
-bool pp_box_overlaps(struct pp_box a, struct pp_box b)
+bool pp_lettering_boxes_overlap(struct pp_box a, struct pp_box b)
 {
     return a.x < b.x + b.width && b.x < a.x + a.width && a.y < b.y + b.height
            && b.y < a.y + a.height;
@@ -16,7 +16,7 @@ bool pp_box_overlaps(struct pp_box a, struct pp_box b)
 /* The caller's to unref. One unit of the layout is one of cairo's user space, a
  * millimetre, so positions must not be rounded to units. */
 static PangoLayout *layout_of(cairo_t *cr, const struct pp_style *style,
-                              const struct pp_text *text, const char *words)
+                              const struct pp_lettering *text, const char *words)
 {
     PangoLayout *layout = pango_cairo_create_layout(cr);
     PangoContext *context = pango_layout_get_context(layout);
@@ -58,8 +58,8 @@ static PangoLayout *layout_of(cairo_t *cr, const struct pp_style *style,
     return layout;
 }
 
-static struct pp_box box_of(PangoLayout *layout, const struct pp_text *text, double x,
-                            double y)
+static struct pp_box box_of(PangoLayout *layout, const struct pp_lettering *text,
+                            double x, double y)
 {
     PangoRectangle logical;
     pango_layout_get_extents(layout, 0, &logical);
@@ -69,9 +69,9 @@ static struct pp_box box_of(PangoLayout *layout, const struct pp_text *text, dou
                            height};
 }
 
-struct pp_box pp_text_measure(cairo_t *cr, const struct pp_style *style,
-                              const struct pp_text *text, double x, double y,
-                              const char *words)
+struct pp_box pp_lettering_measure(cairo_t *cr, const struct pp_style *style,
+                                   const struct pp_lettering *text, double x, double y,
+                                   const char *words)
 {
     PangoLayout *layout = layout_of(cr, style, text, words);
     struct pp_box box = box_of(layout, text, x, y);
@@ -80,7 +80,7 @@ struct pp_box pp_text_measure(cairo_t *cr, const struct pp_style *style,
 }
 
 static struct pp_box draw(cairo_t *cr, const struct pp_style *style,
-                          const struct pp_text *text, double x, double y,
+                          const struct pp_lettering *text, double x, double y,
                           const char *words, bool cleared)
 {
     PangoLayout *layout = layout_of(cr, style, text, words);
@@ -108,16 +108,16 @@ static struct pp_box draw(cairo_t *cr, const struct pp_style *style,
     return box;
 }
 
-struct pp_box pp_text_draw(cairo_t *cr, const struct pp_style *style,
-                           const struct pp_text *text, double x, double y,
-                           const char *words)
+struct pp_box pp_lettering_draw(cairo_t *cr, const struct pp_style *style,
+                                const struct pp_lettering *text, double x, double y,
+                                const char *words)
 {
     return draw(cr, style, text, x, y, words, false);
 }
 
-struct pp_box pp_text_draw_clear(cairo_t *cr, const struct pp_style *style,
-                                 const struct pp_text *text, double x, double y,
-                                 const char *words)
+struct pp_box pp_lettering_draw_on_white(cairo_t *cr, const struct pp_style *style,
+                                         const struct pp_lettering *text, double x,
+                                         double y, const char *words)
 {
     return draw(cr, style, text, x, y, words, true);
 }

@@ -3,8 +3,8 @@
  * Text is UTF-8; what is not valid is shown as U+FFFD. Sizes don't depend on the format
  * drawn to: glyphs are laid out unhinted, at fractions of a millimetre.
  */
-#ifndef PP_CHARTS_TEXT_H
-#define PP_CHARTS_TEXT_H
+#ifndef PP_CHARTS_SHEET_LETTERING_H
+#define PP_CHARTS_SHEET_LETTERING_H
 
 #include <stdbool.h>
 
@@ -16,10 +16,10 @@ struct pp_box {
     double x, y, width, height; /* x, y: the upper left corner */
 };
 
-bool pp_box_overlaps(struct pp_box a, struct pp_box b);
+bool pp_lettering_boxes_overlap(struct pp_box a, struct pp_box b);
 
 /* How a text is set. */
-struct pp_text {
+struct pp_lettering {
     enum pp_text_size size;
     bool bold, italic;
     double grey;
@@ -30,19 +30,19 @@ struct pp_text {
     int lines;           /* with a width: at most this many, then ...; 0: any number */
 };
 
-/* The box that pp_text_draw would fill (not turned). */
-struct pp_box pp_text_measure(cairo_t *cr, const struct pp_style *style,
-                              const struct pp_text *text, double x, double y,
-                              const char *words);
+/* The box that pp_lettering_draw would fill (not turned). */
+struct pp_box pp_lettering_measure(cairo_t *cr, const struct pp_style *style,
+                                   const struct pp_lettering *text, double x, double y,
+                                   const char *words);
 
 /* Draws, and returns that box. */
-struct pp_box pp_text_draw(cairo_t *cr, const struct pp_style *style,
-                           const struct pp_text *text, double x, double y,
-                           const char *words);
+struct pp_box pp_lettering_draw(cairo_t *cr, const struct pp_style *style,
+                                const struct pp_lettering *text, double x, double y,
+                                const char *words);
 
-/* As pp_text_draw, on a white ground a little larger than the text. */
-struct pp_box pp_text_draw_clear(cairo_t *cr, const struct pp_style *style,
-                                 const struct pp_text *text, double x, double y,
-                                 const char *words);
+/* As pp_lettering_draw, on a white ground a little larger than the text. */
+struct pp_box pp_lettering_draw_on_white(cairo_t *cr, const struct pp_style *style,
+                                         const struct pp_lettering *text, double x,
+                                         double y, const char *words);
 
 #endif

@@ -15,10 +15,10 @@ void pp_page_say(char *text, size_t room, const char *format, ...)
 {
     size_t length = strlen(text);
     if (length && text[length - 1] != '\n')
-        pp_append(text, room, " ");
+        pp_text_append(text, room, " ");
     va_list arguments;
     va_start(arguments, format);
-    pp_append_v(text, room, format, arguments);
+    pp_text_append_v(text, room, format, arguments);
     va_end(arguments);
 }
 
@@ -133,29 +133,32 @@ struct pp_box pp_page_draw(struct pp_canvas *canvas, const struct pp_style *styl
 
     if (page->title) {
         /* A long name is set smaller, in up to four lines. */
-        struct pp_text title = {.size = PP_TEXT_TITLE, .bold = true, .width = width};
-        if (pp_text_measure(cr, style, &title, 0, 0, page->title).height
+        struct pp_lettering title = {
+            .size = PP_TEXT_TITLE, .bold = true, .width = width};
+        if (pp_lettering_measure(cr, style, &title, 0, 0, page->title).height
             > 2.7 * style->text[PP_TEXT_TITLE]) {
             title.size = PP_TEXT_HEAD;
             title.lines = 4;
         }
-        top += pp_text_draw(cr, style, &title, margin, top, page->title).height;
+        top += pp_lettering_draw(cr, style, &title, margin, top, page->title).height;
         top += 0.6 * style->scale;
     }
     if (page->subtitle) {
-        struct pp_text subtitle = {
+        struct pp_lettering subtitle = {
             .size = PP_TEXT_HEAD, .grey = PP_GREY_TEXT, .width = width, .lines = 3};
-        top += pp_text_draw(cr, style, &subtitle, margin, top, page->subtitle).height;
+        top +=
+            pp_lettering_draw(cr, style, &subtitle, margin, top, page->subtitle).height;
     }
     if (page->foot && *page->foot) {
         int lines = (int)(0.22 * pp_canvas_height_mm(canvas)
                           / (1.25 * style->text[PP_TEXT_SMALL]));
-        struct pp_text foot = {.size = PP_TEXT_SMALL,
-                               .grey = PP_GREY_TEXT,
-                               .down = 1.0,
-                               .width = width,
-                               .lines = lines};
-        bottom -= pp_text_draw(cr, style, &foot, margin, bottom, page->foot).height;
+        struct pp_lettering foot = {.size = PP_TEXT_SMALL,
+                                    .grey = PP_GREY_TEXT,
+                                    .down = 1.0,
+                                    .width = width,
+                                    .lines = lines};
+        bottom -=
+            pp_lettering_draw(cr, style, &foot, margin, bottom, page->foot).height;
         bottom -= 1.2 * style->scale;
         pp_style_line(cr, style->hair, PP_GREY_LINE);
         cairo_move_to(cr, margin, bottom);

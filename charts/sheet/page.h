@@ -1,7 +1,7 @@
 /* page.h - what every chart's sheet has round its drawing: title and notes.
  */
-#ifndef PP_CHARTS_PAGE_H
-#define PP_CHARTS_PAGE_H
+#ifndef PP_CHARTS_SHEET_PAGE_H
+#define PP_CHARTS_SHEET_PAGE_H
 
 #include "charts/sheet/canvas.h"
 #include "charts/sheet/style.h"

@@ -1,7 +1,7 @@
 /* smooth.h - a curve through points that never leaves the range of its neighbours.
  */
-#ifndef PP_CHARTS_SMOOTH_H
-#define PP_CHARTS_SMOOTH_H
+#ifndef PP_CHARTS_SHEET_SMOOTH_H
+#define PP_CHARTS_SHEET_SMOOTH_H
 
 #include <cairo.h>
 

@@ -6,8 +6,8 @@
  * square root of the sheet's width, so that an A2 on the wall and an A5 in a book are
  * both read at their own distance.
  */
-#ifndef PP_CHARTS_STYLE_H
-#define PP_CHARTS_STYLE_H
+#ifndef PP_CHARTS_SHEET_STYLE_H
+#define PP_CHARTS_SHEET_STYLE_H
 
 #include <stddef.h>
 

@@ -39,7 +39,8 @@ static struct json_object *finding_object(const struct pp_finding *finding,
     if (good && isfinite(finding->reached_over))
         good = pp_json_number(object, "reached_over", 100.0 * finding->reached_over);
     if (good)
-        good = pp_json_text(object, "verdict", pp_verdict_word(finding->verdict));
+        good =
+            pp_json_text(object, "verdict", pp_assess_text_verdict(finding->verdict));
     if (good && isfinite(finding->confidence))
         good = pp_json_number(
             object, finding->verdict == PP_UNDECIDED ? "probability" : "confidence",
@@ -52,8 +53,8 @@ static struct json_object *finding_object(const struct pp_finding *finding,
     return pp_json_whole(object, good);
 }
 
-static bool add_findings(struct json_object *object, const struct pp_findings *findings,
-                         double external_lux)
+static bool add_findings(struct json_object *object,
+                         const struct pp_finding_list *findings, double external_lux)
 {
     struct json_object *list = json_object_new_array();
     bool good = pp_json_add(object, "findings", list);
@@ -117,8 +118,8 @@ static struct json_object *room_object(const void *everything, int index)
     return pp_json_whole(object, good);
 }
 
-enum pp_status pp_print_assessments_json(const struct pp_assessments *all, FILE *out,
-                                         struct pp_error *err)
+enum pp_status pp_assess_json(const struct pp_assessments *all, FILE *out,
+                              struct pp_error *err)
 {
     return pp_json_print_rooms(out, room_object, all, all->count, all->several, err);
 }

@@ -7,7 +7,7 @@
 #include "cli/assess/assessment.h"
 #include "cli/print/print.h"
 #include "cli/assess/print_gains.h"
-#include "cli/print/utf8.h"
+#include "cli/print/format.h"
 #include "model/base/text.h"
 
 enum { CELL = 40, COLUMNS = 6, INDENT = 4, GAP = 2, NOTE_INDENT = 6 };
@@ -20,7 +20,7 @@ struct layout {
     int width;
 };
 
-const char *pp_verdict_word(enum pp_verdict verdict)
+const char *pp_assess_text_verdict(enum pp_verdict verdict)
 {
     static const char *const words[] = {[PP_STATED] = NULL,
                                         [PP_MET] = "met",
@@ -65,11 +65,11 @@ static void write_figure(char cell[CELL], const struct pp_finding *finding, bool
     cell[0] = '\0';
     if (isnan(finding->figure))
         return;
-    pp_append(cell, CELL, "%.*f", digits, scale * finding->figure + 0.0);
+    pp_text_append(cell, CELL, "%.*f", digits, scale * finding->figure + 0.0);
     if (isfinite(finding->std_error))
-        pp_append(cell, CELL, " %s%.2f", utf8 ? "\xc2\xb1" : "+-",
-                  ceil(100.0 * scale * finding->std_error - 1e-7) / 100.0 + 0.0);
-    pp_append(cell, CELL, "%s", unit_of(finding->kind, utf8));
+        pp_text_append(cell, CELL, " %s%.2f", utf8 ? "\xc2\xb1" : "+-",
+                       ceil(100.0 * scale * finding->std_error - 1e-7) / 100.0 + 0.0);
+    pp_text_append(cell, CELL, "%s", unit_of(finding->kind, utf8));
 }
 
 static void write_wanted(char cell[CELL], const struct pp_finding *finding, bool utf8)
@@ -87,7 +87,7 @@ static void write_wanted(char cell[CELL], const struct pp_finding *finding, bool
 /* Rounded so that only what is all but sure is called certain. */
 static void write_verdict(char cell[CELL], const struct pp_finding *finding)
 {
-    const char *word = pp_verdict_word(finding->verdict);
+    const char *word = pp_assess_text_verdict(finding->verdict);
     double sure = finding->confidence;
     if (isnan(sure))
         snprintf(cell, CELL, "%s", word ? word : "");
@@ -116,7 +116,7 @@ static void write_cells(char cells[COLUMNS][CELL], const struct pp_finding *find
 
 /* All columns but the first are as wide as they need to be, and no narrower than a row
  * of most criteria needs, so that these stand below each other. */
-static void lay_out(struct layout *layout, const struct pp_findings *findings)
+static void lay_out(struct layout *layout, const struct pp_finding_list *findings)
 {
     static const int usual[COLUMNS] = {[FIGURE] = 9, [WANTED] = 9, [VERDICT] = 10};
     char cells[COLUMNS][CELL];
@@ -125,7 +125,7 @@ static void lay_out(struct layout *layout, const struct pp_findings *findings)
     for (int k = 0; k < findings->count; k++) {
         write_cells(cells, &findings->list[k], layout);
         for (int c = FIGURE; c < COLUMNS; c++) {
-            int width = pp_utf8_width(cells[c]);
+            int width = pp_format_utf8_width(cells[c]);
             if (width > layout->widths[c])
                 layout->widths[c] = width;
         }
@@ -144,7 +144,7 @@ static int fitting(const char *text, int columns)
 {
     int length = 0, fits = 0, used = 0;
     while (text[length]) {
-        int bytes = pp_utf8_length(text + length);
+        int bytes = pp_format_utf8_length(text + length);
         if (text[length] == ' ')
             fits = length;
         if (++used > columns)
@@ -165,7 +165,7 @@ static void print_cells(char cells[COLUMNS][CELL], const struct layout *layout,
                         int blanks, FILE *out)
 {
     for (int c = FIGURE; c < COLUMNS; c++) {
-        int width = layout->widths[c], used = pp_utf8_width(cells[c]);
+        int width = layout->widths[c], used = pp_format_utf8_width(cells[c]);
         if (width == 0)
             continue;
         blanks += GAP + (c < VERDICT ? width - used : 0);
@@ -189,9 +189,10 @@ static void print_finding(const struct pp_finding *finding, const struct layout 
         rest += bytes;
         rest += strspn(rest, " ");
         fprintf(out, "%*s", first ? INDENT : INDENT + 2, "");
-        pp_utf8_put(out, part);
+        pp_format_utf8_put(out, part);
         if (first)
-            print_cells(cells, layout, layout->widths[WHAT] - pp_utf8_width(part), out);
+            print_cells(cells, layout,
+                        layout->widths[WHAT] - pp_format_utf8_width(part), out);
         else
             fputc('\n', out);
     }
@@ -204,7 +205,7 @@ static void print_answer(const struct pp_answer *answer, struct layout layout,
 {
     lay_out(&layout, &answer->findings);
     fprintf(out, "\n  %s  [%s]\n", answer->criterion->title, answer->criterion->source);
-    const struct pp_findings *findings = &answer->findings;
+    const struct pp_finding_list *findings = &answer->findings;
     if (findings->basis[0]) {
         fprintf(out, "%*s", INDENT, "");
         pp_print_wrapped(findings->basis, INDENT, INDENT, layout.width, out);
@@ -235,7 +236,7 @@ static void print_sum(const struct pp_assessment *assessment, FILE *out)
                 count += assessment->answers[i].findings.list[k].verdict == verdicts[v];
         if (count == 0)
             continue;
-        fprintf(out, "%s%d %s", before, count, pp_verdict_word(verdicts[v]));
+        fprintf(out, "%s%d %s", before, count, pp_assess_text_verdict(verdicts[v]));
         before = ", ";
     }
     fputs(*before ? "\n" : "no verdicts\n", out);
@@ -278,8 +279,8 @@ static void print_room(const struct pp_assessment *assessment,
         pp_print_gains(&assessment->gains, layout.width, out);
 }
 
-enum pp_status pp_print_assessments(const struct pp_assessments *assessments, int width,
-                                    bool utf8, FILE *out, struct pp_error *err)
+enum pp_status pp_assess_text(const struct pp_assessments *assessments, int width,
+                              bool utf8, FILE *out, struct pp_error *err)
 {
     (void)err;
     const struct layout layout = {.width = width,

@@ -1,8 +1,8 @@
 /* assessment.h - one room, held against the criteria: what is gathered for it, and what
  * the run has to say of it.
  */
-#ifndef PP_CLI_ASSESSMENT_H
-#define PP_CLI_ASSESSMENT_H
+#ifndef PP_CLI_ASSESS_ASSESSMENT_H
+#define PP_CLI_ASSESS_ASSESSMENT_H
 
 #include <stdio.h>
 
@@ -22,7 +22,7 @@ struct pp_assess_options {
 /* A criterion that was asked for, and what it found. */
 struct pp_answer {
     const struct pp_criterion *criterion;
-    struct pp_findings findings;
+    struct pp_finding_list findings;
 };
 
 struct pp_assessment {
@@ -49,14 +49,14 @@ struct pp_assessments {
 };
 
 /* As text `width` columns wide (60 or more). */
-enum pp_status pp_print_assessments(const struct pp_assessments *assessments, int width,
-                                    bool utf8, FILE *out, struct pp_error *err);
+enum pp_status pp_assess_text(const struct pp_assessments *assessments, int width,
+                              bool utf8, FILE *out, struct pp_error *err);
 
 /* One object a room ("pepperpot-assess-1"), an array of them if there are several. */
-enum pp_status pp_print_assessments_json(const struct pp_assessments *assessments,
-                                         FILE *out, struct pp_error *err);
+enum pp_status pp_assess_json(const struct pp_assessments *assessments, FILE *out,
+                              struct pp_error *err);
 
 /* "met", "not met", "undecided", "not judged"; NULL for what is only stated. */
-const char *pp_verdict_word(enum pp_verdict verdict);
+const char *pp_assess_text_verdict(enum pp_verdict verdict);
 
 #endif

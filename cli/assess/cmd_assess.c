@@ -6,37 +6,37 @@
 #include "cli/availability/availability_options.h"
 #include "cli/command_line.h"
 #include "cli/commands.h"
-#include "cli/format.h"
+#include "cli/print/format.h"
 #include "cli/study_report.h"
 #include "cli/interrupt.h"
-#include "cli/messages.h"
+#include "cli/message.h"
 #include "cli/output.h"
 #include "cli/print/print.h"
-#include "cli/print/utf8.h"
 #include "studies/criteria/factors.h"
 #include "studies/criteria/pair_rooms.h"
-#include "studies/criteria/place.h"
-#include "studies/criteria/standard_grid.h"
-#include "model/base/names.h"
+#include "studies/criteria/capitals.h"
+#include "studies/criteria/en17037_grid.h"
+#include "model/base/text.h"
 
 #define PLACE(member) offsetof(struct pp_assess_options, member)
 
 static const struct pp_option choice_options[] = {
     {"criteria", 'c', "LIST", "Only these criteria, by name and with commas between.",
-     pp_read_text, PLACE(criteria)},
+     pp_options_read_text, PLACE(criteria)},
     {"before", 'b', "FILE",
      "The room as it was before something was built outside: sky and area lost.",
-     pp_read_input, PLACE(before)},
+     pp_options_read_input, PLACE(before)},
     {"place", 0, "NAME",
      "A capital of EN 17037's table, whose median illuminance is taken; by default the "
      "one nearest to the room's site.",
-     pp_read_text, PLACE(place)},
+     pp_options_read_text, PLACE(place)},
     {"median-diffuse", 0, "LUX",
-     "The place's median diffuse illuminance itself, for EN 17037.", pp_read_lux,
-     PLACE(median_lux)},
+     "The place's median diffuse illuminance itself, for EN 17037.",
+     pp_options_read_lux, PLACE(median_lux)},
     {"weather", 'w', "FILE.epw", "The same by a weather file in EnergyPlus format.",
-     pp_read_input, PLACE(weather)},
-    {"room", 0, "NAME", "Only the room of that name.", pp_read_text, PLACE(room.room)},
+     pp_options_read_input, PLACE(weather)},
+    {"room", 0, "NAME", "Only the room of that name.", pp_options_read_text,
+     PLACE(room.room)},
     {0},
 };
 
@@ -49,7 +49,7 @@ static void help_on_criteria(FILE *out)
 {
     fputs("\nCriteria:\n", out);
     const struct pp_criterion *criterion;
-    for (int i = 0; (criterion = pp_criterion_at(i)) != NULL; i++)
+    for (int i = 0; (criterion = pp_criteria_at(i)) != NULL; i++)
         pp_options_help_word(criterion->name, criterion->summary, out);
 }
 
@@ -63,8 +63,8 @@ static enum pp_status choose(bool chosen[CRITERIA_MOST], const char *list,
 {
     const char *names[CRITERIA_MOST];
     int count = 0;
-    for (; pp_criterion_at(count); count++) {
-        names[count] = pp_criterion_at(count)->name;
+    for (; pp_criteria_at(count); count++) {
+        names[count] = pp_criteria_at(count)->name;
         chosen[count] = !list;
     }
     while (list) {
@@ -74,13 +74,14 @@ static enum pp_status choose(bool chosen[CRITERIA_MOST], const char *list,
         while (i < count && strcmp(names[i], word) != 0)
             i++;
         if (i == count) {
-            const char *guess = pp_nearest(word, names, count);
-            return guess ? pp_fail(err, PP_BAD_INPUT,
-                                   "there is no criterion \"%s\"; did you mean %s?",
-                                   word, guess)
-                         : pp_fail(err, PP_BAD_INPUT,
-                                   "there is no criterion \"%s\"; expected %s", word,
-                                   pp_name_list(known, sizeof known, names, count));
+            const char *guess = pp_text_nearest(word, names, count);
+            return guess
+                       ? pp_fail(err, PP_BAD_INPUT,
+                                 "there is no criterion \"%s\"; did you mean %s?", word,
+                                 guess)
+                       : pp_fail(err, PP_BAD_INPUT,
+                                 "there is no criterion \"%s\"; expected %s", word,
+                                 pp_text_list_names(known, sizeof known, names, count));
         }
         chosen[i] = true;
         list = strchr(list, ',');
@@ -126,11 +127,11 @@ static void find_median(struct pp_median *median, const struct pp_world *world,
         snprintf(median->how, sizeof median->how, "%s",
                  options->weather ? "of the weather file" : "as given");
     } else if (options->place) {
-        const struct pp_capital *capital = pp_capital_find(options->place);
+        const struct pp_capital *capital = pp_capitals_find(options->place);
         median->lux = capital->median_lux;
         snprintf(median->how, sizeof median->how, "%s, as chosen", capital->name);
     } else {
-        *median = pp_median_of_site(world->latitude_rad, world->longitude_rad);
+        *median = pp_capitals_median(world->latitude_rad, world->longitude_rad);
     }
 }
 
@@ -144,7 +145,7 @@ static enum pp_status gather(struct pp_assessment *assessment,
     assessment->report = (struct pp_report){.world = world, .finished = true};
     if (!assessment->has_factors)
         return PP_OK;
-    enum pp_status status = pp_standard_grid(
+    enum pp_status status = pp_en17037_grid(
         &assessment->grid, &assessment->report.receiver_count, world, err);
     assessment->report.receivers = assessment->grid;
     return status == PP_OK ? pp_factors_by_hand(&assessment->report, err) : status;
@@ -165,7 +166,7 @@ static enum pp_status judge(struct pp_assessment *assessment,
         return pp_fail_memory(err);
     enum pp_status status = PP_OK;
     const struct pp_criterion *criterion;
-    for (int i = 0; status == PP_OK && (criterion = pp_criterion_at(i)) != NULL; i++) {
+    for (int i = 0; status == PP_OK && (criterion = pp_criteria_at(i)) != NULL; i++) {
         if (!chosen[i] || (criterion->needs_before && !inquiry.before))
             continue;
         struct pp_answer *answer = &assessment->answers[assessment->answer_count++];
@@ -178,7 +179,7 @@ static enum pp_status judge(struct pp_assessment *assessment,
 static void clear(struct pp_assessment *assessment)
 {
     for (int i = 0; i < assessment->answer_count; i++)
-        pp_findings_clear(&assessment->answers[i].findings);
+        pp_finding_list_clear(&assessment->answers[i].findings);
     free(assessment->answers);
     pp_report_clear(&assessment->report);
     free(assessment->grid);
@@ -190,7 +191,7 @@ static void clear(struct pp_assessment *assessment)
 static bool any_of_factors(const bool chosen[CRITERIA_MOST])
 {
     const struct pp_criterion *criterion;
-    for (int i = 0; (criterion = pp_criterion_at(i)) != NULL; i++)
+    for (int i = 0; (criterion = pp_criteria_at(i)) != NULL; i++)
         if (chosen[i] && criterion->of_factors)
             return true;
     return false;
@@ -216,8 +217,8 @@ static enum pp_status assess(struct pp_assessments *all, const struct pp_rooms *
     for (int i = 0; i < all->count && status == PP_OK; i++) {
         struct pp_assessment *one = &all->list[i];
         if (options->room.simulate && one->has_factors)
-            status =
-                pp_gather_traced(&one->report, &options->room, &one->by_clock, err);
+            status = pp_study_report_traced(&one->report, &options->room,
+                                            &one->by_clock, err);
         if (status == PP_OK)
             status = judge(one, chosen, err);
         one->has_gains = !options->criteria;
@@ -239,16 +240,16 @@ static enum pp_exit assess_and_print(struct pp_assessments *all,
     if (status == PP_OK)
         status = assess(all, rooms, before, &err);
     if (status == PP_OK && format == PP_FORMAT_JSON)
-        status = pp_print_assessments_json(all, output.stream, &err);
+        status = pp_assess_json(all, output.stream, &err);
     else if (status == PP_OK)
-        status = pp_print_assessments(all, pp_print_width(path), pp_utf8_terminal(),
-                                      output.stream, &err);
+        status = pp_assess_text(all, pp_print_width(path), pp_format_utf8_terminal(),
+                                output.stream, &err);
     status = pp_output_close(&output, status, &err);
     if (status != PP_OK)
-        return pp_say_error(&err);
+        return pp_message_error(&err);
     for (int i = 0; i < all->count; i++)
         if (!all->list[i].report.finished)
-            return pp_say_unfinished();
+            return pp_message_unfinished();
     return PP_EXIT_DONE;
 }
 
@@ -276,7 +277,7 @@ static enum pp_exit run(const struct pp_assess_options *options, enum pp_format 
     } else if (!all.list) {
         struct pp_error err;
         pp_fail_memory(&err);
-        exit_status = pp_say_error(&err);
+        exit_status = pp_message_error(&err);
     }
     for (int i = 0; i < all.count; i++)
         clear(&all.list[i]);
@@ -298,15 +299,15 @@ static enum pp_status check_place(const struct pp_assess_options *options,
         return pp_fail(err, PP_BAD_INPUT,
                        "--weather says what %s says too; expected one of them",
                        options->place ? "--place" : "--median-diffuse");
-    if (!options->place || pp_capital_find(options->place))
+    if (!options->place || pp_capitals_find(options->place))
         return options->place && options->median_lux > 0.0
                    ? pp_fail(err, PP_BAD_INPUT,
                              "--place and --median-diffuse are two ways to say the "
                              "same; expected one of them")
                    : PP_OK;
-    for (; count < 64 && count < pp_capital_count(); count++)
-        names[count] = pp_capital_at(count)->name;
-    const char *guess = pp_nearest(options->place, names, count);
+    for (; count < 64 && count < pp_capitals_count(); count++)
+        names[count] = pp_capitals_at(count)->name;
+    const char *guess = pp_text_nearest(options->place, names, count);
     return guess
                ? pp_fail(err, PP_BAD_INPUT,
                          "--place: \"%.100s\" is not in the standard's table; did you "
@@ -316,7 +317,7 @@ static enum pp_status check_place(const struct pp_assess_options *options,
                          "--place: \"%.100s\" is not in the standard's table; "
                          "expected %s",
                          options->place,
-                         pp_name_list(known, sizeof known, names, count));
+                         pp_text_list_names(known, sizeof known, names, count));
 }
 
 static enum pp_status check(struct pp_assess_options *options, char **files,
@@ -336,7 +337,7 @@ static enum pp_status check(struct pp_assess_options *options, char **files,
     if (status == PP_OK)
         status = choose(chosen, options->criteria, err);
     const struct pp_criterion *criterion;
-    for (int i = 0; status == PP_OK && (criterion = pp_criterion_at(i)) != NULL; i++)
+    for (int i = 0; status == PP_OK && (criterion = pp_criteria_at(i)) != NULL; i++)
         if (options->criteria && chosen[i] && criterion->needs_before
             && !options->before)
             status = pp_fail(err, PP_BAD_INPUT,
@@ -370,10 +371,11 @@ enum pp_exit cmd_assess(int argc, char **argv)
     if (status == PP_OK && !wants_help)
         status = check(&options, argv, file_count, &err);
 
-    if (pp_command_starts(&line, argv, file_count, status, wants_help, &err,
-                          &exit_status)) {
+    if (pp_command_line_starts(&line, argv, file_count, status, wants_help, &err,
+                               &exit_status)) {
         if (options.weather)
-            exit_status = pp_weather_median(options.weather, &options.median_lux);
+            exit_status =
+                pp_availability_options_median(options.weather, &options.median_lux);
         if (exit_status == PP_EXIT_DONE)
             exit_status = run(&options, format, argv, file_count);
     }

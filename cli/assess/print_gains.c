@@ -5,7 +5,7 @@
 
 #include "cli/print/json.h"
 #include "cli/print/print.h"
-#include "cli/print/utf8.h"
+#include "cli/print/format.h"
 
 enum { INDENT = 4, FIGURES = 30, SENTENCE = 256 };
 
@@ -30,7 +30,7 @@ static void print_gain(const struct pp_gain *gain, const struct pp_gains *gains,
         char word[64];
         int length = (int)strcspn(rest, " ");
         snprintf(word, sizeof word, "%.*s", length, rest);
-        int wide = pp_utf8_width(word);
+        int wide = pp_format_utf8_width(word);
         if (used > 0 && used + 1 + wide > columns) {
             if (!figures)
                 break;
@@ -40,7 +40,7 @@ static void print_gain(const struct pp_gain *gain, const struct pp_gains *gains,
             fputc(' ', out);
             used++;
         }
-        pp_utf8_put(out, word);
+        pp_format_utf8_put(out, word);
         used += wide;
         rest += length;
         rest += strspn(rest, " ");

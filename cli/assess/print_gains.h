@@ -1,8 +1,8 @@
 /* print_gains.h - what holds a room back, and what changes to it would bring: the end
  * of its assessment.
  */
-#ifndef PP_CLI_PRINT_GAINS_H
-#define PP_CLI_PRINT_GAINS_H
+#ifndef PP_CLI_ASSESS_PRINT_GAINS_H
+#define PP_CLI_ASSESS_PRINT_GAINS_H
 
 #include <json.h>
 #include <stdbool.h>

@@ -155,8 +155,8 @@ static struct json_object *room(const void *all, int index)
     return pp_json_whole(object, good);
 }
 
-enum pp_status pp_print_availability_json(const struct pp_availability_results *results,
-                                          FILE *out, struct pp_error *err)
+enum pp_status pp_availability_json(const struct pp_availability_results *results,
+                                    FILE *out, struct pp_error *err)
 {
     return pp_json_print_rooms(out, room, results, results->count, results->several,
                                err);

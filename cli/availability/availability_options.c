@@ -7,11 +7,10 @@
 #include <string.h>
 #include <strings.h>
 
-#include "cli/messages.h"
+#include "cli/message.h"
 #include "model/base/read_file.h"
-#include "model/base/number.h"
-#include "model/geometry/vec.h"
 #include "model/base/text.h"
+#include "model/geometry/vec.h"
 
 const struct pp_availability_options pp_availability_options_default = {
     .latitude_deg = NAN,
@@ -119,8 +118,8 @@ static enum pp_status read_summer(const char *text, void *place, struct pp_error
     } else if (text[length] == '-' && length < sizeof from) {
         memcpy(from, text, length);
         from[length] = '\0';
-        good = pp_month_day_parse(from, &choice.time.from)
-               && pp_month_day_parse(text + length + 1, &choice.time.to);
+        good = pp_epw_header_parse_month_day(from, &choice.time.from)
+               && pp_epw_header_parse_month_day(text + length + 1, &choice.time.to);
     }
     if (!good)
         return pp_fail(
@@ -141,7 +140,7 @@ static bool read_lux(const char *text, size_t length, double *lx)
     copy[length] = '\0';
     if (length > 2 && strcmp(copy + length - 2, "lx") == 0)
         copy[length - 2] = '\0';
-    return pp_number_parse(copy, lx) && *lx >= 0.1 && *lx <= 1e6;
+    return pp_text_parse_number(copy, lx) && *lx >= 0.1 && *lx <= 1e6;
 }
 
 static enum pp_status read_illuminances(const char *text, void *place,
@@ -169,7 +168,7 @@ static enum pp_status read_within(const char *text, double *place, double low,
                                   double high, const char *what, struct pp_error *err)
 {
     double value;
-    if (!pp_number_parse(text, &value) || value < low || value > high)
+    if (!pp_text_parse_number(text, &value) || value < low || value > high)
         return pp_fail(err, PP_BAD_INPUT, "%s from %g to %g", what, low, high);
     *place = value;
     return PP_OK;
@@ -197,7 +196,7 @@ const struct pp_option pp_light_options[] = {
     {"weather", 'w', "FILE.epw",
      "The year's diffuse light of a weather file in EnergyPlus format; - is standard "
      "input. Without it: of overcast skies at the room's latitude.",
-     pp_read_input, PLACE(weather)},
+     pp_options_read_input, PLACE(weather)},
     {"latitude", 0, "DEG",
      "Of the overcast skies, north positive (default: of the room's site).",
      read_latitude, PLACE(latitude_deg)},
@@ -255,67 +254,67 @@ enum pp_status pp_availability_options_check(
 
 /* ---- the light ---- */
 
-enum pp_exit pp_availability_load(struct pp_availability_options *options)
+enum pp_exit pp_availability_options_load(struct pp_availability_options *options)
 {
     if (!options->weather)
         return PP_EXIT_DONE;
     struct pp_mistakes mistakes;
     struct pp_error err = {0};
-    pp_mistakes_init(&mistakes, pp_file_title(options->weather));
+    pp_mistakes_init(&mistakes, pp_read_file_title(options->weather));
     enum pp_status status =
         pp_epw_read(&options->epw, options->weather, &mistakes, &err);
     enum pp_exit result = PP_EXIT_DONE;
     if (status == PP_BAD_INPUT && mistakes.count > 0)
-        result = pp_say_mistakes(&mistakes);
+        result = pp_message_mistakes(&mistakes);
     else if (status != PP_OK)
-        result = pp_say_error(&err);
+        result = pp_message_error(&err);
     else if (options->summer.of_file && options->epw->summer_words[0]) {
         pp_fail(
             &err, PP_BAD_INPUT,
             "%s:%d: summer time is from \"%s\"; expected days as MONTH/DAY, or those "
             "by --summer-time M/D-M/D",
-            pp_file_title(options->weather), options->epw->summer_line,
+            pp_read_file_title(options->weather), options->epw->summer_line,
             options->epw->summer_words);
-        result = pp_say_error(&err);
+        result = pp_message_error(&err);
     }
     pp_mistakes_clear(&mistakes);
     return result;
 }
 
-enum pp_exit pp_weather_median(const char *path, double *median_lx)
+enum pp_exit pp_availability_options_median(const char *path, double *median_lx)
 {
     struct pp_availability_options options = pp_availability_options_default;
     struct pp_diffuse_light light;
     struct pp_error err = {0};
     options.weather = path;
-    enum pp_exit result = pp_availability_load(&options);
+    enum pp_exit result = pp_availability_options_load(&options);
     if (result != PP_EXIT_DONE)
         return result;
     enum pp_status status =
-        pp_diffuse_light_of_epw(&light, options.epw, pp_file_title(path), &err);
+        pp_diffuse_light_of_epw(&light, options.epw, pp_read_file_title(path), &err);
     *median_lx = status == PP_OK ? pp_diffuse_light_median_lx(&light) : NAN;
     if (status == PP_OK && !(*median_lx > 0.0))
         status = pp_fail(&err, PP_BAD_INPUT,
                          "%s: it has no median of a year: its data cover less, or are "
                          "dark",
-                         pp_file_title(path));
+                         pp_read_file_title(path));
     pp_diffuse_light_clear(&light);
-    pp_availability_unload(&options);
-    return status == PP_OK ? PP_EXIT_DONE : pp_say_error(&err);
+    pp_availability_options_clear(&options);
+    return status == PP_OK ? PP_EXIT_DONE : pp_message_error(&err);
 }
 
-void pp_availability_unload(struct pp_availability_options *options)
+void pp_availability_options_clear(struct pp_availability_options *options)
 {
     pp_epw_destroy(options->epw);
     options->epw = NULL;
 }
 
-static enum pp_status light_of_file(struct pp_outside_light *outside,
+static enum pp_status light_of_file(struct pp_environment_light *outside,
                                     const struct pp_availability_options *options,
                                     struct pp_error *err)
 {
     const struct pp_epw *epw = options->epw;
-    const char *file = pp_file_title(options->weather);
+    const char *file = pp_read_file_title(options->weather);
     struct pp_diffuse_light *light = &outside->light;
     enum pp_status status = pp_diffuse_light_of_epw(light, epw, file, err);
     if (status != PP_OK)
@@ -326,8 +325,8 @@ static enum pp_status light_of_file(struct pp_outside_light *outside,
         snprintf(gaps, sizeof gaps, ", %d records of them by luminous efficacy",
                  light->filled);
     if (light->missing)
-        pp_append(gaps, sizeof gaps, "; %d records have none and are left out",
-                  light->missing);
+        pp_text_append(gaps, sizeof gaps, "; %d records have none and are left out",
+                       light->missing);
     outside->latitude_deg = epw->latitude_rad / PP_RAD;
     snprintf(outside->words, sizeof outside->words,
              "%.120s (%.120s): %s%s; %d records of %g h", epw->place,
@@ -348,7 +347,7 @@ static const char *say_degrees(char *text, size_t room, double degrees,
     return text;
 }
 
-static enum pp_status light_of_sky(struct pp_outside_light *outside,
+static enum pp_status light_of_sky(struct pp_environment_light *outside,
                                    const struct pp_availability_options *options,
                                    const struct pp_world *world, struct pp_error *err)
 {
@@ -403,7 +402,7 @@ static void say_days(char *text, size_t room, unsigned days)
         text[0] = '\0';
         for (int i = 0; i < 7; i++)
             if (days >> i & 1)
-                pp_append(text, room, "%s%s", text[0] ? ", " : "", day_names[i]);
+                pp_text_append(text, room, "%s%s", text[0] ? ", " : "", day_names[i]);
     }
 }
 
@@ -415,7 +414,7 @@ static struct pp_summer_time summer_of(const struct pp_availability_options *opt
     return options->summer.time;
 }
 
-static void say_calendar(struct pp_outside_light *outside,
+static void say_calendar(struct pp_environment_light *outside,
                          const struct pp_availability_options *options)
 {
     struct pp_summer_time summer = summer_of(options);
@@ -424,18 +423,18 @@ static void say_calendar(struct pp_outside_light *outside,
     if (summer.from.month)
         snprintf(outside->calendar, sizeof outside->calendar,
                  "%s; standard time, an hour ahead from %s to %s", days,
-                 pp_month_day_words(from, sizeof from, summer.from),
-                 pp_month_day_words(to, sizeof to, summer.to));
+                 pp_epw_header_month_day_words(from, sizeof from, summer.from),
+                 pp_epw_header_month_day_words(to, sizeof to, summer.to));
     else
         snprintf(outside->calendar, sizeof outside->calendar,
                  "%s; standard time all year", days);
 }
 
-enum pp_status pp_outside_light_find(struct pp_outside_light *outside,
-                                     const struct pp_availability_options *options,
-                                     const struct pp_world *world, struct pp_error *err)
+enum pp_status pp_availability_options_light(
+    struct pp_environment_light *outside, const struct pp_availability_options *options,
+    const struct pp_world *world, struct pp_error *err)
 {
-    *outside = (struct pp_outside_light){.latitude_deg = NAN};
+    *outside = (struct pp_environment_light){.latitude_deg = NAN};
     for (int i = 0; i < options->hours.count; i++) {
         outside->periods[i] = options->hours.list[i];
         outside->periods[i].days = options->days;
@@ -449,18 +448,18 @@ enum pp_status pp_outside_light_find(struct pp_outside_light *outside,
             err, PP_BAD_INPUT,
             "%s: DATA PERIODS has no day of the week, so that --days can't be "
             "told apart; expected --days all",
-            pp_file_title(options->weather));
+            pp_read_file_title(options->weather));
     return light_of_file(outside, options, err);
 }
 
-void pp_outside_light_clear(struct pp_outside_light *outside)
+void pp_availability_options_light_clear(struct pp_environment_light *outside)
 {
     pp_diffuse_light_clear(&outside->light);
 }
 
-struct pp_availability_question pp_availability_asked(
+struct pp_availability_question pp_availability_options_question(
     const struct pp_availability_options *options,
-    const struct pp_outside_light *outside)
+    const struct pp_environment_light *outside)
 {
     return (struct pp_availability_question){
         .light = &outside->light,

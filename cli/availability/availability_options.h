@@ -1,8 +1,8 @@
 /* availability_options.h - where the light outside comes from, and when and how much of
  * it is wanted.
  */
-#ifndef PP_CLI_AVAILABILITY_OPTIONS_H
-#define PP_CLI_AVAILABILITY_OPTIONS_H
+#ifndef PP_CLI_AVAILABILITY_AVAILABILITY_OPTIONS_H
+#define PP_CLI_AVAILABILITY_AVAILABILITY_OPTIONS_H
 
 #include "cli/exit_status.h"
 #include "cli/options.h"
@@ -34,7 +34,8 @@ struct pp_availability_options {
     struct pp_summer_choice summer;
     struct pp_illuminances illuminances;
 
-    struct pp_epw *epw; /* by pp_availability_load; NULL without a weather file */
+    struct pp_epw
+        *epw; /* by pp_availability_options_load; NULL without a weather file */
 };
 
 /* 8-18 and 9-17, all days, no summer time, 300 and 500 lx. */
@@ -52,15 +53,15 @@ enum pp_status pp_availability_options_check(
 
 /* Reads the weather file, if there is one, and says on standard error what is wrong
  * with it. */
-enum pp_exit pp_availability_load(struct pp_availability_options *options);
+enum pp_exit pp_availability_options_load(struct pp_availability_options *options);
 /* Reads a weather file for the median of its diffuse illuminance over the brightest
  * 4380 hours alone, and says on standard error why it has none. */
-enum pp_exit pp_weather_median(const char *path, double *median_lx);
+enum pp_exit pp_availability_options_median(const char *path, double *median_lx);
 
-void pp_availability_unload(struct pp_availability_options *options);
+void pp_availability_options_clear(struct pp_availability_options *options);
 
 /* The light outside of one room (world may be NULL), and what is said of it. */
-struct pp_outside_light {
+struct pp_environment_light {
     struct pp_diffuse_light light;
     char words[640], calendar[160];
     struct pp_working_hours periods[PP_PERIODS_MOST];
@@ -69,15 +70,14 @@ struct pp_outside_light {
 
 /* *outside is to be cleared, in any case. PP_BAD_INPUT where nothing says at which
  * latitude, or where days of the week are asked for and not known. */
-enum pp_status pp_outside_light_find(struct pp_outside_light *outside,
-                                     const struct pp_availability_options *options,
-                                     const struct pp_world *world,
-                                     struct pp_error *err);
-void pp_outside_light_clear(struct pp_outside_light *outside);
+enum pp_status pp_availability_options_light(
+    struct pp_environment_light *outside, const struct pp_availability_options *options,
+    const struct pp_world *world, struct pp_error *err);
+void pp_availability_options_light_clear(struct pp_environment_light *outside);
 
 /* The question that options and light make; good as long as they are. */
-struct pp_availability_question pp_availability_asked(
+struct pp_availability_question pp_availability_options_question(
     const struct pp_availability_options *options,
-    const struct pp_outside_light *outside);
+    const struct pp_environment_light *outside);
 
 #endif

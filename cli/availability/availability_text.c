@@ -3,7 +3,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "cli/print/csv.h"
+#include "cli/print/format.h"
 #include "cli/print/print.h"
 #include "cli/print/print_places.h"
 #include "cli/print/table.h"
@@ -257,9 +257,9 @@ static enum pp_status print_room(const struct pp_availability_result *result, in
     return PP_OK;
 }
 
-enum pp_status pp_print_availability_text(const struct pp_availability_results *results,
-                                          int width, bool utf8, FILE *out,
-                                          struct pp_error *err)
+enum pp_status pp_availability_text(const struct pp_availability_results *results,
+                                    int width, bool utf8, FILE *out,
+                                    struct pp_error *err)
 {
     enum pp_status status = PP_OK;
     for (int i = 0; i < results->count && status == PP_OK; i++) {
@@ -276,33 +276,33 @@ static void put_row(const struct pp_availability_result *result,
                     const struct pp_availability_row *row, int period, FILE *out)
 {
     const struct pp_availability_sheet *sheet = &result->sheet;
-    pp_csv_field(result->file, out);
+    pp_format_csv_field(result->file, out);
     fputc(',', out);
-    pp_csv_field(result->report.world->name, out);
+    pp_format_csv_field(result->report.world->name, out);
     if (row->place >= 0) {
         struct pp_vec3 at = result->report.receivers[row->place].position;
         fputs(",point", out);
-        pp_csv_number(at.x, out);
-        pp_csv_number(at.y, out);
-        pp_csv_number(at.z, out);
+        pp_format_csv_number(at.x, out);
+        pp_format_csv_number(at.y, out);
+        pp_format_csv_number(at.z, out);
     } else {
         fputs(row->place == PP_PLACE_AVERAGE ? ",average,,," : ",median,,,", out);
     }
     fprintf(out, ",%s", row->method);
-    pp_csv_number(100.0 * row->df.value, out);
-    pp_csv_number(100.0 * row->df.std_error, out);
-    pp_csv_number(row->lx, out);
-    pp_csv_number(row->needs_lx, out);
+    pp_format_csv_number(100.0 * row->df.value, out);
+    pp_format_csv_number(100.0 * row->df.std_error, out);
+    pp_format_csv_number(row->lx, out);
+    pp_format_csv_number(row->needs_lx, out);
     fprintf(out, ",%s", sheet->periods[period].words);
-    pp_csv_number(100.0 * row->share[period], out);
-    pp_csv_number(100.0 * row->std_error[period], out);
+    pp_format_csv_number(100.0 * row->share[period], out);
+    pp_format_csv_number(100.0 * row->std_error[period], out);
     fprintf(out, ",%s,", result->report.finished ? "yes" : "no");
-    pp_csv_field(isfinite(row->df.value) ? NULL : row->df.why, out);
+    pp_format_csv_field(isfinite(row->df.value) ? NULL : row->df.why, out);
     fputs("\r\n", out);
 }
 
-enum pp_status pp_print_availability_csv(const struct pp_availability_results *results,
-                                         FILE *out, struct pp_error *err)
+enum pp_status pp_availability_text_csv(const struct pp_availability_results *results,
+                                        FILE *out, struct pp_error *err)
 {
     (void)err;
     fputs("file,room,place,x,y,z,method,df_percent,df_std_error_percent,illuminance_lx,"

@@ -1,6 +1,6 @@
 /* availability_text.h - how often daylight does, as text, JSON and CSV. */
-#ifndef PP_CLI_PRINT_AVAILABILITY_H
-#define PP_CLI_PRINT_AVAILABILITY_H
+#ifndef PP_CLI_AVAILABILITY_AVAILABILITY_TEXT_H
+#define PP_CLI_AVAILABILITY_AVAILABILITY_TEXT_H
 
 #include <stdbool.h>
 #include <stdio.h>
@@ -24,17 +24,17 @@ struct pp_availability_results {
     const struct pp_room_options *options; /* not owned */
 };
 
-enum pp_status pp_print_availability_text(const struct pp_availability_results *results,
-                                          int width, bool utf8, FILE *out,
-                                          struct pp_error *err);
+enum pp_status pp_availability_text(const struct pp_availability_results *results,
+                                    int width, bool utf8, FILE *out,
+                                    struct pp_error *err);
 
 /* One object a room, of format pepperpot-availability-1; an array of them if there are
  * several. */
-enum pp_status pp_print_availability_json(const struct pp_availability_results *results,
-                                          FILE *out, struct pp_error *err);
+enum pp_status pp_availability_json(const struct pp_availability_results *results,
+                                    FILE *out, struct pp_error *err);
 
 /* One line a place, method, illuminance and period, as [RFC4180] has it. */
-enum pp_status pp_print_availability_csv(const struct pp_availability_results *results,
-                                         FILE *out, struct pp_error *err);
+enum pp_status pp_availability_text_csv(const struct pp_availability_results *results,
+                                        FILE *out, struct pp_error *err);
 
 #endif

@@ -5,14 +5,13 @@
 #include "cli/availability/availability_options.h"
 #include "cli/command_line.h"
 #include "cli/commands.h"
-#include "cli/format.h"
+#include "cli/print/format.h"
 #include "cli/study_report.h"
 #include "cli/interrupt.h"
-#include "cli/messages.h"
+#include "cli/message.h"
 #include "cli/output.h"
 #include "cli/print/print.h"
 #include "cli/availability/availability_text.h"
-#include "cli/print/utf8.h"
 #include "methods/evaluate.h"
 
 static const char about[] =
@@ -31,26 +30,26 @@ struct run {
     const struct pp_room_options *room_options;
     enum pp_format format;
     struct pp_availability_results results;
-    struct pp_outside_light *outside;
+    struct pp_environment_light *outside;
 };
 
 static enum pp_status compute_room(struct run *run, const struct pp_loaded_room *room,
                                    int index, struct pp_error *err)
 {
     struct pp_availability_result *result = &run->results.list[index];
-    struct pp_outside_light *outside = &run->outside[index];
+    struct pp_environment_light *outside = &run->outside[index];
     result->file = room->file;
     enum pp_status status =
-        pp_outside_light_find(outside, run->options, room->world, err);
+        pp_availability_options_light(outside, run->options, room->world, err);
     if (status == PP_OK)
-        status = pp_gather_methods(&result->report, room, run->room_options, err);
+        status = pp_study_report_methods(&result->report, room, run->room_options, err);
     if (status == PP_OK && run->room_options->simulate)
-        status = pp_gather_traced(&result->report, run->room_options, &result->by_clock,
-                                  err);
+        status = pp_study_report_traced(&result->report, run->room_options,
+                                        &result->by_clock, err);
     if (status != PP_OK)
         return status;
     struct pp_availability_question question =
-        pp_availability_asked(run->options, outside);
+        pp_availability_options_question(run->options, outside);
     return pp_availability_fill(&result->sheet, &question, &result->report, err);
 }
 
@@ -58,15 +57,15 @@ static enum pp_status print(const struct run *run, FILE *out, struct pp_error *e
 {
     switch (run->format) {
     case PP_FORMAT_JSON:
-        return pp_print_availability_json(&run->results, out, err);
+        return pp_availability_json(&run->results, out, err);
     case PP_FORMAT_CSV:
-        return pp_print_availability_csv(&run->results, out, err);
+        return pp_availability_text_csv(&run->results, out, err);
     case PP_FORMAT_TEXT:
         break;
     }
-    return pp_print_availability_text(&run->results,
-                                      pp_print_width(run->room_options->output),
-                                      pp_utf8_terminal(), out, err);
+    return pp_availability_text(&run->results,
+                                pp_print_width(run->room_options->output),
+                                pp_format_utf8_terminal(), out, err);
 }
 
 static enum pp_exit compute_and_print(struct run *run, const struct pp_rooms *rooms)
@@ -84,10 +83,10 @@ static enum pp_exit compute_and_print(struct run *run, const struct pp_rooms *ro
         status = print(run, output.stream, &err);
     status = pp_output_close(&output, status, &err);
     if (status != PP_OK)
-        return pp_say_error(&err);
+        return pp_message_error(&err);
     for (int i = 0; i < run->results.count; i++)
         if (!run->results.list[i].report.finished)
-            return pp_say_unfinished();
+            return pp_message_unfinished();
     return PP_EXIT_DONE;
 }
 
@@ -104,12 +103,12 @@ static enum pp_exit run_on(struct run *run, const struct pp_rooms *rooms)
         result = compute_and_print(run, rooms);
     } else {
         pp_fail_memory(&err);
-        result = pp_say_error(&err);
+        result = pp_message_error(&err);
     }
     for (int i = 0; i < run->results.count; i++) {
         pp_availability_sheet_clear(&run->results.list[i].sheet);
         pp_report_clear(&run->results.list[i].report);
-        pp_outside_light_clear(&run->outside[i]);
+        pp_availability_options_light_clear(&run->outside[i]);
     }
     free(run->results.list);
     free(run->outside);
@@ -129,13 +128,13 @@ static enum pp_status check(struct pp_availability_options *options,
         status = pp_availability_options_check(options, files, file_count, err);
     if (!room_options->methods)
         room_options->methods = "exact+bre";
-    return status == PP_OK ? pp_methods_check(room_options->methods, err) : status;
+    return status == PP_OK ? pp_selection_check(room_options->methods, err) : status;
 }
 
 static enum pp_exit load_and_run(struct run *run, char **files, int file_count)
 {
     struct pp_rooms rooms;
-    enum pp_exit result = pp_availability_load(run->options);
+    enum pp_exit result = pp_availability_options_load(run->options);
     if (result != PP_EXIT_DONE)
         return result;
     result =
@@ -174,10 +173,10 @@ enum pp_exit cmd_availability(int argc, char **argv)
     if (status == PP_OK && !wants_help)
         status = check(&options, &room_options, argv, file_count, &err);
 
-    if (pp_command_starts(&line, argv, file_count, status, wants_help, &err,
-                          &exit_status))
+    if (pp_command_line_starts(&line, argv, file_count, status, wants_help, &err,
+                               &exit_status))
         exit_status = load_and_run(&run, argv, file_count);
-    pp_availability_unload(&options);
+    pp_availability_options_clear(&options);
     pp_room_options_clear(&room_options);
     return exit_status;
 }

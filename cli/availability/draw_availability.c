@@ -10,18 +10,18 @@ enum pp_status pp_draw_availability(struct pp_canvas *canvas,
                                     bool *finished, struct pp_error *err)
 {
     struct pp_report report = {0};
-    struct pp_outside_light outside;
+    struct pp_environment_light outside;
     struct pp_availability_sheet sheet = {0};
     bool by_clock;
-    enum pp_status status =
-        pp_outside_light_find(&outside, options, room ? room->world : NULL, err);
+    enum pp_status status = pp_availability_options_light(
+        &outside, options, room ? room->world : NULL, err);
     if (status == PP_OK && room)
-        status = pp_gather_methods(&report, room, room_options, err);
+        status = pp_study_report_methods(&report, room, room_options, err);
     if (status == PP_OK && room && room_options->simulate)
-        status = pp_gather_traced(&report, room_options, &by_clock, err);
+        status = pp_study_report_traced(&report, room_options, &by_clock, err);
     if (status == PP_OK) {
         struct pp_availability_question question =
-            pp_availability_asked(options, &outside);
+            pp_availability_options_question(options, &outside);
         status = pp_availability_fill(&sheet, &question, room ? &report : NULL, err);
     }
     if (status == PP_OK)
@@ -30,6 +30,6 @@ enum pp_status pp_draw_availability(struct pp_canvas *canvas,
         *finished &= report.finished;
     pp_availability_sheet_clear(&sheet);
     pp_report_clear(&report);
-    pp_outside_light_clear(&outside);
+    pp_availability_options_light_clear(&outside);
     return status;
 }

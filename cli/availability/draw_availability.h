@@ -1,6 +1,6 @@
 /* draw_availability.h - from the light outside, and a room or none, to its chart. */
-#ifndef PP_CLI_DRAW_AVAILABILITY_H
-#define PP_CLI_DRAW_AVAILABILITY_H
+#ifndef PP_CLI_AVAILABILITY_DRAW_AVAILABILITY_H
+#define PP_CLI_AVAILABILITY_DRAW_AVAILABILITY_H
 
 #include "charts/sheet/canvas.h"
 #include "cli/availability/availability_options.h"

@@ -5,8 +5,8 @@
 #include <string.h>
 
 #include "model/light/glazings.h"
-#include "model/base/number.h"
-#include "model/room/room.h"
+#include "model/base/text.h"
+#include "model/room/building.h"
 #include "model/room/room_parts.h"
 
 static enum pp_status read_either(const char *text, const char *yes, const char *no,
@@ -18,42 +18,45 @@ static enum pp_status read_either(const char *text, const char *yes, const char 
     return PP_OK;
 }
 
-enum pp_status pp_read_yes_no(const char *text, void *place, struct pp_error *err)
+enum pp_status pp_board_options_read_yes_no(const char *text, void *place,
+                                            struct pp_error *err)
 {
     return read_either(text, "yes", "no", place, err);
 }
 
-enum pp_status pp_read_receiver(const char *text, void *place, struct pp_error *err)
+enum pp_status pp_board_options_read_receiver(const char *text, void *place,
+                                              struct pp_error *err)
 {
     return read_either(text, "vertical", "horizontal", place, err);
 }
 
-enum pp_status pp_read_viewing_distance(const char *text, void *place,
-                                        struct pp_error *err)
+enum pp_status pp_board_options_read_viewing_mm(const char *text, void *place,
+                                                struct pp_error *err)
 {
     double mm;
-    if (!pp_number_parse(text, &mm) || !(mm >= 5.0 && mm <= 200.0))
+    if (!pp_text_parse_number(text, &mm) || !(mm >= 5.0 && mm <= 200.0))
         return pp_fail(err, PP_BAD_INPUT, "a number of millimetres from 5 to 200");
     *(double *)place = mm;
     return PP_OK;
 }
 
-enum pp_status pp_read_protractor_number(const char *text, void *place,
-                                         struct pp_error *err)
+enum pp_status pp_board_options_read_protractor(const char *text, void *place,
+                                                struct pp_error *err)
 {
     double number;
-    if (!pp_number_parse(text, &number) || number != floor(number) || number < 1.0
+    if (!pp_text_parse_number(text, &number) || number != floor(number) || number < 1.0
         || number > 10.0)
         return pp_fail(err, PP_BAD_INPUT, "a whole number from 1 to 10");
     *(int *)place = (int)number;
     return PP_OK;
 }
 
-enum pp_status pp_read_slope(const char *text, void *place, struct pp_error *err)
+enum pp_status pp_board_options_read_slope(const char *text, void *place,
+                                           struct pp_error *err)
 {
     struct pp_board_options *board = place;
     double slope;
-    if (!pp_number_parse(text, &slope) || !(slope >= 0.0 && slope <= 90.0))
+    if (!pp_text_parse_number(text, &slope) || !(slope >= 0.0 && slope <= 90.0))
         return pp_fail(err, PP_BAD_INPUT,
                        "a number of degrees from 0, horizontal, to 90, vertical");
     board->slope_deg = slope;
@@ -61,7 +64,8 @@ enum pp_status pp_read_slope(const char *text, void *place, struct pp_error *err
     return PP_OK;
 }
 
-enum pp_status pp_read_nomogram(const char *text, void *place, struct pp_error *err)
+enum pp_status pp_board_options_read_nomogram(const char *text, void *place,
+                                              struct pp_error *err)
 {
     static const char *const names[PP_NOMOGRAMS] = {
         [PP_NOMOGRAM_AVERAGE] = "average",
@@ -114,13 +118,13 @@ static enum pp_status set_protractor(struct pp_board_options *board,
             "sky; expected it, or --glazing, --slope and --sky");
     board->any_protractor = !board->number && other;
     board->slope_rad = (board->slope_said ? board->slope_deg : 90.0) * PP_RAD;
-    const struct pp_glazing *glazing = pp_glazing_find(name);
+    const struct pp_glazing *glazing = pp_glazings_find(name);
     if (!glazing && strcmp(name, "none") != 0)
         return pp_fail(err, PP_BAD_INPUT,
                        "--glazing is \"%.60s\"; expected a name from the table of "
                        "glazings, such as clear-double, or none",
                        name);
-    board->glass = glazing ? pp_glazing_glass(glazing) : pp_glass_none();
+    board->glass = glazing ? pp_glazings_glass(glazing) : pp_glass_none();
     if (board->glass.diffusing)
         return pp_fail(err, PP_BAD_INPUT,
                        "--glazing %s is diffusing, and a protractor is for clear glass",
@@ -145,22 +149,20 @@ enum pp_status pp_board_options_check(struct pp_board_options *board,
     bool pepper_pot = strcmp(kind->name, "pepper-pot") == 0;
     bool protractor = strcmp(kind->name, "protractor") == 0;
     bool nomogram = strcmp(kind->name, "nomogram") == 0;
-    const char *needless = options->simulate                ? "--simulate"
-                           : options->methods               ? "--methods"
-                           : (blank || nomogram) && options->points.count
-                               ? "--points"
-                           : blank && options->room         ? "--room"
-                           : !pepper_pot && board->fine     ? "--fine"
-                           : !pepper_pot && board->vertical ? "--receiver"
+    const char *needless = options->simulate                              ? "--simulate"
+                           : options->methods                             ? "--methods"
+                           : (blank || nomogram) && options->points.count ? "--points"
+                           : blank && options->room                       ? "--room"
+                           : !pepper_pot && board->fine                   ? "--fine"
+                           : !pepper_pot && board->vertical               ? "--receiver"
                            : !pepper_pot && board->viewing_mm > 0.0
                                ? "--viewing-distance"
-                           : (protractor || nomogram) && board->glazed
-                               ? "--glazed"
-                           : !nomogram && board->nomogram_said ? "--which"
-                           : !protractor && board->number     ? "--number"
-                           : !protractor && board->glazing    ? "--glazing"
-                           : !protractor && board->slope_said ? "--slope"
-                                                              : NULL;
+                           : (protractor || nomogram) && board->glazed ? "--glazed"
+                           : !nomogram && board->nomogram_said         ? "--which"
+                           : !protractor && board->number              ? "--number"
+                           : !protractor && board->glazing             ? "--glazing"
+                           : !protractor && board->slope_said          ? "--slope"
+                                                                       : NULL;
     if (needless)
         return pp_fail(err, PP_BAD_INPUT, "%s has no meaning for a %s%s diagram",
                        needless, blank ? "blank " : "", kind->name);

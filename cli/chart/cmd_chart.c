@@ -8,10 +8,10 @@
 #include "cli/commands.h"
 #include "cli/chart/draw_chart.h"
 #include "cli/interrupt.h"
-#include "cli/messages.h"
+#include "cli/message.h"
 #include "cli/output.h"
 #include "methods/evaluate.h"
-#include "model/base/names.h"
+#include "model/base/text.h"
 
 static enum pp_status read_format(const char *text, void *place, struct pp_error *err)
 {
@@ -30,11 +30,12 @@ static const struct pp_option sheet_options[] = {
      PLACE(list)},
     {"format", 'f', "FORMAT", "pdf, svg or png (default: by the ending of -o FILE).",
      read_format, PLACE(format)},
-    {"paper", 0, "SIZE", "a5, a4 (default), a3 or a2.", pp_read_paper, PLACE(paper)},
+    {"paper", 0, "SIZE", "a5, a4 (default), a3 or a2.", pp_sheet_options_read_paper,
+     PLACE(paper)},
     {"orientation", 0, "WAY", "portrait or landscape (default: as the room fits best).",
-     pp_read_orientation, PLACE(orientation)},
-    {"dpi", 0, "N", "Dots per inch of a PNG, 20 to 1200 (default 200).", pp_read_dpi,
-     PLACE(dpi)},
+     pp_sheet_options_read_orientation, PLACE(orientation)},
+    {"dpi", 0, "N", "Dots per inch of a PNG, 20 to 1200 (default 200).",
+     pp_sheet_options_read_dpi, PLACE(dpi)},
     {"log", 0, NULL, "Section: daylight factors on a logarithmic scale.", NULL,
      PLACE(logarithmic)},
     {0},
@@ -45,29 +46,29 @@ static const struct pp_option sheet_options[] = {
 static const struct pp_option board_options[] = {
     {"glazed", 0, "yes|no",
      "Blank diagram: with the losses of clear single glass (default), or without.",
-     pp_read_yes_no, BOARD(glazed)},
+     pp_board_options_read_yes_no, BOARD(glazed)},
     {"fine", 0, NULL, "Pepper-pot: dots worth 0.01 % instead of 0.1 %.", NULL,
      BOARD(fine)},
     {"receiver", 0, "WAY",
      "Blank pepper-pot diagram: horizontal (default), or vertical, facing the window.",
-     pp_read_receiver, BOARD(vertical)},
+     pp_board_options_read_receiver, BOARD(vertical)},
     {"viewing-distance", 0, "MM",
      "Pepper-pot: from the eye to the drawing, 5 to 200 mm (default 30, with --fine "
      "60, "
      "or less where a window would leave the sheet).",
-     pp_read_viewing_distance, BOARD(viewing_mm)},
+     pp_board_options_read_viewing_mm, BOARD(viewing_mm)},
     {"number", 0, "N",
      "Blank protractor: 1 to 10 (default 2, vertical glass, overcast).",
-     pp_read_protractor_number, BOARD(number)},
+     pp_board_options_read_protractor, BOARD(number)},
     {"glazing", 0, "NAME",
      "Blank protractor of any glazing, by its name in the table; or none.",
-     pp_read_text, BOARD(glazing)},
+     pp_options_read_text, BOARD(glazing)},
     {"slope", 0, "DEG",
      "Blank protractor: slope of the glass, 0 horizontal to 90 vertical (default).",
-     pp_read_slope, PLACE(board)},
+     pp_board_options_read_slope, PLACE(board)},
     {"which", 0, "NAME",
      "Nomogram: average (default) or minimum, for windows, or rooflight.",
-     pp_read_nomogram, PLACE(board)},
+     pp_board_options_read_nomogram, PLACE(board)},
     {0},
 };
 
@@ -102,13 +103,13 @@ static const struct pp_chart_kind *find_kind(const char *typed, struct pp_error 
     int count = 0;
     for (; count < 32 && (kind = pp_chart_kind_at(count)) != NULL; count++)
         names[count] = kind->name;
-    const char *guess = pp_nearest(typed, names, count);
+    const char *guess = pp_text_nearest(typed, names, count);
     if (guess)
         pp_fail(err, PP_BAD_INPUT, "there is no chart \"%.100s\"; did you mean %s?",
                 typed, guess);
     else
         pp_fail(err, PP_BAD_INPUT, "there is no chart \"%.100s\"; expected %s", typed,
-                pp_name_list(known, sizeof known, names, count));
+                pp_text_list_names(known, sizeof known, names, count));
     return NULL;
 }
 
@@ -122,16 +123,16 @@ static enum pp_status choose_format(enum pp_chart_format *format,
     if (options->format) {
         char name[16];
         snprintf(name, sizeof name, "chart.%s", options->format);
-        return pp_chart_format_of(format, name, err);
+        return pp_canvas_format_of(format, name, err);
     }
     if (!output || strcmp(output, "-") == 0)
         return pp_fail(err, PP_BAD_INPUT,
                        "expected -o FILE.pdf, FILE.svg or FILE.png, or --format");
-    return pp_chart_format_of(format, output, err);
+    return pp_canvas_format_of(format, output, err);
 }
 
 /* What is drawn, of which rooms, and how it ended. */
-struct drawing {
+struct chart_task {
     const struct pp_chart_kind *kind;
     enum pp_chart_format format;
     const struct pp_room_options *room_options;
@@ -142,7 +143,7 @@ struct drawing {
 };
 
 /* A sheet for each room, on one canvas. */
-static enum pp_status draw_rooms(struct drawing *drawing, struct pp_canvas *canvas,
+static enum pp_status draw_rooms(struct chart_task *drawing, struct pp_canvas *canvas,
                                  struct pp_error *err)
 {
     enum pp_status status = PP_OK;
@@ -160,7 +161,7 @@ static enum pp_status draw_rooms(struct drawing *drawing, struct pp_canvas *canv
     return status;
 }
 
-static enum pp_status draw(struct drawing *drawing, FILE *out, struct pp_error *err)
+static enum pp_status draw(struct chart_task *drawing, FILE *out, struct pp_error *err)
 {
     const struct pp_world *world = drawing->count ? drawing->rooms[0].world : NULL;
     const struct pp_chart_options *options = drawing->options;
@@ -170,15 +171,15 @@ static enum pp_status draw(struct drawing *drawing, FILE *out, struct pp_error *
     else
         snprintf(description, sizeof description, "%s; sky: %s", drawing->kind->summary,
                  pp_sky_name(world ? &world->sky : &options->board.sky));
-    const struct pp_sheet sheet = {.format = drawing->format,
-                                   .paper = options->paper,
-                                   .landscape =
-                                       options->orientation == PP_LANDSCAPE
-                                       || (options->orientation == PP_AS_FITS
-                                           && pp_chart_landscape(drawing->kind, world)),
-                                   .dpi = options->dpi,
-                                   .title = world ? world->name : drawing->kind->name,
-                                   .description = description};
+    const struct pp_sheet sheet = {
+        .format = drawing->format,
+        .paper = options->paper,
+        .landscape = options->orientation == PP_LANDSCAPE
+                     || (options->orientation == PP_AS_FITS
+                         && pp_draw_chart_landscape(drawing->kind, world)),
+        .dpi = options->dpi,
+        .title = world ? world->name : drawing->kind->name,
+        .description = description};
     struct pp_canvas *canvas;
     enum pp_status status = pp_canvas_create(&canvas, &sheet, err);
     if (status != PP_OK)
@@ -195,7 +196,7 @@ static enum pp_status draw(struct drawing *drawing, FILE *out, struct pp_error *
     return status;
 }
 
-static enum pp_status draw_to_file(struct drawing *drawing, const char *path,
+static enum pp_status draw_to_file(struct chart_task *drawing, const char *path,
                                    struct pp_error *err)
 {
     struct pp_output output;
@@ -218,11 +219,11 @@ static char *numbered(const char *path, int number)
 }
 
 /* A file for each room, in a format that has no pages. */
-static enum pp_status draw_numbered(struct drawing *all, struct pp_error *err)
+static enum pp_status draw_numbered(struct chart_task *all, struct pp_error *err)
 {
     enum pp_status status = PP_OK;
     for (int i = 0; i < all->count && status == PP_OK; i++) {
-        struct drawing one = *all;
+        struct chart_task one = *all;
         one.rooms = &all->rooms[i];
         one.count = 1;
         char *path = numbered(all->room_options->output, i + 1);
@@ -233,7 +234,7 @@ static enum pp_status draw_numbered(struct drawing *all, struct pp_error *err)
     return status;
 }
 
-static enum pp_exit draw_all(struct drawing *drawing, bool to_standard_output)
+static enum pp_exit draw_all(struct chart_task *drawing, bool to_standard_output)
 {
     struct pp_error err = {0};
     bool pages = drawing->format == PP_CHART_PDF || drawing->count <= 1;
@@ -242,7 +243,7 @@ static enum pp_exit draw_all(struct drawing *drawing, bool to_standard_output)
                 "there are %d rooms, and only a PDF has a page for each; expected -o "
                 "FILE, --format pdf or --room NAME",
                 drawing->count);
-        return pp_say_usage("chart", &err);
+        return pp_message_usage("chart", &err);
     }
     if (drawing->room_options->simulate)
         pp_interrupt_watch();
@@ -250,10 +251,10 @@ static enum pp_exit draw_all(struct drawing *drawing, bool to_standard_output)
         pages ? draw_to_file(drawing, drawing->room_options->output, &err)
               : draw_numbered(drawing, &err);
     if (status != PP_OK)
-        return pp_say_error(&err);
+        return pp_message_error(&err);
     if (drawing->finished)
         return PP_EXIT_DONE;
-    pp_say("interrupted; the chart shows what was reached so far");
+    pp_message("interrupted; the chart shows what was reached so far");
     return PP_EXIT_INTERRUPTED;
 }
 
@@ -269,7 +270,7 @@ static enum pp_exit check_points(const struct pp_chart_kind *kind,
                 "%s is drawn from one point, and there are %d; expected one, by "
                 "--points X,Y",
                 kind->name, rooms->list[i].receiver_count);
-        return pp_say_usage("chart", &err);
+        return pp_message_usage("chart", &err);
     }
     return PP_EXIT_DONE;
 }
@@ -282,13 +283,13 @@ static enum pp_exit run(const struct pp_chart_kind *kind,
     struct pp_error err = {0};
     enum pp_chart_format format;
     if (choose_format(&format, room_options, options, &err) != PP_OK)
-        return pp_say_usage("chart", &err);
+        return pp_message_usage("chart", &err);
     bool to_standard_output =
         !room_options->output || strcmp(room_options->output, "-") == 0;
     if (to_standard_output && isatty(STDOUT_FILENO)) {
         pp_fail(&err, PP_BAD_INPUT,
                 "a chart is not for the terminal; expected -o FILE");
-        return pp_say_usage("chart", &err);
+        return pp_message_usage("chart", &err);
     }
 
     struct pp_rooms rooms = {0};
@@ -301,13 +302,13 @@ static enum pp_exit run(const struct pp_chart_kind *kind,
         pp_rooms_clear(&rooms);
         return exit_status;
     }
-    struct drawing drawing = {.kind = kind,
-                              .format = format,
-                              .room_options = room_options,
-                              .options = options,
-                              .rooms = rooms.list,
-                              .count = rooms.count,
-                              .finished = true};
+    struct chart_task drawing = {.kind = kind,
+                                 .format = format,
+                                 .room_options = room_options,
+                                 .options = options,
+                                 .rooms = rooms.list,
+                                 .count = rooms.count,
+                                 .finished = true};
     exit_status = draw_all(&drawing, to_standard_output);
     pp_rooms_clear(&rooms);
     return exit_status;
@@ -356,7 +357,7 @@ static enum pp_status check(char **words, int word_count,
         status = check_light(&chart_options->availability, options, *kind, words + 1,
                              word_count - 1, err);
     if (status == PP_OK && options->methods)
-        status = pp_methods_check(options->methods, err);
+        status = pp_selection_check(options->methods, err);
     if (status == PP_OK && (*kind)->board)
         status = pp_board_options_check(&chart_options->board, options, *kind,
                                         word_count == 1, err);
@@ -392,16 +393,16 @@ enum pp_exit cmd_chart(int argc, char **argv)
     if (status == PP_OK && !wants_help && !options.list)
         status = check(argv, word_count, &room_options, &options, &kind, &err);
 
-    if (pp_command_starts(&line, argv + 1, word_count - 1, status, wants_help, &err,
-                          &exit_status)) {
+    if (pp_command_line_starts(&line, argv + 1, word_count - 1, status, wants_help,
+                               &err, &exit_status)) {
         if (options.list)
             print_kinds(stdout);
         else
-            exit_status = pp_availability_load(&options.availability);
+            exit_status = pp_availability_options_load(&options.availability);
         if (kind && exit_status == PP_EXIT_DONE)
             exit_status = run(kind, &room_options, &options, argv + 1, word_count - 1);
     }
-    pp_availability_unload(&options.availability);
+    pp_availability_options_clear(&options.availability);
     pp_room_options_clear(&room_options);
     return exit_status;
 }

@@ -11,37 +11,38 @@
 #include "methods/protractor/protractor_sheet_fill.h"
 #include "methods/waldram/waldram_sheet_fill.h"
 
-enum pp_status pp_draw_waldram(struct pp_canvas *canvas,
-                               const struct pp_loaded_room *room,
-                               const struct pp_board_options *options,
-                               struct pp_error *err)
+enum pp_status pp_draw_board_waldram(struct pp_canvas *canvas,
+                                     const struct pp_loaded_room *room,
+                                     const struct pp_board_options *options,
+                                     struct pp_error *err)
 {
     struct pp_waldram_sheet sheet;
     enum pp_status status =
-        room ? pp_waldram_sheet_of(&sheet, room->world, room->receivers, err)
-             : pp_waldram_sheet_blank(&sheet, &options->sky, options->glazed != PP_NO,
-                                      err);
+        room ? pp_waldram_sheet_fill_room(&sheet, room->world, room->receivers, err)
+             : pp_waldram_sheet_fill_blank(&sheet, &options->sky,
+                                           options->glazed != PP_NO, err);
     if (status == PP_OK)
         status = pp_waldram_chart_draw(canvas, &sheet, err);
-    pp_waldram_sheet_clear(&sheet);
+    pp_board_sheets_waldram_clear(&sheet);
     return status;
 }
 
-enum pp_status pp_draw_pepper_pot(struct pp_canvas *canvas,
-                                  const struct pp_loaded_room *room,
-                                  const struct pp_board_options *options,
-                                  struct pp_error *err)
+enum pp_status pp_draw_board_pepper_pot(struct pp_canvas *canvas,
+                                        const struct pp_loaded_room *room,
+                                        const struct pp_board_options *options,
+                                        struct pp_error *err)
 {
     double worth = options->fine ? PP_PEPPER_POT_FINE_WORTH : PP_PEPPER_POT_WORTH;
     struct pp_pepper_pot_sheet sheet;
     enum pp_status status =
-        room
-            ? pp_pepper_pot_sheet_of(&sheet, room->world, room->receivers, worth, err)
-            : pp_pepper_pot_sheet_blank(&sheet, &options->sky, options->glazed != PP_NO,
-                                        options->vertical == PP_YES, worth, err);
+        room ? pp_pepper_pot_sheet_fill_room(&sheet, room->world, room->receivers,
+                                             worth, err)
+             : pp_pepper_pot_sheet_fill_blank(&sheet, &options->sky,
+                                              options->glazed != PP_NO,
+                                              options->vertical == PP_YES, worth, err);
     if (status == PP_OK)
         status = pp_pepper_pot_chart_draw(canvas, &sheet, options->viewing_mm, err);
-    pp_pepper_pot_sheet_clear(&sheet);
+    pp_board_sheets_pepper_pot_clear(&sheet);
     return status;
 }
 
@@ -55,14 +56,14 @@ static enum pp_status choose_protractor(struct pp_protractor *protractor,
             (struct pp_protractor){options->sky, options->glass, options->slope_rad};
         return PP_OK;
     }
-    return pp_protractor_published(protractor, options->number ? options->number : 2,
-                                   err);
+    return pp_protractor_scale_published(protractor,
+                                         options->number ? options->number : 2, err);
 }
 
-enum pp_status pp_draw_protractor(struct pp_canvas *canvas,
-                                  const struct pp_loaded_room *room,
-                                  const struct pp_board_options *options,
-                                  struct pp_error *err)
+enum pp_status pp_draw_board_protractor(struct pp_canvas *canvas,
+                                        const struct pp_loaded_room *room,
+                                        const struct pp_board_options *options,
+                                        struct pp_error *err)
 {
     double arc_mm = pp_protractor_chart_arc_mm(canvas, room != NULL);
     struct pp_mark_spacing spacing = {0.75 / arc_mm, (3.2 + 0.03 * arc_mm) / arc_mm};
@@ -70,15 +71,15 @@ enum pp_status pp_draw_protractor(struct pp_canvas *canvas,
     struct pp_protractor protractor;
     enum pp_status status;
     if (room) {
-        status =
-            pp_protractor_sheet_of(&sheet, room->world, room->receivers, spacing, err);
+        status = pp_protractor_sheet_fill_room(&sheet, room->world, room->receivers,
+                                               spacing, err);
         if (status == PP_OK)
             status = pp_protractor_worked_draw(canvas, &sheet, err);
     } else {
         status = choose_protractor(&protractor, options, err);
         if (status == PP_OK)
-            status = pp_protractor_sheet_blank(&sheet, &protractor,
-                                               options->glass_words, spacing, err);
+            status = pp_protractor_sheet_fill_blank(&sheet, &protractor,
+                                                    options->glass_words, spacing, err);
         if (status == PP_OK)
             status = pp_protractor_chart_draw(canvas, &sheet, err);
     }
@@ -86,19 +87,19 @@ enum pp_status pp_draw_protractor(struct pp_canvas *canvas,
     return status;
 }
 
-enum pp_status pp_draw_nomogram(struct pp_canvas *canvas,
-                                const struct pp_loaded_room *room,
-                                const struct pp_board_options *options,
-                                struct pp_error *err)
+enum pp_status pp_draw_board_nomogram(struct pp_canvas *canvas,
+                                      const struct pp_loaded_room *room,
+                                      const struct pp_board_options *options,
+                                      struct pp_error *err)
 {
     const struct pp_nomogram_spacing spacing = {pp_nomogram_chart_height_mm(canvas),
                                                 pp_nomogram_chart_fine_mm(canvas),
                                                 pp_nomogram_chart_number_mm(canvas)};
     struct pp_nomogram_sheet sheet;
     enum pp_status status =
-        room ? pp_nomogram_sheet_of(&sheet, options->nomogram, room->world, spacing,
-                                    err)
-             : pp_nomogram_sheet_blank(&sheet, options->nomogram, spacing, err);
+        room ? pp_nomogram_sheet_fill_room(&sheet, options->nomogram, room->world,
+                                           spacing, err)
+             : pp_nomogram_sheet_fill_blank(&sheet, options->nomogram, spacing, err);
     if (status == PP_OK)
         status = pp_nomogram_chart_draw(canvas, &sheet, err);
     pp_nomogram_sheet_clear(&sheet);

@@ -81,7 +81,7 @@ static bool always_landscape(const struct pp_world *world)
     return true;
 }
 
-/* What is to be known of each kind in charts/kinds.h to draw it. */
+/* What is to be known of each kind in charts/chart_kind.h to draw it. */
 struct drawer {
     const char *kind;
     bool on_a_line; /* of points, which is laid where the room file has none */
@@ -95,10 +95,10 @@ struct drawer {
 static const struct drawer drawers[] = {
     {"section", true, never_landscape, draw_section, NULL},
     {"plan", false, pp_plan_chart_landscape, draw_plan, NULL},
-    {"waldram", false, always_landscape, NULL, pp_draw_waldram},
-    {"pepper-pot", false, always_landscape, NULL, pp_draw_pepper_pot},
-    {"protractor", false, never_landscape, NULL, pp_draw_protractor},
-    {"nomogram", false, never_landscape, NULL, pp_draw_nomogram},
+    {"waldram", false, always_landscape, NULL, pp_draw_board_waldram},
+    {"pepper-pot", false, always_landscape, NULL, pp_draw_board_pepper_pot},
+    {"protractor", false, never_landscape, NULL, pp_draw_board_protractor},
+    {"nomogram", false, never_landscape, NULL, pp_draw_board_nomogram},
     {"availability", false, always_landscape, NULL, NULL},
 };
 
@@ -110,7 +110,8 @@ static const struct drawer *drawer_of(const struct pp_chart_kind *kind)
     return drawer;
 }
 
-bool pp_chart_landscape(const struct pp_chart_kind *kind, const struct pp_world *world)
+bool pp_draw_chart_landscape(const struct pp_chart_kind *kind,
+                             const struct pp_world *world)
 {
     return drawer_of(kind)->landscape(world);
 }
@@ -128,7 +129,7 @@ enum pp_status pp_draw_chart(const struct pp_chart_kind *kind, struct pp_canvas 
         return pp_draw_availability(canvas, room, room_options, &options->availability,
                                     finished, err);
     if (drawer->on_a_line && room_options->points.count == 0
-        && !pp_is_section_line(room->receivers, room->receiver_count)) {
+        && !pp_section_line_is_straight(room->receivers, room->receiver_count)) {
         enum pp_status status = pp_section_line(room, err);
         if (status != PP_OK)
             return status;
@@ -136,9 +137,9 @@ enum pp_status pp_draw_chart(const struct pp_chart_kind *kind, struct pp_canvas 
 
     struct pp_report report;
     bool by_clock;
-    enum pp_status status = pp_gather_methods(&report, room, room_options, err);
+    enum pp_status status = pp_study_report_methods(&report, room, room_options, err);
     if (status == PP_OK && room_options->simulate)
-        status = pp_gather_traced(&report, room_options, &by_clock, err);
+        status = pp_study_report_traced(&report, room_options, &by_clock, err);
     if (status == PP_OK)
         status = drawer->draw(canvas, &report, options, err);
     *finished &= report.finished;

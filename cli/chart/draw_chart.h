@@ -1,11 +1,11 @@
 /* draw_chart.h - from a room and options to a chart of a given kind on a canvas. */
-#ifndef PP_CLI_DRAW_CHART_H
-#define PP_CLI_DRAW_CHART_H
+#ifndef PP_CLI_CHART_DRAW_CHART_H
+#define PP_CLI_CHART_DRAW_CHART_H
 
 #include <stdbool.h>
 
 #include "charts/sheet/canvas.h"
-#include "charts/kinds.h"
+#include "charts/chart_kind.h"
 #include "cli/availability/availability_options.h"
 #include "cli/chart/board_options.h"
 #include "cli/rooms.h"
@@ -24,7 +24,8 @@ struct pp_chart_options {
 
 /* Does the kind look better on a sheet that lies on its side for this room (NULL: for
  * a blank)? */
-bool pp_chart_landscape(const struct pp_chart_kind *kind, const struct pp_world *world);
+bool pp_draw_chart_landscape(const struct pp_chart_kind *kind,
+                             const struct pp_world *world);
 
 /* Computes what the chart shows of the room (NULL: a blank) and draws it. A section of
  * a room without a line of points gets one of its own (section_line.h). *finished

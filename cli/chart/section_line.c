@@ -5,16 +5,16 @@
 
 static const double step_m = 0.25;
 
-bool pp_is_section_line(const struct pp_receiver *receivers, int count)
+bool pp_section_line_is_straight(const struct pp_receiver *receivers, int count)
 {
     if (count < 2)
         return false;
     struct pp_vec3 first = receivers[0].position;
-    struct pp_vec3 way = pp_sub(receivers[count - 1].position, first);
-    double length = pp_length(way);
+    struct pp_vec3 way = pp_vec_sub(receivers[count - 1].position, first);
+    double length = pp_vec_length(way);
     for (int i = 0; i < count; i++) {
-        struct pp_vec3 to = pp_sub(receivers[i].position, first);
-        if (fabs(to.z) > 1e-6 || pp_length(pp_cross(way, to)) > 1e-6 * length)
+        struct pp_vec3 to = pp_vec_sub(receivers[i].position, first);
+        if (fabs(to.z) > 1e-6 || pp_vec_length(pp_vec_cross(way, to)) > 1e-6 * length)
             return false;
     }
     return length > 1e-6;
@@ -36,8 +36,8 @@ static struct pp_vec3 middle_of(const struct pp_polygon *polygon)
 {
     struct pp_vec3 sum = pp_vec(0.0, 0.0, 0.0);
     for (int i = 0; i < polygon->count; i++)
-        sum = pp_add(sum, polygon->vertices[i]);
-    return pp_scale(sum, 1.0 / polygon->count);
+        sum = pp_vec_add(sum, polygon->vertices[i]);
+    return pp_vec_scale(sum, 1.0 / polygon->count);
 }
 
 /* Where the line starts, on the working plane, and which way it goes. */
@@ -48,7 +48,7 @@ static void choose_start(const struct pp_world *world, struct pp_vec3 *start,
     if (window) {
         struct pp_vec3 normal = window->inner.normal;
         *start = middle_of(&window->inner);
-        *way = pp_unit(pp_vec(normal.x, normal.y, 0.0));
+        *way = pp_vec_unit(pp_vec(normal.x, normal.y, 0.0));
     } else {
         struct pp_vec3 low = pp_vec(INFINITY, INFINITY, 0.0);
         struct pp_vec3 high = pp_vec(-INFINITY, -INFINITY, 0.0);
@@ -73,7 +73,7 @@ static double free_length(const struct pp_world *world, struct pp_vec3 start,
     static const double probe_m = 0.01, furthest_m = 1000.0;
     double length = 0.0;
     while (length < furthest_m
-           && pp_world_contains(world, pp_along(start, length + probe_m, way)))
+           && pp_position_in_room(world, pp_vec_along(start, length + probe_m, way)))
         length += probe_m;
     return length;
 }
@@ -91,8 +91,8 @@ enum pp_status pp_section_line(struct pp_loaded_room *room, struct pp_error *err
     const struct pp_vec3 up = pp_vec(0.0, 0.0, 1.0);
     int good = 0;
     for (int i = 0; i < count; i++) {
-        struct pp_vec3 at = pp_along(start, (i + 0.5) * length / count, way);
-        if (!pp_world_receiver_fault(room->world, at, up))
+        struct pp_vec3 at = pp_vec_along(start, (i + 0.5) * length / count, way);
+        if (!pp_position_receiver_fault(room->world, at, up))
             receivers[good++] = (struct pp_receiver){.position = at, .normal = up};
     }
     if (good < 2) {

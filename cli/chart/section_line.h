@@ -1,14 +1,14 @@
 /* section_line.h - the reference points of a section, where the room file has no line.
  */
-#ifndef PP_CLI_SECTION_LINE_H
-#define PP_CLI_SECTION_LINE_H
+#ifndef PP_CLI_CHART_SECTION_LINE_H
+#define PP_CLI_CHART_SECTION_LINE_H
 
 #include <stdbool.h>
 
 #include "cli/rooms.h"
 
 /* Do the receivers lie on one straight horizontal line, at two places or more? */
-bool pp_is_section_line(const struct pp_receiver *receivers, int count);
+bool pp_section_line_is_straight(const struct pp_receiver *receivers, int count);
 
 /* Puts a line of points in place of the room's receivers: on the working plane, square
  * to the wall of the largest window, from its middle into the room as far as that is

@@ -1,13 +1,13 @@
 /* sheet_options.h - the words for a sheet of paper that several commands draw on. */
-#ifndef PP_CLI_SHEET_OPTIONS_H
-#define PP_CLI_SHEET_OPTIONS_H
+#ifndef PP_CLI_CHART_SHEET_OPTIONS_H
+#define PP_CLI_CHART_SHEET_OPTIONS_H
 
 #include "cli/options.h"
 
 enum pp_orientation { PP_AS_FITS, PP_PORTRAIT, PP_LANDSCAPE };
 
-pp_option_reader pp_read_paper;       /* enum pp_paper (canvas.h) */
-pp_option_reader pp_read_orientation; /* enum pp_orientation */
-pp_option_reader pp_read_dpi;         /* double, 20 to 1200 */
+pp_option_reader pp_sheet_options_read_paper;       /* enum pp_paper (canvas.h) */
+pp_option_reader pp_sheet_options_read_orientation; /* enum pp_orientation */
+pp_option_reader pp_sheet_options_read_dpi;         /* double, 20 to 1200 */
 
 #endif

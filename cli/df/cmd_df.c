@@ -4,15 +4,14 @@
 
 #include "cli/command_line.h"
 #include "cli/commands.h"
-#include "cli/format.h"
+#include "cli/print/format.h"
 #include "cli/study_report.h"
 #include "cli/study_cached.h"
 #include "cli/interrupt.h"
 #include "cli/lumen_option.h"
-#include "cli/messages.h"
+#include "cli/message.h"
 #include "cli/output.h"
 #include "cli/print/print.h"
-#include "cli/print/utf8.h"
 #include "methods/evaluate.h"
 #include "methods/method.h"
 
@@ -47,14 +46,14 @@ static void help_on_methods(FILE *out)
 /* Hand methods of all rooms first: they take milliseconds, and are there whatever
  * happens to the simulation. */
 static enum pp_status compute(struct pp_results *results, const struct pp_rooms *rooms,
-                              const struct pp_engine_words *engine,
+                              const struct pp_engine_choice *engine,
                               struct pp_error *err)
 {
     for (int i = 0; i < rooms->count; i++) {
         struct pp_result *result = &results->list[results->count++];
         result->file = rooms->list[i].file;
-        enum pp_status status =
-            pp_gather_methods(&result->report, &rooms->list[i], results->options, err);
+        enum pp_status status = pp_study_report_methods(
+            &result->report, &rooms->list[i], results->options, err);
         if (status != PP_OK)
             return status;
     }
@@ -66,11 +65,11 @@ static enum pp_status compute(struct pp_results *results, const struct pp_rooms 
         struct pp_result *result = &results->list[i];
         enum pp_status status = PP_OK;
         if (engine->path)
-            status = pp_gather_traced(&result->report, results->options,
-                                      &result->by_clock, err);
+            status = pp_study_report_traced(&result->report, results->options,
+                                            &result->by_clock, err);
         if (status == PP_OK && engine->cached)
-            status = pp_gather_cached(&result->report, results->options, engine,
-                                      &result->by_clock, err);
+            status = pp_study_cached_add(&result->report, results->options, engine,
+                                         &result->by_clock, err);
         if (status != PP_OK)
             return status;
     }
@@ -82,19 +81,19 @@ static enum pp_status print(const struct pp_results *results, enum pp_format for
 {
     switch (format) {
     case PP_FORMAT_JSON:
-        return pp_print_json(results, out, err);
+        return pp_df_json(results, out, err);
     case PP_FORMAT_CSV:
-        return pp_print_csv(results, out, err);
+        return pp_df_csv(results, out, err);
     case PP_FORMAT_TEXT:
         break;
     }
-    return pp_print_text(results, pp_print_width(results->options->output),
-                         pp_utf8_terminal(), out, err);
+    return pp_df_text(results, pp_print_width(results->options->output),
+                      pp_format_utf8_terminal(), out, err);
 }
 
 static enum pp_exit compute_and_print(struct pp_results *results,
                                       const struct pp_rooms *rooms,
-                                      const struct pp_engine_words *engine,
+                                      const struct pp_engine_choice *engine,
                                       enum pp_format format)
 {
     struct pp_error err = {0};
@@ -106,10 +105,10 @@ static enum pp_exit compute_and_print(struct pp_results *results,
         status = print(results, format, output.stream, &err);
     status = pp_output_close(&output, status, &err);
     if (status != PP_OK)
-        return pp_say_error(&err);
+        return pp_message_error(&err);
     for (int i = 0; i < results->count; i++)
         if (!results->list[i].report.finished)
-            return pp_say_unfinished();
+            return pp_message_unfinished();
     return PP_EXIT_DONE;
 }
 
@@ -125,13 +124,13 @@ static enum pp_exit check_explained(const struct pp_room_options *options,
                 "--explain sets out the sums of one point, and there are %d; expected "
                 "one, by --points X,Y",
                 rooms->list[i].receiver_count);
-        return pp_say_usage("df", &err);
+        return pp_message_usage("df", &err);
     }
     return PP_EXIT_DONE;
 }
 
 static enum pp_exit run(const struct pp_room_options *options,
-                        const struct pp_engine_words *engine, enum pp_format format,
+                        const struct pp_engine_choice *engine, enum pp_format format,
                         char **files, int file_count)
 {
     struct pp_rooms rooms;
@@ -146,7 +145,7 @@ static enum pp_exit run(const struct pp_room_options *options,
                 "--cache has the records of one room, and there are %d; expected one, "
                 "by --room NAME",
                 rooms.count);
-        exit_status = pp_say_usage("df", &err);
+        exit_status = pp_message_usage("df", &err);
     }
     if (exit_status != PP_EXIT_DONE) {
         pp_rooms_clear(&rooms);
@@ -161,7 +160,7 @@ static enum pp_exit run(const struct pp_room_options *options,
     } else {
         struct pp_error err;
         pp_fail_memory(&err);
-        exit_status = pp_say_error(&err);
+        exit_status = pp_message_error(&err);
     }
     for (int i = 0; i < results.count; i++)
         pp_report_clear(&results.list[i].report);
@@ -182,18 +181,18 @@ static enum pp_status check(struct pp_room_options *options, enum pp_format form
                        "--explain has no place in CSV; expected --format text or json");
     enum pp_status status = pp_room_options_settle(options, err);
     if (status == PP_OK && options->methods)
-        status = pp_methods_check(options->methods, err);
+        status = pp_selection_check(options->methods, err);
     return status;
 }
 
 /* With the user's own tables, if he has any. */
 static enum pp_exit run_with_tables(struct pp_room_options *options,
-                                    const struct pp_engine_words *engine,
+                                    const struct pp_engine_choice *engine,
                                     const struct pp_lumen_files *lumen_files,
                                     enum pp_format format, char **files, int file_count)
 {
     struct pp_lumen_table *table;
-    enum pp_exit exit_status = pp_lumen_load(&table, lumen_files);
+    enum pp_exit exit_status = pp_lumen_option_load(&table, lumen_files);
     options->method_options.lumen_table = table;
     if (exit_status == PP_EXIT_DONE)
         exit_status = run(options, engine, format, files, file_count);
@@ -206,7 +205,7 @@ enum pp_exit cmd_df(int argc, char **argv)
 {
     struct pp_room_options options = pp_room_options_none;
     struct pp_lumen_files lumen_files = {.count = 0};
-    struct pp_engine_words engine = {.cache = pp_cache_words_none()};
+    struct pp_engine_choice engine = {.cache = pp_cache_choice_default()};
     enum pp_format format = PP_FORMAT_TEXT;
     const struct pp_option_group groups[] = {
         {"What is computed", pp_room_choice_options, &options},
@@ -215,7 +214,7 @@ enum pp_exit cmd_df(int argc, char **argv)
         {"What is computed", pp_room_external_option, &options},
         {"Simulation", pp_room_simulation_options, &options},
         {"Simulation", pp_engine_options, &engine},
-        {"Irradiance cache", pp_cache_word_options, &engine.cache},
+        {"Irradiance cache", pp_cache_choice_options, &engine.cache},
         {"Output", pp_format_option, &format},
         {"Output", pp_room_output_options, &options},
         {0},
@@ -232,13 +231,13 @@ enum pp_exit cmd_df(int argc, char **argv)
     if (status == PP_OK && !wants_help)
         status = check(&options, format, file_count, &err);
     if (status == PP_OK && !wants_help)
-        status = pp_engine_settle(&engine, options.simulate, &err);
+        status = pp_study_cached_settle(&engine, options.simulate, &err);
 
-    if (pp_command_starts(&line, argv, file_count, status, wants_help, &err,
-                          &exit_status))
+    if (pp_command_line_starts(&line, argv, file_count, status, wants_help, &err,
+                               &exit_status))
         exit_status =
             run_with_tables(&options, &engine, &lumen_files, format, argv, file_count);
     pp_room_options_clear(&options);
-    pp_cache_words_clear(&engine.cache);
+    pp_cache_choice_clear(&engine.cache);
     return exit_status;
 }

@@ -2,7 +2,7 @@
 
 #include <math.h>
 
-#include "cli/print/csv.h"
+#include "cli/print/format.h"
 
 const char *const pp_component_names[PP_COMPONENT_COUNT] = {"sc", "erc", "irc", "df"};
 
@@ -12,33 +12,33 @@ static void put_line(const struct pp_result *result, const struct pp_column *col
                      const struct pp_receiver *receiver,
                      const struct pp_reading *reading, double external_lux, FILE *out)
 {
-    pp_csv_field(result->file, out);
+    pp_format_csv_field(result->file, out);
     fputc(',', out);
-    pp_csv_field(result->report.world->name, out);
+    pp_format_csv_field(result->report.world->name, out);
     if (receiver) {
         fputs(",point", out);
-        pp_csv_number(receiver->position.x, out);
-        pp_csv_number(receiver->position.y, out);
-        pp_csv_number(receiver->position.z, out);
-        pp_csv_number(receiver->normal.x, out);
-        pp_csv_number(receiver->normal.y, out);
-        pp_csv_number(receiver->normal.z, out);
+        pp_format_csv_number(receiver->position.x, out);
+        pp_format_csv_number(receiver->position.y, out);
+        pp_format_csv_number(receiver->position.z, out);
+        pp_format_csv_number(receiver->normal.x, out);
+        pp_format_csv_number(receiver->normal.y, out);
+        pp_format_csv_number(receiver->normal.z, out);
     } else {
         fputs(",average,,,,,,", out);
     }
     fprintf(out, ",%s,%s", pp_component_names[column->component], column->name);
-    pp_csv_number(100.0 * reading->value, out);
-    pp_csv_number(100.0 * reading->std_error, out);
+    pp_format_csv_number(100.0 * reading->value, out);
+    pp_format_csv_number(100.0 * reading->std_error, out);
     fprintf(out, ",%s,", result->report.finished ? "yes" : "no");
-    pp_csv_field(isfinite(reading->value) ? NULL : reading->why, out);
+    pp_format_csv_field(isfinite(reading->value) ? NULL : reading->why, out);
     if (external_lux > 0.0)
-        pp_csv_number(column->component == PP_DF ? external_lux * reading->value : NAN,
-                      out);
+        pp_format_csv_number(
+            column->component == PP_DF ? external_lux * reading->value : NAN, out);
     fputs("\r\n", out);
 }
 
-enum pp_status pp_print_csv(const struct pp_results *results, FILE *out,
-                            struct pp_error *err)
+enum pp_status pp_df_csv(const struct pp_results *results, FILE *out,
+                         struct pp_error *err)
 {
     (void)err;
     fputs("file,room,place,x,y,z,nx,ny,nz,component,method,value_percent,"

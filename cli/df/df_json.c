@@ -9,7 +9,7 @@
 #include "model/light/sky.h"
 
 /* As numbers and units are written outside: per cent and degrees. */
-static bool add_step(struct json_object *object, const struct pp_step *step)
+static bool add_step(struct json_object *object, const struct pp_calculation_step *step)
 {
     static const struct {
         double scale;
@@ -154,8 +154,8 @@ static struct json_object *room(const void *all, int index)
     return pp_json_whole(object, good);
 }
 
-enum pp_status pp_print_json(const struct pp_results *results, FILE *out,
-                             struct pp_error *err)
+enum pp_status pp_df_json(const struct pp_results *results, FILE *out,
+                          struct pp_error *err)
 {
     return pp_json_print_rooms(out, room, results, results->count, results->several,
                                err);

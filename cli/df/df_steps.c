@@ -10,7 +10,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "cli/print/utf8.h"
+#include "cli/print/format.h"
 #include "methods/method.h"
 #include "model/geometry/vec.h"
 #include "model/base/text.h"
@@ -28,7 +28,7 @@ enum {
 /* what is less than this is printed as a bare 0 */
 static const double least = 1e-7;
 
-static const struct unit {
+static const struct printed_unit {
     double scale; /* from inside to print */
     int decimals;
     const char *plain, *utf8;
@@ -44,7 +44,7 @@ static const struct unit {
 
 /* Decimals that show DIGITS significant digits, and what a unit has at least; of what
  * was counted in tenths those. */
-static int decimals_of(double value, const struct pp_step *step)
+static int decimals_of(double value, const struct pp_calculation_step *step)
 {
     int decimals = units[step->unit].decimals;
     if (step->unit == PP_UNIT_COUNT && fabs(10.0 * value - rint(10.0 * value)) < 1e-6)
@@ -57,10 +57,10 @@ static int decimals_of(double value, const struct pp_step *step)
 }
 
 /* The value as people write it in its unit; the unit. */
-static const char *write_value(char *text, size_t room, const struct pp_step *step,
-                               bool utf8)
+static const char *write_value(char *text, size_t room,
+                               const struct pp_calculation_step *step, bool utf8)
 {
-    const struct unit *unit = &units[step->unit];
+    const struct printed_unit *unit = &units[step->unit];
     double value = step->value * unit->scale;
     int decimals = decimals_of(value, step);
     if (fabs(value) < least)
@@ -95,14 +95,15 @@ static void write_word(char *text, size_t room, const char *word, int length, bo
         if (!found && !letters && word[i] == '-')
             found = "\xe2\x88\x92";
         int taken = letters ? letters : 1;
-        pp_append(text, room, "%.*s", found ? (int)strlen(found) : taken,
-                  found ? found : word + i);
+        pp_text_append(text, room, "%.*s", found ? (int)strlen(found) : taken,
+                       found ? found : word + i);
         i += taken;
     }
 }
 
 /* "      IRC = 0.85 W / (A (1 - R)) (C R_fw + 5 R_cw)", broken at blanks. */
-static void print_formula(const struct pp_step *step, int width, bool utf8, FILE *out)
+static void print_formula(const struct pp_calculation_step *step, int width, bool utf8,
+                          FILE *out)
 {
     char whole[sizeof step->symbol + sizeof step->formula + 4], words[4 * sizeof whole];
     snprintf(whole, sizeof whole, "%s%s= %s", step->symbol, step->symbol[0] ? " " : "",
@@ -112,7 +113,7 @@ static void print_formula(const struct pp_step *step, int width, bool utf8, FILE
         int letters = (int)strcspn(at, " ");
         char word[64];
         write_word(word, sizeof word, at, letters, utf8);
-        pp_append(words, sizeof words, "%s ", word);
+        pp_text_append(words, sizeof words, "%s ", word);
         at += letters + (at[letters] == ' ');
     }
     fprintf(out, "%*s", SYMBOL, "");
@@ -134,7 +135,7 @@ static int fitting(const char *words, int room)
 }
 
 /* What it is; the opening stands in the heading already. */
-static const char *without_opening(const struct pp_step *step)
+static const char *without_opening(const struct pp_calculation_step *step)
 {
     char said[40];
     int length = snprintf(said, sizeof said, "opening on line %d: ", step->line);
@@ -142,7 +143,8 @@ static const char *without_opening(const struct pp_step *step)
                                                           : step->what;
 }
 
-static void print_step(const struct pp_step *step, int width, bool utf8, FILE *out)
+static void print_step(const struct pp_calculation_step *step, int width, bool utf8,
+                       FILE *out)
 {
     char value[48], symbol[64] = "";
     const char *unit = write_value(value, sizeof value, step, utf8);
@@ -152,7 +154,7 @@ static void print_step(const struct pp_step *step, int width, bool utf8, FILE *o
         write_word(symbol, sizeof symbol, step->symbol, (int)strlen(step->symbol),
                    utf8);
     fprintf(out, "%*s%s", SYMBOL, "", symbol);
-    int column = SYMBOL + pp_utf8_width(symbol);
+    int column = SYMBOL + pp_format_utf8_width(symbol);
     int gap = column + 2 > WHAT ? 2 : WHAT - column;
     int room = width - column - gap - VALUE_WIDTH - UNIT_WIDTH;
 
@@ -171,7 +173,7 @@ static void print_list(const struct pp_steps *steps, int width, bool utf8, FILE 
 {
     int line = 0;
     for (int i = 0; i < steps->count; i++) {
-        const struct pp_step *step = &steps->list[i];
+        const struct pp_calculation_step *step = &steps->list[i];
         if (step->line != line && step->line)
             fprintf(out, "%*sopening on line %d\n", HEAD, "", step->line);
         else if (step->line != line)
@@ -196,7 +198,7 @@ static void print_contents(const char *name, int width, FILE *out)
     pp_print_wrapped(text, HEAD, HEAD, width, out);
 }
 
-void pp_print_steps(const struct pp_report *report, int width, bool utf8, FILE *out)
+void pp_df_steps(const struct pp_report *report, int width, bool utf8, FILE *out)
 {
     static const char *const names[PP_COMPONENT_COUNT] = {
         [PP_SC] = "direct component",

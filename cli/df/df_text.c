@@ -6,7 +6,7 @@
 
 #include "cli/print/print_notes.h"
 #include "cli/print/print_places.h"
-#include "cli/print/utf8.h"
+#include "cli/print/format.h"
 #include "model/base/text.h"
 
 struct titles {
@@ -42,7 +42,7 @@ static void put_sampled(char cell[PP_CELL_BYTES], const struct pp_reading *readi
     if (!isfinite(reading->value) || !isfinite(reading->std_error))
         return;
     double shown = ceil(1e4 * reading->std_error - 1e-9) / 100.0 + 0.0; /* no -0 */
-    pp_append(cell, PP_CELL_BYTES, " %s%.2f", utf8 ? "\xc2\xb1" : "+-", shown);
+    pp_text_append(cell, PP_CELL_BYTES, " %s%.2f", utf8 ? "\xc2\xb1" : "+-", shown);
 }
 
 /* How far a value is from the traced one, in per cent of that; a dash where the traced
@@ -88,7 +88,7 @@ static bool add_values(struct pp_table *table, const struct pp_report *report,
         return false;
     bool with_error = is_simulated(column) && column->component == PP_DF;
     for (int row = 0; row <= report->receiver_count; row++) {
-        const struct pp_reading *reading = pp_reading_at(report, column, row);
+        const struct pp_reading *reading = pp_print_notes_reading(report, column, row);
         if (reading && with_error)
             put_sampled(shown->cells[row], reading, utf8);
         else if (reading)
@@ -106,10 +106,10 @@ static bool add_distances(struct pp_table *table, const struct pp_report *report
     if (!shown)
         return false;
     for (int row = 0; row <= report->receiver_count; row++) {
-        const struct pp_reading *reading = pp_reading_at(report, column, row);
+        const struct pp_reading *reading = pp_print_notes_reading(report, column, row);
         if (reading)
             put_distance(shown->cells[row], reading,
-                         pp_reading_at(report, traced, row));
+                         pp_print_notes_reading(report, traced, row));
     }
     return true;
 }
@@ -123,7 +123,7 @@ static bool add_illuminances(struct pp_table *table, const struct pp_report *rep
     if (!shown)
         return false;
     for (int row = 0; row <= report->receiver_count; row++) {
-        const struct pp_reading *reading = pp_reading_at(report, column, row);
+        const struct pp_reading *reading = pp_print_notes_reading(report, column, row);
         if (reading)
             put_lux(shown->cells[row], external_lux * reading->value);
     }
@@ -135,7 +135,8 @@ static bool fill_table(struct pp_table *table, const struct pp_report *report,
                        double external_lux, const char *lux_title, bool utf8)
 {
     for (int i = 0; i < report->column_count; i++)
-        if ((report->columns[i].component != PP_ERC || !pp_is_nothing(report, PP_ERC))
+        if ((report->columns[i].component != PP_ERC
+             || !pp_print_notes_is_zero(report, PP_ERC))
             && !add_values(table, report, &report->columns[i], utf8))
             return false;
     for (int i = 0; external_lux > 0.0 && i < report->column_count; i++)
@@ -172,27 +173,27 @@ static void print_simulation(const struct pp_result *result,
     unsigned long long seed = options->seed;
     bool traced = pp_report_find(&result->report, PP_DF, "traced");
     if (traced)
-        pp_append(text, sizeof text,
-                  "traced: by simulation, %s one standard error, seed %llu; "
-                  "off, from traced: how far a method is from it",
-                  error, seed);
+        pp_text_append(text, sizeof text,
+                       "traced: by simulation, %s one standard error, seed %llu; "
+                       "off, from traced: how far a method is from it",
+                       error, seed);
     const struct pp_column *cached = pp_report_find(&result->report, PP_DF, "cached");
     if (cached)
-        pp_append(text, sizeof text,
-                  "%scached: through the irradiance cache, %s%s the standard "
-                  "error of the sampling%s, seed %llu",
-                  traced ? "; " : "",
-                  is_interpolated(&result->report, cached)
-                      ? "interpolated at the points, with no error known; "
-                      : "",
-                  error,
-                  is_interpolated(&result->report, cached) ? "" : " at the point",
-                  seed);
+        pp_text_append(text, sizeof text,
+                       "%scached: through the irradiance cache, %s%s the standard "
+                       "error of the sampling%s, seed %llu",
+                       traced ? "; " : "",
+                       is_interpolated(&result->report, cached)
+                           ? "interpolated at the points, with no error known; "
+                           : "",
+                       error,
+                       is_interpolated(&result->report, cached) ? "" : " at the point",
+                       seed);
     if (!result->report.finished)
-        pp_append(text, sizeof text, "; NOT FINISHED, interrupted");
+        pp_text_append(text, sizeof text, "; NOT FINISHED, interrupted");
     else if (result->by_clock)
-        pp_append(text, sizeof text,
-                  "; stopped by the clock (--time), another run will differ");
+        pp_text_append(text, sizeof text,
+                       "; stopped by the clock (--time), another run will differ");
     fputs("\n  ", out);
     pp_print_wrapped(text, 2, 2, width, out);
 }
@@ -227,12 +228,12 @@ static enum pp_status print_room(const struct pp_result *result,
     if (pp_report_find(report, PP_DF, "traced")
         || pp_report_find(report, PP_DF, "cached"))
         print_simulation(result, options, utf8, width, out);
-    pp_print_steps(report, width, utf8, out);
+    pp_df_steps(report, width, utf8, out);
     return pp_print_notes(report, width, out) ? PP_OK : pp_fail_memory(err);
 }
 
-enum pp_status pp_print_text(const struct pp_results *results, int width, bool utf8,
-                             FILE *out, struct pp_error *err)
+enum pp_status pp_df_text(const struct pp_results *results, int width, bool utf8,
+                          FILE *out, struct pp_error *err)
 {
     enum pp_status status = PP_OK;
     for (int i = 0; i < results->count && status == PP_OK; i++) {

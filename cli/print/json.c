@@ -6,7 +6,7 @@
 #include <string.h>
 
 #include "cli/room_options.h"
-#include "cli/print/utf8.h"
+#include "cli/print/format.h"
 
 bool pp_json_add(struct json_object *object, const char *key, struct json_object *value)
 {
@@ -67,7 +67,7 @@ bool pp_json_text(struct json_object *object, const char *key, const char *text)
 {
     if (!text)
         return json_object_object_add(object, key, NULL) == 0;
-    char *repaired = pp_utf8_repair(text);
+    char *repaired = pp_format_utf8_repair(text);
     if (!repaired)
         return false;
     bool added = pp_json_add(object, key, json_object_new_string(repaired));

@@ -3,8 +3,8 @@
  * All print per cent of the unobstructed horizontal illuminance, with a point whatever
  * the locale, and never "nan".
  */
-#ifndef PP_CLI_PRINT_H
-#define PP_CLI_PRINT_H
+#ifndef PP_CLI_PRINT_PRINT_H
+#define PP_CLI_PRINT_PRINT_H
 
 #include <stdbool.h>
 #include <stdio.h>
@@ -30,25 +30,25 @@ struct pp_results {
 
 /* As text `width` columns wide where that is possible (60 or more); utf8: with a true
  * plus-minus sign. */
-enum pp_status pp_print_text(const struct pp_results *results, int width, bool utf8,
-                             FILE *out, struct pp_error *err);
+enum pp_status pp_df_text(const struct pp_results *results, int width, bool utf8,
+                          FILE *out, struct pp_error *err);
 
 /* As INTERFACE has it: one object a room, an array of them if there are several. Ten
  * significant digits. */
-enum pp_status pp_print_json(const struct pp_results *results, FILE *out,
-                             struct pp_error *err);
+enum pp_status pp_df_json(const struct pp_results *results, FILE *out,
+                          struct pp_error *err);
 
 /* One line a value, with a line of names at the top [RFC4180]; lines end with CR LF.
  * Ten significant digits; what there is not is empty. */
-enum pp_status pp_print_csv(const struct pp_results *results, FILE *out,
-                            struct pp_error *err);
+enum pp_status pp_df_csv(const struct pp_results *results, FILE *out,
+                         struct pp_error *err);
 
 /* The names of components in JSON and CSV: "sc", "erc", "irc", "df". */
 extern const char *const pp_component_names[PP_COMPONENT_COUNT];
 
 /* How the figures of the report's first point come about, method by method, one step a
  * line; nothing where no steps were asked for. */
-void pp_print_steps(const struct pp_report *report, int width, bool utf8, FILE *out);
+void pp_df_steps(const struct pp_report *report, int width, bool utf8, FILE *out);
 
 /* Columns of text for an output: as many as the terminal has, within reason, or 80
  * where it goes to a file or a pipe. output NULL: standard output. */

@@ -8,15 +8,15 @@
 #include "methods/method.h"
 #include "model/base/text.h"
 
-const struct pp_reading *pp_reading_at(const struct pp_report *report,
-                                       const struct pp_column *column, int row)
+const struct pp_reading *pp_print_notes_reading(const struct pp_report *report,
+                                                const struct pp_column *column, int row)
 {
     if (row == report->receiver_count)
         return &column->average;
     return column->points ? &column->points[row] : NULL;
 }
 
-bool pp_is_nothing(const struct pp_report *report, enum pp_component component)
+bool pp_print_notes_is_zero(const struct pp_report *report, enum pp_component component)
 {
     bool any = false;
     for (int i = 0; i < report->column_count; i++) {
@@ -25,7 +25,8 @@ bool pp_is_nothing(const struct pp_report *report, enum pp_component component)
             continue;
         any = true;
         for (int row = 0; row <= report->receiver_count; row++) {
-            const struct pp_reading *reading = pp_reading_at(report, column, row);
+            const struct pp_reading *reading =
+                pp_print_notes_reading(report, column, row);
             if (reading && reading->value != 0.0)
                 return false;
         }
@@ -37,7 +38,7 @@ bool pp_is_nothing(const struct pp_report *report, enum pp_component component)
 static const char *why_at(const struct pp_report *report,
                           const struct pp_column *column, int row)
 {
-    const struct pp_reading *reading = pp_reading_at(report, column, row);
+    const struct pp_reading *reading = pp_print_notes_reading(report, column, row);
     return reading && !isfinite(reading->value) ? reading->why : NULL;
 }
 
@@ -123,15 +124,16 @@ static void print_note(const struct pp_report *report, const char *why, int widt
         most = missing > most ? missing : most;
         of_points |= column->points != NULL;
         if (!is_listed(names, column->name))
-            pp_append(names, sizeof names, "%s%s", names[0] ? ", " : "", column->name);
+            pp_text_append(names, sizeof names, "%s%s", names[0] ? ", " : "",
+                           column->name);
     }
     if (!names_itself(names, why))
-        pp_append(text, sizeof text, "%s: ", names);
-    pp_append(text, sizeof text, "%s", why);
+        pp_text_append(text, sizeof text, "%s: ", names);
+    pp_text_append(text, sizeof text, "%s", why);
     if (of_points && most == 0)
-        pp_append(text, sizeof text, " (the average)");
+        pp_text_append(text, sizeof text, " (the average)");
     else if (of_points && most < points)
-        pp_append(text, sizeof text, " (%d of %d points)", most, points);
+        pp_text_append(text, sizeof text, " (%d of %d points)", most, points);
     fputs("  - ", out);
     pp_print_wrapped(text, 4, 4, width, out);
 }
@@ -144,11 +146,11 @@ static void note_decorations(const struct pp_report *report, int width, FILE *ou
         const char *name = report->columns[i].name;
         const struct pp_method *method = pp_method_find(name);
         if (method && method->gives == PP_GIVES_WHOLE)
-            pp_append(text, sizeof text, "%s%s", text[0] ? ", " : "", name);
+            pp_text_append(text, sizeof text, "%s%s", text[0] ? ", " : "", name);
     }
     if (!text[0])
         return;
-    pp_append(
+    pp_text_append(
         text, sizeof text,
         ": the decorations' %.3g, which bear on the internally reflected component "
         "by itself, are not counted",
@@ -177,7 +179,8 @@ static bool says_something(const struct pp_report *report)
         if (column->component != PP_DF || strcmp(column->name, "traced") == 0)
             continue;
         for (int row = 0; row <= report->receiver_count; row++) {
-            const struct pp_reading *reading = pp_reading_at(report, column, row);
+            const struct pp_reading *reading =
+                pp_print_notes_reading(report, column, row);
             if (reading && isfinite(reading->value))
                 return true;
         }
@@ -210,7 +213,7 @@ bool pp_print_notes(const struct pp_report *report, int width, FILE *out)
         free(reasons.list);
         return false;
     }
-    bool nothing_outside = pp_is_nothing(report, PP_ERC);
+    bool nothing_outside = pp_print_notes_is_zero(report, PP_ERC);
     bool undecorated = leaves_decorations(report);
     if (reasons.count > 0 || nothing_outside || undecorated)
         fputc('\n', out);

@@ -1,6 +1,6 @@
 /* print_notes.h - what the table of a report leaves unsaid: why values are missing. */
-#ifndef PP_CLI_PRINT_NOTES_H
-#define PP_CLI_PRINT_NOTES_H
+#ifndef PP_CLI_PRINT_PRINT_NOTES_H
+#define PP_CLI_PRINT_PRINT_NOTES_H
 
 #include <stdbool.h>
 #include <stdio.h>
@@ -9,12 +9,14 @@
 
 /* The reading of row `row` of a table: a point's, or the average's in the last one.
  * NULL where the column has nothing to say of points. */
-const struct pp_reading *pp_reading_at(const struct pp_report *report,
-                                       const struct pp_column *column, int row);
+const struct pp_reading *pp_print_notes_reading(const struct pp_report *report,
+                                                const struct pp_column *column,
+                                                int row);
 
 /* Is all of a component 0, as externally reflected light is where nothing stands
  * outside? Then a note does for its columns. */
-bool pp_is_nothing(const struct pp_report *report, enum pp_component component);
+bool pp_print_notes_is_zero(const struct pp_report *report,
+                            enum pp_component component);
 
 /* One note for each reason, with the columns that give it. False when memory is out. */
 bool pp_print_notes(const struct pp_report *report, int width, FILE *out);

@@ -25,10 +25,10 @@ static bool on_a_line(const struct pp_report *report)
         return report->receiver_count == 2;
     struct pp_vec3 first = report->receivers[0].position;
     struct pp_vec3 last = report->receivers[report->receiver_count - 1].position;
-    struct pp_vec3 way = pp_sub(last, first);
+    struct pp_vec3 way = pp_vec_sub(last, first);
     for (int i = 1; i < report->receiver_count; i++) {
-        struct pp_vec3 to = pp_sub(report->receivers[i].position, first);
-        if (pp_length(pp_cross(way, to)) > 1e-6 * pp_dot(way, way))
+        struct pp_vec3 to = pp_vec_sub(report->receivers[i].position, first);
+        if (pp_vec_length(pp_vec_cross(way, to)) > 1e-6 * pp_vec_dot(way, way))
             return false;
     }
     return true;
@@ -54,8 +54,8 @@ static bool is_constant(const struct pp_report *report, int axis)
 
 static double from_wall(const struct pp_surface *wall, const struct pp_receiver *at)
 {
-    return pp_dot(pp_sub(at->position, wall->outline.vertices[0]),
-                  wall->outline.normal);
+    return pp_vec_dot(pp_vec_sub(at->position, wall->outline.vertices[0]),
+                      wall->outline.normal);
 }
 
 /* The coordinate that is the distance from the window wall, or -1. */
@@ -103,15 +103,15 @@ static void say_constants(const struct pp_report *report, char *text, size_t roo
     const char *before = "; points at";
     for (int axis = 0; axis < 3; axis++)
         if (!is_shown(report, axis)) {
-            pp_append(text, room, "%s %s = %.2f", before, names[axis],
-                      coordinate(first, axis));
+            pp_text_append(text, room, "%s %s = %.2f", before, names[axis],
+                           coordinate(first, axis));
             before = ",";
         }
     bool same_way =
         !is_shown(report, 3) && !is_shown(report, 4) && !is_shown(report, 5);
     if (same_way && first->normal.z < 1.0 - 1e-9)
-        pp_append(text, room, "; facing %.3g, %.3g, %.3g", first->normal.x,
-                  first->normal.y, first->normal.z);
+        pp_text_append(text, room, "; facing %.3g, %.3g, %.3g", first->normal.x,
+                       first->normal.y, first->normal.z);
 }
 
 static bool add_distance(struct pp_table *table, const struct pp_report *report,
@@ -137,8 +137,8 @@ bool pp_print_places(struct pp_table *table, const struct pp_report *report, int
         on_a_line(report) ? window_wall(report->world) : NULL;
     int same = wall ? axis_from_wall(report, wall) : -1;
     if (same >= 0)
-        pp_append(above, sizeof above, "; %c is the distance from the window wall",
-                  "xy"[same]);
+        pp_text_append(above, sizeof above, "; %c is the distance from the window wall",
+                       "xy"[same]);
     else if (wall && !add_distance(table, report, wall))
         return false;
     table->key_count = table->column_count;

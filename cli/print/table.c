@@ -3,7 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "cli/print/utf8.h"
+#include "cli/print/format.h"
 
 enum {
     INDENT = 2,
@@ -82,7 +82,7 @@ static int piece_width(const char *piece, int length)
 {
     char text[sizeof((struct pp_table_column *)0)->heading];
     snprintf(text, sizeof text, "%.*s", length, piece);
-    return pp_utf8_width(text);
+    return pp_format_utf8_width(text);
 }
 
 static int cells_width(const struct pp_table *table,
@@ -90,7 +90,7 @@ static int cells_width(const struct pp_table *table,
 {
     int width = 0;
     for (int row = 0; row < table->row_count; row++) {
-        int cell = pp_utf8_width(column->cells[row]);
+        int cell = pp_format_utf8_width(column->cells[row]);
         width = cell > width ? cell : width;
     }
     return width;
@@ -122,8 +122,8 @@ static void widen_groups(struct pp_table *table)
         int width = table->columns[i].width;
         for (int j = i + 1; j < next; j++)
             width += GAP + table->columns[j].width;
-        if (title && pp_utf8_width(title) > width)
-            table->columns[i].width += pp_utf8_width(title) - width;
+        if (title && pp_format_utf8_width(title) > width)
+            table->columns[i].width += pp_format_utf8_width(title) - width;
     }
 }
 
@@ -250,14 +250,14 @@ static void print_groups(const struct panel *panel, struct writer *writer)
             for (int j = i + 1; j < next; j++)
                 width += GAP + table->columns[j].width;
             const char *title = table->columns[i].group;
-            if (pp_utf8_width(title) > width)
+            if (pp_format_utf8_width(title) > width)
                 title = table->columns[i].group_short;
             put_gap(writer, panel, i);
             if (ruled) {
                 put_rule(writer, width);
             } else {
                 put_text(writer, title, (int)strlen(title));
-                writer->blanks += width - pp_utf8_width(title);
+                writer->blanks += width - pp_format_utf8_width(title);
             }
         }
         end_line(writer);
@@ -298,13 +298,14 @@ static void print_row(const struct panel *panel, int row, bool labelled,
     if (labelled) {
         writer->blanks += INDENT;
         put_text(writer, table->last_label, (int)strlen(table->last_label));
-        writer->blanks += keys_width(table) - INDENT - pp_utf8_width(table->last_label);
+        writer->blanks +=
+            keys_width(table) - INDENT - pp_format_utf8_width(table->last_label);
     }
     for (int i = labelled ? panel->first : 0; i < panel->end;
          i = next_column(panel, i)) {
         const char *cell = table->columns[i].cells[row];
         put_gap(writer, panel, i);
-        put_right(writer, cell, (int)strlen(cell), pp_utf8_width(cell),
+        put_right(writer, cell, (int)strlen(cell), pp_format_utf8_width(cell),
                   table->columns[i].width);
     }
     end_line(writer);
@@ -335,7 +336,7 @@ void pp_table_print(struct pp_table *table, int width, FILE *out)
 {
     measure(table);
     int key_width = keys_width(table) - INDENT;
-    int label_width = table->last_label ? pp_utf8_width(table->last_label) : 0;
+    int label_width = table->last_label ? pp_format_utf8_width(table->last_label) : 0;
     if (table->key_count > 0 && key_width < label_width)
         table->columns[0].width += label_width - key_width;
 

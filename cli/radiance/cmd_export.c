@@ -4,10 +4,10 @@
 
 #include "cli/command_line.h"
 #include "cli/commands.h"
-#include "cli/messages.h"
+#include "cli/message.h"
 #include "cli/radiance/radiance_export.h"
 #include "cli/rooms.h"
-#include "cli/print/utf8.h"
+#include "cli/print/format.h"
 #include "model/base/read_file.h"
 #include "formats/radiance/rad_room.h"
 
@@ -42,7 +42,7 @@ static const struct pp_option to_options[] = {
     {"external", 0, "LUX",
      "Illuminance of the open level ground under the sky that is written (default "
      "10000).",
-     pp_read_lux, offsetof(struct export_options, external_lux)},
+     pp_options_read_lux, offsetof(struct export_options, external_lux)},
     {"gloss", 0, NULL,
      "Finishes with their colour and gloss, for pictures; daylight factors, and what "
      "is "
@@ -52,8 +52,8 @@ static const struct pp_option to_options[] = {
 };
 
 static const struct pp_option output_options[] = {
-    {"output", 'o', "DIR", "Directory to write: a new or an empty one.", pp_read_text,
-     offsetof(struct export_options, directory)},
+    {"output", 'o', "DIR", "Directory to write: a new or an empty one.",
+     pp_options_read_text, offsetof(struct export_options, directory)},
     {"force", 0, NULL,
      "Replace DIR where it holds an export; where it holds anything else it is left "
      "alone.",
@@ -89,7 +89,7 @@ static char *folder_of(const struct pp_rooms *rooms, int which, char *const *bef
     char fit[FOLDER_MOST + 20];
     int count = 0;
     for (int length; name && *name; name += length) {
-        length = pp_utf8_length(name);
+        length = pp_format_utf8_length(name);
         if (count + length > FOLDER_MOST)
             break;
         if (is_fit(name, length)) {
@@ -109,7 +109,7 @@ static char *folder_of(const struct pp_rooms *rooms, int which, char *const *bef
     return strdup(fit);
 }
 
-static enum pp_status add_rooms(struct pp_directory *directory,
+static enum pp_status add_rooms(struct pp_output_directory *directory,
                                 const struct pp_rooms *rooms,
                                 const struct export_options *options,
                                 struct pp_error *err)
@@ -127,7 +127,7 @@ static enum pp_status add_rooms(struct pp_directory *directory,
         if (status != PP_OK && folders[i] == NULL && rooms->several)
             break;
         if (status == PP_BAD_INPUT)
-            status = pp_fail(err, status, "%s: %.600s", pp_file_title(room->file),
+            status = pp_fail(err, status, "%s: %.600s", pp_read_file_title(room->file),
                              said.message);
         else if (status != PP_OK)
             status = pp_fail(err, status, "%s", said.message);
@@ -144,16 +144,17 @@ static void say_left_out(const struct pp_rooms *rooms, bool gloss)
 {
     for (int i = 0; i < rooms->count; i++) {
         const struct pp_world *world = rooms->list[i].world;
-        const char *file = pp_file_title(rooms->list[i].file);
+        const char *file = pp_read_file_title(rooms->list[i].file);
         if (world->decorations < 1.0)
-            pp_say("%.200s: the scene leaves out the allowance of %g on the internally "
-                   "reflected component for decorations; its daylight factors are "
-                   "higher by that",
-                   file, world->decorations);
+            pp_message(
+                "%.200s: the scene leaves out the allowance of %g on the internally "
+                "reflected component for decorations; its daylight factors are "
+                "higher by that",
+                file, world->decorations);
         if (!gloss && pp_rad_room_has_gloss(world))
-            pp_say("%.200s: finishes are matt and grey in the scene, as daylight "
-                   "factors take them; --gloss writes their colour and gloss",
-                   file);
+            pp_message("%.200s: finishes are matt and grey in the scene, as daylight "
+                       "factors take them; --gloss writes their colour and gloss",
+                       file);
     }
 }
 
@@ -167,16 +168,16 @@ static enum pp_exit run(const struct export_options *options,
     if (exit_status != PP_EXIT_DONE)
         return exit_status;
     struct pp_error err = {0};
-    struct pp_directory directory;
-    enum pp_status status = pp_directory_open(&directory, options->directory,
-                                              options->force, pp_radiance_files, &err);
+    struct pp_output_directory directory;
+    enum pp_status status = pp_output_directory_open(
+        &directory, options->directory, options->force, pp_radiance_files, &err);
     if (status == PP_OK)
         status = add_rooms(&directory, &rooms, options, &err);
     if (status == PP_OK)
-        status = pp_directory_commit(&directory, &err);
+        status = pp_output_directory_commit(&directory, &err);
     if (status != PP_OK) {
-        pp_directory_abandon(&directory);
-        exit_status = pp_say_error(&err);
+        pp_output_directory_clear(&directory);
+        exit_status = pp_message_error(&err);
     } else if (!room_options->quiet) {
         say_left_out(&rooms, options->gloss);
     }
@@ -230,8 +231,8 @@ enum pp_exit cmd_export(int argc, char **argv)
     if (status == PP_OK && !wants_help)
         status = check(&options, file_count, &err);
 
-    if (pp_command_starts(&line, argv, file_count, status, wants_help, &err,
-                          &exit_status))
+    if (pp_command_line_starts(&line, argv, file_count, status, wants_help, &err,
+                               &exit_status))
         exit_status = run(&options, &room_options, argv, file_count);
     pp_room_options_clear(&room_options);
     return exit_status;

@@ -5,16 +5,15 @@
 
 #include "cli/command_line.h"
 #include "cli/commands.h"
-#include "cli/format.h"
+#include "cli/print/format.h"
 #include "cli/interrupt.h"
-#include "cli/messages.h"
+#include "cli/message.h"
 #include "cli/output.h"
 #include "cli/print/print.h"
 #include "cli/radiance/print_sensors.h"
 #include "cli/progress.h"
 #include "cli/room_options.h"
 #include "cli/radiance/sensor_points.h"
-#include "cli/print/utf8.h"
 #include "model/base/clock.h"
 #include "model/light/scene_horizontal.h"
 
@@ -51,7 +50,7 @@ static enum pp_status read_lamps(const char *text, void *place, struct pp_error 
 static const struct pp_option import_options[] = {
     {"points-file", 0, "FILE",
      "Sensor points, a line \"x y z dx dy dz\" each; - is standard input.",
-     pp_read_input, offsetof(struct import_options, points_file)},
+     pp_options_read_input, offsetof(struct import_options, points_file)},
     {"lamps", 0, "HOW",
      "How their light is hunted: aimed (default) or chance, as if each light were a "
      "glow.",
@@ -170,15 +169,15 @@ static enum pp_exit run(const struct import_options *options,
                           : pp_fail_memory(&err);
     }
     if (status == PP_OK)
-        status = pp_print_imported(&imported, options->format,
-                                   pp_print_width(room_options->output),
-                                   pp_utf8_terminal(), output.stream, &err);
+        status = pp_print_sensors(&imported, options->format,
+                                  pp_print_width(room_options->output),
+                                  pp_format_utf8_terminal(), output.stream, &err);
     status = pp_output_close(&output, status, &err);
     enum pp_exit exit_status = PP_EXIT_DONE;
     if (status != PP_OK)
-        exit_status = pp_say_error(&err);
+        exit_status = pp_message_error(&err);
     else if (imported.readings && !imported.finished)
-        exit_status = pp_say_unfinished();
+        exit_status = pp_message_unfinished();
     pp_scene_description_clear(&scene);
     free(points);
     free(readings);
@@ -234,8 +233,8 @@ enum pp_exit cmd_import(int argc, char **argv)
     if (status == PP_OK && !wants_help)
         status = check(&options, &room_options, argv, file_count, &err);
 
-    if (pp_command_starts(&line, argv, file_count, status, wants_help, &err,
-                          &exit_status))
+    if (pp_command_line_starts(&line, argv, file_count, status, wants_help, &err,
+                               &exit_status))
         exit_status = run(&options, &room_options, argv, file_count);
     pp_room_options_clear(&room_options);
     return exit_status;

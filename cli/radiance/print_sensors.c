@@ -3,11 +3,10 @@
 #include <math.h>
 #include <string.h>
 
-#include "cli/print/csv.h"
+#include "cli/print/format.h"
 #include "cli/print/json.h"
 #include "cli/print/print.h"
 #include "cli/print/table.h"
-#include "cli/print/utf8.h"
 #include "model/base/read_file.h"
 
 /* Lux of an irradiance; and daylight factor in per cent, NAN where there is no sky. */
@@ -80,7 +79,7 @@ static void print_summary(const struct pp_imported *imported, FILE *out)
     fprintf(out, "Scene of");
     for (int i = 0; i < imported->file_count; i++) {
         fputc(' ', out);
-        pp_utf8_put(out, pp_file_title(imported->files[i]));
+        pp_format_utf8_put(out, pp_read_file_title(imported->files[i]));
     }
     fprintf(out, "\n\n  polygons          %ld, with %d corners\n",
             census.shapes[PP_SHAPE_POLYGON], scene->vertex_count);
@@ -320,14 +319,14 @@ static void print_csv(const struct pp_imported *imported, FILE *out)
                                   factor(imported, r->grey_error)};
         fprintf(out, "%.10g", point->position.x + 0.0);
         for (size_t k = 0; k < sizeof numbers / sizeof *numbers; k++)
-            pp_csv_number(numbers[k], out);
+            pp_format_csv_number(numbers[k], out);
         fprintf(out, ",%s\r\n", imported->finished ? "yes" : "no");
     }
 }
 
-enum pp_status pp_print_imported(const struct pp_imported *imported,
-                                 enum pp_format format, int width, bool utf8, FILE *out,
-                                 struct pp_error *err)
+enum pp_status pp_print_sensors(const struct pp_imported *imported,
+                                enum pp_format format, int width, bool utf8, FILE *out,
+                                struct pp_error *err)
 {
     switch (format) {
     case PP_FORMAT_JSON:

@@ -1,8 +1,8 @@
 /* print_sensors.h - an imported scene, and what its sensors say. */
-#ifndef PP_CLI_PRINT_SENSORS_H
-#define PP_CLI_PRINT_SENSORS_H
+#ifndef PP_CLI_RADIANCE_PRINT_SENSORS_H
+#define PP_CLI_RADIANCE_PRINT_SENSORS_H
 
-#include "cli/format.h"
+#include "cli/print/format.h"
 #include "formats/radiance/rad_read.h"
 #include "simulate/transport/sensors.h"
 
@@ -23,8 +23,8 @@ struct pp_imported {
 /* The efficacy that lux are worked out with, lm/W [WS98]. */
 #define PP_IMPORT_EFFICACY 179.0
 
-enum pp_status pp_print_imported(const struct pp_imported *imported,
-                                 enum pp_format format, int width, bool utf8, FILE *out,
-                                 struct pp_error *err);
+enum pp_status pp_print_sensors(const struct pp_imported *imported,
+                                enum pp_format format, int width, bool utf8, FILE *out,
+                                struct pp_error *err);
 
 #endif

@@ -30,14 +30,14 @@ const char *const pp_radiance_files[] = {
     "points.pts",    PP_RAD_CAL_NAME, "daylight_factors.sh", "scene.oct",   NULL};
 
 /* Another file of the room, with what it is on top, as a comment. */
-static enum pp_status add_file(struct pp_directory *directory, const char *folder,
-                               const char *name, bool runs, FILE **out,
-                               struct pp_error *err)
+static enum pp_status add_file(struct pp_output_directory *directory,
+                               const char *folder, const char *name, bool runs,
+                               FILE **out, struct pp_error *err)
 {
     char *path;
     if (asprintf(&path, "%s%s%s", folder ? folder : "", folder ? "/" : "", name) < 0)
         return pp_fail_memory(err);
-    enum pp_status status = pp_directory_add(directory, path, runs, out, err);
+    enum pp_status status = pp_output_directory_add(directory, path, runs, out, err);
     free(path);
     return status;
 }
@@ -49,10 +49,10 @@ static void print_comment(const char *text, FILE *out)
         fputc((unsigned char)*text < 32 ? ' ' : *text, out);
 }
 
-static enum pp_status add_scene_file(struct pp_directory *directory, const char *folder,
-                                     const char *name, const char *says,
-                                     const struct pp_world *world, FILE **out,
-                                     struct pp_error *err)
+static enum pp_status add_scene_file(struct pp_output_directory *directory,
+                                     const char *folder, const char *name,
+                                     const char *says, const struct pp_world *world,
+                                     FILE **out, struct pp_error *err)
 {
     enum pp_status status = add_file(directory, folder, name, false, out, err);
     if (status != PP_OK)
@@ -66,8 +66,8 @@ static enum pp_status add_scene_file(struct pp_directory *directory, const char 
     return PP_OK;
 }
 
-static enum pp_status add_points(struct pp_directory *directory, const char *folder,
-                                 const struct pp_loaded_room *room,
+static enum pp_status add_points(struct pp_output_directory *directory,
+                                 const char *folder, const struct pp_loaded_room *room,
                                  struct pp_error *err)
 {
     FILE *out;
@@ -78,7 +78,7 @@ static enum pp_status add_points(struct pp_directory *directory, const char *fol
                                    at->normal.x,   at->normal.y,   at->normal.z};
         for (int k = 0; k < 6; k++) {
             char text[32];
-            pp_rad_number_text(numbers[k], text);
+            pp_rad_write_number_text(numbers[k], text);
             fprintf(out, "%s%s", k ? " " : "", text);
         }
         fputc('\n', out);
@@ -112,17 +112,17 @@ static const char script[] =
     "        printf \"%%s %%s %%s %%.5g\\n\", $1, $2, $3, 100 * grey / horizontal\n"
     "    }'\n";
 
-static enum pp_status add_script(struct pp_directory *directory, const char *folder,
-                                 const struct pp_rad_room *rad, double external_lux,
-                                 struct pp_error *err)
+static enum pp_status add_script(struct pp_output_directory *directory,
+                                 const char *folder, const struct pp_rad_room *rad,
+                                 double external_lux, struct pp_error *err)
 {
     FILE *out;
     enum pp_status status = add_file(directory, folder, script_name, true, &out, err);
     if (status != PP_OK)
         return status;
     char irradiance[32], lux[32];
-    pp_rad_number_text(external_lux / PP_RADIANCE_EFFICACY, irradiance);
-    pp_rad_number_text(external_lux, lux);
+    pp_rad_write_number_text(external_lux / PP_RADIANCE_EFFICACY, irradiance);
+    pp_rad_write_number_text(external_lux, lux);
     fputs("#!/bin/sh\n"
           "# Daylight factors (%) at the points of points.pts, by Radiance's rtrace:\n"
           "# lines \"x y z factor\". Options of rtrace may be given instead of those "
@@ -138,8 +138,8 @@ static enum pp_status add_script(struct pp_directory *directory, const char *fol
     return PP_OK;
 }
 
-static enum pp_status add_scene(struct pp_directory *directory, const char *folder,
-                                const struct pp_loaded_room *room,
+static enum pp_status add_scene(struct pp_output_directory *directory,
+                                const char *folder, const struct pp_loaded_room *room,
                                 const struct pp_rad_room *rad,
                                 const struct pp_rad_writer *writer,
                                 struct pp_error *err)
@@ -160,8 +160,8 @@ static enum pp_status add_scene(struct pp_directory *directory, const char *fold
     return status;
 }
 
-enum pp_status pp_radiance_export(struct pp_directory *directory, const char *folder,
-                                  const struct pp_loaded_room *room,
+enum pp_status pp_radiance_export(struct pp_output_directory *directory,
+                                  const char *folder, const struct pp_loaded_room *room,
                                   double external_lux, bool gloss, struct pp_error *err)
 {
     struct pp_rad_room rad;
@@ -170,10 +170,10 @@ enum pp_status pp_radiance_export(struct pp_directory *directory, const char *fo
     if (status != PP_OK)
         return status;
     struct pp_rad_writer *writer;
-    status = pp_rad_writer_create(&writer, &rad.scene, err);
+    status = pp_rad_write_create(&writer, &rad.scene, err);
     if (status == PP_OK) {
         status = add_scene(directory, folder, room, &rad, writer, err);
-        pp_rad_writer_destroy(writer);
+        pp_rad_write_destroy(writer);
     }
     if (status == PP_OK)
         status = add_script(directory, folder, &rad, external_lux, err);
@@ -184,6 +184,6 @@ enum pp_status pp_radiance_export(struct pp_directory *directory, const char *fo
     if (status == PP_OK)
         status = add_file(directory, folder, PP_RAD_CAL_NAME, false, &out, err);
     if (status == PP_OK)
-        fputs(pp_rad_cal_text(), out);
+        fputs(pp_rad_functions_cal_text(), out);
     return status;
 }

@@ -1,6 +1,6 @@
 /* radiance_export.h - a room as a directory of Radiance's files. */
-#ifndef PP_CLI_RADIANCE_EXPORT_H
-#define PP_CLI_RADIANCE_EXPORT_H
+#ifndef PP_CLI_RADIANCE_RADIANCE_EXPORT_H
+#define PP_CLI_RADIANCE_RADIANCE_EXPORT_H
 
 #include "cli/output_directory.h"
 #include "cli/rooms.h"
@@ -13,8 +13,8 @@ extern const char *const pp_radiance_files[];
 
 /* Adds the room's files, below `folder` (NULL: at the top), with an open level
  * illuminance of `external_lux`; `gloss`: with the finishes' colour and gloss. */
-enum pp_status pp_radiance_export(struct pp_directory *directory, const char *folder,
-                                  const struct pp_loaded_room *room,
+enum pp_status pp_radiance_export(struct pp_output_directory *directory,
+                                  const char *folder, const struct pp_loaded_room *room,
                                   double external_lux, bool gloss,
                                   struct pp_error *err);
 

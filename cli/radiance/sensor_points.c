@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "model/base/read_file.h"
-#include "model/base/number.h"
+#include "model/base/text.h"
 
 static const size_t FILE_MOST = (size_t)64 << 20;
 enum { POINTS_MOST = 100000 };
@@ -17,7 +17,7 @@ static int read_numbers(char *line, double numbers[6])
     for (char *rest = line, *word; (word = strsep(&rest, " \t\r,")) != NULL;) {
         if (*word == '\0')
             continue;
-        if (count == 6 || !pp_number_parse(word, &numbers[count])
+        if (count == 6 || !pp_text_parse_number(word, &numbers[count])
             || fabs(numbers[count]) > 1e9)
             return -1;
         count++;
@@ -38,7 +38,7 @@ static enum pp_status take_line(struct pp_sensor **list, int *count, int *space,
         return pp_fail(err, PP_BAD_INPUT,
                        "%.200s:%d: expected six numbers, x y z dx dy dz", file, line);
     struct pp_vec3 normal = pp_vec(n[3], n[4], n[5]);
-    double length = pp_length(normal);
+    double length = pp_vec_length(normal);
     if (!(length > 0.0))
         return pp_fail(err, PP_BAD_INPUT, "%.200s:%d: a direction of 0 0 0", file,
                        line);
@@ -54,7 +54,7 @@ static enum pp_status take_line(struct pp_sensor **list, int *count, int *space,
         *space = wanted;
     }
     (*list)[(*count)++] = (struct pp_sensor){pp_vec(n[0], n[1], n[2]),
-                                             pp_scale(normal, 1.0 / length), line};
+                                             pp_vec_scale(normal, 1.0 / length), line};
     return PP_OK;
 }
 
@@ -65,10 +65,10 @@ enum pp_status pp_sensor_points_read(struct pp_sensor **list, int *count,
     size_t length;
     *list = NULL;
     *count = 0;
-    enum pp_status status = pp_file_bytes(&bytes, &length, path, FILE_MOST, err);
+    enum pp_status status = pp_read_file(&bytes, &length, path, FILE_MOST, err);
     if (status != PP_OK)
         return status;
-    const char *file = pp_file_title(path);
+    const char *file = pp_read_file_title(path);
     char *ended = realloc(bytes, length + 1);
     if (!ended) {
         free(bytes);

@@ -1,7 +1,7 @@
 /* sensor_points.h - sensor points as Radiance's programs read them: lines of
  * "x y z dx dy dz". */
-#ifndef PP_CLI_SENSOR_POINTS_H
-#define PP_CLI_SENSOR_POINTS_H
+#ifndef PP_CLI_RADIANCE_SENSOR_POINTS_H
+#define PP_CLI_RADIANCE_SENSOR_POINTS_H
 
 #include "simulate/transport/sensors.h"
 

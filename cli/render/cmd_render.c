@@ -2,9 +2,9 @@
 #include "cli/command_line.h"
 #include "cli/commands.h"
 #include "cli/render/make_picture.h"
-#include "cli/messages.h"
+#include "cli/message.h"
 #include "cli/output.h"
-#include "cli/render/render_options.h"
+#include "cli/render/render_choice.h"
 #include "cli/rooms.h"
 #include "cli/render/show_picture.h"
 
@@ -12,7 +12,7 @@ static const struct pp_option external_option[] = {
     {"external", 0, "LUX",
      "Horizontal illuminance outside, in lux (default 10000), which luminances and "
      "illuminances are in proportion to.",
-     pp_read_lux, offsetof(struct pp_room_options, external_lux)},
+     pp_options_read_lux, offsetof(struct pp_room_options, external_lux)},
     {0},
 };
 
@@ -22,7 +22,7 @@ static const char about[] =
     "a "
     "scale and level lines beside. FILE is a room file; - is standard input.";
 
-static enum pp_exit write_output(const struct pp_shown *shown,
+static enum pp_exit write_output(const struct pp_shown_picture *shown,
                                  const struct pp_render_choice *choice,
                                  const char *path)
 {
@@ -33,7 +33,7 @@ static enum pp_exit write_output(const struct pp_shown *shown,
         status = pp_show_picture(shown, choice, path, output.stream, &err);
     status = pp_output_close(&output, status, &err);
     if (status != PP_OK)
-        return pp_say_error(&err);
+        return pp_message_error(&err);
     return PP_EXIT_DONE;
 }
 
@@ -43,8 +43,8 @@ static enum pp_exit try_output(const char *path)
     struct pp_error err = {0};
     struct pp_output output;
     if (pp_output_open(&output, path, &err) != PP_OK)
-        return pp_say_error(&err);
-    pp_output_abandon(&output);
+        return pp_message_error(&err);
+    pp_output_clear(&output);
     return PP_EXIT_DONE;
 }
 
@@ -55,7 +55,7 @@ static void say_if_black(const struct pp_picture *picture)
     for (size_t i = 0; i < count; i++)
         if (picture->rgb[i] > 0.0f)
             return;
-    pp_say("the picture is black: no light reaches what it shows");
+    pp_message("the picture is black: no light reaches what it shows");
 }
 
 static enum pp_exit render_room(const struct pp_loaded_room *room,
@@ -67,16 +67,16 @@ static enum pp_exit render_room(const struct pp_loaded_room *room,
     enum pp_status status = pp_make_picture(&made, room->world, choice, options, &err);
     enum pp_exit result = PP_EXIT_DONE;
     if (status == PP_INTERRUPTED) {
-        pp_say("%s", err.message);
+        pp_message("%s", err.message);
         result = PP_EXIT_INTERRUPTED;
     } else if (status != PP_OK) {
-        result = pp_say_error(&err);
+        result = pp_message_error(&err);
     } else {
         result = write_output(&made.shown, choice, options->output);
         if (result == PP_EXIT_DONE)
             say_if_black(&made.shown.picture);
     }
-    pp_made_picture_clear(&made);
+    pp_make_picture_clear(&made);
     return result;
 }
 
@@ -84,9 +84,9 @@ static enum pp_exit show_file(const struct pp_render_choice *choice,
                               const struct pp_room_options *options)
 {
     struct pp_error err = {0};
-    struct pp_shown shown;
-    if (pp_read_shown(&shown, choice, &err) != PP_OK)
-        return pp_say_error(&err);
+    struct pp_shown_picture shown;
+    if (pp_show_picture_read(&shown, choice, &err) != PP_OK)
+        return pp_message_error(&err);
     enum pp_exit result = write_output(&shown, choice, options->output);
     pp_picture_clear(&shown.picture);
     return result;
@@ -109,7 +109,7 @@ static enum pp_exit run(const struct pp_render_choice *choice,
         pp_fail(&err, PP_BAD_INPUT,
                 "there are %d rooms, and a picture is of one; expected --room NAME",
                 rooms.count);
-        result = pp_say_usage("render", &err);
+        result = pp_message_usage("render", &err);
     }
     if (result == PP_EXIT_DONE)
         result = render_room(&rooms.list[0], choice, options);
@@ -120,14 +120,14 @@ static enum pp_exit run(const struct pp_render_choice *choice,
 enum pp_exit cmd_render(int argc, char **argv)
 {
     struct pp_room_options options = pp_room_options_none;
-    struct pp_render_choice choice = pp_render_choice_none();
+    struct pp_render_choice choice = pp_render_choice_default();
     const struct pp_option_group groups[] = {
         {"The view", pp_render_view_options, &choice},
         {"The picture", pp_render_picture_options, &choice},
         {"The picture", external_option, &options},
         {"The picture", pp_room_sky_options, &options},
         {"The picture", pp_room_seed_options, &options},
-        {"Irradiance cache", pp_cache_word_options, &choice.cache},
+        {"Irradiance cache", pp_cache_choice_options, &choice.cache},
         {"How it is shown", pp_render_shown_options, &choice},
         {"Output", pp_room_output_options, &options},
         {0},
@@ -144,8 +144,8 @@ enum pp_exit cmd_render(int argc, char **argv)
         status = pp_render_choice_check(&choice, &options, file_count, &err);
     if (options.external_lux == 0.0)
         options.external_lux = 1e4;
-    if (pp_command_starts(&line, argv, file_count, status, wants_help, &err,
-                          &exit_status))
+    if (pp_command_line_starts(&line, argv, file_count, status, wants_help, &err,
+                               &exit_status))
         exit_status = run(&choice, &options, argv);
     pp_render_choice_clear(&choice);
     pp_room_options_clear(&options);

@@ -48,7 +48,7 @@ static enum pp_status read_checkpoint(const char *path, char **bytes, size_t *le
     *bytes = NULL;
     if (access(path, F_OK) != 0 && errno == ENOENT)
         return PP_OK;
-    return pp_file_bytes(bytes, length, path, CHECKPOINT_MOST, err);
+    return pp_read_file(bytes, length, path, CHECKPOINT_MOST, err);
 }
 
 /* Gives the cache the records that the checkpoint keeps. */
@@ -67,7 +67,7 @@ static enum pp_status take_records(struct pp_irradiance_cache *cache, const char
     if (status != PP_OK)
         pp_fail(err, status, "%s: %s", path, own.message);
     else if (records
-             && pp_irradiance_cache_unpack(cache, records, count, path, &own) != PP_OK)
+             && pp_cache_file_unpack(cache, records, count, path, &own) != PP_OK)
         status = pp_fail(err, PP_BAD_INPUT,
                          "%s: the checkpoint is of another picture: its room or "
                          "options differ",
@@ -85,8 +85,8 @@ static enum pp_status fill_cache(struct pp_made_picture *made,
 {
     struct pp_overture *overture = NULL;
     enum pp_status status =
-        pp_cache_words_open(&made->cache, &choice->cache, made->scene, made->store,
-                            &render->light, options->seed, options->threads, err);
+        pp_cache_choice_open(&made->cache, &choice->cache, made->scene, made->store,
+                             &render->light, options->seed, options->threads, err);
     if (status == PP_OK && choice->checkpoint
         && pp_irradiance_cache_count(made->cache) == 0)
         status = take_records(made->cache, choice->checkpoint, err);
@@ -97,11 +97,11 @@ static enum pp_status fill_cache(struct pp_made_picture *made,
         status = grow(overture, options->quiet, err);
     pp_overture_destroy(overture);
     if (status == PP_OK)
-        status = pp_cache_words_save(&choice->cache, made->cache, err);
+        status = pp_cache_choice_save(&choice->cache, made->cache, err);
     if (status != PP_OK)
         return status;
     render->ambient = pp_irradiance_cache_ambient(made->cache);
-    render->ambient_mark = pp_render_cache_mark(made->cache);
+    render->ambient_hash = pp_render_cache_hash(made->cache);
     return PP_OK;
 }
 
@@ -157,7 +157,8 @@ static enum pp_status resume(struct pp_made_picture *made, const char *path,
     if (status != PP_OK || !bytes)
         return status;
     struct pp_error own = {0};
-    status = pp_render_resume(made->render, (const unsigned char *)bytes, length, &own);
+    status =
+        pp_checkpoint_resume(made->render, (const unsigned char *)bytes, length, &own);
     free(bytes);
     return status == PP_OK ? PP_OK : pp_fail(err, status, "%s: %s", path, own.message);
 }
@@ -168,7 +169,7 @@ static enum pp_status save(const struct pp_made_picture *made, const char *path,
     struct pp_output output;
     enum pp_status status = pp_output_open(&output, path, err);
     if (status == PP_OK)
-        status = pp_render_save(made->render, made->cache, output.stream, err);
+        status = pp_checkpoint_save(made->render, made->cache, output.stream, err);
     return pp_output_close(&output, status, err);
 }
 
@@ -225,7 +226,7 @@ static enum pp_status take_picture(struct pp_made_picture *made,
                                    const struct pp_room_options *options,
                                    struct pp_error *err)
 {
-    struct pp_shown *shown = &made->shown;
+    struct pp_shown_picture *shown = &made->shown;
     enum pp_status status = PP_OK;
     pp_render_take_picture(made->render, &shown->picture);
     shown->quantity = choice->quantity.is;
@@ -235,8 +236,8 @@ static enum pp_status take_picture(struct pp_made_picture *made,
     pp_camera_options(&shown->camera, shown->view, sizeof shown->view);
     pp_render_view_words(shown->words, sizeof shown->words, &shown->camera, world);
     if (choice->records) {
-        status = pp_render_records(made->render, made->cache, &made->marks,
-                                   &shown->mark_count, err);
+        status = pp_render_cache_positions(made->render, made->cache, &made->marks,
+                                           &shown->mark_count, err);
         shown->marks = made->marks;
     }
     double scale = shown->quantity == PP_DAYLIGHT_FACTOR
@@ -264,7 +265,7 @@ enum pp_status pp_make_picture(struct pp_made_picture *made,
     return status;
 }
 
-void pp_made_picture_clear(struct pp_made_picture *made)
+void pp_make_picture_clear(struct pp_made_picture *made)
 {
     pp_picture_clear(&made->shown.picture);
     pp_render_destroy(made->render);

@@ -1,12 +1,12 @@
 /* make_picture.h - a room's picture, rendered with a bar, checkpoints and Ctrl-C. */
-#ifndef PP_CLI_MAKE_PICTURE_H
-#define PP_CLI_MAKE_PICTURE_H
+#ifndef PP_CLI_RENDER_MAKE_PICTURE_H
+#define PP_CLI_RENDER_MAKE_PICTURE_H
 
-#include "cli/render/render_options.h"
+#include "cli/render/render_choice.h"
 #include "cli/render/show_picture.h"
 
 struct pp_made_picture {
-    struct pp_shown shown;
+    struct pp_shown_picture shown;
     struct pp_light_scene *scene;
     struct pp_window_store *store;
     struct pp_irradiance_cache *cache; /* NULL: by paths */
@@ -21,6 +21,6 @@ enum pp_status pp_make_picture(struct pp_made_picture *made,
                                const struct pp_render_choice *choice,
                                const struct pp_room_options *options,
                                struct pp_error *err);
-void pp_made_picture_clear(struct pp_made_picture *made);
+void pp_make_picture_clear(struct pp_made_picture *made);
 
 #endif

@@ -12,7 +12,8 @@
 static const double smooth_share = 1.0 / 250.0, shortest_share = 1.0 / 25.0;
 
 /* Lengths and north, of a parallel view. */
-static void lay_lengths(struct pp_picture_sheet *sheet, const struct pp_shown *shown)
+static void lay_lengths(struct pp_picture_sheet *sheet,
+                        const struct pp_shown_picture *shown)
 {
     const struct pp_camera *camera = &shown->camera;
     if (camera->kind != PP_VIEW_PARALLEL)
@@ -21,12 +22,13 @@ static void lay_lengths(struct pp_picture_sheet *sheet, const struct pp_shown *s
     struct pp_vec3 north = {-sin(n), cos(n), 0.0};
     sheet->pixels_per_m = shown->picture.width / camera->across;
     sheet->upright = hypot(camera->toward.x, camera->toward.y) > 1e-6;
-    sheet->north_rad = -atan2(pp_dot(north, camera->right), pp_dot(north, camera->up));
+    sheet->north_rad =
+        -atan2(pp_vec_dot(north, camera->right), pp_vec_dot(north, camera->up));
 }
 
 /* Daylight factors and illuminances allow for decorations, luminances don't. */
 static void note_decorations(struct pp_picture_sheet *sheet,
-                             const struct pp_shown *shown)
+                             const struct pp_shown_picture *shown)
 {
     size_t room = sizeof sheet->foot;
     if (shown->world->decorations == 1.0)
@@ -39,8 +41,9 @@ static void note_decorations(struct pp_picture_sheet *sheet,
                     shown->world->decorations);
 }
 
-void pp_lay_words(struct pp_picture_sheet *sheet, const struct pp_shown *shown,
-                  const struct pp_render_choice *choice)
+void pp_picture_words(struct pp_picture_sheet *sheet,
+                      const struct pp_shown_picture *shown,
+                      const struct pp_render_choice *choice)
 {
     struct pp_quantity_words words = pp_quantity_words(shown->quantity);
     size_t room = sizeof sheet->subtitle, notes = sizeof sheet->foot;
@@ -92,33 +95,33 @@ static void choose_levels(struct pp_picture_sheet *sheet,
         return;
     }
     /* Those within the scale. */
-    double all[PP_COLOUR_LEVELS_MOST];
-    int count = pp_colour_scale_levels(&sheet->scale, all);
+    double all[PP_FALSE_COLOUR_LEVELS_MOST];
+    int count = pp_false_colour_scale_levels(&sheet->scale, all);
     for (int i = 0; i < count; i++)
         if (all[i] > sheet->scale.low && all[i] < sheet->scale.high)
             sheet->levels[sheet->level_count++] = all[i];
 }
 
-enum pp_status pp_lay_false_colour(struct pp_picture_sheet *sheet,
-                                   const struct pp_shown *shown,
-                                   const struct pp_render_choice *choice,
-                                   struct pp_error *err)
+enum pp_status pp_picture_words_false_colour(struct pp_picture_sheet *sheet,
+                                             const struct pp_shown_picture *shown,
+                                             const struct pp_render_choice *choice,
+                                             struct pp_error *err)
 {
     const struct pp_picture *picture = &shown->picture;
     struct pp_quantity_words words = pp_quantity_words(shown->quantity);
     sheet->scaled = true;
     sheet->unit = words.unit;
-    enum pp_status status =
-        pp_colour_scale_fit(&sheet->scale, picture, words.scale, !choice->linear, err);
+    enum pp_status status = pp_false_colour_scale_fit(
+        &sheet->scale, picture, words.scale, !choice->linear, err);
     if (choice->range.count)
-        sheet->scale = (struct pp_colour_scale){choice->range.list[0],
-                                                choice->range.list[1], !choice->linear};
+        sheet->scale = (struct pp_false_colour_scale){
+            choice->range.list[0], choice->range.list[1], !choice->linear};
     look_beyond(sheet, picture, words.scale);
     choose_levels(sheet, choice);
     double side = fmax(picture->width, picture->height);
     if (status == PP_OK)
-        status = pp_raster_of_scale(&sheet->raster, picture, words.scale, &sheet->scale,
-                                    err);
+        status = pp_false_colour_raster(&sheet->raster, picture, words.scale,
+                                        &sheet->scale, err);
     if (status == PP_OK)
         status = pp_iso_lines(&sheet->lines, picture, shown->tags, words.scale,
                               sheet->levels, sheet->level_count, smooth_share * side,

@@ -66,8 +66,8 @@ static enum pp_status take_typed(struct pp_view_place *place,
         struct pp_vec3 target = choice->towards.is;
         if (choice->towards.count == 2)
             target.z = place->eye.z;
-        place->toward = pp_sub(target, place->eye);
-        if (!(pp_length(place->toward) > 1e-9))
+        place->toward = pp_vec_sub(target, place->eye);
+        if (!(pp_vec_length(place->toward) > 1e-9))
             return pp_fail(err, PP_BAD_INPUT,
                            "the view is towards (%g, %g, %g), where the eye is; "
                            "expected --towards another place, or --direction X,Y,Z",
@@ -86,7 +86,7 @@ static enum pp_status take_typed(struct pp_view_place *place,
 static enum pp_status check_eye(struct pp_vec3 eye, const struct pp_world *world,
                                 struct pp_error *err)
 {
-    if (pp_world_in_surface(world, eye))
+    if (pp_position_in_surface(world, eye))
         return pp_fail(err, PP_BAD_INPUT,
                        "the eye, at (%g, %g, %g), is in a surface; expected --from a "
                        "place in the air",

@@ -1,8 +1,8 @@
 /* render_view.h - from the words of the command line to a camera in a room. */
-#ifndef PP_CLI_RENDER_VIEW_H
-#define PP_CLI_RENDER_VIEW_H
+#ifndef PP_CLI_RENDER_RENDER_VIEW_H
+#define PP_CLI_RENDER_RENDER_VIEW_H
 
-#include "cli/render/render_options.h"
+#include "cli/render/render_choice.h"
 #include "model/pictures/camera.h"
 #include "simulate/scene/light_scene.h"
 

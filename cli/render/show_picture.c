@@ -19,7 +19,7 @@
 
 /* ---- from a file ---- */
 
-static enum pp_status take_notes(struct pp_shown *shown,
+static enum pp_status take_notes(struct pp_shown_picture *shown,
                                  const struct pp_hdr_notes *notes,
                                  const struct pp_render_choice *choice,
                                  struct pp_error *err)
@@ -38,24 +38,24 @@ static enum pp_status take_notes(struct pp_shown *shown,
     return PP_OK;
 }
 
-enum pp_status pp_read_shown(struct pp_shown *shown,
-                             const struct pp_render_choice *choice,
-                             struct pp_error *err)
+enum pp_status pp_show_picture_read(struct pp_shown_picture *shown,
+                                    const struct pp_render_choice *choice,
+                                    struct pp_error *err)
 {
-    *shown = (struct pp_shown){0};
+    *shown = (struct pp_shown_picture){0};
     char *bytes;
     size_t length;
     enum pp_status status =
-        pp_file_bytes(&bytes, &length, choice->from_picture, BYTES_MOST, err);
+        pp_read_file(&bytes, &length, choice->from_picture, BYTES_MOST, err);
     if (status != PP_OK)
         return status;
     struct pp_hdr_notes notes;
     struct pp_error own = {0};
-    status = pp_hdr_read(&shown->picture, &notes, (const unsigned char *)bytes, length,
-                         &own);
+    status = pp_picture_hdr_read(&shown->picture, &notes, (const unsigned char *)bytes,
+                                 length, &own);
     free(bytes);
     if (status != PP_OK)
-        return pp_fail(err, status, "%s: %s", pp_file_title(choice->from_picture),
+        return pp_fail(err, status, "%s: %s", pp_read_file_title(choice->from_picture),
                        own.message);
     size_t count = 3 * (size_t)shown->picture.width * (size_t)shown->picture.height;
     for (size_t i = 0; i < count; i++)
@@ -83,19 +83,19 @@ static enum pp_status without_gaps(struct pp_picture *copy,
     return PP_OK;
 }
 
-static enum pp_status write_pfm(FILE *out, const struct pp_shown *shown,
+static enum pp_status write_pfm(FILE *out, const struct pp_shown_picture *shown,
                                 struct pp_error *err)
 {
     struct pp_picture whole;
     enum pp_status status = without_gaps(&whole, &shown->picture, err);
     if (status != PP_OK)
         return status;
-    status = pp_pfm_write(out, &whole, err);
+    status = pp_picture_pfm_write(out, &whole, err);
     pp_picture_clear(&whole);
     return status;
 }
 
-static enum pp_status write_hdr(FILE *out, const struct pp_shown *shown,
+static enum pp_status write_hdr(FILE *out, const struct pp_shown_picture *shown,
                                 struct pp_error *err)
 {
     struct pp_hdr_notes notes = {.exposure = 1.0,
@@ -104,11 +104,11 @@ static enum pp_status write_hdr(FILE *out, const struct pp_shown *shown,
     if (shown->quantity != PP_LUMINANCE)
         snprintf(notes.quantity, sizeof notes.quantity, "%s",
                  pp_quantity_words(shown->quantity).name);
-    return pp_hdr_write(out, &shown->picture, &notes, err);
+    return pp_picture_hdr_write(out, &shown->picture, &notes, err);
 }
 
 static enum pp_status tone_raster(struct pp_raster *raster,
-                                  const struct pp_shown *shown,
+                                  const struct pp_shown_picture *shown,
                                   const struct pp_render_choice *choice,
                                   struct pp_error *err)
 {
@@ -127,7 +127,7 @@ static enum pp_status tone_raster(struct pp_raster *raster,
     return status;
 }
 
-static enum pp_status write_png(FILE *out, const struct pp_shown *shown,
+static enum pp_status write_png(FILE *out, const struct pp_shown_picture *shown,
                                 const struct pp_render_choice *choice,
                                 struct pp_error *err)
 {
@@ -145,17 +145,18 @@ static enum pp_status write_png(FILE *out, const struct pp_shown *shown,
 }
 
 static enum pp_status lay_raster(struct pp_picture_sheet *sheet,
-                                 const struct pp_shown *shown,
+                                 const struct pp_shown_picture *shown,
                                  const struct pp_render_choice *choice,
                                  struct pp_error *err)
 {
     if (choice->false_colour)
-        return pp_lay_false_colour(sheet, shown, choice, err);
+        return pp_picture_words_false_colour(sheet, shown, choice, err);
     return tone_raster(&sheet->raster, shown, choice, err);
 }
 
 static enum pp_status lay_marks(struct pp_picture_sheet *sheet,
-                                const struct pp_shown *shown, struct pp_error *err)
+                                const struct pp_shown_picture *shown,
+                                struct pp_error *err)
 {
     if (shown->mark_count == 0)
         return PP_OK;
@@ -186,12 +187,12 @@ static enum pp_status draw_sheet(FILE *out, const struct pp_picture_sheet *sheet
     return status;
 }
 
-static enum pp_status write_sheet(FILE *out, const struct pp_shown *shown,
+static enum pp_status write_sheet(FILE *out, const struct pp_shown_picture *shown,
                                   const struct pp_render_choice *choice,
                                   enum pp_picture_format format, struct pp_error *err)
 {
     struct pp_picture_sheet sheet = {0};
-    pp_lay_words(&sheet, shown, choice);
+    pp_picture_words(&sheet, shown, choice);
     enum pp_status status = lay_raster(&sheet, shown, choice, err);
     if (status == PP_OK && choice->grid)
         status = pp_view_grid(&sheet, &shown->camera, shown->world, err);
@@ -213,15 +214,15 @@ static enum pp_status write_sheet(FILE *out, const struct pp_shown *shown,
     return status;
 }
 
-enum pp_status pp_show_picture(const struct pp_shown *shown,
+enum pp_status pp_show_picture(const struct pp_shown_picture *shown,
                                const struct pp_render_choice *choice, const char *path,
                                FILE *out, struct pp_error *err)
 {
     enum pp_picture_format format;
-    enum pp_status status = pp_picture_format_of(&format, choice, path, err);
+    enum pp_status status = pp_render_choice_format(&format, choice, path, err);
     if (status != PP_OK)
         return status;
-    if (pp_on_sheet(choice, format))
+    if (pp_render_choice_on_sheet(choice, format))
         return write_sheet(out, shown, choice, format, err);
     switch (format) {
     case PP_PICTURE_HDR:

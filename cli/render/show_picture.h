@@ -1,13 +1,13 @@
 /* show_picture.h - a picture into a file of the format that its name asks for. */
-#ifndef PP_CLI_SHOW_PICTURE_H
-#define PP_CLI_SHOW_PICTURE_H
+#ifndef PP_CLI_RENDER_SHOW_PICTURE_H
+#define PP_CLI_RENDER_SHOW_PICTURE_H
 
 #include <stdio.h>
 
-#include "cli/render/render_options.h"
+#include "cli/render/render_choice.h"
 
 /* A picture and what is known about it. */
-struct pp_shown {
+struct pp_shown_picture {
     struct pp_picture picture; /* in the units of its quantity (quantity.h) */
     enum pp_quantity quantity;
     struct pp_camera camera;      /* of a room's picture; */
@@ -22,11 +22,11 @@ struct pp_shown {
 };
 
 /* The picture of --from-picture; its own (picture) is the caller's to clear. */
-enum pp_status pp_read_shown(struct pp_shown *shown,
-                             const struct pp_render_choice *choice,
-                             struct pp_error *err);
+enum pp_status pp_show_picture_read(struct pp_shown_picture *shown,
+                                    const struct pp_render_choice *choice,
+                                    struct pp_error *err);
 
-enum pp_status pp_show_picture(const struct pp_shown *shown,
+enum pp_status pp_show_picture(const struct pp_shown_picture *shown,
                                const struct pp_render_choice *choice, const char *path,
                                FILE *out, struct pp_error *err);
 

@@ -6,13 +6,13 @@
 #include "cli/command_line.h"
 #include "cli/commands.h"
 #include "cli/interrupt.h"
-#include "cli/messages.h"
+#include "cli/message.h"
 #include "cli/output.h"
 #include "cli/print/print.h"
 #include "cli/size/print_size.h"
 #include "cli/rooms.h"
 #include "cli/size/size_options.h"
-#include "cli/print/utf8.h"
+#include "cli/print/format.h"
 
 static const char about[] =
     "The window that just reaches a target: the smallest width, height, head, sill or "
@@ -34,7 +34,7 @@ static enum pp_status write_file(const struct pp_size_results *results,
         return pp_fail_memory(err);
     count = 0;
     for (int i = 0; i < results->count; i++) {
-        const struct pp_size_result *result = &results->list[i];
+        const struct pp_size_room_result *result = &results->list[i];
         if (result->answer.verdict != PP_SIZE_REACHED)
             continue;
         reached = true;
@@ -47,8 +47,8 @@ static enum pp_status write_file(const struct pp_size_results *results,
     size_t length;
     struct pp_output output = {0};
     enum pp_status status =
-        reached ? pp_room_text_edit(&text, &length, results->list[0].file_text,
-                                    results->list[0].file_length, edits, count, err)
+        reached ? pp_edit_text(&text, &length, results->list[0].file_text,
+                               results->list[0].file_length, edits, count, err)
                 : pp_fail(err, PP_BAD_INPUT,
                           "the target is not reached, so %s is not written", path);
     if (status == PP_OK)
@@ -71,7 +71,7 @@ static enum pp_status compute(struct pp_size_results *results,
     bool of_one_window = results->options->line > 0 || results->options->wall;
     int sized = 0;
     for (int i = 0; i < rooms->count; i++) {
-        struct pp_size_result *result = &results->list[results->count++];
+        struct pp_size_room_result *result = &results->list[results->count++];
         struct pp_error fault = {0};
         enum pp_status status =
             pp_size_room(result, rooms, i, results->options, &fault);
@@ -80,7 +80,7 @@ static enum pp_status compute(struct pp_size_results *results,
         if (status != PP_OK && (status != PP_BAD_INPUT || none))
             return pp_fail(err, status, "%s: %s", rooms->list[i].file, fault.message);
         if (status == PP_BAD_INPUT)
-            pp_size_result_give_up(result, fault.message);
+            pp_size_room_result_refuse(result, fault.message);
         if (status == PP_BAD_INPUT && of_one_window)
             results->count--;
     }
@@ -104,11 +104,11 @@ static enum pp_exit size_rooms(struct pp_size_results *results,
         status = pp_print_size_json(results, output.stream, &err);
     else if (status == PP_OK)
         status = pp_print_size(results, pp_print_width(options->room.output),
-                               pp_utf8_terminal(), output.stream, &err);
+                               pp_format_utf8_terminal(), output.stream, &err);
     status = pp_output_close(&output, status, &err);
     if (status == PP_OK && options->write)
         status = write_file(results, &err);
-    return status == PP_OK ? PP_EXIT_DONE : pp_say_error(&err);
+    return status == PP_OK ? PP_EXIT_DONE : pp_message_error(&err);
 }
 
 static enum pp_exit run(const struct pp_size_options *options, char **files,
@@ -128,10 +128,10 @@ static enum pp_exit run(const struct pp_size_options *options, char **files,
     } else {
         struct pp_error err;
         pp_fail_memory(&err);
-        exit_status = pp_say_error(&err);
+        exit_status = pp_message_error(&err);
     }
     for (int i = 0; i < results.count; i++)
-        pp_size_result_clear(&results.list[i]);
+        pp_size_room_result_clear(&results.list[i]);
     free(results.list);
     pp_rooms_clear(&rooms);
     return exit_status;
@@ -167,8 +167,8 @@ enum pp_exit cmd_size(int argc, char **argv)
                 pp_fail(&err, PP_BAD_INPUT,
                         "--write is of one room file, and there are %d", file_count);
     }
-    if (pp_command_starts(&line, argv, file_count, status, wants_help, &err,
-                          &exit_status))
+    if (pp_command_line_starts(&line, argv, file_count, status, wants_help, &err,
+                               &exit_status))
         exit_status = run(&options, argv, file_count);
     pp_room_options_clear(&options.room);
     return exit_status;

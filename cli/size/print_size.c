@@ -7,7 +7,7 @@
 
 #include "cli/print/json.h"
 #include "cli/print/print.h"
-#include "cli/print/utf8.h"
+#include "cli/print/format.h"
 #include "model/base/text.h"
 
 enum { LABEL = 15, TEXT_BYTES = 640 };
@@ -18,11 +18,11 @@ static const double same_m = 1e-9;
 static void append_per_cent(char text[TEXT_BYTES], double share)
 {
     double value = 100.0 * share;
-    pp_append(text, TEXT_BYTES, "%.*f %%",
-              value < 0.0995  ? 4
-              : value < 0.995 ? 3
-                              : 2,
-              value);
+    pp_text_append(text, TEXT_BYTES, "%.*f %%",
+                   value < 0.0995  ? 4
+                   : value < 0.995 ? 3
+                                   : 2,
+                   value);
 }
 
 /* With its standard error, where it has one. */
@@ -31,8 +31,8 @@ static void append_reading(char text[TEXT_BYTES], const struct pp_reading *readi
 {
     append_per_cent(text, reading->value);
     if (isfinite(reading->std_error))
-        pp_append(text, TEXT_BYTES, " %s %.2g", utf8 ? "\302\261" : "+-",
-                  100.0 * reading->std_error);
+        pp_text_append(text, TEXT_BYTES, " %s %.2g", utf8 ? "\302\261" : "+-",
+                       100.0 * reading->std_error);
 }
 
 static void put_fact(const char *label, const char *text, int width, FILE *out)
@@ -42,7 +42,7 @@ static void put_fact(const char *label, const char *text, int width, FILE *out)
 }
 
 /* The length that a change is about. */
-static double length_of(struct pp_place place, enum pp_size_change change)
+static double length_of(struct pp_opening_place place, enum pp_size_change change)
 {
     switch (change) {
     case PP_CHANGE_HEIGHT:
@@ -60,7 +60,7 @@ static double length_of(struct pp_place place, enum pp_size_change change)
 
 /* "a width of 1.238 m instead of 2.6 m", "widths 0.61 times as large", "3 windows
  * instead of 2". */
-static void append_size(char text[TEXT_BYTES], const struct pp_size_result *result,
+static void append_size(char text[TEXT_BYTES], const struct pp_size_room_result *result,
                         enum pp_size_change change)
 {
     static const char *const phrases[] = {"a width of %.10g m", "a height of %.10g m",
@@ -72,14 +72,14 @@ static void append_size(char text[TEXT_BYTES], const struct pp_size_result *resu
         for (int i = 0; i < was; i++)
             windows += pp_room_opening_at(before, i).kind == PP_WINDOW;
         if (more == 0)
-            pp_append(text, TEXT_BYTES, "the number that there is, %d,", windows);
+            pp_text_append(text, TEXT_BYTES, "the number that there is, %d,", windows);
         else
-            pp_append(text, TEXT_BYTES, "%d window%s instead of %d in the room",
-                      windows + more, windows + more == 1 ? "" : "s", windows);
+            pp_text_append(text, TEXT_BYTES, "%d window%s instead of %d in the room",
+                           windows + more, windows + more == 1 ? "" : "s", windows);
         return;
     }
     if (result->edit_count == 0) {
-        pp_append(text, TEXT_BYTES, "the room as it is");
+        pp_text_append(text, TEXT_BYTES, "the room as it is");
         return;
     }
     bool alike = true, were_alike = true;
@@ -93,17 +93,19 @@ static void append_size(char text[TEXT_BYTES], const struct pp_size_result *resu
         alike = alike && fabs(is - first) <= same_m;
         were_alike = were_alike && fabs(was - first_was) <= same_m;
     }
-    pp_append(text, TEXT_BYTES, phrases[change], first);
+    pp_text_append(text, TEXT_BYTES, phrases[change], first);
     if (alike && were_alike)
-        pp_append(text, TEXT_BYTES, " instead of %.10g m", first_was);
+        pp_text_append(text, TEXT_BYTES, " instead of %.10g m", first_was);
     else if (!alike)
-        pp_append(text, TEXT_BYTES, " (line %d, the others %s)",
-                  pp_room_opening_at(before, result->edits[0].opening).line,
-                  result->answer.verdict == PP_SIZE_REACHED ? "as below" : "likewise");
+        pp_text_append(text, TEXT_BYTES, " (line %d, the others %s)",
+                       pp_room_opening_at(before, result->edits[0].opening).line,
+                       result->answer.verdict == PP_SIZE_REACHED ? "as below"
+                                                                 : "likewise");
 }
 
 /* Does append_size speak of several windows? */
-static bool is_plural(const struct pp_size_result *result, enum pp_size_change change)
+static bool is_plural(const struct pp_size_room_result *result,
+                      enum pp_size_change change)
 {
     const struct pp_room *before = result->room->room, *after = result->answer.room;
     int windows = 0, was = pp_room_opening_count(before);
@@ -114,7 +116,8 @@ static bool is_plural(const struct pp_size_result *result, enum pp_size_change c
 }
 
 /* The last line of the answer: what was found, or why nothing. */
-static void append_answer(char text[TEXT_BYTES], const struct pp_size_result *result,
+static void append_answer(char text[TEXT_BYTES],
+                          const struct pp_size_room_result *result,
                           enum pp_size_change change, bool utf8)
 {
     static const char *const ends[] = {"widest", "highest", "highest", "lowest",
@@ -123,47 +126,50 @@ static void append_answer(char text[TEXT_BYTES], const struct pp_size_result *re
     switch (answer->verdict) {
     case PP_SIZE_REACHED:
         append_size(text, result, change);
-        pp_append(text, TEXT_BYTES, is_plural(result, change) ? " give " : " gives ");
+        pp_text_append(text, TEXT_BYTES,
+                       is_plural(result, change) ? " give " : " gives ");
         append_reading(text, &answer->reading, utf8);
         break;
     case PP_SIZE_SMALLEST_EXCEEDS:
-        pp_append(text, TEXT_BYTES, "the target is exceeded without it: even ");
+        pp_text_append(text, TEXT_BYTES, "the target is exceeded without it: even ");
         append_size(text, result, change);
-        pp_append(text, TEXT_BYTES, " leaves ");
+        pp_text_append(text, TEXT_BYTES, " leaves ");
         append_reading(text, &answer->reading, utf8);
         break;
     case PP_SIZE_OUT_OF_REACH:
         if (result->edit_count == 0 && answer->is_largest) {
-            pp_append(text, TEXT_BYTES, "out of reach: there is no space for more");
+            pp_text_append(text, TEXT_BYTES,
+                           "out of reach: there is no space for more");
             break;
         }
         if (answer->reading.value <= answer->now.value * (1.0 + 1e-4)) {
-            pp_append(text, TEXT_BYTES, "out of reach: this change does not help");
+            pp_text_append(text, TEXT_BYTES, "out of reach: this change does not help");
             break;
         }
-        pp_append(text, TEXT_BYTES, "out of reach: ");
+        pp_text_append(text, TEXT_BYTES, "out of reach: ");
         if (answer->is_largest)
-            pp_append(text, TEXT_BYTES, "even the %s that there is space for, ",
-                      ends[change]);
+            pp_text_append(text, TEXT_BYTES, "even the %s that there is space for, ",
+                           ends[change]);
         else
-            pp_append(text, TEXT_BYTES, "the best, ");
+            pp_text_append(text, TEXT_BYTES, "the best, ");
         append_size(text, result, change);
-        pp_append(text, TEXT_BYTES,
-                  is_plural(result, change) ? ", give only " : ", gives only ");
+        pp_text_append(text, TEXT_BYTES,
+                       is_plural(result, change) ? ", give only " : ", gives only ");
         append_reading(text, &answer->reading, utf8);
         break;
     case PP_SIZE_NO_VALUE:
-        pp_append(text, TEXT_BYTES, "none: %s", result->why);
+        pp_text_append(text, TEXT_BYTES, "none: %s", result->why);
         break;
     }
 }
 
 /* The element of an opening as the room file would have it; the caller's. */
-static enum pp_status element_of(char **element, const struct pp_size_result *result,
+static enum pp_status element_of(char **element,
+                                 const struct pp_size_room_result *result,
                                  struct pp_text_edit edit, struct pp_error *err)
 {
     edit.opening += result->file_opening;
-    return pp_room_text_element(element, result->file_text, result->file_length, &edit,
+    return pp_edit_text_element(element, result->file_text, result->file_length, &edit,
                                 err);
 }
 
@@ -178,7 +184,7 @@ static void put_element(const char *element, FILE *out)
         snprintf(line, sizeof line, "%.*s", length, element);
         line[strcspn(line, "\r")] = '\0';
         fputs("    ", out);
-        pp_utf8_put(out, line);
+        pp_format_utf8_put(out, line);
         fputc('\n', out);
         more = element[length] != '\0';
         element += length + more;
@@ -189,8 +195,8 @@ static void put_element(const char *element, FILE *out)
     }
 }
 
-static enum pp_status print_elements(const struct pp_size_result *result, FILE *out,
-                                     struct pp_error *err)
+static enum pp_status print_elements(const struct pp_size_room_result *result,
+                                     FILE *out, struct pp_error *err)
 {
     enum pp_status status = PP_OK;
     for (int i = 0; i < result->edit_count && status == PP_OK; i++) {
@@ -212,7 +218,7 @@ static enum pp_status print_elements(const struct pp_size_result *result, FILE *
     return status;
 }
 
-static enum pp_status print_room(const struct pp_size_result *result,
+static enum pp_status print_room(const struct pp_size_room_result *result,
                                  const struct pp_size_options *options, int width,
                                  bool utf8, FILE *out, struct pp_error *err)
 {
@@ -224,11 +230,12 @@ static enum pp_status print_room(const struct pp_size_result *result,
                                           [PP_GIVES_WHOLE] = ""};
     append_per_cent(text, options->target);
     int points = options->room.points.count;
-    pp_append(text, TEXT_BYTES, " %s%s, by %s", of_what[pp_size_gives(result->method)],
-              points == 0   ? "on average over the working plane"
-              : points == 1 ? "at the point"
-                            : "at the lowest of the points",
-              result->method);
+    pp_text_append(text, TEXT_BYTES, " %s%s, by %s",
+                   of_what[pp_size_room_gives(result->method)],
+                   points == 0   ? "on average over the working plane"
+                   : points == 1 ? "at the point"
+                                 : "at the lowest of the points",
+                   result->method);
     put_fact("wanted", text, width, out);
     if (isfinite(answer->now.value)) {
         text[0] = '\0';
@@ -254,7 +261,7 @@ enum pp_status pp_print_size(const struct pp_size_results *results, int width,
 {
     enum pp_status status = PP_OK;
     for (int i = 0; i < results->count && status == PP_OK; i++) {
-        const struct pp_size_result *result = &results->list[i];
+        const struct pp_size_room_result *result = &results->list[i];
         if (i > 0)
             fputc('\n', out);
         pp_print_title(result->room->world, result->room->file, out);
@@ -279,7 +286,7 @@ static bool add_reading(struct json_object *object, const char *key,
     return good;
 }
 
-static bool add_edit(struct json_object *list, const struct pp_size_result *result,
+static bool add_edit(struct json_object *list, const struct pp_size_room_result *result,
                      const struct pp_text_edit *edit)
 {
     static const char *const words[] = {"changed", "added", "removed"};
@@ -290,7 +297,7 @@ static bool add_edit(struct json_object *list, const struct pp_size_result *resu
     struct pp_room_opening opening =
         pp_room_opening_at(result->room->room, edit->opening);
     bool window = opening.kind == PP_WINDOW;
-    struct pp_place p = edit->place;
+    struct pp_opening_place p = edit->place;
     bool good = pp_json_add(object, "line", json_object_new_int(opening.line))
                 && pp_json_text(object, "is", words[edit->kind])
                 && (!window || pp_json_text(object, "wall", opening.wall));
@@ -308,7 +315,8 @@ static bool add_edit(struct json_object *list, const struct pp_size_result *resu
     return good;
 }
 
-static bool add_answer(struct json_object *object, const struct pp_size_result *result)
+static bool add_answer(struct json_object *object,
+                       const struct pp_size_room_result *result)
 {
     struct json_object *windows = json_object_new_array();
     if (!pp_json_add(object, "windows", windows))
@@ -322,7 +330,7 @@ static bool add_answer(struct json_object *object, const struct pp_size_result *
 static struct json_object *room(const void *all, int index)
 {
     const struct pp_size_results *results = all;
-    const struct pp_size_result *result = &results->list[index];
+    const struct pp_size_room_result *result = &results->list[index];
     const struct pp_size_options *options = results->options;
     const struct pp_size_answer *answer = &result->answer;
     char text[TEXT_BYTES] = "";

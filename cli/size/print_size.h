@@ -1,6 +1,6 @@
 /* print_size.h - the window that reaches a target, as text for people and as JSON. */
-#ifndef PP_CLI_PRINT_SIZE_H
-#define PP_CLI_PRINT_SIZE_H
+#ifndef PP_CLI_SIZE_PRINT_SIZE_H
+#define PP_CLI_SIZE_PRINT_SIZE_H
 
 #include <stdbool.h>
 #include <stdio.h>
@@ -8,7 +8,7 @@
 #include "cli/size/size_room.h"
 
 struct pp_size_results {
-    struct pp_size_result *list;
+    struct pp_size_room_result *list;
     int count;
     bool several; /* as a list, even if there is only one */
     bool more_than_one_file;

@@ -20,27 +20,27 @@ static enum pp_status read_change(const char *text, void *place, struct pp_error
 #define PLACE(member) offsetof(struct pp_size_options, member)
 
 const struct pp_option pp_size_task_options[] = {
-    {"target", 't', "DF%", "The daylight factor to reach: 2% or 2.", pp_read_per_cent,
-     PLACE(target)},
+    {"target", 't', "DF%", "The daylight factor to reach: 2% or 2.",
+     pp_options_read_per_cent, PLACE(target)},
     {"by", 'b', "METHOD",
      "The method that it is worked out by: a method, a pair, or \"traced\" for the "
      "simulation (default exact+bre, or exact+split-flux where that does not cover "
      "the room).",
-     pp_read_text, PLACE(by)},
+     pp_options_read_text, PLACE(by)},
     {"change", 'c', "WHAT",
      "What may change: width (default), height, head, sill, or the number of windows.",
      read_change, PLACE(change)},
-    {"wall", 0, "NAME", "Change the windows in that wall only.", pp_read_text,
+    {"wall", 0, "NAME", "Change the windows in that wall only.", pp_options_read_text,
      PLACE(wall)},
     {"window", 0, "LINE", "Change the window on that line of the room file only.",
-     pp_read_count, PLACE(line)},
+     pp_options_read_count, PLACE(line)},
     {0},
 };
 
 const struct pp_option pp_size_write_option[] = {
     {"write", 'w', "FILE",
      "Write the room file with the sized windows to FILE, all else in it as it was.",
-     pp_read_output, PLACE(write)},
+     pp_options_read_output, PLACE(write)},
     {0},
 };
 
@@ -52,7 +52,7 @@ static enum pp_status check_method(const char *by, struct pp_error *err)
                        "exact+bre, or traced",
                        by);
     struct pp_error fault = {0};
-    enum pp_status status = pp_methods_check(by, &fault);
+    enum pp_status status = pp_selection_check(by, &fault);
     return status == PP_OK ? status : pp_fail(err, status, "--by: %s", fault.message);
 }
 

@@ -1,10 +1,10 @@
 /* size_options.h - what is asked of the command size. */
-#ifndef PP_CLI_SIZE_OPTIONS_H
-#define PP_CLI_SIZE_OPTIONS_H
+#ifndef PP_CLI_SIZE_SIZE_OPTIONS_H
+#define PP_CLI_SIZE_SIZE_OPTIONS_H
 
 #include <stdbool.h>
 
-#include "cli/format.h"
+#include "cli/print/format.h"
 #include "cli/room_options.h"
 #include "studies/sizing/window_sizes.h"
 

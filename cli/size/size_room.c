@@ -15,7 +15,7 @@ struct valuation {
     struct pp_room_value by_hand;
 };
 
-enum pp_gives pp_size_gives(const char *by)
+enum pp_gives pp_size_room_gives(const char *by)
 {
     const struct pp_method *method = pp_method_find(by);
     return method ? method->gives : PP_GIVES_WHOLE;
@@ -52,11 +52,11 @@ static enum pp_status trace(struct valuation *valuation, const struct pp_world *
                                .finished = true};
     bool by_clock;
     enum pp_status status =
-        pp_gather_traced(&report, &valuation->options->room, &by_clock, err);
+        pp_study_report_traced(&report, &valuation->options->room, &by_clock, err);
     if (status == PP_OK && !report.finished)
         status = pp_fail(err, PP_INTERRUPTED, "interrupted before a size was found");
     if (status == PP_OK) {
-        enum pp_gives gives = pp_size_gives(valuation->by_hand.method);
+        enum pp_gives gives = pp_size_room_gives(valuation->by_hand.method);
         *reading = traced_at(&report, gives, points > 0 ? 0 : -1);
         for (int i = 1; i < points; i++) {
             struct pp_reading other = traced_at(&report, gives, i);
@@ -129,7 +129,7 @@ static bool is_by_counts(const char *by)
 
 /* ---- What becomes of the openings ---- */
 
-static bool is_same(struct pp_place a, struct pp_place b)
+static bool is_same(struct pp_opening_place a, struct pp_opening_place b)
 {
     return a.left_m == b.left_m && a.width_m == b.width_m && a.sill_m == b.sill_m
            && a.height_m == b.height_m;
@@ -137,8 +137,9 @@ static bool is_same(struct pp_place a, struct pp_place b)
 
 /* Sets down how the sized room's openings differ from the room's; `openings` are those
  * that could change. */
-static enum pp_status set_down_edits(struct pp_size_result *result, const int *openings,
-                                     int count, struct pp_error *err)
+static enum pp_status set_down_edits(struct pp_size_room_result *result,
+                                     const int *openings, int count,
+                                     struct pp_error *err)
 {
     const struct pp_room *before = result->room->room, *after = result->answer.room;
     int was = pp_room_opening_count(before), is = pp_room_opening_count(after);
@@ -163,7 +164,7 @@ static enum pp_status set_down_edits(struct pp_size_result *result, const int *o
 }
 
 /* Where the room stands in its file. */
-static void find_text(struct pp_size_result *result, const struct pp_rooms *rooms)
+static void find_text(struct pp_size_room_result *result, const struct pp_rooms *rooms)
 {
     for (int b = 0; b < rooms->building_count; b++) {
         struct pp_building *building = rooms->buildings[b];
@@ -199,7 +200,7 @@ static enum pp_status choose_method(struct valuation *valuation, struct pp_error
 }
 
 /* The simulated check of an answer. */
-static enum pp_status check_by_simulation(struct pp_size_result *result,
+static enum pp_status check_by_simulation(struct pp_size_room_result *result,
                                           struct valuation *valuation,
                                           struct pp_error *err)
 {
@@ -215,9 +216,9 @@ static enum pp_status check_by_simulation(struct pp_size_result *result,
     return status;
 }
 
-enum pp_status pp_size_room(struct pp_size_result *result, const struct pp_rooms *rooms,
-                            int index, const struct pp_size_options *options,
-                            struct pp_error *err)
+enum pp_status pp_size_room(struct pp_size_room_result *result,
+                            const struct pp_rooms *rooms, int index,
+                            const struct pp_size_options *options, struct pp_error *err)
 {
     const struct pp_loaded_room *room = &rooms->list[index];
     bool points = options->room.points.count > 0;
@@ -226,7 +227,8 @@ enum pp_status pp_size_room(struct pp_size_result *result, const struct pp_rooms
         .room = room,
         .by_hand = {.points = points ? room->receivers : NULL,
                     .point_count = points ? room->receiver_count : 0}};
-    *result = (struct pp_size_result){.room = room, .traced = pp_reading_none(NULL)};
+    *result =
+        (struct pp_size_room_result){.room = room, .traced = pp_reading_none(NULL)};
     find_text(result, rooms);
     int all = pp_room_opening_count(room->room);
     int *openings = malloc(((size_t)all + 1) * sizeof *openings);
@@ -259,9 +261,9 @@ enum pp_status pp_size_room(struct pp_size_result *result, const struct pp_rooms
     return status;
 }
 
-void pp_size_result_give_up(struct pp_size_result *result, const char *why)
+void pp_size_room_result_refuse(struct pp_size_room_result *result, const char *why)
 {
-    pp_size_result_clear(result);
+    pp_size_room_result_clear(result);
     result->answer = (struct pp_size_answer){.verdict = PP_SIZE_NO_VALUE,
                                              .now = pp_reading_none(NULL),
                                              .reading = pp_reading_none(NULL)};
@@ -271,7 +273,7 @@ void pp_size_result_give_up(struct pp_size_result *result, const char *why)
     result->why = result->text;
 }
 
-void pp_size_result_clear(struct pp_size_result *result)
+void pp_size_room_result_clear(struct pp_size_room_result *result)
 {
     pp_size_answer_clear(&result->answer);
     free(result->edits);

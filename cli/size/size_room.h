@@ -1,17 +1,17 @@
 /* size_room.h - the size of one room's windows: what the command size asks of design/,
  * with the methods and the simulation behind it.
  */
-#ifndef PP_CLI_SIZE_ROOM_H
-#define PP_CLI_SIZE_ROOM_H
+#ifndef PP_CLI_SIZE_SIZE_ROOM_H
+#define PP_CLI_SIZE_SIZE_ROOM_H
 
 #include "cli/rooms.h"
 #include "cli/size/size_options.h"
 #include "studies/sizing/size.h"
 #include "methods/method.h"
-#include "model/room/edit_text.h"
+#include "model/room/room_text.h"
 
 /* What was found for one room. */
-struct pp_size_result {
+struct pp_size_room_result {
     const struct pp_loaded_room *room; /* not owned */
     const char *method;                /* that it was sized by; not owned */
     struct pp_size_answer answer;
@@ -27,16 +27,17 @@ struct pp_size_result {
 
 /* Sizes the room at that index. PP_BAD_INPUT where it has no such window. The result is
  * to be cleared in any case. */
-enum pp_status pp_size_room(struct pp_size_result *result, const struct pp_rooms *rooms,
-                            int index, const struct pp_size_options *options,
+enum pp_status pp_size_room(struct pp_size_room_result *result,
+                            const struct pp_rooms *rooms, int index,
+                            const struct pp_size_options *options,
                             struct pp_error *err);
 
 /* Makes it the result of a room that can't be sized, and why. */
-void pp_size_result_give_up(struct pp_size_result *result, const char *why);
+void pp_size_room_result_refuse(struct pp_size_room_result *result, const char *why);
 
 /* What a method, a pair or "traced" gives: what the target is of. */
-enum pp_gives pp_size_gives(const char *by);
+enum pp_gives pp_size_room_gives(const char *by);
 
-void pp_size_result_clear(struct pp_size_result *result);
+void pp_size_room_result_clear(struct pp_size_room_result *result);
 
 #endif

@@ -7,16 +7,16 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "cli/print/csv.h"
+#include "cli/print/format.h"
 #include "cli/study_report.h"
 #include "cli/interrupt.h"
 #include "cli/print/json.h"
-#include "cli/messages.h"
+#include "cli/message.h"
 #include "cli/output.h"
 #include "cli/print/print.h"
 #include "cli/radiance/radiance_export.h"
 #include "model/base/read_file.h"
-#include "model/base/number.h"
+#include "model/base/text.h"
 
 /* Each point is asked so often: rtrace has no standard error, their spread gives one.
  */
@@ -98,7 +98,7 @@ static enum pp_status read_factors(struct beside *list, int count, char *text,
         double values[REPEATS], sum = 0.0, squares = 0.0;
         for (int k = 0; k < REPEATS; k++) {
             char *line = strsep(&rest, "\n"), *word = line ? strrchr(line, ' ') : NULL;
-            if (!word || !pp_number_parse(word, &values[k]))
+            if (!word || !pp_text_parse_number(word, &values[k]))
                 return pp_fail(err, PP_SYSTEM, "rtrace gave fewer factors than points");
             sum += values[k] / 100.0;
         }
@@ -123,15 +123,15 @@ static enum pp_status export_repeated(const char *path,
         return pp_fail_memory(err);
     for (int i = 0; i < many.receiver_count; i++)
         many.receivers[i] = room->receivers[i / REPEATS];
-    struct pp_directory directory;
+    struct pp_output_directory directory;
     enum pp_status status =
-        pp_directory_open(&directory, path, false, pp_radiance_files, err);
+        pp_output_directory_open(&directory, path, false, pp_radiance_files, err);
     if (status == PP_OK)
         status = pp_radiance_export(&directory, NULL, &many, 10000.0, false, err);
     if (status == PP_OK)
-        status = pp_directory_commit(&directory, err);
+        status = pp_output_directory_commit(&directory, err);
     else
-        pp_directory_abandon(&directory);
+        pp_output_directory_clear(&directory);
     free(many.receivers);
     return status;
 }
@@ -155,7 +155,7 @@ static enum pp_status ask_radiance(struct beside *list,
         status = run_script(path, &text, err);
     if (status == PP_OK)
         status = read_factors(list, room->receiver_count, text, err);
-    pp_directory_remove(path);
+    pp_output_directory_remove(path);
     free(text);
     free(path);
     return status;
@@ -167,9 +167,9 @@ static enum pp_status ask_tracer(struct beside *list, const struct pp_loaded_roo
 {
     struct pp_report report;
     bool by_clock;
-    enum pp_status status = pp_gather_methods(&report, room, options, err);
+    enum pp_status status = pp_study_report_methods(&report, room, options, err);
     if (status == PP_OK)
-        status = pp_gather_traced(&report, options, &by_clock, err);
+        status = pp_study_report_traced(&report, options, &by_clock, err);
     const struct pp_column *traced = NULL;
     for (int i = 0; i < report.column_count && status == PP_OK; i++)
         if (report.columns[i].component == PP_DF
@@ -217,9 +217,9 @@ static void print_csv(const char *name, const struct beside *list, int count, FI
             list[i].at.position.z,          100.0 * list[i].traced,
             100.0 * list[i].traced_error,   100.0 * list[i].radiance,
             100.0 * list[i].radiance_error, off_by(&list[i])};
-        pp_csv_field(name, out);
+        pp_format_csv_field(name, out);
         for (size_t k = 0; k < sizeof numbers / sizeof *numbers; k++)
-            pp_csv_number(numbers[k], out);
+            pp_format_csv_number(numbers[k], out);
         fputs("\r\n", out);
     }
 }
@@ -307,9 +307,10 @@ static enum pp_status compare_room(struct beside **list,
     if (!*list)
         return pp_fail_memory(err);
     if (room->world->decorations < 1.0 && !options->quiet)
-        pp_say("%.200s: traced daylight factors allow for decorations of %g, those of "
-               "Radiance don't",
-               pp_file_title(room->file), room->world->decorations);
+        pp_message(
+            "%.200s: traced daylight factors allow for decorations of %g, those of "
+            "Radiance don't",
+            pp_read_file_title(room->file), room->world->decorations);
     enum pp_status status = ask_tracer(*list, room, options, err);
     return status == PP_OK ? ask_radiance(*list, room, err) : status;
 }
@@ -319,8 +320,9 @@ enum pp_exit pp_against_radiance(const struct pp_rooms *rooms,
                                  enum pp_format format)
 {
     if (!on_path("rtrace") || !on_path("oconv")) {
-        pp_say("--against radiance needs Radiance's oconv and rtrace, and they are not "
-               "on PATH: nothing was compared");
+        pp_message(
+            "--against radiance needs Radiance's oconv and rtrace, and they are not "
+            "on PATH: nothing was compared");
         return PP_EXIT_MACHINE;
     }
     struct pp_error err = {0};
@@ -338,5 +340,5 @@ enum pp_exit pp_against_radiance(const struct pp_rooms *rooms,
     for (int i = 0; lists && i < rooms->count; i++)
         free(lists[i]);
     free(lists);
-    return status == PP_OK ? PP_EXIT_DONE : pp_say_error(&err);
+    return status == PP_OK ? PP_EXIT_DONE : pp_message_error(&err);
 }

@@ -1,10 +1,10 @@
 /* against_radiance.h - daylight factors of the simulation beside those of Radiance's
  * rtrace, of the same rooms: exported, worked out by the script that goes with them. */
-#ifndef PP_CLI_AGAINST_RADIANCE_H
-#define PP_CLI_AGAINST_RADIANCE_H
+#ifndef PP_CLI_VALIDATE_AGAINST_RADIANCE_H
+#define PP_CLI_VALIDATE_AGAINST_RADIANCE_H
 
 #include "cli/exit_status.h"
-#include "cli/format.h"
+#include "cli/print/format.h"
 #include "cli/rooms.h"
 
 /* Traces, runs and prints. Where oconv or rtrace is not on PATH that is said, and

@@ -5,10 +5,10 @@
 #include "cli/validate/against_radiance.h"
 #include "cli/command_line.h"
 #include "cli/commands.h"
-#include "cli/format.h"
+#include "cli/print/format.h"
 #include "cli/study_report.h"
 #include "cli/interrupt.h"
-#include "cli/messages.h"
+#include "cli/message.h"
 #include "cli/output.h"
 #include "cli/validate/print_validate.h"
 #include "cli/rooms.h"
@@ -23,35 +23,35 @@ static const char about[] =
 
 /* ---- known answers ---- */
 
-static enum pp_status print_known(const struct pp_known_list *known,
+static enum pp_status print_known(const struct pp_self_test_cases *known,
                                   enum pp_format format, const char *path, FILE *out,
                                   struct pp_error *err)
 {
     if (format == PP_FORMAT_JSON)
-        return pp_print_known_json(known, out, err);
+        return pp_print_validate_self_test_json(known, out, err);
     if (format == PP_FORMAT_CSV)
-        pp_print_known_csv(known, out);
+        pp_print_validate_self_test_csv(known, out);
     else
-        pp_print_known(known, pp_print_width(path), out);
+        pp_print_validate_self_test(known, pp_print_width(path), out);
     return PP_OK;
 }
 
 static enum pp_exit answer(const struct pp_room_options *options, enum pp_format format)
 {
-    struct pp_known_list known;
+    struct pp_self_test_cases known;
     struct pp_error err = {0};
     struct pp_output output;
     enum pp_status status = pp_output_open(&output, options->output, &err);
     if (status == PP_OK)
-        status = pp_known_ask(&known, options->seed, options->threads, &err);
+        status = pp_self_test_run(&known, options->seed, options->threads, &err);
     if (status == PP_OK)
         status = print_known(&known, format, options->output, output.stream, &err);
     status = pp_output_close(&output, status, &err);
     if (status != PP_OK)
-        return pp_say_error(&err);
+        return pp_message_error(&err);
     for (int i = 0; i < known.count; i++)
-        if (!pp_known_is_right(&known.list[i])) {
-            pp_say("not all answers are right; this build is not to be trusted");
+        if (!pp_self_test_passes(&known.list[i])) {
+            pp_message("not all answers are right; this build is not to be trusted");
             return PP_EXIT_MACHINE;
         }
     return PP_EXIT_DONE;
@@ -69,22 +69,22 @@ static enum pp_status compute(struct pp_validation *validation,
     for (int i = 0; i < rooms->count && status == PP_OK; i++) {
         struct pp_result *result = &results->list[results->count++];
         result->file = rooms->list[i].file;
-        status =
-            pp_gather_methods(&result->report, &rooms->list[i], results->options, err);
+        status = pp_study_report_methods(&result->report, &rooms->list[i],
+                                         results->options, err);
     }
     pp_interrupt_watch();
     for (int i = 0; i < results->count && status == PP_OK; i++) {
         struct pp_result *result = &results->list[i];
-        status =
-            pp_gather_traced(&result->report, results->options, &result->by_clock, err);
+        status = pp_study_report_traced(&result->report, results->options,
+                                        &result->by_clock, err);
         if (status == PP_OK)
-            status = pp_compare_report(&validation->rooms[i], &validation->counts[i],
-                                       &result->report, err);
+            status = pp_comparison_of_report(
+                &validation->rooms[i], &validation->counts[i], &result->report, err);
     }
     if (status == PP_OK)
-        status = pp_compare_overall(&validation->overall, &validation->overall_count,
-                                    validation->rooms, validation->counts,
-                                    results->count, err);
+        status = pp_comparison_overall(&validation->overall, &validation->overall_count,
+                                       validation->rooms, validation->counts,
+                                       results->count, err);
     return status;
 }
 
@@ -92,12 +92,12 @@ static enum pp_status print(const struct pp_validation *validation,
                             enum pp_format format, FILE *out, struct pp_error *err)
 {
     if (format == PP_FORMAT_JSON)
-        return pp_print_validation_json(validation, out, err);
+        return pp_print_validate_rooms_json(validation, out, err);
     if (format == PP_FORMAT_CSV)
-        pp_print_validation_csv(validation, out);
+        pp_print_validate_rooms_csv(validation, out);
     else
-        pp_print_validation(validation,
-                            pp_print_width(validation->results->options->output), out);
+        pp_print_validate_rooms(
+            validation, pp_print_width(validation->results->options->output), out);
     return PP_OK;
 }
 
@@ -115,10 +115,10 @@ static enum pp_exit compute_and_print(struct pp_validation *validation,
         status = print(validation, format, output.stream, &err);
     status = pp_output_close(&output, status, &err);
     if (status != PP_OK)
-        return pp_say_error(&err);
+        return pp_message_error(&err);
     for (int i = 0; i < results->count; i++)
         if (!results->list[i].report.finished)
-            return pp_say_unfinished();
+            return pp_message_unfinished();
     return PP_EXIT_DONE;
 }
 
@@ -144,7 +144,7 @@ static enum pp_exit compare(const struct pp_room_options *options,
     } else {
         struct pp_error err;
         pp_fail_memory(&err);
-        exit_status = pp_say_error(&err);
+        exit_status = pp_message_error(&err);
     }
     for (int i = 0; i < results.count; i++) {
         pp_report_clear(&results.list[i].report);
@@ -215,7 +215,7 @@ static enum pp_status check(struct pp_room_options *options, int file_count,
     if (!options->methods)
         options->methods = "all";
     enum pp_status status = pp_room_options_settle(options, err);
-    return status == PP_OK ? pp_methods_check(options->methods, err) : status;
+    return status == PP_OK ? pp_selection_check(options->methods, err) : status;
 }
 
 enum pp_exit cmd_validate(int argc, char **argv)
@@ -250,8 +250,8 @@ enum pp_exit cmd_validate(int argc, char **argv)
     if (status == PP_OK && !wants_help)
         status = check(&options, file_count, &err);
 
-    if (pp_command_starts(&line, argv, file_count, status, wants_help, &err,
-                          &exit_status)) {
+    if (pp_command_line_starts(&line, argv, file_count, status, wants_help, &err,
+                               &exit_status)) {
         if (against)
             exit_status = compare_with_radiance(&options, format, argv, file_count);
         else if (file_count == 0)

@@ -4,9 +4,8 @@
 #include <math.h>
 #include <string.h>
 
-#include "cli/print/csv.h"
+#include "cli/print/format.h"
 #include "cli/print/json.h"
-#include "cli/print/utf8.h"
 
 static const char *const titles[PP_COMPONENT_COUNT] = {
     [PP_SC] = "sky component",
@@ -25,7 +24,8 @@ static void put(FILE *out, int width, const char *format, double value)
 
 /* ---- known answers ---- */
 
-void pp_print_known(const struct pp_known_list *known, int width, FILE *out)
+void pp_print_validate_self_test(const struct pp_self_test_cases *known, int width,
+                                 FILE *out)
 {
     int wrong = 0;
     fputs("The program against answers known on paper; shares of the open sky\n\n"
@@ -33,11 +33,11 @@ void pp_print_known(const struct pp_known_list *known, int width, FILE *out)
           out);
     const char *by = "";
     for (int i = 0; i < known->count; i++) {
-        const struct pp_known *one = &known->list[i];
+        const struct pp_self_test_case *one = &known->list[i];
         if (strcmp(by, one->by) != 0)
             fprintf(out, "\n  %s\n", one->by);
         by = one->by;
-        bool right = pp_known_is_right(one);
+        bool right = pp_self_test_passes(one);
         wrong += !right;
         fprintf(out, "    %-49.49s %9.6f %9.6f  %s\n", one->what, one->answer,
                 one->expected, right ? "right" : "WRONG");
@@ -51,7 +51,7 @@ void pp_print_known(const struct pp_known_list *known, int width, FILE *out)
     pp_print_wrapped(text, 2, 2, width, out);
 }
 
-static struct json_object *known_object(const struct pp_known *one)
+static struct json_object *known_object(const struct pp_self_test_case *one)
 {
     struct json_object *object = json_object_new_object();
     bool good = object && pp_json_text(object, "what", one->what)
@@ -64,14 +64,14 @@ static struct json_object *known_object(const struct pp_known *one)
         good = pp_json_number(object, "se", one->std_error);
     if (good)
         good = pp_json_add(object, "right",
-                           json_object_new_boolean(pp_known_is_right(one)));
+                           json_object_new_boolean(pp_self_test_passes(one)));
     if (good)
         pp_json_on_one_line(object);
     return pp_json_whole(object, good);
 }
 
-enum pp_status pp_print_known_json(const struct pp_known_list *known, FILE *out,
-                                   struct pp_error *err)
+enum pp_status pp_print_validate_self_test_json(const struct pp_self_test_cases *known,
+                                                FILE *out, struct pp_error *err)
 {
     struct json_object *object = json_object_new_object();
     struct json_object *answers = json_object_new_array();
@@ -82,19 +82,19 @@ enum pp_status pp_print_known_json(const struct pp_known_list *known, FILE *out,
     return pp_json_print(out, pp_json_whole(object, good), err);
 }
 
-void pp_print_known_csv(const struct pp_known_list *known, FILE *out)
+void pp_print_validate_self_test_csv(const struct pp_self_test_cases *known, FILE *out)
 {
     fputs("what,by,answer,expected,difference,tolerance,std_error,right\r\n", out);
     for (int i = 0; i < known->count; i++) {
-        const struct pp_known *one = &known->list[i];
+        const struct pp_self_test_case *one = &known->list[i];
         const double numbers[] = {one->answer, one->expected,
                                   one->answer - one->expected, one->tolerance,
                                   one->std_error};
-        pp_csv_field(one->what, out);
+        pp_format_csv_field(one->what, out);
         fprintf(out, ",%s", one->by);
         for (size_t k = 0; k < sizeof numbers / sizeof numbers[0]; k++)
-            pp_csv_number(numbers[k], out);
-        fprintf(out, ",%s\r\n", pp_known_is_right(one) ? "yes" : "no");
+            pp_format_csv_number(numbers[k], out);
+        fprintf(out, ",%s\r\n", pp_self_test_passes(one) ? "yes" : "no");
     }
 }
 
@@ -196,10 +196,11 @@ static void print_room(const struct pp_result *result, const struct pp_compariso
     const struct pp_report *report = &result->report;
     const char *name = report->world->name;
     if (name && *name) {
-        pp_utf8_put(out, name);
+        pp_format_utf8_put(out, name);
         fputs("  (", out);
     }
-    pp_utf8_put(out, strcmp(result->file, "-") == 0 ? "standard input" : result->file);
+    pp_format_utf8_put(out, strcmp(result->file, "-") == 0 ? "standard input"
+                                                           : result->file);
     fputs(name && *name ? ")\n" : "\n", out);
     char text[160];
     double bias_error = 0.0;
@@ -251,7 +252,7 @@ static void print_overall(const struct pp_validation *validation, FILE *out)
                 write_place(place, report, one->worst_comparison->worst_point);
                 put(out, 8, "%+.0f", 100.0 * one->worst);
                 fputs("  ", out);
-                pp_utf8_put(out, report->world->name ? report->world->name : "");
+                pp_format_utf8_put(out, report->world->name ? report->world->name : "");
                 fprintf(out, ", %s", place);
             }
             fputc('\n', out);
@@ -259,7 +260,8 @@ static void print_overall(const struct pp_validation *validation, FILE *out)
     }
 }
 
-void pp_print_validation(const struct pp_validation *validation, int width, FILE *out)
+void pp_print_validate_rooms(const struct pp_validation *validation, int width,
+                             FILE *out)
 {
     const struct pp_results *results = validation->results;
     for (int i = 0; i < results->count; i++) {
@@ -356,8 +358,8 @@ static struct json_object *overall_object(const struct pp_overall *one)
     return pp_json_whole(object, good);
 }
 
-enum pp_status pp_print_validation_json(const struct pp_validation *validation,
-                                        FILE *out, struct pp_error *err)
+enum pp_status pp_print_validate_rooms_json(const struct pp_validation *validation,
+                                            FILE *out, struct pp_error *err)
 {
     const struct pp_results *results = validation->results;
     struct json_object *object = json_object_new_object();
@@ -374,7 +376,7 @@ enum pp_status pp_print_validation_json(const struct pp_validation *validation,
     return pp_json_print(out, pp_json_whole(object, good), err);
 }
 
-void pp_print_validation_csv(const struct pp_validation *validation, FILE *out)
+void pp_print_validate_rooms_csv(const struct pp_validation *validation, FILE *out)
 {
     fputs("file,room,component,method,average_percent,traced_average_percent,"
           "traced_average_se_percent,points,traced_percent,bias_percent,"
@@ -398,18 +400,18 @@ void pp_print_validation_csv(const struct pp_validation *validation, FILE *out)
                                      at.x,
                                      at.y,
                                      at.z};
-            pp_csv_field(result->file, out);
+            pp_format_csv_field(result->file, out);
             fputc(',', out);
-            pp_csv_field(result->report.world->name, out);
+            pp_format_csv_field(result->report.world->name, out);
             fprintf(out, ",%s,%s", pp_component_names[one->component], one->name);
-            pp_csv_number(100.0 * one->average, out);
-            pp_csv_number(100.0 * one->traced_average, out);
-            pp_csv_number(100.0 * one->traced_average_error, out);
+            pp_format_csv_number(100.0 * one->average, out);
+            pp_format_csv_number(100.0 * one->traced_average, out);
+            pp_format_csv_number(100.0 * one->traced_average_error, out);
             fprintf(out, ",%d", one->points);
             for (size_t f = 0; f < sizeof fields / sizeof fields[0]; f++)
-                pp_csv_number(fields[f], out);
+                pp_format_csv_number(fields[f], out);
             fputc(',', out);
-            pp_csv_field(one->why, out);
+            pp_format_csv_field(one->why, out);
             fputs("\r\n", out);
         }
     }

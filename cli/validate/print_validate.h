@@ -1,6 +1,6 @@
 /* print_validate.h - what `validate` found, as text, JSON and CSV. */
-#ifndef PP_CLI_PRINT_VALIDATE_H
-#define PP_CLI_PRINT_VALIDATE_H
+#ifndef PP_CLI_VALIDATE_PRINT_VALIDATE_H
+#define PP_CLI_VALIDATE_PRINT_VALIDATE_H
 
 #include <stdio.h>
 
@@ -9,10 +9,11 @@
 #include "cli/print/print.h"
 
 /* Answers beside what is expected. */
-void pp_print_known(const struct pp_known_list *known, int width, FILE *out);
-enum pp_status pp_print_known_json(const struct pp_known_list *known, FILE *out,
-                                   struct pp_error *err);
-void pp_print_known_csv(const struct pp_known_list *known, FILE *out);
+void pp_print_validate_self_test(const struct pp_self_test_cases *known, int width,
+                                 FILE *out);
+enum pp_status pp_print_validate_self_test_json(const struct pp_self_test_cases *known,
+                                                FILE *out, struct pp_error *err);
+void pp_print_validate_self_test_csv(const struct pp_self_test_cases *known, FILE *out);
 
 /* Rooms, each with its comparisons, and all of them together. */
 struct pp_validation {
@@ -23,9 +24,10 @@ struct pp_validation {
     int overall_count;
 };
 
-void pp_print_validation(const struct pp_validation *validation, int width, FILE *out);
-enum pp_status pp_print_validation_json(const struct pp_validation *validation,
-                                        FILE *out, struct pp_error *err);
-void pp_print_validation_csv(const struct pp_validation *validation, FILE *out);
+void pp_print_validate_rooms(const struct pp_validation *validation, int width,
+                             FILE *out);
+enum pp_status pp_print_validate_rooms_json(const struct pp_validation *validation,
+                                            FILE *out, struct pp_error *err);
+void pp_print_validate_rooms_csv(const struct pp_validation *validation, FILE *out);
 
 #endif

@@ -20,8 +20,8 @@ static enum pp_status fill(struct pp_epw *epw, char *bytes, size_t length,
     char *record;
     struct pp_error memory = {PP_OK, ""};
     enum pp_status status = PP_OK;
-    if (pp_epw_read_header(epw, header, &lines, &record, mistakes, &memory))
-        status = pp_epw_read_records(epw, header, &lines, record, mistakes, err);
+    if (pp_epw_header_read(epw, header, &lines, &record, mistakes, &memory))
+        status = pp_epw_records_read(epw, header, &lines, record, mistakes, err);
     else if (memory.status != PP_OK)
         status = pp_fail_memory(err);
     free(header);
@@ -37,7 +37,7 @@ enum pp_status pp_epw_parse(struct pp_epw **epw, const char *bytes, size_t lengt
     struct pp_epw *made = calloc(1, sizeof *made);
     if (!made)
         return pp_fail_memory(err);
-    if (pp_epw_bytes_sound(bytes, length, mistakes)) {
+    if (pp_epw_lines_check_bytes(bytes, length, mistakes)) {
         char *copy = malloc(length + 1);
         if (copy) {
             memcpy(copy, bytes, length);
@@ -64,8 +64,7 @@ enum pp_status pp_epw_read(struct pp_epw **epw, const char *path,
     char *bytes;
     size_t length;
     *epw = NULL;
-    enum pp_status status =
-        pp_file_bytes(&bytes, &length, path, PP_EPW_BYTES_MOST, err);
+    enum pp_status status = pp_read_file(&bytes, &length, path, PP_EPW_BYTES_MOST, err);
     if (status == PP_OK)
         status = pp_epw_parse(epw, bytes, length, mistakes, err);
     free(bytes);

@@ -9,8 +9,8 @@
  * Lines may end with LF, CR LF or CR; a byte order mark, blank lines, and white space
  * and quotes round fields are passed over.
  */
-#ifndef PP_MODEL_EPW_H
-#define PP_MODEL_EPW_H
+#ifndef PP_FORMATS_EPW_EPW_H
+#define PP_FORMATS_EPW_EPW_H
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -63,13 +63,14 @@ enum pp_status pp_epw_parse(struct pp_epw **epw, const char *bytes, size_t lengt
 void pp_epw_destroy(struct pp_epw *epw); /* NULL is allowed */
 
 /* "3/26", "03/26": a day that some year has. */
-bool pp_month_day_parse(const char *text, struct pp_month_day *date);
+bool pp_epw_header_parse_month_day(const char *text, struct pp_month_day *date);
 
 /* "26 March". Returns text. */
-const char *pp_month_day_words(char *text, size_t room, struct pp_month_day date);
+const char *pp_epw_header_month_day_words(char *text, size_t room,
+                                          struct pp_month_day date);
 
 /* Days of a month, 1 to 12; 29 of February. */
-int pp_month_days(int month);
+int pp_epw_header_days_of_month(int month);
 
 /* Does the file's data cover a whole year, give or take what is missing? */
 bool pp_epw_covers_a_year(const struct pp_epw *epw);

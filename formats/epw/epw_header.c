@@ -5,8 +5,7 @@
 #include <strings.h>
 
 #include "formats/epw/epw_parts.h"
-#include "model/base/names.h"
-#include "model/base/number.h"
+#include "model/base/text.h"
 #include "model/geometry/vec.h"
 
 /* What reading the header needs at each line. */
@@ -26,13 +25,14 @@ static const char *const months[] = {"January",   "February", "March",    "April
                                      "May",       "June",     "July",     "August",
                                      "September", "October",  "November", "December"};
 
-int pp_month_days(int month)
+int pp_epw_header_days_of_month(int month)
 {
     static const int days[] = {31, 29, 31, 30, 31, 30, 31, 31, 30, 31, 30, 31};
     return days[month - 1];
 }
 
-const char *pp_month_day_words(char *text, size_t room, struct pp_month_day date)
+const char *pp_epw_header_month_day_words(char *text, size_t room,
+                                          struct pp_month_day date)
 {
     snprintf(text, room, "%d %s", date.day, months[date.month - 1]);
     return text;
@@ -51,10 +51,11 @@ static double read_number(struct header_reader *r, int index, const char *name,
     double value;
     char shown[64];
     const char *text = field(r, index);
-    if (pp_number_parse(text, &value) && value >= low && value <= high)
+    if (pp_text_parse_number(text, &value) && value >= low && value <= high)
         return value;
-    pp_mistake(r->mistakes, r->line, "%s is \"%s\"; expected a number from %g to %g",
-               name, pp_excerpt(shown, sizeof shown, text), low, high);
+    pp_mistakes_add(r->mistakes, r->line,
+                    "%s is \"%s\"; expected a number from %g to %g", name,
+                    pp_text_excerpt(shown, sizeof shown, text), low, high);
     return low;
 }
 
@@ -63,14 +64,14 @@ static void read_location(struct header_reader *r)
     static const int names[] = {1, 2, 3}; /* city, state, country */
     struct pp_epw *epw = r->epw;
     if (epw->place) {
-        pp_mistake(r->mistakes, r->line, "a second LOCATION; expected one");
+        pp_mistakes_add(r->mistakes, r->line, "a second LOCATION; expected one");
         return;
     }
-    r->out_of_memory |= !pp_epw_append(&epw->place, "", "");
+    r->out_of_memory |= !pp_epw_lines_append_text(&epw->place, "", "");
     for (int i = 0; i < 3; i++) {
         const char *name = field(r, names[i]);
         if (strcmp(name, "-") != 0)
-            r->out_of_memory |= !pp_epw_append(&epw->place, ", ", name);
+            r->out_of_memory |= !pp_epw_lines_append_text(&epw->place, ", ", name);
     }
     epw->latitude_rad = PP_RAD * read_number(r, 6, "the latitude (field 7)", -90, 90);
     epw->longitude_rad =
@@ -118,10 +119,10 @@ static bool parse_date(const char *text, struct pp_month_day *date, int *year)
     *date = (struct pp_month_day){parts[year_first], parts[year_first + 1]};
     *year = count < 3 ? 0 : year_first ? parts[0] : parts[2];
     return date->month >= 1 && date->month <= 12 && date->day >= 1
-           && date->day <= pp_month_days(date->month);
+           && date->day <= pp_epw_header_days_of_month(date->month);
 }
 
-bool pp_month_day_parse(const char *text, struct pp_month_day *date)
+bool pp_epw_header_parse_month_day(const char *text, struct pp_month_day *date)
 {
     struct pp_month_day read;
     int year;
@@ -142,23 +143,23 @@ static void read_holidays(struct header_reader *r)
     else if (strcasecmp(leap, "no") == 0)
         r->header->leap = PP_LEAP_NO;
     else if (*leap)
-        pp_mistake(
+        pp_mistakes_add(
             r->mistakes, r->line,
             "leap year observed (field 2) is \"%s\"; expected Yes, No or nothing",
-            pp_excerpt(shown, sizeof shown, leap));
+            pp_text_excerpt(shown, sizeof shown, leap));
 
     struct pp_epw *epw = r->epw;
     bool none = (!*from || strcmp(from, "0") == 0) && (!*to || strcmp(to, "0") == 0);
     epw->summer_line = r->line;
     if (none)
         return;
-    if (!pp_month_day_parse(from, &epw->summer_from)
-        || !pp_month_day_parse(to, &epw->summer_to)) {
+    if (!pp_epw_header_parse_month_day(from, &epw->summer_from)
+        || !pp_epw_header_parse_month_day(to, &epw->summer_to)) {
         char first[64];
         epw->summer_from = epw->summer_to = (struct pp_month_day){0, 0};
         snprintf(epw->summer_words, sizeof epw->summer_words, "%.18s to %.17s",
-                 pp_excerpt(first, sizeof first, from),
-                 pp_excerpt(shown, sizeof shown, to));
+                 pp_text_excerpt(first, sizeof first, from),
+                 pp_text_excerpt(shown, sizeof shown, to));
     }
 }
 
@@ -170,11 +171,11 @@ static int read_weekday(struct header_reader *r, const char *text)
             || (strlen(text) == 3 && strncasecmp(text, weekdays[i], 3) == 0))
             return i;
     if (*text)
-        pp_mistake(
+        pp_mistakes_add(
             r->mistakes, r->line,
             "a data period starts on \"%s\"; expected a day of the week, such as "
             "Monday, or nothing",
-            pp_excerpt(shown, sizeof shown, text));
+            pp_text_excerpt(shown, sizeof shown, text));
     return PP_WEEKDAY_UNKNOWN;
 }
 
@@ -192,26 +193,26 @@ static void read_period(struct header_reader *r, int index)
     period->weekday = read_weekday(r, field(r, 4 + 4 * index));
     if (!parse_date(from, &period->from, &first)
         || !parse_date(to, &period->to, &last)) {
-        pp_mistake(r->mistakes, r->line,
-                   "data period %d is from \"%s\" to \"%s\"; expected two days as "
-                   "MONTH/DAY",
-                   index + 1, pp_excerpt(a, sizeof a, from),
-                   pp_excerpt(b, sizeof b, to));
+        pp_mistakes_add(r->mistakes, r->line,
+                        "data period %d is from \"%s\" to \"%s\"; expected two days as "
+                        "MONTH/DAY",
+                        index + 1, pp_text_excerpt(a, sizeof a, from),
+                        pp_text_excerpt(b, sizeof b, to));
         return;
     }
     if (first > 0 && last > 0)
         period->years = last - first - is_before(period->to, period->from);
     if (period->years < 0 || period->years > 200)
-        pp_mistake(r->mistakes, r->line,
-                   "data period %d ends before it starts, or 200 years later",
-                   index + 1);
+        pp_mistakes_add(r->mistakes, r->line,
+                        "data period %d ends before it starts, or 200 years later",
+                        index + 1);
 }
 
 static void read_periods(struct header_reader *r)
 {
     struct pp_epw_header *header = r->header;
     if (header->period_count > 0) {
-        pp_mistake(r->mistakes, r->line, "a second DATA PERIODS; expected one");
+        pp_mistakes_add(r->mistakes, r->line, "a second DATA PERIODS; expected one");
         return;
     }
     header->periods_line = r->line;
@@ -222,17 +223,18 @@ static void read_periods(struct header_reader *r)
     header->period_count = (int)periods;
     header->records_an_hour = (int)an_hour;
     if (periods != header->period_count)
-        pp_mistake(r->mistakes, r->line, "the number of data periods is %g", periods);
+        pp_mistakes_add(r->mistakes, r->line, "the number of data periods is %g",
+                        periods);
     if (60 % header->records_an_hour != 0 || an_hour != header->records_an_hour)
-        pp_mistake(r->mistakes, r->line,
-                   "there are %g records an hour; expected a number that divides 60",
-                   an_hour);
+        pp_mistakes_add(
+            r->mistakes, r->line,
+            "there are %g records an hour; expected a number that divides 60", an_hour);
     if (r->count < 3 + 4 * header->period_count) {
-        pp_mistake(r->mistakes, r->line,
-                   "DATA PERIODS has %d fields; expected %d, four for each of %d "
-                   "period%s",
-                   r->count, 3 + 4 * header->period_count, header->period_count,
-                   header->period_count == 1 ? "" : "s");
+        pp_mistakes_add(r->mistakes, r->line,
+                        "DATA PERIODS has %d fields; expected %d, four for each of %d "
+                        "period%s",
+                        r->count, 3 + 4 * header->period_count, header->period_count,
+                        header->period_count == 1 ? "" : "s");
         return;
     }
     for (int i = 0; i < header->period_count; i++)
@@ -269,10 +271,11 @@ static void read_line(struct header_reader *r)
             header_lines[i].read(r);
             return;
         }
-    pp_mistake(r->mistakes, r->line,
-               "a line that starts with \"%s\"; expected a header line of an EPW file "
-               "or a record",
-               pp_excerpt(shown, sizeof shown, r->fields[0]));
+    pp_mistakes_add(
+        r->mistakes, r->line,
+        "a line that starts with \"%s\"; expected a header line of an EPW file "
+        "or a record",
+        pp_text_excerpt(shown, sizeof shown, r->fields[0]));
 }
 
 /* Does the line start as the first one of a weather file does? */
@@ -281,7 +284,7 @@ static bool is_location(const char *line)
     return strncasecmp(line + (*line == '"'), "LOCATION", 8) == 0;
 }
 
-bool pp_epw_read_header(struct pp_epw *epw, struct pp_epw_header *header,
+bool pp_epw_header_read(struct pp_epw *epw, struct pp_epw_header *header,
                         struct pp_epw_lines *lines, char **record,
                         struct pp_mistakes *mistakes, struct pp_error *err)
 {
@@ -290,16 +293,17 @@ bool pp_epw_read_header(struct pp_epw *epw, struct pp_epw_header *header,
         .epw = epw, .header = header, .mistakes = mistakes, .fields = fields};
     int before = mistakes->count;
     bool first = true;
-    while ((*record = pp_epw_next_line(lines)) && !is_leading_number(*record)) {
+    while ((*record = pp_epw_lines_next(lines)) && !is_leading_number(*record)) {
         r.line = lines->line;
         if (first && !is_location(*record)) {
-            pp_mistake(mistakes, r.line,
-                       "no weather file in EnergyPlus format (EPW): its first line "
-                       "starts with LOCATION");
+            pp_mistakes_add(
+                mistakes, r.line,
+                "no weather file in EnergyPlus format (EPW): its first line "
+                "starts with LOCATION");
             return false;
         }
         first = false;
-        r.count = pp_epw_split(*record, fields, PP_EPW_FIELDS_MOST);
+        r.count = pp_epw_lines_split(*record, fields, PP_EPW_FIELDS_MOST);
         read_line(&r);
         if (mistakes->count - before >= PP_EPW_MISTAKES_MOST) {
             mistakes->truncated = true;
@@ -311,15 +315,16 @@ bool pp_epw_read_header(struct pp_epw *epw, struct pp_epw_header *header,
         return false;
     }
     if (!epw->place) {
-        pp_mistake(mistakes, lines->line,
-                   "no weather file in EnergyPlus format (EPW): its first line starts "
-                   "with LOCATION");
+        pp_mistakes_add(
+            mistakes, lines->line,
+            "no weather file in EnergyPlus format (EPW): its first line starts "
+            "with LOCATION");
         return false;
     }
     if (header->period_count == 0)
-        pp_mistake(mistakes, lines->line,
-                   *record ? "the records start here, without a line DATA PERIODS "
-                             "before them"
-                           : "the file ends here, without a line DATA PERIODS");
+        pp_mistakes_add(mistakes, lines->line,
+                        *record ? "the records start here, without a line DATA PERIODS "
+                                  "before them"
+                                : "the file ends here, without a line DATA PERIODS");
     return mistakes->count == before;
 }

@@ -10,15 +10,18 @@ static bool starts(const char *bytes, size_t length, const char *with)
     return length >= count && memcmp(bytes, with, count) == 0;
 }
 
-bool pp_epw_bytes_sound(const char *bytes, size_t length, struct pp_mistakes *mistakes)
+bool pp_epw_lines_check_bytes(const char *bytes, size_t length,
+                              struct pp_mistakes *mistakes)
 {
     if (length > PP_EPW_BYTES_MOST) {
-        pp_mistake(mistakes, 0, "the file is larger than %d MiB, the most that is read",
-                   PP_EPW_BYTES_MOST >> 20);
+        pp_mistakes_add(mistakes, 0,
+                        "the file is larger than %d MiB, the most that is read",
+                        PP_EPW_BYTES_MOST >> 20);
         return false;
     }
     if (starts(bytes, length, "\xFF\xFE") || starts(bytes, length, "\xFE\xFF")) {
-        pp_mistake(mistakes, 1, "the file is UTF-16; it must be plain text, in UTF-8");
+        pp_mistakes_add(mistakes, 1,
+                        "the file is UTF-16; it must be plain text, in UTF-8");
         return false;
     }
     int line = 1;
@@ -28,14 +31,15 @@ bool pp_epw_bytes_sound(const char *bytes, size_t length, struct pp_mistakes *mi
         char c = bytes[i];
         bool ends = c == '\n' || c == '\r';
         if (c == '\0') {
-            pp_mistake(mistakes, line, "a NUL byte; a weather file is plain text");
+            pp_mistakes_add(mistakes, line, "a NUL byte; a weather file is plain text");
             return false;
         }
         if (i - start > PP_EPW_LINE_BYTES_MOST) {
-            pp_mistake(mistakes, line,
-                       "a line of more than %d bytes; a weather file has a record a "
-                       "line",
-                       PP_EPW_LINE_BYTES_MOST);
+            pp_mistakes_add(
+                mistakes, line,
+                "a line of more than %d bytes; a weather file has a record a "
+                "line",
+                PP_EPW_LINE_BYTES_MOST);
             return false;
         }
         blank = blank && (ends || c == ' ' || c == '\t');
@@ -45,7 +49,8 @@ bool pp_epw_bytes_sound(const char *bytes, size_t length, struct pp_mistakes *mi
         line += !(c == '\r' && i + 1 < length && bytes[i + 1] == '\n');
     }
     if (blank)
-        pp_mistake(mistakes, 1, "the file is empty; expected a weather file (EPW)");
+        pp_mistakes_add(mistakes, 1,
+                        "the file is empty; expected a weather file (EPW)");
     return !blank;
 }
 
@@ -55,7 +60,7 @@ static bool is_white(char c)
     return c == ' ' || c == '\t' || c == '\x1A';
 }
 
-char *pp_epw_next_line(struct pp_epw_lines *lines)
+char *pp_epw_lines_next(struct pp_epw_lines *lines)
 {
     while (lines->at < lines->end) {
         char *start = lines->at, *stop = start + strcspn(start, "\r\n");
@@ -96,7 +101,7 @@ static char *trimmed(char *start, char *stop)
     return start;
 }
 
-int pp_epw_split(char *line, char *fields[], int most)
+int pp_epw_lines_split(char *line, char *fields[], int most)
 {
     int count = 0;
     for (char *p = line;; p++) {
@@ -131,7 +136,7 @@ static bool is_utf8(const char *text)
     return true;
 }
 
-bool pp_epw_append(char **whole, const char *before, const char *text)
+bool pp_epw_lines_append_text(char **whole, const char *before, const char *text)
 {
     size_t length = *whole ? strlen(*whole) : 0;
     char *grown = realloc(*whole, length + strlen(before) + 2 * strlen(text) + 1);

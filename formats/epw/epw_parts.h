@@ -1,6 +1,6 @@
 /* epw_parts.h - what the files of epw.h share. Inside formats/epw/ only. */
-#ifndef PP_MODEL_EPW_PARTS_H
-#define PP_MODEL_EPW_PARTS_H
+#ifndef PP_FORMATS_EPW_EPW_PARTS_H
+#define PP_FORMATS_EPW_EPW_PARTS_H
 
 #include "formats/epw/epw.h"
 
@@ -21,14 +21,15 @@ struct pp_epw_lines {
 
 /* What can be said of the bytes alone: false, with the first mistake noted, where they
  * are none of an EPW file (UTF-16, NUL bytes, lines without an end, nothing at all). */
-bool pp_epw_bytes_sound(const char *bytes, size_t length, struct pp_mistakes *mistakes);
+bool pp_epw_lines_check_bytes(const char *bytes, size_t length,
+                              struct pp_mistakes *mistakes);
 
 /* The next line that is not blank, or NULL. */
-char *pp_epw_next_line(struct pp_epw_lines *lines);
+char *pp_epw_lines_next(struct pp_epw_lines *lines);
 
 /* Splits a line at its commas; the fields lie in it, without white space and quotes
  * round them. Returns how many there are; `most` are split at most. */
-int pp_epw_split(char *line, char *fields[], int most);
+int pp_epw_lines_split(char *line, char *fields[], int most);
 
 /* One of DATA PERIODS. */
 struct pp_epw_period {
@@ -49,18 +50,18 @@ struct pp_epw_header {
 
 /* Reads header lines into epw and header until the first record, which *record is
  * (NULL: the file ends first). False where there is a mistake. */
-bool pp_epw_read_header(struct pp_epw *epw, struct pp_epw_header *header,
+bool pp_epw_header_read(struct pp_epw *epw, struct pp_epw_header *header,
                         struct pp_epw_lines *lines, char **record,
                         struct pp_mistakes *mistakes, struct pp_error *err);
 
 /* Reads the records into epw, from `record` on. PP_OK also where there are mistakes. */
-enum pp_status pp_epw_read_records(struct pp_epw *epw,
+enum pp_status pp_epw_records_read(struct pp_epw *epw,
                                    const struct pp_epw_header *header,
                                    struct pp_epw_lines *lines, char *record,
                                    struct pp_mistakes *mistakes, struct pp_error *err);
 
 /* Appends text, Latin-1 where it is not UTF-8, to a UTF-8 string on the heap, with
  * `before` between them unless that is empty; false when memory is out. */
-bool pp_epw_append(char **whole, const char *before, const char *text);
+bool pp_epw_lines_append_text(char **whole, const char *before, const char *text);
 
 #endif

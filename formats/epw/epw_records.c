@@ -4,8 +4,7 @@
 #include <stdlib.h>
 
 #include "formats/epw/epw_parts.h"
-#include "model/base/names.h"
-#include "model/base/number.h"
+#include "model/base/text.h"
 
 /* Where the records have got to, and what comes next. */
 struct record_reader {
@@ -49,7 +48,7 @@ static bool same_day(struct pp_month_day a, struct pp_month_day b)
 /* The day after, 29 February after the 28th. */
 static struct pp_month_day day_after(struct pp_month_day date)
 {
-    if (date.day < pp_month_days(date.month))
+    if (date.day < pp_epw_header_days_of_month(date.month))
         return (struct pp_month_day){date.month, date.day + 1};
     return (struct pp_month_day){date.month % 12 + 1, 1};
 }
@@ -87,13 +86,14 @@ static bool read_whole(struct record_reader *r, int index, const char *name, int
 {
     double value;
     char shown[64];
-    if (pp_number_parse(r->fields[index], &value) && value == floor(value)
+    if (pp_text_parse_number(r->fields[index], &value) && value == floor(value)
         && value >= low && value <= high) {
         *whole = (int)value;
         return true;
     }
-    pp_mistake(r->mistakes, r->line, "%s (field %d) is \"%s\"; expected %d to %d", name,
-               index + 1, pp_excerpt(shown, sizeof shown, r->fields[index]), low, high);
+    pp_mistakes_add(r->mistakes, r->line, "%s (field %d) is \"%s\"; expected %d to %d",
+                    name, index + 1,
+                    pp_text_excerpt(shown, sizeof shown, r->fields[index]), low, high);
     return false;
 }
 
@@ -102,11 +102,12 @@ static bool lose(struct record_reader *r, struct pp_month_day date, int hour)
 {
     char found[32], wanted[32];
     r->lost = true;
-    pp_mistake(r->mistakes, r->line,
-               "a record of %s, hour %d; expected %s, hour %d: records are missing or "
-               "out of order",
-               pp_month_day_words(found, sizeof found, date), hour,
-               pp_month_day_words(wanted, sizeof wanted, r->date), r->hour);
+    pp_mistakes_add(
+        r->mistakes, r->line,
+        "a record of %s, hour %d; expected %s, hour %d: records are missing or "
+        "out of order",
+        pp_epw_header_month_day_words(found, sizeof found, date), hour,
+        pp_epw_header_month_day_words(wanted, sizeof wanted, r->date), r->hour);
     return false;
 }
 
@@ -115,8 +116,9 @@ static bool is_after_last(struct record_reader *r)
 {
     if (r->period < r->header->period_count)
         return false;
-    pp_mistake(r->mistakes, r->line, "a record after the last data period of line %d",
-               r->header->periods_line);
+    pp_mistakes_add(r->mistakes, r->line,
+                    "a record after the last data period of line %d",
+                    r->header->periods_line);
     r->lost = true;
     return true;
 }
@@ -131,7 +133,7 @@ static bool settle_leap_day(struct record_reader *r, struct pp_month_day found,
     if (!due || r->hour != 1 || r->sub != 0)
         return true;
     if (there && leap == PP_LEAP_NO && !is_leap(year)) {
-        pp_mistake(
+        pp_mistakes_add(
             r->mistakes, r->line,
             "a record of 29 February %d; but %d is no leap year, and line %d says "
             "that there is none",
@@ -140,7 +142,7 @@ static bool settle_leap_day(struct record_reader *r, struct pp_month_day found,
         return false;
     }
     if (!there && leap == PP_LEAP_YES) {
-        pp_mistake(
+        pp_mistakes_add(
             r->mistakes, r->line,
             "no record of 29 February before this one; but line %d says that the "
             "year is a leap year",
@@ -171,10 +173,10 @@ static bool check_minute(struct record_reader *r, int minute)
         r->minute = minute;
         return true;
     }
-    pp_mistake(r->mistakes, r->line,
-               "minute %d (field 5) after minute %d of the same hour; expected %d "
-               "records an hour in order",
-               minute, r->minute, r->header->records_an_hour);
+    pp_mistakes_add(r->mistakes, r->line,
+                    "minute %d (field 5) after minute %d of the same hour; expected %d "
+                    "records an hour in order",
+                    minute, r->minute, r->header->records_an_hour);
     r->lost = true;
     return false;
 }
@@ -185,7 +187,7 @@ static bool read_time(struct record_reader *r, struct pp_epw_record *record)
     int month, day, hour, minute;
     if (!read_whole(r, 0, "the year", 1800, 2200, &record->year)
         || !read_whole(r, 1, "the month", 1, 12, &month)
-        || !read_whole(r, 2, "the day", 1, pp_month_days(month), &day)
+        || !read_whole(r, 2, "the day", 1, pp_epw_header_days_of_month(month), &day)
         || !read_whole(r, 3, "the hour", 1, 24, &hour)
         || !read_whole(r, 4, "the minute", 0, 60, &minute)) {
         r->lost = true;
@@ -210,16 +212,16 @@ static double read_value(struct record_reader *r, int index, const char *name,
     const char *text = r->fields[index];
     if (!*text)
         return NAN;
-    if (pp_number_parse(text, &value)) {
+    if (pp_text_parse_number(text, &value)) {
         if (value >= missing)
             return NAN;
         if (value >= low && value <= high)
             return value;
     }
-    pp_mistake(r->mistakes, r->line,
-               "%s (field %d) is \"%s\"; expected %g to %g, or %g where it is missing",
-               name, index + 1, pp_excerpt(shown, sizeof shown, text), low, high,
-               missing);
+    pp_mistakes_add(
+        r->mistakes, r->line,
+        "%s (field %d) is \"%s\"; expected %g to %g, or %g where it is missing", name,
+        index + 1, pp_text_excerpt(shown, sizeof shown, text), low, high, missing);
     return NAN;
 }
 
@@ -240,12 +242,13 @@ static void read_values(struct record_reader *r, struct pp_epw_record *record)
 static bool read_record(struct record_reader *r, char *text)
 {
     enum { FIELDS_NEEDED = 19 };
-    int count = pp_epw_split(text, r->fields, PP_EPW_FIELDS_MOST);
+    int count = pp_epw_lines_split(text, r->fields, PP_EPW_FIELDS_MOST);
     if (count < FIELDS_NEEDED) {
-        pp_mistake(r->mistakes, r->line,
-                   "a record of %d field%s; expected 35, at least %d, up to diffuse "
-                   "illuminance",
-                   count, count == 1 ? "" : "s", FIELDS_NEEDED);
+        pp_mistakes_add(
+            r->mistakes, r->line,
+            "a record of %d field%s; expected 35, at least %d, up to diffuse "
+            "illuminance",
+            count, count == 1 ? "" : "s", FIELDS_NEEDED);
         r->lost = true;
         return true;
     }
@@ -283,15 +286,15 @@ static void check_end(struct record_reader *r)
     if (leap_end && r->begun && r->period == r->header->period_count - 1
         && r->years_left == 0)
         return;
-    pp_mistake(
+    pp_mistakes_add(
         r->mistakes, r->line,
         "the file ends here; expected a record of %s, hour %d: it is cut off, or "
         "data period %d of line %d ends sooner than that line says",
-        pp_month_day_words(wanted, sizeof wanted, r->date), r->hour, r->period + 1,
-        r->header->periods_line);
+        pp_epw_header_month_day_words(wanted, sizeof wanted, r->date), r->hour,
+        r->period + 1, r->header->periods_line);
 }
 
-enum pp_status pp_epw_read_records(struct pp_epw *epw,
+enum pp_status pp_epw_records_read(struct pp_epw *epw,
                                    const struct pp_epw_header *header,
                                    struct pp_epw_lines *lines, char *record,
                                    struct pp_mistakes *mistakes, struct pp_error *err)
@@ -300,7 +303,7 @@ enum pp_status pp_epw_read_records(struct pp_epw *epw,
     int before = mistakes->count;
     epw->record_h = 1.0 / header->records_an_hour;
     start_period(&r);
-    for (; record; record = pp_epw_next_line(lines)) {
+    for (; record; record = pp_epw_lines_next(lines)) {
         r.line = lines->line;
         if (!read_record(&r, record))
             return pp_fail_memory(err);

@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "model/base/number.h"
+#include "model/base/text.h"
 
 /* Rows of these widths may be packed channel by channel: the width stands in 15 bits,
  * and shorter rows could be taken for pixels. */
@@ -97,8 +97,9 @@ static void write_row(FILE *out, const unsigned char *row, int width)
         write_channel(out, row + channel, width);
 }
 
-enum pp_status pp_hdr_write(FILE *out, const struct pp_picture *picture,
-                            const struct pp_hdr_notes *notes, struct pp_error *err)
+enum pp_status pp_picture_hdr_write(FILE *out, const struct pp_picture *picture,
+                                    const struct pp_hdr_notes *notes,
+                                    struct pp_error *err)
 {
     unsigned char *row = malloc(4 * (size_t)picture->width);
     if (!row)
@@ -173,7 +174,7 @@ static enum pp_status take_line(const struct input *in, const char *line,
                            in->line, value);
     } else if ((value = behind(line, "EXPOSURE"))) {
         double exposure;
-        if (!pp_number_parse(value, &exposure) || !(exposure > 0.0)
+        if (!pp_text_parse_number(value, &exposure) || !(exposure > 0.0)
             || !isfinite(notes->exposure * exposure)
             || !(notes->exposure * exposure > 0.0))
             return pp_fail(err, PP_BAD_INPUT,
@@ -291,9 +292,10 @@ static bool read_row(struct input *in, unsigned char *row, int width)
     return read_packed_row(in, row, width);
 }
 
-enum pp_status pp_hdr_read(struct pp_picture *picture, struct pp_hdr_notes *notes,
-                           const unsigned char *bytes, size_t length,
-                           struct pp_error *err)
+enum pp_status pp_picture_hdr_read(struct pp_picture *picture,
+                                   struct pp_hdr_notes *notes,
+                                   const unsigned char *bytes, size_t length,
+                                   struct pp_error *err)
 {
     *picture = (struct pp_picture){0};
     *notes = (struct pp_hdr_notes){.exposure = 1.0};

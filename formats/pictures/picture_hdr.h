@@ -7,8 +7,8 @@
  * Pixels are radiances (W/sr/m2 in three channels; their luminance is 179 times the
  * grey of rgb.h, in cd/m2), times the exposure that the header gives.
  */
-#ifndef PP_MODEL_PICTURE_HDR_H
-#define PP_MODEL_PICTURE_HDR_H
+#ifndef PP_FORMATS_PICTURES_PICTURE_HDR_H
+#define PP_FORMATS_PICTURES_PICTURE_HDR_H
 
 #include <stdio.h>
 
@@ -23,21 +23,24 @@ struct pp_hdr_notes {
                                   * empty: none */
     char quantity[16]; /* what the pixels are where they are no radiances: "df"; behind
                         * QUANTITY=, which other programs pass over; empty: not said */
-    const char *software; /* of pp_hdr_write: who made it; NULL: not said; not owned */
+    const char
+        *software; /* of pp_picture_hdr_write: who made it; NULL: not said; not owned */
 };
 
 /* Writes the picture, in run lengths where its width allows. A pixel that is no finite
  * number is written black, a negative channel as 0. What the stream makes of it is
  * PP_SYSTEM. */
-enum pp_status pp_hdr_write(FILE *out, const struct pp_picture *picture,
-                            const struct pp_hdr_notes *notes, struct pp_error *err);
+enum pp_status pp_picture_hdr_write(FILE *out, const struct pp_picture *picture,
+                                    const struct pp_hdr_notes *notes,
+                                    struct pp_error *err);
 
 /* Reads one from memory, as old and new programs pack it; exposures multiply, the last
  * view counts. Rows may run up, and pixels to the left; a picture that stands on its
  * side is PP_BAD_INPUT, as is whatever is cut off or makes no sense: the message says
  * which line or row. Bytes behind the last row are not looked at. */
-enum pp_status pp_hdr_read(struct pp_picture *picture, struct pp_hdr_notes *notes,
-                           const unsigned char *bytes, size_t length,
-                           struct pp_error *err);
+enum pp_status pp_picture_hdr_read(struct pp_picture *picture,
+                                   struct pp_hdr_notes *notes,
+                                   const unsigned char *bytes, size_t length,
+                                   struct pp_error *err);
 
 #endif

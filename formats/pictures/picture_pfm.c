@@ -3,8 +3,8 @@
 #include <stdint.h>
 #include <string.h>
 
-enum pp_status pp_pfm_write(FILE *out, const struct pp_picture *picture,
-                            struct pp_error *err)
+enum pp_status pp_picture_pfm_write(FILE *out, const struct pp_picture *picture,
+                                    struct pp_error *err)
 {
     fprintf(out, "PF\n%d %d\n-1.0\n", picture->width, picture->height);
     for (int y = picture->height - 1; y >= 0; y--)

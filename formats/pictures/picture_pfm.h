@@ -1,6 +1,6 @@
 /* picture_pfm.h - portable float maps: a picture's numbers as they are. */
-#ifndef PP_MODEL_PICTURE_PFM_H
-#define PP_MODEL_PICTURE_PFM_H
+#ifndef PP_FORMATS_PICTURES_PICTURE_PFM_H
+#define PP_FORMATS_PICTURES_PICTURE_PFM_H
 
 #include <stdio.h>
 
@@ -8,7 +8,7 @@
 
 /* Three floats a pixel, least significant byte first, rows from the bottom. What the
  * stream makes of it is PP_SYSTEM. */
-enum pp_status pp_pfm_write(FILE *out, const struct pp_picture *picture,
-                            struct pp_error *err);
+enum pp_status pp_picture_pfm_write(FILE *out, const struct pp_picture *picture,
+                                    struct pp_error *err);
 
 #endif

@@ -7,34 +7,34 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "model/base/number.h"
+#include "model/base/text.h"
 #include "formats/radiance/rad_gensky.h"
 #include "formats/radiance/rad_reader.h"
 
 enum { WORDS_MOST = 1000, COMMANDS_MOST = 100, ARRAYS_MOST = 16 };
 
 /* One command of a line. */
-struct command {
+struct piped_command {
     char **words;
     int count;
 };
 
-struct line {
+struct piped_line {
     const struct pp_rad_words *words; /* where it stands */
     int number;
     char *list[WORDS_MOST];
-    struct command commands[COMMANDS_MOST];
+    struct piped_command commands[COMMANDS_MOST];
     int command_count;
 };
 
-static enum pp_status fail(const struct line *line, struct pp_error *err,
+static enum pp_status fail(const struct piped_line *line, struct pp_error *err,
                            const char *what, const char *word)
 {
-    return pp_rad_fail(line->words, line->number, err, "%s%.60s", what, word);
+    return pp_rad_words_fail(line->words, line->number, err, "%s%.60s", what, word);
 }
 
 /* A pipe, or the end of the line, ends the command of the words from `begin` on. */
-static enum pp_status end_command(struct line *line, int begin, int count,
+static enum pp_status end_command(struct piped_line *line, int begin, int count,
                                   struct pp_error *err)
 {
     if (count == begin)
@@ -42,13 +42,13 @@ static enum pp_status end_command(struct line *line, int begin, int count,
     if (line->command_count == COMMANDS_MOST)
         return fail(line, err, "more than 100 commands in one line", "");
     line->commands[line->command_count++] =
-        (struct command){line->list + begin, count - begin};
+        (struct piped_command){line->list + begin, count - begin};
     return PP_OK;
 }
 
 /* Splits text, which it changes, at blanks and pipes; words may stand in quotes. What a
  * shell would do more than that is refused. */
-static enum pp_status split(struct line *line, char *text, struct pp_error *err)
+static enum pp_status split(struct piped_line *line, char *text, struct pp_error *err)
 {
     int count = 0, begin = 0;
     for (char *at = text;;) {
@@ -81,21 +81,21 @@ static enum pp_status split(struct line *line, char *text, struct pp_error *err)
     }
 }
 
-static enum pp_status run(struct pp_rad_reader *reader, const struct line *line,
-                          int which, const struct pp_rad_way *way,
+static enum pp_status run(struct pp_rad_reader *reader, const struct piped_line *line,
+                          int which, const struct pp_rad_context *way,
                           struct pp_error *err);
 
 /* ---- xform ---- */
 
 /* The options between one -i or -a and the next. */
-struct stage {
+struct xform_stage {
     struct pp_rad_transform transform;
     int count;  /* how often it is applied */
     bool array; /* ... or 0 to count - 1 times, a copy each */
 };
 
 struct xform {
-    struct stage stages[ARRAYS_MOST];
+    struct xform_stage stages[ARRAYS_MOST];
     int stage_count;
     bool inverted, replaced;
     struct pp_rad_meaning modifier;
@@ -103,34 +103,36 @@ struct xform {
     int file_count;
 };
 
-static enum pp_status start_stage(struct xform *xform, const struct line *line,
+static enum pp_status start_stage(struct xform *xform, const struct piped_line *line,
                                   char *const *words, int left, struct pp_error *err)
 {
     double number;
     bool array = strcmp(words[0], "-a") == 0;
-    if (left < 2 || !pp_number_parse(words[1], &number)
+    if (left < 2 || !pp_text_parse_number(words[1], &number)
         || !(number >= (array ? 1.0 : 0.0)) || !(number <= PP_RAD_COPIES_MOST)
         || number != (int)number)
         return fail(line, err, "expected a whole number behind xform's ", words[0]);
     if (xform->stage_count == ARRAYS_MOST)
         return fail(line, err, "more than 15 of -i and -a in one xform", "");
     xform->stages[xform->stage_count++] =
-        (struct stage){pp_rad_unmoved(), (int)number, array};
+        (struct xform_stage){pp_rad_transform_identity(), (int)number, array};
     return PP_OK;
 }
 
 static enum pp_status read_xform(struct xform *xform,
                                  const struct pp_rad_reader *reader,
-                                 const struct line *line, const struct command *command,
+                                 const struct piped_line *line,
+                                 const struct piped_command *command,
                                  struct pp_error *err)
 {
-    *xform = (struct xform){.stages = {{pp_rad_unmoved(), 1, false}}, .stage_count = 1};
+    *xform = (struct xform){.stages = {{pp_rad_transform_identity(), 1, false}},
+                            .stage_count = 1};
     int i = 1;
     while (i < command->count && command->words[i][0] == '-') {
         char **word = command->words + i;
         int left = command->count - i;
-        int taken = pp_rad_read_option(&xform->stages[xform->stage_count - 1].transform,
-                                       word, left);
+        int taken = pp_rad_transform_read_option(
+            &xform->stages[xform->stage_count - 1].transform, word, left);
         if (taken < 0)
             return fail(line, err, "no good numbers behind xform's ", *word);
         if (taken > 0) {
@@ -148,8 +150,8 @@ static enum pp_status read_xform(struct xform *xform,
         } else if (strcmp(*word, "-n") == 0 && left > 1) {
             i += 2; /* names of shapes play no part */
         } else if (strcmp(*word, "-m") == 0 && left > 1) {
-            if (!pp_rad_find(&reader->names, word[1], strlen(word[1]),
-                             &xform->modifier))
+            if (!pp_rad_names_find(&reader->names, word[1], strlen(word[1]),
+                                   &xform->modifier))
                 return fail(line, err, "there is no material ", word[1]);
             xform->replaced = true;
             i += 2;
@@ -165,11 +167,11 @@ static enum pp_status read_xform(struct xform *xform,
 /* The same so many times over: by squares, so that a million are twenty. */
 static struct pp_rad_transform repeated(struct pp_rad_transform step, long times)
 {
-    struct pp_rad_transform all = pp_rad_unmoved();
+    struct pp_rad_transform all = pp_rad_transform_identity();
     for (; times > 0; times /= 2) {
         if (times % 2 == 1)
-            all = pp_rad_both(&step, &all);
-        step = pp_rad_both(&step, &step);
+            all = pp_rad_transform_compose(&step, &all);
+        step = pp_rad_transform_compose(&step, &step);
     }
     return all;
 }
@@ -179,22 +181,22 @@ static struct pp_rad_transform copy_of(const struct xform *xform, long index)
 {
     int times[ARRAYS_MOST];
     for (int i = xform->stage_count - 1; i >= 0; i--) {
-        const struct stage *stage = &xform->stages[i];
+        const struct xform_stage *stage = &xform->stages[i];
         times[i] = stage->array ? (int)(index % stage->count) : stage->count;
         if (stage->array)
             index /= stage->count;
     }
-    struct pp_rad_transform all = pp_rad_unmoved();
+    struct pp_rad_transform all = pp_rad_transform_identity();
     for (int i = 0; i < xform->stage_count; i++) {
         struct pp_rad_transform stage = repeated(xform->stages[i].transform, times[i]);
-        all = pp_rad_both(&stage, &all);
+        all = pp_rad_transform_compose(&stage, &all);
     }
     return all;
 }
 
-static enum pp_status run_xform(struct pp_rad_reader *reader, const struct line *line,
-                                int which, const struct pp_rad_way *way,
-                                struct pp_error *err)
+static enum pp_status run_xform(struct pp_rad_reader *reader,
+                                const struct piped_line *line, int which,
+                                const struct pp_rad_context *way, struct pp_error *err)
 {
     struct xform xform;
     enum pp_status status =
@@ -207,22 +209,23 @@ static enum pp_status run_xform(struct pp_rad_reader *reader, const struct line 
     for (int i = 0; i < xform.stage_count; i++)
         copies *= xform.stages[i].array ? xform.stages[i].count : 1;
     if (copies > (double)(PP_RAD_COPIES_MOST - reader->copies))
-        return pp_rad_fail(line->words, line->number, err,
-                           "more than %d copies, by this xform and those before it",
-                           PP_RAD_COPIES_MOST);
+        return pp_rad_words_fail(
+            line->words, line->number, err,
+            "more than %d copies, by this xform and those before it",
+            PP_RAD_COPIES_MOST);
     reader->copies += (long)copies;
     for (int i = 0; i < xform.stage_count; i++)
         if (!xform.stages[i].array) {
-            struct stage *stage = &xform.stages[i];
+            struct xform_stage *stage = &xform.stages[i];
             stage->transform = repeated(stage->transform, stage->count);
             stage->count = 1;
         }
     for (long copy = 0; copy < (long)copies && status == PP_OK; copy++) {
         struct pp_rad_transform own = copy_of(&xform, copy);
-        struct pp_rad_way next = *way;
-        next.transform = pp_rad_both(&way->transform, &own);
-        if (!isfinite(pp_length(next.transform.move)) || !(next.transform.scale > 1e-12)
-            || !(next.transform.scale < 1e12))
+        struct pp_rad_context next = *way;
+        next.transform = pp_rad_transform_compose(&way->transform, &own);
+        if (!isfinite(pp_vec_length(next.transform.move))
+            || !(next.transform.scale > 1e-12) || !(next.transform.scale < 1e12))
             return fail(line, err, "copies that leave all bounds", "");
         next.inverted = way->inverted != xform.inverted;
         if (!way->replaced && xform.replaced) {
@@ -253,32 +256,36 @@ static enum pp_status run_xform(struct pp_rad_reader *reader, const struct line 
 static bool define(struct pp_rad_reader *reader, const char *name,
                    enum pp_rad_kind kind, int index)
 {
-    return pp_rad_define(&reader->names, name, strlen(name),
-                         (struct pp_rad_meaning){kind, index, -1});
+    return pp_rad_names_define(&reader->names, name, strlen(name),
+                               (struct pp_rad_meaning){kind, index, -1});
 }
 
 /* "solar" and its source, and "skyfunc". */
-static enum pp_status run_gensky(struct pp_rad_reader *reader, const struct line *line,
-                                 const struct command *command,
-                                 const struct pp_rad_way *way, struct pp_error *err)
+static enum pp_status run_gensky(struct pp_rad_reader *reader,
+                                 const struct piped_line *line,
+                                 const struct piped_command *command,
+                                 const struct pp_rad_context *way, struct pp_error *err)
 {
     struct pp_gensky sky;
     char wrong[200];
-    if (!pp_gensky_evaluate(&sky, command->words, command->count, wrong, sizeof wrong))
+    if (!pp_rad_gensky_evaluate(&sky, command->words, command->count, wrong,
+                                sizeof wrong))
         return fail(line, err, "", wrong);
-    struct pp_vec3 up = pp_rad_turn(&way->transform, pp_vec(0.0, 0.0, 1.0));
+    struct pp_vec3 up =
+        pp_rad_transform_direction(&way->transform, pp_vec(0.0, 0.0, 1.0));
     if (!(up.z > 1.0 - 1e-9))
         return fail(line, err,
                     "a sky that is tilted; expected it turned about the "
                     "vertical at most",
                     "");
     struct pp_vec3 sun = sky.pattern.sun;
-    sky.pattern.sun = pp_rad_turn(&way->transform, sun);
+    sky.pattern.sun = pp_rad_transform_direction(&way->transform, sun);
     int index;
     enum pp_status status =
-        pp_rad_check_materials(reader, line->words, line->number, err);
+        pp_rad_materials_check_count(reader, line->words, line->number, err);
     if (status == PP_OK)
-        status = pp_scene_add_pattern(reader->scene, &sky.pattern, &index, err);
+        status =
+            pp_scene_description_add_pattern(reader->scene, &sky.pattern, &index, err);
     if (status != PP_OK)
         return status;
     if (!define(reader, "skyfunc", PP_RAD_PATTERN, index))
@@ -287,24 +294,25 @@ static enum pp_status run_gensky(struct pp_rad_reader *reader, const struct line
         return PP_OK;
     struct pp_material solar = pp_material_light(pp_rgb_grey(sky.sun_radiance));
     strcpy(solar.name, "solar");
-    status = pp_scene_add_material(reader->scene, &solar, &index, err);
+    status = pp_scene_description_add_material(reader->scene, &solar, &index, err);
     if (status != PP_OK)
         return status;
     if (!define(reader, "solar", PP_RAD_MATERIAL, index))
         return pp_fail_memory(err);
     const struct pp_shape disc = {.kind = PP_SHAPE_DISTANT,
                                   .is.distant = {sun, 0.25 * PP_RAD}};
-    return pp_rad_add_shape(reader, line->words, line->number,
-                            (struct pp_rad_meaning){PP_RAD_MATERIAL, index, -1}, disc,
-                            way, err);
+    return pp_rad_shapes_add(reader, line->words, line->number,
+                             (struct pp_rad_meaning){PP_RAD_MATERIAL, index, -1}, disc,
+                             way, err);
 }
 
 /* ---- the line ---- */
 
-static enum pp_status run(struct pp_rad_reader *reader, const struct line *line,
-                          int which, const struct pp_rad_way *way, struct pp_error *err)
+static enum pp_status run(struct pp_rad_reader *reader, const struct piped_line *line,
+                          int which, const struct pp_rad_context *way,
+                          struct pp_error *err)
 {
-    const struct command *command = &line->commands[which];
+    const struct piped_command *command = &line->commands[which];
     const char *name = command->words[0];
     if (strcmp(name, "xform") == 0)
         return run_xform(reader, line, which, way, err);
@@ -321,11 +329,12 @@ static enum pp_status run(struct pp_rad_reader *reader, const struct line *line,
                 name);
 }
 
-enum pp_status pp_rad_run(struct pp_rad_reader *reader,
-                          const struct pp_rad_words *words, char *command, int number,
-                          const struct pp_rad_way *way, struct pp_error *err)
+enum pp_status pp_rad_command_run(struct pp_rad_reader *reader,
+                                  const struct pp_rad_words *words, char *command,
+                                  int number, const struct pp_rad_context *way,
+                                  struct pp_error *err)
 {
-    struct line *line = calloc(1, sizeof *line);
+    struct piped_line *line = calloc(1, sizeof *line);
     if (!line)
         return pp_fail_memory(err);
     line->words = words;

@@ -59,7 +59,7 @@ static const char cal[] =
     "pp_through = arg(14)*arg(15)*pp_clear;\n"
     "pp_mirrored = arg(14)*if(pp_stack + pp_clear - 1, 1 - pp_clear, pp_stack);\n";
 
-const char *pp_rad_cal_text(void)
+const char *pp_rad_functions_cal_text(void)
 {
     return cal;
 }
@@ -68,8 +68,8 @@ static enum pp_status define(struct pp_rad_reader *reader,
                              const struct pp_rad_primitive *primitive,
                              struct pp_rad_meaning meaning, struct pp_error *err)
 {
-    return pp_rad_define(&reader->names, primitive->name.text, primitive->name.length,
-                         meaning)
+    return pp_rad_names_define(&reader->names, primitive->name.text,
+                               primitive->name.length, meaning)
                ? PP_OK
                : pp_fail_memory(err);
 }
@@ -83,21 +83,21 @@ static enum pp_status side_of(const struct pp_rad_reader *reader,
     struct pp_rad_word word = primitive->strings[which];
     struct pp_rad_meaning meaning;
     int shown = (int)(word.length < 60 ? word.length : 60);
-    if (!pp_rad_find(&reader->names, word.text, word.length, &meaning))
-        return pp_rad_fail(primitive->words, word.line, err,
-                           "there is no material \"%.*s\"", shown, word.text);
+    if (!pp_rad_names_find(&reader->names, word.text, word.length, &meaning))
+        return pp_rad_words_fail(primitive->words, word.line, err,
+                                 "there is no material \"%.*s\"", shown, word.text);
     if (meaning.kind != PP_RAD_MATERIAL)
-        return pp_rad_fail(primitive->words, word.line, err,
-                           "a mixfunc of \"%.*s\"; expected a material", shown,
-                           word.text);
+        return pp_rad_words_fail(primitive->words, word.line, err,
+                                 "a mixfunc of \"%.*s\"; expected a material", shown,
+                                 word.text);
     *material = which == 1 && meaning.back >= 0 ? meaning.back : meaning.index;
     /* A lamp in a mixfunc is none to Radiance, and a back that glows is dark. */
     enum pp_emitter_kind emits = reader->scene->materials[*material].emits;
     if (emits == PP_EMITS_CONCENTRATED || (which == 1 && emits != PP_EMITS_NOTHING))
-        return pp_rad_fail(primitive->words, word.line, err,
-                           "a mixfunc of \"%.*s\", whose light Radiance does not "
-                           "count there; expected a material that gives off none",
-                           shown, word.text);
+        return pp_rad_words_fail(primitive->words, word.line, err,
+                                 "a mixfunc of \"%.*s\", whose light Radiance does not "
+                                 "count there; expected a material that gives off none",
+                                 shown, word.text);
     return PP_OK;
 }
 
@@ -106,12 +106,12 @@ static enum pp_status take_sides(struct pp_rad_reader *reader,
                                  struct pp_error *err)
 {
     if (primitive->string_count != 4 || primitive->modifier.kind != PP_RAD_VOID
-        || !pp_rad_is(primitive->strings[2], PP_RAD_SIDES)
-        || !pp_rad_is(primitive->strings[3], "."))
-        return pp_rad_fail(primitive->words, primitive->line, err,
-                           "a mixfunc that is not understood; expected \"void "
-                           "mixfunc\" with \"4 FRONT BACK " PP_RAD_SIDES
-                           " .\", one material a side");
+        || !pp_rad_words_is(primitive->strings[2], PP_RAD_SIDES)
+        || !pp_rad_words_is(primitive->strings[3], "."))
+        return pp_rad_words_fail(primitive->words, primitive->line, err,
+                                 "a mixfunc that is not understood; expected \"void "
+                                 "mixfunc\" with \"4 FRONT BACK " PP_RAD_SIDES
+                                 " .\", one material a side");
     struct pp_rad_meaning meaning = {PP_RAD_MATERIAL, -1, -1};
     enum pp_status status = side_of(reader, primitive, 0, &meaning.index, err);
     if (status == PP_OK)
@@ -130,7 +130,7 @@ static bool is_pane(const struct pp_rad_primitive *primitive)
                 && primitive->number_count == PP_RAD_PANE_NUMBERS
                 && primitive->modifier.kind == PP_RAD_VOID;
     for (int i = 0; i < 10 && good; i++)
-        good = pp_rad_is(primitive->strings[i], expected[i]);
+        good = pp_rad_words_is(primitive->strings[i], expected[i]);
     for (int i = 6; i < 9 && good; i++)
         good = primitive->numbers[i] == 0.0;
     return good;
@@ -154,10 +154,11 @@ static enum pp_status add_pane(struct pp_rad_reader *reader,
              (int)(length < sizeof pane.name ? length : sizeof pane.name - 1),
              primitive->name.text, back ? " (outside)" : "");
     struct pp_error said;
-    enum pp_status status = pp_scene_add_material(reader->scene, &pane, index, &said);
+    enum pp_status status =
+        pp_scene_description_add_material(reader->scene, &pane, index, &said);
     if (status == PP_BAD_INPUT)
-        return pp_rad_fail(primitive->words, primitive->line, err, "%.600s",
-                           said.message);
+        return pp_rad_words_fail(primitive->words, primitive->line, err, "%.600s",
+                                 said.message);
     return status == PP_OK ? PP_OK : pp_fail(err, status, "%s", said.message);
 }
 
@@ -167,18 +168,20 @@ static enum pp_status take_pane(struct pp_rad_reader *reader,
 {
     const double *n = primitive->numbers;
     if (!is_pane(primitive))
-        return pp_rad_fail(primitive->words, primitive->line, err,
-                           "a BRTDfunc that is not understood; expected a glazing "
-                           "by " PP_RAD_CAL_NAME ", as pepperpot writes it");
+        return pp_rad_words_fail(
+            primitive->words, primitive->line, err,
+            "a BRTDfunc that is not understood; expected a glazing "
+            "by " PP_RAD_CAL_NAME ", as pepperpot writes it");
     double panes = n[9];
     bool glazed = panes >= 1.0 && panes <= 20.0 && n[10] > 1.0 && n[11] >= 0.0
                   && n[12] > 0.0 && n[12] < 10.0;
     if ((panes != 0.0 && !glazed) || panes != floor(panes) || !is_share(n[13])
         || !is_share(n[14]))
-        return pp_rad_fail(primitive->words, primitive->line, err,
-                           "a glazing that can't be; expected 0 to 20 panes, a "
-                           "refractive index above 1, an absorption of 0 or more, a "
-                           "factor above 0, shares from 0 to 1");
+        return pp_rad_words_fail(
+            primitive->words, primitive->line, err,
+            "a glazing that can't be; expected 0 to 20 panes, a "
+            "refractive index above 1, an absorption of 0 or more, a "
+            "factor above 0, shares from 0 to 1");
     struct pp_glass glass =
         panes == 0.0 ? pp_glass_none() : pp_glass_panes((int)panes, n[10], n[11]);
     if (panes != 0.0 && n[12] != 1.0) {
@@ -209,10 +212,10 @@ static enum pp_status sky_of(const struct pp_rad_primitive *primitive,
     else if (n[1] == PP_RAD_OVERCAST)
         *sky = pp_sky_overcast();
     else if (n[1] != floor(n[1]) || n[1] < 1.0 || n[1] > 15.0
-             || !(pp_length(sun) > 0.5))
+             || !(pp_vec_length(sun) > 0.5))
         status = pp_fail(&said, PP_BAD_INPUT, "a sky of type %g", n[1]);
     else
-        status = pp_sky_iso(sky, (int)n[1], pp_unit(sun), &said);
+        status = pp_sky_iso(sky, (int)n[1], pp_vec_unit(sun), &said);
     const double is[] = {sky->per_horizontal, sky->a, sky->b, sky->c, sky->d, sky->e};
     for (int i = 0; i < 6 && status == PP_OK; i++)
         if (fabs(n[2 + i] - is[i]) > 1e-6 * (1.0 + fabs(is[i])))
@@ -220,59 +223,63 @@ static enum pp_status sky_of(const struct pp_rad_primitive *primitive,
                              "a sky of type %g with %g where its table has %g", n[1],
                              n[2 + i], is[i]);
     return status == PP_OK ? PP_OK
-                           : pp_rad_fail(primitive->words, primitive->line, err,
-                                         "%.600s", said.message);
+                           : pp_rad_words_fail(primitive->words, primitive->line, err,
+                                               "%.600s", said.message);
 }
 
 static enum pp_status take_sky(struct pp_rad_reader *reader,
                                const struct pp_rad_primitive *primitive,
-                               const struct pp_rad_way *way, struct pp_error *err)
+                               const struct pp_rad_context *way, struct pp_error *err)
 {
     const double *n = primitive->numbers;
     int count = primitive->number_count;
     int skylines = (count - PP_RAD_SKY_NUMBERS) / PP_RAD_SKYLINE_NUMBERS;
-    struct pp_vec3 up = pp_rad_turn(&way->transform, pp_vec(0.0, 0.0, 1.0));
+    struct pp_vec3 up =
+        pp_rad_transform_direction(&way->transform, pp_vec(0.0, 0.0, 1.0));
     if (primitive->string_count != 2 || primitive->modifier.kind != PP_RAD_VOID
         || count < PP_RAD_SKY_NUMBERS
         || count != PP_RAD_SKY_NUMBERS + skylines * PP_RAD_SKYLINE_NUMBERS
         || skylines > PP_PATTERN_SKYLINES_MOST || !(n[0] >= 0.0) || up.z < 1.0 - 1e-9)
-        return pp_rad_fail(primitive->words, primitive->line, err,
-                           "a pp_sky that is not understood; expected it as pepperpot "
-                           "writes it, turned about the vertical at most");
+        return pp_rad_words_fail(
+            primitive->words, primitive->line, err,
+            "a pp_sky that is not understood; expected it as pepperpot "
+            "writes it, turned about the vertical at most");
     struct pp_pattern pattern = {.kind = PP_PATTERN_SKY, .factor = n[0]};
     enum pp_status status = sky_of(primitive, &pattern.sky, err);
     if (status != PP_OK)
         return status;
-    pattern.sky.sun = pp_rad_turn(&way->transform, pattern.sky.sun);
+    pattern.sky.sun = pp_rad_transform_direction(&way->transform, pattern.sky.sun);
     for (int i = 0; i < skylines; i++) {
         const double *of = n + PP_RAD_SKY_NUMBERS + i * PP_RAD_SKYLINE_NUMBERS;
         struct pp_vec3 outward = pp_vec(of[0], of[1], 0.0);
-        if (!(fabs(pp_length(outward) - 1.0) < 1e-6) || !(of[2] > 0.0)
+        if (!(fabs(pp_vec_length(outward) - 1.0) < 1e-6) || !(of[2] > 0.0)
             || !(of[3] >= 0.0))
-            return pp_rad_fail(primitive->words, primitive->line, err,
-                               "a skyline that can't be; expected a direction of "
-                               "length 1, a slope above 0, a radiance of 0 or more");
+            return pp_rad_words_fail(
+                primitive->words, primitive->line, err,
+                "a skyline that can't be; expected a direction of "
+                "length 1, a slope above 0, a radiance of 0 or more");
         pattern.skylines[pattern.skyline_count++] = (struct pp_pattern_skyline){
-            pp_rad_turn(&way->transform, outward), of[2], of[3]};
+            pp_rad_transform_direction(&way->transform, outward), of[2], of[3]};
     }
     struct pp_rad_meaning meaning = {PP_RAD_PATTERN, 0, -1};
-    status = pp_scene_add_pattern(reader->scene, &pattern, &meaning.index, err);
+    status =
+        pp_scene_description_add_pattern(reader->scene, &pattern, &meaning.index, err);
     return status == PP_OK ? define(reader, primitive, meaning, err) : status;
 }
 
-enum pp_status pp_rad_take_function(struct pp_rad_reader *reader,
-                                    const struct pp_rad_primitive *primitive,
-                                    const struct pp_rad_way *way, bool *taken,
-                                    struct pp_error *err)
+enum pp_status pp_rad_functions_read(struct pp_rad_reader *reader,
+                                     const struct pp_rad_primitive *primitive,
+                                     const struct pp_rad_context *way, bool *taken,
+                                     struct pp_error *err)
 {
     *taken = true;
-    if (pp_rad_is(primitive->type, "mixfunc"))
+    if (pp_rad_words_is(primitive->type, "mixfunc"))
         return take_sides(reader, primitive, err);
-    if (pp_rad_is(primitive->type, "BRTDfunc"))
+    if (pp_rad_words_is(primitive->type, "BRTDfunc"))
         return take_pane(reader, primitive, err);
-    if (pp_rad_is(primitive->type, "brightfunc") && primitive->string_count >= 2
-        && pp_rad_is(primitive->strings[0], "pp_sky")
-        && pp_rad_is(primitive->strings[1], PP_RAD_CAL_NAME))
+    if (pp_rad_words_is(primitive->type, "brightfunc") && primitive->string_count >= 2
+        && pp_rad_words_is(primitive->strings[0], "pp_sky")
+        && pp_rad_words_is(primitive->strings[1], PP_RAD_CAL_NAME))
         return take_sky(reader, primitive, way, err);
     *taken = false;
     return PP_OK;

@@ -10,15 +10,15 @@
  * (rad_write.h) uses these, and the reader knows them by name and works them out by its
  * own formulae.
  */
-#ifndef PP_MODEL_RAD_FUNCTIONS_H
-#define PP_MODEL_RAD_FUNCTIONS_H
+#ifndef PP_FORMATS_RADIANCE_RAD_FUNCTIONS_H
+#define PP_FORMATS_RADIANCE_RAD_FUNCTIONS_H
 
 #include "model/light/scene_description.h"
 
 #define PP_RAD_CAL_NAME "pepperpot.cal"
 #define PP_RAD_SIDES "if(Rdot,1,0)"
 
-const char *pp_rad_cal_text(void);
+const char *pp_rad_functions_cal_text(void);
 
 /* The numbers behind pp_sky: horizontal irradiance, type (0 uniform, 1 to 15 of ISO
  * 15469, 16 overcast), its normalisation and parameters a to e, direction to the sun;

@@ -7,16 +7,16 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "model/base/number.h"
+#include "model/base/text.h"
 #include "formats/radiance/rad_reader.h"
 
 enum { SEGMENTS_MOST = 256, SEGMENTS_INWARDS = 32 };
 
-struct box {
+struct genbox_box {
     struct pp_rad_reader *reader;
     const struct pp_rad_words *words;
     int line;
-    const struct pp_rad_way *way;
+    const struct pp_rad_context *way;
     struct pp_rad_meaning material;
     double size[3];
     double inset; /* of the edges: 0 where they are sharp */
@@ -24,21 +24,21 @@ struct box {
     int segments; /* a quarter turn; 0: round */
 };
 
-static enum pp_status fail(const struct box *box, struct pp_error *err,
+static enum pp_status fail(const struct genbox_box *box, struct pp_error *err,
                            const char *what, const char *word)
 {
-    return pp_rad_fail(box->words, box->line, err, "%s%.60s", what, word);
+    return pp_rad_words_fail(box->words, box->line, err, "%s%.60s", what, word);
 }
 
 /* ---- the words ---- */
 
 static bool read_size(const char *word, double *size)
 {
-    return pp_number_parse(word, size) && *size > 0.0 && *size <= 1e9;
+    return pp_text_parse_number(word, size) && *size > 0.0 && *size <= 1e9;
 }
 
-static enum pp_status read_options(struct box *box, char *const *words, int count,
-                                   struct pp_error *err)
+static enum pp_status read_options(struct genbox_box *box, char *const *words,
+                                   int count, struct pp_error *err)
 {
     bool round = false;
     double number = 1.0;
@@ -48,7 +48,7 @@ static enum pp_status read_options(struct box *box, char *const *words, int coun
         if (strcmp(word, "-i") == 0) {
             box->inwards = true;
         } else if (strcmp(word, "-n") == 0) {
-            if (++i == count || !pp_number_parse(words[i], &number)
+            if (++i == count || !pp_text_parse_number(words[i], &number)
                 || !(number >= 1.0 && number <= SEGMENTS_MOST) || number != (int)number)
                 return fail(box, err,
                             "expected a whole number from 1 to 256 behind genbox's ",
@@ -77,12 +77,13 @@ static enum pp_status read_options(struct box *box, char *const *words, int coun
     return PP_OK;
 }
 
-static enum pp_status read_box(struct box *box, char *const *words, int count,
+static enum pp_status read_box(struct genbox_box *box, char *const *words, int count,
                                struct pp_error *err)
 {
     if (count < 6)
         return fail(box, err, "expected genbox MATERIAL NAME and three sizes", "");
-    if (!pp_rad_find(&box->reader->names, words[1], strlen(words[1]), &box->material))
+    if (!pp_rad_names_find(&box->reader->names, words[1], strlen(words[1]),
+                           &box->material))
         return fail(box, err, "there is no material ", words[1]);
     for (int i = 0; i < 3; i++)
         if (!read_size(words[3 + i], &box->size[i]))
@@ -93,7 +94,7 @@ static enum pp_status read_box(struct box *box, char *const *words, int count,
 /* ---- its parts ---- */
 
 /* A corner of the inner box, that is smaller by the inset all round. */
-static struct pp_vec3 inner_corner(const struct box *box, int corner)
+static struct pp_vec3 inner_corner(const struct genbox_box *box, int corner)
 {
     double at[3];
     for (int i = 0; i < 3; i++)
@@ -111,23 +112,23 @@ static struct pp_vec3 outward(int corner, int axis)
 
 /* A flat part whose front looks to `out`, or away from it in a box that looks inwards;
  * its corners may be turned round. */
-static enum pp_status add_flat(const struct box *box, struct pp_vec3 *corners,
+static enum pp_status add_flat(const struct genbox_box *box, struct pp_vec3 *corners,
                                int count, struct pp_vec3 out, struct pp_error *err)
 {
-    struct pp_vec3 normal =
-        pp_cross(pp_sub(corners[1], corners[0]), pp_sub(corners[2], corners[1]));
-    if ((pp_dot(normal, out) < 0.0) != box->inwards)
+    struct pp_vec3 normal = pp_vec_cross(pp_vec_sub(corners[1], corners[0]),
+                                         pp_vec_sub(corners[2], corners[1]));
+    if ((pp_vec_dot(normal, out) < 0.0) != box->inwards)
         for (int i = 0; i < count / 2; i++) {
             struct pp_vec3 other = corners[i];
             corners[i] = corners[count - 1 - i];
             corners[count - 1 - i] = other;
         }
-    return pp_rad_add_polygon(box->reader, box->words, box->line, box->material,
-                              corners, count, box->way, err);
+    return pp_rad_shapes_add_polygon(box->reader, box->words, box->line, box->material,
+                                     corners, count, box->way, err);
 }
 
 /* The sides, two an axis. */
-static enum pp_status add_sides(const struct box *box, struct pp_error *err)
+static enum pp_status add_sides(const struct genbox_box *box, struct pp_error *err)
 {
     enum pp_status status = PP_OK;
     for (int side = 0; side < 6 && status == PP_OK; side++) {
@@ -136,7 +137,7 @@ static enum pp_status add_sides(const struct box *box, struct pp_error *err)
         const int round[4] = {first, first | u, first | u | v, first | v};
         struct pp_vec3 corners[4], out = outward(first, axis);
         for (int i = 0; i < 4; i++)
-            corners[i] = pp_along(inner_corner(box, round[i]), box->inset, out);
+            corners[i] = pp_vec_along(inner_corner(box, round[i]), box->inset, out);
         status = add_flat(box, corners, 4, out, err);
     }
     return status;
@@ -150,23 +151,23 @@ static struct pp_vec3 turned(struct pp_vec3 a, struct pp_vec3 b, int step, int s
     if (step == segments)
         return b;
     double angle = PP_PI / 2.0 * step / segments;
-    return pp_along(pp_scale(a, cos(angle)), sin(angle), b);
+    return pp_vec_along(pp_vec_scale(a, cos(angle)), sin(angle), b);
 }
 
 /* The edge from a corner along an axis. */
-static enum pp_status add_edge(const struct box *box, int corner, int axis,
+static enum pp_status add_edge(const struct genbox_box *box, int corner, int axis,
                                struct pp_error *err)
 {
     struct pp_vec3 ends[2] = {inner_corner(box, corner),
                               inner_corner(box, corner | 1 << axis)};
-    if (pp_length(pp_sub(ends[0], ends[1])) == 0.0)
+    if (pp_vec_length(pp_vec_sub(ends[0], ends[1])) == 0.0)
         return PP_OK;
     if (box->segments == 0) {
         struct pp_shape rod = {
             .kind = PP_SHAPE_CONE,
             .is.cone = {{ends[0], ends[1]}, {box->inset, box->inset}}};
-        return pp_rad_add_shape(box->reader, box->words, box->line, box->material, rod,
-                                box->way, err);
+        return pp_rad_shapes_add(box->reader, box->words, box->line, box->material, rod,
+                                 box->way, err);
     }
     struct pp_vec3 a = outward(corner, (axis + 1) % 3);
     struct pp_vec3 b = outward(corner, (axis + 2) % 3);
@@ -174,29 +175,30 @@ static enum pp_status add_edge(const struct box *box, int corner, int axis,
     for (int i = 0; i < box->segments && status == PP_OK; i++) {
         struct pp_vec3 from = turned(a, b, i, box->segments);
         struct pp_vec3 to = turned(a, b, i + 1, box->segments);
-        struct pp_vec3 corners[4] = {
-            pp_along(ends[0], box->inset, from), pp_along(ends[1], box->inset, from),
-            pp_along(ends[1], box->inset, to), pp_along(ends[0], box->inset, to)};
-        status = add_flat(box, corners, 4, pp_add(from, to), err);
+        struct pp_vec3 corners[4] = {pp_vec_along(ends[0], box->inset, from),
+                                     pp_vec_along(ends[1], box->inset, from),
+                                     pp_vec_along(ends[1], box->inset, to),
+                                     pp_vec_along(ends[0], box->inset, to)};
+        status = add_flat(box, corners, 4, pp_vec_add(from, to), err);
     }
     return status;
 }
 
 /* The triangle between three directions from `middle`, or the four that it is cut into
  * at the middles of its sides, and so on. */
-static enum pp_status add_triangle(const struct box *box, struct pp_vec3 middle,
+static enum pp_status add_triangle(const struct genbox_box *box, struct pp_vec3 middle,
                                    const struct pp_vec3 d[3], int segments,
                                    struct pp_error *err)
 {
     if (segments == 1) {
         struct pp_vec3 corners[3];
         for (int i = 0; i < 3; i++)
-            corners[i] = pp_along(middle, box->inset, d[i]);
-        return add_flat(box, corners, 3, pp_add(pp_add(d[0], d[1]), d[2]), err);
+            corners[i] = pp_vec_along(middle, box->inset, d[i]);
+        return add_flat(box, corners, 3, pp_vec_add(pp_vec_add(d[0], d[1]), d[2]), err);
     }
     struct pp_vec3 half[3]; /* of the side before each */
     for (int i = 0; i < 3; i++)
-        half[i] = pp_unit(pp_add(d[(i + 2) % 3], d[i]));
+        half[i] = pp_vec_unit(pp_vec_add(d[(i + 2) % 3], d[i]));
     enum pp_status status = add_triangle(box, middle, half, segments / 2, err);
     for (int i = 0; i < 3 && status == PP_OK; i++) {
         const struct pp_vec3 at[3] = {d[i], half[(i + 1) % 3], half[i]};
@@ -205,7 +207,7 @@ static enum pp_status add_triangle(const struct box *box, struct pp_vec3 middle,
     return status;
 }
 
-static enum pp_status add_corner(const struct box *box, int corner,
+static enum pp_status add_corner(const struct genbox_box *box, int corner,
                                  struct pp_error *err)
 {
     struct pp_vec3 middle = inner_corner(box, corner);
@@ -215,16 +217,17 @@ static enum pp_status add_corner(const struct box *box, int corner,
         return add_triangle(box, middle, d, box->segments, err);
     }
     struct pp_shape ball = {.kind = PP_SHAPE_SPHERE, .is.sphere = {middle, box->inset}};
-    return pp_rad_add_shape(box->reader, box->words, box->line, box->material, ball,
-                            box->way, err);
+    return pp_rad_shapes_add(box->reader, box->words, box->line, box->material, ball,
+                             box->way, err);
 }
 
 enum pp_status pp_rad_genbox(struct pp_rad_reader *reader,
                              const struct pp_rad_words *words, int line,
                              char *const *command, int count,
-                             const struct pp_rad_way *way, struct pp_error *err)
+                             const struct pp_rad_context *way, struct pp_error *err)
 {
-    struct box box = {.reader = reader, .words = words, .line = line, .way = way};
+    struct genbox_box box = {
+        .reader = reader, .words = words, .line = line, .way = way};
     enum pp_status status = read_box(&box, command, count, err);
     if (status == PP_OK)
         status = add_sides(&box, err);

@@ -15,12 +15,12 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "model/base/number.h"
+#include "model/base/text.h"
 
 /* lm/W of skylight and sunlight; what the formulae's cd/m2 are divided by. */
 static const double sky_efficacy = 203.0, sun_efficacy = 208.0;
 
-struct asked {
+struct gensky_options {
     int type; /* enum pp_gensky_kind */
     bool sun; /* is it to be shown? */
     bool by_angle, solar_time, has_meridian;
@@ -42,7 +42,7 @@ static bool complain(char *wrong, size_t room, const char *what, const char *wor
 }
 
 /* "9", "9.5", "9:30", with "+" before for solar time, and a zone behind. */
-static bool read_hour(struct asked *asked, const char *word)
+static bool read_hour(struct gensky_options *asked, const char *word)
 {
     static const struct {
         const char *name;
@@ -64,10 +64,10 @@ static bool read_hour(struct asked *asked, const char *word)
     double minutes = 0.0;
     if (colon) {
         *colon = '\0';
-        if (!pp_number_parse(colon + 1, &minutes) || !(minutes < 60.0))
+        if (!pp_text_parse_number(colon + 1, &minutes) || !(minutes < 60.0))
             return false;
     }
-    if (!pp_number_parse(digits, &asked->hour) || asked->hour > 24.0)
+    if (!pp_text_parse_number(digits, &asked->hour) || asked->hour > 24.0)
         return false;
     asked->hour += minutes / 60.0;
     if (word[length] == '\0')
@@ -83,13 +83,13 @@ static bool read_hour(struct asked *asked, const char *word)
 static bool whole(const char *word, int least, int most, int *value)
 {
     double number;
-    if (!pp_number_parse(word, &number) || !(number >= least) || !(number <= most))
+    if (!pp_text_parse_number(word, &number) || !(number >= least) || !(number <= most))
         return false;
     *value = (int)number;
     return number == *value;
 }
 
-static bool read_place(struct asked *asked, char *const *words, int count)
+static bool read_place(struct gensky_options *asked, char *const *words, int count)
 {
     double altitude, azimuth;
     if (count < 4)
@@ -98,8 +98,9 @@ static bool read_place(struct asked *asked, char *const *words, int count)
     if (!asked->by_angle)
         return whole(words[1], 1, 12, &asked->month)
                && whole(words[2], 1, 31, &asked->day) && read_hour(asked, words[3]);
-    if (!pp_number_parse(words[2], &altitude) || !pp_number_parse(words[3], &azimuth)
-        || fabs(altitude) > 90.0 || fabs(azimuth) > 720.0)
+    if (!pp_text_parse_number(words[2], &altitude)
+        || !pp_text_parse_number(words[3], &azimuth) || fabs(altitude) > 90.0
+        || fabs(azimuth) > 720.0)
         return false;
     asked->altitude = altitude * PP_RAD;
     asked->azimuth = azimuth * PP_RAD;
@@ -107,7 +108,7 @@ static bool read_place(struct asked *asked, char *const *words, int count)
 }
 
 /* An option with a number behind it. */
-static bool set_number(struct asked *asked, char letter, double number)
+static bool set_number(struct gensky_options *asked, char letter, double number)
 {
     switch (letter) {
     case 'y':
@@ -148,7 +149,7 @@ static bool set_number(struct asked *asked, char letter, double number)
     }
 }
 
-static bool read_options(struct asked *asked, char *const *words, int count,
+static bool read_options(struct gensky_options *asked, char *const *words, int count,
                          char *wrong, size_t room)
 {
     for (int i = 4; i < count; i++) {
@@ -172,7 +173,7 @@ static bool read_options(struct asked *asked, char *const *words, int count,
         double number;
         if (!strchr("yrRtbBgaom", word[1]))
             return complain(wrong, room, "gensky has no option ", word);
-        if (i + 1 >= count || !pp_number_parse(words[i + 1], &number)
+        if (i + 1 >= count || !pp_text_parse_number(words[i + 1], &number)
             || !set_number(asked, word[1], number))
             return complain(wrong, room, "no good number behind gensky's option ",
                             word);
@@ -195,7 +196,8 @@ static double round_the_circle(double x, double period)
 }
 
 /* Declination by the almanac's low-precision formula, and solar time from standard. */
-static double declination_of_year(const struct asked *asked, double *solar_time)
+static double declination_of_year(const struct gensky_options *asked,
+                                  double *solar_time)
 {
     int year = asked->year;
     double days = day_of_year(asked->month, asked->day)
@@ -217,7 +219,7 @@ static double declination_of_year(const struct asked *asked, double *solar_time)
     return asin(sin(obliquity) * sin(l));
 }
 
-static void place_sun(struct asked *asked)
+static void place_sun(struct gensky_options *asked)
 {
     double time = asked->hour, declination;
     if (asked->year) {
@@ -244,14 +246,14 @@ static double printed(double value)
 {
     char text[40];
     snprintf(text, sizeof text, "%.3e", value);
-    return pp_number_parse(text, &value) ? value : 0.0;
+    return pp_text_parse_number(text, &value) ? value : 0.0;
 }
 
 static double printed_part(double value)
 {
     char text[40];
     snprintf(text, sizeof text, "%f", value);
-    return pp_number_parse(text, &value) ? value : 0.0;
+    return pp_text_parse_number(text, &value) ? value : 0.0;
 }
 
 /* Horizontal illuminance over zenith luminance times the luminance at the zenith
@@ -277,7 +279,7 @@ static double zenith_scale(int type, double altitude)
            * exp(-away * (0.4441 + 1.48 * altitude));
 }
 
-static double zenith_of(const struct asked *asked, bool even, double level)
+static double zenith_of(const struct gensky_options *asked, bool even, double level)
 {
     if (!isnan(asked->zenith_horizontal))
         return asked->zenith_horizontal / (level * PP_PI);
@@ -291,7 +293,7 @@ static double zenith_of(const struct asked *asked, bool even, double level)
     return fmax(kcd, 0.0) * 1000.0 / sky_efficacy;
 }
 
-static double sun_of(const struct asked *asked, double s)
+static double sun_of(const struct gensky_options *asked, double s)
 {
     if (!isnan(asked->solar_horizontal))
         return asked->solar_horizontal / (5.98e-5 * s);
@@ -301,7 +303,7 @@ static double sun_of(const struct asked *asked, double s)
     return asked->type == PP_GENSKY_INTERMEDIATE ? 0.15 * radiance : radiance;
 }
 
-static void light_up(struct pp_gensky *sky, struct asked *asked)
+static void light_up(struct pp_gensky *sky, struct gensky_options *asked)
 {
     int type = asked->type;
     bool even = type == PP_GENSKY_OVERCAST || type == PP_GENSKY_UNIFORM;
@@ -331,23 +333,23 @@ static void light_up(struct pp_gensky *sky, struct asked *asked)
     if (even)
         sky->pattern.sun = pp_vec(0.0, 0.0, 1.0);
     else
-        sky->pattern.sun = pp_unit(sky->pattern.sun);
+        sky->pattern.sun = pp_vec_unit(sky->pattern.sun);
 }
 
-bool pp_gensky_evaluate(struct pp_gensky *sky, char *const *words, int count,
-                        char *wrong, size_t room)
+bool pp_rad_gensky_evaluate(struct pp_gensky *sky, char *const *words, int count,
+                            char *wrong, size_t room)
 {
-    struct asked asked = {.type = PP_GENSKY_CLEAR,
-                          .sun = true,
-                          .latitude = 0.66,
-                          .longitude = 2.13,
-                          .meridian = 120.0 * PP_RAD,
-                          .turbidity = 2.45,
-                          .ground = 0.2,
-                          .zenith = NAN,
-                          .zenith_horizontal = NAN,
-                          .solar = NAN,
-                          .solar_horizontal = NAN};
+    struct gensky_options asked = {.type = PP_GENSKY_CLEAR,
+                                   .sun = true,
+                                   .latitude = 0.66,
+                                   .longitude = 2.13,
+                                   .meridian = 120.0 * PP_RAD,
+                                   .turbidity = 2.45,
+                                   .ground = 0.2,
+                                   .zenith = NAN,
+                                   .zenith_horizontal = NAN,
+                                   .solar = NAN,
+                                   .solar_horizontal = NAN};
     if (!read_place(&asked, words, count)) {
         snprintf(wrong, room,
                  "expected gensky with month, day and hour, or with -ang, altitude and "

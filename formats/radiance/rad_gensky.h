@@ -1,6 +1,6 @@
 /* rad_gensky.h - what gensky's options make of sky and sun. */
-#ifndef PP_MODEL_RAD_GENSKY_H
-#define PP_MODEL_RAD_GENSKY_H
+#ifndef PP_FORMATS_RADIANCE_RAD_GENSKY_H
+#define PP_FORMATS_RADIANCE_RAD_GENSKY_H
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -16,7 +16,7 @@ struct pp_gensky {
 /* words[0] is "gensky": "gensky month day hour" or "gensky -ang altitude azimuth", and
  * options. Figures are rounded as gensky prints them, so that the scene is the one that
  * its output would make. False, with a sentence in wrong, for what it does not know. */
-bool pp_gensky_evaluate(struct pp_gensky *sky, char *const *words, int count,
-                        char *wrong, size_t room);
+bool pp_rad_gensky_evaluate(struct pp_gensky *sky, char *const *words, int count,
+                            char *wrong, size_t room);
 
 #endif

@@ -3,7 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "model/base/number.h"
+#include "model/base/text.h"
 #include "formats/radiance/rad_reader.h"
 
 static struct pp_rgb rgb_at(const double *n)
@@ -101,21 +101,24 @@ static const struct {
 
 /* "ux uy uz .": the direction of the first roughness, by constants. */
 static enum pp_status take_grain(const struct pp_rad_primitive *primitive,
-                                 const struct pp_rad_way *way, struct pp_vec3 *grain,
-                                 struct pp_error *err)
+                                 const struct pp_rad_context *way,
+                                 struct pp_vec3 *grain, struct pp_error *err)
 {
     double u[3];
-    bool good = primitive->string_count == 4 && pp_rad_is(primitive->strings[3], ".");
+    bool good =
+        primitive->string_count == 4 && pp_rad_words_is(primitive->strings[3], ".");
     for (int i = 0; i < 3 && good; i++)
-        good = pp_rad_number(primitive->strings[i], &u[i]);
-    *grain = good ? pp_rad_turn(&way->transform, pp_vec(u[0], u[1], u[2]))
-                  : pp_vec(0.0, 0.0, 0.0);
-    if (good && pp_length(*grain) > 0.0)
+        good = pp_rad_words_number(primitive->strings[i], &u[i]);
+    *grain = good
+                 ? pp_rad_transform_direction(&way->transform, pp_vec(u[0], u[1], u[2]))
+                 : pp_vec(0.0, 0.0, 0.0);
+    if (good && pp_vec_length(*grain) > 0.0)
         return PP_OK;
-    return pp_rad_fail(primitive->words, primitive->line, err,
-                       "expected the direction of the first roughness as three "
-                       "constants and a dot, such as \"4 1 0 0 .\"; functions are not "
-                       "understood here");
+    return pp_rad_words_fail(
+        primitive->words, primitive->line, err,
+        "expected the direction of the first roughness as three "
+        "constants and a dot, such as \"4 1 0 0 .\"; functions are not "
+        "understood here");
 }
 
 /* The material that an illum is where it is not a lamp: its string, or nothing. */
@@ -129,19 +132,19 @@ static enum pp_status take_other(const struct pp_rad_reader *reader,
         return PP_OK;
     struct pp_rad_word other = primitive->strings[0];
     int shown = (int)(other.length < 60 ? other.length : 60);
-    if (!pp_rad_find(&reader->names, other.text, other.length, &meaning))
-        return pp_rad_fail(primitive->words, other.line, err,
-                           "there is no material \"%.*s\"", shown, other.text);
+    if (!pp_rad_names_find(&reader->names, other.text, other.length, &meaning))
+        return pp_rad_words_fail(primitive->words, other.line, err,
+                                 "there is no material \"%.*s\"", shown, other.text);
     if (meaning.kind == PP_RAD_VOID)
         return PP_OK;
     struct pp_material seen = {.emits = PP_EMITS_NOTHING};
     if (meaning.kind == PP_RAD_MATERIAL)
         seen = reader->scene->materials[meaning.index];
     if (meaning.kind != PP_RAD_MATERIAL || seen.emits != PP_EMITS_NOTHING)
-        return pp_rad_fail(primitive->words, other.line, err,
-                           "an illum that is \"%.*s\" to the eye; expected a "
-                           "material that gives off no light",
-                           shown, other.text);
+        return pp_rad_words_fail(primitive->words, other.line, err,
+                                 "an illum that is \"%.*s\" to the eye; expected a "
+                                 "material that gives off no light",
+                                 shown, other.text);
     seen.emits = illum->emits;
     seen.unseen = true;
     seen.radiance = illum->radiance;
@@ -156,46 +159,46 @@ static enum pp_status add_black(struct pp_rad_reader *reader, int *index,
 {
     struct pp_material black = pp_material_diffuse(pp_rgb_grey(0.0));
     strcpy(black.name, "black");
-    return pp_scene_add_material(reader->scene, &black, index, err);
+    return pp_scene_description_add_material(reader->scene, &black, index, err);
 }
 
 static enum pp_status define(struct pp_rad_reader *reader,
                              const struct pp_rad_primitive *primitive,
                              struct pp_rad_meaning meaning, struct pp_error *err)
 {
-    return pp_rad_define(&reader->names, primitive->name.text, primitive->name.length,
-                         meaning)
+    return pp_rad_names_define(&reader->names, primitive->name.text,
+                               primitive->name.length, meaning)
                ? PP_OK
                : pp_fail_memory(err);
 }
 
 static enum pp_status take_material(struct pp_rad_reader *reader,
                                     const struct pp_rad_primitive *primitive,
-                                    const struct pp_rad_way *way, size_t which,
+                                    const struct pp_rad_context *way, size_t which,
                                     struct pp_error *err)
 {
     const struct pp_rad_words *words = primitive->words;
     const char *name = materials[which].name;
     if (primitive->number_count < materials[which].least
         || primitive->number_count > materials[which].most)
-        return pp_rad_fail(
+        return pp_rad_words_fail(
             words, primitive->line, err, "%s of %d numbers; expected %d%s", name,
             primitive->number_count, materials[which].least,
             materials[which].most > materials[which].least ? " or 4" : "");
     bool is_illum = strcmp(name, "illum") == 0;
     if (!materials[which].grain && primitive->string_count > is_illum)
-        return pp_rad_fail(words, primitive->line, err,
-                           "%s with %d strings; expected none%s", name,
-                           primitive->string_count,
-                           is_illum ? ", or the material that the eye sees" : "");
+        return pp_rad_words_fail(words, primitive->line, err,
+                                 "%s with %d strings; expected none%s", name,
+                                 primitive->string_count,
+                                 is_illum ? ", or the material that the eye sees" : "");
     for (int i = 0; i < 3; i++)
         if (!(primitive->numbers[i] >= 0.0)
             || (strcmp(name, "glass") == 0 && primitive->numbers[i] > 1.0))
-            return pp_rad_fail(words, primitive->line, err, "%s of %g; expected %s",
-                               name, primitive->numbers[i],
-                               strcmp(name, "glass") == 0
-                                   ? "transmissivities from 0 to 1"
-                                   : "0 or more");
+            return pp_rad_words_fail(
+                words, primitive->line, err, "%s of %g; expected %s", name,
+                primitive->numbers[i],
+                strcmp(name, "glass") == 0 ? "transmissivities from 0 to 1"
+                                           : "0 or more");
     struct pp_material material =
         materials[which].make(primitive->numbers, primitive->number_count);
     struct pp_rad_meaning meaning = {PP_RAD_MATERIAL, 0, -1};
@@ -207,14 +210,15 @@ static enum pp_status take_material(struct pp_rad_reader *reader,
     if (status != PP_OK)
         return status;
     if (primitive->modifier.kind == PP_RAD_MATERIAL)
-        return pp_rad_fail(words, primitive->line, err,
-                           "a material's modifier is a material; expected void or the "
-                           "brightfunc of a sky");
+        return pp_rad_words_fail(
+            words, primitive->line, err,
+            "a material's modifier is a material; expected void or the "
+            "brightfunc of a sky");
     if (primitive->modifier.kind == PP_RAD_PATTERN) {
         if (material.emits == PP_EMITS_NOTHING)
-            return pp_rad_fail(words, primitive->line, err,
-                               "a sky's brightfunc on %s; expected it on light or glow",
-                               name);
+            return pp_rad_words_fail(
+                words, primitive->line, err,
+                "a sky's brightfunc on %s; expected it on light or glow", name);
         material.pattern = primitive->modifier.index;
     }
     snprintf(material.name, sizeof material.name, "%.*s",
@@ -223,36 +227,37 @@ static enum pp_status take_material(struct pp_rad_reader *reader,
                        : sizeof material.name - 1),
              primitive->name.text);
     struct pp_error said;
-    status = pp_scene_add_material(reader->scene, &material, &meaning.index, &said);
+    status = pp_scene_description_add_material(reader->scene, &material, &meaning.index,
+                                               &said);
     if (status == PP_OK && strcmp(name, "mirror") == 0)
         status = add_black(reader, &meaning.back, &said);
     if (status == PP_BAD_INPUT)
-        return pp_rad_fail(words, primitive->line, err, "%.600s", said.message);
+        return pp_rad_words_fail(words, primitive->line, err, "%.600s", said.message);
     return status == PP_OK ? define(reader, primitive, meaning, err)
                            : pp_fail(err, status, "%s", said.message);
 }
 
-enum pp_status pp_rad_check_materials(const struct pp_rad_reader *reader,
-                                      const struct pp_rad_words *words, int line,
-                                      struct pp_error *err)
+enum pp_status pp_rad_materials_check_count(const struct pp_rad_reader *reader,
+                                            const struct pp_rad_words *words, int line,
+                                            struct pp_error *err)
 {
     const struct pp_scene_description *scene = reader->scene;
     return scene->material_count <= PP_RAD_MATERIALS_MOST - scene->pattern_count
                ? PP_OK
-               : pp_rad_fail(words, line, err,
-                             "a scene of more than %d materials and patterns",
-                             PP_RAD_MATERIALS_MOST);
+               : pp_rad_words_fail(words, line, err,
+                                   "a scene of more than %d materials and patterns",
+                                   PP_RAD_MATERIALS_MOST);
 }
 
 /* ---- the sky ---- */
 
 /* The turn about the vertical that the strings behind the function's file ask for. */
 static enum pp_status pattern_turn(const struct pp_rad_primitive *primitive,
-                                   const struct pp_rad_way *way,
+                                   const struct pp_rad_context *way,
                                    struct pp_rad_transform *turn, struct pp_error *err)
 {
     int count = primitive->string_count - 2;
-    struct pp_rad_transform own = pp_rad_unmoved();
+    struct pp_rad_transform own = pp_rad_transform_identity();
     char text[16][64], *words[16];
     bool good = count <= 16;
     for (int i = 0; i < count && good; i++) {
@@ -265,45 +270,46 @@ static enum pp_status pattern_turn(const struct pp_rad_primitive *primitive,
         }
     }
     for (int i = 0; i < count && good;) {
-        int taken = pp_rad_read_option(&own, words + i, count - i);
+        int taken = pp_rad_transform_read_option(&own, words + i, count - i);
         good = taken > 0;
         i += taken;
     }
-    *turn = pp_rad_both(&way->transform, &own);
-    struct pp_vec3 up = pp_rad_turn(turn, pp_vec(0.0, 0.0, 1.0));
+    *turn = pp_rad_transform_compose(&way->transform, &own);
+    struct pp_vec3 up = pp_rad_transform_direction(turn, pp_vec(0.0, 0.0, 1.0));
     if (good && up.z > 1.0 - 1e-9)
         return PP_OK;
-    return pp_rad_fail(primitive->words, primitive->line, err,
-                       "a sky that is moved; expected none, or turned about the "
-                       "vertical");
+    return pp_rad_words_fail(primitive->words, primitive->line, err,
+                             "a sky that is moved; expected none, or turned about the "
+                             "vertical");
 }
 
 static enum pp_status take_sky(struct pp_rad_reader *reader,
                                const struct pp_rad_primitive *primitive,
-                               const struct pp_rad_way *way, struct pp_error *err)
+                               const struct pp_rad_context *way, struct pp_error *err)
 {
     const struct pp_rad_words *words = primitive->words;
     const double *n = primitive->numbers;
     bool gensky = primitive->string_count >= 2
-                  && pp_rad_is(primitive->strings[0], "skybr")
-                  && pp_rad_is(primitive->strings[1], "skybright.cal");
+                  && pp_rad_words_is(primitive->strings[0], "skybr")
+                  && pp_rad_words_is(primitive->strings[1], "skybright.cal");
     if (!gensky || primitive->modifier.kind != PP_RAD_VOID)
-        return pp_rad_fail(words, primitive->line, err,
-                           "a brightfunc that is not understood; expected \"void "
-                           "brightfunc\" with \"skybr skybright.cal\", as gensky "
-                           "writes it");
+        return pp_rad_words_fail(words, primitive->line, err,
+                                 "a brightfunc that is not understood; expected \"void "
+                                 "brightfunc\" with \"skybr skybright.cal\", as gensky "
+                                 "writes it");
     bool within = primitive->number_count > 0 && n[0] >= 1.0 && n[0] <= 4.0;
     int type = within ? (int)n[0] : 0;
     bool even = type == PP_GENSKY_OVERCAST || type == PP_GENSKY_UNIFORM;
     bool sunny = type == PP_GENSKY_CLEAR || type == PP_GENSKY_INTERMEDIATE;
     if (!(even && primitive->number_count >= 3 && n[0] == type)
         && !(sunny && primitive->number_count == 7 && n[0] == type))
-        return pp_rad_fail(words, primitive->line, err,
-                           "a sky of %d numbers; expected its type (1 clear, 2 "
-                           "overcast, 3 uniform, 4 intermediate), the zenith's and the "
-                           "ground's brightness, and for 1 and 4 a factor and the "
-                           "direction to the sun",
-                           primitive->number_count);
+        return pp_rad_words_fail(
+            words, primitive->line, err,
+            "a sky of %d numbers; expected its type (1 clear, 2 "
+            "overcast, 3 uniform, 4 intermediate), the zenith's and the "
+            "ground's brightness, and for 1 and 4 a factor and the "
+            "direction to the sun",
+            primitive->number_count);
     struct pp_pattern pattern = {.kind = PP_PATTERN_GENSKY,
                                  .type = (enum pp_gensky_kind)type,
                                  .zenith = n[1],
@@ -315,33 +321,35 @@ static enum pp_status take_sky(struct pp_rad_reader *reader,
     if (status != PP_OK)
         return status;
     if (!(n[1] >= 0.0) || !(n[2] >= 0.0))
-        return pp_rad_fail(words, primitive->line, err,
-                           "a sky of brightness %g and %g; expected 0 or more", n[1],
-                           n[2]);
+        return pp_rad_words_fail(words, primitive->line, err,
+                                 "a sky of brightness %g and %g; expected 0 or more",
+                                 n[1], n[2]);
     if (sunny) {
         struct pp_vec3 sun = pp_vec(n[4], n[5], n[6]);
-        if (!(n[3] > 0.0) || !(pp_length(sun) > 0.5))
-            return pp_rad_fail(words, primitive->line, err,
-                               "a sunny sky without a sun; expected a factor above 0 "
-                               "and a direction");
+        if (!(n[3] > 0.0) || !(pp_vec_length(sun) > 0.5))
+            return pp_rad_words_fail(
+                words, primitive->line, err,
+                "a sunny sky without a sun; expected a factor above 0 "
+                "and a direction");
         pattern.norm = n[3];
-        pattern.sun = pp_rad_turn(&turn, pp_unit(sun));
+        pattern.sun = pp_rad_transform_direction(&turn, pp_vec_unit(sun));
     }
     struct pp_rad_meaning meaning = {PP_RAD_PATTERN, 0, -1};
-    status = pp_scene_add_pattern(reader->scene, &pattern, &meaning.index, err);
+    status =
+        pp_scene_description_add_pattern(reader->scene, &pattern, &meaning.index, err);
     return status == PP_OK ? define(reader, primitive, meaning, err) : status;
 }
 
-enum pp_status pp_rad_take_material(struct pp_rad_reader *reader,
-                                    const struct pp_rad_primitive *primitive,
-                                    const struct pp_rad_way *way, bool *taken,
-                                    struct pp_error *err)
+enum pp_status pp_rad_materials_read(struct pp_rad_reader *reader,
+                                     const struct pp_rad_primitive *primitive,
+                                     const struct pp_rad_context *way, bool *taken,
+                                     struct pp_error *err)
 {
     *taken = true;
-    if (pp_rad_is(primitive->type, "brightfunc"))
+    if (pp_rad_words_is(primitive->type, "brightfunc"))
         return take_sky(reader, primitive, way, err);
     for (size_t i = 0; i < sizeof materials / sizeof *materials; i++)
-        if (pp_rad_is(primitive->type, materials[i].name))
+        if (pp_rad_words_is(primitive->type, materials[i].name))
             return take_material(reader, primitive, way, i, err);
     *taken = false;
     return PP_OK;

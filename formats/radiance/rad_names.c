@@ -49,8 +49,8 @@ static bool make_room(struct pp_rad_names *names)
     return true;
 }
 
-bool pp_rad_define(struct pp_rad_names *names, const char *text, size_t length,
-                   struct pp_rad_meaning meaning)
+bool pp_rad_names_define(struct pp_rad_names *names, const char *text, size_t length,
+                         struct pp_rad_meaning meaning)
 {
     if (!make_room(names))
         return false;
@@ -69,8 +69,8 @@ bool pp_rad_define(struct pp_rad_names *names, const char *text, size_t length,
     return true;
 }
 
-bool pp_rad_find(const struct pp_rad_names *names, const char *text, size_t length,
-                 struct pp_rad_meaning *meaning)
+bool pp_rad_names_find(const struct pp_rad_names *names, const char *text,
+                       size_t length, struct pp_rad_meaning *meaning)
 {
     if (length == 4 && memcmp(text, "void", 4) == 0) {
         *meaning = (struct pp_rad_meaning){PP_RAD_VOID, -1, -1};

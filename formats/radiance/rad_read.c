@@ -31,15 +31,16 @@ static enum pp_status read_count(struct pp_rad_words *words, const char *what,
 {
     struct pp_rad_word word;
     double number;
-    enum pp_status status = pp_rad_next(words, &word, err);
+    enum pp_status status = pp_rad_words_next(words, &word, err);
     if (status != PP_OK)
         return status;
-    if (!pp_rad_number(word, &number) || number < 0.0 || number > ARGUMENTS_MOST
+    if (!pp_rad_words_number(word, &number) || number < 0.0 || number > ARGUMENTS_MOST
         || number != (int)number)
-        return pp_rad_fail(words, word.line, err,
-                           "\"%.*s\" where the number of %s was expected, %d at most",
-                           (int)(word.length < 60 ? word.length : 60), word.text, what,
-                           ARGUMENTS_MOST);
+        return pp_rad_words_fail(
+            words, word.line, err,
+            "\"%.*s\" where the number of %s was expected, %d at most",
+            (int)(word.length < 60 ? word.length : 60), word.text, what,
+            ARGUMENTS_MOST);
     *count = (int)number;
     return PP_OK;
 }
@@ -59,10 +60,10 @@ static enum pp_status read_strings(struct pp_rad_reader *reader,
         return pp_fail_memory(err);
     primitive->strings = reader->strings = strings;
     for (int i = 0; i < primitive->string_count && status == PP_OK; i++) {
-        status = pp_rad_next(primitive->words, &strings[i], err);
+        status = pp_rad_words_next(primitive->words, &strings[i], err);
         if (status == PP_OK && strings[i].length == 0)
-            status = pp_rad_fail(primitive->words, strings[i].line, err,
-                                 "the file ends in the middle of a primitive");
+            status = pp_rad_words_fail(primitive->words, strings[i].line, err,
+                                       "the file ends in the middle of a primitive");
     }
     return status;
 }
@@ -71,17 +72,19 @@ static enum pp_status read_number(struct pp_rad_words *words, double *number,
                                   struct pp_error *err)
 {
     struct pp_rad_word word;
-    enum pp_status status = pp_rad_next(words, &word, err);
+    enum pp_status status = pp_rad_words_next(words, &word, err);
     if (status == PP_OK && word.length == 0)
-        status = pp_rad_fail(words, word.line, err,
-                             "the file ends in the middle of a primitive");
+        status = pp_rad_words_fail(words, word.line, err,
+                                   "the file ends in the middle of a primitive");
     int shown = (int)(word.length < 60 ? word.length : 60);
-    if (status == PP_OK && !pp_rad_number(word, number))
-        return pp_rad_fail(words, word.line, err,
-                           "\"%.*s\" where a number was expected", shown, word.text);
+    if (status == PP_OK && !pp_rad_words_number(word, number))
+        return pp_rad_words_fail(words, word.line, err,
+                                 "\"%.*s\" where a number was expected", shown,
+                                 word.text);
     if (status == PP_OK && fabs(*number) > 1e30)
-        return pp_rad_fail(words, word.line, err,
-                           "the number %.*s; expected -1e30 to 1e30", shown, word.text);
+        return pp_rad_words_fail(words, word.line, err,
+                                 "the number %.*s; expected -1e30 to 1e30", shown,
+                                 word.text);
     return status;
 }
 
@@ -112,8 +115,8 @@ static enum pp_status say_unknown(const struct pp_rad_words *words,
                                   struct pp_rad_word word, const char *what,
                                   struct pp_error *err)
 {
-    return pp_rad_fail(words, word.line, err, "there is no %s \"%.*s\"", what,
-                       (int)(word.length < 60 ? word.length : 60), word.text);
+    return pp_rad_words_fail(words, word.line, err, "there is no %s \"%.*s\"", what,
+                             (int)(word.length < 60 ? word.length : 60), word.text);
 }
 
 /* "modifier alias new old": another name, with another modifier. */
@@ -124,54 +127,56 @@ static enum pp_status take_alias(struct pp_rad_reader *reader,
     struct pp_rad_words *words = primitive->words;
     struct pp_rad_word old;
     struct pp_rad_meaning meaning;
-    enum pp_status status = pp_rad_next(words, &old, err);
+    enum pp_status status = pp_rad_words_next(words, &old, err);
     if (status != PP_OK)
         return status;
-    if (!pp_rad_find(&reader->names, old.text, old.length, &meaning))
+    if (!pp_rad_names_find(&reader->names, old.text, old.length, &meaning))
         return say_unknown(words, old, "material or pattern", err);
-    bool inherits = pp_rad_is(modifier, "inherit");
+    bool inherits = pp_rad_words_is(modifier, "inherit");
     if (!inherits && primitive->modifier.kind == PP_RAD_MATERIAL)
-        return pp_rad_fail(words, primitive->line, err,
-                           "an alias of a material by a material; expected void, "
-                           "inherit or a pattern");
+        return pp_rad_words_fail(words, primitive->line, err,
+                                 "an alias of a material by a material; expected void, "
+                                 "inherit or a pattern");
     bool patterned = !inherits && primitive->modifier.kind == PP_RAD_PATTERN;
     if (patterned
         && (meaning.kind != PP_RAD_MATERIAL
             || reader->scene->materials[meaning.index].emits == PP_EMITS_NOTHING))
-        return pp_rad_fail(words, primitive->line, err,
-                           "an alias that puts a sky's brightfunc on what gives off no "
-                           "light; expected void or inherit");
+        return pp_rad_words_fail(
+            words, primitive->line, err,
+            "an alias that puts a sky's brightfunc on what gives off no "
+            "light; expected void or inherit");
     int pattern = patterned ? primitive->modifier.index : -1;
     if (meaning.kind == PP_RAD_MATERIAL && !inherits
         && reader->scene->materials[meaning.index].pattern != pattern) {
         struct pp_material copy = reader->scene->materials[meaning.index];
         copy.pattern = pattern;
-        status = pp_scene_add_material(reader->scene, &copy, &meaning.index, err);
+        status = pp_scene_description_add_material(reader->scene, &copy, &meaning.index,
+                                                   err);
         if (status != PP_OK)
             return status;
     }
-    return pp_rad_define(&reader->names, primitive->name.text, primitive->name.length,
-                         meaning)
+    return pp_rad_names_define(&reader->names, primitive->name.text,
+                               primitive->name.length, meaning)
                ? PP_OK
                : pp_fail_memory(err);
 }
 
 static enum pp_status take(struct pp_rad_reader *reader,
                            struct pp_rad_primitive *primitive,
-                           const struct pp_rad_way *way, struct pp_error *err)
+                           const struct pp_rad_context *way, struct pp_error *err)
 {
     enum pp_status status = read_strings(reader, primitive, err);
     if (status == PP_OK)
         status = read_numbers(reader, primitive, err);
     bool taken = false;
     if (status == PP_OK)
-        status = pp_rad_take_shape(reader, primitive, way, &taken, err);
+        status = pp_rad_shapes_read(reader, primitive, way, &taken, err);
     if (status == PP_OK && !taken)
-        status = pp_rad_take_function(reader, primitive, way, &taken, err);
+        status = pp_rad_functions_read(reader, primitive, way, &taken, err);
     if (status == PP_OK && !taken)
-        status = pp_rad_take_material(reader, primitive, way, &taken, err);
+        status = pp_rad_materials_read(reader, primitive, way, &taken, err);
     if (status == PP_OK && !taken)
-        status = pp_rad_fail(
+        status = pp_rad_words_fail(
             primitive->words, primitive->line, err,
             "the type \"%.*s\" is not understood; expected a shape (polygon, sphere, "
             "bubble, cone, cup, cylinder, tube, ring, source), a material (plastic, "
@@ -185,25 +190,25 @@ static enum pp_status take(struct pp_rad_reader *reader,
 /* Whatever stands next in the file; *ended at its end. */
 static enum pp_status read_next(struct pp_rad_reader *reader,
                                 struct pp_rad_words *words,
-                                const struct pp_rad_way *way, bool *ended,
+                                const struct pp_rad_context *way, bool *ended,
                                 struct pp_error *err)
 {
     char *command;
     int line;
-    enum pp_status status = pp_rad_command(words, &command, &line, err);
+    enum pp_status status = pp_rad_words_next_command(words, &command, &line, err);
     if (status != PP_OK || command) {
         if (command)
-            status = pp_rad_run(reader, words, command, line, way, err);
+            status = pp_rad_command_run(reader, words, command, line, way, err);
         free(command);
         return status;
     }
     struct pp_rad_primitive primitive = {.words = words};
     struct pp_rad_word modifier;
-    status = pp_rad_next(words, &modifier, err);
+    status = pp_rad_words_next(words, &modifier, err);
     if (status == PP_OK)
-        status = pp_rad_next(words, &primitive.type, err);
+        status = pp_rad_words_next(words, &primitive.type, err);
     if (status == PP_OK)
-        status = pp_rad_next(words, &primitive.name, err);
+        status = pp_rad_words_next(words, &primitive.name, err);
     if (status != PP_OK)
         return status;
     *ended = modifier.length == 0;
@@ -211,22 +216,23 @@ static enum pp_status read_next(struct pp_rad_reader *reader,
         return PP_OK;
     primitive.line = modifier.line;
     if (primitive.name.length == 0)
-        return pp_rad_fail(words, modifier.line, err,
-                           "the file ends in the middle of a primitive");
-    bool alias = pp_rad_is(primitive.type, "alias");
-    if (!(alias && pp_rad_is(modifier, "inherit"))
-        && !pp_rad_find(&reader->names, modifier.text, modifier.length,
-                        &primitive.modifier))
+        return pp_rad_words_fail(words, modifier.line, err,
+                                 "the file ends in the middle of a primitive");
+    bool alias = pp_rad_words_is(primitive.type, "alias");
+    if (!(alias && pp_rad_words_is(modifier, "inherit"))
+        && !pp_rad_names_find(&reader->names, modifier.text, modifier.length,
+                              &primitive.modifier))
         return say_unknown(words, modifier, "material or pattern", err);
     status = alias ? take_alias(reader, &primitive, modifier, err)
                    : take(reader, &primitive, way, err);
-    return status == PP_OK ? pp_rad_check_materials(reader, words, primitive.line, err)
-                           : status;
+    return status == PP_OK
+               ? pp_rad_materials_check_count(reader, words, primitive.line, err)
+               : status;
 }
 
 static enum pp_status read_words(struct pp_rad_reader *reader,
                                  struct pp_rad_words *words,
-                                 const struct pp_rad_way *way, struct pp_error *err)
+                                 const struct pp_rad_context *way, struct pp_error *err)
 {
     enum pp_status status = PP_OK;
     for (bool ended = false; !ended && status == PP_OK;)
@@ -235,15 +241,14 @@ static enum pp_status read_words(struct pp_rad_reader *reader,
 }
 
 enum pp_status pp_rad_read_file(struct pp_rad_reader *reader, const char *path,
-                                const struct pp_rad_way *way, struct pp_error *err)
+                                const struct pp_rad_context *way, struct pp_error *err)
 {
     char *bytes;
     size_t length;
-    enum pp_status status =
-        pp_file_bytes(&bytes, &length, path, PP_RAD_BYTES_MOST, err);
+    enum pp_status status = pp_read_file(&bytes, &length, path, PP_RAD_BYTES_MOST, err);
     if (status != PP_OK)
         return status;
-    struct pp_rad_words words = {pp_file_title(path), bytes, length, 0, 1};
+    struct pp_rad_words words = {pp_read_file_title(path), bytes, length, 0, 1};
     reader->bytes += length;
     status = length > PP_RAD_BYTES_MOST
                  ? pp_fail(err, PP_BAD_INPUT, "%s: larger than 4 GiB", words.file)
@@ -263,7 +268,7 @@ static enum pp_status finish(struct pp_rad_reader *reader, enum pp_status status
     return status;
 }
 
-static const struct pp_rad_way straight = {
+static const struct pp_rad_context straight = {
     .transform = {.rows = {{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}},
                   .scale = 1.0}};
 
@@ -280,9 +285,9 @@ enum pp_status pp_rad_read(struct pp_scene_description *scene,
     return finish(&reader, status);
 }
 
-enum pp_status pp_rad_parse(struct pp_scene_description *scene,
-                            struct pp_rad_summary *summary, const char *bytes,
-                            size_t length, const char *file, struct pp_error *err)
+enum pp_status pp_rad_read_bytes(struct pp_scene_description *scene,
+                                 struct pp_rad_summary *summary, const char *bytes,
+                                 size_t length, const char *file, struct pp_error *err)
 {
     struct pp_rad_reader reader = {.scene = scene, .summary = summary};
     struct pp_rad_words words = {file, bytes, length, 0, 1};

@@ -10,8 +10,8 @@
  * scenes of more than 50 million shapes, 200,000 materials, a million copies by
  * xform or 4 GiB that those read.
  */
-#ifndef PP_MODEL_RAD_READ_H
-#define PP_MODEL_RAD_READ_H
+#ifndef PP_FORMATS_RADIANCE_RAD_READ_H
+#define PP_FORMATS_RADIANCE_RAD_READ_H
 
 #include <stddef.h>
 
@@ -31,8 +31,8 @@ enum pp_status pp_rad_read(struct pp_scene_description *scene,
                            int count, struct pp_error *err);
 
 /* The same from memory; `file` is what messages call it. */
-enum pp_status pp_rad_parse(struct pp_scene_description *scene,
-                            struct pp_rad_summary *summary, const char *bytes,
-                            size_t length, const char *file, struct pp_error *err);
+enum pp_status pp_rad_read_bytes(struct pp_scene_description *scene,
+                                 struct pp_rad_summary *summary, const char *bytes,
+                                 size_t length, const char *file, struct pp_error *err);
 
 #endif

@@ -4,8 +4,8 @@
  * rad_functions.c and rad_shapes.c what each type becomes, rad_command.c what lines
  * that begin with "!" do, rad_genbox.c the boxes of one.
  */
-#ifndef PP_MODEL_RAD_READER_H
-#define PP_MODEL_RAD_READER_H
+#ifndef PP_FORMATS_RADIANCE_RAD_READER_H
+#define PP_FORMATS_RADIANCE_RAD_READER_H
 
 #include "formats/radiance/rad_names.h"
 #include "formats/radiance/rad_read.h"
@@ -47,7 +47,7 @@ struct pp_rad_primitive {
 };
 
 /* How what is read is changed on its way: by the xforms that it goes through. */
-struct pp_rad_way {
+struct pp_rad_context {
     struct pp_rad_transform transform;
     bool inverted;                  /* front for back */
     bool replaced;                  /* all modifiers of shapes, */
@@ -72,54 +72,57 @@ struct pp_rad_reader {
 
 /* Everything of one file, or of standard input ("-"). */
 enum pp_status pp_rad_read_file(struct pp_rad_reader *reader, const char *path,
-                                const struct pp_rad_way *way, struct pp_error *err);
+                                const struct pp_rad_context *way, struct pp_error *err);
 
 /* Makes it mean its material or pattern; *taken is false if its type is none of these.
  */
-enum pp_status pp_rad_take_material(struct pp_rad_reader *reader,
-                                    const struct pp_rad_primitive *primitive,
-                                    const struct pp_rad_way *way, bool *taken,
-                                    struct pp_error *err);
+enum pp_status pp_rad_materials_read(struct pp_rad_reader *reader,
+                                     const struct pp_rad_primitive *primitive,
+                                     const struct pp_rad_context *way, bool *taken,
+                                     struct pp_error *err);
 
 /* The same of what pepperpot's own exports say by functions (rad_functions.h). */
-enum pp_status pp_rad_take_function(struct pp_rad_reader *reader,
-                                    const struct pp_rad_primitive *primitive,
-                                    const struct pp_rad_way *way, bool *taken,
-                                    struct pp_error *err);
+enum pp_status pp_rad_functions_read(struct pp_rad_reader *reader,
+                                     const struct pp_rad_primitive *primitive,
+                                     const struct pp_rad_context *way, bool *taken,
+                                     struct pp_error *err);
 
 /* Adds it to the scene; *taken is false if its type is no shape's. */
-enum pp_status pp_rad_take_shape(struct pp_rad_reader *reader,
-                                 const struct pp_rad_primitive *primitive,
-                                 const struct pp_rad_way *way, bool *taken,
-                                 struct pp_error *err);
+enum pp_status pp_rad_shapes_read(struct pp_rad_reader *reader,
+                                  const struct pp_rad_primitive *primitive,
+                                  const struct pp_rad_context *way, bool *taken,
+                                  struct pp_error *err);
 
 /* PP_BAD_INPUT where there are more materials and patterns than may be. */
-enum pp_status pp_rad_check_materials(const struct pp_rad_reader *reader,
-                                      const struct pp_rad_words *words, int line,
-                                      struct pp_error *err);
+enum pp_status pp_rad_materials_check_count(const struct pp_rad_reader *reader,
+                                            const struct pp_rad_words *words, int line,
+                                            struct pp_error *err);
 
 /* Works out what the commands of a line, piped together, would print, and reads that.
  * `words` is where the line stands. */
-enum pp_status pp_rad_run(struct pp_rad_reader *reader,
-                          const struct pp_rad_words *words, char *command, int line,
-                          const struct pp_rad_way *way, struct pp_error *err);
+enum pp_status pp_rad_command_run(struct pp_rad_reader *reader,
+                                  const struct pp_rad_words *words, char *command,
+                                  int line, const struct pp_rad_context *way,
+                                  struct pp_error *err);
 
 /* The box of a line "genbox MATERIAL NAME X Y Z [options]", in words. */
 enum pp_status pp_rad_genbox(struct pp_rad_reader *reader,
                              const struct pp_rad_words *words, int line,
                              char *const *command, int count,
-                             const struct pp_rad_way *way, struct pp_error *err);
+                             const struct pp_rad_context *way, struct pp_error *err);
 
 /* The shape through its transform and into the scene: polygons of count corners, all
  * else by *shape. A material of void is not seen: nothing is added. */
-enum pp_status pp_rad_add_polygon(struct pp_rad_reader *reader,
-                                  const struct pp_rad_words *words, int line,
-                                  struct pp_rad_meaning modifier,
-                                  const struct pp_vec3 *corners, int count,
-                                  const struct pp_rad_way *way, struct pp_error *err);
-enum pp_status pp_rad_add_shape(struct pp_rad_reader *reader,
-                                const struct pp_rad_words *words, int line,
-                                struct pp_rad_meaning modifier, struct pp_shape shape,
-                                const struct pp_rad_way *way, struct pp_error *err);
+enum pp_status pp_rad_shapes_add_polygon(struct pp_rad_reader *reader,
+                                         const struct pp_rad_words *words, int line,
+                                         struct pp_rad_meaning modifier,
+                                         const struct pp_vec3 *corners, int count,
+                                         const struct pp_rad_context *way,
+                                         struct pp_error *err);
+enum pp_status pp_rad_shapes_add(struct pp_rad_reader *reader,
+                                 const struct pp_rad_words *words, int line,
+                                 struct pp_rad_meaning modifier, struct pp_shape shape,
+                                 const struct pp_rad_context *way,
+                                 struct pp_error *err);
 
 #endif

@@ -12,8 +12,8 @@
  * What Radiance can't say is refused, with why: surfaces that give off light by
  * themselves, more than 16 far skylines, a near one that runs through the room.
  */
-#ifndef PP_MODEL_RAD_ROOM_H
-#define PP_MODEL_RAD_ROOM_H
+#ifndef PP_FORMATS_RADIANCE_RAD_ROOM_H
+#define PP_FORMATS_RADIANCE_RAD_ROOM_H
 
 #include <stdbool.h>
 

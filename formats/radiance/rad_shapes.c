@@ -14,7 +14,7 @@ static bool has_pattern(const struct pp_rad_reader *reader, int material)
 static enum pp_status material_of(const struct pp_rad_reader *reader,
                                   const struct pp_rad_words *words, int line,
                                   struct pp_rad_meaning modifier,
-                                  const struct pp_rad_way *way, bool distant,
+                                  const struct pp_rad_context *way, bool distant,
                                   int *material, int *back, struct pp_error *err)
 {
     if (way->replaced)
@@ -22,14 +22,15 @@ static enum pp_status material_of(const struct pp_rad_reader *reader,
     *material = modifier.kind == PP_RAD_MATERIAL ? modifier.index : -1;
     *back = modifier.kind == PP_RAD_MATERIAL ? modifier.back : -1;
     if (modifier.kind == PP_RAD_PATTERN)
-        return pp_rad_fail(words, line, err,
-                           "a shape's modifier is a pattern; expected a material");
+        return pp_rad_words_fail(
+            words, line, err, "a shape's modifier is a pattern; expected a material");
     int patterned = has_pattern(reader, *material) ? *material : *back;
     if (!distant && has_pattern(reader, patterned))
-        return pp_rad_fail(words, line, err,
-                           "a shape of \"%s\", which has a sky's pattern; expected "
-                           "it on a source, or a material without one",
-                           reader->scene->materials[patterned].name);
+        return pp_rad_words_fail(
+            words, line, err,
+            "a shape of \"%s\", which has a sky's pattern; expected "
+            "it on a source, or a material without one",
+            reader->scene->materials[patterned].name);
     if (modifier.kind == PP_RAD_VOID)
         reader->summary->unseen++;
     return PP_OK;
@@ -41,8 +42,8 @@ static enum pp_status check_count(const struct pp_rad_reader *reader,
 {
     return reader->scene->shape_count < PP_RAD_SHAPES_MOST
                ? PP_OK
-               : pp_rad_fail(words, line, err, "a scene of more than %d shapes",
-                             PP_RAD_SHAPES_MOST);
+               : pp_rad_words_fail(words, line, err, "a scene of more than %d shapes",
+                                   PP_RAD_SHAPES_MOST);
 }
 
 /* The scene's own complaint, with file and line. */
@@ -51,15 +52,16 @@ static enum pp_status located(enum pp_status status, const struct pp_rad_words *
                               struct pp_error *err)
 {
     if (status == PP_BAD_INPUT)
-        return pp_rad_fail(words, line, err, "%.600s", said->message);
+        return pp_rad_words_fail(words, line, err, "%.600s", said->message);
     return status == PP_OK ? PP_OK : pp_fail(err, status, "%s", said->message);
 }
 
-enum pp_status pp_rad_add_polygon(struct pp_rad_reader *reader,
-                                  const struct pp_rad_words *words, int line,
-                                  struct pp_rad_meaning modifier,
-                                  const struct pp_vec3 *corners, int count,
-                                  const struct pp_rad_way *way, struct pp_error *err)
+enum pp_status pp_rad_shapes_add_polygon(struct pp_rad_reader *reader,
+                                         const struct pp_rad_words *words, int line,
+                                         struct pp_rad_meaning modifier,
+                                         const struct pp_vec3 *corners, int count,
+                                         const struct pp_rad_context *way,
+                                         struct pp_error *err)
 {
     int material, back;
     enum pp_status status =
@@ -81,28 +83,30 @@ enum pp_status pp_rad_add_polygon(struct pp_rad_reader *reader,
     struct pp_vec3 *moved = reader->corners, area = {0.0, 0.0, 0.0};
     double size = 0.0, turned = 0.0;
     for (int i = 0; i < count; i++) {
-        moved[i] =
-            pp_rad_move_point(&way->transform, corners[backwards ? count - 1 - i : i]);
-        struct pp_vec3 side = pp_sub(moved[i], moved[0]);
-        size = fmax(size, pp_length(side));
+        moved[i] = pp_rad_transform_point(&way->transform,
+                                          corners[backwards ? count - 1 - i : i]);
+        struct pp_vec3 side = pp_vec_sub(moved[i], moved[0]);
+        size = fmax(size, pp_vec_length(side));
         if (i < 2)
             continue;
-        struct pp_vec3 part = pp_cross(pp_sub(moved[i - 1], moved[0]), side);
-        area = pp_add(area, part);
-        turned += pp_length(part);
+        struct pp_vec3 part = pp_vec_cross(pp_vec_sub(moved[i - 1], moved[0]), side);
+        area = pp_vec_add(area, part);
+        turned += pp_vec_length(part);
     }
-    if (!(pp_length(area) > 1e-12 * size * size)) {
+    if (!(pp_vec_length(area) > 1e-12 * size * size)) {
         if (turned > 1e-12 * size * size)
-            return pp_rad_fail(words, line, err,
-                               "a polygon that runs round as much one way as the "
-                               "other, which leaves it no front; expected one that "
-                               "doesn't cross itself");
+            return pp_rad_words_fail(
+                words, line, err,
+                "a polygon that runs round as much one way as the "
+                "other, which leaves it no front; expected one that "
+                "doesn't cross itself");
         reader->summary->flat++;
         return PP_OK;
     }
     struct pp_error said;
     int index;
-    status = pp_scene_add_polygon(reader->scene, moved, count, material, &index, &said);
+    status = pp_scene_description_add_polygon(reader->scene, moved, count, material,
+                                              &index, &said);
     if (status == PP_OK) {
         reader->scene->shapes[index].back_material = back;
         reader->summary->polygons++;
@@ -110,10 +114,10 @@ enum pp_status pp_rad_add_polygon(struct pp_rad_reader *reader,
     return located(status, words, line, &said, err);
 }
 
-enum pp_status pp_rad_add_shape(struct pp_rad_reader *reader,
-                                const struct pp_rad_words *words, int line,
-                                struct pp_rad_meaning modifier, struct pp_shape shape,
-                                const struct pp_rad_way *way, struct pp_error *err)
+enum pp_status pp_rad_shapes_add(struct pp_rad_reader *reader,
+                                 const struct pp_rad_words *words, int line,
+                                 struct pp_rad_meaning modifier, struct pp_shape shape,
+                                 const struct pp_rad_context *way, struct pp_error *err)
 {
     const struct pp_rad_transform *t = &way->transform;
     enum pp_status status =
@@ -126,31 +130,32 @@ enum pp_status pp_rad_add_shape(struct pp_rad_reader *reader,
     shape.inward = shape.inward != way->inverted;
     switch (shape.kind) {
     case PP_SHAPE_SPHERE:
-        shape.is.sphere.centre = pp_rad_move_point(t, shape.is.sphere.centre);
+        shape.is.sphere.centre = pp_rad_transform_point(t, shape.is.sphere.centre);
         shape.is.sphere.radius_m *= t->scale;
         break;
     case PP_SHAPE_CONE:
         for (int i = 0; i < 2; i++) {
-            shape.is.cone.ends[i] = pp_rad_move_point(t, shape.is.cone.ends[i]);
+            shape.is.cone.ends[i] = pp_rad_transform_point(t, shape.is.cone.ends[i]);
             shape.is.cone.radii_m[i] *= t->scale;
         }
         break;
     case PP_SHAPE_RING:
-        shape.is.ring.centre = pp_rad_move_point(t, shape.is.ring.centre);
-        shape.is.ring.axis = pp_rad_turn(t, shape.is.ring.axis);
+        shape.is.ring.centre = pp_rad_transform_point(t, shape.is.ring.centre);
+        shape.is.ring.axis = pp_rad_transform_direction(t, shape.is.ring.axis);
         if (way->inverted)
-            shape.is.ring.axis = pp_scale(shape.is.ring.axis, -1.0);
+            shape.is.ring.axis = pp_vec_scale(shape.is.ring.axis, -1.0);
         for (int i = 0; i < 2; i++)
             shape.is.ring.radii_m[i] *= t->scale;
         break;
     case PP_SHAPE_DISTANT:
-        shape.is.distant.direction = pp_rad_turn(t, shape.is.distant.direction);
+        shape.is.distant.direction =
+            pp_rad_transform_direction(t, shape.is.distant.direction);
         break;
     case PP_SHAPE_POLYGON:
         break;
     }
     struct pp_error said;
-    status = pp_scene_add_shape(reader->scene, &shape, NULL, &said);
+    status = pp_scene_description_add_shape(reader->scene, &shape, NULL, &said);
     reader->summary->others += status == PP_OK;
     return located(status, words, line, &said, err);
 }
@@ -225,40 +230,43 @@ static const struct {
 
 static enum pp_status take_polygon(struct pp_rad_reader *reader,
                                    const struct pp_rad_primitive *primitive,
-                                   const struct pp_rad_way *way, struct pp_error *err)
+                                   const struct pp_rad_context *way,
+                                   struct pp_error *err)
 {
     int count = primitive->number_count / 3;
     if (count < 3 || primitive->number_count % 3 != 0 || primitive->string_count > 0)
-        return pp_rad_fail(primitive->words, primitive->line, err,
-                           "a polygon of %d numbers; expected three for each of three "
-                           "corners or more",
-                           primitive->number_count);
+        return pp_rad_words_fail(
+            primitive->words, primitive->line, err,
+            "a polygon of %d numbers; expected three for each of three "
+            "corners or more",
+            primitive->number_count);
     /* Three numbers in a row are a corner. */
     const struct pp_vec3 *corners =
         (const struct pp_vec3 *)(const void *)primitive->numbers;
-    return pp_rad_add_polygon(reader, primitive->words, primitive->line,
-                              primitive->modifier, corners, count, way, err);
+    return pp_rad_shapes_add_polygon(reader, primitive->words, primitive->line,
+                                     primitive->modifier, corners, count, way, err);
 }
 
-enum pp_status pp_rad_take_shape(struct pp_rad_reader *reader,
-                                 const struct pp_rad_primitive *primitive,
-                                 const struct pp_rad_way *way, bool *taken,
-                                 struct pp_error *err)
+enum pp_status pp_rad_shapes_read(struct pp_rad_reader *reader,
+                                  const struct pp_rad_primitive *primitive,
+                                  const struct pp_rad_context *way, bool *taken,
+                                  struct pp_error *err)
 {
     *taken = true;
-    if (pp_rad_is(primitive->type, "polygon"))
+    if (pp_rad_words_is(primitive->type, "polygon"))
         return take_polygon(reader, primitive, way, err);
     for (size_t i = 0; i < sizeof shapes / sizeof *shapes; i++) {
-        if (!pp_rad_is(primitive->type, shapes[i].name))
+        if (!pp_rad_words_is(primitive->type, shapes[i].name))
             continue;
         if (primitive->number_count != shapes[i].numbers || primitive->string_count > 0)
-            return pp_rad_fail(primitive->words, primitive->line, err,
-                               "a %s of %d numbers and %d strings; expected %d numbers",
-                               shapes[i].name, primitive->number_count,
-                               primitive->string_count, shapes[i].numbers);
-        return pp_rad_add_shape(reader, primitive->words, primitive->line,
-                                primitive->modifier, shapes[i].make(primitive->numbers),
-                                way, err);
+            return pp_rad_words_fail(
+                primitive->words, primitive->line, err,
+                "a %s of %d numbers and %d strings; expected %d numbers",
+                shapes[i].name, primitive->number_count, primitive->string_count,
+                shapes[i].numbers);
+        return pp_rad_shapes_add(reader, primitive->words, primitive->line,
+                                 primitive->modifier,
+                                 shapes[i].make(primitive->numbers), way, err);
     }
     *taken = false;
     return PP_OK;

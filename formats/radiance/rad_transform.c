@@ -2,9 +2,9 @@
 
 #include <string.h>
 
-#include "model/base/number.h"
+#include "model/base/text.h"
 
-struct pp_rad_transform pp_rad_unmoved(void)
+struct pp_rad_transform pp_rad_transform_identity(void)
 {
     return (struct pp_rad_transform){
         .rows = {{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}}, .scale = 1.0};
@@ -12,33 +12,33 @@ struct pp_rad_transform pp_rad_unmoved(void)
 
 static struct pp_vec3 apply(const struct pp_rad_transform *transform, struct pp_vec3 v)
 {
-    return pp_vec(pp_dot(transform->rows[0], v), pp_dot(transform->rows[1], v),
-                  pp_dot(transform->rows[2], v));
+    return pp_vec(pp_vec_dot(transform->rows[0], v), pp_vec_dot(transform->rows[1], v),
+                  pp_vec_dot(transform->rows[2], v));
 }
 
-struct pp_vec3 pp_rad_move_point(const struct pp_rad_transform *transform,
-                                 struct pp_vec3 point)
+struct pp_vec3 pp_rad_transform_point(const struct pp_rad_transform *transform,
+                                      struct pp_vec3 point)
 {
-    return pp_add(apply(transform, point), transform->move);
+    return pp_vec_add(apply(transform, point), transform->move);
 }
 
-struct pp_vec3 pp_rad_turn(const struct pp_rad_transform *transform,
-                           struct pp_vec3 direction)
+struct pp_vec3 pp_rad_transform_direction(const struct pp_rad_transform *transform,
+                                          struct pp_vec3 direction)
 {
-    return pp_scale(apply(transform, direction), 1.0 / transform->scale);
+    return pp_vec_scale(apply(transform, direction), 1.0 / transform->scale);
 }
 
-struct pp_rad_transform pp_rad_both(const struct pp_rad_transform *outer,
-                                    const struct pp_rad_transform *inner)
+struct pp_rad_transform pp_rad_transform_compose(const struct pp_rad_transform *outer,
+                                                 const struct pp_rad_transform *inner)
 {
-    struct pp_rad_transform both = {.move = pp_rad_move_point(outer, inner->move),
+    struct pp_rad_transform both = {.move = pp_rad_transform_point(outer, inner->move),
                                     .scale = outer->scale * inner->scale,
                                     .mirrored = outer->mirrored != inner->mirrored};
     for (int i = 0; i < 3; i++) {
         struct pp_vec3 row = outer->rows[i];
-        both.rows[i] =
-            pp_along(pp_along(pp_scale(inner->rows[0], row.x), row.y, inner->rows[1]),
-                     row.z, inner->rows[2]);
+        both.rows[i] = pp_vec_along(
+            pp_vec_along(pp_vec_scale(inner->rows[0], row.x), row.y, inner->rows[1]),
+            row.z, inner->rows[2]);
     }
     return both;
 }
@@ -53,7 +53,7 @@ static struct pp_rad_transform turning(int axis, double degrees)
         c = quarter == 0 ? 1.0 : quarter == 2 ? -1.0 : 0.0;
         s = quarter == 1 ? 1.0 : quarter == 3 ? -1.0 : 0.0;
     }
-    struct pp_rad_transform t = pp_rad_unmoved();
+    struct pp_rad_transform t = pp_rad_transform_identity();
     switch (axis) {
     case 'x':
         t.rows[1] = pp_vec(0.0, c, -s);
@@ -71,8 +71,8 @@ static struct pp_rad_transform turning(int axis, double degrees)
     return t;
 }
 
-int pp_rad_read_option(struct pp_rad_transform *transform, char *const *words,
-                       int count)
+int pp_rad_transform_read_option(struct pp_rad_transform *transform, char *const *words,
+                                 int count)
 {
     static const struct {
         const char *name;
@@ -86,10 +86,10 @@ int pp_rad_read_option(struct pp_rad_transform *transform, char *const *words,
         return 0;
     double numbers[3] = {0.0};
     for (int i = 0; i < options[which].numbers; i++)
-        if (1 + i >= count || !pp_number_parse(words[1 + i], &numbers[i])
+        if (1 + i >= count || !pp_text_parse_number(words[1 + i], &numbers[i])
             || fabs(numbers[i]) > 1e9)
             return -1;
-    struct pp_rad_transform step = pp_rad_unmoved();
+    struct pp_rad_transform step = pp_rad_transform_identity();
     const char *name = options[which].name;
     switch (name[1]) {
     case 't':
@@ -103,13 +103,13 @@ int pp_rad_read_option(struct pp_rad_transform *transform, char *const *words,
             return -1;
         step.scale = numbers[0];
         for (int i = 0; i < 3; i++)
-            step.rows[i] = pp_scale(step.rows[i], numbers[0]);
+            step.rows[i] = pp_vec_scale(step.rows[i], numbers[0]);
         break;
     default:
         step.mirrored = true;
-        step.rows[name[2] - 'x'] = pp_scale(step.rows[name[2] - 'x'], -1.0);
+        step.rows[name[2] - 'x'] = pp_vec_scale(step.rows[name[2] - 'x'], -1.0);
         break;
     }
-    *transform = pp_rad_both(&step, transform);
+    *transform = pp_rad_transform_compose(&step, transform);
     return 1 + options[which].numbers;
 }

@@ -7,8 +7,8 @@
  *     -i N       the options up to the next -i or -a, N times
  *     -a N       the same, making N copies: 0 times, 1 time, ... N - 1 times
  */
-#ifndef PP_MODEL_RAD_TRANSFORM_H
-#define PP_MODEL_RAD_TRANSFORM_H
+#ifndef PP_FORMATS_RADIANCE_RAD_TRANSFORM_H
+#define PP_FORMATS_RADIANCE_RAD_TRANSFORM_H
 
 #include <stdbool.h>
 
@@ -21,22 +21,22 @@ struct pp_rad_transform {
     bool mirrored; /* is left on the right? */
 };
 
-struct pp_rad_transform pp_rad_unmoved(void);
+struct pp_rad_transform pp_rad_transform_identity(void);
 
 /* First `inner`, then `outer`. */
-struct pp_rad_transform pp_rad_both(const struct pp_rad_transform *outer,
-                                    const struct pp_rad_transform *inner);
+struct pp_rad_transform pp_rad_transform_compose(const struct pp_rad_transform *outer,
+                                                 const struct pp_rad_transform *inner);
 
-struct pp_vec3 pp_rad_move_point(const struct pp_rad_transform *transform,
-                                 struct pp_vec3 point);
+struct pp_vec3 pp_rad_transform_point(const struct pp_rad_transform *transform,
+                                      struct pp_vec3 point);
 /* A direction keeps its length. */
-struct pp_vec3 pp_rad_turn(const struct pp_rad_transform *transform,
-                           struct pp_vec3 direction);
+struct pp_vec3 pp_rad_transform_direction(const struct pp_rad_transform *transform,
+                                          struct pp_vec3 direction);
 
 /* Reads one option that moves (not -i, -a) from words[0]; returns how many words it
  * takes, 0 where it is no such option, -1 where its numbers are wrong or out of range.
  */
-int pp_rad_read_option(struct pp_rad_transform *transform, char *const *words,
-                       int count);
+int pp_rad_transform_read_option(struct pp_rad_transform *transform, char *const *words,
+                                 int count);
 
 #endif

@@ -6,15 +6,15 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "model/base/number.h"
+#include "model/base/text.h"
 
 static bool is_space(char c)
 {
     return c == ' ' || c == '\t' || c == '\n' || c == '\r' || c == '\f' || c == '\v';
 }
 
-enum pp_status pp_rad_fail(const struct pp_rad_words *words, int line,
-                           struct pp_error *err, const char *format, ...)
+enum pp_status pp_rad_words_fail(const struct pp_rad_words *words, int line,
+                                 struct pp_error *err, const char *format, ...)
 {
     char text[800];
     va_list args;
@@ -46,27 +46,28 @@ static void skip_space(struct pp_rad_words *words)
     }
 }
 
-enum pp_status pp_rad_next(struct pp_rad_words *words, struct pp_rad_word *word,
-                           struct pp_error *err)
+enum pp_status pp_rad_words_next(struct pp_rad_words *words, struct pp_rad_word *word,
+                                 struct pp_error *err)
 {
     skip_space(words);
     *word = (struct pp_rad_word){words->bytes + words->at, 0, words->line};
     while (words->at < words->length && !is_space(words->bytes[words->at])) {
         unsigned char c = (unsigned char)words->bytes[words->at];
         if (c < 32 || c == 127)
-            return pp_rad_fail(words, word->line, err,
-                               "a character of code %d; expected text", c);
+            return pp_rad_words_fail(words, word->line, err,
+                                     "a character of code %d; expected text", c);
         if (word->length == PP_RAD_WORD_MOST)
-            return pp_rad_fail(words, word->line, err,
-                               "a word of more than %d characters", PP_RAD_WORD_MOST);
+            return pp_rad_words_fail(words, word->line, err,
+                                     "a word of more than %d characters",
+                                     PP_RAD_WORD_MOST);
         word->length++;
         words->at++;
     }
     return PP_OK;
 }
 
-enum pp_status pp_rad_command(struct pp_rad_words *words, char **command, int *line,
-                              struct pp_error *err)
+enum pp_status pp_rad_words_next_command(struct pp_rad_words *words, char **command,
+                                         int *line, struct pp_error *err)
 {
     *command = NULL;
     skip_space(words);
@@ -81,8 +82,8 @@ enum pp_status pp_rad_command(struct pp_rad_words *words, char **command, int *l
         char c = ended ? '\n' : words->bytes[words->at];
         if (c == '\0') {
             free(text);
-            return pp_rad_fail(words, words->line, err,
-                               "a character of code 0; expected text");
+            return pp_rad_words_fail(words, words->line, err,
+                                     "a character of code 0; expected text");
         }
         if (c == '\n' && !ended)
             words->line++;
@@ -109,17 +110,17 @@ enum pp_status pp_rad_command(struct pp_rad_words *words, char **command, int *l
     return PP_OK;
 }
 
-bool pp_rad_is(struct pp_rad_word word, const char *text)
+bool pp_rad_words_is(struct pp_rad_word word, const char *text)
 {
     return strlen(text) == word.length && memcmp(word.text, text, word.length) == 0;
 }
 
-bool pp_rad_number(struct pp_rad_word word, double *value)
+bool pp_rad_words_number(struct pp_rad_word word, double *value)
 {
     char text[64];
     if (word.length == 0 || word.length >= sizeof text)
         return false;
     memcpy(text, word.text, word.length);
     text[word.length] = '\0';
-    return pp_number_parse(text, value);
+    return pp_text_parse_number(text, value);
 }

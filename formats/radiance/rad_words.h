@@ -4,8 +4,8 @@
  * that begins with "!" is a command. Nothing is copied: words are found as they are
  * asked for, so that a file of any size needs no more memory than itself.
  */
-#ifndef PP_MODEL_RAD_WORDS_H
-#define PP_MODEL_RAD_WORDS_H
+#ifndef PP_FORMATS_RADIANCE_RAD_WORDS_H
+#define PP_FORMATS_RADIANCE_RAD_WORDS_H
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -29,23 +29,23 @@ enum { PP_RAD_WORD_MOST = 4096 };
 
 /* The next word; a word of more than PP_RAD_WORD_MOST characters, or with control
  * characters in it, is PP_BAD_INPUT. */
-enum pp_status pp_rad_next(struct pp_rad_words *words, struct pp_rad_word *word,
-                           struct pp_error *err);
+enum pp_status pp_rad_words_next(struct pp_rad_words *words, struct pp_rad_word *word,
+                                 struct pp_error *err);
 
 /* If the next word begins with "!": the rest of its line behind that, lines that end in
  * a backslash joined (a blank in place of both). *command is NULL if it does not, else
  * the caller's to free. */
-enum pp_status pp_rad_command(struct pp_rad_words *words, char **command, int *line,
-                              struct pp_error *err);
+enum pp_status pp_rad_words_next_command(struct pp_rad_words *words, char **command,
+                                         int *line, struct pp_error *err);
 
 /* Fails with "FILE:LINE: " before the sentence. */
-enum pp_status pp_rad_fail(const struct pp_rad_words *words, int line,
-                           struct pp_error *err, const char *format, ...)
+enum pp_status pp_rad_words_fail(const struct pp_rad_words *words, int line,
+                                 struct pp_error *err, const char *format, ...)
     __attribute__((format(printf, 4, 5)));
 
-bool pp_rad_is(struct pp_rad_word word, const char *text);
+bool pp_rad_words_is(struct pp_rad_word word, const char *text);
 
 /* The whole word as a number; false for anything else ("1,5", "nan", "0x1"). */
-bool pp_rad_number(struct pp_rad_word word, double *value);
+bool pp_rad_words_number(struct pp_rad_word word, double *value);
 
 #endif

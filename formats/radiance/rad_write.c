@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "model/base/number.h"
+#include "model/base/text.h"
 #include "formats/radiance/rad_writer.h"
 
 /* So many digits, with a point. */
@@ -22,28 +22,28 @@ static void print_digits(char *text, int digits, double number)
     memmove(at + 1, at + length, strlen(at + length) + 1);
 }
 
-void pp_rad_number_text(double number, char *text)
+void pp_rad_write_number_text(double number, char *text)
 {
     double back = NAN;
     for (int digits = 15; digits <= 17 && back != number; digits++) {
         print_digits(text, digits, number);
-        pp_number_parse(text, &back);
+        pp_text_parse_number(text, &back);
     }
 }
 
-double pp_rad_tidy(double number)
+double pp_rad_write_round_15_digits(double number)
 {
     char text[32];
     print_digits(text, 15, number);
-    return pp_number_parse(text, &number) ? number : 0.0;
+    return pp_text_parse_number(text, &number) ? number : 0.0;
 }
 
-void pp_rad_numbers(FILE *out, const double *numbers, int count)
+void pp_rad_write_numbers(FILE *out, const double *numbers, int count)
 {
     fprintf(out, "%d", count);
     for (int i = 0; i < count; i++) {
         char text[32];
-        pp_rad_number_text(numbers[i], text);
+        pp_rad_write_number_text(numbers[i], text);
         fprintf(out, " %s", text);
     }
     fputc('\n', out);
@@ -78,14 +78,14 @@ static void make_fit(char *fit, const char *name)
 static bool is_taken(const struct pp_rad_writer *writer, const char *name,
                      struct pp_rad_meaning *last)
 {
-    return pp_rad_find(&writer->taken, name, strlen(name), last);
+    return pp_rad_names_find(&writer->taken, name, strlen(name), last);
 }
 
 static enum pp_status take_name(struct pp_rad_writer *writer, const char *name,
                                 int last, struct pp_error *err)
 {
     struct pp_rad_meaning meaning = {PP_RAD_MATERIAL, last, -1};
-    return pp_rad_define(&writer->taken, name, strlen(name), meaning)
+    return pp_rad_names_define(&writer->taken, name, strlen(name), meaning)
                ? PP_OK
                : pp_fail_memory(err);
 }
@@ -122,10 +122,11 @@ static enum pp_status find_pairs(struct pp_rad_writer *writer, struct pp_error *
         const int sides[2] = {shape->material, shape->back_material};
         struct pp_rad_meaning pair = {PP_RAD_MATERIAL, -1, -1};
         bool differ = sides[1] >= 0 && sides[1] != sides[0];
-        if (differ && !pp_rad_find(&known, (const char *)sides, sizeof sides, &pair)) {
+        if (differ
+            && !pp_rad_names_find(&known, (const char *)sides, sizeof sides, &pair)) {
             pair.index = writer->pair_count++;
             writer->pairs[pair.index] = (struct pp_rad_pair){sides[0], sides[1], -1};
-            good = pp_rad_define(&known, (const char *)sides, sizeof sides, pair);
+            good = pp_rad_names_define(&known, (const char *)sides, sizeof sides, pair);
         }
         writer->pair_of[i] = pair.index;
     }
@@ -146,7 +147,7 @@ static enum pp_status name_all(struct pp_rad_writer *writer, struct pp_error *er
     const struct pp_scene_description *scene = writer->scene;
     enum pp_status status = PP_OK;
     for (int i = 0; i < scene->material_count && status == PP_OK; i++) {
-        status = pp_rad_check_material(&scene->materials[i], err);
+        status = pp_rad_write_materials_check(&scene->materials[i], err);
         if (status == PP_OK)
             status = add_name(writer, scene->materials[i].name, "", err);
     }
@@ -155,10 +156,10 @@ static enum pp_status name_all(struct pp_rad_writer *writer, struct pp_error *er
     if (status == PP_OK)
         status = find_pairs(writer, err);
     if (status == PP_OK)
-        pp_rad_part_materials(writer);
+        pp_rad_write_materials_classify(writer);
     for (int i = 0; i < writer->pair_count && status == PP_OK; i++) {
         struct pp_rad_pair *pair = &writer->pairs[i];
-        bool mirror = pp_rad_pair_is_mirror(writer, pair);
+        bool mirror = pp_rad_write_materials_is_mirror(writer, pair);
         pair->name = mirror ? pair->front : writer->name_count;
         if (!mirror)
             status =
@@ -167,9 +168,9 @@ static enum pp_status name_all(struct pp_rad_writer *writer, struct pp_error *er
     return status;
 }
 
-enum pp_status pp_rad_writer_create(struct pp_rad_writer **result,
-                                    const struct pp_scene_description *scene,
-                                    struct pp_error *err)
+enum pp_status pp_rad_write_create(struct pp_rad_writer **result,
+                                   const struct pp_scene_description *scene,
+                                   struct pp_error *err)
 {
     *result = NULL;
     size_t pairs = most_pairs(scene);
@@ -188,14 +189,14 @@ enum pp_status pp_rad_writer_create(struct pp_rad_writer **result,
                 && writer->on_its_own && writer->behind;
     enum pp_status status = good ? name_all(writer, err) : pp_fail_memory(err);
     if (status != PP_OK) {
-        pp_rad_writer_destroy(writer);
+        pp_rad_write_destroy(writer);
         return status;
     }
     *result = writer;
     return PP_OK;
 }
 
-void pp_rad_writer_destroy(struct pp_rad_writer *writer)
+void pp_rad_write_destroy(struct pp_rad_writer *writer)
 {
     if (!writer)
         return;
@@ -225,7 +226,7 @@ static void write_vec(FILE *out, struct pp_vec3 v)
     const double xyz[3] = {v.x, v.y, v.z};
     for (int i = 0; i < 3; i++) {
         char text[32];
-        pp_rad_number_text(xyz[i], text);
+        pp_rad_write_number_text(xyz[i], text);
         fprintf(out, " %s", text);
     }
 }
@@ -313,6 +314,6 @@ void pp_rad_write_shapes(const struct pp_rad_writer *writer, const char *name,
         double numbers[8];
         int count = numbers_of(shape, numbers);
         fprintf(out, "0\n0\n");
-        pp_rad_numbers(out, numbers, count);
+        pp_rad_write_numbers(out, numbers, count);
     }
 }

@@ -12,8 +12,8 @@
  *     glow, light   what gives off light, with a pattern where it has one
  *     mixfunc       of shapes whose sides differ
  */
-#ifndef PP_MODEL_RAD_WRITE_H
-#define PP_MODEL_RAD_WRITE_H
+#ifndef PP_FORMATS_RADIANCE_RAD_WRITE_H
+#define PP_FORMATS_RADIANCE_RAD_WRITE_H
 
 #include <stdio.h>
 
@@ -26,10 +26,10 @@ struct pp_rad_writer;
 
 /* scene must live as long as the writer. PP_BAD_INPUT for materials that Radiance has
  * no type for. */
-enum pp_status pp_rad_writer_create(struct pp_rad_writer **writer,
-                                    const struct pp_scene_description *scene,
-                                    struct pp_error *err);
-void pp_rad_writer_destroy(struct pp_rad_writer *writer); /* NULL is allowed */
+enum pp_status pp_rad_write_create(struct pp_rad_writer **writer,
+                                   const struct pp_scene_description *scene,
+                                   struct pp_error *err);
+void pp_rad_write_destroy(struct pp_rad_writer *writer); /* NULL is allowed */
 
 /* All patterns and materials; what the stream says of its errors is the caller's
  * affair. */
@@ -41,6 +41,6 @@ void pp_rad_write_shapes(const struct pp_rad_writer *writer, const char *name,
 
 /* The shortest of 15 to 17 digits that reads back as the same double, with a point;
  * `text` has room for 32. */
-void pp_rad_number_text(double number, char *text);
+void pp_rad_write_number_text(double number, char *text);
 
 #endif

@@ -12,7 +12,7 @@ enum {
 };
 
 /* A material as Radiance has it: its type, strings, numbers. */
-struct said {
+struct rad_primitive_text {
     const char *type;
     char strings[256]; /* with their count before them */
     double numbers[16];
@@ -30,25 +30,25 @@ static bool is_grey(struct pp_rgb c)
     return near(c.r, c.g) && near(c.g, c.b);
 }
 
-static void add(struct said *said, double number)
+static void add(struct rad_primitive_text *said, double number)
 {
     said->numbers[said->count++] = number;
 }
 
 /* One that was worked out: without the last digit's roundings. */
-static void add_worked(struct said *said, double number)
+static void add_worked(struct rad_primitive_text *said, double number)
 {
-    add(said, pp_rad_tidy(number));
+    add(said, pp_rad_write_round_15_digits(number));
 }
 
-static void add_worked_rgb(struct said *said, struct pp_rgb c)
+static void add_worked_rgb(struct rad_primitive_text *said, struct pp_rgb c)
 {
     add_worked(said, c.r);
     add_worked(said, c.g);
     add_worked(said, c.b);
 }
 
-static void add_rgb(struct said *said, struct pp_rgb c)
+static void add_rgb(struct rad_primitive_text *said, struct pp_rgb c)
 {
     add(said, c.r);
     add(said, c.g);
@@ -56,12 +56,12 @@ static void add_rgb(struct said *said, struct pp_rgb c)
 }
 
 /* "4 ux uy uz .": the direction of the first roughness. */
-static void say_grain(struct said *said, struct pp_vec3 grain)
+static void say_grain(struct rad_primitive_text *said, struct pp_vec3 grain)
 {
     char x[32], y[32], z[32];
-    pp_rad_number_text(grain.x, x);
-    pp_rad_number_text(grain.y, y);
-    pp_rad_number_text(grain.z, z);
+    pp_rad_write_number_text(grain.x, x);
+    pp_rad_write_number_text(grain.y, y);
+    pp_rad_write_number_text(grain.z, z);
     snprintf(said->strings, sizeof said->strings, "4 %s %s %s .", x, y, z);
 }
 
@@ -91,7 +91,8 @@ static bool is_mirror(const struct pp_material *m)
 }
 
 /* Radiance's `mirror` is black from behind: what is seen from there is a metal. */
-static bool say_opaque(struct said *said, const struct pp_material *m, bool both_sides)
+static bool say_opaque(struct rad_primitive_text *said, const struct pp_material *m,
+                       bool both_sides)
 {
     bool twofold = m->roughness[0] != m->roughness[1];
     if (is_mirror(m) && !both_sides) {
@@ -118,7 +119,8 @@ static bool say_opaque(struct said *said, const struct pp_material *m, bool both
     return specular >= 0.0;
 }
 
-static bool say_translucent(struct said *said, const struct pp_material *m)
+static bool say_translucent(struct rad_primitive_text *said,
+                            const struct pp_material *m)
 {
     bool twofold = m->roughness[0] != m->roughness[1];
     double specular = m->gloss.r;
@@ -151,7 +153,7 @@ static bool is_plain_pane(const struct pp_material *m)
     return m->clear_share == 1.0 && m->dirt == 1.0 && pp_rgb_is_black(m->diffuse);
 }
 
-static bool say_glass(struct said *said, const struct pp_material *m,
+static bool say_glass(struct rad_primitive_text *said, const struct pp_material *m,
                       struct pp_rgb back)
 {
     const struct pp_glass *glass = m->glass;
@@ -184,7 +186,7 @@ static bool say_glass(struct said *said, const struct pp_material *m,
 }
 
 /* Gives off light, and nothing else. */
-static bool say_emitter(struct said *said, const struct pp_material *m)
+static bool say_emitter(struct rad_primitive_text *said, const struct pp_material *m)
 {
     bool air = m->kind == PP_MATERIAL_AIR;
     bool black = m->kind == PP_MATERIAL_OPAQUE && pp_rgb_is_black(m->diffuse)
@@ -200,9 +202,10 @@ static bool say_emitter(struct said *said, const struct pp_material *m)
 }
 
 /* both_sides: it is seen from behind too. */
-static bool say(struct said *said, const struct pp_material *m, bool both_sides)
+static bool say(struct rad_primitive_text *said, const struct pp_material *m,
+                bool both_sides)
 {
-    *said = (struct said){.strings = "0"};
+    *said = (struct rad_primitive_text){.strings = "0"};
     if (m->emits != PP_EMITS_NOTHING)
         return say_emitter(said, m);
     switch (m->kind) {
@@ -218,10 +221,10 @@ static bool say(struct said *said, const struct pp_material *m, bool both_sides)
     return false;
 }
 
-enum pp_status pp_rad_check_material(const struct pp_material *material,
-                                     struct pp_error *err)
+enum pp_status pp_rad_write_materials_check(const struct pp_material *material,
+                                            struct pp_error *err)
 {
-    struct said said;
+    struct rad_primitive_text said;
     return say(&said, material, false)
                ? PP_OK
                : pp_fail(
@@ -230,11 +233,11 @@ enum pp_status pp_rad_check_material(const struct pp_material *material,
                    material->name);
 }
 
-static void write_said(const struct said *said, const char *modifier, const char *name,
-                       FILE *out)
+static void write_said(const struct rad_primitive_text *said, const char *modifier,
+                       const char *name, FILE *out)
 {
     fprintf(out, "\n%s %s %s\n%s\n0\n", modifier, said->type, name, said->strings);
-    pp_rad_numbers(out, said->numbers, said->count);
+    pp_rad_write_numbers(out, said->numbers, said->count);
 }
 
 /* ---- patterns ---- */
@@ -257,7 +260,7 @@ static void write_sky(const struct pp_pattern *pattern, const char *name, FILE *
         numbers[count++] = skyline->radiance;
     }
     fprintf(out, "\nvoid brightfunc %s\n2 pp_sky " PP_RAD_CAL_NAME "\n0\n", name);
-    pp_rad_numbers(out, numbers, count);
+    pp_rad_write_numbers(out, numbers, count);
 }
 
 static void write_gensky(const struct pp_pattern *pattern, const char *name, FILE *out)
@@ -268,7 +271,7 @@ static void write_gensky(const struct pp_pattern *pattern, const char *name, FIL
     bool sunny =
         pattern->type == PP_GENSKY_CLEAR || pattern->type == PP_GENSKY_INTERMEDIATE;
     fprintf(out, "\nvoid brightfunc %s\n2 skybr skybright.cal\n0\n", name);
-    pp_rad_numbers(out, numbers, sunny ? 7 : 3);
+    pp_rad_write_numbers(out, numbers, sunny ? 7 : 3);
 }
 
 /* ---- all of them ---- */
@@ -280,11 +283,11 @@ static bool is_one_glazing(const struct pp_material *front,
     struct pp_material other = *back;
     other.diffuse = front->diffuse;
     memcpy(other.name, front->name, sizeof other.name);
-    return front->kind == PP_MATERIAL_GLASS && pp_material_same(front, &other);
+    return front->kind == PP_MATERIAL_GLASS && pp_surface_materials_same(front, &other);
 }
 
-bool pp_rad_pair_is_mirror(const struct pp_rad_writer *writer,
-                           const struct pp_rad_pair *pair)
+bool pp_rad_write_materials_is_mirror(const struct pp_rad_writer *writer,
+                                      const struct pp_rad_pair *pair)
 {
     const struct pp_material *front = &writer->scene->materials[pair->front];
     const struct pp_material *back = &writer->scene->materials[pair->back];
@@ -295,7 +298,7 @@ bool pp_rad_pair_is_mirror(const struct pp_rad_writer *writer,
 
 /* One pair of clear panes of the same glass is a single BRTDfunc, and neither material
  * is written for it; nor is the back of a mirror. */
-void pp_rad_part_materials(struct pp_rad_writer *writer)
+void pp_rad_write_materials_classify(struct pp_rad_writer *writer)
 {
     const struct pp_scene_description *scene = writer->scene;
     for (int i = 0; i < scene->shape_count; i++) {
@@ -309,7 +312,7 @@ void pp_rad_part_materials(struct pp_rad_writer *writer)
         const struct pp_rad_pair *pair = &writer->pairs[i];
         bool one = is_one_glazing(&scene->materials[pair->front],
                                   &scene->materials[pair->back]);
-        bool mirror = pp_rad_pair_is_mirror(writer, pair);
+        bool mirror = pp_rad_write_materials_is_mirror(writer, pair);
         (one ? writer->in_pairs : writer->on_its_own)[pair->front] = true;
         (one || mirror ? writer->in_pairs : writer->on_its_own)[pair->back] = true;
     }
@@ -322,7 +325,7 @@ static void write_pair(const struct pp_rad_writer *writer,
     const struct pp_material *back = &writer->scene->materials[pair->back];
     const char *name = writer->names[pair->name].text;
     if (is_one_glazing(front, back)) {
-        struct said said = {.strings = "0"};
+        struct rad_primitive_text said = {.strings = "0"};
         say_glass(&said, front, back->diffuse);
         write_said(&said, "void", name, out);
         return;
@@ -344,7 +347,7 @@ void pp_rad_write_materials(const struct pp_rad_writer *writer, FILE *out)
             write_gensky(&scene->patterns[i], patterns[i].text, out);
     for (int i = 0; i < scene->material_count; i++) {
         const struct pp_material *material = &scene->materials[i];
-        struct said said;
+        struct rad_primitive_text said;
         if ((writer->in_pairs[i] && !writer->on_its_own[i])
             || !say(&said, material, writer->behind[i]))
             continue;

@@ -1,7 +1,7 @@
 /* rad_writer.h - what the parts of the Radiance writer share (inside formats/radiance/ only):
  * rad_write.c has names and shapes, rad_write_materials.c materials and patterns. */
-#ifndef PP_MODEL_RAD_WRITER_H
-#define PP_MODEL_RAD_WRITER_H
+#ifndef PP_FORMATS_RADIANCE_RAD_WRITER_H
+#define PP_FORMATS_RADIANCE_RAD_WRITER_H
 
 #include "formats/radiance/rad_names.h"
 #include "formats/radiance/rad_write.h"
@@ -33,20 +33,20 @@ struct pp_rad_writer {
 };
 
 /* A mirror as Radiance has it: black from behind, and used in no other way? */
-bool pp_rad_pair_is_mirror(const struct pp_rad_writer *writer,
-                           const struct pp_rad_pair *pair);
+bool pp_rad_write_materials_is_mirror(const struct pp_rad_writer *writer,
+                                      const struct pp_rad_pair *pair);
 
 /* How many, then all of them, on a line. */
-void pp_rad_numbers(FILE *out, const double *numbers, int count);
+void pp_rad_write_numbers(FILE *out, const double *numbers, int count);
 
 /* The number of 15 digits nearest to it. */
-double pp_rad_tidy(double number);
+double pp_rad_write_round_15_digits(double number);
 
 /* Fills in_pairs, on_its_own and behind by pairs and shapes. */
-void pp_rad_part_materials(struct pp_rad_writer *writer);
+void pp_rad_write_materials_classify(struct pp_rad_writer *writer);
 
 /* PP_BAD_INPUT where Radiance has no type for it. */
-enum pp_status pp_rad_check_material(const struct pp_material *material,
-                                     struct pp_error *err);
+enum pp_status pp_rad_write_materials_check(const struct pp_material *material,
+                                            struct pp_error *err);
 
 #endif

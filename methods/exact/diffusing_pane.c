@@ -4,7 +4,7 @@
 #include <stdlib.h>
 
 #include "methods/view/occluders.h"
-#include "methods/view/exterior_planes.h"
+#include "methods/view/exterior.h"
 #include "methods/exact/quadrature.h"
 
 enum { PLACES = 7, CELLS_MOST = 96 };
@@ -49,9 +49,9 @@ struct plane {
 
 static struct plane plane_of(const struct pp_opening *opening)
 {
-    struct pp_vec3 toward = pp_scale(opening->inner.normal, -1.0);
-    double offset = pp_dot(opening->outer.vertices[0], toward);
-    return (struct plane){pp_scale(toward, offset), opening->along, opening->up,
+    struct pp_vec3 toward = pp_vec_scale(opening->inner.normal, -1.0);
+    double offset = pp_vec_dot(opening->outer.vertices[0], toward);
+    return (struct plane){pp_vec_scale(toward, offset), opening->along, opening->up,
                           toward};
 }
 
@@ -59,17 +59,18 @@ static struct plane plane_of(const struct pp_opening *opening)
 static void add_border(struct borders *borders, const struct plane *plane,
                        struct pp_vec3 m, double offset)
 {
-    double slope[2] = {pp_dot(m, plane->along), pp_dot(m, plane->up)};
+    double slope[2] = {pp_vec_dot(m, plane->along), pp_vec_dot(m, plane->up)};
     for (int axis = 0; axis < 2; axis++)
         if (fabs(slope[axis]) > 1e-6 && fabs(slope[1 - axis]) < 1e-9)
             borders->at[axis][borders->count[axis]++] =
-                (offset - pp_dot(m, plane->foot)) / slope[axis];
+                (offset - pp_vec_dot(m, plane->foot)) / slope[axis];
 }
 
 static bool is_beyond(const struct pp_polygon *outline, const struct plane *plane)
 {
     for (int i = 0; i < outline->count; i++)
-        if (pp_dot(pp_sub(outline->vertices[i], plane->foot), plane->toward) > PP_HAIR)
+        if (pp_vec_dot(pp_vec_sub(outline->vertices[i], plane->foot), plane->toward)
+            > PP_OCCLUDERS_COPLANAR_M)
             return true;
     return false;
 }
@@ -96,7 +97,7 @@ static enum pp_status find_borders(struct borders *borders,
             continue;
         borders->surfaces++;
         add_border(borders, &plane, outline->normal,
-                   pp_dot(outline->normal, outline->vertices[0]));
+                   pp_vec_dot(outline->normal, outline->vertices[0]));
         for (int k = 0; k < outline->count; k++)
             add_border(borders, &plane, zenith, outline->vertices[k].z);
     }
@@ -156,11 +157,11 @@ static enum pp_status light_cell(struct pp_pane_cell *cell,
     for (int i = 0; i < PLACES; i++)
         for (int k = 0; k < PLACES; k++) {
             struct pp_vec3 at =
-                pp_along(plane.foot, middle[0] + half[0] * places[i], plane.along);
-            at = pp_along(at, middle[1] + half[1] * places[k], plane.up);
-            struct pp_outside outside;
-            enum pp_status status = pp_outside_at(&outside, world, &world->sky, at,
-                                                  plane.toward, opening->face, err);
+                pp_vec_along(plane.foot, middle[0] + half[0] * places[i], plane.along);
+            at = pp_vec_along(at, middle[1] + half[1] * places[k], plane.up);
+            struct pp_exterior_light outside;
+            enum pp_status status = pp_exterior_light_on_plane(
+                &outside, world, &world->sky, at, plane.toward, opening->face, err);
             if (status != PP_OK)
                 return status;
             cell->sky[i][k] = outside.sky;
@@ -177,7 +178,7 @@ static enum pp_status light_cell(struct pp_pane_cell *cell,
 }
 
 /* Sums up; the cell with the largest error. */
-static int worst_of(struct pp_uneven_pane *pane)
+static int worst_of(struct pp_diffusing_pane *pane)
 {
     double total = 0.0, error = 0.0;
     int worst = 0;
@@ -191,7 +192,8 @@ static int worst_of(struct pp_uneven_pane *pane)
     return worst;
 }
 
-static enum pp_status divide(struct pp_uneven_pane *pane, const struct borders *borders,
+static enum pp_status divide(struct pp_diffusing_pane *pane,
+                             const struct borders *borders,
                              const struct pp_world *world,
                              const struct pp_opening *opening, struct pp_error *err)
 {
@@ -215,17 +217,17 @@ static enum pp_status divide(struct pp_uneven_pane *pane, const struct borders *
     return status;
 }
 
-enum pp_status pp_uneven_pane_create(struct pp_uneven_pane *pane,
-                                     const struct pp_world *world,
-                                     const struct pp_opening *opening,
-                                     struct pp_error *err)
+enum pp_status pp_diffusing_pane_init(struct pp_diffusing_pane *pane,
+                                      const struct pp_world *world,
+                                      const struct pp_opening *opening,
+                                      struct pp_error *err)
 {
     const struct pp_polygon *outline = &opening->outer;
     struct pp_pane_cell whole = {.low = {INFINITY, INFINITY},
                                  .high = {-INFINITY, -INFINITY}};
     for (int i = 0; i < outline->count; i++) {
         struct pp_vec3 v = outline->vertices[i];
-        double xy[2] = {pp_dot(v, opening->along), pp_dot(v, opening->up)};
+        double xy[2] = {pp_vec_dot(v, opening->along), pp_vec_dot(v, opening->up)};
         for (int axis = 0; axis < 2; axis++) {
             whole.low[axis] = fmin(whole.low[axis], xy[axis]);
             whole.high[axis] = fmax(whole.high[axis], xy[axis]);
@@ -233,7 +235,8 @@ enum pp_status pp_uneven_pane_create(struct pp_uneven_pane *pane,
     }
     struct borders borders;
     enum pp_status status = find_borders(&borders, world, opening, err);
-    *pane = (struct pp_uneven_pane){malloc(CELLS_MOST * sizeof *pane->cells), 0, 0.0};
+    *pane =
+        (struct pp_diffusing_pane){malloc(CELLS_MOST * sizeof *pane->cells), 0, 0.0};
     if (status == PP_OK && !pane->cells)
         status = pp_fail_memory(err);
     if (status == PP_OK) {
@@ -243,14 +246,14 @@ enum pp_status pp_uneven_pane_create(struct pp_uneven_pane *pane,
     free(borders.at[0]);
     free(borders.at[1]);
     if (status != PP_OK)
-        pp_uneven_pane_clear(pane);
+        pp_diffusing_pane_clear(pane);
     return status;
 }
 
-void pp_uneven_pane_clear(struct pp_uneven_pane *pane)
+void pp_diffusing_pane_clear(struct pp_diffusing_pane *pane)
 {
     free(pane->cells);
-    *pane = (struct pp_uneven_pane){0};
+    *pane = (struct pp_diffusing_pane){0};
 }
 
 /* ---- what it gives ---- */
@@ -287,9 +290,9 @@ static double illuminance_at(const void *context, struct pp_vec3 u)
 {
     const struct cell_seen *seen = context;
     const struct pp_pane_cell *cell = seen->cell;
-    double reach_m = seen->distance_m / pp_dot(u, seen->plane.toward);
-    double xy[2] = {seen->eye[0] + reach_m * pp_dot(u, seen->plane.along),
-                    seen->eye[1] + reach_m * pp_dot(u, seen->plane.up)};
+    double reach_m = seen->distance_m / pp_vec_dot(u, seen->plane.toward);
+    double xy[2] = {seen->eye[0] + reach_m * pp_vec_dot(u, seen->plane.along),
+                    seen->eye[1] + reach_m * pp_vec_dot(u, seen->plane.up)};
     double weights[2][PLACES], sum = 0.0;
     for (int axis = 0; axis < 2; axis++)
         weigh(weights[axis], (2.0 * xy[axis] - cell->low[axis] - cell->high[axis])
@@ -310,10 +313,10 @@ static void sides_of(struct pp_vec3 sides[4], const struct cell_seen *seen)
     for (int axis = 0; axis < 2; axis++) {
         double low = seen->cell->low[axis] - seen->eye[axis];
         double high = seen->cell->high[axis] - seen->eye[axis];
-        struct pp_vec3 across = pp_scale(axes[axis], seen->distance_m);
-        sides[2 * axis] = pp_along(across, -low, seen->plane.toward);
+        struct pp_vec3 across = pp_vec_scale(axes[axis], seen->distance_m);
+        sides[2 * axis] = pp_vec_along(across, -low, seen->plane.toward);
         sides[2 * axis + 1] =
-            pp_scale(pp_along(across, -high, seen->plane.toward), -1.0);
+            pp_vec_scale(pp_vec_along(across, -high, seen->plane.toward), -1.0);
     }
 }
 
@@ -340,18 +343,18 @@ static enum pp_status add_cell(struct pp_direct *sum, struct cell_seen *seen,
     return status;
 }
 
-enum pp_status pp_uneven_pane_add(struct pp_direct *sum,
-                                  const struct pp_uneven_pane *pane,
-                                  const struct pp_visible *visible,
-                                  const struct pp_opening *opening,
-                                  const struct pp_receiver *receiver,
-                                  struct pp_error *err)
+enum pp_status pp_diffusing_pane_add(struct pp_direct *sum,
+                                     const struct pp_diffusing_pane *pane,
+                                     const struct pp_visible *visible,
+                                     const struct pp_opening *opening,
+                                     const struct pp_receiver *receiver,
+                                     struct pp_error *err)
 {
     struct cell_seen seen = {.plane = plane_of(opening)};
     struct pp_vec3 eye = receiver->position;
-    seen.eye[0] = pp_dot(eye, seen.plane.along);
-    seen.eye[1] = pp_dot(eye, seen.plane.up);
-    seen.distance_m = pp_dot(pp_sub(seen.plane.foot, eye), seen.plane.toward);
+    seen.eye[0] = pp_vec_dot(eye, seen.plane.along);
+    seen.eye[1] = pp_vec_dot(eye, seen.plane.up);
+    seen.distance_m = pp_vec_dot(pp_vec_sub(seen.plane.foot, eye), seen.plane.toward);
     double before = sum->sky + sum->external;
     enum pp_status status = PP_OK;
     for (int i = 0; i < pane->cell_count && status == PP_OK; i++) {

@@ -10,32 +10,32 @@
  * surfaces, of which each place takes milliseconds. Measured then: 1e-3 behind a shelf
  * that touches the pane on a slope, 1.2e-2 behind twenty slats.
  */
-#ifndef PP_METHODS_UNEVEN_PANE_H
-#define PP_METHODS_UNEVEN_PANE_H
+#ifndef PP_METHODS_EXACT_DIFFUSING_PANE_H
+#define PP_METHODS_EXACT_DIFFUSING_PANE_H
 
 #include "methods/exact/direct.h"
 #include "methods/view/visible.h"
 #include "model/room/world.h"
 
-struct pp_uneven_pane {
+struct pp_diffusing_pane {
     struct pp_pane_cell *cells;
     int cell_count;
     double error; /* estimated, of what falls on the whole, as a share of it */
 };
 
-enum pp_status pp_uneven_pane_create(struct pp_uneven_pane *pane,
-                                     const struct pp_world *world,
-                                     const struct pp_opening *opening,
-                                     struct pp_error *err);
-void pp_uneven_pane_clear(struct pp_uneven_pane *pane);
+enum pp_status pp_diffusing_pane_init(struct pp_diffusing_pane *pane,
+                                      const struct pp_world *world,
+                                      const struct pp_opening *opening,
+                                      struct pp_error *err);
+void pp_diffusing_pane_clear(struct pp_diffusing_pane *pane);
 
 /* Adds to *sum the integrals of what falls on the outside (over Eh) times (n.u) over
  * what is seen of the pane; `rough` as there. */
-enum pp_status pp_uneven_pane_add(struct pp_direct *sum,
-                                  const struct pp_uneven_pane *pane,
-                                  const struct pp_visible *visible,
-                                  const struct pp_opening *opening,
-                                  const struct pp_receiver *receiver,
-                                  struct pp_error *err);
+enum pp_status pp_diffusing_pane_add(struct pp_direct *sum,
+                                     const struct pp_diffusing_pane *pane,
+                                     const struct pp_visible *visible,
+                                     const struct pp_opening *opening,
+                                     const struct pp_receiver *receiver,
+                                     struct pp_error *err);
 
 #endif

@@ -18,8 +18,9 @@ double pp_direct_factor(const struct pp_sky *sky, double reflectance)
 enum { CORNERS_ON_STACK = 64 };
 
 /* The patch's half-spaces and `more` in one array; returns their number. */
-static int gather(struct pp_vec3 all[PP_HALF_SPACES_MOST], const struct pp_patch *patch,
-                  const struct pp_vec3 *more, int more_count)
+static int gather(struct pp_vec3 all[PP_HALF_SPACES_MOST],
+                  const struct pp_visible_patch *patch, const struct pp_vec3 *more,
+                  int more_count)
 {
     int count = 0;
     for (int i = 0; i < patch->half_space_count; i++)
@@ -31,9 +32,9 @@ static int gather(struct pp_vec3 all[PP_HALF_SPACES_MOST], const struct pp_patch
 
 enum pp_status pp_direct_moments(struct pp_moments *moments,
                                  const struct pp_visible *visible,
-                                 const struct pp_patch *patch, struct pp_vec3 normal,
-                                 const struct pp_vec3 *more, int more_count,
-                                 struct pp_error *err)
+                                 const struct pp_visible_patch *patch,
+                                 struct pp_vec3 normal, const struct pp_vec3 *more,
+                                 int more_count, struct pp_error *err)
 {
     struct pp_vec3 limits[PP_HALF_SPACES_MOST];
     int limit_count = gather(limits, patch, more, more_count);
@@ -47,10 +48,11 @@ enum pp_status pp_direct_moments(struct pp_moments *moments,
                 return pp_fail_memory(err);
         }
         for (int i = 0; i < ring->count; i++)
-            corners[i] =
-                pp_view_vector(&visible->view, pp_vec(ring->xy[i][0], ring->xy[i][1],
-                                                      visible->view.distance_m));
-        pp_moments_add(moments, corners, ring->count, normal, limits, limit_count);
+            corners[i] = pp_projection_to_room(
+                &visible->view,
+                pp_vec(ring->xy[i][0], ring->xy[i][1], visible->view.distance_m));
+        pp_solid_angle_add_moments(moments, corners, ring->count, normal, limits,
+                                   limit_count);
         if (corners != stack)
             free(corners);
     }
@@ -67,7 +69,7 @@ struct lights {
 
 static double through_glass(const struct lights *lights, struct pp_vec3 u)
 {
-    return pp_glass_transmittance(lights->glass, pp_dot(lights->toward, u));
+    return pp_glass_transmittance(lights->glass, pp_vec_dot(lights->toward, u));
 }
 
 static double sky_through_glass(const void *context, struct pp_vec3 u)
@@ -101,7 +103,7 @@ static double horizon_through_glass(const void *context, struct pp_vec3 u)
 struct task {
     struct pp_direct *sum;
     const struct pp_visible *visible;
-    const struct pp_patch *patch;
+    const struct pp_visible_patch *patch;
     struct pp_vec3 normal;
     struct lights lights;
 };
@@ -166,7 +168,7 @@ static enum pp_status from_sky(double *value, const struct task *task,
                                struct pp_error *err)
 {
     const struct pp_sky *sky = task->lights.sky;
-    if (!is_unglazed(task) || !pp_sky_has_closed_form(sky))
+    if (!is_unglazed(task) || !pp_solid_angle_has_closed_form(sky))
         return by_quadrature(value, task, ABOVE, sky_through_glass,
                              pp_sky_has_azimuth(sky) ? &sky->sun : NULL, err);
     struct pp_vec3 limits[2];
@@ -174,7 +176,7 @@ static enum pp_status from_sky(double *value, const struct task *task,
     struct pp_moments moments;
     enum pp_status status = pp_direct_moments(&moments, task->visible, task->patch,
                                               task->normal, limits, count, err);
-    *value = pp_moments_sky(&moments, sky);
+    *value = pp_solid_angle_sky_component(&moments, sky);
     return status;
 }
 
@@ -191,27 +193,27 @@ static enum pp_status from_below(double *value, const struct task *task,
 }
 
 /* Sets a patch out on paper. */
-static enum pp_status set_down(struct pp_terms *terms, const struct task *task,
+static enum pp_status set_down(struct pp_part_steps *terms, const struct task *task,
                                struct pp_patch_figures *figures, struct pp_error *err)
 {
     const struct pp_sky *sky = task->lights.sky;
     struct pp_vec3 limits[2];
     int count = limits_of(limits, task, ABOVE);
     figures->hidden = task->patch->hidden;
-    figures->closed_form = pp_sky_has_closed_form(sky);
+    figures->closed_form = pp_solid_angle_has_closed_form(sky);
     figures->glazed = !is_unglazed(task);
     enum pp_status status =
         pp_direct_moments(&figures->moments, task->visible, task->patch, task->normal,
                           limits, count, err);
     if (status == PP_OK)
-        pp_direct_set_down(terms, figures, sky);
+        pp_direct_steps_add(terms, figures, sky);
     return status;
 }
 
 static enum pp_status add_patch(const struct task *task, const struct pp_world *world,
-                                struct pp_terms *terms, struct pp_error *err)
+                                struct pp_part_steps *terms, struct pp_error *err)
 {
-    const struct pp_patch *patch = task->patch;
+    const struct pp_visible_patch *patch = task->patch;
     struct pp_patch_figures of = {0};
     double all = 0.0;
     bool faces_up =
@@ -244,7 +246,7 @@ enum pp_status pp_direct_add(struct pp_direct *sum, const struct pp_visible *vis
                              struct pp_error *err)
 {
     enum pp_status status = PP_OK;
-    struct pp_terms terms = pp_terms_begin(sum->steps, visible->patch_count);
+    struct pp_part_steps terms = pp_part_steps_begin(sum->steps, visible->patch_count);
     for (int i = 0; i < visible->patch_count && status == PP_OK; i++) {
         struct task task = {sum,
                             visible,
@@ -253,7 +255,7 @@ enum pp_status pp_direct_add(struct pp_direct *sum, const struct pp_visible *vis
                             {sky, glass, visible->view.toward}};
         status = add_patch(&task, world, &terms, err);
     }
-    pp_terms_end(&terms);
+    pp_part_steps_end(&terms);
     return status;
 }
 

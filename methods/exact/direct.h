@@ -11,8 +11,8 @@
  * with tau the transmittance of the glass at its angle of incidence, 1 where there is
  * none. Closed form where sky and glass allow it, else quadrature.
  */
-#ifndef PP_METHODS_DIRECT_H
-#define PP_METHODS_DIRECT_H
+#ifndef PP_METHODS_EXACT_DIRECT_H
+#define PP_METHODS_EXACT_DIRECT_H
 
 #include "methods/exact/solid_angle.h"
 #include "methods/view/visible.h"
@@ -48,8 +48,8 @@ double pp_direct_factor(const struct pp_sky *sky, double reflectance);
 /* Moments of what lies of a patch within `more` half-spaces, at most three, too. */
 enum pp_status pp_direct_moments(struct pp_moments *moments,
                                  const struct pp_visible *visible,
-                                 const struct pp_patch *patch, struct pp_vec3 normal,
-                                 const struct pp_vec3 *more, int more_count,
-                                 struct pp_error *err);
+                                 const struct pp_visible_patch *patch,
+                                 struct pp_vec3 normal, const struct pp_vec3 *more,
+                                 int more_count, struct pp_error *err);
 
 #endif

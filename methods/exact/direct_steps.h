@@ -1,6 +1,6 @@
 /* direct_steps.h - how what a patch of a view gives is set out on paper. */
-#ifndef PP_METHODS_DIRECT_STEPS_H
-#define PP_METHODS_DIRECT_STEPS_H
+#ifndef PP_METHODS_EXACT_DIRECT_STEPS_H
+#define PP_METHODS_EXACT_DIRECT_STEPS_H
 
 #include "methods/exact/solid_angle.h"
 #include "methods/part_steps.h"
@@ -19,7 +19,8 @@ struct pp_patch_figures {
 };
 
 /* Sets down the next of the terms; nothing of what is a sliver. */
-void pp_direct_set_down(struct pp_terms *terms, const struct pp_patch_figures *figures,
-                        const struct pp_sky *sky);
+void pp_direct_steps_add(struct pp_part_steps *terms,
+                         const struct pp_patch_figures *figures,
+                         const struct pp_sky *sky);
 
 #endif

@@ -4,7 +4,7 @@
 #include <stdlib.h>
 
 #include "methods/exact/direct.h"
-#include "methods/view/exterior_planes.h"
+#include "methods/view/exterior.h"
 #include "methods/exact/diffusing_pane.h"
 #include "methods/view/visible.h"
 
@@ -14,14 +14,14 @@
  * opening, of which the others stay empty. */
 struct panes {
     int count;
-    struct pp_uneven_pane list[];
+    struct pp_diffusing_pane list[];
 };
 
 static void put_away(void *tools)
 {
     struct panes *panes = tools;
     for (int i = 0; panes && i < panes->count; i++)
-        pp_uneven_pane_clear(&panes->list[i]);
+        pp_diffusing_pane_clear(&panes->list[i]);
     free(panes);
 }
 
@@ -33,7 +33,7 @@ static enum pp_status light_panes(void **tools, const struct pp_world *world,
     enum pp_status status = PP_OK;
     for (int i = 0; i < world->opening_count && status == PP_OK; i++) {
         const struct pp_opening *opening = &world->openings[i];
-        if (!opening->glass.diffusing || pp_outside_is_even(world, opening))
+        if (!opening->glass.diffusing || pp_exterior_is_uniform(world, opening))
             continue;
         if (!panes) {
             size_t count = (size_t)world->opening_count;
@@ -42,7 +42,7 @@ static enum pp_status light_panes(void **tools, const struct pp_world *world,
                 return pp_fail_memory(err);
             panes->count = world->opening_count;
         }
-        status = pp_uneven_pane_create(&panes->list[i], world, opening, err);
+        status = pp_diffusing_pane_init(&panes->list[i], world, opening, err);
     }
     if (status != PP_OK)
         put_away(panes);
@@ -53,22 +53,23 @@ static enum pp_status light_panes(void **tools, const struct pp_world *world,
 
 /* The pane is lit evenly: what falls on it, what of that it lets through, and its
  * configuration factor c. */
-static void set_down_even_pane(struct pp_steps *steps, const struct pp_outside *outside,
-                               double c, double tau)
+static void set_down_even_pane(struct pp_steps *steps,
+                               const struct pp_exterior_light *outside, double c,
+                               double tau)
 {
-    pp_step_named(steps, PP_UNIT_NUMBER, c, "c",
-                  "configuration factor of what is seen of the diffusing pane");
-    pp_step_named(steps, PP_UNIT_NUMBER, tau, "tau", "its transmittance");
-    pp_step_named(steps, PP_UNIT_SHARE, outside->sky, "E_s",
-                  "illuminance of its outside, from the sky");
-    pp_step_worked(steps, PP_UNIT_SHARE, tau * outside->sky * c, "sc", "tau E_s c",
-                   "sky component");
+    pp_steps_add_named(steps, PP_UNIT_NUMBER, c, "c",
+                       "configuration factor of what is seen of the diffusing pane");
+    pp_steps_add_named(steps, PP_UNIT_NUMBER, tau, "tau", "its transmittance");
+    pp_steps_add_named(steps, PP_UNIT_SHARE, outside->sky, "E_s",
+                       "illuminance of its outside, from the sky");
+    pp_steps_add_worked(steps, PP_UNIT_SHARE, tau * outside->sky * c, "sc", "tau E_s c",
+                        "sky component");
     if (outside->external == 0.0)
         return;
-    pp_step_named(steps, PP_UNIT_SHARE, outside->external, "E_e",
-                  "the same, from the ground and what hides the sky");
-    pp_step_worked(steps, PP_UNIT_SHARE, tau * outside->external * c, "erc",
-                   "tau E_e c", "externally reflected component");
+    pp_steps_add_named(steps, PP_UNIT_SHARE, outside->external, "E_e",
+                       "the same, from the ground and what hides the sky");
+    pp_steps_add_worked(steps, PP_UNIT_SHARE, tau * outside->external * c, "erc",
+                        "tau E_e c", "externally reflected component");
 }
 
 static enum pp_status from_even_pane(struct pp_direct *sum,
@@ -78,11 +79,11 @@ static enum pp_status from_even_pane(struct pp_direct *sum,
                                      const struct pp_receiver *receiver,
                                      struct pp_error *err)
 {
-    struct pp_outside outside;
+    struct pp_exterior_light outside;
     struct pp_moments moments;
-    enum pp_status status =
-        pp_outside_at(&outside, world, &world->sky, opening->outer.vertices[0],
-                      pp_scale(opening->inner.normal, -1.0), opening->face, err);
+    enum pp_status status = pp_exterior_light_on_plane(
+        &outside, world, &world->sky, opening->outer.vertices[0],
+        pp_vec_scale(opening->inner.normal, -1.0), opening->face, err);
     if (status == PP_OK)
         status = pp_direct_moments(&moments, visible, &visible->patches[0],
                                    receiver->normal, &receiver->normal, 1, err);
@@ -108,17 +109,17 @@ static enum pp_status from_diffusing_pane(struct pp_direct *sum,
     if (status != PP_OK)
         return status;
     if (visible.patch_count > 0) {
-        struct pp_uneven_pane own = {0};
-        if (pp_outside_is_even(world, opening)) {
+        struct pp_diffusing_pane own = {0};
+        if (pp_exterior_is_uniform(world, opening)) {
             status = from_even_pane(sum, &visible, world, opening, receiver, err);
         } else {
             if (!panes)
-                status = pp_uneven_pane_create(&own, world, opening, err);
+                status = pp_diffusing_pane_init(&own, world, opening, err);
             if (status == PP_OK)
-                status = pp_uneven_pane_add(
+                status = pp_diffusing_pane_add(
                     sum, panes ? &panes->list[opening - world->openings] : &own,
                     &visible, opening, receiver, err);
-            pp_uneven_pane_clear(&own);
+            pp_diffusing_pane_clear(&own);
         }
         /* A Lambertian emitter of exitance tau E has luminance tau E / pi. */
         sum->sky *= opening->glass.diffuse / PP_PI;

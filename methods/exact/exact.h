@@ -1,6 +1,6 @@
 /* exact.h - the direct component without approximation. */
-#ifndef PP_METHODS_EXACT_H
-#define PP_METHODS_EXACT_H
+#ifndef PP_METHODS_EXACT_EXACT_H
+#define PP_METHODS_EXACT_EXACT_H
 
 #include "methods/method.h"
 

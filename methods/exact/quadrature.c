@@ -18,32 +18,32 @@
 enum { COLUMN_MOST = 3000, COLUMNS_MOST = 3000 };
 
 /* An edge of the clipped rings, from left to right. */
-struct edge {
+struct ring_edge {
     double x[2], y[2];
 };
 
 /* Between two lines y = level + slope x, from x[0] to x[1]. */
-struct line {
+struct cell_bound {
     double level, slope;
 };
 
-struct cell {
+struct integration_cell {
     double x[2];
-    struct line lower, upper;
+    struct cell_bound lower, upper;
     int lower_edge, upper_edge; /* -1: not an edge */
 };
 
 /* All there is to integrate over. */
-struct cells {
-    struct edge *edges;
+struct integration_cells {
+    struct ring_edge *edges;
     int edge_count, edge_room;
     double *stops; /* where cells begin and end */
     int stop_count;
-    struct cell *list;
+    struct integration_cell *list;
     int count, room;
 };
 
-static void clear_cells(struct cells *cells)
+static void clear_cells(struct integration_cells *cells)
 {
     free(cells->edges);
     free(cells->stops);
@@ -76,9 +76,9 @@ static int cut_ring(double (*out)[2], const double (*in)[2], int count, double a
     return left;
 }
 
-static enum pp_status add_ring(struct cells *cells, const struct pp_ring *ring,
-                               const struct pp_vec3 *planes, int plane_count,
-                               double distance_m, struct pp_error *err)
+static enum pp_status add_ring(struct integration_cells *cells,
+                               const struct pp_ring *ring, const struct pp_vec3 *planes,
+                               int plane_count, double distance_m, struct pp_error *err)
 {
     size_t room = (size_t)ring->count << plane_count;
     double(*buffer)[2] = malloc(2 * room * sizeof *buffer);
@@ -96,7 +96,7 @@ static enum pp_status add_ring(struct cells *cells, const struct pp_ring *ring,
     }
     if (cells->edge_count + count > cells->edge_room) {
         int edge_room = 2 * cells->edge_room + count;
-        struct edge *edges =
+        struct ring_edge *edges =
             realloc(cells->edges, (size_t)edge_room * sizeof *cells->edges);
         if (!edges) {
             free(buffer);
@@ -107,7 +107,7 @@ static enum pp_status add_ring(struct cells *cells, const struct pp_ring *ring,
     }
     for (int i = 0, k = count - 1; i < count; k = i++) {
         int left = from[k][0] <= from[i][0] ? k : i, right = left == k ? i : k;
-        cells->edges[cells->edge_count++] = (struct edge){
+        cells->edges[cells->edge_count++] = (struct ring_edge){
             {from[left][0], from[right][0]}, {from[left][1], from[right][1]}};
     }
     free(buffer);
@@ -122,7 +122,7 @@ static int by_size(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
-static enum pp_status find_stops(struct cells *cells, const double *cusp,
+static enum pp_status find_stops(struct integration_cells *cells, const double *cusp,
                                  struct pp_error *err)
 {
     cells->stops = malloc((2 * (size_t)cells->edge_count + 1) * sizeof *cells->stops);
@@ -144,24 +144,25 @@ static enum pp_status find_stops(struct cells *cells, const double *cusp,
     return PP_OK;
 }
 
-static double height_at(const struct edge *edge, double x)
+static double height_at(const struct ring_edge *edge, double x)
 {
     double t = (x - edge->x[0]) / (edge->x[1] - edge->x[0]);
     return edge->y[0] + t * (edge->y[1] - edge->y[0]);
 }
 
-static struct line line_of(const struct edge *edge)
+static struct cell_bound line_of(const struct ring_edge *edge)
 {
     double slope = (edge->y[1] - edge->y[0]) / (edge->x[1] - edge->x[0]);
-    return (struct line){edge->y[0] - slope * edge->x[0], slope};
+    return (struct cell_bound){edge->y[0] - slope * edge->x[0], slope};
 }
 
-static enum pp_status add_cell(struct cells *cells, struct cell cell,
-                               struct pp_error *err)
+static enum pp_status add_cell(struct integration_cells *cells,
+                               struct integration_cell cell, struct pp_error *err)
 {
     if (cells->count == cells->room) {
         int room = cells->room ? 2 * cells->room : 8;
-        struct cell *list = realloc(cells->list, (size_t)room * sizeof *cells->list);
+        struct integration_cell *list =
+            realloc(cells->list, (size_t)room * sizeof *cells->list);
         if (!list)
             return pp_fail_memory(err);
         cells->list = list;
@@ -173,13 +174,14 @@ static enum pp_status add_cell(struct cells *cells, struct cell cell,
 
 /* Cells between two stops: edges that cross the strip, by height, bound them in pairs.
  * A cell between the same two edges as one that ends here is that one, continued. */
-static enum pp_status add_strip(struct cells *cells, int *crossing, double left,
-                                double right, bool may_continue, struct pp_error *err)
+static enum pp_status add_strip(struct integration_cells *cells, int *crossing,
+                                double left, double right, bool may_continue,
+                                struct pp_error *err)
 {
     double middle = left + (right - left) / 2.0;
     int count = 0;
     for (int i = 0; i < cells->edge_count; i++) {
-        const struct edge *edge = &cells->edges[i];
+        const struct ring_edge *edge = &cells->edges[i];
         if (!(edge->x[0] < middle && middle < edge->x[1]))
             continue;
         int at = count++;
@@ -201,11 +203,11 @@ static enum pp_status add_strip(struct cells *cells, int *crossing, double left,
             cells->list[k].x[1] = right;
             continue;
         }
-        struct cell cell = {{left, right},
-                            line_of(&cells->edges[low]),
-                            line_of(&cells->edges[high]),
-                            low,
-                            high};
+        struct integration_cell cell = {{left, right},
+                                        line_of(&cells->edges[low]),
+                                        line_of(&cells->edges[high]),
+                                        low,
+                                        high};
         enum pp_status status = add_cell(cells, cell, err);
         if (status != PP_OK)
             return status;
@@ -213,17 +215,17 @@ static enum pp_status add_strip(struct cells *cells, int *crossing, double left,
     return PP_OK;
 }
 
-static double on_line(struct line line, double x)
+static double on_line(struct cell_bound line, double x)
 {
     return line.level + line.slope * x;
 }
 
 /* A cell with the cusp on one of its sides becomes two, with the cusp at a corner of
  * both. */
-static enum pp_status split_at_cusp(struct cells *cells, int index, const double *cusp,
-                                    struct pp_error *err)
+static enum pp_status split_at_cusp(struct integration_cells *cells, int index,
+                                    const double *cusp, struct pp_error *err)
 {
-    struct cell *cell = &cells->list[index];
+    struct integration_cell *cell = &cells->list[index];
     for (int side = 0; side < 2; side++) {
         if (cell->x[side] != cusp[0] || !(on_line(cell->lower, cusp[0]) < cusp[1])
             || !(cusp[1] < on_line(cell->upper, cusp[0])))
@@ -231,15 +233,16 @@ static enum pp_status split_at_cusp(struct cells *cells, int index, const double
         double far = cell->x[1 - side];
         double middle = (on_line(cell->lower, far) + on_line(cell->upper, far)) / 2.0;
         double slope = (middle - cusp[1]) / (far - cusp[0]);
-        struct cell other = *cell;
-        cell->upper = other.lower = (struct line){cusp[1] - slope * cusp[0], slope};
+        struct integration_cell other = *cell;
+        cell->upper = other.lower =
+            (struct cell_bound){cusp[1] - slope * cusp[0], slope};
         cell->upper_edge = other.lower_edge = -1;
         return add_cell(cells, other, err);
     }
     return PP_OK;
 }
 
-static enum pp_status find_cells(struct cells *cells, const double *cusp,
+static enum pp_status find_cells(struct integration_cells *cells, const double *cusp,
                                  struct pp_error *err)
 {
     enum pp_status status = find_stops(cells, cusp, err);
@@ -260,11 +263,11 @@ static enum pp_status find_cells(struct cells *cells, const double *cusp,
 
 /* ---- over a cell ---- */
 
-struct walk {
-    const struct pp_view *view;
+struct cell_integral {
+    const struct pp_projection *view;
     const struct pp_integrand *integrand;
-    struct pp_vec3 normal;    /* the receiver's, room's axes */
-    struct line lower, upper; /* over the distance of the plane */
+    struct pp_vec3 normal;          /* the receiver's, room's axes */
+    struct cell_bound lower, upper; /* over the distance of the plane */
     double alpha[2];
     double cos_alpha, sin_alpha;     /* of the column that is being integrated */
     double column_abs, column_error; /* error bounds of a column, either will do */
@@ -276,12 +279,12 @@ static int at_sine(unsigned dim, const double *sine, void *data, unsigned fdim,
                    double *value)
 {
     (void)dim, (void)fdim;
-    struct walk *walk = data;
+    struct cell_integral *walk = data;
     double cosine = sqrt(fmax(0.0, 1.0 - sine[0] * sine[0]));
     struct pp_vec3 own =
         pp_vec(walk->sin_alpha * cosine, sine[0], walk->cos_alpha * cosine);
-    struct pp_vec3 u = pp_view_vector(walk->view, own);
-    double facing = pp_dot(walk->normal, u);
+    struct pp_vec3 u = pp_projection_to_room(walk->view, own);
+    double facing = pp_vec_dot(walk->normal, u);
     *value = facing > 0.0
                  ? walk->integrand->luminance(walk->integrand->context, u) * facing
                  : 0.0;
@@ -290,7 +293,7 @@ static int at_sine(unsigned dim, const double *sine, void *data, unsigned fdim,
 }
 
 /* The sine of the altitude of a line at tan alpha = t, with h = 1 / cos alpha. */
-static double sine_of(struct line line, double t, double h)
+static double sine_of(struct cell_bound line, double t, double h)
 {
     double y = line.level + line.slope * t;
     return y / sqrt(y * y + h * h);
@@ -301,7 +304,7 @@ static int at_alpha(unsigned dim, const double *alpha, void *data, unsigned fdim
                     double *value)
 {
     (void)dim, (void)fdim;
-    struct walk *walk = data;
+    struct cell_integral *walk = data;
     double c = cos(alpha[0]), s = sin(alpha[0]), error;
     walk->cos_alpha = c;
     walk->sin_alpha = s;
@@ -346,7 +349,7 @@ static struct places places_of(double low, double high)
 
 /* The integral over a cell by fixed rules, up in the altitude itself: towards 90
  * degrees the angle of incidence is smooth in that, not in its sine. */
-static double roughly(struct walk *walk)
+static double roughly(struct cell_integral *walk)
 {
     double sum = 0.0;
     struct places across = places_of(walk->alpha[0], walk->alpha[1]);
@@ -367,20 +370,23 @@ static double roughly(struct walk *walk)
     return sum;
 }
 
-static struct walk walk_of(const struct pp_view *view, const struct cell *cell,
-                           struct pp_vec3 normal, const struct pp_integrand *what)
+static struct cell_integral walk_of(const struct pp_projection *view,
+                                    const struct integration_cell *cell,
+                                    struct pp_vec3 normal,
+                                    const struct pp_integrand *what)
 {
     double d = view->distance_m;
-    return (struct walk){.view = view,
-                         .integrand = what,
-                         .normal = normal,
-                         .lower = {cell->lower.level / d, cell->lower.slope},
-                         .upper = {cell->upper.level / d, cell->upper.slope},
-                         .alpha = {atan2(cell->x[0], d), atan2(cell->x[1], d)}};
+    return (struct cell_integral){
+        .view = view,
+        .integrand = what,
+        .normal = normal,
+        .lower = {cell->lower.level / d, cell->lower.slope},
+        .upper = {cell->upper.level / d, cell->upper.slope},
+        .alpha = {atan2(cell->x[0], d), atan2(cell->x[1], d)}};
 }
 
 enum pp_status pp_quadrature_over(struct pp_quadrature *result,
-                                  const struct pp_view *view,
+                                  const struct pp_projection *view,
                                   const struct pp_region *region,
                                   const struct pp_vec3 *half_spaces,
                                   int half_space_count, struct pp_vec3 normal,
@@ -390,12 +396,12 @@ enum pp_status pp_quadrature_over(struct pp_quadrature *result,
     *result = (struct pp_quadrature){0};
     struct pp_vec3 planes[8];
     for (int i = 0; i < half_space_count; i++)
-        planes[i] = pp_view_axes(view, half_spaces[i]);
+        planes[i] = pp_projection_direction(view, half_spaces[i]);
 
     /* Where the cusp is drawn, if it is before the eye. */
     double place[2], *cusp = NULL;
     if (what->cusp) {
-        struct pp_vec3 own = pp_view_axes(view, *what->cusp);
+        struct pp_vec3 own = pp_projection_direction(view, *what->cusp);
         if (own.z > 0.0) {
             place[0] = own.x / own.z * view->distance_m;
             place[1] = own.y / own.z * view->distance_m;
@@ -404,7 +410,7 @@ enum pp_status pp_quadrature_over(struct pp_quadrature *result,
         }
     }
 
-    struct cells cells = {0};
+    struct integration_cells cells = {0};
     enum pp_status status = PP_OK;
     for (int i = 0; i < region->count && status == PP_OK; i++)
         status = add_ring(&cells, &region->rings[i], planes, half_space_count,
@@ -414,7 +420,7 @@ enum pp_status pp_quadrature_over(struct pp_quadrature *result,
 
     if (relative_error >= PP_QUADRATURE_ROUGH) {
         for (int i = 0; i < cells.count && status == PP_OK; i++) {
-            struct walk walk = walk_of(view, &cells.list[i], normal, what);
+            struct cell_integral walk = walk_of(view, &cells.list[i], normal, what);
             result->value += roughly(&walk);
             result->evaluations += walk.evaluations;
         }
@@ -425,7 +431,7 @@ enum pp_status pp_quadrature_over(struct pp_quadrature *result,
     /* A first idea of the sum, so that no work goes into what does not show in it. */
     double idea = 0.0;
     for (int i = 0; i < cells.count && status == PP_OK; i++) {
-        struct walk walk = walk_of(view, &cells.list[i], normal, what);
+        struct cell_integral walk = walk_of(view, &cells.list[i], normal, what);
         double middle = (walk.alpha[0] + walk.alpha[1]) / 2.0, value;
         walk.column_error = 1.0;
         if (at_alpha(1, &middle, &walk, 1, &value) != 0)
@@ -434,7 +440,7 @@ enum pp_status pp_quadrature_over(struct pp_quadrature *result,
     }
     double enough = fmax(0.1 * relative_error * idea, ABSOLUTE) / cells.count;
     for (int i = 0; i < cells.count && status == PP_OK; i++) {
-        struct walk walk = walk_of(view, &cells.list[i], normal, what);
+        struct cell_integral walk = walk_of(view, &cells.list[i], normal, what);
         double width = walk.alpha[1] - walk.alpha[0], value, error;
         /* Columns are to err less than the rule across them can tell. */
         walk.column_abs = 0.3 * enough / width;

@@ -8,8 +8,8 @@
  * close the eye is to the plane. Both are adaptive Gauss-Kronrod rules (hcubature in
  * one dimension), the one in s within the one in alpha.
  */
-#ifndef PP_METHODS_QUADRATURE_H
-#define PP_METHODS_QUADRATURE_H
+#ifndef PP_METHODS_EXACT_QUADRATURE_H
+#define PP_METHODS_EXACT_QUADRATURE_H
 
 #include "model/geometry/projection.h"
 #include "model/base/error.h"
@@ -45,7 +45,7 @@ struct pp_quadrature {
 /* Over what lies of `region` (the view's coordinates) within the half-spaces (room's
  * axes). n.u must not be negative there: n itself is to be among the half-spaces. */
 enum pp_status pp_quadrature_over(struct pp_quadrature *result,
-                                  const struct pp_view *view,
+                                  const struct pp_projection *view,
                                   const struct pp_region *region,
                                   const struct pp_vec3 *half_spaces,
                                   int half_space_count, struct pp_vec3 normal,

@@ -17,7 +17,7 @@
 #include <assert.h>
 
 /* The sums while the boundary is followed, arc by arc. */
-struct walk {
+struct boundary_sums {
     struct pp_vec3 normal;
     int count; /* vertices so far */
     struct pp_vec3 first, last;
@@ -34,19 +34,19 @@ static double arc_over_sine(double sine, double cosine)
     return atan2(sine, cosine) / sine;
 }
 
-static void walk_arc(struct walk *walk, struct pp_vec3 v, double length,
+static void walk_arc(struct boundary_sums *walk, struct pp_vec3 v, double length,
                      struct pp_vec3 next, double next_length)
 {
-    struct pp_vec3 across = pp_cross(v, pp_sub(next, v));
+    struct pp_vec3 across = pp_vec_cross(v, pp_vec_sub(next, v));
     double scale = 1.0 / (length * next_length);
-    double cosine = pp_dot(v, next) * scale;
-    double sine = pp_length(across) * scale;
+    double cosine = pp_vec_dot(v, next) * scale;
+    double sine = pp_vec_length(across) * scale;
     if (!(sine > 0.0))
         return; /* no arc, or one through the eye, which has no side */
 
-    double facing = pp_dot(walk->normal, across) * scale;
-    double facing_both =
-        pp_dot(walk->normal, v) / length + pp_dot(walk->normal, next) / next_length;
+    double facing = pp_vec_dot(walk->normal, across) * scale;
+    double facing_both = pp_vec_dot(walk->normal, v) / length
+                         + pp_vec_dot(walk->normal, next) / next_length;
     /* 1 / (1 + cos T), by the sine where 1 + cos T cancels. */
     double half = cosine > -0.5 ? 1.0 / (1.0 + cosine) : (1.0 - cosine) / (sine * sine);
     walk->twice_cosine += arc_over_sine(sine, cosine) * facing;
@@ -54,22 +54,25 @@ static void walk_arc(struct walk *walk, struct pp_vec3 v, double length,
 }
 
 /* The triangle of the first vertex, the last one and this. */
-static void walk_triangle(struct walk *walk, struct pp_vec3 v, double length)
+static void walk_triangle(struct boundary_sums *walk, struct pp_vec3 v, double length)
 {
     struct pp_vec3 a = walk->first, b = walk->last;
     double la = walk->first_length, lb = walk->last_length;
     double scale = 1.0 / (la * lb * length);
-    double imaginary = pp_dot(a, pp_cross(pp_sub(b, a), pp_sub(v, a))) * scale;
+    double imaginary =
+        pp_vec_dot(a, pp_vec_cross(pp_vec_sub(b, a), pp_vec_sub(v, a))) * scale;
     double real =
-        1.0 + (pp_dot(a, b) * length + pp_dot(b, v) * la + pp_dot(v, a) * lb) * scale;
+        1.0
+        + (pp_vec_dot(a, b) * length + pp_vec_dot(b, v) * la + pp_vec_dot(v, a) * lb)
+              * scale;
     double was = walk->real;
     walk->real = was * real - walk->imaginary * imaginary;
     walk->imaginary = was * imaginary + walk->imaginary * real;
 }
 
-static void walk_to(struct walk *walk, struct pp_vec3 v)
+static void walk_to(struct boundary_sums *walk, struct pp_vec3 v)
 {
-    double length = pp_length(v);
+    double length = pp_vec_length(v);
     if (!(length > 0.0))
         return;
     if (walk->count == 0) {
@@ -85,7 +88,7 @@ static void walk_to(struct walk *walk, struct pp_vec3 v)
     walk->count++;
 }
 
-static void walk_end(struct walk *walk, struct pp_moments *sum)
+static void walk_end(struct boundary_sums *walk, struct pp_moments *sum)
 {
     if (walk->count < 3)
         return;
@@ -99,7 +102,7 @@ static void walk_end(struct walk *walk, struct pp_moments *sum)
 
 /* Clipping as a row of stages, each of which hands on what is on its side [SH74]: no
  * polygon has to be stored. */
-struct stage {
+struct clip_stage {
     struct pp_vec3 half_space;
     bool begun;
     struct pp_vec3 first, last;
@@ -107,9 +110,9 @@ struct stage {
 };
 
 struct clip {
-    struct stage stages[PP_HALF_SPACES_MOST];
+    struct clip_stage stages[PP_HALF_SPACES_MOST];
     int count;
-    struct walk walk;
+    struct boundary_sums walk;
 };
 
 static void feed(struct clip *clip, int index, struct pp_vec3 v);
@@ -123,7 +126,7 @@ static double size_of(struct pp_vec3 v)
  * that a patch that only touches it leaves no sliver there. */
 static double depth_in(struct pp_vec3 half_space, struct pp_vec3 v)
 {
-    double depth = pp_dot(half_space, v);
+    double depth = pp_vec_dot(half_space, v);
     return fabs(depth) > 1e-15 * size_of(half_space) * size_of(v) ? depth : 0.0;
 }
 
@@ -132,8 +135,8 @@ static double depth_in(struct pp_vec3 half_space, struct pp_vec3 v)
 static struct pp_vec3 crossing(struct pp_vec3 inner, double inner_depth,
                                struct pp_vec3 outer, double outer_depth)
 {
-    return pp_along(inner, inner_depth / (inner_depth - outer_depth),
-                    pp_sub(outer, inner));
+    return pp_vec_along(inner, inner_depth / (inner_depth - outer_depth),
+                        pp_vec_sub(outer, inner));
 }
 
 static void feed_crossing(struct clip *clip, int index, struct pp_vec3 a,
@@ -152,7 +155,7 @@ static void feed(struct clip *clip, int index, struct pp_vec3 v)
         walk_to(&clip->walk, v);
         return;
     }
-    struct stage *stage = &clip->stages[index];
+    struct clip_stage *stage = &clip->stages[index];
     double depth = depth_in(stage->half_space, v);
     if (stage->begun) {
         feed_crossing(clip, index, stage->last, stage->last_depth, v, depth);
@@ -167,9 +170,9 @@ static void feed(struct clip *clip, int index, struct pp_vec3 v)
     stage->last_depth = depth;
 }
 
-void pp_moments_add(struct pp_moments *sum, const struct pp_vec3 *vertices, int count,
-                    struct pp_vec3 normal, const struct pp_vec3 *half_spaces,
-                    int half_space_count)
+void pp_solid_angle_add_moments(struct pp_moments *sum, const struct pp_vec3 *vertices,
+                                int count, struct pp_vec3 normal,
+                                const struct pp_vec3 *half_spaces, int half_space_count)
 {
     assert(half_space_count <= PP_HALF_SPACES_MOST);
     struct clip clip;
@@ -195,7 +198,7 @@ void pp_moments_add(struct pp_moments *sum, const struct pp_vec3 *vertices, int 
     for (int i = 0; i < count; i++)
         feed(&clip, 0, vertices[i]);
     for (int s = 0; s < clip.count; s++) {
-        struct stage *stage = &clip.stages[s];
+        struct clip_stage *stage = &clip.stages[s];
         if (stage->begun)
             feed_crossing(&clip, s, stage->last, stage->last_depth, stage->first,
                           stage->first_depth);
@@ -203,12 +206,13 @@ void pp_moments_add(struct pp_moments *sum, const struct pp_vec3 *vertices, int 
     walk_end(&clip.walk, sum);
 }
 
-bool pp_sky_has_closed_form(const struct pp_sky *sky)
+bool pp_solid_angle_has_closed_form(const struct pp_sky *sky)
 {
     return sky->kind != PP_SKY_ISO;
 }
 
-double pp_moments_sky(const struct pp_moments *moments, const struct pp_sky *sky)
+double pp_solid_angle_sky_component(const struct pp_moments *moments,
+                                    const struct pp_sky *sky)
 {
     double relative = moments->cosine;
     if (sky->kind == PP_SKY_OVERCAST)

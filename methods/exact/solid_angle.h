@@ -15,8 +15,8 @@
  * The overcast sky is (E0 + 2 E1)/3, the uniform one E0, times their luminance over
  * that of the zenith. Any polygon, convex or not, any tilt of it and of the receiver.
  */
-#ifndef PP_METHODS_SOLID_ANGLE_H
-#define PP_METHODS_SOLID_ANGLE_H
+#ifndef PP_METHODS_EXACT_SOLID_ANGLE_H
+#define PP_METHODS_EXACT_SOLID_ANGLE_H
 
 #include "model/light/sky.h"
 #include "model/geometry/vec.h"
@@ -38,14 +38,16 @@ enum { PP_HALF_SPACES_MOST = 5 };
  * receiver counts negative. Errors are some units in the last place of the largest
  * term; a polygon of angular size s comes out to about 1e-16/s relative. Allocates
  * nothing. */
-void pp_moments_add(struct pp_moments *sum, const struct pp_vec3 *vertices, int count,
-                    struct pp_vec3 normal, const struct pp_vec3 *half_spaces,
-                    int half_space_count);
+void pp_solid_angle_add_moments(struct pp_moments *sum, const struct pp_vec3 *vertices,
+                                int count, struct pp_vec3 normal,
+                                const struct pp_vec3 *half_spaces,
+                                int half_space_count);
 
 /* Is the sky's luminance such that the moments suffice? */
-bool pp_sky_has_closed_form(const struct pp_sky *sky);
+bool pp_solid_angle_has_closed_form(const struct pp_sky *sky);
 
 /* What a patch of such a sky with these moments gives the receiver, over Eh. */
-double pp_moments_sky(const struct pp_moments *moments, const struct pp_sky *sky);
+double pp_solid_angle_sky_component(const struct pp_moments *moments,
+                                    const struct pp_sky *sky);
 
 #endif

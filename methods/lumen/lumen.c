@@ -35,7 +35,7 @@
 #include "methods/lumen/lumen_cavity.h"
 #include "methods/lumen/lumen_scope.h"
 #include "methods/lumen/lumen_table.h"
-#include "methods/methods.h"
+#include "methods/method_entries.h"
 #include "methods/reflected/obstruction_angle.h"
 #include "methods/refusals.h"
 
@@ -78,10 +78,10 @@ static enum pp_status read_window(struct reading *r, const struct pp_world *worl
         return PP_OK;
     }
     r->height_m = opening->height_m;
-    pp_lumen_room_size(&r->width_m, &r->depth_m, world, opening);
-    r->ceiling = pp_lumen_ceiling(world);
-    r->walls = pp_lumen_walls(world, opening->face);
-    r->E_s = pp_sky_on_plane(&world->sky, pp_scale(opening->inner.normal, -1.0));
+    pp_lumen_scope_room_size(&r->width_m, &r->depth_m, world, opening);
+    r->ceiling = pp_lumen_scope_ceiling_reflectance(world);
+    r->walls = pp_lumen_scope_wall_reflectance(world, opening->face);
+    r->E_s = pp_sky_on_plane(&world->sky, pp_vec_scale(opening->inner.normal, -1.0));
     r->E_g = world->ground_reflectance / 2.0;
     r->R_a = r->area_m2 * opening->frame_factor / (r->width_m * r->height_m);
     r->tau = r->T * r->R_a * r->M;
@@ -94,10 +94,12 @@ static enum pp_status read_window(struct reading *r, const struct pp_world *worl
                [PP_LUMEN_DEPTH] = r->depth_m / r->height_m,
                [PP_LUMEN_WIDTH] = r->width_m / r->height_m},
     };
-    bool covered = pp_lumen_side(r->cu_sky, table, &query, r->text, sizeof r->text);
+    bool covered =
+        pp_lumen_table_side(r->cu_sky, table, &query, r->text, sizeof r->text);
     query.ev_over_eh = NAN;
     covered =
-        covered && pp_lumen_side(r->cu_ground, table, &query, r->text, sizeof r->text);
+        covered
+        && pp_lumen_table_side(r->cu_ground, table, &query, r->text, sizeof r->text);
     r->why = covered ? NULL : r->text;
     return PP_OK;
 }
@@ -111,19 +113,19 @@ static enum pp_status read_rooflight(struct reading *r, const struct pp_world *w
     enum pp_status status = pp_obstruction_angle(&alpha_rad, world, opening, err);
     if (status != PP_OK)
         return status;
-    pp_lumen_room_size(&r->width_m, &r->depth_m, world, opening);
+    pp_lumen_scope_room_size(&r->width_m, &r->depth_m, world, opening);
     r->height_m = world->height_m - world->working_plane_m;
     r->plane_m2 = r->width_m * r->depth_m;
-    r->ceiling = pp_lumen_ceiling(world);
-    r->walls = pp_lumen_walls(world, -1);
+    r->ceiling = pp_lumen_scope_ceiling_reflectance(world);
+    r->walls = pp_lumen_scope_wall_reflectance(world, -1);
     r->rcr = 5.0 * r->height_m * (r->width_m + r->depth_m) / r->plane_m2;
     r->E_h = 1.0 - alpha_rad / (PP_PI / 2.0);
-    r->well = pp_lumen_well(opening->width_m, opening->height_m, opening->reveal_m,
-                            r->ceiling);
+    r->well = pp_lumen_cavity_well_efficiency(opening->width_m, opening->height_m,
+                                              opening->reveal_m, r->ceiling);
     r->R_a = opening->frame_factor;
     r->tau = r->T * r->well * r->R_a * r->M;
-    r->cu_top =
-        pp_lumen_top(table, r->rcr, r->ceiling, r->walls, r->text, sizeof r->text);
+    r->cu_top = pp_lumen_table_top(table, r->rcr, r->ceiling, r->walls, r->text,
+                                   sizeof r->text);
     r->why = isnan(r->cu_top) ? r->text : NULL;
     return PP_OK;
 }
@@ -136,13 +138,13 @@ static enum pp_status read_openings(struct tools *tools, const struct pp_world *
     for (int i = 0; i < world->opening_count && status == PP_OK; i++) {
         const struct pp_opening *opening = &world->openings[i];
         struct reading *r = &tools->readings[i];
-        *r = (struct reading){.why = pp_lumen_refuses(world, opening),
+        *r = (struct reading){.why = pp_lumen_scope_refuses_opening(world, opening),
                               .area_m2 = opening->inner.area_m2,
                               .T = opening->glass.diffuse,
                               .M = opening->maintenance};
         if (r->why)
             continue;
-        status = pp_lumen_is_top(opening)
+        status = pp_lumen_scope_is_rooflight(opening)
                      ? read_rooflight(r, world, opening, table, err)
                      : read_window(r, world, opening, table, err);
     }
@@ -173,28 +175,28 @@ static enum pp_status prepare(void **result, const struct pp_world *world,
 static const char *refuses_room(const struct pp_world *world,
                                 const struct pp_receiver *receiver)
 {
-    const char *why = pp_refuse_unless_up(receiver);
+    const char *why = pp_refusals_unless_up(receiver);
     if (!why && receiver && fabs(receiver->position.z - world->working_plane_m) > 0.01)
         why = "its tables are for points on the working plane";
-    return why ? why : pp_lumen_refuses_room(world);
+    return why ? why : pp_lumen_scope_refuses_room(world);
 }
 
 static void set_down_glass(const struct reading *r, const struct pp_opening *opening,
                            struct pp_steps *steps)
 {
-    pp_step_named(steps, PP_UNIT_SQUARE_METRE, r->area_m2, "A",
-                  "opening on line %d: area", opening->line);
-    pp_step_named(steps, PP_UNIT_NUMBER, opening->frame_factor, "B",
-                  "glass over opening area");
-    pp_step_named(steps, PP_UNIT_NUMBER, r->T, "T",
-                  "diffuse transmittance of its glass");
-    pp_step_named(steps, PP_UNIT_NUMBER, r->M, "M", "light loss by dirt");
+    pp_steps_add_named(steps, PP_UNIT_SQUARE_METRE, r->area_m2, "A",
+                       "opening on line %d: area", opening->line);
+    pp_steps_add_named(steps, PP_UNIT_NUMBER, opening->frame_factor, "B",
+                       "glass over opening area");
+    pp_steps_add_named(steps, PP_UNIT_NUMBER, r->T, "T",
+                       "diffuse transmittance of its glass");
+    pp_steps_add_named(steps, PP_UNIT_NUMBER, r->M, "M", "light loss by dirt");
 }
 
 /* The coefficient at the point with that share of the depth; NAN: the average. */
 static double coefficient(const double cu[PP_LUMEN_POSITIONS], double share)
 {
-    return isnan(share) ? cu[PP_LUMEN_AVERAGE] : pp_lumen_at(cu, share);
+    return isnan(share) ? cu[PP_LUMEN_AVERAGE] : pp_lumen_table_at_depth(cu, share);
 }
 
 static double window_value(const struct reading *r, const struct pp_opening *opening,
@@ -209,41 +211,44 @@ static double window_value(const struct reading *r, const struct pp_opening *ope
     if (!steps)
         return value;
     set_down_glass(r, opening, steps);
-    pp_step_named(steps, PP_UNIT_METRE, r->height_m, "H", "window height");
-    pp_step_named(steps, PP_UNIT_METRE, r->width_m, "W",
-                  "room along the window's wall");
-    pp_step_named(steps, PP_UNIT_METRE, r->depth_m, "D", "room away from it");
-    pp_step_worked(steps, PP_UNIT_NUMBER, r->R_a, "R_a", "A B / (W H)",
-                   "net glass over the band along the wall");
-    pp_step_worked(steps, PP_UNIT_NUMBER, r->tau, "tau", "T R_a M",
-                   "transmittance in all");
-    pp_step_named(steps, PP_UNIT_SHARE, r->E_s, "E_s", "on the window from the sky");
-    pp_step_named(steps, PP_UNIT_NUMBER, 2.0 * r->E_g, "rho_g", "ground reflectance");
-    pp_step_worked(steps, PP_UNIT_SHARE, r->E_g, "E_g", "100 rho_g / 2",
-                   "on the window from the ground");
-    pp_step_worked(steps, PP_UNIT_NUMBER, r->depth_m / r->height_m, "", "D / H",
-                   "room depth over window height");
-    pp_step_worked(steps, PP_UNIT_NUMBER, r->width_m / r->height_m, "", "W / H",
-                   "room width over window height");
-    pp_step_named(steps, PP_UNIT_NUMBER, r->ceiling, "", "ceiling reflectance");
-    pp_step_named(steps, PP_UNIT_NUMBER, r->walls, "",
-                  "mean reflectance of the other walls");
+    pp_steps_add_named(steps, PP_UNIT_METRE, r->height_m, "H", "window height");
+    pp_steps_add_named(steps, PP_UNIT_METRE, r->width_m, "W",
+                       "room along the window's wall");
+    pp_steps_add_named(steps, PP_UNIT_METRE, r->depth_m, "D", "room away from it");
+    pp_steps_add_worked(steps, PP_UNIT_NUMBER, r->R_a, "R_a", "A B / (W H)",
+                        "net glass over the band along the wall");
+    pp_steps_add_worked(steps, PP_UNIT_NUMBER, r->tau, "tau", "T R_a M",
+                        "transmittance in all");
+    pp_steps_add_named(steps, PP_UNIT_SHARE, r->E_s, "E_s",
+                       "on the window from the sky");
+    pp_steps_add_named(steps, PP_UNIT_NUMBER, 2.0 * r->E_g, "rho_g",
+                       "ground reflectance");
+    pp_steps_add_worked(steps, PP_UNIT_SHARE, r->E_g, "E_g", "100 rho_g / 2",
+                        "on the window from the ground");
+    pp_steps_add_worked(steps, PP_UNIT_NUMBER, r->depth_m / r->height_m, "", "D / H",
+                        "room depth over window height");
+    pp_steps_add_worked(steps, PP_UNIT_NUMBER, r->width_m / r->height_m, "", "W / H",
+                        "room width over window height");
+    pp_steps_add_named(steps, PP_UNIT_NUMBER, r->ceiling, "", "ceiling reflectance");
+    pp_steps_add_named(steps, PP_UNIT_NUMBER, r->walls, "",
+                       "mean reflectance of the other walls");
     if (!isnan(share))
-        pp_step_named(steps, PP_UNIT_NUMBER, share, "",
-                      "the point's distance from the wall over D");
-    pp_step_named(steps, PP_UNIT_NUMBER, cu_s, "CU_s",
-                  "coefficient for the sky, by its table");
-    pp_step_named(steps, PP_UNIT_NUMBER, cu_g, "CU_g",
-                  "coefficient for the ground, by its table");
+        pp_steps_add_named(steps, PP_UNIT_NUMBER, share, "",
+                           "the point's distance from the wall over D");
+    pp_steps_add_named(steps, PP_UNIT_NUMBER, cu_s, "CU_s",
+                       "coefficient for the sky, by its table");
+    pp_steps_add_named(steps, PP_UNIT_NUMBER, cu_g, "CU_g",
+                       "coefficient for the ground, by its table");
     if (one) {
-        pp_step_worked(steps, PP_UNIT_NUMBER, cu_one, "CU",
-                       "(E_s CU_s + 10 CU_g) / (E_s + 10)",
-                       "one coefficient, of a ground of 0.2");
-        pp_step_worked(steps, PP_UNIT_SHARE, value, "df", "tau (E_s + E_g) CU",
-                       "daylight factor from this window");
+        pp_steps_add_worked(steps, PP_UNIT_NUMBER, cu_one, "CU",
+                            "(E_s CU_s + 10 CU_g) / (E_s + 10)",
+                            "one coefficient, of a ground of 0.2");
+        pp_steps_add_worked(steps, PP_UNIT_SHARE, value, "df", "tau (E_s + E_g) CU",
+                            "daylight factor from this window");
     } else {
-        pp_step_worked(steps, PP_UNIT_SHARE, value, "df", "tau (E_s CU_s + E_g CU_g)",
-                       "daylight factor from this window");
+        pp_steps_add_worked(steps, PP_UNIT_SHARE, value, "df",
+                            "tau (E_s CU_s + E_g CU_g)",
+                            "daylight factor from this window");
     }
     return value;
 }
@@ -255,21 +260,25 @@ static double rooflight_value(const struct reading *r, const struct pp_opening *
     if (!steps)
         return value;
     set_down_glass(r, opening, steps);
-    pp_step_named(steps, PP_UNIT_NUMBER, r->well, "N", "what its well lets through");
-    pp_step_worked(steps, PP_UNIT_NUMBER, r->tau, "tau", "T N B M",
-                   "transmittance in all");
-    pp_step_named(steps, PP_UNIT_METRE, r->width_m, "L", "one side of the plan");
-    pp_step_named(steps, PP_UNIT_METRE, r->depth_m, "W", "the other");
-    pp_step_named(steps, PP_UNIT_METRE, r->height_m, "h",
-                  "ceiling above the working plane");
-    pp_step_worked(steps, PP_UNIT_NUMBER, r->rcr, "RCR", "5 h (L + W) / (L W)",
-                   "room cavity ratio");
-    pp_step_named(steps, PP_UNIT_NUMBER, r->ceiling, "", "ceiling reflectance");
-    pp_step_named(steps, PP_UNIT_NUMBER, r->walls, "", "mean reflectance of the walls");
-    pp_step_named(steps, PP_UNIT_NUMBER, r->cu_top, "CU", "coefficient, by its table");
-    pp_step_named(steps, PP_UNIT_SHARE, r->E_h, "E_h", "on the rooflight from the sky");
-    pp_step_worked(steps, PP_UNIT_SHARE, value, "df", "tau A / (L W) E_h CU",
-                   "average daylight factor from this rooflight");
+    pp_steps_add_named(steps, PP_UNIT_NUMBER, r->well, "N",
+                       "what its well lets through");
+    pp_steps_add_worked(steps, PP_UNIT_NUMBER, r->tau, "tau", "T N B M",
+                        "transmittance in all");
+    pp_steps_add_named(steps, PP_UNIT_METRE, r->width_m, "L", "one side of the plan");
+    pp_steps_add_named(steps, PP_UNIT_METRE, r->depth_m, "W", "the other");
+    pp_steps_add_named(steps, PP_UNIT_METRE, r->height_m, "h",
+                       "ceiling above the working plane");
+    pp_steps_add_worked(steps, PP_UNIT_NUMBER, r->rcr, "RCR", "5 h (L + W) / (L W)",
+                        "room cavity ratio");
+    pp_steps_add_named(steps, PP_UNIT_NUMBER, r->ceiling, "", "ceiling reflectance");
+    pp_steps_add_named(steps, PP_UNIT_NUMBER, r->walls, "",
+                       "mean reflectance of the walls");
+    pp_steps_add_named(steps, PP_UNIT_NUMBER, r->cu_top, "CU",
+                       "coefficient, by its table");
+    pp_steps_add_named(steps, PP_UNIT_SHARE, r->E_h, "E_h",
+                       "on the rooflight from the sky");
+    pp_steps_add_worked(steps, PP_UNIT_SHARE, value, "df", "tau A / (L W) E_h CU",
+                        "average daylight factor from this rooflight");
     return value;
 }
 
@@ -280,8 +289,8 @@ static double share_of(const struct reading *r, const struct pp_opening *opening
 {
     if (!receiver)
         return NAN;
-    struct pp_vec3 from = pp_sub(receiver->position, opening->inner.vertices[0]);
-    return pp_dot(from, opening->inner.normal) / r->depth_m;
+    struct pp_vec3 from = pp_vec_sub(receiver->position, opening->inner.vertices[0]);
+    return pp_vec_dot(from, opening->inner.normal) / r->depth_m;
 }
 
 static enum pp_status give(const struct pp_world *world,
@@ -294,7 +303,7 @@ static enum pp_status give(const struct pp_world *world,
     part->why = r->why;
     if (part->why)
         return PP_OK;
-    if (pp_lumen_is_top(opening)) {
+    if (pp_lumen_scope_is_rooflight(opening)) {
         if (receiver)
             part->why = "lights the room from above, of which the method gives the "
                         "average only";

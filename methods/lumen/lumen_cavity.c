@@ -6,9 +6,9 @@
 /* From one end of a box to the other. */
 static double end_to_end(double width, double length, double depth)
 {
-    const struct pp_upright_rectangle top = {2, {0, 0, depth}, {width, length, depth}};
-    const struct pp_upright_rectangle bottom = {2, {0, 0, 0}, {width, length, 0}};
-    return pp_rectangle_exchange(&top, &bottom) / (width * length);
+    const struct pp_aligned_rectangle top = {2, {0, 0, depth}, {width, length, depth}};
+    const struct pp_aligned_rectangle bottom = {2, {0, 0, 0}, {width, length, 0}};
+    return pp_rectangle_factor_exchange_area(&top, &bottom) / (width * length);
 }
 
 double pp_lumen_cavity(double rcr, double ceiling, double walls, double plane)
@@ -36,7 +36,8 @@ double pp_lumen_cavity(double rcr, double ceiling, double walls, double plane)
     return f * (c0 + c1 * W) + (1.0 - f) * W;
 }
 
-double pp_lumen_well(double width, double length, double depth, double sides)
+double pp_lumen_cavity_well_efficiency(double width, double length, double depth,
+                                       double sides)
 {
     if (!(depth > 0.0))
         return 1.0;

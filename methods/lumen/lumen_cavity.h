@@ -1,8 +1,8 @@
 /* lumen_cavity.h - transfer of flux in the room of the lumen method's light from above:
  * what the coefficients of that table are made from.
  */
-#ifndef PP_METHODS_LUMEN_CAVITY_H
-#define PP_METHODS_LUMEN_CAVITY_H
+#ifndef PP_METHODS_LUMEN_LUMEN_CAVITY_H
+#define PP_METHODS_LUMEN_LUMEN_CAVITY_H
 
 /* Share of a Lambertian ceiling's light that falls on the working plane: three zones
  * (ceiling, walls, plane), each evenly bright, of a room with a square plan and that
@@ -14,6 +14,7 @@ double pp_lumen_cavity(double rcr, double ceiling, double walls, double plane);
 
 /* Share of diffuse light on top of a well, width x length and `depth` deep, with sides
  * of that reflectance, that leaves it below: two zones; 1 where it has no depth. */
-double pp_lumen_well(double width, double length, double depth, double sides);
+double pp_lumen_cavity_well_efficiency(double width, double length, double depth,
+                                       double sides);
 
 #endif

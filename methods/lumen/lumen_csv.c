@@ -6,8 +6,7 @@
 #include <string.h>
 
 #include "methods/lumen/lumen_parts.h"
-#include "model/base/names.h"
-#include "model/base/number.h"
+#include "model/base/text.h"
 
 enum {
     FIELDS_MOST = 64,
@@ -42,7 +41,7 @@ static const char *const column_names[] = {
 };
 
 /* A line cut at its commas, white space off. */
-struct fields {
+struct csv_fields {
     int count;
     char text[FIELDS_MOST][FIELD_LONGEST];
 };
@@ -67,7 +66,7 @@ static bool is_white(char c)
 }
 
 /* Cuts one line; false, with a mistake noted, where it can't be one of a table. */
-static bool cut(struct reader *reader, struct fields *fields, const char *line,
+static bool cut(struct reader *reader, struct csv_fields *fields, const char *line,
                 size_t length)
 {
     fields->count = 0;
@@ -81,11 +80,12 @@ static bool cut(struct reader *reader, struct fields *fields, const char *line,
         while (last > first && is_white(line[last - 1]))
             last--;
         if (fields->count == FIELDS_MOST || last - first >= FIELD_LONGEST) {
-            pp_mistake(reader->mistakes, reader->number,
-                       fields->count == FIELDS_MOST
-                           ? "there are more than %d fields in this line"
-                           : "field %d of this line is too long for a number or a name",
-                       fields->count == FIELDS_MOST ? FIELDS_MOST : fields->count + 1);
+            pp_mistakes_add(
+                reader->mistakes, reader->number,
+                fields->count == FIELDS_MOST
+                    ? "there are more than %d fields in this line"
+                    : "field %d of this line is too long for a number or a name",
+                fields->count == FIELDS_MOST ? FIELDS_MOST : fields->count + 1);
             return false;
         }
         char *text = fields->text[fields->count++];
@@ -103,7 +103,7 @@ static bool read_width(const char *text, double *width)
         *width = INFINITY;
         return true;
     }
-    return pp_number_parse(text, width) && *width > 0.0;
+    return pp_text_parse_number(text, width) && *width > 0.0;
 }
 
 static bool has_column(const struct reader *reader, enum column kind)
@@ -117,27 +117,28 @@ static bool has_column(const struct reader *reader, enum column kind)
 static void unknown_column(struct reader *reader, const char *text)
 {
     char written[64];
-    pp_excerpt(written, sizeof written, text);
-    const char *nearest = pp_nearest(text, column_names, WIDTH);
+    pp_text_excerpt(written, sizeof written, text);
+    const char *nearest = pp_text_nearest(text, column_names, WIDTH);
     if (nearest)
-        pp_mistake(reader->mistakes, reader->number,
-                   "\"%s\" is no column (did you mean \"%s\"?)", written, nearest);
+        pp_mistakes_add(reader->mistakes, reader->number,
+                        "\"%s\" is no column (did you mean \"%s\"?)", written, nearest);
     else
-        pp_mistake(reader->mistakes, reader->number,
-                   "\"%s\" is no column; expected one of the tables' names, or a width "
-                   "over window height",
-                   written);
+        pp_mistakes_add(
+            reader->mistakes, reader->number,
+            "\"%s\" is no column; expected one of the tables' names, or a width "
+            "over window height",
+            written);
 }
 
 static void add_width(struct reader *reader, double width, const char *text)
 {
     struct pp_lumen_axis *widths = &reader->widths;
     if (widths->count == PP_LUMEN_AXIS_MOST)
-        pp_mistake(reader->mistakes, reader->number, "there are more than %d widths",
-                   PP_LUMEN_AXIS_MOST);
+        pp_mistakes_add(reader->mistakes, reader->number,
+                        "there are more than %d widths", PP_LUMEN_AXIS_MOST);
     else if (widths->count > 0 && !(width > widths->at[widths->count - 1]))
-        pp_mistake(reader->mistakes, reader->number,
-                   "the widths have to ascend, and %s does not", text);
+        pp_mistakes_add(reader->mistakes, reader->number,
+                        "the widths have to ascend, and %s does not", text);
     else
         widths->at[widths->count++] = width;
 }
@@ -151,29 +152,30 @@ static void check_columns(struct reader *reader)
     const enum column *needs = reader->top ? top_needs : side_needs;
     for (int i = 0; i < (reader->top ? 4 : 3); i++)
         if (!has_column(reader, needs[i]))
-            pp_mistake(reader->mistakes, reader->number,
-                       "a table for light from %s needs a column \"%s\"",
-                       reader->top ? "above" : "the side", column_names[needs[i]]);
+            pp_mistakes_add(reader->mistakes, reader->number,
+                            "a table for light from %s needs a column \"%s\"",
+                            reader->top ? "above" : "the side", column_names[needs[i]]);
     if (reader->top) {
         static const enum column side_only[] = {COMPONENT, RATIO, DEPTH, POSITION};
         for (int i = 0; i < 4; i++)
             if (has_column(reader, side_only[i]))
-                pp_mistake(reader->mistakes, reader->number,
-                           "a table for light from above has no column \"%s\"",
-                           column_names[side_only[i]]);
+                pp_mistakes_add(reader->mistakes, reader->number,
+                                "a table for light from above has no column \"%s\"",
+                                column_names[side_only[i]]);
     } else if (has_column(reader, CEILING) != has_column(reader, WALLS)) {
-        pp_mistake(reader->mistakes, reader->number,
-                   "one of ceiling_reflectance and wall_reflectance is missing; "
-                   "expected both or none");
+        pp_mistakes_add(reader->mistakes, reader->number,
+                        "one of ceiling_reflectance and wall_reflectance is missing; "
+                        "expected both or none");
     }
     if (reader->top ? reader->widths.count > 0 : reader->widths.count == 0)
-        pp_mistake(reader->mistakes, reader->number,
-                   reader->top ? "a table for light from above has no columns of widths"
-                               : "there is no column for a width over window height; "
-                                 "expected a number as its name");
+        pp_mistakes_add(reader->mistakes, reader->number,
+                        reader->top
+                            ? "a table for light from above has no columns of widths"
+                            : "there is no column for a width over window height; "
+                              "expected a number as its name");
 }
 
-static void read_header(struct reader *reader, const struct fields *fields)
+static void read_header(struct reader *reader, const struct csv_fields *fields)
 {
     reader->columns = fields->count;
     for (int i = 0; i < fields->count; i++) {
@@ -188,8 +190,8 @@ static void read_header(struct reader *reader, const struct fields *fields)
             add_width(reader, width, text);
         for (int k = 0; k < i && kind != WIDTH; k++)
             if (reader->kinds[k] == (enum column)kind)
-                pp_mistake(reader->mistakes, reader->number,
-                           "there are two columns \"%s\"", text);
+                pp_mistakes_add(reader->mistakes, reader->number,
+                                "there are two columns \"%s\"", text);
         reader->kinds[i] = (enum column)kind;
     }
     check_columns(reader);
@@ -200,15 +202,16 @@ static double number(struct reader *reader, const char *text, const char *name,
                      double low, bool low_too, double high)
 {
     double value;
-    if (pp_number_parse(text, &value) && value <= high
+    if (pp_text_parse_number(text, &value) && value <= high
         && (low_too ? value >= low : value > low))
         return value;
     char written[64];
-    pp_excerpt(written, sizeof written, text);
-    pp_mistake(reader->mistakes, reader->number,
-               *text ? "%s is \"%s\"; expected a number %s%g, up to %g"
-                     : "%s is missing%s; expected a number %s%g, up to %g",
-               name, *text ? written : "", low_too ? "from " : "above ", low, high);
+    pp_text_excerpt(written, sizeof written, text);
+    pp_mistakes_add(reader->mistakes, reader->number,
+                    *text ? "%s is \"%s\"; expected a number %s%g, up to %g"
+                          : "%s is missing%s; expected a number %s%g, up to %g",
+                    name, *text ? written : "", low_too ? "from " : "above ", low,
+                    high);
     return NAN;
 }
 
@@ -222,13 +225,13 @@ static int read_position(struct reader *reader, const char *text)
     double per_cent;
     if (*text == '\0' || strcmp(text, "average") == 0)
         return PP_LUMEN_AVERAGE;
-    if (pp_number_parse(text, &per_cent))
+    if (pp_text_parse_number(text, &per_cent))
         for (int i = 0; i < PP_LUMEN_AVERAGE; i++)
             if (per_cent == 10.0 + 20.0 * i)
                 return i;
     char written[64];
-    pp_excerpt(written, sizeof written, text);
-    pp_mistake(
+    pp_text_excerpt(written, sizeof written, text);
+    pp_mistakes_add(
         reader->mistakes, reader->number,
         "position_percent is \"%s\"; expected 10, 30, 50, 70, 90, or nothing for "
         "the average",
@@ -256,7 +259,7 @@ static bool grow(struct reader *reader)
     return side && top && cu;
 }
 
-static void read_side(struct reader *reader, const struct fields *fields)
+static void read_side(struct reader *reader, const struct csv_fields *fields)
 {
     struct pp_lumen_line *line = &reader->side_lines[reader->count];
     double *cu = reader->cu[reader->count];
@@ -300,8 +303,8 @@ static void read_side(struct reader *reader, const struct fields *fields)
             number(reader, ratio, column_names[RATIO], 0.0, false, ratio_most);
     if (component && strcmp(component, ground ? "ground" : "sky") != 0) {
         char written[64];
-        pp_excerpt(written, sizeof written, component);
-        pp_mistake(
+        pp_text_excerpt(written, sizeof written, component);
+        pp_mistakes_add(
             reader->mistakes, reader->number,
             "component is \"%s\"; expected \"sky\", with a number as Ev_over_Eh, "
             "or \"ground\", without one",
@@ -309,7 +312,7 @@ static void read_side(struct reader *reader, const struct fields *fields)
     }
 }
 
-static void read_top(struct reader *reader, const struct fields *fields)
+static void read_top(struct reader *reader, const struct csv_fields *fields)
 {
     struct pp_lumen_top_line *line = &reader->top_lines[reader->count];
     *line = (struct pp_lumen_top_line){.line = reader->number};
@@ -332,7 +335,7 @@ static void read_top(struct reader *reader, const struct fields *fields)
 /* One line of the file; false: memory is out. */
 static bool read_line(struct reader *reader, const char *text, size_t length)
 {
-    struct fields fields;
+    struct csv_fields fields;
     size_t blank = 0;
     while (blank < length && is_white(text[blank]))
         blank++;
@@ -348,9 +351,10 @@ static bool read_line(struct reader *reader, const char *text, size_t length)
         return true;
     }
     if (fields.count != reader->columns) {
-        pp_mistake(reader->mistakes, reader->number,
-                   "there are %d fields in this line; expected %d, as many as columns",
-                   fields.count, reader->columns);
+        pp_mistakes_add(
+            reader->mistakes, reader->number,
+            "there are %d fields in this line; expected %d, as many as columns",
+            fields.count, reader->columns);
         return true;
     }
     if (!grow(reader))
@@ -368,11 +372,11 @@ static enum pp_status build(struct reader *reader, struct pp_lumen_table *table,
     for (int i = 0; i < reader->count; i++)
         reader->side_lines[i].cu = reader->cu[i];
     enum pp_status status =
-        reader->top
-            ? pp_lumen_top_build(&fresh.top, reader->top_lines, reader->count,
-                                 reader->mistakes, err)
-            : pp_lumen_side_build(&fresh.side, &reader->widths, reader->side_lines,
-                                  reader->count, reader->mistakes, err);
+        reader->top ? pp_lumen_table_build_top(&fresh.top, reader->top_lines,
+                                               reader->count, reader->mistakes, err)
+                    : pp_lumen_table_build_side(&fresh.side, &reader->widths,
+                                                reader->side_lines, reader->count,
+                                                reader->mistakes, err);
     if (status == PP_OK && reader->mistakes->count > 0)
         status = pp_fail(err, PP_BAD_INPUT, "the table has mistakes");
     if (status != PP_OK) {
@@ -390,9 +394,9 @@ static enum pp_status build(struct reader *reader, struct pp_lumen_table *table,
     return PP_OK;
 }
 
-enum pp_status pp_lumen_table_parse(struct pp_lumen_table *table, const char *text,
-                                    size_t length, struct pp_mistakes *mistakes,
-                                    struct pp_error *err)
+enum pp_status pp_lumen_csv_parse(struct pp_lumen_table *table, const char *text,
+                                  size_t length, struct pp_mistakes *mistakes,
+                                  struct pp_error *err)
 {
     static const char mark[] = "\xef\xbb\xbf"; /* of UTF-8, before the first line */
     struct reader reader = {.mistakes = mistakes};
@@ -402,7 +406,7 @@ enum pp_status pp_lumen_table_parse(struct pp_lumen_table *table, const char *te
         length -= 3;
     }
     if (memchr(text, '\0', length)) {
-        pp_mistake(mistakes, 0, "this is no text; expected a table in CSV");
+        pp_mistakes_add(mistakes, 0, "this is no text; expected a table in CSV");
         length = 0;
     }
     for (size_t start = 0; start < length && memory;) {
@@ -413,11 +417,11 @@ enum pp_status pp_lumen_table_parse(struct pp_lumen_table *table, const char *te
         start += line + 1;
     }
     if (reader.count == 0 && mistakes->count == 0)
-        pp_mistake(mistakes, 0,
-                   reader.columns == 0
-                       ? "there is nothing in it; expected a table in CSV"
-                       : "there are no lines under the names of the "
-                         "columns");
+        pp_mistakes_add(mistakes, 0,
+                        reader.columns == 0
+                            ? "there is nothing in it; expected a table in CSV"
+                            : "there are no lines under the names of the "
+                              "columns");
     enum pp_status status = PP_OK;
     if (!memory)
         status = pp_fail_memory(err);
@@ -431,8 +435,8 @@ enum pp_status pp_lumen_table_parse(struct pp_lumen_table *table, const char *te
     return status;
 }
 
-enum pp_status pp_lumen_table_read(struct pp_lumen_table *table, const char *path,
-                                   struct pp_mistakes *mistakes, struct pp_error *err)
+enum pp_status pp_lumen_csv_read(struct pp_lumen_table *table, const char *path,
+                                 struct pp_mistakes *mistakes, struct pp_error *err)
 {
     FILE *file = fopen(path, "rb");
     if (!file)
@@ -464,7 +468,7 @@ enum pp_status pp_lumen_table_read(struct pp_lumen_table *table, const char *pat
                          path, strerror(errno));
     fclose(file);
     if (status == PP_OK)
-        status = pp_lumen_table_parse(table, text, length, mistakes, err);
+        status = pp_lumen_csv_parse(table, text, length, mistakes, err);
     free(text);
     return status;
 }

@@ -1,6 +1,6 @@
 /* lumen_parts.h - what the reader of the lumen method's tables and their user share. */
-#ifndef PP_METHODS_LUMEN_PARTS_H
-#define PP_METHODS_LUMEN_PARTS_H
+#ifndef PP_METHODS_LUMEN_LUMEN_PARTS_H
+#define PP_METHODS_LUMEN_LUMEN_PARTS_H
 
 #include "methods/lumen/lumen_table.h"
 
@@ -40,12 +40,14 @@ struct pp_lumen_table {
 /* A table out of lines in any order. Reflectances that are NAN in all of them are not
  * asked for. Lines that say the same twice, and axes of more than PP_LUMEN_AXIS_MOST
  * values, are noted as mistakes. */
-enum pp_status pp_lumen_side_build(struct pp_lumen_side_table *table,
-                                   const struct pp_lumen_axis *widths,
-                                   const struct pp_lumen_line *lines, int count,
-                                   struct pp_mistakes *mistakes, struct pp_error *err);
-enum pp_status pp_lumen_top_build(struct pp_lumen_top_table *table,
-                                  const struct pp_lumen_top_line *lines, int count,
-                                  struct pp_mistakes *mistakes, struct pp_error *err);
+enum pp_status pp_lumen_table_build_side(struct pp_lumen_side_table *table,
+                                         const struct pp_lumen_axis *widths,
+                                         const struct pp_lumen_line *lines, int count,
+                                         struct pp_mistakes *mistakes,
+                                         struct pp_error *err);
+enum pp_status pp_lumen_table_build_top(struct pp_lumen_top_table *table,
+                                        const struct pp_lumen_top_line *lines,
+                                        int count, struct pp_mistakes *mistakes,
+                                        struct pp_error *err);
 
 #endif

@@ -21,7 +21,7 @@ static const double endless_width = 1e4; /* in window heights */
 enum part { PLANE, CEILING, BACK, SIDE, PARTS };
 
 struct patch {
-    struct pp_upright_rectangle outline;
+    struct pp_aligned_rectangle outline;
     enum part part;
     double area;
     double direct; /* mean direct illuminance, over the window's */
@@ -76,11 +76,11 @@ static void add_grid(struct pp_lumen_room *room, enum part part, int axis, doubl
             patch->outline.high[first_axis] = cut(first, i + 1);
             patch->outline.low[second_axis] = cut(second, j);
             patch->outline.high[second_axis] = cut(second, j + 1);
-            patch->area = pp_upright_rectangle_area(&patch->outline);
+            patch->area = pp_rectangle_factor_area(&patch->outline);
         }
 }
 
-static struct pp_upright_rectangle mirrored(struct pp_upright_rectangle outline)
+static struct pp_aligned_rectangle mirrored(struct pp_aligned_rectangle outline)
 {
     double low = outline.low[0];
     outline.low[0] = -outline.high[0];
@@ -94,9 +94,10 @@ static void fill_factors(struct pp_lumen_room *room)
     for (int i = 0; i < n; i++)
         for (int j = i; j < n; j++) {
             const struct patch *a = &room->patches[i], *b = &room->patches[j];
-            struct pp_upright_rectangle image = mirrored(b->outline);
-            double exchange = pp_rectangle_exchange(&a->outline, &b->outline)
-                              + pp_rectangle_exchange(&a->outline, &image);
+            struct pp_aligned_rectangle image = mirrored(b->outline);
+            double exchange =
+                pp_rectangle_factor_exchange_area(&a->outline, &b->outline)
+                + pp_rectangle_factor_exchange_area(&a->outline, &image);
             room->factors[i * n + j] = exchange / a->area;
             room->factors[j * n + i] = exchange / b->area;
         }
@@ -174,8 +175,8 @@ static double direct_at(const struct pp_lumen_room *room, const struct source *s
             double c = cos(altitude);
             struct pp_vec3 u =
                 pp_vec(c * sin(azimuth), -c * cos(azimuth), sin(altitude));
-            over_altitude +=
-                weights[j] * luminance(source, u) * fmax(pp_dot(normal, u), 0.0) * c;
+            over_altitude += weights[j] * luminance(source, u)
+                             * fmax(pp_vec_dot(normal, u), 0.0) * c;
         }
         sum += weights[i] * over_altitude * limit / 2.0;
     }
@@ -260,7 +261,7 @@ static double reflected_at(const struct pp_lumen_room *room, int k)
             ring[v] = pp_vec(xyz[0], xyz[1] - y, xyz[2]);
         }
         struct pp_moments moments = {0};
-        pp_moments_add(&moments, ring, 4, up, NULL, 0);
+        pp_solid_angle_add_moments(&moments, ring, 4, up, NULL, 0);
         /* Its mirror image gives as much. */
         sum += 2.0 * fabs(moments.cosine) / PP_PI * patch->exitance;
     }
@@ -294,19 +295,20 @@ struct pp_lumen_coefficients pp_lumen_room_solve(
 double pp_lumen_room_imbalance(const struct pp_lumen_room *room)
 {
     double half = room->width / 2.0, entered = half, kept = 0.0;
-    const struct pp_upright_rectangle window = {1, {0, 0, 0}, {half, 0, 1}};
+    const struct pp_aligned_rectangle window = {1, {0, 0, 0}, {half, 0, 1}};
     for (int i = 0; i < room->count; i++) {
         const struct patch *patch = &room->patches[i];
-        struct pp_upright_rectangle image = mirrored(patch->outline);
-        double back = pp_rectangle_exchange(&patch->outline, &window)
-                      + pp_rectangle_exchange(&image, &window);
+        struct pp_aligned_rectangle image = mirrored(patch->outline);
+        double back = pp_rectangle_factor_exchange_area(&patch->outline, &window)
+                      + pp_rectangle_factor_exchange_area(&image, &window);
         kept += (patch->illuminance - patch->exitance) * patch->area
                 + patch->exitance * back;
     }
     return kept / entered - 1.0;
 }
 
-enum pp_status pp_lumen_sky(struct pp_sky *sky, double ev_over_eh, struct pp_error *err)
+enum pp_status pp_lumen_room_sky(struct pp_sky *sky, double ev_over_eh,
+                                 struct pp_error *err)
 {
     *sky = pp_sky_overcast();
     if (ev_over_eh < 0.5)

@@ -18,8 +18,8 @@
  * A room of endless width is 10,000 window heights wide, which changes its middle by
  * less than 1e-4 of itself.
  */
-#ifndef PP_METHODS_LUMEN_ROOM_H
-#define PP_METHODS_LUMEN_ROOM_H
+#ifndef PP_METHODS_LUMEN_LUMEN_ROOM_H
+#define PP_METHODS_LUMEN_LUMEN_ROOM_H
 
 #include "model/base/error.h"
 #include "model/light/sky.h"
@@ -68,7 +68,7 @@ double pp_lumen_room_imbalance(const struct pp_lumen_room *room);
  * on the ground: for 0.396 (any below 0.5) the CIE overcast sky, else the ISO sky
  * of
  * ratio; PP_BAD_INPUT where none does. */
-enum pp_status pp_lumen_sky(struct pp_sky *sky, double ev_over_eh,
-                            struct pp_error *err);
+enum pp_status pp_lumen_room_sky(struct pp_sky *sky, double ev_over_eh,
+                                 struct pp_error *err);
 
 #endif

@@ -37,26 +37,28 @@ static bool is_box(const struct pp_world *world)
         struct pp_vec3 v = floor->vertices[i], next = floor->vertices[(i + 1) % 4];
         struct pp_vec3 last = floor->vertices[(i + 3) % 4];
         if (floor->count != 4
-            || fabs(pp_dot(pp_unit(pp_sub(next, v)), pp_unit(pp_sub(last, v)))) > small)
+            || fabs(pp_vec_dot(pp_vec_unit(pp_vec_sub(next, v)),
+                               pp_vec_unit(pp_vec_sub(last, v))))
+                   > small)
             return false;
     }
     return true;
 }
 
-const char *pp_lumen_refuses_room(const struct pp_world *world)
+const char *pp_lumen_scope_refuses_room(const struct pp_world *world)
 {
     if (!is_box(world))
         return "its tables are for rooms with a rectangular plan and a level ceiling";
     for (int i = world->face_count; i < world->surface_count; i++)
-        if (world->surfaces[i].inside && world->surfaces[i].role == PP_LOOSE)
+        if (world->surfaces[i].inside && world->surfaces[i].role == PP_FREE_SURFACE)
             return "its tables are for empty rooms, and something stands in this one";
     double floor = floor_of(world)->front;
     if (floor < 0.10 - small || floor > 0.50 + small)
         return "its tables are for a floor reflectance of 0.3, and good for 0.1 to 0.5";
-    return pp_refuse_if_luminous(world);
+    return pp_refusals_if_luminous(world);
 }
 
-bool pp_lumen_is_top(const struct pp_opening *opening)
+bool pp_lumen_scope_is_rooflight(const struct pp_opening *opening)
 {
     return opening->slope_rad < small;
 }
@@ -68,7 +70,7 @@ static void extent(double range[2], const struct pp_polygon *polygon,
     range[0] = INFINITY;
     range[1] = -INFINITY;
     for (int i = 0; i < polygon->count; i++) {
-        double place = pp_dot(polygon->vertices[i], along);
+        double place = pp_vec_dot(polygon->vertices[i], along);
         range[0] = fmin(range[0], place);
         range[1] = fmax(range[1], place);
     }
@@ -82,10 +84,11 @@ static const char *refuses_neighbours(const struct pp_world *world,
     extent(own, &opening->inner, opening->up);
     for (int i = 0; i < world->opening_count; i++) {
         const struct pp_opening *neighbour = &world->openings[i];
-        if (pp_lumen_is_top(neighbour))
+        if (pp_lumen_scope_is_rooflight(neighbour))
             continue;
         if (neighbour->face != opening->face) {
-            if (pp_dot(neighbour->inner.normal, opening->inner.normal) > small - 1.0)
+            if (pp_vec_dot(neighbour->inner.normal, opening->inner.normal)
+                > small - 1.0)
                 return "and another are in walls that do not face each other";
             continue;
         }
@@ -102,7 +105,7 @@ static const char *refuses_neighbours(const struct pp_world *world,
 static bool leaves_wall_bare(const struct pp_world *world,
                              const struct pp_opening *opening, double way)
 {
-    struct pp_vec3 along = pp_scale(opening->along, way);
+    struct pp_vec3 along = pp_vec_scale(opening->along, way);
     double own[2], wall[2], other[2];
     extent(own, &opening->inner, along);
     extent(wall, &world->surfaces[opening->face].outline, along);
@@ -126,21 +129,22 @@ static bool is_spread(const struct pp_world *world)
     enum { NET = 32 };
     const struct pp_polygon *floor = &floor_of(world)->outline;
     struct pp_vec3 corner = floor->vertices[0];
-    struct pp_vec3 a = pp_sub(floor->vertices[1], corner);
-    struct pp_vec3 b = pp_sub(floor->vertices[3], corner);
+    struct pp_vec3 a = pp_vec_sub(floor->vertices[1], corner);
+    struct pp_vec3 b = pp_vec_sub(floor->vertices[3], corner);
     double reach_m = world->height_m - world->working_plane_m;
     for (int k = 0; k <= (NET + 1) * (NET + 1) - 1; k++) {
-        struct pp_vec3 p = pp_along(pp_along(corner, (double)(k / (NET + 1)) / NET, a),
-                                    (double)(k % (NET + 1)) / NET, b);
+        struct pp_vec3 p =
+            pp_vec_along(pp_vec_along(corner, (double)(k / (NET + 1)) / NET, a),
+                         (double)(k % (NET + 1)) / NET, b);
         double nearest_m = INFINITY;
         for (int i = 0; i < world->opening_count; i++) {
             const struct pp_opening *opening = &world->openings[i];
-            if (!pp_lumen_is_top(opening))
+            if (!pp_lumen_scope_is_rooflight(opening))
                 continue;
             double along[2], up[2];
             extent(along, &opening->inner, opening->along);
             extent(up, &opening->inner, opening->up);
-            double x = pp_dot(p, opening->along), y = pp_dot(p, opening->up);
+            double x = pp_vec_dot(p, opening->along), y = pp_vec_dot(p, opening->up);
             double dx = fmax(fmax(along[0] - x, x - along[1]), 0.0);
             double dy = fmax(fmax(up[0] - y, y - up[1]), 0.0);
             nearest_m = fmin(nearest_m, hypot(dx, dy));
@@ -172,27 +176,30 @@ static const char *refuses_window(const struct pp_world *world,
     return NULL;
 }
 
-const char *pp_lumen_refuses(const struct pp_world *world,
-                             const struct pp_opening *opening)
+const char *pp_lumen_scope_refuses_opening(const struct pp_world *world,
+                                           const struct pp_opening *opening)
 {
-    if (pp_lumen_is_top(opening))
+    if (pp_lumen_scope_is_rooflight(opening))
         return is_spread(world)
                    ? NULL
                    : "and the other rooflights are not spread over the whole ceiling";
-    if (pp_refuse_unless_vertical(opening))
+    if (pp_refusals_unless_vertical(opening))
         return "slopes; its tables are for upright windows and level rooflights";
     return refuses_window(world, opening);
 }
 
-void pp_lumen_room_size(double *width_m, double *depth_m, const struct pp_world *world,
-                        const struct pp_opening *opening)
+void pp_lumen_scope_room_size(double *width_m, double *depth_m,
+                              const struct pp_world *world,
+                              const struct pp_opening *opening)
 {
     const struct pp_polygon *floor = &floor_of(world)->outline;
-    bool top = pp_lumen_is_top(opening);
+    bool top = pp_lumen_scope_is_rooflight(opening);
     struct pp_vec3 along =
-        top ? pp_unit(pp_sub(floor->vertices[1], floor->vertices[0])) : opening->along;
-    struct pp_vec3 away = top ? pp_unit(pp_sub(floor->vertices[3], floor->vertices[0]))
-                              : opening->inner.normal;
+        top ? pp_vec_unit(pp_vec_sub(floor->vertices[1], floor->vertices[0]))
+            : opening->along;
+    struct pp_vec3 away =
+        top ? pp_vec_unit(pp_vec_sub(floor->vertices[3], floor->vertices[0]))
+            : opening->inner.normal;
     double range[2];
     extent(range, floor, along);
     *width_m = range[1] - range[0];
@@ -200,7 +207,7 @@ void pp_lumen_room_size(double *width_m, double *depth_m, const struct pp_world 
     *depth_m = range[1] - range[0];
 }
 
-double pp_lumen_ceiling(const struct pp_world *world)
+double pp_lumen_scope_ceiling_reflectance(const struct pp_world *world)
 {
     for (int i = 0; i < world->face_count; i++)
         if (world->surfaces[i].role == PP_CEILING)
@@ -208,7 +215,7 @@ double pp_lumen_ceiling(const struct pp_world *world)
     return NAN;
 }
 
-double pp_lumen_walls(const struct pp_world *world, int left_out)
+double pp_lumen_scope_wall_reflectance(const struct pp_world *world, int left_out)
 {
     double sum = 0.0, area_m2 = 0.0;
     for (int i = 0; i < world->face_count; i++) {

@@ -74,8 +74,8 @@ static size_t side_cell(const struct pp_lumen_side_table *table, int light,
 
 static void too_many(struct pp_mistakes *mistakes, int line, const char *what)
 {
-    pp_mistake(mistakes, line, "there are more than %d different %s",
-               PP_LUMEN_AXIS_MOST, what);
+    pp_mistakes_add(mistakes, line, "there are more than %d different %s",
+                    PP_LUMEN_AXIS_MOST, what);
 }
 
 static double *cells_create(size_t count)
@@ -108,10 +108,11 @@ static bool side_axes(struct pp_lumen_side_table *table,
     return true;
 }
 
-enum pp_status pp_lumen_side_build(struct pp_lumen_side_table *table,
-                                   const struct pp_lumen_axis *widths,
-                                   const struct pp_lumen_line *lines, int count,
-                                   struct pp_mistakes *mistakes, struct pp_error *err)
+enum pp_status pp_lumen_table_build_side(struct pp_lumen_side_table *table,
+                                         const struct pp_lumen_axis *widths,
+                                         const struct pp_lumen_line *lines, int count,
+                                         struct pp_mistakes *mistakes,
+                                         struct pp_error *err)
 {
     *table = (struct pp_lumen_side_table){0};
     table->axes[PP_LUMEN_WIDTH] = *widths;
@@ -132,17 +133,18 @@ enum pp_status pp_lumen_side_build(struct pp_lumen_side_table *table,
                                           : find_on(&table->sky, lines[i].light);
         double *cell = table->cu + side_cell(table, light, at, lines[i].position);
         if (!isnan(cell[0]))
-            pp_mistake(mistakes, lines[i].line,
-                       "this line's coefficients have been given before");
+            pp_mistakes_add(mistakes, lines[i].line,
+                            "this line's coefficients have been given before");
         for (int k = 0; k < widths->count; k++)
             cell[k] = lines[i].cu[k];
     }
     return PP_OK;
 }
 
-enum pp_status pp_lumen_top_build(struct pp_lumen_top_table *table,
-                                  const struct pp_lumen_top_line *lines, int count,
-                                  struct pp_mistakes *mistakes, struct pp_error *err)
+enum pp_status pp_lumen_table_build_top(struct pp_lumen_top_table *table,
+                                        const struct pp_lumen_top_line *lines,
+                                        int count, struct pp_mistakes *mistakes,
+                                        struct pp_error *err)
 {
     static const char *const names[] = {"room cavity ratios", "ceiling reflectances",
                                         "wall reflectances"};
@@ -168,8 +170,8 @@ enum pp_status pp_lumen_top_build(struct pp_lumen_top_table *table,
         double *cell =
             table->cu + (r * table->axes[1].count + c) * table->axes[2].count + w;
         if (!isnan(*cell))
-            pp_mistake(mistakes, lines[i].line,
-                       "this line's coefficient has been given before");
+            pp_mistakes_add(mistakes, lines[i].line,
+                            "this line's coefficient has been given before");
         *cell = lines[i].cu;
     }
     return PP_OK;
@@ -196,10 +198,10 @@ static enum pp_status build_own(struct pp_lumen_table *table,
                                             own_top[i][3], 0};
     struct pp_mistakes mistakes;
     pp_mistakes_init(&mistakes, "the program's own");
-    enum pp_status status =
-        pp_lumen_side_build(&table->side, &own_widths, side, OWN_SIDE, &mistakes, err);
+    enum pp_status status = pp_lumen_table_build_side(&table->side, &own_widths, side,
+                                                      OWN_SIDE, &mistakes, err);
     if (status == PP_OK)
-        status = pp_lumen_top_build(&table->top, top, OWN_TOP, &mistakes, err);
+        status = pp_lumen_table_build_top(&table->top, top, OWN_TOP, &mistakes, err);
     pp_mistakes_clear(&mistakes);
     return status;
 }
@@ -333,8 +335,9 @@ static bool find_light(struct between *light, const struct pp_lumen_side_table *
     return true;
 }
 
-bool pp_lumen_side(double cu[PP_LUMEN_POSITIONS], const struct pp_lumen_table *table,
-                   const struct pp_lumen_query *query, char *why, size_t room)
+bool pp_lumen_table_side(double cu[PP_LUMEN_POSITIONS],
+                         const struct pp_lumen_table *table,
+                         const struct pp_lumen_query *query, char *why, size_t room)
 {
     const struct pp_lumen_side_table *side = &table->side;
     struct between light, between[PP_LUMEN_SIDE_AXES];
@@ -363,15 +366,15 @@ bool pp_lumen_side(double cu[PP_LUMEN_POSITIONS], const struct pp_lumen_table *t
     return false;
 }
 
-double pp_lumen_at(const double cu[PP_LUMEN_POSITIONS], double share)
+double pp_lumen_table_at_depth(const double cu[PP_LUMEN_POSITIONS], double share)
 {
     double place = fmin(fmax((share - 0.1) / 0.2, 0.0), PP_LUMEN_AVERAGE - 1.0);
     int i = (int)fmin(floor(place), PP_LUMEN_AVERAGE - 2.0);
     return cu[i] * pow(cu[i + 1] / cu[i], place - i);
 }
 
-double pp_lumen_top(const struct pp_lumen_table *table, double rcr, double ceiling,
-                    double walls, char *why, size_t room)
+double pp_lumen_table_top(const struct pp_lumen_table *table, double rcr,
+                          double ceiling, double walls, char *why, size_t room)
 {
     static const char *const names[PP_LUMEN_TOP_AXES] = {
         "lights a room whose cavity ratio is", "is in a ceiling whose reflectance is",

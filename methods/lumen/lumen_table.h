@@ -7,8 +7,8 @@
  * heights, at the method's five positions and on average. Light from above: by room
  * cavity ratio and reflectances. Nothing is ever read outside a table's ranges.
  */
-#ifndef PP_METHODS_LUMEN_TABLE_H
-#define PP_METHODS_LUMEN_TABLE_H
+#ifndef PP_METHODS_LUMEN_LUMEN_TABLE_H
+#define PP_METHODS_LUMEN_LUMEN_TABLE_H
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -56,13 +56,13 @@ void pp_lumen_table_destroy(struct pp_lumen_table *table); /* NULL is allowed */
  * Lines that begin with # are comments. All mistakes are noted with their lines; then
  * PP_BAD_INPUT, and the table is as it was. A file that can't be read is PP_BAD_INPUT
  * or PP_SYSTEM with a message. */
-enum pp_status pp_lumen_table_read(struct pp_lumen_table *table, const char *path,
-                                   struct pp_mistakes *mistakes, struct pp_error *err);
+enum pp_status pp_lumen_csv_read(struct pp_lumen_table *table, const char *path,
+                                 struct pp_mistakes *mistakes, struct pp_error *err);
 
 /* The same of a file's text. */
-enum pp_status pp_lumen_table_parse(struct pp_lumen_table *table, const char *text,
-                                    size_t length, struct pp_mistakes *mistakes,
-                                    struct pp_error *err);
+enum pp_status pp_lumen_csv_parse(struct pp_lumen_table *table, const char *text,
+                                  size_t length, struct pp_mistakes *mistakes,
+                                  struct pp_error *err);
 
 /* What to read: ev_over_eh of the sky, NAN for the ground; overcast: of the table for
  * Ev/Eh below 0.45, whatever ev_over_eh is, else of those from 0.45 on. */
@@ -78,15 +78,16 @@ struct pp_lumen_query {
  * A table without averages gives the mean of its five positions. False, with the reason
  * in `why` as the end of a sentence that begins with an opening, where the table does
  * not reach. */
-bool pp_lumen_side(double cu[PP_LUMEN_POSITIONS], const struct pp_lumen_table *table,
-                   const struct pp_lumen_query *query, char *why, size_t room);
+bool pp_lumen_table_side(double cu[PP_LUMEN_POSITIONS],
+                         const struct pp_lumen_table *table,
+                         const struct pp_lumen_query *query, char *why, size_t room);
 
 /* At a share of the depth from the window, 0.1 to 0.9: geometric between positions. */
-double pp_lumen_at(const double cu[PP_LUMEN_POSITIONS], double share);
+double pp_lumen_table_at_depth(const double cu[PP_LUMEN_POSITIONS], double share);
 
 /* The coefficient for light from above, linear between neighbouring lines; NAN with the
  * reason as above where the table does not reach. */
-double pp_lumen_top(const struct pp_lumen_table *table, double rcr, double ceiling,
-                    double walls, char *why, size_t room);
+double pp_lumen_table_top(const struct pp_lumen_table *table, double rcr,
+                          double ceiling, double walls, char *why, size_t room);
 
 #endif

@@ -5,7 +5,7 @@
 
 #include "model/geometry/vec.h"
 
-double pp_upright_rectangle_area(const struct pp_upright_rectangle *rectangle)
+double pp_rectangle_factor_area(const struct pp_aligned_rectangle *rectangle)
 {
     double area_m2 = 1.0;
     for (int axis = 0; axis < 3; axis++)
@@ -40,14 +40,14 @@ static double square(double x, double s, double t)
            / (2.0 * PP_PI);
 }
 
-static double corner(const struct pp_upright_rectangle *r, int axis, int which)
+static double corner(const struct pp_aligned_rectangle *r, int axis, int which)
 {
     return which ? r->high[axis] : r->low[axis];
 }
 
 /* Both square to the same axis. */
-static double exchange_parallel(const struct pp_upright_rectangle *a,
-                                const struct pp_upright_rectangle *b)
+static double exchange_parallel(const struct pp_aligned_rectangle *a,
+                                const struct pp_aligned_rectangle *b)
 {
     int along = (a->axis + 1) % 3, across = (a->axis + 2) % 3;
     double z = fabs(a->low[a->axis] - b->low[a->axis]), sum = 0.0;
@@ -64,15 +64,15 @@ static double exchange_parallel(const struct pp_upright_rectangle *a,
 
 /* The lower (which 0) or upper bound of the distance of r from a plane square to `axis`
  * at `place`. */
-static double distance(const struct pp_upright_rectangle *r, int axis, double place,
+static double distance(const struct pp_aligned_rectangle *r, int axis, double place,
                        int which)
 {
     double low = fabs(r->low[axis] - place), high = fabs(r->high[axis] - place);
     return which ? fmax(low, high) : fmin(low, high);
 }
 
-static double exchange_square(const struct pp_upright_rectangle *a,
-                              const struct pp_upright_rectangle *b)
+static double exchange_square(const struct pp_aligned_rectangle *a,
+                              const struct pp_aligned_rectangle *b)
 {
     int common = 3 - a->axis - b->axis;
     double sum = 0.0;
@@ -86,8 +86,8 @@ static double exchange_square(const struct pp_upright_rectangle *a,
     return sum;
 }
 
-double pp_rectangle_exchange(const struct pp_upright_rectangle *a,
-                             const struct pp_upright_rectangle *b)
+double pp_rectangle_factor_exchange_area(const struct pp_aligned_rectangle *a,
+                                         const struct pp_aligned_rectangle *b)
 {
     return a->axis == b->axis ? exchange_parallel(a, b) : exchange_square(a, b);
 }

@@ -1,18 +1,18 @@
 /* rectangle_factor.h - what share of the light that leaves one rectangle falls on
  * another, in closed form, for rectangles square to the axes.
  */
-#ifndef PP_METHODS_RECTANGLE_FACTOR_H
-#define PP_METHODS_RECTANGLE_FACTOR_H
+#ifndef PP_METHODS_LUMEN_RECTANGLE_FACTOR_H
+#define PP_METHODS_LUMEN_RECTANGLE_FACTOR_H
 
 /* In a plane square to `axis` (0, 1, 2 for x, y, z): low[axis] equals high[axis], along
  * the other two axes it runs from low to high (m). */
-struct pp_upright_rectangle {
+struct pp_aligned_rectangle {
     int axis;
     double low[3], high[3];
 };
 
 /* Area (m2). */
-double pp_upright_rectangle_area(const struct pp_upright_rectangle *rectangle);
+double pp_rectangle_factor_area(const struct pp_aligned_rectangle *rectangle);
 
 /* A F: area of a times the form factor from a to b (m2), the same both ways; 0 within
  * one plane. The whole of each must lie on the front of the other, which is not
@@ -28,7 +28,7 @@ double pp_upright_rectangle_area(const struct pp_upright_rectangle *rectangle);
  *                    - (x^2 + s^2 - t^2)/4 ln(x^2 + s^2 + t^2) ]
  *
  * Errors are 1e-15 times the square of the largest distance between them. */
-double pp_rectangle_exchange(const struct pp_upright_rectangle *a,
-                             const struct pp_upright_rectangle *b);
+double pp_rectangle_factor_exchange_area(const struct pp_aligned_rectangle *a,
+                                         const struct pp_aligned_rectangle *b);
 
 #endif

@@ -1,4 +1,4 @@
-/* nomogram.c - `nomogram`: average internally reflected component as read with a
+/* nomogram_sheet.c - `nomogram`: average internally reflected component as read with a
  * straight-edge on nomogram I, which `chart nomogram` prints.
  *
  *     A to B, read C;  C to D, read E                                 [GEEBELEN]
@@ -23,7 +23,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "methods/methods.h"
+#include "methods/method_entries.h"
 #include "methods/nomogram/nomogram_reading.h"
 #include "methods/nomogram/nomogram_scale.h"
 #include "methods/refusals.h"
@@ -35,7 +35,7 @@ static enum pp_status prepare(void **tools, const struct pp_world *world,
     struct pp_nomogram *nomogram = malloc(sizeof *nomogram);
     if (!nomogram)
         return pp_fail_memory(err);
-    *nomogram = pp_nomogram_make(PP_NOMOGRAM_AVERAGE);
+    *nomogram = pp_nomogram_scale_make(PP_NOMOGRAM_AVERAGE);
     *tools = nomogram;
     return PP_OK;
 }
@@ -43,8 +43,8 @@ static enum pp_status prepare(void **tools, const struct pp_world *world,
 static const char *refuses_room(const struct pp_world *world,
                                 const struct pp_receiver *receiver)
 {
-    const char *why = pp_refuse_room_of_formula(world, receiver);
-    return why ? why : pp_nomogram_refuses_room(world);
+    const char *why = pp_refusals_formula_room(world, receiver);
+    return why ? why : pp_nomogram_reading_refuses_room(world);
 }
 
 /* As on paper: what was put in, set and read. */
@@ -56,30 +56,32 @@ static void set_down(struct pp_steps *steps, const struct pp_nomogram *nomogram,
     if (reading->tens)
         snprintf(shift, sizeof shift, " %s %.0f", reading->tens > 0 ? "times" : "over",
                  pow(10.0, abs(reading->tens)));
-    pp_step_named(steps, PP_UNIT_NUMBER, nomogram->k, "k",
-                  "rule of the chart: R_cw over R_fw");
-    pp_step_named(steps, PP_UNIT_SQUARE_METRE, reading->glass_m2, "W",
-                  "opening on line %d: net area of glass", line);
-    pp_step_named(steps, PP_UNIT_SQUARE_METRE, reading->inside_m2, "S",
-                  "area of all inside surfaces");
-    pp_step_worked(steps, PP_UNIT_NUMBER, reading->ratio, "a", "W / S", "their ratio");
-    pp_step_named(steps, PP_UNIT_NUMBER, value[PP_STEM_A], "A",
-                  "scale A, set to the ratio%s", shift);
-    pp_step_named(steps, PP_UNIT_NUMBER, value[PP_STEM_B], "B",
-                  "scale B, set to the mean reflectance of all inside surfaces");
-    pp_step_named(steps, PP_UNIT_SHARE, value[PP_STEM_C], "C",
-                  "scale C, read on the line from A to B: without obstruction");
+    pp_steps_add_named(steps, PP_UNIT_NUMBER, nomogram->k, "k",
+                       "rule of the chart: R_cw over R_fw");
+    pp_steps_add_named(steps, PP_UNIT_SQUARE_METRE, reading->glass_m2, "W",
+                       "opening on line %d: net area of glass", line);
+    pp_steps_add_named(steps, PP_UNIT_SQUARE_METRE, reading->inside_m2, "S",
+                       "area of all inside surfaces");
+    pp_steps_add_worked(steps, PP_UNIT_NUMBER, reading->ratio, "a", "W / S",
+                        "their ratio");
+    pp_steps_add_named(steps, PP_UNIT_NUMBER, value[PP_STEM_A], "A",
+                       "scale A, set to the ratio%s", shift);
+    pp_steps_add_named(steps, PP_UNIT_NUMBER, value[PP_STEM_B], "B",
+                       "scale B, set to the mean reflectance of all inside surfaces");
+    pp_steps_add_named(steps, PP_UNIT_SHARE, value[PP_STEM_C], "C",
+                       "scale C, read on the line from A to B: without obstruction");
     if (reading->used[1]) {
-        pp_step_named(steps, PP_UNIT_ANGLE, value[PP_STEM_D], "D",
-                      "scale D, set to the altitude of the obstruction");
-        pp_step_named(steps, PP_UNIT_SHARE, value[PP_STEM_E], "E",
-                      "scale E, read on the line from C to D: with the obstruction");
+        pp_steps_add_named(steps, PP_UNIT_ANGLE, value[PP_STEM_D], "D",
+                           "scale D, set to the altitude of the obstruction");
+        pp_steps_add_named(
+            steps, PP_UNIT_SHARE, value[PP_STEM_E], "E",
+            "scale E, read on the line from C to D: with the obstruction");
     }
     snprintf(formula, sizeof formula, "%c %s %.0f", reading->used[1] ? 'E' : 'C',
              reading->tens > 0 ? "/" : "*", pow(10.0, abs(reading->tens)));
     if (reading->tens)
-        pp_step_worked(steps, PP_UNIT_SHARE, reading->component, "IRC", formula,
-                       "and back");
+        pp_steps_add_worked(steps, PP_UNIT_SHARE, reading->component, "IRC", formula,
+                            "and back");
 }
 
 static enum pp_status evaluate(const struct pp_world *world,
@@ -91,7 +93,7 @@ static enum pp_status evaluate(const struct pp_world *world,
     const struct pp_nomogram *nomogram = tools;
     struct pp_nomogram_reading reading;
     enum pp_status status =
-        pp_nomogram_read_opening(&reading, nomogram, world, opening, err);
+        pp_nomogram_reading_of_opening(&reading, nomogram, world, opening, err);
     if (status != PP_OK)
         return status;
     part->value = reading.component;
@@ -108,7 +110,7 @@ const struct pp_method pp_method_nomogram = {
     .speaks_for = PP_FOR_ROOM,
     .allowances = PP_ALLOWS_CLEAR_GLASS | PP_ALLOWS_FRAME,
     .refuses_room = refuses_room,
-    .refuses = pp_refuse_opening_unless_vertical,
+    .refuses = pp_refusals_sloping_opening,
     .prepare = prepare,
     .put_away = free,
     .evaluate = evaluate,

@@ -13,12 +13,14 @@ static void lay(struct pp_nomogram_reading *reading, const struct pp_nomogram *n
                 int index)
 {
     const struct pp_nomogram_edge *edge = &nomogram->edges[index];
-    double y_from = pp_nomogram_place(nomogram, edge->from, reading->value[edge->from]);
-    double y_to = pp_nomogram_place(nomogram, edge->to, reading->value[edge->to]);
-    double y =
-        pp_nomogram_cross(nomogram, index, y_from, y_to, nomogram->stems[edge->read].x);
-    reading->value[edge->read] = pp_nomogram_read(
-        nomogram, edge->read, pp_nomogram_value(nomogram, edge->read, y));
+    double y_from =
+        pp_nomogram_scale_position(nomogram, edge->from, reading->value[edge->from]);
+    double y_to =
+        pp_nomogram_scale_position(nomogram, edge->to, reading->value[edge->to]);
+    double y = pp_nomogram_scale_crossing(nomogram, index, y_from, y_to,
+                                          nomogram->stems[edge->read].x);
+    reading->value[edge->read] = pp_nomogram_scale_read(
+        nomogram, edge->read, pp_nomogram_scale_value(nomogram, edge->read, y));
     reading->used[index] = true;
 }
 
@@ -33,21 +35,21 @@ static double shifted(const struct pp_nomogram_stem *stem, double ratio, int *te
     return ratio;
 }
 
-const char *pp_nomogram_refuses_room(const struct pp_world *world)
+const char *pp_nomogram_reading_refuses_room(const struct pp_world *world)
 {
-    double R = pp_inside_all(world).reflectance;
+    double R = pp_interior_all(world).reflectance;
     if (R >= PP_NOMOGRAM_LEAST_R && R <= PP_NOMOGRAM_MOST_R)
         return NULL;
     return "its scale of mean reflectances runs from 0.1 to 0.9";
 }
 
-enum pp_status pp_nomogram_read_opening(struct pp_nomogram_reading *reading,
-                                        const struct pp_nomogram *nomogram,
-                                        const struct pp_world *world,
-                                        const struct pp_opening *opening,
-                                        struct pp_error *err)
+enum pp_status pp_nomogram_reading_of_opening(struct pp_nomogram_reading *reading,
+                                              const struct pp_nomogram *nomogram,
+                                              const struct pp_world *world,
+                                              const struct pp_opening *opening,
+                                              struct pp_error *err)
 {
-    struct pp_inside all = pp_inside_all(world);
+    struct pp_interior all = pp_interior_all(world);
     *reading = (struct pp_nomogram_reading){.glass_m2 = opening->inner.area_m2
                                                         * opening->frame_factor,
                                             .inside_m2 = all.area_m2};
@@ -62,13 +64,13 @@ enum pp_status pp_nomogram_read_opening(struct pp_nomogram_reading *reading,
 
     double *value = reading->value;
     reading->ratio = reading->glass_m2 / reading->inside_m2;
-    value[PP_STEM_A] = pp_nomogram_read(
+    value[PP_STEM_A] = pp_nomogram_scale_read(
         nomogram, PP_STEM_A,
         shifted(&nomogram->stems[PP_STEM_A], reading->ratio, &reading->tens));
-    value[PP_STEM_B] = pp_nomogram_read(nomogram, PP_STEM_B, all.reflectance);
+    value[PP_STEM_B] = pp_nomogram_scale_read(nomogram, PP_STEM_B, all.reflectance);
     lay(reading, nomogram, 0);
 
-    value[PP_STEM_D] = pp_nomogram_read(nomogram, PP_STEM_D, turn_rad);
+    value[PP_STEM_D] = pp_nomogram_scale_read(nomogram, PP_STEM_D, turn_rad);
     if (value[PP_STEM_D] > 0.0)
         lay(reading, nomogram, 1);
     else /* on the way to E the same figure, at its own height */
@@ -78,8 +80,8 @@ enum pp_status pp_nomogram_read_opening(struct pp_nomogram_reading *reading,
     reading->component = back * value[PP_STEM_E];
     reading->minimum = NAN;
     if (nomogram->kind == PP_NOMOGRAM_MINIMUM) {
-        value[PP_STEM_F] = pp_nomogram_read(nomogram, PP_STEM_F,
-                                            pp_inside_role(world, PP_WALL).reflectance);
+        value[PP_STEM_F] = pp_nomogram_scale_read(
+            nomogram, PP_STEM_F, pp_interior_role(world, PP_WALL).reflectance);
         lay(reading, nomogram, 2);
         reading->minimum = back * value[PP_STEM_G];
     }

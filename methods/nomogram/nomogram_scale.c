@@ -96,7 +96,7 @@ static double function_of(enum pp_nomogram_quantity quantity, double value)
     case PP_NOMOGRAM_SLOPE:
         return slope_factor(value);
     case PP_NOMOGRAM_WALLS:
-        return 1.0 / pp_irc_average_over_minimum(value);
+        return 1.0 / pp_irc_minimum_average_ratio(value);
     }
     return value;
 }
@@ -165,7 +165,7 @@ static double decade_for(const struct pp_nomogram_stem *from, double x_read,
     return from->decade * (1.0 - t) / t;
 }
 
-struct pp_nomogram pp_nomogram_make(enum pp_nomogram_kind kind)
+struct pp_nomogram pp_nomogram_scale_make(enum pp_nomogram_kind kind)
 {
     /* Where stems are wanted: B, E, D, and of the minimum G, F. */
     static const double wanted[PP_NOMOGRAMS][5] = {
@@ -208,34 +208,36 @@ struct pp_nomogram pp_nomogram_make(enum pp_nomogram_kind kind)
     return nomogram;
 }
 
-double pp_nomogram_place(const struct pp_nomogram *nomogram, int index, double value)
+double pp_nomogram_scale_position(const struct pp_nomogram *nomogram, int index,
+                                  double value)
 {
     const struct pp_nomogram_stem *stem = &nomogram->stems[index];
     double within = fmin(fmax(value, stem->low), stem->high);
     return stem->foot + stem->decade * log10(function_of(stem->quantity, within));
 }
 
-double pp_nomogram_value(const struct pp_nomogram *nomogram, int index, double y)
+double pp_nomogram_scale_value(const struct pp_nomogram *nomogram, int index, double y)
 {
     const struct pp_nomogram_stem *stem = &nomogram->stems[index];
     return pow(10.0, (y - stem->foot) / stem->decade);
 }
 
-double pp_nomogram_cross(const struct pp_nomogram *nomogram, int index, double y_from,
-                         double y_to, double x)
+double pp_nomogram_scale_crossing(const struct pp_nomogram *nomogram, int index,
+                                  double y_from, double y_to, double x)
 {
     const struct pp_nomogram_edge *edge = &nomogram->edges[index];
     double x_from = nomogram->stems[edge->from].x, x_to = nomogram->stems[edge->to].x;
     return y_from + (x - x_from) / (x_to - x_from) * (y_to - y_from);
 }
 
-bool pp_nomogram_holds(const struct pp_nomogram *nomogram, int index, double value)
+bool pp_nomogram_scale_contains(const struct pp_nomogram *nomogram, int index,
+                                double value)
 {
     const struct pp_nomogram_stem *stem = &nomogram->stems[index];
     return value >= stem->low && value <= stem->high;
 }
 
-double pp_nomogram_printed(enum pp_nomogram_quantity quantity)
+double pp_nomogram_scale_printed_unit(enum pp_nomogram_quantity quantity)
 {
     switch (quantity) {
     case PP_NOMOGRAM_COMPONENT:
@@ -287,13 +289,13 @@ static void find_stretch(enum pp_nomogram_quantity quantity, double printed,
     stretch[1] = bold[i + 1] * power;
 }
 
-double pp_nomogram_division(const struct pp_nomogram *nomogram, int index,
-                            double printed, double height_mm, double least_mm,
-                            double stretch[2])
+double pp_nomogram_scale_division(const struct pp_nomogram *nomogram, int index,
+                                  double printed, double height_mm, double least_mm,
+                                  double stretch[2])
 {
     static const double usual[] = {1.0, 2.0, 5.0};
     const struct pp_nomogram_stem *stem = &nomogram->stems[index];
-    double unit = pp_nomogram_printed(stem->quantity);
+    double unit = pp_nomogram_scale_printed_unit(stem->quantity);
     bool angle = stem->quantity == PP_NOMOGRAM_OBSTRUCTION
                  || stem->quantity == PP_NOMOGRAM_SLOPE;
     find_stretch(stem->quantity, printed, stretch);
@@ -314,8 +316,9 @@ double pp_nomogram_division(const struct pp_nomogram *nomogram, int index,
         double ends[2] = {low, high - step};
         double apart = INFINITY;
         for (int end = 0; end < 2; end++) {
-            double y0 = pp_nomogram_place(nomogram, index, ends[end] / unit);
-            double y1 = pp_nomogram_place(nomogram, index, (ends[end] + step) / unit);
+            double y0 = pp_nomogram_scale_position(nomogram, index, ends[end] / unit);
+            double y1 =
+                pp_nomogram_scale_position(nomogram, index, (ends[end] + step) / unit);
             apart = fmin(apart, height_mm * fabs(y1 - y0));
         }
         if (apart >= least_mm)
@@ -323,14 +326,15 @@ double pp_nomogram_division(const struct pp_nomogram *nomogram, int index,
     }
 }
 
-double pp_nomogram_read(const struct pp_nomogram *nomogram, int index, double value)
+double pp_nomogram_scale_read(const struct pp_nomogram *nomogram, int index,
+                              double value)
 {
     const struct pp_nomogram_stem *stem = &nomogram->stems[index];
-    double unit = pp_nomogram_printed(stem->quantity);
+    double unit = pp_nomogram_scale_printed_unit(stem->quantity);
     double within = fmin(fmax(value, stem->low), stem->high), stretch[2];
     double fifth =
-        pp_nomogram_division(nomogram, index, unit * within, PP_NOMOGRAM_A4_MM,
-                             PP_NOMOGRAM_LEAST_MM, stretch)
+        pp_nomogram_scale_division(nomogram, index, unit * within, PP_NOMOGRAM_A4_MM,
+                                   PP_NOMOGRAM_LEAST_MM, stretch)
         / 5.0;
     double read = fifth * rint(unit * within / fifth) / unit;
     return fmin(fmax(read, stem->low), stem->high);

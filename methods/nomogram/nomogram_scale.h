@@ -7,12 +7,12 @@
  *
  * Values are in the units of enum pp_nomogram_quantity: ratios, fractions, radians.
  */
-#ifndef PP_METHODS_NOMOGRAM_SCALE_H
-#define PP_METHODS_NOMOGRAM_SCALE_H
+#ifndef PP_METHODS_NOMOGRAM_NOMOGRAM_SCALE_H
+#define PP_METHODS_NOMOGRAM_NOMOGRAM_SCALE_H
 
 #include <stdbool.h>
 
-#include "model/results/nomogram.h"
+#include "model/results/nomogram_sheet.h"
 
 /* The rule of all three: R_cw = k R_fw. */
 #define PP_NOMOGRAM_K 1.5
@@ -24,38 +24,41 @@
 /* Of stem letters: A is 0. The stems of a nomogram stand in order of their letters. */
 enum { PP_STEM_A, PP_STEM_B, PP_STEM_C, PP_STEM_D, PP_STEM_E, PP_STEM_F, PP_STEM_G };
 
-struct pp_nomogram pp_nomogram_make(enum pp_nomogram_kind kind);
+struct pp_nomogram pp_nomogram_scale_make(enum pp_nomogram_kind kind);
 
 /* y of a value on its stem; what lies outside the stem's values is taken at its nearer
  * end. */
-double pp_nomogram_place(const struct pp_nomogram *nomogram, int stem, double value);
+double pp_nomogram_scale_position(const struct pp_nomogram *nomogram, int stem,
+                                  double value);
 
 /* The value at y of a stem that is read (C, E, G): a fraction of Eh. */
-double pp_nomogram_value(const struct pp_nomogram *nomogram, int stem, double y);
+double pp_nomogram_scale_value(const struct pp_nomogram *nomogram, int stem, double y);
 
 /* Where the straight-edge of number `edge`, laid on these y of its two stems, crosses
  * the stem at x. */
-double pp_nomogram_cross(const struct pp_nomogram *nomogram, int edge, double y_from,
-                         double y_to, double x);
+double pp_nomogram_scale_crossing(const struct pp_nomogram *nomogram, int edge,
+                                  double y_from, double y_to, double x);
 
 /* Is the value on the stem, from end to end? */
-bool pp_nomogram_holds(const struct pp_nomogram *nomogram, int stem, double value);
+bool pp_nomogram_scale_contains(const struct pp_nomogram *nomogram, int stem,
+                                double value);
 
 /* What scales are numbered in: per cent, degrees; else 1. */
-double pp_nomogram_printed(enum pp_nomogram_quantity quantity);
+double pp_nomogram_scale_printed_unit(enum pp_nomogram_quantity quantity);
 
 /* The division of a scale about `printed`, a value as it is numbered: the smallest of
  * 1, 2 and 5 times a power of ten of which all stand at least least_mm apart up to the
  * next bold figure, where the scales are height_mm high; and where its stretch begins
  * and ends. */
-double pp_nomogram_division(const struct pp_nomogram *nomogram, int stem,
-                            double printed, double height_mm, double least_mm,
-                            double stretch[2]);
+double pp_nomogram_scale_division(const struct pp_nomogram *nomogram, int stem,
+                                  double printed, double height_mm, double least_mm,
+                                  double stretch[2]);
 
 /* The value as a careful person sets or reads it: to a fifth of a division on a sheet
  * of A4, where the scales are PP_NOMOGRAM_A4_MM high and divisions PP_NOMOGRAM_LEAST_MM
  * at least. */
-double pp_nomogram_read(const struct pp_nomogram *nomogram, int stem, double value);
+double pp_nomogram_scale_read(const struct pp_nomogram *nomogram, int stem,
+                              double value);
 
 #define PP_NOMOGRAM_A4_MM 200.0
 #define PP_NOMOGRAM_LEAST_MM 0.9

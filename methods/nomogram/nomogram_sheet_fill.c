@@ -4,7 +4,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "methods/methods.h"
+#include "methods/method_entries.h"
 #include "methods/nomogram/nomogram_reading.h"
 #include "methods/nomogram/nomogram_scale.h"
 #include "methods/refusals.h"
@@ -26,25 +26,27 @@ static void add_stretch(struct pp_nomogram_scale *scale,
                         double *numbered)
 {
     double height = spacing.height_mm;
-    double unit = pp_nomogram_printed(nomogram->stems[stem].quantity);
-    double label = pp_nomogram_division(nomogram, stem, number, height,
-                                        spacing.number_mm, stretch);
-    double middle = pp_nomogram_division(nomogram, stem, number, height,
-                                         3.5 * spacing.fine_mm, stretch);
-    double fine =
-        pp_nomogram_division(nomogram, stem, number, height, spacing.fine_mm, stretch);
+    double unit = pp_nomogram_scale_printed_unit(nomogram->stems[stem].quantity);
+    double label = pp_nomogram_scale_division(nomogram, stem, number, height,
+                                              spacing.number_mm, stretch);
+    double middle = pp_nomogram_scale_division(nomogram, stem, number, height,
+                                               3.5 * spacing.fine_mm, stretch);
+    double fine = pp_nomogram_scale_division(nomogram, stem, number, height,
+                                             spacing.fine_mm, stretch);
     int count = (int)rint((stretch[1] - stretch[0]) / fine);
     for (int i = 0; i <= count; i++) {
         double at = stretch[0] + i * fine;
-        bool held = pp_nomogram_holds(nomogram, stem, at / unit * (1.0 + 1e-9))
-                    || pp_nomogram_holds(nomogram, stem, at / unit * (1.0 - 1e-9));
+        bool held =
+            pp_nomogram_scale_contains(nomogram, stem, at / unit * (1.0 + 1e-9))
+            || pp_nomogram_scale_contains(nomogram, stem, at / unit * (1.0 - 1e-9));
         /* A stretch's end is the next one's beginning. */
         bool next =
-            i == count && pp_nomogram_holds(nomogram, stem, at / unit * (1.0 + 1e-6));
+            i == count
+            && pp_nomogram_scale_contains(nomogram, stem, at / unit * (1.0 + 1e-6));
         if (!held || next)
             continue;
         struct pp_nomogram_mark mark = {
-            .y = pp_nomogram_place(nomogram, stem, at / unit), .number = at};
+            .y = pp_nomogram_scale_position(nomogram, stem, at / unit), .number = at};
         bool bold = i == 0 || i == count;
         if (multiple(at, middle) || bold)
             mark.rank = PP_MARK_MIDDLE;
@@ -66,7 +68,7 @@ static enum pp_status make_marks(struct pp_nomogram_sheet *sheet,
     const struct pp_nomogram *nomogram = &sheet->nomogram;
     for (int stem = 0; stem < nomogram->stem_count; stem++) {
         struct pp_nomogram_scale *scale = &sheet->scales[stem];
-        double unit = pp_nomogram_printed(nomogram->stems[stem].quantity);
+        double unit = pp_nomogram_scale_printed_unit(nomogram->stems[stem].quantity);
         double high = unit * nomogram->stems[stem].high;
         scale->marks = calloc(MARKS_MOST, sizeof *scale->marks);
         if (!scale->marks)
@@ -80,12 +82,12 @@ static enum pp_status make_marks(struct pp_nomogram_sheet *sheet,
     return PP_OK;
 }
 
-enum pp_status pp_nomogram_sheet_blank(struct pp_nomogram_sheet *sheet,
-                                       enum pp_nomogram_kind kind,
-                                       struct pp_nomogram_spacing spacing,
-                                       struct pp_error *err)
+enum pp_status pp_nomogram_sheet_fill_blank(struct pp_nomogram_sheet *sheet,
+                                            enum pp_nomogram_kind kind,
+                                            struct pp_nomogram_spacing spacing,
+                                            struct pp_error *err)
 {
-    *sheet = (struct pp_nomogram_sheet){.nomogram = pp_nomogram_make(kind),
+    *sheet = (struct pp_nomogram_sheet){.nomogram = pp_nomogram_scale_make(kind),
                                         .blank = true,
                                         .component = NAN,
                                         .minimum = NAN};
@@ -114,8 +116,8 @@ static enum pp_status add_window(struct pp_nomogram_sheet *sheet,
         .line = opening->line,
         .alike = 1,
         .allowance = pp_allowance_factor(pp_method_nomogram.allowances, opening)};
-    enum pp_status status =
-        pp_nomogram_read_opening(&window.read, &sheet->nomogram, world, opening, err);
+    enum pp_status status = pp_nomogram_reading_of_opening(
+        &window.read, &sheet->nomogram, world, opening, err);
     if (status != PP_OK)
         return status;
     sheet->component += sheet->decorations * window.allowance * window.read.component;
@@ -126,18 +128,19 @@ static enum pp_status add_window(struct pp_nomogram_sheet *sheet,
             return PP_OK;
         }
     for (int i = 0; i < sheet->nomogram.stem_count; i++)
-        window.y[i] = pp_nomogram_place(&sheet->nomogram, i, window.read.value[i]);
+        window.y[i] =
+            pp_nomogram_scale_position(&sheet->nomogram, i, window.read.value[i]);
     sheet->windows[sheet->window_count++] = window;
     return PP_OK;
 }
 
-enum pp_status pp_nomogram_sheet_of(struct pp_nomogram_sheet *sheet,
-                                    enum pp_nomogram_kind kind,
-                                    const struct pp_world *world,
-                                    struct pp_nomogram_spacing spacing,
-                                    struct pp_error *err)
+enum pp_status pp_nomogram_sheet_fill_room(struct pp_nomogram_sheet *sheet,
+                                           enum pp_nomogram_kind kind,
+                                           const struct pp_world *world,
+                                           struct pp_nomogram_spacing spacing,
+                                           struct pp_error *err)
 {
-    enum pp_status status = pp_nomogram_sheet_blank(sheet, kind, spacing, err);
+    enum pp_status status = pp_nomogram_sheet_fill_blank(sheet, kind, spacing, err);
     sheet->blank = false;
     sheet->name = world->name;
     sheet->decorations = world->decorations;
@@ -153,7 +156,7 @@ enum pp_status pp_nomogram_sheet_of(struct pp_nomogram_sheet *sheet,
         return pp_fail_memory(err);
     for (int i = 0; i < world->opening_count && status == PP_OK; i++) {
         const struct pp_opening *opening = &world->openings[i];
-        bool upright = pp_refuse_unless_vertical(opening) == NULL;
+        bool upright = pp_refusals_unless_vertical(opening) == NULL;
         if (upright == (kind != PP_NOMOGRAM_ROOFLIGHT))
             status = add_window(sheet, world, opening, err);
         else

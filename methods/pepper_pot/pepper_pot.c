@@ -14,22 +14,22 @@
 #include <stdlib.h>
 
 #include "methods/exact/direct.h"
-#include "methods/methods.h"
+#include "methods/method_entries.h"
 #include "methods/pepper_pot/pepper_pot_dots.h"
 #include "methods/refusals.h"
 #include "methods/view/window_drawing.h"
 
 /* The diagrams for points that face up, those that the room's openings need. */
-struct diagrams {
+struct pepper_pot_diagrams {
     struct pp_pepper_pot *unglazed, *glazed;
 };
 
 static void put_away(void *tools)
 {
-    struct diagrams *diagrams = tools;
+    struct pepper_pot_diagrams *diagrams = tools;
     if (diagrams) {
-        pp_pepper_pot_destroy(diagrams->unglazed);
-        pp_pepper_pot_destroy(diagrams->glazed);
+        pp_pepper_pot_dots_destroy(diagrams->unglazed);
+        pp_pepper_pot_dots_destroy(diagrams->glazed);
     }
     free(diagrams);
 }
@@ -37,7 +37,7 @@ static void put_away(void *tools)
 static enum pp_status prepare(void **tools, const struct pp_world *world,
                               struct pp_error *err)
 {
-    struct diagrams *diagrams = calloc(1, sizeof *diagrams);
+    struct pepper_pot_diagrams *diagrams = calloc(1, sizeof *diagrams);
     if (!diagrams)
         return pp_fail_memory(err);
     enum pp_status status = PP_OK;
@@ -45,8 +45,8 @@ static enum pp_status prepare(void **tools, const struct pp_world *world,
         bool glazed = world->openings[i].glass.panes > 0;
         struct pp_pepper_pot **pot = glazed ? &diagrams->glazed : &diagrams->unglazed;
         if (!*pot)
-            status = pp_pepper_pot_create(pot, &world->sky, glazed, false, 0.0,
-                                          PP_PEPPER_POT_WORTH, err);
+            status = pp_pepper_pot_dots_create(pot, &world->sky, glazed, false, 0.0,
+                                               PP_PEPPER_POT_WORTH, err);
     }
     if (status != PP_OK)
         put_away(diagrams);
@@ -65,9 +65,9 @@ static const char *refuses_room(const struct pp_world *world,
 {
     if (world->sky.kind == PP_SKY_ISO)
         return "the diagram holds the overcast and the uniform sky only";
-    if (receiver && !is_upright(receiver->normal) && pp_refuse_unless_up(receiver))
+    if (receiver && !is_upright(receiver->normal) && pp_refusals_unless_up(receiver))
         return "the diagram holds points that face up or are upright";
-    return pp_refuse_if_luminous(world);
+    return pp_refusals_if_luminous(world);
 }
 
 static const char *refuses(const struct pp_world *world,
@@ -77,24 +77,24 @@ static const char *refuses(const struct pp_world *world,
     (void)world, (void)receiver;
     if (opening->glass.diffusing)
         return "has diffusing glass; the diagram holds clear glass only";
-    return pp_refuse_unless_vertical(opening);
+    return pp_refusals_unless_vertical(opening);
 }
 
 /* Dots on sky and on obstructions, of one diagram. */
 static void count_dots(struct pp_part *part, const struct pp_pepper_pot *pot,
                        const struct pp_window_drawing *drawing)
 {
-    pp_step_named(part->steps, PP_UNIT_SHARE, pot->worth, "w",
-                  "a dot of the diagram is worth");
-    struct pp_terms terms = pp_terms_begin(part->steps, drawing->count);
+    pp_steps_add_named(part->steps, PP_UNIT_SHARE, pot->worth, "w",
+                       "a dot of the diagram is worth");
+    struct pp_part_steps terms = pp_part_steps_begin(part->steps, drawing->count);
     for (int i = 0; i < drawing->count; i++) {
         const struct pp_drawn_part *drawn = &drawing->parts[i];
-        int dots = pp_pepper_pot_count(pot, &drawn->region);
+        int dots = pp_pepper_pot_dots_count(pot, &drawn->region);
         double share = drawn->factor * dots * pot->worth;
         *(drawn->hidden ? &part->external : &part->sky) += share;
-        pp_window_drawing_set_down(&terms, drawn, dots, "dots", share);
+        pp_window_drawing_steps(&terms, drawn, dots, "dots", share);
     }
-    pp_terms_end(&terms);
+    pp_part_steps_end(&terms);
 }
 
 static enum pp_status evaluate(const struct pp_world *world,
@@ -102,7 +102,7 @@ static enum pp_status evaluate(const struct pp_world *world,
                                const struct pp_receiver *receiver, const void *tools,
                                struct pp_part *part, struct pp_error *err)
 {
-    const struct diagrams *diagrams = tools;
+    const struct pepper_pot_diagrams *diagrams = tools;
     bool glazed = opening->glass.panes > 0;
     struct pp_window_drawing drawing;
     enum pp_status status =
@@ -110,14 +110,14 @@ static enum pp_status evaluate(const struct pp_world *world,
     if (status != PP_OK)
         return status;
     if (is_upright(receiver->normal)) {
-        double facing = atan2(pp_dot(receiver->normal, drawing.axes.along),
-                              pp_dot(receiver->normal, drawing.axes.out));
+        double facing = atan2(pp_vec_dot(receiver->normal, drawing.axes.along),
+                              pp_vec_dot(receiver->normal, drawing.axes.out));
         struct pp_pepper_pot *pot;
-        status = pp_pepper_pot_create(&pot, &world->sky, glazed, true, facing,
-                                      PP_PEPPER_POT_WORTH, err);
+        status = pp_pepper_pot_dots_create(&pot, &world->sky, glazed, true, facing,
+                                           PP_PEPPER_POT_WORTH, err);
         if (status == PP_OK)
             count_dots(part, pot, &drawing);
-        pp_pepper_pot_destroy(pot);
+        pp_pepper_pot_dots_destroy(pot);
     } else {
         count_dots(part, glazed ? diagrams->glazed : diagrams->unglazed, &drawing);
     }
@@ -133,7 +133,7 @@ static enum pp_status evaluate_roughly(const struct pp_world *world,
                                        const void *tools, struct pp_part *part,
                                        struct pp_error *err)
 {
-    const struct diagrams *diagrams = tools;
+    const struct pepper_pot_diagrams *diagrams = tools;
     const struct pp_glass *glass =
         opening->glass.panes > 0 ? &diagrams->glazed->glass : &opening->glass;
     struct pp_direct sum = {.rough = true};

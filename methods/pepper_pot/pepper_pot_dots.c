@@ -33,8 +33,8 @@ static double by_azimuth(const struct pp_pepper_pot *pot, double cos_gamma, doub
     if (!pot->glazed)
         return facing;
     return facing
-           * pp_even_table(pot->losses, PP_PEPPER_POT_LOSSES, 0.0, 1.0,
-                           cos_gamma * cos(phi));
+           * pp_interpolate_cubic(pot->losses, PP_PEPPER_POT_LOSSES, 0.0, 1.0,
+                                  cos_gamma * cos(phi));
 }
 
 /* One altitude, and what comes from the left of even azimuths in it. */
@@ -57,8 +57,8 @@ static void fill_ring(struct ring_of_sky *ring, const struct pp_pepper_pot *pot,
     ring->pot = pot;
     ring->cos_gamma = cos(gamma);
     azimuths(pot, &ring->low, &ring->high);
-    pp_even_table_integrate(ring->left, AZIMUTHS + 1, ring->low, ring->high, of_ring,
-                            ring);
+    pp_interpolate_tabulate_integral(ring->left, AZIMUTHS + 1, ring->low, ring->high,
+                                     of_ring, ring);
 }
 
 static double from_altitude(const void *pot, double gamma)
@@ -75,21 +75,21 @@ static void place_dots(struct pp_pepper_pot *pot, int most)
         double share = (i + 0.5) * pot->worth, whole;
         double s = modf((i + 0.5) * golden, &whole);
         double gamma =
-            pp_even_table_find(pot->below, PANELS + 1, 0.0, PP_PI / 2.0, share);
+            pp_interpolate_inverse(pot->below, PANELS + 1, 0.0, PP_PI / 2.0, share);
         struct ring_of_sky ring;
         fill_ring(&ring, pot, gamma);
-        double phi = pp_even_table_find(ring.left, AZIMUTHS + 1, ring.low, ring.high,
-                                        s * ring.left[AZIMUTHS]);
+        double phi = pp_interpolate_inverse(ring.left, AZIMUTHS + 1, ring.low,
+                                            ring.high, s * ring.left[AZIMUTHS]);
         pot->dots[i][0] = tan(phi);
         pot->dots[i][1] = tan(gamma) / cos(phi);
     }
     pot->count = most;
 }
 
-enum pp_status pp_pepper_pot_create(struct pp_pepper_pot **pot,
-                                    const struct pp_sky *sky, bool glazed, bool upright,
-                                    double facing_rad, double worth,
-                                    struct pp_error *err)
+enum pp_status pp_pepper_pot_dots_create(struct pp_pepper_pot **pot,
+                                         const struct pp_sky *sky, bool glazed,
+                                         bool upright, double facing_rad, double worth,
+                                         struct pp_error *err)
 {
     *pot = NULL;
     if (sky->kind == PP_SKY_ISO)
@@ -119,8 +119,8 @@ enum pp_status pp_pepper_pot_create(struct pp_pepper_pot **pot,
     azimuths(made, &low, &high);
     int most = 0;
     if (high > low) {
-        pp_even_table_integrate(made->below, PANELS + 1, 0.0, PP_PI / 2.0,
-                                from_altitude, made);
+        pp_interpolate_tabulate_integral(made->below, PANELS + 1, 0.0, PP_PI / 2.0,
+                                         from_altitude, made);
         made->whole = made->below[PANELS];
         most = (int)ceil(made->whole / worth - 0.5);
     }
@@ -134,7 +134,7 @@ enum pp_status pp_pepper_pot_create(struct pp_pepper_pot **pot,
     return PP_OK;
 }
 
-void pp_pepper_pot_destroy(struct pp_pepper_pot *pot)
+void pp_pepper_pot_dots_destroy(struct pp_pepper_pot *pot)
 {
     if (!pot)
         return;
@@ -142,7 +142,8 @@ void pp_pepper_pot_destroy(struct pp_pepper_pot *pot)
     free(pot);
 }
 
-int pp_pepper_pot_count(const struct pp_pepper_pot *pot, const struct pp_region *region)
+int pp_pepper_pot_dots_count(const struct pp_pepper_pot *pot,
+                             const struct pp_region *region)
 {
     int count = 0;
     for (int i = 0; i < pot->count; i++)
@@ -150,16 +151,17 @@ int pp_pepper_pot_count(const struct pp_pepper_pot *pot, const struct pp_region 
     return count;
 }
 
-bool pp_pepper_pot_square(const struct pp_pepper_pot *pot, double a, double b,
-                          double *s, double *t)
+bool pp_pepper_pot_dots_to_square(const struct pp_pepper_pot *pot, double a, double b,
+                                  double *s, double *t)
 {
     double phi = atan(a), gamma = atan2(b, hypot(a, 1.0));
     struct ring_of_sky ring;
     fill_ring(&ring, pot, gamma);
     if (!(gamma >= 0.0 && phi >= ring.low && phi <= ring.high))
         return false;
-    *s = pp_even_table(ring.left, AZIMUTHS + 1, ring.low, ring.high, phi)
+    *s = pp_interpolate_cubic(ring.left, AZIMUTHS + 1, ring.low, ring.high, phi)
          / ring.left[AZIMUTHS];
-    *t = pp_even_table(pot->below, PANELS + 1, 0.0, PP_PI / 2.0, gamma) / pot->whole;
+    *t = pp_interpolate_cubic(pot->below, PANELS + 1, 0.0, PP_PI / 2.0, gamma)
+         / pot->whole;
     return true;
 }

@@ -14,8 +14,8 @@
  * dot stands for exactly its worth; a window's count is off by the dots that its
  * outline cuts off or takes in.
  */
-#ifndef PP_METHODS_PEPPER_POT_DOTS_H
-#define PP_METHODS_PEPPER_POT_DOTS_H
+#ifndef PP_METHODS_PEPPER_POT_PEPPER_POT_DOTS_H
+#define PP_METHODS_PEPPER_POT_PEPPER_POT_DOTS_H
 
 #include <stdbool.h>
 
@@ -46,18 +46,18 @@ struct pp_pepper_pot {
 
 /* Makes the dots. sky other than overcast or uniform, and a worth outside 1e-5 ... 0.1,
  * are refused; facing_rad is not looked at unless upright. */
-enum pp_status pp_pepper_pot_create(struct pp_pepper_pot **pot,
-                                    const struct pp_sky *sky, bool glazed, bool upright,
-                                    double facing_rad, double worth,
-                                    struct pp_error *err);
-void pp_pepper_pot_destroy(struct pp_pepper_pot *pot); /* NULL is allowed */
+enum pp_status pp_pepper_pot_dots_create(struct pp_pepper_pot **pot,
+                                         const struct pp_sky *sky, bool glazed,
+                                         bool upright, double facing_rad, double worth,
+                                         struct pp_error *err);
+void pp_pepper_pot_dots_destroy(struct pp_pepper_pot *pot); /* NULL is allowed */
 
 /* How many dots lie in a region of the drawing. */
-int pp_pepper_pot_count(const struct pp_pepper_pot *pot,
-                        const struct pp_region *region);
+int pp_pepper_pot_dots_count(const struct pp_pepper_pot *pot,
+                             const struct pp_region *region);
 
 /* Where (a, b) lies on the square of equal areas; false where it gives nothing. */
-bool pp_pepper_pot_square(const struct pp_pepper_pot *pot, double a, double b,
-                          double *s, double *t);
+bool pp_pepper_pot_dots_to_square(const struct pp_pepper_pot *pot, double a, double b,
+                                  double *s, double *t);
 
 #endif

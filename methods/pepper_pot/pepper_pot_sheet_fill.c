@@ -5,7 +5,7 @@
 #include <stdlib.h>
 
 #include "methods/drawing_board.h"
-#include "methods/methods.h"
+#include "methods/method_entries.h"
 #include "methods/pepper_pot/pepper_pot_dots.h"
 #include "methods/view/window_drawing.h"
 
@@ -63,7 +63,7 @@ static enum pp_status fill_window(struct pp_pepper_pot_panel *panel,
         part->region = (struct pp_region){0};
         count_dots(panel, piece);
     }
-    pp_board_window_sum(window, worth);
+    pp_board_sheets_window_sum(window, worth);
     pp_window_drawing_clear(&drawing);
     return status;
 }
@@ -75,37 +75,37 @@ static enum pp_status fill_panel(struct pp_pepper_pot_panel *panel,
                                  double worth, struct pp_error *err)
 {
     const struct pp_opening *opening = &world->openings[first];
-    double facing = atan2(pp_dot(receiver->normal, opening->along),
-                          -pp_dot(receiver->normal, opening->inner.normal));
+    double facing = atan2(pp_vec_dot(receiver->normal, opening->along),
+                          -pp_vec_dot(receiver->normal, opening->inner.normal));
     struct pp_pepper_pot *pot;
-    enum pp_status status = pp_pepper_pot_create(
+    enum pp_status status = pp_pepper_pot_dots_create(
         &pot, &world->sky, opening->glass.panes > 0, upright, facing, worth, err);
     if (status != PP_OK)
         return status;
     status = fill_dots(panel, pot, err);
-    pp_pepper_pot_destroy(pot);
+    pp_pepper_pot_dots_destroy(pot);
     panel->wall = world->surfaces[opening->face].name;
-    panel->windows =
-        calloc((size_t)pp_board_count_like(world, first), sizeof *panel->windows);
+    panel->windows = calloc((size_t)pp_drawing_board_count_alike(world, first),
+                            sizeof *panel->windows);
     if (status == PP_OK && !panel->windows)
         status = pp_fail_memory(err);
     for (int i = first; i < world->opening_count && status == PP_OK; i++)
-        if (pp_board_first_like(world, i) == first)
+        if (pp_drawing_board_first_alike(world, i) == first)
             status = fill_window(panel, &panel->windows[panel->count++], world,
                                  &world->openings[i], receiver->position, worth, err);
     return status;
 }
 
-enum pp_status pp_pepper_pot_sheet_blank(struct pp_pepper_pot_sheet *sheet,
-                                         const struct pp_sky *sky, bool glazed,
-                                         bool upright, double worth,
-                                         struct pp_error *err)
+enum pp_status pp_pepper_pot_sheet_fill_blank(struct pp_pepper_pot_sheet *sheet,
+                                              const struct pp_sky *sky, bool glazed,
+                                              bool upright, double worth,
+                                              struct pp_error *err)
 {
     *sheet = (struct pp_pepper_pot_sheet){
         .blank = true, .upright = upright, .sky = *sky, .worth = worth};
     struct pp_pepper_pot *pot;
     enum pp_status status =
-        pp_pepper_pot_create(&pot, sky, glazed, upright, 0.0, worth, err);
+        pp_pepper_pot_dots_create(&pot, sky, glazed, upright, 0.0, worth, err);
     if (status != PP_OK)
         return status;
     sheet->panels = calloc(1, sizeof *sheet->panels);
@@ -115,24 +115,24 @@ enum pp_status pp_pepper_pot_sheet_blank(struct pp_pepper_pot_sheet *sheet,
         sheet->count = 1;
         status = fill_dots(sheet->panels, pot, err);
     }
-    pp_pepper_pot_destroy(pot);
+    pp_pepper_pot_dots_destroy(pot);
     if (status != PP_OK)
-        pp_pepper_pot_sheet_clear(sheet);
+        pp_board_sheets_pepper_pot_clear(sheet);
     return status;
 }
 
-enum pp_status pp_pepper_pot_sheet_of(struct pp_pepper_pot_sheet *sheet,
-                                      const struct pp_world *world,
-                                      const struct pp_receiver *receiver, double worth,
-                                      struct pp_error *err)
+enum pp_status pp_pepper_pot_sheet_fill_room(struct pp_pepper_pot_sheet *sheet,
+                                             const struct pp_world *world,
+                                             const struct pp_receiver *receiver,
+                                             double worth, struct pp_error *err)
 {
     *sheet = (struct pp_pepper_pot_sheet){0};
     bool upright = fabs(receiver->normal.z) < 0.5;
     enum pp_status status =
-        pp_board_covers(&pp_method_pepper_pot, world, receiver, err);
+        pp_drawing_board_check(&pp_method_pepper_pot, world, receiver, err);
     if (status == PP_OK && world->opening_count == 0)
-        status =
-            pp_pepper_pot_sheet_blank(sheet, &world->sky, false, upright, worth, err);
+        status = pp_pepper_pot_sheet_fill_blank(sheet, &world->sky, false, upright,
+                                                worth, err);
     if (status != PP_OK)
         return status;
     sheet->name = world->name;
@@ -143,17 +143,18 @@ enum pp_status pp_pepper_pot_sheet_of(struct pp_pepper_pot_sheet *sheet,
     sheet->worth = worth;
     if (world->opening_count == 0)
         return PP_OK;
-    sheet->panels = calloc((size_t)pp_board_diagrams(world), sizeof *sheet->panels);
+    sheet->panels =
+        calloc((size_t)pp_drawing_board_diagram_count(world), sizeof *sheet->panels);
     if (!sheet->panels)
         return pp_fail_memory(err);
     for (int i = 0; i < world->opening_count && status == PP_OK; i++)
-        if (pp_board_first_like(world, i) == i)
+        if (pp_drawing_board_first_alike(world, i) == i)
             status = fill_panel(&sheet->panels[sheet->count++], world, i, receiver,
                                 upright, worth, err);
     for (int i = 0; i < sheet->count; i++)
-        pp_board_windows_add(sheet->panels[i].windows, sheet->panels[i].count,
-                             &sheet->sky_component, &sheet->external);
+        pp_board_sheets_windows_add(sheet->panels[i].windows, sheet->panels[i].count,
+                                    &sheet->sky_component, &sheet->external);
     if (status != PP_OK)
-        pp_pepper_pot_sheet_clear(sheet);
+        pp_board_sheets_pepper_pot_clear(sheet);
     return status;
 }

@@ -21,20 +21,20 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "methods/methods.h"
+#include "methods/method_entries.h"
 #include "methods/refusals.h"
 #include "methods/part_steps.h"
 
 enum { GLAZED_90, GLAZED_0, GLAZED_30, GLAZED_60, BARE, DIALS };
 
 /* The protractors that the room's openings need. */
-struct box {
-    struct pp_dial *dials[DIALS];
+struct dial_set {
+    struct pp_protractor_dial *dials[DIALS];
 };
 
 static void put_away(void *tools)
 {
-    struct box *box = tools;
+    struct dial_set *box = tools;
     if (!box)
         return;
     for (int i = 0; i < DIALS; i++)
@@ -57,15 +57,15 @@ static int place_of(const struct pp_protractor *protractor)
 static enum pp_status prepare(void **tools, const struct pp_world *world,
                               struct pp_error *err)
 {
-    struct box *box = calloc(1, sizeof *box);
+    struct dial_set *box = calloc(1, sizeof *box);
     if (!box)
         return pp_fail_memory(err);
     for (int i = 0; i < world->opening_count; i++) {
         struct pp_protractor protractor;
         const struct pp_opening *opening = &world->openings[i];
-        if (pp_protractor_for(&protractor, &world->sky, opening, NULL) != PP_OK)
+        if (pp_protractor_read_choose(&protractor, &world->sky, opening, NULL) != PP_OK)
             continue;
-        struct pp_dial **dial = &box->dials[place_of(&protractor)];
+        struct pp_protractor_dial **dial = &box->dials[place_of(&protractor)];
         if (*dial)
             continue;
         *dial = malloc(sizeof **dial);
@@ -73,7 +73,7 @@ static enum pp_status prepare(void **tools, const struct pp_world *world,
             put_away(box);
             return pp_fail_memory(err);
         }
-        pp_dial_make(*dial, &protractor);
+        pp_protractor_dial_init(*dial, &protractor);
     }
     *tools = box;
     return PP_OK;
@@ -84,8 +84,8 @@ static const char *refuses_room(const struct pp_world *world,
 {
     if (world->sky.kind == PP_SKY_ISO)
         return "there are protractors for the overcast and the uniform sky only";
-    const char *why = pp_refuse_unless_up(receiver);
-    return why ? why : pp_refuse_if_luminous(world);
+    const char *why = pp_refusals_unless_up(receiver);
+    return why ? why : pp_refusals_if_luminous(world);
 }
 
 static const char *refuses(const struct pp_world *world,
@@ -96,26 +96,26 @@ static const char *refuses(const struct pp_world *world,
     if (opening->glass.diffusing)
         return "has diffusing glass; there are protractors for clear glass only";
     struct pp_protractor protractor;
-    if (pp_protractor_for(&protractor, &world->sky, opening, NULL) != PP_OK)
+    if (pp_protractor_read_choose(&protractor, &world->sky, opening, NULL) != PP_OK)
         return "has glass at a slope without a protractor; there are some for 0, 30, "
                "60 and 90 degrees";
     return NULL;
 }
 
 /* Sets down an angle and what a scale reads there. */
-static void set_down_pair(const struct pp_terms *terms, double angle_rad,
-                          enum pp_unit unit, double read, const char *symbol,
+static void set_down_pair(const struct pp_part_steps *terms, double angle_rad,
+                          enum pp_step_unit unit, double read, const char *symbol,
                           const char *what, const char *scale)
 {
-    pp_step(terms->steps, PP_UNIT_ANGLE, angle_rad, "%s", what);
-    pp_step_named(terms->steps, unit, read, pp_terms_name(terms, symbol).text, "%s",
-                  scale);
+    pp_steps_add(terms->steps, PP_UNIT_ANGLE, angle_rad, "%s", what);
+    pp_steps_add_named(terms->steps, unit, read,
+                       pp_part_steps_symbol(terms, symbol).text, "%s", scale);
 }
 
-static void set_down(struct pp_terms *terms,
+static void set_down(struct pp_part_steps *terms,
                      const struct pp_protractor_reading *reading, bool off_sky)
 {
-    pp_terms_next(terms);
+    pp_part_steps_next(terms);
     const char *of = reading->hidden ? "obstruction" : "opening";
     char upper[48], lower[48];
     snprintf(upper, sizeof upper, "%s, upper edge: altitude", of);
@@ -124,34 +124,35 @@ static void set_down(struct pp_terms *terms,
                   upper, "primary scale there");
     set_down_pair(terms, reading->edge_rad[0], PP_UNIT_SHARE, reading->share[0], "p_l",
                   lower, "primary scale there");
-    pp_terms_figure(terms, PP_UNIT_SHARE, reading->initial, "i", "p_u# - p_l#",
-                    "initial component, of an endless opening");
-    pp_step(terms->steps, PP_UNIT_ANGLE, reading->average_rad,
-            "average altitude of both edges");
+    pp_part_steps_figure(terms, PP_UNIT_SHARE, reading->initial, "i", "p_u# - p_l#",
+                         "initial component, of an endless opening");
+    pp_steps_add(terms->steps, PP_UNIT_ANGLE, reading->average_rad,
+                 "average altitude of both edges");
     set_down_pair(terms, reading->jamb_rad[0], PP_UNIT_NUMBER, reading->correction[0],
                   "k_l", "left jamb from the normal, right is positive",
                   "auxiliary scale there");
     set_down_pair(terms, reading->jamb_rad[1], PP_UNIT_NUMBER, reading->correction[1],
                   "k_r", "right jamb from the normal", "auxiliary scale there");
-    pp_terms_figure(terms, PP_UNIT_NUMBER, reading->width_factor, "K",
-                    reading->correction[1] < reading->correction[0]
-                        ? "max(k_r# - k_l#, 0)"
-                        : "k_r# - k_l#",
-                    "correction factor for the width");
+    pp_part_steps_figure(terms, PP_UNIT_NUMBER, reading->width_factor, "K",
+                         reading->correction[1] < reading->correction[0]
+                             ? "max(k_r# - k_l#, 0)"
+                             : "k_r# - k_l#",
+                         "correction factor for the width");
     if (!reading->hidden) {
-        pp_terms_worked(terms, false, reading->component, "i# K#", "sky component");
+        pp_part_steps_component(terms, false, reading->component, "i# K#",
+                                "sky component");
         return;
     }
-    pp_terms_figure(terms, PP_UNIT_SHARE, reading->initial * reading->width_factor, "e",
-                    "i# K#", "equivalent sky component of the obstruction");
-    pp_step_named(terms->steps, PP_UNIT_NUMBER, reading->factor,
-                  pp_terms_name(terms, "f").text,
-                  "luminance factor of the obstruction");
-    pp_terms_worked(terms, true, reading->component, "f# e#",
-                    "externally reflected component");
+    pp_part_steps_figure(terms, PP_UNIT_SHARE, reading->initial * reading->width_factor,
+                         "e", "i# K#", "equivalent sky component of the obstruction");
+    pp_steps_add_named(terms->steps, PP_UNIT_NUMBER, reading->factor,
+                       pp_part_steps_symbol(terms, "f").text,
+                       "luminance factor of the obstruction");
+    pp_part_steps_component(terms, true, reading->component, "f# e#",
+                            "externally reflected component");
     if (off_sky)
-        pp_terms_worked(terms, false, -reading->initial * reading->width_factor, "-e#",
-                        "taken off the sky component");
+        pp_part_steps_component(terms, false, -reading->initial * reading->width_factor,
+                                "-e#", "taken off the sky component");
 }
 
 static enum pp_status evaluate(const struct pp_world *world,
@@ -159,9 +160,10 @@ static enum pp_status evaluate(const struct pp_world *world,
                                const struct pp_receiver *receiver, const void *tools,
                                struct pp_part *part, struct pp_error *err)
 {
-    const struct box *box = tools;
+    const struct dial_set *box = tools;
     struct pp_protractor protractor;
-    enum pp_status status = pp_protractor_for(&protractor, &world->sky, opening, err);
+    enum pp_status status =
+        pp_protractor_read_choose(&protractor, &world->sky, opening, err);
     if (status != PP_OK)
         return status;
     struct pp_protractor_readings readings;
@@ -171,11 +173,11 @@ static enum pp_status evaluate(const struct pp_world *world,
         return status;
     part->sky = readings.sky;
     part->external = readings.external;
-    struct pp_terms terms = pp_terms_begin(part->steps, readings.count);
+    struct pp_part_steps terms = pp_part_steps_begin(part->steps, readings.count);
     for (int i = 0; i < readings.count; i++)
         set_down(&terms, &readings.list[i], readings.less_hidden);
-    pp_terms_end(&terms);
-    pp_protractor_readings_clear(&readings);
+    pp_part_steps_end(&terms);
+    pp_protractor_sheet_readings_clear(&readings);
     return PP_OK;
 }
 

@@ -38,17 +38,18 @@ static double strip(const struct pp_protractor *protractor, double gamma)
 {
     enum { STEPS = 90 };
     double step = PP_PI / 2.0 / STEPS, sum = 0.0;
-    double low = pp_protractor_density(protractor, gamma, 0.0);
+    double low = pp_protractor_scale_density(protractor, gamma, 0.0);
     for (int i = 0; i < STEPS; i++) {
-        double middle = pp_protractor_density(protractor, gamma, (i + 0.5) * step);
-        double high = pp_protractor_density(protractor, gamma, (i + 1) * step);
+        double middle =
+            pp_protractor_scale_density(protractor, gamma, (i + 0.5) * step);
+        double high = pp_protractor_scale_density(protractor, gamma, (i + 1) * step);
         sum += simpson(low, middle, high, step);
         low = high;
     }
     return 2.0 * sum;
 }
 
-static void make_primary(struct pp_dial *dial)
+static void make_primary(struct pp_protractor_dial *dial)
 {
     const struct pp_protractor *protractor = &dial->protractor;
     double step = dial->range_rad / PP_DIAL_STEPS;
@@ -63,19 +64,21 @@ static void make_primary(struct pp_dial *dial)
     }
 }
 
-void pp_semicircle_make(struct pp_semicircle *semicircle,
-                        const struct pp_protractor *protractor, double average_rad)
+void pp_protractor_dial_semicircle_init(struct pp_protractor_semicircle *semicircle,
+                                        const struct pp_protractor *protractor,
+                                        double average_rad)
 {
-    double range = pp_protractor_range(protractor);
+    double range = pp_protractor_scale_range(protractor);
     double gamma = fmin(fmax(average_rad, end_rad), range - end_rad);
     double step = PP_PI / 2.0 / PP_DIAL_STEPS;
     double *factor = semicircle->factor, *rate = semicircle->rate;
     semicircle->average_rad = average_rad;
     factor[0] = 0.0;
-    rate[0] = pp_protractor_density(protractor, gamma, 0.0);
+    rate[0] = pp_protractor_scale_density(protractor, gamma, 0.0);
     for (int i = 0; i < PP_DIAL_STEPS; i++) {
-        double middle = pp_protractor_density(protractor, gamma, (i + 0.5) * step);
-        rate[i + 1] = pp_protractor_density(protractor, gamma, (i + 1) * step);
+        double middle =
+            pp_protractor_scale_density(protractor, gamma, (i + 0.5) * step);
+        rate[i + 1] = pp_protractor_scale_density(protractor, gamma, (i + 1) * step);
         factor[i + 1] = factor[i] + simpson(rate[i], middle, rate[i + 1], step);
     }
     double whole = 2.0 * factor[PP_DIAL_STEPS];
@@ -85,22 +88,23 @@ void pp_semicircle_make(struct pp_semicircle *semicircle,
     }
 }
 
-void pp_dial_make(struct pp_dial *dial, const struct pp_protractor *protractor)
+void pp_protractor_dial_init(struct pp_protractor_dial *dial,
+                             const struct pp_protractor *protractor)
 {
     dial->protractor = *protractor;
-    dial->range_rad = pp_protractor_range(protractor);
+    dial->range_rad = pp_protractor_scale_range(protractor);
     make_primary(dial);
     for (int k = 0; k < PP_DIAL_SEMICIRCLES; k++)
-        pp_semicircle_make(&dial->semicircles[k], protractor,
-                           k * between_semicircles_rad);
+        pp_protractor_dial_semicircle_init(&dial->semicircles[k], protractor,
+                                           k * between_semicircles_rad);
 }
 
-double pp_dial_share(const struct pp_dial *dial, double gamma_rad)
+double pp_protractor_dial_share(const struct pp_protractor_dial *dial, double gamma_rad)
 {
     return read_table(dial->primary, dial->slope, dial->range_rad, gamma_rad);
 }
 
-double pp_dial_slope(const struct pp_dial *dial, double gamma_rad)
+double pp_protractor_dial_slope(const struct pp_protractor_dial *dial, double gamma_rad)
 {
     double place = gamma_rad / dial->range_rad * PP_DIAL_STEPS;
     int k = (int)fmin(fmax(place, 0.0), PP_DIAL_STEPS - 1);
@@ -108,17 +112,18 @@ double pp_dial_slope(const struct pp_dial *dial, double gamma_rad)
     return dial->slope[k] * (1.0 - t) + dial->slope[k + 1] * t;
 }
 
-double pp_dial_angle(const struct pp_dial *dial, double share, double start_rad)
+double pp_protractor_dial_angle(const struct pp_protractor_dial *dial, double share,
+                                double start_rad)
 {
     double low = 0.0, high = dial->range_rad;
     double gamma = fmin(fmax(start_rad, low), high);
     for (int i = 0; i < 100; i++) {
-        double off = pp_dial_share(dial, gamma) - share;
+        double off = pp_protractor_dial_share(dial, gamma) - share;
         if (off < 0.0)
             low = gamma;
         else
             high = gamma;
-        double next = gamma - off / pp_dial_slope(dial, gamma);
+        double next = gamma - off / pp_protractor_dial_slope(dial, gamma);
         if (!(next > low && next < high))
             next = (low + high) / 2.0;
         if (fabs(next - gamma) < 1e-10)
@@ -128,16 +133,16 @@ double pp_dial_angle(const struct pp_dial *dial, double share, double start_rad)
     return gamma;
 }
 
-static double on_semicircle(const struct pp_semicircle *semicircle, double jamb,
-                            bool turned_down)
+static double on_semicircle(const struct pp_protractor_semicircle *semicircle,
+                            double jamb, bool turned_down)
 {
     double theta =
-        turned_down ? jamb : pp_protractor_theta(semicircle->average_rad, jamb);
+        turned_down ? jamb : pp_protractor_scale_theta(semicircle->average_rad, jamb);
     return read_table(semicircle->factor, semicircle->rate, PP_PI / 2.0, theta);
 }
 
-double pp_dial_factor(const struct pp_dial *dial, double average_rad, double jamb_rad,
-                      bool turned_down)
+double pp_protractor_dial_factor(const struct pp_protractor_dial *dial,
+                                 double average_rad, double jamb_rad, bool turned_down)
 {
     double place = average_rad / between_semicircles_rad;
     int k = (int)fmin(fmax(place, 0.0), PP_DIAL_SEMICIRCLES - 2);
@@ -147,8 +152,8 @@ double pp_dial_factor(const struct pp_dial *dial, double average_rad, double jam
     return copysign(outer + (place - k) * (inner - outer), jamb_rad);
 }
 
-double pp_semicircle_jamb(const struct pp_semicircle *semicircle, double factor,
-                          bool turned_down)
+double pp_protractor_dial_jamb_angle(const struct pp_protractor_semicircle *semicircle,
+                                     double factor, bool turned_down)
 {
     double low = 0.0, high = PP_PI / 2.0;
     while (high - low > 1e-9) {

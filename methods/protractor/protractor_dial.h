@@ -3,7 +3,7 @@
  *
  * The primary scale reads the share of an endless window up to any section altitude.
  * The auxiliary has semicircles for average altitudes 10 degrees apart; between them a
- * reader interpolates along the jamb's sight line, and so does pp_dial_factor. That
+ * reader interpolates along the jamb's sight line, and so does pp_protractor_dial_factor. That
  * line stands
  *
  *   for vertical openings on the plan, at the jamb's azimuth phi from the normal:
@@ -14,8 +14,8 @@
  * since on the plan an opening overhead has no jambs to sight at. For a vertical
  * opening tan theta = tan phi cos gamma, gamma the average altitude.
  */
-#ifndef PP_METHODS_PROTRACTOR_DIAL_H
-#define PP_METHODS_PROTRACTOR_DIAL_H
+#ifndef PP_METHODS_PROTRACTOR_PROTRACTOR_DIAL_H
+#define PP_METHODS_PROTRACTOR_PROTRACTOR_DIAL_H
 
 #include "methods/protractor/protractor_scale.h"
 
@@ -26,45 +26,50 @@ enum {
 
 /* The auxiliary scale at one average altitude: CF and dCF/dtheta at even steps of theta
  * from 0 to pi/2. */
-struct pp_semicircle {
+struct pp_protractor_semicircle {
     double average_rad;
     double factor[PP_DIAL_STEPS + 1], rate[PP_DIAL_STEPS + 1];
 };
 
-struct pp_dial {
+struct pp_protractor_dial {
     struct pp_protractor protractor;
     double range_rad; /* the end of the primary scale */
 
     /* At even steps of gamma from 0 to the range: F and dF/dgamma. */
     double primary[PP_DIAL_STEPS + 1], slope[PP_DIAL_STEPS + 1];
 
-    struct pp_semicircle semicircles[PP_DIAL_SEMICIRCLES];
+    struct pp_protractor_semicircle semicircles[PP_DIAL_SEMICIRCLES];
 };
 
 /* Takes 5 ms. Readings are good to 5e-7 of the open sky, factors to 1e-7. */
-void pp_dial_make(struct pp_dial *dial, const struct pp_protractor *protractor);
+void pp_protractor_dial_init(struct pp_protractor_dial *dial,
+                             const struct pp_protractor *protractor);
 
 /* Primary scale at gamma_rad, 0 to pi. */
-double pp_dial_share(const struct pp_dial *dial, double gamma_rad);
+double pp_protractor_dial_share(const struct pp_protractor_dial *dial,
+                                double gamma_rad);
 
 /* dF/dgamma there, to 1e-3. */
-double pp_dial_slope(const struct pp_dial *dial, double gamma_rad);
+double pp_protractor_dial_slope(const struct pp_protractor_dial *dial,
+                                double gamma_rad);
 
 /* The angle at which the primary scale reads `share`, 0 to the whole scale's: Newton
  * from start_rad, as from the mark before. */
-double pp_dial_angle(const struct pp_dial *dial, double share, double start_rad);
+double pp_protractor_dial_angle(const struct pp_protractor_dial *dial, double share,
+                                double start_rad);
 
 /* Auxiliary scale for an average altitude of 0 to pi and a jamb at jamb_rad, -pi/2 to
  * pi/2 (odd in it): its azimuth, or theta on the plan `turned_down`. */
-double pp_dial_factor(const struct pp_dial *dial, double average_rad, double jamb_rad,
-                      bool turned_down);
+double pp_protractor_dial_factor(const struct pp_protractor_dial *dial,
+                                 double average_rad, double jamb_rad, bool turned_down);
 
 /* The auxiliary at any average altitude, 0 to pi, for charts. */
-void pp_semicircle_make(struct pp_semicircle *semicircle,
-                        const struct pp_protractor *protractor, double average_rad);
+void pp_protractor_dial_semicircle_init(struct pp_protractor_semicircle *semicircle,
+                                        const struct pp_protractor *protractor,
+                                        double average_rad);
 
 /* The jamb's angle at which it has the factor `factor`, 0 to 1/2; to 1e-9. */
-double pp_semicircle_jamb(const struct pp_semicircle *semicircle, double factor,
-                          bool turned_down);
+double pp_protractor_dial_jamb_angle(const struct pp_protractor_semicircle *semicircle,
+                                     double factor, bool turned_down);
 
 #endif

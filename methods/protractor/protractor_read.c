@@ -36,18 +36,19 @@
 /* A plane within this of upright or level is. */
 static const double slope_tolerance_rad = 1e-3;
 
-double pp_protractor_slope(const struct pp_opening *opening)
+double pp_protractor_read_slope(const struct pp_opening *opening)
 {
     struct pp_vec3 out = opening->inner.normal;
     return atan2(hypot(out.x, out.y), -out.z);
 }
 
-enum pp_status pp_protractor_for(struct pp_protractor *protractor,
-                                 const struct pp_sky *sky,
-                                 const struct pp_opening *opening, struct pp_error *err)
+enum pp_status pp_protractor_read_choose(struct pp_protractor *protractor,
+                                         const struct pp_sky *sky,
+                                         const struct pp_opening *opening,
+                                         struct pp_error *err)
 {
     static const double made_deg[] = {90.0, 0.0, 30.0, 60.0};
-    double slope = pp_protractor_slope(opening);
+    double slope = pp_protractor_read_slope(opening);
     *protractor = (struct pp_protractor){
         .sky = *sky, .glass = pp_glass_none(), .slope_rad = slope};
     bool bare = opening->glass.panes == 0 && !opening->glass.diffusing;
@@ -83,29 +84,29 @@ static double section_altitude(double b, double slope)
 }
 
 static void read_rectangle(struct pp_protractor_reading *reading,
-                           const struct pp_dial *dial, double slope,
+                           const struct pp_protractor_dial *dial, double slope,
                            struct rectangle at)
 {
     const double b[2] = {at.low, at.high}, x[2] = {at.left, at.right};
     bool turned_down = !is_upright(slope);
     for (int i = 0; i < 2; i++) {
         reading->edge_rad[i] = section_altitude(b[i], slope);
-        reading->share[i] = pp_dial_share(dial, reading->edge_rad[i]);
+        reading->share[i] = pp_protractor_dial_share(dial, reading->edge_rad[i]);
     }
     reading->initial = reading->share[1] - reading->share[0];
     reading->average_rad = (reading->edge_rad[0] + reading->edge_rad[1]) / 2.0;
     for (int i = 0; i < 2; i++) {
         double nearer = turned_down ? sin(reading->average_rad + slope) : 1.0;
         reading->jamb_rad[i] = atan(x[i] * nearer);
-        reading->correction[i] = pp_dial_factor(dial, reading->average_rad,
-                                                reading->jamb_rad[i], turned_down);
+        reading->correction[i] = pp_protractor_dial_factor(
+            dial, reading->average_rad, reading->jamb_rad[i], turned_down);
     }
     reading->width_factor = fmax(reading->correction[1] - reading->correction[0], 0.0);
     reading->component = reading->initial * reading->width_factor * reading->factor;
 }
 
 static enum pp_status read_upright(struct pp_protractor_readings *readings,
-                                   const struct pp_dial *dial,
+                                   const struct pp_protractor_dial *dial,
                                    const struct pp_world *world,
                                    const struct pp_opening *opening,
                                    struct pp_vec3 point, struct pp_error *err)
@@ -118,7 +119,7 @@ static enum pp_status read_upright(struct pp_protractor_readings *readings,
     if (!readings->list)
         status = pp_fail_memory(err);
     for (int i = 0; i < elevation.count && status == PP_OK; i++) {
-        const struct pp_upright *part = &elevation.parts[i];
+        const struct pp_elevation_part *part = &elevation.parts[i];
         struct pp_protractor_reading *reading = &readings->list[readings->count++];
         reading->hidden = !isnan(part->reflectance);
         reading->factor =
@@ -142,16 +143,16 @@ struct axes {
 static struct axes axes_of(const struct pp_opening *opening, double slope)
 {
     if (slope < slope_tolerance_rad && opening->height_m > opening->width_m)
-        return (struct axes){true, opening->up, pp_scale(opening->along, -1.0)};
+        return (struct axes){true, opening->up, pp_vec_scale(opening->along, -1.0)};
     return (struct axes){false, opening->along, opening->up};
 }
 
 /* What lies of a ring above the point's horizon, on the section's axes. */
-static enum pp_status add_ring(struct pp_extent *sum, const struct pp_ring *ring,
+static enum pp_status add_ring(struct pp_area_moments *sum, const struct pp_ring *ring,
                                const struct axes *axes, double horizon,
                                struct pp_error *err)
 {
-    size_t room = (size_t)ring->count * PP_EXTENT_ROOM;
+    size_t room = (size_t)ring->count * PP_AREA_MOMENTS_POINTS;
     double(*points)[2] = malloc(2 * (room + 1) * sizeof *points);
     if (!points)
         return pp_fail_memory(err);
@@ -160,8 +161,8 @@ static enum pp_status add_ring(struct pp_extent *sum, const struct pp_ring *ring
         points[i][0] = axes->turned ? xy[1] : xy[0];
         points[i][1] = axes->turned ? -xy[0] : xy[1];
     }
-    struct pp_extent extent = pp_extent_within(points, points + room, ring->count,
-                                               -INFINITY, INFINITY, horizon, INFINITY);
+    struct pp_area_moments extent = pp_area_moments_in_box(
+        points, points + room, ring->count, -INFINITY, INFINITY, horizon, INFINITY);
     free(points);
     sum->area += extent.area;
     sum->left = fmin(sum->left, extent.left);
@@ -173,7 +174,7 @@ static enum pp_status add_ring(struct pp_extent *sum, const struct pp_ring *ring
 
 /* What hides the sky: its jambs, its head (the edge nearer to the zenith), and an equal
  * area. */
-static struct rectangle hanging(const struct pp_extent *extent, double slope)
+static struct rectangle hanging(const struct pp_area_moments *extent, double slope)
 {
     double height = extent->area / (extent->right - extent->left);
     bool behind =
@@ -184,7 +185,7 @@ static struct rectangle hanging(const struct pp_extent *extent, double slope)
 }
 
 /* Equal area, the same middle and proportions. */
-static struct rectangle equal(const struct pp_extent *extent)
+static struct rectangle equal(const struct pp_area_moments *extent)
 {
     double width = extent->right - extent->left, height = extent->high - extent->low;
     double spare = (1.0 - sqrt(extent->area / (width * height))) / 2.0;
@@ -195,7 +196,7 @@ static struct rectangle equal(const struct pp_extent *extent)
         extent->low + spare * height, extent->high - spare * height};
 }
 
-static enum pp_status extent_of(struct pp_extent *extent,
+static enum pp_status extent_of(struct pp_area_moments *extent,
                                 const struct pp_region *region, const struct axes *axes,
                                 double horizon, struct pp_error *err)
 {
@@ -207,19 +208,19 @@ static enum pp_status extent_of(struct pp_extent *extent,
 
 /* The whole opening as sky, then each obstruction: off the sky, and as itself. */
 static enum pp_status read_sloping(struct pp_protractor_readings *readings,
-                                   const struct pp_dial *dial,
+                                   const struct pp_protractor_dial *dial,
                                    const struct pp_opening *opening,
                                    const struct pp_window_drawing *drawing,
                                    struct pp_error *err)
 {
-    double slope = pp_protractor_slope(opening);
+    double slope = pp_protractor_read_slope(opening);
     struct axes axes = axes_of(opening, slope);
     double horizon = slope < slope_tolerance_rad ? -INFINITY : -1.0 / tan(slope);
     readings->list = calloc((size_t)drawing->count + 1, sizeof *readings->list);
     if (!readings->list)
         return pp_fail_memory(err);
 
-    struct pp_extent whole = pp_extent_none();
+    struct pp_area_moments whole = pp_area_moments_empty();
     enum pp_status status = PP_OK;
     for (int i = 0; i < drawing->count && status == PP_OK; i++)
         status = extent_of(&whole, &drawing->parts[i].region, &axes, horizon, err);
@@ -231,7 +232,7 @@ static enum pp_status read_sloping(struct pp_protractor_readings *readings,
     readings->sky = all->component;
 
     for (int i = 0; i < drawing->count && status == PP_OK; i++) {
-        struct pp_extent extent = pp_extent_none();
+        struct pp_area_moments extent = pp_area_moments_empty();
         if (!drawing->parts[i].hidden)
             continue;
         status = extent_of(&extent, &drawing->parts[i].region, &axes, horizon, err);
@@ -250,18 +251,18 @@ static enum pp_status read_sloping(struct pp_protractor_readings *readings,
 }
 
 enum pp_status pp_protractor_read(struct pp_protractor_readings *readings,
-                                  const struct pp_dial *dial,
+                                  const struct pp_protractor_dial *dial,
                                   const struct pp_world *world,
                                   const struct pp_opening *opening,
                                   struct pp_vec3 point, struct pp_error *err)
 {
-    double slope = pp_protractor_slope(opening);
+    double slope = pp_protractor_read_slope(opening);
     struct axes axes = axes_of(opening, slope);
     *readings = (struct pp_protractor_readings){
         .along = axes.along,
-        .out = pp_unit(pp_cross(pp_vec(0.0, 0.0, 1.0), axes.along)),
-        .distance_m =
-            pp_dot(pp_sub(point, opening->inner.vertices[0]), opening->inner.normal),
+        .out = pp_vec_unit(pp_vec_cross(pp_vec(0.0, 0.0, 1.0), axes.along)),
+        .distance_m = pp_vec_dot(pp_vec_sub(point, opening->inner.vertices[0]),
+                                 opening->inner.normal),
         .slope_rad = slope};
     enum pp_status status;
     if (is_upright(slope)) {
@@ -275,6 +276,6 @@ enum pp_status pp_protractor_read(struct pp_protractor_readings *readings,
         pp_window_drawing_clear(&drawing);
     }
     if (status != PP_OK)
-        pp_protractor_readings_clear(readings);
+        pp_protractor_sheet_readings_clear(readings);
     return status;
 }

@@ -8,8 +8,8 @@
 enum { MOST_EVALUATIONS = 200000 };
 static const double relative_error = 1e-10;
 
-enum pp_status pp_protractor_published(struct pp_protractor *protractor, int number,
-                                       struct pp_error *err)
+enum pp_status pp_protractor_scale_published(struct pp_protractor *protractor,
+                                             int number, struct pp_error *err)
 {
     static const double slope_deg[] = {90.0, 0.0, 30.0, 60.0, 90.0};
     if (number < 1 || number > 10)
@@ -29,7 +29,7 @@ static bool is_clear_single(const struct pp_glass *glass)
            && glass->kl == clear.kl && glass->scale == clear.scale;
 }
 
-int pp_protractor_number(const struct pp_protractor *protractor)
+int pp_protractor_scale_number(const struct pp_protractor *protractor)
 {
     int even = protractor->sky.kind == PP_SKY_OVERCAST;
     if (!even && protractor->sky.kind != PP_SKY_UNIFORM)
@@ -45,13 +45,13 @@ int pp_protractor_number(const struct pp_protractor *protractor)
     return 0;
 }
 
-double pp_protractor_range(const struct pp_protractor *protractor)
+double pp_protractor_scale_range(const struct pp_protractor *protractor)
 {
     return protractor->glass.panes == 0 ? PP_PI : PP_PI - protractor->slope_rad;
 }
 
-double pp_protractor_density(const struct pp_protractor *protractor, double gamma_rad,
-                             double theta_rad)
+double pp_protractor_scale_density(const struct pp_protractor *protractor,
+                                   double gamma_rad, double theta_rad)
 {
     double gamma = gamma_rad, theta = theta_rad;
     double across = cos(theta), up = sin(gamma);
@@ -80,7 +80,7 @@ static int theta_integrand(unsigned dim, const double *x, void *data, unsigned f
 {
     (void)dim, (void)fdim;
     const struct strip *strip = data;
-    *value = pp_protractor_density(strip->protractor, strip->gamma, x[0]);
+    *value = pp_protractor_scale_density(strip->protractor, strip->gamma, x[0]);
     return 0;
 }
 
@@ -89,7 +89,7 @@ static int strip_integrand(unsigned dim, const double *x, void *data, unsigned f
 {
     (void)dim, (void)fdim;
     const struct strip *strip = data;
-    *value = pp_protractor_density(strip->protractor, x[1], x[0]);
+    *value = pp_protractor_scale_density(strip->protractor, x[1], x[0]);
     return 0;
 }
 
@@ -118,9 +118,10 @@ static double between(const struct pp_protractor *protractor, double low_rad,
     return 2.0 * value;
 }
 
-double pp_protractor_primary(const struct pp_protractor *protractor, double gamma_rad)
+double pp_protractor_scale_primary(const struct pp_protractor *protractor,
+                                   double gamma_rad)
 {
-    double gamma = fmin(gamma_rad, pp_protractor_range(protractor));
+    double gamma = fmin(gamma_rad, pp_protractor_scale_range(protractor));
     if (!(gamma > 0.0))
         return 0.0;
     if (closed_form(protractor)) {
@@ -132,20 +133,20 @@ double pp_protractor_primary(const struct pp_protractor *protractor, double gamm
     return between(protractor, 0.0, gamma);
 }
 
-double pp_protractor_primary_slope(const struct pp_protractor *protractor,
-                                   double gamma_rad)
+double pp_protractor_scale_primary_slope(const struct pp_protractor *protractor,
+                                         double gamma_rad)
 {
     return 2.0 * one_side(protractor, gamma_rad, PP_PI / 2.0);
 }
 
-double pp_protractor_angle(const struct pp_protractor *protractor, double share,
-                           double low_rad, double high_rad)
+double pp_protractor_scale_angle(const struct pp_protractor *protractor, double share,
+                                 double low_rad, double high_rad)
 {
     double low = low_rad, high = high_rad;
-    double gamma = low, sum = pp_protractor_primary(protractor, low);
+    double gamma = low, sum = pp_protractor_scale_primary(protractor, low);
     for (int i = 0; i < 60 && high - low > 1e-11; i++) {
         /* Newton's step, or a halving where it would leave the bracket. */
-        double slope = pp_protractor_primary_slope(protractor, gamma);
+        double slope = pp_protractor_scale_primary_slope(protractor, gamma);
         double next = gamma + (share - sum) / slope;
         if (!(next > low && next < high))
             next = (low + high) / 2.0;
@@ -163,8 +164,8 @@ double pp_protractor_angle(const struct pp_protractor *protractor, double share,
     return gamma;
 }
 
-double pp_protractor_auxiliary(const struct pp_protractor *protractor, double gamma_rad,
-                               double theta_rad)
+double pp_protractor_scale_auxiliary(const struct pp_protractor *protractor,
+                                     double gamma_rad, double theta_rad)
 {
     double theta = fmin(fabs(theta_rad), PP_PI / 2.0), share;
     if (closed_form(protractor)) {
@@ -184,7 +185,7 @@ double pp_protractor_auxiliary(const struct pp_protractor *protractor, double ga
     return copysign(share / 2.0, theta_rad);
 }
 
-double pp_protractor_theta(double gamma_rad, double azimuth_rad)
+double pp_protractor_scale_theta(double gamma_rad, double azimuth_rad)
 {
     return atan2(sin(azimuth_rad) * cos(gamma_rad), cos(azimuth_rad));
 }

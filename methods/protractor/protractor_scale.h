@@ -23,8 +23,8 @@
  *
  * The horizontal receiver lies at the protractor's centre. Fractions of Eh.
  */
-#ifndef PP_METHODS_PROTRACTOR_SCALE_H
-#define PP_METHODS_PROTRACTOR_SCALE_H
+#ifndef PP_METHODS_PROTRACTOR_PROTRACTOR_SCALE_H
+#define PP_METHODS_PROTRACTOR_PROTRACTOR_SCALE_H
 
 #include "model/base/error.h"
 #include "model/light/glass.h"
@@ -39,42 +39,43 @@ struct pp_protractor {
 /* One of the ten that were published: 1 to 8 with clear single glass (vertical,
  * horizontal, 30 and 60 degrees), 9 and 10 without; odd numbers for the uniform sky,
  * even ones for the overcast. Fails on any other number. */
-enum pp_status pp_protractor_published(struct pp_protractor *protractor, int number,
-                                       struct pp_error *err);
+enum pp_status pp_protractor_scale_published(struct pp_protractor *protractor,
+                                             int number, struct pp_error *err);
 
 /* The number under which such a protractor was published, 0 where it was not (other
  * glass than clear single, another slope or sky). */
-int pp_protractor_number(const struct pp_protractor *protractor);
+int pp_protractor_scale_number(const struct pp_protractor *protractor);
 
 /* The end of the primary scale: what is seen through glass from below, pi - slope with
  * glass, pi without. */
-double pp_protractor_range(const struct pp_protractor *protractor);
+double pp_protractor_scale_range(const struct pp_protractor *protractor);
 
 /* dSC / (dtheta dgamma) of the head of this file. */
-double pp_protractor_density(const struct pp_protractor *protractor, double gamma_rad,
-                             double theta_rad);
+double pp_protractor_scale_density(const struct pp_protractor *protractor,
+                                   double gamma_rad, double theta_rad);
 
 /* Primary scale: sky component of an endless strip from the horizon to gamma_rad, 0 to
  * pi (what lies beyond the range adds nothing). Relative error 1e-9. */
-double pp_protractor_primary(const struct pp_protractor *protractor, double gamma_rad);
+double pp_protractor_scale_primary(const struct pp_protractor *protractor,
+                                   double gamma_rad);
 
 /* dF/dgamma, for whoever looks for the angle of a reading. */
-double pp_protractor_primary_slope(const struct pp_protractor *protractor,
-                                   double gamma_rad);
+double pp_protractor_scale_primary_slope(const struct pp_protractor *protractor,
+                                         double gamma_rad);
 
 /* The angle at which the primary scale reads `share`, by Newton's method from the
  * bracket [low_rad, high_rad], which must hold it; within 1e-10. */
-double pp_protractor_angle(const struct pp_protractor *protractor, double share,
-                           double low_rad, double high_rad);
+double pp_protractor_scale_angle(const struct pp_protractor *protractor, double share,
+                                 double low_rad, double high_rad);
 
 /* Auxiliary scale at theta_rad (-pi/2 to pi/2; odd in it), for the average altitude
  * gamma_rad. Relative error 1e-9. */
-double pp_protractor_auxiliary(const struct pp_protractor *protractor, double gamma_rad,
-                               double theta_rad);
+double pp_protractor_scale_auxiliary(const struct pp_protractor *protractor,
+                                     double gamma_rad, double theta_rad);
 
 /* The angle out of the section of a jamb that stands at azimuth_rad (-pi/2 to pi/2 from
  * the normal) on the plan, for an average altitude below pi/2: tan theta =
  * tan azimuth cos gamma. */
-double pp_protractor_theta(double gamma_rad, double azimuth_rad);
+double pp_protractor_scale_theta(double gamma_rad, double azimuth_rad);
 
 #endif

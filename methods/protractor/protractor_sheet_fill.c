@@ -5,7 +5,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "methods/methods.h"
+#include "methods/method_entries.h"
 #include "methods/protractor/protractor.h"
 
 /* --- the primary scale ---------------------------------------------------------------
@@ -23,7 +23,7 @@ static int division(double slope, double apart_rad)
 }
 
 static enum pp_status make_marks(struct pp_protractor_scale *scale,
-                                 const struct pp_dial *dial,
+                                 const struct pp_protractor_dial *dial,
                                  struct pp_mark_spacing spacing, struct pp_error *err)
 {
     int last = (int)floor(1e3 * scale->whole + 1e-6);
@@ -34,8 +34,8 @@ static enum pp_status make_marks(struct pp_protractor_scale *scale,
     for (int tenths = 1; tenths <= last; tenths++) {
         /* From mark to mark, by Newton. */
         double share = fmin(1e-3 * tenths, scale->whole);
-        angle = pp_dial_angle(dial, share, fmax(angle, 0.02));
-        double slope = pp_dial_slope(dial, angle);
+        angle = pp_protractor_dial_angle(dial, share, fmax(angle, 0.02));
+        double slope = pp_protractor_dial_slope(dial, angle);
         int fine = division(slope, spacing.fine_rad);
         int middle = division(slope, 4.0 * spacing.fine_rad);
         int label = division(slope, spacing.label_rad);
@@ -63,9 +63,11 @@ static enum pp_status make_marks(struct pp_protractor_scale *scale,
 enum { LINES = 24 }; /* 0.02 to 0.48 */
 
 static enum pp_status make_lines(struct pp_protractor_scale *scale,
-                                 const struct pp_dial *dial, struct pp_error *err)
+                                 const struct pp_protractor_dial *dial,
+                                 struct pp_error *err)
 {
-    int count = (int)floor(scale->last_average_rad / PP_LINE_STEP_RAD + 0.5) + 1;
+    int count =
+        (int)floor(scale->last_average_rad / PP_PROTRACTOR_LINE_STEP_RAD + 0.5) + 1;
     scale->lines = calloc(LINES, sizeof *scale->lines);
     if (!scale->lines)
         return pp_fail_memory(err);
@@ -77,12 +79,13 @@ static enum pp_status make_lines(struct pp_protractor_scale *scale,
             return pp_fail_memory(err);
     }
     for (int k = 0; k < count; k++) {
-        struct pp_semicircle semicircle;
-        pp_semicircle_make(&semicircle, &dial->protractor, k * PP_LINE_STEP_RAD);
+        struct pp_protractor_semicircle semicircle;
+        pp_protractor_dial_semicircle_init(&semicircle, &dial->protractor,
+                                           k * PP_PROTRACTOR_LINE_STEP_RAD);
         for (int i = 0; i < LINES; i++) {
             struct pp_protractor_line *line = &scale->lines[i];
-            line->jamb_rad[line->count++] =
-                pp_semicircle_jamb(&semicircle, line->factor, scale->turned_down);
+            line->jamb_rad[line->count++] = pp_protractor_dial_jamb_angle(
+                &semicircle, line->factor, scale->turned_down);
         }
     }
     return PP_OK;
@@ -116,17 +119,17 @@ static void write_glass(char *text, size_t room, const struct pp_protractor *pro
 }
 
 static enum pp_status make_scale(struct pp_protractor_scale *scale,
-                                 const struct pp_dial *dial, bool turned_down,
-                                 const char *glass_words,
+                                 const struct pp_protractor_dial *dial,
+                                 bool turned_down, const char *glass_words,
                                  struct pp_mark_spacing spacing, struct pp_error *err)
 {
     const struct pp_protractor *protractor = &dial->protractor;
-    scale->number = pp_protractor_number(protractor);
+    scale->number = pp_protractor_scale_number(protractor);
     write_sky(scale->sky, sizeof scale->sky, &protractor->sky);
     write_glass(scale->glass, sizeof scale->glass, protractor, glass_words);
     scale->slope_rad = protractor->slope_rad;
     scale->range_rad = dial->range_rad;
-    scale->whole = pp_dial_share(dial, dial->range_rad);
+    scale->whole = pp_protractor_dial_share(dial, dial->range_rad);
     scale->turned_down = turned_down;
     bool bare = protractor->glass.panes == 0;
     scale->symmetric = turned_down && (bare || protractor->slope_rad < 1e-6);
@@ -140,11 +143,11 @@ static enum pp_status make_scale(struct pp_protractor_scale *scale,
     return status;
 }
 
-enum pp_status pp_protractor_sheet_blank(struct pp_protractor_sheet *sheet,
-                                         const struct pp_protractor *protractor,
-                                         const char *glass_words,
-                                         struct pp_mark_spacing spacing,
-                                         struct pp_error *err)
+enum pp_status pp_protractor_sheet_fill_blank(struct pp_protractor_sheet *sheet,
+                                              const struct pp_protractor *protractor,
+                                              const char *glass_words,
+                                              struct pp_mark_spacing spacing,
+                                              struct pp_error *err)
 {
     *sheet = (struct pp_protractor_sheet){.allowance = 1.0};
     if (protractor->glass.diffusing)
@@ -154,10 +157,10 @@ enum pp_status pp_protractor_sheet_blank(struct pp_protractor_sheet *sheet,
     if (pp_sky_has_azimuth(&protractor->sky))
         return pp_fail(err, PP_BAD_INPUT,
                        "a protractor is for a sky that is the same in all azimuths");
-    struct pp_dial *dial = malloc(sizeof *dial);
+    struct pp_protractor_dial *dial = malloc(sizeof *dial);
     if (!dial)
         return pp_fail_memory(err);
-    pp_dial_make(dial, protractor);
+    pp_protractor_dial_init(dial, protractor);
     bool upright = fabs(protractor->slope_rad - PP_PI / 2.0) < 1e-6;
     enum pp_status status =
         make_scale(&sheet->scale, dial, !upright, glass_words, spacing, err);
@@ -167,7 +170,7 @@ enum pp_status pp_protractor_sheet_blank(struct pp_protractor_sheet *sheet,
 
 /* Reads one opening; sky less than before is left as it was. */
 static enum pp_status read_if_more(struct pp_protractor_sheet *sheet,
-                                   struct pp_dial *dial,
+                                   struct pp_protractor_dial *dial,
                                    const struct pp_opening *opening,
                                    struct pp_error *err)
 {
@@ -178,11 +181,12 @@ static enum pp_status read_if_more(struct pp_protractor_sheet *sheet,
         return pp_fail(err, PP_BAD_INPUT, "the opening on line %d %s", opening->line,
                        why);
     struct pp_protractor protractor;
-    enum pp_status status = pp_protractor_for(&protractor, &world->sky, opening, err);
+    enum pp_status status =
+        pp_protractor_read_choose(&protractor, &world->sky, opening, err);
     if (status != PP_OK)
         return status;
     struct pp_protractor_readings read;
-    pp_dial_make(dial, &protractor);
+    pp_protractor_dial_init(dial, &protractor);
     status = pp_protractor_read(&read, dial, world, opening, sheet->point, err);
     if (status != PP_OK)
         return status;
@@ -191,26 +195,26 @@ static enum pp_status read_if_more(struct pp_protractor_sheet *sheet,
         && (!sheet->opening
             || read.sky + read.external > sheet->read.sky + sheet->read.external);
     if (more) {
-        pp_protractor_readings_clear(&sheet->read);
+        pp_protractor_sheet_readings_clear(&sheet->read);
         sheet->read = read;
         sheet->opening = opening;
     } else {
-        pp_protractor_readings_clear(&read);
+        pp_protractor_sheet_readings_clear(&read);
     }
     return PP_OK;
 }
 
-enum pp_status pp_protractor_sheet_of(struct pp_protractor_sheet *sheet,
-                                      const struct pp_world *world,
-                                      const struct pp_receiver *receiver,
-                                      struct pp_mark_spacing spacing,
-                                      struct pp_error *err)
+enum pp_status pp_protractor_sheet_fill_room(struct pp_protractor_sheet *sheet,
+                                             const struct pp_world *world,
+                                             const struct pp_receiver *receiver,
+                                             struct pp_mark_spacing spacing,
+                                             struct pp_error *err)
 {
     *sheet = (struct pp_protractor_sheet){.world = world, .point = receiver->position};
     const char *why = pp_method_protractor.refuses_room(world, receiver);
     if (why)
         return pp_fail(err, PP_BAD_INPUT, "no protractor serves here: %s", why);
-    struct pp_dial *dial = malloc(sizeof *dial);
+    struct pp_protractor_dial *dial = malloc(sizeof *dial);
     if (!dial)
         return pp_fail_memory(err);
     enum pp_status status = PP_OK;
@@ -221,12 +225,13 @@ enum pp_status pp_protractor_sheet_of(struct pp_protractor_sheet *sheet,
                          "the point sees nothing of any opening above its horizon");
     struct pp_protractor protractor;
     if (status == PP_OK)
-        status = pp_protractor_for(&protractor, &world->sky, sheet->opening, err);
+        status =
+            pp_protractor_read_choose(&protractor, &world->sky, sheet->opening, err);
     if (status == PP_OK) {
         sheet->others = world->opening_count - 1;
         sheet->allowance =
             pp_allowance_factor(pp_method_protractor.allowances, sheet->opening);
-        pp_dial_make(dial, &protractor);
+        pp_protractor_dial_init(dial, &protractor);
         bool upright = fabs(sheet->read.slope_rad - PP_PI / 2.0) < 1e-3;
         status = make_scale(&sheet->scale, dial, !upright, "clear single glass",
                             spacing, err);

@@ -5,7 +5,7 @@
  * through W, the frame; no dirt, no deterioration of decorations.
  */
 #include "methods/reflected/bre_terms.h"
-#include "methods/methods.h"
+#include "methods/method_entries.h"
 #include "methods/refusals.h"
 
 static enum pp_status evaluate(const struct pp_world *world,
@@ -18,8 +18,8 @@ static enum pp_status evaluate(const struct pp_world *world,
     enum pp_status status = pp_bre_terms(&terms, world, opening, err);
     if (status != PP_OK)
         return status;
-    part->value = pp_bre_average(&terms);
-    pp_bre_steps(part->steps, &terms, opening, "irc");
+    part->value = pp_bre_terms_average(&terms);
+    pp_bre_terms_steps(part->steps, &terms, opening, "irc");
     return PP_OK;
 }
 
@@ -30,7 +30,7 @@ const struct pp_method pp_method_bre = {
     .gives = PP_GIVES_INTERNAL,
     .speaks_for = PP_FOR_ROOM,
     .allowances = PP_ALLOWS_CLEAR_GLASS | PP_ALLOWS_FRAME,
-    .refuses_room = pp_refuse_room_of_formula,
-    .refuses = pp_refuse_opening_unless_vertical,
+    .refuses_room = pp_refusals_formula_room,
+    .refuses = pp_refusals_sloping_opening,
     .evaluate = evaluate,
 };

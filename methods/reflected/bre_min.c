@@ -17,7 +17,7 @@
 #include "methods/reflected/bre_terms.h"
 #include "methods/reflected/interior.h"
 #include "methods/reflected/irc_minimum.h"
-#include "methods/methods.h"
+#include "methods/method_entries.h"
 #include "methods/refusals.h"
 
 static enum pp_status evaluate(const struct pp_world *world,
@@ -30,18 +30,18 @@ static enum pp_status evaluate(const struct pp_world *world,
     enum pp_status status = pp_bre_terms(&terms, world, opening, err);
     if (status != PP_OK)
         return status;
-    double walls = pp_inside_role(world, PP_WALL).reflectance;
-    double k = pp_irc_average_over_minimum(walls);
-    part->value = pp_bre_average(&terms) / k;
+    double walls = pp_interior_role(world, PP_WALL).reflectance;
+    double k = pp_irc_minimum_average_ratio(walls);
+    part->value = pp_bre_terms_average(&terms) / k;
 
-    pp_bre_steps(part->steps, &terms, opening, "IRC_av");
-    pp_step_named(part->steps, PP_UNIT_NUMBER, walls, "R_w",
-                  "mean reflectance of the walls");
-    pp_step_named(part->steps, PP_UNIT_NUMBER, k, "k",
-                  "average over minimum for such walls, from the table");
-    pp_step_worked(part->steps, PP_UNIT_SHARE, part->value, "irc", "IRC_av / k",
-                   "opening on line %d: minimum internally reflected component",
-                   opening->line);
+    pp_bre_terms_steps(part->steps, &terms, opening, "IRC_av");
+    pp_steps_add_named(part->steps, PP_UNIT_NUMBER, walls, "R_w",
+                       "mean reflectance of the walls");
+    pp_steps_add_named(part->steps, PP_UNIT_NUMBER, k, "k",
+                       "average over minimum for such walls, from the table");
+    pp_steps_add_worked(part->steps, PP_UNIT_SHARE, part->value, "irc", "IRC_av / k",
+                        "opening on line %d: minimum internally reflected component",
+                        opening->line);
     return PP_OK;
 }
 
@@ -52,7 +52,7 @@ const struct pp_method pp_method_bre_min = {
     .gives = PP_GIVES_INTERNAL,
     .speaks_for = PP_FOR_MINIMUM,
     .allowances = PP_ALLOWS_CLEAR_GLASS | PP_ALLOWS_FRAME,
-    .refuses_room = pp_refuse_room_of_formula,
-    .refuses = pp_refuse_opening_unless_vertical,
+    .refuses_room = pp_refusals_formula_room,
+    .refuses = pp_refusals_sloping_opening,
     .evaluate = evaluate,
 };

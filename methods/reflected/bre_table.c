@@ -24,7 +24,7 @@
 #include "methods/reflected/bre_terms.h"
 #include "methods/reflected/interior.h"
 #include "methods/reflected/irc_minimum.h"
-#include "methods/methods.h"
+#include "methods/method_entries.h"
 #include "methods/reflected/obstruction_factor.h"
 #include "methods/refusals.h"
 
@@ -32,12 +32,12 @@ static const double printed_obstruction_rad = 20.0 * PP_RAD;
 
 static struct pp_irc_minimum_entry entry_of(const struct pp_world *world)
 {
-    struct pp_inside floor = pp_inside_role(world, PP_FLOOR);
+    struct pp_interior floor = pp_interior_role(world, PP_FLOOR);
     struct pp_irc_minimum_entry entry = {
         .floor_m2 = floor.area_m2,
         .floor = floor.reflectance,
-        .walls = pp_inside_role(world, PP_WALL).reflectance,
-        .ceiling = pp_inside_role(world, PP_CEILING).reflectance};
+        .walls = pp_interior_role(world, PP_WALL).reflectance,
+        .ceiling = pp_interior_role(world, PP_CEILING).reflectance};
     for (int i = 0; i < world->opening_count; i++)
         entry.glass_m2 +=
             world->openings[i].inner.area_m2 * world->openings[i].frame_factor;
@@ -47,7 +47,7 @@ static struct pp_irc_minimum_entry entry_of(const struct pp_world *world)
 static const char *refuses_room(const struct pp_world *world,
                                 const struct pp_receiver *receiver)
 {
-    const char *why = pp_refuse_room_of_formula(world, receiver);
+    const char *why = pp_refusals_formula_room(world, receiver);
     if (why)
         return why;
     struct pp_irc_minimum_entry entry = entry_of(world);
@@ -58,37 +58,38 @@ static void set_down_reading(struct pp_steps *steps,
                              const struct pp_irc_minimum_entry *entry,
                              const struct pp_irc_minimum *read)
 {
-    pp_step_named(steps, PP_UNIT_SQUARE_METRE, entry->glass_m2, "W_all",
-                  "net area of glass of all openings");
-    pp_step_named(steps, PP_UNIT_SQUARE_METRE, entry->floor_m2, "F",
-                  "area of the floor");
-    pp_step_worked(steps, PP_UNIT_NUMBER, 100.0 * entry->glass_m2 / entry->floor_m2,
-                   "p", "100 W_all / F", "glass over floor, per cent");
-    pp_step_named(steps, PP_UNIT_NUMBER, entry->floor, "R_f",
-                  "reflectance of the floor");
-    pp_step_named(steps, PP_UNIT_NUMBER, entry->walls, "R_w",
-                  "mean reflectance of the walls");
-    pp_step_named(steps, PP_UNIT_NUMBER, entry->ceiling, "R_c",
-                  "reflectance of the ceiling");
-    pp_step_named(steps, PP_UNIT_SHARE, read->printed, "T",
-                  "minimum by p, R_f and R_w, from the table");
-    pp_step_named(steps, PP_UNIT_NUMBER, read->floor_factor, "k_F",
-                  "factor for the size of the floor, from the table");
-    pp_step_named(steps, PP_UNIT_NUMBER, read->ceiling_factor, "k_c",
-                  "factor for the ceiling, from the table");
+    pp_steps_add_named(steps, PP_UNIT_SQUARE_METRE, entry->glass_m2, "W_all",
+                       "net area of glass of all openings");
+    pp_steps_add_named(steps, PP_UNIT_SQUARE_METRE, entry->floor_m2, "F",
+                       "area of the floor");
+    pp_steps_add_worked(steps, PP_UNIT_NUMBER,
+                        100.0 * entry->glass_m2 / entry->floor_m2, "p", "100 W_all / F",
+                        "glass over floor, per cent");
+    pp_steps_add_named(steps, PP_UNIT_NUMBER, entry->floor, "R_f",
+                       "reflectance of the floor");
+    pp_steps_add_named(steps, PP_UNIT_NUMBER, entry->walls, "R_w",
+                       "mean reflectance of the walls");
+    pp_steps_add_named(steps, PP_UNIT_NUMBER, entry->ceiling, "R_c",
+                       "reflectance of the ceiling");
+    pp_steps_add_named(steps, PP_UNIT_SHARE, read->printed, "T",
+                       "minimum by p, R_f and R_w, from the table");
+    pp_steps_add_named(steps, PP_UNIT_NUMBER, read->floor_factor, "k_F",
+                       "factor for the size of the floor, from the table");
+    pp_steps_add_named(steps, PP_UNIT_NUMBER, read->ceiling_factor, "k_c",
+                       "factor for the ceiling, from the table");
 }
 
 static void set_down_opening(struct pp_steps *steps, const struct pp_opening *opening,
                              const struct pp_bre_terms *terms, double k_o, double value)
 {
-    pp_step_net_area(steps, opening, "W");
-    pp_bre_reflected_steps(steps, terms, opening);
-    pp_step_worked(steps, PP_UNIT_NUMBER, k_o, "k_o",
-                   "(C R_fw + 5 R_cw) / (31 R_fw + 5 R_cw)",
-                   "factor for the obstruction; the table has 20 degrees");
-    pp_step_worked(steps, PP_UNIT_SHARE, value, "irc", "T k_F k_c k_o W / W_all",
-                   "opening on line %d: minimum internally reflected component",
-                   opening->line);
+    pp_bre_terms_net_area_step(steps, opening, "W");
+    pp_bre_terms_reflected_steps(steps, terms, opening);
+    pp_steps_add_worked(steps, PP_UNIT_NUMBER, k_o, "k_o",
+                        "(C R_fw + 5 R_cw) / (31 R_fw + 5 R_cw)",
+                        "factor for the obstruction; the table has 20 degrees");
+    pp_steps_add_worked(steps, PP_UNIT_SHARE, value, "irc", "T k_F k_c k_o W / W_all",
+                        "opening on line %d: minimum internally reflected component",
+                        opening->line);
 }
 
 static enum pp_status evaluate(const struct pp_world *world,
@@ -104,10 +105,10 @@ static enum pp_status evaluate(const struct pp_world *world,
     struct pp_irc_minimum_entry entry = entry_of(world);
     struct pp_irc_minimum read = pp_irc_minimum_read(&entry);
     double as_printed =
-        pp_bre_reflected(&terms, pp_obstruction_factor(printed_obstruction_rad));
+        pp_bre_terms_reflected(&terms, pp_obstruction_factor(printed_obstruction_rad));
     if (terms.W <= 0.0 || as_printed <= 0.0)
         return PP_OK; /* no glass, or all that it lights is black */
-    double k_o = pp_bre_reflected(&terms, terms.C) / as_printed;
+    double k_o = pp_bre_terms_reflected(&terms, terms.C) / as_printed;
     part->value = read.printed * read.floor_factor * read.ceiling_factor * k_o * terms.W
                   / entry.glass_m2;
     set_down_reading(part->steps, &entry, &read);
@@ -123,6 +124,6 @@ const struct pp_method pp_method_bre_table = {
     .speaks_for = PP_FOR_MINIMUM,
     .allowances = PP_ALLOWS_CLEAR_GLASS | PP_ALLOWS_FRAME,
     .refuses_room = refuses_room,
-    .refuses = pp_refuse_opening_unless_vertical,
+    .refuses = pp_refusals_sloping_opening,
     .evaluate = evaluate,
 };

@@ -12,9 +12,9 @@ enum pp_status pp_bre_terms(struct pp_bre_terms *terms, const struct pp_world *w
         pp_obstruction_angle(&terms->alpha_rad, world, opening, err);
     if (status != PP_OK)
         return status;
-    struct pp_inside_parts parts =
-        pp_inside_split_without(world, opening->middle_z_m, opening->face);
-    terms->all = pp_inside_all(world);
+    struct pp_interior_parts parts =
+        pp_interior_split_without(world, opening->middle_z_m, opening->face);
+    terms->all = pp_interior_all(world);
     terms->W = opening->inner.area_m2 * opening->frame_factor;
     terms->R_fw = parts.lower.reflectance;
     terms->R_cw = parts.upper.reflectance;
@@ -22,57 +22,58 @@ enum pp_status pp_bre_terms(struct pp_bre_terms *terms, const struct pp_world *w
     return PP_OK;
 }
 
-double pp_bre_reflected(const struct pp_bre_terms *terms, double C)
+double pp_bre_terms_reflected(const struct pp_bre_terms *terms, double C)
 {
     return C * terms->R_fw + 0.05 * terms->R_cw;
 }
 
-double pp_bre_average(const struct pp_bre_terms *terms)
+double pp_bre_terms_average(const struct pp_bre_terms *terms)
 {
     double W = terms->W, A = terms->all.area_m2, R = terms->all.reflectance;
-    return 0.85 * W / (A * (1.0 - R)) * pp_bre_reflected(terms, terms->C);
+    return 0.85 * W / (A * (1.0 - R)) * pp_bre_terms_reflected(terms, terms->C);
 }
 
-void pp_step_net_area(struct pp_steps *steps, const struct pp_opening *opening,
-                      const char *symbol)
+void pp_bre_terms_net_area_step(struct pp_steps *steps,
+                                const struct pp_opening *opening, const char *symbol)
 {
     double area_m2 = opening->inner.area_m2, B = opening->frame_factor;
     int line = opening->line;
     if (B == 1.0) {
-        pp_step_named(steps, PP_UNIT_SQUARE_METRE, area_m2, symbol,
-                      "opening on line %d: net area of glass, all of it", line);
+        pp_steps_add_named(steps, PP_UNIT_SQUARE_METRE, area_m2, symbol,
+                           "opening on line %d: net area of glass, all of it", line);
         return;
     }
-    pp_step_named(steps, PP_UNIT_SQUARE_METRE, area_m2, "a", "opening on line %d: area",
-                  line);
-    pp_step_named(steps, PP_UNIT_NUMBER, B, "B", "opening on line %d: frame factor",
-                  line);
-    pp_step_worked(steps, PP_UNIT_SQUARE_METRE, area_m2 * B, symbol, "a B",
-                   "opening on line %d: net area of glass", line);
+    pp_steps_add_named(steps, PP_UNIT_SQUARE_METRE, area_m2, "a",
+                       "opening on line %d: area", line);
+    pp_steps_add_named(steps, PP_UNIT_NUMBER, B, "B",
+                       "opening on line %d: frame factor", line);
+    pp_steps_add_worked(steps, PP_UNIT_SQUARE_METRE, area_m2 * B, symbol, "a B",
+                        "opening on line %d: net area of glass", line);
 }
 
-void pp_bre_reflected_steps(struct pp_steps *steps, const struct pp_bre_terms *terms,
-                            const struct pp_opening *opening)
+void pp_bre_terms_reflected_steps(struct pp_steps *steps,
+                                  const struct pp_bre_terms *terms,
+                                  const struct pp_opening *opening)
 {
-    pp_step_named(steps, PP_UNIT_NUMBER, terms->R_fw, "R_fw",
-                  "reflectance of floor and walls below %.2f m, own wall left out",
-                  opening->middle_z_m);
-    pp_step_named(steps, PP_UNIT_NUMBER, terms->R_cw, "R_cw",
-                  "reflectance of ceiling and walls above, own wall left out");
-    pp_step_named(steps, PP_UNIT_ANGLE, terms->alpha_rad, "alpha",
-                  "opening on line %d: angle of the obstruction", opening->line);
-    pp_step_named(steps, PP_UNIT_SHARE, terms->C, "C",
-                  "factor of an obstruction of that angle, from the table");
+    pp_steps_add_named(steps, PP_UNIT_NUMBER, terms->R_fw, "R_fw",
+                       "reflectance of floor and walls below %.2f m, own wall left out",
+                       opening->middle_z_m);
+    pp_steps_add_named(steps, PP_UNIT_NUMBER, terms->R_cw, "R_cw",
+                       "reflectance of ceiling and walls above, own wall left out");
+    pp_steps_add_named(steps, PP_UNIT_ANGLE, terms->alpha_rad, "alpha",
+                       "opening on line %d: angle of the obstruction", opening->line);
+    pp_steps_add_named(steps, PP_UNIT_SHARE, terms->C, "C",
+                       "factor of an obstruction of that angle, from the table");
 }
 
-void pp_bre_steps(struct pp_steps *steps, const struct pp_bre_terms *terms,
-                  const struct pp_opening *opening, const char *symbol)
+void pp_bre_terms_steps(struct pp_steps *steps, const struct pp_bre_terms *terms,
+                        const struct pp_opening *opening, const char *symbol)
 {
-    pp_step_net_area(steps, opening, "W");
-    pp_inside_steps(steps, &terms->all);
-    pp_bre_reflected_steps(steps, terms, opening);
-    pp_step_worked(steps, PP_UNIT_SHARE, pp_bre_average(terms), symbol,
-                   "0.85 W / (A (1 - R)) (C R_fw + 5 R_cw)",
-                   "opening on line %d: average internally reflected component",
-                   opening->line);
+    pp_bre_terms_net_area_step(steps, opening, "W");
+    pp_interior_steps(steps, &terms->all);
+    pp_bre_terms_reflected_steps(steps, terms, opening);
+    pp_steps_add_worked(steps, PP_UNIT_SHARE, pp_bre_terms_average(terms), symbol,
+                        "0.85 W / (A (1 - R)) (C R_fw + 5 R_cw)",
+                        "opening on line %d: average internally reflected component",
+                        opening->line);
 }

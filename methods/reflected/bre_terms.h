@@ -14,19 +14,19 @@
  * each with its own W, C, R_fw and R_cw and the common A and R; in these two means the
  * other walls' openings count with 0.1.
  */
-#ifndef PP_METHODS_BRE_TERMS_H
-#define PP_METHODS_BRE_TERMS_H
+#ifndef PP_METHODS_REFLECTED_BRE_TERMS_H
+#define PP_METHODS_REFLECTED_BRE_TERMS_H
 
 #include "methods/reflected/interior.h"
 #include "model/results/steps.h"
 #include "model/room/world.h"
 
 struct pp_bre_terms {
-    double W;             /* m2 */
-    struct pp_inside all; /* A and R */
-    double R_fw, R_cw;    /* reflectances */
-    double alpha_rad;     /* of the obstruction */
-    double C;             /* a fraction */
+    double W;               /* m2 */
+    struct pp_interior all; /* A and R */
+    double R_fw, R_cw;      /* reflectances */
+    double alpha_rad;       /* of the obstruction */
+    double C;               /* a fraction */
 };
 
 /* Of one vertical opening. */
@@ -34,22 +34,23 @@ enum pp_status pp_bre_terms(struct pp_bre_terms *terms, const struct pp_world *w
                             const struct pp_opening *opening, struct pp_error *err);
 
 /* The average internally reflected component by the formula, a fraction. */
-double pp_bre_average(const struct pp_bre_terms *terms);
+double pp_bre_terms_average(const struct pp_bre_terms *terms);
 
 /* C R_fw + 5 R_cw, as a fraction: what an obstruction with the factor C (a fraction)
  * leaves of the light that is reflected. */
-double pp_bre_reflected(const struct pp_bre_terms *terms, double C);
+double pp_bre_terms_reflected(const struct pp_bre_terms *terms, double C);
 
 /* Sets down the opening's net glass area: W, or Ag. steps may be NULL. */
-void pp_step_net_area(struct pp_steps *steps, const struct pp_opening *opening,
-                      const char *symbol);
+void pp_bre_terms_net_area_step(struct pp_steps *steps,
+                                const struct pp_opening *opening, const char *symbol);
 
 /* Sets down R_fw, R_cw and C. steps may be NULL. */
-void pp_bre_reflected_steps(struct pp_steps *steps, const struct pp_bre_terms *terms,
-                            const struct pp_opening *opening);
+void pp_bre_terms_reflected_steps(struct pp_steps *steps,
+                                  const struct pp_bre_terms *terms,
+                                  const struct pp_opening *opening);
 
 /* Sets down all terms, and the average under `symbol`. steps may be NULL. */
-void pp_bre_steps(struct pp_steps *steps, const struct pp_bre_terms *terms,
-                  const struct pp_opening *opening, const char *symbol);
+void pp_bre_terms_steps(struct pp_steps *steps, const struct pp_bre_terms *terms,
+                        const struct pp_opening *opening, const char *symbol);
 
 #endif

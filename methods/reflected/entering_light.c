@@ -27,11 +27,11 @@ enum pp_status pp_entering_light(struct pp_entering_light *light,
                                    .rho_g = world->ground_reflectance,
                                    .beta_rad = opening->slope_rad};
 
-    bool vertical = pp_refuse_unless_vertical(opening) == NULL;
+    bool vertical = pp_refusals_unless_vertical(opening) == NULL;
     if (vertical && world->sky.kind == PP_SKY_OVERCAST) {
         light->C = pp_obstruction_factor(alpha_rad);
     } else {
-        struct pp_vec3 outward = pp_scale(opening->inner.normal, -1.0);
+        struct pp_vec3 outward = pp_vec_scale(opening->inner.normal, -1.0);
         light->C_hv = pp_sky_on_plane(&world->sky, outward);
         light->C = light->C_hv * (1.0 - alpha_rad / (PP_PI / 2.0));
     }
@@ -51,30 +51,32 @@ void pp_entering_light_steps(struct pp_steps *steps,
                              const struct pp_opening *opening)
 {
     int line = opening->line;
-    pp_step_net_area(steps, opening, "Ag");
-    pp_step_named(steps, PP_UNIT_NUMBER, light->tau, "tau",
-                  opening->glass.panes == 0
-                      ? "opening on line %d: diffuse transmittance, no glass"
-                      : "opening on line %d: diffuse transmittance (clear 0.85)",
-                  line);
-    pp_step_named(steps, PP_UNIT_ANGLE, light->alpha_rad, "alpha",
-                  "opening on line %d: angle of the obstruction", line);
+    pp_bre_terms_net_area_step(steps, opening, "Ag");
+    pp_steps_add_named(steps, PP_UNIT_NUMBER, light->tau, "tau",
+                       opening->glass.panes == 0
+                           ? "opening on line %d: diffuse transmittance, no glass"
+                           : "opening on line %d: diffuse transmittance (clear 0.85)",
+                       line);
+    pp_steps_add_named(steps, PP_UNIT_ANGLE, light->alpha_rad, "alpha",
+                       "opening on line %d: angle of the obstruction", line);
     if (isnan(light->C_hv)) {
-        pp_step_named(steps, PP_UNIT_SHARE, light->C, "C",
-                      "on the glass from above the horizon, from the table");
+        pp_steps_add_named(steps, PP_UNIT_SHARE, light->C, "C",
+                           "on the glass from above the horizon, from the table");
     } else {
-        pp_step_named(steps, PP_UNIT_SHARE, light->C_hv, "C_hv",
-                      "on glass of that slope from the open sky");
-        pp_step_worked(steps, PP_UNIT_SHARE, light->C, "C", "C_hv (1 - alpha / 90)",
-                       "on the glass from above the horizon");
+        pp_steps_add_named(steps, PP_UNIT_SHARE, light->C_hv, "C_hv",
+                           "on glass of that slope from the open sky");
+        pp_steps_add_worked(steps, PP_UNIT_SHARE, light->C, "C",
+                            "C_hv (1 - alpha / 90)",
+                            "on the glass from above the horizon");
     }
-    pp_step_named(steps, PP_UNIT_NUMBER, light->rho_g, "rho_g",
-                  "reflectance of the ground");
-    pp_step_named(steps, PP_UNIT_ANGLE, light->beta_rad, "beta",
-                  "opening on line %d: slope of the glass", line);
-    pp_step_worked(steps, PP_UNIT_SHARE, light->C_g, "C_g",
-                   "100 rho_g (1 - cos(beta)) / 2", "on the glass from the ground");
+    pp_steps_add_named(steps, PP_UNIT_NUMBER, light->rho_g, "rho_g",
+                       "reflectance of the ground");
+    pp_steps_add_named(steps, PP_UNIT_ANGLE, light->beta_rad, "beta",
+                       "opening on line %d: slope of the glass", line);
+    pp_steps_add_worked(steps, PP_UNIT_SHARE, light->C_g, "C_g",
+                        "100 rho_g (1 - cos(beta)) / 2",
+                        "on the glass from the ground");
     if (light->diffusing)
-        pp_step_worked(steps, PP_UNIT_NUMBER, light->u, "u", "(1 - cos(beta)) / 2",
-                       "share of the diffusing pane's light that goes up");
+        pp_steps_add_worked(steps, PP_UNIT_NUMBER, light->u, "u", "(1 - cos(beta)) / 2",
+                            "share of the diffusing pane's light that goes up");
 }

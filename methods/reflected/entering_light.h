@@ -17,8 +17,8 @@
  * and light from the ground on the upper one. A diffusing pane sends the share u of all
  * of it up and the rest down: u = (1 - cos beta)/2, one half for vertical panes.
  */
-#ifndef PP_METHODS_ENTERING_LIGHT_H
-#define PP_METHODS_ENTERING_LIGHT_H
+#ifndef PP_METHODS_REFLECTED_ENTERING_LIGHT_H
+#define PP_METHODS_REFLECTED_ENTERING_LIGHT_H
 
 #include <stdbool.h>
 

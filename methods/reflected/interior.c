@@ -1,23 +1,24 @@
-/* contains.c - see interior.h. */
+/* position.c - see interior.h. */
 #include "methods/reflected/interior.h"
 
 /* Twice the signed area of triangle o a b, seen against the polygon's normal. */
 static double twice_area(const struct pp_polygon *polygon, struct pp_vec3 o,
                          struct pp_vec3 a, struct pp_vec3 b)
 {
-    return pp_dot(polygon->normal, pp_cross(pp_sub(a, o), pp_sub(b, o)));
+    return pp_vec_dot(polygon->normal,
+                      pp_vec_cross(pp_vec_sub(a, o), pp_vec_sub(b, o)));
 }
 
 /* Where the edge from a to b meets the level plane at z; z lies between them. */
 static struct pp_vec3 crossing(struct pp_vec3 a, struct pp_vec3 b, double z)
 {
-    return pp_along(a, (z - a.z) / (b.z - a.z), pp_sub(b, a));
+    return pp_vec_along(a, (z - a.z) / (b.z - a.z), pp_vec_sub(b, a));
 }
 
 /* The sum over edges of the triangles with a fixed point o is the polygon's area. With
  * o on the cut, the edges along the cut add nothing, so that only the parts of the
  * polygon's own edges under z need to be summed. */
-double pp_polygon_area_below(const struct pp_polygon *polygon, double z)
+double pp_interior_area_below(const struct pp_polygon *polygon, double z)
 {
     struct pp_vec3 o = polygon->vertices[0];
     double lowest = o.z, highest = o.z;
@@ -57,7 +58,7 @@ static double area_below(const struct pp_polygon *polygon, double z)
     bool level = fabs(polygon->normal.z) > 1.0 - 1e-12;
     if (level && fabs(polygon->vertices[0].z - z) < 1e-9)
         return polygon->normal.z > 0.0 ? polygon->area_m2 : 0.0;
-    return pp_polygon_area_below(polygon, z);
+    return pp_interior_area_below(polygon, z);
 }
 
 /* Sums of area and of area times reflectance on the way to a mean. */
@@ -71,11 +72,11 @@ static void add(struct sums *sums, double area_m2, double reflectance)
     sums->reflecting_m2 += area_m2 * reflectance;
 }
 
-static struct pp_inside mean(struct sums sums)
+static struct pp_interior mean(struct sums sums)
 {
     if (!(sums.area_m2 > 0.0))
-        return (struct pp_inside){0.0, 0.0};
-    return (struct pp_inside){sums.area_m2, sums.reflecting_m2 / sums.area_m2};
+        return (struct pp_interior){0.0, 0.0};
+    return (struct pp_interior){sums.area_m2, sums.reflecting_m2 / sums.area_m2};
 }
 
 /* Adds `share` times a polygon to the parts below and above z. */
@@ -88,8 +89,8 @@ static void add_split(struct sums *lower, struct sums *upper,
     add(upper, share * (outline->area_m2 - below_m2), reflectance);
 }
 
-static struct pp_inside_parts split(const struct pp_world *world, double z,
-                                    int left_out, bool with_openings)
+static struct pp_interior_parts split(const struct pp_world *world, double z,
+                                      int left_out, bool with_openings)
 {
     struct sums lower = {0}, upper = {0};
     for (int i = 0; i < world->surface_count; i++) {
@@ -100,7 +101,7 @@ static struct pp_inside_parts split(const struct pp_world *world, double z,
         if (!surface->inside || of_face_left_out)
             continue;
         add_split(&lower, &upper, &surface->outline, z, 1.0, surface->front);
-        if (surface->role == PP_LOOSE)
+        if (surface->role == PP_FREE_SURFACE)
             add_split(&lower, &upper, &surface->outline, z, 1.0, surface->back);
     }
     for (int i = 0; i < world->opening_count; i++) {
@@ -112,23 +113,23 @@ static struct pp_inside_parts split(const struct pp_world *world, double z,
         if (with_openings)
             add_split(&lower, &upper, &opening->inner, z, 1.0, PP_OPENING_REFLECTANCE);
     }
-    return (struct pp_inside_parts){mean(lower), mean(upper)};
+    return (struct pp_interior_parts){mean(lower), mean(upper)};
 }
 
-struct pp_inside pp_inside_all(const struct pp_world *world)
+struct pp_interior pp_interior_all(const struct pp_world *world)
 {
     return split(world, INFINITY, -1, true).lower;
 }
 
-void pp_inside_steps(struct pp_steps *steps, const struct pp_inside *all)
+void pp_interior_steps(struct pp_steps *steps, const struct pp_interior *all)
 {
-    pp_step_named(steps, PP_UNIT_SQUARE_METRE, all->area_m2, "A",
-                  "area of all inside surfaces, openings included");
-    pp_step_named(steps, PP_UNIT_NUMBER, all->reflectance, "R",
-                  "their mean reflectance, openings with 0.1");
+    pp_steps_add_named(steps, PP_UNIT_SQUARE_METRE, all->area_m2, "A",
+                       "area of all inside surfaces, openings included");
+    pp_steps_add_named(steps, PP_UNIT_NUMBER, all->reflectance, "R",
+                       "their mean reflectance, openings with 0.1");
 }
 
-struct pp_inside pp_inside_role(const struct pp_world *world, enum pp_role role)
+struct pp_interior pp_interior_role(const struct pp_world *world, enum pp_role role)
 {
     struct sums sums = {0};
     for (int i = 0; i < world->face_count; i++)
@@ -142,13 +143,13 @@ struct pp_inside pp_inside_role(const struct pp_world *world, enum pp_role role)
     return mean(sums);
 }
 
-struct pp_inside_parts pp_inside_split(const struct pp_world *world, double z)
+struct pp_interior_parts pp_interior_split(const struct pp_world *world, double z)
 {
     return split(world, z, -1, false);
 }
 
-struct pp_inside_parts pp_inside_split_without(const struct pp_world *world, double z,
-                                               int left_out)
+struct pp_interior_parts pp_interior_split_without(const struct pp_world *world,
+                                                   double z, int left_out)
 {
     return split(world, z, left_out, true);
 }

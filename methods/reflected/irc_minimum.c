@@ -5,7 +5,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-#include "methods/broken_line.h"
+#include "methods/interpolate.h"
 
 enum { FLOORS = 3, WALLS = 4, COLUMNS = 1 + FLOORS * WALLS };
 
@@ -80,19 +80,19 @@ static double floor_factor(double area_m2, const double factors[2])
     const double line[3][2] = {{sqrt(small_floor_m2), factors[0]},
                                {sqrt(floor_m2), 1.0},
                                {sqrt(large_floor_m2), factors[1]}};
-    return pp_broken_line(line, 3, sqrt(area_m2));
+    return pp_interpolate_linear(line, 3, sqrt(area_m2));
 }
 
 struct pp_irc_minimum pp_irc_minimum_read(const struct pp_irc_minimum_entry *entry)
 {
     double glass_share, floor_share, walls_share;
     double percent = 100.0 * entry->glass_m2 / entry->floor_m2;
-    int floor = pp_broken_line_place(by_floor, FLOORS, 1, 0, 100.0 * entry->floor,
-                                     &floor_share);
-    int walls = pp_broken_line_place(&by_walls[0][0], WALLS, 4, 0, 100.0 * entry->walls,
-                                     &walls_share);
-    int row =
-        pp_broken_line_place(&printed[0][0], ROWS, COLUMNS, 0, percent, &glass_share);
+    int floor = pp_interpolate_interval(by_floor, FLOORS, 1, 0, 100.0 * entry->floor,
+                                        &floor_share);
+    int walls = pp_interpolate_interval(&by_walls[0][0], WALLS, 4, 0,
+                                        100.0 * entry->walls, &walls_share);
+    int row = pp_interpolate_interval(&printed[0][0], ROWS, COLUMNS, 0, percent,
+                                      &glass_share);
     double low = read_row(printed[row - 1], floor, floor_share, walls, walls_share);
     double high = read_row(printed[row], floor, floor_share, walls, walls_share);
     double value = between(low, high, glass_share);
@@ -105,13 +105,14 @@ struct pp_irc_minimum pp_irc_minimum_read(const struct pp_irc_minimum_entry *ent
     return (struct pp_irc_minimum){
         .printed = value / 100.0,
         .floor_factor = floor_factor(entry->floor_m2, factors),
-        .ceiling_factor = pp_broken_line(by_ceiling, CEILINGS, 100.0 * entry->ceiling)};
+        .ceiling_factor =
+            pp_interpolate_linear(by_ceiling, CEILINGS, 100.0 * entry->ceiling)};
 }
 
-double pp_irc_average_over_minimum(double walls)
+double pp_irc_minimum_average_ratio(double walls)
 {
     double share;
     int upper =
-        pp_broken_line_place(&by_walls[0][0], WALLS, 4, 0, 100.0 * walls, &share);
+        pp_interpolate_interval(&by_walls[0][0], WALLS, 4, 0, 100.0 * walls, &share);
     return between(by_walls[upper - 1][1], by_walls[upper][1], share);
 }

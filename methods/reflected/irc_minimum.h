@@ -7,8 +7,8 @@
  * (pp_irc_minimum_lacks), but for very little glass, for which it goes in proportion to
  * none. Conditions: tables/irc_minimum.csv.
  */
-#ifndef PP_METHODS_IRC_MINIMUM_H
-#define PP_METHODS_IRC_MINIMUM_H
+#ifndef PP_METHODS_REFLECTED_IRC_MINIMUM_H
+#define PP_METHODS_REFLECTED_IRC_MINIMUM_H
 
 /* What the table is entered with. Areas in m2, reflectances 0 to 1. */
 struct pp_irc_minimum_entry {
@@ -30,6 +30,6 @@ struct pp_irc_minimum pp_irc_minimum_read(const struct pp_irc_minimum_entry *ent
 
 /* The room's average over its minimum, 1.8 to 1.2, by the mean reflectance of its
  * walls; the end's where that is below 0.2 or above 0.8. */
-double pp_irc_average_over_minimum(double walls);
+double pp_irc_minimum_average_ratio(double walls);
 
 #endif

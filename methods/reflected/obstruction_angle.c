@@ -1,9 +1,9 @@
 /* obstruction_angle.c - see obstruction_angle.h. */
 #include "methods/reflected/obstruction_angle.h"
 
-#include "methods/view/exterior_planes.h"
+#include "methods/view/exterior.h"
 
-double pp_vertical_sky(enum pp_sky_kind sky, double angle_rad)
+double pp_obstruction_angle_to_vsc(enum pp_sky_kind sky, double angle_rad)
 {
     double s = sin(angle_rad);
     if (sky == PP_SKY_UNIFORM)
@@ -11,7 +11,7 @@ double pp_vertical_sky(enum pp_sky_kind sky, double angle_rad)
     return 3.0 / 14.0 * (1.0 - s) + 4.0 / (7.0 * PP_PI) * (1.0 - s * s);
 }
 
-double pp_vertical_sky_angle(enum pp_sky_kind sky, double share)
+double pp_obstruction_angle_from_vsc(enum pp_sky_kind sky, double share)
 {
     double s = 1.0 - 2.0 * share;
     if (sky != PP_SKY_UNIFORM) {
@@ -27,8 +27,9 @@ static bool lies_beyond(const struct pp_polygon *outline,
                         const struct pp_opening *opening)
 {
     for (int i = 0; i < outline->count; i++) {
-        struct pp_vec3 from = pp_sub(outline->vertices[i], opening->outer.vertices[0]);
-        if (pp_dot(from, opening->outer.normal) < -1e-6)
+        struct pp_vec3 from =
+            pp_vec_sub(outline->vertices[i], opening->outer.vertices[0]);
+        if (pp_vec_dot(from, opening->outer.normal) < -1e-6)
             return true;
     }
     return false;
@@ -74,17 +75,17 @@ enum pp_status pp_obstruction_angle(double *angle_rad, const struct pp_world *wo
     }
     bool uniform = world->sky.kind == PP_SKY_UNIFORM;
     struct pp_sky sky = uniform ? pp_sky_uniform() : pp_sky_overcast();
-    struct pp_vec3 out = pp_scale(opening->inner.normal, -1.0);
+    struct pp_vec3 out = pp_vec_scale(opening->inner.normal, -1.0);
     struct pp_vec3 level = pp_vec(out.x, out.y, 0.0);
-    bool horizontal = pp_length(level) < 1e-6;
-    struct pp_vec3 facing = horizontal ? out : pp_unit(level);
+    bool horizontal = pp_vec_length(level) < 1e-6;
+    struct pp_vec3 facing = horizontal ? out : pp_vec_unit(level);
 
     double share;
     enum pp_status status =
-        pp_outside_sky_on_plane(&share, world, opening, facing, &sky, err);
+        pp_exterior_sky_on_plane(&share, world, opening, facing, &sky, err);
     if (status != PP_OK)
         return status;
     *angle_rad = horizontal ? PP_PI / 2.0 * fmin(fmax(1.0 - share, 0.0), 1.0)
-                            : pp_vertical_sky_angle(sky.kind, share);
+                            : pp_obstruction_angle_from_vsc(sky.kind, share);
     return PP_OK;
 }

@@ -11,18 +11,18 @@
  * by integration over the strip above it. Blocks and whatever else hides the sky are
  * taken as the endless skyline that leaves the same VSC at the opening's centre.
  */
-#ifndef PP_METHODS_OBSTRUCTION_ANGLE_H
-#define PP_METHODS_OBSTRUCTION_ANGLE_H
+#ifndef PP_METHODS_REFLECTED_OBSTRUCTION_ANGLE_H
+#define PP_METHODS_REFLECTED_OBSTRUCTION_ANGLE_H
 
 #include "model/room/world.h"
 
 /* VSC(alpha); angle 0 to pi/2. Any ISO sky is answered for as the overcast one: the
  * angle stands for a shape, and that shape has no closed form under those skies. */
-double pp_vertical_sky(enum pp_sky_kind sky, double angle_rad);
+double pp_obstruction_angle_to_vsc(enum pp_sky_kind sky, double angle_rad);
 
 /* The angle at which VSC is `share`, in closed form; 0 for any share above that of the
  * open sky, pi/2 for one below 0. */
-double pp_vertical_sky_angle(enum pp_sky_kind sky, double share);
+double pp_obstruction_angle_from_vsc(enum pp_sky_kind sky, double share);
 
 /* alpha of an opening (rad, 0 to pi/2): the angle of its own wall's skyline from the
  * middle of its height; where blocks, loose surfaces outside or other parts of the

@@ -1,7 +1,7 @@
 /* obstruction_factor.c - see obstruction_factor.h. */
 #include "methods/reflected/obstruction_factor.h"
 
-#include "methods/broken_line.h"
+#include "methods/interpolate.h"
 #include "model/geometry/vec.h"
 
 /* obstruction (degrees), C (per cent) */
@@ -13,5 +13,5 @@ enum { ROWS = sizeof printed / sizeof printed[0] };
 
 double pp_obstruction_factor(double angle_rad)
 {
-    return pp_broken_line(printed, ROWS, angle_rad / PP_RAD) / 100.0;
+    return pp_interpolate_linear(printed, ROWS, angle_rad / PP_RAD) / 100.0;
 }

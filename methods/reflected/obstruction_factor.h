@@ -1,8 +1,8 @@
 /* obstruction_factor.h - how much falls on a window from the sky and from what stands
  * before it.
  */
-#ifndef PP_METHODS_OBSTRUCTION_FACTOR_H
-#define PP_METHODS_OBSTRUCTION_FACTOR_H
+#ifndef PP_METHODS_REFLECTED_OBSTRUCTION_FACTOR_H
+#define PP_METHODS_REFLECTED_OBSTRUCTION_FACTOR_H
 
 /* Factor C of the BRE inter-reflection formula: illuminance of a vertical window from
  * above the horizon over Eh, CIE overcast sky, before an endless obstruction of

@@ -24,21 +24,22 @@
 
 #include "methods/reflected/entering_light.h"
 #include "methods/reflected/interior.h"
-#include "methods/methods.h"
+#include "methods/method_entries.h"
 #include "methods/refusals.h"
 
 static void set_down(struct pp_steps *steps, const struct pp_entering_light *light,
-                     const struct pp_inside *all, const struct pp_inside_parts *parts,
+                     const struct pp_interior *all,
+                     const struct pp_interior_parts *parts,
                      const struct pp_opening *opening, double value)
 {
     pp_entering_light_steps(steps, light, opening);
-    pp_inside_steps(steps, all);
-    pp_step_named(steps, PP_UNIT_NUMBER, parts->upper.reflectance, "rho_u",
-                  "mean reflectance above %.2f m, the middle of the opening",
-                  opening->middle_z_m);
-    pp_step_named(steps, PP_UNIT_NUMBER, parts->lower.reflectance, "rho_l",
-                  "mean reflectance below it");
-    pp_step_worked(
+    pp_interior_steps(steps, all);
+    pp_steps_add_named(steps, PP_UNIT_NUMBER, parts->upper.reflectance, "rho_u",
+                       "mean reflectance above %.2f m, the middle of the opening",
+                       opening->middle_z_m);
+    pp_steps_add_named(steps, PP_UNIT_NUMBER, parts->lower.reflectance, "rho_l",
+                       "mean reflectance below it");
+    pp_steps_add_worked(
         steps, PP_UNIT_SHARE, value, "irc",
         light->diffusing ? "tau Ag / (A (1 - R)) (C_g + C) (u rho_u + (1 - u) rho_l)"
                          : "tau Ag / (A (1 - R)) (rho_u C_g + rho_l C)",
@@ -55,8 +56,8 @@ static enum pp_status evaluate(const struct pp_world *world,
     enum pp_status status = pp_entering_light(&light, world, opening, err);
     if (status != PP_OK)
         return status;
-    struct pp_inside all = pp_inside_all(world);
-    struct pp_inside_parts parts = pp_inside_split(world, opening->middle_z_m);
+    struct pp_interior all = pp_interior_all(world);
+    struct pp_interior_parts parts = pp_interior_split(world, opening->middle_z_m);
     double A = all.area_m2, R = all.reflectance;
     double rho_u = parts.upper.reflectance, rho_l = parts.lower.reflectance;
     part->value = light.tau * light.Ag / (A * (1.0 - R))
@@ -73,6 +74,6 @@ const struct pp_method pp_method_sphere = {
     .gives = PP_GIVES_INTERNAL,
     .speaks_for = PP_FOR_ROOM,
     .allowances = PP_ALLOWS_OWN_GLASS | PP_ALLOWS_FRAME,
-    .refuses_room = pp_refuse_luminous_room,
+    .refuses_room = pp_refusals_luminous_room,
     .evaluate = evaluate,
 };

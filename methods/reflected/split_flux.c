@@ -27,7 +27,7 @@
 
 #include "methods/reflected/entering_light.h"
 #include "methods/reflected/interior.h"
-#include "methods/methods.h"
+#include "methods/method_entries.h"
 #include "methods/refusals.h"
 
 static const char *refuses(const struct pp_world *world,
@@ -35,7 +35,7 @@ static const char *refuses(const struct pp_world *world,
                            const struct pp_receiver *receiver)
 {
     (void)receiver;
-    struct pp_inside_parts parts = pp_inside_split(world, opening->middle_z_m);
+    struct pp_interior_parts parts = pp_interior_split(world, opening->middle_z_m);
     if (!(parts.upper.reflectance * parts.lower.reflectance < 1.0))
         return "lights parts of the room that reflect all light, without end";
     return NULL;
@@ -48,7 +48,7 @@ static double over(double x, double y)
 }
 
 static void set_down(struct pp_steps *steps, const struct pp_entering_light *light,
-                     const struct pp_inside_parts *parts,
+                     const struct pp_interior_parts *parts,
                      const struct pp_opening *opening, double value)
 {
     static const char clear[] =
@@ -57,22 +57,22 @@ static void set_down(struct pp_steps *steps, const struct pp_entering_light *lig
         "tau Ag / (1 - rho_u rho_l) (C_g + C) (u rho_u / A_u + (1 - u) rho_u rho_l / "
         "A_l)";
     pp_entering_light_steps(steps, light, opening);
-    pp_step_named(steps, PP_UNIT_SQUARE_METRE, parts->upper.area_m2, "A_u",
-                  "area of all above %.2f m, the middle of the opening",
-                  opening->middle_z_m);
-    pp_step_named(steps, PP_UNIT_NUMBER, parts->upper.reflectance, "rho_u",
-                  "its mean reflectance");
-    pp_step_named(steps, PP_UNIT_SQUARE_METRE, parts->lower.area_m2, "A_l",
-                  "area of all below it");
-    pp_step_named(steps, PP_UNIT_NUMBER, parts->lower.reflectance, "rho_l",
-                  "its mean reflectance");
+    pp_steps_add_named(steps, PP_UNIT_SQUARE_METRE, parts->upper.area_m2, "A_u",
+                       "area of all above %.2f m, the middle of the opening",
+                       opening->middle_z_m);
+    pp_steps_add_named(steps, PP_UNIT_NUMBER, parts->upper.reflectance, "rho_u",
+                       "its mean reflectance");
+    pp_steps_add_named(steps, PP_UNIT_SQUARE_METRE, parts->lower.area_m2, "A_l",
+                       "area of all below it");
+    pp_steps_add_named(steps, PP_UNIT_NUMBER, parts->lower.reflectance, "rho_l",
+                       "its mean reflectance");
     bool both = parts->upper.area_m2 > 0.0 && parts->lower.area_m2 > 0.0;
-    pp_step_worked(steps, PP_UNIT_SHARE, value, "irc",
-                   !both              ? "0"
-                   : light->diffusing ? diffusing
-                                      : clear,
-                   "opening on line %d: average internally reflected component",
-                   opening->line);
+    pp_steps_add_worked(steps, PP_UNIT_SHARE, value, "irc",
+                        !both              ? "0"
+                        : light->diffusing ? diffusing
+                                           : clear,
+                        "opening on line %d: average internally reflected component",
+                        opening->line);
 }
 
 static enum pp_status evaluate(const struct pp_world *world,
@@ -85,7 +85,7 @@ static enum pp_status evaluate(const struct pp_world *world,
     enum pp_status status = pp_entering_light(&light, world, opening, err);
     if (status != PP_OK)
         return status;
-    struct pp_inside_parts parts = pp_inside_split(world, opening->middle_z_m);
+    struct pp_interior_parts parts = pp_interior_split(world, opening->middle_z_m);
     double A_u = parts.upper.area_m2, rho_u = parts.upper.reflectance;
     double A_l = parts.lower.area_m2, rho_l = parts.lower.reflectance;
     part->value =
@@ -103,7 +103,7 @@ const struct pp_method pp_method_split_flux = {
     .gives = PP_GIVES_INTERNAL,
     .speaks_for = PP_FOR_ROOM,
     .allowances = PP_ALLOWS_OWN_GLASS | PP_ALLOWS_FRAME,
-    .refuses_room = pp_refuse_luminous_room,
+    .refuses_room = pp_refusals_luminous_room,
     .refuses = refuses,
     .evaluate = evaluate,
 };

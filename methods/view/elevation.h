@@ -17,20 +17,20 @@
  * the opening, with the jambs and the lower edge of that and an equal area. Where
  * several overlap the one with the nearest corner counts.
  */
-#ifndef PP_METHODS_ELEVATION_H
-#define PP_METHODS_ELEVATION_H
+#ifndef PP_METHODS_VIEW_ELEVATION_H
+#define PP_METHODS_VIEW_ELEVATION_H
 
 #include "model/room/world.h"
 
 /* A part of the opening with one thing behind it, edges over d. */
-struct pp_upright {
+struct pp_elevation_part {
     double left, right, low, high;
     double reflectance; /* of the obstruction; NAN: sky */
 };
 
 struct pp_elevation {
     int count; /* 0: the point sees nothing of it */
-    struct pp_upright *parts;
+    struct pp_elevation_part *parts;
 };
 
 /* The opening must be vertical. A point behind it or in its plane sees nothing. */

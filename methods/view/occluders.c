@@ -13,12 +13,12 @@
 /* Room for the planes that may cut a polygon: four of the pyramid, two of depth. */
 enum { CUTS = 6, ON_STACK = 32 };
 
-void pp_pieces_clear(struct pp_pieces *pieces)
+void pp_occluders_clear(struct pp_occluders *pieces)
 {
     for (int i = 0; i < pieces->count; i++)
         free(pieces->list[i].xy);
     free(pieces->list);
-    *pieces = (struct pp_pieces){0};
+    *pieces = (struct pp_occluders){0};
 }
 
 /* What is cut at the edge of the extent lies on it, to the bit. */
@@ -28,9 +28,11 @@ static double settle(double at, double low, double high)
     return fabs(at - low) <= grain ? low : fabs(at - high) <= grain ? high : at;
 }
 
-static enum pp_status add_piece(struct pp_pieces *pieces, const struct pp_piece *like,
+static enum pp_status add_piece(struct pp_occluders *pieces,
+                                const struct pp_occluder *like,
                                 const struct pp_vec3 *corners, int count,
-                                const struct pp_scene *scene, struct pp_error *err)
+                                const struct pp_occluders_scene *scene,
+                                struct pp_error *err)
 {
     double(*xy)[2] = malloc((size_t)count * sizeof *xy);
     if (!xy)
@@ -49,7 +51,7 @@ static enum pp_status add_piece(struct pp_pieces *pieces, const struct pp_piece 
     }
     if (pieces->count == pieces->room) {
         int room = pieces->room ? 2 * pieces->room : 8;
-        struct pp_piece *list =
+        struct pp_occluder *list =
             realloc(pieces->list, (size_t)room * sizeof *pieces->list);
         if (!list) {
             free(xy);
@@ -58,7 +60,7 @@ static enum pp_status add_piece(struct pp_pieces *pieces, const struct pp_piece 
         pieces->list = list;
         pieces->room = room;
     }
-    struct pp_piece *piece = &pieces->list[pieces->count++];
+    struct pp_occluder *piece = &pieces->list[pieces->count++];
     *piece = *like;
     piece->count = count;
     piece->xy = xy;
@@ -72,7 +74,8 @@ struct sides {
     double offset[CUTS];
 };
 
-static struct sides sides_of(const struct pp_scene *scene, double near, double far)
+static struct sides sides_of(const struct pp_occluders_scene *scene, double near,
+                             double far)
 {
     double d = scene->view->distance_m;
     return (struct sides){{{0.0, 0.0, 1.0},
@@ -85,15 +88,18 @@ static struct sides sides_of(const struct pp_scene *scene, double near, double f
 }
 
 /* Cuts a convex polygon to the sides and adds what is left. */
-static enum pp_status add_convex(struct pp_pieces *pieces, const struct pp_piece *like,
+static enum pp_status add_convex(struct pp_occluders *pieces,
+                                 const struct pp_occluder *like,
                                  const struct pp_vec3 *corners, int count,
                                  const struct sides *sides,
-                                 const struct pp_scene *scene, struct pp_error *err)
+                                 const struct pp_occluders_scene *scene,
+                                 struct pp_error *err)
 {
     /* Wholly outside one side? */
     for (int s = 0; s < CUTS; s++) {
         int i = 0;
-        while (i < count && !(pp_dot(sides->normal[s], corners[i]) > sides->offset[s]))
+        while (i < count
+               && !(pp_vec_dot(sides->normal[s], corners[i]) > sides->offset[s]))
             i++;
         if (i == count)
             return PP_OK;
@@ -127,8 +133,8 @@ static bool is_convex(const struct pp_polygon *outline)
     for (int i = 0; i < outline->count; i++) {
         int next = (i + 1) % outline->count, after = (i + 2) % outline->count;
         struct pp_vec3 turn =
-            pp_cross(pp_sub(v[next], v[i]), pp_sub(v[after], v[next]));
-        if (pp_dot(turn, outline->normal) < -1e-12 * outline->area_m2)
+            pp_vec_cross(pp_vec_sub(v[next], v[i]), pp_vec_sub(v[after], v[next]));
+        if (pp_vec_dot(turn, outline->normal) < -1e-12 * outline->area_m2)
             return false;
     }
     return true;
@@ -163,7 +169,7 @@ static enum pp_status triangles_of(int (**triangles)[3], int *count,
     for (int i = 0; flat && i < outline->count; i++)
         flatten(flat[i], outline->vertices[i], outline->normal);
     if (status == PP_OK)
-        status = pp_clipper_create(&clipper, err);
+        status = pp_region_clipper_create(&clipper, err);
     if (status == PP_OK)
         status = pp_region_of_ring(clipper, &region, (const double(*)[2])flat,
                                    outline->count, err);
@@ -184,17 +190,19 @@ static enum pp_status triangles_of(int (**triangles)[3], int *count,
         }
     free(found);
     free(flat);
-    pp_region_destroy(&region);
-    pp_clipper_destroy(clipper);
+    pp_region_clear(&region);
+    pp_region_clipper_destroy(clipper);
     return status;
 }
 
 /* Cuts any polygon, given in the view's axes, and adds what is left. */
-static enum pp_status add_polygon(struct pp_pieces *pieces, const struct pp_piece *like,
+static enum pp_status add_polygon(struct pp_occluders *pieces,
+                                  const struct pp_occluder *like,
                                   const struct pp_polygon *outline,
                                   const struct pp_vec3 *corners,
                                   const struct sides *sides,
-                                  const struct pp_scene *scene, struct pp_error *err)
+                                  const struct pp_occluders_scene *scene,
+                                  struct pp_error *err)
 {
     if (is_convex(outline))
         return add_convex(pieces, like, corners, outline->count, sides, scene, err);
@@ -211,14 +219,14 @@ static enum pp_status add_polygon(struct pp_pieces *pieces, const struct pp_piec
 
 /* Do the eye and all that is looked through lie on one side of the plane normal.v =
  * offset (view's axes)? Then it can't come between them. */
-static bool stands_aside(const struct pp_scene *scene, struct pp_vec3 normal,
+static bool stands_aside(const struct pp_occluders_scene *scene, struct pp_vec3 normal,
                          double offset)
 {
     double side = offset < 0.0 ? 1.0 : -1.0;
     for (int i = 0; i < scene->outline_count; i++) {
         struct pp_vec3 corner = {scene->outline[i][0], scene->outline[i][1],
                                  scene->view->distance_m};
-        if (side * (pp_dot(normal, corner) - offset) < -PP_HAIR)
+        if (side * (pp_vec_dot(normal, corner) - offset) < -PP_OCCLUDERS_COPLANAR_M)
             return false;
     }
     return true;
@@ -226,60 +234,64 @@ static bool stands_aside(const struct pp_scene *scene, struct pp_vec3 normal,
 
 /* Does a closed box turn this side away, so that its other sides hide all that this one
  * could? Not if the view's plane cuts it open. */
-static bool is_back_of_box(const struct pp_scene *scene,
+static bool is_back_of_box(const struct pp_occluders_scene *scene,
                            const struct pp_surface *surface, double offset)
 {
     if (surface->role != PP_BLOCK || offset < 0.0)
         return false;
     const struct pp_block *block = &scene->world->blocks[surface->owner];
-    const struct pp_view *view = scene->view;
+    const struct pp_projection *view = scene->view;
     double c = cos(block->rotate_rad), s = sin(block->rotate_rad);
     struct pp_vec3 t = view->toward;
-    double nearest = pp_dot(pp_sub(block->corner, view->eye), t)
+    double nearest = pp_vec_dot(pp_vec_sub(block->corner, view->eye), t)
                      + fmin(0.0, block->width_m * (c * t.x + s * t.y))
                      + fmin(0.0, block->depth_m * (c * t.y - s * t.x))
                      + fmin(0.0, block->height_m * t.z);
-    return nearest > (scene->from_inside ? view->distance_m : 0.0) + PP_HAIR;
+    return nearest
+           > (scene->from_inside ? view->distance_m : 0.0) + PP_OCCLUDERS_COPLANAR_M;
 }
 
-static enum pp_status collect_surface(struct pp_pieces *inside,
-                                      struct pp_pieces *outside,
-                                      const struct pp_scene *scene,
+static enum pp_status collect_surface(struct pp_occluders *inside,
+                                      struct pp_occluders *outside,
+                                      const struct pp_occluders_scene *scene,
                                       const struct pp_surface *surface,
                                       struct pp_error *err)
 {
     const struct pp_polygon *outline = &surface->outline;
-    const struct pp_view *view = scene->view;
+    const struct pp_projection *view = scene->view;
     double plane_m = view->distance_m;
 
     /* How deep does it lie? */
     double nearest = INFINITY, farthest = -INFINITY;
     for (int i = 0; i < outline->count; i++) {
-        double depth = pp_dot(pp_sub(outline->vertices[i], view->eye), view->toward);
+        double depth =
+            pp_vec_dot(pp_vec_sub(outline->vertices[i], view->eye), view->toward);
         nearest = depth < nearest ? depth : nearest;
         farthest = depth > farthest ? depth : farthest;
     }
-    if (!(farthest > PP_HAIR))
+    if (!(farthest > PP_OCCLUDERS_COPLANAR_M))
         return PP_OK;
     bool before = false, beyond = true;
-    struct pp_vec3 normal = pp_view_axes(view, outline->normal);
-    double offset = pp_dot(outline->normal, pp_sub(outline->vertices[0], view->eye));
+    struct pp_vec3 normal = pp_projection_direction(view, outline->normal);
+    double offset =
+        pp_vec_dot(outline->normal, pp_vec_sub(outline->vertices[0], view->eye));
     if (scene->from_inside) {
-        before = nearest < plane_m - PP_HAIR && !stands_aside(scene, normal, offset);
-        beyond = farthest > plane_m + PP_HAIR;
+        before = nearest < plane_m - PP_OCCLUDERS_COPLANAR_M
+                 && !stands_aside(scene, normal, offset);
+        beyond = farthest > plane_m + PP_OCCLUDERS_COPLANAR_M;
         /* A loose plate that lies in the plane itself is outside. */
-        if (!before && !beyond && nearest >= plane_m - PP_HAIR)
-            beyond = surface->role == PP_LOOSE || surface->role == PP_BLOCK;
+        if (!before && !beyond && nearest >= plane_m - PP_OCCLUDERS_COPLANAR_M)
+            beyond = surface->role == PP_FREE_SURFACE || surface->role == PP_BLOCK;
     }
-    if ((!before && !beyond) || fabs(offset) <= PP_HAIR)
+    if ((!before && !beyond) || fabs(offset) <= PP_OCCLUDERS_COPLANAR_M)
         return PP_OK; /* nothing, or seen edge on */
     if (is_back_of_box(scene, surface, offset))
         return PP_OK;
 
     bool front = offset < 0.0;
-    struct pp_piece like = {.nearness = pp_scale(normal, 1.0 / offset),
-                            .reflectance = front ? surface->front : surface->back,
-                            .exitance = surface->exitance};
+    struct pp_occluder like = {.nearness = pp_vec_scale(normal, 1.0 / offset),
+                               .reflectance = front ? surface->front : surface->back,
+                               .exitance = surface->exitance};
     struct pp_vec3 stack[ON_STACK], *corners = stack;
     if (outline->count > ON_STACK) {
         corners = malloc((size_t)outline->count * sizeof *corners);
@@ -287,7 +299,7 @@ static enum pp_status collect_surface(struct pp_pieces *inside,
             return pp_fail_memory(err);
     }
     for (int i = 0; i < outline->count; i++)
-        corners[i] = pp_view_point(view, outline->vertices[i]);
+        corners[i] = pp_projection_point(view, outline->vertices[i]);
     enum pp_status status = PP_OK;
     double hair = 1e-9 * fmin(plane_m, 1.0);
     if (before) {
@@ -297,7 +309,9 @@ static enum pp_status collect_surface(struct pp_pieces *inside,
     if (beyond && status == PP_OK) {
         double from = hair;
         if (scene->from_inside)
-            from = nearest >= plane_m - PP_HAIR ? nearest - PP_HAIR : plane_m;
+            from = nearest >= plane_m - PP_OCCLUDERS_COPLANAR_M
+                       ? nearest - PP_OCCLUDERS_COPLANAR_M
+                       : plane_m;
         struct sides sides = sides_of(scene, from, 2.0 * farthest);
         status = add_polygon(outside, &like, outline, corners, &sides, scene, err);
     }
@@ -306,8 +320,10 @@ static enum pp_status collect_surface(struct pp_pieces *inside,
     return status;
 }
 
-enum pp_status pp_occluders_collect(struct pp_pieces *inside, struct pp_pieces *outside,
-                                    const struct pp_scene *scene, struct pp_error *err)
+enum pp_status pp_occluders_collect(struct pp_occluders *inside,
+                                    struct pp_occluders *outside,
+                                    const struct pp_occluders_scene *scene,
+                                    struct pp_error *err)
 {
     const struct pp_world *world = scene->world;
     enum pp_status status = PP_OK;
@@ -322,11 +338,11 @@ struct pp_band pp_occluders_band(const struct pp_world *world,
 {
     const struct pp_polygon *wall = &world->surfaces[skyline->face].outline;
     struct pp_vec3 zenith = {0.0, 0.0, 1.0};
-    struct pp_vec3 out = pp_unit(pp_vec(-wall->normal.x, -wall->normal.y, 0.0));
+    struct pp_vec3 out = pp_vec_unit(pp_vec(-wall->normal.x, -wall->normal.y, 0.0));
     struct pp_band band;
     if (isinf(skyline->distance_m)) {
-        band.above = pp_along(pp_scale(zenith, cos(skyline->angle_rad)),
-                              -sin(skyline->angle_rad), out);
+        band.above = pp_vec_along(pp_vec_scale(zenith, cos(skyline->angle_rad)),
+                                  -sin(skyline->angle_rad), out);
         band.below = pp_vec(0.0, 0.0, -1.0);
         band.nearness = pp_vec(0.0, 0.0, 0.0);
         return band;
@@ -334,23 +350,23 @@ struct pp_band pp_occluders_band(const struct pp_world *world,
     /* Square to the wall, from the eye to the wall at the openings' middle height, and
      * on to the skyline. */
     struct pp_vec3 level = pp_vec(eye.x, eye.y, skyline->middle_z_m);
-    double to_wall = pp_dot(pp_sub(wall->vertices[0], level), wall->normal)
-                     / pp_dot(out, wall->normal);
+    double to_wall = pp_vec_dot(pp_vec_sub(wall->vertices[0], level), wall->normal)
+                     / pp_vec_dot(out, wall->normal);
     double to_skyline = to_wall + skyline->distance_m;
-    band.above =
-        pp_along(pp_scale(zenith, to_skyline), -(skyline->head_z_m - eye.z), out);
-    band.below =
-        pp_along(pp_scale(zenith, -to_skyline), world->ground_level_m - eye.z, out);
-    band.nearness = pp_scale(out, 1.0 / to_skyline);
+    band.above = pp_vec_along(pp_vec_scale(zenith, to_skyline),
+                              -(skyline->head_z_m - eye.z), out);
+    band.below = pp_vec_along(pp_vec_scale(zenith, -to_skyline),
+                              world->ground_level_m - eye.z, out);
+    band.nearness = pp_vec_scale(out, 1.0 / to_skyline);
     return band;
 }
 
-enum pp_status pp_occluders_add_skyline(struct pp_pieces *outside,
-                                        const struct pp_scene *scene,
+enum pp_status pp_occluders_add_skyline(struct pp_occluders *outside,
+                                        const struct pp_occluders_scene *scene,
                                         const struct pp_skyline *skyline,
                                         struct pp_error *err)
 {
-    const struct pp_view *view = scene->view;
+    const struct pp_projection *view = scene->view;
     double d = view->distance_m;
     struct pp_band band = pp_occluders_band(scene->world, skyline, view->eye);
     struct pp_vec3 whole[4] = {{scene->low[0], scene->low[1], d},
@@ -358,13 +374,15 @@ enum pp_status pp_occluders_add_skyline(struct pp_pieces *outside,
                                {scene->high[0], scene->high[1], d},
                                {scene->low[0], scene->high[1], d}};
     struct pp_vec3 under[5], left[6];
-    int count = pp_clip_convex(under, whole, 4,
-                               pp_view_axes(view, pp_scale(band.above, -1.0)), 0.0);
-    count = pp_clip_convex(left, under, count,
-                           pp_view_axes(view, pp_scale(band.below, -1.0)), 0.0);
+    int count = pp_clip_convex(
+        under, whole, 4, pp_projection_direction(view, pp_vec_scale(band.above, -1.0)),
+        0.0);
+    count = pp_clip_convex(
+        left, under, count,
+        pp_projection_direction(view, pp_vec_scale(band.below, -1.0)), 0.0);
     if (count == 0)
         return PP_OK;
-    struct pp_piece like = {.nearness = pp_view_axes(view, band.nearness),
-                            .reflectance = skyline->reflectance};
+    struct pp_occluder like = {.nearness = pp_projection_direction(view, band.nearness),
+                               .reflectance = skyline->reflectance};
     return add_piece(outside, &like, left, count, scene, err);
 }

@@ -4,8 +4,8 @@
  * or beside the opening is ever projected, and at the opening's plane: what lies
  * nearer is an occluder inside, what lies beyond it an obstruction outside.
  */
-#ifndef PP_METHODS_OCCLUDERS_H
-#define PP_METHODS_OCCLUDERS_H
+#ifndef PP_METHODS_VIEW_OCCLUDERS_H
+#define PP_METHODS_VIEW_OCCLUDERS_H
 
 #include <stdbool.h>
 
@@ -14,10 +14,10 @@
 #include "model/room/world.h"
 
 /* Metres: what stands less than this behind a plane lies in it. */
-#define PP_HAIR 1e-9
+#define PP_OCCLUDERS_COPLANAR_M 1e-9
 
 /* A convex piece of one surface, or of a skyline, in the view's plane. */
-struct pp_piece {
+struct pp_occluder {
     int count;
     double (*xy)[2]; /* in either direction */
     /* One over the distance along the ray to (x, y), in units of the vector (x, y,
@@ -27,15 +27,15 @@ struct pp_piece {
     double reflectance, exitance; /* of the side that is seen */
 };
 
-struct pp_pieces {
+struct pp_occluders {
     int count, room;
-    struct pp_piece *list;
+    struct pp_occluder *list;
 };
 
 /* Where to look. */
-struct pp_scene {
+struct pp_occluders_scene {
     const struct pp_world *world;
-    const struct pp_view *view;
+    const struct pp_projection *view;
     int face;                   /* the surface that the view's plane lies in, or -1 */
     bool from_inside;           /* is there an inside, this side of the plane? */
     const double (*outline)[2]; /* corners of what is looked through */
@@ -45,8 +45,10 @@ struct pp_scene {
 
 /* Adds the pieces of all surfaces. Takes well under a microsecond and allocates nothing
  * where there are none, as in a convex room with nothing outside. */
-enum pp_status pp_occluders_collect(struct pp_pieces *inside, struct pp_pieces *outside,
-                                    const struct pp_scene *scene, struct pp_error *err);
+enum pp_status pp_occluders_collect(struct pp_occluders *inside,
+                                    struct pp_occluders *outside,
+                                    const struct pp_occluders_scene *scene,
+                                    struct pp_error *err);
 
 /* The directions that a skyline hides, as half-spaces through the eye: it hides what is
  * neither above it (above.u > 0) nor under it (below.u > 0). */
@@ -59,11 +61,11 @@ struct pp_band pp_occluders_band(const struct pp_world *world,
                                  const struct pp_skyline *skyline, struct pp_vec3 eye);
 
 /* Adds the piece that a skyline is, where it is in sight. */
-enum pp_status pp_occluders_add_skyline(struct pp_pieces *outside,
-                                        const struct pp_scene *scene,
+enum pp_status pp_occluders_add_skyline(struct pp_occluders *outside,
+                                        const struct pp_occluders_scene *scene,
                                         const struct pp_skyline *skyline,
                                         struct pp_error *err);
 
-void pp_pieces_clear(struct pp_pieces *pieces);
+void pp_occluders_clear(struct pp_occluders *pieces);
 
 #endif

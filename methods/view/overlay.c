@@ -8,7 +8,7 @@
 /* pieces' figures as regions that borrow their coordinates, turned counter-clockwise.
  */
 static enum pp_status borrow(struct pp_region **regions, struct pp_ring **rings,
-                             const struct pp_pieces *pieces, struct pp_error *err)
+                             const struct pp_occluders *pieces, struct pp_error *err)
 {
     size_t room = (size_t)pieces->count + 1;
     *regions = calloc(room, sizeof **regions);
@@ -16,7 +16,7 @@ static enum pp_status borrow(struct pp_region **regions, struct pp_ring **rings,
     if (!*regions || !*rings)
         return pp_fail_memory(err);
     for (int i = 0; i < pieces->count; i++) {
-        const struct pp_piece *piece = &pieces->list[i];
+        const struct pp_occluder *piece = &pieces->list[i];
         (*rings)[i] = (struct pp_ring){piece->count, piece->xy};
         (*regions)[i] = (struct pp_region){1, &(*rings)[i]};
         if (pp_region_area(&(*regions)[i]) < 0.0)
@@ -31,7 +31,7 @@ static enum pp_status borrow(struct pp_region **regions, struct pp_ring **rings,
 }
 
 enum pp_status pp_overlay_union(struct pp_clipper *clipper, struct pp_region *whole,
-                                const struct pp_pieces *pieces, struct pp_error *err)
+                                const struct pp_occluders *pieces, struct pp_error *err)
 {
     struct pp_region *regions;
     struct pp_ring *rings;
@@ -46,16 +46,16 @@ enum pp_status pp_overlay_union(struct pp_clipper *clipper, struct pp_region *wh
     return status;
 }
 
-bool pp_overlay_same_light(const struct pp_piece *a, const struct pp_piece *b)
+bool pp_overlay_same_light(const struct pp_occluder *a, const struct pp_occluder *b)
 {
     return a->reflectance == b->reflectance && a->exitance == b->exitance;
 }
 
 /* The part of `hider` that stands in front of `piece`: the rest lies beyond the line on
  * which both are equally far. */
-static enum pp_status part_in_front(struct pp_pieces *parts,
-                                    const struct pp_piece *hider,
-                                    const struct pp_piece *piece, double distance_m,
+static enum pp_status part_in_front(struct pp_occluders *parts,
+                                    const struct pp_occluder *hider,
+                                    const struct pp_occluder *piece, double distance_m,
                                     struct pp_error *err)
 {
     int count = hider->count;
@@ -70,8 +70,8 @@ static enum pp_status part_in_front(struct pp_pieces *parts,
     }
     for (int i = 0; i < count; i++)
         from[i] = pp_vec(hider->xy[i][0], hider->xy[i][1], distance_m);
-    count = pp_clip_convex(left, from, count, pp_sub(hider->nearness, piece->nearness),
-                           0.0);
+    count = pp_clip_convex(left, from, count,
+                           pp_vec_sub(hider->nearness, piece->nearness), 0.0);
     double extent = 0.0;
     for (int i = 0; i < count; i++) {
         xy[i][0] = left[i].x;
@@ -85,17 +85,17 @@ static enum pp_status part_in_front(struct pp_pieces *parts,
         free(xy);
         return PP_OK;
     }
-    parts->list[parts->count++] = (struct pp_piece){.count = count, .xy = xy};
+    parts->list[parts->count++] = (struct pp_occluder){.count = count, .xy = xy};
     return PP_OK;
 }
 
 /* What is seen of piece `index` behind all that give off another light. */
 static enum pp_status seen_part(struct pp_clipper *clipper, struct pp_region *seen,
-                                const struct pp_pieces *pieces, int index,
+                                const struct pp_occluders *pieces, int index,
                                 double distance_m, struct pp_error *err)
 {
-    const struct pp_piece *piece = &pieces->list[index];
-    struct pp_pieces before = {0}, self = {1, 1, &pieces->list[index]};
+    const struct pp_occluder *piece = &pieces->list[index];
+    struct pp_occluders before = {0}, self = {1, 1, &pieces->list[index]};
     struct pp_region taken = {0}, whole = {0};
     before.room = pieces->count;
     before.list = calloc((size_t)before.room, sizeof *before.list);
@@ -109,14 +109,14 @@ static enum pp_status seen_part(struct pp_clipper *clipper, struct pp_region *se
         status = pp_overlay_union(clipper, &taken, &before, err);
     if (status == PP_OK)
         status = pp_region_difference(clipper, seen, &whole, &taken, err);
-    pp_region_destroy(&taken);
-    pp_region_destroy(&whole);
-    pp_pieces_clear(&before);
+    pp_region_clear(&taken);
+    pp_region_clear(&whole);
+    pp_occluders_clear(&before);
     return status;
 }
 
 enum pp_status pp_overlay_seen(struct pp_clipper *clipper, struct pp_region *seen,
-                               const struct pp_pieces *pieces, int index,
+                               const struct pp_occluders *pieces, int index,
                                double distance_m, struct pp_error *err)
 {
     int count = pieces->count, found = 0;
@@ -132,7 +132,7 @@ enum pp_status pp_overlay_seen(struct pp_clipper *clipper, struct pp_region *see
     if (status == PP_OK)
         status = pp_region_union(clipper, seen, parts, found, err);
     for (int i = 0; i < found; i++)
-        pp_region_destroy(&parts[i]);
+        pp_region_clear(&parts[i]);
     free(parts);
     return status;
 }

@@ -8,26 +8,26 @@
 #include "methods/view/overlay.h"
 
 /* What is gathered on the way. */
-struct work {
-    struct pp_scene scene;
-    struct pp_pieces inside, outside;
+struct patch_builder {
+    struct pp_occluders_scene scene;
+    struct pp_occluders inside, outside;
     struct pp_clipper *clipper;
     struct pp_region open; /* the part that is not hidden inside */
     bool open_is_extent;   /* all of the scene's low to high? */
     double grid;           /* on which figures are overlaid */
 };
 
-static void clear_work(struct work *work)
+static void clear_work(struct patch_builder *work)
 {
-    pp_pieces_clear(&work->inside);
-    pp_pieces_clear(&work->outside);
-    pp_region_destroy(&work->open);
-    pp_clipper_destroy(work->clipper);
+    pp_occluders_clear(&work->inside);
+    pp_occluders_clear(&work->outside);
+    pp_region_clear(&work->open);
+    pp_region_clipper_destroy(work->clipper);
 }
 
 /* ---- the outline ---- */
 
-static void find_extent(struct pp_scene *scene)
+static void find_extent(struct pp_occluders_scene *scene)
 {
     for (int axis = 0; axis < 2; axis++) {
         scene->low[axis] = scene->high[axis] = scene->outline[0][axis];
@@ -60,11 +60,11 @@ static int rectangle_through(double corners[4][2], const double inner[4][2],
 
 /* The ring of a polygon in the view's plane, from the eye. */
 static void project(double (*xy)[2], const struct pp_polygon *outline,
-                    const struct pp_view *view, double depth_m)
+                    const struct pp_projection *view, double depth_m)
 {
     double scale = view->distance_m / depth_m;
     for (int i = 0; i < outline->count; i++) {
-        struct pp_vec3 corner = pp_view_point(view, outline->vertices[i]);
+        struct pp_vec3 corner = pp_projection_point(view, outline->vertices[i]);
         xy[i][0] = corner.x * scale;
         xy[i][1] = corner.y * scale;
     }
@@ -72,18 +72,18 @@ static void project(double (*xy)[2], const struct pp_polygon *outline,
 
 /* What is seen through both outlines of an opening that is no plain rectangle goes to
  * work->open. */
-static enum pp_status open_by_overlay(struct work *work,
+static enum pp_status open_by_overlay(struct patch_builder *work,
                                       const struct pp_opening *opening,
                                       struct pp_error *err)
 {
-    const struct pp_view *view = work->scene.view;
+    const struct pp_projection *view = work->scene.view;
     int count = opening->inner.count;
     double(*xy)[2] = malloc((size_t)count * sizeof *xy);
     if (!xy)
         return pp_fail_memory(err);
     struct pp_region inner = {0}, outer = {0};
     project(xy, &opening->inner, view, view->distance_m);
-    enum pp_status status = pp_clipper_create(&work->clipper, err);
+    enum pp_status status = pp_region_clipper_create(&work->clipper, err);
     if (status == PP_OK)
         status = pp_region_of_ring(work->clipper, &inner, (const double(*)[2])xy, count,
                                    err);
@@ -101,21 +101,21 @@ static enum pp_status open_by_overlay(struct work *work,
         status =
             pp_region_intersection(work->clipper, &work->open, &inner, &outer, err);
     free(xy);
-    pp_region_destroy(&inner);
-    pp_region_destroy(&outer);
+    pp_region_clear(&inner);
+    pp_region_clear(&outer);
     return status;
 }
 
 /* Replaces work->open by what is left of it without the pieces inside. */
-static enum pp_status take_inside_away(struct work *work, struct pp_error *err)
+static enum pp_status take_inside_away(struct patch_builder *work, struct pp_error *err)
 {
     struct pp_region taken, left = {0};
     enum pp_status status = pp_overlay_union(work->clipper, &taken, &work->inside, err);
     if (status == PP_OK)
         status = pp_region_difference(work->clipper, &left, &work->open, &taken, err);
-    pp_region_destroy(&taken);
+    pp_region_clear(&taken);
     if (status == PP_OK) {
-        pp_region_destroy(&work->open);
+        pp_region_clear(&work->open);
         work->open = left;
         work->open_is_extent = false;
     }
@@ -126,12 +126,12 @@ static enum pp_status take_inside_away(struct work *work, struct pp_error *err)
 
 /* Hands region over to a new patch, unless it is empty. */
 static void add_patch(struct pp_visible *visible, struct pp_region *region,
-                      const struct pp_piece *hider)
+                      const struct pp_occluder *hider)
 {
     if (region->count == 0)
         return;
-    struct pp_patch *patch = &visible->patches[visible->patch_count++];
-    *patch = (struct pp_patch){.region = *region, .hidden = hider != NULL};
+    struct pp_visible_patch *patch = &visible->patches[visible->patch_count++];
+    *patch = (struct pp_visible_patch){.region = *region, .hidden = hider != NULL};
     if (hider) {
         patch->reflectance = hider->reflectance;
         patch->exitance = hider->exitance;
@@ -139,7 +139,7 @@ static void add_patch(struct pp_visible *visible, struct pp_region *region,
     *region = (struct pp_region){0};
 }
 
-static bool all_alike(const struct pp_pieces *pieces)
+static bool all_alike(const struct pp_occluders *pieces)
 {
     for (int i = 1; i < pieces->count; i++)
         if (!pp_overlay_same_light(&pieces->list[0], &pieces->list[i]))
@@ -148,7 +148,7 @@ static bool all_alike(const struct pp_pieces *pieces)
 }
 
 /* The union of all pieces and what it leaves of work->open. */
-static enum pp_status cover(struct work *work, struct pp_region *all,
+static enum pp_status cover(struct patch_builder *work, struct pp_region *all,
                             struct pp_region *sky, struct pp_error *err)
 {
     *sky = (struct pp_region){0};
@@ -159,7 +159,7 @@ static enum pp_status cover(struct work *work, struct pp_region *all,
 }
 
 /* Do the areas of a cover add up, and is every piece in it? */
-static bool adds_up(const struct work *work, const struct pp_region *all,
+static bool adds_up(const struct patch_builder *work, const struct pp_region *all,
                     const struct pp_region *sky)
 {
     double whole = pp_region_area(&work->open);
@@ -167,7 +167,7 @@ static bool adds_up(const struct work *work, const struct pp_region *all,
     if (!(fabs(missing) <= 1e-13 * whole))
         return false;
     for (int i = 0; i < work->outside.count; i++) {
-        const struct pp_piece *piece = &work->outside.list[i];
+        const struct pp_occluder *piece = &work->outside.list[i];
         double x = 0.0, y = 0.0;
         for (int k = 0; k < piece->count; k++) {
             x += piece->xy[k][0] / piece->count;
@@ -181,32 +181,32 @@ static bool adds_up(const struct work *work, const struct pp_region *all,
 
 /* Where every piece is in sight and gives off the same light. Without a grid first,
  * which is five times as fast; then with it if GEOS has lost something on the way. */
-static enum pp_status divide_alike(struct pp_visible *visible, struct work *work,
-                                   struct pp_error *err)
+static enum pp_status divide_alike(struct pp_visible *visible,
+                                   struct patch_builder *work, struct pp_error *err)
 {
     struct pp_region all, sky;
-    pp_clipper_set_grid(work->clipper, 0.0);
+    pp_region_clipper_set_grid(work->clipper, 0.0);
     enum pp_status status = cover(work, &all, &sky, NULL);
-    pp_clipper_set_grid(work->clipper, work->grid);
+    pp_region_clipper_set_grid(work->clipper, work->grid);
     if (status != PP_OK || !adds_up(work, &all, &sky)) {
-        pp_region_destroy(&all);
-        pp_region_destroy(&sky);
+        pp_region_clear(&all);
+        pp_region_clear(&sky);
         status = cover(work, &all, &sky, err);
     }
     if (status == PP_OK) {
         add_patch(visible, &sky, NULL);
         add_patch(visible, &all, &work->outside.list[0]);
     }
-    pp_region_destroy(&all);
-    pp_region_destroy(&sky);
+    pp_region_clear(&all);
+    pp_region_clear(&sky);
     return status;
 }
 
 /* Divides work->open by the pieces outside. */
-static enum pp_status divide(struct pp_visible *visible, struct work *work,
+static enum pp_status divide(struct pp_visible *visible, struct patch_builder *work,
                              struct pp_error *err)
 {
-    const struct pp_pieces *outside = &work->outside;
+    const struct pp_occluders *outside = &work->outside;
     visible->patches = calloc((size_t)outside->count + 1, sizeof *visible->patches);
     if (!visible->patches)
         return pp_fail_memory(err);
@@ -233,11 +233,11 @@ static enum pp_status divide(struct pp_visible *visible, struct work *work,
                                             err);
         if (status == PP_OK)
             add_patch(visible, &within, &outside->list[i]);
-        pp_region_destroy(&light);
-        pp_region_destroy(&within);
+        pp_region_clear(&light);
+        pp_region_clear(&within);
     }
-    pp_region_destroy(&all);
-    pp_region_destroy(&sky);
+    pp_region_clear(&all);
+    pp_region_clear(&sky);
     return status;
 }
 
@@ -248,22 +248,22 @@ static void divide_by_skyline(struct pp_visible *visible, struct pp_region regio
                               const struct pp_skyline *skyline)
 {
     visible->patch_count = 1;
-    visible->patches[0] = (struct pp_patch){.region = region};
+    visible->patches[0] = (struct pp_visible_patch){.region = region};
     if (!skyline)
         return;
     struct pp_band band = pp_occluders_band(world, skyline, visible->view.eye);
-    struct pp_vec3 not_above = pp_scale(band.above, -1.0);
-    struct pp_vec3 not_below = pp_scale(band.below, -1.0);
-    struct pp_patch above = {
+    struct pp_vec3 not_above = pp_vec_scale(band.above, -1.0);
+    struct pp_vec3 not_below = pp_vec_scale(band.below, -1.0);
+    struct pp_visible_patch above = {
         .region = region, .half_spaces = {band.above}, .half_space_count = 1};
-    struct pp_patch under = {.region = region,
-                             .half_spaces = {not_above, band.below},
-                             .half_space_count = 2};
-    struct pp_patch hidden = {.region = region,
-                              .half_spaces = {not_above, not_below},
-                              .half_space_count = 2,
-                              .hidden = true,
-                              .reflectance = skyline->reflectance};
+    struct pp_visible_patch under = {.region = region,
+                                     .half_spaces = {not_above, band.below},
+                                     .half_space_count = 2};
+    struct pp_visible_patch hidden = {.region = region,
+                                      .half_spaces = {not_above, not_below},
+                                      .half_space_count = 2,
+                                      .hidden = true,
+                                      .reflectance = skyline->reflectance};
     visible->patch_count = 3;
     visible->patches[0] = above;
     visible->patches[1] = under;
@@ -272,7 +272,7 @@ static void divide_by_skyline(struct pp_visible *visible, struct pp_region regio
 
 /* The grid on which figures are overlaid: a power of two, 2^-50 of the largest
  * coordinate. */
-static double grid_of(const struct pp_scene *scene)
+static double grid_of(const struct pp_occluders_scene *scene)
 {
     int exponent;
     frexp(fmax(fmax(fabs(scene->low[0]), fabs(scene->high[0])),
@@ -283,10 +283,10 @@ static double grid_of(const struct pp_scene *scene)
 
 /* Fills visible from a scene whose outline is known: as work->open, or (rectangles) as
  * the ring in visible. */
-static enum pp_status fill(struct pp_visible *visible, struct work *work,
+static enum pp_status fill(struct pp_visible *visible, struct patch_builder *work,
                            bool with_outside, struct pp_error *err)
 {
-    struct pp_scene *scene = &work->scene;
+    struct pp_occluders_scene *scene = &work->scene;
     const struct pp_world *world = scene->world;
     bool by_ring = work->open.count == 0;
     enum pp_status status =
@@ -311,10 +311,10 @@ static enum pp_status fill(struct pp_visible *visible, struct work *work,
     }
 
     if (!work->clipper)
-        status = pp_clipper_create(&work->clipper, err);
+        status = pp_region_clipper_create(&work->clipper, err);
     work->grid = grid_of(scene);
     if (status == PP_OK)
-        pp_clipper_set_grid(work->clipper, work->grid);
+        pp_region_clipper_set_grid(work->clipper, work->grid);
     if (status == PP_OK && by_ring) {
         struct pp_region ring = {1, &visible->ring};
         status = pp_region_copy(&work->open, &ring, err);
@@ -350,14 +350,15 @@ static enum pp_status through(struct pp_visible *visible, const struct pp_world 
     visible->patch_count = 0;
     visible->patches = NULL;
     visible->allocated = false;
-    struct pp_view *view = &visible->view;
-    *view = (struct pp_view){eye, opening->along, opening->up,
-                             pp_scale(opening->inner.normal, -1.0), 0.0};
-    view->distance_m = pp_dot(pp_sub(opening->inner.vertices[0], eye), view->toward);
-    if (!(view->distance_m > PP_HAIR))
+    struct pp_projection *view = &visible->view;
+    *view = (struct pp_projection){eye, opening->along, opening->up,
+                                   pp_vec_scale(opening->inner.normal, -1.0), 0.0};
+    view->distance_m =
+        pp_vec_dot(pp_vec_sub(opening->inner.vertices[0], eye), view->toward);
+    if (!(view->distance_m > PP_OCCLUDERS_COPLANAR_M))
         return PP_OK;
 
-    struct work work = {
+    struct patch_builder work = {
         .scene = {
             .world = world, .view = view, .face = opening->face, .from_inside = true}};
     enum pp_status status = PP_OK;
@@ -383,7 +384,7 @@ static enum pp_status through(struct pp_visible *visible, const struct pp_world 
             return status;
         }
         /* Its extent's corners stand for it. */
-        struct pp_scene all = work.scene;
+        struct pp_occluders_scene all = work.scene;
         work.scene.low[0] = work.scene.low[1] = INFINITY;
         work.scene.high[0] = work.scene.high[1] = -INFINITY;
         for (int r = 0; r < work.open.count; r++) {
@@ -428,7 +429,7 @@ enum pp_status pp_visible_opening(struct pp_visible *visible,
 
 enum pp_status pp_visible_in_air(struct pp_visible *visible,
                                  const struct pp_world *world,
-                                 const struct pp_view *view, const double low[2],
+                                 const struct pp_projection *view, const double low[2],
                                  const double high[2], int face, struct pp_error *err)
 {
     visible->patch_count = 0;
@@ -439,12 +440,13 @@ enum pp_status pp_visible_in_air(struct pp_visible *visible,
         {low[0], low[1]}, {high[0], low[1]}, {high[0], high[1]}, {low[0], high[1]}};
     memcpy(visible->corners, corners, sizeof corners);
     visible->ring = (struct pp_ring){4, visible->corners};
-    struct work work = {.scene = {.world = world,
-                                  .view = &visible->view,
-                                  .face = face,
-                                  .from_inside = false,
-                                  .outline = (const double(*)[2])visible->corners,
-                                  .outline_count = 4}};
+    struct patch_builder work = {
+        .scene = {.world = world,
+                  .view = &visible->view,
+                  .face = face,
+                  .from_inside = false,
+                  .outline = (const double(*)[2])visible->corners,
+                  .outline_count = 4}};
     find_extent(&work.scene);
     enum pp_status status = fill(visible, &work, true, err);
     clear_work(&work);
@@ -461,7 +463,7 @@ void pp_visible_clear(struct pp_visible *visible)
     for (int i = visible->patch_count - 1; i >= 0; i--)
         if (i == 0
             || visible->patches[i].region.rings != visible->patches[i - 1].region.rings)
-            pp_region_destroy(&visible->patches[i].region);
+            pp_region_clear(&visible->patches[i].region);
     free(visible->patches);
     visible->patches = NULL;
     visible->patch_count = 0;

@@ -41,7 +41,8 @@ static int cut_ring(double (*xy)[2], int count, struct pp_vec3 h, double (*room)
 /* A ring of a patch, at unit distance and within the patch's half-spaces. */
 static enum pp_status draw_ring(struct pp_ring *drawn, const struct pp_ring *ring,
                                 const struct pp_visible *visible,
-                                const struct pp_patch *patch, struct pp_error *err)
+                                const struct pp_visible_patch *patch,
+                                struct pp_error *err)
 {
     /* Each half-space can at most double the points. */
     size_t most = (size_t)ring->count << patch->half_space_count;
@@ -56,17 +57,17 @@ static enum pp_status draw_ring(struct pp_ring *drawn, const struct pp_ring *rin
             drawn->xy[i][axis] = ring->xy[i][axis] / visible->view.distance_m;
     drawn->count = ring->count;
     for (int i = 0; i < patch->half_space_count; i++)
-        drawn->count =
-            cut_ring(drawn->xy, drawn->count,
-                     pp_view_axes(&visible->view, patch->half_spaces[i]), room);
+        drawn->count = cut_ring(
+            drawn->xy, drawn->count,
+            pp_projection_direction(&visible->view, patch->half_spaces[i]), room);
     free(room);
     return PP_OK;
 }
 
 static enum pp_status draw_patch(struct pp_drawn_part *part,
                                  const struct pp_visible *visible,
-                                 const struct pp_patch *patch, const struct pp_sky *sky,
-                                 struct pp_error *err)
+                                 const struct pp_visible_patch *patch,
+                                 const struct pp_sky *sky, struct pp_error *err)
 {
     part->hidden = patch->hidden;
     part->factor = patch->hidden ? pp_direct_factor(sky, patch->reflectance) : 1.0;
@@ -90,8 +91,9 @@ enum pp_status pp_window_drawing_create(struct pp_window_drawing *drawing,
                                         const struct pp_opening *opening,
                                         struct pp_vec3 point, struct pp_error *err)
 {
-    *drawing = (struct pp_window_drawing){
-        .axes = {opening->along, opening->up, pp_scale(opening->inner.normal, -1.0)}};
+    *drawing =
+        (struct pp_window_drawing){.axes = {opening->along, opening->up,
+                                            pp_vec_scale(opening->inner.normal, -1.0)}};
     struct pp_visible visible;
     enum pp_status status = pp_visible_through(&visible, world, opening, point, err);
     if (status != PP_OK)
@@ -114,25 +116,27 @@ enum pp_status pp_window_drawing_create(struct pp_window_drawing *drawing,
 void pp_window_drawing_clear(struct pp_window_drawing *drawing)
 {
     for (int i = 0; i < drawing->count; i++)
-        pp_region_destroy(&drawing->parts[i].region);
+        pp_region_clear(&drawing->parts[i].region);
     free(drawing->parts);
     drawing->parts = NULL;
     drawing->count = 0;
 }
 
-void pp_window_drawing_set_down(struct pp_terms *terms,
-                                const struct pp_drawn_part *part, double count,
-                                const char *things, double share)
+void pp_window_drawing_steps(struct pp_part_steps *terms,
+                             const struct pp_drawn_part *part, double count,
+                             const char *things, double share)
 {
-    pp_terms_next(terms);
-    pp_step_named(terms->steps, PP_UNIT_COUNT, count, pp_terms_name(terms, "n").text,
-                  "%s on %s", things, part->hidden ? "an obstruction" : "the sky");
+    pp_part_steps_next(terms);
+    pp_steps_add_named(terms->steps, PP_UNIT_COUNT, count,
+                       pp_part_steps_symbol(terms, "n").text, "%s on %s", things,
+                       part->hidden ? "an obstruction" : "the sky");
     if (!part->hidden) {
-        pp_terms_worked(terms, false, share, "n# w", "sky component");
+        pp_part_steps_component(terms, false, share, "n# w", "sky component");
         return;
     }
-    pp_step_named(terms->steps, PP_UNIT_NUMBER, part->factor,
-                  pp_terms_name(terms, "f").text,
-                  "luminance factor of the obstruction");
-    pp_terms_worked(terms, true, share, "f# n# w", "externally reflected component");
+    pp_steps_add_named(terms->steps, PP_UNIT_NUMBER, part->factor,
+                       pp_part_steps_symbol(terms, "f").text,
+                       "luminance factor of the obstruction");
+    pp_part_steps_component(terms, true, share, "f# n# w",
+                            "externally reflected component");
 }

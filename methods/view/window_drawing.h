@@ -6,8 +6,8 @@
  * point: (a, b) is a to the right and b up (as the opening's own axes have it), over
  * the distance of the plane. Straight edges are straight in it.
  */
-#ifndef PP_METHODS_WINDOW_DRAWING_H
-#define PP_METHODS_WINDOW_DRAWING_H
+#ifndef PP_METHODS_VIEW_WINDOW_DRAWING_H
+#define PP_METHODS_VIEW_WINDOW_DRAWING_H
 
 #include <stdbool.h>
 
@@ -44,8 +44,8 @@ void pp_window_drawing_clear(struct pp_window_drawing *drawing);
 
 /* Sets down what was counted on a part: so many `things`, each worth "w", which has
  * been set down, give `share`. */
-void pp_window_drawing_set_down(struct pp_terms *terms,
-                                const struct pp_drawn_part *part, double count,
-                                const char *things, double share);
+void pp_window_drawing_steps(struct pp_part_steps *terms,
+                             const struct pp_drawn_part *part, double count,
+                             const char *things, double share);
 
 #endif

@@ -14,21 +14,21 @@
 #include <string.h>
 
 #include "methods/exact/direct.h"
-#include "methods/methods.h"
+#include "methods/method_entries.h"
 #include "methods/exact/quadrature.h"
 #include "methods/refusals.h"
 #include "methods/view/visible.h"
 #include "methods/waldram/waldram_squares.h"
 
 /* The diagrams that are kept at hand: those that the room's openings need. */
-struct diagrams {
+struct waldram_diagrams {
     struct pp_waldram unglazed, glazed;
 };
 
 static enum pp_status prepare(void **tools, const struct pp_world *world,
                               struct pp_error *err)
 {
-    struct diagrams *diagrams = malloc(sizeof *diagrams);
+    struct waldram_diagrams *diagrams = malloc(sizeof *diagrams);
     if (!diagrams)
         return pp_fail_memory(err);
     bool glazed = false, unglazed = false;
@@ -36,9 +36,9 @@ static enum pp_status prepare(void **tools, const struct pp_world *world,
         *(world->openings[i].glass.panes > 0 ? &glazed : &unglazed) = true;
     enum pp_status status = PP_OK;
     if (unglazed)
-        status = pp_waldram_make(&diagrams->unglazed, &world->sky, false, err);
+        status = pp_waldram_scale_init(&diagrams->unglazed, &world->sky, false, err);
     if (glazed && status == PP_OK)
-        status = pp_waldram_make(&diagrams->glazed, &world->sky, true, err);
+        status = pp_waldram_scale_init(&diagrams->glazed, &world->sky, true, err);
     if (status != PP_OK)
         free(diagrams);
     else
@@ -51,8 +51,8 @@ static const char *refuses_room(const struct pp_world *world,
 {
     if (pp_sky_has_azimuth(&world->sky))
         return "the diagram holds skies that are the same in all azimuths";
-    const char *why = pp_refuse_unless_up(receiver);
-    return why ? why : pp_refuse_if_luminous(world);
+    const char *why = pp_refusals_unless_up(receiver);
+    return why ? why : pp_refusals_if_luminous(world);
 }
 
 static const char *refuses(const struct pp_world *world,
@@ -62,7 +62,7 @@ static const char *refuses(const struct pp_world *world,
     (void)world, (void)receiver;
     if (opening->glass.diffusing)
         return "has diffusing glass; the diagram holds clear glass only";
-    if (opening->glass.panes > 0 && pp_refuse_unless_vertical(opening))
+    if (opening->glass.panes > 0 && pp_refusals_unless_vertical(opening))
         return "has sloping glass; the diagram with glass holds vertical openings only";
     return NULL;
 }
@@ -72,7 +72,7 @@ static enum pp_status evaluate(const struct pp_world *world,
                                const struct pp_receiver *receiver, const void *tools,
                                struct pp_part *part, struct pp_error *err)
 {
-    const struct diagrams *diagrams = tools;
+    const struct waldram_diagrams *diagrams = tools;
     const struct pp_waldram *waldram =
         opening->glass.panes > 0 ? &diagrams->glazed : &diagrams->unglazed;
     struct pp_window_drawing drawing;
@@ -80,22 +80,22 @@ static enum pp_status evaluate(const struct pp_world *world,
         pp_window_drawing_create(&drawing, world, opening, receiver->position, err);
     if (status != PP_OK)
         return status;
-    pp_step_named(part->steps, PP_UNIT_SHARE, PP_WALDRAM_WORTH, "w",
-                  "a square of the diagram is worth");
-    struct pp_terms terms = pp_terms_begin(part->steps, drawing.count);
+    pp_steps_add_named(part->steps, PP_UNIT_SHARE, PP_WALDRAM_WORTH, "w",
+                       "a square of the diagram is worth");
+    struct pp_part_steps terms = pp_part_steps_begin(part->steps, drawing.count);
     for (int i = 0; i < drawing.count && status == PP_OK; i++) {
         const struct pp_drawn_part *drawn = &drawing.parts[i];
         struct pp_waldram_count count;
-        status = pp_waldram_count_squares(&count, waldram, &drawing.axes,
+        status = pp_waldram_squares_count(&count, waldram, &drawing.axes,
                                           &drawn->region, err);
         if (status != PP_OK)
             break;
         double share = drawn->factor * count.squares * PP_WALDRAM_WORTH;
         *(drawn->hidden ? &part->external : &part->sky) += share;
-        pp_window_drawing_set_down(&terms, drawn, count.squares, "squares", share);
-        pp_waldram_count_clear(&count);
+        pp_window_drawing_steps(&terms, drawn, count.squares, "squares", share);
+        pp_waldram_squares_clear(&count);
     }
-    pp_terms_end(&terms);
+    pp_part_steps_end(&terms);
     pp_window_drawing_clear(&drawing);
     return status;
 }
@@ -111,7 +111,8 @@ static double charted_luminance(const void *context, struct pp_vec3 u)
 {
     const struct charted *charted = context;
     const struct pp_glass *glass = &charted->waldram->glass;
-    double aside = pp_dot(u, charted->along), ahead = pp_dot(u, charted->toward);
+    double aside = pp_vec_dot(u, charted->along),
+           ahead = pp_vec_dot(u, charted->toward);
     double level = hypot(aside, ahead);
     if (!(level > 0.0))
         return 0.0;
@@ -136,7 +137,7 @@ static enum pp_status evaluate_roughly(const struct pp_world *world,
         part->external = sum.external;
         return plain;
     }
-    const struct diagrams *diagrams = tools;
+    const struct waldram_diagrams *diagrams = tools;
     struct pp_visible visible;
     enum pp_status status =
         pp_visible_through(&visible, world, opening, receiver->position, err);
@@ -146,7 +147,7 @@ static enum pp_status evaluate_roughly(const struct pp_world *world,
                               visible.view.toward};
     struct pp_integrand integrand = {charted_luminance, &charted, NULL};
     for (int i = 0; i < visible.patch_count && status == PP_OK; i++) {
-        const struct pp_patch *patch = &visible.patches[i];
+        const struct pp_visible_patch *patch = &visible.patches[i];
         struct pp_vec3 planes[3] = {receiver->normal};
         struct pp_quadrature result;
         memcpy(planes + 1, patch->half_spaces, sizeof patch->half_spaces);

@@ -30,11 +30,12 @@ static double y_density(const void *context, double altitude)
 
 static double read_scale(const double *scale, double angle)
 {
-    return pp_even_table(scale, PP_WALDRAM_PANELS + 1, 0.0, PP_PI / 2.0, angle);
+    return pp_interpolate_cubic(scale, PP_WALDRAM_PANELS + 1, 0.0, PP_PI / 2.0, angle);
 }
 
-enum pp_status pp_waldram_make(struct pp_waldram *waldram, const struct pp_sky *sky,
-                               bool glazed, struct pp_error *err)
+enum pp_status pp_waldram_scale_init(struct pp_waldram *waldram,
+                                     const struct pp_sky *sky, bool glazed,
+                                     struct pp_error *err)
 {
     if (pp_sky_has_azimuth(sky))
         return pp_fail(
@@ -45,14 +46,14 @@ enum pp_status pp_waldram_make(struct pp_waldram *waldram, const struct pp_sky *
     waldram->sky = *sky;
     waldram->glazed = glazed;
     waldram->glass = glazed ? pp_glass_clear_single() : pp_glass_none();
-    pp_even_table_integrate(waldram->x, PP_WALDRAM_PANELS + 1, 0.0, PP_PI / 2.0,
-                            x_density, waldram);
-    pp_even_table_integrate(waldram->y, PP_WALDRAM_PANELS + 1, 0.0, PP_PI / 2.0,
-                            y_density, waldram);
+    pp_interpolate_tabulate_integral(waldram->x, PP_WALDRAM_PANELS + 1, 0.0,
+                                     PP_PI / 2.0, x_density, waldram);
+    pp_interpolate_tabulate_integral(waldram->y, PP_WALDRAM_PANELS + 1, 0.0,
+                                     PP_PI / 2.0, y_density, waldram);
     return PP_OK;
 }
 
-double pp_waldram_x(const struct pp_waldram *waldram, double azimuth_rad)
+double pp_waldram_scale_x(const struct pp_waldram *waldram, double azimuth_rad)
 {
     double azimuth = fabs(azimuth_rad);
     if (!waldram->glazed)
@@ -60,7 +61,7 @@ double pp_waldram_x(const struct pp_waldram *waldram, double azimuth_rad)
     return copysign(read_scale(waldram->x, azimuth), azimuth_rad);
 }
 
-double pp_waldram_y(const struct pp_waldram *waldram, double altitude_rad)
+double pp_waldram_scale_y(const struct pp_waldram *waldram, double altitude_rad)
 {
     if (!(altitude_rad > 0.0))
         return 0.0;
@@ -73,15 +74,15 @@ double pp_waldram_y(const struct pp_waldram *waldram, double altitude_rad)
     return read_scale(waldram->y, altitude_rad);
 }
 
-double pp_waldram_whole(const struct pp_waldram *waldram)
+double pp_waldram_scale_total_area(const struct pp_waldram *waldram)
 {
-    return 2.0 * pp_waldram_x(waldram, PP_PI / 2.0)
-           * pp_waldram_y(waldram, PP_PI / 2.0);
+    return 2.0 * pp_waldram_scale_x(waldram, PP_PI / 2.0)
+           * pp_waldram_scale_y(waldram, PP_PI / 2.0);
 }
 
 /* A straight edge of the window's plane, from direction p by d: p + t d, t 0 to 1. The
  * azimuth is measured from out's horizontal part. */
-struct edge {
+struct window_edge {
     const struct pp_waldram *waldram;
     struct pp_vec3 p, d; /* in axes: x to the right, y ahead, z up */
     double top;          /* Y of the zenith */
@@ -94,21 +95,21 @@ static int edge_integrand(unsigned dim, const double *t, void *data, unsigned fd
                           double *value)
 {
     (void)dim, (void)fdim;
-    const struct edge *edge = data;
-    struct pp_vec3 u = pp_along(edge->p, t[0], edge->d);
+    const struct window_edge *edge = data;
+    struct pp_vec3 u = pp_vec_along(edge->p, t[0], edge->d);
     double level2 = u.x * u.x + u.y * u.y;
     *value = 0.0;
     if (level2 > 0.0) {
         double azimuth = atan2(u.x, u.y);
         double turn = (u.y * edge->d.x - u.x * edge->d.y) / level2;
-        double y = pp_waldram_y(edge->waldram, atan2(u.z, sqrt(level2)));
+        double y = pp_waldram_scale_y(edge->waldram, atan2(u.z, sqrt(level2)));
         if (!edge->waldram->glazed || fabs(azimuth) < PP_PI / 2.0)
             *value = (edge->top - y) * x_density(edge->waldram, azimuth) * turn;
     }
     return 0;
 }
 
-static double edge_sum(const struct edge *edge, double from, double to)
+static double edge_sum(const struct window_edge *edge, double from, double to)
 {
     double sum = 0.0, error;
     if (to > from)
@@ -117,25 +118,26 @@ static double edge_sum(const struct edge *edge, double from, double to)
     return sum;
 }
 
-double pp_waldram_area(const struct pp_waldram *waldram,
-                       const struct pp_window_axes *axes,
-                       const struct pp_region *region)
+double pp_waldram_scale_area(const struct pp_waldram *waldram,
+                             const struct pp_window_axes *axes,
+                             const struct pp_region *region)
 {
     /* Ahead: out's horizontal part; for a horizontal opening what is left of along. */
     struct pp_vec3 right = axes->along;
-    struct pp_vec3 ahead = pp_cross(pp_vec(0.0, 0.0, 1.0), right);
+    struct pp_vec3 ahead = pp_vec_cross(pp_vec(0.0, 0.0, 1.0), right);
     double area = 0.0;
     for (int r = 0; r < region->count; r++) {
         const struct pp_ring *ring = &region->rings[r];
         struct pp_vec3 last = {0.0, 0.0, 0.0};
         for (int i = 0; i <= ring->count; i++) {
             const double *xy = ring->xy[i % ring->count];
-            struct pp_vec3 u =
-                pp_along(pp_along(axes->out, xy[0], axes->along), xy[1], axes->up);
-            struct pp_vec3 here = pp_vec(pp_dot(u, right), pp_dot(u, ahead), u.z);
+            struct pp_vec3 u = pp_vec_along(pp_vec_along(axes->out, xy[0], axes->along),
+                                            xy[1], axes->up);
+            struct pp_vec3 here =
+                pp_vec(pp_vec_dot(u, right), pp_vec_dot(u, ahead), u.z);
             if (i > 0) {
-                struct edge edge = {waldram, last, pp_sub(here, last),
-                                    pp_waldram_y(waldram, PP_PI / 2.0)};
+                struct window_edge edge = {waldram, last, pp_vec_sub(here, last),
+                                           pp_waldram_scale_y(waldram, PP_PI / 2.0)};
                 /* Y has a kink where the edge meets the horizon. */
                 double cut = last.z * here.z < 0.0 ? last.z / (last.z - here.z) : 0.0;
                 area += edge_sum(&edge, 0.0, cut) + edge_sum(&edge, cut, 1.0);

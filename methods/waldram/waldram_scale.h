@@ -20,8 +20,8 @@
  *
  * Coordinates are fractions of Eh per unit area: a region's area is its sky component.
  */
-#ifndef PP_METHODS_WALDRAM_SCALE_H
-#define PP_METHODS_WALDRAM_SCALE_H
+#ifndef PP_METHODS_WALDRAM_WALDRAM_SCALE_H
+#define PP_METHODS_WALDRAM_WALDRAM_SCALE_H
 
 #include <stdbool.h>
 
@@ -44,23 +44,24 @@ struct pp_waldram {
 
 /* Makes the diagram of a sky whose luminance does not change with azimuth; any other is
  * refused. */
-enum pp_status pp_waldram_make(struct pp_waldram *waldram, const struct pp_sky *sky,
-                               bool glazed, struct pp_error *err);
+enum pp_status pp_waldram_scale_init(struct pp_waldram *waldram,
+                                     const struct pp_sky *sky, bool glazed,
+                                     struct pp_error *err);
 
 /* Azimuth from -pi to pi, odd in it; with glass what lies beyond pi/2 adds nothing. */
-double pp_waldram_x(const struct pp_waldram *waldram, double azimuth_rad);
+double pp_waldram_scale_x(const struct pp_waldram *waldram, double azimuth_rad);
 
 /* Altitude, 0 to pi/2; 0 below the horizon. Relative error of both scales 1e-9. */
-double pp_waldram_y(const struct pp_waldram *waldram, double altitude_rad);
+double pp_waldram_scale_y(const struct pp_waldram *waldram, double altitude_rad);
 
 /* Area of the map from azimuth -pi/2 to pi/2: 1/2 without glass. */
-double pp_waldram_whole(const struct pp_waldram *waldram);
+double pp_waldram_scale_total_area(const struct pp_waldram *waldram);
 
 /* Area on the diagram of a region of a window's drawing, exact for the diagram's own
  * scales (relative error 1e-9): what lies below the horizon has none. Straight lines
  * of the plane become droop lines. A region round the zenith counts as it should. */
-double pp_waldram_area(const struct pp_waldram *waldram,
-                       const struct pp_window_axes *axes,
-                       const struct pp_region *region);
+double pp_waldram_scale_area(const struct pp_waldram *waldram,
+                             const struct pp_window_axes *axes,
+                             const struct pp_region *region);
 
 #endif

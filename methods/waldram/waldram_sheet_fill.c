@@ -11,7 +11,7 @@
 #include <stdlib.h>
 
 #include "methods/drawing_board.h"
-#include "methods/methods.h"
+#include "methods/method_entries.h"
 #include "methods/waldram/waldram_squares.h"
 
 enum { DROOP_STEP_DEG = 10, DROOP_LINES = 8, DROOP_POINTS = 181 };
@@ -23,7 +23,7 @@ static double azimuth_of(int point)
 
 /* Lines of the levels 10, 20 ... 80 degrees; along: by the cosine of the azimuth, else
  * by its sine. */
-static bool fill_droop(struct pp_curves *curves, const struct pp_waldram *waldram,
+static bool fill_droop(struct pp_curve_list *curves, const struct pp_waldram *waldram,
                        bool along, double width, double height)
 {
     curves->list = calloc(DROOP_LINES, sizeof *curves->list);
@@ -40,9 +40,9 @@ static bool fill_droop(struct pp_curves *curves, const struct pp_waldram *waldra
         for (int k = 0; k < DROOP_POINTS; k++) {
             double phi = azimuth_of(k);
             double way = along ? cos(phi) : fabs(sin(phi));
-            curve->xy[k][0] = pp_waldram_x(waldram, phi) / width;
+            curve->xy[k][0] = pp_waldram_scale_x(waldram, phi) / width;
             curve->xy[k][1] =
-                pp_waldram_y(waldram, atan(tan(curve->level) * fmax(way, 0.0)))
+                pp_waldram_scale_y(waldram, atan(tan(curve->level) * fmax(way, 0.0)))
                 / height;
         }
     }
@@ -54,16 +54,16 @@ static enum pp_status fill_scales(struct pp_waldram_panel *panel,
                                   struct pp_error *err)
 {
     double width, height;
-    pp_waldram_square_size(waldram, &width, &height);
+    pp_waldram_squares_size(waldram, &width, &height);
     panel->glazed = waldram->glazed;
     panel->low = -PP_WALDRAM_COLUMNS / 2;
     panel->high = PP_WALDRAM_COLUMNS / 2;
-    panel->top = pp_waldram_y(waldram, PP_PI / 2.0) / height;
-    panel->whole = pp_waldram_whole(waldram);
+    panel->top = pp_waldram_scale_y(waldram, PP_PI / 2.0) / height;
+    panel->whole = pp_waldram_scale_total_area(waldram);
     for (int i = 0; i <= 180; i++)
-        panel->azimuth[i] = pp_waldram_x(waldram, i * PP_RAD) / width;
+        panel->azimuth[i] = pp_waldram_scale_x(waldram, i * PP_RAD) / width;
     for (int i = 0; i <= 90; i++)
-        panel->altitude[i] = pp_waldram_y(waldram, i * PP_RAD) / height;
+        panel->altitude[i] = pp_waldram_scale_y(waldram, i * PP_RAD) / height;
     bool good = fill_droop(&panel->parallel, waldram, true, width, height)
                 && fill_droop(&panel->across, waldram, false, width, height);
     return good ? PP_OK : pp_fail_memory(err);
@@ -88,7 +88,7 @@ static enum pp_status fill_piece(struct pp_board_piece *piece,
     piece->hidden = part->hidden;
     piece->factor = part->factor;
     enum pp_status status =
-        pp_waldram_count_squares(&count, waldram, axes, &part->region, err);
+        pp_waldram_squares_count(&count, waldram, axes, &part->region, err);
     if (status != PP_OK)
         return status;
     piece->counted = count.squares;
@@ -98,13 +98,14 @@ static enum pp_status fill_piece(struct pp_board_piece *piece,
         piece->squares[i] =
             (struct pp_counted_square){count.list[i].column, count.list[i].row,
                                        (int)lrint(10.0 * count.list[i].estimated)};
-    pp_waldram_count_clear(&count);
+    pp_waldram_squares_clear(&count);
     if (!piece->squares)
         return pp_fail_memory(err);
 
     double width, height;
-    pp_waldram_square_size(waldram, &width, &height);
-    status = pp_waldram_outline(&piece->outline, waldram, axes, &part->region, err);
+    pp_waldram_squares_size(waldram, &width, &height);
+    status =
+        pp_waldram_squares_outline(&piece->outline, waldram, axes, &part->region, err);
     to_squares(&piece->outline, width, height);
     return status;
 }
@@ -130,7 +131,7 @@ static enum pp_status fill_window(struct pp_board_window *window,
         struct pp_board_piece *piece = &window->pieces[window->count++];
         status = fill_piece(piece, waldram, &drawing.axes, &drawing.parts[i], err);
     }
-    pp_board_window_sum(window, PP_WALDRAM_WORTH);
+    pp_board_sheets_window_sum(window, PP_WALDRAM_WORTH);
     pp_window_drawing_clear(&drawing);
     return status;
 }
@@ -160,30 +161,30 @@ static enum pp_status fill_panel(struct pp_waldram_panel *panel,
     const struct pp_opening *opening = &world->openings[first];
     struct pp_waldram waldram;
     enum pp_status status =
-        pp_waldram_make(&waldram, &world->sky, opening->glass.panes > 0, err);
+        pp_waldram_scale_init(&waldram, &world->sky, opening->glass.panes > 0, err);
     if (status == PP_OK)
         status = fill_scales(panel, &waldram, err);
     panel->wall = world->surfaces[opening->face].name;
-    panel->windows =
-        calloc((size_t)pp_board_count_like(world, first), sizeof *panel->windows);
+    panel->windows = calloc((size_t)pp_drawing_board_count_alike(world, first),
+                            sizeof *panel->windows);
     if (status == PP_OK && !panel->windows)
         status = pp_fail_memory(err);
     for (int i = first; i < world->opening_count && status == PP_OK; i++)
-        if (pp_board_first_like(world, i) == first)
+        if (pp_drawing_board_first_alike(world, i) == first)
             status = fill_window(&panel->windows[panel->count++], &waldram, world,
                                  &world->openings[i], point, err);
     widen(panel);
     return status;
 }
 
-enum pp_status pp_waldram_sheet_blank(struct pp_waldram_sheet *sheet,
-                                      const struct pp_sky *sky, bool glazed,
-                                      struct pp_error *err)
+enum pp_status pp_waldram_sheet_fill_blank(struct pp_waldram_sheet *sheet,
+                                           const struct pp_sky *sky, bool glazed,
+                                           struct pp_error *err)
 {
     *sheet = (struct pp_waldram_sheet){
         .blank = true, .sky = *sky, .worth = PP_WALDRAM_WORTH};
     struct pp_waldram waldram;
-    enum pp_status status = pp_waldram_make(&waldram, sky, glazed, err);
+    enum pp_status status = pp_waldram_scale_init(&waldram, sky, glazed, err);
     if (status != PP_OK)
         return status;
     sheet->panels = calloc(1, sizeof *sheet->panels);
@@ -192,19 +193,20 @@ enum pp_status pp_waldram_sheet_blank(struct pp_waldram_sheet *sheet,
     sheet->count = 1;
     status = fill_scales(sheet->panels, &waldram, err);
     if (status != PP_OK)
-        pp_waldram_sheet_clear(sheet);
+        pp_board_sheets_waldram_clear(sheet);
     return status;
 }
 
-enum pp_status pp_waldram_sheet_of(struct pp_waldram_sheet *sheet,
-                                   const struct pp_world *world,
-                                   const struct pp_receiver *receiver,
-                                   struct pp_error *err)
+enum pp_status pp_waldram_sheet_fill_room(struct pp_waldram_sheet *sheet,
+                                          const struct pp_world *world,
+                                          const struct pp_receiver *receiver,
+                                          struct pp_error *err)
 {
     *sheet = (struct pp_waldram_sheet){0};
-    enum pp_status status = pp_board_covers(&pp_method_waldram, world, receiver, err);
+    enum pp_status status =
+        pp_drawing_board_check(&pp_method_waldram, world, receiver, err);
     if (status == PP_OK && world->opening_count == 0)
-        status = pp_waldram_sheet_blank(sheet, &world->sky, false, err);
+        status = pp_waldram_sheet_fill_blank(sheet, &world->sky, false, err);
     if (status != PP_OK)
         return status;
     sheet->name = world->name;
@@ -214,17 +216,18 @@ enum pp_status pp_waldram_sheet_of(struct pp_waldram_sheet *sheet,
     sheet->worth = PP_WALDRAM_WORTH;
     if (world->opening_count == 0)
         return PP_OK;
-    sheet->panels = calloc((size_t)pp_board_diagrams(world), sizeof *sheet->panels);
+    sheet->panels =
+        calloc((size_t)pp_drawing_board_diagram_count(world), sizeof *sheet->panels);
     if (!sheet->panels)
         return pp_fail_memory(err);
     for (int i = 0; i < world->opening_count && status == PP_OK; i++)
-        if (pp_board_first_like(world, i) == i)
+        if (pp_drawing_board_first_alike(world, i) == i)
             status = fill_panel(&sheet->panels[sheet->count++], world, i,
                                 receiver->position, err);
     for (int i = 0; i < sheet->count; i++)
-        pp_board_windows_add(sheet->panels[i].windows, sheet->panels[i].count,
-                             &sheet->sky_component, &sheet->external);
+        pp_board_sheets_windows_add(sheet->panels[i].windows, sheet->panels[i].count,
+                                    &sheet->sky_component, &sheet->external);
     if (status != PP_OK)
-        pp_waldram_sheet_clear(sheet);
+        pp_board_sheets_waldram_clear(sheet);
     return status;
 }

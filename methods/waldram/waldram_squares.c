@@ -8,21 +8,21 @@
 
 enum { DEEPEST = 12 }; /* halvings of one straight edge */
 
-void pp_waldram_square_size(const struct pp_waldram *waldram, double *width,
-                            double *height)
+void pp_waldram_squares_size(const struct pp_waldram *waldram, double *width,
+                             double *height)
 {
-    *width = 2.0 * pp_waldram_x(waldram, PP_PI / 2.0) / PP_WALDRAM_COLUMNS;
+    *width = 2.0 * pp_waldram_scale_x(waldram, PP_PI / 2.0) / PP_WALDRAM_COLUMNS;
     *height = PP_WALDRAM_WORTH / *width;
 }
 
 /* A line under construction. */
-struct line {
+struct droop_polyline {
     double (*xy)[2];
     int count, capacity;
     bool failed;
 };
 
-static void add_point(struct line *line, double x, double y)
+static void add_point(struct droop_polyline *line, double x, double y)
 {
     if (line->count == line->capacity) {
         int capacity = line->capacity ? 2 * line->capacity : 64;
@@ -41,7 +41,7 @@ static void add_point(struct line *line, double x, double y)
 
 /* A place on the diagram; its azimuth is kept beside X so that it can be followed past
  * 180 degrees. */
-struct place {
+struct diagram_point {
     double azimuth, x, y;
 };
 
@@ -52,24 +52,26 @@ struct mapping {
 
 /* Where direction u (right, ahead, up) falls, with an azimuth within 180 degrees of
  * `near`. */
-static struct place place_of(const struct mapping *mapping, struct pp_vec3 u,
-                             double near)
+static struct diagram_point place_of(const struct mapping *mapping, struct pp_vec3 u,
+                                     double near)
 {
     double azimuth = u.x == 0.0 && u.y == 0.0 ? near : atan2(u.x, u.y);
     azimuth += 2.0 * PP_PI * round((near - azimuth) / (2.0 * PP_PI));
-    double y = pp_waldram_y(mapping->waldram, atan2(u.z, hypot(u.x, u.y)));
-    return (struct place){azimuth, pp_waldram_x(mapping->waldram, azimuth), y};
+    double y = pp_waldram_scale_y(mapping->waldram, atan2(u.z, hypot(u.x, u.y)));
+    return (struct diagram_point){azimuth,
+                                  pp_waldram_scale_x(mapping->waldram, azimuth), y};
 }
 
 /* Adds what lies after `from` up to `to` of the straight edge that runs from direction
  * a to b: halved until a chord's middle is nearly where the edge's is. The last bulge
  * is drawn as a triangle of the bulge's own area (a parabola's is 2/3 of its box, a
  * triangle's 1/2: 4/3 of its height), so that counts have no bias. */
-static void add_edge(struct line *line, const struct mapping *mapping, struct pp_vec3 a,
-                     struct place from, struct pp_vec3 b, struct place to, int depth)
+static void add_edge(struct droop_polyline *line, const struct mapping *mapping,
+                     struct pp_vec3 a, struct diagram_point from, struct pp_vec3 b,
+                     struct diagram_point to, int depth)
 {
-    struct pp_vec3 middle = pp_scale(pp_add(a, b), 0.5);
-    struct place half = place_of(mapping, middle, from.azimuth);
+    struct pp_vec3 middle = pp_vec_scale(pp_vec_add(a, b), 0.5);
+    struct diagram_point half = place_of(mapping, middle, from.azimuth);
     double dx = (half.x - (from.x + to.x) / 2.0) / mapping->width;
     double dy = (half.y - (from.y + to.y) / 2.0) / mapping->height;
     bool far_apart = fabs(to.x - from.x) > 4.0 * mapping->width;
@@ -83,30 +85,32 @@ static void add_edge(struct line *line, const struct mapping *mapping, struct pp
     add_point(line, to.x, to.y);
 }
 
-static struct line ring_outline(const struct mapping *mapping,
-                                const struct pp_window_axes *axes,
-                                const struct pp_ring *ring)
+static struct droop_polyline ring_outline(const struct mapping *mapping,
+                                          const struct pp_window_axes *axes,
+                                          const struct pp_ring *ring)
 {
-    struct line line = {0};
-    struct pp_vec3 ahead = pp_cross(pp_vec(0.0, 0.0, 1.0), axes->along), last = ahead;
-    struct place first = {0}, from = {0};
+    struct droop_polyline line = {0};
+    struct pp_vec3 ahead = pp_vec_cross(pp_vec(0.0, 0.0, 1.0), axes->along),
+                   last = ahead;
+    struct diagram_point first = {0}, from = {0};
     for (int i = 0; i <= ring->count; i++) {
         const double *xy = ring->xy[i % ring->count];
         struct pp_vec3 u =
-            pp_along(pp_along(axes->out, xy[0], axes->along), xy[1], axes->up);
-        struct pp_vec3 here = pp_vec(pp_dot(u, axes->along), pp_dot(u, ahead), u.z);
+            pp_vec_along(pp_vec_along(axes->out, xy[0], axes->along), xy[1], axes->up);
+        struct pp_vec3 here =
+            pp_vec(pp_vec_dot(u, axes->along), pp_vec_dot(u, ahead), u.z);
         if (i == 0) {
             from = first = place_of(mapping, here, 0.0);
             add_point(&line, first.x, first.y);
         } else {
             /* The far end's azimuth is followed along the edge, through its middle. */
-            struct pp_vec3 middle = pp_scale(pp_add(last, here), 0.5);
-            struct place half = place_of(mapping, middle, from.azimuth);
-            struct place to = place_of(mapping, here, half.azimuth);
+            struct pp_vec3 middle = pp_vec_scale(pp_vec_add(last, here), 0.5);
+            struct diagram_point half = place_of(mapping, middle, from.azimuth);
+            struct diagram_point to = place_of(mapping, here, half.azimuth);
             if (last.z * here.z < 0.0) {
                 double t = last.z / (last.z - here.z);
-                struct pp_vec3 cut = pp_along(last, t, pp_sub(here, last));
-                struct place at = place_of(mapping, cut, from.azimuth);
+                struct pp_vec3 cut = pp_vec_along(last, t, pp_vec_sub(here, last));
+                struct diagram_point at = place_of(mapping, cut, from.azimuth);
                 add_edge(&line, mapping, last, from, cut, at, 0);
                 add_edge(&line, mapping, cut, at, here, to, 0);
             } else {
@@ -118,7 +122,7 @@ static struct line ring_outline(const struct mapping *mapping,
     }
     if (fabs(from.azimuth - first.azimuth) > PP_PI) {
         /* Once round the zenith: the region reaches up to it. */
-        double top = pp_waldram_y(mapping->waldram, PP_PI / 2.0);
+        double top = pp_waldram_scale_y(mapping->waldram, PP_PI / 2.0);
         add_point(&line, from.x, top);
         add_point(&line, first.x, top);
     } else if (line.count > 0) {
@@ -127,13 +131,14 @@ static struct line ring_outline(const struct mapping *mapping,
     return line;
 }
 
-enum pp_status pp_waldram_outline(struct pp_region *outline,
-                                  const struct pp_waldram *waldram,
-                                  const struct pp_window_axes *axes,
-                                  const struct pp_region *region, struct pp_error *err)
+enum pp_status pp_waldram_squares_outline(struct pp_region *outline,
+                                          const struct pp_waldram *waldram,
+                                          const struct pp_window_axes *axes,
+                                          const struct pp_region *region,
+                                          struct pp_error *err)
 {
     struct mapping mapping = {.waldram = waldram};
-    pp_waldram_square_size(waldram, &mapping.width, &mapping.height);
+    pp_waldram_squares_size(waldram, &mapping.width, &mapping.height);
     *outline = (struct pp_region){0};
     if (region->count == 0)
         return PP_OK;
@@ -141,10 +146,10 @@ enum pp_status pp_waldram_outline(struct pp_region *outline,
     if (!outline->rings)
         return pp_fail_memory(err);
     for (int r = 0; r < region->count; r++) {
-        struct line line = ring_outline(&mapping, axes, &region->rings[r]);
+        struct droop_polyline line = ring_outline(&mapping, axes, &region->rings[r]);
         outline->rings[outline->count++] = (struct pp_ring){line.count, line.xy};
         if (line.failed) {
-            pp_region_destroy(outline);
+            pp_region_clear(outline);
             return pp_fail_memory(err);
         }
     }
@@ -154,7 +159,7 @@ enum pp_status pp_waldram_outline(struct pp_region *outline,
 /* Cuts a ring at coordinate `axis` = limit and keeps what lies above it (sign 1) or
  * below (sign -1); the signed area of what is left is right for any ring (Sutherland
  * and Hodgman). */
-static void cut(struct line *kept, const double (*xy)[2], int count, int axis,
+static void cut(struct droop_polyline *kept, const double (*xy)[2], int count, int axis,
                 double limit, double sign)
 {
     kept->count = 0;
@@ -171,7 +176,7 @@ static void cut(struct line *kept, const double (*xy)[2], int count, int axis,
     }
 }
 
-static double signed_area(const struct line *line)
+static double signed_area(const struct droop_polyline *line)
 {
     double twice = 0.0;
     for (int i = 0; i < line->count; i++) {
@@ -185,7 +190,7 @@ static double signed_area(const struct line *line)
 static bool add_column(double *parts, int rows, const struct pp_ring *ring, double left,
                        double width, double height)
 {
-    struct line a = {0}, b = {0}, strip = {0};
+    struct droop_polyline a = {0}, b = {0}, strip = {0};
     cut(&a, (const double(*)[2])ring->xy, ring->count, 0, left, 1.0);
     cut(&strip, (const double(*)[2])a.xy, a.count, 0, left + width, -1.0);
     for (int row = 0; row < rows && strip.count > 0; row++) {
@@ -224,7 +229,7 @@ static bool count_column(struct pp_waldram_count *count, double *carried,
     return true;
 }
 
-enum pp_status pp_waldram_count_squares(struct pp_waldram_count *count,
+enum pp_status pp_waldram_squares_count(struct pp_waldram_count *count,
                                         const struct pp_waldram *waldram,
                                         const struct pp_window_axes *axes,
                                         const struct pp_region *region,
@@ -232,12 +237,12 @@ enum pp_status pp_waldram_count_squares(struct pp_waldram_count *count,
 {
     *count = (struct pp_waldram_count){0};
     struct pp_region outline;
-    if (pp_waldram_outline(&outline, waldram, axes, region, err) != PP_OK)
+    if (pp_waldram_squares_outline(&outline, waldram, axes, region, err) != PP_OK)
         return PP_SYSTEM;
 
     double width, height, low = INFINITY, high = -INFINITY;
-    pp_waldram_square_size(waldram, &width, &height);
-    int rows = (int)ceil(pp_waldram_y(waldram, PP_PI / 2.0) / height);
+    pp_waldram_squares_size(waldram, &width, &height);
+    int rows = (int)ceil(pp_waldram_scale_y(waldram, PP_PI / 2.0) / height);
     for (int r = 0; r < outline.count; r++)
         for (int i = 0; i < outline.rings[r].count; i++) {
             low = fmin(low, outline.rings[r].xy[i][0]);
@@ -254,14 +259,14 @@ enum pp_status pp_waldram_count_squares(struct pp_waldram_count *count,
         ok = ok && count_column(count, &carried, parts, rows, column, width * height);
     }
     free(parts);
-    pp_region_destroy(&outline);
+    pp_region_clear(&outline);
     if (ok)
         return PP_OK;
-    pp_waldram_count_clear(count);
+    pp_waldram_squares_clear(count);
     return pp_fail_memory(err);
 }
 
-void pp_waldram_count_clear(struct pp_waldram_count *count)
+void pp_waldram_squares_clear(struct pp_waldram_count *count)
 {
     free(count->list);
     *count = (struct pp_waldram_count){0};

@@ -8,8 +8,8 @@
  * estimate is carried on to the next square, up a column and from column to column, so
  * that counts have no bias.
  */
-#ifndef PP_METHODS_WALDRAM_SQUARES_H
-#define PP_METHODS_WALDRAM_SQUARES_H
+#ifndef PP_METHODS_WALDRAM_WALDRAM_SQUARES_H
+#define PP_METHODS_WALDRAM_WALDRAM_SQUARES_H
 
 #include "methods/waldram/waldram_scale.h"
 
@@ -30,24 +30,25 @@ struct pp_waldram_count {
 };
 
 /* Width of a square in X and its height in Y. */
-void pp_waldram_square_size(const struct pp_waldram *waldram, double *width,
-                            double *height);
+void pp_waldram_squares_size(const struct pp_waldram *waldram, double *width,
+                             double *height);
 
-/* Counts a region of a window's plane (see pp_waldram_area). *count is to be cleared by
+/* Counts a region of a window's plane (see pp_waldram_scale_area). *count is to be cleared by
  * the caller; empty on failure. */
-enum pp_status pp_waldram_count_squares(struct pp_waldram_count *count,
+enum pp_status pp_waldram_squares_count(struct pp_waldram_count *count,
                                         const struct pp_waldram *waldram,
                                         const struct pp_window_axes *axes,
                                         const struct pp_region *region,
                                         struct pp_error *err);
-void pp_waldram_count_clear(struct pp_waldram_count *count);
+void pp_waldram_squares_clear(struct pp_waldram_count *count);
 
 /* The region's outline on the diagram, in X and Y: droop lines as chords that stray
  * from them by less than 1/500 of a square. Not cut at +-90 degrees; flattened on to
  * the horizon below it. The outline is the caller's. */
-enum pp_status pp_waldram_outline(struct pp_region *outline,
-                                  const struct pp_waldram *waldram,
-                                  const struct pp_window_axes *axes,
-                                  const struct pp_region *region, struct pp_error *err);
+enum pp_status pp_waldram_squares_outline(struct pp_region *outline,
+                                          const struct pp_waldram *waldram,
+                                          const struct pp_window_axes *axes,
+                                          const struct pp_region *region,
+                                          struct pp_error *err);
 
 #endif

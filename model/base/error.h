@@ -3,8 +3,8 @@
  * What can fail returns a status and takes a struct pp_error last, which may be
  * NULL; the message is one sentence for people and names the file, line or value.
  */
-#ifndef PP_MODEL_ERROR_H
-#define PP_MODEL_ERROR_H
+#ifndef PP_MODEL_BASE_ERROR_H
+#define PP_MODEL_BASE_ERROR_H
 
 enum pp_status {
     PP_OK = 0,

@@ -30,7 +30,7 @@ static bool is_noted(const struct pp_mistakes *mistakes, int line, const char *t
     return false;
 }
 
-void pp_mistake(struct pp_mistakes *mistakes, int line, const char *format, ...)
+void pp_mistakes_add(struct pp_mistakes *mistakes, int line, const char *format, ...)
 {
     char *text = NULL;
     va_list args;
@@ -55,7 +55,7 @@ void pp_mistake(struct pp_mistakes *mistakes, int line, const char *format, ...)
     int count = mistakes->count;
     if (count == 0 || (count >= 8 && (count & (count - 1)) == 0)) {
         size_t room = count ? 2 * (size_t)count : 8;
-        struct pp_mistake *list = realloc(mistakes->list, room * sizeof *list);
+        struct pp_input_mistake *list = realloc(mistakes->list, room * sizeof *list);
         if (!list) {
             mistakes->truncated = true;
             free(text);
@@ -63,14 +63,14 @@ void pp_mistake(struct pp_mistakes *mistakes, int line, const char *format, ...)
         }
         mistakes->list = list;
     }
-    mistakes->list[mistakes->count++] = (struct pp_mistake){line, text};
+    mistakes->list[mistakes->count++] = (struct pp_input_mistake){line, text};
 }
 
 /* By insertion: a thousand at most, mostly in order, and it is stable. */
 void pp_mistakes_sort(struct pp_mistakes *mistakes)
 {
     for (int i = 1; i < mistakes->count; i++) {
-        struct pp_mistake moved = mistakes->list[i];
+        struct pp_input_mistake moved = mistakes->list[i];
         int k = i;
         for (; k > 0 && mistakes->list[k - 1].line > moved.line; k--)
             mistakes->list[k] = mistakes->list[k - 1];

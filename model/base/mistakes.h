@@ -1,18 +1,18 @@
 /* mistakes.h - all that is wrong with an input file, gathered before anything is said.
  */
-#ifndef PP_MODEL_MISTAKES_H
-#define PP_MODEL_MISTAKES_H
+#ifndef PP_MODEL_BASE_MISTAKES_H
+#define PP_MODEL_BASE_MISTAKES_H
 
 #include <stdbool.h>
 
-struct pp_mistake {
+struct pp_input_mistake {
     int line;   /* in the file, from 1; 0 where the file as a whole is meant */
     char *text; /* what is wrong, and what was expected */
 };
 
 struct pp_mistakes {
     char *file; /* as the user named it */
-    struct pp_mistake *list;
+    struct pp_input_mistake *list;
     int count;
     bool truncated; /* more than PP_MISTAKES_MOST, or memory was out */
 };
@@ -23,7 +23,7 @@ void pp_mistakes_init(struct pp_mistakes *mistakes, const char *file);
 void pp_mistakes_clear(struct pp_mistakes *mistakes);
 
 /* Notes one; the same text on the same line is noted once. */
-void pp_mistake(struct pp_mistakes *mistakes, int line, const char *format, ...)
+void pp_mistakes_add(struct pp_mistakes *mistakes, int line, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 
 /* In order of line, mistakes of one line in order of noting. */

@@ -7,7 +7,7 @@
 #include <string.h>
 #include <unistd.h>
 
-const char *pp_file_title(const char *path)
+const char *pp_read_file_title(const char *path)
 {
     return strcmp(path, "-") == 0 ? "standard input" : path;
 }
@@ -39,10 +39,10 @@ static enum pp_status read_all(char **bytes, size_t *length, size_t most, int fi
     return *length > most ? PP_OK : pp_fail_memory(err);
 }
 
-enum pp_status pp_file_bytes(char **bytes, size_t *length, const char *path,
-                             size_t most, struct pp_error *err)
+enum pp_status pp_read_file(char **bytes, size_t *length, const char *path, size_t most,
+                            struct pp_error *err)
 {
-    const char *name = pp_file_title(path);
+    const char *name = pp_read_file_title(path);
     bool standard = name != path;
     *bytes = NULL;
     if (!*path)

@@ -1,6 +1,6 @@
 /* read_file.h - all of a file in memory, up to a limit. */
-#ifndef PP_MODEL_FILE_BYTES_H
-#define PP_MODEL_FILE_BYTES_H
+#ifndef PP_MODEL_BASE_READ_FILE_H
+#define PP_MODEL_BASE_READ_FILE_H
 
 #include <stddef.h>
 
@@ -10,10 +10,10 @@
  * free, *length of them, and never more than one above `most`: that tells that the file
  * is larger. PP_BAD_INPUT where there is no such file, or a directory; PP_INTERRUPTED
  * by a signal; PP_SYSTEM for all else. */
-enum pp_status pp_file_bytes(char **bytes, size_t *length, const char *path,
-                             size_t most, struct pp_error *err);
+enum pp_status pp_read_file(char **bytes, size_t *length, const char *path, size_t most,
+                            struct pp_error *err);
 
 /* What messages call a path: itself, or "standard input" for "-". */
-const char *pp_file_title(const char *path);
+const char *pp_read_file_title(const char *path);
 
 #endif

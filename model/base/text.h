@@ -1,21 +1,52 @@
 /* text.h - text put together piece by piece, in a place of fixed size. */
-#ifndef PP_MODEL_SENTENCE_H
-#define PP_MODEL_SENTENCE_H
+#ifndef PP_MODEL_BASE_TEXT_H
+#define PP_MODEL_BASE_TEXT_H
 
 #include <stdarg.h>
+#include <stdbool.h>
 #include <stddef.h>
 
 /* Adds to the end of `text`, of `room` bytes with its terminating NUL, as printf would;
  * what has no room is cut off. No argument may lie in `text`. */
-void pp_append(char *text, size_t room, const char *format, ...)
+void pp_text_append(char *text, size_t room, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
-void pp_append_v(char *text, size_t room, const char *format, va_list arguments)
+void pp_text_append_v(char *text, size_t room, const char *format, va_list arguments)
     __attribute__((format(printf, 3, 0)));
 
 /* Adds `count` names (count < 0: up to a NULL) as "a, b and c", where `last` is " and
  * ".
  */
-void pp_append_list(char *text, size_t room, const char *const *names, int count,
-                    const char *last);
+void pp_text_append_list(char *text, size_t room, const char *const *names, int count,
+                         const char *last);
+
+/* text.h - what somebody who mistyped a name may have meant. */
+
+/* Letters to insert, leave out, change or swap with their neighbour to turn a into b,
+ * capitals aside; names longer than 64 bytes are far from everything. */
+int pp_text_edit_distance(const char *a, const char *b);
+
+/* The nearest of `count` names (count < 0: up to a NULL) to what was typed, the first
+ * of several as near: at most one letter differs, or a third of the longer's letters;
+ * else the first that contains it ("oak": "oak-floor"). NULL where none is like it. */
+const char *pp_text_nearest(const char *typed, const char *const *names, int count);
+
+/* Writes the names as "a, b or c" to text, cut to its size. Returns text. */
+const char *pp_text_list_names(char *text, size_t size, const char *const *names,
+                               int count);
+
+/* Has the text no control characters (which a terminal would obey)? */
+bool pp_text_is_plain(const char *text);
+
+/* A copy of what a user wrote, fit for a message: control characters as '?', and cut
+ * to some 40 letters with "..." behind. Returns text. */
+const char *pp_text_excerpt(char *text, size_t size, const char *written);
+
+/* text.h - numbers as people write them, whatever the locale. */
+
+/* Reads the whole of text as one decimal number with a point ("2.6", "-.5", "1e-3"),
+ * white space around it allowed. False, and *value untouched, for anything else: an
+ * empty text, a comma, a unit behind, hexadecimal, inf, nan, or too large for a double.
+ */
+bool pp_text_parse_number(const char *text, double *value);
 
 #endif

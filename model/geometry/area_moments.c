@@ -4,13 +4,14 @@
 #include <math.h>
 #include <string.h>
 
-struct pp_extent pp_extent_none(void)
+struct pp_area_moments pp_area_moments_empty(void)
 {
-    return (struct pp_extent){
+    return (struct pp_area_moments){
         .left = INFINITY, .right = -INFINITY, .low = INFINITY, .high = -INFINITY};
 }
 
-void pp_extent_add(struct pp_extent *extent, const double a[2], const double b[2])
+void pp_area_moments_add_edge(struct pp_area_moments *extent, const double a[2],
+                              const double b[2])
 {
     double cross = a[0] * b[1] - a[1] * b[0];
     extent->area += cross / 2.0;
@@ -49,9 +50,9 @@ static void take_spikes_off(struct pp_ring *ring)
     }
 }
 
-struct pp_extent pp_extent_above_horizon(struct pp_region *region)
+struct pp_area_moments pp_area_moments_above_horizon(struct pp_region *region)
 {
-    struct pp_extent extent = pp_extent_none();
+    struct pp_area_moments extent = pp_area_moments_empty();
     for (int r = 0; r < region->count; r++) {
         take_spikes_off(region->rings + r);
         for (int i = 0; i < region->rings[r].count; i++) {
@@ -65,7 +66,7 @@ struct pp_extent pp_extent_above_horizon(struct pp_region *region)
                 under[0] = p[0] + (q[0] - p[0]) * p[1] / (p[1] - q[1]);
                 under[1] = 0.0;
             }
-            pp_extent_add(&extent, a, b);
+            pp_area_moments_add_edge(&extent, a, b);
         }
     }
     return extent;
@@ -94,8 +95,9 @@ static int cut_by_side(double (*to)[2], double (*from)[2], int count, int axis,
     return kept;
 }
 
-struct pp_extent pp_extent_within(double (*points)[2], double (*spare)[2], int count,
-                                  double left, double right, double low, double high)
+struct pp_area_moments pp_area_moments_in_box(double (*points)[2], double (*spare)[2],
+                                              int count, double left, double right,
+                                              double low, double high)
 {
     const struct {
         int axis;
@@ -108,8 +110,8 @@ struct pp_extent pp_extent_within(double (*points)[2], double (*spare)[2], int c
         points = spare;
         spare = swap;
     }
-    struct pp_extent extent = pp_extent_none();
+    struct pp_area_moments extent = pp_area_moments_empty();
     for (int i = 0; i < count; i++)
-        pp_extent_add(&extent, points[i], points[(i + 1) % count]);
+        pp_area_moments_add_edge(&extent, points[i], points[(i + 1) % count]);
     return extent;
 }

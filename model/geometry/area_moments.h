@@ -4,34 +4,36 @@
  * Figures may be of any shape, with holes; cuts leave bridges that run both ways and
  * cancel.
  */
-#ifndef PP_METHODS_EXTENT_H
-#define PP_METHODS_EXTENT_H
+#ifndef PP_MODEL_GEOMETRY_AREA_MOMENTS_H
+#define PP_MODEL_GEOMETRY_AREA_MOMENTS_H
 
 #include "model/geometry/region.h"
 
-struct pp_extent {
+struct pp_area_moments {
     double area;               /* negative for a clockwise figure */
     double x_moment, z_moment; /* of the area: times the centroid's coordinates */
     double left, right, low, high;
 };
 
 /* Of nothing: edges and other extents are added to it. */
-struct pp_extent pp_extent_none(void);
+struct pp_area_moments pp_area_moments_empty(void);
 
 /* Adds an edge of a figure. Edges add up to its area as seen from the origin; those on
  * a line through the origin may be left out. */
-void pp_extent_add(struct pp_extent *extent, const double a[2], const double b[2]);
+void pp_area_moments_add_edge(struct pp_area_moments *extent, const double a[2],
+                              const double b[2]);
 
 /* What of a region lies above z = 0. Takes spikes off the region's rings. */
-struct pp_extent pp_extent_above_horizon(struct pp_region *region);
+struct pp_area_moments pp_area_moments_above_horizon(struct pp_region *region);
 
-/* Room that pp_extent_within needs for each point, of a figure that one cut may have
+/* Room that pp_area_moments_in_box needs for each point, of a figure that one cut may have
  * gone through already: each cut adds at most half as many. */
-enum { PP_EXTENT_ROOM = 8 };
+enum { PP_AREA_MOMENTS_POINTS = 8 };
 
 /* What lies of a polygon of `count` points within a box. points and spare have room for
- * PP_EXTENT_ROOM times the first count of points; both are written over. */
-struct pp_extent pp_extent_within(double (*points)[2], double (*spare)[2], int count,
-                                  double left, double right, double low, double high);
+ * PP_AREA_MOMENTS_POINTS times the first count of points; both are written over. */
+struct pp_area_moments pp_area_moments_in_box(double (*points)[2], double (*spare)[2],
+                                              int count, double left, double right,
+                                              double low, double high);
 
 #endif

@@ -10,8 +10,8 @@ static struct pp_vec3 crossing(struct pp_vec3 a, double depth_a, struct pp_vec3 
 {
     bool swap = a.x != b.x ? a.x > b.x : a.y != b.y ? a.y > b.y : a.z > b.z;
     if (swap)
-        return pp_along(b, depth_b / (depth_b - depth_a), pp_sub(a, b));
-    return pp_along(a, depth_a / (depth_a - depth_b), pp_sub(b, a));
+        return pp_vec_along(b, depth_b / (depth_b - depth_a), pp_vec_sub(a, b));
+    return pp_vec_along(a, depth_a / (depth_a - depth_b), pp_vec_sub(b, a));
 }
 
 int pp_clip_convex(struct pp_vec3 *out, const struct pp_vec3 *in, int count,
@@ -21,9 +21,9 @@ int pp_clip_convex(struct pp_vec3 *out, const struct pp_vec3 *in, int count,
     if (count < 3)
         return 0;
     struct pp_vec3 last = in[count - 1];
-    double last_depth = pp_dot(normal, last) - offset;
+    double last_depth = pp_vec_dot(normal, last) - offset;
     for (int i = 0; i < count; i++) {
-        double depth = pp_dot(normal, in[i]) - offset;
+        double depth = pp_vec_dot(normal, in[i]) - offset;
         if ((depth > 0.0) != (last_depth > 0.0))
             out[left++] = crossing(last, last_depth, in[i], depth);
         if (depth > 0.0)

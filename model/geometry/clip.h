@@ -1,6 +1,6 @@
 /* clip.h - convex polygons cut by planes. */
-#ifndef PP_METHODS_CLIP_H
-#define PP_METHODS_CLIP_H
+#ifndef PP_MODEL_GEOMETRY_CLIP_H
+#define PP_MODEL_GEOMETRY_CLIP_H
 
 #include "model/geometry/vec.h"
 

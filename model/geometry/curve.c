@@ -4,12 +4,12 @@
 #include <stdlib.h>
 #include <string.h>
 
-void pp_curves_clear(struct pp_curves *curves)
+void pp_curve_list_clear(struct pp_curve_list *curves)
 {
     for (int i = 0; i < curves->count; i++)
         free(curves->list[i].xy);
     free(curves->list);
-    *curves = (struct pp_curves){0};
+    *curves = (struct pp_curve_list){0};
 }
 
 void pp_curve_add_point(struct pp_curve *curve, const double xy[2])
@@ -19,8 +19,8 @@ void pp_curve_add_point(struct pp_curve *curve, const double xy[2])
     memcpy(curve->xy[curve->count++], xy, sizeof(double[2]));
 }
 
-enum pp_status pp_curves_add(struct pp_curves *curves, struct pp_curve curve,
-                             struct pp_error *err)
+enum pp_status pp_curve_list_add(struct pp_curve_list *curves, struct pp_curve curve,
+                                 struct pp_error *err)
 {
     struct pp_curve *list =
         realloc(curves->list, (size_t)(curves->count + 1) * sizeof *list);
@@ -44,7 +44,7 @@ double pp_curve_length(const struct pp_curve *curve)
     return length;
 }
 
-double pp_curves_area(const struct pp_curves *curves)
+double pp_curve_list_area(const struct pp_curve_list *curves)
 {
     double twice = 0.0;
     for (int i = 0; i < curves->count; i++)

@@ -1,7 +1,7 @@
 /* curve.h - lines in a plane on which something has one value: contours.
  */
-#ifndef PP_MODEL_CURVE_H
-#define PP_MODEL_CURVE_H
+#ifndef PP_MODEL_GEOMETRY_CURVE_H
+#define PP_MODEL_GEOMETRY_CURVE_H
 
 #include <stdbool.h>
 
@@ -15,24 +15,24 @@ struct pp_curve {
     double (*xy)[2];
 };
 
-struct pp_curves {
+struct pp_curve_list {
     int count;
     struct pp_curve *list;
 };
 
-void pp_curves_clear(struct pp_curves *curves); /* leaves none */
+void pp_curve_list_clear(struct pp_curve_list *curves); /* leaves none */
 
 /* Adds a point to a curve that has room for it, unless it is the one before. */
 void pp_curve_add_point(struct pp_curve *curve, const double xy[2]);
 
 /* Adds a curve, whose points are from then on the list's; they are freed on failure. */
-enum pp_status pp_curves_add(struct pp_curves *curves, struct pp_curve curve,
-                             struct pp_error *err);
+enum pp_status pp_curve_list_add(struct pp_curve_list *curves, struct pp_curve curve,
+                                 struct pp_error *err);
 
 /* Length of the line, in the unit of its points. */
 double pp_curve_length(const struct pp_curve *curve);
 
 /* Area within closed curves, counter-clockwise ones less clockwise ones. */
-double pp_curves_area(const struct pp_curves *curves);
+double pp_curve_list_area(const struct pp_curve_list *curves);
 
 #endif

@@ -1,6 +1,6 @@
 /* gauss.h - Gauss-Legendre quadrature of any order. */
-#ifndef PP_METHODS_GAUSS_H
-#define PP_METHODS_GAUSS_H
+#ifndef PP_MODEL_GEOMETRY_GAUSS_H
+#define PP_MODEL_GEOMETRY_GAUSS_H
 
 enum { PP_GAUSS_MOST = 64 };
 

@@ -6,13 +6,13 @@
 
 #include "model/geometry/tolerance.h"
 
-struct pp_vec3 pp_area_vector(const struct pp_vec3 *vertices, int count)
+struct pp_vec3 pp_polygon_area_vector(const struct pp_vec3 *vertices, int count)
 {
     struct pp_vec3 sum = {0.0, 0.0, 0.0};
     for (int i = 1; i + 1 < count; i++)
-        sum = pp_add(sum, pp_cross(pp_sub(vertices[i], vertices[0]),
-                                   pp_sub(vertices[i + 1], vertices[0])));
-    return pp_scale(sum, 0.5);
+        sum = pp_vec_add(sum, pp_vec_cross(pp_vec_sub(vertices[i], vertices[0]),
+                                           pp_vec_sub(vertices[i + 1], vertices[0])));
+    return pp_vec_scale(sum, 0.5);
 }
 
 enum pp_status pp_polygon_of(struct pp_polygon *polygon, const struct pp_vec3 *vertices,
@@ -30,8 +30,8 @@ enum pp_status pp_polygon_of(struct pp_polygon *polygon, const struct pp_vec3 *v
 
 void pp_polygon_measure(struct pp_polygon *polygon)
 {
-    struct pp_vec3 area = pp_area_vector(polygon->vertices, polygon->count);
-    double m2 = pp_length(area);
+    struct pp_vec3 area = pp_polygon_area_vector(polygon->vertices, polygon->count);
+    double m2 = pp_vec_length(area);
     polygon->area_m2 = m2;
     polygon->normal = pp_vec(0.0, 0.0, 0.0);
     /* Divided, so that a normal along an axis is 1 to the bit. */
@@ -49,13 +49,13 @@ struct pp_vec3 pp_polygon_middle(const struct pp_polygon *polygon)
 {
     struct pp_vec3 sum = {0.0, 0.0, 0.0};
     for (int i = 0; i < polygon->count; i++)
-        sum = pp_add(sum, pp_sub(polygon->vertices[i], polygon->vertices[0]));
-    return pp_along(polygon->vertices[0], 1.0 / polygon->count, sum);
+        sum = pp_vec_add(sum, pp_vec_sub(polygon->vertices[i], polygon->vertices[0]));
+    return pp_vec_along(polygon->vertices[0], 1.0 / polygon->count, sum);
 }
 
 double pp_polygon_height(const struct pp_polygon *polygon, struct pp_vec3 point)
 {
-    return pp_dot(polygon->normal, pp_sub(point, pp_polygon_middle(polygon)));
+    return pp_vec_dot(polygon->normal, pp_vec_sub(point, pp_polygon_middle(polygon)));
 }
 
 double pp_polygon_unevenness(const struct pp_polygon *polygon)
@@ -63,34 +63,36 @@ double pp_polygon_unevenness(const struct pp_polygon *polygon)
     struct pp_vec3 middle = pp_polygon_middle(polygon);
     double most = 0.0;
     for (int i = 0; i < polygon->count; i++) {
-        struct pp_vec3 from = pp_sub(polygon->vertices[i], middle);
-        most = fmax(most, fabs(pp_dot(polygon->normal, from)));
+        struct pp_vec3 from = pp_vec_sub(polygon->vertices[i], middle);
+        most = fmax(most, fabs(pp_vec_dot(polygon->normal, from)));
     }
     return most;
 }
 
-void pp_plane_axes(struct pp_vec3 normal, struct pp_vec3 *along, struct pp_vec3 *up)
+void pp_polygon_plane_axes(struct pp_vec3 normal, struct pp_vec3 *along,
+                           struct pp_vec3 *up)
 {
     /* z x normal points to the right of an eye that looks against the normal. */
     struct pp_vec3 right = pp_vec(-normal.y, normal.x, 0.0);
-    if (pp_length(right) < PP_LEVEL_RAD)
+    if (pp_vec_length(right) < PP_LEVEL_RAD)
         right = pp_vec(fabs(normal.z), 0.0, normal.z < 0.0 ? normal.x : -normal.x);
-    *along = pp_unit(right);
-    *up = pp_cross(normal, *along);
+    *along = pp_vec_unit(right);
+    *up = pp_vec_cross(normal, *along);
 }
 
-void pp_flatten(const struct pp_vec3 *vertices, int count, struct pp_vec3 origin,
-                struct pp_vec3 along, struct pp_vec3 up, double (*xy)[2])
+void pp_polygon_flatten(const struct pp_vec3 *vertices, int count,
+                        struct pp_vec3 origin, struct pp_vec3 along, struct pp_vec3 up,
+                        double (*xy)[2])
 {
     for (int i = 0; i < count; i++) {
-        struct pp_vec3 from = pp_sub(vertices[i], origin);
-        xy[i][0] = pp_dot(along, from);
-        xy[i][1] = pp_dot(up, from);
+        struct pp_vec3 from = pp_vec_sub(vertices[i], origin);
+        xy[i][0] = pp_vec_dot(along, from);
+        xy[i][1] = pp_vec_dot(up, from);
     }
 }
 
-double pp_ring_edge_distance(const double (*xy)[2], int count, double x, double y,
-                             double nearest[2])
+double pp_polygon_ring_edge_distance(const double (*xy)[2], int count, double x,
+                                     double y, double nearest[2])
 {
     double least = INFINITY;
     for (int i = 0; i < count; i++) {
@@ -129,10 +131,10 @@ static bool ring_encloses(const double (*xy)[2], int count, double x, double y)
     return inside;
 }
 
-enum pp_side pp_ring_side(const double (*xy)[2], int count, double x, double y,
-                          double tolerance)
+enum pp_side pp_polygon_ring_side(const double (*xy)[2], int count, double x, double y,
+                                  double tolerance)
 {
-    if (pp_ring_edge_distance(xy, count, x, y, NULL) <= tolerance)
+    if (pp_polygon_ring_edge_distance(xy, count, x, y, NULL) <= tolerance)
         return PP_ON_EDGE;
     return ring_encloses(xy, count, x, y) ? PP_INSIDE : PP_OUTSIDE;
 }
@@ -144,11 +146,13 @@ static double space_edge_distance(const struct pp_polygon *polygon,
     double least = INFINITY;
     for (int i = 0; i < polygon->count; i++) {
         struct pp_vec3 p = polygon->vertices[i];
-        struct pp_vec3 edge = pp_sub(polygon->vertices[(i + 1) % polygon->count], p);
-        double length2 = pp_dot(edge, edge);
-        double t = length2 > 0.0 ? pp_dot(pp_sub(point, p), edge) / length2 : 0.0;
+        struct pp_vec3 edge =
+            pp_vec_sub(polygon->vertices[(i + 1) % polygon->count], p);
+        double length2 = pp_vec_dot(edge, edge);
+        double t =
+            length2 > 0.0 ? pp_vec_dot(pp_vec_sub(point, p), edge) / length2 : 0.0;
         t = fmin(fmax(t, 0.0), 1.0);
-        least = fmin(least, pp_length(pp_sub(point, pp_along(p, t, edge))));
+        least = fmin(least, pp_vec_length(pp_vec_sub(point, pp_vec_along(p, t, edge))));
     }
     return least;
 }
@@ -162,8 +166,8 @@ static bool polygon_encloses(const struct pp_polygon *polygon, struct pp_vec3 po
     bool inside = false;
     for (int i = 0; i < polygon->count; i++) {
         struct pp_vec3 ends[2] = {
-            pp_sub(polygon->vertices[i], point),
-            pp_sub(polygon->vertices[(i + 1) % polygon->count], point)};
+            pp_vec_sub(polygon->vertices[i], point),
+            pp_vec_sub(polygon->vertices[(i + 1) % polygon->count], point)};
         double u[2], v[2];
         for (int k = 0; k < 2; k++) {
             u[k] = axis == 0 ? ends[k].y : ends[k].x;
@@ -182,7 +186,7 @@ enum pp_side pp_polygon_side(const struct pp_polygon *polygon, struct pp_vec3 po
                              double tolerance)
 {
     double height = pp_polygon_height(polygon, point);
-    struct pp_vec3 foot = pp_along(point, -height, polygon->normal);
+    struct pp_vec3 foot = pp_vec_along(point, -height, polygon->normal);
     if (space_edge_distance(polygon, foot) <= tolerance)
         return PP_ON_EDGE;
     return polygon_encloses(polygon, foot) ? PP_INSIDE : PP_OUTSIDE;
@@ -191,7 +195,7 @@ enum pp_side pp_polygon_side(const struct pp_polygon *polygon, struct pp_vec3 po
 double pp_polygon_distance(const struct pp_polygon *polygon, struct pp_vec3 point)
 {
     double height = pp_polygon_height(polygon, point);
-    if (polygon_encloses(polygon, pp_along(point, -height, polygon->normal)))
+    if (polygon_encloses(polygon, pp_vec_along(point, -height, polygon->normal)))
         return fabs(height);
     return space_edge_distance(polygon, point);
 }

@@ -6,8 +6,8 @@
  *
  *     A n = 1/2 sum (v_i - v_0) x (v_i+1 - v_0)
  */
-#ifndef PP_MODEL_POLYGON_H
-#define PP_MODEL_POLYGON_H
+#ifndef PP_MODEL_GEOMETRY_POLYGON_H
+#define PP_MODEL_GEOMETRY_POLYGON_H
 
 #include <stdbool.h>
 
@@ -25,7 +25,7 @@ struct pp_polygon {
 
 /* Area times normal (m2), towards the side from which the vertices run
  * counter-clockwise; zero for fewer than three vertices. */
-struct pp_vec3 pp_area_vector(const struct pp_vec3 *vertices, int count);
+struct pp_vec3 pp_polygon_area_vector(const struct pp_vec3 *vertices, int count);
 
 /* A copy of the vertices with normal and area worked out; an area of zero leaves the
  * normal zero. On success the vertices are the caller's, to be given to
@@ -49,25 +49,27 @@ double pp_polygon_unevenness(const struct pp_polygon *polygon);
 /* Axes in a plane with this unit normal, so that along x up = normal: along is
  * horizontal, to the right for an eye that looks against the normal, and up is uphill;
  * in a level plane along is +x. */
-void pp_plane_axes(struct pp_vec3 normal, struct pp_vec3 *along, struct pp_vec3 *up);
+void pp_polygon_plane_axes(struct pp_vec3 normal, struct pp_vec3 *along,
+                           struct pp_vec3 *up);
 
 /* Coordinates of the vertices in their own plane, from `origin`: xy is count pairs. */
-void pp_flatten(const struct pp_vec3 *vertices, int count, struct pp_vec3 origin,
-                struct pp_vec3 along, struct pp_vec3 up, double (*xy)[2]);
+void pp_polygon_flatten(const struct pp_vec3 *vertices, int count,
+                        struct pp_vec3 origin, struct pp_vec3 along, struct pp_vec3 up,
+                        double (*xy)[2]);
 
 enum pp_side { PP_OUTSIDE, PP_INSIDE, PP_ON_EDGE };
 
 /* Where a point of the plane lies in a ring (either way round): on its edge if nearer
  * to it than `tolerance` (m). */
-enum pp_side pp_ring_side(const double (*xy)[2], int count, double x, double y,
-                          double tolerance);
+enum pp_side pp_polygon_ring_side(const double (*xy)[2], int count, double x, double y,
+                                  double tolerance);
 
 /* Distance from a point to a ring's edge, and the edge's nearest point in nearest (may
  * be NULL). */
-double pp_ring_edge_distance(const double (*xy)[2], int count, double x, double y,
-                             double nearest[2]);
+double pp_polygon_ring_edge_distance(const double (*xy)[2], int count, double x,
+                                     double y, double nearest[2]);
 
-/* Where a point's foot on the polygon's plane lies, as pp_ring_side. */
+/* Where a point's foot on the polygon's plane lies, as pp_polygon_ring_side. */
 enum pp_side pp_polygon_side(const struct pp_polygon *polygon, struct pp_vec3 point,
                              double tolerance);
 

@@ -26,13 +26,15 @@ static void cut(struct stretches *cuts, const struct pp_polygon *polygon,
     double *ends = (double *)cuts->list;
     int count = 0;
     for (int i = 0; i < polygon->count; i++) {
-        struct pp_vec3 p = pp_sub(polygon->vertices[i], origin);
-        struct pp_vec3 q = pp_sub(polygon->vertices[(i + 1) % polygon->count], origin);
-        double over_p = pp_dot(normal, p) - level, over_q = pp_dot(normal, q) - level;
+        struct pp_vec3 p = pp_vec_sub(polygon->vertices[i], origin);
+        struct pp_vec3 q =
+            pp_vec_sub(polygon->vertices[(i + 1) % polygon->count], origin);
+        double over_p = pp_vec_dot(normal, p) - level,
+               over_q = pp_vec_dot(normal, q) - level;
         if ((over_p > 0.0) == (over_q > 0.0))
             continue;
         double t = over_p / (over_p - over_q);
-        double at = pp_dot(line, p) + t * pp_dot(line, pp_sub(q, p));
+        double at = pp_vec_dot(line, p) + t * pp_vec_dot(line, pp_vec_sub(q, p));
         int k = count++;
         for (; k > 0 && ends[k - 1] > at; k--)
             ends[k] = ends[k - 1];
@@ -66,7 +68,8 @@ static bool straddles(const struct pp_polygon *polygon, const struct pp_polygon 
     bool above = false, below = false;
     struct pp_vec3 middle = pp_polygon_middle(plane);
     for (int i = 0; i < polygon->count; i++) {
-        double height = pp_dot(plane->normal, pp_sub(polygon->vertices[i], middle));
+        double height =
+            pp_vec_dot(plane->normal, pp_vec_sub(polygon->vertices[i], middle));
         above |= height > PP_SAME_M;
         below |= height < -PP_SAME_M;
     }
@@ -80,10 +83,10 @@ enum pp_status pp_polygons_cross(bool *cross, const struct pp_polygon *a,
     *cross = false;
     if (!straddles(a, b) || !straddles(b, a))
         return PP_OK;
-    struct pp_vec3 line = pp_cross(a->normal, b->normal);
-    if (pp_length(line) < PP_LEVEL_RAD)
+    struct pp_vec3 line = pp_vec_cross(a->normal, b->normal);
+    if (pp_vec_length(line) < PP_LEVEL_RAD)
         return PP_OK;
-    line = pp_unit(line);
+    line = pp_vec_unit(line);
 
     size_t space = (size_t)a->count + b->count;
     double(*buffers)[2] = malloc(3 * space * sizeof *buffers);
@@ -93,7 +96,7 @@ enum pp_status pp_polygons_cross(bool *cross, const struct pp_polygon *a,
                      both = {buffers + 2 * space, 0};
     /* From one origin, so that stretches along the line can be compared. */
     struct pp_vec3 origin = pp_polygon_middle(a);
-    double b_level = pp_dot(b->normal, pp_sub(pp_polygon_middle(b), origin));
+    double b_level = pp_vec_dot(b->normal, pp_vec_sub(pp_polygon_middle(b), origin));
     for (int k = 0; k < 4; k++) {
         double side = k % 2 ? PP_SAME_M : -PP_SAME_M;
         if (k < 2)
@@ -117,10 +120,10 @@ enum pp_status pp_polygons_cross(bool *cross, const struct pp_polygon *a,
             continue;
         /* On both planes, at the middle of the stretch: along the line from its point
          * nearest to the origin. */
-        double c = pp_dot(a->normal, b->normal);
-        struct pp_vec3 foot = pp_sub(b->normal, pp_scale(a->normal, c));
-        *where = pp_along(pp_along(origin, b_level / (1.0 - c * c), foot),
-                          0.5 * (from + to), line);
+        double c = pp_vec_dot(a->normal, b->normal);
+        struct pp_vec3 foot = pp_vec_sub(b->normal, pp_vec_scale(a->normal, c));
+        *where = pp_vec_along(pp_vec_along(origin, b_level / (1.0 - c * c), foot),
+                              0.5 * (from + to), line);
     }
     free(buffers);
     return PP_OK;

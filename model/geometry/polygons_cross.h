@@ -1,6 +1,6 @@
 /* polygons_cross.h - do two plane polygons go through each other? */
-#ifndef PP_MODEL_CROSS_H
-#define PP_MODEL_CROSS_H
+#ifndef PP_MODEL_GEOMETRY_POLYGONS_CROSS_H
+#define PP_MODEL_GEOMETRY_POLYGONS_CROSS_H
 
 #include <stdbool.h>
 

@@ -5,37 +5,40 @@
  * along `along` and `up` from the foot of the eye's perpendicular. Points of space are
  * (X, Y, Z) in the same axes with the eye at the origin, Z the depth along `toward`.
  */
-#ifndef PP_METHODS_VIEW_H
-#define PP_METHODS_VIEW_H
+#ifndef PP_MODEL_GEOMETRY_PROJECTION_H
+#define PP_MODEL_GEOMETRY_PROJECTION_H
 
 #include "model/geometry/vec.h"
 
-struct pp_view {
+struct pp_projection {
     struct pp_vec3 eye;
     struct pp_vec3 along, up, toward; /* unit; along x up = -toward */
     double distance_m;                /* greater than 0 */
 };
 
 /* A point of space in the view's own axes. */
-static inline struct pp_vec3 pp_view_point(const struct pp_view *view,
-                                           struct pp_vec3 point)
+static inline struct pp_vec3 pp_projection_point(const struct pp_projection *view,
+                                                 struct pp_vec3 point)
 {
-    struct pp_vec3 v = pp_sub(point, view->eye);
-    return pp_vec(pp_dot(v, view->along), pp_dot(v, view->up), pp_dot(v, view->toward));
+    struct pp_vec3 v = pp_vec_sub(point, view->eye);
+    return pp_vec(pp_vec_dot(v, view->along), pp_vec_dot(v, view->up),
+                  pp_vec_dot(v, view->toward));
 }
 
 /* A direction or half-space in the view's own axes. */
-static inline struct pp_vec3 pp_view_axes(const struct pp_view *view, struct pp_vec3 v)
+static inline struct pp_vec3 pp_projection_direction(const struct pp_projection *view,
+                                                     struct pp_vec3 v)
 {
-    return pp_vec(pp_dot(v, view->along), pp_dot(v, view->up), pp_dot(v, view->toward));
+    return pp_vec(pp_vec_dot(v, view->along), pp_vec_dot(v, view->up),
+                  pp_vec_dot(v, view->toward));
 }
 
 /* From the view's axes to the room's: the vector from the eye. */
-static inline struct pp_vec3 pp_view_vector(const struct pp_view *view,
-                                            struct pp_vec3 own)
+static inline struct pp_vec3 pp_projection_to_room(const struct pp_projection *view,
+                                                   struct pp_vec3 own)
 {
-    struct pp_vec3 v = pp_scale(view->along, own.x);
-    return pp_along(pp_along(v, own.y, view->up), own.z, view->toward);
+    struct pp_vec3 v = pp_vec_scale(view->along, own.x);
+    return pp_vec_along(pp_vec_along(v, own.y, view->up), own.z, view->toward);
 }
 
 #endif

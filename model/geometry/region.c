@@ -24,7 +24,8 @@ static void listen(const char *message, void *clipper)
              sizeof((struct pp_clipper *)clipper)->said, "%s", message);
 }
 
-enum pp_status pp_clipper_create(struct pp_clipper **clipper, struct pp_error *err)
+enum pp_status pp_region_clipper_create(struct pp_clipper **clipper,
+                                        struct pp_error *err)
 {
     *clipper = calloc(1, sizeof **clipper);
     if (!*clipper)
@@ -39,7 +40,7 @@ enum pp_status pp_clipper_create(struct pp_clipper **clipper, struct pp_error *e
     return PP_OK;
 }
 
-void pp_clipper_destroy(struct pp_clipper *clipper)
+void pp_region_clipper_destroy(struct pp_clipper *clipper)
 {
     if (!clipper)
         return;
@@ -47,7 +48,7 @@ void pp_clipper_destroy(struct pp_clipper *clipper)
     free(clipper);
 }
 
-void pp_clipper_set_grid(struct pp_clipper *clipper, double grid)
+void pp_region_clipper_set_grid(struct pp_clipper *clipper, double grid)
 {
     clipper->grid = grid;
 }
@@ -260,7 +261,7 @@ static enum pp_status region_from(struct pp_clipper *clipper, struct pp_region *
     }
     GEOSGeom_destroy_r(clipper->geos, shape);
     if (!whole) {
-        pp_region_destroy(region);
+        pp_region_clear(region);
         return pp_fail_memory(err);
     }
     return PP_OK;
@@ -268,7 +269,8 @@ static enum pp_status region_from(struct pp_clipper *clipper, struct pp_region *
 
 /* ---- making, copying, measuring ---- */
 
-bool pp_ring_is_simple(struct pp_clipper *clipper, const double (*xy)[2], int count)
+bool pp_region_ring_is_simple(struct pp_clipper *clipper, const double (*xy)[2],
+                              int count)
 {
     if (count < 3 || ring_area(xy, count) == 0.0)
         return false;
@@ -291,7 +293,7 @@ static enum pp_status simple_ring(struct pp_region *region, const double (*xy)[2
     double(*points)[2] = malloc((size_t)count * sizeof *points);
     if (!region->rings || !points) {
         free(points);
-        pp_region_destroy(region);
+        pp_region_clear(region);
         return pp_fail_memory(err);
     }
     for (int i = 0; i < count; i++)
@@ -307,7 +309,7 @@ enum pp_status pp_region_of_ring(struct pp_clipper *clipper, struct pp_region *r
     *region = (struct pp_region){0};
     if (count < 3 || ring_area(xy, count) == 0.0)
         return PP_OK;
-    if (!pp_ring_is_simple(clipper, xy, count))
+    if (!pp_region_ring_is_simple(clipper, xy, count))
         return pp_fail(err, PP_BAD_INPUT, "the outline meets or crosses itself");
     return simple_ring(region, xy, count, err);
 }
@@ -349,7 +351,7 @@ enum pp_status pp_region_by_crossings(struct pp_clipper *clipper,
     *region = (struct pp_region){0};
     if (count < 3)
         return PP_OK;
-    if (pp_ring_is_simple(clipper, xy, count))
+    if (pp_region_ring_is_simple(clipper, xy, count))
         return simple_ring(region, xy, count, err);
     GEOSGeometry *faces = faces_of(geos, xy, count);
     if (!faces)
@@ -369,7 +371,7 @@ enum pp_status pp_region_by_crossings(struct pp_clipper *clipper,
     if (status == PP_OK)
         status = pp_region_union(clipper, region, inside, found, err);
     for (int i = 0; i < found; i++)
-        pp_region_destroy(&inside[i]);
+        pp_region_clear(&inside[i]);
     free(inside);
     GEOSGeom_destroy_r(geos, faces);
     return status;
@@ -388,7 +390,7 @@ enum pp_status pp_region_copy(struct pp_region *copy, const struct pp_region *re
         size_t size = (size_t)region->rings[i].count * sizeof *region->rings[i].xy;
         double(*xy)[2] = malloc(size);
         if (!xy) {
-            pp_region_destroy(copy);
+            pp_region_clear(copy);
             return pp_fail_memory(err);
         }
         memcpy(xy, region->rings[i].xy, size);
@@ -397,7 +399,7 @@ enum pp_status pp_region_copy(struct pp_region *copy, const struct pp_region *re
     return PP_OK;
 }
 
-void pp_region_destroy(struct pp_region *region)
+void pp_region_clear(struct pp_region *region)
 {
     for (int i = 0; i < region->count; i++)
         free(region->rings[i].xy);
@@ -541,6 +543,6 @@ enum pp_status pp_region_triangulate(struct pp_clipper *clipper,
     for (int i = 0; list && i < rings.count; i++)
         memcpy(list[(*count)++], rings.rings[i].xy, sizeof *list);
     *triangles = list;
-    pp_region_destroy(&rings);
+    pp_region_clear(&rings);
     return status;
 }

@@ -3,8 +3,8 @@
  * The only door to GEOS. Coordinates are plain pairs; what plane they lie in is the
  * caller's affair (the working plane, an opening's own plane).
  */
-#ifndef PP_MODEL_REGION_H
-#define PP_MODEL_REGION_H
+#ifndef PP_MODEL_GEOMETRY_REGION_H
+#define PP_MODEL_GEOMETRY_REGION_H
 
 #include <stdbool.h>
 
@@ -26,15 +26,16 @@ struct pp_region {
 
 /* A GEOS context. One a thread; the functions below change nothing else. */
 struct pp_clipper;
-enum pp_status pp_clipper_create(struct pp_clipper **clipper, struct pp_error *err);
-void pp_clipper_destroy(struct pp_clipper *clipper); /* NULL is allowed */
+enum pp_status pp_region_clipper_create(struct pp_clipper **clipper,
+                                        struct pp_error *err);
+void pp_region_clipper_destroy(struct pp_clipper *clipper); /* NULL is allowed */
 
 /* From now on unions, intersections and differences round coordinates to multiples of
  * `grid` (greater than 0), which makes them proof against edges that all but coincide
  * (snap rounding). 2^-50 of the largest
  * coordinate is fine enough to cost no accuracy. 0,
  * as at first: no rounding. */
-void pp_clipper_set_grid(struct pp_clipper *clipper, double grid);
+void pp_region_clipper_set_grid(struct pp_clipper *clipper, double grid);
 
 /* The figure of one ring, in either direction; fewer than three points or no area give
  * the empty figure. A ring that crosses itself is an error. */
@@ -49,7 +50,7 @@ enum pp_status pp_region_by_crossings(struct pp_clipper *clipper,
                                       int count, struct pp_error *err);
 enum pp_status pp_region_copy(struct pp_region *copy, const struct pp_region *region,
                               struct pp_error *err);
-void pp_region_destroy(struct pp_region *region); /* leaves the empty figure */
+void pp_region_clear(struct pp_region *region); /* leaves the empty figure */
 
 /* result may not be an input; it is empty on failure. */
 enum pp_status pp_region_union(struct pp_clipper *clipper, struct pp_region *result,
@@ -72,7 +73,8 @@ enum pp_status pp_region_triangulate(struct pp_clipper *clipper,
                                      struct pp_error *err);
 
 /* Does the ring meet itself or have no area? */
-bool pp_ring_is_simple(struct pp_clipper *clipper, const double (*xy)[2], int count);
+bool pp_region_ring_is_simple(struct pp_clipper *clipper, const double (*xy)[2],
+                              int count);
 
 double pp_region_area(const struct pp_region *region);
 bool pp_region_contains(const struct pp_region *region, double x, double y);

@@ -4,8 +4,8 @@
  * that are meant to be one. Sums of typed lengths (left + width) are off by rounding
  * only, and far less.
  */
-#ifndef PP_MODEL_TOLERANCE_H
-#define PP_MODEL_TOLERANCE_H
+#ifndef PP_MODEL_GEOMETRY_TOLERANCE_H
+#define PP_MODEL_GEOMETRY_TOLERANCE_H
 
 /* Points nearer than this are one; a polygon is plane, an opening lies in a face, to
  * within it; nothing may be smaller. Metres. */

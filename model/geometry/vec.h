@@ -2,8 +2,8 @@
  *
  * Right-handed metres: x along the plan's width, y along its depth, z up.
  */
-#ifndef PP_MODEL_VEC_H
-#define PP_MODEL_VEC_H
+#ifndef PP_MODEL_GEOMETRY_VEC_H
+#define PP_MODEL_GEOMETRY_VEC_H
 
 #include <math.h>
 
@@ -19,46 +19,46 @@ static inline struct pp_vec3 pp_vec(double x, double y, double z)
     return (struct pp_vec3){x, y, z};
 }
 
-static inline struct pp_vec3 pp_add(struct pp_vec3 a, struct pp_vec3 b)
+static inline struct pp_vec3 pp_vec_add(struct pp_vec3 a, struct pp_vec3 b)
 {
     return pp_vec(a.x + b.x, a.y + b.y, a.z + b.z);
 }
 
-static inline struct pp_vec3 pp_sub(struct pp_vec3 a, struct pp_vec3 b)
+static inline struct pp_vec3 pp_vec_sub(struct pp_vec3 a, struct pp_vec3 b)
 {
     return pp_vec(a.x - b.x, a.y - b.y, a.z - b.z);
 }
 
-static inline struct pp_vec3 pp_scale(struct pp_vec3 a, double s)
+static inline struct pp_vec3 pp_vec_scale(struct pp_vec3 a, double s)
 {
     return pp_vec(a.x * s, a.y * s, a.z * s);
 }
 
 /* a + s b: the point at s along b from a. */
-static inline struct pp_vec3 pp_along(struct pp_vec3 a, double s, struct pp_vec3 b)
+static inline struct pp_vec3 pp_vec_along(struct pp_vec3 a, double s, struct pp_vec3 b)
 {
     return pp_vec(a.x + s * b.x, a.y + s * b.y, a.z + s * b.z);
 }
 
-static inline double pp_dot(struct pp_vec3 a, struct pp_vec3 b)
+static inline double pp_vec_dot(struct pp_vec3 a, struct pp_vec3 b)
 {
     return a.x * b.x + a.y * b.y + a.z * b.z;
 }
 
-static inline struct pp_vec3 pp_cross(struct pp_vec3 a, struct pp_vec3 b)
+static inline struct pp_vec3 pp_vec_cross(struct pp_vec3 a, struct pp_vec3 b)
 {
     return pp_vec(a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x);
 }
 
-static inline double pp_length(struct pp_vec3 a)
+static inline double pp_vec_length(struct pp_vec3 a)
 {
-    return sqrt(pp_dot(a, a));
+    return sqrt(pp_vec_dot(a, a));
 }
 
 /* a's direction; a must not be zero. */
-static inline struct pp_vec3 pp_unit(struct pp_vec3 a)
+static inline struct pp_vec3 pp_vec_unit(struct pp_vec3 a)
 {
-    return pp_scale(a, 1.0 / pp_length(a));
+    return pp_vec_scale(a, 1.0 / pp_vec_length(a));
 }
 
 #endif

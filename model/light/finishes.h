@@ -1,6 +1,6 @@
 /* finishes.h - the finishes that have a name (tables/finishes.csv). */
-#ifndef PP_MODEL_FINISH_TABLE_H
-#define PP_MODEL_FINISH_TABLE_H
+#ifndef PP_MODEL_LIGHT_FINISHES_H
+#define PP_MODEL_LIGHT_FINISHES_H
 
 struct pp_finish {
     const char *name;
@@ -13,10 +13,10 @@ struct pp_finish {
     const char *description;
 };
 
-int pp_finish_count(void);
-const struct pp_finish *pp_finish_at(int index); /* in the table's order */
+int pp_finishes_count(void);
+const struct pp_finish *pp_finishes_at(int index); /* in the table's order */
 
 /* The finish of that name, or NULL. */
-const struct pp_finish *pp_finish_find(const char *name);
+const struct pp_finish *pp_finishes_find(const char *name);
 
 #endif

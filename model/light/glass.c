@@ -6,36 +6,36 @@
 #include <stddef.h>
 
 /* Transmittance and reflectance of a pane or a stack of panes. */
-struct optics {
+struct pane_optics {
     double t, r;
 };
 
-static struct optics one_pane(double rho, double a)
+static struct pane_optics one_pane(double rho, double a)
 {
     double t = (1.0 - rho) * (1.0 - rho) * a / (1.0 - rho * rho * a * a);
-    return (struct optics){t, rho * (1.0 + a * t)};
+    return (struct pane_optics){t, rho * (1.0 + a * t)};
 }
 
-static struct optics stack_of(struct optics pane, int panes)
+static struct pane_optics stack_of(struct pane_optics pane, int panes)
 {
-    struct optics stack = pane;
+    struct pane_optics stack = pane;
     for (int i = 1; i < panes; i++) {
         double between = 1.0 / (1.0 - stack.r * pane.r);
-        stack = (struct optics){stack.t * pane.t * between,
-                                stack.r + stack.t * stack.t * pane.r * between};
+        stack = (struct pane_optics){stack.t * pane.t * between,
+                                     stack.r + stack.t * stack.t * pane.r * between};
     }
     return stack;
 }
 
-static struct optics clear_stack(const struct pp_glass *glass, double cos_i)
+static struct pane_optics clear_stack(const struct pp_glass *glass, double cos_i)
 {
     double cos_r = sqrt(1.0 - (1.0 - cos_i * cos_i) / (glass->n * glass->n));
     double s = (cos_i - glass->n * cos_r) / (cos_i + glass->n * cos_r);
     double p = (glass->n * cos_i - cos_r) / (glass->n * cos_i + cos_r);
     double a = exp(-glass->kl / cos_r);
-    struct optics across = stack_of(one_pane(s * s, a), glass->panes);
-    struct optics along = stack_of(one_pane(p * p, a), glass->panes);
-    return (struct optics){(across.t + along.t) / 2.0, (across.r + along.r) / 2.0};
+    struct pane_optics across = stack_of(one_pane(s * s, a), glass->panes);
+    struct pane_optics along = stack_of(one_pane(p * p, a), glass->panes);
+    return (struct pane_optics){(across.t + along.t) / 2.0, (across.r + along.r) / 2.0};
 }
 
 double pp_glass_transmittance(const struct pp_glass *glass, double cos_incidence)
@@ -57,7 +57,7 @@ double pp_glass_reflectance(const struct pp_glass *glass, double cos_incidence)
         return fmin(0.1, 1.0 - glass->diffuse);
     if (!(cos_incidence > 0.0))
         return 1.0; /* grazing: the limit, which the formula has as 0/0 */
-    struct optics stack = clear_stack(glass, fmin(cos_incidence, 1.0));
+    struct pane_optics stack = clear_stack(glass, fmin(cos_incidence, 1.0));
     /* A glazing clearer than its stack can't reflect all that the stack does. */
     return fmin(stack.r, 1.0 - glass->scale * stack.t);
 }

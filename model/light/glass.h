@@ -10,8 +10,8 @@
  * A glazing of which only the normal transmittance t is known is t/tau(0) of such a
  * stack. A diffusing one is Lambertian and has a hemispherical transmittance only.
  */
-#ifndef PP_MODEL_GLASS_H
-#define PP_MODEL_GLASS_H
+#ifndef PP_MODEL_LIGHT_GLASS_H
+#define PP_MODEL_LIGHT_GLASS_H
 
 #include <stdbool.h>
 

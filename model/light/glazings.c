@@ -9,25 +9,25 @@ static const struct pp_glazing glazings[] = {
 #include "tables/glazings.inc"
 };
 
-int pp_glazing_count(void)
+int pp_glazings_count(void)
 {
     return sizeof glazings / sizeof *glazings;
 }
 
-const struct pp_glazing *pp_glazing_at(int index)
+const struct pp_glazing *pp_glazings_at(int index)
 {
     return &glazings[index];
 }
 
-const struct pp_glazing *pp_glazing_find(const char *name)
+const struct pp_glazing *pp_glazings_find(const char *name)
 {
-    for (int i = 0; i < pp_glazing_count(); i++)
+    for (int i = 0; i < pp_glazings_count(); i++)
         if (strcmp(glazings[i].name, name) == 0)
             return &glazings[i];
     return NULL;
 }
 
-struct pp_glass pp_glazing_glass(const struct pp_glazing *glazing)
+struct pp_glass pp_glazings_glass(const struct pp_glazing *glazing)
 {
     int panes = (int)glazing->panes;
     if (strcmp(glazing->diffusing, "yes") == 0)

@@ -1,6 +1,6 @@
 /* glazings.h - the glazings that have a name (tables/glazings.csv). */
-#ifndef PP_MODEL_GLAZING_TABLE_H
-#define PP_MODEL_GLAZING_TABLE_H
+#ifndef PP_MODEL_LIGHT_GLAZINGS_H
+#define PP_MODEL_LIGHT_GLAZINGS_H
 
 #include "model/light/glass.h"
 
@@ -13,13 +13,13 @@ struct pp_glazing {
     const char *description;
 };
 
-int pp_glazing_count(void);
-const struct pp_glazing *pp_glazing_at(int index); /* in the table's order */
+int pp_glazings_count(void);
+const struct pp_glazing *pp_glazings_at(int index); /* in the table's order */
 
 /* The glazing of that name, or NULL. "none" is not in the table: it is an opening
  * without any. */
-const struct pp_glazing *pp_glazing_find(const char *name);
+const struct pp_glazing *pp_glazings_find(const char *name);
 
-struct pp_glass pp_glazing_glass(const struct pp_glazing *glazing);
+struct pp_glass pp_glazings_glass(const struct pp_glazing *glazing);
 
 #endif

@@ -19,8 +19,8 @@
  * is looked for is its kind: concentrated emitters (Radiance's `light`) are aimed at,
  * extended ones (`glow`) are found by the rays that spread over the hemisphere.
  */
-#ifndef PP_MODEL_MATERIAL_H
-#define PP_MODEL_MATERIAL_H
+#ifndef PP_MODEL_LIGHT_MATERIAL_H
+#define PP_MODEL_LIGHT_MATERIAL_H
 
 #include <stdbool.h>
 

@@ -5,8 +5,8 @@
  *
  *     grey = 0.265 r + 0.670 g + 0.065 b
  */
-#ifndef PP_MODEL_RGB_H
-#define PP_MODEL_RGB_H
+#ifndef PP_MODEL_LIGHT_RGB_H
+#define PP_MODEL_LIGHT_RGB_H
 
 #include <stdbool.h>
 

@@ -48,9 +48,9 @@ static enum pp_status grow(void **list, int count, int *space, int more, size_t 
     grow((void **)&(scene)->list, (scene)->what##_count, &(scene)->what##_space, more, \
          sizeof *(scene)->list, err)
 
-enum pp_status pp_scene_add_material(struct pp_scene_description *scene,
-                                     const struct pp_material *material, int *index,
-                                     struct pp_error *err)
+enum pp_status pp_scene_description_add_material(struct pp_scene_description *scene,
+                                                 const struct pp_material *material,
+                                                 int *index, struct pp_error *err)
 {
     enum pp_status status = pp_material_check(material, err);
     if (status == PP_OK)
@@ -63,9 +63,9 @@ enum pp_status pp_scene_add_material(struct pp_scene_description *scene,
     return PP_OK;
 }
 
-enum pp_status pp_scene_add_pattern(struct pp_scene_description *scene,
-                                    const struct pp_pattern *pattern, int *index,
-                                    struct pp_error *err)
+enum pp_status pp_scene_description_add_pattern(struct pp_scene_description *scene,
+                                                const struct pp_pattern *pattern,
+                                                int *index, struct pp_error *err)
 {
     enum pp_status status = GROW(scene, patterns, pattern, 1, err);
     if (status != PP_OK)
@@ -121,24 +121,25 @@ static int copy_corners(struct pp_scene_description *scene,
 static enum pp_status check_plane(const struct pp_vec3 *corners, int count,
                                   struct pp_error *err)
 {
-    struct pp_vec3 area = pp_area_vector(corners, count);
-    double twice = 2.0 * pp_length(area), size = 0.0, uneven = 0.0;
+    struct pp_vec3 area = pp_polygon_area_vector(corners, count);
+    double twice = 2.0 * pp_vec_length(area), size = 0.0, uneven = 0.0;
     for (int i = 1; i < count; i++)
-        size = fmax(size, pp_length(pp_sub(corners[i], corners[0])));
+        size = fmax(size, pp_vec_length(pp_vec_sub(corners[i], corners[0])));
     if (count < 3 || !(twice > 1e-12 * size * size))
         return pp_fail(err, PP_BAD_INPUT, "a polygon without an area");
-    struct pp_vec3 n = pp_unit(area);
+    struct pp_vec3 n = pp_vec_unit(area);
     for (int i = 1; i < count; i++)
-        uneven = fmax(uneven, fabs(pp_dot(n, pp_sub(corners[i], corners[0]))));
+        uneven = fmax(uneven, fabs(pp_vec_dot(n, pp_vec_sub(corners[i], corners[0]))));
     if (uneven > MOST_UNEVEN * size)
         return pp_fail(err, PP_BAD_INPUT,
                        "a polygon that is not plane: a corner lies %g off", uneven);
     return PP_OK;
 }
 
-enum pp_status pp_scene_add_polygon(struct pp_scene_description *scene,
-                                    const struct pp_vec3 *corners, int count,
-                                    int material, int *index, struct pp_error *err)
+enum pp_status pp_scene_description_add_polygon(struct pp_scene_description *scene,
+                                                const struct pp_vec3 *corners,
+                                                int count, int material, int *index,
+                                                struct pp_error *err)
 {
     for (int i = 0; i < count; i++)
         if (!is_finite(corners[i]))
@@ -162,10 +163,10 @@ enum pp_status pp_scene_add_polygon(struct pp_scene_description *scene,
 static enum pp_status make_unit(struct pp_vec3 *v, const char *what,
                                 struct pp_error *err)
 {
-    double length = pp_length(*v);
+    double length = pp_vec_length(*v);
     if (!(length > 0.0) || !isfinite(length))
         return pp_fail(err, PP_BAD_INPUT, "%s without a direction", what);
-    *v = pp_scale(*v, 1.0 / length);
+    *v = pp_vec_scale(*v, 1.0 / length);
     return PP_OK;
 }
 
@@ -214,9 +215,9 @@ static enum pp_status check_shape(struct pp_shape *shape, struct pp_error *err)
     }
 }
 
-enum pp_status pp_scene_add_shape(struct pp_scene_description *scene,
-                                  const struct pp_shape *shape, int *index,
-                                  struct pp_error *err)
+enum pp_status pp_scene_description_add_shape(struct pp_scene_description *scene,
+                                              const struct pp_shape *shape, int *index,
+                                              struct pp_error *err)
 {
     struct pp_shape copy = *shape;
     enum pp_status status = check_shape(&copy, err);
@@ -229,7 +230,7 @@ enum pp_status pp_scene_add_shape(struct pp_scene_description *scene,
  * from the zenith. */
 static double gensky_sky(const struct pp_pattern *pattern, struct pp_vec3 u)
 {
-    double cosgamma = fmax(-1.0, fmin(1.0, pp_dot(u, pattern->sun)));
+    double cosgamma = fmax(-1.0, fmin(1.0, pp_vec_dot(u, pattern->sun)));
     double gamma = acos(cosgamma);
     double zt = acos(fmax(-1.0, fmin(1.0, pattern->sun.z)));
     double eta = acos(fmax(-1.0, fmin(1.0, u.z)));
@@ -251,12 +252,13 @@ static double gensky_sky(const struct pp_pattern *pattern, struct pp_vec3 u)
     }
 }
 
-double pp_pattern_value(const struct pp_pattern *pattern, struct pp_vec3 u)
+double pp_scene_description_pattern_value(const struct pp_pattern *pattern,
+                                          struct pp_vec3 u)
 {
     if (pattern->kind == PP_PATTERN_SKY) {
         for (int i = 0; i < pattern->skyline_count && u.z > 0.0; i++)
             if (u.z < pattern->skylines[i].slope
-                          * pp_dot(u, pattern->skylines[i].outward))
+                          * pp_vec_dot(u, pattern->skylines[i].outward))
                 return pattern->skylines[i].radiance;
         return pattern->factor * pp_sky_luminance(&pattern->sky, u);
     }

@@ -6,8 +6,8 @@
  *
  * Lists are grown by the functions below, which say at once what is wrong with a shape.
  */
-#ifndef PP_MODEL_SCENE_DESCRIPTION_H
-#define PP_MODEL_SCENE_DESCRIPTION_H
+#ifndef PP_MODEL_LIGHT_SCENE_DESCRIPTION_H
+#define PP_MODEL_LIGHT_SCENE_DESCRIPTION_H
 
 #include "model/base/error.h"
 #include "model/light/material.h"
@@ -92,7 +92,8 @@ struct pp_pattern {
 
 /* The factor in direction u (unit). A gensky pattern has sky and ground in one, run
  * into each other about the horizon as its formula does. */
-double pp_pattern_value(const struct pp_pattern *pattern, struct pp_vec3 u);
+double pp_scene_description_pattern_value(const struct pp_pattern *pattern,
+                                          struct pp_vec3 u);
 
 struct pp_scene_description {
     struct pp_shape *shapes;
@@ -110,23 +111,24 @@ void pp_scene_description_clear(struct pp_scene_description *scene);
 
 /* Each copies what it is given and says where it is in its list (index may be NULL). A
  * material is checked as pp_material_check does. */
-enum pp_status pp_scene_add_material(struct pp_scene_description *scene,
-                                     const struct pp_material *material, int *index,
-                                     struct pp_error *err);
-enum pp_status pp_scene_add_pattern(struct pp_scene_description *scene,
-                                    const struct pp_pattern *pattern, int *index,
-                                    struct pp_error *err);
+enum pp_status pp_scene_description_add_material(struct pp_scene_description *scene,
+                                                 const struct pp_material *material,
+                                                 int *index, struct pp_error *err);
+enum pp_status pp_scene_description_add_pattern(struct pp_scene_description *scene,
+                                                const struct pp_pattern *pattern,
+                                                int *index, struct pp_error *err);
 
 /* A polygon of count corners; repeated corners and a repeated first one are left out.
  * One without an area, or farther out of its plane than a thousandth of its size, is
  * PP_BAD_INPUT. */
-enum pp_status pp_scene_add_polygon(struct pp_scene_description *scene,
-                                    const struct pp_vec3 *corners, int count,
-                                    int material, int *index, struct pp_error *err);
+enum pp_status pp_scene_description_add_polygon(struct pp_scene_description *scene,
+                                                const struct pp_vec3 *corners,
+                                                int count, int material, int *index,
+                                                struct pp_error *err);
 
 /* Any other shape; directions are made unit, ends and radii are looked at. */
-enum pp_status pp_scene_add_shape(struct pp_scene_description *scene,
-                                  const struct pp_shape *shape, int *index,
-                                  struct pp_error *err);
+enum pp_status pp_scene_description_add_shape(struct pp_scene_description *scene,
+                                              const struct pp_shape *shape, int *index,
+                                              struct pp_error *err);
 
 #endif

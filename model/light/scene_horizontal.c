@@ -39,7 +39,7 @@ static const struct pp_shape *seen_in(const struct sources *sources, struct pp_v
     const struct pp_shape *found = NULL;
     for (int i = 0; i < sources->count; i++) {
         const struct pp_shape *shape = &sources->scene->shapes[sources->list[i]];
-        if (pp_dot(u, shape->is.distant.direction)
+        if (pp_vec_dot(u, shape->is.distant.direction)
                 >= cos(shape->is.distant.half_angle_rad)
             && (!found
                 || shape->is.distant.half_angle_rad < found->is.distant.half_angle_rad))
@@ -59,7 +59,8 @@ static struct pp_rgb radiance_in(const struct sources *sources, struct pp_vec3 u
         return material->radiance;
     struct pp_pattern pattern = scene->patterns[material->pattern];
     pattern.skyline_count = 0;
-    return pp_rgb_scale(material->radiance, pp_pattern_value(&pattern, u));
+    return pp_rgb_scale(material->radiance,
+                        pp_scene_description_pattern_value(&pattern, u));
 }
 
 static struct pp_rgb quadrature(const struct sources *sources)

@@ -1,6 +1,6 @@
 /* scene_horizontal.h - what a scene's sky gives the open level ground. */
-#ifndef PP_MODEL_SCENE_HORIZONTAL_H
-#define PP_MODEL_SCENE_HORIZONTAL_H
+#ifndef PP_MODEL_LIGHT_SCENE_HORIZONTAL_H
+#define PP_MODEL_LIGHT_SCENE_HORIZONTAL_H
 
 #include "model/light/scene_description.h"
 

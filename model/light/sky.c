@@ -46,7 +46,8 @@ static double relative_luminance(const struct pp_sky *sky, struct pp_vec3 u)
     if (sky->c == 0.0 && sky->e == 0.0)
         return gradation;
     /* The angle to the sun by atan2: acos loses half its digits beside it. */
-    double chi = atan2(pp_length(pp_cross(u, sky->sun)), pp_dot(u, sky->sun));
+    double chi =
+        atan2(pp_vec_length(pp_vec_cross(u, sky->sun)), pp_vec_dot(u, sky->sun));
     double cos_chi = cos(chi);
     double indicatrix = 1.0 + sky->c * (exp(sky->d * chi) - exp(sky->d * PP_PI / 2.0))
                         + sky->e * cos_chi * cos_chi;
@@ -86,7 +87,7 @@ static int plane_integrand(unsigned dim, const double *x, void *data, unsigned f
     double altitude = low + (high - low) * x[1];
     double c = cos(altitude);
     struct pp_vec3 u = pp_vec(c * sin(x[0]), c * cos(x[0]), sin(altitude));
-    double facing = pp_dot(n, u);
+    double facing = pp_vec_dot(n, u);
     *value = 0.0;
     if (high > low && facing > 0.0)
         *value = pp_sky_luminance(integral->sky, u) * facing * c * (high - low);

@@ -12,8 +12,8 @@
  *
  * The sun's disc is left out.
  */
-#ifndef PP_MODEL_SKY_H
-#define PP_MODEL_SKY_H
+#ifndef PP_MODEL_LIGHT_SKY_H
+#define PP_MODEL_LIGHT_SKY_H
 
 #include <stdbool.h>
 

@@ -4,7 +4,7 @@
 
 #include "model/geometry/vec.h"
 
-double pp_days_since_2000(int year, int month, int day, double hour_ut)
+double pp_sun_days_since_2000(int year, int month, int day, double hour_ut)
 {
     /* Days since 1 March of year 0, years beginning in March [MEEUS98]. */
     int y = month > 2 ? year : year - 1;

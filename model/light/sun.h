@@ -5,8 +5,8 @@
  * the sun by half a degree at the horizon and by less than 0.1 above 10 degrees, is
  * left out, and so is parallax.
  */
-#ifndef PP_MODEL_SUN_H
-#define PP_MODEL_SUN_H
+#ifndef PP_MODEL_LIGHT_SUN_H
+#define PP_MODEL_LIGHT_SUN_H
 
 struct pp_sun {
     double altitude_rad; /* of its centre above the horizon; negative: below */
@@ -17,7 +17,7 @@ struct pp_sun {
 
 /* Days since noon of 1 January 2000, of a day of the Gregorian calendar and an hour of
  * it, both in universal time; the hour may lie outside 0 to 24. */
-double pp_days_since_2000(int year, int month, int day, double hour_ut);
+double pp_sun_days_since_2000(int year, int month, int day, double hour_ut);
 
 /* Latitude north and longitude east positive (radians). */
 struct pp_sun pp_sun_at(double days_since_2000, double latitude_rad,

@@ -41,10 +41,10 @@ enum pp_status pp_camera_set(struct pp_camera *camera, enum pp_view_kind kind,
                              struct pp_vec3 up, double across, double down,
                              struct pp_error *err)
 {
-    if (!isfinite(pp_length(eye)))
+    if (!isfinite(pp_vec_length(eye)))
         return pp_fail(err, PP_BAD_INPUT, "the eye stands nowhere");
-    if (!(pp_length(toward) > 0.0) || !isfinite(pp_length(toward))
-        || !(pp_length(up) > 0.0) || !isfinite(pp_length(up)))
+    if (!(pp_vec_length(toward) > 0.0) || !isfinite(pp_vec_length(toward))
+        || !(pp_vec_length(up) > 0.0) || !isfinite(pp_vec_length(up)))
         return pp_fail(err, PP_BAD_INPUT,
                        "the direction of view, or what is up, is 0 long; expected a "
                        "direction");
@@ -53,14 +53,14 @@ enum pp_status pp_camera_set(struct pp_camera *camera, enum pp_view_kind kind,
         status = check_size(kind, down, err);
     if (status != PP_OK)
         return status;
-    toward = pp_unit(toward);
-    struct pp_vec3 right = pp_cross(toward, pp_unit(up));
-    if (pp_length(right) < least_angle_rad)
+    toward = pp_vec_unit(toward);
+    struct pp_vec3 right = pp_vec_cross(toward, pp_vec_unit(up));
+    if (pp_vec_length(right) < least_angle_rad)
         return pp_fail(err, PP_BAD_INPUT,
                        "the view looks along its own up; expected another up");
-    right = pp_unit(right);
-    *camera = (struct pp_camera){kind,   eye, toward, right, pp_cross(right, toward),
-                                 across, down};
+    right = pp_vec_unit(right);
+    *camera = (struct pp_camera){
+        kind, eye, toward, right, pp_vec_cross(right, toward), across, down};
     return PP_OK;
 }
 
@@ -95,7 +95,8 @@ bool pp_camera_ray(const struct pp_camera *camera, double x, double y,
     *to = camera->toward;
     switch (camera->kind) {
     case PP_VIEW_PARALLEL:
-        *from = pp_along(pp_along(camera->eye, h, camera->right), v, camera->up);
+        *from =
+            pp_vec_along(pp_vec_along(camera->eye, h, camera->right), v, camera->up);
         return true;
     case PP_VIEW_PERSPECTIVE:
         break;
@@ -111,19 +112,19 @@ bool pp_camera_ray(const struct pp_camera *camera, double x, double y,
         aside = r > 0.0 ? sin(r) / r : 1.0;
         break;
     }
-    *to = pp_unit(
-        pp_along(pp_along(pp_scale(camera->toward, ahead), aside * h, camera->right),
-                 aside * v, camera->up));
+    *to = pp_vec_unit(pp_vec_along(
+        pp_vec_along(pp_vec_scale(camera->toward, ahead), aside * h, camera->right),
+        aside * v, camera->up));
     return true;
 }
 
 bool pp_camera_project(const struct pp_camera *camera, struct pp_vec3 point, double *x,
                        double *y, double *distance_m)
 {
-    struct pp_vec3 way = pp_sub(point, camera->eye);
-    double ahead = pp_dot(way, camera->toward);
-    double h = pp_dot(way, camera->right), v = pp_dot(way, camera->up);
-    double length = pp_length(way), scale = 1.0;
+    struct pp_vec3 way = pp_vec_sub(point, camera->eye);
+    double ahead = pp_vec_dot(way, camera->toward);
+    double h = pp_vec_dot(way, camera->right), v = pp_vec_dot(way, camera->up);
+    double length = pp_vec_length(way), scale = 1.0;
     switch (camera->kind) {
     case PP_VIEW_PARALLEL:
         *distance_m = ahead;

@@ -9,8 +9,8 @@
  * equally in its illuminance (the sine of the angle from the middle) angular distance
  * from the middle as the angle (fisheye)
  */
-#ifndef PP_MODEL_CAMERA_H
-#define PP_MODEL_CAMERA_H
+#ifndef PP_MODEL_PICTURES_CAMERA_H
+#define PP_MODEL_PICTURES_CAMERA_H
 
 #include <stdbool.h>
 #include <stddef.h>

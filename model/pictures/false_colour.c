@@ -49,7 +49,7 @@ static int ascending(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
-static void settle(struct pp_colour_scale *scale, double low, double high,
+static void settle(struct pp_false_colour_scale *scale, double low, double high,
                    bool logarithmic)
 {
     int top = round_above(high), bottom = round_below(low);
@@ -57,13 +57,13 @@ static void settle(struct pp_colour_scale *scale, double low, double high,
         bottom = top - 3 * DECADES_MOST;
     if (bottom == top)
         bottom--;
-    *scale = (struct pp_colour_scale){logarithmic ? round_number(bottom) : 0.0,
-                                      round_number(top), logarithmic};
+    *scale = (struct pp_false_colour_scale){logarithmic ? round_number(bottom) : 0.0,
+                                            round_number(top), logarithmic};
 }
 
-enum pp_status pp_colour_scale_fit(struct pp_colour_scale *scale,
-                                   const struct pp_picture *picture, double unit,
-                                   bool logarithmic, struct pp_error *err)
+enum pp_status pp_false_colour_scale_fit(struct pp_false_colour_scale *scale,
+                                         const struct pp_picture *picture, double unit,
+                                         bool logarithmic, struct pp_error *err)
 {
     size_t pixels = (size_t)picture->width * (size_t)picture->height, count = 0;
     double *values = malloc(pixels * sizeof *values);
@@ -75,7 +75,7 @@ enum pp_status pp_colour_scale_fit(struct pp_colour_scale *scale,
             if (value > 1e-30 && value < 1e30)
                 values[count++] = value;
         }
-    *scale = (struct pp_colour_scale){0.1, 1.0, logarithmic};
+    *scale = (struct pp_false_colour_scale){0.1, 1.0, logarithmic};
     if (count > 0) {
         qsort(values, count, sizeof *values, ascending);
         size_t out = (size_t)(left_out * (double)count);
@@ -85,12 +85,13 @@ enum pp_status pp_colour_scale_fit(struct pp_colour_scale *scale,
     return PP_OK;
 }
 
-int pp_colour_scale_levels(const struct pp_colour_scale *scale,
-                           double levels[PP_COLOUR_LEVELS_MOST])
+int pp_false_colour_scale_levels(const struct pp_false_colour_scale *scale,
+                                 double levels[PP_FALSE_COLOUR_LEVELS_MOST])
 {
     int count = 0;
     if (scale->logarithmic) {
-        for (int i = round_above(scale->low); count < PP_COLOUR_LEVELS_MOST; i++) {
+        for (int i = round_above(scale->low); count < PP_FALSE_COLOUR_LEVELS_MOST;
+             i++) {
             if (round_number(i) > scale->high * (1.0 + 1e-9))
                 break;
             levels[count++] = round_number(i);
@@ -99,7 +100,7 @@ int pp_colour_scale_levels(const struct pp_colour_scale *scale,
     }
     /* Equal steps, ten of them or so. */
     double step = round_number(round_above((scale->high - scale->low) / 12.0));
-    for (double i = ceil(scale->low / step - 1e-9); count < PP_COLOUR_LEVELS_MOST;
+    for (double i = ceil(scale->low / step - 1e-9); count < PP_FALSE_COLOUR_LEVELS_MOST;
          i++) {
         if (i * step > scale->high * (1.0 + 1e-9))
             break;
@@ -108,7 +109,7 @@ int pp_colour_scale_levels(const struct pp_colour_scale *scale,
     return count;
 }
 
-double pp_colour_scale_at(const struct pp_colour_scale *scale, double value)
+double pp_false_colour_scale_at(const struct pp_false_colour_scale *scale, double value)
 {
     double at;
     if (!scale->logarithmic)
@@ -137,10 +138,10 @@ void pp_false_colour(double at, unsigned char rgb[3])
     }
 }
 
-enum pp_status pp_raster_of_scale(struct pp_raster *raster,
-                                  const struct pp_picture *picture, double unit,
-                                  const struct pp_colour_scale *scale,
-                                  struct pp_error *err)
+enum pp_status pp_false_colour_raster(struct pp_raster *raster,
+                                      const struct pp_picture *picture, double unit,
+                                      const struct pp_false_colour_scale *scale,
+                                      struct pp_error *err)
 {
     enum pp_status status =
         pp_raster_create(raster, picture->width, picture->height, err);
@@ -149,7 +150,7 @@ enum pp_status pp_raster_of_scale(struct pp_raster *raster,
             double value = unit * pp_rgb_luminance(pp_picture_rgb(picture, x, y));
             unsigned char *rgb = pp_raster_at(raster, x, y);
             if (isfinite(value))
-                pp_false_colour(pp_colour_scale_at(scale, value), rgb);
+                pp_false_colour(pp_false_colour_scale_at(scale, value), rgb);
             else
                 memset(rgb, 255, 3);
         }

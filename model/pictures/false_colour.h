@@ -4,8 +4,8 @@
  * to the eye, so that a black and white copy keeps the order; the darkest and the
  * lightest tenth are left out, for lines and paper.
  */
-#ifndef PP_MODEL_FALSE_COLOUR_H
-#define PP_MODEL_FALSE_COLOUR_H
+#ifndef PP_MODEL_PICTURES_FALSE_COLOUR_H
+#define PP_MODEL_PICTURES_FALSE_COLOUR_H
 
 #include <stdbool.h>
 
@@ -13,7 +13,7 @@
 #include "model/pictures/raster.h"
 
 /* Values are in the unit that people read (quantity.h). */
-struct pp_colour_scale {
+struct pp_false_colour_scale {
     double low, high; /* low < high; where logarithmic low > 0 */
     bool logarithmic;
 };
@@ -22,27 +22,28 @@ struct pp_colour_scale {
  * outwards to 1, 2, 5 and their decades from what all but the darkest and lightest
  * half per cent of the pixels have; over four decades at most; from 0 where it is
  * linear. Black and what is no number do not count. */
-enum pp_status pp_colour_scale_fit(struct pp_colour_scale *scale,
-                                   const struct pp_picture *picture, double unit,
-                                   bool logarithmic, struct pp_error *err);
+enum pp_status pp_false_colour_scale_fit(struct pp_false_colour_scale *scale,
+                                         const struct pp_picture *picture, double unit,
+                                         bool logarithmic, struct pp_error *err);
 
-enum { PP_COLOUR_LEVELS_MOST = 40 };
+enum { PP_FALSE_COLOUR_LEVELS_MOST = 40 };
 
 /* The round values of the scale from end to end, ascending: 1, 2, 5 and their decades,
  * or equal steps. Returns how many. */
-int pp_colour_scale_levels(const struct pp_colour_scale *scale,
-                           double levels[PP_COLOUR_LEVELS_MOST]);
+int pp_false_colour_scale_levels(const struct pp_false_colour_scale *scale,
+                                 double levels[PP_FALSE_COLOUR_LEVELS_MOST]);
 
 /* Where on the scale a value is, 0 to 1; what lies beyond is at its end. */
-double pp_colour_scale_at(const struct pp_colour_scale *scale, double value);
+double pp_false_colour_scale_at(const struct pp_false_colour_scale *scale,
+                                double value);
 
 /* sRGB of a place on the scale, 0 to 1. */
 void pp_false_colour(double at, unsigned char rgb[3]);
 
 /* The picture in the scale's colours; what is no number is white. */
-enum pp_status pp_raster_of_scale(struct pp_raster *raster,
-                                  const struct pp_picture *picture, double unit,
-                                  const struct pp_colour_scale *scale,
-                                  struct pp_error *err);
+enum pp_status pp_false_colour_raster(struct pp_raster *raster,
+                                      const struct pp_picture *picture, double unit,
+                                      const struct pp_false_colour_scale *scale,
+                                      struct pp_error *err);
 
 #endif

@@ -176,7 +176,7 @@ static void place_of_edge(const struct squares *squares, int edge, double xy[2])
 
 /* Takes the line that begins at an edge out of the squares, if it is long enough. */
 static enum pp_status take_line(struct squares *squares, int start, double shortest,
-                                struct pp_curves *lines, struct pp_error *err)
+                                struct pp_curve_list *lines, struct pp_error *err)
 {
     int count = 1;
     bool closed = false;
@@ -205,11 +205,11 @@ static enum pp_status take_line(struct squares *squares, int start, double short
         free(curve.xy);
         return PP_OK;
     }
-    return pp_curves_add(lines, curve, err);
+    return pp_curve_list_add(lines, curve, err);
 }
 
 static enum pp_status trace(struct squares *squares, double shortest,
-                            struct pp_curves *lines, struct pp_error *err)
+                            struct pp_curve_list *lines, struct pp_error *err)
 {
     const struct field *field = squares->field;
     int edges = 2 * field->width * field->height;
@@ -230,10 +230,10 @@ static enum pp_status trace(struct squares *squares, double shortest,
     return status;
 }
 
-enum pp_status pp_iso_lines(struct pp_curves *lines, const struct pp_picture *picture,
-                            const int *tags, double unit, const double *levels,
-                            int count, double smooth, double shortest,
-                            struct pp_error *err)
+enum pp_status pp_iso_lines(struct pp_curve_list *lines,
+                            const struct pp_picture *picture, const int *tags,
+                            double unit, const double *levels, int count, double smooth,
+                            double shortest, struct pp_error *err)
 {
     struct field field;
     enum pp_status status = make_field(&field, picture, tags, unit, smooth, err);

@@ -5,8 +5,8 @@
  * and pixels that show something of both are left out.
  * Where the surfaces are not known, an edge is where neighbours differ by much.
  */
-#ifndef PP_MODEL_ISO_LINES_H
-#define PP_MODEL_ISO_LINES_H
+#ifndef PP_MODEL_PICTURES_ISO_LINES_H
+#define PP_MODEL_PICTURES_ISO_LINES_H
 
 #include "model/geometry/curve.h"
 #include "model/pictures/picture.h"
@@ -16,9 +16,9 @@
  * of the first pixel is (0.5, 0.5). `tags` (may be NULL) says row by row what each
  * pixel shows. `smooth` is the standard deviation of the smoothing, in pixels; lines
  * shorter than `shortest` pixels are left out. */
-enum pp_status pp_iso_lines(struct pp_curves *lines, const struct pp_picture *picture,
-                            const int *tags, double unit, const double *levels,
-                            int count, double smooth, double shortest,
-                            struct pp_error *err);
+enum pp_status pp_iso_lines(struct pp_curve_list *lines,
+                            const struct pp_picture *picture, const int *tags,
+                            double unit, const double *levels, int count, double smooth,
+                            double shortest, struct pp_error *err);
 
 #endif

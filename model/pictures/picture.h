@@ -1,6 +1,6 @@
 /* picture.h - a picture as numbers: linear colour, a value a pixel, row by row. */
-#ifndef PP_MODEL_PICTURE_H
-#define PP_MODEL_PICTURE_H
+#ifndef PP_MODEL_PICTURES_PICTURE_H
+#define PP_MODEL_PICTURES_PICTURE_H
 
 #include <stddef.h>
 

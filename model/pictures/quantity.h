@@ -1,7 +1,7 @@
 /* quantity.h - what the numbers of a picture are, and in which unit people read them.
  */
-#ifndef PP_MODEL_QUANTITY_H
-#define PP_MODEL_QUANTITY_H
+#ifndef PP_MODEL_PICTURES_QUANTITY_H
+#define PP_MODEL_PICTURES_QUANTITY_H
 
 /* Lumens to a watt of the light in pictures, by convention of their format [WS98]. */
 #define PP_LUMENS_PER_WATT 179.0

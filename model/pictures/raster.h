@@ -1,6 +1,6 @@
 /* raster.h - a picture as it is shown: three bytes a pixel, sRGB [IEC61966]. */
-#ifndef PP_MODEL_RASTER_H
-#define PP_MODEL_RASTER_H
+#ifndef PP_MODEL_PICTURES_RASTER_H
+#define PP_MODEL_PICTURES_RASTER_H
 
 #include "model/pictures/picture.h"
 #include "model/pictures/tone.h"

@@ -33,12 +33,12 @@ double pp_tone_threshold(double luminance)
 
 /* Natural logarithms of the mean luminances of squares of a degree; those that are
  * black are left out. */
-struct fields {
+struct adaptation_fields {
     double *logs;
     int count;
 };
 
-static enum pp_status see_fields(struct fields *fields,
+static enum pp_status see_fields(struct adaptation_fields *fields,
                                  const struct pp_picture *picture,
                                  const struct pp_tone_options *options,
                                  struct pp_error *err)
@@ -46,8 +46,8 @@ static enum pp_status see_fields(struct fields *fields,
     int side = (int)fmin(fmax(options->degree_pixels, 1.0), 4096.0);
     int across = (picture->width + side - 1) / side;
     int down = (picture->height + side - 1) / side;
-    *fields =
-        (struct fields){.logs = malloc((size_t)across * (size_t)down * sizeof(double))};
+    *fields = (struct adaptation_fields){
+        .logs = malloc((size_t)across * (size_t)down * sizeof(double))};
     if (!fields->logs)
         return pp_fail_memory(err);
     for (int j = 0; j < down; j++)
@@ -108,7 +108,7 @@ static void show_linearly(struct pp_tone *tone, double brightest)
     tone->white = brightest;
 }
 
-static void make_curve(struct pp_tone *tone, const struct fields *fields)
+static void make_curve(struct pp_tone *tone, const struct adaptation_fields *fields)
 {
     double low = INFINITY, high = -INFINITY;
     for (int i = 0; i < fields->count; i++) {
@@ -163,7 +163,7 @@ enum pp_status pp_tone_prepare(struct pp_tone *tone, const struct pp_picture *pi
     *tone = (struct pp_tone){.unit = options->unit, .white = options->white};
     if (options->way == PP_TONE_BY_HAND)
         return PP_OK;
-    struct fields fields;
+    struct adaptation_fields fields;
     enum pp_status status = see_fields(&fields, picture, options, err);
     if (status != PP_OK)
         return status;

@@ -7,8 +7,8 @@
  *
  * Luminances are cd/m2, from the picture's grey (rgb.h) times `unit`.
  */
-#ifndef PP_MODEL_TONE_H
-#define PP_MODEL_TONE_H
+#ifndef PP_MODEL_PICTURES_TONE_H
+#define PP_MODEL_PICTURES_TONE_H
 
 #include "model/pictures/picture.h"
 

@@ -3,8 +3,8 @@
 
 void pp_daylight_plan_clear(struct pp_daylight_plan *plan)
 {
-    pp_curves_clear(&plan->contours);
-    pp_curves_clear(&plan->no_sky);
-    pp_curves_clear(&plan->dark);
+    pp_curve_list_clear(&plan->contours);
+    pp_curve_list_clear(&plan->no_sky);
+    pp_curve_list_clear(&plan->dark);
     *plan = (struct pp_daylight_plan){0};
 }

@@ -3,16 +3,17 @@
  * Everything lies in the working plane, in metres of the room's own x and y. A method
  * fills it (methods/daylight_curves.h); a chart draws it (charts/room/plan_chart.h).
  */
-#ifndef PP_MODEL_DAYLIGHT_PLAN_H
-#define PP_MODEL_DAYLIGHT_PLAN_H
+#ifndef PP_MODEL_RESULTS_DAYLIGHT_PLAN_H
+#define PP_MODEL_RESULTS_DAYLIGHT_PLAN_H
 
 #include "model/geometry/curve.h"
 
 struct pp_daylight_plan {
-    char name[48];             /* of the figures contoured: "exact+bre" */
-    struct pp_curves contours; /* levels are daylight factors, fractions; ascending */
-    struct pp_curves no_sky;   /* the no-sky line: sky can be seen from its left */
-    struct pp_curves dark;     /* closed outlines of what sees no sky at all: outer ones
+    char name[48]; /* of the figures contoured: "exact+bre" */
+    struct pp_curve_list
+        contours;                /* levels are daylight factors, fractions; ascending */
+    struct pp_curve_list no_sky; /* the no-sky line: sky can be seen from its left */
+    struct pp_curve_list dark; /* closed outlines of what sees no sky at all: outer ones
                                 * counter-clockwise, holes clockwise */
     double lowest, highest;    /* daylight factor over the plane, fractions */
     double lowest_xy[2], highest_xy[2]; /* and where */

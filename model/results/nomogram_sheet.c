@@ -1,4 +1,3 @@
-/* nomogram_sheet.c - see nomogram_sheet.h. */
 #include "model/results/nomogram_sheet.h"
 
 #include <stdlib.h>

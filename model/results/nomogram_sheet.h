@@ -1,10 +1,75 @@
+/* nomogram_sheet.h - the stems of a nomogram, how much a mark on them stands out, and a
+ * sheet of one: its stems, or what it reads of a room. */
+#ifndef PP_MODEL_RESULTS_NOMOGRAM_SHEET_H
+#define PP_MODEL_RESULTS_NOMOGRAM_SHEET_H
+
+#include <stdbool.h>
+
+/* nomogram_sheet.h - how much a mark of a scale stands out. */
+
+enum pp_mark_rank { PP_MARK_FINE, PP_MARK_MIDDLE, PP_MARK_LABELLED };
+
+/* nomogram_sheet.h - a chart of upright scales on which a straight-edge does a sum.
+ *
+ * A stem is a scale on an upright line. Places on the sheet are fractions of its width
+ * and of the scales' height, x from the left, y from the bottom. A method sets them out
+ * (methods/nomogram/nomogram_scale.h), where the derivation stands; a chart draws them.
+ */
+
+enum pp_nomogram_kind {
+    PP_NOMOGRAM_AVERAGE,   /* I: average component of a side-lit room */
+    PP_NOMOGRAM_MINIMUM,   /* II: its minimum, too */
+    PP_NOMOGRAM_ROOFLIGHT, /* III: average of a top-lit room */
+    PP_NOMOGRAMS,
+};
+
+enum pp_nomogram_quantity {
+    PP_NOMOGRAM_GLASS,       /* net glass over all inside surfaces: a ratio */
+    PP_NOMOGRAM_REFLECTANCE, /* mean, of all inside surfaces */
+    PP_NOMOGRAM_COMPONENT,   /* internally reflected, over Eh */
+    PP_NOMOGRAM_OBSTRUCTION, /* altitude of the obstruction, radians */
+    PP_NOMOGRAM_SLOPE,       /* of the glass, 0 horizontal, radians */
+    PP_NOMOGRAM_WALLS,       /* mean reflectance of the walls */
+};
+
+struct pp_nomogram_stem {
+    char letter; /* 'A' */
+    enum pp_nomogram_quantity quantity;
+    double x;
+    double foot, decade; /* y = foot + decade log10 of the quantity's function */
+    double low, high;    /* the lowest and the highest value on it */
+};
+
+/* A straight-edge from one stem to another, and the stem read between them. */
+struct pp_nomogram_edge {
+    int from, to, read;
+};
+
+enum { PP_NOMOGRAM_STEMS = 7, PP_NOMOGRAM_EDGES = 3 };
+
+struct pp_nomogram {
+    enum pp_nomogram_kind kind;
+    double k;      /* the rule: R_cw = k R_fw */
+    double R_fw_R; /* and R_fw over R, 2/(1 + k) */
+    int stem_count, edge_count;
+    struct pp_nomogram_stem stems[PP_NOMOGRAM_STEMS];
+    struct pp_nomogram_edge edges[PP_NOMOGRAM_EDGES];
+};
+
+/* What a person reads of one opening. Values are in the order of the stems, as set and
+ * read; NAN: not used. Without an obstruction (a slope) E is not read: it is C. */
+struct pp_nomogram_reading {
+    double glass_m2, inside_m2; /* W, A */
+    double ratio;               /* W/A */
+    int tens;                   /* scale A was set to ratio times 10^tens */
+    double value[PP_NOMOGRAM_STEMS];
+    bool used[PP_NOMOGRAM_EDGES]; /* which lines were laid */
+    double component;             /* average, over 10^tens, before allowances */
+    double minimum;               /* the same of the minimum, by II; else NAN */
+};
+
 /* nomogram_sheet.h - a nomogram's scales with their marks, and what is read on it of a
  * room, for whoever draws it. */
-#ifndef PP_MODEL_NOMOGRAM_SHEET_H
-#define PP_MODEL_NOMOGRAM_SHEET_H
-
-#include "model/results/mark_rank.h"
-#include "model/results/nomogram.h"
 
 struct pp_nomogram_mark {
     double y;      /* of the scales' height, from the bottom */

@@ -1,6 +1,6 @@
 /* picture_sheet.h - what a sheet with a picture on it shows, for whoever draws it. */
-#ifndef PP_MODEL_PICTURE_SHEET_H
-#define PP_MODEL_PICTURE_SHEET_H
+#ifndef PP_MODEL_RESULTS_PICTURE_SHEET_H
+#define PP_MODEL_RESULTS_PICTURE_SHEET_H
 
 #include "model/geometry/curve.h"
 #include "model/pictures/false_colour.h"
@@ -24,14 +24,14 @@ struct pp_picture_sheet {
     double north_rad;    /* north is so far anticlockwise of up */
 
     bool scaled; /* in false colours: with a scale beside */
-    struct pp_colour_scale scale;
+    struct pp_false_colour_scale scale;
     bool beyond[2];   /* are there darker, lighter pixels than the scale has? */
     const char *unit; /* of the scale; not owned */
     int level_count;  /* that have lines */
-    double levels[PP_COLOUR_LEVELS_MOST];
-    struct pp_curves lines; /* in pixels, levels in the unit */
+    double levels[PP_FALSE_COLOUR_LEVELS_MOST];
+    struct pp_curve_list lines; /* in pixels, levels in the unit */
 
-    struct pp_curves grid; /* over it, in pixels: directions, outlines */
+    struct pp_curve_list grid; /* over it, in pixels: directions, outlines */
     struct pp_picture_word *words;
     int word_count;
 

@@ -6,10 +6,10 @@
  * opening, to the right positive seen from inside; on a plan turned down into the plane
  * of the average sight line too.
  */
-#ifndef PP_MODEL_PROTRACTOR_SHEET_H
-#define PP_MODEL_PROTRACTOR_SHEET_H
+#ifndef PP_MODEL_RESULTS_PROTRACTOR_SHEET_H
+#define PP_MODEL_RESULTS_PROTRACTOR_SHEET_H
 
-#include "model/results/mark_rank.h"
+#include "model/results/nomogram_sheet.h"
 #include "model/room/world.h"
 
 /* One rectangle of an opening, read step by step. */
@@ -37,7 +37,7 @@ struct pp_protractor_readings {
     bool less_hidden;     /* is sky the first reading less the obstructions'? */
 };
 
-void pp_protractor_readings_clear(struct pp_protractor_readings *readings);
+void pp_protractor_sheet_readings_clear(struct pp_protractor_readings *readings);
 
 /* On the primary scale. */
 struct pp_protractor_mark {
@@ -47,7 +47,7 @@ struct pp_protractor_mark {
 };
 
 /* On the auxiliary: the line of one correction factor over average altitudes that are
- * PP_LINE_STEP_RAD apart. */
+ * PP_PROTRACTOR_LINE_STEP_RAD apart. */
 struct pp_protractor_line {
     double factor;
     int count;
@@ -81,9 +81,9 @@ struct pp_protractor_sheet {
     struct pp_protractor_scale scale;
 };
 
-#define PP_LINE_STEP_RAD (2.5 * PP_RAD)
+#define PP_PROTRACTOR_LINE_STEP_RAD (2.5 * PP_RAD)
 
-void pp_protractor_scale_clear(struct pp_protractor_scale *scale);
+void pp_protractor_sheet_scale_clear(struct pp_protractor_scale *scale);
 void pp_protractor_sheet_clear(struct pp_protractor_sheet *sheet);
 
 #endif

@@ -1,6 +1,6 @@
 /* reading.h - what one method says of one component, at a point or of the room. */
-#ifndef PP_MODEL_READING_H
-#define PP_MODEL_READING_H
+#ifndef PP_MODEL_RESULTS_READING_H
+#define PP_MODEL_RESULTS_READING_H
 
 #include <math.h>
 

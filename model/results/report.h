@@ -3,8 +3,8 @@
  * A column is one entry of the results: a component by a method ("exact"), by a pair
  * ("exact+bre"), or by the simulation ("traced").
  */
-#ifndef PP_MODEL_REPORT_H
-#define PP_MODEL_REPORT_H
+#ifndef PP_MODEL_RESULTS_REPORT_H
+#define PP_MODEL_RESULTS_REPORT_H
 
 #include <stdbool.h>
 
@@ -16,7 +16,8 @@ struct pp_column {
     enum pp_component component;
     char name[48];
     struct pp_reading average; /* over the whole working plane */
-    bool of_all_surfaces; /* an average over the room's surfaces: not to be compared with
+    bool
+        of_all_surfaces; /* an average over the room's surfaces: not to be compared with
                            * those over its working plane */
     struct pp_reading
         *points; /* one for each receiver; NULL: speaks for the room only */

@@ -8,13 +8,14 @@
 #include <string.h>
 
 /* One more step at the end of the list; NULL where there is no list or no memory. */
-static struct pp_step *next(struct pp_steps *steps)
+static struct pp_calculation_step *next(struct pp_steps *steps)
 {
     if (!steps)
         return NULL;
     if (steps->count == steps->capacity) {
         int capacity = steps->capacity ? 2 * steps->capacity : 16;
-        struct pp_step *list = realloc(steps->list, (size_t)capacity * sizeof *list);
+        struct pp_calculation_step *list =
+            realloc(steps->list, (size_t)capacity * sizeof *list);
         if (!list) {
             steps->failed = true;
             return NULL;
@@ -22,16 +23,16 @@ static struct pp_step *next(struct pp_steps *steps)
         steps->list = list;
         steps->capacity = capacity;
     }
-    struct pp_step *step = &steps->list[steps->count++];
-    *step = (struct pp_step){.line = steps->line};
+    struct pp_calculation_step *step = &steps->list[steps->count++];
+    *step = (struct pp_calculation_step){.line = steps->line};
     return step;
 }
 
-static void fill(struct pp_steps *steps, enum pp_unit unit, double value,
+static void fill(struct pp_steps *steps, enum pp_step_unit unit, double value,
                  const char *symbol, const char *formula, const char *what,
                  va_list args)
 {
-    struct pp_step *step = next(steps);
+    struct pp_calculation_step *step = next(steps);
     if (!step)
         return;
     step->unit = unit;
@@ -41,8 +42,8 @@ static void fill(struct pp_steps *steps, enum pp_unit unit, double value,
     vsnprintf(step->what, sizeof step->what, what, args);
 }
 
-void pp_step(struct pp_steps *steps, enum pp_unit unit, double value, const char *what,
-             ...)
+void pp_steps_add(struct pp_steps *steps, enum pp_step_unit unit, double value,
+                  const char *what, ...)
 {
     va_list args;
     va_start(args, what);
@@ -50,8 +51,8 @@ void pp_step(struct pp_steps *steps, enum pp_unit unit, double value, const char
     va_end(args);
 }
 
-void pp_step_named(struct pp_steps *steps, enum pp_unit unit, double value,
-                   const char *symbol, const char *what, ...)
+void pp_steps_add_named(struct pp_steps *steps, enum pp_step_unit unit, double value,
+                        const char *symbol, const char *what, ...)
 {
     va_list args;
     va_start(args, what);
@@ -59,8 +60,8 @@ void pp_step_named(struct pp_steps *steps, enum pp_unit unit, double value,
     va_end(args);
 }
 
-void pp_step_worked(struct pp_steps *steps, enum pp_unit unit, double value,
-                    const char *symbol, const char *formula, const char *what, ...)
+void pp_steps_add_worked(struct pp_steps *steps, enum pp_step_unit unit, double value,
+                         const char *symbol, const char *formula, const char *what, ...)
 {
     va_list args;
     va_start(args, what);
@@ -69,8 +70,8 @@ void pp_step_worked(struct pp_steps *steps, enum pp_unit unit, double value,
 }
 
 /* Of long sums a line holds a part, which the next line goes on from. */
-void pp_step_sum(struct pp_steps *steps, int first, int count, const char *symbol,
-                 const char *what)
+void pp_steps_add_sum(struct pp_steps *steps, int first, int count, const char *symbol,
+                      const char *what)
 {
     enum { LONGEST_TERM = 32 };
     if (!steps)
@@ -80,24 +81,24 @@ void pp_step_sum(struct pp_steps *steps, int first, int count, const char *symbo
     for (int i = 1; i <= count; i++) {
         char name[32];
         snprintf(name, sizeof name, "%s_%d", symbol, i);
-        const struct pp_step *term = pp_steps_find(steps, first, name);
+        const struct pp_calculation_step *term = pp_steps_find(steps, first, name);
         if (!term)
             continue;
         if (sizeof formula - strlen(formula) <= LONGEST_TERM) {
-            pp_step_worked(steps, PP_UNIT_SHARE, sum, symbol, formula,
-                           "%s, as far as here", what);
+            pp_steps_add_worked(steps, PP_UNIT_SHARE, sum, symbol, formula,
+                                "%s, as far as here", what);
             snprintf(formula, sizeof formula, "%s", symbol);
             term = pp_steps_find(steps, first, name);
         }
-        pp_append(formula, sizeof formula, "%s%s", formula[0] ? " + " : "", name);
+        pp_text_append(formula, sizeof formula, "%s%s", formula[0] ? " + " : "", name);
         sum += term->value;
     }
-    pp_step_worked(steps, PP_UNIT_SHARE, sum, symbol, formula[0] ? formula : "0", "%s",
-                   what);
+    pp_steps_add_worked(steps, PP_UNIT_SHARE, sum, symbol, formula[0] ? formula : "0",
+                        "%s", what);
 }
 
-const struct pp_step *pp_steps_find(const struct pp_steps *steps, int first,
-                                    const char *symbol)
+const struct pp_calculation_step *pp_steps_find(const struct pp_steps *steps, int first,
+                                                const char *symbol)
 {
     for (int i = steps->count - 1; i >= first; i--)
         if (strcmp(steps->list[i].symbol, symbol) == 0)

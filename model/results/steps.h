@@ -10,12 +10,12 @@
  * recomputes a step from the printed figures gets its printed value, give or take their
  * rounding; a test does so.
  */
-#ifndef PP_MODEL_STEPS_H
-#define PP_MODEL_STEPS_H
+#ifndef PP_MODEL_RESULTS_STEPS_H
+#define PP_MODEL_RESULTS_STEPS_H
 
 #include <stdbool.h>
 
-enum pp_unit {
+enum pp_step_unit {
     PP_UNIT_SHARE,  /* a fraction of the open-sky horizontal illuminance */
     PP_UNIT_NUMBER, /* a ratio, a factor */
     PP_UNIT_COUNT,  /* of squares or dots; need not be whole */
@@ -25,17 +25,17 @@ enum pp_unit {
     PP_UNIT_LUX,
 };
 
-struct pp_step {
+struct pp_calculation_step {
     char what[96];     /* "window on line 12: altitude of the head" */
     char symbol[16];   /* "R_fw"; empty: has no name */
     char formula[160]; /* what it was worked out by; empty: read or put in */
     double value;
-    enum pp_unit unit;
+    enum pp_step_unit unit;
     int line; /* of the opening in the room file that it belongs to; 0: to no one */
 };
 
 struct pp_steps {
-    struct pp_step *list;
+    struct pp_calculation_step *list;
     int count, capacity;
     int line; /* what further steps belong to; set by whoever goes from one opening to
                * the next */
@@ -43,27 +43,27 @@ struct pp_steps {
 };
 
 /* Sets down one step; steps may be NULL, then nothing is done. */
-void pp_step(struct pp_steps *steps, enum pp_unit unit, double value, const char *what,
-             ...) __attribute__((format(printf, 4, 5)));
+void pp_steps_add(struct pp_steps *steps, enum pp_step_unit unit, double value,
+                  const char *what, ...) __attribute__((format(printf, 4, 5)));
 
 /* The same of a figure that formulae further on name by its symbol. */
-void pp_step_named(struct pp_steps *steps, enum pp_unit unit, double value,
-                   const char *symbol, const char *what, ...)
+void pp_steps_add_named(struct pp_steps *steps, enum pp_step_unit unit, double value,
+                        const char *symbol, const char *what, ...)
     __attribute__((format(printf, 5, 6)));
 
 /* The same of one that was worked out of figures before it by a formula. */
-void pp_step_worked(struct pp_steps *steps, enum pp_unit unit, double value,
-                    const char *symbol, const char *formula, const char *what, ...)
+void pp_steps_add_worked(struct pp_steps *steps, enum pp_step_unit unit, double value,
+                         const char *symbol, const char *formula, const char *what, ...)
     __attribute__((format(printf, 6, 7)));
 
 /* Sets down a sum of shares: symbol = symbol_1 + symbol_2 + ..., on as many lines as it
  * takes, of the terms up to `count` that there are from step `first` on; 0 of none. */
-void pp_step_sum(struct pp_steps *steps, int first, int count, const char *symbol,
-                 const char *what);
+void pp_steps_add_sum(struct pp_steps *steps, int first, int count, const char *symbol,
+                      const char *what);
 
 /* The last step from `first` on that has that symbol; NULL: none has. */
-const struct pp_step *pp_steps_find(const struct pp_steps *steps, int first,
-                                    const char *symbol);
+const struct pp_calculation_step *pp_steps_find(const struct pp_steps *steps, int first,
+                                                const char *symbol);
 
 void pp_steps_clear(struct pp_steps *steps);
 

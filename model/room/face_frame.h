@@ -1,12 +1,12 @@
 /* face_frame.h - a face in its own axes, and whether a figure lies within it. */
-#ifndef PP_MODEL_SHEET_H
-#define PP_MODEL_SHEET_H
+#ifndef PP_MODEL_ROOM_FACE_FRAME_H
+#define PP_MODEL_ROOM_FACE_FRAME_H
 
 #include "model/geometry/region.h"
 #include "model/room/world.h"
 
 /* A face's outline in its own axes, measured from its first vertex. */
-struct pp_sheet {
+struct pp_face_frame {
     const struct pp_surface *face; /* not owned */
     struct pp_vec3 origin, along, up;
     double (*xy)[2];
@@ -15,25 +15,27 @@ struct pp_sheet {
     bool convex;
 };
 
-enum pp_status pp_sheet_open(struct pp_sheet *sheet, const struct pp_surface *face,
-                             struct pp_error *err);
-void pp_sheet_close(struct pp_sheet *sheet);
+enum pp_status pp_face_frame_init(struct pp_face_frame *sheet,
+                                  const struct pp_surface *face, struct pp_error *err);
+void pp_face_frame_clear(struct pp_face_frame *sheet);
 
 /* The point in space. */
-struct pp_vec3 pp_sheet_point(const struct pp_sheet *sheet, double x, double y);
+struct pp_vec3 pp_face_frame_point(const struct pp_face_frame *sheet, double x,
+                                   double y);
 
 /* Moves vertices of the ring that stick out by no more than the tolerance (m) on to
  * the sheet's edge. What then still sticks out: *out_m is how far the farthest vertex
  * does, at `where`; *out_m2 the area, where no vertex does but the ring still reaches
  * over a recess. Both 0: the ring lies within. */
-enum pp_status pp_sheet_fit(const struct pp_sheet *sheet, struct pp_clipper *clipper,
-                            double (*xy)[2], int count, double tolerance, double *out_m,
-                            struct pp_vec3 *where, double *out_m2,
-                            struct pp_error *err);
+enum pp_status pp_face_frame_fit(const struct pp_face_frame *sheet,
+                                 struct pp_clipper *clipper, double (*xy)[2], int count,
+                                 double tolerance, double *out_m, struct pp_vec3 *where,
+                                 double *out_m2, struct pp_error *err);
 
 /* The area that two rings have in common (m2); 0 where they only touch. */
-enum pp_status pp_rings_overlap(struct pp_clipper *clipper, const double (*a)[2],
-                                int a_count, const double (*b)[2], int b_count,
-                                double *area_m2, struct pp_error *err);
+enum pp_status pp_face_frame_rings_overlap(struct pp_clipper *clipper,
+                                           const double (*a)[2], int a_count,
+                                           const double (*b)[2], int b_count,
+                                           double *area_m2, struct pp_error *err);
 
 #endif

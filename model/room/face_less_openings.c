@@ -16,9 +16,9 @@ static enum pp_status region_of(struct pp_region *region, struct pp_clipper *cli
     if (!xy)
         return pp_fail_memory(err);
     for (int i = 0; i < polygon->count; i++) {
-        struct pp_vec3 v = pp_sub(polygon->vertices[i], axes->origin);
-        xy[i][0] = pp_dot(v, axes->a);
-        xy[i][1] = pp_dot(v, axes->b);
+        struct pp_vec3 v = pp_vec_sub(polygon->vertices[i], axes->origin);
+        xy[i][0] = pp_vec_dot(v, axes->a);
+        xy[i][1] = pp_vec_dot(v, axes->b);
     }
     enum pp_status status = pp_region_by_crossings(
         clipper, region, (const double(*)[2])xy, polygon->count, err);
@@ -35,19 +35,20 @@ static enum pp_status cut(struct pp_region *region, struct pp_clipper *clipper,
     enum pp_status status = region_of(&gap, clipper, axes, hole, err);
     if (status == PP_OK)
         status = pp_region_difference(clipper, &rest, region, &gap, err);
-    pp_region_destroy(&gap);
+    pp_region_clear(&gap);
     if (status == PP_OK) {
-        pp_region_destroy(region);
+        pp_region_clear(region);
         *region = rest;
     }
     return status;
 }
 
-enum pp_status pp_face_region(struct pp_region *region, struct pp_clipper *clipper,
-                              const struct pp_face_axes *axes,
-                              const struct pp_polygon *polygon,
-                              const struct pp_world *world, int face,
-                              struct pp_error *err)
+enum pp_status pp_face_less_openings(struct pp_region *region,
+                                     struct pp_clipper *clipper,
+                                     const struct pp_face_axes *axes,
+                                     const struct pp_polygon *polygon,
+                                     const struct pp_world *world, int face,
+                                     struct pp_error *err)
 {
     *region = (struct pp_region){0, NULL};
     enum pp_status status = region_of(region, clipper, axes, polygon, err);
@@ -60,19 +61,20 @@ enum pp_status pp_face_region(struct pp_region *region, struct pp_clipper *clipp
 static bool snap(struct pp_vec3 *point, const struct pp_polygon *polygon)
 {
     for (int i = 0; i < polygon->count; i++)
-        if (pp_length(pp_sub(polygon->vertices[i], *point)) < SAME_POINT_M) {
+        if (pp_vec_length(pp_vec_sub(polygon->vertices[i], *point)) < SAME_POINT_M) {
             *point = polygon->vertices[i];
             return true;
         }
     return false;
 }
 
-struct pp_vec3 pp_face_corner(const struct pp_face_axes *axes, const double xy[2],
-                              const struct pp_polygon *polygon,
-                              const struct pp_world *world, int face)
+struct pp_vec3 pp_face_less_openings_corner(const struct pp_face_axes *axes,
+                                            const double xy[2],
+                                            const struct pp_polygon *polygon,
+                                            const struct pp_world *world, int face)
 {
     struct pp_vec3 point =
-        pp_along(pp_along(axes->origin, xy[0], axes->a), xy[1], axes->b);
+        pp_vec_along(pp_vec_along(axes->origin, xy[0], axes->a), xy[1], axes->b);
     bool found = snap(&point, polygon);
     for (int i = 0; face >= 0 && !found && i < world->opening_count; i++)
         found =

@@ -1,8 +1,8 @@
 /* face_less_openings.h - a polygon in coordinates of its own plane, less the openings in it,
  * as the clipper takes it; and the way back into the room, to the bit.
  */
-#ifndef PP_MODEL_FACE_REGION_H
-#define PP_MODEL_FACE_REGION_H
+#ifndef PP_MODEL_ROOM_FACE_LESS_OPENINGS_H
+#define PP_MODEL_ROOM_FACE_LESS_OPENINGS_H
 
 #include "model/base/error.h"
 #include "model/geometry/region.h"
@@ -16,16 +16,18 @@ struct pp_face_axes {
 /* The polygon as a region, by crossings (region.h), without the world's openings in
  * `face` (-1: none are cut, and the world may be NULL). Whatever is returned, the
  * region is the caller's. */
-enum pp_status pp_face_region(struct pp_region *region, struct pp_clipper *clipper,
-                              const struct pp_face_axes *axes,
-                              const struct pp_polygon *polygon,
-                              const struct pp_world *world, int face,
-                              struct pp_error *err);
+enum pp_status pp_face_less_openings(struct pp_region *region,
+                                     struct pp_clipper *clipper,
+                                     const struct pp_face_axes *axes,
+                                     const struct pp_polygon *polygon,
+                                     const struct pp_world *world, int face,
+                                     struct pp_error *err);
 
 /* The point at xy: the polygon's or one of those openings' own corner where there is
  * one within 0.1 um, the clipper's rounding. */
-struct pp_vec3 pp_face_corner(const struct pp_face_axes *axes, const double xy[2],
-                              const struct pp_polygon *polygon,
-                              const struct pp_world *world, int face);
+struct pp_vec3 pp_face_less_openings_corner(const struct pp_face_axes *axes,
+                                            const double xy[2],
+                                            const struct pp_polygon *polygon,
+                                            const struct pp_world *world, int face);
 
 #endif

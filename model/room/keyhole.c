@@ -18,14 +18,14 @@ static struct pp_face_axes axes_of(const struct pp_polygon *face)
 {
     struct pp_face_axes axes = {.origin = face->vertices[0]};
     /* Along the first edge: upright walls then have upright coordinates. */
-    axes.a = pp_unit(pp_sub(face->vertices[1], face->vertices[0]));
-    axes.b = pp_cross(face->normal, axes.a);
+    axes.a = pp_vec_unit(pp_vec_sub(face->vertices[1], face->vertices[0]));
+    axes.b = pp_vec_cross(face->normal, axes.a);
     return axes;
 }
 
 /* ---- seams ---- */
 
-struct line {
+struct closed_line {
     point *xy;
     int count;
 };
@@ -42,7 +42,7 @@ static bool same(const double *a, const double *b)
 }
 
 /* Is the corner `at` of a line, figure on its left, open towards p? */
-static bool opens(const struct line *line, int at, const double *p)
+static bool opens(const struct closed_line *line, int at, const double *p)
 {
     const double *before = line->xy[(at + line->count - 1) % line->count];
     const double *here = line->xy[at];
@@ -68,7 +68,7 @@ static bool meet(const double *a, const double *b, const double *c, const double
     return c_side * d_side <= 0.0 && a_side * b_side <= 0.0;
 }
 
-static bool blocked(const struct line *line, const double *a, const double *b)
+static bool blocked(const struct closed_line *line, const double *a, const double *b)
 {
     for (int i = 0; i < line->count; i++)
         if (meet(a, b, line->xy[i], line->xy[(i + 1) % line->count]))
@@ -76,16 +76,16 @@ static bool blocked(const struct line *line, const double *a, const double *b)
     return false;
 }
 
-struct seam {
+struct keyhole_bridge {
     int rim, hole, corner; /* corner `rim` of the outline, corner of which hole */
     double length;
 };
 
 /* The shortest that nothing blocks; of rim -1 where there is none. */
-static struct seam find_seam(const struct line *outline, const struct line *holes,
-                             int count)
+static struct keyhole_bridge find_seam(const struct closed_line *outline,
+                                       const struct closed_line *holes, int count)
 {
-    struct seam best = {-1, -1, -1, INFINITY};
+    struct keyhole_bridge best = {-1, -1, -1, INFINITY};
     for (int h = 0; h < count; h++)
         for (int k = 0; k < holes[h].count; k++)
             for (int r = 0; r < outline->count; r++) {
@@ -98,13 +98,14 @@ static struct seam find_seam(const struct line *outline, const struct line *hole
                 for (int i = 0; i < count && free_way; i++)
                     free_way = !blocked(&holes[i], from, to);
                 if (free_way)
-                    best = (struct seam){r, h, k, length};
+                    best = (struct keyhole_bridge){r, h, k, length};
             }
     return best;
 }
 
 /* The outline along the seam, round the hole, and back. There is room. */
-static void sew(struct line *outline, const struct line *hole, struct seam seam)
+static void sew(struct closed_line *outline, const struct closed_line *hole,
+                struct keyhole_bridge seam)
 {
     int more = hole->count + 2, behind = outline->count - seam.rim;
     memmove(outline->xy + seam.rim + more, outline->xy + seam.rim,
@@ -116,11 +117,11 @@ static void sew(struct line *outline, const struct line *hole, struct seam seam)
     outline->count += more;
 }
 
-static enum pp_status sew_all(struct line *outline, struct line *holes, int count,
-                              struct pp_error *err)
+static enum pp_status sew_all(struct closed_line *outline, struct closed_line *holes,
+                              int count, struct pp_error *err)
 {
     while (count > 0) {
-        struct seam seam = find_seam(outline, holes, count);
+        struct keyhole_bridge seam = find_seam(outline, holes, count);
         if (seam.rim < 0)
             return pp_fail(err, PP_BAD_INPUT,
                            "a wall's openings can't be joined to its rim");
@@ -133,7 +134,7 @@ static enum pp_status sew_all(struct line *outline, struct line *holes, int coun
 /* ---- back into the room ---- */
 
 /* An outer ring and its holes, rings[0] to rings[count - 1], as one more outline. */
-static enum pp_status add_outline(struct pp_cut_face *cut,
+static enum pp_status add_outline(struct pp_keyhole_outlines *cut,
                                   const struct pp_face_axes *axes,
                                   const struct pp_ring *rings, int count,
                                   const struct pp_world *world, int face,
@@ -142,21 +143,21 @@ static enum pp_status add_outline(struct pp_cut_face *cut,
     size_t total = 0;
     for (int i = 0; i < count; i++)
         total += (size_t)rings[i].count + 2;
-    struct line outline = {malloc(total * sizeof(point)), rings[0].count};
-    struct line *holes = malloc((size_t)count * sizeof *holes);
+    struct closed_line outline = {malloc(total * sizeof(point)), rings[0].count};
+    struct closed_line *holes = malloc((size_t)count * sizeof *holes);
     struct pp_vec3 *corners = malloc(total * sizeof *corners);
     enum pp_status status =
         outline.xy && holes && corners ? PP_OK : pp_fail_memory(err);
     if (status == PP_OK) {
         memcpy(outline.xy, rings[0].xy, (size_t)rings[0].count * sizeof(point));
         for (int i = 1; i < count; i++)
-            holes[i - 1] = (struct line){rings[i].xy, rings[i].count};
+            holes[i - 1] = (struct closed_line){rings[i].xy, rings[i].count};
         status = sew_all(&outline, holes, count - 1, err);
     }
     if (status == PP_OK) {
         for (int i = 0; i < outline.count; i++)
-            corners[i] = pp_face_corner(axes, outline.xy[i],
-                                        &world->surfaces[face].outline, world, face);
+            corners[i] = pp_face_less_openings_corner(
+                axes, outline.xy[i], &world->surfaces[face].outline, world, face);
         cut->outlines[cut->count++] = (struct pp_ring_3d){outline.count, corners};
         corners = NULL;
     }
@@ -174,8 +175,8 @@ static double signed_area(const struct pp_ring *ring)
     return sum;
 }
 
-static enum pp_status add_whole(struct pp_cut_face *cut, const struct pp_polygon *face,
-                                struct pp_error *err)
+static enum pp_status add_whole(struct pp_keyhole_outlines *cut,
+                                const struct pp_polygon *face, struct pp_error *err)
 {
     size_t size = (size_t)face->count * sizeof *face->vertices;
     struct pp_vec3 *corners = malloc(size);
@@ -186,8 +187,9 @@ static enum pp_status add_whole(struct pp_cut_face *cut, const struct pp_polygon
     return PP_OK;
 }
 
-enum pp_status pp_cut_face_create(struct pp_cut_face *cut, const struct pp_world *world,
-                                  int face, struct pp_error *err)
+enum pp_status pp_keyhole_outlines_init(struct pp_keyhole_outlines *cut,
+                                        const struct pp_world *world, int face,
+                                        struct pp_error *err)
 {
     const struct pp_polygon *outline = &world->surfaces[face].outline;
     struct pp_face_axes axes = axes_of(outline);
@@ -196,12 +198,13 @@ enum pp_status pp_cut_face_create(struct pp_cut_face *cut, const struct pp_world
     bool whole = true;
     for (int i = 0; i < world->opening_count && whole; i++)
         whole = world->openings[i].face != face;
-    *cut = (struct pp_cut_face){0};
+    *cut = (struct pp_keyhole_outlines){0};
     enum pp_status status = PP_OK;
     if (!whole)
-        status = pp_clipper_create(&clipper, err);
+        status = pp_region_clipper_create(&clipper, err);
     if (!whole && status == PP_OK)
-        status = pp_face_region(&region, clipper, &axes, outline, world, face, err);
+        status =
+            pp_face_less_openings(&region, clipper, &axes, outline, world, face, err);
     cut->outlines = calloc((size_t)region.count + 1, sizeof *cut->outlines);
     if (status == PP_OK && !cut->outlines)
         status = pp_fail_memory(err);
@@ -213,17 +216,17 @@ enum pp_status pp_cut_face_create(struct pp_cut_face *cut, const struct pp_world
             next++;
         status = add_outline(cut, &axes, region.rings + i, next - i, world, face, err);
     }
-    pp_region_destroy(&region);
-    pp_clipper_destroy(clipper);
+    pp_region_clear(&region);
+    pp_region_clipper_destroy(clipper);
     if (status != PP_OK)
-        pp_cut_face_clear(cut);
+        pp_keyhole_outlines_clear(cut);
     return status;
 }
 
-void pp_cut_face_clear(struct pp_cut_face *cut)
+void pp_keyhole_outlines_clear(struct pp_keyhole_outlines *cut)
 {
     for (int i = 0; i < cut->count; i++)
         free(cut->outlines[i].corners);
     free(cut->outlines);
-    *cut = (struct pp_cut_face){0};
+    *cut = (struct pp_keyhole_outlines){0};
 }

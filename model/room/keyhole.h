@@ -2,15 +2,15 @@
  * the rim by a seam, along which the outline runs there and back, as Radiance's
  * polygons have them.
  */
-#ifndef PP_MODEL_SEAM_H
-#define PP_MODEL_SEAM_H
+#ifndef PP_MODEL_ROOM_KEYHOLE_H
+#define PP_MODEL_ROOM_KEYHOLE_H
 
 #include "model/base/error.h"
 #include "model/room/world.h"
 
 /* What is left of a face of the room without its openings: one outline, or several
  * where openings part it. Corners are the face's and the openings' own to the bit. */
-struct pp_cut_face {
+struct pp_keyhole_outlines {
     int count;
     struct pp_ring_3d {
         int count;
@@ -18,8 +18,9 @@ struct pp_cut_face {
     } * outlines;
 };
 
-enum pp_status pp_cut_face_create(struct pp_cut_face *cut, const struct pp_world *world,
-                                  int face, struct pp_error *err);
-void pp_cut_face_clear(struct pp_cut_face *cut);
+enum pp_status pp_keyhole_outlines_init(struct pp_keyhole_outlines *cut,
+                                        const struct pp_world *world, int face,
+                                        struct pp_error *err);
+void pp_keyhole_outlines_clear(struct pp_keyhole_outlines *cut);
 
 #endif

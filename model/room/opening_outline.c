@@ -4,23 +4,24 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "model/base/names.h"
+#include "model/base/text.h"
 #include "model/geometry/tolerance.h"
 
-const char *pp_opening_word(const struct pp_opening_part *part)
+const char *pp_opening_outline_word(const struct pp_opening_part *part)
 {
     return part->kind == PP_WINDOW      ? "window"
            : part->kind == PP_ROOFLIGHT ? "rooflight"
                                         : "opening";
 }
 
-const char *pp_face_words(char *text, size_t size, const struct pp_surface *face)
+const char *pp_opening_outline_face_words(char *text, size_t size,
+                                          const struct pp_surface *face)
 {
     static const char *const roles[] = {"floor", "wall", "ceiling"};
     char name[64];
     if (face->name)
         snprintf(text, size, "%s \"%s\"", roles[face->role],
-                 pp_excerpt(name, sizeof name, face->name));
+                 pp_text_excerpt(name, sizeof name, face->name));
     else
         snprintf(text, size, "the %s", roles[face->role]);
     return text;
@@ -28,23 +29,23 @@ const char *pp_face_words(char *text, size_t size, const struct pp_surface *face
 
 /* The window's outline in its wall; false (and a mistake) where it sticks out. */
 static bool window_outline(struct pp_resolver *r, const struct pp_opening_part *part,
-                           const struct pp_sheet *sheet, double xy[4][2])
+                           const struct pp_face_frame *sheet, double xy[4][2])
 {
     char words[96];
     double wide = sheet->high[0] - sheet->low[0], tall = sheet->high[1] - sheet->low[1];
-    pp_face_words(words, sizeof words, sheet->face);
+    pp_opening_outline_face_words(words, sizeof words, sheet->face);
     double right = part->left_m + part->width_m - wide;
     double top = part->sill_m + part->height_m - tall;
     bool fits = true;
     if (part->left_m < -PP_ROUNDING_M) {
-        pp_mistake(r->mistakes, part->line,
-                   "window: begins %.4g m to the left of %s, seen from outside; "
-                   "expected left to be 0 or more",
-                   -part->left_m, words);
+        pp_mistakes_add(r->mistakes, part->line,
+                        "window: begins %.4g m to the left of %s, seen from outside; "
+                        "expected left to be 0 or more",
+                        -part->left_m, words);
         fits = false;
     }
     if (right > PP_ROUNDING_M) {
-        pp_mistake(
+        pp_mistakes_add(
             r->mistakes, part->line,
             "window: ends %.4g m to the right of %s, seen from outside; expected "
             "left + width to be %g m at most",
@@ -52,17 +53,19 @@ static bool window_outline(struct pp_resolver *r, const struct pp_opening_part *
         fits = false;
     }
     if (part->sill_m < -PP_ROUNDING_M) {
-        pp_mistake(r->mistakes, part->line,
-                   "window: begins %.4g m below the foot of %s; expected sill to be 0 "
-                   "or more",
-                   -part->sill_m, words);
+        pp_mistakes_add(
+            r->mistakes, part->line,
+            "window: begins %.4g m below the foot of %s; expected sill to be 0 "
+            "or more",
+            -part->sill_m, words);
         fits = false;
     }
     if (top > PP_ROUNDING_M) {
-        pp_mistake(r->mistakes, part->line,
-                   "window: ends %.4g m above the top of %s; expected sill + height to "
-                   "be %g m at most",
-                   top, words, tall);
+        pp_mistakes_add(
+            r->mistakes, part->line,
+            "window: ends %.4g m above the top of %s; expected sill + height to "
+            "be %g m at most",
+            top, words, tall);
         fits = false;
     }
     /* Left is left from outside: it is the high end of `along`. */
@@ -88,26 +91,26 @@ static bool window_outline(struct pp_resolver *r, const struct pp_opening_part *
 /* The rooflight's outline, counter-clockwise from below in a level sheet: x runs along
  * it, y against its up. */
 static void rooflight_outline(const struct pp_opening_part *part,
-                              const struct pp_sheet *sheet, double xy[4][2])
+                              const struct pp_face_frame *sheet, double xy[4][2])
 {
     double z = sheet->origin.z;
     struct pp_vec3 corners[4] = {{part->x, part->y + part->depth_m, z},
                                  {part->x + part->width_m, part->y + part->depth_m, z},
                                  {part->x + part->width_m, part->y, z},
                                  {part->x, part->y, z}};
-    pp_flatten(corners, 4, sheet->origin, sheet->along, sheet->up, xy);
+    pp_polygon_flatten(corners, 4, sheet->origin, sheet->along, sheet->up, xy);
 }
 
 bool pp_opening_outline(struct pp_resolver *r, const struct pp_opening_part *part,
-                        const struct pp_sheet *sheet, double (*xy)[2])
+                        const struct pp_face_frame *sheet, double (*xy)[2])
 {
     if (part->kind == PP_WINDOW)
         return window_outline(r, part, sheet, xy);
     if (part->kind == PP_ROOFLIGHT)
         rooflight_outline(part, sheet, xy);
     else
-        pp_flatten(part->vertices.list, part->vertices.count, sheet->origin,
-                   sheet->along, sheet->up, xy);
+        pp_polygon_flatten(part->vertices.list, part->vertices.count, sheet->origin,
+                           sheet->along, sheet->up, xy);
     return true;
 }
 
@@ -153,7 +156,7 @@ static int face_of_outline(const struct pp_world *world,
     double least_to_middle = INFINITY;
     struct pp_vec3 middle = {0.0, 0.0, 0.0};
     for (int k = 0; k < vertices->count; k++)
-        middle = pp_along(middle, 1.0 / vertices->count, vertices->list[k]);
+        middle = pp_vec_along(middle, 1.0 / vertices->count, vertices->list[k]);
     *nearest = -1;
     *off_m = INFINITY;
     for (int i = 0; i < world->face_count; i++) {
@@ -177,7 +180,7 @@ static int face_of_outline(const struct pp_world *world,
     return found;
 }
 
-int pp_opening_face(struct pp_resolver *r, const struct pp_opening_part *part)
+int pp_opening_outline_face(struct pp_resolver *r, const struct pp_opening_part *part)
 {
     const struct pp_world *world = r->world;
     if (part->kind == PP_WINDOW)
@@ -187,9 +190,10 @@ int pp_opening_face(struct pp_resolver *r, const struct pp_opening_part *part)
     if (part->kind == PP_ROOFLIGHT) {
         int ceiling = ceiling_of(world, part);
         if (ceiling < 0)
-            pp_mistake(r->mistakes, part->line,
-                       "rooflight: the room has no flat ceiling; expected an <opening> "
-                       "in one of its faces");
+            pp_mistakes_add(
+                r->mistakes, part->line,
+                "rooflight: the room has no flat ceiling; expected an <opening> "
+                "in one of its faces");
         return ceiling;
     }
     int nearest;
@@ -197,18 +201,19 @@ int pp_opening_face(struct pp_resolver *r, const struct pp_opening_part *part)
     int face = face_of_outline(world, &part->vertices, &nearest, &off_m);
     if (face < 0) {
         char words[96];
-        pp_face_words(words, sizeof words, &world->surfaces[nearest]);
-        pp_mistake(
+        pp_opening_outline_face_words(words, sizeof words, &world->surfaces[nearest]);
+        pp_mistakes_add(
             r->mistakes, part->line,
             "opening: lies in no face of the room; the nearest is %s, from which "
             "a vertex is %.4g m away; expected all within 1 mm of its plane",
             words, off_m);
-    } else if (pp_dot(pp_area_vector(part->vertices.list, part->vertices.count),
-                      world->surfaces[face].outline.normal)
+    } else if (pp_vec_dot(
+                   pp_polygon_area_vector(part->vertices.list, part->vertices.count),
+                   world->surfaces[face].outline.normal)
                < 0.0) {
-        pp_mistake(r->mistakes, part->line,
-                   "opening: turns clockwise seen from inside; expected "
-                   "counter-clockwise");
+        pp_mistakes_add(r->mistakes, part->line,
+                        "opening: turns clockwise seen from inside; expected "
+                        "counter-clockwise");
         face = -1;
     }
     return face;

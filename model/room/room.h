@@ -1,51 +1,74 @@
-/* room.h - the room file, as it is read: from bytes to rooms, from rooms to worlds. */
-#ifndef PP_MODEL_ROOM_H
-#define PP_MODEL_ROOM_H
+/* room.h - a room as it might be: a copy of what the file says, and changes to
+ * it. Nothing is checked here: pp_world_create says whether the changed room makes
+ * sense, as it does of a file's.
+ */
+#ifndef PP_MODEL_ROOM_ROOM_H
+#define PP_MODEL_ROOM_ROOM_H
 
-#include <stddef.h>
+#include <stdbool.h>
 
 #include "model/base/error.h"
-#include "model/base/mistakes.h"
-#include "model/light/sky.h"
-#include "model/room/world.h"
+#include "model/light/glass.h"
+#include "model/room/building.h"
 
-/* One room as the file describes it: names, lengths and lines, nothing resolved. */
-struct pp_room;
+/* A room of its own, equal to the given one. */
+enum pp_status pp_room_copy(struct pp_room **copy, const struct pp_room *room,
+                            struct pp_error *err);
+void pp_room_destroy(struct pp_room *room); /* of copies only; NULL is allowed */
 
-/* What one file holds: one room, or a building of several. */
-struct pp_building;
+/* Openings have the file's order, which is that of the world's openings too. */
+int pp_room_opening_count(const struct pp_room *room);
 
-/* Reads a room file; path "-" is standard input. Whatever is wrong with the file's form
- * or values goes to mistakes (PP_BAD_INPUT); a file that can't be read at all is
- * PP_SYSTEM (or PP_BAD_INPUT where it does not exist). *building is made even when
- * there are mistakes, as far as the file could be understood, so that pp_world_create
- * can find the rest of them; NULL where nothing could be. */
-enum pp_status pp_building_read(struct pp_building **building, const char *path,
-                                struct pp_mistakes *mistakes, struct pp_error *err);
+enum pp_opening_kind { PP_WINDOW, PP_ROOFLIGHT, PP_OPENING };
 
-/* The same from memory. */
-enum pp_status pp_building_parse(struct pp_building **building, const char *bytes,
-                                 size_t length, struct pp_mistakes *mistakes,
-                                 struct pp_error *err);
-void pp_building_destroy(struct pp_building *building); /* NULL is allowed */
+/* Where a rectangular opening lies, in metres. */
+struct pp_opening_place {
+    double left_m, width_m;  /* of a window, as its file has them; of a rooflight x */
+    double sill_m, height_m; /* of a window; of a rooflight y and its depth */
+};
 
-const char *pp_building_name(
-    const struct pp_building *building); /* NULL: a lone room */
-int pp_building_room_count(const struct pp_building *building);
-struct pp_room *pp_building_room(struct pp_building *building, int index);
+struct pp_room_opening {
+    enum pp_opening_kind kind;
+    const char *wall;              /* of a window, not owned; else NULL */
+    struct pp_opening_place place; /* NAN of a PP_OPENING, which is any polygon */
+    struct pp_glass glass;
+    double frame_factor, maintenance; /* maintenance NAN: auto */
+    int line;
+};
+struct pp_room_opening pp_room_opening_at(const struct pp_room *room, int index);
 
-/* The file's own text, as it was read; not owned. */
-const char *pp_building_text(const struct pp_building *building, size_t *length);
+/* Moves and resizes a window or a rooflight. */
+void pp_room_set_place(struct pp_room *room, int index, struct pp_opening_place place);
 
-/* Puts another sky in place of the file's. `spec` is a type as in the file, with
- * ",SUN-ALTITUDE,SUN-BEARING" in degrees behind it where that type needs a sun and the
- * file gives none ("iso-12,30,180"). */
-enum pp_status pp_room_set_sky(struct pp_room *room, const char *spec,
-                               struct pp_error *err);
+/* One more opening like the one at index, behind all others. */
+enum pp_status pp_room_repeat_opening(struct pp_room *room, int index,
+                                      struct pp_opening_place place,
+                                      struct pp_error *err);
 
-/* Resolves a room; what does not make sense goes to mistakes (PP_BAD_INPUT, no world).
- */
-enum pp_status pp_world_create(struct pp_world **world, const struct pp_room *room,
-                               struct pp_mistakes *mistakes, struct pp_error *err);
+/* Puts a window into another wall, at the same left and sill. */
+enum pp_status pp_room_set_wall(struct pp_room *room, int index, const char *wall,
+                                struct pp_error *err);
+
+/* Leaves one out; those behind it move up. */
+void pp_room_remove_opening(struct pp_room *room, int index);
+
+void pp_room_set_glass(struct pp_room *room, int index, struct pp_glass glass);
+void pp_room_set_frame_factor(struct pp_room *room, int index, double frame_factor);
+void pp_room_set_maintenance(struct pp_room *room, int index, double maintenance);
+
+/* Gives all faces of that role (PP_FLOOR, PP_WALL or PP_CEILING) that are darker this
+ * reflectance. */
+void pp_room_lighten(struct pp_room *room, enum pp_role role, double reflectance);
+
+/* The height of a plan's ceiling (m); false of an envelope, which stays as it is. */
+bool pp_room_set_height(struct pp_room *room, double height_m);
+
+/* Takes away skylines, blocks and the surfaces that stand outside in `world`, which is
+ * the room's. */
+void pp_room_clear_surroundings(struct pp_room *room, const struct pp_world *world);
+
+/* Does the room make sense? Fails only where the machine does. */
+enum pp_status pp_room_is_sound(bool *sound, const struct pp_room *room,
+                                struct pp_error *err);
 
 #endif

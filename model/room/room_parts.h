@@ -9,12 +9,12 @@
  * of it. A plan or envelope left out so (line 0) leaves nothing to be judged by it; the
  * reader has noted why, as it notes that a room has neither or both.
  */
-#ifndef PP_MODEL_ROOM_PARTS_H
-#define PP_MODEL_ROOM_PARTS_H
+#ifndef PP_MODEL_ROOM_ROOM_PARTS_H
+#define PP_MODEL_ROOM_ROOM_PARTS_H
 
 #include <stdbool.h>
 
-#include "model/room/edit.h"
+#include "model/room/room.h"
 #include "model/light/sky.h"
 #include "model/geometry/vec.h"
 #include "model/room/world.h"
@@ -22,7 +22,8 @@
 struct pp_site_part {
     double latitude_rad, longitude_rad; /* NAN where not given */
     enum pp_surroundings surroundings;  /* rural where not given */
-    enum pp_work work; /* where not given: clean, but dirty in industrial surroundings */
+    enum pp_work
+        work; /* where not given: clean, but dirty in industrial surroundings */
     double ground_reflectance, ground_level_m;
     int line;
 };
@@ -43,7 +44,7 @@ struct pp_vertices {
 struct pp_face_part {
     enum pp_role role;
     char *name;
-    double reflectance; /* NAN: the finishes' */
+    double reflectance;             /* NAN: the finishes' */
     const struct pp_finish *finish; /* by which it was given; NULL: a number; likewise
                                      * below */
     struct pp_vertices vertices;
@@ -111,7 +112,7 @@ struct pp_receiver_part {
     int line;
 };
 
-/* pp_room_clear (read_elements.c) frees what this points to, pp_room_copy (edit.c)
+/* pp_room_clear (read_elements.c) frees what this points to, pp_room_copy (room.c)
  * copies it. */
 struct pp_room {
     char *name; /* NULL where not given */
@@ -121,7 +122,7 @@ struct pp_room {
     struct pp_plan_part plan;
     double floor, walls, ceiling; /* reflectances */
     const struct pp_finish *floor_finish, *walls_finish, *ceiling_finish;
-    double decorations;           /* NAN: by surroundings and work ("auto") */
+    double decorations; /* NAN: by surroundings and work ("auto") */
     double working_plane_m;
     int working_plane_line; /* 0 where not given */
     struct pp_finish_part *finishes;

@@ -15,7 +15,7 @@ static const char *name_of(const struct pp_surface *surface)
         return "ceiling";
     case PP_REVEAL:
         return "reveal";
-    case PP_LOOSE:
+    case PP_FREE_SURFACE:
         return "surface";
     case PP_BLOCK:
         return "block";
@@ -29,13 +29,14 @@ static void name(struct pp_material *material, const char *of, bool outside)
              outside ? " (outside)" : "");
 }
 
-struct pp_material pp_world_surface_material(const struct pp_world *world, int index,
-                                             bool front)
+struct pp_material pp_surface_materials_of(const struct pp_world *world, int index,
+                                           bool front)
 {
     const struct pp_surface *surface = &world->surfaces[index];
     double reflectance = front ? surface->front : surface->back;
     struct pp_material material = pp_material_diffuse(pp_rgb_grey(reflectance));
-    if (surface->finish && (front || !surface->inside || surface->role == PP_LOOSE))
+    if (surface->finish
+        && (front || !surface->inside || surface->role == PP_FREE_SURFACE))
         material = pp_material_finish(surface->finish, reflectance);
     if (surface->exitance > 0.0) {
         material.emits = PP_EMITS_EXTENDED;
@@ -46,11 +47,11 @@ struct pp_material pp_world_surface_material(const struct pp_world *world, int i
     return material;
 }
 
-struct pp_material pp_world_matt_material(const struct pp_world *world, int index,
-                                          bool front)
+struct pp_material pp_surface_materials_matt(const struct pp_world *world, int index,
+                                             bool front)
 {
     const struct pp_surface *surface = &world->surfaces[index];
-    struct pp_material material = pp_world_surface_material(world, index, front);
+    struct pp_material material = pp_surface_materials_of(world, index, front);
     material.diffuse = pp_rgb_grey(front ? surface->front : surface->back);
     material.gloss = pp_rgb_grey(0.0);
     material.roughness[0] = material.roughness[1] = 0.0;
@@ -58,8 +59,8 @@ struct pp_material pp_world_matt_material(const struct pp_world *world, int inde
     return material;
 }
 
-struct pp_material pp_world_pane_material(const struct pp_world *world, int index,
-                                          bool inside)
+struct pp_material pp_surface_materials_pane(const struct pp_world *world, int index,
+                                             bool inside)
 {
     const struct pp_opening *opening = &world->openings[index];
     const struct pp_surface *face = &world->surfaces[opening->face];
@@ -83,7 +84,7 @@ static void put_rgb(double **end, struct pp_rgb c)
     put(end, c.b);
 }
 
-struct pp_material_key pp_material_key_of(const struct pp_material *m)
+struct pp_material_key pp_surface_materials_key(const struct pp_material *m)
 {
     struct pp_material_key key = {.name = ""};
     double *end = key.numbers;
@@ -112,10 +113,11 @@ struct pp_material_key pp_material_key_of(const struct pp_material *m)
     return key;
 }
 
-bool pp_material_same(const struct pp_material *a, const struct pp_material *b)
+bool pp_surface_materials_same(const struct pp_material *a, const struct pp_material *b)
 {
     if (a->diffuse.r != b->diffuse.r || strcmp(a->name, b->name) != 0)
         return false; /* as most are that differ */
-    struct pp_material_key keys[2] = {pp_material_key_of(a), pp_material_key_of(b)};
+    struct pp_material_key keys[2] = {pp_surface_materials_key(a),
+                                      pp_surface_materials_key(b)};
     return memcmp(&keys[0], &keys[1], sizeof keys[0]) == 0;
 }

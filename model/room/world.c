@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "model/room/allowance_words.h"
+#include "model/room/corrections.h"
 #include "model/room/build/resolve.h"
 
 void pp_world_destroy(struct pp_world *world)
@@ -25,7 +25,7 @@ void pp_world_destroy(struct pp_world *world)
     free(world->blocks);
     free(world->receivers);
     free(world->name);
-    pp_region_destroy(&world->plane);
+    pp_region_clear(&world->plane);
     free(world);
 }
 
@@ -56,17 +56,17 @@ static void resolve_sky(struct pp_resolver *r)
     }
     if (pp_sky_iso_has_sun(part->iso)) {
         if (isnan(part->sun_altitude_rad) || isnan(part->sun_bearing_rad)) {
-            pp_mistake(r->mistakes, part->line,
-                       "sky: iso-%d needs to know where the sun stands; expected "
-                       "sun-altitude and sun-bearing",
-                       part->iso);
+            pp_mistakes_add(r->mistakes, part->line,
+                            "sky: iso-%d needs to know where the sun stands; expected "
+                            "sun-altitude and sun-bearing",
+                            part->iso);
             return;
         }
         sun = direction_of(part->sun_bearing_rad, part->sun_altitude_rad,
                            r->room->north_rad);
     }
     if (pp_sky_iso(&world->sky, part->iso, sun, &fault) != PP_OK)
-        pp_mistake(r->mistakes, part->line, "sky: %s", fault.message);
+        pp_mistakes_add(r->mistakes, part->line, "sky: %s", fault.message);
 }
 
 static enum pp_status resolve_site(struct pp_resolver *r, struct pp_error *err)
@@ -78,9 +78,10 @@ static enum pp_status resolve_site(struct pp_resolver *r, struct pp_error *err)
     world->longitude_rad = room->site.longitude_rad;
     world->surroundings = room->site.surroundings;
     world->work = room->site.work;
-    world->decorations = isnan(room->decorations)
-                             ? pp_decorations_of(world->surroundings, world->work)
-                             : room->decorations;
+    world->decorations =
+        isnan(room->decorations)
+            ? pp_corrections_decorations(world->surroundings, world->work)
+            : room->decorations;
     world->ground_reflectance = room->site.ground_reflectance;
     world->ground_level_m = room->site.ground_level_m;
     resolve_sky(r);
@@ -111,7 +112,7 @@ static bool is_comparable(struct pp_resolver *r)
                     + room->skyline_count;
     if (faces * (faces + others) + openings * openings <= corner_pairs_most)
         return true;
-    pp_mistake(
+    pp_mistakes_add(
         r->mistakes, room->line,
         "room: has %d faces, %d openings, %d blocks and %d surfaces, too many to "
         "compare with each other; expected fewer",
@@ -125,17 +126,15 @@ static enum pp_status resolve(struct pp_resolver *r, struct pp_error *err)
     if (!is_comparable(r))
         return PP_OK;
     static enum pp_status (*const steps[])(struct pp_resolver *, struct pp_error *) = {
-        resolve_site,        pp_resolve_envelope,
-        pp_resolve_corners,  pp_resolve_closed,
-        pp_resolve_openings, pp_resolve_reveals,
-        pp_resolve_blocks,   pp_resolve_skylines,
-        pp_resolve_loose,    pp_resolve_working_plane,
-        pp_resolve_receivers};
-    enum pp_status status = pp_clipper_create(&r->clipper, err);
+        resolve_site,           pp_build_envelope,       pp_build_corners,
+        pp_build_watertight,    pp_build_place_openings, pp_build_reveals,
+        pp_build_blocks,        pp_build_skylines,       pp_build_free_surfaces,
+        pp_build_working_plane, pp_build_receivers};
+    enum pp_status status = pp_region_clipper_create(&r->clipper, err);
     for (size_t i = 0; i < sizeof steps / sizeof *steps && status == PP_OK; i++)
         status = steps[i](r, err);
 
-    pp_clipper_destroy(r->clipper);
+    pp_region_clipper_destroy(r->clipper);
     for (int i = 0; i < r->wall_count; i++)
         free(r->walls[i]);
     free(r->walls);
@@ -156,7 +155,7 @@ enum pp_status pp_world_create(struct pp_world **world, const struct pp_room *ro
     enum pp_status status = resolve(&r, &fault);
     /* What a step could not settle by itself, polygons that GEOS gives up on, say. */
     if (status == PP_BAD_INPUT)
-        pp_mistake(mistakes, room->line, "room: %s", fault.message);
+        pp_mistakes_add(mistakes, room->line, "room: %s", fault.message);
     else if (status != PP_OK)
         pp_fail(err, status, "%s", fault.message);
     int count = mistakes->count;

@@ -5,8 +5,8 @@
  * methods, the tracer, the charts and the exports read only this; a world is never
  * changed once made. Everything in it is owned by it.
  */
-#ifndef PP_MODEL_WORLD_H
-#define PP_MODEL_WORLD_H
+#ifndef PP_MODEL_ROOM_WORLD_H
+#define PP_MODEL_ROOM_WORLD_H
 
 #include <stdbool.h>
 
@@ -18,12 +18,12 @@
 #include "model/geometry/vec.h"
 
 enum pp_role {
-    PP_FLOOR,   /* of the room's own envelope */
-    PP_WALL,    /* of the room's own envelope */
-    PP_CEILING, /* of the room's own envelope */
-    PP_REVEAL,  /* a side of an opening's depth */
-    PP_LOOSE,   /* a <surface>, inside or outside */
-    PP_BLOCK,   /* a side of a <block> */
+    PP_FLOOR,        /* of the room's own envelope */
+    PP_WALL,         /* of the room's own envelope */
+    PP_CEILING,      /* of the room's own envelope */
+    PP_REVEAL,       /* a side of an opening's depth */
+    PP_FREE_SURFACE, /* a <surface>, inside or outside */
+    PP_BLOCK,        /* a side of a <block> */
 };
 
 /* Opaque, diffuse, seen from both sides. A face of the envelope stands whole here; the
@@ -40,8 +40,8 @@ struct pp_surface {
     const struct pp_finish *finish; /* named in the file: of the front, and of both
                                      * sides of what is loose or a block; NULL: grey and
                                      * without gloss. front says how much it reflects */
-    int owner;       /* reveal: its opening; block: its block; else -1 */
-    int line;        /* in the room file; 0 where none */
+    int owner;                      /* reveal: its opening; block: its block; else -1 */
+    int line;                       /* in the room file; 0 where none */
 };
 
 /* An opening in a face, with its glass. Its own axes lie in the face's plane: along is
@@ -128,28 +128,29 @@ struct pp_world {
 void pp_world_destroy(struct pp_world *world); /* NULL is allowed */
 
 /* Does a point lie within the room's envelope? Of one on it to the bit, either. */
-bool pp_world_contains(const struct pp_world *world, struct pp_vec3 point);
+bool pp_position_in_room(const struct pp_world *world, struct pp_vec3 point);
 
 /* Is the point in a face or any other surface of the world, by a tenth of a millimetre?
  */
-bool pp_world_in_surface(const struct pp_world *world, struct pp_vec3 point);
+bool pp_position_in_surface(const struct pp_world *world, struct pp_vec3 point);
 
 /* The room's section by the level plane at z (m), as world->plane is that of the working
  * plane; empty where the room does not reach. The region is the caller's. */
-enum pp_status pp_world_section(struct pp_region *region, const struct pp_world *world,
-                                double z, struct pp_error *err);
+enum pp_status pp_working_plane_section(struct pp_region *region,
+                                        const struct pp_world *world, double z,
+                                        struct pp_error *err);
 
 /* What is wrong with a receiver at this position with that unit normal, as the end of a
  * sentence ("lies outside the room", "lies in an opening"), or NULL if nothing is. On a
  * floor, wall or ceiling one may measure what falls on it: facing straight into the
  * room. */
-const char *pp_world_receiver_fault(const struct pp_world *world,
-                                    struct pp_vec3 position, struct pp_vec3 normal);
+const char *pp_position_receiver_fault(const struct pp_world *world,
+                                       struct pp_vec3 position, struct pp_vec3 normal);
 
 /* A receiver that faces up at (x, y, z), z NAN: on the working plane, as the command
  * line asks for one; PP_BAD_INPUT where one can't measure there. */
-enum pp_status pp_world_place_receiver(const struct pp_world *world, double x, double y,
-                                       double z, struct pp_receiver *receiver,
-                                       struct pp_error *err);
+enum pp_status pp_receivers_place(const struct pp_world *world, double x, double y,
+                                  double z, struct pp_receiver *receiver,
+                                  struct pp_error *err);
 
 #endif

@@ -30,13 +30,13 @@ static bool integrate(double a, double b, double c, struct integrals *is)
     return true;
 }
 
-void pp_edge_change(struct pp_vec3 r, struct pp_vec3 r1, double gradient[2],
-                    double hessian[3])
+void pp_cache_derivatives_edge(struct pp_vec3 r, struct pp_vec3 r1, double gradient[2],
+                               double hessian[3])
 {
-    struct pp_vec3 e = pp_sub(r1, r);
+    struct pp_vec3 e = pp_vec_sub(r1, r);
     struct integrals is;
     gradient[0] = gradient[1] = hessian[0] = hessian[1] = hessian[2] = 0.0;
-    if (!integrate(pp_dot(e, e), pp_dot(r, e), pp_dot(r, r), &is))
+    if (!integrate(pp_vec_dot(e, e), pp_vec_dot(r, e), pp_vec_dot(r, r), &is))
         return;
     double A = r.x * e.y - r.y * e.x;
     double w[2] = {e.y, -e.x};
@@ -55,71 +55,75 @@ void pp_edge_change(struct pp_vec3 r, struct pp_vec3 r1, double gradient[2],
     hessian[2] = 0.5 * (A * H[2] - 2.0 * w[1] * g[1]);
 }
 
-static const struct pp_hemisphere_cell *nearer(const struct pp_hemisphere_cell *p,
-                                               const struct pp_hemisphere_cell *q)
+static const struct pp_cache_hemisphere_cell *nearer(
+    const struct pp_cache_hemisphere_cell *p, const struct pp_cache_hemisphere_cell *q)
 {
     return p->distance_m <= q->distance_m ? p : q;
 }
 
 /* Where direction u meets the plane of what the cell has met; at the cell's distance
  * where that is far from it. */
-static struct pp_vec3 on_surface(const struct pp_hemisphere *h,
-                                 const struct pp_hemisphere_cell *cell,
+static struct pp_vec3 on_surface(const struct pp_cache_hemisphere *h,
+                                 const struct pp_cache_hemisphere_cell *cell,
                                  struct pp_vec3 u)
 {
-    double here = pp_dot(cell->facing, cell->to), there = pp_dot(cell->facing, u);
+    double here = pp_vec_dot(cell->facing, cell->to),
+           there = pp_vec_dot(cell->facing, u);
     double ratio = there < 0.0 && here < 0.0 ? here / there : 1.0;
     if (!(ratio > 0.5 && ratio < 2.0))
         ratio = 1.0;
-    return pp_scale(u, fmax(cell->distance_m, h->nearest_m) * ratio);
+    return pp_vec_scale(u, fmax(cell->distance_m, h->nearest_m) * ratio);
 }
 
 /* An edge between two cells. */
-static void add(struct pp_irradiance_change *change, struct pp_hemisphere_cell *first,
-                struct pp_hemisphere_cell *second, const double gradient[2],
+static void add(struct pp_irradiance_change *change,
+                struct pp_cache_hemisphere_cell *first,
+                struct pp_cache_hemisphere_cell *second, const double gradient[2],
                 const double hessian[3])
 {
     struct pp_rgb difference = pp_rgb_sub(first->radiance, second->radiance);
     for (int i = 0; i < 2; i++) {
-        first->pull[i] += gradient[i];
-        second->pull[i] -= gradient[i];
+        first->gradient_per_radiance[i] += gradient[i];
+        second->gradient_per_radiance[i] -= gradient[i];
         change->along[0][i] += difference.r * gradient[i];
         change->along[1][i] += difference.g * gradient[i];
         change->along[2][i] += difference.b * gradient[i];
     }
     for (int i = 0; i < 3; i++) {
         change->curvature[i] += pp_rgb_luminance(difference) * hessian[i];
-        first->bend[i] += hessian[i];
-        second->bend[i] -= hessian[i];
+        first->hessian_per_radiance[i] += hessian[i];
+        second->hessian_per_radiance[i] -= hessian[i];
     }
 }
 
 /* The edge between two cells from direction p to q, ccw round the first. */
-static void add_edge(struct pp_irradiance_change *change, const struct pp_hemisphere *h,
-                     struct pp_hemisphere_cell *first,
-                     struct pp_hemisphere_cell *second, struct pp_vec3 p,
+static void add_edge(struct pp_irradiance_change *change,
+                     const struct pp_cache_hemisphere *h,
+                     struct pp_cache_hemisphere_cell *first,
+                     struct pp_cache_hemisphere_cell *second, struct pp_vec3 p,
                      struct pp_vec3 q)
 {
-    const struct pp_hemisphere_cell *near = nearer(first, second);
+    const struct pp_cache_hemisphere_cell *near = nearer(first, second);
     if (!isfinite(near->distance_m))
         return;
     double gradient[2], hessian[3];
-    pp_edge_change(on_surface(h, near, p), on_surface(h, near, q), gradient, hessian);
+    pp_cache_derivatives_edge(on_surface(h, near, p), on_surface(h, near, q), gradient,
+                              hessian);
     add(change, first, second, gradient, hessian);
 }
 
-static struct pp_vec3 corner(const struct pp_hemisphere *h, int i, int j)
+static struct pp_vec3 corner(const struct pp_cache_hemisphere *h, int i, int j)
 {
     return h->corners[j * (h->side + 1) + i];
 }
 
 static void add_edges(struct pp_irradiance_change *change,
-                      const struct pp_hemisphere *h)
+                      const struct pp_cache_hemisphere *h)
 {
     int n = h->side;
     for (int j = 0; j < n; j++)
         for (int i = 0; i < n; i++) {
-            struct pp_hemisphere_cell *cell = &h->cells[j * n + i];
+            struct pp_cache_hemisphere_cell *cell = &h->cells[j * n + i];
             struct pp_vec3 far = corner(h, i + 1, j + 1);
             if (i + 1 < n)
                 add_edge(change, h, cell, cell + 1, corner(h, i + 1, j), far);
@@ -129,7 +133,8 @@ static void add_edges(struct pp_irradiance_change *change,
 }
 
 /* The corner k of the horizon, ccw, and the cell that lies behind it on the way. */
-static struct pp_vec3 horizon_corner(const struct pp_hemisphere *h, int k, int *cell)
+static struct pp_vec3 horizon_corner(const struct pp_cache_hemisphere *h, int k,
+                                     int *cell)
 {
     int n = h->side, side = k / n, at = k % n;
     switch (side) {
@@ -151,15 +156,15 @@ static struct pp_vec3 horizon_corner(const struct pp_hemisphere *h, int k, int *
 /* A part of the horizon counts half its angle: with the corner at (x, y) seen under
  * azimuth phi, grad phi = (y, -x)/r^2 when the place moves. */
 static void add_horizon(struct pp_irradiance_change *change,
-                        const struct pp_hemisphere *h)
+                        const struct pp_cache_hemisphere *h)
 {
     int count = 4 * h->side, before;
     horizon_corner(h, count - 1, &before);
     for (int k = 0; k < count; k++) {
         int after;
         struct pp_vec3 u = horizon_corner(h, k, &after);
-        struct pp_hemisphere_cell *p = &h->cells[before], *q = &h->cells[after];
-        const struct pp_hemisphere_cell *near = nearer(p, q);
+        struct pp_cache_hemisphere_cell *p = &h->cells[before], *q = &h->cells[after];
+        const struct pp_cache_hemisphere_cell *near = nearer(p, q);
         before = after;
         if (p == q || !isfinite(near->distance_m))
             continue;
@@ -172,11 +177,12 @@ static void add_horizon(struct pp_irradiance_change *change,
     }
 }
 
-static void add_turn(struct pp_irradiance_change *change, const struct pp_hemisphere *h)
+static void add_turn(struct pp_irradiance_change *change,
+                     const struct pp_cache_hemisphere *h)
 {
     int cells = h->side * h->side;
     for (int k = 0; k < cells; k++) {
-        const struct pp_hemisphere_cell *cell = &h->cells[k];
+        const struct pp_cache_hemisphere_cell *cell = &h->cells[k];
         double each = PP_PI / cells / fmax(cell->to.z, 1.0 / h->side);
         double in[2] = {each * cell->to.x, each * cell->to.y};
         for (int i = 0; i < 2; i++) {
@@ -188,27 +194,29 @@ static void add_turn(struct pp_irradiance_change *change, const struct pp_hemisp
 }
 
 static void add_noise(struct pp_irradiance_change *change,
-                      const struct pp_hemisphere *h)
+                      const struct pp_cache_hemisphere *h)
 {
     int cells = h->side * h->side;
-    double pull2 = 0.0, bend2 = 0.0;
+    double gradient2 = 0.0, hessian2 = 0.0;
     for (int k = 0; k < cells; k++) {
-        const double *p = h->cells[k].pull, *b = h->cells[k].bend;
-        pull2 += p[0] * p[0] + p[1] * p[1];
-        bend2 += b[0] * b[0] + 2.0 * b[1] * b[1] + b[2] * b[2];
+        const double *p = h->cells[k].gradient_per_radiance,
+                     *b = h->cells[k].hessian_per_radiance;
+        gradient2 += p[0] * p[0] + p[1] * p[1];
+        hessian2 += b[0] * b[0] + 2.0 * b[1] * b[1] + b[2] * b[2];
     }
-    change->along_noise = sqrt(0.5 * cells * pull2) / PP_PI;
-    change->curvature_noise = sqrt(cells * bend2) / PP_PI;
+    change->along_noise = sqrt(0.5 * cells * gradient2) / PP_PI;
+    change->curvature_noise = sqrt(cells * hessian2) / PP_PI;
 }
 
-void pp_hemisphere_change(struct pp_hemisphere *hemisphere,
-                          struct pp_irradiance_change *change)
+void pp_cache_derivatives_hemisphere(struct pp_cache_hemisphere *hemisphere,
+                                     struct pp_irradiance_change *change)
 {
     *change = (struct pp_irradiance_change){.curvature = {0.0}};
     for (int k = 0; k < hemisphere->side * hemisphere->side; k++) {
-        struct pp_hemisphere_cell *cell = &hemisphere->cells[k];
-        cell->pull[0] = cell->pull[1] = 0.0;
-        cell->bend[0] = cell->bend[1] = cell->bend[2] = 0.0;
+        struct pp_cache_hemisphere_cell *cell = &hemisphere->cells[k];
+        cell->gradient_per_radiance[0] = cell->gradient_per_radiance[1] = 0.0;
+        cell->hessian_per_radiance[0] = cell->hessian_per_radiance[1] =
+            cell->hessian_per_radiance[2] = 0.0;
     }
     add_edges(change, hemisphere);
     add_horizon(change, hemisphere);

@@ -27,8 +27,8 @@
  * normal irradiance changes by the sum of L times the part of its direction that is
  * in the surface [WH92].
  */
-#ifndef PP_SIMULATE_CACHE_DERIVATIVES_H
-#define PP_SIMULATE_CACHE_DERIVATIVES_H
+#ifndef PP_SIMULATE_CACHE_CACHE_DERIVATIVES_H
+#define PP_SIMULATE_CACHE_CACHE_DERIVATIVES_H
 
 #include "simulate/cache/cache_hemisphere.h"
 
@@ -42,12 +42,12 @@ struct pp_irradiance_change {
     double along_noise, curvature_noise;
 };
 
-void pp_hemisphere_change(struct pp_hemisphere *hemisphere,
-                          struct pp_irradiance_change *change);
+void pp_cache_derivatives_hemisphere(struct pp_cache_hemisphere *hemisphere,
+                                     struct pp_irradiance_change *change);
 
 /* (1) to (3) of one edge from r0 to r1 (from the place), in the frame where n is z:
  * gradient and aa, ab, bb. Both 0 for an edge that the place is in line with. */
-void pp_edge_change(struct pp_vec3 r0, struct pp_vec3 r1, double gradient[2],
-                    double hessian[3]);
+void pp_cache_derivatives_edge(struct pp_vec3 r0, struct pp_vec3 r1, double gradient[2],
+                               double hessian[3]);
 
 #endif

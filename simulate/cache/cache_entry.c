@@ -15,7 +15,7 @@ static const double BEHIND = 0.05;
 
 static const double NEVER = 1e30;
 
-int pp_cache_sector(double along_a, double along_b)
+int pp_cache_entry_sector(double along_a, double along_b)
 {
     /* A diamond instead of a circle: any monotone measure of azimuth will do. */
     double sum = fabs(along_a) + fabs(along_b);
@@ -31,25 +31,25 @@ double pp_cache_entry_distance(const struct pp_cache_entry *entry,
                                const struct pp_cache_place *place)
 {
     const struct pp_cache_record *is = &entry->is;
-    double facing = pp_dot(place->normal, is->normal);
+    double facing = pp_vec_dot(place->normal, is->normal);
     if (facing < 1.0 - MOST_TURN || place->space != is->space)
         return NEVER;
-    struct pp_vec3 off = pp_sub(place->point, is->point);
-    double x = pp_dot(off, is->axes[0]) / is->radii_m[0];
-    double y = pp_dot(off, is->axes[1]) / is->radii_m[1];
-    double step = pp_dot(off, is->normal);
+    struct pp_vec3 off = pp_vec_sub(place->point, is->point);
+    double x = pp_vec_dot(off, is->axes[0]) / is->radii_m[0];
+    double y = pp_vec_dot(off, is->axes[1]) / is->radii_m[1];
+    double step = pp_vec_dot(off, is->normal);
     double z = STEP * step / is->radii_m[0];
-    double behind = 0.5 * (step + pp_dot(off, place->normal));
+    double behind = 0.5 * (step + pp_vec_dot(off, place->normal));
     if (behind < -BEHIND * is->radii_m[0])
         return NEVER;
     double turn = facing < 1.0 ? (1.0 - facing) / MOST_TURN : 0.0;
     double distance = sqrt(x * x + y * y + z * z + turn);
-    double u = pp_dot(off, entry->a), v = pp_dot(off, entry->b);
-    double clear = entry->horizon_m[pp_cache_sector(u, v)];
+    double u = pp_vec_dot(off, entry->a), v = pp_vec_dot(off, entry->b);
+    double clear = entry->horizon_m[pp_cache_entry_sector(u, v)];
     return u * u + v * v > clear * clear ? NEVER : distance;
 }
 
-void pp_cache_entry_alone(struct pp_cache_entry *entry)
+void pp_cache_entry_unsmooth(struct pp_cache_entry *entry)
 {
     entry->value = entry->is.value;
     for (int c = 0; c < 3; c++)
@@ -59,7 +59,7 @@ void pp_cache_entry_alone(struct pp_cache_entry *entry)
 static double read_channel(double value, struct pp_vec3 along, struct pp_vec3 off,
                            struct pp_vec3 turned, struct pp_vec3 turn)
 {
-    double there = value + pp_dot(along, off) + pp_dot(turned, turn);
+    double there = value + pp_vec_dot(along, off) + pp_vec_dot(turned, turn);
     return there > 0.0 ? there : 0.0;
 }
 
@@ -67,8 +67,8 @@ struct pp_rgb pp_cache_entry_read(const struct pp_cache_entry *entry,
                                   const struct pp_cache_place *place)
 {
     const struct pp_cache_record *is = &entry->is;
-    struct pp_vec3 off = pp_sub(place->point, is->point);
-    struct pp_vec3 turn = pp_sub(place->normal, is->normal);
+    struct pp_vec3 off = pp_vec_sub(place->point, is->point);
+    struct pp_vec3 turn = pp_vec_sub(place->normal, is->normal);
     const struct pp_vec3 *along = entry->along, *turned = is->turned;
     return pp_rgb(read_channel(entry->value.r, along[0], off, turned[0], turn),
                   read_channel(entry->value.g, along[1], off, turned[1], turn),

@@ -6,8 +6,8 @@
  * between: `horizon_m` is how far the surface is clear in each direction, by the lowest
  * rays of the hemisphere.
  */
-#ifndef PP_SIMULATE_CACHE_ENTRY_H
-#define PP_SIMULATE_CACHE_ENTRY_H
+#ifndef PP_SIMULATE_CACHE_CACHE_ENTRY_H
+#define PP_SIMULATE_CACHE_CACHE_ENTRY_H
 
 #include "simulate/cache/irradiance_cache.h"
 
@@ -27,7 +27,7 @@ struct pp_cache_entry {
 };
 
 /* Value and gradients as the record has them. */
-void pp_cache_entry_alone(struct pp_cache_entry *entry);
+void pp_cache_entry_unsmooth(struct pp_cache_entry *entry);
 
 /* A place that is asked for. */
 struct pp_cache_place {
@@ -45,6 +45,6 @@ struct pp_rgb pp_cache_entry_read(const struct pp_cache_entry *entry,
                                   const struct pp_cache_place *place);
 
 /* The sector of a direction by its parts along a and b. */
-int pp_cache_sector(double along_a, double along_b);
+int pp_cache_entry_sector(double along_a, double along_b);
 
 #endif

@@ -109,7 +109,7 @@ static bool is_finite(struct pp_vec3 v)
 
 static bool is_unit(struct pp_vec3 v)
 {
-    return is_finite(v) && fabs(pp_dot(v, v) - 1.0) < 1e-6;
+    return is_finite(v) && fabs(pp_vec_dot(v, v) - 1.0) < 1e-6;
 }
 
 /* False where the numbers can't be a record's. */
@@ -145,13 +145,12 @@ static bool take_entry(const unsigned char **at, struct pp_cache_entry *entry)
     if (!good)
         return false;
     is->space = (enum pp_space)(int)space;
-    pp_frame_about(is->normal, &entry->a, &entry->b);
+    pp_lobe_frame(is->normal, &entry->a, &entry->b);
     return true;
 }
 
-enum pp_status pp_irradiance_cache_pack(const struct pp_irradiance_cache *cache,
-                                        char **bytes, size_t *length,
-                                        struct pp_error *err)
+enum pp_status pp_cache_file_pack(const struct pp_irradiance_cache *cache, char **bytes,
+                                  size_t *length, struct pp_error *err)
 {
     size_t size = HEAD + pp_irradiance_cache_count(cache) * ENTRY + WORD;
     unsigned char *all = malloc(size), *at = all;
@@ -161,7 +160,7 @@ enum pp_status pp_irradiance_cache_pack(const struct pp_irradiance_cache *cache,
     at += 16;
     put_word(&at, VERSION);
     put_word(&at, pp_light_scene_hash(cache->scene));
-    put_word(&at, pp_cache_options_hash(cache));
+    put_word(&at, pp_irradiance_cache_hash_options(cache));
     for (int i = 0; i < PP_CACHE_DEPTHS; i++)
         put_word(&at, (uint64_t)cache->layers[i].entry_count);
     for (int i = 0; i < PP_CACHE_DEPTHS; i++)
@@ -211,7 +210,7 @@ static enum pp_status check(const struct pp_irradiance_cache *cache,
                        "%s is the cache of another room; expected one of this room, or "
                        "the name of a new file",
                        title);
-    if (options != pp_cache_options_hash(cache))
+    if (options != pp_irradiance_cache_hash_options(cache))
         return pp_fail(err, PP_BAD_INPUT,
                        "%s was made with other options of light or cache, or another "
                        "seed; expected the same, or the name of a new file",
@@ -235,13 +234,13 @@ static enum pp_status take_all(struct pp_irradiance_cache *cache,
             status = pp_cache_layer_put(&cache->layers[i], &entry, err);
         }
     for (int i = 0; status == PP_OK && i < PP_CACHE_DEPTHS; i++)
-        status = pp_cache_layer_agree(&cache->layers[i], err);
+        status = pp_cache_smooth_layer(&cache->layers[i], err);
     return status;
 }
 
-enum pp_status pp_irradiance_cache_unpack(struct pp_irradiance_cache *cache,
-                                          const char *bytes, size_t length,
-                                          const char *title, struct pp_error *err)
+enum pp_status pp_cache_file_unpack(struct pp_irradiance_cache *cache,
+                                    const char *bytes, size_t length, const char *title,
+                                    struct pp_error *err)
 {
     uint64_t counts[PP_CACHE_DEPTHS];
     const unsigned char *at = (const unsigned char *)bytes;
@@ -253,7 +252,7 @@ enum pp_status pp_irradiance_cache_unpack(struct pp_irradiance_cache *cache,
     for (int i = 0; i < PP_CACHE_DEPTHS; i++) {
         cache->layers[i].entry_count = 0;
         struct pp_error ignored;
-        pp_octree_empty(&cache->layers[i].tree, &ignored);
+        pp_cache_octree_reset(&cache->layers[i].tree, &ignored);
     }
     return status;
 }

@@ -1,6 +1,6 @@
-/* cache_grow.c - wishes, and how the cache grows until they are met.
+/* cache_grow.c - requests, and how the cache grows until they are met.
  *
- * Wishes come in a scattered order, so that the first records stand far apart and later
+ * Requests come in a scattered order, so that the first records stand far apart and later
  * ones between them. They are looked at in chunks; of those in a chunk that no record
  * speaks for, a batch is taken, its members not too near to each other; all are worked
  * out from the cache as it is, entered in order, and the rest of the chunk is looked at
@@ -16,9 +16,10 @@
 
 enum {
     CHUNK = 1 << 16,
-    SPREAD_RAYS = 8192, /* at most, that look where what lights the wishes is: what they
+    SPREAD_RAYS =
+        8192,         /* at most, that look where what lights the requests is: what they
                          * miss has its light by paths */
-    SIGHTS = 2,         /* surfaces that one ray of a picture may ask for */
+    RAY_REQUESTS = 2, /* surfaces that one ray of a picture may ask for */
 };
 
 /* Two members of a batch stand no nearer than so much of the radius expected there. */
@@ -26,149 +27,152 @@ static const double APART = 0.7;
 /* The radius expected where nothing is known, over the scene's size. */
 static const double FIRST_GUESS = 1.0 / 32.0;
 
-/* ---- wishes ---- */
+/* ---- requests ---- */
 
-static enum pp_status wish(struct pp_cache_layer *layer,
-                           const struct pp_cache_place *place, struct pp_error *err)
+static enum pp_status request(struct pp_cache_layer *layer,
+                              const struct pp_cache_place *place, struct pp_error *err)
 {
-    if (layer->wish_count == layer->wish_space) {
-        size_t space = layer->wish_space ? 2 * layer->wish_space : 1024;
-        struct pp_cache_wish *wishes = realloc(layer->wishes, space * sizeof *wishes);
-        if (!wishes)
+    if (layer->request_count == layer->request_space) {
+        size_t space = layer->request_space ? 2 * layer->request_space : 1024;
+        struct pp_cache_request *requests =
+            realloc(layer->requests, space * sizeof *requests);
+        if (!requests)
             return pp_fail_memory(err);
-        layer->wishes = wishes;
-        layer->wish_space = space;
+        layer->requests = requests;
+        layer->request_space = space;
     }
-    layer->wishes[layer->wish_count++] = (struct pp_cache_wish){.place = *place};
+    layer->requests[layer->request_count++] =
+        (struct pp_cache_request){.place = *place};
     return PP_OK;
 }
 
-/* Wishes that have been met are forgotten when others come. */
+/* Requests that have been met are forgotten when others come. */
 static void forget(struct pp_irradiance_cache *cache)
 {
-    if (!pp_irradiance_cache_done(cache))
+    if (!pp_cache_grow_done(cache))
         return;
     for (int i = 0; i < PP_CACHE_DEPTHS; i++)
-        cache->layers[i].wish_count = cache->layers[i].next = 0;
+        cache->layers[i].request_count = cache->layers[i].next = 0;
     cache->spread = 0;
 }
 
-/* Shuffles the wishes from `first` on: the same way each time. */
+/* Shuffles the requests from `first` on: the same way each time. */
 static void scatter(struct pp_cache_layer *layer, size_t first)
 {
-    size_t count = layer->wish_count - first;
-    struct pp_cache_wish *wishes = layer->wishes + first;
+    size_t count = layer->request_count - first;
+    struct pp_cache_request *requests = layer->requests + first;
     for (size_t i = count; i > 1; i--) {
         size_t k = (size_t)(pp_hash(i, count) % i);
-        struct pp_cache_wish swap = wishes[i - 1];
-        wishes[i - 1] = wishes[k];
-        wishes[k] = swap;
+        struct pp_cache_request swap = requests[i - 1];
+        requests[i - 1] = requests[k];
+        requests[k] = swap;
     }
 }
 
 /* What one ray asks for on its way. */
-struct sight {
+struct ray_requests {
     const struct pp_irradiance_cache *cache;
     int depth; /* that is listened to */
     int count;
-    struct pp_cache_place places[SIGHTS];
+    struct pp_cache_place places[RAY_REQUESTS];
 };
 
-enum pp_space pp_cache_space(const struct pp_irradiance_cache *cache,
-                             const struct pp_light_hit *hit, struct pp_vec3 normal)
+enum pp_space pp_cache_grow_hit_space(const struct pp_irradiance_cache *cache,
+                                      const struct pp_light_hit *hit,
+                                      struct pp_vec3 normal)
 {
-    if (pp_dot(normal, hit->normal) > 0.0)
+    if (pp_vec_dot(normal, hit->normal) > 0.0)
         return hit->space;
     return pp_light_scene_space(cache->scene,
-                                pp_along(hit->point, 1e-6 * cache->size_m, normal));
+                                pp_vec_along(hit->point, 1e-6 * cache->size_m, normal));
 }
 
-static bool listen(void *store, const struct pp_light_hit *hit, struct pp_vec3 normal,
-                   int depth, struct pp_rgb *value)
+static bool record_request(void *store, const struct pp_light_hit *hit,
+                           struct pp_vec3 normal, int depth, struct pp_rgb *value)
 {
-    struct sight *sight = store;
+    struct ray_requests *sight = store;
     *value = pp_rgb_grey(0.0);
     if (depth != sight->depth || sight->cache->left_out[hit->material]
-        || sight->count == SIGHTS)
+        || sight->count == RAY_REQUESTS)
         return true;
     sight->places[sight->count++] = (struct pp_cache_place){
-        hit->point, normal, pp_cache_space(sight->cache, hit, normal)};
+        hit->point, normal, pp_cache_grow_hit_space(sight->cache, hit, normal)};
     return true;
 }
 
-static struct pp_radiance_walk walk_of(const struct pp_irradiance_cache *cache,
-                                       uint64_t seed)
+static struct pp_radiance_state state_of(const struct pp_irradiance_cache *cache,
+                                         uint64_t seed)
 {
-    struct pp_radiance_walk walk = {
+    struct pp_radiance_state state = {
         .scene = cache->scene, .options = cache->light, .store = cache->store};
-    pp_sequence_init(&walk.sequence, &cache->sobol, seed);
-    return walk;
+    pp_sobol_sequence_init(&state.sequence, &cache->sobol, seed);
+    return state;
 }
 
 /* Follows a ray without aiming at anything. */
 static void look(const struct pp_irradiance_cache *cache,
                  const struct pp_light_ray *ray, int depth, uint32_t index,
-                 struct sight *sight)
+                 struct ray_requests *sight)
 {
-    *sight = (struct sight){.cache = cache, .depth = depth};
-    struct pp_ambient ambient = {listen, sight};
-    struct pp_radiance_walk walk = walk_of(cache, cache->options.seed);
-    walk.options.sources = walk.options.windows = false;
-    walk.ambient = &ambient;
-    walk.index = index;
+    *sight = (struct ray_requests){.cache = cache, .depth = depth};
+    struct pp_ambient ambient = {record_request, sight};
+    struct pp_radiance_state state = state_of(cache, cache->options.seed);
+    state.options.sources = state.options.windows = false;
+    state.ambient = &ambient;
+    state.index = index;
     if (depth == 0)
-        pp_radiance_along(&walk, ray, NULL);
+        pp_radiance_along(&state, ray, NULL);
     else
-        pp_radiance_indirect(&walk, ray, NULL);
+        pp_radiance_indirect(&state, ray, NULL);
 }
 
-/* Wishes of depth `depth` by rays, in their order. */
+/* Requests of depth `depth` by rays, in their order. */
 static enum pp_status look_along(struct pp_irradiance_cache *cache,
                                  const struct pp_light_ray *rays, size_t count,
                                  int depth, struct pp_error *err)
 {
     enum pp_status status = PP_OK;
     struct pp_cache_layer *layer = &cache->layers[depth];
-    struct sight *sights = malloc(CHUNK * sizeof *sights);
-    if (!sights)
+    struct ray_requests *rays_requests = malloc(CHUNK * sizeof *rays_requests);
+    if (!rays_requests)
         return pp_fail_memory(err);
     for (size_t first = 0; status == PP_OK && first < count; first += CHUNK) {
         int n = count - first < CHUNK ? (int)(count - first) : CHUNK;
 #pragma omp parallel for num_threads(cache->options.threads) schedule(dynamic, 64)
         for (int i = 0; i < n; i++)
             look(cache, &rays[first + (size_t)i], depth, (uint32_t)(first + (size_t)i),
-                 &sights[i]);
+                 &rays_requests[i]);
         for (int i = 0; i < n; i++)
-            for (int k = 0; status == PP_OK && k < sights[i].count; k++)
-                status = wish(layer, &sights[i].places[k], err);
+            for (int k = 0; status == PP_OK && k < rays_requests[i].count; k++)
+                status = request(layer, &rays_requests[i].places[k], err);
     }
-    free(sights);
+    free(rays_requests);
     return status;
 }
 
-enum pp_status pp_irradiance_cache_see(struct pp_irradiance_cache *cache,
-                                       const struct pp_light_ray *rays, size_t count,
-                                       struct pp_error *err)
+enum pp_status pp_cache_grow_request_rays(struct pp_irradiance_cache *cache,
+                                          const struct pp_light_ray *rays, size_t count,
+                                          struct pp_error *err)
 {
     if (cache->options.bounces == 0)
         return PP_OK;
     forget(cache);
-    size_t first = cache->layers[0].wish_count;
+    size_t first = cache->layers[0].request_count;
     enum pp_status status = look_along(cache, rays, count, 0, err);
     if (status == PP_OK)
         scatter(&cache->layers[0], first);
     return status;
 }
 
-enum pp_status pp_irradiance_cache_want(struct pp_irradiance_cache *cache,
-                                        struct pp_vec3 point, struct pp_vec3 normal,
-                                        enum pp_space space, struct pp_error *err)
+enum pp_status pp_cache_grow_request_point(struct pp_irradiance_cache *cache,
+                                           struct pp_vec3 point, struct pp_vec3 normal,
+                                           enum pp_space space, struct pp_error *err)
 {
     struct pp_cache_place place = {point, normal, space};
     if (cache->options.bounces == 0)
         return PP_OK;
     forget(cache);
-    return wish(&cache->layers[0], &place, err);
+    return request(&cache->layers[0], &place, err);
 }
 
 /* Rays from a place over its hemisphere. */
@@ -176,20 +180,22 @@ static struct pp_light_ray ray_about(const struct pp_irradiance_cache *cache,
                                      const struct pp_cache_place *place, uint64_t seed,
                                      uint32_t index)
 {
-    struct pp_sequence sequence;
+    struct pp_sobol_sequence sequence;
     struct pp_vec3 a, b;
     double u[2];
-    pp_sequence_init(&sequence, &cache->sobol, seed);
-    pp_sequence_draw(&sequence, index, 0, 2, u);
-    pp_frame_about(place->normal, &a, &b);
-    return (struct pp_light_ray){place->point, place->normal,
-                                 pp_sample_lobe(a, b, place->normal, u[0], u[1]),
-                                 place->space};
+    pp_sobol_sequence_init(&sequence, &cache->sobol, seed);
+    pp_sobol_sequence_draw(&sequence, index, 0, 2, u);
+    pp_lobe_frame(place->normal, &a, &b);
+    return (struct pp_light_ray){
+        place->point, place->normal,
+        pp_lobe_sample_in_frame(a, b, place->normal, u[0], u[1]), place->space};
 }
 
-enum pp_status pp_irradiance_cache_reach(struct pp_irradiance_cache *cache,
-                                         struct pp_vec3 point, struct pp_vec3 normal,
-                                         enum pp_space space, struct pp_error *err)
+enum pp_status pp_cache_grow_request_hemisphere(struct pp_irradiance_cache *cache,
+                                                struct pp_vec3 point,
+                                                struct pp_vec3 normal,
+                                                enum pp_space space,
+                                                struct pp_error *err)
 {
     enum { RAYS = 256 };
     struct pp_light_ray rays[RAYS];
@@ -199,22 +205,22 @@ enum pp_status pp_irradiance_cache_reach(struct pp_irradiance_cache *cache,
     for (uint32_t i = 0; i < RAYS; i++)
         rays[i] = ray_about(cache, &place, cache->options.seed, i);
     forget(cache);
-    size_t first = cache->layers[1].wish_count;
+    size_t first = cache->layers[1].request_count;
     enum pp_status status = look_along(cache, rays, RAYS, 1, err);
     if (status == PP_OK)
         scatter(&cache->layers[1], first);
     return status;
 }
 
-/* Of the wishes of what is seen that are new, what lights them. */
+/* Of the requests of what is seen that are new, what lights them. */
 static enum pp_status spread(struct pp_irradiance_cache *cache, struct pp_error *err)
 {
     const struct pp_cache_layer *seen = &cache->layers[0];
-    size_t new = seen->wish_count - cache->spread;
+    size_t new = seen->request_count - cache->spread;
     size_t left = SPREAD_RAYS - cache->spread_rays;
     size_t count = 8 * new < left ? 8 * new : left;
-    size_t begin = cache->spread, first = cache->layers[1].wish_count;
-    cache->spread = seen->wish_count;
+    size_t begin = cache->spread, first = cache->layers[1].request_count;
+    cache->spread = seen->request_count;
     cache->spread_rays += count;
     if (count == 0 || (cache->options.bounces >= 0 && cache->options.bounces < 2))
         return PP_OK;
@@ -222,7 +228,7 @@ static enum pp_status spread(struct pp_irradiance_cache *cache, struct pp_error 
     if (!rays)
         return pp_fail_memory(err);
     for (size_t i = 0; i < count; i++)
-        rays[i] = ray_about(cache, &seen->wishes[begin + i % new].place,
+        rays[i] = ray_about(cache, &seen->requests[begin + i % new].place,
                             cache->options.seed, (uint32_t)i);
     enum pp_status status = look_along(cache, rays, count, 1, err);
     if (status == PP_OK)
@@ -263,36 +269,39 @@ static uint64_t seed_of(const struct pp_irradiance_cache *cache,
     return seed;
 }
 
-static void work(struct pp_irradiance_cache *cache, int depth,
-                 const struct pp_cache_place *place, struct pp_hemisphere_cell *cells,
-                 struct pp_cache_entry *entry)
+static void compute_record(struct pp_irradiance_cache *cache, int depth,
+                           const struct pp_cache_place *place,
+                           struct pp_cache_hemisphere_cell *cells,
+                           struct pp_cache_entry *entry)
 {
     struct viewpoint from = {cache, depth};
     struct pp_ambient ambient = {ask_from_record, &from};
-    struct pp_radiance_walk walk = walk_of(cache, seed_of(cache, place, depth));
-    walk.ambient = &ambient;
-    pp_cache_work(&cache->layers[depth].maker, &walk, place, cells, entry);
+    struct pp_radiance_state state = state_of(cache, seed_of(cache, place, depth));
+    state.ambient = &ambient;
+    pp_cache_record_compute(&cache->layers[depth].settings, &state, place, cells,
+                            entry);
     entry->is.depth = depth;
 }
 
-/* Is there no record that speaks for the wish? Then also how large one may be there. */
+/* Is there no record that speaks for the request? Then also how large one may be there. */
 static bool is_open(const struct pp_irradiance_cache *cache,
-                    const struct pp_cache_layer *layer, struct pp_cache_wish *wish)
+                    const struct pp_cache_layer *layer,
+                    struct pp_cache_request *request)
 {
     struct pp_rgb value;
     double guess;
-    bool covered = pp_cache_layer_read(layer, &wish->place, &value, &guess);
-    wish->guess_m =
+    bool covered = pp_cache_layer_read(layer, &request->place, &value, &guess);
+    request->guess_m =
         covered ? -1.0f : (float)(guess > 0.0 ? guess : FIRST_GUESS * cache->size_m);
     return !covered;
 }
 
-static struct pp_cache_wish *open_wish(const struct pp_cache_layer *layer, int i)
+static struct pp_cache_request *open_request(const struct pp_cache_layer *layer, int i)
 {
-    return &layer->wishes[layer->next + (size_t)layer->open[i]];
+    return &layer->requests[layer->next + (size_t)layer->open[i]];
 }
 
-/* Which wishes of the chunk are open, in their order. */
+/* Which requests of the chunk are open, in their order. */
 static void sift(struct pp_irradiance_cache *cache, struct pp_cache_layer *layer,
                  int count)
 {
@@ -300,35 +309,35 @@ static void sift(struct pp_irradiance_cache *cache, struct pp_cache_layer *layer
 #pragma omp parallel for num_threads(cache->options.threads)                           \
     schedule(dynamic, 256) if (count > 4096)
     for (int i = 0; i < count; i++)
-        is_open(cache, layer, &layer->wishes[layer->next + (size_t)i]);
+        is_open(cache, layer, &layer->requests[layer->next + (size_t)i]);
     for (int i = 0; i < count; i++)
-        if (layer->wishes[layer->next + (size_t)i].guess_m >= 0.0f)
+        if (layer->requests[layer->next + (size_t)i].guess_m >= 0.0f)
             layer->open[layer->open_count++] = i;
 }
 
-static bool stands_apart(const struct pp_cache_wish *wish,
-                         const struct pp_cache_wish *const chosen[], int count)
+static bool stands_apart(const struct pp_cache_request *request,
+                         const struct pp_cache_request *const chosen[], int count)
 {
     for (int k = 0; k < count; k++)
-        if (pp_dot(wish->place.normal, chosen[k]->place.normal) >= 0.5
-            && pp_length(pp_sub(wish->place.point, chosen[k]->place.point))
-                   <= APART * fmin(wish->guess_m, chosen[k]->guess_m))
+        if (pp_vec_dot(request->place.normal, chosen[k]->place.normal) >= 0.5
+            && pp_vec_length(pp_vec_sub(request->place.point, chosen[k]->place.point))
+                   <= APART * fmin(request->guess_m, chosen[k]->guess_m))
             return false;
     return true;
 }
 
-/* The first open wishes that stand apart. Those come to that are open no longer leave
+/* The first open requests that stand apart. Those come to that are open no longer leave
  * the list; no more of it is looked at than is needed for a batch. */
 static int choose(struct pp_irradiance_cache *cache, struct pp_cache_layer *layer,
-                  const struct pp_cache_wish *chosen[])
+                  const struct pp_cache_request *chosen[])
 {
     int count = 0, kept = 0, i = 0;
     for (; i < layer->open_count && count < PP_CACHE_BATCH; i++) {
-        struct pp_cache_wish *wish = open_wish(layer, i);
-        if (!is_open(cache, layer, wish))
+        struct pp_cache_request *request = open_request(layer, i);
+        if (!is_open(cache, layer, request))
             continue;
-        if (stands_apart(wish, chosen, count))
-            chosen[count++] = wish;
+        if (stands_apart(request, chosen, count))
+            chosen[count++] = request;
         layer->open[kept++] = layer->open[i];
     }
     for (; i < layer->open_count; i++)
@@ -337,17 +346,17 @@ static int choose(struct pp_irradiance_cache *cache, struct pp_cache_layer *laye
     return count;
 }
 
-/* One batch of the open wishes. */
+/* One batch of the open requests. */
 static enum pp_status batch(struct pp_irradiance_cache *cache, int depth,
                             struct pp_error *err)
 {
     struct pp_cache_layer *layer = &cache->layers[depth];
-    const struct pp_cache_wish *chosen[PP_CACHE_BATCH];
+    const struct pp_cache_request *chosen[PP_CACHE_BATCH];
     int count = choose(cache, layer, chosen);
     if (count == 0)
         return PP_OK;
-    size_t side = (size_t)layer->maker.side;
-    struct pp_hemisphere_cell *cells =
+    size_t side = (size_t)layer->settings.side;
+    struct pp_cache_hemisphere_cell *cells =
         malloc(PP_CACHE_BATCH * side * side * sizeof *cells);
     struct pp_cache_entry *entries = calloc(PP_CACHE_BATCH, sizeof *entries);
     enum pp_status status = cells && entries ? PP_OK : pp_fail_memory(err);
@@ -355,8 +364,8 @@ static enum pp_status batch(struct pp_irradiance_cache *cache, int depth,
 #pragma omp parallel for num_threads(cache->options.threads)                           \
     schedule(dynamic, 1) if (count > 1)
         for (int i = 0; i < count; i++)
-            work(cache, depth, &chosen[i]->place, cells + (size_t)i * side * side,
-                 &entries[i]);
+            compute_record(cache, depth, &chosen[i]->place,
+                           cells + (size_t)i * side * side, &entries[i]);
     }
     for (int i = 0; status == PP_OK && i < count; i++)
         status = pp_cache_layer_add(layer, &entries[i], err);
@@ -369,12 +378,12 @@ static enum pp_status batch(struct pp_irradiance_cache *cache, int depth,
 static int depth_at_work(const struct pp_irradiance_cache *cache)
 {
     for (int depth = PP_CACHE_DEPTHS - 1; depth >= 0; depth--)
-        if (cache->layers[depth].next < cache->layers[depth].wish_count)
+        if (cache->layers[depth].next < cache->layers[depth].request_count)
             return depth;
     return -1;
 }
 
-/* A batch of records, or the next chunk of wishes. */
+/* A batch of records, or the next chunk of requests. */
 static enum pp_status step(struct pp_irradiance_cache *cache, struct pp_error *err)
 {
     int depth = depth_at_work(cache);
@@ -384,7 +393,7 @@ static enum pp_status step(struct pp_irradiance_cache *cache, struct pp_error *e
         if (!layer->open)
             return pp_fail_memory(err);
     }
-    size_t left = layer->wish_count - layer->next;
+    size_t left = layer->request_count - layer->next;
     int chunk = left < CHUNK ? (int)left : CHUNK;
     if (layer->open_count == 0) {
         sift(cache, layer, chunk);
@@ -396,25 +405,25 @@ static enum pp_status step(struct pp_irradiance_cache *cache, struct pp_error *e
     if (layer->open_count > 0)
         return PP_OK;
     layer->next += (size_t)chunk;
-    if (layer->next < layer->wish_count)
+    if (layer->next < layer->request_count)
         return PP_OK;
     if (!layer->again)
-        return pp_cache_layer_agree(layer, err);
-    /* Neighbours have limited each other: is every wish still covered? Each gets a
+        return pp_cache_smooth_layer(layer, err);
+    /* Neighbours have limited each other: is every request still covered? Each gets a
      * record of its own at last, so that this ends. */
     layer->again = false;
     layer->next = 0;
-    return pp_cache_layer_settle(layer, err);
+    return pp_cache_layer_rebuild_tree(layer, err);
 }
 
-enum pp_status pp_irradiance_cache_grow(struct pp_irradiance_cache *cache,
-                                        double seconds, struct pp_error *err)
+enum pp_status pp_cache_grow(struct pp_irradiance_cache *cache, double seconds,
+                             struct pp_error *err)
 {
     double end = pp_clock_s() + seconds;
     enum pp_status status = PP_OK;
-    if (cache->spread < cache->layers[0].wish_count)
+    if (cache->spread < cache->layers[0].request_count)
         status = spread(cache, err);
-    while (status == PP_OK && !pp_irradiance_cache_done(cache)) {
+    while (status == PP_OK && !pp_cache_grow_done(cache)) {
         status = step(cache, err);
         if (pp_clock_s() >= end)
             break;
@@ -422,18 +431,18 @@ enum pp_status pp_irradiance_cache_grow(struct pp_irradiance_cache *cache,
     return status;
 }
 
-bool pp_irradiance_cache_done(const struct pp_irradiance_cache *cache)
+bool pp_cache_grow_done(const struct pp_irradiance_cache *cache)
 {
-    return cache->spread == cache->layers[0].wish_count && depth_at_work(cache) < 0;
+    return cache->spread == cache->layers[0].request_count && depth_at_work(cache) < 0;
 }
 
-double pp_irradiance_cache_progress(const struct pp_irradiance_cache *cache)
+double pp_cache_grow_progress(const struct pp_irradiance_cache *cache)
 {
-    /* The first wishes bring most of the records. */
+    /* The first requests bring most of the records. */
     double done = 0.0, all = 0.0;
     for (int i = 0; i < PP_CACHE_DEPTHS; i++) {
         done += sqrt((double)cache->layers[i].next);
-        all += sqrt((double)cache->layers[i].wish_count);
+        all += sqrt((double)cache->layers[i].request_count);
     }
     return all > 0.0 ? done / all : 1.0;
 }

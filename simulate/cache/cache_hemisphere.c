@@ -14,41 +14,42 @@ static const double NEAREST_M = 1e-6;
 static const double ERROR = 0.05;
 static const double PASSES_MOST = 16.0;
 
-struct pp_vec3 *pp_hemisphere_corners(int side)
+struct pp_vec3 *pp_cache_hemisphere_corners(int side)
 {
     size_t count = (size_t)(side + 1) * (size_t)(side + 1);
     struct pp_vec3 *corners = malloc(count * sizeof *corners);
     for (int j = 0; corners && j <= side; j++)
         for (int i = 0; i <= side; i++)
             corners[j * (side + 1) + i] =
-                pp_sample_cosine_hemisphere((double)i / side, (double)j / side);
+                pp_lobe_sample_cosine((double)i / side, (double)j / side);
     return corners;
 }
 
-static struct pp_vec3 to_world(const struct pp_hemisphere *h, struct pp_vec3 v)
+static struct pp_vec3 to_world(const struct pp_cache_hemisphere *h, struct pp_vec3 v)
 {
-    return pp_along(pp_along(pp_scale(h->a, v.x), v.y, h->b), v.z, h->normal);
+    return pp_vec_along(pp_vec_along(pp_vec_scale(h->a, v.x), v.y, h->b), v.z,
+                        h->normal);
 }
 
-static struct pp_vec3 to_frame(const struct pp_hemisphere *h, struct pp_vec3 v)
+static struct pp_vec3 to_frame(const struct pp_cache_hemisphere *h, struct pp_vec3 v)
 {
-    return pp_vec(pp_dot(v, h->a), pp_dot(v, h->b), pp_dot(v, h->normal));
+    return pp_vec(pp_vec_dot(v, h->a), pp_vec_dot(v, h->b), pp_vec_dot(v, h->normal));
 }
 
 /* One ray more into cell k, as path `index`. */
-static void send(struct pp_hemisphere *h, struct pp_radiance_walk *walk,
+static void send(struct pp_cache_hemisphere *h, struct pp_radiance_state *state,
                  const struct pp_cache_place *place, int k, uint32_t index)
 {
-    struct pp_hemisphere_cell *cell = &h->cells[k];
+    struct pp_cache_hemisphere_cell *cell = &h->cells[k];
     double u[2];
-    walk->index = index;
-    pp_sequence_draw(&walk->sequence, index, 0, 2, u);
-    struct pp_vec3 to = pp_sample_cosine_hemisphere((k % h->side + u[0]) / h->side,
-                                                    (k / h->side + u[1]) / h->side);
+    state->index = index;
+    pp_sobol_sequence_draw(&state->sequence, index, 0, 2, u);
+    struct pp_vec3 to = pp_lobe_sample_cosine((k % h->side + u[0]) / h->side,
+                                              (k / h->side + u[1]) / h->side);
     struct pp_light_ray ray = {place->point, place->normal, to_world(h, to),
                                place->space};
     struct pp_light_hit hit;
-    struct pp_rgb radiance = pp_radiance_indirect(walk, &ray, &hit);
+    struct pp_rgb radiance = pp_radiance_indirect(state, &ray, &hit);
     if (cell->samples == 0.0) {
         cell->to = to;
         cell->distance_m = hit.part >= 0 ? fmax(hit.distance_m, NEAREST_M) : INFINITY;
@@ -61,7 +62,7 @@ static void send(struct pp_hemisphere *h, struct pp_radiance_walk *walk,
 
 /* How much the neighbours' luminances differ from each other. The cell's own is left
  * out: were it sampled again because it came out high, the mean would be drawn down. */
-static double unrest_about(const struct pp_hemisphere *h, int k)
+static double contrast_about(const struct pp_cache_hemisphere *h, int k)
 {
     int n = h->side, i = k % n, j = k / n, count = 0;
     double seen[4], mean = 0.0, sum = 0.0;
@@ -80,29 +81,29 @@ static double unrest_about(const struct pp_hemisphere *h, int k)
     return sqrt(sum);
 }
 
-/* Rays are dealt out in proportion to the unrest, cell by cell, parts of one carried
+/* Rays are dealt out in proportion to the contrast, cell by cell, parts of one carried
  * over. */
-static void supersample(struct pp_hemisphere *h, struct pp_radiance_walk *walk,
+static void supersample(struct pp_cache_hemisphere *h, struct pp_radiance_state *state,
                         const struct pp_cache_place *place, int count)
 {
     int cells = h->side * h->side;
     double total = 0.0, due = 0.0, dealt = 0.0;
     for (int k = 0; k < cells; k++)
-        total += h->cells[k].unrest = unrest_about(h, k);
+        total += h->cells[k].contrast = contrast_about(h, k);
     if (!(total > 0.0))
         return;
     uint32_t index = (uint32_t)cells;
     for (int k = 0; k < cells; k++) {
-        due += h->cells[k].unrest / total * count;
+        due += h->cells[k].contrast / total * count;
         for (; dealt + 1.0 <= due; dealt += 1.0)
-            send(h, walk, place, k, index++);
+            send(h, state, place, k, index++);
     }
 }
 
 /* The irradiance's standard error over itself, by how much cells differ from the next
  * in their row: what changes across the hemisphere counts too, so it is rather more
  * than less. */
-static double relative_error(const struct pp_hemisphere *h)
+static double relative_error(const struct pp_cache_hemisphere *h)
 {
     double sum = 0.0, squares = 0.0;
     for (int k = 0; k < h->side * h->side; k++) {
@@ -118,7 +119,7 @@ static double relative_error(const struct pp_hemisphere *h)
 
 /* Where few of the rays bring most of the light, as far from a window, more are sent
  * into all cells until the error is about what it should be. */
-static void settle(struct pp_hemisphere *h, struct pp_radiance_walk *walk,
+static void settle(struct pp_cache_hemisphere *h, struct pp_radiance_state *state,
                    const struct pp_cache_place *place, uint32_t index)
 {
     double more = relative_error(h) / ERROR;
@@ -126,22 +127,23 @@ static void settle(struct pp_hemisphere *h, struct pp_radiance_walk *walk,
     int cells = h->side * h->side;
     for (int pass = 0; pass < passes; pass++)
         for (int k = 0; k < cells; k++)
-            send(h, walk, place, k, index++);
+            send(h, state, place, k, index++);
 }
 
-void pp_hemisphere_sample(struct pp_hemisphere *h, struct pp_radiance_walk *walk,
-                          const struct pp_cache_place *place, int supersamples)
+void pp_cache_hemisphere_sample(struct pp_cache_hemisphere *h,
+                                struct pp_radiance_state *state,
+                                const struct pp_cache_place *place, int supersamples)
 {
     int cells = h->side * h->side;
     h->normal = place->normal;
-    pp_frame_about(h->normal, &h->a, &h->b);
+    pp_lobe_frame(h->normal, &h->a, &h->b);
     for (int k = 0; k < cells; k++) {
-        h->cells[k] = (struct pp_hemisphere_cell){.samples = 0.0};
-        send(h, walk, place, k, (uint32_t)k);
+        h->cells[k] = (struct pp_cache_hemisphere_cell){.samples = 0.0};
+        send(h, state, place, k, (uint32_t)k);
     }
     if (supersamples > 0)
-        supersample(h, walk, place, supersamples);
-    settle(h, walk, place, (uint32_t)(cells + supersamples));
+        supersample(h, state, place, supersamples);
+    settle(h, state, place, (uint32_t)(cells + supersamples));
     struct pp_rgb sum = pp_rgb_grey(0.0);
     for (int k = 0; k < cells; k++)
         sum = pp_rgb_add(sum, h->cells[k].radiance);

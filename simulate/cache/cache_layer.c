@@ -26,9 +26,10 @@ static void meet_neighbour(void *context, int record)
     struct meeting *meeting = context;
     struct pp_cache_entry *other = &meeting->layer->entries[record];
     if (other->is.space != meeting->entry->is.space
-        || pp_dot(other->is.normal, meeting->entry->is.normal) < 0.0)
+        || pp_vec_dot(other->is.normal, meeting->entry->is.normal) < 0.0)
         return;
-    double distance = pp_length(pp_sub(other->is.point, meeting->entry->is.point));
+    double distance =
+        pp_vec_length(pp_vec_sub(other->is.point, meeting->entry->is.point));
     limit(meeting->entry, other, distance);
     limit(other, meeting->entry, distance);
 }
@@ -52,9 +53,9 @@ enum pp_status pp_cache_layer_put(struct pp_cache_layer *layer,
         layer->entry_space = space;
     }
     layer->entries[layer->entry_count] = *entry;
-    pp_cache_entry_alone(&layer->entries[layer->entry_count]);
-    enum pp_status status = pp_octree_add(&layer->tree, layer->entry_count,
-                                          entry->is.point, reach_of(entry), err);
+    pp_cache_entry_unsmooth(&layer->entries[layer->entry_count]);
+    enum pp_status status = pp_cache_octree_add(&layer->tree, layer->entry_count,
+                                                entry->is.point, reach_of(entry), err);
     layer->entry_count += status == PP_OK;
     return status;
 }
@@ -65,17 +66,18 @@ enum pp_status pp_cache_layer_add(struct pp_cache_layer *layer,
 {
     struct pp_cache_entry fitted = *entry;
     struct meeting meeting = {layer, &fitted};
-    pp_octree_about(&layer->tree, fitted.is.point, reach_of(&fitted), meet_neighbour,
-                    &meeting);
+    pp_cache_octree_visit_near(&layer->tree, fitted.is.point, reach_of(&fitted),
+                               meet_neighbour, &meeting);
     return pp_cache_layer_put(layer, &fitted, err);
 }
 
-enum pp_status pp_cache_layer_settle(struct pp_cache_layer *layer, struct pp_error *err)
+enum pp_status pp_cache_layer_rebuild_tree(struct pp_cache_layer *layer,
+                                           struct pp_error *err)
 {
-    enum pp_status status = pp_octree_empty(&layer->tree, err);
+    enum pp_status status = pp_cache_octree_reset(&layer->tree, err);
     for (int i = 0; status == PP_OK && i < layer->entry_count; i++)
-        status = pp_octree_add(&layer->tree, i, layer->entries[i].is.point,
-                               reach_of(&layer->entries[i]), err);
+        status = pp_cache_octree_add(&layer->tree, i, layer->entries[i].is.point,
+                                     reach_of(&layer->entries[i]), err);
     return status;
 }
 
@@ -85,9 +87,10 @@ bool pp_cache_layer_read(const struct pp_cache_layer *layer,
 {
     struct pp_rgb sum = pp_rgb_grey(0.0);
     double weights = 0.0, nearest = INFINITY, guess = 0.0;
-    struct pp_octree_way way = pp_octree_way(&layer->tree, place->point);
+    struct pp_cache_octree_iterator way =
+        pp_cache_octree_iterator(&layer->tree, place->point);
     int record;
-    while (pp_octree_next(&way, &record)) {
+    while (pp_cache_octree_next(&way, &record)) {
         const struct pp_cache_entry *entry = &layer->entries[record];
         double distance = pp_cache_entry_distance(entry, place);
         if (distance < nearest && distance < 1e9) {

@@ -13,11 +13,12 @@ struct cube {
     double size_m;
 };
 
-static enum pp_status new_cell(struct pp_octree *tree, int *cell, struct pp_error *err)
+static enum pp_status new_cell(struct pp_cache_octree *tree, int *cell,
+                               struct pp_error *err)
 {
     if (tree->cell_count == tree->cell_space) {
         int space = tree->cell_space ? 2 * tree->cell_space : 256;
-        struct pp_octree_cell *cells =
+        struct pp_cache_octree_cell *cells =
             realloc(tree->cells, (size_t)space * sizeof *cells);
         if (!cells)
             return pp_fail_memory(err);
@@ -25,38 +26,38 @@ static enum pp_status new_cell(struct pp_octree *tree, int *cell, struct pp_erro
         tree->cell_space = space;
     }
     *cell = tree->cell_count++;
-    tree->cells[*cell] = (struct pp_octree_cell){.first = -1};
+    tree->cells[*cell] = (struct pp_cache_octree_cell){.first = -1};
     return PP_OK;
 }
 
-enum pp_status pp_octree_init(struct pp_octree *tree, struct pp_vec3 low, double size_m,
-                              struct pp_error *err)
+enum pp_status pp_cache_octree_init(struct pp_cache_octree *tree, struct pp_vec3 low,
+                                    double size_m, struct pp_error *err)
 {
-    *tree = (struct pp_octree){.low = low, .size_m = size_m};
+    *tree = (struct pp_cache_octree){.low = low, .size_m = size_m};
     int root;
     return new_cell(tree, &root, err);
 }
 
-void pp_octree_clear(struct pp_octree *tree)
+void pp_cache_octree_clear(struct pp_cache_octree *tree)
 {
     free(tree->cells);
     free(tree->links);
-    *tree = (struct pp_octree){.cells = NULL};
+    *tree = (struct pp_cache_octree){.cells = NULL};
 }
 
-enum pp_status pp_octree_empty(struct pp_octree *tree, struct pp_error *err)
+enum pp_status pp_cache_octree_reset(struct pp_cache_octree *tree, struct pp_error *err)
 {
     int root;
     tree->cell_count = tree->link_count = 0;
     return new_cell(tree, &root, err);
 }
 
-static struct cube root_of(const struct pp_octree *tree)
+static struct cube root_of(const struct pp_cache_octree *tree)
 {
     return (struct cube){0, tree->low, tree->size_m};
 }
 
-static struct cube child_of(const struct pp_octree *tree, const struct cube *cube,
+static struct cube child_of(const struct pp_cache_octree *tree, const struct cube *cube,
                             int which)
 {
     double half = 0.5 * cube->size_m;
@@ -69,7 +70,7 @@ static struct cube child_of(const struct pp_octree *tree, const struct cube *cub
 
 static bool touches(const struct cube *cube, struct pp_vec3 point, double radius_m)
 {
-    struct pp_vec3 off = pp_sub(point, cube->low);
+    struct pp_vec3 off = pp_vec_sub(point, cube->low);
     double most = cube->size_m + radius_m;
     return off.x >= -radius_m && off.x <= most && off.y >= -radius_m && off.y <= most
            && off.z >= -radius_m && off.z <= most;
@@ -80,12 +81,12 @@ static bool holds(const struct cube *cube, struct pp_vec3 point)
     return touches(cube, point, 0.0);
 }
 
-static enum pp_status add_link(struct pp_octree *tree, int cell, int record,
+static enum pp_status add_link(struct pp_cache_octree *tree, int cell, int record,
                                struct pp_error *err)
 {
     if (tree->link_count == tree->link_space) {
         int space = tree->link_space ? 2 * tree->link_space : 1024;
-        struct pp_octree_link *links =
+        struct pp_cache_octree_link *links =
             realloc(tree->links, (size_t)space * sizeof *links);
         if (!links)
             return pp_fail_memory(err);
@@ -93,14 +94,14 @@ static enum pp_status add_link(struct pp_octree *tree, int cell, int record,
         tree->link_space = space;
     }
     tree->links[tree->link_count] =
-        (struct pp_octree_link){record, tree->cells[cell].first};
+        (struct pp_cache_octree_link){record, tree->cells[cell].first};
     tree->cells[cell].first = tree->link_count++;
     return PP_OK;
 }
 
-static enum pp_status add_below(struct pp_octree *tree, struct cube cube, int record,
-                                struct pp_vec3 point, double radius_m, int level,
-                                struct pp_error *err)
+static enum pp_status add_below(struct pp_cache_octree *tree, struct cube cube,
+                                int record, struct pp_vec3 point, double radius_m,
+                                int level, struct pp_error *err)
 {
     if (cube.size_m < 3.0 * radius_m || level >= MOST_LEVELS)
         return add_link(tree, cube.cell, record, err);
@@ -122,8 +123,9 @@ static enum pp_status add_below(struct pp_octree *tree, struct cube cube, int re
     return PP_OK;
 }
 
-enum pp_status pp_octree_add(struct pp_octree *tree, int record, struct pp_vec3 point,
-                             double radius_m, struct pp_error *err)
+enum pp_status pp_cache_octree_add(struct pp_cache_octree *tree, int record,
+                                   struct pp_vec3 point, double radius_m,
+                                   struct pp_error *err)
 {
     struct cube root = root_of(tree);
     if (!holds(&root, point))
@@ -131,13 +133,14 @@ enum pp_status pp_octree_add(struct pp_octree *tree, int record, struct pp_vec3 
     return add_below(tree, root, record, point, radius_m, 0, err);
 }
 
-struct pp_octree_way pp_octree_way(const struct pp_octree *tree, struct pp_vec3 point)
+struct pp_cache_octree_iterator pp_cache_octree_iterator(
+    const struct pp_cache_octree *tree, struct pp_vec3 point)
 {
-    return (struct pp_octree_way){tree,         point, tree->low,
-                                  tree->size_m, 0,     tree->cells[0].first};
+    return (struct pp_cache_octree_iterator){tree,         point, tree->low,
+                                             tree->size_m, 0,     tree->cells[0].first};
 }
 
-bool pp_octree_next(struct pp_octree_way *way, int *record)
+bool pp_cache_octree_next(struct pp_cache_octree_iterator *way, int *record)
 {
     while (way->link < 0) {
         struct cube cube = {way->cell, way->low, way->size_m};
@@ -158,7 +161,7 @@ bool pp_octree_next(struct pp_octree_way *way, int *record)
     return true;
 }
 
-static void visit_below(const struct pp_octree *tree, struct cube cube,
+static void visit_below(const struct pp_cache_octree *tree, struct cube cube,
                         struct pp_vec3 point, double radius_m,
                         void (*visit)(void *context, int record), void *context)
 {
@@ -171,9 +174,9 @@ static void visit_below(const struct pp_octree *tree, struct cube cube,
     }
 }
 
-void pp_octree_about(const struct pp_octree *tree, struct pp_vec3 point,
-                     double radius_m, void (*visit)(void *context, int record),
-                     void *context)
+void pp_cache_octree_visit_near(const struct pp_cache_octree *tree,
+                                struct pp_vec3 point, double radius_m,
+                                void (*visit)(void *context, int record), void *context)
 {
     visit_below(tree, root_of(tree), point, radius_m, visit, context);
 }

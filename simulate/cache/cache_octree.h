@@ -3,8 +3,8 @@
  * A record stands in every cell of about its own size that its ellipse's box touches,
  * so that all that speak for a point are met on one way from the root down.
  */
-#ifndef PP_SIMULATE_CACHE_OCTREE_H
-#define PP_SIMULATE_CACHE_OCTREE_H
+#ifndef PP_SIMULATE_CACHE_CACHE_OCTREE_H
+#define PP_SIMULATE_CACHE_CACHE_OCTREE_H
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -12,50 +12,54 @@
 #include "model/base/error.h"
 #include "model/geometry/vec.h"
 
-struct pp_octree_cell {
+struct pp_cache_octree_cell {
     int children[8]; /* 0: none */
     int first;       /* of its links; -1: none */
 };
 
-struct pp_octree_link {
+struct pp_cache_octree_link {
     int record, next;
 };
 
-struct pp_octree {
+struct pp_cache_octree {
     struct pp_vec3 low;
     double size_m;
-    struct pp_octree_cell *cells;
+    struct pp_cache_octree_cell *cells;
     int cell_count, cell_space;
-    struct pp_octree_link *links;
+    struct pp_cache_octree_link *links;
     int link_count, link_space;
 };
 
 /* low and size_m: the cube that all points should lie in; those outside are kept at
  * its root. */
-enum pp_status pp_octree_init(struct pp_octree *tree, struct pp_vec3 low, double size_m,
-                              struct pp_error *err);
-void pp_octree_clear(struct pp_octree *tree);
+enum pp_status pp_cache_octree_init(struct pp_cache_octree *tree, struct pp_vec3 low,
+                                    double size_m, struct pp_error *err);
+void pp_cache_octree_clear(struct pp_cache_octree *tree);
 
 /* Forgets the records but not the box. */
-enum pp_status pp_octree_empty(struct pp_octree *tree, struct pp_error *err);
+enum pp_status pp_cache_octree_reset(struct pp_cache_octree *tree,
+                                     struct pp_error *err);
 
-enum pp_status pp_octree_add(struct pp_octree *tree, int record, struct pp_vec3 point,
-                             double radius_m, struct pp_error *err);
+enum pp_status pp_cache_octree_add(struct pp_cache_octree *tree, int record,
+                                   struct pp_vec3 point, double radius_m,
+                                   struct pp_error *err);
 
 /* The records of the cells about a point, one by one. */
-struct pp_octree_way {
-    const struct pp_octree *tree;
+struct pp_cache_octree_iterator {
+    const struct pp_cache_octree *tree;
     struct pp_vec3 point, low;
     double size_m;
     int cell, link;
 };
-struct pp_octree_way pp_octree_way(const struct pp_octree *tree, struct pp_vec3 point);
-bool pp_octree_next(struct pp_octree_way *way, int *record);
+struct pp_cache_octree_iterator pp_cache_octree_iterator(
+    const struct pp_cache_octree *tree, struct pp_vec3 point);
+bool pp_cache_octree_next(struct pp_cache_octree_iterator *way, int *record);
 
 /* Calls `visit` for each record (more than once maybe) in cells that the box of
  * half-width radius_m about point touches. */
-void pp_octree_about(const struct pp_octree *tree, struct pp_vec3 point,
-                     double radius_m, void (*visit)(void *context, int record),
-                     void *context);
+void pp_cache_octree_visit_near(const struct pp_cache_octree *tree,
+                                struct pp_vec3 point, double radius_m,
+                                void (*visit)(void *context, int record),
+                                void *context);
 
 #endif

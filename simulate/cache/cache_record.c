@@ -15,8 +15,8 @@ static const double NEAREST = 4.0;
 /* Rays lower than this sine of altitude tell how far the surface is clear. */
 static const double LOW = 0.4;
 
-void pp_cache_ellipse(const double curvature[3], double error, double most_m,
-                      double radii_m[2], double axes[2][2])
+void pp_cache_record_ellipse(const double curvature[3], double error, double most_m,
+                             double radii_m[2], double axes[2][2])
 {
     double mean = 0.5 * (curvature[0] + curvature[2]);
     double half = 0.5 * (curvature[0] - curvature[2]);
@@ -72,41 +72,43 @@ static void sector_border(int s, double u[2])
 
 /* How far off the plane that the cell has met stands in direction u of the surface;
  * INFINITY if it does not stand there. */
-static double plane_distance(const struct pp_hemisphere_cell *cell, const double u[2])
+static double plane_distance(const struct pp_cache_hemisphere_cell *cell,
+                             const double u[2])
 {
     double length = hypot(u[0], u[1]);
     double towards = (cell->facing.x * u[0] + cell->facing.y * u[1]) / length;
-    double off = cell->distance_m * pp_dot(cell->facing, cell->to);
+    double off = cell->distance_m * pp_vec_dot(cell->facing, cell->to);
     return towards < 0.0 && off < 0.0 ? off / towards : INFINITY;
 }
 
 /* The least distance along the surface, anywhere in the sector, of the plane that the
  * cell has met. */
-static double clear_of(const struct pp_hemisphere_cell *cell, int sector)
+static double clear_of(const struct pp_cache_hemisphere_cell *cell, int sector)
 {
     double ends[2][2], square[2] = {-cell->facing.x, -cell->facing.y};
     sector_border(sector, ends[0]);
     sector_border(sector + 1, ends[1]);
     double clear = fmin(plane_distance(cell, ends[0]), plane_distance(cell, ends[1]));
     if (hypot(square[0], square[1]) > 1e-9
-        && pp_cache_sector(square[0], square[1]) == sector)
+        && pp_cache_entry_sector(square[0], square[1]) == sector)
         clear = fmin(clear, plane_distance(cell, square));
     return clear;
 }
 
 /* How far the surface is clear all round, by what low rays met: in their sector, and in
  * the next ones, which none may have come into. */
-static void look_round(const struct pp_hemisphere *h, struct pp_cache_entry *entry)
+static void look_round(const struct pp_cache_hemisphere *h,
+                       struct pp_cache_entry *entry)
 {
     int n = h->side;
     for (int i = 0; i < PP_CACHE_SECTORS; i++)
         entry->horizon_m[i] = INFINITY;
     for (int k = 0; k < n * n; k++) {
-        const struct pp_hemisphere_cell *cell = &h->cells[k];
+        const struct pp_cache_hemisphere_cell *cell = &h->cells[k];
         bool rim = k % n == 0 || k % n == n - 1 || k < n || k >= n * (n - 1);
         if ((cell->to.z > LOW && !rim) || !isfinite(cell->distance_m))
             continue;
-        int own = pp_cache_sector(cell->to.x, cell->to.y);
+        int own = pp_cache_entry_sector(cell->to.x, cell->to.y);
         for (int step = -1; step <= 1; step++) {
             int sector = (own + step + PP_CACHE_SECTORS) % PP_CACHE_SECTORS;
             double clear = clear_of(cell, sector);
@@ -135,7 +137,7 @@ static void limit_gradient(struct pp_cache_record *is, double value,
         change[i] = is->radii_m[i] * (along[0] * axes[i][0] + along[1] * axes[i][1]);
     double most = hypot(change[0], change[1]);
     for (int c = 0; most > value && c < 3; c++)
-        is->along[c] = pp_scale(is->along[c], value / most);
+        is->along[c] = pp_vec_scale(is->along[c], value / most);
 }
 
 /* The greatest second derivative, less what may be noise. */
@@ -147,17 +149,19 @@ static double sure_curvature(const double curvature[3], double noise)
     return greatest > noise ? sqrt(greatest * greatest - noise * noise) : 0.0;
 }
 
-void pp_cache_work(const struct pp_cache_maker *maker, struct pp_radiance_walk *walk,
-                   const struct pp_cache_place *place, struct pp_hemisphere_cell *cells,
-                   struct pp_cache_entry *entry)
+void pp_cache_record_compute(const struct pp_cache_record_settings *settings,
+                             struct pp_radiance_state *state,
+                             const struct pp_cache_place *place,
+                             struct pp_cache_hemisphere_cell *cells,
+                             struct pp_cache_entry *entry)
 {
-    struct pp_hemisphere h = {.side = maker->side,
-                              .corners = maker->corners,
-                              .cells = cells,
-                              .nearest_m = NEAREST * maker->least_m};
+    struct pp_cache_hemisphere h = {.side = settings->side,
+                                    .corners = settings->corners,
+                                    .cells = cells,
+                                    .nearest_m = NEAREST * settings->least_m};
     struct pp_irradiance_change change;
-    pp_hemisphere_sample(&h, walk, place, maker->supersamples);
-    pp_hemisphere_change(&h, &change);
+    pp_cache_hemisphere_sample(&h, state, place, settings->supersamples);
+    pp_cache_derivatives_hemisphere(&h, &change);
 
     struct pp_cache_record *is = &entry->is;
     is->point = place->point;
@@ -167,10 +171,10 @@ void pp_cache_work(const struct pp_cache_maker *maker, struct pp_radiance_walk *
     entry->a = h.a;
     entry->b = h.b;
     for (int c = 0; c < 3; c++) {
-        is->along[c] =
-            pp_along(pp_scale(h.a, change.along[c][0]), change.along[c][1], h.b);
-        is->turned[c] =
-            pp_along(pp_scale(h.a, change.turned[c][0]), change.turned[c][1], h.b);
+        is->along[c] = pp_vec_along(pp_vec_scale(h.a, change.along[c][0]),
+                                    change.along[c][1], h.b);
+        is->turned[c] = pp_vec_along(pp_vec_scale(h.a, change.turned[c][0]),
+                                     change.turned[c][1], h.b);
     }
     entry->along_noise = change.along_noise;
     look_round(&h, entry);
@@ -182,13 +186,15 @@ void pp_cache_work(const struct pp_cache_maker *maker, struct pp_radiance_walk *
             pp_rgb(change.along[0][i], change.along[1][i], change.along[2][i]));
     for (int i = 0; value > 0.0 && i < 3; i++)
         relative[i] = change.curvature[i] / value;
-    entry->curvature = sure_curvature(relative, maker->noise * change.curvature_noise);
-    pp_cache_ellipse(relative, maker->error, maker->most_m, is->radii_m, axes);
+    entry->curvature =
+        sure_curvature(relative, settings->noise * change.curvature_noise);
+    pp_cache_record_ellipse(relative, settings->error, settings->most_m, is->radii_m,
+                            axes);
     for (int i = 0; i < 2; i++) {
-        is->axes[i] = pp_along(pp_scale(h.a, axes[i][0]), axes[i][1], h.b);
+        is->axes[i] = pp_vec_along(pp_vec_scale(h.a, axes[i][0]), axes[i][1], h.b);
         is->radii_m[i] =
             fmax(limit_by_gradient(is->radii_m[i], value, luminance, axes[i]),
-                 maker->least_m);
+                 settings->least_m);
     }
     limit_gradient(is, value, luminance, axes);
 }

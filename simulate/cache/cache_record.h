@@ -1,11 +1,11 @@
 /* cache_record.h - one record worked out: hemisphere, derivatives, ellipse. */
-#ifndef PP_SIMULATE_CACHE_WORK_H
-#define PP_SIMULATE_CACHE_WORK_H
+#ifndef PP_SIMULATE_CACHE_CACHE_RECORD_H
+#define PP_SIMULATE_CACHE_CACHE_RECORD_H
 
 #include "simulate/cache/cache_hemisphere.h"
 
 /* What records of one depth are made by; not owned. */
-struct pp_cache_maker {
+struct pp_cache_record_settings {
     int side; /* of the hemispheres */
     int supersamples;
     const struct pp_vec3 *corners;
@@ -14,10 +14,12 @@ struct pp_cache_maker {
     double least_m, most_m; /* radii */
 };
 
-/* walk has all but its index. cells: room for side^2. */
-void pp_cache_work(const struct pp_cache_maker *maker, struct pp_radiance_walk *walk,
-                   const struct pp_cache_place *place, struct pp_hemisphere_cell *cells,
-                   struct pp_cache_entry *entry);
+/* state has all but its index. cells: room for side^2. */
+void pp_cache_record_compute(const struct pp_cache_record_settings *settings,
+                             struct pp_radiance_state *state,
+                             const struct pp_cache_place *place,
+                             struct pp_cache_hemisphere_cell *cells,
+                             struct pp_cache_entry *entry);
 
 /* The ellipse within which a record is good, of its relative second derivatives aa, ab,
  * bb (1/m2) [SWJ12]:
@@ -26,7 +28,7 @@ void pp_cache_work(const struct pp_cache_maker *maker, struct pp_radiance_walk *
  *
  * l_i the eigenvalues: then the integral of the error over a disc of that radius is
  * `error`. The smaller radius comes first; axes as parts along a and b. */
-void pp_cache_ellipse(const double curvature[3], double error, double most_m,
-                      double radii_m[2], double axes[2][2]);
+void pp_cache_record_ellipse(const double curvature[3], double error, double most_m,
+                             double radii_m[2], double axes[2][2]);
 
 #endif

@@ -61,10 +61,10 @@ static void add_equation(struct fit *fit, double weight, const double row[3],
 /* What one record says at its own place to a surface with normal n. */
 static struct pp_rgb turned_to(const struct pp_cache_record *is, struct pp_vec3 n)
 {
-    struct pp_vec3 turn = pp_sub(n, is->normal);
-    return pp_rgb(is->value.r + pp_dot(is->turned[0], turn),
-                  is->value.g + pp_dot(is->turned[1], turn),
-                  is->value.b + pp_dot(is->turned[2], turn));
+    struct pp_vec3 turn = pp_vec_sub(n, is->normal);
+    return pp_rgb(is->value.r + pp_vec_dot(is->turned[0], turn),
+                  is->value.g + pp_vec_dot(is->turned[1], turn),
+                  is->value.b + pp_vec_dot(is->turned[2], turn));
 }
 
 static struct pp_cache_place place_of(const struct pp_cache_record *is)
@@ -72,7 +72,7 @@ static struct pp_cache_place place_of(const struct pp_cache_record *is)
     return (struct pp_cache_place){is->point, is->normal, is->space};
 }
 
-static void hear(void *context, int record)
+static void add_neighbour(void *context, int record)
 {
     struct fit *fit = context;
     if (record == fit->number || fit->met[record] == fit->number)
@@ -80,7 +80,7 @@ static void hear(void *context, int record)
     fit->met[record] = fit->number;
     const struct pp_cache_entry *other = &fit->layer->entries[record];
     const struct pp_cache_record *is = &fit->entry->is;
-    const struct pp_cache_maker *maker = &fit->layer->maker;
+    const struct pp_cache_record_settings *settings = &fit->layer->settings;
     struct pp_cache_place here = place_of(is), there = place_of(&other->is);
     double distance = fmax(pp_cache_entry_distance(fit->entry, &there),
                            pp_cache_entry_distance(other, &here));
@@ -88,20 +88,20 @@ static void hear(void *context, int record)
         return;
     double radius = is->radii_m[0];
     double bend = 0.5 * fit->entry->curvature * radius * radius * distance * distance
-                  / maker->noise;
+                  / settings->noise;
     if (!(bend < MOST_BEND))
         return;
     double spread2 = 1.0 + bend * bend;
     struct pp_rgb says = turned_to(&other->is, is->normal);
     double expected = pp_rgb_luminance(pp_cache_entry_read(fit->entry, &there));
     double off = fabs(pp_rgb_luminance(says) - expected)
-                 / (maker->noise * pp_rgb_luminance(is->value));
-    struct pp_vec3 away = pp_sub(other->is.point, is->point);
-    double steep = pp_length(away) * fit->entry->along_noise;
+                 / (settings->noise * pp_rgb_luminance(is->value));
+    struct pp_vec3 away = pp_vec_sub(other->is.point, is->point);
+    double steep = pp_vec_length(away) * fit->entry->along_noise;
     if (!(off * off < STRANGE * STRANGE * (spread2 + 1.0 + steep * steep)))
         return;
-    const double row[3] = {1.0, pp_dot(away, fit->entry->a) / radius,
-                           pp_dot(away, fit->entry->b) / radius};
+    const double row[3] = {1.0, pp_vec_dot(away, fit->entry->a) / radius,
+                           pp_vec_dot(away, fit->entry->b) / radius};
     add_equation(fit, 1.0 / spread2, row, says);
 }
 
@@ -119,37 +119,38 @@ static void solve(const double m[6], const double right[3], double x[3])
     x[0] = (y0 - l10 * x[1] - l20 * x[2]) / l00;
 }
 
-static void agree(struct fit *fit, struct pp_cache_entry *entry)
+static void smooth(struct fit *fit, struct pp_cache_entry *entry)
 {
     const struct pp_cache_record *is = &entry->is;
     double radius = is->radii_m[0], x[3][3];
     double noise = entry->along_noise * radius;
     double sure = 1.0 / fmin(fmax(noise, LEAST_NOISE), 1.0 / LEAST_NOISE);
-    pp_cache_entry_alone(entry);
+    pp_cache_entry_unsmooth(entry);
     for (int i = 0; i < 3; i++) {
         const double row[3] = {i == 0, i == 1, i == 2};
         const struct pp_vec3 axis = i == 1 ? entry->a : entry->b;
         add_equation(fit, i == 0 ? 1.0 : sure * sure, row,
                      i == 0 ? is->value
-                            : pp_rgb_scale(pp_rgb(pp_dot(is->along[0], axis),
-                                                  pp_dot(is->along[1], axis),
-                                                  pp_dot(is->along[2], axis)),
+                            : pp_rgb_scale(pp_rgb(pp_vec_dot(is->along[0], axis),
+                                                  pp_vec_dot(is->along[1], axis),
+                                                  pp_vec_dot(is->along[2], axis)),
                                            radius));
     }
-    double slow = fit->layer->maker.noise * fit->layer->maker.most_m / radius;
+    double slow = fit->layer->settings.noise * fit->layer->settings.most_m / radius;
     fit->matrix[3] += slow * slow;
     fit->matrix[5] += slow * slow;
-    pp_octree_about(&fit->layer->tree, is->point,
-                    NEAR * fmax(is->radii_m[0], is->radii_m[1]), hear, fit);
+    pp_cache_octree_visit_near(&fit->layer->tree, is->point,
+                               NEAR * fmax(is->radii_m[0], is->radii_m[1]),
+                               add_neighbour, fit);
     for (int c = 0; c < 3; c++) {
         solve(fit->matrix, fit->right[c], x[c]);
-        entry->along[c] =
-            pp_along(pp_scale(entry->a, x[c][1] / radius), x[c][2] / radius, entry->b);
+        entry->along[c] = pp_vec_along(pp_vec_scale(entry->a, x[c][1] / radius),
+                                       x[c][2] / radius, entry->b);
     }
     entry->value = pp_rgb(fmax(x[0][0], 0.0), fmax(x[1][0], 0.0), fmax(x[2][0], 0.0));
 }
 
-enum pp_status pp_cache_layer_agree(struct pp_cache_layer *layer, struct pp_error *err)
+enum pp_status pp_cache_smooth_layer(struct pp_cache_layer *layer, struct pp_error *err)
 {
     int *met = malloc(((size_t)layer->entry_count + 1) * sizeof *met);
     if (!met)
@@ -160,7 +161,7 @@ enum pp_status pp_cache_layer_agree(struct pp_cache_layer *layer, struct pp_erro
         struct pp_cache_entry *entry = &layer->entries[i];
         struct fit fit = {.layer = layer, .entry = entry, .number = i, .met = met};
         if (entry->is.radii_m[0] > 0.0 && pp_rgb_luminance(entry->is.value) > 0.0)
-            agree(&fit, entry);
+            smooth(&fit, entry);
     }
     free(met);
     return PP_OK;

@@ -15,7 +15,7 @@ enum {
     RANDOMISATIONS = 32,
     FIRST_PATHS = 16,
     MOST_PATHS = 1 << 16,
-    PLANE_WISHES = 16, /* points of the plane whose surroundings are wished for */
+    PLANE_REQUESTS = 16, /* points of the plane whose surroundings are wished for */
 };
 
 /* As the tracer's: 0.002 % daylight factor. */
@@ -37,7 +37,7 @@ struct sum {
     uint32_t paths;
 };
 
-struct point {
+struct cached_point {
     bool plane; /* the average over the working plane */
     struct pp_vec3 position, normal;
     enum pp_space space;
@@ -54,7 +54,7 @@ struct pp_cached_points {
     struct pp_irradiance_cache *cache;
     struct pp_cached_options options;
     struct pp_sobol sobol;
-    struct point *points; /* the receivers, then the average if it is wanted */
+    struct cached_point *points; /* the receivers, then the average if it is wanted */
     int point_count, receiver_count;
     bool grown;      /* is the cache done, and what is interpolated read? */
     int *unfinished; /* of the round at hand */
@@ -73,29 +73,29 @@ struct pp_radiance_options pp_cached_points_light(void)
 static struct pp_vec3 plane_point(const struct pp_cached_points *points, double u,
                                   double v)
 {
-    return pp_add(pp_scene_plane_point(points->scene->room, u, v),
-                  points->scene->centre);
+    return pp_vec_add(pp_ray_scene_plane_point(points->scene->room, u, v),
+                      points->scene->centre);
 }
 
-static enum pp_status wish(struct pp_cached_points *points, const struct point *point,
-                           struct pp_error *err)
+static enum pp_status request(struct pp_cached_points *points,
+                              const struct cached_point *point, struct pp_error *err)
 {
     if (!point->plane)
         return point->by == BY_RECORDS
-                   ? pp_irradiance_cache_want(points->cache, point->position,
-                                              point->normal, point->space, err)
-                   : pp_irradiance_cache_reach(points->cache, point->position,
-                                               point->normal, point->space, err);
-    struct pp_sequence sequence;
-    pp_sequence_init(&sequence, &points->sobol, point->seed);
+                   ? pp_cache_grow_request_point(points->cache, point->position,
+                                                 point->normal, point->space, err)
+                   : pp_cache_grow_request_hemisphere(points->cache, point->position,
+                                                      point->normal, point->space, err);
+    struct pp_sobol_sequence sequence;
+    pp_sobol_sequence_init(&sequence, &points->sobol, point->seed);
     enum pp_status status = PP_OK;
-    for (uint32_t i = 0; status == PP_OK && i < PLANE_WISHES; i++) {
+    for (uint32_t i = 0; status == PP_OK && i < PLANE_REQUESTS; i++) {
         double u[2];
-        pp_sequence_draw(&sequence, i, 0, 2, u);
+        pp_sobol_sequence_draw(&sequence, i, 0, 2, u);
         struct pp_vec3 there = plane_point(points, u[0], u[1]);
-        status =
-            pp_irradiance_cache_reach(points->cache, there, point->normal,
-                                      pp_light_scene_space(points->scene, there), err);
+        status = pp_cache_grow_request_hemisphere(
+            points->cache, there, point->normal,
+            pp_light_scene_space(points->scene, there), err);
     }
     return status;
 }
@@ -107,13 +107,13 @@ static enum reflected_by reflected_by(const struct pp_cached_points *points, boo
     return points->options.interpolate && !plane ? BY_RECORDS : BY_SAMPLES;
 }
 
-static struct point point_of(const struct pp_cached_points *points,
-                             const struct pp_receiver *receiver)
+static struct cached_point point_of(const struct pp_cached_points *points,
+                                    const struct pp_receiver *receiver)
 {
-    struct point point = {.position = receiver->position,
-                          .normal = receiver->normal,
-                          .seed = points->options.seed,
-                          .by = reflected_by(points, false)};
+    struct cached_point point = {.position = receiver->position,
+                                 .normal = receiver->normal,
+                                 .seed = points->options.seed,
+                                 .by = reflected_by(points, false)};
     const double numbers[] = {point.position.x, point.position.y, point.position.z,
                               point.normal.x,   point.normal.y,   point.normal.z};
     for (int i = 0; i < 6; i++)
@@ -138,16 +138,17 @@ static enum pp_status make(struct pp_cached_points *points,
     long samples = points->options.samples;
     enum pp_status status = PP_OK;
     for (int i = 0; status == PP_OK && i < points->point_count; i++) {
-        struct point *point = &points->points[i];
+        struct cached_point *point = &points->points[i];
         if (i < receiver_count)
             *point = point_of(points, &receivers[i]);
         else
-            *point = (struct point){.plane = true,
-                                    .normal = {0.0, 0.0, 1.0},
-                                    .seed = pp_hash(points->options.seed, UINT64_MAX),
-                                    .by = reflected_by(points, true)};
+            *point =
+                (struct cached_point){.plane = true,
+                                      .normal = {0.0, 0.0, 1.0},
+                                      .seed = pp_hash(points->options.seed, UINT64_MAX),
+                                      .by = reflected_by(points, true)};
         point->wanted = samples > 0 ? (uint32_t)samples : FIRST_PATHS;
-        status = wish(points, point, err);
+        status = request(points, point, err);
     }
     return status;
 }
@@ -193,43 +194,45 @@ void pp_cached_points_destroy(struct pp_cached_points *points)
 
 /* ---- one point ---- */
 
-static void one_path(const struct pp_cached_points *points, struct point *point,
-                     struct pp_radiance_walk *walk, uint32_t index, struct sum *sum)
+static void one_path(const struct pp_cached_points *points, struct cached_point *point,
+                     struct pp_radiance_state *state, uint32_t index, struct sum *sum)
 {
     struct pp_vec3 position = point->position;
     enum pp_space space = point->space;
-    walk->index = index;
+    state->index = index;
     if (point->plane) {
         double u[2];
-        pp_sequence_draw(&walk->sequence, index, INT32_MAX / 8, 2, u);
+        pp_sobol_sequence_draw(&state->sequence, index, INT32_MAX / 8, 2, u);
         position = plane_point(points, u[0], u[1]);
         space = pp_light_scene_space(points->scene, position);
     }
     struct pp_irradiance e =
         point->by == BY_SAMPLES
-            ? pp_radiance_irradiance(walk, position, point->normal, space)
-            : pp_radiance_direct(walk, position, point->normal, space);
+            ? pp_radiance_irradiance(state, position, point->normal, space)
+            : pp_radiance_direct(state, position, point->normal, space);
     sum->part[PP_SC] += pp_rgb_luminance(e.sky);
     sum->part[PP_ERC] += pp_rgb_luminance(e.outside);
     sum->part[PP_IRC] += pp_rgb_luminance(pp_rgb_add(e.sources, e.rest));
     sum->paths = index + 1;
 }
 
-static void run(const struct pp_cached_points *points, struct point *point, int k)
+static void run_randomisation(const struct pp_cached_points *points,
+                              struct cached_point *point, int k)
 {
     struct sum *sum = &point->sums[k];
-    struct pp_radiance_walk walk = {.scene = points->scene,
-                                    .options = pp_cached_points_light(),
-                                    .store = points->store,
-                                    .ambient =
-                                        pp_irradiance_cache_ambient(points->cache)};
-    pp_sequence_init(&walk.sequence, &points->sobol, pp_hash(point->seed, (uint64_t)k));
+    struct pp_radiance_state state = {.scene = points->scene,
+                                      .options = pp_cached_points_light(),
+                                      .store = points->store,
+                                      .ambient =
+                                          pp_irradiance_cache_ambient(points->cache)};
+    pp_sobol_sequence_init(&state.sequence, &points->sobol,
+                           pp_hash(point->seed, (uint64_t)k));
     for (uint32_t i = sum->paths; i < point->wanted; i++)
-        one_path(points, point, &walk, i, sum);
+        one_path(points, point, &state, i, sum);
 }
 
-static double value_of(const struct pp_cached_points *points, const struct point *point,
-                       int k, int component)
+static double value_of(const struct pp_cached_points *points,
+                       const struct cached_point *point, int k, int component)
 {
     double decorations = points->scene->room->decorations, value[3];
     for (int i = 0; i < 3; i++)
@@ -241,7 +244,7 @@ static double value_of(const struct pp_cached_points *points, const struct point
 
 /* With the standard error of what is sampled. */
 static struct pp_reading sampled_of(const struct pp_cached_points *points,
-                                    const struct point *point, int component)
+                                    const struct cached_point *point, int component)
 {
     double mean = 0.0, square = 0.0;
     if (!points->grown || point->sums[RANDOMISATIONS - 1].paths == 0)
@@ -258,7 +261,7 @@ static struct pp_reading sampled_of(const struct pp_cached_points *points,
 }
 
 static struct pp_reading reading_of(const struct pp_cached_points *points,
-                                    const struct point *point, int component)
+                                    const struct cached_point *point, int component)
 {
     struct pp_reading reading = sampled_of(points, point, component);
     if (point->by == BY_RECORDS && (component == PP_IRC || component == PP_DF))
@@ -285,7 +288,7 @@ static void plan_round(struct pp_cached_points *points)
 {
     points->unfinished_count = points->next = 0;
     for (int i = 0; i < points->point_count; i++) {
-        struct point *point = &points->points[i];
+        struct cached_point *point = &points->points[i];
         if (point->sums[RANDOMISATIONS - 1].paths > 0) {
             struct pp_reading df = sampled_of(points, point, PP_DF);
             double wanted = fmax(points->options.error * df.value, LEAST_ERROR);
@@ -303,7 +306,7 @@ static void plan_round(struct pp_cached_points *points)
 static void read_cache(struct pp_cached_points *points)
 {
     for (int i = 0; i < points->point_count; i++) {
-        struct point *point = &points->points[i];
+        struct cached_point *point = &points->points[i];
         struct pp_rgb value;
         if (point->by == BY_SAMPLES)
             continue;
@@ -322,8 +325,8 @@ enum pp_status pp_cached_points_advance(struct pp_cached_points *points, double 
 {
     double end = pp_clock_s() + seconds;
     if (!points->grown) {
-        enum pp_status status = pp_irradiance_cache_grow(points->cache, seconds, err);
-        if (status != PP_OK || !pp_irradiance_cache_done(points->cache))
+        enum pp_status status = pp_cache_grow(points->cache, seconds, err);
+        if (status != PP_OK || !pp_cache_grow_done(points->cache))
             return status;
         read_cache(points);
     }
@@ -333,7 +336,8 @@ enum pp_status pp_cached_points_advance(struct pp_cached_points *points, double 
         const int *at = points->unfinished + points->next;
 #pragma omp parallel for num_threads(points->options.threads) schedule(dynamic, 1)
         for (int i = 0; i < count * RANDOMISATIONS; i++)
-            run(points, &points->points[at[i / RANDOMISATIONS]], i % RANDOMISATIONS);
+            run_randomisation(points, &points->points[at[i / RANDOMISATIONS]],
+                              i % RANDOMISATIONS);
         points->next += count;
         if (points->next == points->unfinished_count)
             plan_round(points);
@@ -349,7 +353,7 @@ bool pp_cached_points_done(const struct pp_cached_points *points)
 double pp_cached_points_progress(const struct pp_cached_points *points)
 {
     if (!points->grown)
-        return 0.5 * pp_irradiance_cache_progress(points->cache);
+        return 0.5 * pp_cache_grow_progress(points->cache);
     double left = points->unfinished_count - points->next;
     return 1.0 - 0.5 * left / (points->point_count > 0 ? points->point_count : 1);
 }

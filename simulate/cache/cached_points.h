@@ -11,8 +11,8 @@
  * randomisations; what the cache has wrong is not in it. What is interpolated has none:
  * PP_IRC and PP_DF of such a point.
  */
-#ifndef PP_SIMULATE_CACHED_POINTS_H
-#define PP_SIMULATE_CACHED_POINTS_H
+#ifndef PP_SIMULATE_CACHE_CACHED_POINTS_H
+#define PP_SIMULATE_CACHE_CACHED_POINTS_H
 
 #include "model/results/reading.h"
 #include "simulate/cache/irradiance_cache.h"

@@ -27,7 +27,7 @@ static const double RAY_NOISE = 0.5;
 /* Radii are at most so much of the scene's size. */
 static const double MOST_RADIUS = 0.125;
 
-struct pp_cache_options pp_cache_defaults(void)
+struct pp_cache_options pp_irradiance_cache_defaults(void)
 {
     return (struct pp_cache_options){.accuracy = 0.1,
                                      .resolution = 128,
@@ -44,9 +44,9 @@ static bool is_material(const struct pp_light_scene *scene, const char *name)
     return false;
 }
 
-enum pp_status pp_cache_options_check(const struct pp_cache_options *options,
-                                      const struct pp_light_scene *scene,
-                                      struct pp_error *err)
+enum pp_status pp_irradiance_cache_check_options(const struct pp_cache_options *options,
+                                                 const struct pp_light_scene *scene,
+                                                 struct pp_error *err)
 {
     struct pp_rgb constant = options->constant;
     if (!(options->accuracy > 0.0 && options->accuracy <= 1.0))
@@ -109,7 +109,7 @@ static enum pp_status make_layer(struct pp_irradiance_cache *cache, int depth,
     double spacing = ERROR_SPACING * cache->size_m;
     int share = depth > 0 ? LIGHTING_DIVISIONS : 1;
     int side = (int)ceil(sqrt((double)options->divisions / share) - 1e-9);
-    layer->maker = (struct pp_cache_maker){
+    layer->settings = (struct pp_cache_record_settings){
         .side = side < LEAST_SIDE ? LEAST_SIDE : side,
         .supersamples = options->supersamples / share,
         .error =
@@ -118,18 +118,18 @@ static enum pp_status make_layer(struct pp_irradiance_cache *cache, int depth,
                        ? cache->size_m * options->accuracy / options->resolution
                        : LEAST_RADIUS * cache->size_m,
         .most_m = MOST_RADIUS * cache->size_m};
-    layer->maker.noise =
-        RAY_NOISE
-        / sqrt((double)layer->maker.side * layer->maker.side + layer->maker.supersamples);
-    layer->corners = pp_hemisphere_corners(layer->maker.side);
+    layer->settings.noise = RAY_NOISE
+                            / sqrt((double)layer->settings.side * layer->settings.side
+                                   + layer->settings.supersamples);
+    layer->corners = pp_cache_hemisphere_corners(layer->settings.side);
     if (!layer->corners)
         return pp_fail_memory(err);
-    layer->maker.corners = layer->corners;
-    return pp_octree_init(&layer->tree, low, size, err);
+    layer->settings.corners = layer->corners;
+    return pp_cache_octree_init(&layer->tree, low, size, err);
 }
 
-static bool ask(void *store, const struct pp_light_hit *hit, struct pp_vec3 normal,
-                int depth, struct pp_rgb *value);
+static bool ambient_irradiance(void *store, const struct pp_light_hit *hit,
+                               struct pp_vec3 normal, int depth, struct pp_rgb *value);
 
 static enum pp_status make(struct pp_irradiance_cache *cache, struct pp_error *err)
 {
@@ -140,10 +140,10 @@ static enum pp_status make(struct pp_irradiance_cache *cache, struct pp_error *e
         cache->size_m = 1.0;
     pp_light_scene_bounds(cache->scene, false, &low, &high);
     double size = fmax(greatest(low, high), cache->size_m) * 1.01;
-    struct pp_vec3 middle = pp_scale(pp_add(low, high), 0.5);
-    low = pp_sub(middle, pp_vec(0.5 * size, 0.5 * size, 0.5 * size));
+    struct pp_vec3 middle = pp_vec_scale(pp_vec_add(low, high), 0.5);
+    low = pp_vec_sub(middle, pp_vec(0.5 * size, 0.5 * size, 0.5 * size));
     pp_sobol_init(&cache->sobol);
-    cache->ambient = (struct pp_ambient){ask, cache};
+    cache->ambient = (struct pp_ambient){ambient_irradiance, cache};
     enum pp_status status = leave_out(cache, err);
     for (int i = 0; status == PP_OK && i < PP_CACHE_DEPTHS; i++)
         status = make_layer(cache, i, low, size, err);
@@ -158,7 +158,7 @@ enum pp_status pp_irradiance_cache_create(struct pp_irradiance_cache **result,
                                           struct pp_error *err)
 {
     *result = NULL;
-    enum pp_status status = pp_cache_options_check(options, scene, err);
+    enum pp_status status = pp_irradiance_cache_check_options(options, scene, err);
     if (status != PP_OK)
         return status;
     struct pp_irradiance_cache *cache = calloc(1, sizeof *cache);
@@ -187,17 +187,17 @@ void pp_irradiance_cache_destroy(struct pp_irradiance_cache *cache)
         return;
     for (int i = 0; i < PP_CACHE_DEPTHS; i++) {
         struct pp_cache_layer *layer = &cache->layers[i];
-        pp_octree_clear(&layer->tree);
+        pp_cache_octree_clear(&layer->tree);
         free(layer->corners);
         free(layer->entries);
-        free(layer->wishes);
+        free(layer->requests);
         free(layer->open);
     }
     free(cache->left_out);
     free(cache);
 }
 
-uint64_t pp_cache_options_hash(const struct pp_irradiance_cache *cache)
+uint64_t pp_irradiance_cache_hash_options(const struct pp_irradiance_cache *cache)
 {
     const struct pp_cache_options *o = &cache->options;
     const struct pp_radiance_options *light = &cache->light;
@@ -233,8 +233,8 @@ bool pp_irradiance_cache_value(const struct pp_irradiance_cache *cache,
     return pp_cache_layer_read(&cache->layers[layer], &place, value, NULL);
 }
 
-static bool ask(void *store, const struct pp_light_hit *hit, struct pp_vec3 normal,
-                int depth, struct pp_rgb *value)
+static bool ambient_irradiance(void *store, const struct pp_light_hit *hit,
+                               struct pp_vec3 normal, int depth, struct pp_rgb *value)
 {
     const struct pp_irradiance_cache *cache = store;
     if (cache->left_out[hit->material]) {
@@ -242,7 +242,8 @@ static bool ask(void *store, const struct pp_light_hit *hit, struct pp_vec3 norm
         return true;
     }
     return pp_irradiance_cache_value(cache, hit->point, normal,
-                                     pp_cache_space(cache, hit, normal), depth, value);
+                                     pp_cache_grow_hit_space(cache, hit, normal), depth,
+                                     value);
 }
 
 const struct pp_ambient *pp_irradiance_cache_ambient(struct pp_irradiance_cache *cache)

@@ -11,17 +11,17 @@
  * The caller says what it will look at, then lets the cache grow, then reads it:
  *
  *     pp_irradiance_cache_create(&cache, scene, store, &light, &options, err);
- *     pp_irradiance_cache_see(cache, rays, ray_count, err);
- *     while (!pp_irradiance_cache_done(cache))
- *         pp_irradiance_cache_grow(cache, 0.1, err);
- *     walk.ambient = pp_irradiance_cache_ambient(cache);
+ *     pp_cache_grow_request_rays(cache, rays, ray_count, err);
+ *     while (!pp_cache_grow_done(cache))
+ *         pp_cache_grow(cache, 0.1, err);
+ *     state.ambient = pp_irradiance_cache_ambient(cache);
  *
  * It grows in a fixed order: in batches whose points are all worked out from the cache
- * as it was before, and entered in their order. The same scene, options and wishes give
+ * as it was before, and entered in their order. The same scene, options and requests give
  * the same records to the bit, for any number of threads and length of the slices.
  */
-#ifndef PP_SIMULATE_IRRADIANCE_CACHE_H
-#define PP_SIMULATE_IRRADIANCE_CACHE_H
+#ifndef PP_SIMULATE_CACHE_IRRADIANCE_CACHE_H
+#define PP_SIMULATE_CACHE_IRRADIANCE_CACHE_H
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -51,13 +51,13 @@ struct pp_cache_options {
 };
 
 /* 0.1, 128, 1024, 256, -1, black, none left out, seed 0. */
-struct pp_cache_options pp_cache_defaults(void);
+struct pp_cache_options pp_irradiance_cache_defaults(void);
 
 /* PP_BAD_INPUT with a sentence where they make no sense, also where a material is not
  * one of the scene's. */
-enum pp_status pp_cache_options_check(const struct pp_cache_options *options,
-                                      const struct pp_light_scene *scene,
-                                      struct pp_error *err);
+enum pp_status pp_irradiance_cache_check_options(const struct pp_cache_options *options,
+                                                 const struct pp_light_scene *scene,
+                                                 struct pp_error *err);
 
 struct pp_irradiance_cache;
 
@@ -72,35 +72,37 @@ enum pp_status pp_irradiance_cache_create(struct pp_irradiance_cache **cache,
 void pp_irradiance_cache_destroy(
     struct pp_irradiance_cache *cache); /* NULL is allowed */
 
-/* Wishes: what the rays of a picture will ask for, through glass and by mirrors too.
+/* Requests: what the rays of a picture will ask for, through glass and by mirrors too.
  * Their order decides that of the records: a scattered one is best, and is made here.
  * May be called again, before or after growing; once the cache is done, it forgets the
- * wishes that it has met when new ones come. What is made for these may shrink earlier
- * records: whoever wishes in parts does so until nothing new is made. */
-enum pp_status pp_irradiance_cache_see(struct pp_irradiance_cache *cache,
-                                       const struct pp_light_ray *rays, size_t count,
-                                       struct pp_error *err);
+ * requests that it has met when new ones come. What is made for these may shrink earlier
+ * records: whoever requests in parts does so until nothing new is made. */
+enum pp_status pp_cache_grow_request_rays(struct pp_irradiance_cache *cache,
+                                          const struct pp_light_ray *rays, size_t count,
+                                          struct pp_error *err);
 
-/* Wishes: what rays from a point's hemisphere will ask for at depth 1 (a sensor point,
+/* Requests: what rays from a point's hemisphere will ask for at depth 1 (a sensor point,
  * whose own irradiance is not interpolated). normal: unit. */
-enum pp_status pp_irradiance_cache_reach(struct pp_irradiance_cache *cache,
-                                         struct pp_vec3 point, struct pp_vec3 normal,
-                                         enum pp_space space, struct pp_error *err);
+enum pp_status pp_cache_grow_request_hemisphere(struct pp_irradiance_cache *cache,
+                                                struct pp_vec3 point,
+                                                struct pp_vec3 normal,
+                                                enum pp_space space,
+                                                struct pp_error *err);
 
-/* A wish: the irradiance of a place itself, to be interpolated (depth 0). */
-enum pp_status pp_irradiance_cache_want(struct pp_irradiance_cache *cache,
-                                        struct pp_vec3 point, struct pp_vec3 normal,
-                                        enum pp_space space, struct pp_error *err);
+/* A request: the irradiance of a place itself, to be interpolated (depth 0). */
+enum pp_status pp_cache_grow_request_point(struct pp_irradiance_cache *cache,
+                                           struct pp_vec3 point, struct pp_vec3 normal,
+                                           enum pp_space space, struct pp_error *err);
 
 /* Works for about `seconds`, at least one batch. */
-enum pp_status pp_irradiance_cache_grow(struct pp_irradiance_cache *cache,
-                                        double seconds, struct pp_error *err);
-bool pp_irradiance_cache_done(const struct pp_irradiance_cache *cache);
+enum pp_status pp_cache_grow(struct pp_irradiance_cache *cache, double seconds,
+                             struct pp_error *err);
+bool pp_cache_grow_done(const struct pp_irradiance_cache *cache);
 
-/* 0 to 1, by the wishes looked at so far. */
-double pp_irradiance_cache_progress(const struct pp_irradiance_cache *cache);
+/* 0 to 1, by the requests looked at so far. */
+double pp_cache_grow_progress(const struct pp_irradiance_cache *cache);
 
-/* For struct pp_radiance_walk, with `bounces` -1 there: the cache ends the paths. While
+/* For struct pp_radiance_state, with `bounces` -1 there: the cache ends the paths. While
  * it is read it must not grow. Belongs to the cache. */
 const struct pp_ambient *pp_irradiance_cache_ambient(struct pp_irradiance_cache *cache);
 
@@ -129,15 +131,14 @@ struct pp_cache_record pp_irradiance_cache_record(
 /* ---- files: cache_file.c ---- */
 
 /* The records as a file has them; *bytes is the caller's to free. */
-enum pp_status pp_irradiance_cache_pack(const struct pp_irradiance_cache *cache,
-                                        char **bytes, size_t *length,
-                                        struct pp_error *err);
+enum pp_status pp_cache_file_pack(const struct pp_irradiance_cache *cache, char **bytes,
+                                  size_t *length, struct pp_error *err);
 
 /* Gives a cache that has no records those of a file; `title` is what messages call it.
  * PP_BAD_INPUT, and the cache is as before, if it is cut off, damaged, of another
  * version, or of another scene or other options. */
-enum pp_status pp_irradiance_cache_unpack(struct pp_irradiance_cache *cache,
-                                          const char *bytes, size_t length,
-                                          const char *title, struct pp_error *err);
+enum pp_status pp_cache_file_unpack(struct pp_irradiance_cache *cache,
+                                    const char *bytes, size_t length, const char *title,
+                                    struct pp_error *err);
 
 #endif

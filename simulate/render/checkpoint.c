@@ -41,7 +41,7 @@ static uint64_t hash_light(uint64_t hash, const struct pp_radiance_options *ligh
     return pp_hash_double(hash, light->least);
 }
 
-uint64_t pp_render_mark(const struct pp_render *render)
+uint64_t pp_checkpoint_hash(const struct pp_render *render)
 {
     const struct pp_render_options *options = &render->options;
     const struct pp_camera *camera = &options->camera;
@@ -63,7 +63,7 @@ uint64_t pp_render_mark(const struct pp_render *render)
     hash = hash_light(hash, &options->light);
     hash = pp_hash(hash, options->store != NULL);
     hash = pp_hash(hash, options->ambient != NULL);
-    hash = pp_hash(hash, options->ambient_mark);
+    hash = pp_hash(hash, options->ambient_hash);
     return pp_hash(hash, options->seed);
 }
 
@@ -148,7 +148,7 @@ static void put_all(unsigned char *bytes, size_t size, const struct pp_render *r
     memcpy(at, magic, sizeof magic);
     at += sizeof magic;
     put(&at, VERSION, 4);
-    put(&at, pp_render_mark(render), 8);
+    put(&at, pp_checkpoint_hash(render), 8);
     put(&at, (uint64_t)render->picture.width, 4);
     put(&at, (uint64_t)render->picture.height, 4);
     put(&at, (uint64_t)render->tile_count, 4);
@@ -166,14 +166,14 @@ static void put_all(unsigned char *bytes, size_t size, const struct pp_render *r
     put(&at, hash_bytes(bytes, size - 8), 8);
 }
 
-enum pp_status pp_render_save(const struct pp_render *render,
-                              const struct pp_irradiance_cache *cache, FILE *out,
-                              struct pp_error *err)
+enum pp_status pp_checkpoint_save(const struct pp_render *render,
+                                  const struct pp_irradiance_cache *cache, FILE *out,
+                                  struct pp_error *err)
 {
     char *records = NULL;
     size_t kept = 0;
     enum pp_status status =
-        cache ? pp_irradiance_cache_pack(cache, &records, &kept, err) : PP_OK;
+        cache ? pp_cache_file_pack(cache, &records, &kept, err) : PP_OK;
     if (status != PP_OK)
         return status;
     size_t size = size_of(render, render->tile_done) + kept;
@@ -230,7 +230,7 @@ static enum pp_status check(const struct pp_render *render, const unsigned char 
 {
     uint64_t mark = take(at, 8);
     int width = (int)take(at, 4), height = (int)take(at, 4), tiles = (int)take(at, 4);
-    if (mark != pp_render_mark(render) || width != render->picture.width
+    if (mark != pp_checkpoint_hash(render) || width != render->picture.width
         || height != render->picture.height || tiles != render->tile_count)
         return pp_fail(err, PP_BAD_INPUT,
                        "the checkpoint is of another picture: its room, view or "
@@ -254,8 +254,9 @@ static void take_tile_pixels(const unsigned char **at, struct pp_render *render,
         }
 }
 
-enum pp_status pp_render_resume(struct pp_render *render, const unsigned char *bytes,
-                                size_t length, struct pp_error *err)
+enum pp_status pp_checkpoint_resume(struct pp_render *render,
+                                    const unsigned char *bytes, size_t length,
+                                    struct pp_error *err)
 {
     long long work[2] = {0, 0};
     size_t kept;

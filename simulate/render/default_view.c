@@ -21,7 +21,7 @@ static const double level_rad = 20.0 * PP_RAD, raised_most_rad = 15.0 * PP_RAD;
 
 static const struct pp_vec3 upwards = {0.0, 0.0, 1.0};
 
-int pp_largest_window(const struct pp_world *world)
+int pp_default_view_largest_window(const struct pp_world *world)
 {
     int largest = -1;
     for (int i = 0; i < world->opening_count; i++) {
@@ -39,7 +39,7 @@ static struct pp_vec3 middle_of(const struct pp_polygon *polygon)
 {
     struct pp_vec3 sum = {0.0, 0.0, 0.0};
     for (int i = 0; i < polygon->count; i++)
-        sum = pp_along(sum, 1.0 / polygon->count, polygon->vertices[i]);
+        sum = pp_vec_along(sum, 1.0 / polygon->count, polygon->vertices[i]);
     return sum;
 }
 
@@ -67,11 +67,11 @@ static double clearance(const struct pp_light_scene *scene, struct pp_vec3 place
 static double hidden(const struct pp_light_scene *scene, struct pp_vec3 place,
                      struct pp_vec3 target)
 {
-    struct pp_vec3 way = pp_sub(target, place);
-    double distance_m = pp_length(way);
+    struct pp_vec3 way = pp_vec_sub(target, place);
+    double distance_m = pp_vec_length(way);
     if (!(distance_m > 0.0))
         return 1e3;
-    double free_m = free_way(scene, place, pp_scale(way, 1.0 / distance_m));
+    double free_m = free_way(scene, place, pp_vec_scale(way, 1.0 / distance_m));
     return free_m < 0.98 * distance_m - 0.02 ? 1e3 : 0.0;
 }
 
@@ -98,7 +98,7 @@ static struct pp_vec3 stand_back(const struct pp_light_scene *scene,
 {
     struct pp_vec3 low, high;
     pp_light_scene_bounds(scene, true, &low, &high);
-    struct pp_vec3 best = pp_scale(pp_add(low, high), 0.5);
+    struct pp_vec3 best = pp_vec_scale(pp_vec_add(low, high), 0.5);
     double best_score = -INFINITY;
     for (int j = 0; j < PLACES; j++)
         for (int i = 0; i < PLACES; i++) {
@@ -107,10 +107,11 @@ static struct pp_vec3 stand_back(const struct pp_light_scene *scene,
                                     height_m};
             if (pp_light_scene_space(scene, place) != PP_INDOORS)
                 continue;
-            struct pp_vec3 way = pp_sub(place, target);
+            struct pp_vec3 way = pp_vec_sub(place, target);
             way.z = 0.0;
-            double behind = pp_length(back) > 0.0 ? pp_dot(way, back) : pp_length(way);
-            double aside = sqrt(fmax(pp_dot(way, way) - behind * behind, 0.0));
+            double behind =
+                pp_vec_length(back) > 0.0 ? pp_vec_dot(way, back) : pp_vec_length(way);
+            double aside = sqrt(fmax(pp_vec_dot(way, way) - behind * behind, 0.0));
             double room = clearance(scene, place, clear_m);
             double score = prospect(scene, place, target) - 0.5 * aside + 0.1 * behind
                            - 20.0 * (clear_m - room) - hidden(scene, place, target);
@@ -130,12 +131,12 @@ static void look_at_window(struct pp_view_place *place,
     double eye_m = fmin(PP_EYE_HEIGHT_M, 0.6 * world->height_m);
     struct pp_vec3 target = middle_of(&opening->inner);
     struct pp_vec3 back = {opening->inner.normal.x, opening->inner.normal.y, 0.0};
-    if (opening->slope_rad > upright_rad && pp_length(back) > 0.0)
-        back = pp_unit(back);
+    if (opening->slope_rad > upright_rad && pp_vec_length(back) > 0.0)
+        back = pp_vec_unit(back);
     else
         back = pp_vec(0.0, 0.0, 0.0);
     place->eye = stand_back(scene, target, back, eye_m);
-    place->toward = pp_sub(target, place->eye);
+    place->toward = pp_vec_sub(target, place->eye);
     double level = hypot(place->toward.x, place->toward.y);
     double altitude = atan2(place->toward.z, level);
     if (level < 1e-3)
@@ -152,13 +153,13 @@ static void look_along(struct pp_view_place *place, const struct pp_light_scene 
     struct pp_vec3 low, high;
     pp_light_scene_bounds(scene, true, &low, &high);
     bool deep = high.y - low.y >= high.x - low.x;
-    struct pp_vec3 end = pp_scale(pp_add(low, high), 0.5);
+    struct pp_vec3 end = pp_vec_scale(pp_vec_add(low, high), 0.5);
     struct pp_vec3 back = deep ? pp_vec(0.0, 1.0, 0.0) : pp_vec(1.0, 0.0, 0.0);
     end.x = deep ? end.x : low.x;
     end.y = deep ? low.y : end.y;
     double eye_m = fmin(PP_EYE_HEIGHT_M, 0.6 * world->height_m);
     place->eye = stand_back(scene, end, back, eye_m);
-    place->toward = pp_scale(back, -1.0);
+    place->toward = pp_vec_scale(back, -1.0);
 }
 
 /* The place of the working plane that is farthest in from its walls. */
@@ -167,7 +168,7 @@ static struct pp_vec3 middle_of_plane(const struct pp_light_scene *scene,
 {
     struct pp_vec3 low, high;
     pp_light_scene_bounds(scene, true, &low, &high);
-    struct pp_vec3 middle = pp_scale(pp_add(low, high), 0.5);
+    struct pp_vec3 middle = pp_vec_scale(pp_vec_add(low, high), 0.5);
     middle.z = world->working_plane_m;
     struct pp_vec3 best = middle;
     double best_score = -INFINITY;
@@ -175,10 +176,10 @@ static struct pp_vec3 middle_of_plane(const struct pp_light_scene *scene,
         for (int i = 0; i <= PLACES; i++) {
             struct pp_vec3 place = {low.x + (high.x - low.x) * i / PLACES,
                                     low.y + (high.y - low.y) * j / PLACES, middle.z};
-            if (pp_world_receiver_fault(world, place, upwards))
+            if (pp_position_receiver_fault(world, place, upwards))
                 continue;
             double room = clearance(scene, place, clear_m);
-            double score = 20.0 * room - pp_length(pp_sub(place, middle));
+            double score = 20.0 * room - pp_vec_length(pp_vec_sub(place, middle));
             if (score > best_score) {
                 best_score = score;
                 best = place;
@@ -192,7 +193,7 @@ static void cut_plan(struct pp_view_place *place, const struct pp_light_scene *s
 {
     struct pp_vec3 low, high;
     pp_light_scene_bounds(scene, true, &low, &high);
-    place->eye = pp_scale(pp_add(low, high), 0.5);
+    place->eye = pp_vec_scale(pp_vec_add(low, high), 0.5);
     place->eye.z = fmin(PP_PLAN_CUT_M, 0.5 * world->height_m);
     place->toward = pp_vec(0.0, 0.0, -1.0);
     place->up = pp_vec(0.0, 1.0, 0.0);
@@ -205,8 +206,8 @@ static void cut_section(struct pp_view_place *place, const struct pp_light_scene
 {
     struct pp_vec3 low, high;
     pp_light_scene_bounds(scene, true, &low, &high);
-    struct pp_vec3 size = pp_sub(high, low);
-    place->eye = pp_scale(pp_add(low, high), 0.5);
+    struct pp_vec3 size = pp_vec_sub(high, low);
+    place->eye = pp_vec_scale(pp_vec_add(low, high), 0.5);
     place->down_m = size.z;
     /* Into the room, square to the window: right in the drawing. */
     struct pp_vec3 right =
@@ -216,14 +217,14 @@ static void cut_section(struct pp_view_place *place, const struct pp_light_scene
         struct pp_vec3 middle = middle_of(&opening->inner);
         struct pp_vec3 in = opening->inner.normal;
         in.z = 0.0;
-        if (opening->slope_rad > upright_rad && pp_length(in) > 0.0)
-            right = pp_unit(in);
+        if (opening->slope_rad > upright_rad && pp_vec_length(in) > 0.0)
+            right = pp_vec_unit(in);
         /* In the cut plane, and in the middle of the room along it. */
-        double along = pp_dot(pp_sub(place->eye, middle), right);
-        struct pp_vec3 at = pp_along(middle, along, right);
+        double along = pp_vec_dot(pp_vec_sub(place->eye, middle), right);
+        struct pp_vec3 at = pp_vec_along(middle, along, right);
         place->eye = pp_vec(at.x, at.y, place->eye.z);
     }
-    place->toward = pp_cross(upwards, right);
+    place->toward = pp_vec_cross(upwards, right);
     place->across_m = fabs(right.x) * size.x + fabs(right.y) * size.y;
 }
 
@@ -231,7 +232,7 @@ void pp_default_view(struct pp_view_place *place, const struct pp_light_scene *s
                      const struct pp_world *world, enum pp_room_view view)
 {
     *place = (struct pp_view_place){.up = upwards};
-    int window = pp_largest_window(world);
+    int window = pp_default_view_largest_window(world);
     switch (view) {
     case PP_ROOM_VIEW_PERSPECTIVE:
         if (window >= 0)

@@ -5,7 +5,7 @@
 #include "model/base/clock.h"
 #include "simulate/render/render_parts.h"
 
-/* Pixels of a part where nothing is said: some 170 MB of rays and wishes. */
+/* Pixels of a part where nothing is said: some 170 MB of rays and requests. */
 enum { PART_PIXELS = 1 << 20 };
 
 /* Of the progress, what showing the first round of parts is worth. */
@@ -65,7 +65,8 @@ static enum pp_status show(const struct pp_overture *overture, int part,
             const double middle[2] = {x + 0.5, y + 0.5};
             count += pp_render_camera_ray(&overture->view, middle, rays + count);
         }
-    enum pp_status status = pp_irradiance_cache_see(overture->cache, rays, count, err);
+    enum pp_status status =
+        pp_cache_grow_request_rays(overture->cache, rays, count, err);
     free(rays);
     return status;
 }
@@ -94,11 +95,10 @@ enum pp_status pp_overture_advance(struct pp_overture *overture, double seconds,
     double end = pp_clock_s() + seconds;
     enum pp_status status = PP_OK;
     do {
-        if (pp_irradiance_cache_done(overture->cache))
+        if (pp_cache_grow_done(overture->cache))
             status = go_on(overture, err);
-        if (status == PP_OK && !pp_irradiance_cache_done(overture->cache))
-            status = pp_irradiance_cache_grow(overture->cache,
-                                              fmax(end - pp_clock_s(), 0.0), err);
+        if (status == PP_OK && !pp_cache_grow_done(overture->cache))
+            status = pp_cache_grow(overture->cache, fmax(end - pp_clock_s(), 0.0), err);
     } while (status == PP_OK && !overture->done && pp_clock_s() < end);
     return status;
 }
@@ -110,14 +110,14 @@ bool pp_overture_done(const struct pp_overture *overture)
 
 double pp_overture_progress(const struct pp_overture *overture)
 {
-    double part = pp_irradiance_cache_progress(overture->cache);
+    double part = pp_cache_grow_progress(overture->cache);
     double parts = (double)overture->step * overture->step;
     double shown = (overture->part - 1.0 + part * part) / parts;
     if (overture->done)
         return 1.0;
     if (overture->part == 0)
         return 0.0;
-    /* The first wishes bring most of the records. */
+    /* The first requests bring most of the records. */
     return overture->first ? sqrt(shown) * (parts > 1.0 ? FIRST_ROUND : 1.0)
                            : FIRST_ROUND + (1.0 - FIRST_ROUND) * shown;
 }

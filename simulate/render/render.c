@@ -21,11 +21,11 @@ static const double deviation = 0.5, reach = 1.5;
 
 /* Where in the picture (in pixels) the sample of the pixel at x, y lies. */
 static void place_sample(const struct pp_render *render,
-                         const struct pp_radiance_walk *walk, int x, int y,
+                         const struct pp_radiance_state *state, int x, int y,
                          double place[2])
 {
     double u[2];
-    pp_sequence_draw(&walk->sequence, walk->index, PIXEL_VERTEX, 2, u);
+    pp_sobol_sequence_draw(&state->sequence, state->index, PIXEL_VERTEX, 2, u);
     if (render->options.filter == PP_FILTER_BOX) {
         place[0] = x + u[0];
         place[1] = y + u[1];
@@ -58,31 +58,31 @@ bool pp_render_camera_ray(const struct pp_render *render, const double place[2],
 
 double pp_render_decorations(const struct pp_render *render)
 {
-    const struct pp_scene *room = render->scene->room;
+    const struct pp_ray_scene *room = render->scene->room;
     return render->options.irradiance && room ? room->decorations : 1.0;
 }
 
 /* Irradiance of the surface that the ray meets; false: glass, or nothing. */
 static bool irradiance_seen(const struct pp_render *render,
-                            struct pp_radiance_walk *walk,
+                            struct pp_radiance_state *state,
                             const struct pp_light_ray *ray, struct pp_rgb *value)
 {
     struct pp_light_hit hit;
-    walk->rays++;
-    if (!pp_light_scene_first(walk->scene, ray, &hit))
+    state->rays++;
+    if (!pp_light_scene_first(state->scene, ray, &hit))
         return false;
     const struct pp_material *material =
-        pp_light_scene_material(walk->scene, hit.material);
+        pp_light_scene_material(state->scene, hit.material);
     if (material->kind == PP_MATERIAL_GLASS || material->kind == PP_MATERIAL_AIR)
         return false;
     struct pp_irradiance e;
-    if (walk->ambient
-        && walk->ambient->irradiance(walk->ambient->store, &hit, hit.normal, 0,
-                                     value)) {
-        e = pp_radiance_direct(walk, hit.point, hit.normal, hit.space);
+    if (state->ambient
+        && state->ambient->irradiance(state->ambient->store, &hit, hit.normal, 0,
+                                      value)) {
+        e = pp_radiance_direct(state, hit.point, hit.normal, hit.space);
         e.rest = *value;
     } else {
-        e = pp_radiance_irradiance(walk, hit.point, hit.normal, hit.space);
+        e = pp_radiance_irradiance(state, hit.point, hit.normal, hit.space);
     }
     struct pp_rgb reflected = pp_rgb_add(e.sources, e.rest);
     if (hit.space == PP_INDOORS)
@@ -92,24 +92,25 @@ static bool irradiance_seen(const struct pp_render *render,
 }
 
 static struct pp_rgb pixel(const struct pp_render *render,
-                           struct pp_radiance_walk *walk, int x, int y)
+                           struct pp_radiance_state *state, int x, int y)
 {
     const struct pp_render_options *options = &render->options;
     uint64_t number = (uint64_t)y * (uint64_t)options->width + (uint64_t)x;
-    pp_sequence_init(&walk->sequence, &render->sobol, pp_hash(options->seed, number));
+    pp_sobol_sequence_init(&state->sequence, &render->sobol,
+                           pp_hash(options->seed, number));
     struct pp_rgb sum = pp_rgb_grey(0.0);
     int seen = 0;
     for (int i = 0; i < options->samples; i++) {
         double place[2];
         struct pp_light_ray ray;
         struct pp_rgb value;
-        walk->index = (uint32_t)i;
-        place_sample(render, walk, x, y, place);
+        state->index = (uint32_t)i;
+        place_sample(render, state, x, y, place);
         if (!pp_render_camera_ray(render, place, &ray))
             continue;
         if (!options->irradiance)
-            value = pp_radiance_along(walk, &ray, NULL);
-        else if (!irradiance_seen(render, walk, &ray, &value))
+            value = pp_radiance_along(state, &ray, NULL);
+        else if (!irradiance_seen(render, state, &ray, &value))
             continue;
         sum = pp_rgb_add(sum, value);
         seen++;
@@ -142,12 +143,13 @@ struct pp_render_tile pp_render_tile(const struct pp_render *render, int tile)
                                    y1 < options->height ? y1 : options->height};
 }
 
-static void draw_tile(struct pp_render *render, struct pp_radiance_walk *walk, int tile)
+static void draw_tile(struct pp_render *render, struct pp_radiance_state *state,
+                      int tile)
 {
     struct pp_render_tile box = pp_render_tile(render, tile);
     for (int y = box.y0; y < box.y1; y++)
         for (int x = box.x0; x < box.x1; x++) {
-            struct pp_rgb value = pixel(render, walk, x, y);
+            struct pp_rgb value = pixel(render, state, x, y);
             float *at = pp_picture_at(&render->picture, x, y);
             at[0] = (float)value.r;
             at[1] = (float)value.g;
@@ -172,17 +174,17 @@ void pp_render_advance(struct pp_render *render, double seconds)
     int next = 0;
 #pragma omp parallel num_threads(options->threads)
     {
-        struct pp_radiance_walk walk = {.scene = render->scene,
-                                        .options = options->light,
-                                        .store = options->store,
-                                        .ambient = options->ambient};
+        struct pp_radiance_state state = {.scene = render->scene,
+                                          .options = options->light,
+                                          .store = options->store,
+                                          .ambient = options->ambient};
         do {
             int tile;
 #pragma omp critical(pp_render_tiles)
             tile = take_tile(render, &next);
             if (tile < 0)
                 break;
-            draw_tile(render, &walk, tile);
+            draw_tile(render, &state, tile);
 #pragma omp critical(pp_render_tiles)
             {
                 render->tile_done[tile] = 1;
@@ -191,8 +193,8 @@ void pp_render_advance(struct pp_render *render, double seconds)
         } while (pp_clock_s() < end);
 #pragma omp critical(pp_render_tiles)
         {
-            render->work.rays += walk.rays;
-            render->work.leaks += walk.leaks;
+            render->work.rays += state.rays;
+            render->work.leaks += state.leaks;
         }
     }
 }

@@ -8,8 +8,8 @@
  * A pixel is the mean over places in and about it, by its filter, stratified; each
  * place has one path of radiance.h. Light of a world is over Eh, as there.
  */
-#ifndef PP_SIMULATE_RENDER_H
-#define PP_SIMULATE_RENDER_H
+#ifndef PP_SIMULATE_RENDER_RENDER_H
+#define PP_SIMULATE_RENDER_RENDER_H
 
 #include <stdbool.h>
 #include <stdint.h>
@@ -39,7 +39,7 @@ struct pp_render_options {
     struct pp_radiance_options light;
     const struct pp_window_store *store; /* not owned; NULL: none */
     const struct pp_ambient *ambient;    /* not owned; NULL: none */
-    uint64_t ambient_mark; /* a number that hangs on what the ambient store holds */
+    uint64_t ambient_hash; /* a number that hangs on what the ambient store holds */
     uint64_t seed;
     int threads; /* 0: as many as the machine has processors */
 };
@@ -71,8 +71,8 @@ double pp_overture_progress(const struct pp_overture *overture); /* 0 to 1 */
 
 /* ---- the picture ---- */
 
-/* A number that hangs on all records of a cache, for ambient_mark. */
-uint64_t pp_render_cache_mark(const struct pp_irradiance_cache *cache);
+/* A number that hangs on all records of a cache, for ambient_hash. */
+uint64_t pp_render_cache_hash(const struct pp_irradiance_cache *cache);
 
 /* scene, store and ambient must live as long as it. */
 enum pp_status pp_render_create(struct pp_render **render,
@@ -109,28 +109,30 @@ struct pp_render_work pp_render_work(const struct pp_render *render);
 
 /* Where in the picture, in pixels, the records of a cache are seen that were made for
  * what is seen: not through glass. *xy is the caller's to free. */
-enum pp_status pp_render_records(const struct pp_render *render,
-                                 const struct pp_irradiance_cache *cache,
-                                 double (**xy)[2], int *count, struct pp_error *err);
+enum pp_status pp_render_cache_positions(const struct pp_render *render,
+                                         const struct pp_irradiance_cache *cache,
+                                         double (**xy)[2], int *count,
+                                         struct pp_error *err);
 
 /* ---- checkpoints: checkpoint.c ---- */
 
 /* Writes what is done, to be taken up again, and the cache that it is read from (NULL:
  * none). What the stream makes of it is PP_SYSTEM. */
-enum pp_status pp_render_save(const struct pp_render *render,
-                              const struct pp_irradiance_cache *cache, FILE *out,
-                              struct pp_error *err);
+enum pp_status pp_checkpoint_save(const struct pp_render *render,
+                                  const struct pp_irradiance_cache *cache, FILE *out,
+                                  struct pp_error *err);
 
-/* The cache in what pp_render_save wrote, for pp_irradiance_cache_unpack: a part of
- * bytes; NULL and 0 where there is none. PP_BAD_INPUT as by pp_render_resume, but of
+/* The cache in what pp_checkpoint_save wrote, for pp_cache_file_unpack: a part of
+ * bytes; NULL and 0 where there is none. PP_BAD_INPUT as by pp_checkpoint_resume, but of
  * another scene or options. */
 enum pp_status pp_checkpoint_cache(const unsigned char *bytes, size_t length,
                                    const char **cache, size_t *cache_length,
                                    struct pp_error *err);
 
-/* Takes up what pp_render_save wrote of the same scene and options, whole or not at
+/* Takes up what pp_checkpoint_save wrote of the same scene and options, whole or not at
  * all; PP_BAD_INPUT where it is of others, of another version, cut off or damaged. */
-enum pp_status pp_render_resume(struct pp_render *render, const unsigned char *bytes,
-                                size_t length, struct pp_error *err);
+enum pp_status pp_checkpoint_resume(struct pp_render *render,
+                                    const unsigned char *bytes, size_t length,
+                                    struct pp_error *err);
 
 #endif

@@ -1,6 +1,6 @@
 /* render_parts.h - a render from within: for cmd_render.c and checkpoint.c. */
-#ifndef PP_SIMULATE_RENDER_PARTS_H
-#define PP_SIMULATE_RENDER_PARTS_H
+#ifndef PP_SIMULATE_RENDER_RENDER_PARTS_H
+#define PP_SIMULATE_RENDER_RENDER_PARTS_H
 
 #include "simulate/render/render.h"
 
@@ -34,6 +34,6 @@ bool pp_render_camera_ray(const struct pp_render *render, const double place[2],
 double pp_render_decorations(const struct pp_render *render);
 
 /* A number that hangs on all that the pixels hang on. */
-uint64_t pp_render_mark(const struct pp_render *render);
+uint64_t pp_checkpoint_hash(const struct pp_render *render);
 
 #endif

@@ -1,6 +1,6 @@
 /* choose.h - one of several at random, in proportion to what each may count. */
-#ifndef PP_SIMULATE_CHOOSE_H
-#define PP_SIMULATE_CHOOSE_H
+#ifndef PP_SIMULATE_SAMPLING_CHOOSE_H
+#define PP_SIMULATE_SAMPLING_CHOOSE_H
 
 /* The one of `count` that u in [0, 1) falls to, and its probability; -1 where none has
  * an importance above 0. `importance` is asked twice of each, with `of` handed on. */

@@ -42,7 +42,7 @@ static const double BEND = 4.0;
 
 /* The nodes that a direction lies between, and its share of the latter of either two.
  */
-struct place {
+struct gloss_node {
     int row, column;
     double up, right;
 };
@@ -56,9 +56,9 @@ static int node_below(double x, int count, double *rest)
     return i;
 }
 
-static struct place place_of(const struct pp_gloss *gloss, struct pp_vec3 d)
+static struct gloss_node place_of(const struct pp_gloss *gloss, struct pp_vec3 d)
 {
-    struct place place = {0, 0, 0.0, 0.0};
+    struct gloss_node place = {0, 0, 0.0, 0.0};
     double rough = roughness_towards(gloss, d);
     if (gloss->azimuths > 1)
         place.row = node_below((rough - gloss->along) / (gloss->across - gloss->along),
@@ -86,7 +86,7 @@ static struct pp_vec3 node_direction(const struct pp_gloss *gloss, int row, int 
 
 double pp_gloss_scale(const struct pp_gloss *gloss, struct pp_vec3 direction)
 {
-    struct place at = place_of(gloss, direction);
+    struct gloss_node at = place_of(gloss, direction);
     const double *low = &gloss->scale[at.row][at.column];
     double value = low[0] + at.right * (low[1] - low[0]);
     if (gloss->azimuths == 1)
@@ -99,12 +99,12 @@ double pp_gloss_scale(const struct pp_gloss *gloss, struct pp_vec3 direction)
 
 double pp_gloss_value(const struct pp_gloss *gloss, struct pp_vec3 i, struct pp_vec3 o)
 {
-    struct pp_vec3 h = pp_add(i, o);
+    struct pp_vec3 h = pp_vec_add(i, o);
     if (!(h.z > 0.0))
         return 0.0;
     double along = gloss->along, across = gloss->across;
     double p = h.x / (along * h.z), q = h.y / (across * h.z);
-    double ward = exp(-(p * p + q * q)) / (PP_PI * along * across) * pp_dot(h, h)
+    double ward = exp(-(p * p + q * q)) / (PP_PI * along * across) * pp_vec_dot(h, h)
                   / (h.z * h.z * h.z * h.z);
     return ward * pp_gloss_scale(gloss, i) * pp_gloss_scale(gloss, o);
 }
@@ -115,8 +115,8 @@ static double mirrored(const struct pp_gloss *gloss, struct pp_vec3 i, double p,
                        double q, struct pp_vec3 *o)
 {
     struct pp_vec3 h = {gloss->along * p, gloss->across * q, 1.0};
-    double facing = pp_dot(h, i);
-    *o = pp_along(pp_scale(i, -1.0), 2.0 * facing / pp_dot(h, h), h);
+    double facing = pp_vec_dot(h, i);
+    *o = pp_vec_along(pp_vec_scale(i, -1.0), 2.0 * facing / pp_vec_dot(h, h), h);
     return facing > 0.0 && o->z > 0.0 ? 2.0 * o->z / (i.z + o->z) : 0.0;
 }
 
@@ -162,7 +162,7 @@ static void spread(const struct pp_gloss *gloss, const double (*facets)[2],
         double weight = mirrored(gloss, from, facets[i][0], facets[i][1], &to);
         if (!(weight > 0.0))
             continue;
-        struct place at = place_of(gloss, to);
+        struct gloss_node at = place_of(gloss, to);
         double *low = &to_node[at.row * COSINES + at.column];
         double right = weight / FACETS * at.right, left = weight / FACETS - right;
         low[0] += (1.0 - at.up) * left;

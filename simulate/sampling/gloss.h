@@ -23,8 +23,8 @@
  * roughnesses, over its azimuth, and read by linear interpolation: the albedo is that
  * declared to 0.3 % (to 1 % where one roughness is hundreds of times the other).
  */
-#ifndef PP_SIMULATE_GLOSS_H
-#define PP_SIMULATE_GLOSS_H
+#ifndef PP_SIMULATE_SAMPLING_GLOSS_H
+#define PP_SIMULATE_SAMPLING_GLOSS_H
 
 #include <stdbool.h>
 

@@ -3,15 +3,15 @@
  * The 64-bit mixer is the finaliser of SplitMix64 [SLF14]; the 32-bit one is lowbias32
  * [WELLONS18]. Both are bijections without state.
  */
-#ifndef PP_SIMULATE_HASH_H
-#define PP_SIMULATE_HASH_H
+#ifndef PP_SIMULATE_SAMPLING_HASH_H
+#define PP_SIMULATE_SAMPLING_HASH_H
 
 #include <stdint.h>
 #include <string.h>
 
 #include "model/geometry/vec.h"
 
-static inline uint64_t pp_mix64(uint64_t x)
+static inline uint64_t pp_hash_mix64(uint64_t x)
 {
     x ^= x >> 30;
     x *= UINT64_C(0xbf58476d1ce4e5b9);
@@ -23,7 +23,7 @@ static inline uint64_t pp_mix64(uint64_t x)
 /* The seed of the part `part` of what has seed `seed`. */
 static inline uint64_t pp_hash(uint64_t seed, uint64_t part)
 {
-    return pp_mix64(pp_mix64(seed + UINT64_C(0x9e3779b97f4a7c15)) ^ part);
+    return pp_hash_mix64(pp_hash_mix64(seed + UINT64_C(0x9e3779b97f4a7c15)) ^ part);
 }
 
 /* The same with a number; -0 counts as 0. */
@@ -42,7 +42,7 @@ static inline uint64_t pp_hash_vec(uint64_t seed, struct pp_vec3 part)
     return pp_hash_double(seed, part.z);
 }
 
-static inline uint32_t pp_mix32(uint32_t x)
+static inline uint32_t pp_hash_mix32(uint32_t x)
 {
     x ^= x >> 16;
     x *= UINT32_C(0x7feb352d);

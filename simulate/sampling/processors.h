@@ -1,6 +1,6 @@
 /* processors.h - how many threads may run at once on this machine. */
-#ifndef PP_SIMULATE_PROCESSORS_H
-#define PP_SIMULATE_PROCESSORS_H
+#ifndef PP_SIMULATE_SAMPLING_PROCESSORS_H
+#define PP_SIMULATE_SAMPLING_PROCESSORS_H
 
 #ifdef _OPENMP
 #include <omp.h>

@@ -25,36 +25,36 @@ static double min2(double a, double b)
 
 static double height_over(const struct pp_target *target, struct pp_vec3 from)
 {
-    return pp_dot(target->normal, pp_sub(from, target->middle));
+    return pp_vec_dot(target->normal, pp_vec_sub(from, target->middle));
 }
 
 static bool any_corner_before(const struct pp_target *target, struct pp_vec3 from,
                               struct pp_vec3 n)
 {
     if (target->rectangle) {
-        struct pp_vec3 to = pp_sub(target->corner, from);
-        double reach = max2(0.0, target->width_m * pp_dot(n, target->along))
-                       + max2(0.0, target->height_m * pp_dot(n, target->up));
-        return pp_dot(n, to) + reach > 0.0;
+        struct pp_vec3 to = pp_vec_sub(target->corner, from);
+        double reach = max2(0.0, target->width_m * pp_vec_dot(n, target->along))
+                       + max2(0.0, target->height_m * pp_vec_dot(n, target->up));
+        return pp_vec_dot(n, to) + reach > 0.0;
     }
     for (int i = 0; i < target->triangle_count; i++)
         for (int k = 0; k < 3; k++)
-            if (pp_dot(n, pp_sub(target->triangles[i][k], from)) > 0.0)
+            if (pp_vec_dot(n, pp_vec_sub(target->triangles[i][k], from)) > 0.0)
                 return true;
     return false;
 }
 
-bool pp_target_in_sight(const struct pp_target *target, struct pp_vec3 from,
-                        struct pp_vec3 n)
+bool pp_sample_polygon_in_sight(const struct pp_target *target, struct pp_vec3 from,
+                                struct pp_vec3 n)
 {
     return height_over(target, from) > 1e-9 && any_corner_before(target, from, n);
 }
 
 /* Cosine at the surface times brightness beyond, for the unnormalised direction v. */
-static double lit(struct pp_vec3 v, double length, struct pp_vec3 n,
-                  struct pp_brightness brightness)
+static double receiver_weight(struct pp_vec3 v, double length, struct pp_vec3 n,
+                              struct pp_brightness brightness)
 {
-    double facing = pp_dot(n, v) / length;
+    double facing = pp_vec_dot(n, v) / length;
     if (!(facing > 0.0))
         return 0.0;
     if (brightness.even)
@@ -62,42 +62,42 @@ static double lit(struct pp_vec3 v, double length, struct pp_vec3 n,
     return facing * (v.z > 0.0 ? 1.0 + 2.0 * v.z / length : brightness.ground);
 }
 
-double pp_target_importance(const struct pp_target *target, struct pp_vec3 from,
-                            struct pp_vec3 n, struct pp_brightness brightness)
+double pp_sample_polygon_importance(const struct pp_target *target, struct pp_vec3 from,
+                                    struct pp_vec3 n, struct pp_brightness brightness)
 {
-    if (!pp_target_in_sight(target, from, n))
+    if (!pp_sample_polygon_in_sight(target, from, n))
         return 0.0;
-    struct pp_vec3 v = pp_sub(target->middle, from);
-    double square = pp_dot(v, v), length = sqrt(square);
+    struct pp_vec3 v = pp_vec_sub(target->middle, from);
+    double square = pp_vec_dot(v, v), length = sqrt(square);
     /* Between the far field and the half space that a near opening fills. */
     double slant = height_over(target, from) / length;
     double solid = target->area_m2 * max2(slant, 0.05) / (square + target->area_m2);
-    return solid * max2(lit(v, length, n, brightness), 0.1);
+    return solid * max2(receiver_weight(v, length, n, brightness), 0.1);
 }
 
 static struct pp_vec3 rectangle_point(const struct pp_target *target, double x,
                                       double y)
 {
-    return pp_along(pp_along(target->corner, x, target->along), y, target->up);
+    return pp_vec_along(pp_vec_along(target->corner, x, target->along), y, target->up);
 }
 
 /* What a direction to this corner of a rectangle brings, per solid angle or, by area,
  * per area. */
-static double corner_value(const struct pp_aim *aim, struct pp_vec3 n,
+static double corner_value(const struct pp_polygon_sampler *aim, struct pp_vec3 n,
                            struct pp_brightness brightness, int right, int top)
 {
     const struct pp_target *target = aim->target;
-    struct pp_vec3 v = pp_sub(rectangle_point(target, right ? target->width_m : 0.0,
-                                              top ? target->height_m : 0.0),
-                              aim->from);
-    double square = pp_dot(v, v), length = sqrt(square);
-    double value = lit(v, length, n, brightness);
+    struct pp_vec3 v = pp_vec_sub(rectangle_point(target, right ? target->width_m : 0.0,
+                                                  top ? target->height_m : 0.0),
+                                  aim->from);
+    double square = pp_vec_dot(v, v), length = sqrt(square);
+    double value = receiver_weight(v, length, n, brightness);
     if (aim->by_area)
         value *= aim->distance_m / (length * square);
     return value;
 }
 
-static void weigh_corners(struct pp_aim *aim, struct pp_vec3 n,
+static void weigh_corners(struct pp_polygon_sampler *aim, struct pp_vec3 n,
                           struct pp_brightness brightness)
 {
     double sum = 0.0;
@@ -124,12 +124,12 @@ static double near_square(double low, double high)
 
 /* The map of [URENA13], their names: the rectangle lies at z = -distance, x to the
  * right, y up from the foot of the point. */
-static void rectangle_init(struct pp_aim *aim)
+static void rectangle_init(struct pp_polygon_sampler *aim)
 {
     const struct pp_target *target = aim->target;
-    struct pp_vec3 d = pp_sub(target->corner, aim->from);
-    aim->x0 = pp_dot(d, target->along);
-    aim->y0 = pp_dot(d, target->up);
+    struct pp_vec3 d = pp_vec_sub(target->corner, aim->from);
+    aim->x0 = pp_vec_dot(d, target->along);
+    aim->y0 = pp_vec_dot(d, target->up);
     aim->x1 = aim->x0 + target->width_m;
     aim->y1 = aim->y0 + target->height_m;
 
@@ -150,8 +150,8 @@ static void rectangle_init(struct pp_aim *aim)
     aim->solid = g0 + g1 - aim->k;
 }
 
-static struct pp_vec3 rectangle_by_solid_angle(const struct pp_aim *aim, double u,
-                                               double v)
+static struct pp_vec3 rectangle_by_solid_angle(const struct pp_polygon_sampler *aim,
+                                               double u, double v)
 {
     double z0 = -aim->distance_m, z2 = z0 * z0;
     double sine, cosine;
@@ -174,25 +174,26 @@ static struct pp_vec3 rectangle_by_solid_angle(const struct pp_aim *aim, double 
 /* Solid angle of a triangle of directions a, b, c [VOS83]. */
 static double triangle_solid_angle(struct pp_vec3 a, struct pp_vec3 b, struct pp_vec3 c)
 {
-    double volume = fabs(pp_dot(a, pp_cross(b, c)));
+    double volume = fabs(pp_vec_dot(a, pp_vec_cross(b, c)));
     double angle =
-        2.0 * atan2(volume, 1.0 + pp_dot(a, b) + pp_dot(b, c) + pp_dot(c, a));
+        2.0
+        * atan2(volume, 1.0 + pp_vec_dot(a, b) + pp_vec_dot(b, c) + pp_vec_dot(c, a));
     return angle;
 }
 
-static double triangle_of_target(const struct pp_aim *aim, int i)
+static double triangle_of_target(const struct pp_polygon_sampler *aim, int i)
 {
     const struct pp_vec3 *t = aim->target->triangles[i];
-    return triangle_solid_angle(pp_unit(pp_sub(t[0], aim->from)),
-                                pp_unit(pp_sub(t[1], aim->from)),
-                                pp_unit(pp_sub(t[2], aim->from)));
+    return triangle_solid_angle(pp_vec_unit(pp_vec_sub(t[0], aim->from)),
+                                pp_vec_unit(pp_vec_sub(t[1], aim->from)),
+                                pp_vec_unit(pp_vec_sub(t[2], aim->from)));
 }
 
 /* Angle between the planes (a, b) and (a, c) at a. */
 static double angle_at(struct pp_vec3 a, struct pp_vec3 b, struct pp_vec3 c)
 {
-    struct pp_vec3 ab = pp_cross(a, b), ac = pp_cross(a, c);
-    return atan2(pp_length(pp_cross(ab, ac)), pp_dot(ab, ac));
+    struct pp_vec3 ab = pp_vec_cross(a, b), ac = pp_vec_cross(a, c);
+    return atan2(pp_vec_length(pp_vec_cross(ab, ac)), pp_vec_dot(ab, ac));
 }
 
 /* Uniform in the spherical triangle abc of solid angle `solid` [ARVO95b]. */
@@ -200,7 +201,7 @@ static struct pp_vec3 spherical_triangle(struct pp_vec3 a, struct pp_vec3 b,
                                          struct pp_vec3 c, double solid, double u,
                                          double v)
 {
-    double alpha = angle_at(a, b, c), cos_c = pp_dot(a, b);
+    double alpha = angle_at(a, b, c), cos_c = pp_vec_dot(a, b);
     double sine, cosine, sin_alpha, cos_alpha;
     sincos(u * solid - alpha, &sine, &cosine);
     sincos(alpha, &sin_alpha, &cos_alpha);
@@ -209,29 +210,32 @@ static struct pp_vec3 spherical_triangle(struct pp_vec3 a, struct pp_vec3 b,
     double bottom = (q * sine + p * cosine) * sin_alpha;
     double cos_b = max2(-1.0, min2(1.0, top / bottom));
 
-    struct pp_vec3 across = pp_unit(pp_along(c, -pp_dot(c, a), a));
-    struct pp_vec3 edge = pp_add(
-        pp_scale(a, cos_b), pp_scale(across, sqrt(max2(0.0, 1.0 - cos_b * cos_b))));
-    double z = 1.0 - v * (1.0 - pp_dot(edge, b));
-    struct pp_vec3 side = pp_along(edge, -pp_dot(edge, b), b);
-    double length = pp_length(side);
+    struct pp_vec3 across = pp_vec_unit(pp_vec_along(c, -pp_vec_dot(c, a), a));
+    struct pp_vec3 edge =
+        pp_vec_add(pp_vec_scale(a, cos_b),
+                   pp_vec_scale(across, sqrt(max2(0.0, 1.0 - cos_b * cos_b))));
+    double z = 1.0 - v * (1.0 - pp_vec_dot(edge, b));
+    struct pp_vec3 side = pp_vec_along(edge, -pp_vec_dot(edge, b), b);
+    double length = pp_vec_length(side);
     if (!(length > 0.0))
         return b;
-    return pp_add(pp_scale(b, z),
-                  pp_scale(side, sqrt(max2(0.0, 1.0 - z * z)) / length));
+    return pp_vec_add(pp_vec_scale(b, z),
+                      pp_vec_scale(side, sqrt(max2(0.0, 1.0 - z * z)) / length));
 }
 
-static struct pp_aimed at_point(const struct pp_aim *aim, struct pp_vec3 point)
+static struct pp_direction_sample at_point(const struct pp_polygon_sampler *aim,
+                                           struct pp_vec3 point)
 {
-    struct pp_aimed aimed = {.point = point};
-    struct pp_vec3 v = pp_sub(point, aim->from);
-    aimed.distance_m = pp_length(v);
-    aimed.direction = pp_scale(v, 1.0 / aimed.distance_m);
+    struct pp_direction_sample aimed = {.point = point};
+    struct pp_vec3 v = pp_vec_sub(point, aim->from);
+    aimed.distance_m = pp_vec_length(v);
+    aimed.direction = pp_vec_scale(v, 1.0 / aimed.distance_m);
     return aimed;
 }
 
 /* Steradians per square metre where the target is met. */
-static double per_area(const struct pp_aim *aim, const struct pp_aimed *aimed)
+static double per_area(const struct pp_polygon_sampler *aim,
+                       const struct pp_direction_sample *aimed)
 {
     double r = aimed->distance_m;
     return aim->distance_m / (r * r * r);
@@ -239,17 +243,18 @@ static double per_area(const struct pp_aim *aim, const struct pp_aimed *aimed)
 
 /* The triangle that u falls to by solid angle or by area, u stretched to its share, and
  * the probability of that triangle. */
-static int choose_triangle(const struct pp_aim *aim, double *u, double *size,
-                           double *probability)
+static int choose_triangle(const struct pp_polygon_sampler *aim, double *u,
+                           double *size, double *probability)
 {
     const struct pp_target *target = aim->target;
     double total = aim->by_area ? target->area_m2 : aim->solid;
     double left = *u * total;
     for (int i = 0;; i++) {
         const struct pp_vec3 *t = target->triangles[i];
-        *size = aim->by_area
-                    ? pp_length(pp_cross(pp_sub(t[1], t[0]), pp_sub(t[2], t[0]))) / 2.0
-                    : triangle_of_target(aim, i);
+        *size = aim->by_area ? pp_vec_length(pp_vec_cross(pp_vec_sub(t[1], t[0]),
+                                                          pp_vec_sub(t[2], t[0])))
+                                   / 2.0
+                             : triangle_of_target(aim, i);
         if (left < *size || i == target->triangle_count - 1) {
             *u = *size > 0.0 ? min2(left / *size, 1.0) : 0.5;
             *probability = *size / total;
@@ -259,29 +264,34 @@ static int choose_triangle(const struct pp_aim *aim, double *u, double *size,
     }
 }
 
-static struct pp_aimed triangle_sample(const struct pp_aim *aim, double u, double v)
+static struct pp_direction_sample triangle_sample(const struct pp_polygon_sampler *aim,
+                                                  double u, double v)
 {
     double size, probability;
     const struct pp_vec3 *t =
         aim->target->triangles[choose_triangle(aim, &u, &size, &probability)];
     if (!aim->by_area && size > SMALL_TRIANGLE_SR) {
-        struct pp_vec3 direction = spherical_triangle(
-            pp_unit(pp_sub(t[0], aim->from)), pp_unit(pp_sub(t[1], aim->from)),
-            pp_unit(pp_sub(t[2], aim->from)), size, u, v);
-        double toward = -pp_dot(direction, aim->target->normal);
+        struct pp_vec3 direction =
+            spherical_triangle(pp_vec_unit(pp_vec_sub(t[0], aim->from)),
+                               pp_vec_unit(pp_vec_sub(t[1], aim->from)),
+                               pp_vec_unit(pp_vec_sub(t[2], aim->from)), size, u, v);
+        double toward = -pp_vec_dot(direction, aim->target->normal);
         double r = aim->distance_m / max2(toward, 1e-12);
-        struct pp_aimed aimed = {.point = pp_along(aim->from, r, direction),
-                                 .direction = direction,
-                                 .distance_m = r,
-                                 .per_density = size / probability};
+        struct pp_direction_sample aimed = {.point =
+                                                pp_vec_along(aim->from, r, direction),
+                                            .direction = direction,
+                                            .distance_m = r,
+                                            .per_density = size / probability};
         return aimed;
     }
     double root = sqrt(u);
-    struct pp_vec3 point =
-        pp_add(pp_scale(t[0], 1.0 - root),
-               pp_add(pp_scale(t[1], root * (1.0 - v)), pp_scale(t[2], root * v)));
-    struct pp_aimed aimed = at_point(aim, point);
-    double area = pp_length(pp_cross(pp_sub(t[1], t[0]), pp_sub(t[2], t[0]))) / 2.0;
+    struct pp_vec3 point = pp_vec_add(
+        pp_vec_scale(t[0], 1.0 - root),
+        pp_vec_add(pp_vec_scale(t[1], root * (1.0 - v)), pp_vec_scale(t[2], root * v)));
+    struct pp_direction_sample aimed = at_point(aim, point);
+    double area =
+        pp_vec_length(pp_vec_cross(pp_vec_sub(t[1], t[0]), pp_vec_sub(t[2], t[0])))
+        / 2.0;
     aimed.per_density = area / probability * per_area(aim, &aimed);
     return aimed;
 }
@@ -292,7 +302,8 @@ static double sample_linear(double u, double a, double b)
     return u * (a + b) / (a + sqrt(a * a + u * (b * b - a * a)));
 }
 
-static struct pp_aimed rectangle_sample(const struct pp_aim *aim, double u, double v)
+static struct pp_direction_sample rectangle_sample(const struct pp_polygon_sampler *aim,
+                                                   double u, double v)
 {
     const double(*w)[2] = aim->corner_weight;
     v = sample_linear(v, w[0][0] + w[0][1], w[1][0] + w[1][1]);
@@ -302,19 +313,21 @@ static struct pp_aimed rectangle_sample(const struct pp_aim *aim, double u, doub
     double density = left + u * (right - left);
 
     if (aim->by_area) {
-        struct pp_aimed aimed =
+        struct pp_direction_sample aimed =
             at_point(aim, rectangle_point(aim->target, u * aim->target->width_m,
                                           v * aim->target->height_m));
         aimed.per_density = aim->target->area_m2 * per_area(aim, &aimed) / density;
         return aimed;
     }
-    struct pp_aimed aimed = at_point(aim, rectangle_by_solid_angle(aim, u, v));
+    struct pp_direction_sample aimed =
+        at_point(aim, rectangle_by_solid_angle(aim, u, v));
     aimed.per_density = aim->solid / density;
     return aimed;
 }
 
-void pp_aim_init(struct pp_aim *aim, const struct pp_target *target,
-                 struct pp_vec3 from, struct pp_vec3 n, struct pp_brightness brightness)
+void pp_sample_polygon_init(struct pp_polygon_sampler *aim,
+                            const struct pp_target *target, struct pp_vec3 from,
+                            struct pp_vec3 n, struct pp_brightness brightness)
 {
     aim->target = target;
     aim->from = from;
@@ -331,7 +344,8 @@ void pp_aim_init(struct pp_aim *aim, const struct pp_target *target,
     aim->by_area = aim->solid < SMALL_TRIANGLE_SR;
 }
 
-struct pp_aimed pp_aim_sample(const struct pp_aim *aim, double u, double v)
+struct pp_direction_sample pp_sample_polygon_draw(const struct pp_polygon_sampler *aim,
+                                                  double u, double v)
 {
     if (aim->target->rectangle)
         return rectangle_sample(aim, u, v);

@@ -8,8 +8,8 @@
  * inverse density that comes with a direction is exact, and every direction to the
  * opening has one.
  */
-#ifndef PP_SIMULATE_SAMPLE_OPENING_H
-#define PP_SIMULATE_SAMPLE_OPENING_H
+#ifndef PP_SIMULATE_SAMPLING_SAMPLE_POLYGON_H
+#define PP_SIMULATE_SAMPLING_SAMPLE_POLYGON_H
 
 #include <stdbool.h>
 
@@ -37,7 +37,7 @@ struct pp_brightness {
 };
 
 /* A target as it is seen from one point of a surface. */
-struct pp_aim {
+struct pp_polygon_sampler {
     const struct pp_target *target; /* not owned */
     struct pp_vec3 from, facing;    /* the point, and the normal of its surface */
     bool by_area;
@@ -49,25 +49,26 @@ struct pp_aim {
 
 /* Is there any direction from this side of a surface at `from` with normal n to the
  * lit side of the target? */
-bool pp_target_in_sight(const struct pp_target *target, struct pp_vec3 from,
-                        struct pp_vec3 n);
+bool pp_sample_polygon_in_sight(const struct pp_target *target, struct pp_vec3 from,
+                                struct pp_vec3 n);
 
 /* How much the target may count at `from`, for choosing among several: never 0 for one
  * that is in sight. */
-double pp_target_importance(const struct pp_target *target, struct pp_vec3 from,
-                            struct pp_vec3 n, struct pp_brightness brightness);
+double pp_sample_polygon_importance(const struct pp_target *target, struct pp_vec3 from,
+                                    struct pp_vec3 n, struct pp_brightness brightness);
 
 /* The target must be in sight. n is the normal of the receiving surface. */
-void pp_aim_init(struct pp_aim *aim, const struct pp_target *target,
-                 struct pp_vec3 from, struct pp_vec3 n,
-                 struct pp_brightness brightness);
+void pp_sample_polygon_init(struct pp_polygon_sampler *aim,
+                            const struct pp_target *target, struct pp_vec3 from,
+                            struct pp_vec3 n, struct pp_brightness brightness);
 
 /* A point of the target for two numbers in (0, 1), its direction from aim->from, its
  * distance, and 1/density in steradians. */
-struct pp_aimed {
+struct pp_direction_sample {
     struct pp_vec3 point, direction;
     double distance_m, per_density;
 };
-struct pp_aimed pp_aim_sample(const struct pp_aim *aim, double u, double v);
+struct pp_direction_sample pp_sample_polygon_draw(const struct pp_polygon_sampler *aim,
+                                                  double u, double v);
 
 #endif

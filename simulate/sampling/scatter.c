@@ -19,8 +19,8 @@ static struct pp_rgb glass_law(const struct pp_material *material, double cosine
     return pp_rgb(value[0], value[1], value[2]);
 }
 
-struct pp_rgb pp_straight_through(const struct pp_material *material,
-                                  double cos_incidence)
+struct pp_rgb pp_scatter_regular_transmittance(const struct pp_material *material,
+                                               double cos_incidence)
 {
     switch (material->kind) {
     case PP_MATERIAL_AIR:
@@ -37,7 +37,8 @@ struct pp_rgb pp_straight_through(const struct pp_material *material,
     }
 }
 
-struct pp_rgb pp_mirrored_by(const struct pp_material *material, double cos_incidence)
+struct pp_rgb pp_scatter_specular_reflectance(const struct pp_material *material,
+                                              double cos_incidence)
 {
     switch (material->kind) {
     case PP_MATERIAL_AIR:
@@ -54,28 +55,29 @@ struct pp_rgb pp_mirrored_by(const struct pp_material *material, double cos_inci
 static void lay_frame(struct pp_lobes *lobes, const struct pp_material *material)
 {
     struct pp_vec3 n = lobes->n, grain = material->grain;
-    struct pp_vec3 in = pp_along(grain, -pp_dot(grain, n), n);
-    double length = pp_length(in);
-    if (!(length > 1e-6 * pp_length(grain))) {
-        pp_frame_about(n, &lobes->a, &lobes->b);
+    struct pp_vec3 in = pp_vec_along(grain, -pp_vec_dot(grain, n), n);
+    double length = pp_vec_length(in);
+    if (!(length > 1e-6 * pp_vec_length(grain))) {
+        pp_lobe_frame(n, &lobes->a, &lobes->b);
         return;
     }
-    lobes->a = pp_scale(in, 1.0 / length);
-    lobes->b = pp_cross(n, lobes->a);
+    lobes->a = pp_vec_scale(in, 1.0 / length);
+    lobes->b = pp_vec_cross(n, lobes->a);
 }
 
-void pp_lobes_init(struct pp_lobes *lobes, const struct pp_material *material,
-                   const struct pp_gloss *gloss, struct pp_vec3 n, struct pp_vec3 eye)
+void pp_scatter_init(struct pp_lobes *lobes, const struct pp_material *material,
+                     const struct pp_gloss *gloss, struct pp_vec3 n, struct pp_vec3 eye)
 {
     *lobes = (struct pp_lobes){.n = n, .eye = eye, .gloss = gloss};
     lay_frame(lobes, material);
-    double cosine = fabs(pp_dot(n, eye));
+    double cosine = fabs(pp_vec_dot(n, eye));
     struct pp_rgb *share = lobes->share;
-    share[PP_LOBE_STRAIGHT] = pp_straight_through(material, cosine);
+    share[PP_LOBE_STRAIGHT] = pp_scatter_regular_transmittance(material, cosine);
     if (material->kind == PP_MATERIAL_AIR)
         return;
     share[PP_LOBE_DIFFUSE] = material->diffuse;
-    share[gloss ? PP_LOBE_GLOSS : PP_LOBE_MIRROR] = pp_mirrored_by(material, cosine);
+    share[gloss ? PP_LOBE_GLOSS : PP_LOBE_MIRROR] =
+        pp_scatter_specular_reflectance(material, cosine);
     if (material->kind == PP_MATERIAL_TRANSLUCENT) {
         share[PP_LOBE_THROUGH_DIFFUSE] = material->through_diffuse;
         if (gloss)
@@ -83,29 +85,31 @@ void pp_lobes_init(struct pp_lobes *lobes, const struct pp_material *material,
     }
 }
 
-double pp_lobes_width(const struct pp_lobes *lobes)
+double pp_scatter_gloss_width(const struct pp_lobes *lobes)
 {
     return lobes->gloss ? sqrt(lobes->gloss->along * lobes->gloss->across) : 0.0;
 }
 
 static struct pp_vec3 mirrored(struct pp_vec3 v, struct pp_vec3 n)
 {
-    return pp_along(v, -2.0 * pp_dot(v, n), n);
+    return pp_vec_along(v, -2.0 * pp_vec_dot(v, n), n);
 }
 
 static struct pp_vec3 in_frame(const struct pp_lobes *lobes, struct pp_vec3 v)
 {
-    return pp_vec(pp_dot(v, lobes->a), pp_dot(v, lobes->b), pp_dot(v, lobes->n));
+    return pp_vec(pp_vec_dot(v, lobes->a), pp_vec_dot(v, lobes->b),
+                  pp_vec_dot(v, lobes->n));
 }
 
 static struct pp_vec3 out_of_frame(const struct pp_lobes *lobes, struct pp_vec3 v)
 {
-    return pp_along(pp_along(pp_scale(lobes->a, v.x), v.y, lobes->b), v.z, lobes->n);
+    return pp_vec_along(pp_vec_along(pp_vec_scale(lobes->a, v.x), v.y, lobes->b), v.z,
+                        lobes->n);
 }
 
-struct pp_rgb pp_lobes_gloss(const struct pp_lobes *lobes, struct pp_vec3 o)
+struct pp_rgb pp_scatter_gloss_brdf(const struct pp_lobes *lobes, struct pp_vec3 o)
 {
-    bool through = pp_dot(o, lobes->n) < 0.0;
+    bool through = pp_vec_dot(o, lobes->n) < 0.0;
     struct pp_rgb share = lobes->share[through ? PP_LOBE_THROUGH_GLOSS : PP_LOBE_GLOSS];
     if (pp_rgb_is_black(share))
         return share;
@@ -125,26 +129,26 @@ static bool sample_gloss(const struct pp_lobes *lobes, bool through, double u, d
     return *factor > 0.0;
 }
 
-bool pp_lobes_sample(const struct pp_lobes *lobes, enum pp_lobe lobe, double u,
-                     double v, struct pp_vec3 *o, double *factor)
+bool pp_scatter_sample(const struct pp_lobes *lobes, enum pp_lobe lobe, double u,
+                       double v, struct pp_vec3 *o, double *factor)
 {
     struct pp_vec3 n = lobes->n;
     *factor = 1.0;
     switch (lobe) {
     case PP_LOBE_DIFFUSE:
-        *o = pp_sample_lobe(lobes->a, lobes->b, n, u, v);
+        *o = pp_lobe_sample_in_frame(lobes->a, lobes->b, n, u, v);
         return true;
     case PP_LOBE_THROUGH_DIFFUSE:
-        *o = mirrored(pp_sample_lobe(lobes->a, lobes->b, n, u, v), n);
+        *o = mirrored(pp_lobe_sample_in_frame(lobes->a, lobes->b, n, u, v), n);
         return true;
     case PP_LOBE_GLOSS:
     case PP_LOBE_THROUGH_GLOSS:
         return sample_gloss(lobes, lobe == PP_LOBE_THROUGH_GLOSS, u, v, o, factor);
     case PP_LOBE_MIRROR:
-        *o = mirrored(pp_scale(lobes->eye, -1.0), n);
+        *o = mirrored(pp_vec_scale(lobes->eye, -1.0), n);
         return true;
     case PP_LOBE_STRAIGHT:
-        *o = pp_scale(lobes->eye, -1.0);
+        *o = pp_vec_scale(lobes->eye, -1.0);
         return true;
     default:
         return false;

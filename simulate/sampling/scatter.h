@@ -3,8 +3,8 @@
  * Diffuse lobes go by the cosine, a gloss as gloss.h has it; what goes through as a
  * gloss is the same with its direction mirrored in the surface.
  */
-#ifndef PP_SIMULATE_SCATTER_H
-#define PP_SIMULATE_SCATTER_H
+#ifndef PP_SIMULATE_SAMPLING_SCATTER_H
+#define PP_SIMULATE_SAMPLING_SCATTER_H
 
 #include <stdbool.h>
 
@@ -32,27 +32,29 @@ struct pp_lobes {
 };
 
 /* gloss: the material's; NULL where it has none, or is a mirror. */
-void pp_lobes_init(struct pp_lobes *lobes, const struct pp_material *material,
-                   const struct pp_gloss *gloss, struct pp_vec3 n, struct pp_vec3 eye);
+void pp_scatter_init(struct pp_lobes *lobes, const struct pp_material *material,
+                     const struct pp_gloss *gloss, struct pp_vec3 n,
+                     struct pp_vec3 eye);
 
 /* What passes straight through the material without being scattered, at the cosine of
  * the angle of incidence. */
-struct pp_rgb pp_straight_through(const struct pp_material *material,
-                                  double cos_incidence);
+struct pp_rgb pp_scatter_regular_transmittance(const struct pp_material *material,
+                                               double cos_incidence);
 
 /* What it mirrors, or gives back as a gloss, at that cosine. */
-struct pp_rgb pp_mirrored_by(const struct pp_material *material, double cos_incidence);
+struct pp_rgb pp_scatter_specular_reflectance(const struct pp_material *material,
+                                              double cos_incidence);
 
 /* f of the glosses between the eye and direction o (unit, any side), 1/sr. */
-struct pp_rgb pp_lobes_gloss(const struct pp_lobes *lobes, struct pp_vec3 o);
+struct pp_rgb pp_scatter_gloss_brdf(const struct pp_lobes *lobes, struct pp_vec3 o);
 
 /* How wide the gloss looks, in radians: the side of a square as large as its ellipse.
  */
-double pp_lobes_width(const struct pp_lobes *lobes);
+double pp_scatter_gloss_width(const struct pp_lobes *lobes);
 
 /* A direction of that lobe by two numbers in (0, 1), and the factor that its share is
  * then worth; false where it would go into the surface. */
-bool pp_lobes_sample(const struct pp_lobes *lobes, enum pp_lobe lobe, double u,
-                     double v, struct pp_vec3 *o, double *factor);
+bool pp_scatter_sample(const struct pp_lobes *lobes, enum pp_lobe lobe, double u,
+                       double v, struct pp_vec3 *o, double *factor);
 
 #endif

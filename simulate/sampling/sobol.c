@@ -16,7 +16,7 @@ static const struct joe_kuo joe_kuo[PP_SOBOL_DIMENSIONS - 1] = {
     {3, 2, {1, 1, 1}}, {4, 1, {1, 1, 3, 3}},
 };
 
-uint32_t pp_reverse_bits(uint32_t x)
+uint32_t pp_sobol_reverse_bits(uint32_t x)
 {
     x = (x >> 1 & UINT32_C(0x55555555)) | (x & UINT32_C(0x55555555)) << 1;
     x = (x >> 2 & UINT32_C(0x33333333)) | (x & UINT32_C(0x33333333)) << 2;
@@ -24,7 +24,7 @@ uint32_t pp_reverse_bits(uint32_t x)
     return __builtin_bswap32(x);
 }
 
-uint32_t pp_owen_scramble_reversed(uint32_t reversed, uint32_t seed)
+uint32_t pp_sobol_owen_scramble_reversed(uint32_t reversed, uint32_t seed)
 {
     uint32_t x = reversed;
     x ^= x * UINT32_C(0x3d20adea);
@@ -65,7 +65,7 @@ void pp_sobol_init(struct pp_sobol *sobol)
                 for (int bit = 0; bit < 8; bit++)
                     if (value >> bit & 1)
                         sum ^= v[31 - (8 * byte + bit)];
-                sobol->table[dimension][byte][value] = pp_reverse_bits(sum);
+                sobol->table[dimension][byte][value] = pp_sobol_reverse_bits(sum);
             }
     }
 }
@@ -76,11 +76,11 @@ static void vertex_seeds(uint64_t seed, int vertex, int count, uint32_t seeds[])
     uint64_t mixed = pp_hash(seed, (uint64_t)vertex);
     uint32_t low = (uint32_t)mixed, step = (uint32_t)(mixed >> 32) | 1;
     for (int i = 0; i <= count; i++)
-        seeds[i] = pp_mix32(low + (uint32_t)i * step);
+        seeds[i] = pp_hash_mix32(low + (uint32_t)i * step);
 }
 
-void pp_sequence_init(struct pp_sequence *sequence, const struct pp_sobol *sobol,
-                      uint64_t seed)
+void pp_sobol_sequence_init(struct pp_sobol_sequence *sequence,
+                            const struct pp_sobol *sobol, uint64_t seed)
 {
     sequence->sobol = sobol;
     sequence->seed = seed;
@@ -88,8 +88,8 @@ void pp_sequence_init(struct pp_sequence *sequence, const struct pp_sobol *sobol
         vertex_seeds(seed, vertex, PP_SOBOL_DIMENSIONS, sequence->kept[vertex]);
 }
 
-void pp_sequence_draw(const struct pp_sequence *sequence, uint32_t index, int vertex,
-                      int count, double u[])
+void pp_sobol_sequence_draw(const struct pp_sobol_sequence *sequence, uint32_t index,
+                            int vertex, int count, double u[])
 {
     uint32_t deep[PP_SOBOL_DIMENSIONS + 1];
     const uint32_t *seeds = deep;
@@ -98,12 +98,13 @@ void pp_sequence_draw(const struct pp_sequence *sequence, uint32_t index, int ve
     else
         vertex_seeds(sequence->seed, vertex, count, deep);
 
-    uint32_t i = pp_owen_scramble_reversed(pp_reverse_bits(index), seeds[0]);
+    uint32_t i =
+        pp_sobol_owen_scramble_reversed(pp_sobol_reverse_bits(index), seeds[0]);
     for (int k = 0; k < count; k++) {
         const uint32_t(*table)[256] = sequence->sobol->table[k];
         uint32_t x = table[0][i & 255] ^ table[1][i >> 8 & 255]
                      ^ table[2][i >> 16 & 255] ^ table[3][i >> 24];
-        x = pp_reverse_bits(pp_owen_scramble_reversed(x, seeds[k + 1]));
+        x = pp_sobol_reverse_bits(pp_sobol_owen_scramble_reversed(x, seeds[k + 1]));
         u[k] = (x + 0.5) * 0x1p-32;
     }
 }

@@ -7,8 +7,8 @@
  * with Vegdahl's hash [VEGDAHL21]. An aligned run of 2^k points is a net in the first
  * two dimensions of every vertex, in the order 0, 1, 2, ...: a sum may be extended.
  */
-#ifndef PP_SIMULATE_SOBOL_H
-#define PP_SIMULATE_SOBOL_H
+#ifndef PP_SIMULATE_SAMPLING_SOBOL_H
+#define PP_SIMULATE_SAMPLING_SOBOL_H
 
 #include <stdint.h>
 
@@ -24,7 +24,7 @@ struct pp_sobol {
 };
 
 /* One randomisation of it. */
-struct pp_sequence {
+struct pp_sobol_sequence {
     const struct pp_sobol *sobol; /* not owned */
     uint64_t seed;
     uint32_t kept[PP_SOBOL_KEPT][PP_SOBOL_DIMENSIONS + 1];
@@ -33,18 +33,18 @@ struct pp_sequence {
 void pp_sobol_init(struct pp_sobol *sobol);
 
 /* sobol must live as long as the sequence. */
-void pp_sequence_init(struct pp_sequence *sequence, const struct pp_sobol *sobol,
-                      uint64_t seed);
+void pp_sobol_sequence_init(struct pp_sobol_sequence *sequence,
+                            const struct pp_sobol *sobol, uint64_t seed);
 
 /* The first `count` (at most PP_SOBOL_DIMENSIONS) coordinates of point `index` at path
  * vertex `vertex`, each in (0, 1). */
-void pp_sequence_draw(const struct pp_sequence *sequence, uint32_t index, int vertex,
-                      int count, double u[]);
+void pp_sobol_sequence_draw(const struct pp_sobol_sequence *sequence, uint32_t index,
+                            int vertex, int count, double u[]);
 
 /* The scramble alone: a number whose bits are reversed (the first binary digit lowest);
  * digit k of the result hangs on digits 0 to k only. */
-uint32_t pp_owen_scramble_reversed(uint32_t reversed, uint32_t seed);
+uint32_t pp_sobol_owen_scramble_reversed(uint32_t reversed, uint32_t seed);
 
-uint32_t pp_reverse_bits(uint32_t x);
+uint32_t pp_sobol_reverse_bits(uint32_t x);
 
 #endif

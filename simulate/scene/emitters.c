@@ -36,12 +36,13 @@ static bool is_rectangle(const struct pp_vec3 *corners, int count)
 {
     if (count != 4)
         return false;
-    struct pp_vec3 along = pp_sub(corners[1], corners[0]);
-    struct pp_vec3 up = pp_sub(corners[3], corners[0]);
-    struct pp_vec3 far = pp_sub(corners[2], pp_add(corners[1], up));
-    double size = pp_length(along) + pp_length(up);
-    return fabs(pp_dot(along, up)) < SAME_SHAPE * pp_length(along) * pp_length(up)
-           && pp_length(far) < SAME_SHAPE * size;
+    struct pp_vec3 along = pp_vec_sub(corners[1], corners[0]);
+    struct pp_vec3 up = pp_vec_sub(corners[3], corners[0]);
+    struct pp_vec3 far = pp_vec_sub(corners[2], pp_vec_add(corners[1], up));
+    double size = pp_vec_length(along) + pp_vec_length(up);
+    return fabs(pp_vec_dot(along, up))
+               < SAME_SHAPE * pp_vec_length(along) * pp_vec_length(up)
+           && pp_vec_length(far) < SAME_SHAPE * size;
 }
 
 static void make_target(struct pp_target *target, const struct pp_vec3 *corners,
@@ -51,13 +52,13 @@ static void make_target(struct pp_target *target, const struct pp_vec3 *corners,
         (struct pp_target){.normal = normal, .rectangle = is_rectangle(corners, count)};
     if (!target->rectangle)
         return;
-    struct pp_vec3 along = pp_sub(corners[1], corners[0]);
-    struct pp_vec3 up = pp_sub(corners[3], corners[0]);
-    target->width_m = pp_length(along);
-    target->height_m = pp_length(up);
+    struct pp_vec3 along = pp_vec_sub(corners[1], corners[0]);
+    struct pp_vec3 up = pp_vec_sub(corners[3], corners[0]);
+    target->width_m = pp_vec_length(along);
+    target->height_m = pp_vec_length(up);
     target->corner = corners[0];
-    target->along = pp_scale(along, 1.0 / target->width_m);
-    target->up = pp_scale(up, 1.0 / target->height_m);
+    target->along = pp_vec_scale(along, 1.0 / target->width_m);
+    target->up = pp_vec_scale(up, 1.0 / target->height_m);
 }
 
 /* Keeps the triangles; area and middle from them. */
@@ -83,12 +84,12 @@ static enum pp_status keep_triangles(struct pp_light_scene *scene,
             scene->emitter_triangles[scene->emitter_triangle_count++];
         for (int k = 0; k < 3; k++)
             copy[k] = triangles[i][k];
-        double area = pp_triangle_area(copy);
+        double area = pp_triangles_area(copy);
         emitter->area_m2 += area;
         for (int k = 0; k < 3; k++)
-            sum = pp_along(sum, area / 3.0, copy[k]);
+            sum = pp_vec_along(sum, area / 3.0, copy[k]);
     }
-    emitter->middle = pp_scale(sum, 1.0 / emitter->area_m2);
+    emitter->middle = pp_vec_scale(sum, 1.0 / emitter->area_m2);
     emitter->target.area_m2 = emitter->area_m2;
     emitter->target.middle = emitter->middle;
     return PP_OK;
@@ -100,7 +101,8 @@ static struct pp_vec3 middle_of_round(const struct pp_shape *round)
         return round->is.sphere.centre;
     if (round->kind == PP_SHAPE_RING)
         return round->is.ring.centre;
-    return pp_scale(pp_add(round->is.cone.ends[0], round->is.cone.ends[1]), 0.5);
+    return pp_vec_scale(pp_vec_add(round->is.cone.ends[0], round->is.cone.ends[1]),
+                        0.5);
 }
 
 static bool gives_light(const struct pp_light_scene *scene,
@@ -111,10 +113,10 @@ static bool gives_light(const struct pp_light_scene *scene,
            && !pp_rgb_is_black(material->radiance);
 }
 
-enum pp_status pp_light_scene_add_emitters(struct pp_light_scene *scene, int index,
-                                           const struct pp_vec3 *corners, int count,
-                                           const struct pp_vec3 (*triangles)[3],
-                                           int triangle_count, struct pp_error *err)
+enum pp_status pp_emitters_add_part(struct pp_light_scene *scene, int index,
+                                    const struct pp_vec3 *corners, int count,
+                                    const struct pp_vec3 (*triangles)[3],
+                                    int triangle_count, struct pp_error *err)
 {
     struct pp_light_part *part = &scene->parts[index];
     for (int side = 0; side < 2; side++) {
@@ -134,7 +136,7 @@ enum pp_status pp_light_scene_add_emitters(struct pp_light_scene *scene, int ind
             emitter.middle = middle_of_round(&emitter.round);
         } else {
             make_target(&emitter.target, corners, count,
-                        side ? pp_scale(part->normal, -1.0) : part->normal);
+                        side ? pp_vec_scale(part->normal, -1.0) : part->normal);
             status = keep_triangles(scene, &emitter, triangles, triangle_count, err);
         }
         part->emitter[side] = scene->emitter_count;
@@ -146,7 +148,7 @@ enum pp_status pp_light_scene_add_emitters(struct pp_light_scene *scene, int ind
     return PP_OK;
 }
 
-void pp_light_scene_settle_emitters(struct pp_light_scene *scene)
+void pp_emitters_link_triangles(struct pp_light_scene *scene)
 {
     for (int i = 0; i < scene->emitter_count; i++) {
         struct pp_emitter *emitter = &scene->emitters[i];
@@ -157,9 +159,9 @@ void pp_light_scene_settle_emitters(struct pp_light_scene *scene)
     }
 }
 
-enum pp_status pp_light_scene_add_distant(struct pp_light_scene *scene,
-                                          const struct pp_shape *shape,
-                                          struct pp_error *err)
+enum pp_status pp_emitters_add_distant(struct pp_light_scene *scene,
+                                       const struct pp_shape *shape,
+                                       struct pp_error *err)
 {
     const struct pp_material *material = &scene->materials[shape->material];
     double half = shape->is.distant.half_angle_rad;
@@ -196,45 +198,47 @@ static struct pp_vec3 in_cone(struct pp_vec3 axis, double fall, double u, double
     double sine_cone = sqrt(fmax(0.0, fall * (2.0 - fall)));
     struct pp_vec3 a, b;
     double sine, cosine;
-    pp_frame_about(axis, &a, &b);
+    pp_lobe_frame(axis, &a, &b);
     sincos(2.0 * PP_PI * v, &sine, &cosine);
-    return pp_along(pp_along(pp_scale(axis, 1.0 - fall), sine_cone * cosine, a),
-                    sine_cone * sine, b);
+    return pp_vec_along(
+        pp_vec_along(pp_vec_scale(axis, 1.0 - fall), sine_cone * cosine, a),
+        sine_cone * sine, b);
 }
 
 /* Is any direction of the cone before the plane with normal n? */
 static bool cone_before(struct pp_vec3 axis, double fall, struct pp_vec3 n)
 {
-    double facing = pp_dot(axis, n);
+    double facing = pp_vec_dot(axis, n);
     return facing > 0.0 || fall >= 1.0 || facing > -sqrt(fall * (2.0 - fall));
 }
 
-static bool aim_at_sphere(struct pp_emitter_aim *aim, struct pp_vec3 n)
+static bool aim_at_sphere(struct pp_emitter_sampler *aim, struct pp_vec3 n)
 {
     const struct pp_shape *sphere = &aim->emitter->round;
-    struct pp_vec3 to = pp_sub(sphere->is.sphere.centre, aim->from);
-    double r = sphere->is.sphere.radius_m, d = pp_length(to);
+    struct pp_vec3 to = pp_vec_sub(sphere->is.sphere.centre, aim->from);
+    double r = sphere->is.sphere.radius_m, d = pp_vec_length(to);
     bool emits_outside = sphere->inward == aim->emitter->back;
     if (emits_outside != (d > r))
         return false;
-    aim->axis = d > 0.0 ? pp_scale(to, 1.0 / d) : pp_vec(0.0, 0.0, 1.0);
+    aim->axis = d > 0.0 ? pp_vec_scale(to, 1.0 / d) : pp_vec(0.0, 0.0, 1.0);
     double sine2 = r / d * (r / d);
     aim->fall = d > r ? sine2 / (1.0 + sqrt(1.0 - sine2)) : 2.0;
     return cone_before(aim->axis, aim->fall, n);
 }
 
-bool pp_emitter_aim_init(struct pp_emitter_aim *aim, const struct pp_light_scene *scene,
-                         const struct pp_emitter *emitter, struct pp_vec3 from,
-                         struct pp_vec3 n)
+bool pp_emitters_sampler_init(struct pp_emitter_sampler *aim,
+                              const struct pp_light_scene *scene,
+                              const struct pp_emitter *emitter, struct pp_vec3 from,
+                              struct pp_vec3 n)
 {
     aim->emitter = emitter;
     aim->from = from;
     switch (emitter->shape) {
     case PP_EMITTER_PLANE:
-        if (!pp_target_in_sight(&emitter->target, from, n))
+        if (!pp_sample_polygon_in_sight(&emitter->target, from, n))
             return false;
-        pp_aim_init(&aim->plane, &emitter->target, from, n,
-                    (struct pp_brightness){.even = true});
+        pp_sample_polygon_init(&aim->plane, &emitter->target, from, n,
+                               (struct pp_brightness){.even = true});
         return true;
     case PP_EMITTER_SPHERE:
         return aim_at_sphere(aim, n);
@@ -247,27 +251,28 @@ bool pp_emitter_aim_init(struct pp_emitter_aim *aim, const struct pp_light_scene
     }
 }
 
-static bool sample_by_area(const struct pp_emitter_aim *aim, double u, double v,
-                           struct pp_aimed *aimed)
+static bool sample_by_area(const struct pp_emitter_sampler *aim, double u, double v,
+                           struct pp_direction_sample *aimed)
 {
     const struct pp_emitter *emitter = aim->emitter;
     aimed->point = pp_round_point(&emitter->round, u, v);
-    struct pp_vec3 to = pp_sub(aimed->point, aim->from);
-    double square = pp_dot(to, to);
+    struct pp_vec3 to = pp_vec_sub(aimed->point, aim->from);
+    double square = pp_vec_dot(to, to);
     aimed->distance_m = sqrt(square);
-    aimed->direction = pp_scale(to, 1.0 / aimed->distance_m);
+    aimed->direction = pp_vec_scale(to, 1.0 / aimed->distance_m);
     struct pp_vec3 normal = pp_round_normal(&emitter->round, aimed->point);
-    double facing = -pp_dot(normal, aimed->direction) * (emitter->back ? -1.0 : 1.0);
+    double facing =
+        -pp_vec_dot(normal, aimed->direction) * (emitter->back ? -1.0 : 1.0);
     aimed->per_density = emitter->area_m2 * facing / square;
     return facing > 0.0;
 }
 
-bool pp_emitter_aim_sample(const struct pp_emitter_aim *aim, double u, double v,
-                           struct pp_aimed *aimed)
+bool pp_emitters_sample(const struct pp_emitter_sampler *aim, double u, double v,
+                        struct pp_direction_sample *aimed)
 {
     switch (aim->emitter->shape) {
     case PP_EMITTER_PLANE:
-        *aimed = pp_aim_sample(&aim->plane, u, v);
+        *aimed = pp_sample_polygon_draw(&aim->plane, u, v);
         return true;
     case PP_EMITTER_ROUND:
         return sample_by_area(aim, u, v, aimed);
@@ -284,39 +289,39 @@ bool pp_emitter_aim_sample(const struct pp_emitter_aim *aim, double u, double v,
     return true;
 }
 
-double pp_emitter_spread(const struct pp_emitter *emitter,
-                         const struct pp_light_scene *scene, struct pp_vec3 from)
+double pp_emitters_angular_size(const struct pp_emitter *emitter,
+                                const struct pp_light_scene *scene, struct pp_vec3 from)
 {
     if (emitter->shape == PP_EMITTER_DISTANT)
         return sqrt(scene->distants[emitter->distant].solid);
-    struct pp_vec3 to = pp_sub(emitter->middle, from);
-    return sqrt(emitter->area_m2 / pp_dot(to, to));
+    struct pp_vec3 to = pp_vec_sub(emitter->middle, from);
+    return sqrt(emitter->area_m2 / pp_vec_dot(to, to));
 }
 
-double pp_emitter_importance(const struct pp_emitter *emitter,
-                             const struct pp_light_scene *scene, struct pp_vec3 from,
-                             struct pp_vec3 n)
+double pp_emitters_importance(const struct pp_emitter *emitter,
+                              const struct pp_light_scene *scene, struct pp_vec3 from,
+                              struct pp_vec3 n)
 {
     double light =
         pp_rgb_luminance(emitter->radiance) + 1e-3 * pp_rgb_most(emitter->radiance);
     if (emitter->shape == PP_EMITTER_DISTANT) {
         const struct pp_distant *distant = &scene->distants[emitter->distant];
-        return light * distant->solid * fmax(pp_dot(n, distant->direction), 0.1);
+        return light * distant->solid * fmax(pp_vec_dot(n, distant->direction), 0.1);
     }
     if (emitter->shape == PP_EMITTER_PLANE
-        && !pp_target_in_sight(&emitter->target, from, n))
+        && !pp_sample_polygon_in_sight(&emitter->target, from, n))
         return 0.0;
-    struct pp_vec3 to = pp_sub(emitter->middle, from);
-    double square = pp_dot(to, to), length = sqrt(square);
-    double facing = length > 0.0 ? pp_dot(n, to) / length : 1.0;
+    struct pp_vec3 to = pp_vec_sub(emitter->middle, from);
+    double square = pp_vec_dot(to, to), length = sqrt(square);
+    double facing = length > 0.0 ? pp_vec_dot(n, to) / length : 1.0;
     double slant = 1.0;
     if (emitter->shape == PP_EMITTER_PLANE && length > 0.0)
-        slant = -pp_dot(emitter->target.normal, to) / length;
+        slant = -pp_vec_dot(emitter->target.normal, to) / length;
     return light * emitter->area_m2 / (square + emitter->area_m2) * fmax(facing, 0.1)
            * fmax(slant, 0.05);
 }
 
-uint32_t pp_directions_to(double spread, double size, int most)
+uint32_t pp_emitters_direction_count(double spread, double size, int most)
 {
     uint32_t count = 1;
     if (!(size > 0.0))

@@ -61,7 +61,7 @@ static uint64_t stir_part(uint64_t hash, const struct pp_light_part *part)
 {
     hash = stir(stir_vec(hash, part->normal), part->offset_m);
     hash = stir(stir(hash, part->material[0]), part->material[1]);
-    return stir(stir(hash, part->back_emits), part->skin);
+    return stir(stir(hash, part->back_emits), part->envelope);
 }
 
 static uint64_t stir_round(uint64_t hash, const struct pp_shape *shape)
@@ -79,7 +79,7 @@ static uint64_t stir_round(uint64_t hash, const struct pp_shape *shape)
     }
 }
 
-static uint64_t stir_outside(uint64_t hash, const struct pp_outside *outside)
+static uint64_t stir_outside(uint64_t hash, const struct pp_environment *outside)
 {
     hash = stir_sky(hash, &outside->sky);
     hash = stir(stir(hash, outside->ground_reflectance), outside->ground_level_m);
@@ -95,7 +95,7 @@ static uint64_t stir_outside(uint64_t hash, const struct pp_outside *outside)
     return hash;
 }
 
-void pp_light_scene_stir(struct pp_light_scene *scene, const float (*triangles)[3][3])
+void pp_light_hash_scene(struct pp_light_scene *scene, const float (*triangles)[3][3])
 {
     uint64_t hash = stir_vec(0, scene->centre);
     for (int i = 0; i < scene->material_count; i++)

@@ -1,12 +1,12 @@
 /* light_parts.h - what is inside a light scene. Inside simulate/ only. */
-#ifndef PP_SIMULATE_LIGHT_PARTS_H
-#define PP_SIMULATE_LIGHT_PARTS_H
+#ifndef PP_SIMULATE_SCENE_LIGHT_PARTS_H
+#define PP_SIMULATE_SCENE_LIGHT_PARTS_H
 
 #include "simulate/sampling/gloss.h"
 #include "simulate/scene/light_scene.h"
 #include "simulate/scene/rays.h"
 #include "simulate/sampling/sample_polygon.h"
-#include "simulate/scene/scene.h"
+#include "simulate/scene/ray_scene.h"
 
 /* What has one plane or one curve. */
 struct pp_light_part {
@@ -20,7 +20,7 @@ struct pp_light_part {
     int emitter[2];         /* what front and back are, if aimed at; -1: nothing */
     int mirror;             /* in whose plane it is, if it mirrors; -1: none */
     unsigned char space[2]; /* enum pp_space of rays that leave front and back */
-    bool skin;              /* of a room: its back is not seen from inside */
+    bool envelope;          /* of a room: its back is not seen from inside */
     bool back_emits;
 };
 
@@ -62,16 +62,16 @@ struct pp_mirror {
 };
 
 /* Reflections one after the other on the way from a point to an emitter. */
-enum { PP_CHAIN_MOST = 2 };
-struct pp_chain {
-    int mirrors[PP_CHAIN_MOST]; /* -1 behind the last */
-    double share;               /* of all of them */
+enum { PP_MIRROR_PATH_MOST = 2 };
+struct pp_mirror_path {
+    int mirrors[PP_MIRROR_PATH_MOST]; /* -1 behind the last */
+    double share;                     /* of all of them */
 };
 
 struct pp_light_scene {
     struct pp_vec3 centre;        /* what is below is measured from there */
     const struct pp_world *world; /* NULL: of a description; not owned */
-    struct pp_scene *room;        /* of a world: its rays, windows, outside */
+    struct pp_ray_scene *room;    /* of a world: its rays, windows, outside */
     bool matt;                    /* of a world: its finishes without their gloss */
 
     struct pp_material *materials;
@@ -97,10 +97,10 @@ struct pp_light_scene {
     int distant_count;
     struct pp_mirror *mirrors;
     int mirror_count;
-    struct pp_chain *chains;
-    int chain_count;
-    double missed_share; /* the most that any other reflections leave */
-    struct pp_rgb glow;  /* the brightest of its extended emitters that has a place */
+    struct pp_mirror_path *mirror_paths;
+    int mirror_path_count;
+    double unsampled_share; /* the most that any other reflections leave */
+    struct pp_rgb glow; /* the brightest of its extended emitters that has a place */
 
     struct pp_vec3 low, high; /* of everything */
     uint64_t hash;
@@ -109,8 +109,8 @@ struct pp_light_scene {
 /* What a ray comes to. */
 enum pp_meeting {
     PP_MEETS_PART,
-    PP_MEETS_BEYOND, /* sky, ground, skyline, distant sources */
-    PP_MEETS_CRACK,  /* the wrong side of a room's skin: to be given up */
+    PP_MEETS_ENVIRONMENT, /* sky, ground, skyline, distant sources */
+    PP_MEETS_LEAK,        /* the wrong side of a room's envelope: to be given up */
 };
 
 /* The general question; ray and hit are measured from the centre. hit->distance_m is
@@ -121,13 +121,13 @@ enum pp_meeting pp_light_scene_meet(const struct pp_light_scene *scene,
 
 /* The light of what is beyond, without concentrated sources; near: what `meet` gave as
  * distance (a skyline stands there if it is finite). *is_sky may be NULL. */
-struct pp_rgb pp_light_scene_beyond(const struct pp_light_scene *scene,
-                                    const struct pp_light_ray *ray, double near_m,
-                                    bool *is_sky);
+struct pp_rgb pp_light_scene_environment(const struct pp_light_scene *scene,
+                                         const struct pp_light_ray *ray, double near_m,
+                                         bool *is_sky);
 
 /* The radiance of distant source i in direction u, 0 outside its cone. */
-struct pp_rgb pp_distant_radiance(const struct pp_light_scene *scene, int i,
-                                  struct pp_vec3 u);
+struct pp_rgb pp_light_scene_distant_radiance(const struct pp_light_scene *scene, int i,
+                                              struct pp_vec3 u);
 
 /* Once all materials are there: works out the glosses that they have. */
 enum pp_status pp_light_scene_add_glosses(struct pp_light_scene *scene,
@@ -138,77 +138,79 @@ const struct pp_gloss *pp_light_scene_gloss(const struct pp_light_scene *scene,
                                             int material);
 
 /* Stirs all that the scene has into its hash (light_hash.c). */
-void pp_light_scene_stir(struct pp_light_scene *scene, const float (*triangles)[3][3]);
+void pp_light_hash_scene(struct pp_light_scene *scene, const float (*triangles)[3][3]);
 
 /* Appends emitters of the sides of a part that emit concentrated light. The polygon's
  * corners and triangles are from the centre. */
-enum pp_status pp_light_scene_add_emitters(struct pp_light_scene *scene, int part,
-                                           const struct pp_vec3 *corners, int count,
-                                           const struct pp_vec3 (*triangles)[3],
-                                           int triangle_count, struct pp_error *err);
-enum pp_status pp_light_scene_add_distant(struct pp_light_scene *scene,
-                                          const struct pp_shape *shape,
-                                          struct pp_error *err);
+enum pp_status pp_emitters_add_part(struct pp_light_scene *scene, int part,
+                                    const struct pp_vec3 *corners, int count,
+                                    const struct pp_vec3 (*triangles)[3],
+                                    int triangle_count, struct pp_error *err);
+enum pp_status pp_emitters_add_distant(struct pp_light_scene *scene,
+                                       const struct pp_shape *shape,
+                                       struct pp_error *err);
 
 /* Once all are there: their targets get their triangles. */
-void pp_light_scene_settle_emitters(struct pp_light_scene *scene);
+void pp_emitters_link_triangles(struct pp_light_scene *scene);
 
 /* ---- emitters, aimed at: emitters.c ---- */
 
 /* An emitter as it is seen from one point of a surface. */
-struct pp_emitter_aim {
+struct pp_emitter_sampler {
     const struct pp_emitter *emitter; /* not owned */
     struct pp_vec3 from;
-    struct pp_aim plane;
+    struct pp_polygon_sampler plane;
     struct pp_vec3 axis; /* sphere: to its middle; distant: its own */
     double fall;         /* 1 - cos of the half angle to aim into */
 };
 
 /* False where no light of it can reach that side of the surface. n is the normal of
  * the side that is to be lit. */
-bool pp_emitter_aim_init(struct pp_emitter_aim *aim, const struct pp_light_scene *scene,
-                         const struct pp_emitter *emitter, struct pp_vec3 from,
-                         struct pp_vec3 n);
+bool pp_emitters_sampler_init(struct pp_emitter_sampler *aim,
+                              const struct pp_light_scene *scene,
+                              const struct pp_emitter *emitter, struct pp_vec3 from,
+                              struct pp_vec3 n);
 
 /* A direction to the emitter; false where there it gives no light to the point. Of a
  * distant one distance_m is INFINITY. */
-bool pp_emitter_aim_sample(const struct pp_emitter_aim *aim, double u, double v,
-                           struct pp_aimed *aimed);
+bool pp_emitters_sample(const struct pp_emitter_sampler *aim, double u, double v,
+                        struct pp_direction_sample *aimed);
 
 /* How much it may count, for choosing among several; not 0 where it counts. */
-double pp_emitter_importance(const struct pp_emitter *emitter,
-                             const struct pp_light_scene *scene, struct pp_vec3 from,
-                             struct pp_vec3 n);
+double pp_emitters_importance(const struct pp_emitter *emitter,
+                              const struct pp_light_scene *scene, struct pp_vec3 from,
+                              struct pp_vec3 n);
 
 /* How large it looks from there: its size over its distance. */
-double pp_emitter_spread(const struct pp_emitter *emitter,
-                         const struct pp_light_scene *scene, struct pp_vec3 from);
+double pp_emitters_angular_size(const struct pp_emitter *emitter,
+                                const struct pp_light_scene *scene,
+                                struct pp_vec3 from);
 
 /* How many directions make each one's share look smaller than `size`: a power of two,
  * at most `most`. */
-uint32_t pp_directions_to(double spread, double size, int most);
+uint32_t pp_emitters_direction_count(double spread, double size, int most);
 
 /* Once all parts are there: unsampled.c. */
-void pp_light_scene_find_glow(struct pp_light_scene *scene);
+void pp_unsampled_find_glow(struct pp_light_scene *scene);
 
 /* ---- emitters in plane mirrors: mirrors.c ---- */
 
 /* Once all parts and emitters are there. */
-enum pp_status pp_light_scene_add_mirrors(struct pp_light_scene *scene,
-                                          struct pp_error *err);
+enum pp_status pp_mirrors_find(struct pp_light_scene *scene, struct pp_error *err);
 
-/* The chain with that mirror behind its last; -1: there is none. chain -1 is the empty
+/* The mirror_path with that mirror behind its last; -1: there is none. mirror_path -1 is the empty
  * one, here and below. */
-int pp_chain_longer(const struct pp_light_scene *scene, int chain, int mirror);
+int pp_mirrors_path_extend(const struct pp_light_scene *scene, int mirror_path,
+                           int mirror);
 
-/* Where the point, and what direction, is seen to be behind the chain's last mirror. */
-struct pp_vec3 pp_chain_point(const struct pp_light_scene *scene, int chain,
-                              struct pp_vec3 p);
-struct pp_vec3 pp_chain_direction(const struct pp_light_scene *scene, int chain,
-                                  struct pp_vec3 u);
+/* Where the point, and what direction, is seen to be behind the mirror_path's last mirror. */
+struct pp_vec3 pp_mirrors_path_point(const struct pp_light_scene *scene,
+                                     int mirror_path, struct pp_vec3 p);
+struct pp_vec3 pp_mirrors_path_direction(const struct pp_light_scene *scene,
+                                         int mirror_path, struct pp_vec3 u);
 
 /* The direction in which what leaves the last mirror along u has left the point. */
-struct pp_vec3 pp_chain_unfold(const struct pp_light_scene *scene, int chain,
-                               struct pp_vec3 u);
+struct pp_vec3 pp_mirrors_path_unfold(const struct pp_light_scene *scene,
+                                      int mirror_path, struct pp_vec3 u);
 
 #endif

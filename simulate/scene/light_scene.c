@@ -1,5 +1,5 @@
 /* light_scene.c - see light_scene.h: what rays meet. How the parts come about is in
- * light_build.c and light_world.c. */
+ * light_scene_of_description.c and light_scene_of_world.c. */
 #include <math.h>
 #include <stdlib.h>
 
@@ -12,7 +12,7 @@ void pp_light_scene_destroy(struct pp_light_scene *scene)
         return;
     if (!scene->room)
         pp_rays_destroy(scene->rays);
-    pp_scene_destroy(scene->room);
+    pp_ray_scene_destroy(scene->room);
     free(scene->materials);
     free(scene->glosses);
     free(scene->gloss_of_material);
@@ -24,7 +24,7 @@ void pp_light_scene_destroy(struct pp_light_scene *scene)
     free(scene->emitter_triangles);
     free(scene->distants);
     free(scene->mirrors);
-    free(scene->chains);
+    free(scene->mirror_paths);
     free(scene);
 }
 
@@ -34,7 +34,7 @@ enum pp_space pp_light_scene_space(const struct pp_light_scene *scene,
     if (!scene->world || scene->world->face_count == 0)
         return PP_ANYWHERE;
     /* In the depth of a reveal a point is outside the envelope and still may see in. */
-    return pp_world_contains(scene->world, point) ? PP_INDOORS : PP_ANYWHERE;
+    return pp_position_in_room(scene->world, point) ? PP_INDOORS : PP_ANYWHERE;
 }
 
 int pp_light_scene_material_count(const struct pp_light_scene *scene)
@@ -85,8 +85,9 @@ static bool is_rough(const struct pp_material *material)
 }
 
 /* The number of the gloss of these roughnesses, worked out if it is a new one. */
-static enum pp_status find_gloss(struct pp_light_scene *scene, const double roughness[2],
-                                 int *number, struct pp_error *err)
+static enum pp_status find_gloss(struct pp_light_scene *scene,
+                                 const double roughness[2], int *number,
+                                 struct pp_error *err)
 {
     int count = scene->gloss_count;
     for (*number = 0; *number < count; (*number)++)
@@ -134,7 +135,7 @@ static struct pp_vec3 lift(const struct pp_light_ray *ray)
 {
     struct pp_vec3 p = ray->from;
     double reach = fabs(p.x) + fabs(p.y) + fabs(p.z);
-    return pp_along(p, 0x1p-20 + 0x1p-20 * reach, ray->off);
+    return pp_vec_along(p, 0x1p-20 + 0x1p-20 * reach, ray->off);
 }
 
 /* Puts the hit on the part itself, in double precision. */
@@ -148,17 +149,17 @@ static void refine(const struct pp_light_scene *scene, const struct pp_light_par
         if (pp_round_meet(round, start, ray->to, 0.999 * d - 1e-6, 1.001 * d + 1e-6,
                           &t))
             hit->distance_m = t;
-        hit->point = pp_along(start, hit->distance_m, ray->to);
+        hit->point = pp_vec_along(start, hit->distance_m, ray->to);
         hit->normal = pp_round_normal(round, hit->point);
     } else {
-        struct pp_vec3 near = pp_along(ray->from, hit->distance_m, ray->to);
+        struct pp_vec3 near = pp_vec_along(ray->from, hit->distance_m, ray->to);
         hit->normal = part->normal;
-        hit->point =
-            pp_along(near, part->offset_m - pp_dot(part->normal, near), part->normal);
+        hit->point = pp_vec_along(near, part->offset_m - pp_vec_dot(part->normal, near),
+                                  part->normal);
     }
-    hit->back = pp_dot(hit->normal, ray->to) > 0.0;
+    hit->back = pp_vec_dot(hit->normal, ray->to) > 0.0;
     if (hit->back)
-        hit->normal = pp_scale(hit->normal, -1.0);
+        hit->normal = pp_vec_scale(hit->normal, -1.0);
 }
 
 enum pp_meeting pp_light_scene_meet(const struct pp_light_scene *scene,
@@ -177,15 +178,15 @@ enum pp_meeting pp_light_scene_meet(const struct pp_light_scene *scene,
 
     /* A skyline with a distance may stand before it. */
     if (scene->room && !indoors && scene->room->outside.near_count > 0) {
-        double exitance, near = pp_outside_near(&scene->room->outside, ray->from,
-                                                ray->to, &exitance);
+        double exitance, near = pp_environment_near_skyline(
+                             &scene->room->outside, ray->from, ray->to, &exitance);
         if (near < hit->distance_m) {
             hit->distance_m = near;
-            return PP_MEETS_BEYOND;
+            return PP_MEETS_ENVIRONMENT;
         }
     }
     if (index < 0)
-        return indoors ? PP_MEETS_CRACK : PP_MEETS_BEYOND;
+        return indoors ? PP_MEETS_LEAK : PP_MEETS_ENVIRONMENT;
 
     hit->part = scene->part_of_triangle[index];
     const struct pp_light_part *part = &scene->parts[hit->part];
@@ -194,32 +195,33 @@ enum pp_meeting pp_light_scene_meet(const struct pp_light_scene *scene,
     hit->material = part->material[hit->back];
     hit->space = part->space[hit->back];
     bool wrong = ray->space != PP_ANYWHERE && hit->back == indoors;
-    return part->skin && wrong ? PP_MEETS_CRACK : PP_MEETS_PART;
+    return part->envelope && wrong ? PP_MEETS_LEAK : PP_MEETS_PART;
 }
 
 bool pp_light_scene_first(const struct pp_light_scene *scene,
                           const struct pp_light_ray *ray, struct pp_light_hit *hit)
 {
     struct pp_light_ray moved = *ray;
-    moved.from = pp_sub(ray->from, scene->centre);
+    moved.from = pp_vec_sub(ray->from, scene->centre);
     enum pp_meeting meeting = pp_light_scene_meet(scene, &moved, hit);
-    hit->point = pp_add(hit->point, scene->centre);
+    hit->point = pp_vec_add(hit->point, scene->centre);
     return meeting == PP_MEETS_PART;
 }
 
 /* ---- what is beyond ---- */
 
-struct pp_rgb pp_distant_radiance(const struct pp_light_scene *scene, int i,
-                                  struct pp_vec3 u)
+struct pp_rgb pp_light_scene_distant_radiance(const struct pp_light_scene *scene, int i,
+                                              struct pp_vec3 u)
 {
     const struct pp_distant *distant = &scene->distants[i];
-    if (!(pp_dot(u, distant->direction) >= distant->cos_half))
+    if (!(pp_vec_dot(u, distant->direction) >= distant->cos_half))
         return pp_rgb_grey(0.0);
     const struct pp_material *material = &scene->materials[distant->material];
     if (material->pattern < 0)
         return material->radiance;
-    return pp_rgb_scale(material->radiance,
-                        pp_pattern_value(&scene->patterns[material->pattern], u));
+    return pp_rgb_scale(
+        material->radiance,
+        pp_scene_description_pattern_value(&scene->patterns[material->pattern], u));
 }
 
 /* The extended one that fills the smallest angle, of those in which u lies. */
@@ -228,23 +230,24 @@ static int distant_in(const struct pp_light_scene *scene, struct pp_vec3 u)
     int found = -1;
     for (int i = 0; i < scene->distant_count; i++) {
         const struct pp_distant *distant = &scene->distants[i];
-        if (distant->emitter < 0 && pp_dot(u, distant->direction) >= distant->cos_half
+        if (distant->emitter < 0
+            && pp_vec_dot(u, distant->direction) >= distant->cos_half
             && (found < 0 || distant->solid < scene->distants[found].solid))
             found = i;
     }
     return found;
 }
 
-struct pp_rgb pp_light_scene_beyond(const struct pp_light_scene *scene,
-                                    const struct pp_light_ray *ray, double near_m,
-                                    bool *is_sky)
+struct pp_rgb pp_light_scene_environment(const struct pp_light_scene *scene,
+                                         const struct pp_light_ray *ray, double near_m,
+                                         bool *is_sky)
 {
     bool sky = false;
-    double light = 0.0; /* pi L, as surroundings.h has it */
+    double light = 0.0; /* pi L, as environment.h has it */
     if (scene->room && isfinite(near_m))
-        pp_outside_near(&scene->room->outside, ray->from, ray->to, &light);
+        pp_environment_near_skyline(&scene->room->outside, ray->from, ray->to, &light);
     else if (scene->room)
-        light = pp_outside_light(&scene->room->outside, ray->to, &sky);
+        light = pp_environment_light(&scene->room->outside, ray->to, &sky);
     if (is_sky)
         *is_sky = sky;
     if (scene->room)
@@ -254,5 +257,5 @@ struct pp_rgb pp_light_scene_beyond(const struct pp_light_scene *scene,
     if (is_sky)
         *is_sky = distant >= 0 && ray->to.z > 0.0;
     return distant < 0 ? pp_rgb_grey(0.0)
-                       : pp_distant_radiance(scene, distant, ray->to);
+                       : pp_light_scene_distant_radiance(scene, distant, ray->to);
 }

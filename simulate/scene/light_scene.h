@@ -7,8 +7,8 @@
  * Light of a world is over Eh: radiances per steradian of it, irradiances as daylight
  * factors. Light of a description has the description's unit.
  */
-#ifndef PP_SIMULATE_LIGHT_SCENE_H
-#define PP_SIMULATE_LIGHT_SCENE_H
+#ifndef PP_SIMULATE_SCENE_LIGHT_SCENE_H
+#define PP_SIMULATE_SCENE_LIGHT_SCENE_H
 
 #include <stdbool.h>
 #include <stdint.h>
@@ -27,7 +27,7 @@ enum pp_status pp_light_scene_of_world(struct pp_light_scene **scene,
                                        struct pp_error *err);
 
 /* The same with every finish diffuse, as the tracer and the hand methods have it. */
-enum pp_status pp_light_scene_of_matt_world(struct pp_light_scene **scene,
+enum pp_status pp_light_scene_of_world_matt(struct pp_light_scene **scene,
                                             const struct pp_world *world,
                                             struct pp_error *err);
 
@@ -38,7 +38,7 @@ enum pp_status pp_light_scene_of_description(struct pp_light_scene **scene,
 void pp_light_scene_destroy(struct pp_light_scene *scene); /* NULL is allowed */
 
 /* Where a ray runs, as far as that is known. In a world, one that is indoors can't see
- * the back of the room's skin: if it does it has slipped through a crack, and counts
+ * the back of the room's envelope: if it does it has slipped through a crack, and counts
  * nothing. A description's rays run anywhere. */
 enum pp_space { PP_ANYWHERE, PP_INDOORS, PP_OUTDOORS };
 
@@ -89,8 +89,8 @@ void pp_light_scene_bounds(const struct pp_light_scene *scene, bool room,
  * it if that is less. That light is of extended emitters (but for skies with a pattern),
  * and of concentrated ones in curved mirrors, for which plane ones are taken, and by more
  * reflections than they are aimed at by; of all of them if they are not aimed at. */
-struct pp_rgb pp_light_scene_missed(const struct pp_light_scene *scene,
-                                    struct pp_vec3 point, bool by_chance, long paths);
+struct pp_rgb pp_unsampled_bound(const struct pp_light_scene *scene,
+                                 struct pp_vec3 point, bool by_chance, long paths);
 
 /* A number that hangs on every shape, material and light of the scene. */
 uint64_t pp_light_scene_hash(const struct pp_light_scene *scene);

@@ -16,7 +16,7 @@
 
 enum {
     MOST_MIRRORS = 8, /* planes */
-    MOST_WAYS = 256,  /* chains of them times emitters */
+    MOST_WAYS = 256,  /* mirror_paths of them times emitters */
 };
 
 /* Planes are one whose normals differ by less than this in the cosine, and whose
@@ -38,8 +38,8 @@ static double share_of(const struct pp_light_scene *scene, int part)
     for (int side = 0; side < 2; side++) {
         int material = scene->parts[part].material[side];
         if (!pp_light_scene_gloss(scene, material))
-            share = fmax(share,
-                         pp_rgb_most(pp_mirrored_by(&scene->materials[material], 1.0)));
+            share = fmax(share, pp_rgb_most(pp_scatter_specular_reflectance(
+                                    &scene->materials[material], 1.0)));
     }
     return share;
 }
@@ -71,13 +71,13 @@ static bool plane_of(const struct pp_light_scene *scene, int index,
     if (round->kind != PP_SHAPE_RING)
         return false;
     plane->normal = round->is.ring.axis;
-    plane->offset_m = pp_dot(plane->normal, round->is.ring.centre);
+    plane->offset_m = pp_vec_dot(plane->normal, round->is.ring.centre);
     return true;
 }
 
 static bool same_plane(const struct pp_mirror *a, const struct pp_mirror *b)
 {
-    double facing = pp_dot(a->normal, b->normal);
+    double facing = pp_vec_dot(a->normal, b->normal);
     double offset = facing < 0.0 ? -b->offset_m : b->offset_m;
     return fabs(facing) > 1.0 - SAME_NORMAL
            && fabs(offset - a->offset_m) < SAME_OFFSET * (1.0 + fabs(a->offset_m));
@@ -117,7 +117,7 @@ static enum pp_status find_mirrors(struct pp_light_scene *scene, struct pp_error
         int mirror = mirror_of(scene, &list[i]);
         scene->parts[list[i].part].mirror = mirror;
         if (mirror < 0)
-            scene->missed_share = fmax(scene->missed_share, list[i].share);
+            scene->unsampled_share = fmax(scene->unsampled_share, list[i].share);
     }
     free(list);
     return PP_OK;
@@ -125,17 +125,18 @@ static enum pp_status find_mirrors(struct pp_light_scene *scene, struct pp_error
 
 /* ---- chained ---- */
 
-static void add_chain(struct pp_light_scene *scene, int first, int second)
+static void add_mirror_path(struct pp_light_scene *scene, int first, int second)
 {
     double share = scene->mirrors[first].share;
     if (second >= 0)
         share *= scene->mirrors[second].share;
-    scene->chains[scene->chain_count++] = (struct pp_chain){{first, second}, share};
+    scene->mirror_paths[scene->mirror_path_count++] =
+        (struct pp_mirror_path){{first, second}, share};
 }
 
 static int by_share(const void *a, const void *b)
 {
-    const struct pp_chain *x = a, *y = b;
+    const struct pp_mirror_path *x = a, *y = b;
     if (x->share != y->share)
         return x->share < y->share ? 1 : -1;
     if (x->mirrors[0] != y->mirrors[0])
@@ -144,17 +145,19 @@ static int by_share(const void *a, const void *b)
 }
 
 /* One mirror, or one and then another: the strongest of these. */
-static void make_chains(struct pp_light_scene *scene)
+static void make_mirror_paths(struct pp_light_scene *scene)
 {
     int count = scene->mirror_count, most = MOST_WAYS / scene->emitter_count;
     for (int i = 0; i < count; i++)
         for (int k = -1; k < count; k++)
             if (k != i)
-                add_chain(scene, i, k);
-    qsort(scene->chains, (size_t)scene->chain_count, sizeof *scene->chains, by_share);
-    for (; scene->chain_count > most; scene->chain_count--)
-        scene->missed_share =
-            fmax(scene->missed_share, scene->chains[scene->chain_count - 1].share);
+                add_mirror_path(scene, i, k);
+    qsort(scene->mirror_paths, (size_t)scene->mirror_path_count,
+          sizeof *scene->mirror_paths, by_share);
+    for (; scene->mirror_path_count > most; scene->mirror_path_count--)
+        scene->unsampled_share =
+            fmax(scene->unsampled_share,
+                 scene->mirror_paths[scene->mirror_path_count - 1].share);
 }
 
 /* The most that three reflections leave: there, back, and there again. */
@@ -169,76 +172,82 @@ static double share_of_three(const struct pp_light_scene *scene)
     return first * first * second;
 }
 
-enum pp_status pp_light_scene_add_mirrors(struct pp_light_scene *scene,
-                                          struct pp_error *err)
+enum pp_status pp_mirrors_find(struct pp_light_scene *scene, struct pp_error *err)
 {
     if (scene->emitter_count == 0)
         return PP_OK;
     scene->mirrors = calloc(MOST_MIRRORS, sizeof *scene->mirrors);
-    scene->chains = calloc((size_t)MOST_MIRRORS * MOST_MIRRORS, sizeof *scene->chains);
-    if (!scene->mirrors || !scene->chains)
+    scene->mirror_paths =
+        calloc((size_t)MOST_MIRRORS * MOST_MIRRORS, sizeof *scene->mirror_paths);
+    if (!scene->mirrors || !scene->mirror_paths)
         return pp_fail_memory(err);
     enum pp_status status = find_mirrors(scene, err);
     if (status != PP_OK)
         return status;
-    make_chains(scene);
-    scene->missed_share = fmin(1.0, fmax(scene->missed_share, share_of_three(scene)));
+    make_mirror_paths(scene);
+    scene->unsampled_share =
+        fmin(1.0, fmax(scene->unsampled_share, share_of_three(scene)));
     return PP_OK;
 }
 
 /* ---- used ---- */
 
-int pp_chain_longer(const struct pp_light_scene *scene, int chain, int mirror)
+int pp_mirrors_path_extend(const struct pp_light_scene *scene, int mirror_path,
+                           int mirror)
 {
     int first = mirror, second = -1;
-    if (chain >= 0) {
-        first = scene->chains[chain].mirrors[0];
+    if (mirror_path >= 0) {
+        first = scene->mirror_paths[mirror_path].mirrors[0];
         second = mirror;
     }
-    bool full = mirror < 0 || (chain >= 0 && scene->chains[chain].mirrors[1] >= 0);
-    for (int i = 0; i < scene->chain_count && !full; i++)
-        if (scene->chains[i].mirrors[0] == first
-            && scene->chains[i].mirrors[1] == second)
+    bool full =
+        mirror < 0
+        || (mirror_path >= 0 && scene->mirror_paths[mirror_path].mirrors[1] >= 0);
+    for (int i = 0; i < scene->mirror_path_count && !full; i++)
+        if (scene->mirror_paths[i].mirrors[0] == first
+            && scene->mirror_paths[i].mirrors[1] == second)
             return i;
     return -1;
 }
 
-static const struct pp_mirror *mirror_in(const struct pp_light_scene *scene, int chain,
-                                         int i)
+static const struct pp_mirror *mirror_in(const struct pp_light_scene *scene,
+                                         int mirror_path, int i)
 {
-    int mirror = chain < 0 ? -1 : scene->chains[chain].mirrors[i];
+    int mirror = mirror_path < 0 ? -1 : scene->mirror_paths[mirror_path].mirrors[i];
     return mirror < 0 ? NULL : &scene->mirrors[mirror];
 }
 
 static struct pp_vec3 turned(const struct pp_mirror *mirror, struct pp_vec3 u)
 {
-    return pp_along(u, -2.0 * pp_dot(mirror->normal, u), mirror->normal);
+    return pp_vec_along(u, -2.0 * pp_vec_dot(mirror->normal, u), mirror->normal);
 }
 
-struct pp_vec3 pp_chain_point(const struct pp_light_scene *scene, int chain,
-                              struct pp_vec3 p)
+struct pp_vec3 pp_mirrors_path_point(const struct pp_light_scene *scene,
+                                     int mirror_path, struct pp_vec3 p)
 {
     const struct pp_mirror *mirror;
-    for (int i = 0; i < PP_CHAIN_MOST && (mirror = mirror_in(scene, chain, i)); i++)
-        p = pp_along(p, 2.0 * (mirror->offset_m - pp_dot(mirror->normal, p)),
-                     mirror->normal);
+    for (int i = 0;
+         i < PP_MIRROR_PATH_MOST && (mirror = mirror_in(scene, mirror_path, i)); i++)
+        p = pp_vec_along(p, 2.0 * (mirror->offset_m - pp_vec_dot(mirror->normal, p)),
+                         mirror->normal);
     return p;
 }
 
-struct pp_vec3 pp_chain_direction(const struct pp_light_scene *scene, int chain,
-                                  struct pp_vec3 u)
+struct pp_vec3 pp_mirrors_path_direction(const struct pp_light_scene *scene,
+                                         int mirror_path, struct pp_vec3 u)
 {
     const struct pp_mirror *mirror;
-    for (int i = 0; i < PP_CHAIN_MOST && (mirror = mirror_in(scene, chain, i)); i++)
+    for (int i = 0;
+         i < PP_MIRROR_PATH_MOST && (mirror = mirror_in(scene, mirror_path, i)); i++)
         u = turned(mirror, u);
     return u;
 }
 
-struct pp_vec3 pp_chain_unfold(const struct pp_light_scene *scene, int chain,
-                               struct pp_vec3 u)
+struct pp_vec3 pp_mirrors_path_unfold(const struct pp_light_scene *scene,
+                                      int mirror_path, struct pp_vec3 u)
 {
-    for (int i = PP_CHAIN_MOST - 1; i >= 0; i--)
-        if (mirror_in(scene, chain, i))
-            u = turned(mirror_in(scene, chain, i), u);
+    for (int i = PP_MIRROR_PATH_MOST - 1; i >= 0; i--)
+        if (mirror_in(scene, mirror_path, i))
+            u = turned(mirror_in(scene, mirror_path, i), u);
     return u;
 }

@@ -4,8 +4,8 @@
  * Coordinates are single precision and best near the origin. The structure is built
  * once, by one thread, and only read afterwards: any number of threads may ask.
  */
-#ifndef PP_SIMULATE_RAYS_H
-#define PP_SIMULATE_RAYS_H
+#ifndef PP_SIMULATE_SCENE_RAYS_H
+#define PP_SIMULATE_SCENE_RAYS_H
 
 #include "model/base/error.h"
 #include "model/light/scene_description.h"

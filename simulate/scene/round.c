@@ -25,9 +25,9 @@ static bool roots(double a, double b, double c, double t[2])
 static bool meet_sphere(const struct pp_shape *shape, struct pp_vec3 p,
                         struct pp_vec3 u, double t[2])
 {
-    struct pp_vec3 w = pp_sub(p, shape->is.sphere.centre);
+    struct pp_vec3 w = pp_vec_sub(p, shape->is.sphere.centre);
     double r = shape->is.sphere.radius_m;
-    return roots(pp_dot(u, u), pp_dot(w, u), pp_dot(w, w) - r * r, t);
+    return roots(pp_vec_dot(u, u), pp_vec_dot(w, u), pp_vec_dot(w, w) - r * r, t);
 }
 
 /* A cone's axis: from its first end, unit, with its length and its radius' growth. */
@@ -38,9 +38,9 @@ struct axis {
 
 static struct axis axis_of(const struct pp_shape *cone)
 {
-    struct pp_vec3 d = pp_sub(cone->is.cone.ends[1], cone->is.cone.ends[0]);
-    double length = pp_length(d);
-    return (struct axis){pp_scale(d, 1.0 / length), length,
+    struct pp_vec3 d = pp_vec_sub(cone->is.cone.ends[1], cone->is.cone.ends[0]);
+    double length = pp_vec_length(d);
+    return (struct axis){pp_vec_scale(d, 1.0 / length), length,
                          (cone->is.cone.radii_m[1] - cone->is.cone.radii_m[0])
                              / length};
 }
@@ -51,12 +51,12 @@ static bool meet_cone(const struct pp_shape *shape, struct pp_vec3 p, struct pp_
                       double t[2])
 {
     struct axis axis = axis_of(shape);
-    struct pp_vec3 w = pp_sub(p, shape->is.cone.ends[0]);
+    struct pp_vec3 w = pp_vec_sub(p, shape->is.cone.ends[0]);
     double k = axis.growth, r = shape->is.cone.radii_m[0];
-    double wd = pp_dot(w, axis.along), ud = pp_dot(u, axis.along);
-    double a = pp_dot(u, u) - ud * ud * (1.0 + k * k);
-    double b = pp_dot(w, u) - wd * ud * (1.0 + k * k) - k * r * ud;
-    double c = pp_dot(w, w) - wd * wd * (1.0 + k * k) - 2.0 * k * r * wd - r * r;
+    double wd = pp_vec_dot(w, axis.along), ud = pp_vec_dot(u, axis.along);
+    double a = pp_vec_dot(u, u) - ud * ud * (1.0 + k * k);
+    double b = pp_vec_dot(w, u) - wd * ud * (1.0 + k * k) - k * r * ud;
+    double c = pp_vec_dot(w, w) - wd * wd * (1.0 + k * k) - 2.0 * k * r * wd - r * r;
     return roots(a, b, c, t);
 }
 
@@ -64,7 +64,7 @@ static bool meet_cone(const struct pp_shape *shape, struct pp_vec3 p, struct pp_
 static bool on_cone(const struct pp_shape *shape, struct pp_vec3 point)
 {
     struct axis axis = axis_of(shape);
-    double h = pp_dot(pp_sub(point, shape->is.cone.ends[0]), axis.along);
+    double h = pp_vec_dot(pp_vec_sub(point, shape->is.cone.ends[0]), axis.along);
     return h >= 0.0 && h <= axis.length_m
            && shape->is.cone.radii_m[0] + axis.growth * h >= 0.0;
 }
@@ -72,12 +72,12 @@ static bool on_cone(const struct pp_shape *shape, struct pp_vec3 point)
 static bool meet_ring(const struct pp_shape *shape, struct pp_vec3 p, struct pp_vec3 u,
                       double *t)
 {
-    struct pp_vec3 w = pp_sub(shape->is.ring.centre, p);
-    *t = pp_dot(w, shape->is.ring.axis) / pp_dot(u, shape->is.ring.axis);
+    struct pp_vec3 w = pp_vec_sub(shape->is.ring.centre, p);
+    *t = pp_vec_dot(w, shape->is.ring.axis) / pp_vec_dot(u, shape->is.ring.axis);
     if (!isfinite(*t))
         return false;
-    struct pp_vec3 off = pp_sub(pp_scale(u, *t), w);
-    double square = pp_dot(off, off);
+    struct pp_vec3 off = pp_vec_sub(pp_vec_scale(u, *t), w);
+    double square = pp_vec_dot(off, off);
     const double *radii = shape->is.ring.radii_m;
     return square >= radii[0] * radii[0] && square <= radii[1] * radii[1];
 }
@@ -93,7 +93,8 @@ bool pp_round_meet(const struct pp_shape *shape, struct pp_vec3 p, struct pp_vec
         return false;
     for (int i = 0; i < 2; i++) {
         *t = both[i];
-        if (*t > least && *t < most && (!cone || on_cone(shape, pp_along(p, *t, u))))
+        if (*t > least && *t < most
+            && (!cone || on_cone(shape, pp_vec_along(p, *t, u))))
             return true;
     }
     return false;
@@ -105,24 +106,24 @@ struct pp_vec3 pp_round_normal(const struct pp_shape *shape, struct pp_vec3 poin
         return shape->is.ring.axis;
     struct pp_vec3 n;
     if (shape->kind == PP_SHAPE_SPHERE) {
-        n = pp_sub(point, shape->is.sphere.centre);
+        n = pp_vec_sub(point, shape->is.sphere.centre);
     } else {
         struct axis axis = axis_of(shape);
-        struct pp_vec3 w = pp_sub(point, shape->is.cone.ends[0]);
-        double h = pp_dot(w, axis.along);
-        struct pp_vec3 out = pp_along(w, -h, axis.along);
-        n = pp_along(out, -axis.growth * pp_length(out), axis.along);
+        struct pp_vec3 w = pp_vec_sub(point, shape->is.cone.ends[0]);
+        double h = pp_vec_dot(w, axis.along);
+        struct pp_vec3 out = pp_vec_along(w, -h, axis.along);
+        n = pp_vec_along(out, -axis.growth * pp_vec_length(out), axis.along);
     }
-    double length = pp_length(n);
+    double length = pp_vec_length(n);
     if (!(length > 0.0)) /* a cone's very tip */
         return pp_vec(0.0, 0.0, 1.0);
-    return pp_scale(n, (shape->inward ? -1.0 : 1.0) / length);
+    return pp_vec_scale(n, (shape->inward ? -1.0 : 1.0) / length);
 }
 
 static void stretch(struct pp_vec3 *low, struct pp_vec3 *high, struct pp_vec3 centre,
                     struct pp_vec3 reach)
 {
-    struct pp_vec3 from = pp_sub(centre, reach), to = pp_add(centre, reach);
+    struct pp_vec3 from = pp_vec_sub(centre, reach), to = pp_vec_add(centre, reach);
     *low = pp_vec(fmin(low->x, from.x), fmin(low->y, from.y), fmin(low->z, from.z));
     *high = pp_vec(fmax(high->x, to.x), fmax(high->y, to.y), fmax(high->z, to.z));
 }
@@ -172,9 +173,9 @@ static struct pp_vec3 on_circle(struct pp_vec3 centre, struct pp_vec3 axis,
 {
     struct pp_vec3 a, b;
     double sine, cosine;
-    pp_frame_about(axis, &a, &b);
+    pp_lobe_frame(axis, &a, &b);
     sincos(2.0 * PP_PI * v, &sine, &cosine);
-    return pp_along(pp_along(centre, radius * cosine, a), radius * sine, b);
+    return pp_vec_along(pp_vec_along(centre, radius * cosine, a), radius * sine, b);
 }
 
 struct pp_vec3 pp_round_point(const struct pp_shape *shape, double u, double v)
@@ -182,7 +183,7 @@ struct pp_vec3 pp_round_point(const struct pp_shape *shape, double u, double v)
     if (shape->kind == PP_SHAPE_SPHERE) {
         double z = 1.0 - 2.0 * u, r = shape->is.sphere.radius_m;
         struct pp_vec3 up = {0.0, 0.0, 1.0};
-        struct pp_vec3 centre = pp_along(shape->is.sphere.centre, r * z, up);
+        struct pp_vec3 centre = pp_vec_along(shape->is.sphere.centre, r * z, up);
         return on_circle(centre, up, r * sqrt(fmax(0.0, 1.0 - z * z)), v);
     }
     if (shape->kind == PP_SHAPE_RING) {
@@ -196,22 +197,22 @@ struct pp_vec3 pp_round_point(const struct pp_shape *shape, double u, double v)
     double radius = sqrt(r[0] * r[0] + u * (r[1] * r[1] - r[0] * r[0]));
     double share = r[0] + radius > 0.0 ? u * (r[0] + r[1]) / (r[0] + radius) : 0.0;
     return on_circle(
-        pp_along(shape->is.cone.ends[0], share * axis.length_m, axis.along), axis.along,
-        radius, v);
+        pp_vec_along(shape->is.cone.ends[0], share * axis.length_m, axis.along),
+        axis.along, radius, v);
 }
 
 void pp_round_shift(struct pp_shape *shape, struct pp_vec3 centre)
 {
     switch (shape->kind) {
     case PP_SHAPE_SPHERE:
-        shape->is.sphere.centre = pp_sub(shape->is.sphere.centre, centre);
+        shape->is.sphere.centre = pp_vec_sub(shape->is.sphere.centre, centre);
         break;
     case PP_SHAPE_RING:
-        shape->is.ring.centre = pp_sub(shape->is.ring.centre, centre);
+        shape->is.ring.centre = pp_vec_sub(shape->is.ring.centre, centre);
         break;
     case PP_SHAPE_CONE:
         for (int i = 0; i < 2; i++)
-            shape->is.cone.ends[i] = pp_sub(shape->is.cone.ends[i], centre);
+            shape->is.cone.ends[i] = pp_vec_sub(shape->is.cone.ends[i], centre);
         break;
     default:
         break;

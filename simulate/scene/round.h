@@ -3,8 +3,8 @@
  * They are the round shapes of model/light/scene_description.h, met from either side. Pure
  * geometry in double precision; rays.c hands it to the ray kernels.
  */
-#ifndef PP_SIMULATE_ROUND_H
-#define PP_SIMULATE_ROUND_H
+#ifndef PP_SIMULATE_SCENE_ROUND_H
+#define PP_SIMULATE_SCENE_ROUND_H
 
 #include <stdbool.h>
 

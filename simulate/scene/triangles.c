@@ -8,10 +8,10 @@
 #include "model/room/face_less_openings.h"
 #include "simulate/sampling/lobe.h"
 
-double pp_triangle_area(const struct pp_vec3 triangle[3])
+double pp_triangles_area(const struct pp_vec3 triangle[3])
 {
-    return pp_length(pp_cross(pp_sub(triangle[1], triangle[0]),
-                              pp_sub(triangle[2], triangle[0])))
+    return pp_vec_length(pp_vec_cross(pp_vec_sub(triangle[1], triangle[0]),
+                                      pp_vec_sub(triangle[2], triangle[0])))
            / 2.0;
 }
 
@@ -49,11 +49,11 @@ static bool is_convex(const struct pp_polygon *polygon)
     for (int i = 0; i < n; i++) {
         struct pp_vec3 a = polygon->vertices[i], b = polygon->vertices[(i + 1) % n];
         struct pp_vec3 c = polygon->vertices[(i + 2) % n];
-        struct pp_vec3 in = pp_sub(b, a), out = pp_sub(c, b);
-        double turn = pp_dot(pp_cross(in, out), polygon->normal);
+        struct pp_vec3 in = pp_vec_sub(b, a), out = pp_vec_sub(c, b);
+        double turn = pp_vec_dot(pp_vec_cross(in, out), polygon->normal);
         if (turn < 0.0)
             return false;
-        round += atan2(turn, pp_dot(in, out));
+        round += atan2(turn, pp_vec_dot(in, out));
     }
     return round < 3.0 * PP_PI;
 }
@@ -62,11 +62,11 @@ static bool is_convex(const struct pp_polygon *polygon)
 static enum pp_status fan(struct pp_triangles *list, const struct pp_polygon *polygon,
                           int facet, struct pp_vec3 centre, struct pp_error *err)
 {
-    struct pp_vec3 first = pp_sub(polygon->vertices[0], centre);
+    struct pp_vec3 first = pp_vec_sub(polygon->vertices[0], centre);
     enum pp_status status = PP_OK;
     for (int i = 2; status == PP_OK && i < polygon->count; i++)
-        status = append(list, first, pp_sub(polygon->vertices[i - 1], centre),
-                        pp_sub(polygon->vertices[i], centre), facet, err);
+        status = append(list, first, pp_vec_sub(polygon->vertices[i - 1], centre),
+                        pp_vec_sub(polygon->vertices[i], centre), facet, err);
     return status;
 }
 
@@ -80,20 +80,21 @@ static enum pp_status triangulate(struct pp_triangles *list, struct pp_clipper *
     struct pp_region region = {0, NULL};
     double(*pieces)[3][2] = NULL;
     int count = 0;
-    pp_frame_about(polygon->normal, &axes.a, &axes.b);
+    pp_lobe_frame(polygon->normal, &axes.a, &axes.b);
     enum pp_status status =
-        pp_face_region(&region, clipper, &axes, polygon, world, face, err);
+        pp_face_less_openings(&region, clipper, &axes, polygon, world, face, err);
     if (status == PP_OK)
         status = pp_region_triangulate(clipper, &pieces, &count, &region, err);
     for (int i = 0; status == PP_OK && i < count; i++) {
         struct pp_vec3 corner[3];
         for (int k = 0; k < 3; k++)
-            corner[k] = pp_sub(
-                pp_face_corner(&axes, pieces[i][k], polygon, world, face), centre);
+            corner[k] = pp_vec_sub(
+                pp_face_less_openings_corner(&axes, pieces[i][k], polygon, world, face),
+                centre);
         status = append(list, corner[0], corner[1], corner[2], facet, err);
     }
     free(pieces);
-    pp_region_destroy(&region);
+    pp_region_clear(&region);
     return status;
 }
 
@@ -151,9 +152,9 @@ enum pp_status pp_triangles_of_plane(struct pp_vec3 (**triangles)[3], int *count
     }
     for (int i = 0; i < *count; i++)
         for (int k = 0; k < 3; k++)
-            (*triangles)[i][k] =
-                pp_sub(pp_vec(pieces[i][k][0], pieces[i][k][1], world->working_plane_m),
-                       centre);
+            (*triangles)[i][k] = pp_vec_sub(
+                pp_vec(pieces[i][k][0], pieces[i][k][1], world->working_plane_m),
+                centre);
     free(pieces);
     return PP_OK;
 }

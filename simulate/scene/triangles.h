@@ -1,6 +1,6 @@
 /* triangles.h - plane figures cut into triangles. */
-#ifndef PP_SIMULATE_TRIANGLES_H
-#define PP_SIMULATE_TRIANGLES_H
+#ifndef PP_SIMULATE_SCENE_TRIANGLES_H
+#define PP_SIMULATE_SCENE_TRIANGLES_H
 
 #include "model/base/error.h"
 #include "model/room/world.h"
@@ -34,6 +34,6 @@ enum pp_status pp_triangles_of_plane(struct pp_vec3 (**triangles)[3], int *count
                                      const struct pp_world *world,
                                      struct pp_vec3 centre, struct pp_error *err);
 
-double pp_triangle_area(const struct pp_vec3 triangle[3]);
+double pp_triangles_area(const struct pp_vec3 triangle[3]);
 
 #endif

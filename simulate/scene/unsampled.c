@@ -5,7 +5,7 @@
 #include "simulate/scene/light_parts.h"
 
 /* So far. */
-struct missed {
+struct unsampled_light {
     struct pp_rgb all, brightest;
 };
 
@@ -14,8 +14,8 @@ static struct pp_rgb greater(struct pp_rgb a, struct pp_rgb b)
     return pp_rgb(fmax(a.r, b.r), fmax(a.g, b.g), fmax(a.b, b.b));
 }
 
-static void miss(struct missed *missed, struct pp_rgb radiance, double solid,
-                 double share)
+static void add_unsampled(struct unsampled_light *missed, struct pp_rgb radiance,
+                          double solid, double share)
 {
     if (!(share > 0.0))
         return;
@@ -23,7 +23,7 @@ static void miss(struct missed *missed, struct pp_rgb radiance, double solid,
     missed->brightest = greater(missed->brightest, radiance);
 }
 
-void pp_light_scene_find_glow(struct pp_light_scene *scene)
+void pp_unsampled_find_glow(struct pp_light_scene *scene)
 {
     for (int i = 0; i < scene->part_count; i++)
         for (int side = 0; side <= (int)scene->parts[i].back_emits; side++) {
@@ -34,23 +34,23 @@ void pp_light_scene_find_glow(struct pp_light_scene *scene)
         }
 }
 
-struct pp_rgb pp_light_scene_missed(const struct pp_light_scene *scene,
-                                    struct pp_vec3 point, bool by_chance, long paths)
+struct pp_rgb pp_unsampled_bound(const struct pp_light_scene *scene,
+                                 struct pp_vec3 point, bool by_chance, long paths)
 {
-    struct missed missed = {pp_rgb_grey(0.0), pp_rgb_grey(0.0)};
-    struct pp_vec3 from = pp_sub(point, scene->centre);
+    struct unsampled_light missed = {pp_rgb_grey(0.0), pp_rgb_grey(0.0)};
+    struct pp_vec3 from = pp_vec_sub(point, scene->centre);
     for (int i = 0; i < scene->emitter_count; i++) {
-        double spread = pp_emitter_spread(&scene->emitters[i], scene, from);
-        miss(&missed, scene->emitters[i].radiance, spread * spread,
-             by_chance ? 1.0 : scene->missed_share);
+        double spread = pp_emitters_angular_size(&scene->emitters[i], scene, from);
+        add_unsampled(&missed, scene->emitters[i].radiance, spread * spread,
+                      by_chance ? 1.0 : scene->unsampled_share);
     }
     for (int i = 0; i < scene->distant_count; i++) {
         const struct pp_distant *distant = &scene->distants[i];
         const struct pp_material *material = &scene->materials[distant->material];
         if (distant->emitter < 0 && material->pattern < 0)
-            miss(&missed, material->radiance, distant->solid, 1.0);
+            add_unsampled(&missed, material->radiance, distant->solid, 1.0);
     }
-    miss(&missed, scene->glow, PP_PI, 1.0);
+    add_unsampled(&missed, scene->glow, PP_PI, 1.0);
     struct pp_rgb one = pp_rgb_scale(missed.brightest, PP_PI / (double)paths);
     return pp_rgb(fmin(missed.all.r, one.r), fmin(missed.all.g, one.g),
                   fmin(missed.all.b, one.b));

@@ -15,23 +15,25 @@ static const double FALL[PP_ESTIMATORS] = {1.5, 1.2, 1.05};
 /* What a path costs beside its rays, in rays. */
 static const double PATH_COST = 1.0;
 
-double pp_student_spread(int count)
+double pp_estimate_student_factor(int count)
 {
     return sqrt((count - 1.0) / (count - 3.0));
 }
 
 /* Mean and variance of some figure of the begun items; returns how many there are. */
-struct spread {
+struct item_spread {
     double mean, variance;
     int count;
 };
 
-static struct spread spread_of(const struct pp_item *items, int count,
-                               double (*value)(const struct pp_item *, int), int which)
+static struct item_spread spread_of(const struct pp_randomisation *items, int count,
+                                    double (*value)(const struct pp_randomisation *,
+                                                    int),
+                                    int which)
 {
-    struct spread spread = {0.0, 0.0, 0};
+    struct item_spread spread = {0.0, 0.0, 0};
     for (int i = 0; i < count; i++)
-        if (pp_item_is_begun(&items[i])) {
+        if (pp_randomisation_is_begun(&items[i])) {
             spread.mean += value(&items[i], which);
             spread.count++;
         }
@@ -39,7 +41,7 @@ static struct spread spread_of(const struct pp_item *items, int count,
         return spread;
     spread.mean /= spread.count;
     for (int i = 0; i < count; i++)
-        if (pp_item_is_begun(&items[i])) {
+        if (pp_randomisation_is_begun(&items[i])) {
             double off = value(&items[i], which) - spread.mean;
             spread.variance += off * off;
         }
@@ -47,14 +49,16 @@ static struct spread spread_of(const struct pp_item *items, int count,
     return spread;
 }
 
-struct pp_reading pp_estimate(const struct pp_item *items, int count, int component,
-                              const struct pp_most *most)
+struct pp_reading pp_estimate(const struct pp_randomisation *items, int count,
+                              int component, const struct pp_component_bound *most)
 {
-    struct spread spread = spread_of(items, count, pp_item_value, component);
+    struct item_spread spread =
+        spread_of(items, count, pp_randomisation_value, component);
     if (spread.count < 4)
         return pp_reading_none("not sampled yet");
     struct pp_reading reading = {.value = spread.mean};
-    reading.std_error = sqrt(spread.variance / spread.count) * pp_student_spread(spread.count);
+    reading.std_error =
+        sqrt(spread.variance / spread.count) * pp_estimate_student_factor(spread.count);
     if (reading.std_error > 1e-15 * fabs(spread.mean))
         return reading;
 
@@ -72,15 +76,15 @@ struct pp_reading pp_estimate(const struct pp_item *items, int count, int compon
 
 /* About what an opening would bring if nothing stood before it: pi times the luminance
  * of an overcast horizon is 3/7 of Eh, and importance counts by that. */
-static double share_of(const struct pp_scene *scene, const struct pp_start *start,
+static double share_of(const struct pp_ray_scene *scene, const struct pp_start *start,
                        const struct pp_pane *pane)
 {
     if (start->anywhere)
         return fmin(1.0, pane->target.area_m2 / scene->plane_area_m2);
     struct pp_brightness even = {.ground = 1.0};
     return fmin(1.0, 3.0 / (7.0 * PP_PI)
-                         * pp_target_importance(&pane->target, start->position,
-                                                start->normal, even));
+                         * pp_sample_polygon_importance(&pane->target, start->position,
+                                                        start->normal, even));
 }
 
 /* Does the opening show the point a direction that rises (falls)? To be on the safe
@@ -102,9 +106,10 @@ static bool shows(const struct pp_start *start, const struct pp_pane *pane, bool
     return false;
 }
 
-struct pp_most pp_most_at(const struct pp_scene *scene, const struct pp_start *start)
+struct pp_component_bound pp_estimate_bound(const struct pp_ray_scene *scene,
+                                            const struct pp_start *start)
 {
-    struct pp_most most = {{0.0, 0.0, 0.0}};
+    struct pp_component_bound most = {{0.0, 0.0, 0.0}};
     double exitance = scene->most_exitance;
     if (!scene->has_room) {
         most.part[PP_SC] = 1.0;
@@ -118,7 +123,7 @@ struct pp_most pp_most_at(const struct pp_scene *scene, const struct pp_start *s
         double share = share_of(scene, start, pane);
         if (shows(start, pane, true))
             most.part[PP_SC] += share;
-        if (!pane->nothing_beyond || skylines || shows(start, pane, false))
+        if (!pane->unobstructed || skylines || shows(start, pane, false))
             most.part[PP_ERC] += share * (1.0 + exitance);
         area += pane->target.area_m2;
     }
@@ -131,9 +136,9 @@ struct pp_most pp_most_at(const struct pp_scene *scene, const struct pp_start *s
 
 /* ---- how many more ---- */
 
-static double part_of(const struct pp_item *item, int estimator)
+static double part_of(const struct pp_randomisation *item, int estimator)
 {
-    return pp_item_part(item, (enum pp_estimator)estimator);
+    return pp_randomisation_part(item, (enum pp_estimator)estimator);
 }
 
 /* Variances of the estimators, with what one path costs. */
@@ -141,7 +146,7 @@ struct outlook {
     double variance[PP_ESTIMATORS], cost[PP_ESTIMATORS];
 };
 
-static struct outlook look(const struct pp_item *items, int count)
+static struct outlook look(const struct pp_randomisation *items, int count)
 {
     struct outlook outlook;
     for (int k = 0; k < PP_ESTIMATORS; k++) {
@@ -195,13 +200,13 @@ static int most_rewarding(const struct outlook *outlook, struct pp_counts counts
     return best;
 }
 
-struct pp_plan pp_plan_for(const struct pp_item *items, int count, double error,
-                           struct pp_counts least)
+struct pp_plan pp_estimate_plan(const struct pp_randomisation *items, int count,
+                                double error, struct pp_counts least)
 {
     struct outlook outlook = look(items, count);
     struct pp_counts counts = items[0].done;
     /* The variance that one of so few randomisations may have. */
-    double aim = AIM * error / pp_student_spread(PP_RANDOMISATIONS);
+    double aim = AIM * error / pp_estimate_student_factor(PP_RANDOMISATIONS);
     double allowed = aim * aim * PP_RANDOMISATIONS;
 
     for (int k = 0; k < PP_ESTIMATORS; k++)

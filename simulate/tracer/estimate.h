@@ -11,11 +11,11 @@
  * error is an upper bound: what one path among all would have brought if openings stood
  * free.
  */
-#ifndef PP_SIMULATE_ESTIMATE_H
-#define PP_SIMULATE_ESTIMATE_H
+#ifndef PP_SIMULATE_TRACER_ESTIMATE_H
+#define PP_SIMULATE_TRACER_ESTIMATE_H
 
 #include "model/results/reading.h"
-#include "simulate/tracer/item.h"
+#include "simulate/tracer/randomisation.h"
 
 enum {
     PP_RANDOMISATIONS = 32, /* at least, a point */
@@ -27,19 +27,20 @@ extern const double PP_LEAST_ERROR;
 
 /* What each component would be, roughly and on the safe side, if nothing stood before
  * the openings; 0: no light path exists. */
-struct pp_most {
+struct pp_component_bound {
     double part[3];
 };
 
-struct pp_most pp_most_at(const struct pp_scene *scene, const struct pp_start *start);
+struct pp_component_bound pp_estimate_bound(const struct pp_ray_scene *scene,
+                                            const struct pp_start *start);
 
 /* The root of above, of a mean of `count` figures (more than 3). */
-double pp_student_spread(int count);
+double pp_estimate_student_factor(int count);
 
 /* The value and standard error of one component over the begun ones of `count` items;
  * NAN with a reason while there are fewer than four. */
-struct pp_reading pp_estimate(const struct pp_item *items, int count, int component,
-                              const struct pp_most *most);
+struct pp_reading pp_estimate(const struct pp_randomisation *items, int count,
+                              int component, const struct pp_component_bound *most);
 
 /* How to reach a standard error of the daylight factor of `error`, judging by these
  * items (all done to the same counts): the cheapest counts, no less than `least`, and
@@ -48,7 +49,7 @@ struct pp_plan {
     struct pp_counts counts;
     int randomisations;
 };
-struct pp_plan pp_plan_for(const struct pp_item *items, int count, double error,
-                           struct pp_counts least);
+struct pp_plan pp_estimate_plan(const struct pp_randomisation *items, int count,
+                                double error, struct pp_counts least);
 
 #endif

@@ -24,14 +24,14 @@
  *
  * All light is over Eh.
  */
-#ifndef PP_SIMULATE_PATH_H
-#define PP_SIMULATE_PATH_H
+#ifndef PP_SIMULATE_TRACER_PATH_H
+#define PP_SIMULATE_TRACER_PATH_H
 
 #include <stdbool.h>
 #include <stdint.h>
 
 #include "simulate/tracer/radiosity.h"
-#include "simulate/scene/scene.h"
+#include "simulate/scene/ray_scene.h"
 #include "simulate/sampling/sobol.h"
 
 /* Light by what the point first sees: PP_SC, PP_ERC, PP_IRC of model/results/reading.h. */
@@ -48,16 +48,17 @@ struct pp_ray_log {
 };
 
 /* What a thread needs to follow paths. */
-struct pp_walk {
-    const struct pp_scene *scene;     /* not owned */
-    const struct pp_radiosity *guess; /* not owned; NULL: none */
-    struct pp_sequence sequence;      /* the randomisation */
-    uint32_t index;                   /* which path of it */
+struct pp_path_state {
+    const struct pp_ray_scene *scene;  /* not owned */
+    const struct pp_radiosity *guess;  /* not owned; NULL: none */
+    struct pp_sobol_sequence sequence; /* the randomisation */
+    uint32_t index;                    /* which path of it */
     bool every_ray;         /* trace also where the answer is known beforehand */
     struct pp_ray_log *log; /* not owned; NULL: none */
-    struct pp_aim aim;      /* the last one: often the next is from the same point */
-    long rays;              /* traced so far */
-    long leaks;             /* rays that left the room through a crack: lost */
+    struct pp_polygon_sampler
+        aim;    /* the last one: often the next is from the same point */
+    long rays;  /* traced so far */
+    long leaks; /* rays that left the room through a crack: lost */
 };
 
 /* Where paths start: at a point, or anywhere on the working plane. */
@@ -67,21 +68,21 @@ struct pp_start {
     struct pp_vec3 normal;
 };
 
-/* One sample each of path `walk->index`. Direct light is added to `light`; the others
+/* One sample each of path `state->index`. Direct light is added to `light`; the others
  * are internally reflected all of them, and 0 where there is no room. */
-void pp_path_direct(struct pp_walk *walk, const struct pp_start *start,
+void pp_path_direct(struct pp_path_state *state, const struct pp_start *start,
                     struct pp_light *light);
-double pp_path_gather(struct pp_walk *walk, const struct pp_start *start);
-double pp_path_correction(struct pp_walk *walk, const struct pp_start *start);
+double pp_path_gather(struct pp_path_state *state, const struct pp_start *start);
+double pp_path_correction(struct pp_path_state *state, const struct pp_start *start);
 
 /* One sample of what comes in by the openings to a surface in the room: E above.
  * u: position in the opening (2) and the choice of it. */
-void pp_path_openings(struct pp_walk *walk, struct pp_vec3 p, struct pp_vec3 n,
+void pp_path_openings(struct pp_path_state *state, struct pp_vec3 p, struct pp_vec3 n,
                       const double u[3], int vertex, double weight, int kind,
                       struct pp_light *light);
 
 /* The first thing that a lobe's ray meets, and its count. */
-struct pp_contact pp_path_first(struct pp_walk *walk, struct pp_vec3 p,
+struct pp_contact pp_path_first(struct pp_path_state *state, struct pp_vec3 p,
                                 struct pp_vec3 n, struct pp_vec3 u);
 
 #endif

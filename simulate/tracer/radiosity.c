@@ -20,7 +20,7 @@ enum {
 };
 
 /* What a cell is made of while the guess is worked out. */
-struct cell {
+struct radiosity_cell {
     struct pp_vec3 point;
     int facet;
     enum pp_facet_side side;
@@ -34,27 +34,28 @@ static bool in_polygon(const struct pp_polygon *polygon, const struct pp_facet *
 {
     bool odd = false;
     for (int i = 0; i < polygon->count; i++) {
-        struct pp_vec3 p = pp_sub(polygon->vertices[i], centre);
-        struct pp_vec3 q = pp_sub(polygon->vertices[(i + 1) % polygon->count], centre);
-        double pa = pp_dot(p, facet->a), pb = pp_dot(p, facet->b);
-        double qa = pp_dot(q, facet->a), qb = pp_dot(q, facet->b);
+        struct pp_vec3 p = pp_vec_sub(polygon->vertices[i], centre);
+        struct pp_vec3 q =
+            pp_vec_sub(polygon->vertices[(i + 1) % polygon->count], centre);
+        double pa = pp_vec_dot(p, facet->a), pb = pp_vec_dot(p, facet->b);
+        double qa = pp_vec_dot(q, facet->a), qb = pp_vec_dot(q, facet->b);
         if ((pb > b) != (qb > b) && a < pa + (b - pb) / (qb - pb) * (qa - pa))
             odd = !odd;
     }
     return odd;
 }
 
-struct box {
+struct facet_box {
     double low_a, high_a, low_b, high_b;
 };
 
-static struct box box_of(const struct pp_polygon *polygon, const struct pp_facet *facet,
-                         struct pp_vec3 centre)
+static struct facet_box box_of(const struct pp_polygon *polygon,
+                               const struct pp_facet *facet, struct pp_vec3 centre)
 {
-    struct box box = {DBL_MAX, -DBL_MAX, DBL_MAX, -DBL_MAX};
+    struct facet_box box = {DBL_MAX, -DBL_MAX, DBL_MAX, -DBL_MAX};
     for (int i = 0; i < polygon->count; i++) {
-        struct pp_vec3 v = pp_sub(polygon->vertices[i], centre);
-        double a = pp_dot(v, facet->a), b = pp_dot(v, facet->b);
+        struct pp_vec3 v = pp_vec_sub(polygon->vertices[i], centre);
+        double a = pp_vec_dot(v, facet->a), b = pp_vec_dot(v, facet->b);
         box.low_a = fmin(box.low_a, a);
         box.high_a = fmax(box.high_a, a);
         box.low_b = fmin(box.low_b, b);
@@ -72,11 +73,11 @@ static int cells_along(double length, double cell)
 static bool has_side(const struct pp_facet *facet, const struct pp_surface *surface,
                      enum pp_facet_side side)
 {
-    return surface->inside && (side == PP_FRONT || !facet->skin);
+    return surface->inside && (side == PP_FRONT || !facet->envelope);
 }
 
 /* Grids for all sides that the room sees; returns how many cells they have. */
-static int lay_out(struct pp_radiosity *guess, const struct pp_scene *scene,
+static int lay_out(struct pp_radiosity *guess, const struct pp_ray_scene *scene,
                    const struct pp_world *world)
 {
     double area = 0.0;
@@ -87,12 +88,13 @@ static int lay_out(struct pp_radiosity *guess, const struct pp_scene *scene,
     int count = 0;
     for (int i = 0; i < scene->facet_count; i++)
         for (int side = 0; side < 2; side++) {
-            struct pp_patch *patch = &guess->patches[i][side];
+            struct pp_radiosity_grid *patch = &guess->patches[i][side];
             const struct pp_facet *facet = &scene->facets[i];
             patch->first = -1;
             if (facet->opening >= 0 || !has_side(facet, &world->surfaces[i], side))
                 continue;
-            struct box box = box_of(&world->surfaces[i].outline, facet, scene->centre);
+            struct facet_box box =
+                box_of(&world->surfaces[i].outline, facet, scene->centre);
             double width = box.high_a - box.low_a, height = box.high_b - box.low_b;
             patch->columns = cells_along(width, size);
             patch->rows = cells_along(height, size);
@@ -106,76 +108,79 @@ static int lay_out(struct pp_radiosity *guess, const struct pp_scene *scene,
     return count;
 }
 
-static void place_cells(struct cell *cells, const struct pp_radiosity *guess,
-                        const struct pp_scene *scene, const struct pp_world *world)
+static void place_cells(struct radiosity_cell *cells, const struct pp_radiosity *guess,
+                        const struct pp_ray_scene *scene, const struct pp_world *world)
 {
     for (int i = 0; i < world->surface_count; i++)
         for (int side = 0; side < 2; side++) {
-            const struct pp_patch *patch = &guess->patches[i][side];
+            const struct pp_radiosity_grid *patch = &guess->patches[i][side];
             const struct pp_facet *facet = &scene->facets[i];
             for (int k = 0; patch->first >= 0 && k < patch->columns * patch->rows;
                  k++) {
                 double a = patch->a0 + k % patch->columns / patch->per_a;
                 double b = patch->b0 + k / patch->columns / patch->per_b;
-                struct cell *cell = &cells[patch->first + k];
+                struct radiosity_cell *cell = &cells[patch->first + k];
                 cell->facet = i;
                 cell->side = side;
                 cell->in_figure =
                     in_polygon(&world->surfaces[i].outline, facet, scene->centre, a, b);
-                cell->point = pp_along(
-                    pp_along(pp_scale(facet->normal, facet->offset_m), a, facet->a), b,
-                    facet->b);
+                cell->point = pp_vec_along(
+                    pp_vec_along(pp_vec_scale(facet->normal, facet->offset_m), a,
+                                 facet->a),
+                    b, facet->b);
             }
         }
 }
 
-static int nearest_cell(const struct pp_radiosity *guess, const struct pp_scene *scene,
+static int nearest_cell(const struct pp_radiosity *guess,
+                        const struct pp_ray_scene *scene,
                         const struct pp_contact *contact)
 {
     if (contact->facet < 0)
         return -1;
-    const struct pp_patch *patch = &guess->patches[contact->facet][contact->side];
+    const struct pp_radiosity_grid *patch =
+        &guess->patches[contact->facet][contact->side];
     if (patch->first < 0)
         return -1;
     const struct pp_facet *facet = &scene->facets[contact->facet];
-    double a = (pp_dot(contact->point, facet->a) - patch->a0) * patch->per_a + 0.5;
-    double b = (pp_dot(contact->point, facet->b) - patch->b0) * patch->per_b + 0.5;
+    double a = (pp_vec_dot(contact->point, facet->a) - patch->a0) * patch->per_a + 0.5;
+    double b = (pp_vec_dot(contact->point, facet->b) - patch->b0) * patch->per_b + 0.5;
     int column = a < 0.0 ? 0 : a < patch->columns ? (int)a : patch->columns - 1;
     int row = b < 0.0 ? 0 : b < patch->rows ? (int)b : patch->rows - 1;
     return patch->first + row * patch->columns + column;
 }
 
 /* Light through the openings to the cell, and the cells that its lobe sees. */
-static void light_cell(struct cell *cell, const struct pp_radiosity *guess,
-                       const struct pp_scene *scene, const struct pp_sobol *sobol,
+static void light_cell(struct radiosity_cell *cell, const struct pp_radiosity *guess,
+                       const struct pp_ray_scene *scene, const struct pp_sobol *sobol,
                        uint64_t seed)
 {
-    struct pp_walk walk = {.scene = scene};
-    pp_sequence_init(&walk.sequence, sobol, seed);
+    struct pp_path_state state = {.scene = scene};
+    pp_sobol_sequence_init(&state.sequence, sobol, seed);
     const struct pp_facet *facet = &scene->facets[cell->facet];
     struct pp_vec3 n =
-        cell->side == PP_FRONT ? facet->normal : pp_scale(facet->normal, -1.0);
+        cell->side == PP_FRONT ? facet->normal : pp_vec_scale(facet->normal, -1.0);
     struct pp_light light = {{0.0, 0.0, 0.0}};
     for (uint32_t i = 0; i < OPENING_SAMPLES; i++) {
         double u[3];
-        walk.index = i;
-        pp_sequence_draw(&walk.sequence, i, 0, 3, u);
-        pp_path_openings(&walk, cell->point, n, u, 0, 1.0 / OPENING_SAMPLES, PP_IRC,
+        state.index = i;
+        pp_sobol_sequence_draw(&state.sequence, i, 0, 3, u);
+        pp_path_openings(&state, cell->point, n, u, 0, 1.0 / OPENING_SAMPLES, PP_IRC,
                          &light);
     }
     cell->own = facet->exitance + facet->reflectance[cell->side] * light.part[PP_IRC];
     for (uint32_t i = 0; i < LOBE_SAMPLES; i++) {
         double u[2];
-        pp_sequence_draw(&walk.sequence, i, 1, 2, u);
-        struct pp_vec3 to = pp_sample_lobe(facet->a, facet->b, n, u[0], u[1]);
-        struct pp_contact met = pp_path_first(&walk, cell->point, n, to);
+        pp_sobol_sequence_draw(&state.sequence, i, 1, 2, u);
+        struct pp_vec3 to = pp_lobe_sample_in_frame(facet->a, facet->b, n, u[0], u[1]);
+        struct pp_contact met = pp_path_first(&state, cell->point, n, to);
         cell->seen[i] = nearest_cell(guess, scene, &met);
     }
 }
 
 /* Each cell takes its light from those it sees, in turn, until little changes. */
-static void exchange(double *values, const struct cell *cells, int count,
-                     const struct pp_scene *scene)
+static void exchange(double *values, const struct radiosity_cell *cells, int count,
+                     const struct pp_ray_scene *scene)
 {
     for (int i = 0; i < count; i++)
         values[i] = cells[i].own;
@@ -198,8 +203,8 @@ static void exchange(double *values, const struct cell *cells, int count,
 }
 
 /* Cells beside the figure (beyond the corner of an L) get the mean of those in it. */
-static void fill_beside(struct pp_radiosity *guess, const struct cell *cells,
-                        const struct pp_patch *patch)
+static void fill_beside(struct pp_radiosity *guess, const struct radiosity_cell *cells,
+                        const struct pp_radiosity_grid *patch)
 {
     int count = patch->columns * patch->rows, in_figure = 0;
     double sum = 0.0;
@@ -213,8 +218,8 @@ static void fill_beside(struct pp_radiosity *guess, const struct cell *cells,
             guess->values[i] = in_figure > 0 ? sum / in_figure : 0.0;
 }
 
-static void work_out(struct pp_radiosity *guess, struct cell *cells,
-                     const struct pp_scene *scene, const struct pp_world *world,
+static void work_out(struct pp_radiosity *guess, struct radiosity_cell *cells,
+                     const struct pp_ray_scene *scene, const struct pp_world *world,
                      const struct pp_sobol *sobol, uint64_t seed, int threads)
 {
     int count = guess->count;
@@ -235,7 +240,7 @@ static void work_out(struct pp_radiosity *guess, struct cell *cells,
 }
 
 enum pp_status pp_radiosity_create(struct pp_radiosity **result,
-                                   const struct pp_scene *scene,
+                                   const struct pp_ray_scene *scene,
                                    const struct pp_world *world,
                                    const struct pp_sobol *sobol, uint64_t seed,
                                    int threads, struct pp_error *err)
@@ -251,7 +256,7 @@ enum pp_status pp_radiosity_create(struct pp_radiosity **result,
     if (!guess)
         return pp_fail_memory(err);
     guess->patches = calloc((size_t)scene->facet_count, sizeof *guess->patches);
-    struct cell *cells = NULL;
+    struct radiosity_cell *cells = NULL;
     if (guess->patches) {
         guess->count = lay_out(guess, scene, world);
         guess->values = calloc((size_t)guess->count, sizeof *guess->values);
@@ -287,19 +292,21 @@ static double within(double x, int count, int *cell)
     return x - *cell;
 }
 
-double pp_radiosity_at(const struct pp_radiosity *guess, const struct pp_scene *scene,
+double pp_radiosity_at(const struct pp_radiosity *guess,
+                       const struct pp_ray_scene *scene,
                        const struct pp_contact *contact)
 {
     if (contact->facet < 0)
         return 0.0;
-    const struct pp_patch *patch = &guess->patches[contact->facet][contact->side];
+    const struct pp_radiosity_grid *patch =
+        &guess->patches[contact->facet][contact->side];
     if (patch->first < 0)
         return 0.0;
     const struct pp_facet *facet = &scene->facets[contact->facet];
     int column, row;
-    double s = within((pp_dot(contact->point, facet->a) - patch->a0) * patch->per_a,
+    double s = within((pp_vec_dot(contact->point, facet->a) - patch->a0) * patch->per_a,
                       patch->columns, &column);
-    double t = within((pp_dot(contact->point, facet->b) - patch->b0) * patch->per_b,
+    double t = within((pp_vec_dot(contact->point, facet->b) - patch->b0) * patch->per_b,
                       patch->rows, &row);
     int right = column + 1 < patch->columns, above = row + 1 < patch->rows;
     const double *low = &guess->values[patch->first + row * patch->columns + column];

@@ -32,16 +32,16 @@ static const struct pp_counts LEAST_COUNTS = {{16, 8, 2}};
 enum stage { PILOT, FINAL, FINISHED };
 
 /* A receiver, or the working plane as a whole, with its randomisations. */
-struct point {
+struct traced_point {
     struct pp_start start;
-    struct pp_most most;
+    struct pp_component_bound most;
     uint64_t seed;
     struct pp_counts counts; /* wanted of each item */
-    struct pp_item *pilot, *items;
+    struct pp_randomisation *pilot, *items;
     int item_count;
 };
 
-struct unit {
+struct tracer_unit {
     int point, item;
 };
 
@@ -49,13 +49,13 @@ struct pp_tracer {
     struct pp_tracer_options options;
     int threads;
     struct pp_sobol sobol;
-    struct pp_scene *scene;
+    struct pp_ray_scene *scene;
     struct pp_radiosity *guess;
-    struct point *points; /* the receivers, then the average if it is wanted */
+    struct traced_point *points; /* the receivers, then the average if it is wanted */
     int point_count, receiver_count;
 
     enum stage stage;
-    struct unit *units; /* of this pass */
+    struct tracer_unit *units; /* of this pass */
     int unit_count, unit_capacity, next_unit;
     int batch; /* units at a time */
 };
@@ -95,34 +95,34 @@ static void make_points(struct pp_tracer *tracer, const struct pp_receiver *rece
                         uint64_t seed)
 {
     for (int i = 0; i < tracer->point_count; i++) {
-        struct point *point = &tracer->points[i];
+        struct traced_point *point = &tracer->points[i];
         if (i < tracer->receiver_count) {
             point->start.position =
-                pp_sub(receivers[i].position, tracer->scene->centre);
+                pp_vec_sub(receivers[i].position, tracer->scene->centre);
             point->start.normal = receivers[i].normal;
             point->seed = seed_of_receiver(seed, &receivers[i]);
         } else {
             point->start = (struct pp_start){true, {0.0, 0.0, 0.0}, {0.0, 0.0, 1.0}};
             point->seed = pp_hash(seed, UINT64_MAX);
         }
-        point->most = pp_most_at(tracer->scene, &point->start);
+        point->most = pp_estimate_bound(tracer->scene, &point->start);
     }
 }
 
 /* `count` fresh items in *items; those that are there stay. */
-static enum pp_status make_items(struct pp_item **items, int there, int count,
+static enum pp_status make_items(struct pp_randomisation **items, int there, int count,
                                  uint64_t seed, struct pp_error *err)
 {
-    struct pp_item *more = realloc(*items, (size_t)count * sizeof *more);
+    struct pp_randomisation *more = realloc(*items, (size_t)count * sizeof *more);
     if (!more)
         return pp_fail_memory(err);
     *items = more;
     for (int i = there; i < count; i++)
-        more[i] = (struct pp_item){.seed = pp_hash(seed, (uint64_t)i)};
+        more[i] = (struct pp_randomisation){.seed = pp_hash(seed, (uint64_t)i)};
     return PP_OK;
 }
 
-static uint64_t stage_seed(const struct point *point, enum stage stage)
+static uint64_t stage_seed(const struct traced_point *point, enum stage stage)
 {
     return pp_hash(point->seed, (uint64_t)stage);
 }
@@ -133,12 +133,13 @@ static enum pp_status begin(struct pp_tracer *tracer, struct pp_error *err)
     tracer->stage = goes_by_error(tracer) ? PILOT : FINAL;
     enum pp_status status = PP_OK;
     for (int i = 0; status == PP_OK && i < tracer->point_count; i++) {
-        struct point *point = &tracer->points[i];
+        struct traced_point *point = &tracer->points[i];
         point->item_count = PP_RANDOMISATIONS;
         point->counts = PILOT_COUNTS;
         if (tracer->options.samples > 0)
             point->counts = all_of((uint32_t)tracer->options.samples);
-        struct pp_item **items = tracer->stage == PILOT ? &point->pilot : &point->items;
+        struct pp_randomisation **items =
+            tracer->stage == PILOT ? &point->pilot : &point->items;
         status = make_items(items, 0, point->item_count,
                             stage_seed(point, tracer->stage), err);
     }
@@ -182,7 +183,7 @@ enum pp_status pp_tracer_create(struct pp_tracer **result, const struct pp_world
     pp_sobol_init(&tracer->sobol);
 
     uint64_t seed = seed_of_room(options->seed, world);
-    status = pp_scene_create(&tracer->scene, world, err);
+    status = pp_ray_scene_create(&tracer->scene, world, err);
     if (status == PP_OK)
         status =
             pp_radiosity_create(&tracer->guess, tracer->scene, world, &tracer->sobol,
@@ -217,13 +218,14 @@ void pp_tracer_destroy(struct pp_tracer *tracer)
     free(tracer->points);
     free(tracer->units);
     pp_radiosity_destroy(tracer->guess);
-    pp_scene_destroy(tracer->scene);
+    pp_ray_scene_destroy(tracer->scene);
     free(tracer);
 }
 
 /* ---- stages ---- */
 
-static struct pp_item *items_of(const struct pp_tracer *tracer, struct point *point)
+static struct pp_randomisation *items_of(const struct pp_tracer *tracer,
+                                         struct traced_point *point)
 {
     return tracer->stage == PILOT ? point->pilot : point->items;
 }
@@ -237,11 +239,12 @@ static double wanted_error(const struct pp_tracer *tracer, double daylight_facto
 static enum pp_status plan_final(struct pp_tracer *tracer, struct pp_error *err)
 {
     for (int i = 0; i < tracer->point_count; i++) {
-        struct point *point = &tracer->points[i];
+        struct traced_point *point = &tracer->points[i];
         struct pp_reading df =
             pp_estimate(point->pilot, point->item_count, PP_DF, &point->most);
-        struct pp_plan plan = pp_plan_for(point->pilot, point->item_count,
-                                          wanted_error(tracer, df.value), LEAST_COUNTS);
+        struct pp_plan plan =
+            pp_estimate_plan(point->pilot, point->item_count,
+                             wanted_error(tracer, df.value), LEAST_COUNTS);
         point->counts = plan.counts;
         point->item_count = plan.randomisations;
         enum pp_status status = make_items(&point->items, 0, plan.randomisations,
@@ -258,7 +261,7 @@ static enum pp_status top_up(struct pp_tracer *tracer, struct pp_error *err)
 {
     tracer->stage = FINISHED;
     for (int i = 0; i < tracer->point_count; i++) {
-        struct point *point = &tracer->points[i];
+        struct traced_point *point = &tracer->points[i];
         struct pp_reading df =
             pp_estimate(point->items, point->item_count, PP_DF, &point->most);
         double ratio = df.std_error / wanted_error(tracer, df.value);
@@ -280,12 +283,12 @@ static enum pp_status top_up(struct pp_tracer *tracer, struct pp_error *err)
 static void go_on(struct pp_tracer *tracer)
 {
     for (int i = 0; i < tracer->point_count; i++) {
-        struct point *point = &tracer->points[i];
+        struct traced_point *point = &tracer->points[i];
         struct pp_reading df =
             pp_estimate(point->items, point->item_count, PP_DF, &point->most);
         struct pp_plan plan =
-            pp_plan_for(point->items, point->item_count,
-                        fmax(df.std_error * 0.7, 1e-12), point->counts);
+            pp_estimate_plan(point->items, point->item_count,
+                             fmax(df.std_error * 0.7, 1e-12), point->counts);
         point->counts = plan.counts;
     }
 }
@@ -305,7 +308,7 @@ static enum pp_status end_stage(struct pp_tracer *tracer, struct pp_error *err)
 
 /* ---- passes ---- */
 
-static double cost_to_do(const struct pp_item *item, struct pp_counts wanted)
+static double cost_to_do(const struct pp_randomisation *item, struct pp_counts wanted)
 {
     double cost = 0.0;
     for (int k = 0; k < PP_ESTIMATORS; k++)
@@ -319,11 +322,11 @@ static enum pp_status list_units(struct pp_tracer *tracer, struct pp_error *err)
 {
     tracer->unit_count = tracer->next_unit = 0;
     for (int i = 0; i < tracer->point_count; i++) {
-        struct point *point = &tracer->points[i];
-        const struct pp_item *items = items_of(tracer, point);
+        struct traced_point *point = &tracer->points[i];
+        const struct pp_randomisation *items = items_of(tracer, point);
         if (tracer->unit_count + point->item_count > tracer->unit_capacity) {
             int capacity = 2 * (tracer->unit_count + point->item_count);
-            struct unit *units =
+            struct tracer_unit *units =
                 realloc(tracer->units, (size_t)capacity * sizeof *units);
             if (!units)
                 return pp_fail_memory(err);
@@ -331,8 +334,8 @@ static enum pp_status list_units(struct pp_tracer *tracer, struct pp_error *err)
             tracer->unit_capacity = capacity;
         }
         for (int k = 0; k < point->item_count; k++)
-            if (!pp_item_is_done(&items[k], point->counts))
-                tracer->units[tracer->unit_count++] = (struct unit){i, k};
+            if (!pp_randomisation_is_done(&items[k], point->counts))
+                tracer->units[tracer->unit_count++] = (struct tracer_unit){i, k};
     }
     return PP_OK;
 }
@@ -341,15 +344,15 @@ static void run_batch(struct pp_tracer *tracer, int first, int end)
 {
 #pragma omp parallel num_threads(tracer->threads)
     {
-        struct pp_walk walk = {.scene = tracer->scene,
-                               .guess = tracer->guess,
-                               .every_ray = tracer->options.every_ray};
+        struct pp_path_state state = {.scene = tracer->scene,
+                                      .guess = tracer->guess,
+                                      .every_ray = tracer->options.every_ray};
 #pragma omp for schedule(dynamic, 1)
         for (int i = first; i < end; i++) {
-            struct unit unit = tracer->units[i];
-            struct point *point = &tracer->points[unit.point];
-            pp_item_run(&items_of(tracer, point)[unit.item], &walk, &tracer->sobol,
-                        &point->start, point->counts, STEP);
+            struct tracer_unit unit = tracer->units[i];
+            struct traced_point *point = &tracer->points[unit.point];
+            pp_randomisation_run(&items_of(tracer, point)[unit.item], &state,
+                                 &tracer->sobol, &point->start, point->counts, STEP);
         }
     }
 }
@@ -406,10 +409,10 @@ double pp_tracer_progress(const struct pp_tracer *tracer)
         return 0.0;
     double wanted = 0.0, to_do = 0.0;
     for (int i = 0; i < tracer->point_count; i++) {
-        struct point *point = &tracer->points[i];
-        const struct pp_item *items = items_of(tracer, point);
+        struct traced_point *point = &tracer->points[i];
+        const struct pp_randomisation *items = items_of(tracer, point);
         for (int k = 0; k < point->item_count; k++) {
-            struct pp_item nothing = {.seed = 0};
+            struct pp_randomisation nothing = {.seed = 0};
             wanted += cost_to_do(&nothing, point->counts);
             to_do += cost_to_do(&items[k], point->counts);
         }
@@ -420,7 +423,7 @@ double pp_tracer_progress(const struct pp_tracer *tracer)
     return tracer->stage == PILOT ? 0.1 * share : 0.1 + 0.9 * share;
 }
 
-static struct pp_reading reading_of(const struct point *point, int component)
+static struct pp_reading reading_of(const struct traced_point *point, int component)
 {
     struct pp_reading reading = pp_reading_none("not sampled yet");
     if (point->items)
@@ -456,8 +459,8 @@ struct pp_tracer_work pp_tracer_work(const struct pp_tracer *tracer)
 {
     struct pp_tracer_work work = {0, 0, 0};
     for (int i = 0; i < tracer->point_count; i++) {
-        const struct point *point = &tracer->points[i];
-        const struct pp_item *lists[2] = {point->pilot, point->items};
+        const struct traced_point *point = &tracer->points[i];
+        const struct pp_randomisation *lists[2] = {point->pilot, point->items};
         const int counts[2] = {PP_RANDOMISATIONS, point->item_count};
         for (int list = 0; list < 2; list++)
             for (int k = 0; lists[list] && k < counts[list]; k++)

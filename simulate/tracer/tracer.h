@@ -9,8 +9,8 @@
  * With --error or --samples the answer depends on world, receivers and seed alone, to
  * the bit, whatever the number of threads and the length of the slices.
  */
-#ifndef PP_SIMULATE_TRACER_H
-#define PP_SIMULATE_TRACER_H
+#ifndef PP_SIMULATE_TRACER_TRACER_H
+#define PP_SIMULATE_TRACER_TRACER_H
 
 #include <stdbool.h>
 #include <stdint.h>
@@ -25,8 +25,8 @@ struct pp_tracer_options {
                 * under 0.00002 of Eh. 0: go by samples or the caller's clock alone */
     long samples; /* paths a point in each randomisation instead of error; 0: not set */
     uint64_t seed;
-    int threads;  /* 0: as many as the machine has processors */
-    bool average; /* the average over the working plane too */
+    int threads;    /* 0: as many as the machine has processors */
+    bool average;   /* the average over the working plane too */
     bool every_ray; /* trace also the rays whose end is known beforehand: for checks */
 };
 

@@ -15,70 +15,70 @@ struct pp_radiance_options pp_radiance_defaults(void)
                                         .least = 0.3};
 }
 
-static struct pp_rgb along(struct pp_radiance_walk *walk,
-                           const struct pp_light_ray *ray, enum pp_aimed_at aimed,
-                           struct pp_light_hit *hit)
+static struct pp_rgb along(struct pp_radiance_state *state,
+                           const struct pp_light_ray *ray,
+                           enum pp_directly_sampled aimed, struct pp_light_hit *hit)
 {
     struct pp_light_path path = {.ray = *ray,
                                  .weight = pp_rgb_grey(1.0),
-                                 .least = walk->options.least,
+                                 .least = state->options.least,
                                  .aimed = aimed,
                                  .aimed_in = ray->space,
-                                 .chain = -1,
-                                 .depth = aimed == PP_AIMED_AT_ALL,
+                                 .mirror_path = -1,
+                                 .depth = aimed == PP_DIRECTLY_SAMPLED_ALL,
                                  .vertex = 1,
-                                 .many = aimed == PP_AIMED_AT_NOTHING};
-    path.ray.from = pp_sub(ray->from, walk->scene->centre);
-    struct pp_rgb radiance = pp_light_path_follow(walk, &path, hit);
+                                 .many = aimed == PP_DIRECTLY_SAMPLED_NONE};
+    path.ray.from = pp_vec_sub(ray->from, state->scene->centre);
+    struct pp_rgb radiance = pp_light_path_follow(state, &path, hit);
     if (hit)
-        hit->point = pp_add(hit->point, walk->scene->centre);
+        hit->point = pp_vec_add(hit->point, state->scene->centre);
     return radiance;
 }
 
-struct pp_rgb pp_radiance_along(struct pp_radiance_walk *walk,
+struct pp_rgb pp_radiance_along(struct pp_radiance_state *state,
                                 const struct pp_light_ray *ray,
                                 struct pp_light_hit *hit)
 {
-    return along(walk, ray, PP_AIMED_AT_NOTHING, hit);
+    return along(state, ray, PP_DIRECTLY_SAMPLED_NONE, hit);
 }
 
-struct pp_rgb pp_radiance_indirect(struct pp_radiance_walk *walk,
+struct pp_rgb pp_radiance_indirect(struct pp_radiance_state *state,
                                    const struct pp_light_ray *ray,
                                    struct pp_light_hit *hit)
 {
-    return along(walk, ray, PP_AIMED_AT_ALL, hit);
+    return along(state, ray, PP_DIRECTLY_SAMPLED_ALL, hit);
 }
 
-struct pp_irradiance pp_radiance_direct(struct pp_radiance_walk *walk,
+struct pp_irradiance pp_radiance_direct(struct pp_radiance_state *state,
                                         struct pp_vec3 point, struct pp_vec3 normal,
                                         enum pp_space space)
 {
     struct pp_irradiance e = {.rest = pp_rgb_grey(0.0)};
     struct pp_lobes lobes = {.n = normal};
     lobes.share[PP_LOBE_DIFFUSE] = pp_rgb_grey(PP_PI);
-    struct pp_lit lit = {.point = pp_sub(point, walk->scene->centre),
-                         .normal = normal,
-                         .space = space,
-                         .lobes = &lobes,
-                         .many = true};
-    e.sources = pp_light_from_sources(walk, &lit);
-    pp_light_from_windows(walk, &lit, &e);
+    struct pp_shading_point shading = {.point = pp_vec_sub(point, state->scene->centre),
+                                       .normal = normal,
+                                       .space = space,
+                                       .lobes = &lobes,
+                                       .many = true};
+    e.sources = pp_light_sources_next_event(state, &shading);
+    pp_light_windows_next_event(state, &shading, &e);
     return e;
 }
 
-struct pp_irradiance pp_radiance_irradiance(struct pp_radiance_walk *walk,
+struct pp_irradiance pp_radiance_irradiance(struct pp_radiance_state *state,
                                             struct pp_vec3 point, struct pp_vec3 normal,
                                             enum pp_space space)
 {
-    struct pp_irradiance e = pp_radiance_direct(walk, point, normal, space);
-    if (walk->options.bounces == 0)
+    struct pp_irradiance e = pp_radiance_direct(state, point, normal, space);
+    if (state->options.bounces == 0)
         return e;
     double u[2];
     struct pp_vec3 a, b;
-    pp_sequence_draw(&walk->sequence, walk->index, 0, 2, u);
-    pp_frame_about(normal, &a, &b);
-    struct pp_light_ray ray = {point, normal, pp_sample_lobe(a, b, normal, u[0], u[1]),
-                               space};
-    e.rest = pp_rgb_scale(pp_radiance_indirect(walk, &ray, NULL), PP_PI);
+    pp_sobol_sequence_draw(&state->sequence, state->index, 0, 2, u);
+    pp_lobe_frame(normal, &a, &b);
+    struct pp_light_ray ray = {
+        point, normal, pp_lobe_sample_in_frame(a, b, normal, u[0], u[1]), space};
+    e.rest = pp_rgb_scale(pp_radiance_indirect(state, &ray, NULL), PP_PI);
     return e;
 }

@@ -20,8 +20,8 @@
  * Diffuse inter-reflection, the dearest part, may be had from elsewhere: see
  * struct pp_ambient.
  */
-#ifndef PP_SIMULATE_RADIANCE_H
-#define PP_SIMULATE_RADIANCE_H
+#ifndef PP_SIMULATE_TRANSPORT_RADIANCE_H
+#define PP_SIMULATE_TRANSPORT_RADIANCE_H
 
 #include <stdbool.h>
 #include <stdint.h>
@@ -65,12 +65,12 @@ struct pp_radiance_options pp_radiance_defaults(void);
 struct pp_window_store;
 
 /* What a thread needs to follow light. Fill the first part, then draw. */
-struct pp_radiance_walk {
+struct pp_radiance_state {
     const struct pp_light_scene *scene; /* not owned */
     struct pp_radiance_options options;
     const struct pp_window_store *store; /* not owned; NULL: as if not `stored` */
     const struct pp_ambient *ambient;    /* not owned; NULL: none */
-    struct pp_sequence sequence;         /* the randomisation */
+    struct pp_sobol_sequence sequence;   /* the randomisation */
     uint32_t index;                      /* which path of it */
 
     long rays;  /* traced so far */
@@ -79,13 +79,13 @@ struct pp_radiance_walk {
 
 /* Radiance that comes along the ray, by one path. *hit (may be NULL) is what the ray
  * meets first, glass included. */
-struct pp_rgb pp_radiance_along(struct pp_radiance_walk *walk,
+struct pp_rgb pp_radiance_along(struct pp_radiance_state *state,
                                 const struct pp_light_ray *ray,
                                 struct pp_light_hit *hit);
 
 /* The same without what is aimed at from where the ray starts: sources and windows seen
  * straight or through clear glass. */
-struct pp_rgb pp_radiance_indirect(struct pp_radiance_walk *walk,
+struct pp_rgb pp_radiance_indirect(struct pp_radiance_state *state,
                                    const struct pp_light_ray *ray,
                                    struct pp_light_hit *hit);
 
@@ -100,10 +100,10 @@ struct pp_irradiance {
 /* normal: unit; space: pp_light_scene_space of the point. `direct` gives the first
  * three only. With `ambient`, `rest` is still sampled at the point itself and the store
  * asked from the next surface on: at depth 1. */
-struct pp_irradiance pp_radiance_direct(struct pp_radiance_walk *walk,
+struct pp_irradiance pp_radiance_direct(struct pp_radiance_state *state,
                                         struct pp_vec3 point, struct pp_vec3 normal,
                                         enum pp_space space);
-struct pp_irradiance pp_radiance_irradiance(struct pp_radiance_walk *walk,
+struct pp_irradiance pp_radiance_irradiance(struct pp_radiance_state *state,
                                             struct pp_vec3 point, struct pp_vec3 normal,
                                             enum pp_space space);
 

@@ -28,19 +28,19 @@ enum {
 static const double OPEN_SKY_SHARE = 0.00002;
 static const double LARGEST_SHARE = 0.001;
 
-struct item {
+struct sensor_randomisation {
     struct pp_rgb sum;
     long paths;
 };
 
-struct point {
-    struct item items[RANDOMISATIONS];
+struct sensor_state {
+    struct sensor_randomisation items[RANDOMISATIONS];
     enum pp_space space;
     long wanted; /* paths of each */
     bool done;
 };
 
-struct unit {
+struct sensor_unit {
     int point, item;
 };
 
@@ -50,8 +50,8 @@ struct pp_sensors {
     int count;
     struct pp_sensors_options options;
     struct pp_sobol sobol;
-    struct point *points;
-    struct unit *units; /* of this pass */
+    struct sensor_state *points;
+    struct sensor_unit *units; /* of this pass */
     int unit_count, next_unit;
 };
 
@@ -67,19 +67,19 @@ static double mean_of(const double *values, int count, double *error)
     double mean = sum / count;
     for (int i = 0; i < count; i++)
         off += (values[i] - mean) * (values[i] - mean);
-    *error = sqrt(off / (count - 1) / count) * pp_student_spread(count);
+    *error = sqrt(off / (count - 1) / count) * pp_estimate_student_factor(count);
     return mean;
 }
 
 static struct pp_sensor_reading read(const struct pp_sensors *sensors, int index,
-                                     bool with_missed)
+                                     bool with_unsampled)
 {
-    const struct point *point = &sensors->points[index];
+    const struct sensor_state *point = &sensors->points[index];
     double values[4][RANDOMISATIONS], means[4], errors[4];
     int count = 0;
     long paths = 0;
     for (int i = 0; i < RANDOMISATIONS; i++) {
-        const struct item *item = &point->items[i];
+        const struct sensor_randomisation *item = &point->items[i];
         if (item->paths == 0)
             continue;
         struct pp_rgb mean = pp_rgb_scale(item->sum, 1.0 / (double)item->paths);
@@ -99,10 +99,10 @@ static struct pp_sensor_reading read(const struct pp_sensors *sensors, int index
         if (!(errors[k] > 1e-12 * means[k]))
             errors[k] = fmax(means[k], sensors->options.horizontal) / (double)paths;
     }
-    if (with_missed && count >= 4) {
+    if (with_unsampled && count >= 4) {
         struct pp_rgb missed =
-            pp_light_scene_missed(sensors->scene, sensors->list[index].position,
-                                  sensors->options.by_chance, paths);
+            pp_unsampled_bound(sensors->scene, sensors->list[index].position,
+                               sensors->options.by_chance, paths);
         const double of[] = {missed.r, missed.g, missed.b, pp_rgb_luminance(missed)};
         for (int k = 0; k < 4; k++)
             errors[k] = fmax(errors[k], of[k]);
@@ -143,7 +143,7 @@ static double largest_value(const struct pp_sensors *sensors)
 static void plan_point(struct pp_sensors *sensors, int index, double largest)
 {
     const struct pp_sensors_options *options = &sensors->options;
-    struct point *point = &sensors->points[index];
+    struct sensor_state *point = &sensors->points[index];
     struct pp_sensor_reading reading =
         read(sensors, index, point->wanted < CHASED_PATHS);
     double goal = fmax(options->error * fmax(reading.grey, LARGEST_SHARE * largest),
@@ -168,7 +168,7 @@ static void plan(struct pp_sensors *sensors)
     bool first = sensors->unit_count == 0;
     double largest = first ? 0.0 : largest_value(sensors);
     for (int i = 0; i < sensors->count && !first; i++) {
-        struct point *point = &sensors->points[i];
+        struct sensor_state *point = &sensors->points[i];
         if (sensors->options.samples > 0)
             point->done = true;
         if (!point->done)
@@ -177,7 +177,7 @@ static void plan(struct pp_sensors *sensors)
     sensors->unit_count = sensors->next_unit = 0;
     for (int i = 0; i < sensors->count; i++)
         for (int k = 0; k < RANDOMISATIONS && !sensors->points[i].done; k++)
-            sensors->units[sensors->unit_count++] = (struct unit){i, k};
+            sensors->units[sensors->unit_count++] = (struct sensor_unit){i, k};
 }
 
 bool pp_sensors_done(const struct pp_sensors *sensors)
@@ -199,21 +199,21 @@ double pp_sensors_progress(const struct pp_sensors *sensors)
 /* ---- working ---- */
 
 /* Up to STEP more paths of one randomisation. */
-static void step(struct pp_sensors *sensors, struct unit unit)
+static void step(struct pp_sensors *sensors, struct sensor_unit unit)
 {
-    struct point *point = &sensors->points[unit.point];
-    struct item *item = &point->items[unit.item];
+    struct sensor_state *point = &sensors->points[unit.point];
+    struct sensor_randomisation *item = &point->items[unit.item];
     const struct pp_sensor *sensor = &sensors->list[unit.point];
-    struct pp_radiance_walk walk = {.scene = sensors->scene,
-                                    .options = pp_radiance_defaults()};
-    walk.options.sources = !sensors->options.by_chance;
+    struct pp_radiance_state state = {.scene = sensors->scene,
+                                      .options = pp_radiance_defaults()};
+    state.options.sources = !sensors->options.by_chance;
     uint64_t seed = pp_hash(pp_hash(sensors->options.seed, (uint64_t)unit.point),
                             (uint64_t)unit.item);
-    pp_sequence_init(&walk.sequence, &sensors->sobol, seed);
+    pp_sobol_sequence_init(&state.sequence, &sensors->sobol, seed);
     long end = item->paths + STEP < point->wanted ? item->paths + STEP : point->wanted;
     for (; item->paths < end; item->paths++) {
-        walk.index = (uint32_t)item->paths;
-        struct pp_irradiance e = pp_radiance_irradiance(&walk, sensor->position,
+        state.index = (uint32_t)item->paths;
+        struct pp_irradiance e = pp_radiance_irradiance(&state, sensor->position,
                                                         sensor->normal, point->space);
         struct pp_rgb sum =
             pp_rgb_add(pp_rgb_add(e.sources, e.rest), pp_rgb_add(e.sky, e.outside));
@@ -226,7 +226,7 @@ static void leave_out_done(struct pp_sensors *sensors)
 {
     int kept = 0;
     for (int i = 0; i < sensors->unit_count; i++) {
-        const struct point *point = &sensors->points[sensors->units[i].point];
+        const struct sensor_state *point = &sensors->points[sensors->units[i].point];
         if (point->items[sensors->units[i].item].paths < point->wanted)
             sensors->units[kept++] = sensors->units[i];
     }
@@ -242,7 +242,7 @@ void pp_sensors_advance(struct pp_sensors *sensors, double seconds)
     do {
         int left = sensors->unit_count - sensors->next_unit;
         int count = left < BATCH ? left : BATCH;
-        const struct unit *units = sensors->units + sensors->next_unit;
+        const struct sensor_unit *units = sensors->units + sensors->next_unit;
 #pragma omp parallel for schedule(dynamic) num_threads(threads)
         for (int i = 0; i < count; i++)
             step(sensors, units[i]);

@@ -12,11 +12,11 @@
  *     error x value,  error x 0.001 of the largest value,  0.00002 of the open sky
  *
  * What all paths may have missed of light that only chance finds (a small glow, a lamp in
- * a curved mirror: pp_light_scene_missed) is part of the stated error, and paths are
+ * a curved mirror: pp_unsampled_bound) is part of the stated error, and paths are
  * added for its sake up to 65536 a point.
  */
-#ifndef PP_SIMULATE_SENSORS_H
-#define PP_SIMULATE_SENSORS_H
+#ifndef PP_SIMULATE_TRANSPORT_SENSORS_H
+#define PP_SIMULATE_TRANSPORT_SENSORS_H
 
 #include <stdbool.h>
 #include <stdint.h>

@@ -44,7 +44,7 @@ static struct pp_vec3 patch_point(const struct pp_target *target,
 {
     double x = (patch % light->columns + u) / light->columns * target->width_m;
     double y = (patch / light->columns + v) / light->rows * target->height_m;
-    return pp_along(pp_along(target->corner, x, target->along), y, target->up);
+    return pp_vec_along(pp_vec_along(target->corner, x, target->along), y, target->up);
 }
 
 static int kept_within(double x, int count)
@@ -56,10 +56,11 @@ static int kept_within(double x, int count)
 static int patch_at(const struct pp_target *target, const struct window_light *light,
                     struct pp_vec3 point)
 {
-    struct pp_vec3 from = pp_sub(point, target->corner);
-    int column = kept_within(
-        pp_dot(from, target->along) / target->width_m * light->columns, light->columns);
-    int row = kept_within(pp_dot(from, target->up) / target->height_m * light->rows,
+    struct pp_vec3 from = pp_vec_sub(point, target->corner);
+    int column =
+        kept_within(pp_vec_dot(from, target->along) / target->width_m * light->columns,
+                    light->columns);
+    int row = kept_within(pp_vec_dot(from, target->up) / target->height_m * light->rows,
                           light->rows);
     return row * light->columns + column;
 }
@@ -67,8 +68,8 @@ static int patch_at(const struct pp_target *target, const struct window_light *l
 /* Bins are squares of the direction's parts along the opening's axes. */
 static int bin_of(const struct pp_target *target, struct pp_vec3 to)
 {
-    int column = kept_within((pp_dot(to, target->along) + 1.0) / 2.0 * BINS, BINS);
-    int row = kept_within((pp_dot(to, target->up) + 1.0) / 2.0 * BINS, BINS);
+    int column = kept_within((pp_vec_dot(to, target->along) + 1.0) / 2.0 * BINS, BINS);
+    int row = kept_within((pp_vec_dot(to, target->up) + 1.0) / 2.0 * BINS, BINS);
     return row * BINS + column;
 }
 
@@ -81,8 +82,9 @@ static bool bin_direction(const struct pp_target *target, int bin, double u, dou
     double z2 = 1.0 - x * x - y * y;
     if (!(z2 > 0.0))
         return false;
-    *to = pp_along(pp_along(pp_scale(target->normal, -sqrt(z2)), x, target->along), y,
-                   target->up);
+    *to = pp_vec_along(
+        pp_vec_along(pp_vec_scale(target->normal, -sqrt(z2)), x, target->along), y,
+        target->up);
     return true;
 }
 
@@ -94,17 +96,18 @@ static double nearest(const struct pp_light_scene *scene, int window,
 {
     const struct pp_target *target = target_of(scene, window);
     const struct window_light whole = {.columns = 1, .rows = 1};
-    struct pp_vec3 out = pp_scale(target->normal, -1.0), a, b;
-    struct pp_sequence sequence;
+    struct pp_vec3 out = pp_vec_scale(target->normal, -1.0), a, b;
+    struct pp_sobol_sequence sequence;
     double least = INFINITY;
-    pp_sequence_init(&sequence, sobol, seed);
-    pp_frame_about(out, &a, &b);
+    pp_sobol_sequence_init(&sequence, sobol, seed);
+    pp_lobe_frame(out, &a, &b);
     for (uint32_t i = 0; i < PROBES; i++) {
         double u[4];
         struct pp_light_hit hit;
-        pp_sequence_draw(&sequence, i, 0, 4, u);
+        pp_sobol_sequence_draw(&sequence, i, 0, 4, u);
         struct pp_light_ray ray = {patch_point(target, &whole, 0, u[0], u[1]), out,
-                                   pp_sample_lobe(a, b, out, u[2], u[3]), PP_OUTDOORS};
+                                   pp_lobe_sample_in_frame(a, b, out, u[2], u[3]),
+                                   PP_OUTDOORS};
         if (pp_light_scene_meet(scene, &ray, &hit) == PP_MEETS_PART)
             least = fmin(least, hit.distance_m);
     }
@@ -123,7 +126,7 @@ static enum pp_status lay_out(struct window_light *light,
                               struct pp_error *err)
 {
     const struct pp_pane *pane = &scene->room->panes[window];
-    double near = pane->nothing_beyond ? INFINITY : nearest(scene, window, sobol, seed);
+    double near = pane->unobstructed ? INFINITY : nearest(scene, window, sobol, seed);
     light->columns = patches_along(pane->target.width_m, near);
     light->rows = patches_along(pane->target.height_m, near);
     if (!isfinite(near))
@@ -137,24 +140,24 @@ static enum pp_status lay_out(struct window_light *light,
 }
 
 /* Mean radiance of what is met in each bin; where nothing is, of what is met at all. */
-static void fill_radiance(struct window_light *light, struct pp_radiance_walk *walk,
+static void fill_radiance(struct window_light *light, struct pp_radiance_state *state,
                           int window, int patch, uint32_t samples)
 {
-    const struct pp_target *target = target_of(walk->scene, window);
+    const struct pp_target *target = target_of(state->scene, window);
     struct pp_rgb *bins = &light->radiance[(size_t)patch * BINS * BINS];
     int met[BINS * BINS] = {0}, all = 0;
     struct pp_rgb sum = pp_rgb_grey(0.0);
     for (int bin = 0; bin < BINS * BINS; bin++) {
         for (uint32_t i = 0; i < samples; i++) {
             double u[4], distance;
-            struct pp_light_ray ray = {.off = pp_scale(target->normal, -1.0),
+            struct pp_light_ray ray = {.off = pp_vec_scale(target->normal, -1.0),
                                        .space = PP_OUTDOORS};
             struct pp_rgb radiance;
-            walk->index = (uint32_t)bin * samples + i;
-            pp_sequence_draw(&walk->sequence, walk->index, 0, 4, u);
+            state->index = (uint32_t)bin * samples + i;
+            pp_sobol_sequence_draw(&state->sequence, state->index, 0, 4, u);
             ray.from = patch_point(target, light, patch, u[0], u[1]);
             if (!bin_direction(target, bin, u[2], u[3], &ray.to)
-                || !pp_radiance_of_outside(walk, &ray, &radiance, &distance)
+                || !pp_light_windows_outside_radiance(state, &ray, &radiance, &distance)
                 || distance < light->far_m)
                 continue;
             bins[bin] = pp_rgb_add(bins[bin], radiance);
@@ -174,10 +177,11 @@ static void fill(struct pp_window_store *store, const struct pp_light_scene *sce
                  const struct pp_sobol *sobol, uint64_t seed, int window, int patch)
 {
     struct window_light *light = &store->windows[window];
-    struct pp_radiance_walk walk = {.scene = scene, .options = pp_radiance_defaults()};
-    pp_sequence_init(&walk.sequence, sobol,
-                     pp_hash(pp_hash(seed, (uint64_t)window), (uint64_t)patch));
-    fill_radiance(light, &walk, window, patch, store->samples);
+    struct pp_radiance_state state = {.scene = scene,
+                                      .options = pp_radiance_defaults()};
+    pp_sobol_sequence_init(&state.sequence, sobol,
+                           pp_hash(pp_hash(seed, (uint64_t)window), (uint64_t)patch));
+    fill_radiance(light, &state, window, patch, store->samples);
 }
 
 /* As many paths for few large patches as for many small ones. */

@@ -6,8 +6,8 @@
  * size of a patch. Sky, ground and skylines are not in it: whoever looks out still finds
  * out by a ray whether it meets a surface, so that the silhouettes stay sharp.
  */
-#ifndef PP_SIMULATE_WINDOW_STORE_H
-#define PP_SIMULATE_WINDOW_STORE_H
+#ifndef PP_SIMULATE_TRANSPORT_WINDOW_STORE_H
+#define PP_SIMULATE_TRANSPORT_WINDOW_STORE_H
 
 #include "simulate/scene/light_parts.h"
 #include "simulate/transport/radiance.h"
@@ -23,8 +23,8 @@ bool pp_window_store_radiance(const struct pp_window_store *store,
 
 /* One sample of the radiance along a ray (from the centre) that leaves a window to the
  * outside, if it meets a surface: false if it does not. *distance_m is how far. */
-bool pp_radiance_of_outside(struct pp_radiance_walk *walk,
-                            const struct pp_light_ray *ray, struct pp_rgb *radiance,
-                            double *distance_m);
+bool pp_light_windows_outside_radiance(struct pp_radiance_state *state,
+                                       const struct pp_light_ray *ray,
+                                       struct pp_rgb *radiance, double *distance_m);
 
 #endif

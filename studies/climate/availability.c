@@ -4,7 +4,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-double pp_needed_outside_lx(double lx, double daylight_factor)
+double pp_availability_needed_lx(double lx, double daylight_factor)
 {
     return daylight_factor > 0.0 ? lx / daylight_factor : INFINITY;
 }
@@ -48,8 +48,8 @@ static void fill_share(struct pp_availability_row *row, int period,
     row->share[period] = pp_diffuse_curve_share(curve, row->needs_lx);
     if (!isfinite(error))
         return;
-    double up = pp_needed_outside_lx(row->lx, df + error);
-    double down = pp_needed_outside_lx(row->lx, fmax(df - error, 0.0));
+    double up = pp_availability_needed_lx(row->lx, df + error);
+    double down = pp_availability_needed_lx(row->lx, fmax(df - error, 0.0));
     row->std_error[period] =
         0.5 * (pp_diffuse_curve_share(curve, up) - pp_diffuse_curve_share(curve, down));
 }
@@ -92,7 +92,7 @@ static void add_rows(struct pp_availability_sheet *sheet, int place,
                                             .lx = lx,
                                             .needs_lx = NAN};
         if (isfinite(df.value))
-            row->needs_lx = pp_needed_outside_lx(lx, df.value);
+            row->needs_lx = pp_availability_needed_lx(lx, df.value);
     }
 }
 

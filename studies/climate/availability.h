@@ -5,8 +5,8 @@
  * in the working hours says how often it does [GEEBELEN]. The daylight factor is taken
  * to hold through the year, whatever the sky; sunlight is left out.
  */
-#ifndef PP_DESIGN_AVAILABILITY_H
-#define PP_DESIGN_AVAILABILITY_H
+#ifndef PP_STUDIES_CLIMATE_AVAILABILITY_H
+#define PP_STUDIES_CLIMATE_AVAILABILITY_H
 
 #include "studies/climate/diffuse_curve.h"
 #include "model/results/availability_sheet.h"
@@ -22,7 +22,7 @@ struct pp_availability_question {
 };
 
 /* E/D, both greater than 0; INFINITY for D of 0. */
-double pp_needed_outside_lx(double lx, double daylight_factor);
+double pp_availability_needed_lx(double lx, double daylight_factor);
 
 /* The curves and, of a report's daylight factors (report may be NULL), how often each
  * place has each illuminance: its points, their median where there are three or more

@@ -23,7 +23,7 @@ static int gather(struct worked_hour *worked, struct pp_diffuse_curve *curve,
 {
     int count = 0;
     for (int i = 0; i < light->count; i++) {
-        double length_h = pp_working_share_h(hours, summer, &light->list[i]);
+        double length_h = pp_working_hours_share_h(hours, summer, &light->list[i]);
         if (length_h <= 0.0)
             continue;
         if (isnan(light->list[i].lx)) {

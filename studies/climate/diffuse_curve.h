@@ -1,8 +1,8 @@
 /* diffuse_curve.h - how often the sky gives how much light in working hours: the
  * cumulative curve of the diffuse horizontal illuminance.
  */
-#ifndef PP_DESIGN_DIFFUSE_CURVE_H
-#define PP_DESIGN_DIFFUSE_CURVE_H
+#ifndef PP_STUDIES_CLIMATE_DIFFUSE_CURVE_H
+#define PP_STUDIES_CLIMATE_DIFFUSE_CURVE_H
 
 #include "studies/climate/working_hours.h"
 

@@ -33,8 +33,8 @@ static struct pp_sun sun_of(const struct pp_epw *epw,
     int count = 0;
     for (int i = 0; i < STEPS; i++) {
         double hour = record->start_h + epw->record_h * (i + 0.5) / STEPS;
-        double n = pp_days_since_2000(record->year, record->date.month,
-                                      record->date.day, hour - epw->time_zone_h);
+        double n = pp_sun_days_since_2000(record->year, record->date.month,
+                                          record->date.day, hour - epw->time_zone_h);
         sun = pp_sun_at(n, epw->latitude_rad, epw->longitude_rad);
         if (sun.altitude_rad <= 0.0)
             continue;
@@ -61,8 +61,9 @@ static double by_efficacy(const struct pp_epw *epw, const struct pp_epw_record *
         direct = 0.0;
     double dew_point = isnan(record->dew_point_c) ? 11.0 : record->dew_point_c;
     return diffuse
-           * pp_diffuse_efficacy(diffuse, direct, PP_PI / 2.0 - sun.altitude_rad,
-                                 sun.distance_au, dew_point);
+           * pp_luminous_efficacy_diffuse(diffuse, direct,
+                                          PP_PI / 2.0 - sun.altitude_rad,
+                                          sun.distance_au, dew_point);
 }
 
 static bool has_illuminance(const struct pp_epw *epw)
@@ -123,7 +124,7 @@ enum pp_status pp_diffuse_light_of_epw(struct pp_diffuse_light *light,
 
 /* ---- of the overcast sky ---- */
 
-double pp_overcast_lx(double sun_altitude_rad)
+double pp_diffuse_light_overcast_lx(double sun_altitude_rad)
 {
     return sun_altitude_rad > 0.0 ? 300.0 + 21000.0 * sin(sun_altitude_rad) : 0.0;
 }
@@ -139,19 +140,21 @@ enum pp_status pp_diffuse_light_overcast(struct pp_diffuse_light *light,
     enum pp_status status = make_room(light, DAYS * STEPS, err);
     struct pp_month_day date = {1, 1};
     for (int day = 0; status == PP_OK && day < DAYS; day++) {
-        double midnight = pp_days_since_2000(2018, date.month, date.day, -time_zone_h);
+        double midnight =
+            pp_sun_days_since_2000(2018, date.month, date.day, -time_zone_h);
         for (int i = 0; i < STEPS; i++) {
             double n = midnight + (i + 0.5) / STEPS;
             struct pp_sun sun = pp_sun_at(n, latitude_rad, longitude_rad);
-            light->list[light->count++] =
-                (struct pp_diffuse_hour){.date = date,
-                                         .weekday = day % 7,
-                                         .start_h = i * step_h,
-                                         .length_h = step_h,
-                                         .lx = pp_overcast_lx(sun.altitude_rad)};
+            light->list[light->count++] = (struct pp_diffuse_hour){
+                .date = date,
+                .weekday = day % 7,
+                .start_h = i * step_h,
+                .length_h = step_h,
+                .lx = pp_diffuse_light_overcast_lx(sun.altitude_rad)};
         }
         bool month_ends =
-            date.day == (date.month == 2 ? 28 : pp_month_days(date.month));
+            date.day
+            == (date.month == 2 ? 28 : pp_epw_header_days_of_month(date.month));
         date.day = month_ends ? 1 : date.day + 1;
         date.month += month_ends;
     }

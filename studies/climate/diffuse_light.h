@@ -1,8 +1,8 @@
 /* diffuse_light.h - the horizontal illuminance by the sky alone, through a year: as a
  * weather file has it, or of a sky that is always overcast.
  */
-#ifndef PP_DESIGN_DIFFUSE_LIGHT_H
-#define PP_DESIGN_DIFFUSE_LIGHT_H
+#ifndef PP_STUDIES_CLIMATE_DIFFUSE_LIGHT_H
+#define PP_STUDIES_CLIMATE_DIFFUSE_LIGHT_H
 
 #include "model/results/availability_sheet.h"
 #include "formats/epw/epw.h"
@@ -44,7 +44,7 @@ enum pp_status pp_diffuse_light_overcast(struct pp_diffuse_light *light,
                                          double time_zone_h, struct pp_error *err);
 
 /* Eh above (lx) for one altitude of the sun. */
-double pp_overcast_lx(double sun_altitude_rad);
+double pp_diffuse_light_overcast_lx(double sun_altitude_rad);
 
 /* The median of the brightest 4380 hours of the year (lx), as [EN17037] wants it; of
  * the brighter half of those that are known where there are fewer than 8760. NAN where

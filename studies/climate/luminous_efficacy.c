@@ -10,9 +10,9 @@ static const double bins[][COLUMNS] = {
 #include "tables/perez_1993_all_weather.inc"
 };
 
-double pp_diffuse_efficacy(double diffuse_w_m2, double direct_w_m2,
-                           double sun_zenith_rad, double sun_distance_au,
-                           double dew_point_c)
+double pp_luminous_efficacy_diffuse(double diffuse_w_m2, double direct_w_m2,
+                                    double sun_zenith_rad, double sun_distance_au,
+                                    double dew_point_c)
 {
     double z = sun_zenith_rad, turned = 1.041 * z * z * z;
     double clearness =

@@ -15,13 +15,13 @@
  * means). Values are kept within 60 to 250 lm/W, which the model leaves only with
  * irradiances that no sky has.
  */
-#ifndef PP_DESIGN_LUMINOUS_EFFICACY_H
-#define PP_DESIGN_LUMINOUS_EFFICACY_H
+#ifndef PP_STUDIES_CLIMATE_LUMINOUS_EFFICACY_H
+#define PP_STUDIES_CLIMATE_LUMINOUS_EFFICACY_H
 
 /* Returns v in (1), lm/W. diffuse_w_m2 > 0, direct_w_m2 >= 0, zenith angle 0 to pi/2,
  * dew point in degrees Celsius. */
-double pp_diffuse_efficacy(double diffuse_w_m2, double direct_w_m2,
-                           double sun_zenith_rad, double sun_distance_au,
-                           double dew_point_c);
+double pp_luminous_efficacy_diffuse(double diffuse_w_m2, double direct_w_m2,
+                                    double sun_zenith_rad, double sun_distance_au,
+                                    double dew_point_c);
 
 #endif

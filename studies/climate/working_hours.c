@@ -16,9 +16,9 @@ static bool is_summer(const struct pp_summer_time *summer, struct pp_month_day d
     return from <= to ? day >= from && day <= to : day >= from || day <= to;
 }
 
-double pp_working_share_h(const struct pp_working_hours *hours,
-                          const struct pp_summer_time *summer,
-                          const struct pp_diffuse_hour *hour)
+double pp_working_hours_share_h(const struct pp_working_hours *hours,
+                                const struct pp_summer_time *summer,
+                                const struct pp_diffuse_hour *hour)
 {
     double start_h = hour->start_h + (is_summer(summer, hour->date) ? 1.0 : 0.0);
     int weekday = hour->weekday;

@@ -3,8 +3,8 @@
  * They are hours of the clock on the wall: local standard time, and an hour ahead of it
  * on the days of summer time.
  */
-#ifndef PP_DESIGN_WORKING_HOURS_H
-#define PP_DESIGN_WORKING_HOURS_H
+#ifndef PP_STUDIES_CLIMATE_WORKING_HOURS_H
+#define PP_STUDIES_CLIMATE_WORKING_HOURS_H
 
 #include "studies/climate/diffuse_light.h"
 
@@ -23,8 +23,8 @@ struct pp_summer_time {
 
 /* How much of a stretch of time, of one hour at most and within one hour of the clock,
  * is working time (h). A day of the week that is not known is any. */
-double pp_working_share_h(const struct pp_working_hours *hours,
-                          const struct pp_summer_time *summer,
-                          const struct pp_diffuse_hour *hour);
+double pp_working_hours_share_h(const struct pp_working_hours *hours,
+                                const struct pp_summer_time *summer,
+                                const struct pp_diffuse_hour *hour);
 
 #endif

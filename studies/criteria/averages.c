@@ -17,7 +17,7 @@
 #include "studies/criteria/plane_share.h"
 
 static enum pp_status evaluate_average(const struct pp_inquiry *inquiry,
-                                       struct pp_findings *findings,
+                                       struct pp_finding_list *findings,
                                        struct pp_error *err)
 {
     static const struct {
@@ -35,10 +35,10 @@ static enum pp_status evaluate_average(const struct pp_inquiry *inquiry,
                                     false, "%s", minima[i].room);
         if (average && average->std_error > 0.0)
             pp_finding_sampled(&finding, average->std_error,
-                               pp_probability_at_least(average->value,
-                                                       average->std_error,
-                                                       minima[i].least));
-        status = pp_findings_add(findings, &finding, err);
+                               pp_finding_probability_at_least(average->value,
+                                                               average->std_error,
+                                                               minima[i].least));
+        status = pp_finding_list_add(findings, &finding, err);
     }
     return status;
 }
@@ -56,7 +56,7 @@ static bool has_glazed_roof(const struct pp_world *world)
 }
 
 static enum pp_status evaluate_uniformity(const struct pp_inquiry *inquiry,
-                                          struct pp_findings *findings,
+                                          struct pp_finding_list *findings,
                                           struct pp_error *err)
 {
     static const char what[] = "minimum over average";
@@ -70,7 +70,7 @@ static enum pp_status evaluate_uniformity(const struct pp_inquiry *inquiry,
         why = "no light reaches the plane";
     if (why) {
         struct pp_finding finding = pp_finding_not_judged(why, what);
-        return pp_findings_add(findings, &finding, err);
+        return pp_finding_list_add(findings, &finding, err);
     }
     double wanted = has_glazed_roof(inquiry->world) ? 0.7 : 0.3;
     struct pp_plane_share share;
@@ -84,7 +84,7 @@ static enum pp_status evaluate_uniformity(const struct pp_inquiry *inquiry,
         pp_finding_sampled(&finding, share.std_error / mean, share.probability);
     pp_finding_note(&finding, "minimum %.2f %%, average %.2f %% on %d points",
                     100.0 * share.level, 100.0 * mean, count);
-    return pp_findings_add(findings, &finding, err);
+    return pp_finding_list_add(findings, &finding, err);
 }
 
 const struct pp_criterion pp_criterion_average = {

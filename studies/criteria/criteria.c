@@ -20,12 +20,12 @@ static const struct pp_criterion *const criteria[] = {
     NULL,
 };
 
-const struct pp_criterion *pp_criterion_at(int index)
+const struct pp_criterion *pp_criteria_at(int index)
 {
     return criteria[index];
 }
 
-const struct pp_criterion *pp_criterion_find(const char *name)
+const struct pp_criterion *pp_criteria_find(const char *name)
 {
     for (int i = 0; criteria[i]; i++)
         if (strcmp(criteria[i]->name, name) == 0)

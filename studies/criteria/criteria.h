@@ -1,6 +1,6 @@
 /* criteria.h - each criterion's own entry, for the list and for tests. */
-#ifndef PP_DESIGN_CRITERIA_H
-#define PP_DESIGN_CRITERIA_H
+#ifndef PP_STUDIES_CRITERIA_CRITERIA_H
+#define PP_STUDIES_CRITERIA_CRITERIA_H
 
 #include "studies/criteria/criterion.h"
 

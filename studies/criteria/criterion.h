@@ -4,8 +4,8 @@
  * family. It says of the room what it finds: figures, each with what is wanted and with
  * its verdict. Criteria trace nothing: what rests on simulation comes in as readings.
  */
-#ifndef PP_DESIGN_CRITERION_H
-#define PP_DESIGN_CRITERION_H
+#ifndef PP_STUDIES_CRITERIA_CRITERION_H
+#define PP_STUDIES_CRITERIA_CRITERION_H
 
 #include <stdbool.h>
 
@@ -29,7 +29,7 @@ struct pp_inquiry {
         *pairs; /* for each of world's openings that of before; by pp_pair_rooms */
 
     /* Daylight factors of the standard's grid, which is its receivers
-     * (studies/criteria/standard_grid.h), and of the average over the working plane: columns
+     * (studies/criteria/en17037_grid.h), and of the average over the working plane: columns
      * "traced" where the room was simulated, and those that pp_factors_by_hand adds. */
     const struct pp_report *factors;
     struct pp_median median;
@@ -46,14 +46,14 @@ struct pp_criterion {
     /* Adds its findings; those it can't judge are among them, with why. Fails where the
      * machine does. */
     enum pp_status (*evaluate)(const struct pp_inquiry *inquiry,
-                               struct pp_findings *findings, struct pp_error *err);
+                               struct pp_finding_list *findings, struct pp_error *err);
 };
 
 /* All criteria, in the order in which they are shown; NULL at the end. index is at most
  * one past the last. */
-const struct pp_criterion *pp_criterion_at(int index);
+const struct pp_criterion *pp_criteria_at(int index);
 
 /* The criterion of that name, or NULL. */
-const struct pp_criterion *pp_criterion_find(const char *name);
+const struct pp_criterion *pp_criteria_find(const char *name);
 
 #endif

@@ -6,7 +6,7 @@
  *
  *   D = E / E_v,d,med
  *
- * E_v,d,med the place's median diffuse illuminance (studies/criteria/place.h). What has to be
+ * E_v,d,med the place's median diffuse illuminance (studies/criteria/capitals.h). What has to be
  * reached, as a share of the reference plane:
  *
  *   windows (table A.1)       minimum 300 lx over 50 % and 100 lx over 95 %,
@@ -16,7 +16,7 @@
  *                             each over 50 %
  *
  * The plane is the room's working plane less 0.5 m along the walls, by the standard's
- * grid (studies/criteria/standard_grid.h); the sky is the CIE overcast one (type 16 or 1). A room
+ * grid (studies/criteria/en17037_grid.h); the sky is the CIE overcast one (type 16 or 1). A room
  * all of whose glass is level, to 15 degrees, is one with rooflights.
  */
 #include <math.h>
@@ -47,7 +47,7 @@ static bool is_lit_by_rooflights(const struct pp_world *world)
 static enum pp_status add_target(const struct pp_inquiry *inquiry,
                                  const struct target *target,
                                  const struct pp_column *column, const char *why,
-                                 struct pp_findings *findings, struct pp_error *err)
+                                 struct pp_finding_list *findings, struct pp_error *err)
 {
     char what[80];
     snprintf(what, sizeof what, "%s: %g lx over %g %%", target->who, target->lux,
@@ -67,12 +67,13 @@ static enum pp_status add_target(const struct pp_inquiry *inquiry,
         if (isfinite(share.probability))
             pp_finding_sampled(&finding, share.std_error, share.probability);
     }
-    return pp_findings_add(findings, &finding, err);
+    return pp_finding_list_add(findings, &finding, err);
 }
 
 /* The figures, or why there are none. */
 static const struct pp_column *column_of(const struct pp_inquiry *inquiry,
-                                         struct pp_findings *findings, const char **why)
+                                         struct pp_finding_list *findings,
+                                         const char **why)
 {
     /* What no option can help comes first. */
     *why = pp_factors_refuse(inquiry);
@@ -82,14 +83,14 @@ static const struct pp_column *column_of(const struct pp_inquiry *inquiry,
         return NULL;
     const struct pp_column *column = pp_factors_of_grid(inquiry, findings, why);
     if (column)
-        pp_findings_rest_on(findings, ", on %d points; median outside %.0f lx: %s",
-                            inquiry->factors->receiver_count, inquiry->median.lux,
-                            inquiry->median.how);
+        pp_finding_list_add_basis(
+            findings, ", on %d points; median outside %.0f lx: %s",
+            inquiry->factors->receiver_count, inquiry->median.lux, inquiry->median.how);
     return column;
 }
 
 /* The verdict on a level: that of the worse of its findings from `first` on. */
-static enum pp_verdict level_verdict(const struct pp_findings *findings, int first)
+static enum pp_verdict level_verdict(const struct pp_finding_list *findings, int first)
 {
     bool undecided = false;
     for (int i = first; i < findings->count; i++) {
@@ -101,7 +102,7 @@ static enum pp_verdict level_verdict(const struct pp_findings *findings, int fir
 }
 
 static enum pp_status evaluate(const struct pp_inquiry *inquiry,
-                               struct pp_findings *findings, struct pp_error *err)
+                               struct pp_finding_list *findings, struct pp_error *err)
 {
     static const char *const levels[] = {"minimum", "medium", "high"};
     static const double targets[] = {300, 500, 750}, minima[] = {100, 300, 500};
@@ -127,13 +128,14 @@ static enum pp_status evaluate(const struct pp_inquiry *inquiry,
             perhaps = levels[i];
     }
     if (column)
-        pp_findings_rest_on(findings, "; level reached: %s%s%s", reached,
-                            perhaps ? ", perhaps " : "", perhaps ? perhaps : "");
+        pp_finding_list_add_basis(findings, "; level reached: %s%s%s", reached,
+                                  perhaps ? ", perhaps " : "", perhaps ? perhaps : "");
     return PP_OK;
 }
 
 static enum pp_status evaluate_annex(const struct pp_inquiry *inquiry,
-                                     struct pp_findings *findings, struct pp_error *err)
+                                     struct pp_finding_list *findings,
+                                     struct pp_error *err)
 {
     static const struct target targets[] = {
         {"bedroom", 100, 0.5}, {"living room", 150, 0.5}, {"kitchen", 200, 0.5}};

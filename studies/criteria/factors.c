@@ -36,11 +36,11 @@ const char *pp_factors_refuse(const struct pp_inquiry *inquiry)
 }
 
 /* The readings that findings rest on are named. */
-static void set_basis(struct pp_findings *findings, const char *name)
+static void set_basis(struct pp_finding_list *findings, const char *name)
 {
     bool simulated = name == traced;
-    pp_findings_rest_on(findings, "by %s%s", simulated ? "simulation" : name,
-                        simulated ? "" : ", not simulated");
+    pp_finding_list_add_basis(findings, "by %s%s", simulated ? "simulation" : name,
+                              simulated ? "" : ", not simulated");
 }
 
 /* Has every point a value? */
@@ -53,7 +53,7 @@ static const char *missing(const struct pp_column *column, int count)
 }
 
 const struct pp_column *pp_factors_of_grid(const struct pp_inquiry *inquiry,
-                                           struct pp_findings *findings,
+                                           struct pp_finding_list *findings,
                                            const char **why)
 {
     const struct pp_report *report = inquiry->factors;
@@ -81,7 +81,7 @@ const struct pp_column *pp_factors_of_grid(const struct pp_inquiry *inquiry,
 }
 
 const struct pp_reading *pp_factors_average(const struct pp_inquiry *inquiry,
-                                            struct pp_findings *findings,
+                                            struct pp_finding_list *findings,
                                             const char **why)
 {
     const char *const names[] = {traced, formula, pairs[0], pairs[1]};

@@ -1,8 +1,8 @@
 /* factors.h - the daylight factors that criteria rest on: traced ones, or else those of
  * hand methods.
  */
-#ifndef PP_DESIGN_FACTORS_H
-#define PP_DESIGN_FACTORS_H
+#ifndef PP_STUDIES_CRITERIA_FACTORS_H
+#define PP_STUDIES_CRITERIA_FACTORS_H
 
 #include "studies/criteria/criterion.h"
 
@@ -19,13 +19,13 @@ const char *pp_factors_refuse(const struct pp_inquiry *inquiry);
  * hand method. NULL where there is none, and *why says so. The basis of the findings is
  * set to what they rest on. */
 const struct pp_column *pp_factors_of_grid(const struct pp_inquiry *inquiry,
-                                           struct pp_findings *findings,
+                                           struct pp_finding_list *findings,
                                            const char **why);
 
 /* The average over the whole working plane: traced, else by `average-df`, else of the
  * grid's hand method. NULL where there is none. */
 const struct pp_reading *pp_factors_average(const struct pp_inquiry *inquiry,
-                                            struct pp_findings *findings,
+                                            struct pp_finding_list *findings,
                                             const char **why);
 
 #endif

@@ -75,7 +75,7 @@ void pp_finding_sampled(struct pp_finding *finding, double std_error,
     }
 }
 
-double pp_probability_at_least(double value, double std_error, double wanted)
+double pp_finding_probability_at_least(double value, double std_error, double wanted)
 {
     return 0.5 * erfc((wanted - value) / (M_SQRT2 * std_error));
 }
@@ -84,12 +84,13 @@ void pp_finding_note(struct pp_finding *finding, const char *format, ...)
 {
     va_list arguments;
     va_start(arguments, format);
-    pp_append_v(finding->note, sizeof finding->note, format, arguments);
+    pp_text_append_v(finding->note, sizeof finding->note, format, arguments);
     va_end(arguments);
 }
 
-enum pp_status pp_findings_add(struct pp_findings *findings,
-                               const struct pp_finding *finding, struct pp_error *err)
+enum pp_status pp_finding_list_add(struct pp_finding_list *findings,
+                                   const struct pp_finding *finding,
+                                   struct pp_error *err)
 {
     struct pp_finding *grown =
         realloc(findings->list, ((size_t)findings->count + 1) * sizeof *grown);
@@ -100,16 +101,17 @@ enum pp_status pp_findings_add(struct pp_findings *findings,
     return PP_OK;
 }
 
-void pp_findings_rest_on(struct pp_findings *findings, const char *format, ...)
+void pp_finding_list_add_basis(struct pp_finding_list *findings, const char *format,
+                               ...)
 {
     va_list arguments;
     va_start(arguments, format);
-    pp_append_v(findings->basis, sizeof findings->basis, format, arguments);
+    pp_text_append_v(findings->basis, sizeof findings->basis, format, arguments);
     va_end(arguments);
 }
 
-void pp_findings_clear(struct pp_findings *findings)
+void pp_finding_list_clear(struct pp_finding_list *findings)
 {
     free(findings->list);
-    *findings = (struct pp_findings){0};
+    *findings = (struct pp_finding_list){0};
 }

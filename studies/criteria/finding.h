@@ -1,7 +1,7 @@
 /* finding.h - one figure that a criterion asks for, and its verdict.
  */
-#ifndef PP_DESIGN_FINDING_H
-#define PP_DESIGN_FINDING_H
+#ifndef PP_STUDIES_CRITERIA_FINDING_H
+#define PP_STUDIES_CRITERIA_FINDING_H
 
 #include <stdbool.h>
 
@@ -40,7 +40,7 @@ struct pp_finding {
 };
 
 /* What one criterion found. */
-struct pp_findings {
+struct pp_finding_list {
     struct pp_finding *list;
     int count;
     char basis[320]; /* what the figures rest on, as a sentence without a full stop;
@@ -71,19 +71,20 @@ void pp_finding_sampled(struct pp_finding *finding, double std_error,
 
 /* Probability that a value sampled as `value` with a standard error (greater than 0) is
  * `wanted` at least: of the normal distribution. */
-double pp_probability_at_least(double value, double std_error, double wanted);
+double pp_finding_probability_at_least(double value, double std_error, double wanted);
 
 /* Adds to the note. */
 void pp_finding_note(struct pp_finding *finding, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 
 /* Puts a copy at the end of the list. */
-enum pp_status pp_findings_add(struct pp_findings *findings,
-                               const struct pp_finding *finding, struct pp_error *err);
+enum pp_status pp_finding_list_add(struct pp_finding_list *findings,
+                                   const struct pp_finding *finding,
+                                   struct pp_error *err);
 
 /* Adds to the basis. */
-void pp_findings_rest_on(struct pp_findings *findings, const char *format, ...)
-    __attribute__((format(printf, 2, 3)));
-void pp_findings_clear(struct pp_findings *findings);
+void pp_finding_list_add_basis(struct pp_finding_list *findings, const char *format,
+                               ...) __attribute__((format(printf, 2, 3)));
+void pp_finding_list_clear(struct pp_finding_list *findings);
 
 #endif

@@ -14,7 +14,7 @@
 #define OPENING_WANTED 0.125
 
 static enum pp_status evaluate(const struct pp_inquiry *inquiry,
-                               struct pp_findings *findings, struct pp_error *err)
+                               struct pp_finding_list *findings, struct pp_error *err)
 {
     const struct pp_world *world = inquiry->world;
     double floor_m2 = 0.0, glass_m2 = 0.0, opening_m2 = 0.0;
@@ -33,8 +33,8 @@ static enum pp_status evaluate(const struct pp_inquiry *inquiry,
     struct pp_finding opening =
         pp_finding_of(PP_FIGURE_SHARE, opening_m2 / floor_m2, OPENING_WANTED, false,
                       "openings over floor [MBO02]");
-    enum pp_status status = pp_findings_add(findings, &glass, err);
-    return status == PP_OK ? pp_findings_add(findings, &opening, err) : status;
+    enum pp_status status = pp_finding_list_add(findings, &glass, err);
+    return status == PP_OK ? pp_finding_list_add(findings, &opening, err) : status;
 }
 
 const struct pp_criterion pp_criterion_glazing_ratio = {

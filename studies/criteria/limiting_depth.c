@@ -39,9 +39,10 @@ static const struct pp_surface *window_wall(const struct pp_world *world,
         for (int k = 0; k < face->outline.count; k++) {
             const struct pp_vec3 *v = face->outline.vertices;
             int n = face->outline.count;
-            struct pp_vec3 a = pp_sub(v[(k + 1) % n], v[k]);
-            struct pp_vec3 b = pp_sub(v[(k + 2) % n], v[(k + 1) % n]);
-            corners -= fabs(pp_dot(a, b)) > 1e-3 * pp_length(a) * pp_length(b);
+            struct pp_vec3 a = pp_vec_sub(v[(k + 1) % n], v[k]);
+            struct pp_vec3 b = pp_vec_sub(v[(k + 2) % n], v[(k + 1) % n]);
+            corners -=
+                fabs(pp_vec_dot(a, b)) > 1e-3 * pp_vec_length(a) * pp_vec_length(b);
         }
     }
     *why = world->face_count != 6 || floors != 1 || ceilings != 1 || corners != 6
@@ -64,19 +65,21 @@ static enum pp_status add_rear(double sums[2], const struct pp_polygon *polygon,
                                struct pp_error *err)
 {
     /* Turned so that the depth points down. */
-    struct pp_vec3 down = pp_scale(into, -1.0), up = {0.0, 0.0, 1.0};
-    struct pp_vec3 along = pp_cross(up, down);
+    struct pp_vec3 down = pp_vec_scale(into, -1.0), up = {0.0, 0.0, 1.0};
+    struct pp_vec3 along = pp_vec_cross(up, down);
     struct pp_polygon turned = *polygon;
     turned.vertices = malloc((size_t)polygon->count * sizeof *turned.vertices);
     if (!turned.vertices)
         return pp_fail_memory(err);
     for (int i = 0; i < polygon->count; i++) {
         struct pp_vec3 v = polygon->vertices[i];
-        turned.vertices[i] = pp_vec(pp_dot(v, along), pp_dot(v, up), pp_dot(v, down));
+        turned.vertices[i] =
+            pp_vec(pp_vec_dot(v, along), pp_vec_dot(v, up), pp_vec_dot(v, down));
     }
     struct pp_vec3 n = polygon->normal;
-    turned.normal = pp_vec(pp_dot(n, along), pp_dot(n, up), pp_dot(n, down));
-    double area_m2 = pp_polygon_area_below(&turned, -from);
+    turned.normal =
+        pp_vec(pp_vec_dot(n, along), pp_vec_dot(n, up), pp_vec_dot(n, down));
+    double area_m2 = pp_interior_area_below(&turned, -from);
     free(turned.vertices);
     sums[0] += area_m2;
     sums[1] += area_m2 * reflectance;
@@ -94,7 +97,7 @@ static enum pp_status rear_reflectance(double *mean, const struct pp_world *worl
             continue;
         enum pp_status status =
             add_rear(sums, &surface->outline, into, from, surface->front, err);
-        if (status == PP_OK && surface->role == PP_LOOSE)
+        if (status == PP_OK && surface->role == PP_FREE_SURFACE)
             status = add_rear(sums, &surface->outline, into, from, surface->back, err);
         if (status != PP_OK)
             return status;
@@ -110,7 +113,7 @@ static double extent(const struct pp_world *world, struct pp_vec3 along, double 
     *low = INFINITY;
     for (int i = 0; i < world->face_count; i++)
         for (int k = 0; k < world->surfaces[i].outline.count; k++) {
-            double at = pp_dot(world->surfaces[i].outline.vertices[k], along);
+            double at = pp_vec_dot(world->surfaces[i].outline.vertices[k], along);
             *low = fmin(*low, at);
             high = fmax(high, at);
         }
@@ -118,19 +121,19 @@ static double extent(const struct pp_world *world, struct pp_vec3 along, double 
 }
 
 static enum pp_status evaluate(const struct pp_inquiry *inquiry,
-                               struct pp_findings *findings, struct pp_error *err)
+                               struct pp_finding_list *findings, struct pp_error *err)
 {
     const struct pp_world *world = inquiry->world;
     const char *why;
     const struct pp_surface *wall = window_wall(world, &why);
     if (!wall) {
         struct pp_finding finding = pp_finding_not_judged(why, title_of_ratio);
-        return pp_findings_add(findings, &finding, err);
+        return pp_finding_list_add(findings, &finding, err);
     }
     struct pp_vec3 into = wall->outline.normal, up = {0.0, 0.0, 1.0};
     double front, side, floor_z, head_z = -INFINITY;
     double d = extent(world, into, &front);
-    double w = extent(world, pp_cross(up, into), &side);
+    double w = extent(world, pp_vec_cross(up, into), &side);
     extent(world, up, &floor_z);
     for (int i = 0; i < world->opening_count; i++)
         for (int k = 0; k < world->openings[i].inner.count; k++)
@@ -146,7 +149,7 @@ static enum pp_status evaluate(const struct pp_inquiry *inquiry,
     pp_finding_note(&finding,
                     "d %.2f m, w %.2f m, h %.2f m, R_b %.2f; at most %.2f m deep", d, w,
                     h, R_b, most / (1.0 / w + 1.0 / h));
-    return pp_findings_add(findings, &finding, err);
+    return pp_finding_list_add(findings, &finding, err);
 }
 
 const struct pp_criterion pp_criterion_limiting_depth = {

@@ -20,19 +20,19 @@
 static const char no_plane[] = "the room has no working plane";
 
 /* What of a room's working plane sees the sky. */
-struct lit {
+struct sky_view_area {
     double plane_m2, lit_m2;
     double error_m2; /* by the tolerance of the line */
 };
 
-static enum pp_status find_lit(struct lit *lit, const struct pp_world *world,
+static enum pp_status find_lit(struct sky_view_area *lit, const struct pp_world *world,
                                struct pp_error *err)
 {
-    *lit = (struct lit){pp_region_area(&world->plane), 0.0, 0.0};
+    *lit = (struct sky_view_area){pp_region_area(&world->plane), 0.0, 0.0};
     if (!(lit->plane_m2 > 0.0))
         return PP_OK;
     struct pp_daylight_plan plan;
-    enum pp_status status = pp_no_sky_line(&plan, world, err);
+    enum pp_status status = pp_daylight_curves_no_sky(&plan, world, err);
     if (status != PP_OK)
         return status;
     lit->lit_m2 = plan.sky_share * lit->plane_m2;
@@ -44,19 +44,21 @@ static enum pp_status find_lit(struct lit *lit, const struct pp_world *world,
 }
 
 /* Adds the finding, or that there is no plane to find it on. */
-static enum pp_status add_if_plane(struct pp_findings *findings, const struct lit *lit,
+static enum pp_status add_if_plane(struct pp_finding_list *findings,
+                                   const struct sky_view_area *lit,
                                    struct pp_finding finding, struct pp_error *err)
 {
     if (!(lit->plane_m2 > 0.0))
         finding = pp_finding_not_judged(no_plane, "%s", finding.what);
-    return pp_findings_add(findings, &finding, err);
+    return pp_finding_list_add(findings, &finding, err);
 }
 
-static enum pp_status add_former(const struct lit *now, const struct pp_world *before,
-                                 struct pp_findings *findings, struct pp_error *err)
+static enum pp_status add_former(const struct sky_view_area *now,
+                                 const struct pp_world *before,
+                                 struct pp_finding_list *findings, struct pp_error *err)
 {
     static const char what[] = "area that sees sky, now over before";
-    struct lit then;
+    struct sky_view_area then;
     enum pp_status status = find_lit(&then, before, err);
     if (status != PP_OK)
         return status;
@@ -69,13 +71,14 @@ static enum pp_status add_former(const struct lit *now, const struct pp_world *b
         pp_finding_note(&share, "%.2f m2 now, %.2f m2 before", now->lit_m2,
                         then.lit_m2);
     }
-    return pp_findings_add(findings, &share, err);
+    return pp_finding_list_add(findings, &share, err);
 }
 
 static enum pp_status evaluate_line(const struct pp_inquiry *inquiry,
-                                    struct pp_findings *findings, struct pp_error *err)
+                                    struct pp_finding_list *findings,
+                                    struct pp_error *err)
 {
-    struct lit lit;
+    struct sky_view_area lit;
     enum pp_status status = find_lit(&lit, inquiry->world, err);
     if (status != PP_OK)
         return status;
@@ -92,9 +95,10 @@ static enum pp_status evaluate_line(const struct pp_inquiry *inquiry,
 }
 
 static enum pp_status evaluate_rule(const struct pp_inquiry *inquiry,
-                                    struct pp_findings *findings, struct pp_error *err)
+                                    struct pp_finding_list *findings,
+                                    struct pp_error *err)
 {
-    struct lit lit;
+    struct sky_view_area lit;
     enum pp_status status = find_lit(&lit, inquiry->world, err);
     if (status != PP_OK)
         return status;

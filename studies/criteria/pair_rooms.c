@@ -13,7 +13,8 @@ static bool same_outline(const struct pp_polygon *a, const struct pp_polygon *b)
     for (int shift = 0; shift < a->count; shift++) {
         int k = 0;
         while (k < a->count
-               && pp_length(pp_sub(a->vertices[k], b->vertices[(k + shift) % b->count]))
+               && pp_vec_length(
+                      pp_vec_sub(a->vertices[k], b->vertices[(k + shift) % b->count]))
                       < same_m)
             k++;
         if (k == a->count)

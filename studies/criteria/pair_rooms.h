@@ -1,6 +1,6 @@
 /* pair_rooms.h - is it the same room, before and after something was built outside? */
-#ifndef PP_DESIGN_PAIR_ROOMS_H
-#define PP_DESIGN_PAIR_ROOMS_H
+#ifndef PP_STUDIES_CRITERIA_PAIR_ROOMS_H
+#define PP_STUDIES_CRITERIA_PAIR_ROOMS_H
 
 #include "model/base/error.h"
 #include "model/room/world.h"

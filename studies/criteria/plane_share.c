@@ -21,7 +21,7 @@ static double reaches(const struct pp_reading *point, double target)
 {
     if (!(point->std_error > 0.0))
         return point->value >= target - rounding * fabs(target) ? 1.0 : 0.0;
-    return pp_probability_at_least(point->value, point->std_error, target);
+    return pp_finding_probability_at_least(point->value, point->std_error, target);
 }
 
 /* Probability that `wanted` points or more reach the level. odds has room for count + 1

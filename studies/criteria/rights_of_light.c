@@ -44,7 +44,7 @@ static enum pp_status sky_factor_at(void *context, double x, double y, double *v
     return PP_OK;
 }
 
-struct lit {
+struct adequately_lit_area {
     double plane_m2; /* of the room at 0.85 m */
     double lit_m2;   /* within the contour */
     double error_m2; /* by the tolerance of the contour */
@@ -52,35 +52,35 @@ struct lit {
 
 /* Area where a room's sky factor is above 0.2 %; `world` has the law's sky and plane.
  */
-static enum pp_status measure(struct lit *lit, struct pp_world *world,
+static enum pp_status measure(struct adequately_lit_area *lit, struct pp_world *world,
                               struct pp_error *err)
 {
     lit->plane_m2 = pp_region_area(&world->plane);
     if (!(lit->plane_m2 > 0.0))
         return PP_OK;
     struct pp_field *field;
-    struct pp_curves below = {0}, lines = {0};
+    struct pp_curve_list below = {0}, lines = {0};
     double tolerance = pp_daylight_curves_tolerance(&world->plane);
     enum pp_status status =
         pp_field_create(&field, &world->plane, sky_factor_at, world, tolerance, err);
     if (status != PP_OK)
         return status;
-    status = pp_field_contour(field, SKY_FACTOR, &lines, err);
+    status = pp_contour_curves(field, SKY_FACTOR, &lines, err);
     if (status == PP_OK)
-        status = pp_field_below(field, SKY_FACTOR, &below, err);
+        status = pp_contour_below(field, SKY_FACTOR, &below, err);
     pp_field_destroy(field);
-    lit->lit_m2 = fmax(lit->plane_m2 - pp_curves_area(&below), 0.0);
+    lit->lit_m2 = fmax(lit->plane_m2 - pp_curve_list_area(&below), 0.0);
     for (int i = 0; i < lines.count; i++)
         lit->error_m2 += pp_curve_length(&lines.list[i]) * tolerance;
-    pp_curves_clear(&lines);
-    pp_curves_clear(&below);
+    pp_curve_list_clear(&lines);
+    pp_curve_list_clear(&below);
     return status;
 }
 
-static enum pp_status find_lit(struct lit *lit, const struct pp_world *world,
-                               struct pp_error *err)
+static enum pp_status find_lit(struct adequately_lit_area *lit,
+                               const struct pp_world *world, struct pp_error *err)
 {
-    *lit = (struct lit){0};
+    *lit = (struct adequately_lit_area){0};
     double floor_z = INFINITY;
     for (int i = 0; i < world->face_count; i++)
         for (int k = 0; k < world->surfaces[i].outline.count; k++)
@@ -91,19 +91,20 @@ static enum pp_status find_lit(struct lit *lit, const struct pp_world *world,
     lawful.sky = pp_sky_uniform();
     lawful.working_plane_m = floor_z + PLANE_M;
     enum pp_status status =
-        pp_world_section(&lawful.plane, world, lawful.working_plane_m, err);
+        pp_working_plane_section(&lawful.plane, world, lawful.working_plane_m, err);
     if (status != PP_OK)
         return status;
     status = measure(lit, &lawful, err);
-    pp_region_destroy(&lawful.plane);
+    pp_region_clear(&lawful.plane);
     return status;
 }
 
 /* What was lost since before. */
-static enum pp_status add_loss(const struct lit *now, const struct pp_inquiry *inquiry,
-                               struct pp_findings *findings, struct pp_error *err)
+static enum pp_status add_loss(const struct adequately_lit_area *now,
+                               const struct pp_inquiry *inquiry,
+                               struct pp_finding_list *findings, struct pp_error *err)
 {
-    struct lit then;
+    struct adequately_lit_area then;
     enum pp_status status = find_lit(&then, inquiry->before, err);
     if (status != PP_OK)
         return status;
@@ -114,30 +115,30 @@ static enum pp_status add_loss(const struct lit *now, const struct pp_inquiry *i
     if (then.lit_m2 > 0.0)
         pp_finding_note(&lost, "%.1f %% of what was enclosed before",
                         100.0 * (then.lit_m2 - now->lit_m2) / then.lit_m2);
-    status = pp_findings_add(findings, &former, err);
-    return status == PP_OK ? pp_findings_add(findings, &lost, err) : status;
+    status = pp_finding_list_add(findings, &former, err);
+    return status == PP_OK ? pp_finding_list_add(findings, &lost, err) : status;
 }
 
 static enum pp_status evaluate(const struct pp_inquiry *inquiry,
-                               struct pp_findings *findings, struct pp_error *err)
+                               struct pp_finding_list *findings, struct pp_error *err)
 {
-    struct lit now;
+    struct adequately_lit_area now;
     enum pp_status status = find_lit(&now, inquiry->world, err);
     if (status != PP_OK)
         return status;
     if (!(now.plane_m2 > 0.0)) {
         struct pp_finding finding = pp_finding_not_judged(
             "the room does not reach 0.85 m above its floor", "room within 0.2 %%");
-        return pp_findings_add(findings, &finding, err);
+        return pp_finding_list_add(findings, &finding, err);
     }
     struct pp_finding area = pp_finding_of(PP_FIGURE_AREA, now.lit_m2, NAN, false,
                                            "area the 0.2 %% contour encloses");
     struct pp_finding share = pp_finding_of(PP_FIGURE_SHARE, now.lit_m2 / now.plane_m2,
                                             SHARE_WANTED, false, "share of the room");
     pp_finding_within(&share, now.error_m2 / now.plane_m2);
-    status = pp_findings_add(findings, &area, err);
+    status = pp_finding_list_add(findings, &area, err);
     if (status == PP_OK)
-        status = pp_findings_add(findings, &share, err);
+        status = pp_finding_list_add(findings, &share, err);
     if (status == PP_OK && inquiry->before)
         status = add_loss(&now, inquiry, findings, err);
     return status;

@@ -2,25 +2,25 @@
 
 #include <math.h>
 
-#include "methods/view/exterior_planes.h"
+#include "methods/view/exterior.h"
 #include "model/geometry/tolerance.h"
 
 /* The section: its middle is the origin, ahead runs level out of the wall. */
-struct section {
+struct section_plane {
     struct pp_vec3 eye, ahead, across;
 };
 
 /* Where the edge from p to q meets the section: forward of the eye, and up. Half-open,
  * so that an edge that ends in the section counts once. */
-static bool crossing(const struct section *section, struct pp_vec3 p, struct pp_vec3 q,
-                     double at[2])
+static bool crossing(const struct section_plane *section, struct pp_vec3 p,
+                     struct pp_vec3 q, double at[2])
 {
-    struct pp_vec3 a = pp_sub(p, section->eye), b = pp_sub(q, section->eye);
-    double from = pp_dot(a, section->across), to = pp_dot(b, section->across);
+    struct pp_vec3 a = pp_vec_sub(p, section->eye), b = pp_vec_sub(q, section->eye);
+    double from = pp_vec_dot(a, section->across), to = pp_vec_dot(b, section->across);
     if ((from >= 0.0) == (to >= 0.0))
         return false;
-    struct pp_vec3 place = pp_along(a, from / (from - to), pp_sub(b, a));
-    at[0] = pp_dot(place, section->ahead);
+    struct pp_vec3 place = pp_vec_along(a, from / (from - to), pp_vec_sub(b, a));
+    at[0] = pp_vec_dot(place, section->ahead);
     at[1] = place.z;
     return true;
 }
@@ -46,26 +46,27 @@ static double angle_of_piece(const double a[2], const double b[2])
 
 /* A place where an edge meets the section, along the line in which the polygon cuts it;
  * edges that meet in one place come in their order. */
-struct place {
+struct edge_crossing {
     double along;
     int edge;
     double at[2];
 };
 
-static bool is_before(const struct place *a, const struct place *b)
+static bool is_before(const struct edge_crossing *a, const struct edge_crossing *b)
 {
     return a->along < b->along || (a->along == b->along && a->edge < b->edge);
 }
 
 /* The first place behind `last`; false: there is none. */
-static bool next_place(struct place *next, const struct place *last,
-                       const struct section *section, const struct pp_polygon *polygon)
+static bool next_place(struct edge_crossing *next, const struct edge_crossing *last,
+                       const struct section_plane *section,
+                       const struct pp_polygon *polygon)
 {
     const double line[2] = {polygon->normal.z,
-                            -pp_dot(polygon->normal, section->ahead)};
-    *next = (struct place){.along = INFINITY, .edge = polygon->count};
+                            -pp_vec_dot(polygon->normal, section->ahead)};
+    *next = (struct edge_crossing){.along = INFINITY, .edge = polygon->count};
     for (int i = 0; i < polygon->count; i++) {
-        struct place place = {.edge = i};
+        struct edge_crossing place = {.edge = i};
         if (!crossing(section, polygon->vertices[i],
                       polygon->vertices[(i + 1) % polygon->count], place.at))
             continue;
@@ -77,11 +78,11 @@ static bool next_place(struct place *next, const struct place *last,
 }
 
 /* Each two places, as they follow along the line, are the ends of a piece. */
-static double angle_of_polygon(const struct section *section,
+static double angle_of_polygon(const struct section_plane *section,
                                const struct pp_polygon *polygon)
 {
     double highest = 0.0;
-    struct place from, to = {.along = -INFINITY};
+    struct edge_crossing from, to = {.along = -INFINITY};
     while (next_place(&from, &to, section, polygon)
            && next_place(&to, &from, section, polygon))
         highest = fmax(highest, angle_of_piece(from.at, to.at));
@@ -90,24 +91,25 @@ static double angle_of_polygon(const struct section *section,
 
 double pp_section_angle(const struct pp_world *world, const struct pp_opening *opening)
 {
-    struct pp_vec3 out = pp_scale(opening->inner.normal, -1.0);
-    struct pp_vec3 ahead = pp_unit(pp_vec(out.x, out.y, 0.0));
-    struct section section = {pp_outside_middle(opening), ahead,
-                              pp_vec(-ahead.y, ahead.x, 0.0)};
+    struct pp_vec3 out = pp_vec_scale(opening->inner.normal, -1.0);
+    struct pp_vec3 ahead = pp_vec_unit(pp_vec(out.x, out.y, 0.0));
+    struct section_plane section = {pp_exterior_opening_centroid(opening), ahead,
+                                    pp_vec(-ahead.y, ahead.x, 0.0)};
     double highest = 0.0;
     for (int i = 0; i < world->skyline_count; i++) {
         const struct pp_skyline *skyline = &world->skylines[i];
         if (skyline->face != opening->face)
             continue;
         struct pp_vec3 wall = world->surfaces[skyline->face].outline.vertices[0];
-        double away = skyline->distance_m - pp_dot(pp_sub(section.eye, wall), out);
+        double away =
+            skyline->distance_m - pp_vec_dot(pp_vec_sub(section.eye, wall), out);
         highest = fmax(highest, isinf(skyline->distance_m)
                                     ? skyline->angle_rad
                                     : atan2(skyline->head_z_m - section.eye.z, away));
     }
     for (int i = 0; i < world->surface_count; i++) {
         const struct pp_surface *surface = &world->surfaces[i];
-        bool loose_inside = surface->role == PP_LOOSE && surface->inside;
+        bool loose_inside = surface->role == PP_FREE_SURFACE && surface->inside;
         if (i != opening->face && surface->role != PP_REVEAL && !loose_inside)
             highest = fmax(highest, angle_of_polygon(&section, &surface->outline));
     }

@@ -1,7 +1,7 @@
 /* section_angle.h - how high what stands outside rises before a window, in section.
  */
-#ifndef PP_DESIGN_SECTION_ANGLE_H
-#define PP_DESIGN_SECTION_ANGLE_H
+#ifndef PP_STUDIES_CRITERIA_SECTION_ANGLE_H
+#define PP_STUDIES_CRITERIA_SECTION_ANGLE_H
 
 #include "model/room/world.h"
 

@@ -15,8 +15,8 @@
 
 #include "studies/criteria/criteria.h"
 #include "studies/criteria/section_angle.h"
-#include "studies/criteria/window_words.h"
-#include "methods/view/exterior_planes.h"
+#include "studies/criteria/window.h"
+#include "methods/view/exterior.h"
 
 #define VSC_WANTED 0.27
 #define FORMER_SHARE_WANTED 0.8
@@ -31,13 +31,14 @@ static enum pp_status vertical_sky(double *share, const struct pp_world *world,
                                    struct pp_error *err)
 {
     const struct pp_sky overcast = pp_sky_overcast();
-    return pp_outside_sky_on_plane(
-        share, world, opening, pp_scale(opening->inner.normal, -1.0), &overcast, err);
+    return pp_exterior_sky_on_plane(share, world, opening,
+                                    pp_vec_scale(opening->inner.normal, -1.0),
+                                    &overcast, err);
 }
 
 /* Adds a finding for each opening: what `find` makes of the upright ones. */
 static enum pp_status for_each_window(
-    const struct pp_inquiry *inquiry, struct pp_findings *findings,
+    const struct pp_inquiry *inquiry, struct pp_finding_list *findings,
     enum pp_status (*find)(struct pp_finding *, const struct pp_inquiry *, int opening,
                            const char *what, struct pp_error *),
     struct pp_error *err)
@@ -45,7 +46,7 @@ static enum pp_status for_each_window(
     const struct pp_world *world = inquiry->world;
     if (world->opening_count == 0) {
         struct pp_finding finding = pp_finding_not_judged(none, "windows");
-        return pp_findings_add(findings, &finding, err);
+        return pp_finding_list_add(findings, &finding, err);
     }
     for (int i = 0; i < world->opening_count; i++) {
         const struct pp_opening *opening = &world->openings[i];
@@ -57,7 +58,7 @@ static enum pp_status for_each_window(
             status = find(&finding, inquiry, i, words, err);
         finding.line = opening->line;
         if (status == PP_OK)
-            status = pp_findings_add(findings, &finding, err);
+            status = pp_finding_list_add(findings, &finding, err);
         if (status != PP_OK)
             return status;
     }
@@ -78,7 +79,7 @@ static enum pp_status find_component(struct pp_finding *finding,
 }
 
 static enum pp_status evaluate_component(const struct pp_inquiry *inquiry,
-                                         struct pp_findings *findings,
+                                         struct pp_finding_list *findings,
                                          struct pp_error *err)
 {
     return for_each_window(inquiry, findings, find_component, err);
@@ -111,7 +112,8 @@ static enum pp_status find_loss(struct pp_finding *finding,
 }
 
 static enum pp_status evaluate_loss(const struct pp_inquiry *inquiry,
-                                    struct pp_findings *findings, struct pp_error *err)
+                                    struct pp_finding_list *findings,
+                                    struct pp_error *err)
 {
     return for_each_window(inquiry, findings, find_loss, err);
 }
@@ -127,7 +129,8 @@ static enum pp_status find_angle(struct pp_finding *finding,
 }
 
 static enum pp_status evaluate_angle(const struct pp_inquiry *inquiry,
-                                     struct pp_findings *findings, struct pp_error *err)
+                                     struct pp_finding_list *findings,
+                                     struct pp_error *err)
 {
     return for_each_window(inquiry, findings, find_angle, err);
 }

@@ -35,7 +35,7 @@ static enum pp_status end_line(struct tracing *tracing, struct pp_error *err)
     struct pp_curve curve = tracing->curve;
     tracing->curve = (struct pp_curve){0};
     if (curve.count >= 2)
-        return pp_curves_add(&tracing->sheet->grid, curve, err);
+        return pp_curve_list_add(&tracing->sheet->grid, curve, err);
     free(curve.xy);
     return PP_OK;
 }
@@ -63,7 +63,7 @@ static struct pp_vec3 towards(const struct tracing *tracing, double north_rad,
     double azimuth = bearing_rad - north_rad; /* clockwise from +y */
     struct pp_vec3 u = {sin(azimuth) * cos(altitude_rad),
                         cos(azimuth) * cos(altitude_rad), sin(altitude_rad)};
-    return pp_add(tracing->camera->eye, u);
+    return pp_vec_add(tracing->camera->eye, u);
 }
 
 static enum pp_status trace_directions(struct tracing *tracing, double north_rad,
@@ -97,9 +97,10 @@ static enum pp_status trace_opening(struct tracing *tracing,
     enum pp_status status = PP_OK;
     for (int i = 0; i < outline->count && status == PP_OK; i++) {
         struct pp_vec3 a = outline->vertices[i];
-        struct pp_vec3 side = pp_sub(outline->vertices[(i + 1) % outline->count], a);
+        struct pp_vec3 side =
+            pp_vec_sub(outline->vertices[(i + 1) % outline->count], a);
         for (int k = 0; k <= EDGE_STEPS && status == PP_OK; k++)
-            status = add(tracing, pp_along(a, (double)k / EDGE_STEPS, side), err);
+            status = add(tracing, pp_vec_along(a, (double)k / EDGE_STEPS, side), err);
     }
     return status == PP_OK ? end_line(tracing, err) : status;
 }

@@ -1,7 +1,7 @@
 /* view_grid.h - directions and outlines as a camera sees them, to lay over its picture.
  */
-#ifndef PP_MODEL_VIEW_GRID_H
-#define PP_MODEL_VIEW_GRID_H
+#ifndef PP_STUDIES_PICTURES_VIEW_GRID_H
+#define PP_STUDIES_PICTURES_VIEW_GRID_H
 
 #include "model/pictures/camera.h"
 #include "model/results/picture_sheet.h"

@@ -120,7 +120,7 @@ static enum pp_status clearer_glazing(struct pp_room **changed, struct pp_gain *
     for (int i = 0; status == PP_OK && i < world->opening_count; i++) {
         const struct pp_glass *glass = &world->openings[i].glass;
         const char *name = clear_of(glass);
-        struct pp_glass clear = pp_glazing_glass(pp_glazing_find(name));
+        struct pp_glass clear = pp_glazings_glass(pp_glazings_find(name));
         if (glass->panes == 0 || glass->diffuse > 0.99 * clear.diffuse)
             continue;
         pp_room_set_glass(*changed, i, clear);
@@ -183,8 +183,8 @@ static double moved(const struct pp_room *room, const struct pp_room *changed,
 {
     double most = 0.0;
     for (int i = 0; i < pp_room_opening_count(room); i++) {
-        struct pp_place a = pp_room_opening_at(room, i).place;
-        struct pp_place b = pp_room_opening_at(changed, i).place;
+        struct pp_opening_place a = pp_room_opening_at(room, i).place;
+        struct pp_opening_place b = pp_room_opening_at(changed, i).place;
         double by = change == PP_CHANGE_HEAD
                         ? b.sill_m + b.height_m - a.sill_m - a.height_m
                         : a.sill_m - b.sill_m;
@@ -292,11 +292,11 @@ static enum pp_status one_more_window(struct pp_room **changed, struct pp_gain *
     const struct pp_polygon *wall = &world->surfaces[opening->face].outline;
     double low = INFINITY, high = -INFINITY;
     for (int k = 0; k < wall->count; k++) {
-        double at = pp_dot(opening->along, wall->vertices[k]);
+        double at = pp_vec_dot(opening->along, wall->vertices[k]);
         low = fmin(low, at);
         high = fmax(high, at);
     }
-    struct pp_place place = pp_room_opening_at(room, like).place;
+    struct pp_opening_place place = pp_room_opening_at(room, like).place;
     double most = high - low - place.width_m;
     enum pp_status status = PP_OK;
     bool sound = false;
@@ -330,7 +330,7 @@ static int opposite_wall(const struct pp_world *world, int face)
         bool taken = false;
         for (int k = 0; k < world->opening_count; k++)
             taken = taken || world->openings[k].face == i;
-        double against = pp_dot(n, wall->outline.normal);
+        double against = pp_vec_dot(n, wall->outline.normal);
         if (wall->role == PP_WALL && wall->name && !taken && against < least) {
             least = against;
             found = i;
@@ -349,7 +349,7 @@ static enum pp_status opposite_window(struct pp_room **changed, struct pp_gain *
     if (face < 0)
         return PP_OK;
     const char *wall = world->surfaces[face].name;
-    struct pp_place place = pp_room_opening_at(room, like).place;
+    struct pp_opening_place place = pp_room_opening_at(room, like).place;
     SAY(gain,
         "a window as large in the opposite wall, %.40s, if that is an outside one",
         wall);
@@ -371,13 +371,14 @@ static enum pp_status nothing_outside(struct pp_room **changed, struct pp_gain *
 {
     int outside = world->skyline_count + world->block_count;
     for (int i = 0; i < world->surface_count; i++)
-        outside += world->surfaces[i].role == PP_LOOSE && !world->surfaces[i].inside;
+        outside +=
+            world->surfaces[i].role == PP_FREE_SURFACE && !world->surfaces[i].inside;
     if (outside == 0)
         return PP_OK;
     SAY(gain, "nothing outside that takes sky away");
     enum pp_status status = pp_room_copy(changed, room, err);
     if (status == PP_OK)
-        pp_room_clear_outside(*changed, world);
+        pp_room_clear_surroundings(*changed, world);
     return status;
 }
 

@@ -1,11 +1,11 @@
 /* gain_changes.h - the changes to a room that gains.h tries, one function each. Inside
  * studies/sizing/ only.
  */
-#ifndef PP_DESIGN_GAIN_CHANGES_H
-#define PP_DESIGN_GAIN_CHANGES_H
+#ifndef PP_STUDIES_SIZING_GAIN_CHANGES_H
+#define PP_STUDIES_SIZING_GAIN_CHANGES_H
 
 #include "studies/sizing/gains.h"
-#include "model/room/edit.h"
+#include "model/room/room.h"
 
 /* Makes the changed room, which is the caller's, and says what was changed in
  * gain->change; *changed NULL where the change makes no sense of this room. */

@@ -6,7 +6,7 @@
 #include <stdlib.h>
 
 #include "studies/sizing/gain_changes.h"
-#include "studies/criteria/standard_grid.h"
+#include "studies/criteria/en17037_grid.h"
 #include "methods/evaluate.h"
 #include "model/base/text.h"
 
@@ -22,7 +22,7 @@ static enum pp_status evaluate(struct pp_gain_values *values,
     *values = (struct pp_gain_values){NAN, NAN};
     struct pp_report report = {.world = world, .finished = true};
     struct pp_receiver *grid = NULL;
-    enum pp_status status = pp_standard_grid(&grid, &report.receiver_count, world, err);
+    enum pp_status status = pp_en17037_grid(&grid, &report.receiver_count, world, err);
     report.receivers = grid;
     if (status == PP_OK)
         status = pp_methods_evaluate(&report, method, err);
@@ -106,6 +106,6 @@ void pp_gains_sentence(const struct pp_gains *gains, char *text, size_t room)
         if (gains->list[i].lacks)
             named[count++] = gains->list[i].lacks;
     snprintf(text, room, "%s", count ? "Most of all " : "");
-    pp_append_list(text, room, named, count, " and ");
-    pp_append(text, room, "%s", count ? "." : "");
+    pp_text_append_list(text, room, named, count, " and ");
+    pp_text_append(text, room, "%s", count ? "." : "");
 }

@@ -2,17 +2,17 @@
  *
  * Each change is made to a copy of the room, which is resolved and worked out again by
  * the same method: nothing is estimated. The average is over the working plane, the
- * darkest point is that of the grid of EN 17037 (studies/criteria/standard_grid.h), of which a
+ * darkest point is that of the grid of EN 17037 (studies/criteria/en17037_grid.h), of which a
  * room may have none. The method is exact+bre, or exact+split-flux where that does not
  * cover the room.
  */
-#ifndef PP_DESIGN_GAINS_H
-#define PP_DESIGN_GAINS_H
+#ifndef PP_STUDIES_SIZING_GAINS_H
+#define PP_STUDIES_SIZING_GAINS_H
 
 #include <stdbool.h>
 
 #include "model/base/error.h"
-#include "model/room/room.h"
+#include "model/room/building.h"
 #include "model/room/world.h"
 
 /* Daylight factors, fractions; NAN where there is none. */

@@ -3,7 +3,7 @@
 
 #include <math.h>
 
-#include "model/room/room.h"
+#include "model/room/building.h"
 
 enum {
     SIGHTS = 9,         /* sizes over the whole range, both ends included */
@@ -21,7 +21,7 @@ static const double near_errors = 0.5;
 static const double rounding_share = 1e-9;
 
 /* A value at one size. */
-struct sight {
+struct size_trial {
     int step;
     struct pp_reading reading;
 };
@@ -44,8 +44,8 @@ static enum pp_status world_of(struct pp_world **world, const struct pp_room *ro
     return status;
 }
 
-static enum pp_status look(const struct search *search, int step, struct sight *sight,
-                           struct pp_error *err)
+static enum pp_status look(const struct search *search, int step,
+                           struct size_trial *sight, struct pp_error *err)
 {
     struct pp_room *room = NULL;
     struct pp_world *world = NULL;
@@ -61,23 +61,23 @@ static enum pp_status look(const struct search *search, int step, struct sight *
     return status;
 }
 
-static bool has_value(const struct sight *sight)
+static bool has_value(const struct size_trial *sight)
 {
     return isfinite(sight->reading.value);
 }
 
-static bool is_sampled(const struct sight *sight)
+static bool is_sampled(const struct size_trial *sight)
 {
     return isfinite(sight->reading.std_error);
 }
 
-static bool reaches(const struct search *search, const struct sight *sight)
+static bool reaches(const struct search *search, const struct size_trial *sight)
 {
     return sight->reading.value >= (1.0 - rounding_share) * search->task->target;
 }
 
 /* Is a sampled value as near to the target as its error lets one tell? */
-static bool is_near(const struct search *search, const struct sight *sight)
+static bool is_near(const struct search *search, const struct size_trial *sight)
 {
     return is_sampled(sight)
            && fabs(sight->reading.value - search->task->target)
@@ -86,8 +86,8 @@ static bool is_near(const struct search *search, const struct sight *sight)
 
 /* The next size to look at between two: the middle, or, of sampled values, where a
  * straight line meets the target, not too near either. */
-static int between(const struct search *search, const struct sight *below,
-                   const struct sight *above)
+static int between(const struct search *search, const struct size_trial *below,
+                   const struct size_trial *above)
 {
     int steps = above->step - below->step;
     double share = 0.5;
@@ -104,13 +104,13 @@ static int between(const struct search *search, const struct sight *below,
 }
 
 /* Narrows the two down to neighbours, or until one is near; that is then `above`. */
-static enum pp_status narrow(const struct search *search, struct sight *below,
-                             struct sight *above, struct pp_error *err)
+static enum pp_status narrow(const struct search *search, struct size_trial *below,
+                             struct size_trial *above, struct pp_error *err)
 {
     if (is_near(search, below))
         *above = *below;
     while (above->step - below->step > 1 && !is_near(search, above)) {
-        struct sight sight = {0};
+        struct size_trial sight = {0};
         enum pp_status status =
             look(search, between(search, below, above), &sight, err);
         if (status != PP_OK)
@@ -125,8 +125,8 @@ static enum pp_status narrow(const struct search *search, struct sight *below,
 
 /* A size that is not counted shall come close: finer steps where these are too coarse.
  */
-static enum pp_status refine(const struct search *search, struct sight *below,
-                             struct sight *above, struct pp_error *err)
+static enum pp_status refine(const struct search *search, struct size_trial *below,
+                             struct size_trial *above, struct pp_error *err)
 {
     const struct pp_size_task *task = search->task;
     enum pp_status status = PP_OK;
@@ -152,7 +152,7 @@ static enum pp_status refine(const struct search *search, struct sight *below,
 }
 
 /* Sights over the whole range, and of the room as it is, in order. */
-static enum pp_status look_over(const struct search *search, struct sight *sights,
+static enum pp_status look_over(const struct search *search, struct size_trial *sights,
                                 int *count, struct pp_error *err)
 {
     int last = pp_window_sizes_count(search->sizes) - 1;
@@ -181,12 +181,12 @@ static enum pp_status look_over(const struct search *search, struct sight *sight
 }
 
 /* Every number of windows, from the smallest on: there are few. */
-static enum pp_status count_up(const struct search *search, struct sight *found,
+static enum pp_status count_up(const struct search *search, struct size_trial *found,
                                struct pp_error *err)
 {
     int count = pp_window_sizes_count(search->sizes);
     struct pp_size_answer *answer = search->answer;
-    struct sight sight = {0};
+    struct size_trial sight = {0};
     enum pp_status status =
         look(search, pp_window_sizes_now(search->sizes), &sight, err);
     answer->now = sight.reading;
@@ -211,10 +211,10 @@ static enum pp_status count_up(const struct search *search, struct sight *found,
     return PP_OK;
 }
 
-static enum pp_status narrow_down(const struct search *search, struct sight *found,
+static enum pp_status narrow_down(const struct search *search, struct size_trial *found,
                                   struct pp_error *err)
 {
-    struct sight sights[SIGHTS + 1];
+    struct size_trial sights[SIGHTS + 1];
     struct pp_size_answer *answer = search->answer;
     int count, first = 0, best = 0;
     enum pp_status status = look_over(search, sights, &count, err);
@@ -235,7 +235,7 @@ static enum pp_status narrow_down(const struct search *search, struct sight *fou
     *found = sights[first == count ? best : first];
     if (answer->verdict != PP_SIZE_REACHED)
         return PP_OK;
-    struct sight below = sights[first - 1];
+    struct size_trial below = sights[first - 1];
     status = narrow(search, &below, found, err);
     if (status == PP_OK)
         status = refine(search, &below, found, err);
@@ -249,7 +249,7 @@ enum pp_status pp_size_find(struct pp_size_answer *answer,
                                       .smallest = pp_reading_none(NULL),
                                       .largest = pp_reading_none(NULL)};
     struct search search = {.task = task, .answer = answer};
-    struct sight found = {0};
+    struct size_trial found = {0};
     enum pp_status status =
         pp_window_sizes_create(&search.sizes, task->room, task->change, task->openings,
                                task->opening_count, err);

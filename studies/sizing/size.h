@@ -7,8 +7,8 @@
  * (it need not grow all the way), and halving the steps between them does the rest. A
  * value with a standard error is done when it is within half of one of the target.
  */
-#ifndef PP_DESIGN_SIZE_H
-#define PP_DESIGN_SIZE_H
+#ifndef PP_STUDIES_SIZING_SIZE_H
+#define PP_STUDIES_SIZING_SIZE_H
 
 #include <stdbool.h>
 

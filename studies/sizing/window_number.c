@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "model/room/room.h"
+#include "model/room/building.h"
 #include "model/room/world.h"
 
 /* More windows than this are no windows of one wall. */
@@ -48,7 +48,7 @@ static enum pp_status wall_length(double *length_m, const struct pp_room *room,
         const struct pp_polygon *wall = &world->surfaces[opening->face].outline;
         double low = INFINITY, high = -INFINITY;
         for (int k = 0; k < wall->count; k++) {
-            double at = pp_dot(opening->along, wall->vertices[k]);
+            double at = pp_vec_dot(opening->along, wall->vertices[k]);
             low = fmin(low, at);
             high = fmax(high, at);
         }
@@ -76,7 +76,7 @@ enum pp_status pp_window_number_room(struct pp_room **changed,
     enum pp_status status = wall_length(&wall_m, room, openings[0], err);
     if (status == PP_OK)
         status = pp_room_copy(changed, room, err);
-    struct pp_place place = pp_room_opening_at(room, openings[0]).place;
+    struct pp_opening_place place = pp_room_opening_at(room, openings[0]).place;
     for (int i = 0; i < number && number != opening_count && status == PP_OK; i++) {
         place.left_m = left_of(i, number, place.width_m, wall_m);
         if (i < opening_count)
@@ -94,9 +94,9 @@ enum pp_status pp_window_number_room(struct pp_room **changed,
     return status;
 }
 
-enum pp_status pp_window_numbers(int **numbers, int *count, const struct pp_room *room,
-                                 const int *openings, int opening_count,
-                                 struct pp_error *err)
+enum pp_status pp_window_number_choices(int **numbers, int *count,
+                                        const struct pp_room *room, const int *openings,
+                                        int opening_count, struct pp_error *err)
 {
     double wall_m = 0.0;
     *numbers = NULL;

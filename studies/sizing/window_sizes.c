@@ -34,10 +34,11 @@ struct pp_window_sizes {
 
 /* ---- Edges of openings ---- */
 
-static struct pp_place place_of(const struct pp_window_sizes *sizes, int i,
-                                const double *edges)
+static struct pp_opening_place place_of(const struct pp_window_sizes *sizes, int i,
+                                        const double *edges)
 {
-    struct pp_place place = pp_room_opening_at(sizes->room, sizes->openings[i]).place;
+    struct pp_opening_place place =
+        pp_room_opening_at(sizes->room, sizes->openings[i]).place;
     double low = edges[2 * i], high = edges[2 * i + 1];
     /* One that does not move keeps its length to the bit. */
     double *first = sizes->upright ? &place.sill_m : &place.left_m;
@@ -52,7 +53,7 @@ static struct pp_place place_of(const struct pp_window_sizes *sizes, int i,
 static void take_edges(const struct pp_window_sizes *sizes, double *edges)
 {
     for (int i = 0; i < sizes->opening_count; i++) {
-        struct pp_place place =
+        struct pp_opening_place place =
             pp_room_opening_at(sizes->room, sizes->openings[i]).place;
         edges[2 * i] = sizes->upright ? place.sill_m : place.left_m;
         edges[2 * i + 1] = sizes->upright ? place.sill_m + place.height_m
@@ -399,8 +400,8 @@ enum pp_status pp_window_sizes_create(struct pp_window_sizes **sizes,
         memcpy(made->openings, openings, (size_t)opening_count * sizeof *openings);
         made->opening_count = opening_count;
         status = change == PP_CHANGE_NUMBER
-                     ? pp_window_numbers(&made->numbers, &made->number_count, room,
-                                         openings, opening_count, err)
+                     ? pp_window_number_choices(&made->numbers, &made->number_count,
+                                                room, openings, opening_count, err)
                      : find_stations(made, err);
     }
     if (status == PP_OK)

@@ -11,13 +11,13 @@
  * The number is of windows alike in one wall, each in the middle of its share of the
  * wall's length; the room's own number stands as the room has it.
  */
-#ifndef PP_DESIGN_WINDOW_SIZES_H
-#define PP_DESIGN_WINDOW_SIZES_H
+#ifndef PP_STUDIES_SIZING_WINDOW_SIZES_H
+#define PP_STUDIES_SIZING_WINDOW_SIZES_H
 
 #include <stdbool.h>
 
 #include "model/base/error.h"
-#include "model/room/edit.h"
+#include "model/room/room.h"
 
 enum pp_size_change {
     PP_CHANGE_WIDTH,

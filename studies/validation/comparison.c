@@ -63,8 +63,9 @@ static struct pp_comparison compare(const struct pp_report *report,
     return result;
 }
 
-enum pp_status pp_compare_report(struct pp_comparison **list, int *count,
-                                 const struct pp_report *report, struct pp_error *err)
+enum pp_status pp_comparison_of_report(struct pp_comparison **list, int *count,
+                                       const struct pp_report *report,
+                                       struct pp_error *err)
 {
     *count = 0;
     *list = calloc((size_t)report->column_count + 1, sizeof **list);
@@ -122,9 +123,10 @@ static struct pp_overall *find(struct pp_overall *list, int *count,
     return added;
 }
 
-enum pp_status pp_compare_overall(struct pp_overall **list, int *count,
-                                  struct pp_comparison *const *rooms, const int *counts,
-                                  int room_count, struct pp_error *err)
+enum pp_status pp_comparison_overall(struct pp_overall **list, int *count,
+                                     struct pp_comparison *const *rooms,
+                                     const int *counts, int room_count,
+                                     struct pp_error *err)
 {
     int most = 1;
     for (int i = 0; i < room_count; i++)

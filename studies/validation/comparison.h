@@ -12,8 +12,8 @@
  * Over several rooms differences are taken over the room's mean traced value first, so
  * that dark rooms count as much as bright ones.
  */
-#ifndef PP_CLI_COMPARISON_H
-#define PP_CLI_COMPARISON_H
+#ifndef PP_STUDIES_VALIDATION_COMPARISON_H
+#define PP_STUDIES_VALIDATION_COMPARISON_H
 
 #include "model/results/report.h"
 
@@ -32,8 +32,9 @@ struct pp_comparison {
 };
 
 /* The list is the caller's to free; *count 0 where nothing was traced. */
-enum pp_status pp_compare_report(struct pp_comparison **list, int *count,
-                                 const struct pp_report *report, struct pp_error *err);
+enum pp_status pp_comparison_of_report(struct pp_comparison **list, int *count,
+                                       const struct pp_report *report,
+                                       struct pp_error *err);
 
 /* One method over several rooms; shares of the rooms' mean traced values. */
 struct pp_overall {
@@ -50,8 +51,9 @@ struct pp_overall {
 };
 
 /* rooms[i] has counts[i] comparisons. The list is the caller's to free. */
-enum pp_status pp_compare_overall(struct pp_overall **list, int *count,
-                                  struct pp_comparison *const *rooms, const int *counts,
-                                  int room_count, struct pp_error *err);
+enum pp_status pp_comparison_overall(struct pp_overall **list, int *count,
+                                     struct pp_comparison *const *rooms,
+                                     const int *counts, int room_count,
+                                     struct pp_error *err);
 
 #endif

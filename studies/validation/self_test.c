@@ -13,31 +13,31 @@
 #include "methods/evaluate.h"
 #include "methods/reflected/obstruction_angle.h"
 #include "methods/protractor/protractor_scale.h"
-#include "model/room/room.h"
+#include "model/room/building.h"
 #include "simulate/tracer/tracer.h"
 
-static void add(struct pp_known_list *known, const char *what, const char *by,
+static void add(struct pp_self_test_cases *known, const char *what, const char *by,
                 double answer, double expected, double tolerance)
 {
-    if (known->count == PP_KNOWN_MOST)
+    if (known->count == PP_SELF_TEST_CASES_MOST)
         return;
-    struct pp_known *one = &known->list[known->count++];
-    *one = (struct pp_known){.by = by,
-                             .expected = expected,
-                             .tolerance = tolerance,
-                             .answer = answer,
-                             .std_error = NAN};
+    struct pp_self_test_case *one = &known->list[known->count++];
+    *one = (struct pp_self_test_case){.by = by,
+                                      .expected = expected,
+                                      .tolerance = tolerance,
+                                      .answer = answer,
+                                      .std_error = NAN};
     snprintf(one->what, sizeof one->what, "%s", what);
 }
 
 /* In per cent, expected to the decimals it is given with. */
-static void add_per_cent(struct pp_known_list *known, const char *what, const char *by,
-                         double answer, double per_cent, int decimals)
+static void add_per_cent(struct pp_self_test_cases *known, const char *what,
+                         const char *by, double answer, double per_cent, int decimals)
 {
     add(known, what, by, answer, per_cent / 100.0, 0.5001 * pow(10.0, -decimals - 2));
 }
 
-bool pp_known_is_right(const struct pp_known *known)
+bool pp_self_test_passes(const struct pp_self_test_case *known)
 {
     return fabs(known->answer - known->expected) <= known->tolerance;
 }
@@ -99,7 +99,8 @@ static double at_point(const struct answers *answers, enum pp_component componen
 /* ---- by hand ---- */
 
 /* Rectangles seen from a point one metre off, one corner on the perpendicular. */
-static enum pp_status ask_rectangles(struct pp_known_list *known, struct pp_error *err)
+static enum pp_status ask_rectangles(struct pp_self_test_cases *known,
+                                     struct pp_error *err)
 {
     static const struct {
         bool overhead;
@@ -145,7 +146,7 @@ static enum pp_status ask_rectangles(struct pp_known_list *known, struct pp_erro
     "<point x='5.1' y='3'/>"
 
 /* A window through clear glass, by quadrature in azimuth and altitude. */
-static enum pp_status ask_glass(struct pp_known_list *known, struct pp_error *err)
+static enum pp_status ask_glass(struct pp_self_test_cases *known, struct pp_error *err)
 {
     struct answers answers;
     enum pp_status status = ask(&answers, HALL "</room>", "exact", err);
@@ -157,7 +158,7 @@ static enum pp_status ask_glass(struct pp_known_list *known, struct pp_error *er
     return PP_OK;
 }
 
-static void ask_skies(struct pp_known_list *known)
+static void ask_skies(struct pp_self_test_cases *known)
 {
     struct pp_sky overcast = pp_sky_overcast(), uniform = pp_sky_uniform();
     struct pp_vec3 up = {0.0, 0.0, 1.0}, south = {0.0, -1.0, 0.0};
@@ -168,9 +169,9 @@ static void ask_skies(struct pp_known_list *known)
     add_per_cent(known, "open sky on an upright plane, overcast", "sky",
                  pp_sky_on_plane(&overcast, south), 39.6177, 4);
     add_per_cent(known, "above an endless skyline of 25 degrees, overcast", "sky",
-                 pp_vertical_sky(PP_SKY_OVERCAST, 25.0 * PP_RAD), 27.31, 2);
+                 pp_obstruction_angle_to_vsc(PP_SKY_OVERCAST, 25.0 * PP_RAD), 27.31, 2);
     add_per_cent(known, "above an endless skyline of 25 degrees, uniform", "sky",
-                 pp_vertical_sky(PP_SKY_UNIFORM, 25.0 * PP_RAD), 28.87, 2);
+                 pp_obstruction_angle_to_vsc(PP_SKY_UNIFORM, 25.0 * PP_RAD), 28.87, 2);
     struct pp_glass glass = pp_glass_clear_single();
     add(known, "clear single glass, normal incidence", "glass", glass.normal, 0.900,
         5.001e-4);
@@ -178,7 +179,8 @@ static void ask_skies(struct pp_known_list *known)
         5.001e-4);
 }
 
-static enum pp_status ask_protractors(struct pp_known_list *known, struct pp_error *err)
+static enum pp_status ask_protractors(struct pp_self_test_cases *known,
+                                      struct pp_error *err)
 {
     static const struct {
         int number;
@@ -194,12 +196,13 @@ static enum pp_status ask_protractors(struct pp_known_list *known, struct pp_err
     struct pp_protractor protractor;
     for (size_t i = 0; i < sizeof list / sizeof list[0]; i++) {
         enum pp_status status =
-            pp_protractor_published(&protractor, list[i].number, err);
+            pp_protractor_scale_published(&protractor, list[i].number, err);
         if (status != PP_OK)
             return status;
-        add_per_cent(known, list[i].what, "protractor",
-                     pp_protractor_primary(&protractor, list[i].altitude_deg * PP_RAD),
-                     list[i].per_cent, list[i].decimals);
+        add_per_cent(
+            known, list[i].what, "protractor",
+            pp_protractor_scale_primary(&protractor, list[i].altitude_deg * PP_RAD),
+            list[i].per_cent, list[i].decimals);
     }
     return PP_OK;
 }
@@ -211,7 +214,7 @@ static enum pp_status ask_protractors(struct pp_known_list *known, struct pp_err
     "<window wall='south' left='0.2' sill='0.9' width='3.6' height='1.5' "
 
 /* The reflected component of a room 4 x 6 x 3 m, and a window read off the table. */
-static enum pp_status ask_rooms(struct pp_known_list *known, struct pp_error *err)
+static enum pp_status ask_rooms(struct pp_self_test_cases *known, struct pp_error *err)
 {
     struct answers answers;
     enum pp_status status =
@@ -275,7 +278,7 @@ static enum pp_status trace(struct pp_reading readings[PP_COMPONENT_COUNT],
     return status;
 }
 
-static void add_traced(struct pp_known_list *known, const char *what,
+static void add_traced(struct pp_self_test_cases *known, const char *what,
                        struct pp_reading reading, double expected)
 {
     add(known, what, "traced", reading.value, expected,
@@ -287,7 +290,7 @@ static const struct pp_receiver facing_up = {.position = {1.0, 1.0, 1.0},
                                              .normal = {0.0, 0.0, 1.0}};
 
 /* Nothing but sky. */
-static enum pp_status trace_open_sky(struct pp_known_list *known, uint64_t seed,
+static enum pp_status trace_open_sky(struct pp_self_test_cases *known, uint64_t seed,
                                      int threads, struct pp_error *err)
 {
     struct pp_world world = {.sky = pp_sky_overcast()};
@@ -307,7 +310,7 @@ static enum pp_status trace_open_sky(struct pp_known_list *known, uint64_t seed,
 
 /* In a closed room whose every surface gives off 1 and reflects rho, light goes on as
  * 1 + rho + rho^2 + ... whatever its form: that of the integrating sphere. */
-static enum pp_status trace_closed_cube(struct pp_known_list *known, uint64_t seed,
+static enum pp_status trace_closed_cube(struct pp_self_test_cases *known, uint64_t seed,
                                         int threads, struct pp_error *err)
 {
     static const double reflectances[] = {0.2, 0.5, 0.8};
@@ -326,7 +329,7 @@ static enum pp_status trace_closed_cube(struct pp_known_list *known, uint64_t se
         struct pp_reading readings[PP_COMPONENT_COUNT];
         struct pp_receiver oblique = facing_up;
         oblique.position = pp_vec(0.6, 1.3, 0.7);
-        oblique.normal = pp_unit(pp_vec(0.2, 0.3, 1.0));
+        oblique.normal = pp_vec_unit(pp_vec(0.2, 0.3, 1.0));
         status = trace(readings, world, oblique, seed, threads, err);
         snprintf(what, sizeof what, "closed glowing cube, 1/(1 - rho), rho %g",
                  reflectances[i]);
@@ -338,7 +341,7 @@ static enum pp_status trace_closed_cube(struct pp_known_list *known, uint64_t se
 }
 
 /* Windows of which the closed form, or quadrature, is known; a dark room. */
-static enum pp_status trace_windows(struct pp_known_list *known, uint64_t seed,
+static enum pp_status trace_windows(struct pp_self_test_cases *known, uint64_t seed,
                                     int threads, struct pp_error *err)
 {
     static const struct {
@@ -378,8 +381,9 @@ static enum pp_status trace_windows(struct pp_known_list *known, uint64_t seed,
 
 /* Sky component of the hall's window through glass, by both: neither knows of the
  * other. */
-static enum pp_status trace_against_exact(struct pp_known_list *known, uint64_t seed,
-                                          int threads, struct pp_error *err)
+static enum pp_status trace_against_exact(struct pp_self_test_cases *known,
+                                          uint64_t seed, int threads,
+                                          struct pp_error *err)
 {
     struct answers answers;
     struct pp_reading readings[PP_COMPONENT_COUNT];
@@ -395,8 +399,8 @@ static enum pp_status trace_against_exact(struct pp_known_list *known, uint64_t 
     return status;
 }
 
-enum pp_status pp_known_ask(struct pp_known_list *known, uint64_t seed, int threads,
-                            struct pp_error *err)
+enum pp_status pp_self_test_run(struct pp_self_test_cases *known, uint64_t seed,
+                                int threads, struct pp_error *err)
 {
     known->count = 0;
     ask_skies(known);

@@ -1,6 +1,6 @@
 /* self_test.h - the program against answers that are known on paper. */
-#ifndef PP_CLI_KNOWN_H
-#define PP_CLI_KNOWN_H
+#ifndef PP_STUDIES_VALIDATION_SELF_TEST_H
+#define PP_STUDIES_VALIDATION_SELF_TEST_H
 
 #include <stdbool.h>
 #include <stdint.h>
@@ -8,7 +8,7 @@
 #include "model/base/error.h"
 
 /* One question; fractions of the open sky, or plain numbers. */
-struct pp_known {
+struct pp_self_test_case {
     char what[80];
     const char *by; /* the method, or "traced" */
     double expected;
@@ -18,18 +18,18 @@ struct pp_known {
     double std_error; /* NAN: not sampled */
 };
 
-enum { PP_KNOWN_MOST = 64 };
+enum { PP_SELF_TEST_CASES_MOST = 64 };
 
-struct pp_known_list {
+struct pp_self_test_cases {
     int count;
-    struct pp_known list[PP_KNOWN_MOST];
+    struct pp_self_test_case list[PP_SELF_TEST_CASES_MOST];
 };
 
-bool pp_known_is_right(const struct pp_known *known);
+bool pp_self_test_passes(const struct pp_self_test_case *known);
 
 /* Puts all questions to the program; takes a second or two. The seed is that of what is
  * traced. */
-enum pp_status pp_known_ask(struct pp_known_list *known, uint64_t seed, int threads,
-                            struct pp_error *err);
+enum pp_status pp_self_test_run(struct pp_self_test_cases *known, uint64_t seed,
+                                int threads, struct pp_error *err);
 
 #endif

@@ -3,8 +3,8 @@
 #include <stdlib.h>
 #include <unistd.h>
 
-#include "charts/sheet/axes.h"
-#include "charts/kinds.h"
+#include "charts/sheet/axis.h"
+#include "charts/chart_kind.h"
 #include "charts/room/plan_chart.h"
 #include "charts/room/room_plan.h"
 #include "charts/room/section_chart.h"

@@ -14,13 +14,18 @@ struct words {
 };
 
 static const struct pp_option table[] = {
-    {"name", 'n', "NAME", "A name.", pp_read_text, offsetof(struct words, name)},
+    {"name", 'n', "NAME", "A name.", pp_options_read_text,
+     offsetof(struct words, name)},
     {"flag", 'x', NULL, "A flag.", NULL, offsetof(struct words, flag)},
-    {"error", 0, "E", "An error.", pp_read_per_cent, offsetof(struct words, error)},
-    {"time", 0, "T", "A time.", pp_read_seconds, offsetof(struct words, seconds)},
-    {"samples", 0, "N", "A count.", pp_read_count, offsetof(struct words, samples)},
-    {"threads", 0, "N", "Threads.", pp_read_threads, offsetof(struct words, threads)},
-    {"seed", 0, "N", "A seed.", pp_read_seed, offsetof(struct words, seed)},
+    {"error", 0, "E", "An error.", pp_options_read_per_cent,
+     offsetof(struct words, error)},
+    {"time", 0, "T", "A time.", pp_options_read_seconds,
+     offsetof(struct words, seconds)},
+    {"samples", 0, "N", "A count.", pp_options_read_count,
+     offsetof(struct words, samples)},
+    {"threads", 0, "N", "Threads.", pp_options_read_threads,
+     offsetof(struct words, threads)},
+    {"seed", 0, "N", "A seed.", pp_options_read_seed, offsetof(struct words, seed)},
     {0},
 };
 
@@ -187,11 +192,11 @@ static void illuminances_are_sensible(void **state)
     static const char *const wrong[] = {"0", "-5000", "1e9", "nan", "bright", ""};
     double lux = 7.0;
     for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++)
-        assert_int_equal(pp_read_lux(wrong[i], &lux, NULL), PP_BAD_INPUT);
+        assert_int_equal(pp_options_read_lux(wrong[i], &lux, NULL), PP_BAD_INPUT);
     assert_near(lux, 7.0, 0.0);
-    assert_int_equal(pp_read_lux("5000", &lux, NULL), PP_OK);
+    assert_int_equal(pp_options_read_lux("5000", &lux, NULL), PP_OK);
     assert_near(lux, 5000.0, 0.0);
-    assert_int_equal(pp_read_lux("14.1e3 lx", &lux, NULL), PP_OK);
+    assert_int_equal(pp_options_read_lux("14.1e3 lx", &lux, NULL), PP_OK);
     assert_near(lux, 14100.0, 0.0);
 }
 

@@ -6,7 +6,7 @@
 #include <stdlib.h>
 
 #include "cli/progress.h"
-#include "cli/print/utf8.h"
+#include "cli/print/format.h"
 
 /* What the line looks like; to be freed. */
 static char *line_of(const char *label, double done, double error, double left_s,
@@ -74,7 +74,7 @@ static void the_line_never_fills_the_terminal(void **state)
         for (int columns = 40; columns < 100; columns++) {
             char *text =
                 line_of(labels[i], 0.123, columns % 2 ? 0.12 : NAN, 3e8, columns);
-            assert_true(pp_utf8_width(text) < columns);
+            assert_true(pp_format_utf8_width(text) < columns);
             assert_null(strchr(text, '\n'));
             assert_null(strchr(text, '\33'));
             free(text);

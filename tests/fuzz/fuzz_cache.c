@@ -28,13 +28,13 @@ static struct pp_irradiance_cache *empty_cache(void)
     struct pp_scene_description from;
     if (!scene) {
         pp_scene_description_init(&from);
-        must(pp_scene_add_material(&from, &grey, NULL, NULL) == PP_OK);
-        must(pp_scene_add_polygon(&from, floor, 3, 0, NULL, NULL) == PP_OK);
+        must(pp_scene_description_add_material(&from, &grey, NULL, NULL) == PP_OK);
+        must(pp_scene_description_add_polygon(&from, floor, 3, 0, NULL, NULL) == PP_OK);
         must(pp_light_scene_of_description(&scene, &from, NULL) == PP_OK);
         pp_scene_description_clear(&from);
     }
     struct pp_radiance_options light = pp_radiance_defaults();
-    struct pp_cache_options options = pp_cache_defaults();
+    struct pp_cache_options options = pp_irradiance_cache_defaults();
     struct pp_irradiance_cache *cache = NULL;
     options.threads = 1;
     must(pp_irradiance_cache_create(&cache, scene, NULL, &light, &options, NULL)
@@ -68,12 +68,11 @@ int LLVMFuzzerTestOneInput(const uint8_t *given, size_t length)
     struct pp_irradiance_cache *cache = empty_cache();
     char *head, *bytes = malloc(length + 1);
     size_t head_length;
-    must(bytes && pp_irradiance_cache_pack(cache, &head, &head_length, NULL) == PP_OK);
+    must(bytes && pp_cache_file_pack(cache, &head, &head_length, NULL) == PP_OK);
     memcpy(bytes, given, length);
     if (length > 0 && given[length - 1] & 1)
         put_right(bytes, length, head);
-    enum pp_status status =
-        pp_irradiance_cache_unpack(cache, bytes, length, "fuzz", &err);
+    enum pp_status status = pp_cache_file_unpack(cache, bytes, length, "fuzz", &err);
     must(status == PP_OK
          || (err.message[0] != '\0' && pp_irradiance_cache_count(cache) == 0));
     for (int i = 0; status == PP_OK && i < 16; i++) {

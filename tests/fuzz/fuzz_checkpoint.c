@@ -32,8 +32,8 @@ static struct pp_render *fresh_render(void)
     struct pp_scene_description from;
     if (!scene) {
         pp_scene_description_init(&from);
-        must(pp_scene_add_material(&from, &grey, NULL, NULL) == PP_OK);
-        must(pp_scene_add_polygon(&from, floor, 3, 0, NULL, NULL) == PP_OK);
+        must(pp_scene_description_add_material(&from, &grey, NULL, NULL) == PP_OK);
+        must(pp_scene_description_add_polygon(&from, floor, 3, 0, NULL, NULL) == PP_OK);
         must(pp_light_scene_of_description(&scene, &from, NULL) == PP_OK);
         pp_scene_description_clear(&from);
     }
@@ -54,7 +54,8 @@ static unsigned char *saved(const struct pp_render *render, size_t *length)
 {
     char *bytes = NULL;
     FILE *out = open_memstream(&bytes, length);
-    must(out && pp_render_save(render, NULL, out, NULL) == PP_OK && fclose(out) == 0);
+    must(out && pp_checkpoint_save(render, NULL, out, NULL) == PP_OK
+         && fclose(out) == 0);
     return (unsigned char *)bytes;
 }
 
@@ -85,7 +86,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *given, size_t length)
     if (length > 0 && given[length - 1] & 1)
         put_right(bytes, length, own);
     free(own);
-    enum pp_status status = pp_render_resume(render, bytes, length, &err);
+    enum pp_status status = pp_checkpoint_resume(render, bytes, length, &err);
     if (status == PP_OK) {
         const char *cache;
         size_t kept;

@@ -32,11 +32,11 @@ static void write_and_read(const struct pp_picture *picture,
     char *bytes = NULL;
     size_t length = 0;
     FILE *out = open_memstream(&bytes, &length);
-    must(out && pp_hdr_write(out, picture, notes, NULL) == PP_OK);
+    must(out && pp_picture_hdr_write(out, picture, notes, NULL) == PP_OK);
     must(fclose(out) == 0);
     struct pp_picture again;
     struct pp_hdr_notes said;
-    must(pp_hdr_read(&again, &said, (const unsigned char *)bytes, length, NULL)
+    must(pp_picture_hdr_read(&again, &said, (const unsigned char *)bytes, length, NULL)
          == PP_OK);
     must(again.width == picture->width && again.height == picture->height);
     must(strcmp(said.quantity, notes->quantity) == 0);
@@ -49,7 +49,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t length)
     struct pp_picture picture;
     struct pp_hdr_notes notes;
     struct pp_error err = {PP_OK, ""};
-    enum pp_status status = pp_hdr_read(&picture, &notes, bytes, length, &err);
+    enum pp_status status = pp_picture_hdr_read(&picture, &notes, bytes, length, &err);
     must(status == PP_OK || err.message[0] != '\0');
     if (status != PP_OK)
         return 0;

@@ -4,7 +4,7 @@
  * For clang's libFuzzer (make fuzz). The sanitizers say what is wrong; besides, a scene
  * is refused with a reason that has file and line, or taken; then its shapes name
  * materials that there are, and as many come back. A file that a line names is the
- * second half of the fuzzer's bytes: linked with --wrap=pp_file_bytes, nothing else is
+ * second half of the fuzzer's bytes: linked with --wrap=pp_read_file, nothing else is
  * read. It may name itself.
  */
 #include <stdbool.h>
@@ -47,7 +47,7 @@ static void write_and_read(const struct pp_scene_description *scene)
 {
     struct pp_error err = {PP_OK, ""};
     struct pp_rad_writer *writer;
-    if (pp_rad_writer_create(&writer, scene, &err) != PP_OK) {
+    if (pp_rad_write_create(&writer, scene, &err) != PP_OK) {
         must(err.message[0] != '\0');
         return;
     }
@@ -58,11 +58,11 @@ static void write_and_read(const struct pp_scene_description *scene)
     pp_rad_write_materials(writer, out);
     pp_rad_write_shapes(writer, "s", 0, scene->shape_count, out);
     fclose(out);
-    pp_rad_writer_destroy(writer);
+    pp_rad_write_destroy(writer);
     struct pp_scene_description back;
     struct pp_rad_summary summary;
     enum pp_status status =
-        pp_rad_parse(&back, &summary, text, length, "back.rad", &err);
+        pp_rad_read_bytes(&back, &summary, text, length, "back.rad", &err);
     must(status == PP_OK || err.message[0] != '\0');
     if (status == PP_OK)
         must(back.shape_count + summary.flat >= scene->shape_count);
@@ -88,8 +88,8 @@ int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t length)
     struct pp_rad_summary summary;
     fuzzed = bytes;
     fuzzed_length = length;
-    enum pp_status status =
-        pp_rad_parse(&scene, &summary, (const char *)bytes, length, "fuzz.rad", &err);
+    enum pp_status status = pp_rad_read_bytes(&scene, &summary, (const char *)bytes,
+                                              length, "fuzz.rad", &err);
     must(status == PP_OK || err.message[0] != '\0');
     must(status != PP_BAD_INPUT || has_line(err.message));
     for (int i = 0; i < scene.shape_count; i++)

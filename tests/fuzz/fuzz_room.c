@@ -7,7 +7,7 @@
 #include <stdint.h>
 #include <stdlib.h>
 
-#include "model/room/room.h"
+#include "model/room/building.h"
 
 int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t length);
 

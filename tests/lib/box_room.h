@@ -1,8 +1,8 @@
 /* box_room.h - a rectangular room with upright windows, made by hand: a world without
  * a room file, for tests of what reads worlds.
  */
-#ifndef PP_TESTS_BOX_ROOM_H
-#define PP_TESTS_BOX_ROOM_H
+#ifndef PP_TESTS_LIB_BOX_ROOM_H
+#define PP_TESTS_LIB_BOX_ROOM_H
 
 #include "model/room/world.h"
 
@@ -23,9 +23,10 @@ struct box_room {
 
 static inline struct pp_polygon box_polygon(struct pp_vec3 *corners)
 {
-    struct pp_vec3 twice =
-        pp_cross(pp_sub(corners[2], corners[0]), pp_sub(corners[3], corners[1]));
-    return (struct pp_polygon){4, corners, pp_unit(twice), pp_length(twice) / 2.0};
+    struct pp_vec3 twice = pp_vec_cross(pp_vec_sub(corners[2], corners[0]),
+                                        pp_vec_sub(corners[3], corners[1]));
+    return (struct pp_polygon){4, corners, pp_vec_unit(twice),
+                               pp_vec_length(twice) / 2.0};
 }
 
 /* The room, x to width_m, y to depth_m, without openings, under an overcast sky. */
@@ -82,13 +83,14 @@ static inline struct pp_opening *box_room_open(struct box_room *box, int face,
     struct pp_opening *opening = box->openings + index;
     struct pp_vec3 normal = box->surfaces[face].outline.normal;
     bool level = fabs(normal.z) > 0.5;
-    struct pp_vec3 along = level ? pp_vec(1, 0, 0) : pp_cross(pp_vec(0, 0, 1), normal);
-    struct pp_vec3 up = pp_cross(normal, along);
+    struct pp_vec3 along =
+        level ? pp_vec(1, 0, 0) : pp_vec_cross(pp_vec(0, 0, 1), normal);
+    struct pp_vec3 up = pp_vec_cross(normal, along);
     struct pp_vec3 *c = box->inner[index];
     c[0] = start;
-    c[1] = pp_along(c[0], width_m, along);
-    c[2] = pp_along(c[1], height_m, up);
-    c[3] = pp_along(c[0], height_m, up);
+    c[1] = pp_vec_along(c[0], width_m, along);
+    c[2] = pp_vec_along(c[1], height_m, up);
+    c[3] = pp_vec_along(c[0], height_m, up);
     memcpy(box->outer[index], c, sizeof box->outer[index]);
     *opening = (struct pp_opening){
         .face = face,
@@ -127,7 +129,7 @@ static inline void box_room_reveal(struct box_room *box, int index, double revea
     opening->reveal_m = reveal_m;
     for (int i = 0; i < 4; i++)
         box->outer[index][i] =
-            pp_along(box->inner[index][i], -reveal_m, opening->inner.normal);
+            pp_vec_along(box->inner[index][i], -reveal_m, opening->inner.normal);
 }
 
 /* A skyline before the south wall; its angle is from middle_z_m. */

@@ -1,8 +1,8 @@
 /* formula.h - recomputes the formulae of model/results/steps.h from printed figures, in
  * interval arithmetic: a printed figure stands for all that are rounded to it.
  */
-#ifndef PP_TESTS_FORMULA_H
-#define PP_TESTS_FORMULA_H
+#ifndef PP_TESTS_LIB_FORMULA_H
+#define PP_TESTS_LIB_FORMULA_H
 
 #include <stdbool.h>
 

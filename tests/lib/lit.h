@@ -1,6 +1,6 @@
 /* lit.h - means of sampled light with their standard errors, for tests. */
-#ifndef PP_TESTS_LIT_H
-#define PP_TESTS_LIT_H
+#ifndef PP_TESTS_LIB_LIT_H
+#define PP_TESTS_LIB_LIT_H
 
 #include <stdlib.h>
 
@@ -49,17 +49,17 @@ static inline struct pp_test_mean pp_test_irradiance(
     enum pp_space space = pp_light_scene_space(scene, point);
     long rays = 0;
     for (int seed = 0; seed < PP_TEST_SEEDS; seed++) {
-        struct pp_radiance_walk walk = {
+        struct pp_radiance_state path_state = {
             .scene = scene, .options = options, .store = store};
-        pp_sequence_init(&walk.sequence, sobol, (uint64_t)seed + 77);
+        pp_sobol_sequence_init(&path_state.sequence, sobol, (uint64_t)seed + 77);
         values[seed] = pp_rgb_grey(0.0);
         for (uint32_t i = 0; i < paths; i++) {
-            walk.index = i;
-            struct pp_rgb e =
-                pp_test_all_of(pp_radiance_irradiance(&walk, point, normal, space));
+            path_state.index = i;
+            struct pp_rgb e = pp_test_all_of(
+                pp_radiance_irradiance(&path_state, point, normal, space));
             values[seed] = pp_rgb_along(values[seed], 1.0 / paths, e);
         }
-        rays += walk.rays;
+        rays += path_state.rays;
     }
     free(sobol);
     struct pp_test_mean mean = pp_test_mean_of(values, PP_TEST_SEEDS);
@@ -77,16 +77,17 @@ static inline struct pp_test_mean pp_test_radiance(const struct pp_light_scene *
     struct pp_sobol *sobol = malloc(sizeof *sobol);
     assert_non_null(sobol);
     pp_sobol_init(sobol);
-    struct pp_light_ray ray = {
-        .from = from, .to = pp_unit(to), .space = pp_light_scene_space(scene, from)};
+    struct pp_light_ray ray = {.from = from,
+                               .to = pp_vec_unit(to),
+                               .space = pp_light_scene_space(scene, from)};
     for (int seed = 0; seed < PP_TEST_SEEDS; seed++) {
-        struct pp_radiance_walk walk = {.scene = scene, .options = options};
-        pp_sequence_init(&walk.sequence, sobol, (uint64_t)seed + 77);
+        struct pp_radiance_state path_state = {.scene = scene, .options = options};
+        pp_sobol_sequence_init(&path_state.sequence, sobol, (uint64_t)seed + 77);
         values[seed] = pp_rgb_grey(0.0);
         for (uint32_t i = 0; i < paths; i++) {
-            walk.index = i;
+            path_state.index = i;
             values[seed] = pp_rgb_along(values[seed], 1.0 / paths,
-                                        pp_radiance_along(&walk, &ray, NULL));
+                                        pp_radiance_along(&path_state, &ray, NULL));
         }
     }
     free(sobol);

@@ -1,6 +1,6 @@
 /* made_epw.h - weather files made up for tests, record by record. */
-#ifndef PP_TESTS_MADE_EPW_H
-#define PP_TESTS_MADE_EPW_H
+#ifndef PP_TESTS_LIB_MADE_EPW_H
+#define PP_TESTS_LIB_MADE_EPW_H
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -63,7 +63,7 @@ static inline void epw_day(struct made_epw *made, int year, int month, int day,
         epw_record(made, year, month, day, hour, 0, "9999", "9999", "9999", diffuse_lx);
 }
 
-/* The file's bytes so far; the maker's to free by epw_end. */
+/* The file's bytes so far; the settings's to free by epw_end. */
 static inline const char *epw_bytes(struct made_epw *made)
 {
     fflush(made->out);

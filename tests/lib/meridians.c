@@ -40,13 +40,14 @@ static struct track track_of(const struct shape *shape, struct pp_vec3 level)
     struct pp_vec3 side = {-level.y, level.x, 0.0};
     struct track track = {.count = 0};
     for (int i = 0, k = shape->count - 1; i < shape->count; k = i++) {
-        double a = pp_dot(side, shape->corners[k]), b = pp_dot(side, shape->corners[i]);
+        double a = pp_vec_dot(side, shape->corners[k]),
+               b = pp_vec_dot(side, shape->corners[i]);
         if ((a > 0.0) == (b > 0.0))
             continue;
         double t = a / (a - b);
-        struct pp_vec3 at = pp_along(shape->corners[k], t,
-                                     pp_sub(shape->corners[i], shape->corners[k]));
-        double out = pp_dot(level, at);
+        struct pp_vec3 at = pp_vec_along(
+            shape->corners[k], t, pp_vec_sub(shape->corners[i], shape->corners[k]));
+        double out = pp_vec_dot(level, at);
         if (out > 0.0)
             track.cuts[track.count++] = atan2(at.z, out);
     }
@@ -105,13 +106,13 @@ static struct hit cast(const struct sight *sight, const struct track *tracks,
                        struct pp_vec3 eye, struct pp_vec3 u, double altitude)
 {
     struct hit hit = {NOTHING, 0.0, 0.0};
-    double opening = pp_dot(sight->inner.nearness, u), nearest = -1.0;
+    double opening = pp_vec_dot(sight->inner.nearness, u), nearest = -1.0;
     if (!(opening > 0.0) || !is_on(inner, altitude) || !is_on(outer, altitude))
         return hit;
     for (int i = 0; i < sight->shape_count; i++) {
         if (!is_on(&tracks[i], altitude))
             continue;
-        double nearness = pp_dot(sight->shapes[i].nearness, u);
+        double nearness = pp_vec_dot(sight->shapes[i].nearness, u);
         if (nearness > opening * (1.0 + 1e-12))
             return hit;
         if (nearness > nearest) {
@@ -154,9 +155,9 @@ static int at_altitude(unsigned dim, const double *altitude, void *data, unsigne
     double light = beam->what == UNITY ? 1.0
                    : beam->what == SKY ? pp_sky_luminance(&sight->world->sky, u)
                                        : pp_sky_luminance(&sight->world->sky, flat);
-    *value = light * pp_dot(sight->normal, u) * c
+    *value = light * pp_vec_dot(sight->normal, u) * c
              * pp_glass_transmittance(&sight->opening->glass,
-                                      -pp_dot(sight->opening->inner.normal, u));
+                                      -pp_vec_dot(sight->opening->inner.normal, u));
     return 0;
 }
 
@@ -165,7 +166,7 @@ static double beam_between(struct beam beam, double from, double to)
     const struct sight *sight = beam.sight;
     const struct pp_sky *sky = &sight->world->sky;
     if (sight->opening->glass.panes == 0 && sky->kind != PP_SKY_ISO) {
-        double p = pp_dot(sight->normal, beam.level), q = sight->normal.z;
+        double p = pp_vec_dot(sight->normal, beam.level), q = sight->normal.z;
         double s[2] = {sin(from), sin(to)}, c[2] = {cos(from), cos(to)};
         double plain = p * ((to - from) / 2.0 + (s[1] * c[1] - s[0] * c[0]) / 2.0)
                        + q * (s[1] * s[1] - s[0] * s[0]) / 2.0;
@@ -211,7 +212,7 @@ static int at_azimuth(unsigned dim, const double *azimuth, void *data, unsigned 
     cuts[count++] = -PP_PI / 2.0;
     cuts[count++] = PP_PI / 2.0;
     cuts[count++] = 0.0;
-    add_cut(cuts, &count, sight->normal.z, pp_dot(sight->normal, level));
+    add_cut(cuts, &count, sight->normal.z, pp_vec_dot(sight->normal, level));
     for (int i = 0; i < inner.count; i++)
         cuts[count++] = inner.cuts[i];
     for (int i = 0; i < outer.count; i++)
@@ -222,21 +223,22 @@ static int at_azimuth(unsigned dim, const double *azimuth, void *data, unsigned 
             cuts[count++] = tracks[i].cuts[k];
         if (tracks[i].count == 0)
             continue;
-        struct pp_vec3 apart = pp_sub(sight->shapes[i].nearness, sight->inner.nearness);
-        add_cut(cuts, &count, apart.z, pp_dot(apart, level));
+        struct pp_vec3 apart =
+            pp_vec_sub(sight->shapes[i].nearness, sight->inner.nearness);
+        add_cut(cuts, &count, apart.z, pp_vec_dot(apart, level));
         for (int k = 0; k < i; k++) {
-            apart = pp_sub(sight->shapes[i].nearness, sight->shapes[k].nearness);
+            apart = pp_vec_sub(sight->shapes[i].nearness, sight->shapes[k].nearness);
             if (tracks[k].count > 0)
-                add_cut(cuts, &count, apart.z, pp_dot(apart, level));
+                add_cut(cuts, &count, apart.z, pp_vec_dot(apart, level));
         }
     }
     struct pp_vec3 eye =
-        pp_sub(sight->opening->inner.vertices[0], sight->inner.corners[0]);
+        pp_vec_sub(sight->opening->inner.vertices[0], sight->inner.corners[0]);
     for (int i = 0; i < world->skyline_count; i++) {
         const struct pp_skyline *skyline = &world->skylines[i];
         const struct pp_polygon *wall = &world->surfaces[skyline->face].outline;
         double along = hypot(wall->normal.x, wall->normal.y);
-        double out = -pp_dot(level, wall->normal) / along;
+        double out = -pp_vec_dot(level, wall->normal) / along;
         if (isinf(skyline->distance_m)) {
             cuts[count++] = atan(tan(skyline->angle_rad) * out);
             continue;
@@ -250,7 +252,7 @@ static int at_azimuth(unsigned dim, const double *azimuth, void *data, unsigned 
         cuts[count++] = atan((world->ground_level_m - eye.z) * out / away);
         for (int k = 0; k < sight->shape_count; k++) {
             struct pp_vec3 n = sight->shapes[k].nearness;
-            add_cut(cuts, &count, n.z, pp_dot(n, level) - out / away);
+            add_cut(cuts, &count, n.z, pp_vec_dot(n, level) - out / away);
         }
     }
     qsort(cuts, (size_t)count, sizeof *cuts, by_size);
@@ -261,7 +263,7 @@ static int at_azimuth(unsigned dim, const double *azimuth, void *data, unsigned 
             continue;
         struct pp_vec3 u =
             pp_vec(level.x * cos(middle), level.y * cos(middle), sin(middle));
-        if (!(pp_dot(sight->normal, u) > 0.0))
+        if (!(pp_vec_dot(sight->normal, u) > 0.0))
             continue;
         struct hit hit = cast(sight, tracks, &inner, &outer, eye, u, middle);
         if (hit.meets == NOTHING)
@@ -290,9 +292,9 @@ static struct shape shape_of(const struct pp_polygon *outline, struct pp_vec3 ey
 {
     struct shape shape = {.count = outline->count};
     for (int i = 0; i < outline->count && i < CORNERS; i++)
-        shape.corners[i] = pp_sub(outline->vertices[i], eye);
-    shape.nearness =
-        pp_scale(outline->normal, 1.0 / pp_dot(outline->normal, shape.corners[0]));
+        shape.corners[i] = pp_vec_sub(outline->vertices[i], eye);
+    shape.nearness = pp_vec_scale(outline->normal,
+                                  1.0 / pp_vec_dot(outline->normal, shape.corners[0]));
     return shape;
 }
 
@@ -307,18 +309,19 @@ static void add_crossings(double *stops, int *count, const struct shape *one,
                           const struct shape *other)
 {
     for (int i = 0, k = one->count - 1; i < one->count; k = i++) {
-        struct pp_vec3 a = one->corners[k], b = one->corners[i], ab = pp_cross(a, b);
+        struct pp_vec3 a = one->corners[k], b = one->corners[i],
+                       ab = pp_vec_cross(a, b);
         for (int m = 0, l = other->count - 1; m < other->count; l = m++) {
             struct pp_vec3 c = other->corners[l], d = other->corners[m];
-            struct pp_vec3 cd = pp_cross(c, d);
-            if (pp_dot(ab, c) * pp_dot(ab, d) > 0.0
-                || pp_dot(cd, a) * pp_dot(cd, b) > 0.0 || *count + 2 > STOPS)
+            struct pp_vec3 cd = pp_vec_cross(c, d);
+            if (pp_vec_dot(ab, c) * pp_vec_dot(ab, d) > 0.0
+                || pp_vec_dot(cd, a) * pp_vec_dot(cd, b) > 0.0 || *count + 2 > STOPS)
                 continue;
-            struct pp_vec3 w = pp_cross(ab, cd);
+            struct pp_vec3 w = pp_vec_cross(ab, cd);
             if (w.x == 0.0 && w.y == 0.0)
                 continue;
             stops[(*count)++] = azimuth_of(w);
-            stops[(*count)++] = azimuth_of(pp_scale(w, -1.0));
+            stops[(*count)++] = azimuth_of(pp_vec_scale(w, -1.0));
         }
     }
 }
@@ -336,9 +339,10 @@ static void add_circle(double *stops, int *count, const struct shape *shape,
 {
     for (int i = 0, k = shape->count - 1; i < shape->count; k = i++) {
         struct pp_vec3 a = shape->corners[k], b = shape->corners[i];
-        double da = pp_dot(square, a), db = pp_dot(square, b);
+        double da = pp_vec_dot(square, a), db = pp_vec_dot(square, b);
         if (da * db < 0.0 && *count < STOPS)
-            stops[(*count)++] = azimuth_of(pp_along(a, da / (da - db), pp_sub(b, a)));
+            stops[(*count)++] =
+                azimuth_of(pp_vec_along(a, da / (da - db), pp_vec_sub(b, a)));
     }
 }
 
@@ -349,9 +353,10 @@ static struct shape seam_of(const struct shape *shape, struct pp_vec3 nearness)
     struct shape seam = {.count = 0};
     for (int i = 0, k = shape->count - 1; i < shape->count; k = i++) {
         struct pp_vec3 a = shape->corners[k], b = shape->corners[i];
-        double da = pp_dot(nearness, a) - 1.0, db = pp_dot(nearness, b) - 1.0;
+        double da = pp_vec_dot(nearness, a) - 1.0, db = pp_vec_dot(nearness, b) - 1.0;
         if (da * db < 0.0)
-            seam.corners[seam.count++] = pp_along(a, da / (da - db), pp_sub(b, a));
+            seam.corners[seam.count++] =
+                pp_vec_along(a, da / (da - db), pp_vec_sub(b, a));
     }
     return seam;
 }
@@ -409,7 +414,7 @@ static void weave(struct web *web, const struct sight *sight, struct pp_vec3 eye
         web->circles[web->circle_count++] = pp_vec(-rise * out.x, -rise * out.y, 1.0);
         web->circles[web->circle_count++] = pp_vec(-fall * out.x, -fall * out.y, 1.0);
         if (!far)
-            add_seams(web, sight, pp_scale(out, 1.0 / away));
+            add_seams(web, sight, pp_vec_scale(out, 1.0 / away));
     }
 }
 
@@ -425,7 +430,7 @@ struct pp_meridian_sums pp_meridians(const struct pp_world *world,
                           .outer = shape_of(&opening->outer, receiver->position),
                           .relative_error = relative_error};
     struct pp_meridian_sums sums = {0.0, 0.0};
-    if (!(pp_dot(opening->inner.normal, sight.inner.corners[0]) < 0.0))
+    if (!(pp_vec_dot(opening->inner.normal, sight.inner.corners[0]) < 0.0))
         return sums;
     for (int i = 0; i < world->surface_count && sight.shape_count < SHAPES; i++) {
         const struct pp_surface *surface = &world->surfaces[i];
@@ -433,7 +438,7 @@ struct pp_meridian_sums pp_meridians(const struct pp_world *world,
             continue;
         struct shape *shape = &sight.shapes[sight.shape_count++];
         *shape = shape_of(&surface->outline, receiver->position);
-        bool front = pp_dot(surface->outline.normal, shape->corners[0]) < 0.0;
+        bool front = pp_vec_dot(surface->outline.normal, shape->corners[0]) < 0.0;
         shape->reflectance = front ? surface->front : surface->back;
         shape->exitance = surface->exitance;
         sight.colours = sight.colours

@@ -7,8 +7,8 @@
  * between the azimuths of all corners. Nothing is clipped, projected or overlaid, and
  * nothing of methods/ is used.
  */
-#ifndef PP_TESTS_MERIDIANS_H
-#define PP_TESTS_MERIDIANS_H
+#ifndef PP_TESTS_LIB_MERIDIANS_H
+#define PP_TESTS_LIB_MERIDIANS_H
 
 #include "model/room/world.h"
 

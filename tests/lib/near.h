@@ -1,6 +1,6 @@
 /* near.h - what every test of a number needs, with cmocka and its many headers. */
-#ifndef PP_TESTS_NEAR_H
-#define PP_TESTS_NEAR_H
+#ifndef PP_TESTS_LIB_NEAR_H
+#define PP_TESTS_LIB_NEAR_H
 
 #include <setjmp.h>
 #include <stdarg.h>

@@ -1,7 +1,7 @@
 /* random_rooms.h - box rooms with windows all round, and their sky components by
  * quadrature: a second, independent route, written for the tests. */
-#ifndef PP_TESTS_RANDOM_ROOMS_H
-#define PP_TESTS_RANDOM_ROOMS_H
+#ifndef PP_TESTS_LIB_RANDOM_ROOMS_H
+#define PP_TESTS_LIB_RANDOM_ROOMS_H
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -74,11 +74,11 @@ static inline double pp_test_sky_from(const struct pp_world *world,
                                       const struct pp_receiver *receiver,
                                       struct pp_vec3 point)
 {
-    struct pp_vec3 v = pp_sub(point, receiver->position);
-    double r = pp_length(v);
-    struct pp_vec3 u = pp_scale(v, 1.0 / r);
-    double facing = pp_dot(receiver->normal, u);
-    double cosine = -pp_dot(opening->inner.normal, u);
+    struct pp_vec3 v = pp_vec_sub(point, receiver->position);
+    double r = pp_vec_length(v);
+    struct pp_vec3 u = pp_vec_scale(v, 1.0 / r);
+    double facing = pp_vec_dot(receiver->normal, u);
+    double cosine = -pp_vec_dot(opening->inner.normal, u);
     if (!(facing > 0.0 && cosine > 0.0))
         return 0.0;
     return pp_sky_luminance(&world->sky, u) * facing * cosine / (r * r)
@@ -115,14 +115,14 @@ static inline double pp_test_sky_component(const struct pp_world *world,
         struct pp_vec3 a = pp_vec(high.x - low.x, flat ? 0.0 : high.y - low.y, 0.0);
         struct pp_vec3 b =
             flat ? pp_vec(0.0, high.y - low.y, 0.0) : pp_vec(0.0, 0.0, high.z - low.z);
-        double scale = pp_length(a) * pp_length(b) / (PANELS * PANELS);
+        double scale = pp_vec_length(a) * pp_vec_length(b) / (PANELS * PANELS);
         for (int i = 0; i < PANELS * 6; i++)
             for (int j = 0; j < PANELS * 6; j++) {
                 double s = (i / 6 + node[i % 6]) / PANELS;
                 double t = (j / 6 + node[j % 6]) / PANELS;
                 sum += scale * weight[i % 6] * weight[j % 6]
                        * pp_test_sky_from(world, opening, receiver,
-                                          pp_along(pp_along(low, s, a), t, b));
+                                          pp_vec_along(pp_vec_along(low, s, a), t, b));
             }
     }
     return sum;

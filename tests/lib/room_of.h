@@ -1,10 +1,10 @@
 /* room_of.h - a world out of a string, for tests. */
-#ifndef PP_TESTS_ROOM_OF_H
-#define PP_TESTS_ROOM_OF_H
+#ifndef PP_TESTS_LIB_ROOM_OF_H
+#define PP_TESTS_LIB_ROOM_OF_H
 
 #include <stdio.h>
 
-#include "model/room/room.h"
+#include "model/room/building.h"
 #include "tests/lib/near.h"
 
 /* The world of the first room in the file's text, and what is wrong with it; NULL where

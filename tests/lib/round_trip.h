@@ -1,7 +1,7 @@
 /* round_trip.h - every room of examples/ written as a Radiance scene, read back, and
  * its daylight factors there beside the tracer's of the room itself. */
-#ifndef PP_TESTS_ROUND_TRIP_H
-#define PP_TESTS_ROUND_TRIP_H
+#ifndef PP_TESTS_LIB_ROUND_TRIP_H
+#define PP_TESTS_LIB_ROUND_TRIP_H
 
 #include <glob.h>
 #include <stdio.h>
@@ -38,7 +38,7 @@ static inline void pp_test_sense(const struct pp_world *world, double error,
     struct pp_light_scene *scene;
     struct pp_error err = {0};
     assert_int_equal(pp_rad_room_create(&room, world, 1.0, false, &err), PP_OK);
-    assert_int_equal(pp_rad_writer_create(&writer, &room.scene, &err), PP_OK);
+    assert_int_equal(pp_rad_write_create(&writer, &room.scene, &err), PP_OK);
     char *text = NULL;
     size_t length = 0;
     FILE *out = open_memstream(&text, &length);
@@ -46,9 +46,9 @@ static inline void pp_test_sense(const struct pp_world *world, double error,
     pp_rad_write_materials(writer, out);
     pp_rad_write_shapes(writer, "shape", 0, room.scene.shape_count, out);
     fclose(out);
-    pp_rad_writer_destroy(writer);
+    pp_rad_write_destroy(writer);
     pp_rad_room_clear(&room);
-    assert_int_equal(pp_rad_parse(&back, &summary, text, length, "back.rad", &err),
+    assert_int_equal(pp_rad_read_bytes(&back, &summary, text, length, "back.rad", &err),
                      PP_OK);
     free(text);
     assert_int_equal(pp_light_scene_of_description(&scene, &back, &err), PP_OK);

@@ -2,8 +2,8 @@
  * other: slow and plain, for tests of what is worked out with care elsewhere. It shares
  * nothing with methods/ or simulate/.
  */
-#ifndef PP_TESTS_SIGHT_H
-#define PP_TESTS_SIGHT_H
+#ifndef PP_TESTS_LIB_SIGHT_H
+#define PP_TESTS_LIB_SIGHT_H
 
 #include <math.h>
 
@@ -32,11 +32,12 @@ static inline bool sight_within(const struct pp_polygon *polygon, struct pp_vec3
 static inline double sight_meets(const struct pp_polygon *polygon, struct pp_vec3 eye,
                                  struct pp_vec3 u)
 {
-    double slope = pp_dot(u, polygon->normal);
+    double slope = pp_vec_dot(u, polygon->normal);
     if (fabs(slope) < 1e-12)
         return -1.0;
-    double t = pp_dot(pp_sub(polygon->vertices[0], eye), polygon->normal) / slope;
-    return t > 1e-7 && sight_within(polygon, pp_along(eye, t, u)) ? t : -1.0;
+    double t =
+        pp_vec_dot(pp_vec_sub(polygon->vertices[0], eye), polygon->normal) / slope;
+    return t > 1e-7 && sight_within(polygon, pp_vec_along(eye, t, u)) ? t : -1.0;
 }
 
 /* Is the sky hidden by a skyline of that face, for who looks from eye along u? */
@@ -48,8 +49,8 @@ static inline bool sight_skyline(const struct pp_world *world, int face,
         if (line->face != face)
             continue;
         const struct pp_polygon *wall = &world->surfaces[face].outline;
-        double out = -pp_dot(u, wall->normal);
-        double from = -pp_dot(pp_sub(eye, wall->vertices[0]), wall->normal);
+        double out = -pp_vec_dot(u, wall->normal);
+        double from = -pp_vec_dot(pp_vec_sub(eye, wall->vertices[0]), wall->normal);
         if (isinf(line->distance_m)) {
             if (u.z < out * tan(line->angle_rad))
                 return true;
@@ -81,7 +82,7 @@ static inline bool sight_sees_sky(const struct pp_world *world, struct pp_vec3 e
         bool open = false;
         for (int k = 0; k < world->opening_count && own < 0 && !open; k++)
             open = world->openings[k].face == i
-                   && sight_within(&world->openings[k].inner, pp_along(eye, t, u));
+                   && sight_within(&world->openings[k].inner, pp_vec_along(eye, t, u));
         if (!open)
             return false;
         through = through < 0 ? i : through;
@@ -102,8 +103,8 @@ static inline double sight_sky_factor(const struct pp_world *world, struct pp_ve
         const struct pp_polygon *outline = &opening->outer;
         double low[2] = {INFINITY, INFINITY}, high[2] = {-INFINITY, -INFINITY};
         for (int i = 0; i < outline->count; i++) {
-            struct pp_vec3 v = pp_sub(outline->vertices[i], outline->vertices[0]);
-            double at[2] = {pp_dot(v, opening->along), pp_dot(v, opening->up)};
+            struct pp_vec3 v = pp_vec_sub(outline->vertices[i], outline->vertices[0]);
+            double at[2] = {pp_vec_dot(v, opening->along), pp_vec_dot(v, opening->up)};
             for (int c = 0; c < 2; c++) {
                 low[c] = fmin(low[c], at[c]);
                 high[c] = fmax(high[c], at[c]);
@@ -111,13 +112,14 @@ static inline double sight_sky_factor(const struct pp_world *world, struct pp_ve
         }
         double step[2] = {(high[0] - low[0]) / n, (high[1] - low[1]) / (4 * n)};
         for (int i = 0; i < 4 * n * n && !(at_all && sum > 0.0); i++) {
-            struct pp_vec3 p = pp_along(
+            struct pp_vec3 p = pp_vec_along(
                 outline->vertices[0], low[0] + (i % n + 0.5) * step[0], opening->along);
-            p = pp_along(p, low[1] + (i / n + 0.5) * step[1], opening->up);
-            struct pp_vec3 way = pp_sub(p, eye);
-            double r = pp_length(way), cosine = -pp_dot(way, outline->normal) / r;
+            p = pp_vec_along(p, low[1] + (i / n + 0.5) * step[1], opening->up);
+            struct pp_vec3 way = pp_vec_sub(p, eye);
+            double r = pp_vec_length(way),
+                   cosine = -pp_vec_dot(way, outline->normal) / r;
             if (cosine <= 0.0 || way.z <= 0.0 || !sight_within(outline, p)
-                || !sight_sees_sky(world, eye, pp_scale(way, 1.0 / r), -1))
+                || !sight_sees_sky(world, eye, pp_vec_scale(way, 1.0 / r), -1))
                 continue;
             sum += way.z / r * cosine * step[0] * step[1] / (r * r);
         }
@@ -139,8 +141,8 @@ static inline double sight_vertical_sky(const struct pp_world *world,
             double altitude = (i + 0.5) * step;
             double azimuth = (k + 0.5) * step - PP_PI / 2.0;
             struct pp_vec3 level =
-                pp_along(pp_scale(normal, cos(azimuth)), sin(azimuth), across);
-            struct pp_vec3 u = pp_scale(level, cos(altitude));
+                pp_vec_along(pp_vec_scale(normal, cos(azimuth)), sin(azimuth), across);
+            struct pp_vec3 u = pp_vec_scale(level, cos(altitude));
             u.z = sin(altitude);
             if (sight_sees_sky(world, eye, u, own))
                 sum += (1.0 + 2.0 * sin(altitude)) / 3.0 * cos(altitude) * cos(azimuth)

@@ -1,6 +1,6 @@
 /* traced.h - a room traced to the end, for tests. */
-#ifndef PP_TESTS_TRACED_H
-#define PP_TESTS_TRACED_H
+#ifndef PP_TESTS_LIB_TRACED_H
+#define PP_TESTS_LIB_TRACED_H
 
 #include <stdlib.h>
 
@@ -10,7 +10,7 @@
 static inline struct pp_receiver pp_test_receiver(double x, double y, double z,
                                                   double nx, double ny, double nz)
 {
-    return (struct pp_receiver){{x, y, z}, pp_unit(pp_vec(nx, ny, nz)), 0};
+    return (struct pp_receiver){{x, y, z}, pp_vec_unit(pp_vec(nx, ny, nz)), 0};
 }
 
 /* Everything read of `count` receivers, and of the average behind them where options

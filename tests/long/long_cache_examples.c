@@ -15,9 +15,9 @@ static void read_all(const struct pp_world *world, struct pp_reading (*readings)
     struct pp_irradiance_cache *cache = NULL;
     struct pp_cached_points *points = NULL;
     const struct pp_radiance_options light = pp_cached_points_light();
-    const struct pp_cache_options options = pp_cache_defaults();
+    const struct pp_cache_options options = pp_irradiance_cache_defaults();
     const struct pp_cached_options wanted = {.error = 0.002, .seed = 1};
-    assert_int_equal(pp_light_scene_of_matt_world(&scene, world, NULL), PP_OK);
+    assert_int_equal(pp_light_scene_of_world_matt(&scene, world, NULL), PP_OK);
     assert_int_equal(pp_window_store_create(&store, scene, 1, 0, NULL), PP_OK);
     assert_int_equal(
         pp_irradiance_cache_create(&cache, scene, store, &light, &options, NULL),

@@ -1,6 +1,6 @@
 /* test_average_df.c - the average daylight factor formula. */
 #include "methods/reflected/interior.h"
-#include "methods/methods.h"
+#include "methods/method_entries.h"
 
 #include "tests/lib/near.h"
 
@@ -78,7 +78,7 @@ static void older_form_is_over_all_surfaces(void **state)
     build_worked_room(&box);
     box_room_skyline(&box, 25.0 * PP_RAD, 1.65, INFINITY);
     assert_near(100.0 * value_of(&pp_method_average_df_lynes, &box, 0), 2.0379, 2e-4);
-    double R = pp_inside_all(&box.world).reflectance, M = 0.9;
+    double R = pp_interior_all(&box.world).reflectance, M = 0.9;
     assert_near(R, 0.45778, 5e-6); /* as printed */
     assert_relative(value_of(&pp_method_average_df_lynes, &box, 0),
                     (1 + R) / 2 / M * average_df_of(&box, 0), 1e-14);

@@ -1,6 +1,6 @@
 /* test_brs_table.c - the BRS simplified daylight table and what is drawn to read it. */
 #include "methods/brs_table.h"
-#include "methods/methods.h"
+#include "methods/method_entries.h"
 
 #include <stdio.h>
 
@@ -205,7 +205,7 @@ static void a_wide_block_hides_as_a_skyline_of_its_height(void **state)
     struct pp_surface surfaces[BOX_FACES + 1];
     memcpy(surfaces, box.surfaces, sizeof box.surfaces);
     surfaces[BOX_FACES] = (struct pp_surface){.outline = box_polygon(fence),
-                                              .role = PP_LOOSE,
+                                              .role = PP_FREE_SURFACE,
                                               .front = 0.7,
                                               .back = 0.2,
                                               .owner = -1};

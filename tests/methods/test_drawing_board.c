@@ -1,6 +1,6 @@
 /* test_drawing_board.c - `waldram` and `pepper-pot` in rooms: squares and dots against
  * the exact direct component. */
-#include "methods/methods.h"
+#include "methods/method_entries.h"
 #include "methods/waldram/waldram_squares.h"
 #include "methods/view/window_drawing.h"
 #include "methods/allowance.h"
@@ -51,7 +51,7 @@ static struct pp_part areas(const struct pp_world *world,
 {
     struct pp_part sum = {0};
     struct pp_waldram waldram;
-    assert_int_equal(pp_waldram_make(&waldram, &world->sky, glazed, NULL), PP_OK);
+    assert_int_equal(pp_waldram_scale_init(&waldram, &world->sky, glazed, NULL), PP_OK);
     for (int i = 0; i < world->opening_count; i++) {
         struct pp_window_drawing drawing;
         assert_int_equal(pp_window_drawing_create(&drawing, world, &world->openings[i],
@@ -59,7 +59,7 @@ static struct pp_part areas(const struct pp_world *world,
                          PP_OK);
         for (int k = 0; k < drawing.count; k++) {
             const struct pp_drawn_part *part = &drawing.parts[k];
-            double area = pp_waldram_area(&waldram, &drawing.axes, &part->region);
+            double area = pp_waldram_scale_area(&waldram, &drawing.axes, &part->region);
             *(part->hidden ? &sum.external : &sum.sky) += part->factor * area;
         }
         pp_window_drawing_clear(&drawing);

@@ -390,21 +390,21 @@ static void unknown_names_are_answered_with_the_known_ones(void **state)
 {
     (void)state;
     struct pp_error err;
-    assert_int_equal(pp_methods_check("exact+bre,exat", &err), PP_BAD_INPUT);
+    assert_int_equal(pp_selection_check("exact+bre,exat", &err), PP_BAD_INPUT);
     assert_non_null(strstr(err.message, "\"exat\""));
     assert_non_null(strstr(err.message, "did you mean \"exact\"?"));
     assert_non_null(strstr(err.message, "brs-table"));
-    assert_int_equal(pp_methods_check("exact+split-fluxx", &err), PP_BAD_INPUT);
+    assert_int_equal(pp_selection_check("exact+split-fluxx", &err), PP_BAD_INPUT);
     assert_non_null(strstr(err.message, "\"split-flux\"?"));
-    assert_int_equal(pp_methods_check("", &err), PP_BAD_INPUT);
-    assert_int_equal(pp_methods_check("exact,,bre", &err), PP_BAD_INPUT);
-    assert_int_equal(pp_methods_check("bre+exact", &err), PP_BAD_INPUT);
+    assert_int_equal(pp_selection_check("", &err), PP_BAD_INPUT);
+    assert_int_equal(pp_selection_check("exact,,bre", &err), PP_BAD_INPUT);
+    assert_int_equal(pp_selection_check("bre+exact", &err), PP_BAD_INPUT);
     assert_non_null(strstr(err.message, "direct"));
-    assert_int_equal(pp_methods_check("exact+average-df", &err), PP_BAD_INPUT);
+    assert_int_equal(pp_selection_check("exact+average-df", &err), PP_BAD_INPUT);
     assert_non_null(strstr(err.message, "internally reflected"));
-    assert_int_equal(pp_methods_check("exact+bre+bre", &err), PP_BAD_INPUT);
-    assert_int_equal(pp_methods_check("default, all", &err), PP_OK);
-    assert_int_equal(pp_methods_check(NULL, &err), PP_OK);
+    assert_int_equal(pp_selection_check("exact+bre+bre", &err), PP_BAD_INPUT);
+    assert_int_equal(pp_selection_check("default, all", &err), PP_OK);
+    assert_int_equal(pp_selection_check(NULL, &err), PP_OK);
 }
 
 static void all_is_every_direct_with_bre_and_exact_with_every_internal(void **state)
@@ -430,7 +430,7 @@ static void all_is_every_direct_with_bre_and_exact_with_every_internal(void **st
 /* The value of the last step with that symbol. */
 static double value_called(const struct pp_steps *steps, const char *symbol)
 {
-    const struct pp_step *step = pp_steps_find(steps, 0, symbol);
+    const struct pp_calculation_step *step = pp_steps_find(steps, 0, symbol);
     if (!step)
         fail_msg("no step is called %s", symbol);
     return step->value;

@@ -50,13 +50,13 @@ static enum pp_status find_crossings(struct pp_field *field, double level,
     if (status != PP_OK)
         return status;
     int had = field->end_room;
-    status = pp_field_need_room((void **)&field->ends, &field->end_room,
-                                field->mesh.edge_count, sizeof *field->ends, err);
+    status = pp_field_reserve((void **)&field->ends, &field->end_room,
+                              field->mesh.edge_count, sizeof *field->ends, err);
     if (status != PP_OK)
         return status;
     memset(field->ends + had, 0, (size_t)(field->end_room - had) * sizeof *field->ends);
     for (int t = 0; t < field->mesh.triangle_count && status == PP_OK; t++)
-        status = pp_field_cross(field, t, err);
+        status = pp_level_crossing_follow(field, t, err);
     return status;
 }
 
@@ -90,8 +90,8 @@ static enum pp_status join(struct pp_field *field, int first, struct pp_curve *c
     return PP_OK;
 }
 
-enum pp_status pp_field_trace(struct pp_field *field, double level,
-                              struct pp_curves *curves, struct pp_error *err)
+enum pp_status pp_contour_trace(struct pp_field *field, double level,
+                                struct pp_curve_list *curves, struct pp_error *err)
 {
     enum pp_status status = find_crossings(field, level, err);
     for (int pass = 0; pass < 2; pass++)
@@ -103,24 +103,24 @@ enum pp_status pp_field_trace(struct pp_field *field, double level,
             struct pp_curve curve;
             status = join(field, i, &curve, err);
             if (status == PP_OK)
-                status = pp_curves_add(curves, curve, err);
+                status = pp_curve_list_add(curves, curve, err);
         }
     return status;
 }
 
-enum pp_status pp_field_contour(struct pp_field *field, double level,
-                                struct pp_curves *curves, struct pp_error *err)
+enum pp_status pp_contour_curves(struct pp_field *field, double level,
+                                 struct pp_curve_list *curves, struct pp_error *err)
 {
-    struct pp_curves all = {0};
-    enum pp_status status = pp_field_trace(field, level, &all, err);
+    struct pp_curve_list all = {0};
+    enum pp_status status = pp_contour_trace(field, level, &all, err);
     for (int i = 0; i < all.count; i++) {
         struct pp_curve *curve = &all.list[i];
         if (status != PP_OK || curve->count < (curve->closed ? 3 : 2)
             || pp_curve_length(curve) < 2.0 * field->tolerance)
             continue;
-        status = pp_curves_add(curves, *curve, err);
+        status = pp_curve_list_add(curves, *curve, err);
         curve->xy = 0;
     }
-    pp_curves_clear(&all);
+    pp_curve_list_clear(&all);
     return status;
 }

@@ -13,8 +13,8 @@
  * The function is evaluated inside the figure and on its edge, nowhere else, and never
  * twice at a corner. It need not be smooth: of a step, the curve is where it jumps.
  */
-#ifndef PP_METHODS_CONTOUR_H
-#define PP_METHODS_CONTOUR_H
+#ifndef PP_MODEL_GEOMETRY_CONTOUR_CONTOUR_H
+#define PP_MODEL_GEOMETRY_CONTOUR_CONTOUR_H
 
 #include "model/geometry/curve.h"
 #include "model/base/error.h"
@@ -45,12 +45,12 @@ long pp_field_evaluations(const struct pp_field *field);
 /* Adds the curves of one level to curves (zeroed at first), each with higher values on
  * its left; "higher" is greater than the level, all else is lower. Ends of open curves
  * lie on the figure's edge. */
-enum pp_status pp_field_contour(struct pp_field *field, double level,
-                                struct pp_curves *curves, struct pp_error *err);
+enum pp_status pp_contour_curves(struct pp_field *field, double level,
+                                 struct pp_curve_list *curves, struct pp_error *err);
 
 /* Adds the outlines of the part of the figure where the function is not higher than the
  * level: closed, outer ones counter-clockwise, holes clockwise. */
-enum pp_status pp_field_below(struct pp_field *field, double level,
-                              struct pp_curves *outlines, struct pp_error *err);
+enum pp_status pp_contour_below(struct pp_field *field, double level,
+                                struct pp_curve_list *outlines, struct pp_error *err);
 
 #endif

@@ -8,7 +8,7 @@
 #include "model/geometry/contour/field.h"
 
 /* Where on the figure's edge a curve begins or ends. */
-struct landing {
+struct boundary_end {
     int ring;
     double along; /* the ring, from its first point: segment number + share of it */
     int curve;
@@ -16,7 +16,7 @@ struct landing {
 };
 
 static void land(const struct pp_region *region, const double xy[2],
-                 struct landing *landing)
+                 struct boundary_end *landing)
 {
     double nearest = INFINITY;
     for (int r = 0; r < region->count; r++)
@@ -38,7 +38,7 @@ static void land(const struct pp_region *region, const double xy[2],
 
 static int compare_landings(const void *a, const void *b)
 {
-    const struct landing *p = a, *q = b;
+    const struct boundary_end *p = a, *q = b;
     if (p->ring != q->ring)
         return p->ring - q->ring;
     if (p->along != q->along)
@@ -47,7 +47,7 @@ static int compare_landings(const void *a, const void *b)
 }
 
 /* The first landing at or after a place on a ring, round and round; -1: none left. */
-static int next_landing(const struct landing *landings, int count, int ring,
+static int next_landing(const struct boundary_end *landings, int count, int ring,
                         double along)
 {
     int round = -1;
@@ -71,7 +71,7 @@ static enum pp_status add_arc(struct pp_curve *outline, int *room,
     if (to < from)
         last += ring->count;
     for (int i = first; i <= last; i++) {
-        enum pp_status status = pp_field_need_room(
+        enum pp_status status = pp_field_reserve(
             (void **)&outline->xy, room, outline->count, sizeof *outline->xy, err);
         if (status != PP_OK)
             return status;
@@ -85,7 +85,7 @@ static enum pp_status add_backwards(struct pp_curve *outline, int *room,
                                     const struct pp_curve *curve, struct pp_error *err)
 {
     for (int i = curve->count - 1; i >= 0; i--) {
-        enum pp_status status = pp_field_need_room(
+        enum pp_status status = pp_field_reserve(
             (void **)&outline->xy, room, outline->count, sizeof *outline->xy, err);
         if (status != PP_OK)
             return status;
@@ -97,9 +97,10 @@ static enum pp_status add_backwards(struct pp_curve *outline, int *room,
 /* One outline: along curves backwards, and where one lands on the figure's edge, along
  * that to the next. `ends` are the curves' ends (where they set out, backwards),
  * sorted; `first` is where to begin. */
-static enum pp_status walk(const struct pp_field *field, const struct pp_curves *curves,
-                           struct landing *ends, int end_count, int first,
-                           struct pp_curves *outlines, struct pp_error *err)
+static enum pp_status walk(const struct pp_field *field,
+                           const struct pp_curve_list *curves,
+                           struct boundary_end *ends, int end_count, int first,
+                           struct pp_curve_list *outlines, struct pp_error *err)
 {
     struct pp_curve outline = {.level = field->level, .closed = true};
     int room = 0;
@@ -108,7 +109,7 @@ static enum pp_status walk(const struct pp_field *field, const struct pp_curves 
         ends[i].taken = true;
         const struct pp_curve *curve = &curves->list[ends[i].curve];
         status = add_backwards(&outline, &room, curve, err);
-        struct landing landed = {0};
+        struct boundary_end landed = {0};
         land(&field->region, curve->xy[0], &landed);
         i = next_landing(ends, end_count, landed.ring, landed.along);
         if (i >= 0 && status == PP_OK)
@@ -119,10 +120,10 @@ static enum pp_status walk(const struct pp_field *field, const struct pp_curves 
         free(outline.xy);
         return status;
     }
-    return pp_curves_add(outlines, outline, err);
+    return pp_curve_list_add(outlines, outline, err);
 }
 
-static enum pp_status add_whole(struct pp_curves *outlines, double level,
+static enum pp_status add_whole(struct pp_curve_list *outlines, double level,
                                 const double (*xy)[2], int count, bool backwards,
                                 struct pp_error *err)
 {
@@ -134,15 +135,15 @@ static enum pp_status add_whole(struct pp_curves *outlines, double level,
         return pp_fail_memory(err);
     for (int i = 0; i < count; i++)
         memcpy(outline.xy[i], xy[backwards ? count - 1 - i : i], sizeof(double[2]));
-    return pp_curves_add(outlines, outline, err);
+    return pp_curve_list_add(outlines, outline, err);
 }
 
-enum pp_status pp_field_below(struct pp_field *field, double level,
-                              struct pp_curves *outlines, struct pp_error *err)
+enum pp_status pp_contour_below(struct pp_field *field, double level,
+                                struct pp_curve_list *outlines, struct pp_error *err)
 {
-    struct pp_curves curves = {0};
-    enum pp_status status = pp_field_trace(field, level, &curves, err);
-    struct landing *ends = calloc((size_t)curves.count + 1, sizeof *ends);
+    struct pp_curve_list curves = {0};
+    enum pp_status status = pp_contour_trace(field, level, &curves, err);
+    struct boundary_end *ends = calloc((size_t)curves.count + 1, sizeof *ends);
     if (!ends && status == PP_OK)
         status = pp_fail_memory(err);
 
@@ -178,6 +179,6 @@ enum pp_status pp_field_below(struct pp_field *field, double level,
                                ring->count, false, err);
     }
     free(ends);
-    pp_curves_clear(&curves);
+    pp_curve_list_clear(&curves);
     return status;
 }

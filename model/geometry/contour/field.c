@@ -10,8 +10,8 @@
  */
 #define FINE_EDGE 0.25
 
-enum pp_status pp_field_need_room(void **list, int *room, int count, size_t size,
-                                  struct pp_error *err)
+enum pp_status pp_field_reserve(void **list, int *room, int count, size_t size,
+                                struct pp_error *err)
 {
     if (count < *room)
         return PP_OK;
@@ -37,8 +37,8 @@ enum pp_status pp_field_evaluate(struct pp_field *field, const double xy[2],
 enum pp_status pp_field_fill(struct pp_field *field, struct pp_error *err)
 {
     enum pp_status status =
-        pp_field_need_room((void **)&field->values, &field->value_room,
-                           field->mesh.node_count, sizeof *field->values, err);
+        pp_field_reserve((void **)&field->values, &field->value_room,
+                         field->mesh.node_count, sizeof *field->values, err);
     while (field->value_count < field->mesh.node_count && status == PP_OK) {
         int node = field->value_count;
         status = pp_field_evaluate(field, field->mesh.nodes[node], &field->values[node],
@@ -126,7 +126,7 @@ void pp_field_destroy(struct pp_field *field)
     if (!field)
         return;
     pp_mesh_clear(&field->mesh);
-    pp_region_destroy(&field->region);
+    pp_region_clear(&field->region);
     free(field->values);
     free(field->ends);
     free(field->crossings);

@@ -1,7 +1,7 @@
 /* field.h - what the files of contour.h share: a field's insides.
  */
-#ifndef PP_METHODS_FIELD_H
-#define PP_METHODS_FIELD_H
+#ifndef PP_MODEL_GEOMETRY_CONTOUR_FIELD_H
+#define PP_MODEL_GEOMETRY_CONTOUR_FIELD_H
 
 #include <stddef.h>
 
@@ -44,8 +44,8 @@ struct pp_field {
 };
 
 /* Room for one more than count in a list that grows by doubling. */
-enum pp_status pp_field_need_room(void **list, int *room, int count, size_t size,
-                                  struct pp_error *err);
+enum pp_status pp_field_reserve(void **list, int *room, int count, size_t size,
+                                struct pp_error *err);
 
 enum pp_status pp_field_evaluate(struct pp_field *field, const double xy[2],
                                  double *value, struct pp_error *err);
@@ -54,11 +54,11 @@ enum pp_status pp_field_evaluate(struct pp_field *field, const double xy[2],
 enum pp_status pp_field_fill(struct pp_field *field, struct pp_error *err);
 
 /* Follows field.level across one triangle, if it crosses it, and notes the crossing. */
-enum pp_status pp_field_cross(struct pp_field *field, int triangle,
-                              struct pp_error *err);
+enum pp_status pp_level_crossing_follow(struct pp_field *field, int triangle,
+                                        struct pp_error *err);
 
 /* All curves of the level, open ones first, the least of them too. */
-enum pp_status pp_field_trace(struct pp_field *field, double level,
-                              struct pp_curves *curves, struct pp_error *err);
+enum pp_status pp_contour_trace(struct pp_field *field, double level,
+                                struct pp_curve_list *curves, struct pp_error *err);
 
 #endif

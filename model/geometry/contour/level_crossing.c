@@ -147,8 +147,8 @@ static enum pp_status add_between(struct pp_field *field, const double xy[2],
                                   struct pp_error *err)
 {
     enum pp_status status =
-        pp_field_need_room((void **)&field->between, &field->between_room,
-                           field->between_count, sizeof *field->between, err);
+        pp_field_reserve((void **)&field->between, &field->between_room,
+                         field->between_count, sizeof *field->between, err);
     if (status == PP_OK)
         memcpy(field->between[field->between_count++], xy, sizeof(double[2]));
     return status;
@@ -192,8 +192,8 @@ static enum pp_status end_on_edge(struct pp_field *field, int edge,
                       err);
 }
 
-enum pp_status pp_field_cross(struct pp_field *field, int triangle,
-                              struct pp_error *err)
+enum pp_status pp_level_crossing_follow(struct pp_field *field, int triangle,
+                                        struct pp_error *err)
 {
     const int *t = field->mesh.triangles[triangle];
     bool high[3];
@@ -219,9 +219,8 @@ enum pp_status pp_field_cross(struct pp_field *field, int triangle,
     if (status == PP_OK)
         status = end_on_edge(field, to, err);
     if (status == PP_OK)
-        status =
-            pp_field_need_room((void **)&field->crossings, &field->crossing_room,
-                               field->crossing_count, sizeof *field->crossings, err);
+        status = pp_field_reserve((void **)&field->crossings, &field->crossing_room,
+                                  field->crossing_count, sizeof *field->crossings, err);
     if (status != PP_OK)
         return status;
     int first = field->between_count;

@@ -145,7 +145,7 @@ enum pp_status pp_mesh_create(struct pp_mesh *mesh, const struct pp_region *regi
 {
     *mesh = (struct pp_mesh){0};
     struct pp_clipper *clipper;
-    enum pp_status status = pp_clipper_create(&clipper, err);
+    enum pp_status status = pp_region_clipper_create(&clipper, err);
     if (status != PP_OK)
         return status;
     double(*corners)[3][2] = 0;
@@ -155,7 +155,7 @@ enum pp_status pp_mesh_create(struct pp_mesh *mesh, const struct pp_region *regi
         if (!add_first(mesh, (const double(*)[2])corners[i]))
             status = pp_fail_memory(err);
     free(corners);
-    pp_clipper_destroy(clipper);
+    pp_region_clipper_destroy(clipper);
     if (status != PP_OK)
         pp_mesh_clear(mesh);
     return status;

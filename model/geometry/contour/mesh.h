@@ -6,8 +6,8 @@
  * neighbour is halved first (longest-edge propagation [RIV84]). Angles stay at least
  * half of the smallest at first.
  */
-#ifndef PP_METHODS_MESH_H
-#define PP_METHODS_MESH_H
+#ifndef PP_MODEL_GEOMETRY_CONTOUR_MESH_H
+#define PP_MODEL_GEOMETRY_CONTOUR_MESH_H
 
 #include <stdint.h>
 

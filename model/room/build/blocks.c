@@ -6,25 +6,26 @@
 #include "model/geometry/tolerance.h"
 
 /* A box's own axes: unit, right-handed, w up. */
-struct box {
+struct block_box {
     struct pp_vec3 corner, axes[3];
     double size[3];
 };
 
-static struct box box_of(const struct pp_block *block)
+static struct block_box box_of(const struct pp_block *block)
 {
     double c = cos(block->rotate_rad), s = sin(block->rotate_rad);
-    return (struct box){.corner = block->corner,
-                        .axes = {{c, s, 0.0}, {-s, c, 0.0}, {0.0, 0.0, 1.0}},
-                        .size = {block->width_m, block->depth_m, block->height_m}};
+    return (struct block_box){
+        .corner = block->corner,
+        .axes = {{c, s, 0.0}, {-s, c, 0.0}, {0.0, 0.0, 1.0}},
+        .size = {block->width_m, block->depth_m, block->height_m}};
 }
 
 /* The corner at 0 or 1 along each axis. */
-static struct pp_vec3 box_corner(const struct box *box, int u, int v, int w)
+static struct pp_vec3 box_corner(const struct block_box *box, int u, int v, int w)
 {
-    struct pp_vec3 p = pp_along(box->corner, u * box->size[0], box->axes[0]);
-    p = pp_along(p, v * box->size[1], box->axes[1]);
-    return pp_along(p, w * box->size[2], box->axes[2]);
+    struct pp_vec3 p = pp_vec_along(box->corner, u * box->size[0], box->axes[0]);
+    p = pp_vec_along(p, v * box->size[1], box->axes[1]);
+    return pp_vec_along(p, w * box->size[2], box->axes[2]);
 }
 
 /* ---- Does it stand clear? ---- */
@@ -37,19 +38,20 @@ static int clip(struct pp_vec3 *cut, const struct pp_vec3 *polygon, int count,
     int cut_count = 0;
     for (int i = 0; i < count; i++) {
         struct pp_vec3 p = polygon[i], q = polygon[(i + 1) % count];
-        double over_p = pp_dot(axis, pp_sub(p, origin)) - limit;
-        double over_q = pp_dot(axis, pp_sub(q, origin)) - limit;
+        double over_p = pp_vec_dot(axis, pp_vec_sub(p, origin)) - limit;
+        double over_q = pp_vec_dot(axis, pp_vec_sub(q, origin)) - limit;
         if (over_p <= 0.0)
             cut[cut_count++] = p;
         if ((over_p <= 0.0) != (over_q <= 0.0))
-            cut[cut_count++] = pp_along(p, over_p / (over_p - over_q), pp_sub(q, p));
+            cut[cut_count++] =
+                pp_vec_along(p, over_p / (over_p - over_q), pp_vec_sub(q, p));
     }
     return cut_count;
 }
 
 /* The polygon's area within the box, which is made smaller all round by what may
  * touch (m2). */
-static enum pp_status area_in_box(double *area_m2, const struct box *box,
+static enum pp_status area_in_box(double *area_m2, const struct block_box *box,
                                   const struct pp_polygon *polygon,
                                   struct pp_error *err)
 {
@@ -64,13 +66,13 @@ static enum pp_status area_in_box(double *area_m2, const struct box *box,
     for (int k = 0; k < 6 && count > 0; k++) {
         double sign = k % 2 ? 1.0 : -1.0;
         double limit = (k % 2 ? box->size[k / 2] : 0.0) - PP_ROUNDING_M;
-        count =
-            clip(to, from, count, box->corner, pp_scale(box->axes[k / 2], sign), limit);
+        count = clip(to, from, count, box->corner, pp_vec_scale(box->axes[k / 2], sign),
+                     limit);
         struct pp_vec3 *swap = from;
         from = to;
         to = swap;
     }
-    *area_m2 = count > 2 ? pp_length(pp_area_vector(from, count)) : 0.0;
+    *area_m2 = count > 2 ? pp_vec_length(pp_polygon_area_vector(from, count)) : 0.0;
     free(buffers);
     return PP_OK;
 }
@@ -78,14 +80,14 @@ static enum pp_status area_in_box(double *area_m2, const struct box *box,
 /* Notes a block that stands in the room or in an opening's depth; *clear if it does
  * neither. */
 static enum pp_status check_clear(bool *clear, struct pp_resolver *r,
-                                  const struct pp_block *block, const struct box *box,
-                                  struct pp_error *err)
+                                  const struct pp_block *block,
+                                  const struct block_box *box, struct pp_error *err)
 {
     const struct pp_world *world = r->world;
     struct pp_vec3 middle = box->corner;
     for (int k = 0; k < 3; k++)
-        middle = pp_along(middle, 0.5 * box->size[k], box->axes[k]);
-    bool overlaps = pp_world_contains(world, middle);
+        middle = pp_vec_along(middle, 0.5 * box->size[k], box->axes[k]);
+    bool overlaps = pp_position_in_room(world, middle);
     for (int i = 0; i < world->face_count && !overlaps; i++) {
         double area_m2 = 0.0;
         if (area_in_box(&area_m2, box, &world->surfaces[i].outline, err) != PP_OK)
@@ -94,10 +96,11 @@ static enum pp_status check_clear(bool *clear, struct pp_resolver *r,
     }
     *clear = !overlaps;
     if (overlaps) {
-        pp_mistake(r->mistakes, block->line,
-                   "block: overlaps the room; expected it outside (x %g, y %g, base %g "
-                   "is its lower corner, about which it is turned)",
-                   block->corner.x, block->corner.y, block->corner.z);
+        pp_mistakes_add(
+            r->mistakes, block->line,
+            "block: overlaps the room; expected it outside (x %g, y %g, base %g "
+            "is its lower corner, about which it is turned)",
+            block->corner.x, block->corner.y, block->corner.z);
         return PP_OK;
     }
     for (int i = 0; i < world->opening_count; i++) {
@@ -108,10 +111,11 @@ static enum pp_status check_clear(bool *clear, struct pp_resolver *r,
         if (!(area_m2 > PP_ROUNDING_M))
             continue;
         *clear = false;
-        pp_mistake(r->mistakes, block->line,
-                   "block: stands in the depth of the opening of line %d; expected it "
-                   "outside the glass",
-                   opening->line);
+        pp_mistakes_add(
+            r->mistakes, block->line,
+            "block: stands in the depth of the opening of line %d; expected it "
+            "outside the glass",
+            opening->line);
     }
     return PP_OK;
 }
@@ -121,23 +125,23 @@ static enum pp_status check_clear(bool *clear, struct pp_resolver *r,
 /* A side flush with a face of the room is set back into the block. */
 static void set_off(const struct pp_world *world, struct pp_vec3 *side)
 {
-    struct pp_vec3 area = pp_area_vector(side, 4);
-    struct pp_vec3 normal = pp_unit(area);
+    struct pp_vec3 area = pp_polygon_area_vector(side, 4);
+    struct pp_vec3 normal = pp_vec_unit(area);
     for (int i = 0; i < world->face_count; i++) {
         const struct pp_polygon *face = &world->surfaces[i].outline;
         double farthest = 0.0;
         for (int k = 0; k < 4; k++)
             farthest = fmax(farthest, fabs(pp_polygon_height(face, side[k])));
-        if (farthest >= PP_SET_OFF_M || pp_dot(normal, face->normal) < 0.0)
+        if (farthest >= PP_SET_OFF_M || pp_vec_dot(normal, face->normal) < 0.0)
             continue;
         for (int k = 0; k < 4; k++)
-            side[k] = pp_along(side[k], -PP_SET_OFF_M, normal);
+            side[k] = pp_vec_along(side[k], -PP_SET_OFF_M, normal);
         return;
     }
 }
 
-static enum pp_status add_sides(struct pp_resolver *r, int index, const struct box *box,
-                                struct pp_error *err)
+static enum pp_status add_sides(struct pp_resolver *r, int index,
+                                const struct block_box *box, struct pp_error *err)
 {
     /* Corners by the bits of u, v, w; each side counter-clockwise seen from outside. */
     static const int sides[6][4][3] = {
@@ -176,7 +180,7 @@ static bool is_read(const struct pp_block *block)
            && isfinite(block->depth_m) && isfinite(block->height_m);
 }
 
-enum pp_status pp_resolve_blocks(struct pp_resolver *r, struct pp_error *err)
+enum pp_status pp_build_blocks(struct pp_resolver *r, struct pp_error *err)
 {
     const struct pp_room *room = r->room;
     struct pp_world *world = r->world;
@@ -188,7 +192,7 @@ enum pp_status pp_resolve_blocks(struct pp_resolver *r, struct pp_error *err)
         const struct pp_block *block = &room->blocks[i];
         if (!is_read(block))
             continue;
-        struct box box = box_of(block);
+        struct block_box box = box_of(block);
         bool clear = true;
         if (r->closed && check_clear(&clear, r, block, &box, err) != PP_OK)
             return PP_SYSTEM;

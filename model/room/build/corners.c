@@ -40,7 +40,7 @@ static int point_number(struct cubes *cubes, struct pp_vec3 p)
             for (double z = low[2]; z <= high[2]; z++)
                 for (int i = cubes->first[bucket_of(cubes, x, y, z)]; i >= 0;
                      i = cubes->next[i])
-                    if (pp_length(pp_sub(cubes->points[i], p)) < PP_SAME_M)
+                    if (pp_vec_length(pp_vec_sub(cubes->points[i], p)) < PP_SAME_M)
                         return i;
     unsigned bucket =
         bucket_of(cubes, floor(p.x / cube_m), floor(p.y / cube_m), floor(p.z / cube_m));
@@ -51,7 +51,7 @@ static int point_number(struct cubes *cubes, struct pp_vec3 p)
     return number;
 }
 
-enum pp_status pp_resolve_corners(struct pp_resolver *r, struct pp_error *err)
+enum pp_status pp_build_corners(struct pp_resolver *r, struct pp_error *err)
 {
     struct pp_world *world = r->world;
     int corner_count = 0;

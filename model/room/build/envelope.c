@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "model/base/names.h"
+#include "model/base/text.h"
 #include "model/room/build/resolve.h"
 #include "model/geometry/tolerance.h"
 
@@ -30,37 +30,37 @@ static enum pp_status make_wall_list(struct pp_resolver *r, int most,
 }
 
 /* A reflectance, and the finish where it was given by one. */
-struct coat {
+struct face_finish {
     double reflectance;
     const struct pp_finish *finish;
 };
 
 /* A wall's own if the file gives one, else that of all walls. */
-static struct coat wall_coat(const struct pp_room *room, const char *name)
+static struct face_finish wall_coat(const struct pp_room *room, const char *name)
 {
     for (int i = 0; i < room->finish_count; i++)
         if (room->finishes[i].wall && name && strcmp(room->finishes[i].wall, name) == 0)
-            return (struct coat){room->finishes[i].reflectance,
-                                 room->finishes[i].finish};
-    return (struct coat){room->walls, room->walls_finish};
+            return (struct face_finish){room->finishes[i].reflectance,
+                                        room->finishes[i].finish};
+    return (struct face_finish){room->walls, room->walls_finish};
 }
 
 /* That of a face of the role. */
-static struct coat coat_of(const struct pp_room *room, enum pp_role role,
-                           const char *name)
+static struct face_finish coat_of(const struct pp_room *room, enum pp_role role,
+                                  const char *name)
 {
     if (role == PP_WALL)
         return wall_coat(room, name);
     if (role == PP_FLOOR)
-        return (struct coat){room->floor, room->floor_finish};
-    return (struct coat){room->ceiling, room->ceiling_finish};
+        return (struct face_finish){room->floor, room->floor_finish};
+    return (struct face_finish){room->ceiling, room->ceiling_finish};
 }
 
-static struct coat face_coat(const struct pp_room *room,
-                             const struct pp_face_part *face)
+static struct face_finish face_coat(const struct pp_room *room,
+                                    const struct pp_face_part *face)
 {
     if (!isnan(face->reflectance))
-        return (struct coat){face->reflectance, face->finish};
+        return (struct face_finish){face->reflectance, face->finish};
     return coat_of(room, face->role, face->name);
 }
 
@@ -71,18 +71,18 @@ static bool is_second_wall(struct pp_resolver *r, const struct pp_face_part *wal
         if (face->role == PP_WALL && face->name
             && strcmp(face->name, wall->name) == 0) {
             char name[64];
-            pp_mistake(
+            pp_mistakes_add(
                 r->mistakes, wall->line,
                 "face: a second wall \"%s\", after that of line %d; expected a name "
                 "of its own for every wall",
-                pp_excerpt(name, sizeof name, wall->name), face->line);
+                pp_text_excerpt(name, sizeof name, wall->name), face->line);
             return true;
         }
     return false;
 }
 
 static enum pp_status add_face(struct pp_resolver *r, enum pp_role role,
-                               const char *name, struct coat coat, int line,
+                               const char *name, struct face_finish coat, int line,
                                const struct pp_vec3 *vertices, int count,
                                struct pp_error *err)
 {
@@ -148,10 +148,11 @@ static enum pp_status resolve_rectangle(struct pp_resolver *r, struct pp_error *
         return PP_OK;
     if (plan->width_m < PP_SAME_M || plan->depth_m < PP_SAME_M
         || plan->height_m < PP_SAME_M) {
-        pp_mistake(r->mistakes, plan->line,
-                   "plan: is %g m wide, %g m deep and %g m high; expected 1 mm or more "
-                   "each way",
-                   plan->width_m, plan->depth_m, plan->height_m);
+        pp_mistakes_add(
+            r->mistakes, plan->line,
+            "plan: is %g m wide, %g m deep and %g m high; expected 1 mm or more "
+            "each way",
+            plan->width_m, plan->depth_m, plan->height_m);
         return PP_OK;
     }
     struct pp_vec3 ring[4] = {{0.0, 0.0, 0.0},
@@ -173,21 +174,22 @@ static enum pp_status resolve_plan(struct pp_resolver *r, struct pp_error *err)
         if (name_wall(r, name, -1, err) != PP_OK)
             return PP_SYSTEM;
     }
-    bool good = pp_resolve_good_outline(r, "plan", plan->line, &plan->vertices);
+    bool good = pp_build_outline_is_good(r, "plan", plan->line, &plan->vertices);
     if (isfinite(plan->height_m) && plan->height_m < PP_SAME_M) {
-        pp_mistake(r->mistakes, plan->line, "plan: is %g m high; expected 1 mm or more",
-                   plan->height_m);
+        pp_mistakes_add(r->mistakes, plan->line,
+                        "plan: is %g m high; expected 1 mm or more", plan->height_m);
         good = false;
     }
     if (!good || !isfinite(plan->height_m))
         return PP_OK;
     const struct pp_vec3 *ring = plan->vertices.list;
-    if (pp_area_vector(ring, count).z > 0.0)
+    if (pp_polygon_area_vector(ring, count).z > 0.0)
         return raise_plan(r, ring, count, false, err);
 
     /* Go on with the plan turned round, to find what else is wrong. */
-    pp_mistake(r->mistakes, plan->line,
-               "plan: turns clockwise seen from above; expected counter-clockwise");
+    pp_mistakes_add(
+        r->mistakes, plan->line,
+        "plan: turns clockwise seen from above; expected counter-clockwise");
     struct pp_vec3 *turned = malloc(count * sizeof *turned);
     if (!turned)
         return pp_fail_memory(err);
@@ -208,9 +210,9 @@ static enum pp_status resolve_faces(struct pp_resolver *r, struct pp_error *err)
         const struct pp_face_part *part = &plan->faces[i];
         char what[96], name[64];
         snprintf(what, sizeof what, "face \"%s\"",
-                 pp_excerpt(name, sizeof name, part->name ? part->name : ""));
-        bool good = pp_resolve_good_outline(r, part->name ? what : "face", part->line,
-                                            &part->vertices);
+                 pp_text_excerpt(name, sizeof name, part->name ? part->name : ""));
+        bool good = pp_build_outline_is_good(r, part->name ? what : "face", part->line,
+                                             &part->vertices);
         r->faces_missing |= !good;
         if (good) {
             if (add_face(r, part->role, part->name, face_coat(r->room, part),
@@ -247,10 +249,11 @@ static enum pp_status check_finishes(struct pp_resolver *r, struct pp_error *err
         const struct pp_finish_part *finish = &room->finishes[i];
         int wall = pp_resolve_wall_index(r, finish->wall, "finish", finish->line);
         if (wall >= 0 && lines[wall] > 0)
-            pp_mistake(r->mistakes, finish->line,
-                       "finish: that wall has one already, at line %d; expected one at "
-                       "most",
-                       lines[wall]);
+            pp_mistakes_add(
+                r->mistakes, finish->line,
+                "finish: that wall has one already, at line %d; expected one at "
+                "most",
+                lines[wall]);
         else if (wall >= 0)
             lines[wall] = finish->line;
     }
@@ -258,7 +261,7 @@ static enum pp_status check_finishes(struct pp_resolver *r, struct pp_error *err
     return PP_OK;
 }
 
-enum pp_status pp_resolve_envelope(struct pp_resolver *r, struct pp_error *err)
+enum pp_status pp_build_envelope(struct pp_resolver *r, struct pp_error *err)
 {
     const struct pp_plan_part *plan = &r->room->plan;
     enum pp_status status = PP_OK;

@@ -11,7 +11,7 @@
 #include "model/geometry/tolerance.h"
 
 /* How much of it was seen where. */
-struct whereabouts {
+struct sides_seen {
     bool inside, outside;
     struct pp_vec3 inside_at, outside_at;
 };
@@ -24,12 +24,12 @@ static bool is_on_envelope(const struct pp_world *world, struct pp_vec3 point)
     return false;
 }
 
-static void look(struct whereabouts *seen, const struct pp_world *world,
+static void look(struct sides_seen *seen, const struct pp_world *world,
                  struct pp_vec3 point)
 {
     if (is_on_envelope(world, point))
         return;
-    if (pp_world_contains(world, point)) {
+    if (pp_position_in_room(world, point)) {
         seen->inside = true;
         seen->inside_at = point;
     } else {
@@ -39,7 +39,7 @@ static void look(struct whereabouts *seen, const struct pp_world *world,
 }
 
 /* Looks at vertices, middles of edges, and middles of the triangles it falls into. */
-static enum pp_status look_over(struct whereabouts *seen, struct pp_resolver *r,
+static enum pp_status look_over(struct sides_seen *seen, struct pp_resolver *r,
                                 const struct pp_polygon *polygon, struct pp_error *err)
 {
     int count = polygon->count;
@@ -48,8 +48,8 @@ static enum pp_status look_over(struct whereabouts *seen, struct pp_resolver *r,
     if (!xy)
         return pp_fail_memory(err);
     struct pp_vec3 along, up, origin = polygon->vertices[0];
-    pp_plane_axes(polygon->normal, &along, &up);
-    pp_flatten(polygon->vertices, count, origin, along, up, xy);
+    pp_polygon_plane_axes(polygon->normal, &along, &up);
+    pp_polygon_flatten(polygon->vertices, count, origin, along, up, xy);
     struct pp_region region = {0};
     enum pp_status status =
         pp_region_of_ring(r->clipper, &region, (const double(*)[2])xy, count, err);
@@ -59,9 +59,9 @@ static enum pp_status look_over(struct whereabouts *seen, struct pp_resolver *r,
 
     for (int i = 0; i < count; i++) {
         struct pp_vec3 p = polygon->vertices[i];
-        struct pp_vec3 edge = pp_sub(polygon->vertices[(i + 1) % count], p);
+        struct pp_vec3 edge = pp_vec_sub(polygon->vertices[(i + 1) % count], p);
         look(seen, r->world, p);
-        look(seen, r->world, pp_along(p, 0.5, edge));
+        look(seen, r->world, pp_vec_along(p, 0.5, edge));
     }
     for (int i = 0; i < triangle_count; i++) {
         double x = 0.0, y = 0.0;
@@ -69,9 +69,9 @@ static enum pp_status look_over(struct whereabouts *seen, struct pp_resolver *r,
             x += triangles[i][k][0] / 3.0;
             y += triangles[i][k][1] / 3.0;
         }
-        look(seen, r->world, pp_along(pp_along(origin, x, along), y, up));
+        look(seen, r->world, pp_vec_along(pp_vec_along(origin, x, along), y, up));
     }
-    pp_region_destroy(&region);
+    pp_region_clear(&region);
     free(triangles);
     free(xy);
     return status;
@@ -86,7 +86,7 @@ static const char *role_word(enum pp_role role)
 static enum pp_status check_clear(bool *clear, struct pp_resolver *r,
                                   const struct pp_surface_part *part,
                                   const struct pp_polygon *polygon,
-                                  const struct whereabouts *seen, struct pp_error *err)
+                                  const struct sides_seen *seen, struct pp_error *err)
 {
     const struct pp_world *world = r->world;
     struct pp_vec3 where;
@@ -96,18 +96,19 @@ static enum pp_status check_clear(bool *clear, struct pp_resolver *r,
         if (pp_polygons_cross(&cross, polygon, &face->outline, &where, err) != PP_OK)
             return PP_SYSTEM;
         if (cross)
-            pp_mistake(r->mistakes, part->line,
-                       "surface: goes through a %s of the room at (%g, %g, %g); "
-                       "expected it all inside or all outside",
-                       role_word(face->role), where.x, where.y, where.z);
+            pp_mistakes_add(r->mistakes, part->line,
+                            "surface: goes through a %s of the room at (%g, %g, %g); "
+                            "expected it all inside or all outside",
+                            role_word(face->role), where.x, where.y, where.z);
     }
     if (!cross && seen->inside && seen->outside) {
         cross = true;
         struct pp_vec3 in = seen->inside_at, out = seen->outside_at;
-        pp_mistake(r->mistakes, part->line,
-                   "surface: is in the room at (%g, %g, %g) and outside at (%g, %g, "
-                   "%g); expected it all inside or all outside",
-                   in.x, in.y, in.z, out.x, out.y, out.z);
+        pp_mistakes_add(
+            r->mistakes, part->line,
+            "surface: is in the room at (%g, %g, %g) and outside at (%g, %g, "
+            "%g); expected it all inside or all outside",
+            in.x, in.y, in.z, out.x, out.y, out.z);
     }
     *clear = !cross;
     return PP_OK;
@@ -121,7 +122,7 @@ static void flatten_and_set_off(const struct pp_world *world,
     struct pp_vec3 middle = pp_polygon_middle(polygon), n = polygon->normal;
     for (int k = 0; k < polygon->count; k++) {
         struct pp_vec3 *v = &polygon->vertices[k];
-        *v = pp_along(*v, -pp_dot(n, pp_sub(*v, middle)), n);
+        *v = pp_vec_along(*v, -pp_vec_dot(n, pp_vec_sub(*v, middle)), n);
     }
     for (int i = 0; i < world->face_count; i++) {
         const struct pp_polygon *face = &world->surfaces[i].outline;
@@ -135,7 +136,8 @@ static void flatten_and_set_off(const struct pp_world *world,
             continue;
         double shift = inside ? PP_SET_OFF_M + nearest : -PP_SET_OFF_M - nearest;
         for (int k = 0; k < polygon->count; k++)
-            polygon->vertices[k] = pp_along(polygon->vertices[k], shift, face->normal);
+            polygon->vertices[k] =
+                pp_vec_along(polygon->vertices[k], shift, face->normal);
         return;
     }
 }
@@ -144,7 +146,7 @@ static enum pp_status resolve_surface(struct pp_resolver *r,
                                       const struct pp_surface_part *part,
                                       struct pp_error *err)
 {
-    struct pp_surface surface = {.role = PP_LOOSE,
+    struct pp_surface surface = {.role = PP_FREE_SURFACE,
                                  .front = part->reflectance,
                                  .back = part->reflectance,
                                  .exitance = part->exitance,
@@ -154,7 +156,7 @@ static enum pp_status resolve_surface(struct pp_resolver *r,
     if (pp_polygon_of(&surface.outline, part->vertices.list, part->vertices.count, err)
         != PP_OK)
         return PP_SYSTEM;
-    struct whereabouts seen = {0};
+    struct sides_seen seen = {0};
     bool clear = true;
     enum pp_status status = look_over(&seen, r, &surface.outline, err);
     if (status == PP_OK)
@@ -169,12 +171,12 @@ static enum pp_status resolve_surface(struct pp_resolver *r,
     return pp_resolve_add_surface(r, &surface, err);
 }
 
-enum pp_status pp_resolve_loose(struct pp_resolver *r, struct pp_error *err)
+enum pp_status pp_build_free_surfaces(struct pp_resolver *r, struct pp_error *err)
 {
     const struct pp_room *room = r->room;
     for (int i = 0; i < room->surface_count; i++) {
         const struct pp_surface_part *part = &room->surfaces[i];
-        if (!pp_resolve_good_outline(r, "surface", part->line, &part->vertices)
+        if (!pp_build_outline_is_good(r, "surface", part->line, &part->vertices)
             || !r->closed || !isfinite(part->reflectance) || !isfinite(part->exitance))
             continue;
         enum pp_status status = resolve_surface(r, part, err);

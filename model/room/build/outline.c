@@ -21,10 +21,10 @@ static bool has_repeated(struct pp_resolver *r, const char *what,
     for (int i = 0; i < vertices->count; i++) {
         int before = (i + vertices->count - 1) % vertices->count;
         struct pp_vec3 v = vertices->list[i];
-        if (pp_length(pp_sub(v, vertices->list[before])) >= PP_SAME_M)
+        if (pp_vec_length(pp_vec_sub(v, vertices->list[before])) >= PP_SAME_M)
             continue;
         repeated = true;
-        pp_mistake(
+        pp_mistakes_add(
             r->mistakes, vertices->lines[i],
             "%s: vertex %d at (%g, %g, %g) repeats vertex %d of line %d; expected "
             "1 mm or more between them",
@@ -43,7 +43,7 @@ static double distance_to_segment(const double p[2], const double a[2],
                                   const double b[2])
 {
     double ends[2][2] = {{a[0], a[1]}, {b[0], b[1]}};
-    return pp_ring_edge_distance(ends, 2, p[0], p[1], NULL);
+    return pp_polygon_ring_edge_distance(ends, 2, p[0], p[1], NULL);
 }
 
 /* Do the segments ab and cd meet, by crossing or by coming too near? */
@@ -98,17 +98,18 @@ static bool crosses_itself(struct pp_resolver *r, const char *what, int line,
         return true;
     }
     struct pp_vec3 along, up;
-    pp_plane_axes(normal, &along, &up);
-    pp_flatten(vertices->list, count, vertices->list[0], along, up, xy);
+    pp_polygon_plane_axes(normal, &along, &up);
+    pp_polygon_flatten(vertices->list, count, vertices->list[0], along, up, xy);
     int i = 0, k = 0;
     bool crosses = edges_that_meet(xy, count, &i, &k);
     free(xy);
     if (crosses) {
         struct pp_vec3 a = vertices->list[i], b = vertices->list[k];
-        pp_mistake(r->mistakes, line,
-                   "%s: crosses or touches itself; the edge from vertex %d at (%g, %g, "
-                   "%g) meets the edge from vertex %d at (%g, %g, %g)",
-                   what, i + 1, a.x, a.y, a.z, k + 1, b.x, b.y, b.z);
+        pp_mistakes_add(
+            r->mistakes, line,
+            "%s: crosses or touches itself; the edge from vertex %d at (%g, %g, "
+            "%g) meets the edge from vertex %d at (%g, %g, %g)",
+            what, i + 1, a.x, a.y, a.z, k + 1, b.x, b.y, b.z);
     }
     return crosses;
 }
@@ -120,27 +121,27 @@ static struct pp_vec3 largest_triangle(const struct pp_vertices *vertices)
     struct pp_vec3 largest = {0.0, 0.0, 0.0};
     double extent = 0.0;
     for (int i = 1; i + 1 < vertices->count; i++) {
-        struct pp_vec3 first = pp_sub(vertices->list[i], vertices->list[0]);
-        struct pp_vec3 second = pp_sub(vertices->list[i + 1], vertices->list[0]);
-        struct pp_vec3 cross = pp_cross(first, second);
-        extent = fmax(extent, fmax(pp_length(first), pp_length(second)));
-        if (pp_length(cross) > pp_length(largest))
+        struct pp_vec3 first = pp_vec_sub(vertices->list[i], vertices->list[0]);
+        struct pp_vec3 second = pp_vec_sub(vertices->list[i + 1], vertices->list[0]);
+        struct pp_vec3 cross = pp_vec_cross(first, second);
+        extent = fmax(extent, fmax(pp_vec_length(first), pp_vec_length(second)));
+        if (pp_vec_length(cross) > pp_vec_length(largest))
             largest = cross;
     }
-    if (pp_length(largest) < PP_SAME_M * extent)
+    if (pp_vec_length(largest) < PP_SAME_M * extent)
         return pp_vec(0.0, 0.0, 0.0);
-    return pp_unit(largest);
+    return pp_vec_unit(largest);
 }
 
-bool pp_resolve_good_outline(struct pp_resolver *r, const char *what, int line,
-                             const struct pp_vertices *vertices)
+bool pp_build_outline_is_good(struct pp_resolver *r, const char *what, int line,
+                              const struct pp_vertices *vertices)
 {
     int count = vertices->count;
     if (is_unread(vertices))
         return false;
     if (count < 3) {
-        pp_mistake(r->mistakes, line, "%s: %d vertices; expected three or more", what,
-                   count);
+        pp_mistakes_add(r->mistakes, line, "%s: %d vertices; expected three or more",
+                        what, count);
         return false;
     }
     if (has_repeated(r, what, vertices))
@@ -153,26 +154,27 @@ bool pp_resolve_good_outline(struct pp_resolver *r, const char *what, int line,
     }
     double extent = 0.0;
     for (int i = 1; i < count; i++)
-        extent = fmax(extent, pp_length(pp_sub(vertices->list[i], vertices->list[0])));
+        extent = fmax(extent,
+                      pp_vec_length(pp_vec_sub(vertices->list[i], vertices->list[0])));
     double uneven = pp_polygon_unevenness(&polygon);
     bool thin = polygon.area_m2 < PP_SAME_M * extent;
     struct pp_vec3 normal = thin ? largest_triangle(vertices) : polygon.normal;
     pp_polygon_clear(&polygon);
 
     if (!thin && uneven > PP_SAME_M) {
-        pp_mistake(
+        pp_mistakes_add(
             r->mistakes, line,
             "%s: is not plane, a vertex lies %.3g m off; expected all within 1 mm "
             "of one plane",
             what, uneven);
         return false;
     }
-    if (pp_length(normal) > 0.0 && crosses_itself(r, what, line, vertices, normal))
+    if (pp_vec_length(normal) > 0.0 && crosses_itself(r, what, line, vertices, normal))
         return false;
     if (thin) {
-        pp_mistake(r->mistakes, line,
-                   "%s: has no area; expected vertices that do not all lie in a line",
-                   what);
+        pp_mistakes_add(
+            r->mistakes, line,
+            "%s: has no area; expected vertices that do not all lie in a line", what);
         return false;
     }
     return true;

@@ -3,7 +3,7 @@
  */
 #include <stdlib.h>
 
-#include "model/room/allowance_words.h"
+#include "model/room/corrections.h"
 #include "model/room/opening_outline.h"
 #include "model/room/build/resolve.h"
 #include "model/room/face_frame.h"
@@ -13,32 +13,33 @@
  * moved in. */
 static enum pp_status fit_in_face(bool *fits, struct pp_resolver *r,
                                   const struct pp_opening_part *part,
-                                  const struct pp_sheet *sheet, double (*xy)[2],
+                                  const struct pp_face_frame *sheet, double (*xy)[2],
                                   int count, double tolerance, struct pp_error *err)
 {
     char words[96];
     double out_m = 0.0, out_m2 = 0.0;
     struct pp_vec3 where;
-    enum pp_status status = pp_sheet_fit(sheet, r->clipper, xy, count, tolerance,
-                                         &out_m, &where, &out_m2, err);
+    enum pp_status status = pp_face_frame_fit(sheet, r->clipper, xy, count, tolerance,
+                                              &out_m, &where, &out_m2, err);
     if (status != PP_OK)
         return status;
-    pp_face_words(words, sizeof words, sheet->face);
+    pp_opening_outline_face_words(words, sizeof words, sheet->face);
     /* What is thinner than the tolerance may be nothing once moved in. */
-    bool whole = pp_ring_is_simple(r->clipper, (const double(*)[2])xy, count);
+    bool whole = pp_region_ring_is_simple(r->clipper, (const double(*)[2])xy, count);
     if (out_m > 0.0)
-        pp_mistake(r->mistakes, part->line,
-                   "%s: sticks out of %s by %.4g m at (%g, %g, %g); expected all of it "
-                   "within",
-                   pp_opening_word(part), words, out_m, where.x, where.y, where.z);
+        pp_mistakes_add(
+            r->mistakes, part->line,
+            "%s: sticks out of %s by %.4g m at (%g, %g, %g); expected all of it "
+            "within",
+            pp_opening_outline_word(part), words, out_m, where.x, where.y, where.z);
     else if (out_m2 > 0.0)
-        pp_mistake(r->mistakes, part->line,
-                   "%s: %.4g m2 of it stick out of %s; expected all of it within",
-                   pp_opening_word(part), out_m2, words);
+        pp_mistakes_add(r->mistakes, part->line,
+                        "%s: %.4g m2 of it stick out of %s; expected all of it within",
+                        pp_opening_outline_word(part), out_m2, words);
     else if (!whole)
-        pp_mistake(r->mistakes, part->line,
-                   "%s: less than 1 mm of it lies within %s; expected all of it",
-                   pp_opening_word(part), words);
+        pp_mistakes_add(r->mistakes, part->line,
+                        "%s: less than 1 mm of it lies within %s; expected all of it",
+                        pp_opening_outline_word(part), words);
     *fits = out_m == 0.0 && out_m2 == 0.0 && whole;
     return PP_OK;
 }
@@ -60,8 +61,9 @@ static bool is_upright_rectangle(const double (*xy)[2], int count, const double 
 
 static enum pp_status add_opening(struct pp_resolver *r,
                                   const struct pp_opening_part *part,
-                                  const struct pp_sheet *sheet, const double (*xy)[2],
-                                  int count, struct pp_error *err)
+                                  const struct pp_face_frame *sheet,
+                                  const double (*xy)[2], int count,
+                                  struct pp_error *err)
 {
     struct pp_world *world = r->world;
     struct pp_opening opening = {.face = (int)(sheet->face - world->surfaces),
@@ -76,8 +78,8 @@ static enum pp_status add_opening(struct pp_resolver *r,
     struct pp_vec3 normal = sheet->face->outline.normal;
     opening.slope_rad = atan2(hypot(normal.x, normal.y), -normal.z);
     if (isnan(opening.maintenance))
-        opening.maintenance =
-            pp_maintenance_of(world->surroundings, world->work, opening.slope_rad);
+        opening.maintenance = pp_corrections_maintenance(
+            world->surroundings, world->work, opening.slope_rad);
 
     struct pp_vec3 *vertices = malloc(count * sizeof *vertices);
     if (!vertices)
@@ -85,7 +87,7 @@ static enum pp_status add_opening(struct pp_resolver *r,
     double low[2] = {INFINITY, INFINITY}, high[2] = {-INFINITY, -INFINITY};
     double low_z = INFINITY, high_z = -INFINITY;
     for (int i = 0; i < count; i++) {
-        vertices[i] = pp_sheet_point(sheet, xy[i][0], xy[i][1]);
+        vertices[i] = pp_face_frame_point(sheet, xy[i][0], xy[i][1]);
         low_z = fmin(low_z, vertices[i].z);
         high_z = fmax(high_z, vertices[i].z);
         for (int k = 0; k < 2; k++) {
@@ -101,7 +103,7 @@ static enum pp_status add_opening(struct pp_resolver *r,
     enum pp_status status = pp_polygon_of(&opening.inner, vertices, count, err);
     if (status == PP_OK) {
         for (int i = 0; i < count; i++)
-            vertices[i] = pp_along(vertices[i], -opening.reveal_m, normal);
+            vertices[i] = pp_vec_along(vertices[i], -opening.reveal_m, normal);
         status = pp_polygon_of(&opening.outer, vertices, count, err);
     }
     free(vertices);
@@ -118,7 +120,7 @@ static enum pp_status add_opening(struct pp_resolver *r,
 
 static enum pp_status check_overlaps(bool *free_of_others, struct pp_resolver *r,
                                      const struct pp_opening_part *part,
-                                     const struct pp_sheet *sheet,
+                                     const struct pp_face_frame *sheet,
                                      const double (*xy)[2], int count,
                                      struct pp_error *err)
 {
@@ -133,21 +135,22 @@ static enum pp_status check_overlaps(bool *free_of_others, struct pp_resolver *r
         double(*other_xy)[2] = malloc(other_count * sizeof *other_xy);
         if (!other_xy)
             return pp_fail_memory(err);
-        pp_flatten(other->inner.vertices, other_count, sheet->origin, sheet->along,
-                   sheet->up, other_xy);
+        pp_polygon_flatten(other->inner.vertices, other_count, sheet->origin,
+                           sheet->along, sheet->up, other_xy);
         double area_m2 = 0.0;
-        enum pp_status status =
-            pp_rings_overlap(r->clipper, xy, count, (const double(*)[2])other_xy,
-                             other_count, &area_m2, err);
+        enum pp_status status = pp_face_frame_rings_overlap(
+            r->clipper, xy, count, (const double(*)[2])other_xy, other_count, &area_m2,
+            err);
         free(other_xy);
         if (status != PP_OK)
             return status;
         if (area_m2 > PP_ROUNDING_M * (other->width_m + other->height_m)) {
             *free_of_others = false;
-            pp_mistake(r->mistakes, part->line,
-                       "%s: overlaps the one of line %d by %.4g m2; expected openings "
-                       "side by side",
-                       pp_opening_word(part), other->line, area_m2);
+            pp_mistakes_add(
+                r->mistakes, part->line,
+                "%s: overlaps the one of line %d by %.4g m2; expected openings "
+                "side by side",
+                pp_opening_outline_word(part), other->line, area_m2);
         }
     }
     return PP_OK;
@@ -178,15 +181,15 @@ static bool is_large_enough(struct pp_resolver *r, const struct pp_opening_part 
     double second = part->kind == PP_WINDOW ? part->height_m : part->depth_m;
     if (part->kind == PP_OPENING || (part->width_m >= PP_SAME_M && second >= PP_SAME_M))
         return true;
-    pp_mistake(r->mistakes, part->line,
-               "%s: is %g m by %g m; expected 1 mm or more each way",
-               pp_opening_word(part), part->width_m, second);
+    pp_mistakes_add(r->mistakes, part->line,
+                    "%s: is %g m by %g m; expected 1 mm or more each way",
+                    pp_opening_outline_word(part), part->width_m, second);
     return false;
 }
 
 static enum pp_status place_in(struct pp_resolver *r,
                                const struct pp_opening_part *part,
-                               const struct pp_sheet *sheet, struct pp_error *err)
+                               const struct pp_face_frame *sheet, struct pp_error *err)
 {
     int count = part->kind == PP_OPENING ? part->vertices.count : 4;
     double tolerance = part->kind == PP_OPENING ? PP_SAME_M : PP_ROUNDING_M;
@@ -212,20 +215,20 @@ static enum pp_status place(struct pp_resolver *r, const struct pp_opening_part 
     if (!is_read(part) || !is_large_enough(r, part))
         return PP_OK;
     if (part->kind == PP_OPENING
-        && !pp_resolve_good_outline(r, "opening", part->line, &part->vertices))
+        && !pp_build_outline_is_good(r, "opening", part->line, &part->vertices))
         return PP_OK;
-    int face = pp_opening_face(r, part);
+    int face = pp_opening_outline_face(r, part);
     if (face < 0)
         return PP_OK;
-    struct pp_sheet sheet;
-    enum pp_status status = pp_sheet_open(&sheet, &r->world->surfaces[face], err);
+    struct pp_face_frame sheet;
+    enum pp_status status = pp_face_frame_init(&sheet, &r->world->surfaces[face], err);
     if (status == PP_OK)
         status = place_in(r, part, &sheet, err);
-    pp_sheet_close(&sheet);
+    pp_face_frame_clear(&sheet);
     return status;
 }
 
-enum pp_status pp_resolve_openings(struct pp_resolver *r, struct pp_error *err)
+enum pp_status pp_build_place_openings(struct pp_resolver *r, struct pp_error *err)
 {
     const struct pp_room *room = r->room;
     struct pp_world *world = r->world;

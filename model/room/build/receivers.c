@@ -16,12 +16,12 @@ static const double default_spacing_m = 0.5;
 enum { RECEIVERS_MOST = 100000 };
 static const double comparisons_most = 1e8;
 
-struct list {
+struct receiver_list {
     struct pp_receiver *items;
     int count, space;
 };
 
-static enum pp_status add(struct list *list, struct pp_receiver receiver,
+static enum pp_status add(struct receiver_list *list, struct pp_receiver receiver,
                           struct pp_error *err)
 {
     if (list->count == list->space) {
@@ -36,23 +36,23 @@ static enum pp_status add(struct list *list, struct pp_receiver receiver,
     return PP_OK;
 }
 
-enum pp_status pp_world_place_receiver(const struct pp_world *world, double x, double y,
-                                       double z, struct pp_receiver *receiver,
-                                       struct pp_error *err)
+enum pp_status pp_receivers_place(const struct pp_world *world, double x, double y,
+                                  double z, struct pp_receiver *receiver,
+                                  struct pp_error *err)
 {
     if (isnan(z))
         z = world->working_plane_m;
     *receiver = (struct pp_receiver){.position = pp_vec(x, y, z),
                                      .normal = pp_vec(0.0, 0.0, 1.0)};
     const char *fault =
-        pp_world_receiver_fault(world, receiver->position, receiver->normal);
+        pp_position_receiver_fault(world, receiver->position, receiver->normal);
     if (fault)
         return pp_fail(err, PP_BAD_INPUT, "the point (%g, %g, %g) %s", x, y, z, fault);
     return PP_OK;
 }
 
 /* Notes a part of so many points that the room would have too many. */
-static bool is_too_much(struct pp_resolver *r, const struct list *list,
+static bool is_too_much(struct pp_resolver *r, const struct receiver_list *list,
                         const struct pp_receiver_part *part, double count)
 {
     static const char *const kinds[] = {"point", "line", "grid"};
@@ -62,15 +62,16 @@ static bool is_too_much(struct pp_resolver *r, const struct list *list,
         return false;
     int line = part->line ? part->line : r->room->line;
     if (part->kind == PP_GRID)
-        pp_mistake(r->mistakes, line,
-                   "grid: %s of %g m makes %.0f cells%s; expected %.0f points at "
-                   "most in this room",
-                   part->line ? "its spacing" : "the default spacing", part->spacing_m,
-                   count, list->count ? ", besides the points before" : "", most);
+        pp_mistakes_add(r->mistakes, line,
+                        "grid: %s of %g m makes %.0f cells%s; expected %.0f points at "
+                        "most in this room",
+                        part->line ? "its spacing" : "the default spacing",
+                        part->spacing_m, count,
+                        list->count ? ", besides the points before" : "", most);
     else
-        pp_mistake(r->mistakes, line,
-                   "%s: the room has %.0f points with it; expected %.0f at most",
-                   kinds[part->kind], list->count + count, most);
+        pp_mistakes_add(r->mistakes, line,
+                        "%s: the room has %.0f points with it; expected %.0f at most",
+                        kinds[part->kind], list->count + count, most);
     return true;
 }
 
@@ -82,48 +83,48 @@ static void check_places(struct pp_resolver *r, const char *what, int line,
     const char *first_fault = NULL;
     struct pp_vec3 first = {0};
     for (int i = 0; i < count && r->closed; i++) {
-        const char *fault = pp_world_receiver_fault(r->world, receivers[i].position,
-                                                    receivers[i].normal);
+        const char *fault = pp_position_receiver_fault(r->world, receivers[i].position,
+                                                       receivers[i].normal);
         if (fault && bad++ == 0) {
             first_fault = fault;
             first = receivers[i].position;
         }
     }
     if (bad > 0 && count == 1)
-        pp_mistake(r->mistakes, line,
-                   "%s: (%g, %g, %g) %s; expected a place in the room", what, first.x,
-                   first.y, first.z, first_fault);
+        pp_mistakes_add(r->mistakes, line,
+                        "%s: (%g, %g, %g) %s; expected a place in the room", what,
+                        first.x, first.y, first.z, first_fault);
     else if (bad > 0)
-        pp_mistake(
+        pp_mistakes_add(
             r->mistakes, line,
             "%s: %d of its %d points are at no place to measure; the first, (%g, "
             "%g, %g), %s; expected places in the room",
             what, bad, count, first.x, first.y, first.z, first_fault);
 }
 
-static enum pp_status resolve_point(struct pp_resolver *r, struct list *list,
+static enum pp_status resolve_point(struct pp_resolver *r, struct receiver_list *list,
                                     const struct pp_receiver_part *part,
                                     struct pp_error *err)
 {
-    double length = pp_length(part->normal);
+    double length = pp_vec_length(part->normal);
     if (!isfinite(part->x) || !isfinite(part->y) || !isfinite(length))
         return PP_OK;
     if (!(length > 0.0)) {
-        pp_mistake(r->mistakes, part->line,
-                   "point: its normal is 0; expected a direction");
+        pp_mistakes_add(r->mistakes, part->line,
+                        "point: its normal is 0; expected a direction");
         return PP_OK;
     }
     if (is_too_much(r, list, part, 1.0))
         return PP_OK;
     double z = isnan(part->z) ? r->room->working_plane_m : part->z;
     struct pp_receiver receiver = {.position = pp_vec(part->x, part->y, z),
-                                   .normal = pp_scale(part->normal, 1.0 / length),
+                                   .normal = pp_vec_scale(part->normal, 1.0 / length),
                                    .line = part->line};
     check_places(r, "point", part->line, &receiver, 1);
     return add(list, receiver, err);
 }
 
-static enum pp_status resolve_line(struct pp_resolver *r, struct list *list,
+static enum pp_status resolve_line(struct pp_resolver *r, struct receiver_list *list,
                                    const struct pp_receiver_part *part,
                                    struct pp_error *err)
 {
@@ -131,9 +132,9 @@ static enum pp_status resolve_line(struct pp_resolver *r, struct list *list,
     if (!isfinite(dx) || !isfinite(dy) || part->points < 1)
         return PP_OK;
     if (part->points > 1 && hypot(dx, dy) < PP_SAME_M) {
-        pp_mistake(r->mistakes, part->line,
-                   "line: its ends are %g m apart; expected 1 mm or more",
-                   hypot(dx, dy));
+        pp_mistakes_add(r->mistakes, part->line,
+                        "line: its ends are %g m apart; expected 1 mm or more",
+                        hypot(dx, dy));
         return PP_OK;
     }
     if (is_too_much(r, list, part, part->points))
@@ -181,7 +182,7 @@ static double count_cells(const double low[2], const double high[2],
     return cells[0] * cells[1];
 }
 
-static enum pp_status lay_grid(struct pp_resolver *r, struct list *list,
+static enum pp_status lay_grid(struct pp_resolver *r, struct receiver_list *list,
                                const double low[2], const double high[2],
                                const double cells[2], double margin_m, int line,
                                struct pp_error *err)
@@ -201,7 +202,8 @@ static enum pp_status lay_grid(struct pp_resolver *r, struct list *list,
             if (!pp_region_contains(&world->plane, x, y)
                 || pp_region_edge_distance(&world->plane, x, y)
                        < margin_m - PP_ROUNDING_M
-                || pp_world_receiver_fault(world, receiver.position, receiver.normal))
+                || pp_position_receiver_fault(world, receiver.position,
+                                              receiver.normal))
                 continue;
             if (add(list, receiver, err) != PP_OK)
                 return PP_SYSTEM;
@@ -209,7 +211,7 @@ static enum pp_status lay_grid(struct pp_resolver *r, struct list *list,
     return PP_OK;
 }
 
-static enum pp_status resolve_grid(struct pp_resolver *r, struct list *list,
+static enum pp_status resolve_grid(struct pp_resolver *r, struct receiver_list *list,
                                    const struct pp_receiver_part *part,
                                    struct pp_error *err)
 {
@@ -227,17 +229,18 @@ static enum pp_status resolve_grid(struct pp_resolver *r, struct list *list,
                != PP_OK)
         return PP_SYSTEM;
     if (list->count == first && part->line > 0)
-        pp_mistake(r->mistakes, part->line,
-                   "grid: no point of it lies in the room and %g m or more from the "
-                   "walls; expected a smaller margin or spacing in a plan of %g m by "
-                   "%g m",
-                   part->margin_m, high[0] - low[0], high[1] - low[1]);
+        pp_mistakes_add(
+            r->mistakes, part->line,
+            "grid: no point of it lies in the room and %g m or more from the "
+            "walls; expected a smaller margin or spacing in a plan of %g m by "
+            "%g m",
+            part->margin_m, high[0] - low[0], high[1] - low[1]);
     return PP_OK;
 }
 
 /* A place well inside the plane, for a room too small for the default grid: the point
  * of a fine mesh that is farthest from the edges. */
-static enum pp_status add_inmost(struct pp_resolver *r, struct list *list,
+static enum pp_status add_inmost(struct pp_resolver *r, struct receiver_list *list,
                                  struct pp_error *err)
 {
     enum { MESH = 33 }; /* odd: it has the middle */
@@ -254,7 +257,7 @@ static enum pp_status add_inmost(struct pp_resolver *r, struct list *list,
         double distance = pp_region_edge_distance(&world->plane, x, y);
         if (distance > farthest * (1.0 + 1e-9)
             && pp_region_contains(&world->plane, x, y)
-            && !pp_world_receiver_fault(world, place, best.normal)) {
+            && !pp_position_receiver_fault(world, place, best.normal)) {
             farthest = distance;
             best.position = place;
         }
@@ -262,7 +265,7 @@ static enum pp_status add_inmost(struct pp_resolver *r, struct list *list,
     return farthest > 0.0 ? add(list, best, err) : PP_OK;
 }
 
-static enum pp_status resolve_default(struct pp_resolver *r, struct list *list,
+static enum pp_status resolve_default(struct pp_resolver *r, struct receiver_list *list,
                                       struct pp_error *err)
 {
     struct pp_receiver_part grid = {
@@ -274,10 +277,10 @@ static enum pp_status resolve_default(struct pp_resolver *r, struct list *list,
     return PP_OK;
 }
 
-enum pp_status pp_resolve_receivers(struct pp_resolver *r, struct pp_error *err)
+enum pp_status pp_build_receivers(struct pp_resolver *r, struct pp_error *err)
 {
     const struct pp_room *room = r->room;
-    struct list list = {0};
+    struct receiver_list list = {0};
     enum pp_status status = PP_OK;
     for (int i = 0; i < room->receiver_count && status == PP_OK; i++) {
         const struct pp_receiver_part *part = &room->receivers[i];

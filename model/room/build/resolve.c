@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "model/base/names.h"
+#include "model/base/text.h"
 #include "model/geometry/tolerance.h"
 
 int pp_resolve_wall_index(struct pp_resolver *r, const char *name, const char *what,
@@ -21,12 +21,12 @@ int pp_resolve_wall_index(struct pp_resolver *r, const char *name, const char *w
 
     char typed[64], names[256];
     const char *const *walls = (const char *const *)r->walls;
-    const char *nearest = pp_nearest(name, walls, r->wall_count);
-    pp_excerpt(typed, sizeof typed, name);
-    pp_name_list(names, sizeof names, walls, r->wall_count);
-    pp_mistake(r->mistakes, line, "%s: there is no wall \"%s\"; expected %s%s%s%s",
-               what, typed, names, nearest ? "; did you mean \"" : "",
-               nearest ? nearest : "", nearest ? "\"?" : "");
+    const char *nearest = pp_text_nearest(name, walls, r->wall_count);
+    pp_text_excerpt(typed, sizeof typed, name);
+    pp_text_list_names(names, sizeof names, walls, r->wall_count);
+    pp_mistakes_add(r->mistakes, line, "%s: there is no wall \"%s\"; expected %s%s%s%s",
+                    what, typed, names, nearest ? "; did you mean \"" : "",
+                    nearest ? nearest : "", nearest ? "\"?" : "");
     return -1;
 }
 

@@ -5,15 +5,15 @@
  * machine does. A part with NAN in it has had its mistake noted by the reader and is
  * passed over in silence, and so is what depends on it.
  */
-#ifndef PP_MODEL_RESOLVE_H
-#define PP_MODEL_RESOLVE_H
+#ifndef PP_MODEL_ROOM_BUILD_RESOLVE_H
+#define PP_MODEL_ROOM_BUILD_RESOLVE_H
 
 #include <stdbool.h>
 
 #include "model/base/error.h"
 #include "model/base/mistakes.h"
 #include "model/geometry/polygon.h"
-#include "model/room/room.h"
+#include "model/room/building.h"
 #include "model/room/room_parts.h"
 
 struct pp_resolver {
@@ -34,28 +34,28 @@ struct pp_resolver {
 
 /* envelope.c: the plan or the envelope becomes the world's first surfaces, with the
  * finishes' reflectances. */
-enum pp_status pp_resolve_envelope(struct pp_resolver *r, struct pp_error *err);
+enum pp_status pp_build_envelope(struct pp_resolver *r, struct pp_error *err);
 
 /* corners.c: makes the envelope's vertices one that are meant to be one, and fills
  * r->corners. */
-enum pp_status pp_resolve_corners(struct pp_resolver *r, struct pp_error *err);
+enum pp_status pp_build_corners(struct pp_resolver *r, struct pp_error *err);
 
 /* watertight.c: do the envelope's surfaces close the room? Sets r->closed; turns faces
  * round that turn the wrong way. */
-enum pp_status pp_resolve_closed(struct pp_resolver *r, struct pp_error *err);
+enum pp_status pp_build_watertight(struct pp_resolver *r, struct pp_error *err);
 
 /* place_openings.c, reveals.c */
-enum pp_status pp_resolve_openings(struct pp_resolver *r, struct pp_error *err);
-enum pp_status pp_resolve_reveals(struct pp_resolver *r, struct pp_error *err);
+enum pp_status pp_build_place_openings(struct pp_resolver *r, struct pp_error *err);
+enum pp_status pp_build_reveals(struct pp_resolver *r, struct pp_error *err);
 
 /* blocks.c, skylines.c, free_surfaces.c: what stands round the room, and loose in it. */
-enum pp_status pp_resolve_blocks(struct pp_resolver *r, struct pp_error *err);
-enum pp_status pp_resolve_skylines(struct pp_resolver *r, struct pp_error *err);
-enum pp_status pp_resolve_loose(struct pp_resolver *r, struct pp_error *err);
+enum pp_status pp_build_blocks(struct pp_resolver *r, struct pp_error *err);
+enum pp_status pp_build_skylines(struct pp_resolver *r, struct pp_error *err);
+enum pp_status pp_build_free_surfaces(struct pp_resolver *r, struct pp_error *err);
 
 /* working_plane.c, receivers.c */
-enum pp_status pp_resolve_working_plane(struct pp_resolver *r, struct pp_error *err);
-enum pp_status pp_resolve_receivers(struct pp_resolver *r, struct pp_error *err);
+enum pp_status pp_build_working_plane(struct pp_resolver *r, struct pp_error *err);
+enum pp_status pp_build_receivers(struct pp_resolver *r, struct pp_error *err);
 
 /* What the steps share: resolve.c. */
 
@@ -81,7 +81,7 @@ enum pp_status pp_resolve_add_face(struct pp_resolver *r, struct pp_surface surf
 /* Notes what is wrong with an outline by itself: a coordinate that could not be read
  * (in silence), too few vertices, repeated ones, no area, not plane, crossing itself.
  * `what` begins the sentence. True if nothing is. */
-bool pp_resolve_good_outline(struct pp_resolver *r, const char *what, int line,
-                             const struct pp_vertices *vertices);
+bool pp_build_outline_is_good(struct pp_resolver *r, const char *what, int line,
+                              const struct pp_vertices *vertices);
 
 #endif

@@ -34,18 +34,18 @@ static enum pp_status add_reveals(struct pp_resolver *r, int index,
 static void check_reveal(struct pp_resolver *r, const struct pp_opening *opening)
 {
     if (opening->reveal_m > reveal_most_m)
-        pp_mistake(r->mistakes, opening->line,
-                   "reveal: is %g m deep; expected %g m at most", opening->reveal_m,
-                   reveal_most_m);
+        pp_mistakes_add(r->mistakes, opening->line,
+                        "reveal: is %g m deep; expected %g m at most",
+                        opening->reveal_m, reveal_most_m);
     if (!r->closed)
         return;
     for (int i = 0; i <= opening->outer.count; i++) {
         struct pp_vec3 point = i < opening->outer.count
                                    ? opening->outer.vertices[i]
                                    : pp_polygon_middle(&opening->outer);
-        if (!pp_world_contains(r->world, point))
+        if (!pp_position_in_room(r->world, point))
             continue;
-        pp_mistake(
+        pp_mistakes_add(
             r->mistakes, opening->line,
             "reveal: %g m deep, it puts the glass into another part of the room, "
             "at (%g, %g, %g); expected it outside",
@@ -54,7 +54,7 @@ static void check_reveal(struct pp_resolver *r, const struct pp_opening *opening
     }
 }
 
-enum pp_status pp_resolve_reveals(struct pp_resolver *r, struct pp_error *err)
+enum pp_status pp_build_reveals(struct pp_resolver *r, struct pp_error *err)
 {
     for (int i = 0; i < r->world->opening_count; i++) {
         const struct pp_opening *opening = &r->world->openings[i];

@@ -33,7 +33,8 @@ static double reach_beyond(const struct pp_world *world, int face, struct pp_vec
     for (int i = 0; i < world->surface_count; i++) {
         const struct pp_polygon *outline = &world->surfaces[i].outline;
         for (int k = 0; k < outline->count && world->surfaces[i].inside; k++)
-            reach = fmax(reach, pp_dot(out, pp_sub(outline->vertices[k], wall)));
+            reach =
+                fmax(reach, pp_vec_dot(out, pp_vec_sub(outline->vertices[k], wall)));
     }
     return reach;
 }
@@ -44,38 +45,41 @@ static bool is_good(struct pp_resolver *r, const struct pp_skyline_part *part, i
     const struct pp_world *world = r->world;
     for (int i = 0; i < world->skyline_count; i++)
         if (world->skylines[i].face == face) {
-            pp_mistake(r->mistakes, part->line,
-                       "skyline: a second one for its wall, after that of line %d; "
-                       "expected one at most",
-                       world->skylines[i].line);
+            pp_mistakes_add(
+                r->mistakes, part->line,
+                "skyline: a second one for its wall, after that of line %d; "
+                "expected one at most",
+                world->skylines[i].line);
             return false;
         }
     if (!(part->angle_rad >= 0.0 && part->angle_rad < PP_PI / 2.0)) {
-        pp_mistake(r->mistakes, part->line,
-                   "skyline: its angle is %g degrees; expected 0 to less than 90",
-                   part->angle_rad / PP_RAD);
+        pp_mistakes_add(r->mistakes, part->line,
+                        "skyline: its angle is %g degrees; expected 0 to less than 90",
+                        part->angle_rad / PP_RAD);
         return false;
     }
     struct pp_vec3 n = world->surfaces[face].outline.normal;
     double level = hypot(n.x, n.y);
     if (level < PP_LEVEL_RAD) {
-        pp_mistake(r->mistakes, part->line,
-                   "skyline: its wall lies flat; expected one that faces sideways");
+        pp_mistakes_add(
+            r->mistakes, part->line,
+            "skyline: its wall lies flat; expected one that faces sideways");
         return false;
     }
     struct pp_vec3 out = pp_vec(-n.x / level, -n.y / level, 0.0);
     double reach = reach_beyond(world, face, out);
     if (part->distance_m < reach + PP_SAME_M) {
-        pp_mistake(r->mistakes, part->line,
-                   "skyline: its distance is %g m, but the room or its openings reach "
-                   "%.4g m beyond that wall; expected more",
-                   part->distance_m, reach);
+        pp_mistakes_add(
+            r->mistakes, part->line,
+            "skyline: its distance is %g m, but the room or its openings reach "
+            "%.4g m beyond that wall; expected more",
+            part->distance_m, reach);
         return false;
     }
     return true;
 }
 
-enum pp_status pp_resolve_skylines(struct pp_resolver *r, struct pp_error *err)
+enum pp_status pp_build_skylines(struct pp_resolver *r, struct pp_error *err)
 {
     const struct pp_room *room = r->room;
     struct pp_world *world = r->world;

@@ -15,7 +15,7 @@
 #include "model/room/build/resolve.h"
 #include "model/geometry/tolerance.h"
 
-struct edge {
+struct envelope_edge {
     int low, high; /* the corners' numbers */
     bool upward;   /* does the face run from low to high? */
     int face;
@@ -23,7 +23,7 @@ struct edge {
 };
 
 /* What is known of each face while its neighbours are visited. */
-struct visit {
+struct face_visit {
     int part;       /* number of the connected part it belongs to; -1: not visited */
     bool turned;    /* does it turn the other way than the first of its part? */
     int first;      /* its edges in the list of neighbours */
@@ -31,10 +31,11 @@ struct visit {
     int loose_edge; /* the first of them */
 };
 
-struct closing {
-    struct edge *edges; /* sorted, those that join the same two corners together */
+struct watertight_check {
+    struct envelope_edge
+        *edges; /* sorted, those that join the same two corners together */
     int edge_count;
-    struct visit *faces;
+    struct face_visit *faces;
     int *neighbours; /* across the face's edges; -1: none */
     bool *same_way;  /* and does that run along the edge in the same direction? */
     int part_count;
@@ -42,7 +43,7 @@ struct closing {
 
 static int compare_edges(const void *left, const void *right)
 {
-    const struct edge *a = left, *b = right;
+    const struct envelope_edge *a = left, *b = right;
     if (a->low != b->low)
         return a->low < b->low ? -1 : 1;
     if (a->high != b->high)
@@ -50,23 +51,23 @@ static int compare_edges(const void *left, const void *right)
     return (a->face > b->face) - (a->face < b->face);
 }
 
-static void list_edges(const struct pp_resolver *r, struct closing *c)
+static void list_edges(const struct pp_resolver *r, struct watertight_check *c)
 {
     int corner = 0;
     for (int i = 0; i < r->world->face_count; i++) {
         const struct pp_polygon *outline = &r->world->surfaces[i].outline;
         const int *numbers = r->corners + corner;
-        c->faces[i] = (struct visit){.part = -1, .first = corner};
+        c->faces[i] = (struct face_visit){.part = -1, .first = corner};
         for (int k = 0; k < outline->count; k++, corner++) {
             int next = (k + 1) % outline->count;
             int from = numbers[k], to = numbers[next];
             c->neighbours[corner] = -1;
-            c->edges[corner] = (struct edge){.low = from < to ? from : to,
-                                             .high = from < to ? to : from,
-                                             .upward = from < to,
-                                             .face = i,
-                                             .from = outline->vertices[k],
-                                             .to = outline->vertices[next]};
+            c->edges[corner] = (struct envelope_edge){.low = from < to ? from : to,
+                                                      .high = from < to ? to : from,
+                                                      .upward = from < to,
+                                                      .face = i,
+                                                      .from = outline->vertices[k],
+                                                      .to = outline->vertices[next]};
         }
     }
     c->edge_count = corner;
@@ -74,7 +75,8 @@ static void list_edges(const struct pp_resolver *r, struct closing *c)
 }
 
 /* Puts b among a's neighbours. */
-static void join(struct closing *c, const struct edge *a, const struct edge *b)
+static void join(struct watertight_check *c, const struct envelope_edge *a,
+                 const struct envelope_edge *b)
 {
     int at = c->faces[a->face].first;
     while (c->neighbours[at] >= 0)
@@ -84,12 +86,12 @@ static void join(struct closing *c, const struct edge *a, const struct edge *b)
 }
 
 /* Edges that are shared by two faces make them neighbours; others are mistakes. */
-static void match_edges(struct pp_resolver *r, struct closing *c)
+static void match_edges(struct pp_resolver *r, struct watertight_check *c)
 {
     const struct pp_surface *faces = r->world->surfaces;
     r->closed = true;
     for (int i = 0, end; i < c->edge_count; i = end) {
-        const struct edge *edge = &c->edges[i];
+        const struct envelope_edge *edge = &c->edges[i];
         for (end = i + 1; end < c->edge_count && c->edges[end].low == edge->low
                           && c->edges[end].high == edge->high;)
             end++;
@@ -104,17 +106,18 @@ static void match_edges(struct pp_resolver *r, struct closing *c)
                 c->faces[edge->face].loose_edge = i;
             continue;
         }
-        pp_mistake(r->mistakes, faces[c->edges[end - 1].face].line,
-                   "face: its edge from (%g, %g, %g) to (%g, %g, %g) is shared by %d "
-                   "faces, first by that of line %d; expected two",
-                   edge->from.x, edge->from.y, edge->from.z, edge->to.x, edge->to.y,
-                   edge->to.z, end - i, faces[edge->face].line);
+        pp_mistakes_add(
+            r->mistakes, faces[c->edges[end - 1].face].line,
+            "face: its edge from (%g, %g, %g) to (%g, %g, %g) is shared by %d "
+            "faces, first by that of line %d; expected two",
+            edge->from.x, edge->from.y, edge->from.z, edge->to.x, edge->to.y,
+            edge->to.z, end - i, faces[edge->face].line);
     }
     for (int i = 0; i < r->world->face_count; i++) {
         if (c->faces[i].loose == 0)
             continue;
-        const struct edge *edge = &c->edges[c->faces[i].loose_edge];
-        pp_mistake(
+        const struct envelope_edge *edge = &c->edges[c->faces[i].loose_edge];
+        pp_mistakes_add(
             r->mistakes, faces[i].line,
             "face: the envelope does not close at %d of its edges, such as that "
             "from (%g, %g, %g) to (%g, %g, %g); expected every edge to be shared "
@@ -125,8 +128,8 @@ static void match_edges(struct pp_resolver *r, struct closing *c)
 }
 
 /* Visits the faces that hang together with the first, in waves. */
-static void visit_part(const struct pp_resolver *r, struct closing *c, int first,
-                       int *queue)
+static void visit_part(const struct pp_resolver *r, struct watertight_check *c,
+                       int first, int *queue)
 {
     int head = 0, tail = 0;
     c->faces[first].part = c->part_count++;
@@ -146,7 +149,7 @@ static void visit_part(const struct pp_resolver *r, struct closing *c, int first
 
 static void turn_round(struct pp_polygon *outline, int *corners)
 {
-    outline->normal = pp_scale(outline->normal, -1.0);
+    outline->normal = pp_vec_scale(outline->normal, -1.0);
     for (int a = 0, b = outline->count - 1; a < b; a++, b--) {
         struct pp_vec3 vertex = outline->vertices[a];
         outline->vertices[a] = outline->vertices[b];
@@ -158,7 +161,8 @@ static void turn_round(struct pp_polygon *outline, int *corners)
 }
 
 /* Of the part of that number, -1: of all. */
-static double volume_m3(const struct pp_world *world, const struct closing *c, int part)
+static double volume_m3(const struct pp_world *world, const struct watertight_check *c,
+                        int part)
 {
     double sum = 0.0;
     struct pp_vec3 origin = world->surfaces[0].outline.vertices[0];
@@ -166,15 +170,16 @@ static double volume_m3(const struct pp_world *world, const struct closing *c, i
         if (part >= 0 && c->faces[i].part != part)
             continue;
         const struct pp_polygon *outline = &world->surfaces[i].outline;
-        struct pp_vec3 from = pp_sub(pp_polygon_middle(outline), origin);
-        sum -= outline->area_m2 * pp_dot(outline->normal, from);
+        struct pp_vec3 from = pp_vec_sub(pp_polygon_middle(outline), origin);
+        sum -= outline->area_m2 * pp_vec_dot(outline->normal, from);
     }
     return sum / 3.0;
 }
 
 /* Turns those faces round that are so in the smaller number of each part, then all of
  * them if the room is inside out, and notes those that are not as they were. */
-static void turn_faces(struct pp_resolver *r, struct closing *c, int *turned_in_part)
+static void turn_faces(struct pp_resolver *r, struct watertight_check *c,
+                       int *turned_in_part)
 {
     struct pp_world *world = r->world;
     for (int i = 0; i < world->face_count; i++)
@@ -194,31 +199,33 @@ static void turn_faces(struct pp_resolver *r, struct closing *c, int *turned_in_
         all = all && c->faces[i].turned;
     }
     if (all)
-        pp_mistake(r->mistakes, r->room->plan.line,
-                   "envelope: is inside out, all its faces turn clockwise seen from "
-                   "inside; expected counter-clockwise");
+        pp_mistakes_add(
+            r->mistakes, r->room->plan.line,
+            "envelope: is inside out, all its faces turn clockwise seen from "
+            "inside; expected counter-clockwise");
     for (int i = 0; i < world->face_count && !all; i++)
         if (c->faces[i].turned)
-            pp_mistake(r->mistakes, world->surfaces[i].line,
-                       "face: turns clockwise seen from inside; expected "
-                       "counter-clockwise");
+            pp_mistakes_add(r->mistakes, world->surfaces[i].line,
+                            "face: turns clockwise seen from inside; expected "
+                            "counter-clockwise");
 }
 
 /* A part by itself is a solid in the room, with its faces round it and so a negative
  * volume; but one part must hold all. */
-static void check_parts(struct pp_resolver *r, const struct closing *c)
+static void check_parts(struct pp_resolver *r, const struct watertight_check *c)
 {
     int rooms = 0;
     for (int part = 0; part < c->part_count; part++)
         rooms += volume_m3(r->world, c, part) > 0.0;
     if (rooms > 1)
-        pp_mistake(r->mistakes, r->room->plan.line,
-                   "envelope: its faces make %d rooms apart from each other; expected "
-                   "one",
-                   rooms);
+        pp_mistakes_add(
+            r->mistakes, r->room->plan.line,
+            "envelope: its faces make %d rooms apart from each other; expected "
+            "one",
+            rooms);
 }
 
-static enum pp_status check_closing(struct pp_resolver *r, struct closing *c,
+static enum pp_status check_closing(struct pp_resolver *r, struct watertight_check *c,
                                     struct pp_error *err)
 {
     struct pp_world *world = r->world;
@@ -256,15 +263,16 @@ static enum pp_status check_crossings(struct pp_resolver *r, struct pp_error *er
             if (!cross)
                 continue;
             r->closed = false;
-            pp_mistake(r->mistakes, world->surfaces[i].line,
-                       "face: goes through that of line %d at (%g, %g, %g); expected "
-                       "faces to meet in their edges only",
-                       world->surfaces[k].line, where.x, where.y, where.z);
+            pp_mistakes_add(
+                r->mistakes, world->surfaces[i].line,
+                "face: goes through that of line %d at (%g, %g, %g); expected "
+                "faces to meet in their edges only",
+                world->surfaces[k].line, where.x, where.y, where.z);
         }
     return PP_OK;
 }
 
-enum pp_status pp_resolve_closed(struct pp_resolver *r, struct pp_error *err)
+enum pp_status pp_build_watertight(struct pp_resolver *r, struct pp_error *err)
 {
     const struct pp_world *world = r->world;
     if (world->face_count <= 0 || r->faces_missing)
@@ -272,7 +280,7 @@ enum pp_status pp_resolve_closed(struct pp_resolver *r, struct pp_error *err)
     size_t corner_count = 0;
     for (int i = 0; i < world->face_count; i++)
         corner_count += world->surfaces[i].outline.count;
-    struct closing c = {
+    struct watertight_check c = {
         .edges = malloc(corner_count * sizeof *c.edges),
         .faces = malloc((size_t)world->face_count * sizeof *c.faces),
         .neighbours = malloc(corner_count * sizeof *c.neighbours),

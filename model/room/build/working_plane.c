@@ -12,7 +12,7 @@
 #include "model/geometry/tolerance.h"
 
 /* One edge of one face that goes through the plane. */
-struct passage {
+struct plane_crossing {
     int low, high;   /* numbers of the edge's corners, below and above the plane */
     bool upward;     /* does the face run up it? */
     double position; /* along the face's section */
@@ -20,25 +20,26 @@ struct passage {
 };
 
 struct segment {
-    struct passage from, to;
+    struct plane_crossing from, to;
     bool used;
 };
 
-struct section {
+struct plane_section {
     struct segment *segments;
     int count, space;
 };
 
-static struct passage passage_of(struct pp_vec3 low, struct pp_vec3 high, double z)
+static struct plane_crossing passage_of(struct pp_vec3 low, struct pp_vec3 high,
+                                        double z)
 {
     double t = (z - low.z) / (high.z - low.z);
-    return (struct passage){
+    return (struct plane_crossing){
         .xy = {low.x + t * (high.x - low.x), low.y + t * (high.y - low.y)}};
 }
 
 /* The passages of a face, as they follow each other along the direction in which the
  * room lies on the left; returns how many (an even number). */
-static int face_passages(struct passage *passages, const struct pp_polygon *face,
+static int face_passages(struct plane_crossing *passages, const struct pp_polygon *face,
                          const int *corners, double z)
 {
     int count = 0;
@@ -49,7 +50,8 @@ static int face_passages(struct passage *passages, const struct pp_polygon *face
         if ((p.z > z) == (q.z > z))
             continue;
         bool upward = q.z > z;
-        struct passage passage = upward ? passage_of(p, q, z) : passage_of(q, p, z);
+        struct plane_crossing passage =
+            upward ? passage_of(p, q, z) : passage_of(q, p, z);
         passage.low = corners[upward ? i : next];
         passage.high = corners[upward ? next : i];
         passage.upward = upward;
@@ -62,15 +64,16 @@ static int face_passages(struct passage *passages, const struct pp_polygon *face
     /* Where two are at one place, up and down take turns all the same. */
     for (int i = 0; i + 1 < count; i++)
         if (passages[i].upward != (i % 2 == 0)) {
-            struct passage swap = passages[i];
+            struct plane_crossing swap = passages[i];
             passages[i] = passages[i + 1];
             passages[i + 1] = swap;
         }
     return count;
 }
 
-static enum pp_status add_segment(struct section *section, struct passage from,
-                                  struct passage to, struct pp_error *err)
+static enum pp_status add_segment(struct plane_section *section,
+                                  struct plane_crossing from, struct plane_crossing to,
+                                  struct pp_error *err)
 {
     if (section->count == section->space) {
         int space = section->space ? 2 * section->space : 16;
@@ -85,12 +88,13 @@ static enum pp_status add_segment(struct section *section, struct passage from,
     return PP_OK;
 }
 
-static enum pp_status cut_faces(struct section *section, const struct pp_world *world,
-                                const int *corners, double z, struct pp_error *err)
+static enum pp_status cut_faces(struct plane_section *section,
+                                const struct pp_world *world, const int *corners,
+                                double z, struct pp_error *err)
 {
     for (int i = 0; i < world->face_count; i++) {
         const struct pp_polygon *face = &world->surfaces[i].outline;
-        struct passage *passages = malloc(face->count * sizeof *passages);
+        struct plane_crossing *passages = malloc(face->count * sizeof *passages);
         if (!passages)
             return pp_fail_memory(err);
         int count = face_passages(passages, face, corners, z);
@@ -107,14 +111,15 @@ static enum pp_status cut_faces(struct section *section, const struct pp_world *
 
 static int compare_segments(const void *left, const void *right)
 {
-    const struct passage *a = &((const struct segment *)left)->from;
-    const struct passage *b = &((const struct segment *)right)->from;
+    const struct plane_crossing *a = &((const struct segment *)left)->from;
+    const struct plane_crossing *b = &((const struct segment *)right)->from;
     if (a->low != b->low)
         return a->low < b->low ? -1 : 1;
     return (a->high > b->high) - (a->high < b->high);
 }
 
-static struct segment *segment_from(const struct section *section, struct passage end)
+static struct segment *segment_from(const struct plane_section *section,
+                                    struct plane_crossing end)
 {
     struct segment key = {.from = end};
     return bsearch(&key, section->segments, section->count, sizeof key,
@@ -148,7 +153,7 @@ static enum pp_status add_ring(struct pp_region *region, const double (*xy)[2],
 }
 
 /* Follows the segments from face to face until each ring closes. */
-static enum pp_status chain(struct pp_region *region, struct section *section,
+static enum pp_status chain(struct pp_region *region, struct plane_section *section,
                             struct pp_error *err)
 {
     double(*xy)[2] = malloc((section->count + 1) * sizeof *xy);
@@ -195,8 +200,8 @@ static enum pp_status sort_rings(struct pp_region *region, struct pp_error *err)
         for (int k = 0; k < region->count; k++) {
             struct pp_ring *hole = &region->rings[k];
             if (hole->count == 0 || ring_area_m2(hole) > 0.0
-                || pp_ring_side((const double(*)[2])outer->xy, outer->count,
-                                hole->xy[0][0], hole->xy[0][1], 0.0)
+                || pp_polygon_ring_side((const double(*)[2])outer->xy, outer->count,
+                                        hole->xy[0][0], hole->xy[0][1], 0.0)
                        == PP_OUTSIDE)
                 continue;
             sorted[count++] = *hole;
@@ -214,7 +219,7 @@ static enum pp_status sort_rings(struct pp_region *region, struct pp_error *err)
 static enum pp_status cut_room(struct pp_region *region, const struct pp_world *world,
                                const int *corners, double z, struct pp_error *err)
 {
-    struct section section = {0};
+    struct plane_section section = {0};
     enum pp_status status = cut_faces(&section, world, corners, z, err);
     if (status == PP_OK && section.count > 0) {
         qsort(section.segments, section.count, sizeof *section.segments,
@@ -227,7 +232,7 @@ static enum pp_status cut_room(struct pp_region *region, const struct pp_world *
     return status;
 }
 
-enum pp_status pp_resolve_working_plane(struct pp_resolver *r, struct pp_error *err)
+enum pp_status pp_build_working_plane(struct pp_resolver *r, struct pp_error *err)
 {
     struct pp_world *world = r->world;
     double z = r->room->working_plane_m;
@@ -241,7 +246,7 @@ enum pp_status pp_resolve_working_plane(struct pp_resolver *r, struct pp_error *
             low = fmin(low, world->surfaces[i].outline.vertices[k].z);
     if (!(z >= low) || !(z < world->height_m)) {
         int line = r->room->working_plane_line;
-        pp_mistake(
+        pp_mistakes_add(
             r->mistakes, line ? line : r->room->line,
             "working-plane: its height is %g m%s; expected it from the room's "
             "floor at %g m up to below its top at %g m",
@@ -283,8 +288,9 @@ static void number_corners(int *numbers, struct corner *corners,
     }
 }
 
-enum pp_status pp_world_section(struct pp_region *region, const struct pp_world *world,
-                                double z, struct pp_error *err)
+enum pp_status pp_working_plane_section(struct pp_region *region,
+                                        const struct pp_world *world, double z,
+                                        struct pp_error *err)
 {
     *region = (struct pp_region){0};
     int count = 0;
@@ -300,6 +306,6 @@ enum pp_status pp_world_section(struct pp_region *region, const struct pp_world 
     free(numbers);
     free(corners);
     if (status != PP_OK)
-        pp_region_destroy(region);
+        pp_region_clear(region);
     return status;
 }

@@ -4,43 +4,42 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "model/base/names.h"
-#include "model/room/read/read_lists.h"
+#include "model/base/text.h"
+#include "model/room/read/reader.h"
 
-static void read_site(struct pp_room_reader *r, struct pp_site_part *site,
+static void read_site(struct pp_reader *r, struct pp_site_part *site,
                       const struct pp_xml_element *e)
 {
     struct pp_site_form form;
-    if (!pp_reader_form(r, &form, &pp_rule_site, e))
+    if (!pp_reader_fill_form(r, &form, &pp_rule_site, e))
         return;
-    enum pp_work by_place =
-        form.surroundings == PP_INDUSTRIAL ? PP_DIRTY : PP_CLEAN;
-    *site =
-        (struct pp_site_part){.latitude_rad = form.latitude_rad,
-                              .longitude_rad = form.longitude_rad,
-                              .surroundings = (enum pp_surroundings)form.surroundings,
-                              .work = form.work < 0 ? by_place : (enum pp_work)form.work,
-                              .ground_reflectance = form.ground.reflectance,
-                              .ground_level_m = form.ground_level_m,
-                              .line = e->line};
+    enum pp_work by_place = form.surroundings == PP_INDUSTRIAL ? PP_DIRTY : PP_CLEAN;
+    *site = (struct pp_site_part){
+        .latitude_rad = form.latitude_rad,
+        .longitude_rad = form.longitude_rad,
+        .surroundings = (enum pp_surroundings)form.surroundings,
+        .work = form.work < 0 ? by_place : (enum pp_work)form.work,
+        .ground_reflectance = form.ground.reflectance,
+        .ground_level_m = form.ground_level_m,
+        .line = e->line};
 }
 
-static void read_sky(struct pp_room_reader *r, struct pp_sky_part *sky,
+static void read_sky(struct pp_reader *r, struct pp_sky_part *sky,
                      const struct pp_xml_element *e)
 {
     struct pp_sky_form form;
-    if (!pp_reader_form(r, &form, &pp_rule_sky, e))
+    if (!pp_reader_fill_form(r, &form, &pp_rule_sky, e))
         return;
     int iso = form.type > 1 ? form.type - 1 : 0;
     bool altitude = !isnan(form.sun_altitude_rad),
          bearing = !isnan(form.sun_bearing_rad);
     if (iso > 0 && pp_sky_iso_has_sun(iso) && !(altitude && bearing)) {
-        pp_mistake(r->mistakes, e->line,
-                   "sky: %s needs to know where the sun stands; %s missing",
-                   pp_sky_words[form.type],
-                   altitude  ? "sun-bearing is"
-                   : bearing ? "sun-altitude is"
-                             : "sun-altitude and sun-bearing are");
+        pp_mistakes_add(r->mistakes, e->line,
+                        "sky: %s needs to know where the sun stands; %s missing",
+                        pp_sky_words[form.type],
+                        altitude  ? "sun-bearing is"
+                        : bearing ? "sun-altitude is"
+                                  : "sun-altitude and sun-bearing are");
         return;
     }
     *sky = (struct pp_sky_part){.kind = form.type == 0   ? PP_SKY_OVERCAST
@@ -52,11 +51,11 @@ static void read_sky(struct pp_room_reader *r, struct pp_sky_part *sky,
                                 .line = e->line};
 }
 
-static void read_finishes(struct pp_room_reader *r, struct pp_room *room,
+static void read_finishes(struct pp_reader *r, struct pp_room *room,
                           const struct pp_xml_element *e)
 {
     struct pp_finishes_form form;
-    if (!pp_reader_form(r, &form, &pp_rule_finishes, e))
+    if (!pp_reader_fill_form(r, &form, &pp_rule_finishes, e))
         return;
     room->floor = form.floor.reflectance;
     room->walls = form.walls.reflectance;
@@ -67,35 +66,35 @@ static void read_finishes(struct pp_room_reader *r, struct pp_room *room,
     room->decorations = form.decorations;
 }
 
-static void read_finish(struct pp_room_reader *r, struct pp_room *room,
+static void read_finish(struct pp_reader *r, struct pp_room *room,
                         const struct pp_xml_element *e)
 {
     struct pp_finish_form form;
-    if (!pp_reader_form(r, &form, &pp_rule_finish, e))
+    if (!pp_reader_fill_form(r, &form, &pp_rule_finish, e))
         return;
-    if (PP_RESERVE(r, room->finishes, room->finish_count))
+    if (PP_READER_RESERVE(r, room->finishes, room->finish_count))
         room->finishes[room->finish_count++] = (struct pp_finish_part){
-            pp_reader_text(r, form.wall), form.finish.reflectance, form.finish.finish,
-            e->line};
+            pp_reader_copy_text(r, form.wall), form.finish.reflectance,
+            form.finish.finish, e->line};
 }
 
-static void read_skyline(struct pp_room_reader *r, struct pp_room *room,
+static void read_skyline(struct pp_reader *r, struct pp_room *room,
                          const struct pp_xml_element *e)
 {
     struct pp_skyline_form form;
-    if (pp_reader_form(r, &form, &pp_rule_skyline, e)
-        && PP_RESERVE(r, room->skylines, room->skyline_count))
+    if (pp_reader_fill_form(r, &form, &pp_rule_skyline, e)
+        && PP_READER_RESERVE(r, room->skylines, room->skyline_count))
         room->skylines[room->skyline_count++] =
-            (struct pp_skyline_part){pp_reader_text(r, form.wall), form.angle_rad,
+            (struct pp_skyline_part){pp_reader_copy_text(r, form.wall), form.angle_rad,
                                      form.distance_m, form.finish.reflectance, e->line};
 }
 
-static void read_block(struct pp_room_reader *r, struct pp_room *room,
+static void read_block(struct pp_reader *r, struct pp_room *room,
                        const struct pp_xml_element *e)
 {
     struct pp_block_form form;
-    if (pp_reader_form(r, &form, &pp_rule_block, e)
-        && PP_RESERVE(r, room->blocks, room->block_count))
+    if (pp_reader_fill_form(r, &form, &pp_rule_block, e)
+        && PP_READER_RESERVE(r, room->blocks, room->block_count))
         room->blocks[room->block_count++] =
             (struct pp_block){.corner = pp_vec(form.x, form.y, form.base),
                               .width_m = form.width_m,
@@ -107,15 +106,15 @@ static void read_block(struct pp_room_reader *r, struct pp_room *room,
                               .line = e->line};
 }
 
-static void read_surface(struct pp_room_reader *r, struct pp_room *room,
+static void read_surface(struct pp_reader *r, struct pp_room *room,
                          const struct pp_xml_element *e)
 {
     struct pp_loose_form form;
     struct pp_surface_part part = {.line = e->line};
-    bool good = pp_reader_form(r, &form, &pp_rule_surface, e);
-    good = pp_reader_vertices(r, &part.vertices, &pp_rule_vertex, e) && good;
-    if (!good || !PP_RESERVE(r, room->surfaces, room->surface_count)) {
-        pp_vertices_clear(&part.vertices);
+    bool good = pp_reader_fill_form(r, &form, &pp_rule_surface, e);
+    good = pp_reader_add_vertices(r, &part.vertices, &pp_rule_vertex, e) && good;
+    if (!good || !PP_READER_RESERVE(r, room->surfaces, room->surface_count)) {
+        pp_reader_vertices_clear(&part.vertices);
         return;
     }
     part.reflectance = form.finish.reflectance;
@@ -124,11 +123,11 @@ static void read_surface(struct pp_room_reader *r, struct pp_room *room,
     room->surfaces[room->surface_count++] = part;
 }
 
-static void read_working_plane(struct pp_room_reader *r, struct pp_room *room,
+static void read_working_plane(struct pp_reader *r, struct pp_room *room,
                                const struct pp_xml_element *e)
 {
     struct pp_plane_form form;
-    if (!pp_reader_form(r, &form, &pp_rule_working_plane, e))
+    if (!pp_reader_fill_form(r, &form, &pp_rule_working_plane, e))
         return;
     room->working_plane_m = form.height_m;
     room->working_plane_line = e->line;
@@ -136,26 +135,27 @@ static void read_working_plane(struct pp_room_reader *r, struct pp_room *room,
 
 /* Fills in the normal, (0, 0, 1) if none is given; false where it is given in part or
  * is none. */
-static bool normal_of(struct pp_room_reader *r, struct pp_vec3 *normal,
+static bool normal_of(struct pp_reader *r, struct pp_vec3 *normal,
                       const struct pp_receiver_form *form,
                       const struct pp_xml_element *e)
 {
     int given = !isnan(form->nx) + !isnan(form->ny) + !isnan(form->nz);
     *normal = given ? pp_vec(form->nx, form->ny, form->nz) : pp_vec(0.0, 0.0, 1.0);
     if (given == 1 || given == 2) {
-        pp_mistake(r->mistakes, e->line,
-                   "point: only a part of the normal is given; expected nx, ny and nz");
+        pp_mistakes_add(
+            r->mistakes, e->line,
+            "point: only a part of the normal is given; expected nx, ny and nz");
         return false;
     }
-    if (!(pp_length(*normal) > 0.0)) {
-        pp_mistake(r->mistakes, e->line,
-                   "point: its normal nx, ny, nz is 0; expected a direction");
+    if (!(pp_vec_length(*normal) > 0.0)) {
+        pp_mistakes_add(r->mistakes, e->line,
+                        "point: its normal nx, ny, nz is 0; expected a direction");
         return false;
     }
     return true;
 }
 
-static void read_receiver(struct pp_room_reader *r, struct pp_room *room,
+static void read_receiver(struct pp_reader *r, struct pp_room *room,
                           const struct pp_xml_element *e, enum pp_receiver_kind kind,
                           const struct pp_element_rule *rule)
 {
@@ -168,10 +168,11 @@ static void read_receiver(struct pp_room_reader *r, struct pp_room *room,
                                     .spacing_m = NAN,
                                     .margin_m = NAN};
     struct pp_receiver_part part = {.kind = kind, .line = e->line};
-    if (!pp_reader_form(r, &form, rule, e) || !normal_of(r, &part.normal, &form, e))
+    if (!pp_reader_fill_form(r, &form, rule, e)
+        || !normal_of(r, &part.normal, &form, e))
         return;
     if (kind == PP_LINE && form.from[0] == form.to[0] && form.from[1] == form.to[1]) {
-        pp_mistake(r->mistakes, e->line, "line: from and to are the same place");
+        pp_mistakes_add(r->mistakes, e->line, "line: from and to are the same place");
         return;
     }
     part.x = form.x;
@@ -182,21 +183,21 @@ static void read_receiver(struct pp_room_reader *r, struct pp_room *room,
     part.points = form.points;
     part.spacing_m = form.spacing_m;
     part.margin_m = form.margin_m;
-    if (PP_RESERVE(r, room->receivers, room->receiver_count))
+    if (PP_READER_RESERVE(r, room->receivers, room->receiver_count))
         room->receivers[room->receiver_count++] = part;
 }
 
 /* One child of a room, which its rule names. */
-static void read_child(struct pp_room_reader *r, struct pp_room *room,
+static void read_child(struct pp_reader *r, struct pp_room *room,
                        const struct pp_xml_element *e)
 {
     static const struct {
         const struct pp_element_rule *rule;
-        void (*read)(struct pp_room_reader *, struct pp_room *,
+        void (*read)(struct pp_reader *, struct pp_room *,
                      const struct pp_xml_element *);
     } plain[] = {
-        {&pp_rule_plan, pp_read_plan},
-        {&pp_rule_envelope, pp_read_envelope},
+        {&pp_rule_plan, pp_read_shape_plan},
+        {&pp_rule_envelope, pp_read_shape_envelope},
         {&pp_rule_finishes, read_finishes},
         {&pp_rule_finish, read_finish},
         {&pp_rule_skyline, read_skyline},
@@ -205,23 +206,23 @@ static void read_child(struct pp_room_reader *r, struct pp_room *room,
         {&pp_rule_working_plane, read_working_plane},
     };
     for (size_t i = 0; i < sizeof plain / sizeof *plain; i++)
-        if (pp_is(e, plain[i].rule))
+        if (pp_element_form_matches(e, plain[i].rule))
             plain[i].read(r, room, e);
-    if (pp_is(e, &pp_rule_site))
+    if (pp_element_form_matches(e, &pp_rule_site))
         read_site(r, &room->site, e);
-    else if (pp_is(e, &pp_rule_sky))
+    else if (pp_element_form_matches(e, &pp_rule_sky))
         read_sky(r, &room->sky, e);
-    else if (pp_is(e, &pp_rule_window))
+    else if (pp_element_form_matches(e, &pp_rule_window))
         pp_read_opening(r, room, e, PP_WINDOW, &pp_rule_window);
-    else if (pp_is(e, &pp_rule_rooflight))
+    else if (pp_element_form_matches(e, &pp_rule_rooflight))
         pp_read_opening(r, room, e, PP_ROOFLIGHT, &pp_rule_rooflight);
-    else if (pp_is(e, &pp_rule_opening))
+    else if (pp_element_form_matches(e, &pp_rule_opening))
         pp_read_opening(r, room, e, PP_OPENING, &pp_rule_opening);
-    else if (pp_is(e, &pp_rule_point))
+    else if (pp_element_form_matches(e, &pp_rule_point))
         read_receiver(r, room, e, PP_POINT, &pp_rule_point);
-    else if (pp_is(e, &pp_rule_line))
+    else if (pp_element_form_matches(e, &pp_rule_line))
         read_receiver(r, room, e, PP_LINE, &pp_rule_line);
-    else if (pp_is(e, &pp_rule_grid))
+    else if (pp_element_form_matches(e, &pp_rule_grid))
         read_receiver(r, room, e, PP_GRID, &pp_rule_grid);
 }
 
@@ -230,49 +231,50 @@ static const struct pp_site_part plain_site = {
 static const struct pp_sky_part plain_sky = {
     .kind = PP_SKY_OVERCAST, .sun_altitude_rad = NAN, .sun_bearing_rad = NAN};
 
-static void read_room(struct pp_room_reader *r, struct pp_room *room,
+static void read_room(struct pp_reader *r, struct pp_room *room,
                       const struct pp_xml_element *e, bool root)
 {
     struct pp_room_form form = {0};
-    bool good = pp_reader_form(r, &form, &pp_rule_room, e);
-    if (root && form.version < 0 && e->ended && !pp_reader_gives_up(r))
-        pp_mistake(r->mistakes, e->line, "room: version is missing; expected \"1\"");
+    bool good = pp_reader_fill_form(r, &form, &pp_rule_room, e);
+    if (root && form.version < 0 && e->ended && !pp_reader_should_stop(r))
+        pp_mistakes_add(r->mistakes, e->line,
+                        "room: version is missing; expected \"1\"");
     room->line = e->line;
     room->north_rad = good ? form.north_rad : 0.0;
-    room->name = pp_reader_text(r, form.name);
+    room->name = pp_reader_copy_text(r, form.name);
     room->floor = 0.2;
     room->walls = 0.5;
     room->ceiling = 0.7;
     room->decorations = 1.0;
     room->working_plane_m = 0.85;
-    for (const struct pp_xml_element *c = e->child; c && !pp_reader_gives_up(r);
+    for (const struct pp_xml_element *c = e->child; c && !pp_reader_should_stop(r);
          c = c->next)
         read_child(r, room, c);
-    pp_check_shape(r, e);
+    pp_read_shape_check(r, e);
     for (int i = 0; i < room->block_count; i++)
         if (isnan(room->blocks[i].corner.z))
             room->blocks[i].corner.z = room->site.ground_level_m;
 }
 
-static void read_building(struct pp_room_reader *r, struct pp_building *building,
+static void read_building(struct pp_reader *r, struct pp_building *building,
                           const struct pp_xml_element *e)
 {
     struct pp_building_form form = {0};
     struct pp_site_part site = plain_site;
     struct pp_sky_part sky = plain_sky;
-    pp_reader_form(r, &form, &pp_rule_building, e);
-    building->name = pp_reader_text(r, form.name);
+    pp_reader_fill_form(r, &form, &pp_rule_building, e);
+    building->name = pp_reader_copy_text(r, form.name);
     /* What stands for all rooms may come behind them. */
-    for (const struct pp_xml_element *c = e->child; c && !pp_reader_gives_up(r);
+    for (const struct pp_xml_element *c = e->child; c && !pp_reader_should_stop(r);
          c = c->next)
-        if (pp_is(c, &pp_rule_site))
+        if (pp_element_form_matches(c, &pp_rule_site))
             read_site(r, &site, c);
-        else if (pp_is(c, &pp_rule_sky))
+        else if (pp_element_form_matches(c, &pp_rule_sky))
             read_sky(r, &sky, c);
-    for (const struct pp_xml_element *c = e->child; c && !pp_reader_gives_up(r);
+    for (const struct pp_xml_element *c = e->child; c && !pp_reader_should_stop(r);
          c = c->next) {
-        if (!pp_is(c, &pp_rule_room)
-            || !PP_RESERVE(r, building->rooms, building->room_count))
+        if (!pp_element_form_matches(c, &pp_rule_room)
+            || !PP_READER_RESERVE(r, building->rooms, building->room_count))
             continue;
         struct pp_room *room = &building->rooms[building->room_count++];
         *room = (struct pp_room){.site = site, .sky = sky};
@@ -280,26 +282,26 @@ static void read_building(struct pp_room_reader *r, struct pp_building *building
     }
 }
 
-enum pp_status pp_building_fill(struct pp_building *building, const struct pp_xml *xml,
+enum pp_status pp_read_elements(struct pp_building *building, const struct pp_xml *xml,
                                 struct pp_mistakes *mistakes, struct pp_error *err)
 {
-    struct pp_room_reader r = {.mistakes = mistakes};
+    struct pp_reader r = {.mistakes = mistakes};
     const struct pp_xml_element *root = xml->root;
     if (!root)
         return PP_OK;
-    if (pp_is(root, &pp_rule_building)) {
+    if (pp_element_form_matches(root, &pp_rule_building)) {
         read_building(&r, building, root);
-    } else if (pp_is(root, &pp_rule_room)) {
-        if (PP_RESERVE(&r, building->rooms, building->room_count)) {
+    } else if (pp_element_form_matches(root, &pp_rule_room)) {
+        if (PP_READER_RESERVE(&r, building->rooms, building->room_count)) {
             building->rooms[0] = (struct pp_room){.site = plain_site, .sky = plain_sky};
             building->room_count = 1;
             read_room(&r, building->rooms, root, true);
         }
     } else if (xml->whole) {
         char shown[160];
-        pp_mistake(mistakes, root->line,
-                   "the file holds a <%s>; expected a <room> or a <building>",
-                   pp_excerpt(shown, sizeof shown, root->name));
+        pp_mistakes_add(mistakes, root->line,
+                        "the file holds a <%s>; expected a <room> or a <building>",
+                        pp_text_excerpt(shown, sizeof shown, root->name));
     }
     return r.out_of_memory ? pp_fail_memory(err) : PP_OK;
 }
@@ -307,17 +309,17 @@ enum pp_status pp_building_fill(struct pp_building *building, const struct pp_xm
 void pp_room_clear(struct pp_room *room)
 {
     free(room->name);
-    pp_plan_clear(&room->plan);
+    pp_read_shape_clear_plan(&room->plan);
     for (int i = 0; i < room->finish_count; i++)
         free(room->finishes[i].wall);
     for (int i = 0; i < room->opening_count; i++) {
         free(room->openings[i].wall);
-        pp_vertices_clear(&room->openings[i].vertices);
+        pp_reader_vertices_clear(&room->openings[i].vertices);
     }
     for (int i = 0; i < room->skyline_count; i++)
         free(room->skylines[i].wall);
     for (int i = 0; i < room->surface_count; i++)
-        pp_vertices_clear(&room->surfaces[i].vertices);
+        pp_reader_vertices_clear(&room->surfaces[i].vertices);
     free(room->finishes);
     free(room->openings);
     free(room->skylines);

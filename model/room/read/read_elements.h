@@ -1,11 +1,11 @@
 /* read_elements.h - from the elements of a room file to the parts of its rooms. */
-#ifndef PP_MODEL_ROOM_READ_H
-#define PP_MODEL_ROOM_READ_H
+#ifndef PP_MODEL_ROOM_READ_READ_ELEMENTS_H
+#define PP_MODEL_ROOM_READ_READ_ELEMENTS_H
 
 #include "model/base/error.h"
 #include "model/base/mistakes.h"
 #include "model/room/room_parts.h"
-#include "model/room/read/xml_input.h"
+#include "model/room/read/xml.h"
 
 /* What one file holds. */
 struct pp_building {
@@ -18,7 +18,7 @@ struct pp_building {
 
 /* Fills building, which is empty, from the file's elements. PP_OK also where there are
  * mistakes; fails when memory is out. What building holds is to be cleared anyway. */
-enum pp_status pp_building_fill(struct pp_building *building, const struct pp_xml *xml,
+enum pp_status pp_read_elements(struct pp_building *building, const struct pp_xml *xml,
                                 struct pp_mistakes *mistakes, struct pp_error *err);
 
 /* Frees what the room holds, not the room. */

@@ -1,20 +1,20 @@
 /* read_opening.c - windows, rooflights and openings, as the file has them. */
-#include "model/room/read/read_lists.h"
+#include "model/room/read/reader.h"
 
 #include <string.h>
 
 #include "model/light/glazings.h"
 
-static struct pp_glass named_glass(struct pp_room_reader *r, const char *name)
+static struct pp_glass named_glass(struct pp_reader *r, const char *name)
 {
-    const struct pp_glazing *glazing = pp_glazing_find(name);
+    const struct pp_glazing *glazing = pp_glazings_find(name);
     if (!glazing)
         return pp_glass_none(); /* the form has let through no other name */
-    size_t index = (size_t)(glazing - pp_glazing_at(0));
+    size_t index = (size_t)(glazing - pp_glazings_at(0));
     if (index >= PP_READER_GLASSES)
-        return pp_glazing_glass(glazing);
+        return pp_glazings_glass(glazing);
     if (r->glasses[index].panes == 0)
-        r->glasses[index] = pp_glazing_glass(glazing);
+        r->glasses[index] = pp_glazings_glass(glazing);
     return r->glasses[index];
 }
 
@@ -27,18 +27,18 @@ static bool has(const struct pp_xml_element *e, const char *name)
 }
 
 /* Is the glass said in one way? Whether well or not is not asked. */
-static bool said_once(struct pp_room_reader *r, const struct pp_xml_element *e)
+static bool said_once(struct pp_reader *r, const struct pp_xml_element *e)
 {
     if (!has(e, "glazing") || !has(e, "transmittance"))
         return true;
-    pp_mistake(r->mistakes, e->line,
-               "%s: glazing and transmittance are both given; expected one of them",
-               e->name);
+    pp_mistakes_add(
+        r->mistakes, e->line,
+        "%s: glazing and transmittance are both given; expected one of them", e->name);
     return false;
 }
 
 /* The glass that the attributes describe; false where they contradict each other. */
-static bool glass_of(struct pp_room_reader *r, struct pp_glass *glass,
+static bool glass_of(struct pp_reader *r, struct pp_glass *glass,
                      const struct pp_opening_form *form, const struct pp_xml_element *e)
 {
     if (!isnan(form->transmittance)) {
@@ -51,7 +51,7 @@ static bool glass_of(struct pp_room_reader *r, struct pp_glass *glass,
     *glass = named_glass(r, name);
     if (form->diffusing < 0 || form->diffusing == (int)glass->diffusing)
         return true;
-    pp_mistake(
+    pp_mistakes_add(
         r->mistakes, e->line,
         glass->diffusing
             ? "%s: diffusing is \"no\", but the glazing \"%s\" diffuses; expected "
@@ -62,7 +62,7 @@ static bool glass_of(struct pp_room_reader *r, struct pp_glass *glass,
     return false;
 }
 
-void pp_read_opening(struct pp_room_reader *r, struct pp_room *room,
+void pp_read_opening(struct pp_reader *r, struct pp_room *room,
                      const struct pp_xml_element *e, enum pp_opening_kind kind,
                      const struct pp_element_rule *rule)
 {
@@ -75,13 +75,13 @@ void pp_read_opening(struct pp_room_reader *r, struct pp_room *room,
                                    .y = NAN,
                                    .depth_m = NAN};
     struct pp_opening_part part = {.kind = kind, .line = e->line};
-    bool good = pp_reader_form(r, &form, rule, e);
+    bool good = pp_reader_fill_form(r, &form, rule, e);
     good = said_once(r, e) && good;
     if (kind == PP_OPENING)
-        good = pp_reader_vertices(r, &part.vertices, &pp_rule_vertex, e) && good;
+        good = pp_reader_add_vertices(r, &part.vertices, &pp_rule_vertex, e) && good;
     good = good && glass_of(r, &part.glazing.glass, &form, e);
-    if (!good || !PP_RESERVE(r, room->openings, room->opening_count)) {
-        pp_vertices_clear(&part.vertices);
+    if (!good || !PP_READER_RESERVE(r, room->openings, room->opening_count)) {
+        pp_reader_vertices_clear(&part.vertices);
         return;
     }
     part.glazing.frame_factor = form.frame_factor;
@@ -95,6 +95,6 @@ void pp_read_opening(struct pp_room_reader *r, struct pp_room *room,
     part.x = form.x;
     part.y = form.y;
     part.depth_m = form.depth_m;
-    part.wall = pp_reader_text(r, form.wall);
+    part.wall = pp_reader_copy_text(r, form.wall);
     room->openings[room->opening_count++] = part;
 }

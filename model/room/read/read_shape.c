@@ -1,10 +1,10 @@
 /* read_shape.c - the plan or the envelope of a room, as the file has it. */
-#include "model/room/read/read_lists.h"
+#include "model/room/read/reader.h"
 
 #include <stdlib.h>
 #include <string.h>
 
-#include "model/base/names.h"
+#include "model/base/text.h"
 
 /* What is wrong with the way a plan's outline is given, or NULL. */
 static const char *plan_fault(const struct pp_plan_form *form, int vertices)
@@ -24,21 +24,21 @@ static const char *plan_fault(const struct pp_plan_form *form, int vertices)
                      "vertices";
 }
 
-void pp_read_plan(struct pp_room_reader *r, struct pp_room *room,
-                  const struct pp_xml_element *e)
+void pp_read_shape_plan(struct pp_reader *r, struct pp_room *room,
+                        const struct pp_xml_element *e)
 {
     struct pp_plan_form form;
     struct pp_plan_part plan = {.line = e->line};
-    bool good = pp_reader_form(r, &form, &pp_rule_plan, e);
-    good = pp_reader_vertices(r, &plan.vertices, &pp_rule_plan_vertex, e) && good;
+    bool good = pp_reader_fill_form(r, &form, &pp_rule_plan, e);
+    good = pp_reader_add_vertices(r, &plan.vertices, &pp_rule_plan_vertex, e) && good;
     if (good) {
         const char *fault = plan_fault(&form, plan.vertices.count);
         if (fault)
-            pp_mistake(r->mistakes, e->line, "plan: %s", fault);
+            pp_mistakes_add(r->mistakes, e->line, "plan: %s", fault);
         good = !fault;
     }
     if (!good || room->plan.line) {
-        pp_plan_clear(&plan);
+        pp_read_shape_clear_plan(&plan);
         return;
     }
     plan.rectangle = plan.vertices.count == 0;
@@ -48,77 +48,79 @@ void pp_read_plan(struct pp_room_reader *r, struct pp_room *room,
     room->plan = plan;
 }
 
-void pp_plan_clear(struct pp_plan_part *plan)
+void pp_read_shape_clear_plan(struct pp_plan_part *plan)
 {
-    pp_vertices_clear(&plan->vertices);
+    pp_reader_vertices_clear(&plan->vertices);
     for (int i = 0; i < plan->face_count; i++) {
         free(plan->faces[i].name);
-        pp_vertices_clear(&plan->faces[i].vertices);
+        pp_reader_vertices_clear(&plan->faces[i].vertices);
     }
     free(plan->faces);
     *plan = (struct pp_plan_part){0};
 }
 
-static bool read_face(struct pp_room_reader *r, struct pp_plan_part *plan,
+static bool read_face(struct pp_reader *r, struct pp_plan_part *plan,
                       const struct pp_xml_element *e)
 {
     struct pp_face_form form;
-    bool good = pp_reader_form(r, &form, &pp_rule_face, e);
+    bool good = pp_reader_fill_form(r, &form, &pp_rule_face, e);
     struct pp_face_part face = {.line = e->line};
-    good = pp_reader_vertices(r, &face.vertices, &pp_rule_vertex, e) && good;
+    good = pp_reader_add_vertices(r, &face.vertices, &pp_rule_vertex, e) && good;
     if (good) {
         face.role = (enum pp_role)form.role;
         face.reflectance = form.finish.reflectance;
         face.finish = form.finish.finish;
-        face.name = pp_reader_text(r, form.name);
+        face.name = pp_reader_copy_text(r, form.name);
     }
-    if (good && PP_RESERVE(r, plan->faces, plan->face_count)) {
+    if (good && PP_READER_RESERVE(r, plan->faces, plan->face_count)) {
         plan->faces[plan->face_count++] = face;
         return true;
     }
     free(face.name);
-    pp_vertices_clear(&face.vertices);
+    pp_reader_vertices_clear(&face.vertices);
     return false;
 }
 
-void pp_read_envelope(struct pp_room_reader *r, struct pp_room *room,
-                      const struct pp_xml_element *e)
+void pp_read_shape_envelope(struct pp_reader *r, struct pp_room *room,
+                            const struct pp_xml_element *e)
 {
     struct pp_plan_part plan = {.envelope = true,
                                 .width_m = NAN,
                                 .depth_m = NAN,
                                 .height_m = NAN,
                                 .line = e->line};
-    bool good = pp_reader_form(r, NULL, &pp_rule_envelope, e);
-    for (const struct pp_xml_element *c = e->child; c && !pp_reader_gives_up(r);
+    bool good = pp_reader_fill_form(r, NULL, &pp_rule_envelope, e);
+    for (const struct pp_xml_element *c = e->child; c && !pp_reader_should_stop(r);
          c = c->next)
-        if (pp_is(c, &pp_rule_face))
+        if (pp_element_form_matches(c, &pp_rule_face))
             good = read_face(r, &plan, c) && good;
     if (!good || room->plan.line)
-        pp_plan_clear(&plan);
+        pp_read_shape_clear_plan(&plan);
     else
         room->plan = plan;
 }
 
-void pp_check_shape(struct pp_room_reader *r, const struct pp_xml_element *e)
+void pp_read_shape_check(struct pp_reader *r, const struct pp_xml_element *e)
 {
     const struct pp_xml_element *outline = NULL;
     for (const struct pp_xml_element *c = e->child; c; c = c->next) {
-        if (!pp_is(c, &pp_rule_plan) && !pp_is(c, &pp_rule_envelope))
+        if (!pp_element_form_matches(c, &pp_rule_plan)
+            && !pp_element_form_matches(c, &pp_rule_envelope))
             continue;
         if (outline && strcmp(outline->name, c->name) != 0) {
-            pp_mistake(r->mistakes, c->line,
-                       "room: <%s> beside the <%s> of line %d; expected one of them",
-                       c->name, outline->name, outline->line);
+            pp_mistakes_add(
+                r->mistakes, c->line,
+                "room: <%s> beside the <%s> of line %d; expected one of them", c->name,
+                outline->name, outline->line);
             return;
         }
         outline = outline ? outline : c;
     }
     static const char *const shapes[] = {"plan", "envelope", NULL};
     for (const struct pp_xml_element *c = e->child; c && !outline; c = c->next)
-        if (pp_nearest(c->name, shapes, -1))
+        if (pp_text_nearest(c->name, shapes, -1))
             outline = c; /* misspelt: it has been said */
     if (!outline && e->ended)
-        pp_mistake(r->mistakes, e->line,
-                   "room: it has no shape; expected a <plan> or an <envelope>");
+        pp_mistakes_add(r->mistakes, e->line,
+                        "room: it has no shape; expected a <plan> or an <envelope>");
 }

@@ -1,4 +1,4 @@
-/* room_schema.c - see room_schema.h: the table. What to do with it is in room_form.c.
+/* room_schema.c - see room_schema.h: the table. What to do with it is in element_form.c.
  */
 #include "model/room/read/room_schema.h"
 

@@ -4,15 +4,15 @@
  * there, what stands for it if not, and where in the element's form the value goes.
  * A form is the element as its attributes have it, before it becomes a part of a room.
  */
-#ifndef PP_MODEL_ROOM_SCHEMA_H
-#define PP_MODEL_ROOM_SCHEMA_H
+#ifndef PP_MODEL_ROOM_READ_ROOM_SCHEMA_H
+#define PP_MODEL_ROOM_READ_ROOM_SCHEMA_H
 
 #include <stdbool.h>
 #include <stddef.h>
 
-#include "model/room/allowance_words.h"
+#include "model/room/corrections.h"
 #include "model/base/mistakes.h"
-#include "model/room/read/xml_input.h"
+#include "model/room/read/xml.h"
 
 /* How the text of a value is read, and the C type that it is stored as. */
 enum pp_reading_of_value {
@@ -169,16 +169,18 @@ extern const char *const pp_sky_words[];
 
 /* Fills the element's form from its attributes, defaults where they are left out, and
  * notes what is wrong with them. False where anything is. */
-bool pp_form_fill(void *form, const struct pp_element_rule *rule,
-                  const struct pp_xml_element *element, struct pp_mistakes *mistakes);
+bool pp_element_form_fill(void *form, const struct pp_element_rule *rule,
+                          const struct pp_xml_element *element,
+                          struct pp_mistakes *mistakes);
 
 /* Notes children that the element can't have, has too often or too few times. False
  * where there are any. */
-bool pp_children_check(const struct pp_element_rule *rule,
-                       const struct pp_xml_element *element,
-                       struct pp_mistakes *mistakes);
+bool pp_element_form_check_children(const struct pp_element_rule *rule,
+                                    const struct pp_xml_element *element,
+                                    struct pp_mistakes *mistakes);
 
 /* Is the child an element by that rule? */
-bool pp_is(const struct pp_xml_element *element, const struct pp_element_rule *rule);
+bool pp_element_form_matches(const struct pp_xml_element *element,
+                             const struct pp_element_rule *rule);
 
 #endif

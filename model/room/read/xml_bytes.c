@@ -5,8 +5,8 @@
 #include <string.h>
 #include <strings.h>
 
-#include "model/base/names.h"
-#include "model/room/read/xml_input.h"
+#include "model/base/text.h"
+#include "model/room/read/xml.h"
 
 static int line_of(const char *bytes, const char *at)
 {
@@ -44,14 +44,14 @@ static bool letters_are_sound(const char *bytes, const char *end,
         size_t letter =
             utf8_letter((const unsigned char *)p, (const unsigned char *)end);
         if (letter == 0) {
-            pp_mistake(mistakes, line_of(bytes, p),
-                       "byte 0x%02X is not UTF-8; the file must be saved as UTF-8",
-                       (unsigned)(unsigned char)*p);
+            pp_mistakes_add(mistakes, line_of(bytes, p),
+                            "byte 0x%02X is not UTF-8; the file must be saved as UTF-8",
+                            (unsigned)(unsigned char)*p);
             return false;
         }
         if (*p == '\0') {
-            pp_mistake(mistakes, line_of(bytes, p),
-                       "a NUL byte; a room file is plain text");
+            pp_mistakes_add(mistakes, line_of(bytes, p),
+                            "a NUL byte; a room file is plain text");
             return false;
         }
         p += letter;
@@ -88,9 +88,9 @@ static bool declares_utf8(const char *bytes, const char *end,
     if (length == 5 && strncasecmp(name, "UTF-8", 5) == 0)
         return true;
     memcpy(copy, name, length < sizeof copy ? length : sizeof copy - 1);
-    pp_mistake(mistakes, line_of(bytes, name),
-               "the file says that its encoding is \"%s\"; expected UTF-8",
-               pp_excerpt(text, sizeof text, copy));
+    pp_mistakes_add(mistakes, line_of(bytes, name),
+                    "the file says that its encoding is \"%s\"; expected UTF-8",
+                    pp_text_excerpt(text, sizeof text, copy));
     return false;
 }
 
@@ -136,10 +136,11 @@ static bool tags_are_short(const char *bytes, const char *end,
         if (!next)
             next = tag_end(p, end);
         if (!next) {
-            pp_mistake(mistakes, line_of(bytes, p),
-                       "a tag of more than %d bytes starts here; is a quotation mark "
-                       "or a > missing?",
-                       PP_XML_TAG_BYTES_MOST);
+            pp_mistakes_add(
+                mistakes, line_of(bytes, p),
+                "a tag of more than %d bytes starts here; is a quotation mark "
+                "or a > missing?",
+                PP_XML_TAG_BYTES_MOST);
             return false;
         }
         p = next;
@@ -151,19 +152,21 @@ bool pp_xml_bytes_sound(const char *bytes, size_t length, struct pp_mistakes *mi
 {
     const char *end = bytes + length;
     if (length > PP_XML_BYTES_MOST) {
-        pp_mistake(mistakes, 0, "the file is larger than %d MiB, the most that is read",
-                   PP_XML_BYTES_MOST >> 20);
+        pp_mistakes_add(mistakes, 0,
+                        "the file is larger than %d MiB, the most that is read",
+                        PP_XML_BYTES_MOST >> 20);
         return false;
     }
     if (starts(bytes, end, "\xFF\xFE") || starts(bytes, end, "\xFE\xFF")) {
-        pp_mistake(mistakes, 1, "the file is UTF-16; it must be saved as UTF-8");
+        pp_mistakes_add(mistakes, 1, "the file is UTF-16; it must be saved as UTF-8");
         return false;
     }
     const char *p = bytes;
     while (p < end && (*p == ' ' || *p == '\t' || *p == '\r' || *p == '\n'))
         p++;
     if (p == end) {
-        pp_mistake(mistakes, 1, "the file is empty; expected a <room> or a <building>");
+        pp_mistakes_add(mistakes, 1,
+                        "the file is empty; expected a <room> or a <building>");
         return false;
     }
     return letters_are_sound(bytes, end, mistakes)

@@ -1,6 +1,6 @@
 /* xml_bytes.h - what can be said of an XML file before it is parsed. */
-#ifndef PP_MODEL_XML_BYTES_H
-#define PP_MODEL_XML_BYTES_H
+#ifndef PP_MODEL_ROOM_READ_XML_BYTES_H
+#define PP_MODEL_ROOM_READ_XML_BYTES_H
 
 #include <stdbool.h>
 #include <stddef.h>

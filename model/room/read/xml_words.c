@@ -4,7 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "model/base/names.h"
+#include "model/base/text.h"
 
 /* Errors that one sentence says all of. */
 static const struct {
@@ -132,8 +132,8 @@ static void write_sentence(char *text, size_t size, const xmlError *error,
         if (open)
             snprintf(text, size,
                      "the file breaks off within <%s> of line %d; expected </%s>",
-                     pp_excerpt(one, sizeof one, open->name), open->line,
-                     pp_excerpt(other, sizeof other, open->name));
+                     pp_text_excerpt(one, sizeof one, open->name), open->line,
+                     pp_text_excerpt(other, sizeof other, open->name));
         else
             snprintf(text, size, "the file breaks off within a tag");
         return;
@@ -145,19 +145,19 @@ static void write_sentence(char *text, size_t size, const xmlError *error,
     switch (error->code) {
     case XML_ERR_TAG_NAME_MISMATCH:
         snprintf(text, size, "</%s> where </%s> was expected, to close line %d",
-                 pp_excerpt(other, sizeof other, error->str2 ? error->str2 : ""),
-                 pp_excerpt(one, sizeof one, open ? open->name : ""),
+                 pp_text_excerpt(other, sizeof other, error->str2 ? error->str2 : ""),
+                 pp_text_excerpt(one, sizeof one, open ? open->name : ""),
                  open ? open->line : 1);
         return;
     case XML_ERR_ATTRIBUTE_REDEFINED:
         snprintf(text, size, "the attribute \"%s\" is given twice",
-                 pp_excerpt(one, sizeof one, error->str1 ? error->str1 : ""));
+                 pp_text_excerpt(one, sizeof one, error->str1 ? error->str1 : ""));
         return;
     case XML_ERR_UNDECLARED_ENTITY:
     case XML_WAR_UNDECLARED_ENTITY:
         snprintf(text, size,
                  "&%s; is not known; XML has &amp; &lt; &gt; &quot; and &apos;",
-                 pp_excerpt(one, sizeof one, error->str1 ? error->str1 : ""));
+                 pp_text_excerpt(one, sizeof one, error->str1 ? error->str1 : ""));
         return;
     default:
         break;
@@ -173,8 +173,8 @@ static void write_sentence(char *text, size_t size, const xmlError *error,
     snprintf(text, size, "not well-formed XML: %s", copy);
 }
 
-size_t pp_xml_sentence(char *text, size_t size, const xmlError *error,
-                       const struct pp_xml_place *place)
+size_t pp_xml_words_sentence(char *text, size_t size, const xmlError *error,
+                             const struct pp_xml_place *place)
 {
     write_sentence(text, size, error, place);
     return cause_of(error->code, place);

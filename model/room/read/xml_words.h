@@ -1,11 +1,11 @@
 /* xml_words.h - what the XML parser complains of, in words for people. */
-#ifndef PP_MODEL_XML_WORDS_H
-#define PP_MODEL_XML_WORDS_H
+#ifndef PP_MODEL_ROOM_READ_XML_WORDS_H
+#define PP_MODEL_ROOM_READ_XML_WORDS_H
 
 #include <libxml/xmlerror.h>
 #include <stddef.h>
 
-#include "model/room/read/xml_input.h"
+#include "model/room/read/xml.h"
 
 /* Where in the file an error came up. */
 struct pp_xml_place {
@@ -17,7 +17,7 @@ struct pp_xml_place {
 
 /* Writes one sentence on the error to text. Returns where in the bytes its cause is to
  * be looked for: what has no end is named by its beginning. */
-size_t pp_xml_sentence(char *text, size_t size, const xmlError *error,
-                       const struct pp_xml_place *place);
+size_t pp_xml_words_sentence(char *text, size_t size, const xmlError *error,
+                             const struct pp_xml_place *place);
 
 #endif

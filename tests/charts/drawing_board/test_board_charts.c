@@ -90,7 +90,7 @@ static struct pp_waldram_sheet blank_waldram(bool glazed)
 {
     struct pp_sky sky = pp_sky_overcast();
     struct pp_waldram_sheet sheet;
-    assert_int_equal(pp_waldram_sheet_blank(&sheet, &sky, glazed, NULL), PP_OK);
+    assert_int_equal(pp_waldram_sheet_fill_blank(&sheet, &sky, glazed, NULL), PP_OK);
     return sheet;
 }
 
@@ -98,8 +98,8 @@ static struct pp_pepper_pot_sheet blank_pepper_pot(bool upright)
 {
     struct pp_sky sky = pp_sky_overcast();
     struct pp_pepper_pot_sheet sheet;
-    assert_int_equal(pp_pepper_pot_sheet_blank(&sheet, &sky, true, upright,
-                                               PP_PEPPER_POT_WORTH, NULL),
+    assert_int_equal(pp_pepper_pot_sheet_fill_blank(&sheet, &sky, true, upright,
+                                                    PP_PEPPER_POT_WORTH, NULL),
                      PP_OK);
     return sheet;
 }
@@ -229,10 +229,10 @@ static void sheets_sum_up_to_what_the_methods_give(void **state)
     struct pp_world *world = pp_test_world(two_sides);
     struct pp_waldram_sheet waldram;
     struct pp_pepper_pot_sheet pots;
-    assert_int_equal(pp_waldram_sheet_of(&waldram, world, world->receivers, NULL),
-                     PP_OK);
-    assert_int_equal(pp_pepper_pot_sheet_of(&pots, world, world->receivers,
-                                            PP_PEPPER_POT_WORTH, NULL),
+    assert_int_equal(
+        pp_waldram_sheet_fill_room(&waldram, world, world->receivers, NULL), PP_OK);
+    assert_int_equal(pp_pepper_pot_sheet_fill_room(&pots, world, world->receivers,
+                                                   PP_PEPPER_POT_WORTH, NULL),
                      PP_OK);
     assert_near(waldram.sky_component, value_of(world, PP_SC, "waldram"), 1e-13);
     assert_near(waldram.external, value_of(world, PP_ERC, "waldram"), 1e-13);
@@ -255,8 +255,8 @@ static void sheets_sum_up_to_what_the_methods_give(void **state)
                 /* The outline drawn has the squares' area. */
                 assert_near(pp_region_area(&piece->outline), piece->counted, 0.6);
             }
-    pp_waldram_sheet_clear(&waldram);
-    pp_pepper_pot_sheet_clear(&pots);
+    pp_board_sheets_waldram_clear(&waldram);
+    pp_board_sheets_pepper_pot_clear(&pots);
     pp_world_destroy(world);
 }
 
@@ -282,7 +282,7 @@ static void the_ruler_is_100_mm_long_and_has_its_millimetres(void **state)
         free(strokes.list);
         free(svg);
     }
-    pp_pepper_pot_sheet_clear(&sheet);
+    pp_board_sheets_pepper_pot_clear(&sheet);
 }
 
 /* A metre 1.5 m away, at a viewing distance of 36 mm, is 24 mm long. */
@@ -307,7 +307,7 @@ static void metres_are_drawn_as_the_viewing_distance_over_theirs(void **state)
     assert_true(found);
     free(strokes.list);
     free(svg);
-    pp_pepper_pot_sheet_clear(&sheet);
+    pp_board_sheets_pepper_pot_clear(&sheet);
 }
 
 /* Without glass azimuth is even and altitude as 3 sin^2 + 4 sin^3. */
@@ -332,7 +332,7 @@ static void waldram_scale_marks_stand_where_the_formula_puts_them(void **state)
     }
     free(strokes.list);
     free(svg);
-    pp_waldram_sheet_clear(&sheet);
+    pp_board_sheets_waldram_clear(&sheet);
 }
 
 static void droop_lines_pass_through_known_directions(void **state)
@@ -352,7 +352,7 @@ static void droop_lines_pass_through_known_directions(void **state)
     curve = &panel->across.list[4];
     assert_near(curve->xy[90][1], 0.0, 1e-12);
     assert_near(curve->xy[180][1], panel->altitude[50], 1e-9);
-    pp_waldram_sheet_clear(&sheet);
+    pp_board_sheets_waldram_clear(&sheet);
 }
 
 static void two_drawings_are_the_same_bytes(void **state)
@@ -376,8 +376,8 @@ static void two_drawings_are_the_same_bytes(void **state)
         for (int k = 0; k < 4; k++)
             free(files[k]);
     }
-    pp_waldram_sheet_clear(&waldram);
-    pp_pepper_pot_sheet_clear(&pot);
+    pp_board_sheets_waldram_clear(&waldram);
+    pp_board_sheets_pepper_pot_clear(&pot);
 }
 
 /* Behind the window's plane and in it, by way of a room with a bay. */
@@ -396,9 +396,11 @@ static void a_window_that_is_not_seen_has_no_squares_and_no_dots(void **state)
         struct pp_waldram_sheet waldram;
         struct pp_pepper_pot_sheet pot;
         assert_int_equal(
-            pp_waldram_sheet_of(&waldram, world, &world->receivers[i], NULL), PP_OK);
-        assert_int_equal(pp_pepper_pot_sheet_of(&pot, world, &world->receivers[i],
-                                                PP_PEPPER_POT_WORTH, NULL),
+            pp_waldram_sheet_fill_room(&waldram, world, &world->receivers[i], NULL),
+            PP_OK);
+        assert_int_equal(pp_pepper_pot_sheet_fill_room(&pot, world,
+                                                       &world->receivers[i],
+                                                       PP_PEPPER_POT_WORTH, NULL),
                          PP_OK);
         assert_int_equal(waldram.panels[0].windows[0].count, 0);
         assert_int_equal(pot.panels[0].windows[0].count, 0);
@@ -406,8 +408,8 @@ static void a_window_that_is_not_seen_has_no_squares_and_no_dots(void **state)
         size_t length;
         free(waldram_file(&waldram, PP_CHART_SVG, &length));
         free(pepper_pot_file(&pot, 0.0, PP_CHART_SVG, PP_PAPER_A5, &length));
-        pp_waldram_sheet_clear(&waldram);
-        pp_pepper_pot_sheet_clear(&pot);
+        pp_board_sheets_waldram_clear(&waldram);
+        pp_board_sheets_pepper_pot_clear(&pot);
     }
     pp_world_destroy(world);
 }
@@ -424,21 +426,23 @@ static void what_the_diagrams_do_not_hold_is_refused_with_why(void **state)
     struct pp_waldram_sheet waldram;
     struct pp_pepper_pot_sheet pot;
     struct pp_error err = {0};
-    assert_int_equal(pp_waldram_sheet_of(&waldram, world, world->receivers, &err),
-                     PP_BAD_INPUT);
+    assert_int_equal(
+        pp_waldram_sheet_fill_room(&waldram, world, world->receivers, &err),
+        PP_BAD_INPUT);
     assert_non_null(strstr(err.message, "opening on line 3 has sloping glass"));
-    assert_int_equal(pp_pepper_pot_sheet_of(&pot, world, world->receivers,
-                                            PP_PEPPER_POT_WORTH, &err),
+    assert_int_equal(pp_pepper_pot_sheet_fill_room(&pot, world, world->receivers,
+                                                   PP_PEPPER_POT_WORTH, &err),
                      PP_BAD_INPUT);
     assert_non_null(strstr(err.message, "opening on line 3"));
     pp_world_destroy(world);
 
     struct pp_sky sky;
     assert_int_equal(pp_sky_iso(&sky, 12, pp_vec(0.6, 0.0, 0.8), NULL), PP_OK);
-    assert_int_equal(pp_waldram_sheet_blank(&waldram, &sky, true, &err), PP_BAD_INPUT);
-    assert_int_equal(
-        pp_pepper_pot_sheet_blank(&pot, &sky, true, false, PP_PEPPER_POT_WORTH, &err),
-        PP_BAD_INPUT);
+    assert_int_equal(pp_waldram_sheet_fill_blank(&waldram, &sky, true, &err),
+                     PP_BAD_INPUT);
+    assert_int_equal(pp_pepper_pot_sheet_fill_blank(&pot, &sky, true, false,
+                                                    PP_PEPPER_POT_WORTH, &err),
+                     PP_BAD_INPUT);
 }
 
 int main(void)

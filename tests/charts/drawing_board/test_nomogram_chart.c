@@ -162,9 +162,9 @@ static void marks_stand_where_the_formula_puts_them(void **state)
     for (int kind = 0; kind < PP_NOMOGRAMS; kind++)
         for (int p = 0; p < 3; p++) {
             struct pp_nomogram_sheet sheet;
-            assert_int_equal(pp_nomogram_sheet_blank(&sheet,
-                                                     (enum pp_nomogram_kind)kind,
-                                                     spacing_of(papers[p]), NULL),
+            assert_int_equal(pp_nomogram_sheet_fill_blank(&sheet,
+                                                          (enum pp_nomogram_kind)kind,
+                                                          spacing_of(papers[p]), NULL),
                              PP_OK);
             struct drawing *drawing = lines_of(&sheet, papers[p]);
             struct frame frame = frame_of(drawing);
@@ -250,8 +250,8 @@ static void straight_edge_on_the_printed_marks_gives_the_formula(void **state)
 {
     (void)state;
     struct pp_nomogram_sheet sheet;
-    assert_int_equal(pp_nomogram_sheet_blank(&sheet, PP_NOMOGRAM_AVERAGE,
-                                             spacing_of(PP_PAPER_A4), NULL),
+    assert_int_equal(pp_nomogram_sheet_fill_blank(&sheet, PP_NOMOGRAM_AVERAGE,
+                                                  spacing_of(PP_PAPER_A4), NULL),
                      PP_OK);
     struct drawing *drawing = lines_of(&sheet, PP_PAPER_A4);
     struct frame frame = frame_of(drawing);
@@ -304,8 +304,9 @@ static void sum_of_a_room_is_that_of_the_method(void **state)
     const struct pp_column *least = pp_report_find(&report, PP_IRC, "bre-min");
     for (int kind = 0; kind < 2; kind++) {
         struct pp_nomogram_sheet sheet;
-        assert_int_equal(pp_nomogram_sheet_of(&sheet, (enum pp_nomogram_kind)kind,
-                                              world, spacing_of(PP_PAPER_A4), NULL),
+        assert_int_equal(pp_nomogram_sheet_fill_room(&sheet,
+                                                     (enum pp_nomogram_kind)kind, world,
+                                                     spacing_of(PP_PAPER_A4), NULL),
                          PP_OK);
         assert_int_equal(sheet.window_count, 3);
         assert_int_equal(sheet.windows[2].alike, 2);
@@ -340,8 +341,8 @@ static void rooms_that_a_nomogram_is_not_made_for(void **state)
         struct pp_world *world = pp_test_world(cases[i].xml);
         struct pp_nomogram_sheet sheet;
         struct pp_error err = {0};
-        assert_int_equal(pp_nomogram_sheet_of(&sheet, cases[i].kind, world,
-                                              spacing_of(PP_PAPER_A4), &err),
+        assert_int_equal(pp_nomogram_sheet_fill_room(&sheet, cases[i].kind, world,
+                                                     spacing_of(PP_PAPER_A4), &err),
                          PP_BAD_INPUT);
         assert_non_null(strstr(err.message, cases[i].why));
         pp_nomogram_sheet_clear(&sheet);

@@ -58,9 +58,10 @@ static struct line *lines_of(const char *svg, int *count)
  * nearest tenth of a per cent; by quadrature. */
 static double off_mm(const struct pp_protractor *protractor, double angle, double arc)
 {
-    double share = pp_protractor_primary(protractor, angle);
+    double share = pp_protractor_scale_primary(protractor, angle);
     double nearest = rint(1e3 * share) / 1e3;
-    return fabs(share - nearest) / pp_protractor_primary_slope(protractor, angle) * arc;
+    return fabs(share - nearest) / pp_protractor_scale_primary_slope(protractor, angle)
+           * arc;
 }
 
 static void marks_stand_where_the_formula_puts_them(void **state)
@@ -71,9 +72,10 @@ static void marks_stand_where_the_formula_puts_them(void **state)
         struct pp_style style = pp_page_style(canvas);
         struct pp_protractor protractor;
         struct pp_protractor_sheet sheet;
-        pp_protractor_published(&protractor, number, NULL);
-        assert_int_equal(pp_protractor_sheet_blank(&sheet, &protractor, "glass",
-                                                   spacing_of(canvas, false), NULL),
+        pp_protractor_scale_published(&protractor, number, NULL);
+        assert_int_equal(pp_protractor_sheet_fill_blank(&sheet, &protractor, "glass",
+                                                        spacing_of(canvas, false),
+                                                        NULL),
                          PP_OK);
         assert_int_equal(pp_protractor_chart_draw(canvas, &sheet, NULL), PP_OK);
         double radius = pp_protractor_chart_radius_mm(canvas);
@@ -127,20 +129,20 @@ static void lines_of_factors_stand_where_the_formula_puts_them(void **state)
     for (int number = 1; number <= 10; number++) {
         struct pp_protractor protractor;
         struct pp_protractor_sheet sheet;
-        pp_protractor_published(&protractor, number, NULL);
+        pp_protractor_scale_published(&protractor, number, NULL);
         assert_int_equal(
-            pp_protractor_sheet_blank(&sheet, &protractor, "glass", spacing, NULL),
+            pp_protractor_sheet_fill_blank(&sheet, &protractor, "glass", spacing, NULL),
             PP_OK);
         const struct pp_protractor_scale *scale = &sheet.scale;
         assert_int_equal(scale->line_count, 24);
         for (int i = 3; i < scale->line_count; i += 5)
             for (int k = 4; k < scale->lines[i].count - 4; k += 3) {
-                double average = k * PP_LINE_STEP_RAD;
-                double theta =
-                    scale->turned_down
-                        ? scale->lines[i].jamb_rad[k]
-                        : pp_protractor_theta(average, scale->lines[i].jamb_rad[k]);
-                assert_near(pp_protractor_auxiliary(&protractor, average, theta),
+                double average = k * PP_PROTRACTOR_LINE_STEP_RAD;
+                double theta = scale->turned_down
+                                   ? scale->lines[i].jamb_rad[k]
+                                   : pp_protractor_scale_theta(
+                                       average, scale->lines[i].jamb_rad[k]);
+                assert_near(pp_protractor_scale_auxiliary(&protractor, average, theta),
                             0.02 * (i + 1), 1e-6);
             }
         pp_protractor_sheet_clear(&sheet);
@@ -158,19 +160,21 @@ static void any_glass_slope_and_even_sky_has_a_protractor(void **state)
     bool azimuth = pp_sky_has_azimuth(&protractor.sky);
     struct pp_error err;
     enum pp_status status =
-        pp_protractor_sheet_blank(&sheet, &protractor, "x", spacing, &err);
+        pp_protractor_sheet_fill_blank(&sheet, &protractor, "x", spacing, &err);
     assert_int_equal(status, azimuth ? PP_BAD_INPUT : PP_OK);
     assert_int_equal(sheet.scale.number, 0);
     assert_near(sheet.scale.range_rad, 135.0 * PP_RAD, 1e-12);
     pp_protractor_sheet_clear(&sheet);
     protractor.glass = pp_glass_diffusing(0.5);
-    assert_int_equal(pp_protractor_sheet_blank(&sheet, &protractor, "x", spacing, &err),
-                     PP_BAD_INPUT);
+    assert_int_equal(
+        pp_protractor_sheet_fill_blank(&sheet, &protractor, "x", spacing, &err),
+        PP_BAD_INPUT);
     assert_non_null(strstr(err.message, "diffusing"));
     assert_int_equal(pp_sky_iso(&protractor.sky, 12, pp_vec(0, 0.6, 0.8), NULL), PP_OK);
     protractor.glass = pp_glass_clear_single();
-    assert_int_equal(pp_protractor_sheet_blank(&sheet, &protractor, "x", spacing, &err),
-                     PP_BAD_INPUT);
+    assert_int_equal(
+        pp_protractor_sheet_fill_blank(&sheet, &protractor, "x", spacing, &err),
+        PP_BAD_INPUT);
     assert_non_null(strstr(err.message, "azimuths"));
 }
 
@@ -190,9 +194,10 @@ static void a_worked_chart_is_drawn_of_windows_and_rooflights(void **state)
             struct pp_world *world = pp_test_world(rooms[r]);
             struct pp_canvas *canvas = canvas_of(i % 3, i / 3);
             struct pp_protractor_sheet sheet;
-            assert_int_equal(pp_protractor_sheet_of(&sheet, world, world->receivers,
-                                                    spacing_of(canvas, true), NULL),
-                             PP_OK);
+            assert_int_equal(
+                pp_protractor_sheet_fill_room(&sheet, world, world->receivers,
+                                              spacing_of(canvas, true), NULL),
+                PP_OK);
             assert_true(sheet.read.sky > 0.005);
             assert_int_equal(sheet.scale.number, r ? 4 : 2);
             assert_int_equal(pp_protractor_worked_draw(canvas, &sheet, NULL), PP_OK);
@@ -217,7 +222,7 @@ static void a_point_that_sees_no_opening_has_no_worked_chart(void **state)
     struct pp_error err;
     struct pp_mark_spacing spacing = {0.01, 0.06};
     assert_int_equal(
-        pp_protractor_sheet_of(&sheet, world, world->receivers, spacing, &err),
+        pp_protractor_sheet_fill_room(&sheet, world, world->receivers, spacing, &err),
         PP_BAD_INPUT);
     assert_non_null(strstr(err.message, "sees nothing"));
     pp_protractor_sheet_clear(&sheet);

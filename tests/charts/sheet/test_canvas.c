@@ -26,7 +26,7 @@ static void draw_rule(struct pp_canvas *canvas)
 {
     cairo_t *cr = pp_canvas_cairo(canvas);
     struct pp_style style = pp_page_style(canvas);
-    struct pp_text text = {.size = PP_TEXT_BODY};
+    struct pp_lettering text = {.size = PP_TEXT_BODY};
     cairo_save(cr);
     cairo_arc(cr, 70, 50, 60, 0, 6.28);
     cairo_clip(cr);
@@ -35,7 +35,7 @@ static void draw_rule(struct pp_canvas *canvas)
     cairo_line_to(cr, 120, 30);
     cairo_stroke(cr);
     cairo_restore(cr);
-    pp_text_draw(cr, &style, &text, 20, 40, "Working plane");
+    pp_lettering_draw(cr, &style, &text, 20, 40, "Working plane");
 }
 
 /* The whole file as a string of its own. */
@@ -302,14 +302,14 @@ static void names_of_files_and_papers_are_understood_or_refused(void **state)
     enum pp_chart_format format;
     enum pp_paper paper;
     struct pp_error err;
-    assert_int_equal(pp_chart_format_of(&format, "a b/room.SVG", 0), PP_OK);
+    assert_int_equal(pp_canvas_format_of(&format, "a b/room.SVG", 0), PP_OK);
     assert_int_equal(format, PP_CHART_SVG);
-    assert_int_equal(pp_chart_format_of(&format, "room.jpg", &err), PP_BAD_INPUT);
+    assert_int_equal(pp_canvas_format_of(&format, "room.jpg", &err), PP_BAD_INPUT);
     assert_non_null(strstr(err.message, "room.jpg"));
-    assert_int_equal(pp_chart_format_of(&format, "pdf", 0), PP_BAD_INPUT);
-    assert_int_equal(pp_paper_of(&paper, "A3", 0), PP_OK);
+    assert_int_equal(pp_canvas_format_of(&format, "pdf", 0), PP_BAD_INPUT);
+    assert_int_equal(pp_canvas_paper_of(&paper, "A3", 0), PP_OK);
     assert_int_equal(paper, PP_PAPER_A3);
-    assert_int_equal(pp_paper_of(&paper, "letter", &err), PP_BAD_INPUT);
+    assert_int_equal(pp_canvas_paper_of(&paper, "letter", &err), PP_BAD_INPUT);
 
     struct pp_sheet sheet = {PP_CHART_PNG, PP_PAPER_A4, false, 3.0, 0, 0};
     struct pp_canvas *canvas;

@@ -116,7 +116,7 @@ typedef enum pp_status printer(const struct pp_results *, FILE *, struct pp_erro
 static enum pp_status as_text(const struct pp_results *results, FILE *out,
                               struct pp_error *err)
 {
-    return pp_print_text(results, 80, true, out, err);
+    return pp_df_text(results, 80, true, out, err);
 }
 
 /* What a printer prints; to be freed. */
@@ -158,7 +158,7 @@ static struct json_object *parsed(const char *text)
 static void json_holds_per_cent_under_the_names_of_the_contract(void **state)
 {
     struct fixture *f = *state;
-    char *text = printed(f, pp_print_json);
+    char *text = printed(f, pp_df_json);
     struct json_object *room = parsed(text);
     assert_string_equal(json_object_get_string(at(room, "format")), "pepperpot-df-1");
     assert_string_equal(json_object_get_string(at(room, "sky")), "overcast");
@@ -181,7 +181,7 @@ static void json_holds_per_cent_under_the_names_of_the_contract(void **state)
 static void json_says_why_where_there_is_no_value(void **state)
 {
     struct fixture *f = *state;
-    char *text = printed(f, pp_print_json);
+    char *text = printed(f, pp_df_json);
     struct json_object *room = parsed(text);
     struct json_object *entry = at(room, "points/1/sc/brs-table");
     assert_null(at(entry, "value"));
@@ -195,11 +195,11 @@ static void json_says_why_where_there_is_no_value(void **state)
 static void json_says_unfinished_only_of_an_interrupted_run(void **state)
 {
     struct fixture *f = *state;
-    char *text = printed(f, pp_print_json);
+    char *text = printed(f, pp_df_json);
     assert_null(strstr(text, "finished"));
     free(text);
     f->result.report.finished = false;
-    text = printed(f, pp_print_json);
+    text = printed(f, pp_df_json);
     struct json_object *room = parsed(text);
     assert_true(json_object_is_type(at(room, "finished"), json_type_boolean));
     assert_false(json_object_get_boolean(at(room, "finished")));
@@ -211,7 +211,7 @@ static void json_of_a_building_is_an_array_even_of_one(void **state)
 {
     struct fixture *f = *state;
     f->results.several = true;
-    char *text = printed(f, pp_print_json);
+    char *text = printed(f, pp_df_json);
     struct json_object *rooms = parsed(text);
     assert_true(json_object_is_type(rooms, json_type_array));
     assert_int_equal(json_object_array_length(rooms), 1);
@@ -224,7 +224,7 @@ static void json_of_bytes_that_are_no_text_is_still_json(void **state)
     struct fixture *f = *state;
     static char broken[] = "a\xff\xc0\xaf\xed\xa0\x80z\\\x01";
     f->world.name = broken;
-    char *text = printed(f, pp_print_json);
+    char *text = printed(f, pp_df_json);
     struct json_tokener *tokener = json_tokener_new();
     json_tokener_set_flags(tokener, JSON_TOKENER_STRICT | JSON_TOKENER_VALIDATE_UTF8);
     struct json_object *room = json_tokener_parse_ex(tokener, text, (int)strlen(text));
@@ -260,7 +260,7 @@ static const char *next_record(const char *text, char fields[20][256], int *coun
 static void csv_has_one_record_a_value_and_reads_back(void **state)
 {
     struct fixture *f = *state;
-    char *text = printed(f, pp_print_csv);
+    char *text = printed(f, pp_df_csv);
     static char fields[20][256];
     int count, records = 0, whys = 0;
     const char *rest = next_record(text, fields, &count);

@@ -15,7 +15,8 @@ static enum pp_status parse(struct pp_scene_description *scene,
     char *copy = malloc(length ? length : 1);
     assert_non_null(copy);
     memcpy(copy, text, length);
-    enum pp_status status = pp_rad_parse(scene, summary, copy, length, "room.rad", err);
+    enum pp_status status =
+        pp_rad_read_bytes(scene, summary, copy, length, "room.rad", err);
     free(copy);
     return status;
 }
@@ -141,7 +142,7 @@ static int corners_at(const struct pp_scene_description *scene, int first, int e
         for (int k = 0; k < scene->shapes[i].is.polygon.count; k++) {
             const struct pp_vec3 *v =
                 &scene->vertices[scene->shapes[i].is.polygon.first + k];
-            count += pp_length(pp_sub(*v, pp_vec(x, y, z))) < 1e-9;
+            count += pp_vec_length(pp_vec_sub(*v, pp_vec(x, y, z))) < 1e-9;
         }
     return count;
 }
@@ -154,7 +155,7 @@ static double volume_of(const struct pp_scene_description *scene)
         const struct pp_shape *shape = &scene->shapes[i];
         const struct pp_vec3 *v = scene->vertices + shape->is.polygon.first;
         for (int k = 2; k < shape->is.polygon.count; k++)
-            volume += pp_dot(v[0], pp_cross(v[k - 1], v[k])) / 6.0;
+            volume += pp_vec_dot(v[0], pp_vec_cross(v[k - 1], v[k])) / 6.0;
     }
     return volume;
 }

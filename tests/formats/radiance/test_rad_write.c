@@ -9,7 +9,7 @@
 #include "formats/radiance/rad_read.h"
 #include "formats/radiance/rad_room.h"
 #include "formats/radiance/rad_write.h"
-#include "model/room/room.h"
+#include "model/room/building.h"
 #include "model/room/keyhole.h"
 #include "tests/lib/near.h"
 
@@ -18,14 +18,14 @@ static char *text_of(const struct pp_scene_description *scene, size_t *length)
     char *text = NULL;
     struct pp_error err = {0};
     struct pp_rad_writer *writer;
-    if (pp_rad_writer_create(&writer, scene, &err) != PP_OK)
+    if (pp_rad_write_create(&writer, scene, &err) != PP_OK)
         fail_msg("%s", err.message);
     FILE *out = open_memstream(&text, length);
     assert_non_null(out);
     pp_rad_write_materials(writer, out);
     pp_rad_write_shapes(writer, "shape", 0, scene->shape_count, out);
     fclose(out);
-    pp_rad_writer_destroy(writer);
+    pp_rad_write_destroy(writer);
     return text;
 }
 
@@ -34,7 +34,7 @@ static struct pp_scene_description read_back(const char *text, size_t length)
     struct pp_scene_description scene;
     struct pp_rad_summary summary;
     struct pp_error err = {0};
-    if (pp_rad_parse(&scene, &summary, text, length, "back.rad", &err) != PP_OK)
+    if (pp_rad_read_bytes(&scene, &summary, text, length, "back.rad", &err) != PP_OK)
         fail_msg("%s", err.message);
     return scene;
 }
@@ -110,8 +110,9 @@ static void assert_same_patterns(const struct pp_scene_description *a,
             double z = (k % 25 + 0.5) / 25.0, turn = 0.37 * k;
             double r = sqrt(1.0 - z * z);
             struct pp_vec3 u = pp_vec(r * cos(turn), r * sin(turn), z);
-            double value = pp_pattern_value(&a->patterns[i], u);
-            assert_near(pp_pattern_value(&b->patterns[i], u), value, 1e-13 * value);
+            double value = pp_scene_description_pattern_value(&a->patterns[i], u);
+            assert_near(pp_scene_description_pattern_value(&b->patterns[i], u), value,
+                        1e-13 * value);
         }
 }
 
@@ -132,9 +133,9 @@ static void assert_same_scene(const struct pp_scene_description *scene)
 static void assert_cut(const struct pp_world *world)
 {
     for (int face = 0; face < world->face_count; face++) {
-        struct pp_cut_face cut;
+        struct pp_keyhole_outlines cut;
         struct pp_error err = {0};
-        assert_int_equal(pp_cut_face_create(&cut, world, face, &err), PP_OK);
+        assert_int_equal(pp_keyhole_outlines_init(&cut, world, face, &err), PP_OK);
         double left = world->surfaces[face].outline.area_m2;
         for (int i = 0; i < world->opening_count; i++)
             if (world->openings[i].face == face)
@@ -143,12 +144,13 @@ static void assert_cut(const struct pp_world *world)
         for (int i = 0; i < cut.count; i++)
             for (int k = 2; k < cut.outlines[i].count; k++) {
                 const struct pp_vec3 *v = cut.outlines[i].corners;
-                sum = pp_along(sum, 0.5,
-                               pp_cross(pp_sub(v[k - 1], v[0]), pp_sub(v[k], v[0])));
+                sum = pp_vec_along(
+                    sum, 0.5,
+                    pp_vec_cross(pp_vec_sub(v[k - 1], v[0]), pp_vec_sub(v[k], v[0])));
             }
-        assert_near(pp_dot(sum, world->surfaces[face].outline.normal), left,
+        assert_near(pp_vec_dot(sum, world->surfaces[face].outline.normal), left,
                     1e-9 * world->surfaces[face].outline.area_m2);
-        pp_cut_face_clear(&cut);
+        pp_keyhole_outlines_clear(&cut);
     }
 }
 
@@ -249,10 +251,10 @@ static void many_holes_in_one_wall_become_one_outline(void **state)
                 "</room>");
     struct pp_world *world = pp_test_world(xml);
     for (int face = 0; face < world->face_count; face++) {
-        struct pp_cut_face cut;
-        assert_int_equal(pp_cut_face_create(&cut, world, face, NULL), PP_OK);
+        struct pp_keyhole_outlines cut;
+        assert_int_equal(pp_keyhole_outlines_init(&cut, world, face, NULL), PP_OK);
         assert_int_equal(cut.count, 1);
-        pp_cut_face_clear(&cut);
+        pp_keyhole_outlines_clear(&cut);
     }
     pp_world_destroy(world);
     assert_comes_back(xml);
@@ -269,11 +271,11 @@ static void openings_that_part_a_wall_leave_several_outlines(void **state)
         "<window wall='south' left='4.5' sill='1' width='1' height='1' glazing='none'/>"
         "</room>";
     struct pp_world *world = pp_test_world(xml);
-    struct pp_cut_face cut;
+    struct pp_keyhole_outlines cut;
     int south = world->openings[0].face;
-    assert_int_equal(pp_cut_face_create(&cut, world, south, NULL), PP_OK);
+    assert_int_equal(pp_keyhole_outlines_init(&cut, world, south, NULL), PP_OK);
     assert_int_equal(cut.count, 3);
-    pp_cut_face_clear(&cut);
+    pp_keyhole_outlines_clear(&cut);
     pp_world_destroy(world);
     assert_comes_back(xml);
 }
@@ -295,11 +297,11 @@ static void a_far_skyline_is_part_of_the_sky(void **state)
     const struct pp_pattern *pattern = &room.scene.patterns[0];
     assert_int_equal(pattern->skyline_count, 2);
     /* 0.4 (0.396177 + 0.3/2) 70 / pi: the vertical sky component's known maximum */
-    struct pp_vec3 low = pp_unit(pp_vec(0.01, -1.0, 0.3));
-    assert_near(pp_pattern_value(pattern, low), 0.4 * (0.396177 + 0.15) * 70.0 / PP_PI,
-                1e-5);
-    struct pp_vec3 above = pp_unit(pp_vec(0.01, -1.0, 0.48));
-    assert_near(pp_pattern_value(pattern, above),
+    struct pp_vec3 low = pp_vec_unit(pp_vec(0.01, -1.0, 0.3));
+    assert_near(pp_scene_description_pattern_value(pattern, low),
+                0.4 * (0.396177 + 0.15) * 70.0 / PP_PI, 1e-5);
+    struct pp_vec3 above = pp_vec_unit(pp_vec(0.01, -1.0, 0.48));
+    assert_near(pp_scene_description_pattern_value(pattern, above),
                 70.0 * pp_sky_luminance(&world->sky, above), 1e-12);
     assert_same_scene(&room.scene);
     pp_rad_room_clear(&room);
@@ -333,9 +335,10 @@ static void what_radiance_has_no_words_for_is_refused(void **state)
     struct pp_material lit = pp_material_diffuse(pp_rgb_grey(0.4));
     lit.emits = PP_EMITS_EXTENDED;
     lit.radiance = pp_rgb_grey(2.0);
-    assert_int_equal(pp_scene_add_material(&scene, &lit, NULL, NULL), PP_OK);
+    assert_int_equal(pp_scene_description_add_material(&scene, &lit, NULL, NULL),
+                     PP_OK);
     struct pp_rad_writer *writer;
-    assert_int_equal(pp_rad_writer_create(&writer, &scene, NULL), PP_BAD_INPUT);
+    assert_int_equal(pp_rad_write_create(&writer, &scene, NULL), PP_BAD_INPUT);
     pp_scene_description_clear(&scene);
 }
 
@@ -387,10 +390,12 @@ static void names_are_fit_and_unlike_each_other(void **state)
         struct pp_material grey = pp_material_diffuse(pp_rgb_grey(0.1 * i));
         strcpy(grey.name, names[i]);
         int index;
-        assert_int_equal(pp_scene_add_material(&scene, &grey, &index, NULL), PP_OK);
-        const struct pp_vec3 corners[] = {{0, 0, i}, {1, 0, i}, {0, 1, i}};
-        assert_int_equal(pp_scene_add_polygon(&scene, corners, 3, index, NULL, NULL),
+        assert_int_equal(pp_scene_description_add_material(&scene, &grey, &index, NULL),
                          PP_OK);
+        const struct pp_vec3 corners[] = {{0, 0, i}, {1, 0, i}, {0, 1, i}};
+        assert_int_equal(
+            pp_scene_description_add_polygon(&scene, corners, 3, index, NULL, NULL),
+            PP_OK);
     }
     assert_same_scene(&scene);
     pp_scene_description_clear(&scene);
@@ -407,10 +412,11 @@ static void twenty_thousand_materials_of_one_name_are_told_apart(void **state)
     for (int i = 0; i < COUNT; i++) {
         struct pp_material grey = pp_material_diffuse(pp_rgb_grey(0.9 * i / COUNT));
         strcpy(grey.name, i == 7 ? "void" : i == 9 ? "wall_5" : "wall");
-        assert_int_equal(pp_scene_add_material(&scene, &grey, NULL, NULL), PP_OK);
-        const struct pp_vec3 corners[] = {{0, 0, i}, {1, 0, i}, {0, 1, i}};
-        assert_int_equal(pp_scene_add_polygon(&scene, corners, 3, i, NULL, NULL),
+        assert_int_equal(pp_scene_description_add_material(&scene, &grey, NULL, NULL),
                          PP_OK);
+        const struct pp_vec3 corners[] = {{0, 0, i}, {1, 0, i}, {0, 1, i}};
+        assert_int_equal(
+            pp_scene_description_add_polygon(&scene, corners, 3, i, NULL, NULL), PP_OK);
         if (i % 3 > 0)
             scene.shapes[i].back_material = COUNT - 1 - i;
     }
@@ -425,11 +431,11 @@ static void numbers_come_back_to_the_bit(void **state)
         0.1, 1.0 / 3.0, 1e22, -2.5e-7, 123456789.123456789, 5e-324, 1.7999999999999998};
     for (size_t i = 0; i < sizeof numbers / sizeof *numbers; i++) {
         char text[32];
-        pp_rad_number_text(numbers[i], text);
+        pp_rad_write_number_text(numbers[i], text);
         assert_true(strtod(text, NULL) == numbers[i]);
     }
     char text[32];
-    pp_rad_number_text(0.1, text);
+    pp_rad_write_number_text(0.1, text);
     assert_string_equal(text, "0.1");
 }
 
@@ -458,7 +464,7 @@ static void what_is_not_our_own_function_is_refused(void **state)
         struct pp_scene_description scene;
         struct pp_rad_summary summary;
         struct pp_error err = {0};
-        if (pp_rad_parse(&scene, &summary, text, strlen(text), "x.rad", &err)
+        if (pp_rad_read_bytes(&scene, &summary, text, strlen(text), "x.rad", &err)
             != PP_BAD_INPUT)
             fail_msg("taken: %s", wrong[i]);
         assert_non_null(strstr(err.message, "x.rad:2: "));

@@ -84,7 +84,7 @@ static double through_polynomial(const void *context, struct pp_vec3 u)
 {
     const struct light *light = context;
     return (light->sky ? pp_sky_luminance(light->sky, u) : 1.0)
-           * polynomial_glass(pp_dot(light->toward, u));
+           * polynomial_glass(pp_vec_dot(light->toward, u));
 }
 
 static double integral(const struct pp_visible *visible, struct pp_vec3 normal,

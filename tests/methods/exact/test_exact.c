@@ -2,13 +2,13 @@
 #include "tests/lib/near.h"
 
 #include "methods/exact/exact.h"
-#include "methods/view/exterior_planes.h"
+#include "methods/view/exterior.h"
 #include "tests/lib/room_of.h"
 
 static struct pp_part at(const struct pp_world *world, struct pp_vec3 position,
                          struct pp_vec3 normal)
 {
-    struct pp_receiver receiver = {position, pp_unit(normal), 0};
+    struct pp_receiver receiver = {position, pp_vec_unit(normal), 0};
     struct pp_part sum = {0};
     for (int i = 0; i < world->opening_count; i++) {
         struct pp_part part = {0};
@@ -126,8 +126,8 @@ static void a_far_skyline_leaves_its_vertical_sky_component(void **state)
     assert_near(part.external, 0.4 * (all - left) + 0.3 / 2.0, 1e-9);
     double share;
     struct pp_sky sky = pp_sky_overcast();
-    assert_int_equal(pp_outside_sky_on_plane(&share, world, &world->openings[0],
-                                             pp_vec(0.0, -1.0, 0.0), &sky, NULL),
+    assert_int_equal(pp_exterior_sky_on_plane(&share, world, &world->openings[0],
+                                              pp_vec(0.0, -1.0, 0.0), &sky, NULL),
                      PP_OK);
     assert_near(share, left, 1e-13);
     pp_world_destroy(world);

@@ -57,8 +57,8 @@ static struct pp_vec3 any_direction(struct dice *dice)
     struct pp_vec3 v;
     do
         v = any_point(dice);
-    while (pp_dot(v, v) > 1.0 || pp_dot(v, v) < 0.01);
-    return pp_unit(v);
+    while (pp_vec_dot(v, v) > 1.0 || pp_vec_dot(v, v) < 0.01);
+    return pp_vec_unit(v);
 }
 
 static struct pp_polygon polygon_of(struct pp_vec3 *corners, int count)
@@ -66,17 +66,17 @@ static struct pp_polygon polygon_of(struct pp_vec3 *corners, int count)
     struct pp_polygon polygon = {.count = count, .vertices = corners};
     struct pp_vec3 twice = {0.0, 0.0, 0.0};
     for (int i = 2; i < count; i++)
-        twice = pp_add(twice, pp_cross(pp_sub(corners[i - 1], corners[0]),
-                                       pp_sub(corners[i], corners[0])));
-    polygon.area_m2 = pp_length(twice) / 2.0;
-    polygon.normal = pp_unit(twice);
+        twice = pp_vec_add(twice, pp_vec_cross(pp_vec_sub(corners[i - 1], corners[0]),
+                                               pp_vec_sub(corners[i], corners[0])));
+    polygon.area_m2 = pp_vec_length(twice) / 2.0;
+    polygon.normal = pp_vec_unit(twice);
     return polygon;
 }
 
 static struct pp_vec3 in_plane(struct pp_vec3 origin, struct pp_vec3 a, double x,
                                struct pp_vec3 b, double y)
 {
-    return pp_along(pp_along(origin, x, a), y, b);
+    return pp_vec_along(pp_vec_along(origin, x, a), y, b);
 }
 
 /* An opening of any slope, a rectangle or an outline with a notch, with or without a
@@ -91,12 +91,12 @@ static void deal_opening(struct scene *scene, struct dice *dice)
     /* Looking out, square to the glass; slope 0 looks up. */
     struct pp_vec3 level = {cos(bearing), sin(bearing), 0.0};
     struct pp_vec3 out =
-        pp_add(pp_scale(level, sin(slope)), pp_vec(0.0, 0.0, cos(slope)));
+        pp_vec_add(pp_vec_scale(level, sin(slope)), pp_vec(0.0, 0.0, cos(slope)));
     opening->along = pp_vec(sin(bearing), -cos(bearing), 0.0);
-    opening->up = pp_cross(opening->along, out);
-    opening->up = pp_scale(opening->up, -1.0);
-    if (pp_dot(pp_cross(opening->along, opening->up), out) > 0.0)
-        opening->along = pp_scale(opening->along, -1.0);
+    opening->up = pp_vec_cross(opening->along, out);
+    opening->up = pp_vec_scale(opening->up, -1.0);
+    if (pp_vec_dot(pp_vec_cross(opening->along, opening->up), out) > 0.0)
+        opening->along = pp_vec_scale(opening->along, -1.0);
 
     double w = between(dice, 0.3, 3.0), h = between(dice, 0.3, 2.5);
     struct pp_vec3 corner = any_point(dice);
@@ -111,7 +111,8 @@ static void deal_opening(struct scene *scene, struct dice *dice)
         const double *share = opening->rectangle ? plain[i] : notched[i];
         scene->corners[0][i] =
             in_plane(corner, opening->along, w * share[0], opening->up, h * share[1]);
-        scene->corners[1][i] = pp_along(scene->corners[0][i], opening->reveal_m, out);
+        scene->corners[1][i] =
+            pp_vec_along(scene->corners[0][i], opening->reveal_m, out);
     }
     opening->inner = polygon_of(scene->corners[0], count);
     opening->outer = polygon_of(scene->corners[1], count);
@@ -124,7 +125,7 @@ static void deal_opening(struct scene *scene, struct dice *dice)
     double distance = exp(between(dice, log(0.05), log(6.0)));
     double aside = between(dice, -2.0, 4.0), above = between(dice, -2.0, 4.0);
     struct pp_vec3 eye = in_plane(corner, opening->along, aside, opening->up, above);
-    scene->receiver.position = pp_along(eye, -distance, out);
+    scene->receiver.position = pp_vec_along(eye, -distance, out);
     scene->receiver.normal =
         one_in(dice, 2) ? any_direction(dice) : pp_vec(0.0, 0.0, 1.0);
 }
@@ -132,8 +133,8 @@ static void deal_opening(struct scene *scene, struct dice *dice)
 static struct pp_surface *deal_surface(struct scene *scene)
 {
     struct pp_surface *surface = &scene->surfaces[scene->world.surface_count];
-    *surface =
-        (struct pp_surface){.role = PP_LOOSE, .front = 0.2, .back = 0.2, .owner = -1};
+    *surface = (struct pp_surface){
+        .role = PP_FREE_SURFACE, .front = 0.2, .back = 0.2, .owner = -1};
     surface->outline.vertices = scene->corners[2 + scene->world.surface_count++ - 1];
     return surface;
 }
@@ -147,13 +148,13 @@ static void deal_plate(struct scene *scene, struct dice *dice)
     double aside = between(dice, -0.5, 2.0), above = between(dice, -0.5, 2.0);
     struct pp_vec3 target =
         in_plane(opening->inner.vertices[0], opening->along, aside, opening->up, above);
-    struct pp_vec3 path = pp_sub(target, scene->receiver.position);
+    struct pp_vec3 path = pp_vec_sub(target, scene->receiver.position);
     struct pp_vec3 middle =
-        pp_along(scene->receiver.position, between(dice, 0.2, 3.0), path);
+        pp_vec_along(scene->receiver.position, between(dice, 0.2, 3.0), path);
     struct pp_vec3 n = any_direction(dice), a = any_direction(dice);
-    a = pp_unit(pp_cross(n, a));
-    struct pp_vec3 b = pp_cross(n, a);
-    double size = pp_length(path) * between(dice, 0.1, 0.8);
+    a = pp_vec_unit(pp_vec_cross(n, a));
+    struct pp_vec3 b = pp_vec_cross(n, a);
+    double size = pp_vec_length(path) * between(dice, 0.1, 0.8);
     static const double plain[4][2] = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
     static const double notched[6][2] = {{-1, -1},    {1, -1}, {1, 1},
                                          {0.2, -0.1}, {-1, 1}, {-0.6, 0.2}};
@@ -176,9 +177,9 @@ static void deal_block(struct scene *scene, struct dice *dice)
 {
     const struct pp_opening *opening = &scene->opening;
     struct pp_block *block = &scene->blocks[scene->world.block_count];
-    struct pp_vec3 out = pp_scale(opening->inner.normal, -1.0);
+    struct pp_vec3 out = pp_vec_scale(opening->inner.normal, -1.0);
     struct pp_vec3 corner =
-        pp_along(opening->inner.vertices[0], between(dice, 0.5, 8.0), out);
+        pp_vec_along(opening->inner.vertices[0], between(dice, 0.5, 8.0), out);
     corner.z -= between(dice, 0.0, 3.0);
     block->corner = corner;
     block->width_m = between(dice, 0.5, 4.0);

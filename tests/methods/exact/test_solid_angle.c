@@ -11,7 +11,7 @@ static struct pp_moments moments_of(const struct pp_vec3 corners[4],
 {
     struct pp_moments sum = {0};
     struct pp_vec3 half_spaces[2] = {normal, zenith};
-    pp_moments_add(&sum, corners, 4, normal, half_spaces, 2);
+    pp_solid_angle_add_moments(&sum, corners, 4, normal, half_spaces, 2);
     return sum;
 }
 
@@ -38,13 +38,13 @@ static struct pp_moments overhead(double x0, double x1, double y0, double y1,
 static double overcast(struct pp_moments moments)
 {
     struct pp_sky sky = pp_sky_overcast();
-    return pp_moments_sky(&moments, &sky);
+    return pp_solid_angle_sky_component(&moments, &sky);
 }
 
 static double uniform(struct pp_moments moments)
 {
     struct pp_sky sky = pp_sky_uniform();
-    return pp_moments_sky(&moments, &sky);
+    return pp_solid_angle_sky_component(&moments, &sky);
 }
 
 /* A ceiling of sky 1e9 times as wide as it is high misses a strip of the horizon whose
@@ -171,7 +171,7 @@ static void a_continuous_obstruction_leaves_the_vertical_sky_component(void **st
         const struct pp_vec3 wall[4] = {
             {-2e5, 0.3, -1e5}, {2e5, 0.3, -1e5}, {2e5, 0.3, 2e5}, {-2e5, 0.3, 2e5}};
         struct pp_moments m = {0};
-        pp_moments_add(&m, wall, 4, facing, half_spaces, 3);
+        pp_solid_angle_add_moments(&m, wall, 4, facing, half_spaces, 3);
         double paper = 3.0 / 14.0 * (1.0 - sin(alpha))
                        + 4.0 / (7.0 * PP_PI) * cos(alpha) * cos(alpha);
         assert_near(overcast(m), paper, 1e-10);
@@ -198,7 +198,7 @@ static void a_small_far_window_obeys_the_inverse_square_law(void **state)
 static void a_hole_counts_negative(void **state)
 {
     (void)state;
-    struct pp_vec3 n = pp_unit(pp_vec(0.3, 0.4, 0.7));
+    struct pp_vec3 n = pp_vec_unit(pp_vec(0.3, 0.4, 0.7));
     const struct pp_vec3 ring[5] = {{-1.2, 2.0, 0.4},
                                     {1.9, 2.0, -0.6},
                                     {2.1, 2.0, 1.5},
@@ -209,9 +209,9 @@ static void a_hole_counts_negative(void **state)
         back[i] = ring[4 - i];
     struct pp_vec3 half_spaces[2] = {n, zenith};
     struct pp_moments sum = {0};
-    pp_moments_add(&sum, ring, 5, n, half_spaces, 2);
+    pp_solid_angle_add_moments(&sum, ring, 5, n, half_spaces, 2);
     assert_true(sum.cosine > 0.1);
-    pp_moments_add(&sum, back, 5, n, half_spaces, 2);
+    pp_solid_angle_add_moments(&sum, back, 5, n, half_spaces, 2);
     assert_near(sum.omega, 0.0, 1e-15);
     assert_near(sum.cosine, 0.0, 1e-15);
     assert_near(sum.cosine_sine, 0.0, 1e-15);
@@ -223,7 +223,7 @@ static void parts_of_a_window_add_up(void **state)
 {
     (void)state;
     struct pp_vec3 n =
-        pp_unit(pp_vec(0.6, -0.5, 0.4)); /* its horizon cuts the window */
+        pp_vec_unit(pp_vec(0.6, -0.5, 0.4)); /* its horizon cuts the window */
     struct pp_moments whole = upright(-1.4, 2.3, -0.7, 1.9, 0.8, n);
     static const double cuts[] = {-1.1, 0.0, 1e-9, 0.37, 2.2999999};
     for (size_t i = 0; i < sizeof cuts / sizeof cuts[0]; i++) {

@@ -23,7 +23,7 @@ static struct pp_lumen_coefficients solve(double width, double depth, double ev_
     struct pp_lumen_room *room = NULL;
     bool ground = isnan(ev_over_eh);
     if (!ground)
-        assert_int_equal(pp_lumen_sky(&sky, ev_over_eh, NULL), PP_OK);
+        assert_int_equal(pp_lumen_room_sky(&sky, ev_over_eh, NULL), PP_OK);
     assert_int_equal(pp_lumen_room_create(&room, width, depth, 1, NULL), PP_OK);
     pp_lumen_room_light(room, ground ? NULL : &sky);
     const struct pp_lumen_finishes finishes = {ceiling, walls};
@@ -38,27 +38,27 @@ static struct pp_lumen_coefficients solve(double width, double depth, double ev_
 static void faces_of_a_cube_have_the_printed_form_factors(void **state)
 {
     (void)state;
-    const struct pp_upright_rectangle floor = {2, {0, 0, 0}, {1, 1, 0}};
-    const struct pp_upright_rectangle ceiling = {2, {0, 0, 1}, {1, 1, 1}};
-    const struct pp_upright_rectangle wall = {0, {0, 0, 0}, {0, 1, 1}};
-    assert_near(pp_rectangle_exchange(&floor, &ceiling), 0.199825, 5e-7);
-    assert_near(pp_rectangle_exchange(&floor, &wall), 0.200044, 5e-7);
+    const struct pp_aligned_rectangle floor = {2, {0, 0, 0}, {1, 1, 0}};
+    const struct pp_aligned_rectangle ceiling = {2, {0, 0, 1}, {1, 1, 1}};
+    const struct pp_aligned_rectangle wall = {0, {0, 0, 0}, {0, 1, 1}};
+    assert_near(pp_rectangle_factor_exchange_area(&floor, &ceiling), 0.199825, 5e-7);
+    assert_near(pp_rectangle_factor_exchange_area(&floor, &wall), 0.200044, 5e-7);
 }
 
 /* What a piece of floor sends out arrives: on the ceiling, the four walls. */
 static void all_light_of_a_piece_of_floor_arrives(void **state)
 {
     (void)state;
-    const struct pp_upright_rectangle piece = {2, {0.3, 1.1, 0}, {0.9, 1.3, 0}};
-    const struct pp_upright_rectangle faces[] = {{2, {0, 0, 1.7}, {2.3, 3.1, 1.7}},
+    const struct pp_aligned_rectangle piece = {2, {0.3, 1.1, 0}, {0.9, 1.3, 0}};
+    const struct pp_aligned_rectangle faces[] = {{2, {0, 0, 1.7}, {2.3, 3.1, 1.7}},
                                                  {0, {0, 0, 0}, {0, 3.1, 1.7}},
                                                  {0, {2.3, 0, 0}, {2.3, 3.1, 1.7}},
                                                  {1, {0, 0, 0}, {2.3, 0, 1.7}},
                                                  {1, {0, 3.1, 0}, {2.3, 3.1, 1.7}}};
     double sum = 0.0;
     for (int i = 0; i < 5; i++)
-        sum += pp_rectangle_exchange(&piece, &faces[i]);
-    assert_near(sum, pp_upright_rectangle_area(&piece), 1e-14);
+        sum += pp_rectangle_factor_exchange_area(&piece, &faces[i]);
+    assert_near(sum, pp_rectangle_factor_area(&piece), 1e-14);
 }
 
 /* Four lines across: an endless strip's factor to the one opposite, by crossed strings,
@@ -67,11 +67,11 @@ static void long_strips_go_by_crossed_strings(void **state)
 {
     (void)state;
     double w = 1.3, h = 0.7, length = 1e4;
-    const struct pp_upright_rectangle a = {2, {0, 0, 0}, {length, w, 0}};
-    const struct pp_upright_rectangle b = {2, {0, 0, h}, {length, w, h}};
+    const struct pp_aligned_rectangle a = {2, {0, 0, 0}, {length, w, 0}};
+    const struct pp_aligned_rectangle b = {2, {0, 0, h}, {length, w, h}};
     /* The ends take 1e-4 of it. */
-    assert_relative(pp_rectangle_exchange(&a, &b) / (length * w), (hypot(w, h) - h) / w,
-                    2e-4);
+    assert_relative(pp_rectangle_factor_exchange_area(&a, &b) / (length * w),
+                    (hypot(w, h) - h) / w, 2e-4);
 }
 
 /* In a black room there is direct light only, which has a closed form. */
@@ -92,8 +92,8 @@ static void black_room_has_the_closed_form_of_its_window(void **state)
         const struct pp_vec3 window[4] = {
             {-w / 2, y, 0}, {w / 2, y, 0}, {w / 2, y, 1}, {-w / 2, y, 1}};
         struct pp_moments moments = {0};
-        pp_moments_add(&moments, window, 4, up, &up, 1);
-        double expected = fabs(pp_moments_sky(&moments, &sky))
+        pp_solid_angle_add_moments(&moments, window, 4, up, &up, 1);
+        double expected = fabs(pp_solid_angle_sky_component(&moments, &sky))
                           / pp_sky_on_plane(&sky, pp_vec(0, -1, 0));
         assert_relative(cu.at[k], expected, 1e-9); /* Gauss's rule of 48 points */
     }
@@ -153,7 +153,7 @@ static void read_own(double cu[PP_LUMEN_POSITIONS], const struct pp_lumen_table 
     const struct pp_lumen_query query = {.ev_over_eh = light,
                                          .overcast = light < 0.45,
                                          .at = {ceiling, walls, depth, width}};
-    if (!pp_lumen_side(cu, table, &query, why, sizeof why))
+    if (!pp_lumen_table_side(cu, table, &query, why, sizeof why))
         fail_msg("%s", why);
 }
 
@@ -213,10 +213,10 @@ static void clear_skies_have_their_ratio(void **state)
     const double ratios[] = {0.75, 1.0, 1.25, 1.5, 1.75};
     struct pp_sky sky;
     for (int i = 0; i < 5; i++) {
-        assert_int_equal(pp_lumen_sky(&sky, ratios[i], NULL), PP_OK);
+        assert_int_equal(pp_lumen_room_sky(&sky, ratios[i], NULL), PP_OK);
         assert_near(pp_sky_on_plane(&sky, pp_vec(0, -1, 0)), ratios[i], 1e-6);
     }
-    assert_int_equal(pp_lumen_sky(&sky, 4.0, NULL), PP_BAD_INPUT);
+    assert_int_equal(pp_lumen_room_sky(&sky, 4.0, NULL), PP_BAD_INPUT);
 }
 
 /* Half-way between its lines, against the rooms themselves: 8 %, as is claimed. */
@@ -249,11 +249,12 @@ static void light_from_above_has_its_limits(void **state)
                 pp_lumen_cavity(0.0, 0.8, 0.5, 0.2), 1e-5);
     /* RCR 10: a square as wide as it is high, whose factor is the cube's. */
     assert_near(pp_lumen_cavity(10.0, 0.0, 0.0, 0.2), 0.199825, 5e-7);
-    assert_near(pp_lumen_well(1.0, 1.0, 1.0, 0.0), 0.199825, 5e-7);
+    assert_near(pp_lumen_cavity_well_efficiency(1.0, 1.0, 1.0, 0.0), 0.199825, 5e-7);
     /* White sides send up as much as down of what does not go straight through. */
-    double through = pp_lumen_well(1.3, 0.7, 1.1, 0.0);
-    assert_near(pp_lumen_well(1.3, 0.7, 1.1, 1.0), (1.0 + through) / 2.0, 1e-12);
-    assert_near(pp_lumen_well(1.3, 0.7, 0.0, 0.5), 1.0, 0.0);
+    double through = pp_lumen_cavity_well_efficiency(1.3, 0.7, 1.1, 0.0);
+    assert_near(pp_lumen_cavity_well_efficiency(1.3, 0.7, 1.1, 1.0),
+                (1.0 + through) / 2.0, 1e-12);
+    assert_near(pp_lumen_cavity_well_efficiency(1.3, 0.7, 0.0, 0.5), 1.0, 0.0);
 }
 
 static void top_table_is_what_the_cavity_gives(void **state)
@@ -262,9 +263,9 @@ static void top_table_is_what_the_cavity_gives(void **state)
     char why[200];
     struct pp_lumen_table *table = own_table();
     for (int rcr = 0; rcr <= 10; rcr++)
-        assert_near(pp_lumen_top(table, rcr, 0.5, 0.3, why, sizeof why),
+        assert_near(pp_lumen_table_top(table, rcr, 0.5, 0.3, why, sizeof why),
                     pp_lumen_cavity(rcr, 0.5, 0.3, 0.2), 5.1e-5);
-    assert_true(isnan(pp_lumen_top(table, 10.2, 0.5, 0.3, why, sizeof why)));
+    assert_true(isnan(pp_lumen_table_top(table, 10.2, 0.5, 0.3, why, sizeof why)));
     assert_string_equal(why, "lights a room whose cavity ratio is 10.2; the table has "
                              "0 to 10");
     pp_lumen_table_destroy(table);

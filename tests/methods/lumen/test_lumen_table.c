@@ -13,7 +13,7 @@ static enum pp_status parse(const char *text, size_t length)
 {
     assert_int_equal(pp_lumen_table_create(&table, NULL), PP_OK);
     pp_mistakes_init(&mistakes, "table.csv");
-    return pp_lumen_table_parse(table, text, length, &mistakes, NULL);
+    return pp_lumen_csv_parse(table, text, length, &mistakes, NULL);
 }
 
 static void done(void)
@@ -54,21 +54,23 @@ static void plain_table_is_read(void **state)
     char why[200];
     assert_int_equal(parse(good, sizeof good - 1), PP_OK);
     struct pp_lumen_query query = {0.396, true, {0.23, 0.99, 4.0, 2.0}};
-    assert_true(pp_lumen_side(cu, table, &query, why, sizeof why));
+    assert_true(pp_lumen_table_side(cu, table, &query, why, sizeof why));
     assert_near(cu[0], 0.7, 0.0);
     assert_near(cu[4], 0.3, 0.0);
     assert_near(cu[PP_LUMEN_AVERAGE], 0.5, 1e-12);
     /* By the reciprocal of the width, geometric: 4/3 is half-way from 1 to 2. */
     query.at[PP_LUMEN_WIDTH] = 4.0 / 3.0;
-    assert_true(pp_lumen_side(cu, table, &query, why, sizeof why));
+    assert_true(pp_lumen_table_side(cu, table, &query, why, sizeof why));
     assert_near(cu[0], sqrt(0.5 * 0.7), 1e-12);
-    assert_near(pp_lumen_at(cu, 0.2), sqrt(sqrt(0.5 * 0.7) * sqrt(0.4 * 0.6)), 1e-12);
-    assert_near(pp_lumen_at(cu, 0.9), cu[4], 1e-12);
+    assert_near(pp_lumen_table_at_depth(cu, 0.2),
+                sqrt(sqrt(0.5 * 0.7) * sqrt(0.4 * 0.6)), 1e-12);
+    assert_near(pp_lumen_table_at_depth(cu, 0.9), cu[4], 1e-12);
     query.ev_over_eh = NAN;
-    assert_true(pp_lumen_side(cu, table, &query, why, sizeof why));
+    assert_true(pp_lumen_table_side(cu, table, &query, why, sizeof why));
     assert_near(cu[2], sqrt(0.2 * 0.3), 1e-12);
     /* The program's own table for light from above is still there. */
-    assert_near(pp_lumen_top(table, 0.0, 0.5, 0.5, why, sizeof why), 1.1111, 1e-9);
+    assert_near(pp_lumen_table_top(table, 0.0, 0.5, 0.5, why, sizeof why), 1.1111,
+                1e-9);
     done();
 }
 
@@ -79,17 +81,17 @@ static void nothing_is_read_outside_it(void **state)
     char why[200];
     assert_int_equal(parse(good, sizeof good - 1), PP_OK);
     struct pp_lumen_query query = {0.396, true, {0.7, 0.5, 4.0, 2.2}};
-    assert_false(pp_lumen_side(cu, table, &query, why, sizeof why));
+    assert_false(pp_lumen_table_side(cu, table, &query, why, sizeof why));
     assert_string_equal(
         why,
         "lights a room whose width over window height is 2.2; the table has 1 to 2");
     query.at[PP_LUMEN_WIDTH] = 1.5;
     query.at[PP_LUMEN_DEPTH] = 4.1;
-    assert_false(pp_lumen_side(cu, table, &query, why, sizeof why));
+    assert_false(pp_lumen_table_side(cu, table, &query, why, sizeof why));
     query.at[PP_LUMEN_DEPTH] = 4.0;
     query.overcast = false;
     query.ev_over_eh = 0.9;
-    assert_false(pp_lumen_side(cu, table, &query, why, sizeof why));
+    assert_false(pp_lumen_table_side(cu, table, &query, why, sizeof why));
     assert_string_equal(why,
                         "looks at a sky whose Ev/Eh is 0.9; the table has none such");
     done();
@@ -106,13 +108,13 @@ static void cells_left_out_are_no_numbers(void **state)
     char why[200];
     assert_int_equal(parse(text, sizeof text - 1), PP_OK);
     struct pp_lumen_query query = {NAN, false, {0.7, 0.5, 1.0, 1.5}};
-    assert_true(pp_lumen_side(cu, table, &query, why, sizeof why));
+    assert_true(pp_lumen_table_side(cu, table, &query, why, sizeof why));
     query.at[PP_LUMEN_DEPTH] = 1.5;
-    assert_false(pp_lumen_side(cu, table, &query, why, sizeof why));
+    assert_false(pp_lumen_table_side(cu, table, &query, why, sizeof why));
     assert_non_null(strstr(why, "leaves out"));
     query.overcast = true;
     query.ev_over_eh = 0.396;
-    assert_false(pp_lumen_side(cu, table, &query, why, sizeof why));
+    assert_false(pp_lumen_table_side(cu, table, &query, why, sizeof why));
     assert_non_null(strstr(why, "overcast"));
     done();
 }
@@ -124,9 +126,10 @@ static void table_for_light_from_above_is_read(void **state)
                                "1,.5,.5,.8\n2,.5,.5,.6\n";
     char why[200];
     assert_int_equal(parse(text, sizeof text - 1), PP_OK);
-    assert_near(pp_lumen_top(table, 1.25, 0.5, 0.5, why, sizeof why), 0.75, 1e-12);
-    assert_true(isnan(pp_lumen_top(table, 0.5, 0.5, 0.5, why, sizeof why)));
-    assert_true(isnan(pp_lumen_top(table, 1.5, 0.6, 0.5, why, sizeof why)));
+    assert_near(pp_lumen_table_top(table, 1.25, 0.5, 0.5, why, sizeof why), 0.75,
+                1e-12);
+    assert_true(isnan(pp_lumen_table_top(table, 0.5, 0.5, 0.5, why, sizeof why)));
+    assert_true(isnan(pp_lumen_table_top(table, 1.5, 0.6, 0.5, why, sizeof why)));
     done();
 }
 

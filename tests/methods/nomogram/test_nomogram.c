@@ -3,7 +3,7 @@
 #include <stdio.h>
 
 #include "methods/reflected/interior.h"
-#include "methods/methods.h"
+#include "methods/method_entries.h"
 #include "methods/nomogram/nomogram_reading.h"
 #include "methods/nomogram/nomogram_scale.h"
 #include "methods/reflected/obstruction_factor.h"
@@ -25,10 +25,11 @@ static double across(const struct pp_nomogram *nomogram, int index, double from,
                      double to)
 {
     const struct pp_nomogram_edge *edge = &nomogram->edges[index];
-    double y = pp_nomogram_cross(
-        nomogram, index, pp_nomogram_place(nomogram, edge->from, from),
-        pp_nomogram_place(nomogram, edge->to, to), nomogram->stems[edge->read].x);
-    return pp_nomogram_value(nomogram, edge->read, y);
+    double y = pp_nomogram_scale_crossing(
+        nomogram, index, pp_nomogram_scale_position(nomogram, edge->from, from),
+        pp_nomogram_scale_position(nomogram, edge->to, to),
+        nomogram->stems[edge->read].x);
+    return pp_nomogram_scale_value(nomogram, edge->read, y);
 }
 
 /* By hand: W/A 0.05, R 0.45778, k 1.5: R_fw 0.366224, R_cw 0.549336; 39 R_fw + 5 R_cw =
@@ -37,7 +38,7 @@ static double across(const struct pp_nomogram *nomogram, int index, double from,
 static void straight_edge_does_the_sum_worked_by_hand(void **state)
 {
     (void)state;
-    struct pp_nomogram nomogram = pp_nomogram_make(PP_NOMOGRAM_AVERAGE);
+    struct pp_nomogram nomogram = pp_nomogram_scale_make(PP_NOMOGRAM_AVERAGE);
     double C = across(&nomogram, 0, 0.05, 0.45778);
     assert_near(100.0 * C, 1.3348, 5e-5);
     assert_near(100.0 * across(&nomogram, 1, C, 40.0 * PP_RAD), 0.7894, 5e-5);
@@ -46,7 +47,7 @@ static void straight_edge_does_the_sum_worked_by_hand(void **state)
 static void straight_edge_gives_the_formula_with_its_rule(void **state)
 {
     (void)state;
-    struct pp_nomogram nomogram = pp_nomogram_make(PP_NOMOGRAM_AVERAGE);
+    struct pp_nomogram nomogram = pp_nomogram_scale_make(PP_NOMOGRAM_AVERAGE);
     for (double ratio = 0.005; ratio <= 0.2; ratio *= 1.37)
         for (double R = 0.1; R <= 0.9; R += 0.07)
             for (double alpha = 0.0; alpha <= 80.0; alpha += 7.3) {
@@ -64,7 +65,7 @@ static void straight_edge_gives_the_formula_with_its_rule(void **state)
 static void straight_edge_gives_the_formula_for_top_light(void **state)
 {
     (void)state;
-    struct pp_nomogram nomogram = pp_nomogram_make(PP_NOMOGRAM_ROOFLIGHT);
+    struct pp_nomogram nomogram = pp_nomogram_scale_make(PP_NOMOGRAM_ROOFLIGHT);
     double k = PP_NOMOGRAM_K;
     for (double R = 0.13; R <= 0.9; R += 0.11) {
         double C = across(&nomogram, 0, 0.031, R);
@@ -87,13 +88,14 @@ static void scales_keep_to_the_sheet(void **state)
 {
     (void)state;
     for (int kind = 0; kind < PP_NOMOGRAMS; kind++) {
-        struct pp_nomogram nomogram = pp_nomogram_make((enum pp_nomogram_kind)kind);
+        struct pp_nomogram nomogram =
+            pp_nomogram_scale_make((enum pp_nomogram_kind)kind);
         for (int i = 0; i < nomogram.stem_count; i++) {
             const struct pp_nomogram_stem *stem = &nomogram.stems[i];
             assert_int_equal(stem->letter, 'A' + i);
             assert_true(stem->x >= 0.0 && stem->x <= 1.0);
-            double low = pp_nomogram_place(&nomogram, i, stem->low);
-            double high = pp_nomogram_place(&nomogram, i, stem->high);
+            double low = pp_nomogram_scale_position(&nomogram, i, stem->low);
+            double high = pp_nomogram_scale_position(&nomogram, i, stem->high);
             assert_in_range((int)(1000.0 * low + 1e-6), 0, 1000);
             assert_in_range((int)(1000.0 * high + 1e-6), 0, 1000);
             for (int j = 0; j < i; j++)
@@ -111,23 +113,24 @@ static void scales_keep_to_the_sheet(void **state)
 static void divisions_can_be_told_apart(void **state)
 {
     (void)state;
-    struct pp_nomogram nomogram = pp_nomogram_make(PP_NOMOGRAM_AVERAGE);
+    struct pp_nomogram nomogram = pp_nomogram_scale_make(PP_NOMOGRAM_AVERAGE);
     for (int i = 0; i < 3; i++) {
         const struct pp_nomogram_stem *stem = &nomogram.stems[i];
-        double unit = pp_nomogram_printed(stem->quantity);
+        double unit = pp_nomogram_scale_printed_unit(stem->quantity);
         double stretch[2];
         for (double p = unit * stem->low * 1.0001; p < unit * stem->high; p *= 1.013) {
-            double step = pp_nomogram_division(&nomogram, i, p, 200.0, 0.9, stretch);
+            double step =
+                pp_nomogram_scale_division(&nomogram, i, p, 200.0, 0.9, stretch);
             assert_true(stretch[0] <= p * (1.0 + 1e-8) && p < stretch[1]);
             double count = (stretch[1] - stretch[0]) / step;
             assert_near(count, rint(count), 1e-6);
             double low = stretch[0] + step * floor((p - stretch[0]) / step);
             if (low < unit * stem->low || low + step > unit * stem->high)
                 continue;
-            double apart = pp_nomogram_place(&nomogram, i, (low + step) / unit)
-                           - pp_nomogram_place(&nomogram, i, low / unit);
+            double apart = pp_nomogram_scale_position(&nomogram, i, (low + step) / unit)
+                           - pp_nomogram_scale_position(&nomogram, i, low / unit);
             assert_true(200.0 * apart > 0.9 - 1e-9);
-            double read = unit * pp_nomogram_read(&nomogram, i, p / unit);
+            double read = unit * pp_nomogram_scale_read(&nomogram, i, p / unit);
             assert_near(read, p, 0.1 * step + 1e-12);
             assert_near(5.0 * read / step, rint(5.0 * read / step), 1e-6);
         }
@@ -154,7 +157,7 @@ static double mean_ratio(double k)
         assert_int_equal(
             pp_method_bre.evaluate(&box.world, box.openings, NULL, NULL, &part, NULL),
             PP_OK);
-        struct pp_inside all = pp_inside_all(&box.world);
+        struct pp_interior all = pp_interior_all(&box.world);
         sum += log(formula(wide * high / all.area_m2, all.reflectance, 39.0, 5.0, k)
                    / part.value);
         count++;
@@ -217,13 +220,13 @@ static void ratios_off_the_scale_are_shifted_by_tens(void **state)
         box_room_build(&box, 4.0, depth, height, 0.3, 0.5, 0.7);
         box_room_south(&box, cases[i].left, cases[i].sill, cases[i].width,
                        cases[i].height);
-        struct pp_nomogram nomogram = pp_nomogram_make(PP_NOMOGRAM_AVERAGE);
+        struct pp_nomogram nomogram = pp_nomogram_scale_make(PP_NOMOGRAM_AVERAGE);
         struct pp_nomogram_reading reading;
-        assert_int_equal(pp_nomogram_read_opening(&reading, &nomogram, &box.world,
-                                                  box.openings, NULL),
+        assert_int_equal(pp_nomogram_reading_of_opening(&reading, &nomogram, &box.world,
+                                                        box.openings, NULL),
                          PP_OK);
         assert_int_equal(reading.tens, cases[i].tens);
-        struct pp_inside all = pp_inside_all(&box.world);
+        struct pp_interior all = pp_interior_all(&box.world);
         /* A fifth of a division is 1.1 % at the most where scale C is, half of it is
          * the error; as much for A and B together. */
         assert_relative(

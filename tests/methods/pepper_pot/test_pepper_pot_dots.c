@@ -9,7 +9,7 @@ static struct pp_pepper_pot *made(struct pp_sky sky, bool glazed, bool upright,
 {
     struct pp_pepper_pot *pot;
     assert_int_equal(
-        pp_pepper_pot_create(&pot, &sky, glazed, upright, facing_rad, worth, NULL),
+        pp_pepper_pot_dots_create(&pot, &sky, glazed, upright, facing_rad, worth, NULL),
         PP_OK);
     return pot;
 }
@@ -63,8 +63,8 @@ static void a_boundless_window_holds_all_dots(void **state)
         double xy[4][2] = {{-1e9, 0}, {1e9, 0}, {1e9, 1e9}, {-1e9, 1e9}};
         struct pp_ring ring = {4, xy};
         struct pp_region all = {1, &ring};
-        assert_int_equal(pp_pepper_pot_count(pot, &all), pots[i].dots);
-        pp_pepper_pot_destroy(pot);
+        assert_int_equal(pp_pepper_pot_dots_count(pot, &all), pots[i].dots);
+        pp_pepper_pot_dots_destroy(pot);
     }
 }
 
@@ -78,12 +78,12 @@ static void every_dot_is_where_its_lattice_has_it(void **state)
                  0.6, PP_PEPPER_POT_WORTH);
         for (int i = 0; i < pot->count; i += 7) {
             double s, t, whole;
-            assert_true(
-                pp_pepper_pot_square(pot, pot->dots[i][0], pot->dots[i][1], &s, &t));
+            assert_true(pp_pepper_pot_dots_to_square(pot, pot->dots[i][0],
+                                                     pot->dots[i][1], &s, &t));
             assert_near(t, (i + 0.5) * pot->worth / pot->whole, 1e-7);
             assert_near(s, modf((i + 0.5) * 0.61803398874989484820, &whole), 2e-6);
         }
-        pp_pepper_pot_destroy(pot);
+        pp_pepper_pot_dots_destroy(pot);
     }
 }
 
@@ -108,13 +108,13 @@ static void counts_are_unbiased_and_close(void **state)
             struct pp_ring ring = {4, xy};
             struct pp_region region = {1, &ring};
             double exact = rectangle_share(pot, a0, a1, b0, b1) / pot->worth;
-            double error = pp_pepper_pot_count(pot, &region) - exact;
+            double error = pp_pepper_pot_dots_count(pot, &region) - exact;
             double outline = 0.0, last_s = 0.0, last_t = 0.0;
             for (int k = 0; k <= 32; k++) {
                 const double *p = xy[k / 8 % 4], *q = xy[(k / 8 + 1) % 4];
                 double f = k % 8 / 8.0, s, t;
-                if (!pp_pepper_pot_square(pot, p[0] + f * (q[0] - p[0]),
-                                          p[1] + f * (q[1] - p[1]), &s, &t))
+                if (!pp_pepper_pot_dots_to_square(pot, p[0] + f * (q[0] - p[0]),
+                                                  p[1] + f * (q[1] - p[1]), &s, &t))
                     continue;
                 if (k > 0)
                     outline += hypot(s - last_s, t - last_t) / side;
@@ -128,7 +128,7 @@ static void counts_are_unbiased_and_close(void **state)
         double of_mean = sqrt((sum2 / WINDOWS - mean * mean) / WINDOWS);
         assert_true(fabs(mean) <= 3.0 * of_mean);
         assert_true(sqrt(spread / WINDOWS) <= 0.5);
-        pp_pepper_pot_destroy(pot);
+        pp_pepper_pot_dots_destroy(pot);
     }
 }
 
@@ -141,7 +141,7 @@ static void counts_with_obstructions_are_unbiased_and_close(void **state)
     static const struct pp_window_axes axes = {{1, 0, 0}, {0, 0, 1}, {0, 1, 0}};
     struct pp_sky sky = pp_sky_overcast();
     struct pp_waldram waldram;
-    assert_int_equal(pp_waldram_make(&waldram, &sky, false, NULL), PP_OK);
+    assert_int_equal(pp_waldram_scale_init(&waldram, &sky, false, NULL), PP_OK);
     struct pp_pepper_pot *pot = made(sky, false, false, 0.0, PP_PEPPER_POT_WORTH);
     uint64_t seed = 41;
     double sum = 0.0, sum2 = 0.0, most = 0.0;
@@ -158,8 +158,9 @@ static void counts_with_obstructions_are_unbiased_and_close(void **state)
             {x0, y1}};
         struct pp_ring ring = {9, xy};
         struct pp_region region = {1, &ring};
-        double exact = pp_waldram_area(&waldram, &axes, &region) / PP_PEPPER_POT_WORTH;
-        double error = pp_pepper_pot_count(pot, &region) - exact;
+        double exact =
+            pp_waldram_scale_area(&waldram, &axes, &region) / PP_PEPPER_POT_WORTH;
+        double error = pp_pepper_pot_dots_count(pot, &region) - exact;
         sum += error;
         sum2 += error * error;
         most = fmax(most, fabs(error));
@@ -169,7 +170,7 @@ static void counts_with_obstructions_are_unbiased_and_close(void **state)
     /* Outlines are 20 to 60 sides of a dot's cell long: half the root of 20. */
     assert_true(rms <= 0.5 * sqrt(20.0));
     assert_true(most < 12.0);
-    pp_pepper_pot_destroy(pot);
+    pp_pepper_pot_dots_destroy(pot);
 }
 
 static void the_fine_chart_has_ten_dots_for_one(void **state)
@@ -178,7 +179,7 @@ static void the_fine_chart_has_ten_dots_for_one(void **state)
     struct pp_pepper_pot *fine =
         made(pp_sky_overcast(), true, false, 0.0, PP_PEPPER_POT_FINE_WORTH);
     assert_int_equal(fine->count, 3163);
-    pp_pepper_pot_destroy(fine);
+    pp_pepper_pot_dots_destroy(fine);
 }
 
 static void other_skies_and_senseless_dots_are_refused(void **state)
@@ -188,16 +189,18 @@ static void other_skies_and_senseless_dots_are_refused(void **state)
     struct pp_pepper_pot *pot;
     struct pp_error err;
     assert_int_equal(pp_sky_iso(&sky, 3, pp_vec(0, 0, 1), NULL), PP_OK);
-    assert_int_equal(pp_pepper_pot_create(&pot, &sky, true, false, 0.0, 0.001, &err),
-                     PP_BAD_INPUT);
+    assert_int_equal(
+        pp_pepper_pot_dots_create(&pot, &sky, true, false, 0.0, 0.001, &err),
+        PP_BAD_INPUT);
     assert_non_null(strstr(err.message, "iso-3"));
     assert_null(pot);
-    assert_int_equal(pp_pepper_pot_create(&pot, &overcast, true, false, 0.0, NAN, &err),
-                     PP_BAD_INPUT);
+    assert_int_equal(
+        pp_pepper_pot_dots_create(&pot, &overcast, true, false, 0.0, NAN, &err),
+        PP_BAD_INPUT);
     /* A receiver that faces away from the window sees none of it. */
     pot = made(overcast, true, true, PP_PI, 0.001);
     assert_int_equal(pot->count, 0);
-    pp_pepper_pot_destroy(pot);
+    pp_pepper_pot_dots_destroy(pot);
 }
 
 int main(void)

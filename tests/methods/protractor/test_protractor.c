@@ -2,7 +2,7 @@
  * the exact direct component. */
 #include <stdlib.h>
 
-#include "methods/methods.h"
+#include "methods/method_entries.h"
 #include "methods/protractor/protractor.h"
 #include "methods/allowance.h"
 
@@ -115,8 +115,8 @@ static void an_endless_window_has_the_reading_of_the_primary_scale(void **state)
             double sky =
                 read_first(&pp_method_protractor, world, 45000.0, 3.0, 0.85, NULL).sky;
             struct pp_protractor protractor;
-            pp_protractor_published(&protractor, scale[s].number, NULL);
-            assert_near(sky, pp_protractor_primary(&protractor, gamma), 1e-6);
+            pp_protractor_scale_published(&protractor, scale[s].number, NULL);
+            assert_near(sky, pp_protractor_scale_primary(&protractor, gamma), 1e-6);
             assert_near(100.0 * sky, scale[s].printed[i], 6e-4);
             pp_world_destroy(world);
         }
@@ -314,9 +314,9 @@ static void worked_use_step_by_step(void **state)
     assert_near(step_of(&steps, "upper edge: altitude", 0), head, 1e-9);
     assert_near(step_of(&steps, "lower edge: altitude", 0), sill, 1e-9);
     struct pp_protractor two;
-    pp_protractor_published(&two, 2, NULL);
-    double read[2] = {pp_protractor_primary(&two, head),
-                      pp_protractor_primary(&two, sill)};
+    pp_protractor_scale_published(&two, 2, NULL);
+    double read[2] = {pp_protractor_scale_primary(&two, head),
+                      pp_protractor_scale_primary(&two, sill)};
     assert_near(step_of(&steps, "primary scale", 0), read[0], 1e-7);
     assert_near(step_of(&steps, "primary scale", 1), read[1], 1e-7);
     double initial = step_of(&steps, "initial component", 0);
@@ -331,9 +331,9 @@ static void worked_use_step_by_step(void **state)
         /* The average of 25 degrees lies midway between two semicircles. */
         double cf[2];
         for (int k = 0; k < 2; k++)
-            cf[k] = pp_protractor_auxiliary(
+            cf[k] = pp_protractor_scale_auxiliary(
                 &two, (2 + k) * 10.0 * PP_RAD,
-                pp_protractor_theta((2 + k) * 10.0 * PP_RAD, jamb[i]));
+                pp_protractor_scale_theta((2 + k) * 10.0 * PP_RAD, jamb[i]));
         double t = average / (10.0 * PP_RAD) - 2.0;
         assert_near(step_of(&steps, "auxiliary scale", i), cf[0] + t * (cf[1] - cf[0]),
                     1e-7);
@@ -362,16 +362,17 @@ static void correction_factors_are_read_between_semicircles(void **state)
                {45, 3e-3, {.086, .171, .254, .332, .400, .453, .485, .498}},
                {60, 5.1e-4, {.062, .125, .191, .261, .334, .406, .465, .495}},
                {75, 0.017, {.032, .066, .104, .148, .203, .276, .371, .471}}};
-    static struct pp_dial dial;
+    static struct pp_protractor_dial dial;
     struct pp_protractor ten;
-    pp_protractor_published(&ten, 10, NULL);
-    pp_dial_make(&dial, &ten);
+    pp_protractor_scale_published(&ten, 10, NULL);
+    pp_protractor_dial_init(&dial, &ten);
     for (int r = 0; r < 5; r++)
         for (int i = 0; i < 8; i++)
             for (int side = -1; side <= 1; side += 2)
                 assert_near(side
-                                * pp_dial_factor(&dial, row[r].gamma * PP_RAD,
-                                                 side * (i + 1) * 10.0 * PP_RAD, false),
+                                * pp_protractor_dial_factor(
+                                    &dial, row[r].gamma * PP_RAD,
+                                    side * (i + 1) * 10.0 * PP_RAD, false),
                             row[r].cf[i], row[r].tolerance);
 }
 
@@ -379,23 +380,25 @@ static void correction_factors_are_read_between_semicircles(void **state)
 static void dials_agree_with_quadrature(void **state)
 {
     (void)state;
-    static struct pp_dial dial;
+    static struct pp_protractor_dial dial;
     for (int number = 1; number <= 10; number++) {
         struct pp_protractor protractor;
-        pp_protractor_published(&protractor, number, NULL);
-        pp_dial_make(&dial, &protractor);
+        pp_protractor_scale_published(&protractor, number, NULL);
+        pp_protractor_dial_init(&dial, &protractor);
         for (double gamma = 0.0371; gamma < PP_PI; gamma += 0.3719) {
-            double share = pp_protractor_primary(&protractor, gamma);
-            assert_near(pp_dial_share(&dial, gamma), share, 1e-6);
+            double share = pp_protractor_scale_primary(&protractor, gamma);
+            assert_near(pp_protractor_dial_share(&dial, gamma), share, 1e-6);
             if (gamma < dial.range_rad)
-                assert_near(pp_dial_angle(&dial, pp_dial_share(&dial, gamma), 0.0),
+                assert_near(pp_protractor_dial_angle(
+                                &dial, pp_protractor_dial_share(&dial, gamma), 0.0),
                             gamma, 1e-7);
         }
         for (int k = 1; k * 10.0 * PP_RAD < dial.range_rad - 1e-3; k++)
             for (double theta = 0.073; theta < 1.57; theta += 0.31) {
                 double gamma = k * 10.0 * PP_RAD;
-                double cf = pp_protractor_auxiliary(&protractor, gamma, theta);
-                assert_near(pp_dial_factor(&dial, gamma, theta, true), cf, 1e-7);
+                double cf = pp_protractor_scale_auxiliary(&protractor, gamma, theta);
+                assert_near(pp_protractor_dial_factor(&dial, gamma, theta, true), cf,
+                            1e-7);
             }
     }
 }
@@ -433,18 +436,21 @@ static void horizontal_openings_with_a_closed_form(void **state)
 static void an_endless_sloping_strip_is_exact(void **state)
 {
     (void)state;
-    static struct pp_dial dial;
+    static struct pp_protractor_dial dial;
     for (int number = 1; number <= 10; number++) {
         struct pp_protractor protractor;
-        pp_protractor_published(&protractor, number, NULL);
-        pp_dial_make(&dial, &protractor);
+        pp_protractor_scale_published(&protractor, number, NULL);
+        pp_protractor_dial_init(&dial, &protractor);
         double high = dial.range_rad - 0.2, low = 0.31;
-        assert_near(pp_dial_factor(&dial, (low + high) / 2.0, PP_PI / 2.0, true)
-                        - pp_dial_factor(&dial, (low + high) / 2.0, -PP_PI / 2.0, true),
-                    1.0, 1e-12);
-        assert_near(pp_dial_share(&dial, high) - pp_dial_share(&dial, low),
-                    pp_protractor_primary(&protractor, high)
-                        - pp_protractor_primary(&protractor, low),
+        assert_near(
+            pp_protractor_dial_factor(&dial, (low + high) / 2.0, PP_PI / 2.0, true)
+                - pp_protractor_dial_factor(&dial, (low + high) / 2.0, -PP_PI / 2.0,
+                                            true),
+            1.0, 1e-12);
+        assert_near(pp_protractor_dial_share(&dial, high)
+                        - pp_protractor_dial_share(&dial, low),
+                    pp_protractor_scale_primary(&protractor, high)
+                        - pp_protractor_scale_primary(&protractor, low),
                     1e-7);
     }
 }

@@ -6,8 +6,8 @@
 static struct pp_protractor published(int number)
 {
     struct pp_protractor protractor;
-    assert_int_equal(pp_protractor_published(&protractor, number, NULL), PP_OK);
-    assert_int_equal(pp_protractor_number(&protractor), number);
+    assert_int_equal(pp_protractor_scale_published(&protractor, number, NULL), PP_OK);
+    assert_int_equal(pp_protractor_scale_number(&protractor), number);
     return protractor;
 }
 
@@ -30,7 +30,8 @@ static void primary_scales_of_vertical_windows(void **state)
         struct pp_protractor protractor = published(number[p]);
         for (int i = 0; i < 9; i++)
             assert_near(
-                100.0 * pp_protractor_primary(&protractor, (i + 1) * 10.0 * PP_RAD),
+                100.0
+                    * pp_protractor_scale_primary(&protractor, (i + 1) * 10.0 * PP_RAD),
                 printed[p][i], 6e-4);
     }
 }
@@ -49,7 +50,7 @@ static double all_through_glass(const struct pp_protractor *protractor)
         for (int j = 0; j < STEPS; j++) {
             double azimuth = 2.0 * PP_PI * (j + 0.5) / STEPS;
             struct pp_vec3 u = pp_vec(r * cos(azimuth), r * sin(azimuth), z);
-            double cos_i = pp_dot(glass, u);
+            double cos_i = pp_vec_dot(glass, u);
             if (cos_i > 0.0)
                 sum += pp_sky_luminance(&protractor->sky, u)
                        * pp_glass_transmittance(&protractor->glass, cos_i);
@@ -63,7 +64,7 @@ static void whole_scale_is_all_that_glass_of_that_slope_lets_through(void **stat
     (void)state;
     for (int number = 1; number <= 10; number++) {
         struct pp_protractor protractor = published(number);
-        double whole = pp_protractor_primary(&protractor, PP_PI);
+        double whole = pp_protractor_scale_primary(&protractor, PP_PI);
         double expected = number <= 8 ? all_through_glass(&protractor) : 1.0;
         assert_near(whole, expected, 2e-5);
     }
@@ -85,16 +86,17 @@ static void auxiliary_scale_of_protractor_10(void **state)
     for (int r = 0; r < 5; r++)
         for (int i = 0; i < 8; i++) {
             double gamma = row[r].gamma * PP_RAD;
-            double theta = pp_protractor_theta(gamma, (i + 1) * 10.0 * PP_RAD);
-            assert_near(pp_protractor_auxiliary(&protractor, gamma, theta),
+            double theta = pp_protractor_scale_theta(gamma, (i + 1) * 10.0 * PP_RAD);
+            assert_near(pp_protractor_scale_auxiliary(&protractor, gamma, theta),
                         row[r].cf[i], 5.1e-4);
-            assert_near(pp_protractor_auxiliary(&protractor, gamma, -theta),
+            assert_near(pp_protractor_scale_auxiliary(&protractor, gamma, -theta),
                         -row[r].cf[i], 5.1e-4);
         }
     double gamma = 30.0 * PP_RAD;
-    assert_near(pp_protractor_auxiliary(&protractor, gamma,
-                                        pp_protractor_theta(gamma, 40.0 * PP_RAD)),
-                0.3692, 5e-5);
+    assert_near(
+        pp_protractor_scale_auxiliary(&protractor, gamma,
+                                      pp_protractor_scale_theta(gamma, 40.0 * PP_RAD)),
+        0.3692, 5e-5);
 }
 
 static void an_endless_window_has_half_its_light_on_each_side(void **state)
@@ -104,8 +106,8 @@ static void an_endless_window_has_half_its_light_on_each_side(void **state)
         struct pp_protractor protractor = published(number);
         for (double gamma = 0.0; gamma < 1.5; gamma += 0.37)
             assert_near(
-                pp_protractor_auxiliary(&protractor, gamma,
-                                        pp_protractor_theta(gamma, PP_PI / 2.0)),
+                pp_protractor_scale_auxiliary(
+                    &protractor, gamma, pp_protractor_scale_theta(gamma, PP_PI / 2.0)),
                 0.5, 1e-9);
     }
 }
@@ -119,10 +121,10 @@ static void quadrature_agrees_with_the_closed_form(void **state)
     struct pp_protractor closed = published(9), summed = closed;
     assert_int_equal(pp_sky_iso(&summed.sky, 5, pp_vec(0, 0, 1), NULL), PP_OK);
     for (double gamma = 0.11; gamma < 3.1; gamma += 0.29) {
-        assert_relative(pp_protractor_primary(&summed, gamma),
-                        pp_protractor_primary(&closed, gamma), 1e-9);
-        assert_relative(pp_protractor_auxiliary(&summed, gamma, 0.7),
-                        pp_protractor_auxiliary(&closed, gamma, 0.7), 1e-9);
+        assert_relative(pp_protractor_scale_primary(&summed, gamma),
+                        pp_protractor_scale_primary(&closed, gamma), 1e-9);
+        assert_relative(pp_protractor_scale_auxiliary(&summed, gamma, 0.7),
+                        pp_protractor_scale_auxiliary(&closed, gamma, 0.7), 1e-9);
     }
 }
 
@@ -132,8 +134,8 @@ static void a_reading_leads_back_to_its_angle(void **state)
     for (int number = 1; number <= 10; number++) {
         struct pp_protractor protractor = published(number);
         for (double gamma = 0.2; gamma < 1.4; gamma += 0.43) {
-            double share = pp_protractor_primary(&protractor, gamma);
-            assert_near(pp_protractor_angle(&protractor, share, 0.0, PP_PI / 2.0),
+            double share = pp_protractor_scale_primary(&protractor, gamma);
+            assert_near(pp_protractor_scale_angle(&protractor, share, 0.0, PP_PI / 2.0),
                         gamma, 1e-8);
         }
     }
@@ -144,9 +146,10 @@ static void there_are_ten_and_no_more(void **state)
     (void)state;
     struct pp_protractor protractor;
     struct pp_error err;
-    assert_int_equal(pp_protractor_published(&protractor, 11, &err), PP_BAD_INPUT);
+    assert_int_equal(pp_protractor_scale_published(&protractor, 11, &err),
+                     PP_BAD_INPUT);
     assert_non_null(strstr(err.message, "1 to 10"));
-    assert_int_equal(pp_protractor_published(&protractor, 0, &err), PP_BAD_INPUT);
+    assert_int_equal(pp_protractor_scale_published(&protractor, 0, &err), PP_BAD_INPUT);
 }
 
 int main(void)

@@ -1,5 +1,5 @@
 /* test_bre.c - the BRE inter-reflection formula and its factor C. */
-#include "methods/methods.h"
+#include "methods/method_entries.h"
 #include "methods/reflected/obstruction_angle.h"
 #include "methods/reflected/obstruction_factor.h"
 
@@ -79,9 +79,9 @@ static void factor_is_as_printed_at_every_angle(void **state)
 static void factor_is_the_sky_and_a_tenth_of_what_is_hidden(void **state)
 {
     (void)state;
-    double open = pp_vertical_sky(PP_SKY_OVERCAST, 0.0);
+    double open = pp_obstruction_angle_to_vsc(PP_SKY_OVERCAST, 0.0);
     for (int i = 0; i < 9; i++) {
-        double vsc = pp_vertical_sky(PP_SKY_OVERCAST, 10.0 * i * PP_RAD);
+        double vsc = pp_obstruction_angle_to_vsc(PP_SKY_OVERCAST, 10.0 * i * PP_RAD);
         assert_near(pp_obstruction_factor(10.0 * i * PP_RAD), vsc + 0.1 * (open - vsc),
                     0.013);
     }
@@ -140,11 +140,13 @@ static void vertical_sky_component_above_an_endless_skyline(void **state)
                 }
             }
             /* midpoint sums: the step squared */
-            assert_near(pp_vertical_sky(skies[s].kind, deg * PP_RAD), sum, 1e-5);
+            assert_near(pp_obstruction_angle_to_vsc(skies[s].kind, deg * PP_RAD), sum,
+                        1e-5);
         }
-    assert_near(pp_vertical_sky(PP_SKY_OVERCAST, 0.0), 0.396177, 5e-7);
-    assert_near(pp_vertical_sky(PP_SKY_OVERCAST, 25 * PP_RAD), 0.2731, 5e-5);
-    assert_near(pp_vertical_sky(PP_SKY_UNIFORM, 25 * PP_RAD), 0.2887, 5e-5);
+    assert_near(pp_obstruction_angle_to_vsc(PP_SKY_OVERCAST, 0.0), 0.396177, 5e-7);
+    assert_near(pp_obstruction_angle_to_vsc(PP_SKY_OVERCAST, 25 * PP_RAD), 0.2731,
+                5e-5);
+    assert_near(pp_obstruction_angle_to_vsc(PP_SKY_UNIFORM, 25 * PP_RAD), 0.2887, 5e-5);
 }
 
 static void angle_and_vertical_sky_component_are_each_others_inverse(void **state)
@@ -154,11 +156,12 @@ static void angle_and_vertical_sky_component_are_each_others_inverse(void **stat
     for (int s = 0; s < 2; s++) {
         for (double deg = 0.5; deg < 85.0; deg += 3.7)
             /* asin loses digits towards 90 degrees */
-            assert_near(pp_vertical_sky_angle(skies[s],
-                                              pp_vertical_sky(skies[s], deg * PP_RAD)),
-                        deg * PP_RAD, 1e-13);
-        assert_near(pp_vertical_sky_angle(skies[s], 0.6), 0.0, 0.0);
-        assert_near(pp_vertical_sky_angle(skies[s], 0.0), PP_PI / 2, 1e-7);
+            assert_near(
+                pp_obstruction_angle_from_vsc(
+                    skies[s], pp_obstruction_angle_to_vsc(skies[s], deg * PP_RAD)),
+                deg * PP_RAD, 1e-13);
+        assert_near(pp_obstruction_angle_from_vsc(skies[s], 0.6), 0.0, 0.0);
+        assert_near(pp_obstruction_angle_from_vsc(skies[s], 0.0), PP_PI / 2, 1e-7);
     }
 }
 

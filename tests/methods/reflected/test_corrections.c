@@ -2,7 +2,7 @@
  * file, and that each counts once, by hand and traced. */
 #include "methods/evaluate.h"
 #include "methods/method.h"
-#include "model/room/allowance_words.h"
+#include "model/room/corrections.h"
 #include "simulate/tracer/tracer.h"
 
 #include "tests/lib/near.h"
@@ -23,16 +23,20 @@ static void dirt_goes_by_place_work_and_slope(void **state)
     for (int i = 0; i < 3; i++)
         for (int k = 0; k < 3; k++) {
             double slope = slopes_deg[k] * PP_RAD;
-            assert_near(pp_maintenance_of(published[i].place, PP_CLEAN, slope),
+            assert_near(pp_corrections_maintenance(published[i].place, PP_CLEAN, slope),
                         published[i].clean - 0.1 * k, 1e-15);
-            assert_near(pp_maintenance_of(published[i].place, PP_DIRTY, slope),
+            assert_near(pp_corrections_maintenance(published[i].place, PP_DIRTY, slope),
                         published[i].dirty - 0.1 * k, 1e-15);
         }
     /* vertical from 75 degrees, horizontal below 15 */
-    assert_near(pp_maintenance_of(PP_RURAL, PP_CLEAN, 75.0 * PP_RAD), 0.9, 0.0);
-    assert_near(pp_maintenance_of(PP_RURAL, PP_CLEAN, 74.9 * PP_RAD), 0.8, 0.0);
-    assert_near(pp_maintenance_of(PP_RURAL, PP_CLEAN, 15.0 * PP_RAD), 0.8, 0.0);
-    assert_near(pp_maintenance_of(PP_RURAL, PP_CLEAN, 14.9 * PP_RAD), 0.7, 0.0);
+    assert_near(pp_corrections_maintenance(PP_RURAL, PP_CLEAN, 75.0 * PP_RAD), 0.9,
+                0.0);
+    assert_near(pp_corrections_maintenance(PP_RURAL, PP_CLEAN, 74.9 * PP_RAD), 0.8,
+                0.0);
+    assert_near(pp_corrections_maintenance(PP_RURAL, PP_CLEAN, 15.0 * PP_RAD), 0.8,
+                0.0);
+    assert_near(pp_corrections_maintenance(PP_RURAL, PP_CLEAN, 14.9 * PP_RAD), 0.7,
+                0.0);
 }
 
 static struct pp_world *room(const char *site, const char *finishes, const char *window)

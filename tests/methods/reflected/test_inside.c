@@ -22,13 +22,14 @@ static void worked_room_as_on_paper(void **state)
     struct box_room box;
     build_worked_room(&box);
     /* Tolerances: half a unit of the last printed digit. */
-    struct pp_inside all = pp_inside_all(&box.world);
+    struct pp_interior all = pp_interior_all(&box.world);
     assert_near(all.area_m2, 108.0, ROUNDING * 108.0);
     assert_near(all.reflectance, 0.45778, 5e-6);
-    struct pp_inside_parts bre = pp_inside_split_without(&box.world, 1.65, BOX_SOUTH);
+    struct pp_interior_parts bre =
+        pp_interior_split_without(&box.world, 1.65, BOX_SOUTH);
     assert_near(bre.lower.reflectance, 0.35714, 5e-6);
     assert_near(bre.upper.reflectance, 0.60526, 5e-6);
-    struct pp_inside_parts split = pp_inside_split(&box.world, 1.65);
+    struct pp_interior_parts split = pp_interior_split(&box.world, 1.65);
     assert_near(split.lower.area_m2, 54.3, ROUNDING * 54.3);
     assert_near(split.upper.area_m2, 48.3, ROUNDING * 48.3);
     assert_near(split.lower.reflectance, 0.36740, 5e-6);
@@ -42,10 +43,10 @@ static void parts_and_openings_make_up_the_whole(void **state)
     box_room_build(&box, 3.7, 5.3, 2.9, 0.15, 0.62, 0.81);
     box_room_south(&box, 0.4, 0.7, 1.9, 1.3);
     box_room_open(&box, BOX_CEILING, pp_vec(0.9, 1.7, 2.9), 0.8, 0.6);
-    struct pp_inside all = pp_inside_all(&box.world);
+    struct pp_interior all = pp_interior_all(&box.world);
     double glass_m2 = 1.9 * 1.3 + 0.8 * 0.6;
     for (double z = 0.0; z <= 2.9; z += 0.1) {
-        struct pp_inside_parts parts = pp_inside_split(&box.world, z);
+        struct pp_interior_parts parts = pp_interior_split(&box.world, z);
         assert_near(parts.lower.area_m2 + parts.upper.area_m2 + glass_m2, all.area_m2,
                     ROUNDING * all.area_m2);
         double reflecting_m2 = parts.lower.area_m2 * parts.lower.reflectance
@@ -64,7 +65,8 @@ static void a_ceiling_is_above_its_own_rooflight(void **state)
     box_room_build(&box, 3.7, 5.3, 2.9, 0.15, 0.62, 0.81);
     struct pp_opening *rooflight =
         box_room_open(&box, BOX_CEILING, pp_vec(0.9, 2.3, 2.9), 0.8, 0.6);
-    struct pp_inside_parts parts = pp_inside_split(&box.world, rooflight->middle_z_m);
+    struct pp_interior_parts parts =
+        pp_interior_split(&box.world, rooflight->middle_z_m);
     assert_near(parts.upper.area_m2, 3.7 * 5.3 - 0.48, ROUNDING * 20.0);
     assert_near(parts.upper.reflectance, 0.81, ROUNDING);
     assert_near(parts.lower.area_m2, 3.7 * 5.3 + 18.0 * 2.9, ROUNDING * 72.0);
@@ -77,7 +79,8 @@ static void other_walls_openings_count_with_a_tenth_in_the_bre_means(void **stat
     box_room_build(&box, 4.0, 6.0, 3.0, 0.2, 0.5, 0.7);
     box_room_south(&box, 0.2, 0.9, 3.6, 1.5);
     box_room_open(&box, BOX_NORTH, pp_vec(1.0, 6.0, 0.3), 2.0, 1.2);
-    struct pp_inside_parts parts = pp_inside_split_without(&box.world, 1.65, BOX_SOUTH);
+    struct pp_interior_parts parts =
+        pp_interior_split_without(&box.world, 1.65, BOX_SOUTH);
     double walls_m2 = (6.0 + 6.0 + 4.0) * 1.65, glass_m2 = 2.0 * 1.2;
     double area_m2 = 24.0 + walls_m2;
     assert_near(parts.lower.area_m2, area_m2, ROUNDING * area_m2);
@@ -93,9 +96,9 @@ static void a_room_of_one_colour_is_that_colour_in_every_part(void **state)
     box_room_build(&box, 3.1, 4.7, 2.3, 0.43, 0.43, 0.43);
     box_room_south(&box, 0.3, 0.6, 1.1, 1.2);
     for (double z = 0.1; z < 2.3; z += 0.37) {
-        struct pp_inside_parts split = pp_inside_split(&box.world, z);
-        struct pp_inside_parts without =
-            pp_inside_split_without(&box.world, z, BOX_SOUTH);
+        struct pp_interior_parts split = pp_interior_split(&box.world, z);
+        struct pp_interior_parts without =
+            pp_interior_split_without(&box.world, z, BOX_SOUTH);
         assert_near(split.lower.reflectance, 0.43, ROUNDING);
         assert_near(split.upper.reflectance, 0.43, ROUNDING);
         assert_near(without.lower.reflectance, 0.43, ROUNDING);
@@ -114,11 +117,11 @@ static void area_below_a_cut_through_a_comb(void **state)
     for (int i = 0; i < 12; i++)
         corners[i] = pp_vec(flat[i][0], 0.8 * flat[i][1], 0.6 * flat[i][1]);
     struct pp_polygon comb = {12, corners, pp_vec(0, -0.6, 0.8), 5.0 + 2.0 + 1.0 + 2.0};
-    assert_near(pp_polygon_area_below(&comb, 0.6 * 0.5), 2.5, ROUNDING);
-    assert_near(pp_polygon_area_below(&comb, 0.6 * 1.5), 5.0 + 1.5, 10 * ROUNDING);
-    assert_near(pp_polygon_area_below(&comb, 0.6 * 2.5), 8.0 + 1.0, 10 * ROUNDING);
-    assert_near(pp_polygon_area_below(&comb, -0.1), 0.0, 0.0);
-    assert_near(pp_polygon_area_below(&comb, 7.0), 10.0, 0.0);
+    assert_near(pp_interior_area_below(&comb, 0.6 * 0.5), 2.5, ROUNDING);
+    assert_near(pp_interior_area_below(&comb, 0.6 * 1.5), 5.0 + 1.5, 10 * ROUNDING);
+    assert_near(pp_interior_area_below(&comb, 0.6 * 2.5), 8.0 + 1.0, 10 * ROUNDING);
+    assert_near(pp_interior_area_below(&comb, -0.1), 0.0, 0.0);
+    assert_near(pp_interior_area_below(&comb, 7.0), 10.0, 0.0);
 }
 
 int main(void)

@@ -2,7 +2,7 @@
  * table. */
 #include "methods/reflected/bre_terms.h"
 #include "methods/reflected/irc_minimum.h"
-#include "methods/methods.h"
+#include "methods/method_entries.h"
 
 #include "tests/lib/near.h"
 
@@ -76,12 +76,12 @@ static void ratios_are_the_published_ones(void **state)
     (void)state;
     static const double published[4] = {1.8, 1.4, 1.3, 1.2};
     for (int w = 0; w < 4; w++)
-        assert_near(pp_irc_average_over_minimum(walls[w]), published[w], 1e-14);
-    assert_near(pp_irc_average_over_minimum(0.3), 1.6, 1e-14);
-    assert_near(pp_irc_average_over_minimum(0.65), 1.275, 1e-14);
+        assert_near(pp_irc_minimum_average_ratio(walls[w]), published[w], 1e-14);
+    assert_near(pp_irc_minimum_average_ratio(0.3), 1.6, 1e-14);
+    assert_near(pp_irc_minimum_average_ratio(0.65), 1.275, 1e-14);
     /* beyond them as at the end */
-    assert_near(pp_irc_average_over_minimum(0.05), 1.8, 0.0);
-    assert_near(pp_irc_average_over_minimum(0.95), 1.2, 0.0);
+    assert_near(pp_irc_minimum_average_ratio(0.05), 1.8, 0.0);
+    assert_near(pp_irc_minimum_average_ratio(0.95), 1.2, 0.0);
 }
 
 /* The worked room: 1.3289 per cent on average; walls of 0.5 halve the way from 1.4 to

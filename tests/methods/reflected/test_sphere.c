@@ -1,7 +1,7 @@
 /* test_sphere.c - the integrating-sphere formula, and what it has to do with the
  * others. */
 #include "methods/reflected/interior.h"
-#include "methods/methods.h"
+#include "methods/method_entries.h"
 
 #include "tests/lib/near.h"
 
@@ -87,8 +87,8 @@ static void one_colour_and_ground_of_0_1_is_the_bre_formula(void **state)
  * of the comparison. */
 static double split_over_sphere(struct box_room *box, double rho)
 {
-    struct pp_inside all = pp_inside_all(&box->world);
-    struct pp_inside_parts parts = pp_inside_split(&box->world, 1.3);
+    struct pp_interior all = pp_interior_all(&box->world);
+    struct pp_interior_parts parts = pp_interior_split(&box->world, 1.3);
     double without = (parts.lower.area_m2 + parts.upper.area_m2) * (1 - rho);
     double opening = all.area_m2 * (1 - all.reflectance) / without;
     return value_of(&pp_method_split_flux, box, 0)
@@ -120,7 +120,7 @@ static void a_small_opening_needs_no_taking_out(void **state)
     box_room_build(&box, 3.3, 4.9, 2.6, rho, rho, rho);
     box_room_south(&box, 0.7, 1.3 - 5e-4, 1e-3, 1e-3);
     box.world.ground_reflectance = 0.0;
-    double share = 1e-6 / pp_inside_all(&box.world).area_m2;
+    double share = 1e-6 / pp_interior_all(&box.world).area_m2;
     assert_relative(value_of(&pp_method_split_flux, &box, 0)
                         / value_of(&pp_method_sphere, &box, 0),
                     2 * rho / (1 + rho), 3 * share);

@@ -1,6 +1,6 @@
 /* test_split_flux.c - the split-flux formula, for clear and diffusing glass. */
 #include "methods/reflected/interior.h"
-#include "methods/methods.h"
+#include "methods/method_entries.h"
 
 #include "tests/lib/near.h"
 
@@ -90,7 +90,7 @@ static void one_colour_and_equal_halves_give_2rho_over_1_plus_rho_of_a_sphere(
         box_room_build(&box, 3.3, 4.9, 2.6, rho, rho, rho);
         box_room_south(&box, 0.7, 0.8, 1.7, 1.0); /* its middle is the room's */
         box.world.ground_reflectance = 0.0;
-        struct pp_inside_parts parts = pp_inside_split(&box.world, 1.3);
+        struct pp_interior_parts parts = pp_interior_split(&box.world, 1.3);
         double A = parts.lower.area_m2 + parts.upper.area_m2;
         double sphere = 0.85 * 1.7 * rho * 0.39 / (A * (1 - rho));
         assert_relative(split_flux_of(&box, 0), 2 * rho / (1 + rho) * sphere, 1e-12);
@@ -132,7 +132,7 @@ static void other_skies_use_their_own_ratio(void **state)
         * (s.rho_u * s.rho_g / (2 * s.A_u) + s.rho_u * s.rho_l * s.C / s.A_l);
     assert_relative(split_flux_of(&box, 0), published, 1e-12);
 
-    struct pp_vec3 sun = pp_unit(pp_vec(0.1, -0.8, 0.7));
+    struct pp_vec3 sun = pp_vec_unit(pp_vec(0.1, -0.8, 0.7));
     assert_int_equal(pp_sky_iso(&box.world.sky, 12, sun, NULL), PP_OK);
     s.C = pp_sky_on_plane(&box.world.sky, pp_vec(0, -1, 0)) * (1 - 34.0 / 90.0);
     published = s.Ag / (1 - s.rho_u * s.rho_l)

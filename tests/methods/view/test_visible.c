@@ -5,7 +5,7 @@
 
 #include "methods/exact/direct.h"
 #include "methods/exact/exact.h"
-#include "methods/view/exterior_planes.h"
+#include "methods/view/exterior.h"
 #include "methods/view/visible.h"
 #include "tests/lib/meridians.h"
 #include "tests/lib/room_of.h"
@@ -74,9 +74,11 @@ static void walls_of_an_l_shaped_room_hide_its_windows(void **state)
     assert_true(some.sky > 0.0);
     assert_near(assert_by_two_routes(world, round).sky, 0.0, 0.0);
     double seen;
-    assert_int_equal(pp_outside_sky_seen(&seen, world, round.position, NULL), PP_OK);
+    assert_int_equal(pp_exterior_sky_solid_angle(&seen, world, round.position, NULL),
+                     PP_OK);
     assert_near(seen, 0.0, 0.0);
-    assert_int_equal(pp_outside_sky_seen(&seen, world, partly.position, NULL), PP_OK);
+    assert_int_equal(pp_exterior_sky_solid_angle(&seen, world, partly.position, NULL),
+                     PP_OK);
     assert_true(seen > 1e-3);
     pp_world_destroy(world);
 }
@@ -197,7 +199,8 @@ static void a_skyline_at_a_distance_is_a_long_wall_there(void **state)
     assert_true(part.sky > 0.0 && part.external > 0.0);
     assert_relative(part.sky, part_of(wall, &receiver).sky, 1e-12);
     assert_relative(part.external, part_of(wall, &receiver).external, 1e-12);
-    struct pp_receiver high = {{2.0, 1.0, 2.5}, pp_unit(pp_vec(0.0, -1.0, -0.2)), 0};
+    struct pp_receiver high = {
+        {2.0, 1.0, 2.5}, pp_vec_unit(pp_vec(0.0, -1.0, -0.2)), 0};
     part = assert_by_two_routes(skyline, high);
     assert_relative(part.external, part_of(wall, &high).external, 1e-12);
     pp_world_destroy(skyline);
@@ -275,10 +278,11 @@ static void outside_nothing_hides_the_open_sky(void **state)
     (void)state;
     struct pp_world *world = pp_test_world(
         PLAN(WINDOW "<block x='-40' y='-44' width='3' depth='2' height='0.1'/>"));
-    struct pp_outside outside;
+    struct pp_exterior_light outside;
     struct pp_sky sky = pp_sky_overcast();
-    assert_int_equal(pp_outside_at(&outside, world, &sky, pp_vec(2.0, -9.0, 9.0),
-                                   pp_vec(0.0, 0.0, 1.0), -1, NULL),
+    assert_int_equal(pp_exterior_light_on_plane(&outside, world, &sky,
+                                                pp_vec(2.0, -9.0, 9.0),
+                                                pp_vec(0.0, 0.0, 1.0), -1, NULL),
                      PP_OK);
     assert_near(outside.sky, 1.0, 1e-13);
     assert_near(outside.external, 0.0, 1e-13);
@@ -299,8 +303,8 @@ static void a_long_block_opposite_is_a_continuous_obstruction(void **state)
     double share, paper = 3.0 / 14.0 * (1.0 - sin(alpha))
                           + 4.0 / (7.0 * PP_PI) * cos(alpha) * cos(alpha);
     struct pp_sky sky = pp_sky_overcast();
-    assert_int_equal(pp_outside_sky_on_plane(&share, world, &world->openings[0],
-                                             pp_vec(0.0, -1.0, 0.0), &sky, NULL),
+    assert_int_equal(pp_exterior_sky_on_plane(&share, world, &world->openings[0],
+                                              pp_vec(0.0, -1.0, 0.0), &sky, NULL),
                      PP_OK);
     assert_near(share, paper, 1e-6); /* the block's ends, at 1/2000 of its length */
     pp_world_destroy(world);
@@ -328,7 +332,8 @@ static void a_diffusing_pane_emits_what_falls_on_it(void **state)
     assert_relative(part.external, 0.6 * 0.2 / 2.0 * factor, 1e-12);
     assert_relative(part_of(world, &upside_down).sky, part.sky, 1e-12);
     double seen;
-    assert_int_equal(pp_outside_sky_seen(&seen, world, receiver.position, NULL), PP_OK);
+    assert_int_equal(pp_exterior_sky_solid_angle(&seen, world, receiver.position, NULL),
+                     PP_OK);
     assert_near(seen, 0.0, 0.0);
     pp_world_destroy(world);
     pp_world_destroy(bare);
@@ -377,14 +382,14 @@ static void assert_sum_of_pieces(const char *before, double x, double z)
     for (int i = 0; i < columns; i++)
         for (int k = 0; k < rows; k++) {
             struct pp_vec3 at = {across[i][0], 0.0, up[k][0]};
-            struct pp_outside outside;
-            assert_int_equal(pp_outside_at(&outside, world, &world->sky, at,
-                                           pp_vec(0.0, -1.0, 0.0),
-                                           world->openings[0].face, NULL),
+            struct pp_exterior_light outside;
+            assert_int_equal(pp_exterior_light_on_plane(&outside, world, &world->sky,
+                                                        at, pp_vec(0.0, -1.0, 0.0),
+                                                        world->openings[0].face, NULL),
                              PP_OK);
             for (int p = 0; p < POINTS; p++) {
-                struct pp_vec3 v = pp_sub(at, points[p].position);
-                double r2 = pp_dot(v, v);
+                struct pp_vec3 v = pp_vec_sub(at, points[p].position);
+                double r2 = pp_vec_dot(v, v);
                 double weight = 0.6 / PP_PI * fmax(0.0, v.z) * -v.y / (r2 * r2)
                                 * across[i][1] * up[k][1];
                 sky[p] += weight * outside.sky;

@@ -8,7 +8,7 @@ static const struct pp_window_axes upright = {{1, 0, 0}, {0, 0, 1}, {0, 1, 0}};
 static struct pp_waldram made(struct pp_sky sky, bool glazed)
 {
     struct pp_waldram waldram;
-    assert_int_equal(pp_waldram_make(&waldram, &sky, glazed, NULL), PP_OK);
+    assert_int_equal(pp_waldram_scale_init(&waldram, &sky, glazed, NULL), PP_OK);
     return waldram;
 }
 
@@ -19,7 +19,7 @@ static double rectangle(const struct pp_waldram *waldram,
     double xy[4][2] = {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}};
     struct pp_ring ring = {4, xy};
     struct pp_region region = {1, &ring};
-    return pp_waldram_area(waldram, axes, &region);
+    return pp_waldram_scale_area(waldram, axes, &region);
 }
 
 static void the_whole_diagram_is_half_the_sky(void **state)
@@ -30,11 +30,11 @@ static void the_whole_diagram_is_half_the_sky(void **state)
     struct pp_sky skies[] = {pp_sky_overcast(), pp_sky_uniform(), darker};
     for (int i = 0; i < 3; i++) {
         struct pp_waldram waldram = made(skies[i], false);
-        assert_near(pp_waldram_whole(&waldram), 0.5, 1e-9);
+        assert_near(pp_waldram_scale_total_area(&waldram), 0.5, 1e-9);
     }
     /* With glass the product of losses gives 34.58 % where the integral is 31.63 %. */
     struct pp_waldram glazed = made(pp_sky_overcast(), true);
-    assert_near(pp_waldram_whole(&glazed), 0.3458, 5e-5);
+    assert_near(pp_waldram_scale_total_area(&glazed), 0.3458, 5e-5);
 }
 
 /* Ordinates at 10 to 90 degrees over the zenith's, four printed digits. */
@@ -49,9 +49,11 @@ static void ordinates_as_published(void **state)
     struct pp_waldram u = made(pp_sky_uniform(), false);
     for (int i = 0; i < 9; i++) {
         double altitude = (i + 1) * 10.0 * PP_RAD;
-        assert_near(pp_waldram_y(&o, altitude) / pp_waldram_y(&o, PP_PI / 2.0),
+        assert_near(pp_waldram_scale_y(&o, altitude)
+                        / pp_waldram_scale_y(&o, PP_PI / 2.0),
                     overcast[i], 5.1e-5);
-        assert_near(pp_waldram_y(&u, altitude) / pp_waldram_y(&u, PP_PI / 2.0),
+        assert_near(pp_waldram_scale_y(&u, altitude)
+                        / pp_waldram_scale_y(&u, PP_PI / 2.0),
                     uniform[i], 5.1e-5);
     }
 }
@@ -126,8 +128,9 @@ static void a_sky_that_changes_with_azimuth_is_refused(void **state)
     struct pp_sky clear;
     struct pp_waldram waldram;
     struct pp_error err;
-    assert_int_equal(pp_sky_iso(&clear, 12, pp_unit(pp_vec(1, 2, 3)), NULL), PP_OK);
-    assert_int_equal(pp_waldram_make(&waldram, &clear, false, &err), PP_BAD_INPUT);
+    assert_int_equal(pp_sky_iso(&clear, 12, pp_vec_unit(pp_vec(1, 2, 3)), NULL), PP_OK);
+    assert_int_equal(pp_waldram_scale_init(&waldram, &clear, false, &err),
+                     PP_BAD_INPUT);
     assert_non_null(strstr(err.message, "iso-12"));
 }
 

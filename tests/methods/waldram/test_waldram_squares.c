@@ -23,23 +23,24 @@ static struct tally count_ring(const struct pp_waldram *waldram,
     struct pp_ring ring = {count_of_corners, xy};
     struct pp_region region = {1, &ring}, outline;
     struct pp_waldram_count count;
-    struct tally tally = {.exact = pp_waldram_area(waldram, axes, &region)
+    struct tally tally = {.exact = pp_waldram_scale_area(waldram, axes, &region)
                                    / PP_WALDRAM_WORTH};
     double width, height;
-    pp_waldram_square_size(waldram, &width, &height);
-    assert_int_equal(pp_waldram_count_squares(&count, waldram, axes, &region, NULL),
+    pp_waldram_squares_size(waldram, &width, &height);
+    assert_int_equal(pp_waldram_squares_count(&count, waldram, axes, &region, NULL),
                      PP_OK);
     tally.squares = count.squares;
     for (int i = 0; i < count.count; i++)
         tally.parts += count.list[i].part;
-    pp_waldram_count_clear(&count);
-    assert_int_equal(pp_waldram_outline(&outline, waldram, axes, &region, NULL), PP_OK);
+    pp_waldram_squares_clear(&count);
+    assert_int_equal(pp_waldram_squares_outline(&outline, waldram, axes, &region, NULL),
+                     PP_OK);
     for (int i = 0; i < outline.rings[0].count; i++) {
         const double *p = outline.rings[0].xy[i];
         const double *q = outline.rings[0].xy[(i + 1) % outline.rings[0].count];
         tally.outline += hypot((q[0] - p[0]) / width, (q[1] - p[1]) / height);
     }
-    pp_region_destroy(&outline);
+    pp_region_clear(&outline);
     return tally;
 }
 
@@ -74,7 +75,7 @@ static void parts_of_squares_add_up_to_the_exact_area(void **state)
     (void)state;
     struct pp_waldram waldram;
     struct pp_sky sky = pp_sky_overcast();
-    assert_int_equal(pp_waldram_make(&waldram, &sky, true, NULL), PP_OK);
+    assert_int_equal(pp_waldram_scale_init(&waldram, &sky, true, NULL), PP_OK);
     uint64_t seed = 3;
     for (int i = 0; i < 300; i++) {
         double x = 4.0 * next(&seed) - 2.0, y = 1.5 * next(&seed) - 0.3;
@@ -95,7 +96,7 @@ static void counts_are_unbiased_and_close(void **state)
     for (int glazed = 0; glazed < 2; glazed++) {
         struct pp_waldram waldram;
         struct pp_sky sky = glazed ? pp_sky_overcast() : pp_sky_uniform();
-        assert_int_equal(pp_waldram_make(&waldram, &sky, glazed, NULL), PP_OK);
+        assert_int_equal(pp_waldram_scale_init(&waldram, &sky, glazed, NULL), PP_OK);
         uint64_t seed = 11 + glazed;
         double sum = 0.0, sum2 = 0.0, spread = 0.0;
         for (int i = 0; i < WINDOWS; i++) {
@@ -127,7 +128,7 @@ static void a_rooflight_overhead_is_counted_all_round(void **state)
     struct pp_window_axes flat = {{1, 0, 0}, {0, -1, 0}, {0, 0, 1}};
     struct pp_waldram waldram;
     struct pp_sky sky = pp_sky_overcast();
-    assert_int_equal(pp_waldram_make(&waldram, &sky, false, NULL), PP_OK);
+    assert_int_equal(pp_waldram_scale_init(&waldram, &sky, false, NULL), PP_OK);
     struct tally tally = count_rectangle(&waldram, &flat, -1.0, 1.0, -1.0, 1.0);
     assert_near(tally.exact, 4 * 159.497, 0.002);
     assert_near(tally.parts, tally.exact, 1e-5 * tally.outline);
@@ -144,12 +145,12 @@ static void nothing_is_counted_where_nothing_is_seen(void **state)
     struct pp_sky sky = pp_sky_overcast();
     struct pp_waldram_count count;
     struct pp_region none = {0, NULL};
-    assert_int_equal(pp_waldram_make(&waldram, &sky, true, NULL), PP_OK);
-    assert_int_equal(pp_waldram_count_squares(&count, &waldram, &upright, &none, NULL),
+    assert_int_equal(pp_waldram_scale_init(&waldram, &sky, true, NULL), PP_OK);
+    assert_int_equal(pp_waldram_squares_count(&count, &waldram, &upright, &none, NULL),
                      PP_OK);
     assert_int_equal(count.count, 0);
     assert_near(count.squares, 0.0, 0.0);
-    pp_waldram_count_clear(&count);
+    pp_waldram_squares_clear(&count);
     struct tally below = count_rectangle(&waldram, &upright, -1.0, 1.3, -2.0, -0.4);
     assert_near(below.squares, 0.0, 0.0);
 }

@@ -12,9 +12,9 @@ static void pieces_follow_one_another(void **state)
 {
     (void)state;
     char text[32] = "";
-    pp_append(text, sizeof text, "%d windows", 2);
-    pp_append(text, sizeof text, ", %.1f m", 1.25);
-    pp_append(text, sizeof text, "%s", "");
+    pp_text_append(text, sizeof text, "%d windows", 2);
+    pp_text_append(text, sizeof text, ", %.1f m", 1.25);
+    pp_text_append(text, sizeof text, "%s", "");
     assert_string_equal(text, "2 windows, 1.2 m");
 }
 
@@ -24,9 +24,9 @@ static void what_has_no_room_is_cut_off(void **state)
     (void)state;
     char text[12] = "a wall";
     text[11] = '#';
-    pp_append(text, 11, " of %s", "bricks");
+    pp_text_append(text, 11, " of %s", "bricks");
     assert_string_equal(text, "a wall of ");
-    pp_append(text, 11, "%s", "more");
+    pp_text_append(text, 11, "%s", "more");
     assert_string_equal(text, "a wall of ");
     assert_int_equal(text[11], '#');
 }
@@ -39,11 +39,11 @@ static void names_are_listed_as_in_a_sentence(void **state)
                                   "dirt, frame and glass"};
     for (int count = 0; count <= 3; count++) {
         char text[32] = "";
-        pp_append_list(text, sizeof text, names, count, " and ");
+        pp_text_append_list(text, sizeof text, names, count, " and ");
         assert_string_equal(text, wanted[count]);
     }
     char text[32] = "no ";
-    pp_append_list(text, sizeof text, names, -1, " or ");
+    pp_text_append_list(text, sizeof text, names, -1, " or ");
     assert_string_equal(text, "no dirt, frame or glass");
 }
 

@@ -16,8 +16,8 @@ static struct pp_vec3 direction(uint64_t *state)
     for (;;) {
         struct pp_vec3 v =
             pp_vec(2 * next(state) - 1, 2 * next(state) - 1, 2 * next(state) - 1);
-        if (pp_length(v) > 0.1 && pp_length(v) < 1.0)
-            return pp_unit(v);
+        if (pp_vec_length(v) > 0.1 && pp_vec_length(v) < 1.0)
+            return pp_vec_unit(v);
     }
 }
 
@@ -30,9 +30,10 @@ static struct pp_polygon ell_in(struct pp_vec3 origin, struct pp_vec3 normal,
                                 struct pp_vec3 *along, struct pp_vec3 *up)
 {
     struct pp_vec3 vertices[6];
-    pp_plane_axes(normal, along, up);
+    pp_polygon_plane_axes(normal, along, up);
     for (int i = 0; i < 6; i++)
-        vertices[i] = pp_along(pp_along(origin, ell[i][0], *along), ell[i][1], *up);
+        vertices[i] =
+            pp_vec_along(pp_vec_along(origin, ell[i][0], *along), ell[i][1], *up);
     struct pp_polygon polygon;
     assert_int_equal(pp_polygon_of(&polygon, vertices, 6, NULL), PP_OK);
     return polygon;
@@ -44,9 +45,9 @@ static void axes_are_right_handed_and_along_is_level(void **state)
     uint64_t seed = 11;
     for (int i = 0; i < 1000; i++) {
         struct pp_vec3 n = direction(&seed), along, up;
-        pp_plane_axes(n, &along, &up);
-        struct pp_vec3 cross = pp_cross(along, up);
-        assert_near(pp_length(pp_sub(cross, n)), 0.0, 1e-15 * 8);
+        pp_polygon_plane_axes(n, &along, &up);
+        struct pp_vec3 cross = pp_vec_cross(along, up);
+        assert_near(pp_vec_length(pp_vec_sub(cross, n)), 0.0, 1e-15 * 8);
         assert_near(along.z, 0.0, 0.0);
         assert_true(up.z >= 0.0);
     }
@@ -58,16 +59,16 @@ static void walls_and_level_planes_have_the_axes_of_the_plan(void **state)
 {
     (void)state;
     struct pp_vec3 along, up;
-    pp_plane_axes(pp_vec(0.0, 1.0, 0.0), &along, &up);
+    pp_polygon_plane_axes(pp_vec(0.0, 1.0, 0.0), &along, &up);
     assert_true(along.x == -1.0 && along.y == 0.0 && up.z == 1.0);
-    pp_plane_axes(pp_vec(0.0, 0.0, -1.0), &along, &up);
+    pp_polygon_plane_axes(pp_vec(0.0, 0.0, -1.0), &along, &up);
     assert_true(along.x == 1.0 && along.y == 0.0 && up.y == -1.0 && up.z == 0.0);
-    pp_plane_axes(pp_vec(0.0, 0.0, 1.0), &along, &up);
+    pp_polygon_plane_axes(pp_vec(0.0, 0.0, 1.0), &along, &up);
     assert_true(along.x == 1.0 && up.y == 1.0);
-    struct pp_vec3 nearly = pp_unit(pp_vec(3e-8, -2e-8, -1.0));
-    pp_plane_axes(nearly, &along, &up);
+    struct pp_vec3 nearly = pp_vec_unit(pp_vec(3e-8, -2e-8, -1.0));
+    pp_polygon_plane_axes(nearly, &along, &up);
     assert_near(along.x, 1.0, 1e-12);
-    assert_near(pp_dot(along, nearly), 0.0, 1e-15);
+    assert_near(pp_vec_dot(along, nearly), 0.0, 1e-15);
 }
 
 static void area_and_normal_are_the_same_in_any_plane(void **state)
@@ -76,10 +77,10 @@ static void area_and_normal_are_the_same_in_any_plane(void **state)
     uint64_t seed = 5;
     for (int i = 0; i < 200; i++) {
         struct pp_vec3 n = direction(&seed), along, up;
-        struct pp_vec3 origin = pp_scale(direction(&seed), 40.0);
+        struct pp_vec3 origin = pp_vec_scale(direction(&seed), 40.0);
         struct pp_polygon polygon = ell_in(origin, n, &along, &up);
         assert_relative(polygon.area_m2, ell_m2, 1e-13);
-        assert_near(pp_length(pp_sub(polygon.normal, n)), 0.0, 1e-13);
+        assert_near(pp_vec_length(pp_vec_sub(polygon.normal, n)), 0.0, 1e-13);
         assert_true(pp_polygon_unevenness(&polygon) < 1e-13);
         pp_polygon_clear(&polygon);
     }
@@ -93,21 +94,21 @@ static void a_point_lies_in_the_polygon_if_it_does_in_its_axes(void **state)
     int inside = 0;
     for (int i = 0; i < 4000; i++) {
         struct pp_vec3 n = direction(&seed), along, up;
-        struct pp_vec3 origin = pp_scale(direction(&seed), 7.0);
+        struct pp_vec3 origin = pp_vec_scale(direction(&seed), 7.0);
         struct pp_polygon polygon = ell_in(origin, n, &along, &up);
         double x = 4.0 * next(&seed) - 0.5, y = 4.0 * next(&seed) - 0.5;
         double off = 2.0 * next(&seed) - 1.0;
         bool in = x > 0.0 && y > 0.0 && ((x < 3.1 && y < 1.1) || (x < 1.3 && y < 3.0));
         struct pp_vec3 point =
-            pp_along(pp_along(pp_along(origin, x, along), y, up), off, n);
-        if (pp_ring_edge_distance(ell, 6, x, y, NULL) > 1e-9) {
+            pp_vec_along(pp_vec_along(pp_vec_along(origin, x, along), y, up), off, n);
+        if (pp_polygon_ring_edge_distance(ell, 6, x, y, NULL) > 1e-9) {
             assert_int_equal(pp_polygon_side(&polygon, point, 1e-9),
                              in ? PP_INSIDE : PP_OUTSIDE);
-            assert_int_equal(pp_ring_side(ell, 6, x, y, 1e-9),
+            assert_int_equal(pp_polygon_ring_side(ell, 6, x, y, 1e-9),
                              in ? PP_INSIDE : PP_OUTSIDE);
         }
         assert_near(pp_polygon_height(&polygon, point), off, 1e-13);
-        double beside = in ? 0.0 : pp_ring_edge_distance(ell, 6, x, y, NULL);
+        double beside = in ? 0.0 : pp_polygon_ring_edge_distance(ell, 6, x, y, NULL);
         assert_near(pp_polygon_distance(&polygon, point), hypot(beside, off), 1e-12);
         inside += in;
         pp_polygon_clear(&polygon);
@@ -119,12 +120,12 @@ static void a_point_lies_in_the_polygon_if_it_does_in_its_axes(void **state)
 static void on_an_edge_is_said_within_the_tolerance(void **state)
 {
     (void)state;
-    assert_int_equal(pp_ring_side(ell, 6, 1.3, 2.2, 0.0), PP_ON_EDGE);
-    assert_int_equal(pp_ring_side(ell, 6, 1.3 + 2e-7, 2.2, 1e-7), PP_OUTSIDE);
-    assert_int_equal(pp_ring_side(ell, 6, 1.3 - 2e-7, 2.2, 1e-7), PP_INSIDE);
-    assert_int_equal(pp_ring_side(ell, 6, 1.3 + 2e-7, 2.2, 3e-7), PP_ON_EDGE);
+    assert_int_equal(pp_polygon_ring_side(ell, 6, 1.3, 2.2, 0.0), PP_ON_EDGE);
+    assert_int_equal(pp_polygon_ring_side(ell, 6, 1.3 + 2e-7, 2.2, 1e-7), PP_OUTSIDE);
+    assert_int_equal(pp_polygon_ring_side(ell, 6, 1.3 - 2e-7, 2.2, 1e-7), PP_INSIDE);
+    assert_int_equal(pp_polygon_ring_side(ell, 6, 1.3 + 2e-7, 2.2, 3e-7), PP_ON_EDGE);
     double nearest[2];
-    assert_near(pp_ring_edge_distance(ell, 6, 1.6, 1.5, nearest), 0.3, 1e-15);
+    assert_near(pp_polygon_ring_edge_distance(ell, 6, 1.6, 1.5, nearest), 0.3, 1e-15);
     assert_near(nearest[0], 1.3, 0.0);
     assert_near(nearest[1], 1.5, 1e-15);
 }

@@ -13,13 +13,13 @@ static struct pp_clipper *clipper;
 static int set_up(void **state)
 {
     (void)state;
-    return pp_clipper_create(&clipper, NULL) == PP_OK ? 0 : -1;
+    return pp_region_clipper_create(&clipper, NULL) == PP_OK ? 0 : -1;
 }
 
 static int tear_down(void **state)
 {
     (void)state;
-    pp_clipper_destroy(clipper);
+    pp_region_clipper_destroy(clipper);
     return 0;
 }
 
@@ -38,7 +38,7 @@ static void a_clockwise_ring_is_turned_round(void **state)
     struct pp_region region;
     assert_int_equal(pp_region_of_ring(clipper, &region, xy, 4, NULL), PP_OK);
     assert_near(pp_region_area(&region), 3.3 * 2.2, ROUNDING);
-    pp_region_destroy(&region);
+    pp_region_clear(&region);
     assert_int_equal(region.count, 0);
 }
 
@@ -63,8 +63,8 @@ static void a_bow_tie_is_refused(void **state)
     struct pp_error err;
     assert_int_equal(pp_region_of_ring(clipper, &region, bow, 4, &err), PP_BAD_INPUT);
     assert_int_equal(region.count, 0);
-    assert_false(pp_ring_is_simple(clipper, bow, 4));
-    assert_false(pp_ring_is_simple(clipper, spike, 5));
+    assert_false(pp_region_ring_is_simple(clipper, bow, 4));
+    assert_false(pp_region_ring_is_simple(clipper, spike, 5));
 }
 
 static double area_by_crossings(const double (*xy)[2], int count)
@@ -74,7 +74,7 @@ static double area_by_crossings(const double (*xy)[2], int count)
     if (pp_region_by_crossings(clipper, &region, xy, count, &err) != PP_OK)
         fail_msg("%s", err.message);
     double area = pp_region_area(&region);
-    pp_region_destroy(&region);
+    pp_region_clear(&region);
     return area;
 }
 
@@ -129,10 +129,10 @@ static void a_hole_runs_clockwise_and_takes_its_area(void **state)
     assert_int_equal(pp_region_intersection(clipper, &none, &rest, &window, NULL),
                      PP_OK);
     assert_int_equal(none.count, 0);
-    pp_region_destroy(&whole);
-    pp_region_destroy(&rest);
-    pp_region_destroy(&wall);
-    pp_region_destroy(&window);
+    pp_region_clear(&whole);
+    pp_region_clear(&rest);
+    pp_region_clear(&wall);
+    pp_region_clear(&window);
 }
 
 static void two_windows_with_holes_keep_each_its_own(void **state)
@@ -154,14 +154,14 @@ static void two_windows_with_holes_keep_each_its_own(void **state)
     assert_int_equal(pp_region_intersection(clipper, &again, &copy, &parts[1], NULL),
                      PP_OK);
     assert_near(pp_region_area(&again), 5.0, ROUNDING);
-    pp_region_destroy(&again);
-    pp_region_destroy(&copy);
-    pp_region_destroy(&left);
-    pp_region_destroy(&cut);
-    pp_region_destroy(&walls);
+    pp_region_clear(&again);
+    pp_region_clear(&copy);
+    pp_region_clear(&left);
+    pp_region_clear(&cut);
+    pp_region_clear(&walls);
     for (int i = 0; i < 2; i++) {
-        pp_region_destroy(&parts[i]);
-        pp_region_destroy(&holes[i]);
+        pp_region_clear(&parts[i]);
+        pp_region_clear(&holes[i]);
     }
 }
 
@@ -172,8 +172,8 @@ static void figures_that_only_touch_share_nothing(void **state)
     struct pp_region b = rectangle(1.7, 0.4, 3.1, 1.9), shared;
     assert_int_equal(pp_region_intersection(clipper, &shared, &a, &b, NULL), PP_OK);
     assert_int_equal(shared.count, 0);
-    pp_region_destroy(&a);
-    pp_region_destroy(&b);
+    pp_region_clear(&a);
+    pp_region_clear(&b);
 }
 
 static void triangles_cover_an_outline_with_a_hole(void **state)
@@ -199,9 +199,9 @@ static void triangles_cover_an_outline_with_a_hole(void **state)
     }
     assert_near(area, pp_region_area(&rest), ROUNDING);
     free(triangles);
-    pp_region_destroy(&rest);
-    pp_region_destroy(&window);
-    pp_region_destroy(&wall);
+    pp_region_clear(&rest);
+    pp_region_clear(&window);
+    pp_region_clear(&wall);
 }
 
 static void the_union_of_nothing_is_empty(void **state)

@@ -91,16 +91,16 @@ static void named_glazings_are_within_their_published_ranges(void **state)
         {"opal-acrylic", 0.30, 0.70},
     };
     for (size_t i = 0; i < sizeof published / sizeof *published; i++) {
-        const struct pp_glazing *glazing = pp_glazing_find(published[i].name);
+        const struct pp_glazing *glazing = pp_glazings_find(published[i].name);
         assert_non_null(glazing);
-        struct pp_glass glass = pp_glazing_glass(glazing);
+        struct pp_glass glass = pp_glazings_glass(glazing);
         double shown = glass.diffusing ? glass.diffuse : glass.normal;
         /* half a unit of the last digit of the range */
         assert_true(shown >= published[i].low - 0.005);
         assert_true(shown <= published[i].high + 0.005);
     }
-    for (int i = 0; i < pp_glazing_count(); i++) {
-        struct pp_glass glass = pp_glazing_glass(pp_glazing_at(i));
+    for (int i = 0; i < pp_glazings_count(); i++) {
+        struct pp_glass glass = pp_glazings_glass(pp_glazings_at(i));
         assert_true(glass.diffuse > 0.0 && glass.diffuse <= 1.0);
         for (int deg = 5; deg < 90 && !glass.diffusing; deg += 5)
             assert_true(pp_glass_transmittance(&glass, cos(deg * RAD))

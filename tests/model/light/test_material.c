@@ -14,8 +14,8 @@ static void every_finish_is_a_material_of_its_reflectance(void **state)
 {
     (void)state;
     int glossy = 0, coloured = 0;
-    for (int i = 0; i < pp_finish_count(); i++) {
-        const struct pp_finish *finish = pp_finish_at(i);
+    for (int i = 0; i < pp_finishes_count(); i++) {
+        const struct pp_finish *finish = pp_finishes_at(i);
         struct pp_material material = pp_material_finish(finish, finish->reflectance);
         struct pp_error err = {0};
         if (pp_material_check(&material, &err) != PP_OK)
@@ -81,10 +81,14 @@ static void skies_have_the_radiances_that_gensky_means(void **state)
                                  .ground = 3.0,
                                  .norm = 0.8,
                                  .sun = pp_vec(0.3, -0.5, sqrt(0.66))};
-        assert_relative(pp_pattern_value(&sky, up), expected[type - 1][0], 1e-12);
-        assert_relative(pp_pattern_value(&sky, level), expected[type - 1][1], 1e-12);
+        assert_relative(pp_scene_description_pattern_value(&sky, up),
+                        expected[type - 1][0], 1e-12);
+        assert_relative(pp_scene_description_pattern_value(&sky, level),
+                        expected[type - 1][1], 1e-12);
         /* Straight down there is only ground. */
-        assert_relative(pp_pattern_value(&sky, pp_vec(0.0, 0.0, -1.0)), 3.0, 1e-12);
+        assert_relative(
+            pp_scene_description_pattern_value(&sky, pp_vec(0.0, 0.0, -1.0)), 3.0,
+            1e-12);
     }
 }
 
@@ -95,10 +99,10 @@ static void materials_are_alike_only_in_all_that_they_are(void **state)
         pp_material_plastic(pp_rgb(0.41, 0.37, 0.29), 0.05, 0.11, 0.07);
     strcpy(was.name, "a wall");
     struct pp_material is = was;
-    assert_true(pp_material_same(&is, &was));
+    assert_true(pp_surface_materials_same(&is, &was));
     is.diffuse.b = was.diffuse.b = 0.0;
     is.grain.y = -0.0; /* which is 0 */
-    assert_true(pp_material_same(&is, &was));
+    assert_true(pp_surface_materials_same(&is, &was));
     double *const numbers[] = {
         &is.diffuse.r,    &is.diffuse.g,         &is.diffuse.b,       &is.gloss.r,
         &is.gloss.b,      &is.through_diffuse.g, &is.through_gloss.b, &is.radiance.r,
@@ -107,21 +111,21 @@ static void materials_are_alike_only_in_all_that_they_are(void **state)
         &is.dirt};
     for (size_t i = 0; i < sizeof numbers / sizeof *numbers; i++) {
         *numbers[i] += 0.125;
-        assert_false(pp_material_same(&is, &was));
+        assert_false(pp_surface_materials_same(&is, &was));
         *numbers[i] -= 0.125;
     }
     is = was;
     is.unseen = true;
-    assert_false(pp_material_same(&is, &was));
+    assert_false(pp_surface_materials_same(&is, &was));
     is = was;
     is.pattern = 0;
-    assert_false(pp_material_same(&is, &was));
+    assert_false(pp_surface_materials_same(&is, &was));
     is = was;
     is.emits = PP_EMITS_CONCENTRATED;
-    assert_false(pp_material_same(&is, &was));
+    assert_false(pp_surface_materials_same(&is, &was));
     is = was;
     strcpy(is.name, "a wal");
-    assert_false(pp_material_same(&is, &was));
+    assert_false(pp_surface_materials_same(&is, &was));
 }
 
 int main(void)

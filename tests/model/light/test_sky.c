@@ -14,7 +14,7 @@ static double sum_on_plane(const struct pp_sky *sky, struct pp_vec3 n)
         for (int j = 0; j < AZIMUTHS; j++) {
             double azimuth = 2.0 * PP_PI * (j + 0.5) / AZIMUTHS;
             struct pp_vec3 u = pp_vec(r * sin(azimuth), r * cos(azimuth), z);
-            double facing = pp_dot(n, u);
+            double facing = pp_vec_dot(n, u);
             if (facing > 0.0)
                 sum += pp_sky_luminance(sky, u) * facing;
         }
@@ -83,9 +83,9 @@ static void vertical_to_horizontal_ratios_of_the_iso_skies(void **state)
 static void tilted_planes_agree_with_a_plain_sum(void **state)
 {
     (void)state;
-    struct pp_vec3 normals[] = {pp_unit(pp_vec(0.3, -0.7, 0.4)),
-                                pp_unit(pp_vec(-0.9, 0.2, -0.3)),
-                                pp_unit(pp_vec(0.1, 0.05, -0.9))};
+    struct pp_vec3 normals[] = {pp_vec_unit(pp_vec(0.3, -0.7, 0.4)),
+                                pp_vec_unit(pp_vec(-0.9, 0.2, -0.3)),
+                                pp_vec_unit(pp_vec(0.1, 0.05, -0.9))};
     struct pp_sky skies[4] = {pp_sky_overcast(), pp_sky_uniform()};
     assert_int_equal(pp_sky_iso(&skies[2], 12, sun_at(23.0, 140.0), NULL), PP_OK);
     assert_int_equal(pp_sky_iso(&skies[3], 7, sun_at(51.0, 300.0), NULL), PP_OK);

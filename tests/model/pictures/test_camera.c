@@ -68,8 +68,8 @@ static void a_point_is_seen_where_its_ray_goes(void **state)
                 double back_x, back_y, distance;
                 if (!pp_camera_ray(&cameras[i], x, y, &from, &to))
                     continue;
-                assert_near(pp_length(to), 1.0, 1e-14);
-                assert_true(pp_camera_project(&cameras[i], pp_along(from, 2.3, to),
+                assert_near(pp_vec_length(to), 1.0, 1e-14);
+                assert_true(pp_camera_project(&cameras[i], pp_vec_along(from, 2.3, to),
                                               &back_x, &back_y, &distance));
                 assert_near(back_x, x, 1e-12);
                 assert_near(back_y, y, 1e-12);
@@ -118,9 +118,9 @@ static void the_options_give_the_view_again(void **state)
         assert_int_equal(count, 12);
         assert_int_equal(letter, "vlha"[kind]);
         double unit = kind == PP_VIEW_PARALLEL ? 1.0 : PP_RAD;
-        assert_near(pp_length(pp_sub(p, camera.eye)), 0.0, 1e-11);
-        assert_near(pp_length(pp_sub(d, camera.toward)), 0.0, 1e-11);
-        assert_near(pp_length(pp_sub(u, camera.up)), 0.0, 1e-11);
+        assert_near(pp_vec_length(pp_vec_sub(p, camera.eye)), 0.0, 1e-11);
+        assert_near(pp_vec_length(pp_vec_sub(d, camera.toward)), 0.0, 1e-11);
+        assert_near(pp_vec_length(pp_vec_sub(u, camera.up)), 0.0, 1e-11);
         assert_near(across * unit, 1.3, 1e-11);
         assert_near(down * unit, 0.9, 1e-11);
     }

@@ -70,23 +70,25 @@ static void a_scale_ends_at_round_numbers(void **state)
     struct pp_picture picture = picture_of(200, 5, ramp);
     pp_picture_at(&picture, 7, 1)[0] = pp_picture_at(&picture, 7, 1)[1] = NAN;
     pp_picture_at(&picture, 9, 1)[1] = 1e9f; /* one glaring pixel of 1000 */
-    struct pp_colour_scale scale;
-    assert_int_equal(pp_colour_scale_fit(&scale, &picture, 2.0, true, NULL), PP_OK);
+    struct pp_false_colour_scale scale;
+    assert_int_equal(pp_false_colour_scale_fit(&scale, &picture, 2.0, true, NULL),
+                     PP_OK);
     assert_near(scale.low, 0.5, 1e-12);
     assert_near(scale.high, 1000.0, 1e-9);
-    double levels[PP_COLOUR_LEVELS_MOST];
-    assert_int_equal(pp_colour_scale_levels(&scale, levels), 11);
+    double levels[PP_FALSE_COLOUR_LEVELS_MOST];
+    assert_int_equal(pp_false_colour_scale_levels(&scale, levels), 11);
     static const double round[] = {0.5, 1, 2, 5, 10, 20, 50, 100, 200, 500, 1000};
     for (int i = 0; i < 11; i++)
         assert_near(levels[i], round[i], 1e-12 * round[i]);
-    assert_near(pp_colour_scale_at(&scale, sqrt(500.0)), 0.5, 1e-12);
-    assert_near(pp_colour_scale_at(&scale, 0.0), 0.0, 0.0);
-    assert_near(pp_colour_scale_at(&scale, 1e5), 1.0, 0.0);
+    assert_near(pp_false_colour_scale_at(&scale, sqrt(500.0)), 0.5, 1e-12);
+    assert_near(pp_false_colour_scale_at(&scale, 0.0), 0.0, 0.0);
+    assert_near(pp_false_colour_scale_at(&scale, 1e5), 1.0, 0.0);
 
-    assert_int_equal(pp_colour_scale_fit(&scale, &picture, 2.0, false, NULL), PP_OK);
+    assert_int_equal(pp_false_colour_scale_fit(&scale, &picture, 2.0, false, NULL),
+                     PP_OK);
     assert_near(scale.low, 0.0, 0.0);
-    assert_near(pp_colour_scale_at(&scale, 250.0), 0.25, 1e-12);
-    assert_int_equal(pp_colour_scale_levels(&scale, levels), 11);
+    assert_near(pp_false_colour_scale_at(&scale, 250.0), 0.25, 1e-12);
+    assert_int_equal(pp_false_colour_scale_levels(&scale, levels), 11);
     assert_near(levels[3], 300.0, 1e-9);
     pp_picture_clear(&picture);
 }
@@ -100,13 +102,13 @@ static void a_black_picture_has_a_scale_all_the_same(void **state)
 {
     (void)state;
     struct pp_picture picture = picture_of(4, 3, black);
-    struct pp_colour_scale scale;
+    struct pp_false_colour_scale scale;
     for (int logarithmic = 0; logarithmic < 2; logarithmic++) {
-        assert_int_equal(pp_colour_scale_fit(&scale, &picture, 1.0, logarithmic, NULL),
-                         PP_OK);
+        assert_int_equal(
+            pp_false_colour_scale_fit(&scale, &picture, 1.0, logarithmic, NULL), PP_OK);
         assert_true(scale.low < scale.high);
-        double levels[PP_COLOUR_LEVELS_MOST];
-        assert_true(pp_colour_scale_levels(&scale, levels) >= 2);
+        double levels[PP_FALSE_COLOUR_LEVELS_MOST];
+        assert_true(pp_false_colour_scale_levels(&scale, levels) >= 2);
     }
     pp_picture_clear(&picture);
 }
@@ -124,7 +126,7 @@ static void lines_of_a_hill_are_circles(void **state)
 {
     (void)state;
     struct pp_picture picture = picture_of(120, 100, hill);
-    struct pp_curves lines = {0};
+    struct pp_curve_list lines = {0};
     const double level = 1.0;
     /* A step across a pixel is straight to 1/8 of its curvature: under 0.02 pixels. */
     assert_int_equal(
@@ -138,12 +140,12 @@ static void lines_of_a_hill_are_circles(void **state)
     assert_relative(pp_curve_length(&lines.list[0]), 2.0 * M_PI * 31.7, 0.002);
     /* Brighter on the left as it is seen, y down: clockwise about the origin's sense.
      */
-    assert_relative(pp_curves_area(&lines), -M_PI * 31.7 * 31.7, 0.003);
-    pp_curves_clear(&lines);
+    assert_relative(pp_curve_list_area(&lines), -M_PI * 31.7 * 31.7, 0.003);
+    pp_curve_list_clear(&lines);
 
     /* In another unit it is the same line. */
     const double per_cent = 100.0;
-    struct pp_curves again = {0};
+    struct pp_curve_list again = {0};
     assert_int_equal(
         pp_iso_lines(&lines, &picture, NULL, 1.0, &level, 1, 0.0, 3.0, NULL), PP_OK);
     assert_int_equal(
@@ -152,8 +154,8 @@ static void lines_of_a_hill_are_circles(void **state)
     assert_int_equal(again.count, 1);
     assert_int_equal(again.list[0].count, lines.list[0].count);
     assert_near(again.list[0].xy[7][0], lines.list[0].xy[7][0], 1e-9);
-    pp_curves_clear(&again);
-    pp_curves_clear(&lines);
+    pp_curve_list_clear(&again);
+    pp_curve_list_clear(&lines);
 
     /* A line cut by the picture's edge is open and keeps inside. */
     const double low = exp(1.0 - 4.0);
@@ -169,7 +171,7 @@ static void lines_of_a_hill_are_circles(void **state)
             assert_near(hypot(at[0] - 60.2, at[1] - 50.9), 2.0 * 31.7, 0.02);
         }
     }
-    pp_curves_clear(&lines);
+    pp_curve_list_clear(&lines);
     pp_picture_clear(&picture);
 }
 
@@ -188,7 +190,7 @@ static void lines_end_where_surfaces_meet(void **state)
         tags[i] = i % 60 < 30 ? 7 : 8;
     const double levels[] = {1.02, 1.5};
     for (int known = 0; known < 2; known++) {
-        struct pp_curves lines = {0};
+        struct pp_curve_list lines = {0};
         assert_int_equal(pp_iso_lines(&lines, &picture, known ? tags : NULL, 1.0,
                                       levels, 2, 1.0, 3.0, NULL),
                          PP_OK);
@@ -199,7 +201,7 @@ static void lines_end_where_surfaces_meet(void **state)
             assert_near(lines.list[0].xy[i][1], 20.0, 0.05);
             assert_true(lines.list[0].xy[i][0] < 30.0);
         }
-        pp_curves_clear(&lines);
+        pp_curve_list_clear(&lines);
     }
     pp_picture_clear(&picture);
 }
@@ -214,7 +216,7 @@ static void lines_end_where_there_is_nothing(void **state)
 {
     (void)state;
     struct pp_picture picture = picture_of(60, 40, nothing_right);
-    struct pp_curves lines = {0};
+    struct pp_curve_list lines = {0};
     const double level = 1.02;
     assert_int_equal(
         pp_iso_lines(&lines, &picture, NULL, 1.0, &level, 1, 1.0, 3.0, NULL), PP_OK);
@@ -224,7 +226,7 @@ static void lines_end_where_there_is_nothing(void **state)
         assert_near(lines.list[0].xy[i][1], 20.0, 0.05);
         assert_true(lines.list[0].xy[i][0] < 30.0);
     }
-    pp_curves_clear(&lines);
+    pp_curve_list_clear(&lines);
     pp_picture_clear(&picture);
 }
 
@@ -243,14 +245,14 @@ static void pixels_of_two_surfaces_draw_no_line(void **state)
     for (int i = 0; i < 60 * 40; i++)
         tags[i] = i % 60 < 30 ? 7 : 8;
     const double levels[] = {1.02, 2.0, 4.0};
-    struct pp_curves lines = {0};
+    struct pp_curve_list lines = {0};
     assert_int_equal(
         pp_iso_lines(&lines, &picture, tags, 1.0, levels, 3, 1.0, 3.0, NULL), PP_OK);
     assert_int_equal(lines.count, 1);
     assert_near(lines.list[0].level, 1.02, 0.0);
     for (int i = 0; i < lines.list[0].count; i++)
         assert_near(lines.list[0].xy[i][1], 20.0, 0.05);
-    pp_curves_clear(&lines);
+    pp_curve_list_clear(&lines);
     pp_picture_clear(&picture);
 }
 
@@ -266,14 +268,14 @@ static void smoothing_keeps_noise_from_tearing_lines(void **state)
     (void)state;
     struct pp_picture picture = picture_of(100, 80, noisy);
     int tags[100 * 80] = {0};
-    struct pp_curves lines = {0};
+    struct pp_curve_list lines = {0};
     const double level = 1.0;
     assert_int_equal(
         pp_iso_lines(&lines, &picture, tags, 1.0, &level, 1, 3.0, 10.0, NULL), PP_OK);
     assert_int_equal(lines.count, 1);
     for (int i = 0; i < lines.list[0].count; i++)
         assert_near(lines.list[0].xy[i][0], 50.0, 2.5);
-    pp_curves_clear(&lines);
+    pp_curve_list_clear(&lines);
     pp_picture_clear(&picture);
 }
 

@@ -19,7 +19,7 @@ static struct file hdr_of(const struct pp_picture *picture,
     struct file file;
     FILE *out = open_memstream(&file.bytes, &file.length);
     assert_non_null(out);
-    assert_int_equal(pp_hdr_write(out, picture, notes, NULL), PP_OK);
+    assert_int_equal(pp_picture_hdr_write(out, picture, notes, NULL), PP_OK);
     assert_int_equal(fclose(out), 0);
     return file;
 }
@@ -31,7 +31,7 @@ static enum pp_status read_hdr(struct pp_picture *picture, struct pp_hdr_notes *
     unsigned char *copy = malloc(length ? length : 1);
     assert_non_null(copy);
     memcpy(copy, bytes, length);
-    enum pp_status status = pp_hdr_read(picture, notes, copy, length, err);
+    enum pp_status status = pp_picture_hdr_read(picture, notes, copy, length, err);
     free(copy);
     return status;
 }
@@ -268,7 +268,7 @@ static void float_maps_are_numbers_from_the_bottom_up(void **state)
     memcpy(picture.rgb, rgb, sizeof rgb);
     struct file file;
     FILE *out = open_memstream(&file.bytes, &file.length);
-    assert_int_equal(pp_pfm_write(out, &picture, NULL), PP_OK);
+    assert_int_equal(pp_picture_pfm_write(out, &picture, NULL), PP_OK);
     fclose(out);
     /* 1e-40 is 71362 x 2^-149; 0.15625 is 1.25 x 2^-3: exponent 124, mantissa 2^21. */
     static const char expected[] = "PF\n1 2\n-1.0\n"
@@ -294,8 +294,8 @@ static void a_full_disk_is_said(void **state)
         skip();
     assert_int_equal(pp_picture_create(&picture, 300, 200, NULL), PP_OK);
     paint(&picture);
-    assert_int_equal(pp_hdr_write(full, &picture, NULL, &err), PP_SYSTEM);
-    assert_int_equal(pp_pfm_write(full, &picture, &err), PP_SYSTEM);
+    assert_int_equal(pp_picture_hdr_write(full, &picture, NULL, &err), PP_SYSTEM);
+    assert_int_equal(pp_picture_pfm_write(full, &picture, &err), PP_SYSTEM);
     fclose(full);
     pp_picture_clear(&picture);
 }

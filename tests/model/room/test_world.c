@@ -42,10 +42,10 @@ static void left_is_seen_from_outside(void **state)
         assert_near(m.x, middle[i][0], 1e-12);
         assert_near(m.y, middle[i][1], 1e-12);
         assert_near(m.z, middle[i][2], 1e-12);
-        struct pp_vec3 normal = pp_cross(window->along, window->up);
-        assert_near(pp_dot(normal, window->inner.normal), 1.0, 1e-14);
-        struct pp_vec3 inward = pp_sub(pp_vec(2.15, 3.05, 1.35), m);
-        assert_true(pp_dot(normal, inward) > 0.0);
+        struct pp_vec3 normal = pp_vec_cross(window->along, window->up);
+        assert_near(pp_vec_dot(normal, window->inner.normal), 1.0, 1e-14);
+        struct pp_vec3 inward = pp_vec_sub(pp_vec(2.15, 3.05, 1.35), m);
+        assert_true(pp_vec_dot(normal, inward) > 0.0);
         assert_near(window->width_m, 1.0, 1e-12);
         assert_near(window->height_m, 1.3, 1e-12);
         assert_near(window->slope_rad, PP_PI / 2.0, 1e-15);
@@ -63,7 +63,7 @@ static void a_rectangle_has_six_faces_that_look_inwards(void **state)
     assert_int_equal(world->surface_count, 6);
     for (int i = 0; i < 6; i++) {
         const struct pp_polygon *outline = &world->surfaces[i].outline;
-        assert_near(pp_length(outline->normal), 1.0, 1e-15);
+        assert_near(pp_vec_length(outline->normal), 1.0, 1e-15);
         assert_true(pp_polygon_height(outline, middle) > 1.0);
     }
     assert_near(face_named(world, "south")->outline.normal.y, 1.0, 0.0);
@@ -105,12 +105,14 @@ static void the_walls_of_an_ell_have_its_perimeter(void **state)
     static const double outside[][2] = {
         {2.5, 3.2}, {5.4, 1.0}, {-0.8, 3.0}, {2.0, 6.3}};
     for (int i = 0; i < 4; i++) {
-        assert_true(pp_world_contains(world, pp_vec(inside[i][0], inside[i][1], 1.3)));
-        assert_false(pp_world_contains(world, pp_vec(inside[i][0], inside[i][1], 2.7)));
+        assert_true(
+            pp_position_in_room(world, pp_vec(inside[i][0], inside[i][1], 1.3)));
         assert_false(
-            pp_world_contains(world, pp_vec(inside[i][0], inside[i][1], -0.1)));
+            pp_position_in_room(world, pp_vec(inside[i][0], inside[i][1], 2.7)));
         assert_false(
-            pp_world_contains(world, pp_vec(outside[i][0], outside[i][1], 1.3)));
+            pp_position_in_room(world, pp_vec(inside[i][0], inside[i][1], -0.1)));
+        assert_false(
+            pp_position_in_room(world, pp_vec(outside[i][0], outside[i][1], 1.3)));
     }
     pp_world_destroy(world);
 }
@@ -152,7 +154,7 @@ static void reveals_line_the_opening_s_depth(void **state)
     const struct pp_opening *window = &world->openings[0];
     assert_near(pp_polygon_middle(&window->outer).x, 4.3 + 0.28, 1e-12);
     struct pp_vec3 heart =
-        pp_along(pp_polygon_middle(&window->inner), -0.14, window->inner.normal);
+        pp_vec_along(pp_polygon_middle(&window->inner), -0.14, window->inner.normal);
     int sides = 0;
     double area_m2 = 0.0;
     for (int i = world->face_count; i < world->surface_count; i++) {
@@ -186,7 +188,7 @@ static void a_rooflight_lies_in_the_ceiling_at_its_place_in_plan(void **state)
     assert_near(light->height_m, 2.2, 1e-12);
     assert_near(light->middle_z_m, 2.9, 1e-12);
     assert_near(light->inner.normal.z, -1.0, 0.0);
-    assert_near(pp_area_vector(light->inner.vertices, 4).z, -1.98, 1e-12);
+    assert_near(pp_polygon_area_vector(light->inner.vertices, 4).z, -1.98, 1e-12);
     pp_world_destroy(world);
 }
 
@@ -210,16 +212,16 @@ static void a_turned_block_s_sides_close_round_its_volume(void **state)
         sides[side->owner]++;
         if (side->owner == 1)
             continue;
-        struct pp_vec3 area = pp_scale(side->outline.normal, side->outline.area_m2);
-        sum = pp_add(sum, area);
-        flow += pp_dot(area, pp_polygon_middle(&side->outline));
+        struct pp_vec3 area = pp_vec_scale(side->outline.normal, side->outline.area_m2);
+        sum = pp_vec_add(sum, area);
+        flow += pp_vec_dot(area, pp_polygon_middle(&side->outline));
         assert_near(side->front, 0.31, 0.0);
         assert_false(side->inside);
     }
     /* One floats 1.2 m over the ground and shows its underside. */
     assert_int_equal(sides[0], 6);
     assert_int_equal(sides[1], 5);
-    assert_near(pp_length(sum), 0.0, 1e-12);
+    assert_near(pp_vec_length(sum), 0.0, 1e-12);
     assert_near(flow / 3.0, 3.3 * 2.1 * 7.7, 1e-10);
     /* Turned to the left, seen from above: the width's end. */
     double c = cos(37.0 * PP_RAD), s = sin(37.0 * PP_RAD);
@@ -228,7 +230,7 @@ static void a_turned_block_s_sides_close_round_its_volume(void **state)
     for (int i = 0; i < world->surface_count; i++)
         for (int k = 0; k < world->surfaces[i].outline.count; k++) {
             struct pp_vec3 v = world->surfaces[i].outline.vertices[k];
-            nearest = fmin(nearest, pp_length(pp_sub(v, end)));
+            nearest = fmin(nearest, pp_vec_length(pp_vec_sub(v, end)));
         }
     assert_near(nearest, 0.0, 1e-12);
     pp_world_destroy(world);
@@ -246,7 +248,7 @@ static void what_lies_flush_with_a_wall_is_set_off_it(void **state)
     double least = INFINITY;
     for (int i = 0; i < world->surface_count; i++) {
         const struct pp_surface *surface = &world->surfaces[i];
-        if (surface->role == PP_LOOSE) {
+        if (surface->role == PP_FREE_SURFACE) {
             assert_true(surface->inside);
             assert_near(pp_polygon_middle(&surface->outline).x, 1e-4, 1e-12);
         }

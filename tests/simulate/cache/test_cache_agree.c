@@ -12,14 +12,14 @@ static const double STEP_M = 0.31, NOISE = 0.02;
 /* A layer with records on a floor, as far apart as their radius. */
 static void make(struct pp_cache_layer *layer)
 {
-    *layer = (struct pp_cache_layer){.maker = {.noise = NOISE, .most_m = 1e-9}};
-    assert_int_equal(pp_octree_init(&layer->tree, pp_vec(-1.0, -1.0, -1.0), 8.0, NULL),
-                     PP_OK);
+    *layer = (struct pp_cache_layer){.settings = {.noise = NOISE, .most_m = 1e-9}};
+    assert_int_equal(
+        pp_cache_octree_init(&layer->tree, pp_vec(-1.0, -1.0, -1.0), 8.0, NULL), PP_OK);
 }
 
 static void clear(struct pp_cache_layer *layer)
 {
-    pp_octree_clear(&layer->tree);
+    pp_cache_octree_clear(&layer->tree);
     free(layer->entries);
 }
 
@@ -90,7 +90,7 @@ static void a_plane_of_light_stays_what_it_is(void **state)
     struct pp_cache_layer layer;
     make(&layer);
     fill(&layer, 0.0);
-    assert_int_equal(pp_cache_layer_agree(&layer, NULL), PP_OK);
+    assert_int_equal(pp_cache_smooth_layer(&layer, NULL), PP_OK);
     assert_near(error_of(&layer), 0.0, 1e-12); /* exact but for rounding */
     clear(&layer);
 }
@@ -104,10 +104,10 @@ static void noise_becomes_less(void **state)
     make(&layer);
     fill(&layer, NOISE);
     double before = error_of(&layer);
-    assert_int_equal(pp_cache_layer_agree(&layer, NULL), PP_OK);
+    assert_int_equal(pp_cache_smooth_layer(&layer, NULL), PP_OK);
     double after = error_of(&layer);
     assert_true(after < 0.5 * before);
-    assert_int_equal(pp_cache_layer_agree(&layer, NULL), PP_OK);
+    assert_int_equal(pp_cache_smooth_layer(&layer, NULL), PP_OK);
     assert_near(error_of(&layer), after, 0.0);
     clear(&layer);
 }
@@ -127,7 +127,7 @@ static void what_sees_something_else_stands_alone(void **state)
         if (dark == 2)
             for (int i = 0; i < PP_CACHE_SECTORS; i++)
                 layer.entries[40].horizon_m[i] = 0.1;
-        assert_int_equal(pp_cache_layer_agree(&layer, NULL), PP_OK);
+        assert_int_equal(pp_cache_smooth_layer(&layer, NULL), PP_OK);
         assert_near(layer.entries[40].value.g, value, 1e-12 * value);
         assert_near(layer.entries[41].value.r, layer.entries[41].is.value.r, 1e-12);
         clear(&layer);
@@ -143,7 +143,7 @@ static void where_light_changes_quickly_neighbours_have_no_say(void **state)
     fill(&layer, NOISE);
     for (int i = 0; i < COUNT; i++)
         layer.entries[i].curvature *= 1000.0;
-    assert_int_equal(pp_cache_layer_agree(&layer, NULL), PP_OK);
+    assert_int_equal(pp_cache_smooth_layer(&layer, NULL), PP_OK);
     for (int i = 0; i < COUNT; i++)
         assert_near(layer.entries[i].value.b, layer.entries[i].is.value.b, 1e-12);
     clear(&layer);

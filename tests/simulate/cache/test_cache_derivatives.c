@@ -18,9 +18,9 @@ static const double radiance = 0.7;
 /* One edge's share of (1) in the header, from its own closed form. */
 static double edge_share(struct pp_vec3 r0, struct pp_vec3 r1)
 {
-    struct pp_vec3 across = pp_cross(r0, r1);
-    double angle = atan2(pp_length(across), pp_dot(r0, r1));
-    return 0.5 * angle * across.z / pp_length(across);
+    struct pp_vec3 across = pp_vec_cross(r0, r1);
+    double angle = atan2(pp_vec_length(across), pp_vec_dot(r0, r1));
+    return 0.5 * angle * across.z / pp_vec_length(across);
 }
 
 /* What the patch gives to the floor at (x, y), by Lambert. */
@@ -29,7 +29,8 @@ static double irradiance_at(double x, double y)
     struct pp_vec3 from = pp_vec(x, y, 0.0);
     double sum = 0.0;
     for (int i = 0; i < 4; i++)
-        sum += edge_share(pp_sub(patch[i], from), pp_sub(patch[(i + 1) % 4], from));
+        sum += edge_share(pp_vec_sub(patch[i], from),
+                          pp_vec_sub(patch[(i + 1) % 4], from));
     return fabs(sum) * radiance;
 }
 
@@ -41,7 +42,7 @@ static double irradiance_leaning(double x, double y, double azimuth, double lean
     double sum = 0.0, c = cos(azimuth), s = sin(azimuth);
     struct pp_vec3 turned[4];
     for (int i = 0; i < 4; i++) {
-        struct pp_vec3 off = pp_sub(patch[i], pp_vec(x, y, 0.0));
+        struct pp_vec3 off = pp_vec_sub(patch[i], pp_vec(x, y, 0.0));
         struct pp_vec3 ahead = {c * off.x + s * off.y, c * off.y - s * off.x, off.z};
         turned[i] = pp_vec(cos(lean) * ahead.x - sin(lean) * ahead.z, ahead.y,
                            cos(lean) * ahead.z + sin(lean) * ahead.x);
@@ -62,10 +63,14 @@ static struct pp_light_scene *patch_over_floor(void)
     const struct pp_vec3 floor[4] = {
         {-3.0, -3.0, 0.0}, {3.0, -3.0, 0.0}, {3.0, 3.0, 0.0}, {-3.0, 3.0, 0.0}};
     pp_scene_description_init(&from);
-    assert_int_equal(pp_scene_add_material(&from, &glow, NULL, NULL), PP_OK);
-    assert_int_equal(pp_scene_add_material(&from, &grey, NULL, NULL), PP_OK);
-    assert_int_equal(pp_scene_add_polygon(&from, patch, 4, 0, NULL, NULL), PP_OK);
-    assert_int_equal(pp_scene_add_polygon(&from, floor, 4, 1, NULL, NULL), PP_OK);
+    assert_int_equal(pp_scene_description_add_material(&from, &glow, NULL, NULL),
+                     PP_OK);
+    assert_int_equal(pp_scene_description_add_material(&from, &grey, NULL, NULL),
+                     PP_OK);
+    assert_int_equal(pp_scene_description_add_polygon(&from, patch, 4, 0, NULL, NULL),
+                     PP_OK);
+    assert_int_equal(pp_scene_description_add_polygon(&from, floor, 4, 1, NULL, NULL),
+                     PP_OK);
     assert_int_equal(pp_light_scene_of_description(&scene, &from, NULL), PP_OK);
     pp_scene_description_clear(&from);
     return scene;
@@ -86,10 +91,10 @@ static void an_edge_changes_as_its_closed_form_does(void **state)
         for (int i = -1; i <= 1; i++)
             for (int j = -1; j <= 1; j++) {
                 struct pp_vec3 move = pp_vec(i * h, j * h, 0.0);
-                at[i + 1][j + 1] =
-                    edge_share(pp_sub(ends[k][0], move), pp_sub(ends[k][1], move));
+                at[i + 1][j + 1] = edge_share(pp_vec_sub(ends[k][0], move),
+                                              pp_vec_sub(ends[k][1], move));
             }
-        pp_edge_change(ends[k][0], ends[k][1], gradient, hessian);
+        pp_cache_derivatives_edge(ends[k][0], ends[k][1], gradient, hessian);
         double size = fabs(hessian[0]) + fabs(hessian[1]) + fabs(hessian[2]);
         assert_near(gradient[0], (at[2][1] - at[0][1]) / (2 * h), 1e-4 * size);
         assert_near(gradient[1], (at[1][2] - at[1][0]) / (2 * h), 1e-4 * size);
@@ -107,18 +112,19 @@ static void an_edge_changes_as_its_closed_form_does(void **state)
 static void a_hemisphere_knows_how_a_patchs_light_changes(void **state)
 {
     (void)state;
-    static struct pp_hemisphere_cell cells[SIDE * SIDE];
+    static struct pp_cache_hemisphere_cell cells[SIDE * SIDE];
     static struct pp_sobol sobol;
     struct pp_light_scene *scene = patch_over_floor();
-    struct pp_vec3 *corners = pp_hemisphere_corners(SIDE);
-    struct pp_hemisphere h = {.side = SIDE, .corners = corners, .cells = cells};
+    struct pp_vec3 *corners = pp_cache_hemisphere_corners(SIDE);
+    struct pp_cache_hemisphere h = {.side = SIDE, .corners = corners, .cells = cells};
     struct pp_cache_place place = {{0.1, 0.2, 0.0}, {0.0, 0.0, 1.0}, PP_ANYWHERE};
-    struct pp_radiance_walk walk = {.scene = scene, .options = pp_radiance_defaults()};
+    struct pp_radiance_state path_state = {.scene = scene,
+                                           .options = pp_radiance_defaults()};
     struct pp_irradiance_change change;
     pp_sobol_init(&sobol);
-    pp_sequence_init(&walk.sequence, &sobol, 5);
-    pp_hemisphere_sample(&h, &walk, &place, 0);
-    pp_hemisphere_change(&h, &change);
+    pp_sobol_sequence_init(&path_state.sequence, &sobol, 5);
+    pp_cache_hemisphere_sample(&h, &path_state, &place, 0);
+    pp_cache_derivatives_hemisphere(&h, &change);
 
     const double x = 0.1, y = 0.2, d = 1e-3, e = irradiance_at(x, y);
     double along = (irradiance_at(x + d, y) - irradiance_at(x - d, y)) / (2 * d);
@@ -152,16 +158,17 @@ static void a_record_is_read_by_a_leaning_surface(void **state)
     (void)state;
     struct pp_light_scene *scene = patch_over_floor();
     struct pp_radiance_options light = pp_radiance_defaults();
-    struct pp_cache_options options = pp_cache_defaults();
+    struct pp_cache_options options = pp_irradiance_cache_defaults();
     options.divisions = SIDE * SIDE;
     options.supersamples = 0;
     struct pp_irradiance_cache *cache = NULL;
     const struct pp_vec3 at = {0.1, 0.2, 0.0}, up = {0.0, 0.0, 1.0};
     assert_int_equal(
         pp_irradiance_cache_create(&cache, scene, NULL, &light, &options, NULL), PP_OK);
-    assert_int_equal(pp_irradiance_cache_want(cache, at, up, PP_ANYWHERE, NULL), PP_OK);
-    while (!pp_irradiance_cache_done(cache))
-        assert_int_equal(pp_irradiance_cache_grow(cache, 1.0, NULL), PP_OK);
+    assert_int_equal(pp_cache_grow_request_point(cache, at, up, PP_ANYWHERE, NULL),
+                     PP_OK);
+    while (!pp_cache_grow_done(cache))
+        assert_int_equal(pp_cache_grow(cache, 1.0, NULL), PP_OK);
     double upright = irradiance_at(at.x, at.y);
     struct pp_rgb value, leaning;
     assert_true(pp_irradiance_cache_value(cache, at, up, PP_ANYWHERE, 0, &value));
@@ -187,7 +194,7 @@ static void beside_a_record_the_error_is_of_second_order(void **state)
     (void)state;
     struct pp_light_scene *scene = patch_over_floor();
     struct pp_radiance_options light = pp_radiance_defaults();
-    struct pp_cache_options options = pp_cache_defaults();
+    struct pp_cache_options options = pp_irradiance_cache_defaults();
     options.divisions = 256 * 256;
     options.supersamples = 0;
     struct pp_irradiance_cache *cache = NULL;
@@ -195,9 +202,10 @@ static void beside_a_record_the_error_is_of_second_order(void **state)
     const struct pp_vec3 at = {0.75, 0.1, 0.0}, up = {0.0, 0.0, 1.0};
     assert_int_equal(
         pp_irradiance_cache_create(&cache, scene, NULL, &light, &options, &err), PP_OK);
-    assert_int_equal(pp_irradiance_cache_want(cache, at, up, PP_ANYWHERE, &err), PP_OK);
-    while (!pp_irradiance_cache_done(cache))
-        assert_int_equal(pp_irradiance_cache_grow(cache, 1.0, &err), PP_OK);
+    assert_int_equal(pp_cache_grow_request_point(cache, at, up, PP_ANYWHERE, &err),
+                     PP_OK);
+    while (!pp_cache_grow_done(cache))
+        assert_int_equal(pp_cache_grow(cache, 1.0, &err), PP_OK);
     struct pp_cache_record record = {.depth = -1};
     for (size_t i = 0; i < pp_irradiance_cache_count(cache); i++)
         if (pp_irradiance_cache_record(cache, i).depth == 0)
@@ -232,19 +240,19 @@ static void an_ellipse_is_short_where_curvature_is_great(void **state)
     (void)state;
     double radii[2], axes[2][2];
     const double steep[3] = {1.0, 0.0, -16.0};
-    pp_cache_ellipse(steep, PP_PI / 4, 10.0, radii, axes);
+    pp_cache_record_ellipse(steep, PP_PI / 4, 10.0, radii, axes);
     assert_near(radii[0], 0.5, 1e-12);
     assert_near(radii[1], 1.0, 1e-12);
     assert_near(fabs(axes[0][1]), 1.0, 1e-12);
     /* Turned by 30 degrees. */
     double c = cos(PP_PI / 6), s = sin(PP_PI / 6);
     const double turned[3] = {16 * c * c + s * s, 15 * c * s, 16 * s * s + c * c};
-    pp_cache_ellipse(turned, PP_PI / 4, 10.0, radii, axes);
+    pp_cache_record_ellipse(turned, PP_PI / 4, 10.0, radii, axes);
     assert_near(radii[0], 0.5, 1e-12);
     assert_near(fabs(axes[0][0] * c + axes[0][1] * s), 1.0, 1e-12);
     /* Flat: as large as allowed. */
     const double flat[3] = {0.0, 0.0, 0.0};
-    pp_cache_ellipse(flat, PP_PI / 4, 3.7, radii, axes);
+    pp_cache_record_ellipse(flat, PP_PI / 4, 3.7, radii, axes);
     assert_near(radii[0], 3.7, 1e-12);
     assert_near(radii[1], 3.7, 1e-12);
 }

@@ -20,7 +20,8 @@ static struct pp_light_scene *furnace(void)
     wall.radiance = pp_rgb_grey(1.0);
     strcpy(wall.name, "wall");
     pp_scene_description_init(&from);
-    assert_int_equal(pp_scene_add_material(&from, &wall, NULL, NULL), PP_OK);
+    assert_int_equal(pp_scene_description_add_material(&from, &wall, NULL, NULL),
+                     PP_OK);
     const double w = 2.3, d = 3.1, h = 1.7;
     const struct pp_vec3 v[8] = {{0, 0, 0}, {w, 0, 0}, {w, d, 0}, {0, d, 0},
                                  {0, 0, h}, {w, 0, h}, {w, d, h}, {0, d, h}};
@@ -30,7 +31,8 @@ static struct pp_light_scene *furnace(void)
         struct pp_vec3 corners[4];
         for (int k = 0; k < 4; k++)
             corners[k] = v[faces[i][k]];
-        assert_int_equal(pp_scene_add_polygon(&from, corners, 4, 0, NULL, NULL), PP_OK);
+        assert_int_equal(
+            pp_scene_description_add_polygon(&from, corners, 4, 0, NULL, NULL), PP_OK);
     }
     assert_int_equal(pp_light_scene_of_description(&scene, &from, NULL), PP_OK);
     pp_scene_description_clear(&from);
@@ -50,8 +52,8 @@ static struct pp_irradiance_cache *new_cache(const struct pp_light_scene *scene,
 
 static void grow(struct pp_irradiance_cache *cache)
 {
-    while (!pp_irradiance_cache_done(cache))
-        assert_int_equal(pp_irradiance_cache_grow(cache, 1.0, NULL), PP_OK);
+    while (!pp_cache_grow_done(cache))
+        assert_int_equal(pp_cache_grow(cache, 1.0, NULL), PP_OK);
 }
 
 /* Rays from a point in the room all over the sphere, as a picture would send them. */
@@ -66,7 +68,7 @@ static void see_all_round(struct pp_irradiance_cache *cache, struct pp_vec3 eye,
         rays[i] = (struct pp_light_ray){
             .from = eye, .to = {r * cos(phi), r * sin(phi), z}, .space = space};
     }
-    assert_int_equal(pp_irradiance_cache_see(cache, rays, RAYS, NULL), PP_OK);
+    assert_int_equal(pp_cache_grow_request_rays(cache, rays, RAYS, NULL), PP_OK);
     grow(cache);
 }
 
@@ -87,7 +89,7 @@ static void a_furnace_after_so_many_bounces(void **state)
     struct pp_light_scene *scene = furnace();
     for (int bounces = 0; bounces <= 2; bounces++)
         for (int constant = 0; constant <= 1; constant++) {
-            struct pp_cache_options options = pp_cache_defaults();
+            struct pp_cache_options options = pp_irradiance_cache_defaults();
             options.divisions = 100;
             options.bounces = bounces;
             options.constant = pp_rgb_grey(constant ? 2.0 : 0.0);
@@ -108,7 +110,7 @@ static void a_furnace_to_the_end(void **state)
 {
     (void)state;
     struct pp_light_scene *scene = furnace();
-    struct pp_cache_options options = pp_cache_defaults();
+    struct pp_cache_options options = pp_irradiance_cache_defaults();
     options.divisions = 400;
     struct pp_irradiance_cache *cache = new_cache(scene, &options);
     see_all_round(cache, pp_vec(1.0, 1.2, 0.8), PP_ANYWHERE);
@@ -135,7 +137,7 @@ static void no_light_passes_a_partition(void **state)
     struct pp_world *world = pp_test_world(parted);
     struct pp_light_scene *scene = NULL;
     assert_int_equal(pp_light_scene_of_world(&scene, world, NULL), PP_OK);
-    struct pp_cache_options options = pp_cache_defaults();
+    struct pp_cache_options options = pp_irradiance_cache_defaults();
     options.divisions = 400;
     options.supersamples = 0;
     struct pp_irradiance_cache *cache = new_cache(scene, &options);
@@ -168,19 +170,20 @@ static const char *const office =
 static char *packed_by(const struct pp_light_scene *scene, int threads, double seconds,
                        size_t *length)
 {
-    struct pp_cache_options options = pp_cache_defaults();
+    struct pp_cache_options options = pp_irradiance_cache_defaults();
     options.divisions = 100;
     options.supersamples = 32;
     options.threads = threads;
     struct pp_irradiance_cache *cache = new_cache(scene, &options);
-    assert_int_equal(pp_irradiance_cache_reach(cache, pp_vec(2.0, 2.5, 0.85),
-                                               pp_vec(0.0, 0.0, 1.0), PP_INDOORS, NULL),
+    assert_int_equal(pp_cache_grow_request_hemisphere(cache, pp_vec(2.0, 2.5, 0.85),
+                                                      pp_vec(0.0, 0.0, 1.0), PP_INDOORS,
+                                                      NULL),
                      PP_OK);
     see_all_round(cache, pp_vec(2.0, 2.5, 1.3), PP_INDOORS);
-    while (!pp_irradiance_cache_done(cache))
-        assert_int_equal(pp_irradiance_cache_grow(cache, seconds, NULL), PP_OK);
+    while (!pp_cache_grow_done(cache))
+        assert_int_equal(pp_cache_grow(cache, seconds, NULL), PP_OK);
     char *bytes;
-    assert_int_equal(pp_irradiance_cache_pack(cache, &bytes, length, NULL), PP_OK);
+    assert_int_equal(pp_cache_file_pack(cache, &bytes, length, NULL), PP_OK);
     pp_irradiance_cache_destroy(cache);
     return bytes;
 }
@@ -188,7 +191,7 @@ static char *packed_by(const struct pp_light_scene *scene, int threads, double s
 static struct pp_light_scene *scene_of(struct pp_world *world)
 {
     struct pp_light_scene *scene = NULL;
-    assert_int_equal(pp_light_scene_of_matt_world(&scene, world, NULL), PP_OK);
+    assert_int_equal(pp_light_scene_of_world_matt(&scene, world, NULL), PP_OK);
     return scene;
 }
 
@@ -215,8 +218,7 @@ static enum pp_status unpack(struct pp_irradiance_cache *cache, const char *byte
                              size_t length, const char *says)
 {
     struct pp_error err = {0};
-    enum pp_status status =
-        pp_irradiance_cache_unpack(cache, bytes, length, "kept", &err);
+    enum pp_status status = pp_cache_file_unpack(cache, bytes, length, "kept", &err);
     if (says) {
         assert_int_equal(status, PP_BAD_INPUT);
         assert_non_null(strstr(err.message, says));
@@ -230,7 +232,7 @@ static void a_file_gives_back_what_was_kept_or_nothing(void **state)
     (void)state;
     struct pp_world *world = pp_test_world(office), *other = pp_test_world(parted);
     struct pp_light_scene *scene = scene_of(world), *elsewhere = scene_of(other);
-    struct pp_cache_options options = pp_cache_defaults();
+    struct pp_cache_options options = pp_irradiance_cache_defaults();
     options.divisions = 100;
     options.supersamples = 32;
     options.threads = 1;
@@ -258,7 +260,7 @@ static void a_file_gives_back_what_was_kept_or_nothing(void **state)
     assert_int_equal(unpack(cache, bytes, length, NULL), PP_OK);
     assert_true(pp_irradiance_cache_count(cache) > 20);
     see_all_round(cache, pp_vec(2.0, 2.5, 1.3), PP_INDOORS);
-    assert_int_equal(pp_irradiance_cache_pack(cache, &again, &back, NULL), PP_OK);
+    assert_int_equal(pp_cache_file_pack(cache, &again, &back, NULL), PP_OK);
     assert_int_equal(length, back);
     assert_memory_equal(bytes, again, length);
     free(again);
@@ -280,7 +282,7 @@ static struct pp_reading (*cached(const struct pp_world *world,
     struct pp_irradiance_cache *cache = NULL;
     struct pp_cached_points *points = NULL;
     struct pp_radiance_options light = pp_cached_points_light();
-    assert_int_equal(pp_light_scene_of_matt_world(&scene, world, NULL), PP_OK);
+    assert_int_equal(pp_light_scene_of_world_matt(&scene, world, NULL), PP_OK);
     assert_int_equal(pp_window_store_create(&store, scene, 1, 1, NULL), PP_OK);
     assert_int_equal(
         pp_irradiance_cache_create(&cache, scene, store, &light, cache_options, NULL),
@@ -313,7 +315,7 @@ static void a_room_is_as_light_as_by_paths(void **state)
         .error = 0.003, .seed = 3, .threads = 1, .average = true};
     struct pp_reading(*true_ones)[4] =
         pp_test_trace(world, world->receivers, n, &traced, NULL);
-    struct pp_cache_options options = pp_cache_defaults();
+    struct pp_cache_options options = pp_irradiance_cache_defaults();
     options.threads = 1;
     for (int interpolate = 0; interpolate <= 1; interpolate++) {
         const struct pp_cached_options wanted = {.error = 0.003,
@@ -355,7 +357,7 @@ static void a_record_on_an_edge_is_of_numbers(void **state)
     static struct pp_light_ray rays[RAYS];
     struct pp_world *world = pp_test_world(office);
     struct pp_light_scene *scene = scene_of(world);
-    struct pp_cache_options options = pp_cache_defaults();
+    struct pp_cache_options options = pp_irradiance_cache_defaults();
     options.divisions = 64;
     options.supersamples = 0;
     struct pp_irradiance_cache *cache = new_cache(scene, &options);
@@ -363,15 +365,15 @@ static void a_record_on_an_edge_is_of_numbers(void **state)
         struct pp_vec3 edge = {0.0, 0.1 * (i + 0.5), i % 2 ? 0.0 : 2.8};
         struct pp_vec3 eye = {2.0, edge.y, 1.3};
         rays[i] = (struct pp_light_ray){
-            .from = eye, .to = pp_unit(pp_sub(edge, eye)), .space = PP_INDOORS};
+            .from = eye, .to = pp_vec_unit(pp_vec_sub(edge, eye)), .space = PP_INDOORS};
     }
-    assert_int_equal(pp_irradiance_cache_see(cache, rays, RAYS, NULL), PP_OK);
+    assert_int_equal(pp_cache_grow_request_rays(cache, rays, RAYS, NULL), PP_OK);
     grow(cache);
     int on_edge = 0;
     for (size_t i = 0; i < pp_irradiance_cache_count(cache); i++) {
         struct pp_cache_record is = pp_irradiance_cache_record(cache, i);
-        double x = is.radii_m[0] * pp_dot(is.along[0], is.axes[0]);
-        double y = is.radii_m[1] * pp_dot(is.along[0], is.axes[1]);
+        double x = is.radii_m[0] * pp_vec_dot(is.along[0], is.axes[0]);
+        double y = is.radii_m[1] * pp_vec_dot(is.along[0], is.axes[1]);
         assert_true(hypot(x, y) <= is.value.r * (1.0 + 1e-12)); /* no NAN, too */
         on_edge += is.point.x < 1e-6 && fmin(is.point.z, 2.8 - is.point.z) < 1e-6;
     }
@@ -394,19 +396,20 @@ static void a_record_that_is_unsure_gets_more_rays(void **state)
     struct pp_light_scene *scene = scene_of(world);
     struct pp_sobol sobol;
     pp_sobol_init(&sobol);
-    struct pp_vec3 *corners = pp_hemisphere_corners(SIDE);
-    struct pp_hemisphere_cell *cells = malloc(SIDE * SIDE * sizeof *cells);
+    struct pp_vec3 *corners = pp_cache_hemisphere_corners(SIDE);
+    struct pp_cache_hemisphere_cell *cells = malloc(SIDE * SIDE * sizeof *cells);
     assert_true(corners && cells);
     const struct pp_cache_place place = {
         .point = {1.0, 14.0, 0.0}, .normal = {0.0, 0.0, 1.0}, .space = PP_INDOORS};
     double sum = 0.0, squares = 0.0;
     for (int seed = 0; seed < SEEDS; seed++) {
-        struct pp_hemisphere h = {
+        struct pp_cache_hemisphere h = {
             .side = SIDE, .corners = corners, .cells = cells, .nearest_m = 0.01};
-        struct pp_radiance_walk walk = {.scene = scene,
-                                        .options = pp_cached_points_light()};
-        pp_sequence_init(&walk.sequence, &sobol, pp_hash(7, (uint64_t)seed));
-        pp_hemisphere_sample(&h, &walk, &place, 0);
+        struct pp_radiance_state path_state = {.scene = scene,
+                                               .options = pp_cached_points_light()};
+        pp_sobol_sequence_init(&path_state.sequence, &sobol,
+                               pp_hash(7, (uint64_t)seed));
+        pp_cache_hemisphere_sample(&h, &path_state, &place, 0);
         sum += h.irradiance.g;
         squares += h.irradiance.g * h.irradiance.g;
     }
@@ -425,7 +428,7 @@ static void materials_left_out_reflect_nothing(void **state)
     (void)state;
     struct pp_world *world = pp_test_world(office);
     const struct pp_cached_options wanted = {.samples = 16, .seed = 4, .threads = 1};
-    struct pp_cache_options options = pp_cache_defaults();
+    struct pp_cache_options options = pp_irradiance_cache_defaults();
     options.threads = 1;
     struct pp_reading(*all)[4] = cached(world, &options, &wanted);
     const char *const names[] = {"floor"};
@@ -453,7 +456,7 @@ static void bounces_are_counted_from_the_point_on(void **state)
     (void)state;
     struct pp_world *world = pp_test_world(office);
     int n = world->receiver_count;
-    struct pp_cache_options options = pp_cache_defaults();
+    struct pp_cache_options options = pp_irradiance_cache_defaults();
     options.threads = 1;
     for (int way = 0; way < 4; way++) {
         const struct pp_cached_options wanted = {.samples = 16,
@@ -499,7 +502,7 @@ static void options_that_make_no_sense_are_refused(void **state)
 {
     (void)state;
     struct pp_light_scene *scene = furnace();
-    struct pp_cache_options good = pp_cache_defaults(), bad[5];
+    struct pp_cache_options good = pp_irradiance_cache_defaults(), bad[5];
     struct pp_error err;
     const char *const names[] = {"wallpaper"};
     for (int i = 0; i < 5; i++)
@@ -510,11 +513,12 @@ static void options_that_make_no_sense_are_refused(void **state)
     bad[3].constant.r = NAN;
     bad[4].materials = names;
     bad[4].material_count = 1;
-    assert_int_equal(pp_cache_options_check(&good, scene, &err), PP_OK);
+    assert_int_equal(pp_irradiance_cache_check_options(&good, scene, &err), PP_OK);
     const char *const says[] = {"accuracy", "divisions", "supersamples", "constant",
                                 "wallpaper"};
     for (int i = 0; i < 5; i++) {
-        assert_int_equal(pp_cache_options_check(&bad[i], scene, &err), PP_BAD_INPUT);
+        assert_int_equal(pp_irradiance_cache_check_options(&bad[i], scene, &err),
+                         PP_BAD_INPUT);
         assert_non_null(strstr(err.message, says[i]));
     }
     pp_light_scene_destroy(scene);

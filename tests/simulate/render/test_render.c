@@ -198,16 +198,17 @@ static void decorations_dim_a_picture_of_daylight_factors(void **state)
     assert_relative(mean_of(render), known[0][PP_DF].value, 0.02);
     pp_render_destroy(render);
 
-    struct pp_cache_options sparse = pp_cache_defaults();
+    struct pp_cache_options sparse = pp_irradiance_cache_defaults();
     struct pp_irradiance_cache *cache = NULL;
     assert_int_equal(pp_irradiance_cache_create(&cache, scene.light, NULL,
                                                 &options.light, &sparse, NULL),
                      PP_OK);
-    assert_int_equal(pp_irradiance_cache_want(cache, pp_vec(1.6, 3.9, 0.0),
-                                              pp_vec(0.0, 0.0, 1.0), PP_INDOORS, NULL),
+    assert_int_equal(pp_cache_grow_request_point(cache, pp_vec(1.6, 3.9, 0.0),
+                                                 pp_vec(0.0, 0.0, 1.0), PP_INDOORS,
+                                                 NULL),
                      PP_OK);
-    while (!pp_irradiance_cache_done(cache))
-        assert_int_equal(pp_irradiance_cache_grow(cache, 1.0, NULL), PP_OK);
+    while (!pp_cache_grow_done(cache))
+        assert_int_equal(pp_cache_grow(cache, 1.0, NULL), PP_OK);
     options.ambient = pp_irradiance_cache_ambient(cache);
     render = rendered(scene.light, &options);
     assert_relative(mean_of(render), known[0][PP_DF].value, 0.02);
@@ -299,7 +300,7 @@ static struct pp_irradiance_cache *grown(const struct scene *scene,
                                          const struct pp_render_options *options,
                                          int part_pixels, int threads, double slice_s)
 {
-    struct pp_cache_options sparse = pp_cache_defaults();
+    struct pp_cache_options sparse = pp_irradiance_cache_defaults();
     struct pp_irradiance_cache *cache = NULL;
     struct pp_overture *overture = NULL;
     sparse.accuracy = 0.3;
@@ -351,15 +352,14 @@ static void every_pixel_is_read_between_records(void **state)
                 assert_true(pp_irradiance_cache_value(
                     caches[which], hit.point, hit.normal, hit.space, 0, &value));
         }
-    assert_true(caches[0]->layers[0].wish_space >= WIDE * HIGH * 3 / 4);
-    assert_true(caches[1]->layers[0].wish_space <= 1024);
+    assert_true(caches[0]->layers[0].request_space >= WIDE * HIGH * 3 / 4);
+    assert_true(caches[1]->layers[0].request_space <= 1024);
 
     char *bytes[2];
     size_t lengths[2];
     for (int i = 0; i < 2; i++)
         assert_int_equal(
-            pp_irradiance_cache_pack(caches[1 + i], &bytes[i], &lengths[i], NULL),
-            PP_OK);
+            pp_cache_file_pack(caches[1 + i], &bytes[i], &lengths[i], NULL), PP_OK);
     assert_int_equal(lengths[0], lengths[1]);
     assert_memory_equal(bytes[0], bytes[1], lengths[0]);
     for (int i = 0; i < 2; i++)
@@ -381,7 +381,7 @@ static struct kept kept_of(const struct pp_render *render)
     struct kept kept;
     FILE *out = open_memstream(&kept.bytes, &kept.size);
     assert_non_null(out);
-    assert_int_equal(pp_render_save(render, NULL, out, NULL), PP_OK);
+    assert_int_equal(pp_checkpoint_save(render, NULL, out, NULL), PP_OK);
     assert_int_equal(fclose(out), 0);
     return kept;
 }
@@ -393,7 +393,7 @@ static enum pp_status take_up(struct pp_render *render, const char *bytes, size_
     unsigned char *copy = malloc(size + !size);
     assert_non_null(copy);
     memcpy(copy, bytes, size);
-    enum pp_status status = pp_render_resume(render, copy, size, err);
+    enum pp_status status = pp_checkpoint_resume(render, copy, size, err);
     free(copy);
     return status;
 }
@@ -428,7 +428,7 @@ static void a_picture_taken_up_again_is_the_same(void **state)
 static struct pp_irradiance_cache *cache_of(const struct pp_light_scene *scene,
                                             const struct pp_render_options *options)
 {
-    struct pp_cache_options few = pp_cache_defaults();
+    struct pp_cache_options few = pp_irradiance_cache_defaults();
     struct pp_irradiance_cache *cache = NULL;
     few.accuracy = 0.5;
     few.divisions = 64;
@@ -450,7 +450,7 @@ static void see_picture(struct pp_irradiance_cache *cache,
         assert_int_equal(pp_overture_advance(overture, 1.0, NULL), PP_OK);
     pp_overture_destroy(overture);
     options->ambient = pp_irradiance_cache_ambient(cache);
-    options->ambient_mark = pp_render_cache_mark(cache);
+    options->ambient_hash = pp_render_cache_hash(cache);
 }
 
 /* A checkpoint keeps the cache: it is not grown again, and the picture is the same. */
@@ -467,7 +467,7 @@ static void a_picture_through_a_cache_is_taken_up_with_it(void **state)
     pp_render_advance(half, 0.0);
     struct kept kept;
     FILE *out = open_memstream(&kept.bytes, &kept.size);
-    assert_int_equal(pp_render_save(half, cache, out, NULL), PP_OK);
+    assert_int_equal(pp_checkpoint_save(half, cache, out, NULL), PP_OK);
     assert_int_equal(fclose(out), 0);
 
     const char *records;
@@ -477,8 +477,7 @@ static void a_picture_through_a_cache_is_taken_up_with_it(void **state)
                      PP_OK);
     options.ambient = NULL;
     struct pp_irradiance_cache *again = cache_of(scene.light, &options);
-    assert_int_equal(pp_irradiance_cache_unpack(again, records, length, "kept", NULL),
-                     PP_OK);
+    assert_int_equal(pp_cache_file_unpack(again, records, length, "kept", NULL), PP_OK);
     assert_true(pp_irradiance_cache_count(again) == pp_irradiance_cache_count(cache));
     see_picture(again, scene.light, &options);
     assert_true(pp_irradiance_cache_count(again) == pp_irradiance_cache_count(cache));
@@ -605,12 +604,12 @@ static void the_default_view_is_clear_of_what_stands_in_the_room(void **state)
     struct pp_view_place place;
     pp_default_view(&place, scene.light, scene.world, PP_ROOM_VIEW_PERSPECTIVE);
     assert_true(place.eye.y < 4.2);
-    struct pp_vec3 way = pp_sub(pp_vec(2.0, 0.0, place.eye.z), place.eye);
+    struct pp_vec3 way = pp_vec_sub(pp_vec(2.0, 0.0, place.eye.z), place.eye);
     struct pp_light_ray ray = {
-        .from = place.eye, .to = pp_unit(way), .space = PP_INDOORS};
+        .from = place.eye, .to = pp_vec_unit(way), .space = PP_INDOORS};
     struct pp_light_hit hit;
     assert_true(pp_light_scene_first(scene.light, &ray, &hit));
-    assert_true(hit.distance_m > 0.95 * pp_length(way));
+    assert_true(hit.distance_m > 0.95 * pp_vec_length(way));
     clear(&scene);
 }
 

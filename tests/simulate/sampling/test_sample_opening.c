@@ -33,11 +33,11 @@ static double lambert(const struct pp_vec3 *p, int count, struct pp_vec3 from,
 {
     double sum = 0.0;
     for (int i = 0; i < count; i++) {
-        struct pp_vec3 a = pp_unit(pp_sub(p[i], from));
-        struct pp_vec3 b = pp_unit(pp_sub(p[(i + 1) % count], from));
-        struct pp_vec3 across = pp_cross(a, b);
-        double sine = pp_length(across);
-        sum += atan2(sine, pp_dot(a, b)) * pp_dot(across, n) / sine;
+        struct pp_vec3 a = pp_vec_unit(pp_vec_sub(p[i], from));
+        struct pp_vec3 b = pp_vec_unit(pp_vec_sub(p[(i + 1) % count], from));
+        struct pp_vec3 across = pp_vec_cross(a, b);
+        double sine = pp_vec_length(across);
+        sum += atan2(sine, pp_vec_dot(a, b)) * pp_vec_dot(across, n) / sine;
     }
     return fabs(sum) / 2.0;
 }
@@ -58,21 +58,22 @@ static double solid_angle(double x0, double x1, double z0, double z1, double d)
 static void sample_sums(const struct pp_target *target, struct pp_vec3 from,
                         struct pp_vec3 n, int m, double *solid, double *facing)
 {
-    struct pp_sequence sequence;
-    pp_sequence_init(&sequence, &sobol, 161803);
-    struct pp_aim aim;
-    pp_aim_init(&aim, target, from, n, (struct pp_brightness){.ground = 0.2});
+    struct pp_sobol_sequence sequence;
+    pp_sobol_sequence_init(&sequence, &sobol, 161803);
+    struct pp_polygon_sampler aim;
+    pp_sample_polygon_init(&aim, target, from, n,
+                           (struct pp_brightness){.ground = 0.2});
     *solid = *facing = 0.0;
     for (uint32_t i = 0; i < UINT32_C(1) << m; i++) {
         double u[2];
-        pp_sequence_draw(&sequence, i, 0, 2, u);
-        struct pp_aimed aimed = pp_aim_sample(&aim, u[0], u[1]);
+        pp_sobol_sequence_draw(&sequence, i, 0, 2, u);
+        struct pp_direction_sample aimed = pp_sample_polygon_draw(&aim, u[0], u[1]);
         *solid += aimed.per_density / (1 << m);
-        double c = pp_dot(aimed.direction, n);
+        double c = pp_vec_dot(aimed.direction, n);
         *facing += aimed.per_density * (c > 0.0 ? c : 0.0) / (1 << m);
-        assert_near(pp_length(aimed.direction), 1.0, 1e-9);
-        assert_near(pp_dot(pp_sub(aimed.point, target->middle), target->normal), 0.0,
-                    1e-9 * aimed.distance_m);
+        assert_near(pp_vec_length(aimed.direction), 1.0, 1e-9);
+        assert_near(pp_vec_dot(pp_vec_sub(aimed.point, target->middle), target->normal),
+                    0.0, 1e-9 * aimed.distance_m);
     }
 }
 
@@ -103,29 +104,31 @@ static void a_polygon_has_its_configuration_factor(void **state)
 {
     (void)state;
     /* A sloping triangle and a trapezium that together are a pentagon. */
-    struct pp_vec3 slope = pp_unit(pp_vec(0.0, 0.5, -1.0));
-    struct pp_vec3 along = {1.0, 0.0, 0.0}, over = pp_cross(slope, along);
+    struct pp_vec3 slope = pp_vec_unit(pp_vec(0.0, 0.5, -1.0));
+    struct pp_vec3 along = {1.0, 0.0, 0.0}, over = pp_vec_cross(slope, along);
     struct pp_vec3 origin = {0.7, 1.1, 2.9};
     const double plan[5][2] = {
         {0, 0}, {1.7, -0.2}, {2.1, 1.0}, {0.9, 1.9}, {-0.3, 1.2}};
     struct pp_vec3 corner[5], triangles[3][3];
     for (int i = 0; i < 5; i++)
-        corner[i] = pp_along(pp_along(origin, plan[i][0], along), plan[i][1], over);
+        corner[i] =
+            pp_vec_along(pp_vec_along(origin, plan[i][0], along), plan[i][1], over);
     struct pp_target target = {.normal = slope, .middle = origin, .triangle_count = 3};
     for (int i = 0; i < 3; i++) {
         triangles[i][0] = corner[0];
         triangles[i][1] = corner[i + 1];
         triangles[i][2] = corner[i + 2];
-        target.area_m2 += pp_length(pp_cross(pp_sub(corner[i + 1], corner[0]),
-                                             pp_sub(corner[i + 2], corner[0])))
-                          / 2.0;
+        target.area_m2 +=
+            pp_vec_length(pp_vec_cross(pp_vec_sub(corner[i + 1], corner[0]),
+                                       pp_vec_sub(corner[i + 2], corner[0])))
+            / 2.0;
     }
     target.triangles = triangles;
     const struct pp_vec3 points[] = {
         {1.1, 2.0, 0.8}, {1.4, 1.5, 2.6}, {30.0, 40.0, -9.0}};
     for (int i = 0; i < 3; i++) {
         double solid, facing;
-        struct pp_vec3 n = pp_scale(slope, -1.0);
+        struct pp_vec3 n = pp_vec_scale(slope, -1.0);
         sample_sums(&target, points[i], n, 14, &solid, &facing);
         assert_relative(facing, lambert(corner, 5, points[i], n), 1e-3);
     }
@@ -140,15 +143,16 @@ static void density_is_right_in_every_part_of_a_rectangle(void **state)
     for (int k = 0; k < 2; k++) {
         struct pp_vec3 p = points[k];
         double part[5][5] = {{0.0}};
-        struct pp_sequence sequence;
-        pp_sequence_init(&sequence, &sobol, 42);
-        struct pp_aim aim;
-        pp_aim_init(&aim, &target, p, up, (struct pp_brightness){.ground = 0.2});
+        struct pp_sobol_sequence sequence;
+        pp_sobol_sequence_init(&sequence, &sobol, 42);
+        struct pp_polygon_sampler aim;
+        pp_sample_polygon_init(&aim, &target, p, up,
+                               (struct pp_brightness){.ground = 0.2});
         enum { N = 1 << 20 };
         for (uint32_t i = 0; i < N; i++) {
             double u[2];
-            pp_sequence_draw(&sequence, i, 0, 2, u);
-            struct pp_aimed aimed = pp_aim_sample(&aim, u[0], u[1]);
+            pp_sobol_sequence_draw(&sequence, i, 0, 2, u);
+            struct pp_direction_sample aimed = pp_sample_polygon_draw(&aim, u[0], u[1]);
             int column = (int)((aimed.point.x - 0.2) / 2.6 * 5.0);
             int row = (int)((aimed.point.z - 0.9) / 1.4 * 5.0);
             part[row < 5 ? row : 4][column < 5 ? column : 4] += aimed.per_density / N;
@@ -180,13 +184,13 @@ static void a_window_is_seen_from_its_own_side_only(void **state)
 {
     (void)state;
     struct pp_target target = window(0.2, 0.9, 2.6, 1.4);
-    assert_true(pp_target_in_sight(&target, pp_vec(1.0, 2.0, 0.8), up));
-    assert_false(pp_target_in_sight(&target, pp_vec(1.0, -2.0, 0.8), up));
-    assert_false(pp_target_in_sight(&target, pp_vec(3.0, 0.0, 0.8), up));
-    assert_false(pp_target_in_sight(&target, pp_vec(1.0, 2.0, 2.4), up));
-    assert_true(pp_target_in_sight(&target, pp_vec(1.0, 2.0, 2.2), up));
-    assert_false(
-        pp_target_in_sight(&target, pp_vec(1.0, 2.0, 2.0), pp_vec(0.0, 1.0, 0.0)));
+    assert_true(pp_sample_polygon_in_sight(&target, pp_vec(1.0, 2.0, 0.8), up));
+    assert_false(pp_sample_polygon_in_sight(&target, pp_vec(1.0, -2.0, 0.8), up));
+    assert_false(pp_sample_polygon_in_sight(&target, pp_vec(3.0, 0.0, 0.8), up));
+    assert_false(pp_sample_polygon_in_sight(&target, pp_vec(1.0, 2.0, 2.4), up));
+    assert_true(pp_sample_polygon_in_sight(&target, pp_vec(1.0, 2.0, 2.2), up));
+    assert_false(pp_sample_polygon_in_sight(&target, pp_vec(1.0, 2.0, 2.0),
+                                            pp_vec(0.0, 1.0, 0.0)));
 }
 
 int main(void)

@@ -15,7 +15,7 @@ static struct pp_lobes lobes_of(const struct pp_material *material, struct pp_ve
         assert_int_equal(pp_gloss_init(&gloss, roughness[0], roughness[1], NULL),
                          PP_OK);
     struct pp_lobes lobes;
-    pp_lobes_init(&lobes, material, rough ? &gloss : NULL, up, eye);
+    pp_scatter_init(&lobes, material, rough ? &gloss : NULL, up, eye);
     return lobes;
 }
 
@@ -40,18 +40,19 @@ static void a_gloss_lies_along_its_grain(void **state)
     struct pp_vec3 o = towards(47.0, 275.0);
     double value = pp_gloss_value(lobes.gloss, pp_vec(eye.y, -eye.x, eye.z),
                                   pp_vec(o.y, -o.x, o.z));
-    assert_relative(pp_lobes_gloss(&lobes, o).r, 0.8 * value, 1e-12);
-    assert_relative(pp_lobes_gloss(&lobes, o).b, 0.5 * value, 1e-12);
+    assert_relative(pp_scatter_gloss_brdf(&lobes, o).r, 0.8 * value, 1e-12);
+    assert_relative(pp_scatter_gloss_brdf(&lobes, o).b, 0.5 * value, 1e-12);
 
     double factor;
     struct pp_vec3 drawn, in_frame;
-    assert_true(pp_lobes_sample(&lobes, PP_LOBE_GLOSS, 0.3, 0.6, &drawn, &factor));
+    assert_true(pp_scatter_sample(&lobes, PP_LOBE_GLOSS, 0.3, 0.6, &drawn, &factor));
     assert_relative(
         factor,
         pp_gloss_sample(lobes.gloss, pp_vec(eye.y, -eye.x, eye.z), 0.3, 0.6, &in_frame),
         1e-12);
-    assert_near(pp_length(pp_sub(drawn, pp_vec(-in_frame.y, in_frame.x, in_frame.z))),
-                0.0, 1e-12);
+    assert_near(
+        pp_vec_length(pp_vec_sub(drawn, pp_vec(-in_frame.y, in_frame.x, in_frame.z))),
+        0.0, 1e-12);
 }
 
 static void a_smooth_gloss_is_a_mirror(void **state)
@@ -61,9 +62,9 @@ static void a_smooth_gloss_is_a_mirror(void **state)
     struct pp_lobes lobes = lobes_of(&mirror, towards(33.0, 60.0));
     struct pp_vec3 o;
     double factor;
-    assert_true(pp_lobes_sample(&lobes, PP_LOBE_MIRROR, 0.1, 0.2, &o, &factor));
+    assert_true(pp_scatter_sample(&lobes, PP_LOBE_MIRROR, 0.1, 0.2, &o, &factor));
     struct pp_vec3 expected = towards(33.0, 240.0);
-    assert_near(pp_length(pp_sub(o, expected)), 0.0, 1e-12);
+    assert_near(pp_vec_length(pp_vec_sub(o, expected)), 0.0, 1e-12);
     assert_near(lobes.share[PP_LOBE_MIRROR].b, 0.7, 0.0);
     assert_true(pp_rgb_is_black(lobes.share[PP_LOBE_GLOSS]));
 }
@@ -109,15 +110,15 @@ static void translucent_panels_share_light_out_as_radiance_does(void **state)
     struct pp_vec3 o;
     double factor;
     assert_true(
-        pp_lobes_sample(&lobes, PP_LOBE_THROUGH_DIFFUSE, 0.4, 0.7, &o, &factor));
+        pp_scatter_sample(&lobes, PP_LOBE_THROUGH_DIFFUSE, 0.4, 0.7, &o, &factor));
     assert_true(o.z < 0.0);
     /* Rough, what goes through spreads as the gloss does, on the other side. */
     trans = pp_material_trans(pp_rgb_grey(0.9), 0.05, 0.2, 0.6, 0.25);
     lobes = lobes_of(&trans, towards(20.0, 0.0));
     struct pp_vec3 above = towards(25.0, 170.0), below = above;
     below.z = -below.z;
-    assert_relative(pp_lobes_gloss(&lobes, below).g / trans.through_gloss.g,
-                    pp_lobes_gloss(&lobes, above).g / trans.gloss.g, 1e-12);
+    assert_relative(pp_scatter_gloss_brdf(&lobes, below).g / trans.through_gloss.g,
+                    pp_scatter_gloss_brdf(&lobes, above).g / trans.gloss.g, 1e-12);
 }
 
 int main(void)

@@ -17,13 +17,13 @@ static int make_sobol(void **state)
 /* A (0, m, 2)-net has one point in each box of 2^-a by 2^-(m-a), whatever a. */
 static void assert_net(uint64_t seed, int vertex, uint32_t first, int m)
 {
-    struct pp_sequence sequence;
-    pp_sequence_init(&sequence, &sobol, seed);
+    struct pp_sobol_sequence sequence;
+    pp_sobol_sequence_init(&sequence, &sobol, seed);
     for (int a = 0; a <= m; a++) {
         unsigned char hits[1 << 10] = {0};
         for (uint32_t i = 0; i < UINT32_C(1) << m; i++) {
             double u[2];
-            pp_sequence_draw(&sequence, first + i, vertex, 2, u);
+            pp_sobol_sequence_draw(&sequence, first + i, vertex, 2, u);
             int column = (int)(u[0] * (1 << a)), row = (int)(u[1] * (1 << (m - a)));
             hits[row << a | column]++;
         }
@@ -37,7 +37,7 @@ static void every_elementary_box_is_hit_once(void **state)
     (void)state;
     for (uint64_t seed = 0; seed < 20; seed++)
         for (int m = 0; m <= 10; m++)
-            assert_net(pp_mix64(seed), (int)seed, 0, m);
+            assert_net(pp_hash_mix64(seed), (int)seed, 0, m);
 }
 
 static void a_sum_is_extended_by_nets(void **state)
@@ -52,13 +52,13 @@ static void a_sum_is_extended_by_nets(void **state)
 static void every_dimension_falls_once_into_each_interval(void **state)
 {
     (void)state;
-    struct pp_sequence sequence;
-    pp_sequence_init(&sequence, &sobol, 2718);
+    struct pp_sobol_sequence sequence;
+    pp_sobol_sequence_init(&sequence, &sobol, 2718);
     enum { N = 256 };
     int hits[PP_SOBOL_DIMENSIONS][N] = {{0}};
     for (uint32_t i = 0; i < N; i++) {
         double u[PP_SOBOL_DIMENSIONS];
-        pp_sequence_draw(&sequence, i, 1, PP_SOBOL_DIMENSIONS, u);
+        pp_sobol_sequence_draw(&sequence, i, 1, PP_SOBOL_DIMENSIONS, u);
         for (int k = 0; k < PP_SOBOL_DIMENSIONS; k++)
             hits[k][(int)(u[k] * N)]++;
     }
@@ -76,10 +76,10 @@ static void one_point_is_uniform_over_the_scrambles(void **state)
     enum { SIDE = 8, N = 64000 };
     double hits[SIDE * SIDE] = {0}, chi2 = 0.0;
     for (uint64_t seed = 0; seed < N; seed++) {
-        struct pp_sequence sequence;
-        pp_sequence_init(&sequence, &sobol, pp_hash(99, seed));
+        struct pp_sobol_sequence sequence;
+        pp_sobol_sequence_init(&sequence, &sobol, pp_hash(99, seed));
         double u[2];
-        pp_sequence_draw(&sequence, 5, 2, 2, u);
+        pp_sobol_sequence_draw(&sequence, 5, 2, 2, u);
         hits[(int)(u[0] * SIDE) * SIDE + (int)(u[1] * SIDE)]++;
     }
     double expected = (double)N / (SIDE * SIDE);
@@ -93,14 +93,14 @@ static void one_point_is_uniform_over_the_scrambles(void **state)
 static void vertices_of_a_path_do_not_follow_each_other(void **state)
 {
     (void)state;
-    struct pp_sequence sequence;
-    pp_sequence_init(&sequence, &sobol, 31415);
+    struct pp_sobol_sequence sequence;
+    pp_sobol_sequence_init(&sequence, &sobol, 31415);
     for (int vertex = 1; vertex < 9; vertex++) {
         double sum = 0.0;
         for (uint32_t i = 0; i < 1 << 16; i++) {
             double a[1], b[1];
-            pp_sequence_draw(&sequence, i, 0, 1, a);
-            pp_sequence_draw(&sequence, i, vertex, 1, b);
+            pp_sobol_sequence_draw(&sequence, i, 0, 1, a);
+            pp_sobol_sequence_draw(&sequence, i, vertex, 1, b);
             sum += a[0] * b[0];
         }
         assert_near(sum / (1 << 16), 0.25, 4.0 * 0.22 / 256.0);
@@ -112,11 +112,11 @@ static void digits_hang_on_the_digits_before_them_only(void **state)
 {
     (void)state;
     for (uint32_t trial = 0; trial < 1000; trial++) {
-        uint32_t x = pp_mix32(trial + 1), seed = pp_mix32(trial + 7777);
+        uint32_t x = pp_hash_mix32(trial + 1), seed = pp_hash_mix32(trial + 7777);
         int digit = (int)(trial % 32);
         uint32_t y = x ^ UINT32_C(1) << digit;
-        uint32_t differ =
-            pp_owen_scramble_reversed(x, seed) ^ pp_owen_scramble_reversed(y, seed);
+        uint32_t differ = pp_sobol_owen_scramble_reversed(x, seed)
+                          ^ pp_sobol_owen_scramble_reversed(y, seed);
         assert_int_equal(differ & ((UINT64_C(1) << digit) - 1), 0);
         assert_true(differ >> digit & 1);
     }
@@ -127,7 +127,7 @@ static void small_sine_and_cosine_are_the_library_s(void **state)
     (void)state;
     for (int i = -1000; i <= 1000; i++) {
         double x = PP_PI / 4.0 * i / 1000.0, sine, cosine;
-        pp_small_sincos(x, &sine, &cosine);
+        pp_lobe_small_sincos(x, &sine, &cosine);
         assert_near(sine, sin(x), 3e-14);
         assert_near(cosine, cos(x), 3e-14);
     }
@@ -138,23 +138,23 @@ static void small_sine_and_cosine_are_the_library_s(void **state)
 static void lobe_is_cosine_weighted_about_its_normal(void **state)
 {
     (void)state;
-    struct pp_sequence sequence;
-    pp_sequence_init(&sequence, &sobol, 5);
-    struct pp_vec3 n = pp_unit(pp_vec(0.3, -0.5, -0.9)), a, b;
-    pp_frame_about(n, &a, &b);
-    assert_near(pp_dot(pp_cross(a, b), n), 1.0, 1e-15);
+    struct pp_sobol_sequence sequence;
+    pp_sobol_sequence_init(&sequence, &sobol, 5);
+    struct pp_vec3 n = pp_vec_unit(pp_vec(0.3, -0.5, -0.9)), a, b;
+    pp_lobe_frame(n, &a, &b);
+    assert_near(pp_vec_dot(pp_vec_cross(a, b), n), 1.0, 1e-15);
     double mean = 0.0, square = 0.0, aside = 0.0, askew = 0.0;
     enum { N = 1 << 14 };
     for (uint32_t i = 0; i < N; i++) {
         double u[2];
-        pp_sequence_draw(&sequence, i, 0, 2, u);
-        struct pp_vec3 d = pp_sample_lobe(a, b, n, u[0], u[1]);
-        assert_near(pp_length(d), 1.0, 1e-12);
-        double c = pp_dot(d, n);
+        pp_sobol_sequence_draw(&sequence, i, 0, 2, u);
+        struct pp_vec3 d = pp_lobe_sample_in_frame(a, b, n, u[0], u[1]);
+        assert_near(pp_vec_length(d), 1.0, 1e-12);
+        double c = pp_vec_dot(d, n);
         mean += c / N;
         square += c * c / N;
-        aside += pp_dot(d, a) / N;
-        askew += pp_dot(d, a) * pp_dot(d, b) / N;
+        aside += pp_vec_dot(d, a) / N;
+        askew += pp_vec_dot(d, a) * pp_vec_dot(d, b) / N;
     }
     assert_near(mean, 2.0 / 3.0, 1e-4);
     assert_near(square, 0.5, 1e-4);

@@ -10,7 +10,8 @@ static int add(struct pp_scene_description *scene, const char *name)
     struct pp_material material = pp_material_diffuse(pp_rgb_grey(0.5));
     int index;
     strcpy(material.name, name);
-    assert_int_equal(pp_scene_add_material(scene, &material, &index, NULL), PP_OK);
+    assert_int_equal(pp_scene_description_add_material(scene, &material, &index, NULL),
+                     PP_OK);
     return index;
 }
 
@@ -20,7 +21,7 @@ static void add_shape(struct pp_scene_description *scene, struct pp_shape shape,
     struct pp_error err = {0};
     shape.tag = tag;
     shape.back_material = -1;
-    if (pp_scene_add_shape(scene, &shape, NULL, &err) != PP_OK)
+    if (pp_scene_description_add_shape(scene, &shape, NULL, &err) != PP_OK)
         fail_msg("%s", err.message);
 }
 
@@ -35,7 +36,7 @@ static struct pp_light_scene *built(struct pp_scene_description *from)
 static bool look(const struct pp_light_scene *scene, struct pp_vec3 from,
                  struct pp_vec3 to, struct pp_light_hit *hit)
 {
-    struct pp_light_ray ray = {.from = from, .to = pp_unit(to)};
+    struct pp_light_ray ray = {.from = from, .to = pp_vec_unit(to)};
     return pp_light_scene_first(scene, &ray, hit);
 }
 
@@ -72,7 +73,7 @@ static void a_sphere_is_met_where_it_is_from_outside_and_from_inside(void **stat
     /* One that leaves it does not meet it again. */
     struct pp_light_ray away = {.from = pp_vec(1.0, 1.3, 3.0),
                                 .off = pp_vec(0.0, -1.0, 0.0),
-                                .to = pp_unit(pp_vec(1.0, -1e-3, 0.3))};
+                                .to = pp_vec_unit(pp_vec(1.0, -1e-3, 0.3))};
     assert_false(pp_light_scene_first(made, &away, &hit));
     pp_light_scene_destroy(made);
 }
@@ -123,7 +124,8 @@ static int met_as_crossed(const struct pp_vec3 *v, int count)
     pp_scene_description_init(&scene);
     int material = add(&scene, "sheet");
     struct pp_error err = {0};
-    if (pp_scene_add_polygon(&scene, v, count, material, NULL, &err) != PP_OK)
+    if (pp_scene_description_add_polygon(&scene, v, count, material, NULL, &err)
+        != PP_OK)
         fail_msg("%s", err.message);
     struct pp_light_scene *made = built(&scene);
     int met = 0;
@@ -194,35 +196,46 @@ static void what_makes_no_sense_is_refused(void **state)
     const struct pp_vec3 bent[] = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0.2}, {0, 1, 0}};
     const struct pp_vec3 none[] = {{0, 0, 0}, {1, 0, NAN}, {1, 1, 0}};
     struct pp_error err;
-    assert_int_equal(pp_scene_add_polygon(&scene, line, 3, material, NULL, &err),
-                     PP_BAD_INPUT);
-    assert_int_equal(pp_scene_add_polygon(&scene, bent, 4, material, NULL, &err),
-                     PP_BAD_INPUT);
-    assert_int_equal(pp_scene_add_polygon(&scene, none, 3, material, NULL, &err),
-                     PP_BAD_INPUT);
-    assert_int_equal(pp_scene_add_polygon(&scene, bent, 3, material + 1, NULL, &err),
-                     PP_BAD_INPUT);
+    assert_int_equal(
+        pp_scene_description_add_polygon(&scene, line, 3, material, NULL, &err),
+        PP_BAD_INPUT);
+    assert_int_equal(
+        pp_scene_description_add_polygon(&scene, bent, 4, material, NULL, &err),
+        PP_BAD_INPUT);
+    assert_int_equal(
+        pp_scene_description_add_polygon(&scene, none, 3, material, NULL, &err),
+        PP_BAD_INPUT);
+    assert_int_equal(
+        pp_scene_description_add_polygon(&scene, bent, 3, material + 1, NULL, &err),
+        PP_BAD_INPUT);
     struct pp_shape shape = {.kind = PP_SHAPE_SPHERE, .is.sphere = {{0, 0, 0}, -1.0}};
-    assert_int_equal(pp_scene_add_shape(&scene, &shape, NULL, &err), PP_BAD_INPUT);
+    assert_int_equal(pp_scene_description_add_shape(&scene, &shape, NULL, &err),
+                     PP_BAD_INPUT);
     shape = (struct pp_shape){.kind = PP_SHAPE_CONE,
                               .is.cone = {{{1, 1, 1}, {1, 1, 1}}, {1.0, 1.0}}};
-    assert_int_equal(pp_scene_add_shape(&scene, &shape, NULL, &err), PP_BAD_INPUT);
+    assert_int_equal(pp_scene_description_add_shape(&scene, &shape, NULL, &err),
+                     PP_BAD_INPUT);
     shape = (struct pp_shape){.kind = PP_SHAPE_RING,
                               .is.ring = {{0, 0, 0}, {0, 0, 1}, {2.0, 1.0}}};
-    assert_int_equal(pp_scene_add_shape(&scene, &shape, NULL, &err), PP_BAD_INPUT);
+    assert_int_equal(pp_scene_description_add_shape(&scene, &shape, NULL, &err),
+                     PP_BAD_INPUT);
     shape = (struct pp_shape){.kind = PP_SHAPE_DISTANT, .is.distant = {{0, 0, 0}, 0.1}};
-    assert_int_equal(pp_scene_add_shape(&scene, &shape, NULL, &err), PP_BAD_INPUT);
+    assert_int_equal(pp_scene_description_add_shape(&scene, &shape, NULL, &err),
+                     PP_BAD_INPUT);
     assert_int_equal(scene.shape_count, 0);
 
     struct pp_material bright = pp_material_plastic(pp_rgb_grey(1.0), 0.05, 0.1, 0.1);
     strcpy(bright.name, "too bright");
     bright.gloss.g = 0.1;
-    assert_int_equal(pp_scene_add_material(&scene, &bright, NULL, &err), PP_BAD_INPUT);
+    assert_int_equal(pp_scene_description_add_material(&scene, &bright, NULL, &err),
+                     PP_BAD_INPUT);
     assert_non_null(strstr(err.message, "\"too bright\""));
     bright = pp_material_diffuse(pp_rgb(0.1, NAN, 0.1));
-    assert_int_equal(pp_scene_add_material(&scene, &bright, NULL, &err), PP_BAD_INPUT);
+    assert_int_equal(pp_scene_description_add_material(&scene, &bright, NULL, &err),
+                     PP_BAD_INPUT);
     bright = pp_material_pane(pp_rgb(0.9, 1.2, 0.9), 1.52);
-    assert_int_equal(pp_scene_add_material(&scene, &bright, NULL, &err), PP_BAD_INPUT);
+    assert_int_equal(pp_scene_description_add_material(&scene, &bright, NULL, &err),
+                     PP_BAD_INPUT);
     pp_scene_description_clear(&scene);
 }
 

@@ -24,10 +24,11 @@ static struct pp_moments moments_of(const struct pp_vec3 *corners, int count,
     struct pp_vec3 seen[8], half_spaces[4] = {receiver.normal};
     struct pp_moments moments = {0.0, 0.0, 0.0};
     for (int i = 0; i < count; i++)
-        seen[i] = pp_sub(corners[i], receiver.position);
+        seen[i] = pp_vec_sub(corners[i], receiver.position);
     for (int i = 0; i < more_count; i++)
         half_spaces[1 + i] = more[i];
-    pp_moments_add(&moments, seen, count, receiver.normal, half_spaces, 1 + more_count);
+    pp_solid_angle_add_moments(&moments, seen, count, receiver.normal, half_spaces,
+                               1 + more_count);
     /* Whichever way round the corners are given. */
     double sign = moments.omega < 0.0 ? -1.0 : 1.0;
     return (struct pp_moments){sign * moments.omega, sign * moments.cosine,
@@ -38,7 +39,7 @@ static double sky_of(const struct pp_world *world, const struct pp_vec3 *corners
                      int count, struct pp_receiver receiver)
 {
     struct pp_moments moments = moments_of(corners, count, receiver, &zenith, 1);
-    return pp_moments_sky(&moments, &world->sky);
+    return pp_solid_angle_sky_component(&moments, &world->sky);
 }
 
 /* ---- limits ---- */
@@ -257,9 +258,9 @@ static void on_a_surface_one_measures_what_falls_on_it(void **state)
         {{1.1, 2.0, 2.6}, {0.0, 0.0, -1.0}, 0},
     };
     for (size_t i = 0; i < sizeof on / sizeof *on; i++) {
-        assert_null(pp_world_receiver_fault(world, on[i].position, on[i].normal));
+        assert_null(pp_position_receiver_fault(world, on[i].position, on[i].normal));
         struct pp_receiver off = on[i];
-        off.position = pp_along(off.position, 2e-3, off.normal);
+        off.position = pp_vec_along(off.position, 2e-3, off.normal);
         struct pp_reading here[4], there[4];
         trace_one(world, on[i], 256, here);
         trace_one(world, off, 256, there);
@@ -286,11 +287,11 @@ static void glass_takes_its_share_by_angle(void **state)
     enum { N = 400 };
     for (int i = 0; i < N; i++)
         for (int k = 0; k < N; k++) {
-            struct pp_vec3 v = pp_sub(
+            struct pp_vec3 v = pp_vec_sub(
                 pp_vec(0.2 + 2.6 * (i + 0.5) / N, 0.0, 0.9 + 1.4 * (k + 0.5) / N),
                 receiver.position);
-            double r = pp_length(v);
-            struct pp_vec3 u = pp_scale(v, 1.0 / r);
+            double r = pp_vec_length(v);
+            struct pp_vec3 u = pp_vec_scale(v, 1.0 / r);
             sum += pp_sky_luminance(&world->sky, u) * u.z * -u.y / (r * r)
                    * pp_glass_transmittance(&world->openings[0].glass, -u.y);
         }
@@ -432,7 +433,7 @@ static void split_window(const struct pp_world *world, struct pp_receiver receiv
     struct pp_vec3 below[2] = {{0.0, -slope, -1.0}, {0.0, 0.0, 1.0}};
     struct pp_moments seen = moments_of(window, 4, receiver, above, 2);
     struct pp_moments mask = moments_of(window, 4, receiver, below, 2);
-    *sky = pp_moments_sky(&seen, &world->sky);
+    *sky = pp_solid_angle_sky_component(&seen, &world->sky);
     *hidden = mask.cosine / PP_PI;
 }
 
@@ -453,7 +454,8 @@ static void a_far_skyline_gives_what_its_face_gets(void **state)
     /* Over the luminance of the sky that it hides: CONVENTIONS has about 0.19. */
     struct pp_vec3 below[2] = {{0.0, -tan(10.0 * PP_RAD), -1.0}, {0.0, 0.0, 1.0}};
     struct pp_moments mask = moments_of(window, 4, receiver, below, 2);
-    assert_near(exitance * hidden / pp_moments_sky(&mask, &world->sky), 0.19, 0.005);
+    assert_near(exitance * hidden / pp_solid_angle_sky_component(&mask, &world->sky),
+                0.19, 0.005);
     pp_world_destroy(world);
 }
 
@@ -521,7 +523,7 @@ static void a_horizontal_reflector_lights_what_faces_it(void **state)
     (void)state;
     struct pp_vec3 corners[4] = {{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}};
     struct pp_surface plate = {.outline = {4, corners, {0, 0, 1}, 16.0},
-                               .role = PP_LOOSE,
+                               .role = PP_FREE_SURFACE,
                                .front = 0.3,
                                .back = 0.3,
                                .owner = -1};

@@ -114,13 +114,14 @@ static void sky_and_outside_are_told_apart(void **state)
     struct pp_light_scene *scene = scene_of(world);
     struct pp_sobol *sobol = malloc(sizeof *sobol);
     pp_sobol_init(sobol);
-    struct pp_radiance_walk walk = {.scene = scene, .options = pp_radiance_defaults()};
-    pp_sequence_init(&walk.sequence, sobol, 5);
+    struct pp_radiance_state path_state = {.scene = scene,
+                                           .options = pp_radiance_defaults()};
+    pp_sobol_sequence_init(&path_state.sequence, sobol, 5);
     double sky = 0.0, outside = 0.0;
     enum { PATHS = 512 };
-    for (walk.index = 0; walk.index < PATHS; walk.index++) {
-        struct pp_irradiance e =
-            pp_radiance_direct(&walk, receiver.position, receiver.normal, PP_INDOORS);
+    for (path_state.index = 0; path_state.index < PATHS; path_state.index++) {
+        struct pp_irradiance e = pp_radiance_direct(&path_state, receiver.position,
+                                                    receiver.normal, PP_INDOORS);
         sky += e.sky.g / PATHS;
         outside += e.outside.g / PATHS;
         assert_true(pp_rgb_is_black(e.rest) && pp_rgb_is_black(e.sources));
@@ -128,7 +129,7 @@ static void sky_and_outside_are_told_apart(void **state)
     /* 512 x 64 directions: to 0.2 %. */
     assert_relative(sky, traced[0][PP_SC].value, 0.003);
     assert_relative(outside, traced[0][PP_ERC].value, 0.003);
-    assert_int_equal(walk.leaks, 0);
+    assert_int_equal(path_state.leaks, 0);
     free(traced);
     free(sobol);
     pp_light_scene_destroy(scene);
@@ -224,9 +225,10 @@ static void no_light_leaks_in_by_the_edges(void **state)
                 struct pp_vec3 a = surfaces[i].outline.vertices[k];
                 struct pp_vec3 b =
                     surfaces[i].outline.vertices[(k + 1) % surfaces[i].outline.count];
-                struct pp_vec3 at = pp_along(a, s / 1000.0, pp_sub(b, a));
-                struct pp_light_ray ray = {
-                    .from = in, .to = pp_unit(pp_sub(at, in)), .space = PP_INDOORS};
+                struct pp_vec3 at = pp_vec_along(a, s / 1000.0, pp_vec_sub(b, a));
+                struct pp_light_ray ray = {.from = in,
+                                           .to = pp_vec_unit(pp_vec_sub(at, in)),
+                                           .space = PP_INDOORS};
                 struct pp_light_hit hit;
                 assert_true(pp_light_scene_first(scene, &ray, &hit));
                 assert_false(hit.back);
@@ -244,16 +246,17 @@ static void light_goes_on_from_the_edges(void **state)
     struct pp_light_scene *scene = scene_of(world);
     struct pp_sobol *sobol = malloc(sizeof *sobol);
     pp_sobol_init(sobol);
-    struct pp_radiance_walk walk = {.scene = scene, .options = pp_radiance_defaults()};
-    pp_sequence_init(&walk.sequence, sobol, 7);
-    for (walk.index = 0; walk.index < 3000; walk.index++) {
-        struct pp_vec3 eye = {1.5, 8.0, 1.6}, at = {0.001 * walk.index, 0.0, 0.0};
+    struct pp_radiance_state path_state = {.scene = scene,
+                                           .options = pp_radiance_defaults()};
+    pp_sobol_sequence_init(&path_state.sequence, sobol, 7);
+    for (path_state.index = 0; path_state.index < 3000; path_state.index++) {
+        struct pp_vec3 eye = {1.5, 8.0, 1.6}, at = {0.001 * path_state.index, 0.0, 0.0};
         struct pp_light_ray ray = {
-            .from = eye, .to = pp_unit(pp_sub(at, eye)), .space = PP_INDOORS};
-        pp_radiance_along(&walk, &ray, NULL);
+            .from = eye, .to = pp_vec_unit(pp_vec_sub(at, eye)), .space = PP_INDOORS};
+        pp_radiance_along(&path_state, &ray, NULL);
     }
-    assert_true(walk.rays > 6000);
-    assert_int_equal(walk.leaks, 0);
+    assert_true(path_state.rays > 6000);
+    assert_int_equal(path_state.leaks, 0);
     free(sobol);
     pp_light_scene_destroy(scene);
     pp_world_destroy(world);
@@ -270,15 +273,15 @@ static struct pp_irradiance straight_in(const char *xml, bool stored,
     assert_non_null(sobol);
     pp_sobol_init(sobol);
     assert_int_equal(pp_window_store_create(&store, scene, 1, 1, NULL), PP_OK);
-    struct pp_radiance_walk walk = {.scene = scene,
-                                    .options = pp_radiance_defaults(),
-                                    .store = stored ? store : NULL};
+    struct pp_radiance_state path_state = {.scene = scene,
+                                           .options = pp_radiance_defaults(),
+                                           .store = stored ? store : NULL};
     struct pp_irradiance sum = {.rest = pp_rgb_grey(0.0)};
     enum { PATHS = 1024 };
-    pp_sequence_init(&walk.sequence, sobol, 5);
-    for (walk.index = 0; walk.index < PATHS; walk.index++) {
+    pp_sobol_sequence_init(&path_state.sequence, sobol, 5);
+    for (path_state.index = 0; path_state.index < PATHS; path_state.index++) {
         struct pp_irradiance e =
-            pp_radiance_direct(&walk, point, pp_vec(0.0, 0.0, 1.0), PP_INDOORS);
+            pp_radiance_direct(&path_state, point, pp_vec(0.0, 0.0, 1.0), PP_INDOORS);
         sum.sky = pp_rgb_along(sum.sky, 1.0 / PATHS, e.sky);
         sum.outside = pp_rgb_along(sum.outside, 1.0 / PATHS, e.outside);
     }

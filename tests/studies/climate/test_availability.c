@@ -66,8 +66,8 @@ static struct pp_availability_question question_of(const struct pp_diffuse_light
 static void two_per_cent_and_300_lx_need_15000(void **state)
 {
     (void)state;
-    assert_near(pp_needed_outside_lx(300.0, 0.02), 15000.0, 1e-9);
-    assert_true(isinf(pp_needed_outside_lx(500.0, 0.0)));
+    assert_near(pp_availability_needed_lx(300.0, 0.02), 15000.0, 1e-9);
+    assert_true(isinf(pp_availability_needed_lx(500.0, 0.0)));
 }
 
 /* Of ten hours of 1000 ... 10,000 lx, 6000 or more are there in five. 150 lx need 6000

@@ -40,11 +40,11 @@ static struct pp_diffuse_curve curve_of(const struct pp_diffuse_light *light,
 static void the_efficacy_is_that_of_its_table(void **state)
 {
     (void)state;
-    assert_near(pp_diffuse_efficacy(100.0, 0.0, 60.0 * PP_RAD, 1.0, 11.0), 119.476110,
-                1e-3);
-    assert_near(pp_diffuse_efficacy(80.0, 750.0, 35.0 * PP_RAD, 1.0162, 15.0),
+    assert_near(pp_luminous_efficacy_diffuse(100.0, 0.0, 60.0 * PP_RAD, 1.0, 11.0),
+                119.476110, 1e-3);
+    assert_near(pp_luminous_efficacy_diffuse(80.0, 750.0, 35.0 * PP_RAD, 1.0162, 15.0),
                 136.885375, 1e-3);
-    assert_near(pp_diffuse_efficacy(210.0, 120.0, 70.0 * PP_RAD, 0.985, -4.0),
+    assert_near(pp_luminous_efficacy_diffuse(210.0, 120.0, 70.0 * PP_RAD, 0.985, -4.0),
                 111.541407, 1e-3);
 }
 
@@ -55,7 +55,7 @@ static void the_efficacy_stays_within_reason(void **state)
     for (double diffuse = 1e-6; diffuse < 3000.0; diffuse *= 7.0)
         for (double direct = 0.0; direct < 2000.0; direct += 333.0)
             for (double z = 0.0; z <= PP_PI / 2.0; z += 0.19) {
-                double v = pp_diffuse_efficacy(diffuse, direct, z, 1.01, 21.0);
+                double v = pp_luminous_efficacy_diffuse(diffuse, direct, z, 1.01, 21.0);
                 assert_true(v >= 60.0 && v <= 250.0);
             }
 }
@@ -150,10 +150,10 @@ static void without_any_illuminance_irradiance_is_taken(void **state)
 static void the_overcast_sky_follows_the_sun(void **state)
 {
     (void)state;
-    assert_near(pp_overcast_lx(30.0 * PP_RAD), 10800.0, 1e-9);
-    assert_near(pp_overcast_lx(90.0 * PP_RAD), 21300.0, 1e-9);
-    assert_near(pp_overcast_lx(1e-12), 300.0, 1e-6);
-    assert_near(pp_overcast_lx(-0.01), 0.0, 0.0);
+    assert_near(pp_diffuse_light_overcast_lx(30.0 * PP_RAD), 10800.0, 1e-9);
+    assert_near(pp_diffuse_light_overcast_lx(90.0 * PP_RAD), 21300.0, 1e-9);
+    assert_near(pp_diffuse_light_overcast_lx(1e-12), 300.0, 1e-6);
+    assert_near(pp_diffuse_light_overcast_lx(-0.01), 0.0, 0.0);
 }
 
 /* Brussels (50.9 N, 4.35 E, an hour ahead of UT), against minutes of 2018 summed in
@@ -294,20 +294,20 @@ static void time_counts_where_it_is_worked(void **state)
     struct pp_diffuse_hour hour = {
         .date = {6, 15}, .weekday = 4, .start_h = 8.0, .length_h = 1.0};
     struct pp_working_hours hours = {8.25, 8.75, PP_ALL_DAYS};
-    assert_near(pp_working_share_h(&hours, &no_summer, &hour), 0.5, 1e-12);
-    assert_near(pp_working_share_h(&hours, &june, &hour), 0.0, 0.0);
+    assert_near(pp_working_hours_share_h(&hours, &no_summer, &hour), 0.5, 1e-12);
+    assert_near(pp_working_hours_share_h(&hours, &june, &hour), 0.0, 0.0);
     hours.days = 1u << 4;
-    assert_near(pp_working_share_h(&hours, &no_summer, &hour), 0.5, 1e-12);
+    assert_near(pp_working_hours_share_h(&hours, &no_summer, &hour), 0.5, 1e-12);
     hours.days = 1u << 3 | 1u << 5;
-    assert_near(pp_working_share_h(&hours, &no_summer, &hour), 0.0, 0.0);
+    assert_near(pp_working_hours_share_h(&hours, &no_summer, &hour), 0.0, 0.0);
     hour.weekday = PP_WEEKDAY_UNKNOWN;
-    assert_near(pp_working_share_h(&hours, &no_summer, &hour), 0.5, 1e-12);
+    assert_near(pp_working_hours_share_h(&hours, &no_summer, &hour), 0.5, 1e-12);
 
     hour.weekday = 6;
     hour.start_h = 23.0;
     hours = (struct pp_working_hours){0.0, 0.5, 1u << 0};
-    assert_near(pp_working_share_h(&hours, &june, &hour), 0.5, 1e-12);
-    assert_near(pp_working_share_h(&hours, &no_summer, &hour), 0.0, 0.0);
+    assert_near(pp_working_hours_share_h(&hours, &june, &hour), 0.5, 1e-12);
+    assert_near(pp_working_hours_share_h(&hours, &no_summer, &hour), 0.0, 0.0);
 }
 
 /* A curve of no hours is none. */

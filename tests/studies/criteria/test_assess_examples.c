@@ -6,7 +6,7 @@
 #include <stdlib.h>
 
 #include "methods/evaluate.h"
-#include "model/room/room.h"
+#include "model/room/building.h"
 #include "tests/lib/near.h"
 #include "tests/lib/sight.h"
 
@@ -216,7 +216,7 @@ static struct pp_vec3 middle_outside(const struct pp_opening *opening)
 {
     struct pp_vec3 sum = {0, 0, 0};
     for (int i = 0; i < opening->outer.count; i++)
-        sum = pp_along(sum, 1.0 / opening->outer.count, opening->outer.vertices[i]);
+        sum = pp_vec_along(sum, 1.0 / opening->outer.count, opening->outer.vertices[i]);
     return sum;
 }
 
@@ -257,7 +257,7 @@ static void vertical_sky_components_agree(void **state)
             } else {
                 vsc = 100.0
                       * sight_vertical_sky(world, eye,
-                                           pp_scale(opening->inner.normal, -1.0),
+                                           pp_vec_scale(opening->inner.normal, -1.0),
                                            opening->face, 200);
             }
             assert_finding(&rooms[i], "vertical-sky", words, vsc, tolerance, 27.0,
@@ -280,7 +280,7 @@ static void angles_in_section_agree(void **state)
             double highest = 0.0;
             for (double angle = 0.025; angle < 90.0; angle += 0.05) {
                 struct pp_vec3 u =
-                    pp_scale(opening->inner.normal, -cos(angle * PP_RAD));
+                    pp_vec_scale(opening->inner.normal, -cos(angle * PP_RAD));
                 u.z = sin(angle * PP_RAD);
                 if (!sight_sees_sky(world, middle_outside(opening), u, opening->face))
                     highest = angle;

@@ -5,8 +5,8 @@
 #include "studies/criteria/criteria.h"
 #include "studies/criteria/factors.h"
 #include "studies/criteria/pair_rooms.h"
-#include "studies/criteria/place.h"
-#include "studies/criteria/standard_grid.h"
+#include "studies/criteria/capitals.h"
+#include "studies/criteria/en17037_grid.h"
 #include "tests/lib/room_of.h"
 #include "tests/lib/traced.h"
 
@@ -18,15 +18,15 @@ static struct pp_world *world_of(const char *body)
 }
 
 /* What one criterion finds; to be cleared. */
-static struct pp_findings found_by(const struct pp_criterion *criterion,
-                                   const struct pp_world *world,
-                                   const struct pp_world *before)
+static struct pp_finding_list found_by(const struct pp_criterion *criterion,
+                                       const struct pp_world *world,
+                                       const struct pp_world *before)
 {
     struct pp_report report = {.world = world};
     struct pp_receiver *grid;
     struct pp_error err;
     int *pairs = NULL;
-    assert_int_equal(pp_standard_grid(&grid, &report.receiver_count, world, NULL),
+    assert_int_equal(pp_en17037_grid(&grid, &report.receiver_count, world, NULL),
                      PP_OK);
     report.receivers = grid;
     assert_int_equal(pp_factors_by_hand(&report, NULL), PP_OK);
@@ -37,8 +37,8 @@ static struct pp_findings found_by(const struct pp_criterion *criterion,
         .before = before,
         .pairs = pairs,
         .factors = &report,
-        .median = pp_median_of_site(world->latitude_rad, world->longitude_rad)};
-    struct pp_findings findings = {0};
+        .median = pp_capitals_median(world->latitude_rad, world->longitude_rad)};
+    struct pp_finding_list findings = {0};
     assert_int_equal(criterion->evaluate(&inquiry, &findings, NULL), PP_OK);
     assert_true(findings.count > 0);
     pp_report_clear(&report);
@@ -53,10 +53,10 @@ static struct pp_finding finding_in(const struct pp_criterion *criterion, int in
 {
     struct pp_world *world = world_of(body);
     struct pp_world *before = before_body ? world_of(before_body) : NULL;
-    struct pp_findings findings = found_by(criterion, world, before);
+    struct pp_finding_list findings = found_by(criterion, world, before);
     assert_true(index < findings.count);
     struct pp_finding finding = findings.list[index];
-    pp_findings_clear(&findings);
+    pp_finding_list_clear(&findings);
     pp_world_destroy(world);
     pp_world_destroy(before);
     return finding;
@@ -307,9 +307,10 @@ static void a_section_at_the_working_plane_is_the_plane(void **state)
     static const double heights[] = {0.85, 0.1, 2.5, -1.0, 3.0};
     static const double areas[] = {28.0, 28.0, 28.0, 0.0, 0.0};
     for (int i = 0; i < 5; i++) {
-        assert_int_equal(pp_world_section(&section, world, heights[i], NULL), PP_OK);
+        assert_int_equal(pp_working_plane_section(&section, world, heights[i], NULL),
+                         PP_OK);
         assert_near(pp_region_area(&section), areas[i], 1e-12);
-        pp_region_destroy(&section);
+        pp_region_clear(&section);
     }
     pp_world_destroy(world);
 }
@@ -390,7 +391,7 @@ static void glazing_is_net_of_frames_for_one_code_and_not_for_the_other(void **s
 
 /* The basis names the highest level that is met with all below it; each level has
  * `each` findings. */
-static void assert_level(const struct pp_findings *findings, int each)
+static void assert_level(const struct pp_finding_list *findings, int each)
 {
     static const char *const levels[] = {"none", "minimum", "medium", "high"};
     int reached = 0;
@@ -408,19 +409,19 @@ static void targets_are_illuminance_over_the_place_s_median(void **state)
 {
     (void)state;
     struct pp_world *world = world_of(ROOM LONDON);
-    struct pp_findings findings = found_by(&pp_criterion_en17037, world, NULL);
+    struct pp_finding_list findings = found_by(&pp_criterion_en17037, world, NULL);
     static const double lux[] = {300, 100, 500, 300, 750, 500};
     assert_int_equal(findings.count, 6);
     for (int i = 0; i < 6; i++)
         assert_near(findings.list[i].wanted, lux[i] / 14100.0, 1e-15);
     assert_non_null(strstr(findings.basis, "exact+bre, not simulated"));
     assert_level(&findings, 2);
-    pp_findings_clear(&findings);
+    pp_finding_list_clear(&findings);
     findings = found_by(&pp_criterion_uk_annex, world, NULL);
     assert_int_equal(findings.count, 3);
     assert_near(findings.list[0].wanted, 100 / 14100.0, 1e-15);
     assert_near(findings.list[2].wanted, 200 / 14100.0, 1e-15);
-    pp_findings_clear(&findings);
+    pp_finding_list_clear(&findings);
     pp_world_destroy(world);
 }
 
@@ -429,17 +430,17 @@ static void under_rooflights_nearly_all_of_the_plane_is_asked(void **state)
     (void)state;
     struct pp_world *world = world_of(
         PLAN LONDON "<rooflight x=\"1\" y=\"2\" width=\"1.2\" depth=\"1.5\"/>");
-    struct pp_findings findings = found_by(&pp_criterion_en17037, world, NULL);
+    struct pp_finding_list findings = found_by(&pp_criterion_en17037, world, NULL);
     assert_int_equal(findings.count, 3);
     for (int i = 0; i < 3; i++)
         assert_non_null(strstr(findings.list[i].what, "over 95 %"));
     assert_non_null(strstr(findings.basis, "exact+split-flux, not simulated"));
     assert_level(&findings, 1);
-    pp_findings_clear(&findings);
+    pp_finding_list_clear(&findings);
     /* And evenness as under a glazed roof. */
     findings = found_by(&pp_criterion_uniformity, world, NULL);
     assert_near(findings.list[0].wanted, 0.7, 0.0);
-    pp_findings_clear(&findings);
+    pp_finding_list_clear(&findings);
     pp_world_destroy(world);
 }
 
@@ -482,7 +483,7 @@ static void traced_verdicts_are_right_as_often_as_they_say(void **state)
                  "height=\"1.4\"/>");
     struct pp_report report = {.world = world};
     struct pp_receiver *grid;
-    assert_int_equal(pp_standard_grid(&grid, &report.receiver_count, world, NULL),
+    assert_int_equal(pp_en17037_grid(&grid, &report.receiver_count, world, NULL),
                      PP_OK);
     report.receivers = grid;
     int count = report.receiver_count;
@@ -495,16 +496,16 @@ static void traced_verdicts_are_right_as_often_as_they_say(void **state)
         column->points[i] = pp_reading_of(truth[i][PP_DF].value);
     /* A median so that the target of 300 lx lies at the value that half of the points
      * reach: the hardest case. */
-    struct pp_findings findings = {0};
+    struct pp_finding_list findings = {0};
     inquiry.median.lux = 14100.0;
     assert_int_equal(pp_criterion_en17037.evaluate(&inquiry, &findings, NULL), PP_OK);
     inquiry.median.lux = 300.0 / (findings.list[0].figure * 1.02);
-    pp_findings_clear(&findings);
+    pp_finding_list_clear(&findings);
     assert_int_equal(pp_criterion_en17037.evaluate(&inquiry, &findings, NULL), PP_OK);
     enum pp_verdict right[6];
     for (int k = 0; k < 6; k++)
         right[k] = findings.list[k].verdict;
-    pp_findings_clear(&findings);
+    pp_finding_list_clear(&findings);
 
     int given = 0, wrong = 0, undecided = 0;
     for (int seed = 1; seed <= SEEDS; seed++) {
@@ -524,7 +525,7 @@ static void traced_verdicts_are_right_as_often_as_they_say(void **state)
             if (finding->verdict != PP_UNDECIDED)
                 assert_true(finding->confidence >= PP_SURE);
         }
-        pp_findings_clear(&findings);
+        pp_finding_list_clear(&findings);
         free(traced);
     }
     assert_true(wrong <= 3);
@@ -589,12 +590,12 @@ static void every_criterion_has_a_name_of_its_own(void **state)
 {
     (void)state;
     int count = 0;
-    for (const struct pp_criterion *one; (one = pp_criterion_at(count)); count++) {
-        assert_ptr_equal(pp_criterion_find(one->name), one);
+    for (const struct pp_criterion *one; (one = pp_criteria_at(count)); count++) {
+        assert_ptr_equal(pp_criteria_find(one->name), one);
         assert_true(one->title && one->source && one->summary && one->evaluate);
     }
     assert_int_equal(count, 12);
-    assert_null(pp_criterion_find("glare"));
+    assert_null(pp_criteria_find("glare"));
 }
 
 int main(void)

@@ -7,19 +7,19 @@
 static void the_spacing_grows_slower_than_the_room(void **state)
 {
     (void)state;
-    assert_near(pp_en17037_spacing(1.0, 0.7), 0.5, 1e-15);
-    assert_near(pp_en17037_spacing(10.0, 7.0), 2.5, 1e-14);
-    assert_near(pp_en17037_spacing(7.0, 10.0), 2.5, 1e-14);
-    assert_near(pp_en17037_spacing(100.0, 70.0), 10.0, 0.0);
+    assert_near(pp_en17037_grid_spacing(1.0, 0.7), 0.5, 1e-15);
+    assert_near(pp_en17037_grid_spacing(10.0, 7.0), 2.5, 1e-14);
+    assert_near(pp_en17037_grid_spacing(7.0, 10.0), 2.5, 1e-14);
+    assert_near(pp_en17037_grid_spacing(100.0, 70.0), 10.0, 0.0);
 }
 
 /* log10 of 3.7 is 0.568202, times ln 5 0.914486, e to that 2.495491. */
 static void the_shorter_side_counts_in_long_rooms(void **state)
 {
     (void)state;
-    assert_near(pp_en17037_spacing(3.7, 7.4), 0.5 * 2.495491, 1e-6);
-    assert_near(pp_en17037_spacing(7.4, 3.7), 0.5 * 2.495491, 1e-6);
-    assert_true(pp_en17037_spacing(3.7, 7.3) > 0.5 * 2.495491 + 0.5);
+    assert_near(pp_en17037_grid_spacing(3.7, 7.4), 0.5 * 2.495491, 1e-6);
+    assert_near(pp_en17037_grid_spacing(7.4, 3.7), 0.5 * 2.495491, 1e-6);
+    assert_true(pp_en17037_grid_spacing(3.7, 7.3) > 0.5 * 2.495491 + 0.5);
 }
 
 int main(void)

@@ -1,35 +1,35 @@
 /* The nearest capital of the standard's table, and its illuminance. */
-#include "studies/criteria/place.h"
+#include "studies/criteria/capitals.h"
 #include "model/geometry/vec.h"
 #include "tests/lib/near.h"
 
 static struct pp_median at(double latitude_deg, double longitude_deg)
 {
-    return pp_median_of_site(latitude_deg * PP_RAD, longitude_deg * PP_RAD);
+    return pp_capitals_median(latitude_deg * PP_RAD, longitude_deg * PP_RAD);
 }
 
 static void capitals_have_their_own_illuminance(void **state)
 {
     (void)state;
-    assert_int_equal(pp_capital_count(), 22);
-    for (int i = 0; i < pp_capital_count(); i++) {
-        const struct pp_capital *capital = pp_capital_at(i);
+    assert_int_equal(pp_capitals_count(), 22);
+    for (int i = 0; i < pp_capitals_count(); i++) {
+        const struct pp_capital *capital = pp_capitals_at(i);
         struct pp_median median = at(capital->latitude_deg, capital->longitude_deg);
         assert_near(median.lux, capital->median_lux, 0.0);
         assert_non_null(strstr(median.how, capital->name));
-        assert_ptr_equal(pp_capital_find(capital->name), capital);
+        assert_ptr_equal(pp_capitals_find(capital->name), capital);
     }
-    assert_near(pp_capital_find("LONDON")->median_lux, 14100.0, 0.0);
-    assert_null(pp_capital_find("Londinium"));
+    assert_near(pp_capitals_find("LONDON")->median_lux, 14100.0, 0.0);
+    assert_null(pp_capitals_find("Londinium"));
 }
 
 /* The table prints the target daylight factor for 300 lx to a tenth of a per cent. */
 static void illuminances_agree_with_the_printed_targets(void **state)
 {
     (void)state;
-    for (int i = 0; i < pp_capital_count(); i++)
-        assert_near(100.0 * 300.0 / pp_capital_at(i)->median_lux,
-                    pp_capital_at(i)->target_300_percent, 0.05 + 1e-9);
+    for (int i = 0; i < pp_capitals_count(); i++)
+        assert_near(100.0 * 300.0 / pp_capitals_at(i)->median_lux,
+                    pp_capitals_at(i)->target_300_percent, 0.05 + 1e-9);
 }
 
 /* Cambridge is 78 km from London, though Warsaw's latitude is nearer. */
@@ -40,7 +40,7 @@ static void nearness_goes_by_the_great_circle(void **state)
     struct pp_median by_latitude = at(52.2, NAN);
     assert_non_null(strstr(by_latitude.how, "Warsaw, the capital nearest in latitude"));
     assert_near(by_latitude.lux, 14700.0, 0.0);
-   
+
     assert_true(isnan(at(64.13, 179.0).lux));
 }
 

@@ -7,7 +7,7 @@
 #include "studies/room_value.h"
 #include "studies/sizing/size.h"
 #include "methods/evaluate.h"
-#include "model/room/room.h"
+#include "model/room/building.h"
 #include "tests/lib/near.h"
 
 /* ---- Rooms ---- */
@@ -34,7 +34,7 @@ static void assert_sound(const struct pp_room *room)
     assert_true(sound);
 }
 
-static struct pp_place place(const struct pp_room *room, int index)
+static struct pp_opening_place place(const struct pp_room *room, int index)
 {
     return pp_room_opening_at(room, index).place;
 }
@@ -167,7 +167,7 @@ static void windows_grow_in_proportion_until_they_meet(void **state)
     assert_near(place(answer.room, 1).width_m, 0.6, 0.002);
     pp_size_answer_clear(&answer);
     answer = find(building, PP_CHANGE_WIDTH, 2, 0.05, area);
-    struct pp_place a = place(answer.room, 0), b = place(answer.room, 1);
+    struct pp_opening_place a = place(answer.room, 0), b = place(answer.room, 1);
     /* Twice as wide both, the sides 1 m apart have met, two thirds of the way of the
      * wider; and then each goes on to its end of the wall. */
     assert_near(a.left_m, 0.0, 1e-9);
@@ -186,12 +186,12 @@ static void what_does_not_change_is_an_obstacle_and_stays_to_the_bit(void **stat
              "<window wall='south' left='2.1' sill='1.7' width='0.7' height='0.6'/>"
              "<window wall='north' left='0.1' sill='0.3' width='0.7' height='0.6'/>"));
     struct pp_size_answer answer = find(building, PP_CHANGE_WIDTH, 1, 0.05, area);
-    struct pp_place a = place(answer.room, 0);
+    struct pp_opening_place a = place(answer.room, 0);
     assert_near(a.left_m, 0.0, 1e-9);
     assert_near(a.width_m, 2.1, 1e-9);
     for (int i = 1; i < 3; i++) {
-        struct pp_place was = place(pp_building_room(building, 0), i);
-        struct pp_place is = place(answer.room, i);
+        struct pp_opening_place was = place(pp_building_room(building, 0), i);
+        struct pp_opening_place is = place(answer.room, i);
         assert_memory_equal(&was, &is, sizeof is);
     }
     pp_size_answer_clear(&answer);
@@ -404,12 +404,12 @@ static void windows_that_are_not_alike_have_no_number(void **state)
 
 /* ---- Steps ---- */
 
-static double low_edge(struct pp_place p, enum pp_size_change change)
+static double low_edge(struct pp_opening_place p, enum pp_size_change change)
 {
     return change == PP_CHANGE_WIDTH ? p.left_m : p.sill_m;
 }
 
-static double high_edge(struct pp_place p, enum pp_size_change change)
+static double high_edge(struct pp_opening_place p, enum pp_size_change change)
 {
     return change == PP_CHANGE_WIDTH ? p.left_m + p.width_m : p.sill_m + p.height_m;
 }
@@ -432,7 +432,7 @@ static void check_steps(const char *xml, enum pp_size_change change, int count)
         if (step % 10 == 0 || step == last)
             assert_sound(larger);
         for (int i = 0; i < count && smaller; i++) {
-            struct pp_place a = place(smaller, i), b = place(larger, i);
+            struct pp_opening_place a = place(smaller, i), b = place(larger, i);
             assert_true(low_edge(b, change) <= low_edge(a, change));
             assert_true(high_edge(b, change) >= high_edge(a, change) - 1e-12);
         }
@@ -445,7 +445,7 @@ static void check_steps(const char *xml, enum pp_size_change change, int count)
     assert_int_equal(
         pp_window_sizes_room(&now, sizes, pp_window_sizes_now(sizes), &err), PP_OK);
     for (int i = 0; i < count; i++) {
-        struct pp_place was = place(room, i), is = place(now, i);
+        struct pp_opening_place was = place(room, i), is = place(now, i);
         assert_memory_equal(&was, &is, sizeof is);
     }
     pp_room_destroy(now);
@@ -584,7 +584,7 @@ static void counting_methods_have_the_smallest_window_that_is_not_below(void **s
         assert_int_equal(pp_size_find(&answer, &task, NULL), PP_OK);
         assert_int_equal(answer.verdict, PP_SIZE_REACHED);
         assert_true(told(answer.room, methods[i], &point) >= 0.0213);
-        struct pp_place smaller = place(answer.room, 0);
+        struct pp_opening_place smaller = place(answer.room, 0);
         smaller.height_m -= 0.001;
         pp_room_set_place(answer.room, 0, smaller);
         assert_true(told(answer.room, methods[i], &point) < 0.0213);

@@ -14,9 +14,9 @@ static struct pp_region region_of(const double (*xy)[2], int count)
 {
     struct pp_clipper *clipper;
     struct pp_region region;
-    assert_int_equal(pp_clipper_create(&clipper, 0), PP_OK);
+    assert_int_equal(pp_region_clipper_create(&clipper, 0), PP_OK);
     assert_int_equal(pp_region_of_ring(clipper, &region, xy, count, 0), PP_OK);
-    pp_clipper_destroy(clipper);
+    pp_region_clipper_destroy(clipper);
     return region;
 }
 
@@ -26,11 +26,11 @@ static struct pp_region with_hole(const double (*xy)[2], int count,
 {
     struct pp_clipper *clipper;
     struct pp_region whole = region_of(xy, count), less = region_of(hole, 4), region;
-    assert_int_equal(pp_clipper_create(&clipper, 0), PP_OK);
+    assert_int_equal(pp_region_clipper_create(&clipper, 0), PP_OK);
     assert_int_equal(pp_region_difference(clipper, &region, &whole, &less, 0), PP_OK);
-    pp_clipper_destroy(clipper);
-    pp_region_destroy(&whole);
-    pp_region_destroy(&less);
+    pp_region_clipper_destroy(clipper);
+    pp_region_clear(&whole);
+    pp_region_clear(&less);
     return region;
 }
 
@@ -68,9 +68,10 @@ static void level_of_a_dome_is_a_circle_that_is_closed_and_turns_left(void **sta
     (void)state;
     struct pp_region region = region_of(oblong, 4);
     struct pp_field *field = field_of(&region, dome);
-    struct pp_curves curves = {0};
+    struct pp_curve_list curves = {0};
     double radius = 1.37;
-    assert_int_equal(pp_field_contour(field, 1.0 - radius * radius, &curves, 0), PP_OK);
+    assert_int_equal(pp_contour_curves(field, 1.0 - radius * radius, &curves, 0),
+                     PP_OK);
     assert_int_equal(curves.count, 1);
     const struct pp_curve *circle = &curves.list[0];
     assert_true(circle->closed);
@@ -85,9 +86,9 @@ static void level_of_a_dome_is_a_circle_that_is_closed_and_turns_left(void **sta
     assert_near(signed_area(circle), M_PI * radius * radius,
                 2.0 * M_PI * radius * TOLERANCE);
     assert_near(pp_curve_length(circle), 2.0 * M_PI * radius, 5e-3);
-    pp_curves_clear(&curves);
+    pp_curve_list_clear(&curves);
     pp_field_destroy(field);
-    pp_region_destroy(&region);
+    pp_region_clear(&region);
 }
 
 static void circles_far_smaller_than_the_figure_are_found(void **state)
@@ -95,14 +96,14 @@ static void circles_far_smaller_than_the_figure_are_found(void **state)
     (void)state;
     struct pp_region region = region_of(oblong, 4);
     struct pp_field *field = field_of(&region, dome);
-    struct pp_curves curves = {0};
-    assert_int_equal(pp_field_contour(field, 1.0 - 0.15 * 0.15, &curves, 0), PP_OK);
+    struct pp_curve_list curves = {0};
+    assert_int_equal(pp_contour_curves(field, 1.0 - 0.15 * 0.15, &curves, 0), PP_OK);
     assert_int_equal(curves.count, 1);
     assert_near(signed_area(&curves.list[0]), M_PI * 0.15 * 0.15,
                 2.0 * M_PI * 0.15 * TOLERANCE);
-    pp_curves_clear(&curves);
+    pp_curve_list_clear(&curves);
     pp_field_destroy(field);
-    pp_region_destroy(&region);
+    pp_region_clear(&region);
 }
 
 static enum pp_status slanting_ellipse(void *context, double x, double y, double *value,
@@ -120,8 +121,8 @@ static void level_of_a_valley_is_an_ellipse_that_turns_right(void **state)
     (void)state;
     struct pp_region region = region_of(oblong, 4);
     struct pp_field *field = field_of(&region, slanting_ellipse);
-    struct pp_curves curves = {0};
-    assert_int_equal(pp_field_contour(field, 1.0, &curves, 0), PP_OK);
+    struct pp_curve_list curves = {0};
+    assert_int_equal(pp_contour_curves(field, 1.0, &curves, 0), PP_OK);
     assert_int_equal(curves.count, 1);
     assert_true(curves.list[0].closed);
     /* Its circumference is 9.06 m; lower is inside. */
@@ -133,9 +134,9 @@ static void level_of_a_valley_is_an_ellipse_that_turns_right(void **state)
                          0);
         assert_near(value, 1.0, 2.0 / 0.45 * TOLERANCE);
     }
-    pp_curves_clear(&curves);
+    pp_curve_list_clear(&curves);
     pp_field_destroy(field);
-    pp_region_destroy(&region);
+    pp_region_clear(&region);
 }
 
 /* Rises along (1, 0.3). */
@@ -152,18 +153,18 @@ static void a_straight_level_line_is_cut_by_the_edges_of_an_l_shape(void **state
     (void)state;
     struct pp_region region = region_of(l_shape, 6);
     struct pp_field *field = field_of(&region, ramp);
-    struct pp_curves curves = {0};
+    struct pp_curve_list curves = {0};
     /* x + 0.3 y = 2.95 runs through the foot from (2.95, 0) to (2.32, 2.1), where x is
      * under 2.4, and on in the stem until (1.39, 5.2). */
-    assert_int_equal(pp_field_contour(field, 2.95, &curves, 0), PP_OK);
+    assert_int_equal(pp_contour_curves(field, 2.95, &curves, 0), PP_OK);
     assert_int_equal(curves.count, 1);
     assert_false(curves.list[0].closed);
     assert_near(pp_curve_length(&curves.list[0]), hypot(5.2, 0.3 * 5.2), TOLERANCE);
-    pp_curves_clear(&curves);
+    pp_curve_list_clear(&curves);
 
     /* 3.2 leaves the foot at (2.57, 2.1) and comes back into the stem at (2.4, 2.667).
      */
-    assert_int_equal(pp_field_contour(field, 3.2, &curves, 0), PP_OK);
+    assert_int_equal(pp_contour_curves(field, 3.2, &curves, 0), PP_OK);
     assert_int_equal(curves.count, 2);
     for (int i = 0; i < 2; i++) {
         const struct pp_curve *line = &curves.list[i];
@@ -177,9 +178,9 @@ static void a_straight_level_line_is_cut_by_the_edges_of_an_l_shape(void **state
         assert_near(last[0], foot ? 3.2 : 2.4, TOLERANCE);
         assert_near(last[1], foot ? 0.0 : 8.0 / 3.0, 4.0 * TOLERANCE);
     }
-    pp_curves_clear(&curves);
+    pp_curve_list_clear(&curves);
     pp_field_destroy(field);
-    pp_region_destroy(&region);
+    pp_region_clear(&region);
 }
 
 /* 0 or 1, without anything between, round a slanting line. */
@@ -196,27 +197,27 @@ static void a_step_is_followed_where_it_jumps(void **state)
     (void)state;
     struct pp_region region = region_of(oblong, 4);
     struct pp_field *field = field_of(&region, step);
-    struct pp_curves curves = {0};
-    assert_int_equal(pp_field_contour(field, 1e-9, &curves, 0), PP_OK);
+    struct pp_curve_list curves = {0};
+    assert_int_equal(pp_contour_curves(field, 1e-9, &curves, 0), PP_OK);
     assert_int_equal(curves.count, 1);
     for (int i = 0; i < curves.list[0].count; i++)
         assert_near(curves.list[0].xy[i][0] - 0.4 * curves.list[0].xy[i][1], 1.83,
                     hypot(1.0, 0.4) * TOLERANCE);
-    pp_curves_clear(&curves);
+    pp_curve_list_clear(&curves);
     pp_field_destroy(field);
-    pp_region_destroy(&region);
+    pp_region_clear(&region);
 }
 
 static double area_below(struct pp_field *field, double level)
 {
-    struct pp_curves outlines = {0};
-    assert_int_equal(pp_field_below(field, level, &outlines, 0), PP_OK);
+    struct pp_curve_list outlines = {0};
+    assert_int_equal(pp_contour_below(field, level, &outlines, 0), PP_OK);
     double area = 0.0;
     for (int i = 0; i < outlines.count; i++) {
         assert_true(outlines.list[i].closed);
         area += signed_area(&outlines.list[i]);
     }
-    pp_curves_clear(&outlines);
+    pp_curve_list_clear(&outlines);
     return area;
 }
 
@@ -237,7 +238,7 @@ static void what_lies_below_a_level_has_the_area_that_geometry_gives(void **stat
     assert_near(area_below(field, 3.2), 0.5 * (3.2 + 2.57) * 2.1 + stem,
                 5.0 * TOLERANCE);
     pp_field_destroy(field);
-    pp_region_destroy(&region);
+    pp_region_clear(&region);
 }
 
 static void a_hole_in_the_figure_is_kept_out(void **state)
@@ -254,17 +255,17 @@ static void a_hole_in_the_figure_is_kept_out(void **state)
     } rows[] = {{0.5, 0}, {0.8, 2}, {1.6, 1}};
     for (int i = 0; i < 3; i++) {
         double radius = rows[i].radius;
-        struct pp_curves curves = {0};
-        assert_int_equal(pp_field_contour(field, 1.0 - radius * radius, &curves, 0),
+        struct pp_curve_list curves = {0};
+        assert_int_equal(pp_contour_curves(field, 1.0 - radius * radius, &curves, 0),
                          PP_OK);
         assert_int_equal(curves.count, rows[i].count);
-        pp_curves_clear(&curves);
+        pp_curve_list_clear(&curves);
     }
     /* All but the ring between the circle of 1.6 and the hole lies lower than it. */
     assert_near(area_below(field, 1.0 - 1.6 * 1.6), 5.6 * 4.3 - M_PI * 1.6 * 1.6,
                 2.0 * M_PI * 1.6 * TOLERANCE);
     pp_field_destroy(field);
-    pp_region_destroy(&region);
+    pp_region_clear(&region);
 }
 
 static void no_function_value_is_asked_for_twice_as_often_as_needed(void **state)
@@ -272,7 +273,7 @@ static void no_function_value_is_asked_for_twice_as_often_as_needed(void **state
     (void)state;
     struct pp_region region = region_of(oblong, 4);
     struct pp_field *field = field_of(&region, dome);
-    struct pp_curves curves = {0};
+    struct pp_curve_list curves = {0};
     double low, low_xy[2], high, high_xy[2];
     pp_field_range(field, &low, low_xy, &high, high_xy);
     assert_near(high, 1.0, 0.2);
@@ -281,12 +282,13 @@ static void no_function_value_is_asked_for_twice_as_often_as_needed(void **state
     /* Six levels of a smooth function, some 50 m of curve, must come cheap: exact's
      * take up to 0.1 ms each and a plan is to be there within a second. */
     for (int i = 1; i <= 6; i++)
-        assert_int_equal(pp_field_contour(field, 1.0 - 0.1 * i * i, &curves, 0), PP_OK);
+        assert_int_equal(pp_contour_curves(field, 1.0 - 0.1 * i * i, &curves, 0),
+                         PP_OK);
     assert_true(before < 4000);
     assert_true(pp_field_evaluations(field) - before < 8000);
-    pp_curves_clear(&curves);
+    pp_curve_list_clear(&curves);
     pp_field_destroy(field);
-    pp_region_destroy(&region);
+    pp_region_clear(&region);
 }
 
 static enum pp_status fails_in_the_east(void *context, double x, double y,
@@ -315,7 +317,7 @@ static void a_failure_of_the_function_is_handed_on(void **state)
                      PP_BAD_INPUT);
     assert_int_equal(pp_field_create(&field, &region, ramp, 0, 0.0, &err),
                      PP_BAD_INPUT);
-    pp_region_destroy(&region);
+    pp_region_clear(&region);
 }
 
 int main(void)

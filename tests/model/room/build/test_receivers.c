@@ -68,7 +68,7 @@ static void the_default_grid_is_half_a_metre_inside_half_a_metre(void **state)
     for (int i = 0; i < plain->receiver_count; i++) {
         struct pp_vec3 a = plain->receivers[i].position,
                        b = asked->receivers[i].position;
-        assert_near(pp_length(pp_sub(a, b)), 0.0, 0.0);
+        assert_near(pp_vec_length(pp_vec_sub(a, b)), 0.0, 0.0);
     }
     pp_world_destroy(asked);
     pp_world_destroy(plain);
@@ -94,7 +94,7 @@ static void a_grid_keeps_its_margin_round_a_corner(void **state)
     for (int i = 0; i < world->receiver_count; i++) {
         struct pp_vec3 p = world->receivers[i].position;
         assert_true(pp_region_edge_distance(&world->plane, p.x, p.y) > 0.6 - 1e-6);
-        assert_null(pp_world_receiver_fault(world, p, pp_vec(0.0, 0.0, 1.0)));
+        assert_null(pp_position_receiver_fault(world, p, pp_vec(0.0, 0.0, 1.0)));
     }
     pp_world_destroy(world);
 }
@@ -206,7 +206,7 @@ static void a_place_is_refused_for_what_is_there(void **state)
     };
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         const char *fault =
-            pp_world_receiver_fault(world, cases[i].at, cases[i].normal);
+            pp_position_receiver_fault(world, cases[i].at, cases[i].normal);
         if (!cases[i].fault)
             assert_null(fault);
         else if (cases[i].fault[0])
@@ -217,11 +217,10 @@ static void a_place_is_refused_for_what_is_there(void **state)
 
     struct pp_receiver receiver;
     struct pp_error err = {0};
-    assert_int_equal(pp_world_place_receiver(world, 1.5, 1.0, NAN, &receiver, &err),
-                     PP_OK);
+    assert_int_equal(pp_receivers_place(world, 1.5, 1.0, NAN, &receiver, &err), PP_OK);
     assert_near(receiver.position.z, 0.85, 0.0);
     assert_near(receiver.normal.z, 1.0, 0.0);
-    assert_int_equal(pp_world_place_receiver(world, 1.5, 4.5, NAN, &receiver, &err),
+    assert_int_equal(pp_receivers_place(world, 1.5, 4.5, NAN, &receiver, &err),
                      PP_BAD_INPUT);
     assert_string_equal(err.message,
                         "the point (1.5, 4.5, 0.85) lies outside the room");

@@ -203,8 +203,8 @@ static void an_envelope_is_one_room_and_what_stands_in_it(void **state)
         }
         struct pp_world *world = pp_test_world(xml);
         assert_near(pp_region_area(&world->plane), 5.0 * 4.0 - 0.16, 1e-12);
-        assert_false(pp_world_contains(world, pp_vec(2.2, 2.2, 1.0)));
-        assert_true(pp_world_contains(world, pp_vec(2.2, 2.2, 2.6)));
+        assert_false(pp_position_in_room(world, pp_vec(2.2, 2.2, 1.0)));
+        assert_true(pp_position_in_room(world, pp_vec(2.2, 2.2, 2.6)));
         pp_world_destroy(world);
     }
 }

@@ -11,9 +11,9 @@
 #include <time.h>
 #include <unistd.h>
 
-#include "model/room/room.h"
+#include "model/room/building.h"
 #include "model/room/room_parts.h"
-#include "model/room/read/xml_input.h"
+#include "model/room/read/xml.h"
 #include "tests/lib/near.h"
 
 #define PLAN "<plan width='4.2' depth='5.3' height='2.7'/>"

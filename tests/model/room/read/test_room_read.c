@@ -1,5 +1,5 @@
 /* test_room_read.c - every element and attribute of a room file in its right place. */
-#include "model/room/room.h"
+#include "model/room/building.h"
 
 #include <stdio.h>
 #include <stdlib.h>

@@ -10,10 +10,10 @@
 #include <stdlib.h>
 #include <unistd.h>
 
-#include "model/room/allowance_words.h"
+#include "model/room/corrections.h"
 #include "model/light/finishes.h"
 #include "model/light/glazings.h"
-#include "model/room/room.h"
+#include "model/room/building.h"
 #include "tests/lib/near.h"
 
 static void source_path(char *path, size_t size, const char *name)
@@ -204,10 +204,10 @@ static void schema_and_reader_know_the_same_names(void **state)
     struct schema schema;
     load_schema(&schema);
     schema_and_reader_agree(&schema, window, "none", true);
-    for (int i = 0; i < pp_glazing_count(); i++)
-        schema_and_reader_agree(&schema, window, pp_glazing_at(i)->name, true);
-    for (int i = 0; i < pp_finish_count(); i++)
-        schema_and_reader_agree(&schema, finish, pp_finish_at(i)->name, true);
+    for (int i = 0; i < pp_glazings_count(); i++)
+        schema_and_reader_agree(&schema, window, pp_glazings_at(i)->name, true);
+    for (int i = 0; i < pp_finishes_count(); i++)
+        schema_and_reader_agree(&schema, finish, pp_finishes_at(i)->name, true);
     static const char frame[] = ROOM("<window wall='south' left='0.9' sill='0.8' "
                                      "width='2.4' height='1.5' frame-factor='%s'/>");
     static const char curtains[] = ROOM("<window wall='south' left='0.9' sill='0.8' "

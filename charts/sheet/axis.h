@@ -1,0 +1,57 @@
+/* axis.h - straight axes with round ticks: linear, or logarithmic by 1, 2, 5.
+ */
+#ifndef PP_CHARTS_SHEET_AXIS_H
+#define PP_CHARTS_SHEET_AXIS_H
+
+#include <stdbool.h>
+
+#include "charts/sheet/style.h"
+#include "charts/sheet/lettering.h"
+
+enum { PP_TICKS_MOST = 64 };
+
+/* From values to places on paper; from > to turns it round (upwards, on paper). */
+struct pp_axis {
+    double low, high; /* values at its ends, low < high */
+    double from, to;  /* their places, mm */
+    bool logarithmic; /* then low > 0 */
+    int tick_count;
+    double ticks[PP_TICKS_MOST]; /* ascending, within low ... high */
+    int decimals;                /* of their labels; -1: as short as can be */
+};
+
+/* A linear axis over low ... high, its ends moved outwards to ticks where `round`;
+ * ticks at least apart_mm from each other. low < high; both finite. */
+struct pp_axis pp_axis_linear(double low, double high, double from, double to,
+                              double apart_mm, bool round);
+
+/* A logarithmic one, its ends moved outwards to ticks; 0 < low < high. */
+struct pp_axis pp_axis_log(double low, double high, double from, double to,
+                           double apart_mm);
+
+/* Where a value is, mm; values outside fall outside. Of a logarithmic axis, values of 0
+ * or less are at its low end. */
+double pp_axis_at(const struct pp_axis *axis, double value);
+
+/* A tick's label. */
+void pp_axis_label(const struct pp_axis *axis, int tick, char *text, size_t room);
+
+/* Draws a horizontal axis with its ticks below y, or an upright one with ticks left of
+ * x. Returns how far labels reach out from the line. Labels that would meet the one
+ * before are left out. */
+double pp_axis_draw_across(cairo_t *cr, const struct pp_style *style,
+                           const struct pp_axis *axis, double y);
+double pp_axis_draw_up(cairo_t *cr, const struct pp_style *style,
+                       const struct pp_axis *axis, double x);
+
+/* How far the labels of an upright axis will reach out. */
+double pp_axis_reach(cairo_t *cr, const struct pp_style *style,
+                     const struct pp_axis *axis);
+
+/* Lines across the other axis' whole length, at the ticks. */
+void pp_axis_grid_across(cairo_t *cr, const struct pp_style *style,
+                         const struct pp_axis *up, double left, double right);
+void pp_axis_grid_up(cairo_t *cr, const struct pp_style *style,
+                     const struct pp_axis *across, double top, double bottom);
+
+#endif

@@ -1,0 +1,59 @@
+#include "cli/message.h"
+
+#include <stdarg.h>
+#include <stdio.h>
+
+#include "cli/print/format.h"
+
+static void put_line(const char *before, const char *message)
+{
+    fputs(before, stderr);
+    pp_format_utf8_put(stderr, message);
+    fputc('\n', stderr);
+}
+
+enum pp_exit pp_message_error(const struct pp_error *err)
+{
+    put_line("pepperpot: ", err->message);
+    return pp_exit_status_of(err->status);
+}
+
+enum pp_exit pp_message_usage(const char *command, const struct pp_error *err)
+{
+    fprintf(stderr, "pepperpot %s: ", command);
+    put_line("", err->message);
+    fprintf(stderr, "Try: pepperpot %s --help\n", command);
+    return PP_EXIT_USAGE;
+}
+
+void pp_message(const char *format, ...)
+{
+    char message[sizeof((struct pp_error *)0)->message];
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(message, sizeof message, format, arguments);
+    va_end(arguments);
+    put_line("pepperpot: ", message);
+}
+
+enum pp_exit pp_message_mistakes(struct pp_mistakes *mistakes)
+{
+    pp_mistakes_sort(mistakes);
+    for (int i = 0; i < mistakes->count; i++) {
+        pp_format_utf8_put(stderr, mistakes->file);
+        if (mistakes->list[i].line > 0)
+            fprintf(stderr, ":%d", mistakes->list[i].line);
+        put_line(": ", mistakes->list[i].text);
+    }
+    if (mistakes->truncated) {
+        pp_format_utf8_put(stderr, mistakes->file);
+        fputs(": there are more mistakes than can be shown\n", stderr);
+    }
+    return PP_EXIT_INPUT;
+}
+
+enum pp_exit pp_message_unfinished(void)
+{
+    pp_message("interrupted; what was reached so far is marked as not finished");
+    return PP_EXIT_INTERRUPTED;
+}

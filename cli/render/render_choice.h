@@ -1,0 +1,126 @@
+/* render_choice.h - what the command render is asked for. */
+#ifndef PP_CLI_RENDER_RENDER_CHOICE_H
+#define PP_CLI_RENDER_RENDER_CHOICE_H
+
+#include <stdbool.h>
+
+#include "charts/sheet/canvas.h"
+#include "cli/render/cache_choice.h"
+#include "cli/room_options.h"
+#include "cli/chart/sheet_options.h"
+#include "formats/pictures/picture_hdr.h"
+#include "model/pictures/quantity.h"
+#include "model/pictures/tone.h"
+#include "simulate/render/render.h"
+
+enum pp_view_choice {
+    PP_CHOOSE_PERSPECTIVE,
+    PP_CHOOSE_PARALLEL,
+    PP_CHOOSE_PLAN,
+    PP_CHOOSE_SECTION,
+    PP_CHOOSE_HEMISPHERICAL,
+    PP_CHOOSE_ANGULAR,
+};
+
+/* "X,Y" or "X,Y,Z" as typed. */
+struct pp_coordinates {
+    int count; /* 0: not typed, 2 or 3 */
+    struct pp_vec3 is;
+};
+
+enum { PP_LEVELS_MOST = 32 };
+
+struct pp_levels {
+    int count;
+    double list[PP_LEVELS_MOST]; /* ascending, above 0, in the quantity's unit */
+};
+
+struct pp_exposure {
+    enum pp_tone_way way;
+    double white; /* by hand: in the quantity's unit */
+    bool said;
+};
+
+struct pp_picture_size {
+    int width, height; /* 0: not said */
+};
+
+struct pp_quantity_choice {
+    bool said;
+    enum pp_quantity is;
+};
+
+struct pp_paper_choice {
+    bool said;
+    enum pp_paper is;
+};
+
+/* How light through windows is hunted. */
+enum pp_window_light {
+    PP_WINDOWS_STORED, /* aimed at; what surfaces outside send in is worked out once */
+    PP_WINDOWS_AIMED,  /* aimed at, and followed along each path */
+    PP_WINDOWS_CHANCE, /* found by the rays that spread */
+};
+
+struct pp_render_choice {
+    enum pp_view_choice view;
+    struct pp_coordinates from, towards, direction, up;
+    double angle_deg; /* 0: not said */
+    double across_m;  /* 0: not said */
+    struct pp_picture_size size;
+
+    struct pp_quantity_choice quantity;
+    enum pp_pixel_filter filter;
+    int samples; /* 0: not said, until checked */
+    bool paths;  /* by paths alone, not through a cache */
+    enum pp_window_light windows;
+    struct pp_cache_choice cache;
+    const char *checkpoint;
+
+    struct pp_exposure exposure;
+    bool false_colour;
+    struct pp_levels range, levels; /* range: none or two */
+    bool linear, no_contours;
+    bool records; /* the cache's, marked on a sheet */
+    bool grid;    /* altitudes and bearings over a fisheye */
+
+    const char *format; /* as typed; NULL: by the file's name */
+    struct pp_paper_choice paper;
+    enum pp_orientation orientation;
+    double dpi; /* 0: not said */
+    const char *from_picture;
+};
+
+/* Nothing asked for; to be cleared. */
+struct pp_render_choice pp_render_choice_default(void);
+void pp_render_choice_clear(struct pp_render_choice *choice);
+
+/* Lists for struct pp_option_group, with a struct pp_render_choice as values. */
+extern const struct pp_option pp_render_view_options[];
+extern const struct pp_option pp_render_picture_options[];
+extern const struct pp_option pp_render_shown_options[];
+
+enum pp_picture_format {
+    PP_PICTURE_HDR,
+    PP_PICTURE_PFM,
+    PP_PICTURE_PNG,
+    PP_PICTURE_PDF,
+    PP_PICTURE_SVG,
+};
+
+/* Do the options make sense together, with so many room files (an illuminance outside of
+ * 0: not said)? Settles the samples and what is of the cache. */
+enum pp_status pp_render_choice_check(struct pp_render_choice *choice,
+                                      const struct pp_room_options *options,
+                                      int file_count, struct pp_error *err);
+
+/* By --format, or by the ending of the output's name (NULL: standard output). */
+enum pp_status pp_render_choice_format(enum pp_picture_format *format,
+                                       const struct pp_render_choice *choice,
+                                       const char *path, struct pp_error *err);
+
+/* Is it laid out on a sheet, or shown pixel for pixel? */
+bool pp_render_choice_on_sheet(const struct pp_render_choice *choice,
+                               enum pp_picture_format format);
+
+#endif

@@ -1,0 +1,39 @@
+/* method.c - the hand methods, in the order in which results show them. */
+#include "methods/method_entries.h"
+
+#include <stddef.h>
+#include <string.h>
+
+/* clang-format off */
+const struct pp_method *const pp_methods[] = {
+    &pp_method_exact,
+    &pp_method_brs_table,
+    &pp_method_waldram,
+    &pp_method_pepper_pot,
+    &pp_method_protractor,
+    &pp_method_bre,
+    &pp_method_bre_min,
+    &pp_method_bre_table,
+    &pp_method_split_flux,
+    &pp_method_sphere,
+    &pp_method_nomogram,
+    &pp_method_average_df,
+    &pp_method_average_df_lynes,
+    &pp_method_lumen,
+    &pp_method_lumen_one,
+    NULL,
+};
+/* clang-format on */
+
+const struct pp_method *pp_method_at(int index)
+{
+    return pp_methods[index];
+}
+
+const struct pp_method *pp_method_find(const char *name)
+{
+    for (int i = 0; pp_methods[i]; i++)
+        if (strcmp(pp_methods[i]->name, name) == 0)
+            return pp_methods[i];
+    return NULL;
+}

@@ -1,0 +1,169 @@
+/* environment.c - see environment.h. */
+#include "methods/view/exterior.h"
+
+#include <stdlib.h>
+
+#include "methods/exact/direct.h"
+#include "methods/view/occluders.h"
+#include "methods/exact/solid_angle.h"
+#include "methods/view/visible.h"
+
+/* Does any surface but the plane's own, and no reveal, reach beyond the plane? */
+static bool has_surface_beyond(const struct pp_world *world, struct pp_vec3 position,
+                               struct pp_vec3 normal, int face)
+{
+    for (int i = 0; i < world->surface_count; i++) {
+        const struct pp_surface *surface = &world->surfaces[i];
+        if (i == face || surface->role == PP_REVEAL)
+            continue;
+        for (int k = 0; k < surface->outline.count; k++)
+            if (pp_vec_dot(pp_vec_sub(surface->outline.vertices[k], position), normal)
+                > PP_OCCLUDERS_COPLANAR_M)
+                return true;
+    }
+    return false;
+}
+
+bool pp_exterior_is_uniform(const struct pp_world *world,
+                            const struct pp_opening *opening)
+{
+    for (int i = 0; i < world->skyline_count; i++)
+        if (world->skylines[i].face == opening->face
+            && !isinf(world->skylines[i].distance_m))
+            return false;
+    return !has_surface_beyond(world, opening->outer.vertices[0],
+                               pp_vec_scale(opening->inner.normal, -1.0),
+                               opening->face);
+}
+
+/* Two directions that make up a right-handed frame with n. */
+static void frame_of(struct pp_vec3 n, struct pp_vec3 *a, struct pp_vec3 *b)
+{
+    struct pp_vec3 level = {-n.y, n.x, 0.0};
+    *a = hypot(n.x, n.y) > 1e-6 ? pp_vec_unit(level) : pp_vec(1.0, 0.0, 0.0);
+    *b = pp_vec_unit(pp_vec_cross(n, *a));
+    *a = pp_vec_cross(*b, n);
+}
+
+enum pp_status pp_exterior_light_on_plane(struct pp_exterior_light *outside,
+                                          const struct pp_world *world,
+                                          const struct pp_sky *sky,
+                                          struct pp_vec3 position,
+                                          struct pp_vec3 normal, int face,
+                                          struct pp_error *err)
+{
+    bool hidden = has_surface_beyond(world, position, normal, face);
+    for (int i = 0; i < world->skyline_count; i++)
+        hidden = hidden || (face >= 0 && world->skylines[i].face == face);
+    if (!hidden) {
+        *outside = (struct pp_exterior_light){pp_sky_on_plane(sky, normal),
+                                              world->ground_reflectance
+                                                  * (1.0 - normal.z) / 2.0};
+        return PP_OK;
+    }
+
+    /* Half a cube about the position: the face ahead and half of each beside it. */
+    struct pp_vec3 a, b;
+    frame_of(normal, &a, &b);
+    struct pp_vec3 toward[5] = {normal, a, pp_vec_scale(a, -1.0), b,
+                                pp_vec_scale(b, -1.0)};
+    struct pp_direct sum = {0};
+    struct pp_glass none = pp_glass_none();
+    for (int i = 0; i < 5; i++) {
+        struct pp_vec3 up = i == 0 ? b : normal;
+        struct pp_projection view = {position, pp_vec_cross(toward[i], up), up,
+                                     toward[i], 1.0};
+        double low[2] = {-1.0, i == 0 ? -1.0 : 0.0}, high[2] = {1.0, 1.0};
+        struct pp_visible visible;
+        enum pp_status status =
+            pp_visible_in_air(&visible, world, &view, low, high, face, err);
+        if (status != PP_OK)
+            return status;
+        status = pp_direct_add(&sum, &visible, normal, &none, world, sky, err);
+        pp_visible_clear(&visible);
+        if (status != PP_OK)
+            return status;
+    }
+    *outside = (struct pp_exterior_light){sum.sky, sum.external};
+    return PP_OK;
+}
+
+struct pp_vec3 pp_exterior_opening_centroid(const struct pp_opening *opening)
+{
+    const struct pp_polygon *outline = &opening->outer;
+    const struct pp_vec3 *v = outline->vertices;
+    struct pp_vec3 sum = {0.0, 0.0, 0.0};
+    double area = 0.0;
+    for (int i = 2; i < outline->count; i++) {
+        double part =
+            pp_vec_dot(pp_vec_cross(pp_vec_sub(v[i - 1], v[0]), pp_vec_sub(v[i], v[0])),
+                       outline->normal);
+        struct pp_vec3 middle =
+            pp_vec_add(pp_vec_sub(v[i - 1], v[0]), pp_vec_sub(v[i], v[0]));
+        sum = pp_vec_along(sum, part / 3.0, middle);
+        area += part;
+    }
+    return pp_vec_along(v[0], 1.0 / area, sum);
+}
+
+enum pp_status pp_exterior_sky_on_plane(double *share, const struct pp_world *world,
+                                        const struct pp_opening *opening,
+                                        struct pp_vec3 normal, const struct pp_sky *sky,
+                                        struct pp_error *err)
+{
+    struct pp_exterior_light outside;
+    enum pp_status status = pp_exterior_light_on_plane(
+        &outside, world, sky, pp_exterior_opening_centroid(opening), normal,
+        opening->face, err);
+    if (status == PP_OK)
+        *share = outside.sky;
+    return status;
+}
+
+enum pp_status pp_exterior_visible_part(struct pp_region *region,
+                                        const struct pp_world *world,
+                                        const struct pp_opening *opening,
+                                        struct pp_vec3 position, struct pp_error *err)
+{
+    struct pp_visible visible;
+    *region = (struct pp_region){0};
+    enum pp_status status = pp_visible_opening(&visible, world, opening, position, err);
+    if (status != PP_OK || visible.patch_count == 0)
+        return status;
+    status = pp_region_copy(region, &visible.patches[0].region, err);
+    for (int r = 0; r < region->count; r++)
+        for (int i = 0; i < region->rings[r].count; i++)
+            for (int axis = 0; axis < 2; axis++)
+                region->rings[r].xy[i][axis] /= visible.view.distance_m;
+    pp_visible_clear(&visible);
+    return status;
+}
+
+enum pp_status pp_exterior_sky_solid_angle(double *solid_angle,
+                                           const struct pp_world *world,
+                                           struct pp_vec3 eye, struct pp_error *err)
+{
+    const struct pp_vec3 zenith = {0.0, 0.0, 1.0};
+    *solid_angle = 0.0;
+    for (int i = 0; i < world->opening_count; i++) {
+        const struct pp_opening *opening = &world->openings[i];
+        if (opening->glass.diffusing)
+            continue;
+        struct pp_visible visible;
+        enum pp_status status = pp_visible_through(&visible, world, opening, eye, err);
+        if (status != PP_OK)
+            return status;
+        for (int k = 0; k < visible.patch_count && status == PP_OK; k++) {
+            struct pp_moments moments;
+            if (visible.patches[k].hidden)
+                continue;
+            status = pp_direct_moments(&moments, &visible, &visible.patches[k], zenith,
+                                       &zenith, 1, err);
+            *solid_angle += moments.omega;
+        }
+        pp_visible_clear(&visible);
+        if (status != PP_OK)
+            return status;
+    }
+    return PP_OK;
+}

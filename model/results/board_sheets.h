@@ -1,0 +1,135 @@
+/* board_sheets.h - what sheets of the drawing board show: the windows seen from a point,
+ * and what is counted of them, on Waldram's and on the pepper-pot diagram. */
+#ifndef PP_MODEL_RESULTS_BOARD_SHEETS_H
+#define PP_MODEL_RESULTS_BOARD_SHEETS_H
+
+#include <stdbool.h>
+
+#include "model/geometry/curve.h"
+#include "model/geometry/region.h"
+#include "model/light/sky.h"
+
+/* board_sheets.h - the windows on a diagram of the drawing board, and what was counted
+ * of them.
+ */
+
+/* A square as it was counted. */
+struct pp_counted_square {
+    int column, row; /* its lower left corner */
+    int tenths;      /* 0 to 10 */
+};
+
+/* A piece of a window: sky, or something that hides it. */
+struct pp_board_piece {
+    struct pp_region outline; /* in the diagram's own coordinates */
+    bool hidden;
+    double factor;  /* luminance factor of what hides it; 1 for the sky */
+    double counted; /* squares or dots within */
+    int square_count;
+    struct pp_counted_square *squares; /* each of them; NULL of dots */
+};
+
+struct pp_board_window {
+    int line;             /* of the room file */
+    double distance_m;    /* from the point to its plane */
+    double allowance;     /* for its glass, frame and dirt */
+    double sky, external; /* what it gives, fractions of Eh, allowance included */
+    int count;            /* 0: the point sees nothing of it */
+    struct pp_board_piece *pieces;
+};
+
+/* Works out what the window gives of what was counted; worth: of a square or dot, a
+ * fraction of Eh. */
+void pp_board_sheets_window_sum(struct pp_board_window *window, double worth);
+
+/* Adds what the windows give to *sky and *external. */
+void pp_board_sheets_windows_add(const struct pp_board_window *windows, int count,
+                                 double *sky, double *external);
+
+/* Does anything hide a piece of them? */
+bool pp_board_sheets_windows_hidden(const struct pp_board_window *windows, int count);
+
+/* The rectangle around all pieces, joined to the one given. */
+void pp_board_sheets_window_extent(const struct pp_board_window *window, double low[2],
+                                   double high[2]);
+
+void pp_board_sheets_windows_destroy(struct pp_board_window *windows, int count);
+
+/* board_sheets.h - what is to be seen on a sheet of Waldram's diagram, for whoever
+ * draws it.
+ *
+ * All lengths on the diagram are in its squares, x from azimuth 0 (the direction square
+ * to the window), positive to the right, y from the horizon up. A method fills it
+ * (methods/waldram/waldram_sheet_fill.h); a chart draws it (charts/drawing_board/waldram_chart.h).
+ */
+
+/* One diagram, with the windows that face one way. */
+struct pp_waldram_panel {
+    const char *wall;              /* that the windows are in, or NULL; not owned */
+    bool glazed;                   /* with the losses of clear single vertical glass */
+    int low, high;                 /* columns from low to high - 1 are shown */
+    double top;                    /* height of the zenith */
+    double whole;                  /* fraction of Eh from azimuth -90 to 90 degrees */
+    double azimuth[181];           /* x of whole degrees */
+    double altitude[91];           /* y of whole degrees */
+    struct pp_curve_list parallel; /* droop lines of horizontal edges parallel to the
+                                * window; level: altitude square to it, radians */
+    struct pp_curve_list across;   /* of edges perpendicular to it; level: altitude
+                                * that they approach at 90 degrees */
+    int count;
+    struct pp_board_window *windows;
+};
+
+struct pp_waldram_sheet {
+    const char *name; /* the room's, or NULL; not owned */
+    bool blank;       /* no room, no point */
+    struct pp_vec3 point;
+    struct pp_sky sky;
+    double worth; /* of a square, fraction of Eh */
+    int count;
+    struct pp_waldram_panel *panels;
+    double sky_component, external; /* of all windows */
+};
+
+void pp_board_sheets_waldram_clear(struct pp_waldram_sheet *sheet);
+
+/* board_sheets.h - what is to be seen on a sheet of the pepper-pot diagram, for
+ * whoever draws it.
+ *
+ * Places are in the window's plane at unit distance from the eye: (a, b) is seen a to
+ * the right, b up, 1 ahead; on paper they are multiplied by the viewing distance. A
+ * method fills it (methods/pepper_pot/pepper_pot_sheet_fill.h); a chart draws it
+ * (charts/drawing_board/pepper_pot_chart.h).
+ */
+
+struct pp_pepper_pot_dot {
+    double a, b;
+    bool counted; /* in a window */
+};
+
+/* One diagram, with the windows that face one way. */
+struct pp_pepper_pot_panel {
+    const char *wall; /* that the windows are in, or NULL; not owned */
+    bool glazed;      /* with the losses of clear single vertical glass */
+    double whole;     /* all dots' worth together, fraction of Eh */
+    int dot_count;
+    struct pp_pepper_pot_dot *dots;
+    int count;
+    struct pp_board_window *windows;
+};
+
+struct pp_pepper_pot_sheet {
+    const char *name; /* the room's, or NULL; not owned */
+    bool blank;       /* no room, no point */
+    bool upright;     /* is the receiver a vertical plane? else horizontal, face up */
+    struct pp_vec3 point;
+    struct pp_sky sky;
+    double worth; /* of a dot, fraction of Eh */
+    int count;
+    struct pp_pepper_pot_panel *panels;
+    double sky_component, external; /* of all windows */
+};
+
+void pp_board_sheets_pepper_pot_clear(struct pp_pepper_pot_sheet *sheet);
+
+#endif

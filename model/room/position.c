@@ -1,0 +1,139 @@
+/* position.c - is a point in the room, and can one measure there?
+ *
+ * A line straight up from a point in the room meets one ceiling more than floors. Which
+ * faces it meets is decided in plan, half-open at their edges: as neighbours share the
+ * ends of an edge to the bit, the line meets one of the two, never both or none, and
+ * upright faces not at all.
+ */
+#include <stddef.h>
+
+#include "model/geometry/polygon.h"
+#include "model/geometry/tolerance.h"
+#include "model/room/world.h"
+
+/* Does the line through (x, y) pass through the face, seen in plan? */
+static bool is_over_or_under(const struct pp_polygon *face, struct pp_vec3 point)
+{
+    bool inside = false;
+    for (int i = 0; i < face->count; i++) {
+        struct pp_vec3 p = face->vertices[i], q = face->vertices[(i + 1) % face->count];
+        if ((p.y > point.y) == (q.y > point.y))
+            continue;
+        struct pp_vec3 low = p.y < q.y ? p : q, high = p.y < q.y ? q : p;
+        if ((high.x - low.x) * (point.y - low.y) - (point.x - low.x) * (high.y - low.y)
+            > 0.0)
+            inside = !inside;
+    }
+    return inside;
+}
+
+/* Height of the face's plane at the point's x and y, within the face's own heights. */
+static double height_at(const struct pp_polygon *face, struct pp_vec3 point)
+{
+    double low = INFINITY, high = -INFINITY;
+    for (int i = 0; i < face->count; i++) {
+        low = fmin(low, face->vertices[i].z);
+        high = fmax(high, face->vertices[i].z);
+    }
+    struct pp_vec3 n = face->normal, middle = pp_polygon_middle(face);
+    double z =
+        middle.z - (n.x * (point.x - middle.x) + n.y * (point.y - middle.y)) / n.z;
+    return fmin(fmax(z, low), high);
+}
+
+bool pp_position_in_room(const struct pp_world *world, struct pp_vec3 point)
+{
+    int ceilings = 0;
+    for (int i = 0; i < world->face_count; i++) {
+        const struct pp_polygon *face = &world->surfaces[i].outline;
+        if (face->normal.z == 0.0 || !is_over_or_under(face, point)
+            || !(height_at(face, point) > point.z))
+            continue;
+        ceilings += face->normal.z < 0.0 ? 1 : -1;
+    }
+    return ceilings > 0;
+}
+
+bool pp_position_in_surface(const struct pp_world *world, struct pp_vec3 point)
+{
+    for (int i = 0; i < world->surface_count; i++) {
+        const struct pp_polygon *outline = &world->surfaces[i].outline;
+        if (fabs(pp_polygon_height(outline, point)) < PP_TOUCH_M
+            && pp_polygon_side(outline, point, PP_TOUCH_M) != PP_OUTSIDE)
+            return true;
+    }
+    return false;
+}
+
+/* Is the point between the two outlines of an opening, or in its plane? */
+static bool is_in_opening(const struct pp_opening *opening, struct pp_vec3 point)
+{
+    double height = pp_polygon_height(&opening->inner, point);
+    return height < PP_TOUCH_M && height > -opening->reveal_m - PP_TOUCH_M
+           && pp_polygon_side(&opening->inner, point, PP_TOUCH_M) != PP_OUTSIDE;
+}
+
+static bool is_in_block(const struct pp_block *block, struct pp_vec3 point)
+{
+    struct pp_vec3 from = pp_vec_sub(point, block->corner);
+    double c = cos(block->rotate_rad), s = sin(block->rotate_rad);
+    double x = c * from.x + s * from.y, y = c * from.y - s * from.x;
+    return x > -PP_TOUCH_M && x < block->width_m + PP_TOUCH_M && y > -PP_TOUCH_M
+           && y < block->depth_m + PP_TOUCH_M && from.z > -PP_TOUCH_M
+           && from.z < block->height_m + PP_TOUCH_M;
+}
+
+/* What to say of a point on a surface of that role. */
+static const char *fault_on_surface(enum pp_role role)
+{
+    switch (role) {
+    case PP_FLOOR:
+        return "lies in the floor without facing straight up from it";
+    case PP_WALL:
+        return "lies in a wall without facing straight into the room";
+    case PP_CEILING:
+        return "lies in the ceiling without facing straight down from it";
+    case PP_REVEAL:
+        return "lies in an opening";
+    case PP_BLOCK:
+        return "lies in a block";
+    case PP_FREE_SURFACE:
+        break;
+    }
+    return "lies in a surface";
+}
+
+/* Does a receiver on that surface measure what falls on it from the room? */
+static bool lies_on(const struct pp_surface *surface, struct pp_vec3 normal)
+{
+    bool envelope = surface->role == PP_FLOOR || surface->role == PP_WALL
+                    || surface->role == PP_CEILING;
+    return envelope
+           && pp_vec_length(pp_vec_cross(surface->outline.normal, normal))
+                  < PP_LEVEL_RAD
+           && pp_vec_dot(surface->outline.normal, normal) > 0.0;
+}
+
+const char *pp_position_receiver_fault(const struct pp_world *world,
+                                       struct pp_vec3 position, struct pp_vec3 normal)
+{
+    bool on_face = false;
+    for (int i = 0; i < world->opening_count; i++)
+        if (is_in_opening(&world->openings[i], position))
+            return fault_on_surface(PP_REVEAL);
+    for (int i = 0; i < world->block_count; i++)
+        if (is_in_block(&world->blocks[i], position))
+            return fault_on_surface(PP_BLOCK);
+    for (int i = 0; i < world->surface_count; i++) {
+        const struct pp_surface *surface = &world->surfaces[i];
+        if (!(fabs(pp_polygon_height(&surface->outline, position)) < PP_TOUCH_M
+              && pp_polygon_distance(&surface->outline, position) < PP_TOUCH_M))
+            continue;
+        if (!lies_on(surface, normal))
+            return fault_on_surface(surface->role);
+        on_face = true;
+    }
+    if (!on_face && !pp_position_in_room(world, position))
+        return "lies outside the room";
+    return NULL;
+}

@@ -1,0 +1,72 @@
+/* reader.c - see reader.h. */
+#include "model/room/read/reader.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+bool pp_reader_should_stop(const struct pp_reader *r)
+{
+    return r->out_of_memory || r->bad_elements > PP_MISTAKES_MOST;
+}
+
+void *pp_reader_grow_list(struct pp_reader *r, void *list, int count, size_t size)
+{
+    if (count > 0 && (count & (count - 1)) != 0)
+        return list;
+    void *moved = realloc(list, size * (count > 0 ? 2 * (size_t)count : 1));
+    if (!moved)
+        r->out_of_memory = true;
+    return moved;
+}
+
+char *pp_reader_copy_text(struct pp_reader *r, const char *text)
+{
+    char *copy = text ? strdup(text) : NULL;
+    if (text && !copy)
+        r->out_of_memory = true;
+    return copy;
+}
+
+bool pp_reader_fill_form(struct pp_reader *r, void *form,
+                         const struct pp_element_rule *rule,
+                         const struct pp_xml_element *element)
+{
+    if (pp_reader_should_stop(r))
+        return false;
+    bool good = pp_element_form_fill(form, rule, element, r->mistakes);
+    good = pp_element_form_check_children(rule, element, r->mistakes) && good;
+    r->bad_elements += !good;
+    return good && element->ended;
+}
+
+void pp_reader_vertices_clear(struct pp_vertices *vertices)
+{
+    free(vertices->list);
+    free(vertices->lines);
+    *vertices = (struct pp_vertices){0};
+}
+
+bool pp_reader_add_vertices(struct pp_reader *r, struct pp_vertices *vertices,
+                            const struct pp_element_rule *rule,
+                            const struct pp_xml_element *parent)
+{
+    bool good = true;
+    for (const struct pp_xml_element *c = parent->child; c && !pp_reader_should_stop(r);
+         c = c->next) {
+        struct pp_vertex_form form = {0};
+        if (!pp_element_form_matches(c, rule))
+            continue;
+        if (!pp_reader_fill_form(r, &form, rule, c)) {
+            good = false;
+            continue;
+        }
+        int count = vertices->count;
+        if (!PP_READER_RESERVE(r, vertices->lines, count)
+            || !PP_READER_RESERVE(r, vertices->list, count))
+            return false;
+        vertices->lines[count] = c->line;
+        vertices->list[count] = pp_vec(form.x, form.y, form.z);
+        vertices->count++;
+    }
+    return good && !pp_reader_should_stop(r);
+}

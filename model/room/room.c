@@ -1,0 +1,265 @@
+/* room.c - see room.h. */
+#include "model/room/room.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "model/room/room_parts.h"
+#include "model/room/read/read_elements.h"
+
+/* ---- Copies ---- */
+
+/* A copy of a list, NULL of an empty one; *good is made false when memory is out. */
+static void *copy_list(const void *list, int count, size_t size, bool *good)
+{
+    if (count == 0)
+        return NULL;
+    void *copy = malloc((size_t)count * size);
+    if (copy)
+        memcpy(copy, list, (size_t)count * size);
+    else
+        *good = false;
+    return copy;
+}
+
+#define COPY_LIST(list, count, good)                                                   \
+    ((list) = copy_list(list, *(good) ? (count) : 0, sizeof *(list), good),            \
+     (count) = (list) ? (count) : 0)
+
+static void copy_text(char **text, bool *good)
+{
+    if (!*text)
+        return;
+    *text = *good ? strdup(*text) : NULL;
+    *good = *good && *text;
+}
+
+static void copy_vertices(struct pp_vertices *vertices, bool *good)
+{
+    int count = vertices->count;
+    COPY_LIST(vertices->list, count, good);
+    COPY_LIST(vertices->lines, count, good);
+    vertices->count = count;
+}
+
+static void copy_plan(struct pp_plan_part *plan, bool *good)
+{
+    copy_vertices(&plan->vertices, good);
+    COPY_LIST(plan->faces, plan->face_count, good);
+    for (int i = 0; i < plan->face_count; i++) {
+        copy_text(&plan->faces[i].name, good);
+        copy_vertices(&plan->faces[i].vertices, good);
+    }
+}
+
+/* Puts copies in place of all that the room points to. What comes after memory was out
+ * is empty, so that the room can be cleared. */
+static void copy_parts(struct pp_room *room, bool *good)
+{
+    copy_text(&room->name, good);
+    copy_plan(&room->plan, good);
+    COPY_LIST(room->finishes, room->finish_count, good);
+    for (int i = 0; i < room->finish_count; i++)
+        copy_text(&room->finishes[i].wall, good);
+    COPY_LIST(room->openings, room->opening_count, good);
+    for (int i = 0; i < room->opening_count; i++) {
+        copy_text(&room->openings[i].wall, good);
+        copy_vertices(&room->openings[i].vertices, good);
+    }
+    COPY_LIST(room->skylines, room->skyline_count, good);
+    for (int i = 0; i < room->skyline_count; i++)
+        copy_text(&room->skylines[i].wall, good);
+    COPY_LIST(room->blocks, room->block_count, good);
+    COPY_LIST(room->surfaces, room->surface_count, good);
+    for (int i = 0; i < room->surface_count; i++)
+        copy_vertices(&room->surfaces[i].vertices, good);
+    COPY_LIST(room->receivers, room->receiver_count, good);
+}
+
+enum pp_status pp_room_copy(struct pp_room **copy, const struct pp_room *room,
+                            struct pp_error *err)
+{
+    bool good = true;
+    *copy = malloc(sizeof **copy);
+    if (!*copy)
+        return pp_fail_memory(err);
+    **copy = *room;
+    copy_parts(*copy, &good);
+    if (good)
+        return PP_OK;
+    pp_room_destroy(*copy);
+    *copy = NULL;
+    return pp_fail_memory(err);
+}
+
+void pp_room_destroy(struct pp_room *room)
+{
+    if (room)
+        pp_room_clear(room);
+    free(room);
+}
+
+/* ---- Openings ---- */
+
+int pp_room_opening_count(const struct pp_room *room)
+{
+    return room->opening_count;
+}
+
+struct pp_room_opening pp_room_opening_at(const struct pp_room *room, int index)
+{
+    const struct pp_opening_part *part = &room->openings[index];
+    struct pp_room_opening opening = {.kind = part->kind,
+                                      .wall = part->wall,
+                                      .place = {NAN, NAN, NAN, NAN},
+                                      .glass = part->glazing.glass,
+                                      .frame_factor = part->glazing.frame_factor,
+                                      .maintenance = part->glazing.maintenance,
+                                      .line = part->line};
+    if (part->kind == PP_WINDOW)
+        opening.place = (struct pp_opening_place){part->left_m, part->width_m,
+                                                  part->sill_m, part->height_m};
+    else if (part->kind == PP_ROOFLIGHT)
+        opening.place =
+            (struct pp_opening_place){part->x, part->width_m, part->y, part->depth_m};
+    return opening;
+}
+
+static void put_place(struct pp_opening_part *part, struct pp_opening_place place)
+{
+    if (part->kind == PP_WINDOW) {
+        part->left_m = place.left_m;
+        part->sill_m = place.sill_m;
+        part->height_m = place.height_m;
+    } else {
+        part->x = place.left_m;
+        part->y = place.sill_m;
+        part->depth_m = place.height_m;
+    }
+    part->width_m = place.width_m;
+}
+
+void pp_room_set_place(struct pp_room *room, int index, struct pp_opening_place place)
+{
+    put_place(&room->openings[index], place);
+}
+
+enum pp_status pp_room_repeat_opening(struct pp_room *room, int index,
+                                      struct pp_opening_place place,
+                                      struct pp_error *err)
+{
+    int count = room->opening_count;
+    struct pp_opening_part *grown =
+        realloc(room->openings, ((size_t)count + 1) * sizeof *grown);
+    if (!grown)
+        return pp_fail_memory(err);
+    room->openings = grown;
+    bool good = true;
+    struct pp_opening_part *added = &grown[count];
+    *added = grown[index];
+    copy_text(&added->wall, &good);
+    copy_vertices(&added->vertices, &good);
+    put_place(added, place);
+    room->opening_count++;
+    return good ? PP_OK : pp_fail_memory(err);
+}
+
+enum pp_status pp_room_set_wall(struct pp_room *room, int index, const char *wall,
+                                struct pp_error *err)
+{
+    char *copy = strdup(wall);
+    if (!copy)
+        return pp_fail_memory(err);
+    free(room->openings[index].wall);
+    room->openings[index].wall = copy;
+    return PP_OK;
+}
+
+void pp_room_remove_opening(struct pp_room *room, int index)
+{
+    struct pp_opening_part *part = &room->openings[index];
+    free(part->wall);
+    free(part->vertices.list);
+    free(part->vertices.lines);
+    int behind = --room->opening_count - index;
+    memmove(part, part + 1, (size_t)behind * sizeof *part);
+}
+
+void pp_room_set_glass(struct pp_room *room, int index, struct pp_glass glass)
+{
+    room->openings[index].glazing.glass = glass;
+}
+
+void pp_room_set_frame_factor(struct pp_room *room, int index, double frame_factor)
+{
+    room->openings[index].glazing.frame_factor = frame_factor;
+}
+
+void pp_room_set_maintenance(struct pp_room *room, int index, double maintenance)
+{
+    room->openings[index].glazing.maintenance = maintenance;
+}
+
+/* ---- The room itself, and what stands outside ---- */
+
+void pp_room_lighten(struct pp_room *room, enum pp_role role, double reflectance)
+{
+    double *shared = role == PP_FLOOR  ? &room->floor
+                     : role == PP_WALL ? &room->walls
+                                       : &room->ceiling;
+    *shared = fmax(*shared, reflectance);
+    for (int i = 0; i < room->finish_count && role == PP_WALL; i++)
+        room->finishes[i].reflectance =
+            fmax(room->finishes[i].reflectance, reflectance);
+    for (int i = 0; i < room->plan.face_count; i++) {
+        struct pp_face_part *face = &room->plan.faces[i];
+        if (face->role == role && !isnan(face->reflectance))
+            face->reflectance = fmax(face->reflectance, reflectance);
+    }
+}
+
+bool pp_room_set_height(struct pp_room *room, double height_m)
+{
+    if (room->plan.envelope)
+        return false;
+    room->plan.height_m = height_m;
+    return true;
+}
+
+void pp_room_clear_surroundings(struct pp_room *room, const struct pp_world *world)
+{
+    for (int i = 0; i < room->skyline_count; i++)
+        free(room->skylines[i].wall);
+    room->skyline_count = room->block_count = 0;
+
+    /* The world has the loose surfaces in the file's order. */
+    int kept = 0, index = 0;
+    for (int i = 0; i < world->surface_count && index < room->surface_count; i++) {
+        if (world->surfaces[i].role != PP_FREE_SURFACE)
+            continue;
+        struct pp_surface_part *part = &room->surfaces[index++];
+        if (world->surfaces[i].inside) {
+            room->surfaces[kept++] = *part;
+        } else {
+            free(part->vertices.list);
+            free(part->vertices.lines);
+        }
+    }
+    room->surface_count = kept;
+}
+
+/* ---- Does it make sense? ---- */
+
+enum pp_status pp_room_is_sound(bool *sound, const struct pp_room *room,
+                                struct pp_error *err)
+{
+    struct pp_mistakes mistakes;
+    struct pp_world *world = NULL;
+    pp_mistakes_init(&mistakes, "room");
+    enum pp_status status = pp_world_create(&world, room, &mistakes, err);
+    *sound = status == PP_OK;
+    pp_world_destroy(world);
+    pp_mistakes_clear(&mistakes);
+    return status == PP_BAD_INPUT ? PP_OK : status;
+}

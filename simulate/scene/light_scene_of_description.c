@@ -1,0 +1,251 @@
+/* light_scene_of_description.c - a light scene out of a description. */
+#include <float.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "model/geometry/polygon.h"
+#include "simulate/scene/light_parts.h"
+#include "simulate/scene/round.h"
+#include "simulate/scene/triangles.h"
+
+/* What is needed while the triangles are made. */
+struct light_scene_builder {
+    struct pp_light_scene *scene;
+    const struct pp_scene_description *from;
+    struct pp_clipper *clipper;
+    struct pp_triangles triangles; /* of all polygons */
+    struct pp_vec3 *corners;       /* of the polygon at hand, from the centre */
+    size_t rounds;                 /* how many there are */
+};
+
+static bool is_polygon(const struct pp_shape *shape)
+{
+    return shape->kind == PP_SHAPE_POLYGON;
+}
+
+static void stretch(struct pp_light_scene *scene, struct pp_vec3 low,
+                    struct pp_vec3 high)
+{
+    scene->low = pp_vec(fmin(scene->low.x, low.x), fmin(scene->low.y, low.y),
+                        fmin(scene->low.z, low.z));
+    scene->high = pp_vec(fmax(scene->high.x, high.x), fmax(scene->high.y, high.y),
+                         fmax(scene->high.z, high.z));
+}
+
+/* The box round all, and the mean of all that has a place as the centre: where most is,
+ * single precision is best. */
+static void measure(struct pp_light_scene *scene,
+                    const struct pp_scene_description *from)
+{
+    struct pp_vec3 sum = {0.0, 0.0, 0.0};
+    double count = 0.0;
+    scene->low = pp_vec(DBL_MAX, DBL_MAX, DBL_MAX);
+    scene->high = pp_vec(-DBL_MAX, -DBL_MAX, -DBL_MAX);
+    for (int i = 0; i < from->shape_count; i++) {
+        const struct pp_shape *shape = &from->shapes[i];
+        if (shape->kind == PP_SHAPE_DISTANT)
+            continue;
+        struct pp_vec3 low, high;
+        if (!is_polygon(shape)) {
+            pp_round_box(shape, &low, &high);
+            stretch(scene, low, high);
+            sum = pp_vec_add(sum, pp_vec_scale(pp_vec_add(low, high), 0.5));
+            count++;
+        }
+        for (int k = 0; is_polygon(shape) && k < shape->is.polygon.count; k++) {
+            struct pp_vec3 v = from->vertices[shape->is.polygon.first + k];
+            stretch(scene, v, v);
+            sum = pp_vec_add(sum, v);
+            count++;
+        }
+    }
+    if (count > 0.0)
+        scene->centre = pp_vec_scale(sum, 1.0 / count);
+    else
+        scene->low = scene->high = pp_vec(0.0, 0.0, 0.0);
+}
+
+static enum pp_status allocate(struct light_scene_builder *b, struct pp_error *err)
+{
+    struct pp_light_scene *scene = b->scene;
+    const struct pp_scene_description *from = b->from;
+    size_t parts = 0, distants = 0;
+    int most_corners = 0;
+    for (int i = 0; i < from->shape_count; i++) {
+        const struct pp_shape *shape = &from->shapes[i];
+        parts += shape->kind != PP_SHAPE_DISTANT;
+        b->rounds += !is_polygon(shape) && shape->kind != PP_SHAPE_DISTANT;
+        distants += shape->kind == PP_SHAPE_DISTANT;
+        if (is_polygon(shape) && shape->is.polygon.count > most_corners)
+            most_corners = shape->is.polygon.count;
+    }
+    scene->materials =
+        calloc((size_t)from->material_count + 1, sizeof *scene->materials);
+    scene->patterns = calloc((size_t)from->pattern_count + 1, sizeof *scene->patterns);
+    scene->parts = calloc(parts + 1, sizeof *scene->parts);
+    scene->rounds = calloc(b->rounds + 1, sizeof *scene->rounds);
+    scene->distants = calloc(distants + 1, sizeof *scene->distants);
+    b->corners = malloc(((size_t)most_corners + 1) * sizeof *b->corners);
+    if (!scene->materials || !scene->patterns || !scene->parts || !scene->rounds
+        || !scene->distants || !b->corners)
+        return pp_fail_memory(err);
+    scene->material_count = from->material_count;
+    scene->pattern_count = from->pattern_count;
+    if (from->material_count > 0)
+        memcpy(scene->materials, from->materials,
+               (size_t)from->material_count * sizeof *from->materials);
+    if (from->pattern_count > 0)
+        memcpy(scene->patterns, from->patterns,
+               (size_t)from->pattern_count * sizeof *from->patterns);
+    return PP_OK;
+}
+
+static struct pp_light_part part_of(const struct pp_light_scene *scene,
+                                    const struct pp_shape *shape)
+{
+    bool own_back = shape->back_material >= 0;
+    int back = own_back ? shape->back_material : shape->material;
+    return (struct pp_light_part){
+        .material = {shape->material, back},
+        .tag = shape->tag,
+        .round = -1,
+        .window = -1,
+        .emitter = {-1, -1},
+        .mirror = -1,
+        .space = {PP_ANYWHERE, PP_ANYWHERE},
+        .back_emits = own_back || scene->materials[shape->material].emits_both_sides};
+}
+
+static enum pp_status add_polygon(struct light_scene_builder *b,
+                                  const struct pp_shape *shape, struct pp_error *err)
+{
+    struct pp_light_scene *scene = b->scene;
+    int count = shape->is.polygon.count, index = scene->part_count++;
+    struct pp_light_part *part = &scene->parts[index];
+    *part = part_of(scene, shape);
+    double offset = 0.0;
+    for (int k = 0; k < count; k++)
+        b->corners[k] =
+            pp_vec_sub(b->from->vertices[shape->is.polygon.first + k], scene->centre);
+    struct pp_vec3 area = pp_polygon_area_vector(b->corners, count);
+    part->normal = pp_vec_unit(area);
+    part->area_m2 = pp_vec_length(area);
+    for (int k = 0; k < count; k++)
+        offset += pp_vec_dot(part->normal, b->corners[k]);
+    part->offset_m = offset / count;
+
+    struct pp_polygon polygon = {count, b->corners, part->normal, 0.0};
+    int first = b->triangles.count;
+    enum pp_status status = pp_triangles_of_polygon(&b->triangles, b->clipper, &polygon,
+                                                    index, pp_vec(0.0, 0.0, 0.0), err);
+    int cut = b->triangles.count - first;
+    if (status != PP_OK || cut == 0)
+        return status;
+    return pp_emitters_add_part(
+        scene, index, b->corners, count,
+        (const struct pp_vec3(*)[3])b->triangles.corners + first, cut, err);
+}
+
+/* Round shapes follow the last triangle, so that all polygons come before. */
+static enum pp_status add_round(struct light_scene_builder *b,
+                                const struct pp_shape *shape, struct pp_error *err)
+{
+    struct pp_light_scene *scene = b->scene;
+    int index = scene->part_count++, round = scene->round_count++;
+    scene->rounds[round] = *shape;
+    pp_round_shift(&scene->rounds[round], scene->centre);
+    scene->part_of_triangle[scene->triangle_count + round] = index;
+    scene->parts[index] = part_of(scene, shape);
+    scene->parts[index].round = round;
+    return pp_emitters_add_part(scene, index, NULL, 0, NULL, 0, err);
+}
+
+/* Whose the triangles are, and room for the round shapes. */
+static enum pp_status count_triangles(struct light_scene_builder *b,
+                                      struct pp_error *err)
+{
+    struct pp_light_scene *scene = b->scene;
+    size_t count = (size_t)b->triangles.count;
+    scene->part_of_triangle =
+        calloc(count + b->rounds + 1, sizeof *scene->part_of_triangle);
+    if (!scene->part_of_triangle)
+        return pp_fail_memory(err);
+    if (count > 0)
+        memcpy(scene->part_of_triangle, b->triangles.facet_of,
+               count * sizeof *scene->part_of_triangle);
+    scene->triangle_count = b->triangles.count;
+    return PP_OK;
+}
+
+static enum pp_status make_rays(struct light_scene_builder *b, struct pp_error *err)
+{
+    struct pp_light_scene *scene = b->scene;
+    int count = scene->triangle_count;
+    float(*single)[3][3] = malloc(((size_t)count + 1) * sizeof *single);
+    if (!single)
+        return pp_fail_memory(err);
+    for (int i = 0; i < count; i++)
+        for (int k = 0; k < 3; k++) {
+            struct pp_vec3 v = b->triangles.corners[i][k];
+            single[i][k][0] = (float)v.x;
+            single[i][k][1] = (float)v.y;
+            single[i][k][2] = (float)v.z;
+        }
+    pp_light_hash_scene(scene, (const float(*)[3][3])single);
+    enum pp_status status =
+        pp_rays_create_with(&scene->rays, (const float(*)[3][3])single, count,
+                            scene->rounds, scene->round_count, err);
+    free(single);
+    return status;
+}
+
+static enum pp_status build(struct light_scene_builder *b, struct pp_error *err)
+{
+    struct pp_light_scene *scene = b->scene;
+    const struct pp_scene_description *from = b->from;
+    enum pp_status status = allocate(b, err);
+    if (status != PP_OK)
+        return status;
+    status = pp_light_scene_add_glosses(scene, err);
+    if (status == PP_OK)
+        status = pp_region_clipper_create(&b->clipper, err);
+    measure(scene, from);
+    for (int i = 0; status == PP_OK && i < from->shape_count; i++)
+        if (is_polygon(&from->shapes[i]))
+            status = add_polygon(b, &from->shapes[i], err);
+    if (status == PP_OK)
+        status = count_triangles(b, err);
+    for (int i = 0; status == PP_OK && i < from->shape_count; i++)
+        if (from->shapes[i].kind == PP_SHAPE_DISTANT)
+            status = pp_emitters_add_distant(scene, &from->shapes[i], err);
+        else if (!is_polygon(&from->shapes[i]))
+            status = add_round(b, &from->shapes[i], err);
+    if (status != PP_OK)
+        return status;
+    pp_emitters_link_triangles(scene);
+    pp_unsampled_find_glow(scene);
+    status = pp_mirrors_find(scene, err);
+    return status == PP_OK ? make_rays(b, err) : status;
+}
+
+enum pp_status pp_light_scene_of_description(struct pp_light_scene **result,
+                                             const struct pp_scene_description *from,
+                                             struct pp_error *err)
+{
+    *result = NULL;
+    struct pp_light_scene *scene = calloc(1, sizeof *scene);
+    if (!scene)
+        return pp_fail_memory(err);
+    struct light_scene_builder b = {.scene = scene, .from = from};
+    enum pp_status status = build(&b, err);
+    pp_triangles_clear(&b.triangles);
+    pp_region_clipper_destroy(b.clipper);
+    free(b.corners);
+    if (status != PP_OK) {
+        pp_light_scene_destroy(scene);
+        return status;
+    }
+    *result = scene;
+    return PP_OK;
+}

@@ -1,0 +1,87 @@
+#include "studies/criteria/capitals.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <strings.h>
+
+#include "model/geometry/vec.h"
+
+static const struct pp_capital capitals[] = {
+#include "tables/en17037_capitals.inc"
+};
+
+static const double earth_km = 6371.0, farthest_km = 1000.0;
+static const double farthest_deg = 2.5; /* half of the widest gap in the table, and some
+                                         */
+
+int pp_capitals_count(void)
+{
+    return sizeof capitals / sizeof *capitals;
+}
+
+const struct pp_capital *pp_capitals_at(int index)
+{
+    return &capitals[index];
+}
+
+const struct pp_capital *pp_capitals_find(const char *name)
+{
+    for (int i = 0; i < pp_capitals_count(); i++)
+        if (strcasecmp(capitals[i].name, name) == 0)
+            return &capitals[i];
+    return NULL;
+}
+
+static struct pp_vec3 towards(double latitude_rad, double longitude_rad)
+{
+    return pp_vec(cos(latitude_rad) * cos(longitude_rad),
+                  cos(latitude_rad) * sin(longitude_rad), sin(latitude_rad));
+}
+
+/* By the chord, which is good for small distances too. */
+static double distance_km(const struct pp_capital *capital, double latitude_rad,
+                          double longitude_rad)
+{
+    struct pp_vec3 a = towards(latitude_rad, longitude_rad);
+    struct pp_vec3 b =
+        towards(capital->latitude_deg * PP_RAD, capital->longitude_deg * PP_RAD);
+    return 2.0 * earth_km * asin(fmin(pp_vec_length(pp_vec_sub(a, b)) / 2.0, 1.0));
+}
+
+struct pp_median pp_capitals_median(double latitude_rad, double longitude_rad)
+{
+    struct pp_median median = {.lux = NAN};
+    if (isnan(latitude_rad)) {
+        snprintf(median.how, sizeof median.how,
+                 "the room file gives no latitude; --place NAME or --median-diffuse "
+                 "LUX does as well");
+        return median;
+    }
+    bool known = !isnan(longitude_rad);
+    const struct pp_capital *nearest = NULL;
+    double least = INFINITY;
+    for (int i = 0; i < pp_capitals_count(); i++) {
+        double off = known ? distance_km(&capitals[i], latitude_rad, longitude_rad)
+                           : fabs(capitals[i].latitude_deg - latitude_rad / PP_RAD);
+        if (off < least)
+            nearest = &capitals[i], least = off;
+    }
+    if (least > (known ? farthest_km : farthest_deg)) {
+        char off[48];
+        snprintf(off, sizeof off, known ? "%.0f km" : "%.1f degrees of latitude",
+                 least);
+        snprintf(median.how, sizeof median.how,
+                 "the nearest capital of the standard's table, %s, is %s away; "
+                 "--median-diffuse LUX helps",
+                 nearest->name, off);
+        return median;
+    }
+    median.lux = nearest->median_lux;
+    if (known)
+        snprintf(median.how, sizeof median.how, "%s, the nearest capital, %.0f km away",
+                 nearest->name, least);
+    else
+        snprintf(median.how, sizeof median.how, "%s, the capital nearest in latitude",
+                 nearest->name);
+    return median;
+}
