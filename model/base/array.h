@@ -1,0 +1,24 @@
+/* array.h - arrays that grow. The one place where the library enlarges a list.
+ *
+ * `list` is the address of the pointer to the items (a struct item **); counts and
+ * capacities are in items, `size` is one item's, in bytes. What fails says PP_SYSTEM
+ * and leaves list and capacity as they were.
+ */
+#ifndef PP_MODEL_BASE_ARRAY_H
+#define PP_MODEL_BASE_ARRAY_H
+
+#include <stddef.h>
+
+#include "model/base/error.h"
+
+/* Room for `wanted` items (at least 0): where *capacity is less, it is doubled until it
+ * is enough. */
+enum pp_status pp_array_reserve(void *list, int *capacity, int wanted, size_t size,
+                                struct pp_error *err);
+
+/* Room for one item more than `count`, for lists that keep no capacity: they have grown
+ * by this function only, so that it is the power of two that count has reached. */
+enum pp_status pp_array_append(void *list, int count, size_t size,
+                               struct pp_error *err);
+
+#endif

@@ -1,0 +1,48 @@
+/* bounds.h - the smallest upright box or rectangle round points: bounding boxes.
+ *
+ * An empty one has its low above its high (plus and minus infinity) and grows by the
+ * points that it is given. Metres, or whatever the points are in.
+ */
+#ifndef PP_MODEL_GEOMETRY_BOUNDS_H
+#define PP_MODEL_GEOMETRY_BOUNDS_H
+
+#include <math.h>
+
+#include "model/geometry/vec.h"
+
+struct pp_bounds2 {
+    double low[2], high[2];
+};
+
+struct pp_bounds3 {
+    struct pp_vec3 low, high;
+};
+
+static inline struct pp_bounds2 pp_bounds2_empty(void)
+{
+    return (struct pp_bounds2){{INFINITY, INFINITY}, {-INFINITY, -INFINITY}};
+}
+
+static inline struct pp_bounds3 pp_bounds3_empty(void)
+{
+    return (struct pp_bounds3){pp_vec(INFINITY, INFINITY, INFINITY),
+                               pp_vec(-INFINITY, -INFINITY, -INFINITY)};
+}
+
+static inline void pp_bounds2_add(struct pp_bounds2 *bounds, double x, double y)
+{
+    bounds->low[0] = fmin(bounds->low[0], x);
+    bounds->low[1] = fmin(bounds->low[1], y);
+    bounds->high[0] = fmax(bounds->high[0], x);
+    bounds->high[1] = fmax(bounds->high[1], y);
+}
+
+static inline void pp_bounds3_add(struct pp_bounds3 *bounds, struct pp_vec3 point)
+{
+    bounds->low = pp_vec(fmin(bounds->low.x, point.x), fmin(bounds->low.y, point.y),
+                         fmin(bounds->low.z, point.z));
+    bounds->high = pp_vec(fmax(bounds->high.x, point.x), fmax(bounds->high.y, point.y),
+                          fmax(bounds->high.z, point.z));
+}
+
+#endif
