@@ -35,7 +35,8 @@ static enum pp_exit run_with(const struct pp_command *command, void *options, in
         pp_options_help(&line, stdout);
         return PP_EXIT_DONE;
     }
-    int words = count < command->words_before_files ? count : command->words_before_files;
+    int words =
+        count < command->words_before_files ? count : command->words_before_files;
     if (status == PP_OK)
         status = command->check(options, argv, count, &err);
     if (status == PP_OK)

@@ -21,4 +21,3 @@ bool pp_terminal_utf8(void)
 {
     return strcmp(nl_langinfo(CODESET), "UTF-8") == 0;
 }
-

@@ -25,5 +25,4 @@ enum pp_status pp_assess_json(const struct pp_assessments *assessments, FILE *ou
 /* "met", "not met", "undecided", "not judged"; NULL for what is only stated. */
 const char *pp_assess_text_verdict(enum pp_verdict verdict);
 
-
 #endif

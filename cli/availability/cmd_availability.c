@@ -27,7 +27,7 @@ static const char about[] =
 
 struct availability_options {
     struct pp_room_options room;
-    struct pp_availability_options light;
+    struct pp_year_options light;
     enum pp_format format;
 };
 
@@ -35,7 +35,7 @@ struct availability_options {
 struct availability_run {
     struct availability_options *options;
     struct pp_availability_results results;
-    struct pp_environment_light *outside;
+    struct pp_year_light *outside;
 };
 
 static enum pp_status compute_room(struct availability_run *run,
@@ -43,10 +43,10 @@ static enum pp_status compute_room(struct availability_run *run,
                                    struct pp_error *err)
 {
     struct pp_availability_result *result = &run->results.list[index];
-    struct pp_environment_light *outside = &run->outside[index];
+    struct pp_year_light *outside = &run->outside[index];
     result->file = room->file;
     enum pp_status status =
-        pp_availability_options_light(outside, &run->options->light, room->world, err);
+        pp_year_light_of_room(outside, &run->options->light, room->world, err);
     if (status == PP_OK)
         status =
             pp_study_report_methods(&result->report, room, run->results.options, err);
@@ -56,7 +56,7 @@ static enum pp_status compute_room(struct availability_run *run,
     if (status != PP_OK)
         return status;
     struct pp_availability_question question =
-        pp_availability_options_question(&run->options->light, outside);
+        pp_year_light_question(&run->options->light, outside);
     return pp_availability_fill(&result->sheet, &question, &result->report, err);
 }
 
@@ -117,7 +117,7 @@ static enum pp_exit run_on(struct availability_run *run, const struct pp_rooms *
     for (int i = 0; i < run->results.count; i++) {
         pp_availability_sheet_clear(&run->results.list[i].sheet);
         pp_report_clear(&run->results.list[i].report);
-        pp_availability_options_light_clear(&run->outside[i]);
+        pp_year_light_clear(&run->outside[i]);
     }
     free(run->results.list);
     free(run->outside);
@@ -159,7 +159,7 @@ static const struct pp_option_group groups[] = {
 static void init(void *values)
 {
     *(struct availability_options *)values = (struct availability_options){
-        .room = pp_room_options_none, .light = pp_availability_options_default};
+        .room = pp_room_options_none, .light = pp_year_options_default};
 }
 
 static enum pp_status check(void *values, char **files, int file_count,

@@ -2,34 +2,9 @@
 #ifndef PP_CLI_CHART_BOARD_OPTIONS_H
 #define PP_CLI_CHART_BOARD_OPTIONS_H
 
+#include "api/draw_board.h"
 #include "charts/chart_kind.h"
 #include "cli/room_options.h"
-#include "model/light/glass.h"
-#include "model/results/nomogram_sheet.h"
-#include "model/light/sky.h"
-
-enum pp_yes_no { PP_UNSAID, PP_YES, PP_NO };
-
-struct pp_board_options {
-    enum pp_yes_no glazed;   /* a blank: with clear single glass? unsaid: yes */
-    bool fine;               /* pepper-pot: dots worth 0.01 % */
-    enum pp_yes_no vertical; /* a blank pepper-pot's receiver; unsaid: no */
-    double viewing_mm; /* pepper-pot: from the eye to the drawing; 0: 30, fine 60 */
-    struct pp_sky sky; /* of a blank; set by pp_board_options_check */
-
-    int number;          /* a blank protractor of the ten; 0: not said */
-    const char *glazing; /* or of any glazing, "none" too; NULL: not said */
-    double slope_deg;    /* of that glazing, by --slope, */
-    bool slope_said;     /* if it was */
-    bool any_protractor; /* not one of the ten by number: what follows is it; set by
-                          * pp_board_options_check */
-    struct pp_glass glass;
-    double slope_rad;
-    char glass_words[72];
-
-    enum pp_nomogram_kind nomogram; /* by --which, */
-    bool nomogram_said;             /* if it was */
-};
 
 pp_option_reader pp_board_options_read_yes_no; /* enum pp_yes_no, "yes" or "no" */
 pp_option_reader

@@ -6,8 +6,12 @@
 
 #include "cli/command.h"
 #include "cli/watch.h"
-#include "cli/chart/draw_chart.h"
+#include "api/draw_chart.h"
+#include "cli/availability/availability_options.h"
+#include "cli/chart/board_options.h"
+#include "cli/chart/sheet_options.h"
 #include "cli/interrupt.h"
+#include "cli/rooms.h"
 #include "cli/message.h"
 #include "cli/output.h"
 #include "methods/evaluate.h"
@@ -22,7 +26,16 @@ static enum pp_status read_format(const char *text, void *place, struct pp_error
     return PP_OK;
 }
 
-#define PLACE(member) offsetof(struct pp_chart_options, member)
+struct chart_sheet_options {
+    const char *format; /* as typed; NULL: by the file's name */
+    enum pp_paper paper;
+    enum pp_orientation orientation;
+    double dpi; /* 0: the canvas's own choice */
+    bool list;
+    struct pp_chart_wish wish;
+};
+
+#define PLACE(member) offsetof(struct chart_sheet_options, member)
 
 static const struct pp_option sheet_options[] = {
     {"list", 'l', NULL,
@@ -37,11 +50,11 @@ static const struct pp_option sheet_options[] = {
     {"dpi", 0, "N", "Dots per inch of a PNG, 20 to 1200 (default 200).",
      pp_sheet_options_read_dpi, PLACE(dpi)},
     {"log", 0, NULL, "Section: daylight factors on a logarithmic scale.", NULL,
-     PLACE(logarithmic)},
+     PLACE(wish.logarithmic)},
     {0},
 };
 
-#define BOARD(member) PLACE(board.member)
+#define BOARD(member) PLACE(wish.board.member)
 
 static const struct pp_option board_options[] = {
     {"glazed", 0, "yes|no",
@@ -65,10 +78,10 @@ static const struct pp_option board_options[] = {
      pp_options_read_text, BOARD(glazing)},
     {"slope", 0, "DEG",
      "Blank protractor: slope of the glass, 0 horizontal to 90 vertical (default).",
-     pp_board_options_read_slope, PLACE(board)},
+     pp_board_options_read_slope, PLACE(wish.board)},
     {"which", 0, "NAME",
      "Nomogram: average (default) or minimum, for windows, or rooflight.",
-     pp_board_options_read_nomogram, PLACE(board)},
+     pp_board_options_read_nomogram, PLACE(wish.board)},
     {0},
 };
 
@@ -116,7 +129,7 @@ static const struct pp_chart_kind *find_kind(const char *typed, struct pp_error 
 /* By --format, or by the file's ending. */
 static enum pp_status choose_format(enum pp_chart_format *format,
                                     const struct pp_room_options *room_options,
-                                    const struct pp_chart_options *options,
+                                    const struct chart_sheet_options *options,
                                     struct pp_error *err)
 {
     const char *output = room_options->output;
@@ -136,7 +149,7 @@ struct chart_task {
     const struct pp_chart_kind *kind;
     enum pp_chart_format format;
     const struct pp_room_options *room_options;
-    const struct pp_chart_options *options;
+    const struct chart_sheet_options *options;
     struct pp_study_room *rooms;
     int count;
     bool finished; /* false: a simulation was interrupted */
@@ -148,15 +161,15 @@ static enum pp_status draw_rooms(struct chart_task *drawing, struct pp_canvas *c
 {
     enum pp_status status = PP_OK;
     if (drawing->count == 0)
-        return pp_draw_chart(drawing->kind, canvas, NULL, drawing->room_options,
-                             drawing->options, &drawing->finished, err);
+        return pp_draw_chart(drawing->kind, canvas, NULL, &drawing->room_options->study,
+                             &drawing->options->wish, &drawing->finished, err);
     for (int i = 0; i < drawing->count && status == PP_OK; i++) {
         if (i > 0)
             status = pp_canvas_next_sheet(canvas, err);
         if (status == PP_OK)
             status = pp_draw_chart(drawing->kind, canvas, &drawing->rooms[i],
-                                   drawing->room_options, drawing->options,
-                                   &drawing->finished, err);
+                                   &drawing->room_options->study,
+                                   &drawing->options->wish, &drawing->finished, err);
     }
     return status;
 }
@@ -164,13 +177,13 @@ static enum pp_status draw_rooms(struct chart_task *drawing, struct pp_canvas *c
 static enum pp_status draw(struct chart_task *drawing, FILE *out, struct pp_error *err)
 {
     const struct pp_world *world = drawing->count ? drawing->rooms[0].world : NULL;
-    const struct pp_chart_options *options = drawing->options;
+    const struct chart_sheet_options *options = drawing->options;
     char description[256];
     if (drawing->kind->outside && !world)
         snprintf(description, sizeof description, "%s", drawing->kind->summary);
     else
         snprintf(description, sizeof description, "%s; sky: %s", drawing->kind->summary,
-                 pp_sky_name(world ? &world->sky : &options->board.sky));
+                 pp_sky_name(world ? &world->sky : &options->wish.board.sky));
     const struct pp_sheet sheet = {
         .format = drawing->format,
         .paper = options->paper,
@@ -277,7 +290,7 @@ static enum pp_exit check_points(const struct pp_chart_kind *kind,
 
 static enum pp_exit run_on(const struct pp_chart_kind *kind,
                            const struct pp_room_options *room_options,
-                           const struct pp_chart_options *options, char **files,
+                           const struct chart_sheet_options *options, char **files,
                            int file_count)
 {
     struct pp_error err = {0};
@@ -315,7 +328,7 @@ static enum pp_exit run_on(const struct pp_chart_kind *kind,
 }
 
 /* The light outside is asked for where it is drawn, and known without a room. */
-static enum pp_status check_light(const struct pp_availability_options *light,
+static enum pp_status check_light(const struct pp_year_options *light,
                                   struct pp_room_options *options,
                                   const struct pp_chart_kind *kind, char **files,
                                   int file_count, struct pp_error *err)
@@ -341,7 +354,7 @@ static enum pp_status check_light(const struct pp_availability_options *light,
 
 struct chart_command {
     struct pp_room_options room;
-    struct pp_chart_options chart;
+    struct chart_sheet_options chart;
     const struct pp_chart_kind *kind; /* by the first word; NULL: none */
 };
 
@@ -351,8 +364,8 @@ struct chart_command {
 static const struct pp_option_group groups[] = {
     {"The sheet", sheet_options, PLACE(chart)},
     {"Diagrams of the drawing board", board_options, PLACE(chart)},
-    {"Availability", pp_light_options, PLACE(chart.availability)},
-    {"Availability", pp_illuminance_options, PLACE(chart.availability)},
+    {"Availability", pp_light_options, PLACE(chart.wish.availability)},
+    {"Availability", pp_illuminance_options, PLACE(chart.wish.availability)},
     PP_ROOM_CHOICE_GROUPS("What is computed", PLACE(room)),
     PP_ROOM_SIMULATION_GROUPS(PLACE(room)),
     {"Output", pp_room_output_options, PLACE(room)},
@@ -363,8 +376,7 @@ static void init(void *values)
 {
     *(struct chart_command *)values = (struct chart_command){
         .room = pp_room_options_none,
-        .chart = {.paper = PP_PAPER_A4,
-                  .availability = pp_availability_options_default}};
+        .chart = {.paper = PP_PAPER_A4, .wish.availability = pp_year_options_default}};
 }
 
 static enum pp_status check(void *values, char **words, int word_count,
@@ -372,7 +384,7 @@ static enum pp_status check(void *values, char **words, int word_count,
 {
     struct chart_command *command = values;
     struct pp_room_options *options = &command->room;
-    struct pp_chart_options *chart = &command->chart;
+    struct chart_sheet_options *chart = &command->chart;
     if (chart->list)
         return PP_OK;
     if (word_count == 0)
@@ -386,13 +398,13 @@ static enum pp_status check(void *values, char **words, int word_count,
                        "expected a room file, or - for standard input");
     enum pp_status status = pp_room_options_settle(options, err);
     if (status == PP_OK)
-        status = check_light(&chart->availability, options, kind, words + 1,
+        status = check_light(&chart->wish.availability, options, kind, words + 1,
                              word_count - 1, err);
     if (status == PP_OK && options->study.methods)
         status = pp_selection_check(options->study.methods, err);
     if (status == PP_OK && kind->board)
-        status =
-            pp_board_options_check(&chart->board, options, kind, word_count == 1, err);
+        status = pp_board_options_check(&chart->wish.board, options, kind,
+                                        word_count == 1, err);
     return status;
 }
 
@@ -409,7 +421,7 @@ static enum pp_exit run(void *values, char **words, int word_count)
     }
     command->room.study.watch = pp_watch_of_terminal(&watch, command->room.quiet);
     enum pp_exit exit_status =
-        pp_availability_options_load(&command->chart.availability);
+        pp_availability_options_load(&command->chart.wish.availability);
     return exit_status == PP_EXIT_DONE
                ? run_on(command->kind, &command->room, &command->chart, words + 1,
                         word_count - 1)
@@ -419,7 +431,7 @@ static enum pp_exit run(void *values, char **words, int word_count)
 static void clear(void *values)
 {
     struct chart_command *command = values;
-    pp_availability_options_clear(&command->chart.availability);
+    pp_availability_options_clear(&command->chart.wish.availability);
     pp_room_options_clear(&command->room);
 }
 

@@ -26,7 +26,7 @@ const struct pp_option pp_engine_options[] = {
 };
 
 enum pp_status pp_engine_choice_settle(struct pp_engine_choice *words, bool simulate,
-                                      struct pp_error *err)
+                                       struct pp_error *err)
 {
     words->cached = words->engines && strstr(words->engines, "cache");
     words->path = !words->engines || strstr(words->engines, "path");

@@ -1,6 +1,7 @@
 /* assessment.c - see assessment.h. */
 #include "studies/criteria/assessment.h"
 
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -46,9 +47,8 @@ enum pp_status pp_assessment_choose(bool chosen[PP_CRITERIA_MOST], const char *l
 /* The room of the file before that goes with this one: the only one, or that of the
  * same name. */
 static enum pp_status find_before(struct pp_assessment *assessment,
-                                  const struct pp_study_room *before,
-                                  int before_count, int room_count,
-                                  struct pp_error *err)
+                                  const struct pp_study_room *before, int before_count,
+                                  int room_count, struct pp_error *err)
 {
     const struct pp_study_room *room = assessment->room, *found = NULL;
     for (int i = 0; i < before_count && !found; i++) {

@@ -1,6 +1,7 @@
 /* size_room.c - see size_room.h. */
 #include "studies/sizing/size_room.h"
 
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 

@@ -1,12 +1,12 @@
-#include "cli/chart/draw_chart.h"
+#include "api/draw_chart.h"
 
 #include <math.h>
 #include <string.h>
 
+#include "charts/availability_chart.h"
 #include "charts/room/plan_chart.h"
 #include "charts/room/section_chart.h"
-#include "cli/availability/draw_availability.h"
-#include "cli/chart/draw_board.h"
+#include "api/draw_board.h"
 #include "studies/study_report.h"
 #include "studies/section_line.h"
 #include "methods/daylight_curves.h"
@@ -41,20 +41,19 @@ static const struct pp_column *reflected(const struct pp_report *report)
 
 static enum pp_status draw_section(struct pp_canvas *canvas,
                                    const struct pp_report *report,
-                                   const struct pp_chart_options *options,
+                                   const struct pp_chart_wish *wish,
                                    struct pp_error *err)
 {
     const struct pp_section_chart chart = {.report = report,
-                                           .logarithmic = options->logarithmic};
+                                           .logarithmic = wish->logarithmic};
     return pp_section_chart_draw(canvas, &chart, err);
 }
 
 static enum pp_status draw_plan(struct pp_canvas *canvas,
                                 const struct pp_report *report,
-                                const struct pp_chart_options *options,
-                                struct pp_error *err)
+                                const struct pp_chart_wish *wish, struct pp_error *err)
 {
-    (void)options;
+    (void)wish;
     const struct pp_column *irc = reflected(report);
     struct pp_daylight_plan plan = {0};
     enum pp_status status =
@@ -87,8 +86,7 @@ struct drawer {
     bool on_a_line; /* of points, which is laid where the room file has none */
     bool (*landscape)(const struct pp_world *world);
     enum pp_status (*draw)(struct pp_canvas *canvas, const struct pp_report *report,
-                           const struct pp_chart_options *options,
-                           struct pp_error *err);
+                           const struct pp_chart_wish *wish, struct pp_error *err);
     pp_board_drawer *draw_board; /* of kinds worked at the drawing board, instead */
 };
 
@@ -116,19 +114,50 @@ bool pp_draw_chart_landscape(const struct pp_chart_kind *kind,
     return drawer_of(kind)->landscape(world);
 }
 
+static enum pp_status draw_availability(struct pp_canvas *canvas,
+                                        const struct pp_study_room *room,
+                                        const struct pp_study_options *study,
+                                        const struct pp_year_options *options,
+                                        bool *finished, struct pp_error *err)
+{
+    struct pp_report report = {0};
+    struct pp_year_light outside;
+    struct pp_availability_sheet sheet = {0};
+    bool by_clock = false;
+    enum pp_status status =
+        pp_year_light_of_room(&outside, options, room ? room->world : NULL, err);
+    if (status == PP_OK && room)
+        status = pp_study_report_methods(&report, room, study, err);
+    if (status == PP_OK && room && study->simulate)
+        status = pp_study_report_traced(&report, study, &by_clock, err);
+    if (status == PP_OK) {
+        struct pp_availability_question question =
+            pp_year_light_question(options, &outside);
+        status = pp_availability_fill(&sheet, &question, room ? &report : NULL, err);
+    }
+    if (status == PP_OK)
+        status = pp_availability_chart_draw(canvas, &sheet, err);
+    if (room)
+        *finished &= report.finished;
+    pp_availability_sheet_clear(&sheet);
+    pp_report_clear(&report);
+    pp_year_light_clear(&outside);
+    return status;
+}
+
 enum pp_status pp_draw_chart(const struct pp_chart_kind *kind, struct pp_canvas *canvas,
                              struct pp_study_room *room,
-                             const struct pp_room_options *room_options,
-                             const struct pp_chart_options *options, bool *finished,
+                             const struct pp_study_options *study,
+                             const struct pp_chart_wish *wish, bool *finished,
                              struct pp_error *err)
 {
     const struct drawer *drawer = drawer_of(kind);
     if (drawer->draw_board)
-        return drawer->draw_board(canvas, room, &options->board, err);
+        return drawer->draw_board(canvas, room, &wish->board, err);
     if (kind->outside)
-        return pp_draw_availability(canvas, room, room_options, &options->availability,
-                                    finished, err);
-    if (drawer->on_a_line && room_options->study.points.count == 0
+        return draw_availability(canvas, room, study, &wish->availability, finished,
+                                 err);
+    if (drawer->on_a_line && study->points.count == 0
         && !pp_section_line_is_straight(room->receivers, room->receiver_count)) {
         enum pp_status status = pp_section_line(room, err);
         if (status != PP_OK)
@@ -137,12 +166,11 @@ enum pp_status pp_draw_chart(const struct pp_chart_kind *kind, struct pp_canvas 
 
     struct pp_report report;
     bool by_clock = false;
-    enum pp_status status =
-        pp_study_report_methods(&report, room, &room_options->study, err);
-    if (status == PP_OK && room_options->study.simulate)
-        status = pp_study_report_traced(&report, &room_options->study, &by_clock, err);
+    enum pp_status status = pp_study_report_methods(&report, room, study, err);
+    if (status == PP_OK && study->simulate)
+        status = pp_study_report_traced(&report, study, &by_clock, err);
     if (status == PP_OK)
-        status = drawer->draw(canvas, &report, options, err);
+        status = drawer->draw(canvas, &report, wish, err);
     *finished &= report.finished;
     pp_report_clear(&report);
     return status;

@@ -1,4 +1,4 @@
-#include "cli/chart/draw_board.h"
+#include "api/draw_board.h"
 
 #include "charts/drawing_board/nomogram_chart.h"
 #include "charts/drawing_board/pepper_pot_chart.h"

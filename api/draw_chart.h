@@ -6,20 +6,16 @@
 
 #include "charts/sheet/canvas.h"
 #include "charts/chart_kind.h"
-#include "cli/availability/availability_options.h"
-#include "cli/chart/board_options.h"
-#include "cli/rooms.h"
-#include "cli/chart/sheet_options.h"
+#include "api/draw_board.h"
+#include "studies/climate/year_light.h"
+#include "studies/study_options.h"
+#include "studies/study_room.h"
 
-struct pp_chart_options {
-    const char *format; /* as typed; NULL: by the file's name */
-    enum pp_paper paper;
-    enum pp_orientation orientation;
-    double dpi;       /* 0: the canvas's own choice */
-    bool logarithmic; /* section: daylight factors */
-    bool list;
-    struct pp_board_options board; /* of kinds worked at the drawing board */
-    struct pp_availability_options availability; /* of those of the light outside */
+/* What a chart shows where there is a choice. */
+struct pp_chart_wish {
+    bool logarithmic;                    /* section: daylight factors */
+    struct pp_board_options board;       /* of kinds worked at the drawing board */
+    struct pp_year_options availability; /* of those of the light outside */
 };
 
 /* Does the kind look better on a sheet that lies on its side for this room (NULL: for
@@ -32,8 +28,8 @@ bool pp_draw_chart_landscape(const struct pp_chart_kind *kind,
  * becomes false where the simulation was interrupted. */
 enum pp_status pp_draw_chart(const struct pp_chart_kind *kind, struct pp_canvas *canvas,
                              struct pp_study_room *room,
-                             const struct pp_room_options *room_options,
-                             const struct pp_chart_options *options, bool *finished,
+                             const struct pp_study_options *study,
+                             const struct pp_chart_wish *wish, bool *finished,
                              struct pp_error *err);
 
 #endif

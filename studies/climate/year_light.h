@@ -1,0 +1,67 @@
+/* year_light.h - the light outside through a year, and which of its hours count: of a
+ * weather file, or of overcast skies at a latitude; and how that is said.
+ */
+#ifndef PP_STUDIES_CLIMATE_YEAR_LIGHT_H
+#define PP_STUDIES_CLIMATE_YEAR_LIGHT_H
+
+#include "formats/epw/epw.h"
+#include "model/room/world.h"
+#include "studies/climate/availability.h"
+#include "studies/climate/diffuse_light.h"
+#include "studies/climate/working_hours.h"
+
+struct pp_clock_times {
+    int count;
+    struct pp_working_hours list[PP_PERIODS_MOST]; /* of all days */
+};
+
+struct pp_illuminances {
+    int count;
+    double lx[PP_ILLUMINANCES_MOST];
+};
+
+struct pp_summer_choice {
+    bool of_file;
+    struct pp_summer_time time; /* else; months 0: none */
+};
+
+/* NAN: not said. */
+struct pp_year_options {
+    const char *weather;                /* file; NULL: an overcast sky */
+    double latitude_deg, longitude_deg; /* of that sky, */
+    double time_zone_h;                 /* and of its clock */
+    struct pp_clock_times hours;
+    unsigned days; /* bits, from Monday */
+    struct pp_summer_choice summer;
+    struct pp_illuminances illuminances;
+
+    struct pp_epw *epw; /* the weather file, read; NULL: none; not owned */
+};
+
+/* 8-18 and 9-17, all days, no summer time, 300 and 500 lx, nothing said of the place. */
+extern const struct pp_year_options pp_year_options_default;
+
+/* The days of the week, Monday first: "Mon". */
+extern const char *const pp_year_light_day_names[7];
+
+/* The light outside of one room (world may be NULL), and what is said of it. */
+struct pp_year_light {
+    struct pp_diffuse_light light;
+    char words[640], calendar[160];
+    struct pp_working_hours periods[PP_PERIODS_MOST];
+    double latitude_deg;
+};
+
+/* *outside is to be cleared, in any case. PP_BAD_INPUT where nothing says at which
+ * latitude, or where days of the week are asked for and not known. */
+enum pp_status pp_year_light_of_room(struct pp_year_light *outside,
+                                     const struct pp_year_options *options,
+                                     const struct pp_world *world,
+                                     struct pp_error *err);
+void pp_year_light_clear(struct pp_year_light *outside);
+
+/* The question that options and light make; good as long as they are. */
+struct pp_availability_question pp_year_light_question(
+    const struct pp_year_options *options, const struct pp_year_light *outside);
+
+#endif
