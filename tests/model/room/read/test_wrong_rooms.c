@@ -84,19 +84,25 @@ struct wrong_case {
     const struct editor_schema *schema;
 };
 
+/* Fails with the place in the text file, and what was said instead. */
+static void fail_with(const struct wrong_room *room, const struct pp_mistakes *said)
+{
+    print_message("# %s:%d: %s: expected line %d: %s\n", room->file, room->at,
+                  room->title, room->line, room->words);
+    for (int i = 0; i < said->count; i++)
+        print_message("#     said: line %d: %s\n", said->list[i].line,
+                      said->list[i].text);
+    fail();
+}
+
 static void room_is_refused(void **state)
 {
     const struct wrong_case *wrong = *state;
     const struct wrong_room *room = wrong->room;
     struct verdict verdict = silent_verdict_on(room);
-    bool refused = is_as_expected(&verdict, room);
-    for (int i = 0; i < verdict.mistakes.count && !refused; i++)
-        print_message("# said: line %d: %s\n", verdict.mistakes.list[i].line,
-                      verdict.mistakes.list[i].text);
+    if (!is_as_expected(&verdict, room))
+        fail_with(room, &verdict.mistakes);
     pp_mistakes_clear(&verdict.mistakes);
-    if (!refused)
-        fail_msg("%s:%d: %s: expected line %d: %s", room->file, room->at, room->title,
-                 room->line, room->words);
     if (room->kind == WRONG_XML)
         return;
     bool takes = editor_schema_takes(wrong->schema, room->bytes, room->length);
