@@ -1,6 +1,8 @@
-/* lit.h - means of sampled light with their standard errors, for tests. */
-#ifndef PP_TESTS_LIB_LIT_H
-#define PP_TESTS_LIB_LIT_H
+/* sampled_light.h - irradiance and radiance as means over independent sequences
+ * of paths, with their standard errors, for tests.
+ */
+#ifndef PP_TESTS_LIB_SAMPLED_LIGHT_H
+#define PP_TESTS_LIB_SAMPLED_LIGHT_H
 
 #include <stdlib.h>
 
@@ -13,7 +15,7 @@ enum { PP_TEST_SEEDS = 32 };
 struct pp_test_mean {
     struct pp_rgb value;
     double error; /* of the luminance */
-    long rays;    /* of all of them */
+    long rays;    /* of all sequences together */
 };
 
 static inline struct pp_test_mean pp_test_mean_of(const struct pp_rgb *values,
@@ -67,7 +69,7 @@ static inline struct pp_test_mean pp_test_irradiance(
     return mean;
 }
 
-/* Radiance along a ray, likewise. */
+/* Radiance along a ray, by `paths` paths in each of the sequences. */
 static inline struct pp_test_mean pp_test_radiance(const struct pp_light_scene *scene,
                                                    struct pp_radiance_options options,
                                                    struct pp_vec3 from,
@@ -94,8 +96,8 @@ static inline struct pp_test_mean pp_test_radiance(const struct pp_light_scene *
     return pp_test_mean_of(values, PP_TEST_SEEDS);
 }
 
-/* Within four standard errors (missed once in 3000 by chance, and seeds are fixed),
- * which are no more than `most`. */
+/* The mean lies within four standard errors of what is expected (outside once in 3000 by
+ * chance, and seeds are fixed), and its standard error is at most `most`. */
 #define assert_lit(mean, expected, most)                                               \
     do {                                                                               \
         struct pp_test_mean mean_ = (mean);                                            \
