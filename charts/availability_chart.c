@@ -1,3 +1,6 @@
+/* availability_chart.c - draws the curves of availability_chart.h: staircases of the working
+ * hours' illuminances, their names, the lines of what is wanted, both scales.
+ */
 #include "charts/availability_chart.h"
 
 #include <math.h>
@@ -45,8 +48,8 @@ static void choose_rows(struct availability_plot *plot)
                  report->receivers[0].position.x, report->receivers[0].position.y);
 }
 
-/* The illuminance that no more than 1 of 200 hours exceeds in any period, so that a few
- * bright ones don't squeeze the rest. */
+/* The illuminance that no more than 1 of 200 hours exceeds in any period: a scale to the
+ * brightest hour would squeeze the rest. */
 static double top_lx(const struct pp_availability_sheet *sheet)
 {
     double top = 1000.0;
@@ -62,7 +65,7 @@ static double top_lx(const struct pp_availability_sheet *sheet)
 
 /* ---- words ---- */
 
-/* As one reads an illuminance off a curve. */
+/* To three figures, as illuminances are read off a curve. */
 static double three_figures(double lx)
 {
     double unit = pow(10.0, fmax(0.0, floor(log10(lx)) - 2.0));
@@ -209,10 +212,10 @@ static void name_curves(struct availability_plot *plot)
                    0.6 * plot->field.width);
 }
 
-/* ---- what is wanted ---- */
+/* ---- illuminances wanted ---- */
 
-/* A line up from what an illuminance needs outside, its name above the field, a dot at
- * each curve. *free_from is where names may begin. */
+/* A line up from the illuminance outside that gives one wanted inside, its name above
+ * the field, a dot at each curve. *free_from is where names may begin. */
 static void draw_mark(struct availability_plot *plot,
                       const struct pp_availability_row *row, double *free_from)
 {

@@ -1,3 +1,4 @@
+/* chart_kind.c - the list of charts, in the order in which it is printed. */
 #include "charts/chart_kind.h"
 
 #include <string.h>

@@ -1,3 +1,7 @@
+/* picture_chart.c - lays a picture on a sheet: the raster itself, over it the grid,
+ * level lines and marks, beside it the scale of its false colours, below it a bar of
+ * metres.
+ */
 #include "charts/picture_chart.h"
 
 #include <math.h>
@@ -9,8 +13,8 @@
 #include "charts/picture_png.h"
 #include "charts/room/room_plan.h"
 
-/* Of what is left beside the picture for the scale of its colours, and below it for
- * that of its lengths, in style.scale. */
+/* The space beside the picture for the scale of its colours, the width of that scale's
+ * bar, and the space below the picture for its scale of lengths; times style.scale. */
 static const double scale_mm = 22.0, bar_mm = 7.0, below_mm = 11.0;
 
 struct picture_drawing {

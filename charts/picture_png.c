@@ -1,3 +1,4 @@
+/* picture_png.c - hands a raster to cairo and takes the PNG file that cairo writes. */
 #include "charts/picture_png.h"
 
 #include <stdint.h>

@@ -1,4 +1,4 @@
-/* board.c - see board.h. */
+/* board.c - tints, hatching, sums and ruler that the drawing board's diagrams share. */
 #include "charts/drawing_board/board.h"
 
 #include <math.h>

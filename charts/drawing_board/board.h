@@ -33,8 +33,8 @@ void pp_board_outline(cairo_t *cr, const struct pp_style *style,
 struct pp_box pp_board_tint_keys(cairo_t *cr, const struct pp_style *style, double x,
                                  double y, bool hidden_too, bool drawn);
 
-/* What is written below a diagram: the sum of each window with its letter and line,
- * those beyond the first few as so many further ones, and the sum of all. */
+/* The sums below a diagram: each of the first few windows' with letter and line, the
+ * number of the others, and the sum of all. */
 struct pp_board_sums {
     const char *unit; /* "squares" */
     double worth;     /* of one, a fraction of Eh */

@@ -1,3 +1,6 @@
+/* nomogram_notes.c - the words on a nomogram: title, instructions, letters,
+ * formula, and a room's readings.
+ */
 #include "charts/drawing_board/nomogram_notes.h"
 
 #include <math.h>

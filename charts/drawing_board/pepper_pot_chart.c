@@ -1,7 +1,9 @@
-/* pepper_pot_chart.c - see pepper_pot_chart.h.
+/* pepper_pot_chart.c - draws Pleijel's dots and a room's windows in perspective.
  *
- * The eye stands `viewing` before the paper, at the height of the horizon. A metre in a
- * plane d metres away is drawn as viewing / d.
+ * The eye stands at the viewing distance v (mm) before the paper, at the height of the
+ * horizon. A length of l metres in an upright plane d metres away is drawn with
+ *
+ *     v l / d                                                        (mm)
  */
 #include "charts/drawing_board/pepper_pot_chart.h"
 
@@ -11,17 +13,19 @@
 
 #include "charts/drawing_board/board.h"
 #include "charts/sheet/page.h"
+#include "model/geometry/bounds.h"
 
 enum { RULERS_MOST = 6 };
 
-/* Dots over the unit square where they are densest, for a worth of 0.1 %. */
+/* Dots on a square of one viewing distance, where dots are densest, for a worth of 0.1 %
+ * a dot. */
 static const double densest = 90.0;
 
 struct pepper_pot_drawing {
     cairo_t *cr;
     struct pp_style style;
     const struct pp_pepper_pot_sheet *sheet;
-    double viewing; /* mm */
+    double viewing; /* distance from the eye to the paper, mm */
 };
 
 /* One panel on paper. */
@@ -35,15 +39,11 @@ struct pepper_pot_plot {
 /* --- windows -------------------------------------------------------------------------
  */
 
-struct extent {
-    double low[2], high[2];
-};
-
-/* Of a panel's windows and the point straight ahead; a little of what lies below the
- * horizon. */
-static struct extent panel_extent(const struct pp_pepper_pot_panel *panel)
+/* The extent of a panel's windows and the point straight ahead; of what lies below the
+ * horizon only the uppermost part. */
+static struct pp_bounds2 panel_extent(const struct pp_pepper_pot_panel *panel)
 {
-    struct extent extent = {{0.0, 0.0}, {0.0, 0.0}};
+    struct pp_bounds2 extent = {{0.0, 0.0}, {0.0, 0.0}};
     for (int w = 0; w < panel->count; w++)
         pp_board_sheets_window_extent(&panel->windows[w], extent.low, extent.high);
     extent.low[1] = fmax(extent.low[1], -0.3);
@@ -70,12 +70,12 @@ static void draw_outlines(const struct pepper_pot_drawing *drawing,
                              &plot->panel->windows[w].pieces[p].outline);
 }
 
-/* Beside the upper left corner of what is seen of each window. */
+/* Each window's letter, beside the upper left corner of the part that is seen. */
 static void draw_letters(const struct pepper_pot_drawing *drawing,
                          const struct pepper_pot_plot *plot)
 {
     for (int w = 0; w < plot->panel->count; w++) {
-        struct extent extent = {{INFINITY, INFINITY}, {-INFINITY, -INFINITY}};
+        struct pp_bounds2 extent = pp_bounds2_empty();
         pp_board_sheets_window_extent(&plot->panel->windows[w], extent.low,
                                       extent.high);
         if (!(extent.high[0] > extent.low[0]))
@@ -116,7 +116,7 @@ static void draw_dots(const struct pepper_pot_drawing *drawing,
     }
 }
 
-/* The step of the scales, so that labels have room. */
+/* The least step of the scales at which labels have room. */
 static double scale_step(const struct pepper_pot_drawing *drawing)
 {
     static const double steps[] = {0.1, 0.2, 0.5, 1.0, 2.0, 5.0};
@@ -181,7 +181,7 @@ static void panel_words(char *words, size_t room,
                 panel->dot_count, 100.0 * panel->whole);
 }
 
-/* What a panel takes around its frame: left, top, right, bottom. */
+/* Room for scales and words around a panel's frame: left, top, right, bottom (mm). */
 struct pepper_pot_margins {
     double left, top, right, bottom;
 };
@@ -213,7 +213,7 @@ static void draw_panel(const struct pepper_pot_drawing *drawing,
     const struct pp_style *style = &drawing->style;
     const struct pp_box *frame = &plot->frame;
     struct pepper_pot_margins border = panel_border(drawing);
-    struct extent extent = panel_extent(plot->panel);
+    struct pp_bounds2 extent = panel_extent(plot->panel);
     double mm = drawing->viewing;
     double low = extent.low[0], high = extent.high[0];
     plot->map =
@@ -278,7 +278,7 @@ static double ruler_pitch(const struct pp_style *style)
     return 1.35 * style->text[PP_TEXT_SMALL];
 }
 
-/* Metres in planes at several distances, as they are drawn. */
+/* Draws metres as they look in planes at several distances. */
 static void draw_metres(const struct pepper_pot_drawing *drawing, double x, double y,
                         double width)
 {
@@ -337,8 +337,8 @@ static void viewing_words(const struct pepper_pot_drawing *drawing, char *words,
     }
 }
 
-/* The ruler, the rule of scale and the metres; returns the height, drawn only if
- * asked. */
+/* The ruler, the rule of scale and the metres; drawn only if `drawn`. Returns their
+ * height. */
 static double draw_rulers(const struct pepper_pot_drawing *drawing, struct pp_box room,
                           bool drawn)
 {
@@ -372,7 +372,7 @@ static double draw_rulers(const struct pepper_pot_drawing *drawing, struct pp_bo
 /* --- the sheet -----------------------------------------------------------------------
  */
 
-/* The tints' keys and the sum; returns the height, drawn only if asked. */
+/* The tints' keys and the sum; drawn only if `drawn`. Returns their height. */
 static double draw_sums(const struct pepper_pot_drawing *drawing, struct pp_box room,
                         bool drawn)
 {
@@ -424,7 +424,7 @@ static void titles(const struct pepper_pot_drawing *drawing, char *title,
              sheet->point.x, sheet->point.y, sheet->point.z, plane, sky);
 }
 
-/* Dots worth less stand closer together. */
+/* Dots worth less stand closer together, and need a larger drawing. */
 static double default_viewing(const struct pp_pepper_pot_sheet *sheet)
 {
     return sheet->worth < 0.0005 ? 60.0 : 30.0;
@@ -440,7 +440,7 @@ static double choose_viewing(const struct pp_pepper_pot_sheet *sheet, double wid
     enum { COUNT = sizeof usual / sizeof usual[0] };
     double most = default_viewing(sheet);
     for (int i = 0; i < sheet->count; i++) {
-        struct extent extent = panel_extent(&sheet->panels[i]);
+        struct pp_bounds2 extent = panel_extent(&sheet->panels[i]);
         double wide = extent.high[0] - extent.low[0];
         double high = extent.high[1] - extent.low[1];
         most = fmin(most, fmin(0.96 * width / wide, 0.93 * height / high));

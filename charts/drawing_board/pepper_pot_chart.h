@@ -6,9 +6,8 @@
 #include "charts/sheet/canvas.h"
 #include "model/results/board_sheets.h"
 
-/* viewing_mm: from the eye to the drawing, 5 to 200; 0: 30, for dots worth
- * less than 0.05 % 60, or the largest usual one
- * at which the windows stay on the sheet. */
+/* viewing_mm: from the eye to the drawing, 5 to 200. 0: 30, or 60 for dots worth less
+ * than 0.05 %; less where the windows would not stay on the sheet. */
 enum pp_status pp_pepper_pot_chart_draw(struct pp_canvas *canvas,
                                         const struct pp_pepper_pot_sheet *sheet,
                                         double viewing_mm, struct pp_error *err);

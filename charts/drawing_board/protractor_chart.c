@@ -1,3 +1,6 @@
+/* protractor_chart.c - lays a protractor by itself on a sheet, the disc as large
+ * as the sheet holds.
+ */
 #include "charts/drawing_board/protractor_chart.h"
 
 #include <math.h>
@@ -8,7 +11,7 @@
 #include "charts/drawing_board/protractor_disc.h"
 #include "charts/drawing_board/protractor_worked.h"
 
-/* What title, notes and ruler take of the sheet's height at the least. */
+/* The least height of title, notes and ruler. */
 static double taken_mm(const struct pp_style *style)
 {
     return 50.0 * style->scale;
@@ -78,7 +81,7 @@ static double write_line(cairo_t *cr, const struct pp_style *style,
     return y + pp_lettering_draw(cr, style, &set, x, y, words).height;
 }
 
-/* What it is, on the disc itself, which may be cut out. */
+/* The protractor's name, on the disc itself, which may be cut out. */
 static void write_name(cairo_t *cr, const struct pp_style *style,
                        const struct pp_protractor_disc *disc)
 {

@@ -1,3 +1,6 @@
+/* protractor_disc.c - draws the two halves of a protractor: rim with degrees,
+ * primary scale, semicircles of the auxiliary scale.
+ */
 #include "charts/drawing_board/protractor_disc.h"
 
 #include <math.h>

@@ -1,3 +1,6 @@
+/* protractor_worked.c - lays the protractor on the room's section and plan,
+ * draws sight lines with their readings, and writes the sum below.
+ */
 #include "charts/drawing_board/protractor_worked.h"
 
 #include <math.h>
@@ -42,7 +45,7 @@ struct protractor_drawing {
     double radius;
 };
 
-/* As a careful reader reads it: to a hundredth of a per cent. */
+/* A reading as careful readers take it: to a hundredth of a per cent. */
 static void write_percent(char *text, size_t room, double fraction)
 {
     snprintf(text, room, "%.2f\u00a0%%", 100.0 * fabs(fraction));
@@ -67,8 +70,8 @@ static void note(struct sight_lines *sights, struct sight_line sight)
 typedef void place_function(const struct pp_protractor_disc *disc, double angle_rad,
                             double distance, double xy[2]);
 
-/* The words of a sight line, beyond what it leads to where that is near, else at the
- * rim; further out where other words stand. */
+/* The words of a sight line, behind the edge that it leads to where that is near, else
+ * at the rim; further out where other words stand. */
 static struct pp_box write_sight(const struct protractor_drawing *drawing,
                                  const struct pp_protractor_disc *disc,
                                  place_function *place, const struct sight_line *sight,
@@ -157,7 +160,7 @@ static enum pp_status draw_section(const struct protractor_drawing *drawing,
                                   {.normal = {0, 0, 1}}};
     line[1].position = pp_vec_along(sheet->point, -0.01, sheet->read.out);
     struct pp_section_cut cut = {0};
-    enum pp_status status = pp_section_cut_create(&cut, sheet->world, line, 2, err);
+    enum pp_status status = pp_section_cut_init(&cut, sheet->world, line, 2, err);
     if (status != PP_OK)
         return status;
 
@@ -290,8 +293,8 @@ static void draw_turned_down(const struct protractor_drawing *drawing,
                   text);
 }
 
-/* What the half disc and its words need beyond the room: `low` to the left and below,
- * `high` to the right and above. */
+/* The space that the half disc and its words need outside the room: `low` to the left
+ * and below, `high` to the right and above. */
 static void make_room(const struct protractor_drawing *drawing,
                       const struct pp_room_plan *plan, double low[2], double high[2])
 {
@@ -303,8 +306,8 @@ static void make_room(const struct protractor_drawing *drawing,
     double edge = drawing->radius + pp_protractor_disc_border(style);
     double border = pp_room_plan_border(plan, style);
     for (int k = 0; k < 2; k++) {
-        double below = (at[k] - plan->low[k]) * plan->mm_per_m;
-        double above = (plan->high[k] - at[k]) * plan->mm_per_m;
+        double below = (at[k] - plan->extent.low[k]) * plan->mm_per_m;
+        double above = (plan->extent.high[k] - at[k]) * plan->mm_per_m;
         double across = edge * fabs(out[1 - k]);
         double to_low = fmax(edge * fmax(-out[k], 0.0), across) + words[k];
         double to_high = fmax(edge * fmax(out[k], 0.0), across) + words[k];
@@ -325,8 +328,8 @@ static void draw_plan(const struct protractor_drawing *drawing, struct pp_box bo
                          box.height - low[1] - high[1]);
         make_room(drawing, &plan, low, high);
     }
-    double width = (plan.high[0] - plan.low[0]) * plan.mm_per_m;
-    double height = (plan.high[1] - plan.low[1]) * plan.mm_per_m;
+    double width = (plan.extent.high[0] - plan.extent.low[0]) * plan.mm_per_m;
+    double height = (plan.extent.high[1] - plan.extent.low[1]) * plan.mm_per_m;
     plan.x = box.x + (box.width - width - low[0] - high[0]) / 2.0 + low[0];
     plan.y = box.y + (box.height - height - low[1] - high[1]) / 2.0 + high[1] + height;
 

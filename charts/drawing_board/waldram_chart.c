@@ -1,4 +1,6 @@
-/* waldram_chart.c - see waldram_chart.h. */
+/* waldram_chart.c - draws the panels of a Waldram diagram: squares, droop lines, scales of
+ * altitude and azimuth, the windows with their counted squares, and the sum below.
+ */
 #include "charts/drawing_board/waldram_chart.h"
 
 #include <math.h>
@@ -9,11 +11,13 @@
 #include "charts/drawing_board/board.h"
 #include "charts/sheet/legend.h"
 #include "charts/sheet/page.h"
+#include "model/geometry/bounds.h"
 
-/* Columns from azimuth 0 to 90 degrees. */
+/* Columns of squares from azimuth 0 to 90 degrees. */
 enum { HALF_COLUMNS = 18 };
 
-/* Dash of the droop lines of edges perpendicular to the window, of style.c. */
+/* The curve of style.c whose dash the droop lines of edges perpendicular to the window
+ * have. */
 enum { ACROSS_DASH = 1 };
 
 struct waldram_drawing {
@@ -266,20 +270,21 @@ static void draw_tenths(const struct waldram_drawing *drawing,
     }
 }
 
-/* A letter in the middle of what is seen of a window, or above it. */
+/* The window's letter, in the middle of the part that is seen, or above that part. */
 static void draw_letter(const struct waldram_drawing *drawing,
                         const struct waldram_plot *plot,
                         const struct pp_board_window *window, int index)
 {
-    double low[2] = {INFINITY, INFINITY}, high[2] = {-INFINITY, -INFINITY};
-    pp_board_sheets_window_extent(window, low, high);
+    struct pp_bounds2 extent = pp_bounds2_empty();
+    pp_board_sheets_window_extent(window, extent.low, extent.high);
+    const double *low = extent.low, *high = extent.high;
     if (!(high[0] > low[0]))
         return;
     struct pp_lettering set = {
         .size = PP_TEXT_HEAD, .bold = true, .across = 0.5, .down = 0.5};
     double y = at_y(plot, 0.5 * (low[1] + high[1]));
     if ((high[1] - low[1]) * plot->map.mm < 1.8 * drawing->style.text[PP_TEXT_HEAD]) {
-        set.down = 1.0; /* too low for it: above */
+        set.down = 1.0; /* the part is too low for a letter: above */
         y = at_y(plot, high[1]) - 0.4 * drawing->style.scale;
     }
     pp_lettering_draw_on_white(drawing->cr, &drawing->style, &set,
@@ -315,7 +320,8 @@ static void draw_windows(const struct waldram_drawing *drawing,
     cairo_rectangle(drawing->cr, frame.x, frame.y, frame.width, frame.height);
     cairo_clip(drawing->cr);
     draw_pieces(drawing, plot, tints);
-    /* What leaves a diagram of all azimuths on one side comes in on the other. */
+    /* A window that leaves a diagram of all azimuths on one side comes in on the
+     * other. */
     for (int side = -1; side <= 1 && panel->high > HALF_COLUMNS; side += 2) {
         struct waldram_plot turned = *plot;
         turned.map.x0 += side * (panel->high - panel->low) * plot->map.mm;
@@ -354,7 +360,7 @@ static void say_foot(char *foot, size_t room, const struct pp_waldram_sheet *she
     pp_page_say(foot, room, "After Waldram and Waldram, 1923.");
 }
 
-/* What a panel is for, above it. */
+/* The words above a panel: its wall, glass, number of squares and their worth. */
 static void panel_words(char *words, size_t room, const struct pp_waldram_sheet *sheet,
                         const struct pp_waldram_panel *panel)
 {
@@ -366,7 +372,7 @@ static void panel_words(char *words, size_t room, const struct pp_waldram_sheet 
                 panel->whole / sheet->worth, 100.0 * panel->whole);
 }
 
-/* What a panel takes around its frame. */
+/* Room for scales and words around a panel's frame, mm. */
 struct waldram_margins {
     double side, head, foot;
 };
@@ -417,7 +423,7 @@ static void draw_panel(const struct waldram_drawing *drawing, struct waldram_plo
     draw_azimuths(drawing, plot);
 }
 
-/* Keys and sum below the panels; returns their height, drawn only if asked. */
+/* Keys and sum below the panels; drawn only if `drawn`. Returns their height. */
 static double draw_below(const struct waldram_drawing *drawing, double x, double y,
                          double width, bool drawn)
 {
@@ -464,7 +470,7 @@ static void titles(const struct pp_waldram_sheet *sheet, char *title, char *subt
              sheet->point.x, sheet->point.y, sheet->point.z, sky);
 }
 
-/* Into how many columns panels are put so that the smallest squares are largest. */
+/* The number of columns of panels at which the smallest square is largest. */
 static int choose_columns(const struct waldram_drawing *drawing, struct pp_box body,
                           double gap)
 {

@@ -1,3 +1,6 @@
+/* contour_lines.c - draws a level line with a gap for its figure where the line is
+ * straight and nothing else stands.
+ */
 #include "charts/room/contour_lines.h"
 
 #include <math.h>
@@ -84,21 +87,22 @@ static void path_between(cairo_t *cr, const struct track *track, double from, do
     cairo_line_to(cr, last.x, last.y);
 }
 
-/* The station at `at` with the direction of the chord of that width about it; *bend is
- * how much the line is longer than that chord, over its length. */
+/* The middle and direction of the chord that ends `width` apart on the track, half of it
+ * on either side of `at`; *excess is the share of the track's length between the ends by
+ * which the chord is shorter, 0 on a straight line. */
 static struct station chord_at(const struct track *track, double at, double width,
-                               double *bend)
+                               double *excess)
 {
     struct station before = station_at(track, at - 0.5 * width);
     struct station after = station_at(track, at + 0.5 * width);
     double chord = fmax(hypot(after.x - before.x, after.y - before.y), 1e-6);
-    *bend = 1.0 - chord / width;
+    *excess = 1.0 - chord / width;
     return (struct station){0.5 * (before.x + after.x), 0.5 * (before.y + after.y),
                             (after.x - before.x) / chord, (after.y - before.y) / chord};
 }
 
-/* Does a label at this station, turned along the line, keep off what is noted of
- * others? */
+/* Does a label at this station, turned along the line, cover nothing that is noted of
+ * others than the owner? */
 static bool is_clear(const struct pp_labels *labels, int owner, struct station at,
                      double width, double height)
 {
@@ -117,8 +121,9 @@ static bool is_clear(const struct pp_labels *labels, int owner, struct station a
     return true;
 }
 
-/* Where along the track the label stands best: clear, the line straight below it, near
- * the middle. Negative: nowhere. */
+/* The length along the track at which a label stands best: clear of all others, on a
+ * straight piece (an excess under 0.2), near the middle. Negative: there is none. The
+ * weights are chosen by trial. */
 static double best_place(const struct track *track, const struct pp_labels *labels,
                          int owner, double width, double height)
 {
@@ -126,12 +131,12 @@ static double best_place(const struct track *track, const struct pp_labels *labe
     double best = -1.0, least = INFINITY;
     int tries = (int)fmin(fmax(length / 2.0, 8.0), 60.0);
     for (int i = 1; i < tries; i++) {
-        double at = length * i / tries, bend;
+        double at = length * i / tries, excess;
         if (at < 0.8 * width || at > length - 0.8 * width)
             continue;
-        struct station chord = chord_at(track, at, width, &bend);
-        double cost = 30.0 * bend + fabs(at / length - 0.5);
-        if (cost < least && bend < 0.2
+        struct station chord = chord_at(track, at, width, &excess);
+        double cost = 30.0 * excess + fabs(at / length - 0.5);
+        if (cost < least && excess < 0.2
             && is_clear(labels, owner, chord, width, height)) {
             least = cost;
             best = at;
@@ -144,8 +149,8 @@ static void draw_label(cairo_t *cr, const struct pp_style *style,
                        const struct track *track, double at, double width,
                        const char *words, struct pp_labels *labels)
 {
-    double bend;
-    struct station chord = chord_at(track, at, width, &bend);
+    double excess;
+    struct station chord = chord_at(track, at, width, &excess);
     double turn = atan2(chord.dy, chord.dx);
     if (turn > PP_PI / 2.0 + 1e-6)
         turn -= PP_PI;

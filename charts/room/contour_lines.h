@@ -1,5 +1,4 @@
-/* contour_lines.h - level lines on paper, each with its figure set into it.
- */
+/* contour_lines.h - level lines on paper, each with its figure in a gap of the line. */
 #ifndef PP_CHARTS_ROOM_CONTOUR_LINES_H
 #define PP_CHARTS_ROOM_CONTOUR_LINES_H
 

@@ -1,3 +1,6 @@
+/* plan_chart.c - draws the plan with its contours, their figures, the no-sky line,
+ * and below the plan scale bar, legend and north.
+ */
 #include "charts/room/plan_chart.h"
 
 #include <math.h>
@@ -10,7 +13,7 @@
 #include "charts/sheet/page.h"
 #include "charts/room/room_plan.h"
 
-struct sheet {
+struct plan_drawing {
     cairo_t *cr;
     struct pp_style style;
     const struct pp_plan_chart *chart;
@@ -20,7 +23,7 @@ struct sheet {
     int key_count;
 };
 
-/* Dash of the no-sky line, of number 2 in style.c. */
+/* The curve of style.c whose dash the no-sky line has. */
 enum { NO_SKY_LINE = 2 };
 
 bool pp_plan_chart_landscape(const struct pp_world *world)
@@ -28,76 +31,77 @@ bool pp_plan_chart_landscape(const struct pp_world *world)
     struct pp_style style = pp_style_for(210.0);
     struct pp_room_plan plan;
     pp_room_plan_fit(&plan, world, &style, 200.0, 200.0);
-    return plan.high[0] - plan.low[0] > 1.1 * (plan.high[1] - plan.low[1]);
+    return plan.extent.high[0] - plan.extent.low[0]
+           > 1.1 * (plan.extent.high[1] - plan.extent.low[1]);
 }
 
 /* ---- the plane ---- */
 
-static void draw_dark(struct sheet *sheet)
+static void draw_dark(struct plan_drawing *drawing)
 {
-    const struct pp_curve_list *dark = &sheet->chart->plan->dark;
+    const struct pp_curve_list *dark = &drawing->chart->plan->dark;
     for (int i = 0; i < dark->count; i++)
-        pp_contour_lines_path(sheet->cr, &sheet->plan, &dark->list[i]);
-    cairo_set_fill_rule(sheet->cr, CAIRO_FILL_RULE_WINDING);
-    pp_style_grey(sheet->cr, PP_GREY_FILL);
-    cairo_fill(sheet->cr);
+        pp_contour_lines_path(drawing->cr, &drawing->plan, &dark->list[i]);
+    cairo_set_fill_rule(drawing->cr, CAIRO_FILL_RULE_WINDING);
+    pp_style_grey(drawing->cr, PP_GREY_FILL);
+    cairo_fill(drawing->cr);
 }
 
-static void draw_no_sky_line(struct sheet *sheet)
+static void draw_no_sky_line(struct plan_drawing *drawing)
 {
-    const struct pp_curve_list *lines = &sheet->chart->plan->no_sky;
+    const struct pp_curve_list *lines = &drawing->chart->plan->no_sky;
     struct pp_curve_style look = pp_style_curve(NO_SKY_LINE);
-    pp_style_pen(sheet->cr, &sheet->style, &look);
+    pp_style_pen(drawing->cr, &drawing->style, &look);
     for (int i = 0; i < lines->count; i++)
-        pp_contour_lines_path(sheet->cr, &sheet->plan, &lines->list[i]);
-    pp_labels_note_path(sheet->labels, sheet->cr, -1);
-    cairo_stroke(sheet->cr);
+        pp_contour_lines_path(drawing->cr, &drawing->plan, &lines->list[i]);
+    pp_labels_note_path(drawing->labels, drawing->cr, -1);
+    cairo_stroke(drawing->cr);
 }
 
-/* Reference points, but for those under figures and the no-sky line. */
-static void draw_receivers(struct sheet *sheet)
+/* Reference points, except those under figures or the no-sky line. */
+static void draw_receivers(struct plan_drawing *drawing)
 {
-    const struct pp_report *report = sheet->chart->report;
+    const struct pp_report *report = drawing->chart->report;
     for (int i = 0; report && i < report->receiver_count; i++) {
-        double x = pp_room_plan_x(&sheet->plan, report->receivers[i].position.x);
-        double y = pp_room_plan_y(&sheet->plan, report->receivers[i].position.y);
-        if (!pp_labels_is_near(sheet->labels, -1, x, y, 1.2 * sheet->style.scale))
-            pp_style_marker(sheet->cr, &sheet->style, PP_POINT_MARK, x, y);
+        double x = pp_room_plan_x(&drawing->plan, report->receivers[i].position.x);
+        double y = pp_room_plan_y(&drawing->plan, report->receivers[i].position.y);
+        if (!pp_labels_is_near(drawing->labels, -1, x, y, 1.2 * drawing->style.scale))
+            pp_style_marker(drawing->cr, &drawing->style, PP_POINT_MARK, x, y);
     }
 }
 
-/* Two and five per cent, by which rooms are judged, are drawn heavier. */
+/* The lines of 2 and 5 %, by which rooms are judged, are heavier. */
 static double weight_of(const struct pp_style *style, double level)
 {
     bool heavy = fabs(level - 0.02) < 1e-9 || fabs(level - 0.05) < 1e-9;
     return heavy ? style->medium : style->thin;
 }
 
-/* A level of which no line was long enough for its figure gets it beside one. */
-static void label_beside(struct sheet *sheet, int owner, const char *words)
+/* The figure of a level of which no line is long enough stands beside one. */
+static void label_beside(struct plan_drawing *drawing, int owner, const char *words)
 {
     const struct pp_lettering set = {.size = PP_TEXT_SMALL};
-    struct pp_box size =
-                      pp_lettering_measure(sheet->cr, &sheet->style, &set, 0, 0, words),
+    struct pp_box size = pp_lettering_measure(drawing->cr, &drawing->style, &set, 0, 0,
+                                              words),
                   box;
     double anchor[2];
-    if (!pp_labels_find(sheet->labels, &sheet->style, size.width, size.height, owner,
-                        &box, anchor))
+    if (!pp_labels_find(drawing->labels, &drawing->style, size.width, size.height,
+                        owner, &box, anchor))
         return;
-    pp_labels_lead(sheet->cr, &sheet->style, box, anchor);
-    pp_lettering_draw(sheet->cr, &sheet->style, &set, box.x, box.y, words);
-    pp_labels_note_box(sheet->labels, box);
+    pp_labels_lead(drawing->cr, &drawing->style, box, anchor);
+    pp_lettering_draw(drawing->cr, &drawing->style, &set, box.x, box.y, words);
+    pp_labels_note_box(drawing->labels, box);
 }
 
-static void draw_contours(struct sheet *sheet)
+static void draw_contours(struct plan_drawing *drawing)
 {
-    const struct pp_curve_list *curves = &sheet->chart->plan->contours;
+    const struct pp_curve_list *curves = &drawing->chart->plan->contours;
 
     /* Every line is noted before any is labelled, so that figures keep off all. */
     for (int i = 0; i < curves->count; i++) {
-        pp_contour_lines_path(sheet->cr, &sheet->plan, &curves->list[i]);
-        pp_labels_note_path(sheet->labels, sheet->cr, i);
-        cairo_new_path(sheet->cr);
+        pp_contour_lines_path(drawing->cr, &drawing->plan, &curves->list[i]);
+        pp_labels_note_path(drawing->labels, drawing->cr, i);
+        cairo_new_path(drawing->cr);
     }
     for (int first = 0; first < curves->count;) {
         double level = curves->list[first].level;
@@ -107,21 +111,21 @@ static void draw_contours(struct sheet *sheet)
         int i = first, longest = first;
         for (; i < curves->count && curves->list[i].level == level; i++) {
             labelled |= pp_contour_lines_draw(
-                sheet->cr, &sheet->style, &sheet->plan, &curves->list[i],
-                weight_of(&sheet->style, level), words, sheet->labels, i);
+                drawing->cr, &drawing->style, &drawing->plan, &curves->list[i],
+                weight_of(&drawing->style, level), words, drawing->labels, i);
             if (pp_curve_length(&curves->list[i])
                 > pp_curve_length(&curves->list[longest]))
                 longest = i;
         }
         if (!labelled)
-            label_beside(sheet, longest, words);
+            label_beside(drawing, longest, words);
         first = i;
     }
 }
 
-static void say_flat(struct sheet *sheet)
+static void say_flat(struct plan_drawing *drawing)
 {
-    const struct pp_daylight_plan *plan = sheet->chart->plan;
+    const struct pp_daylight_plan *plan = drawing->chart->plan;
     char words[160];
     if (plan->highest > 0.0) {
         char percent[32];
@@ -133,50 +137,50 @@ static void say_flat(struct sheet *sheet)
     }
     double middle[2];
     for (int k = 0; k < 2; k++)
-        middle[k] = 0.5 * (sheet->plan.low[k] + sheet->plan.high[k]);
-    struct pp_lettering set = {.size = PP_TEXT_BODY,
-                               .grey = PP_GREY_TEXT,
-                               .across = 0.5,
-                               .down = 0.5,
-                               .width =
-                                   fmax(0.8 * (sheet->plan.high[0] - sheet->plan.low[0])
-                                            * sheet->plan.mm_per_m,
-                                        30.0)};
-    pp_lettering_draw(sheet->cr, &sheet->style, &set,
-                      pp_room_plan_x(&sheet->plan, middle[0]),
-                      pp_room_plan_y(&sheet->plan, middle[1]), words);
+        middle[k] = 0.5 * (drawing->plan.extent.low[k] + drawing->plan.extent.high[k]);
+    struct pp_lettering set = {
+        .size = PP_TEXT_BODY,
+        .grey = PP_GREY_TEXT,
+        .across = 0.5,
+        .down = 0.5,
+        .width = fmax(0.8 * (drawing->plan.extent.high[0] - drawing->plan.extent.low[0])
+                          * drawing->plan.mm_per_m,
+                      30.0)};
+    pp_lettering_draw(drawing->cr, &drawing->style, &set,
+                      pp_room_plan_x(&drawing->plan, middle[0]),
+                      pp_room_plan_y(&drawing->plan, middle[1]), words);
 }
 
-/* ---- round about ---- */
+/* ---- around the plan ---- */
 
-static void add_key(struct sheet *sheet, enum pp_legend_kind kind, int look,
+static void add_key(struct plan_drawing *drawing, enum pp_legend_kind kind, int look,
                     double weight, double grey, const char *words)
 {
-    struct pp_key *key = &sheet->keys[sheet->key_count++];
+    struct pp_key *key = &drawing->keys[drawing->key_count++];
     *key = (struct pp_key){.kind = kind, .curve = pp_style_curve(look), .grey = grey};
     key->curve.weight = weight;
     snprintf(key->words, sizeof key->words, "%s", words);
 }
 
-static void gather_keys(struct sheet *sheet)
+static void gather_keys(struct plan_drawing *drawing)
 {
-    const struct pp_daylight_plan *plan = sheet->chart->plan;
+    const struct pp_daylight_plan *plan = drawing->chart->plan;
     char words[96];
     if (plan->contours.count) {
         snprintf(words, sizeof words, "daylight factor by %s (%%)", plan->name);
-        add_key(sheet, PP_KEY_LINE, 0, sheet->style.thin / sheet->style.medium, PP_INK,
-                words);
+        add_key(drawing, PP_KEY_LINE, 0, drawing->style.thin / drawing->style.medium,
+                PP_INK, words);
     }
     if (plan->no_sky.count)
-        add_key(sheet, PP_KEY_LINE, NO_SKY_LINE, 1.0, PP_INK, "no-sky line");
+        add_key(drawing, PP_KEY_LINE, NO_SKY_LINE, 1.0, PP_INK, "no-sky line");
     if (plan->dark.count) {
         snprintf(words, sizeof words, "no direct sky: %.0f\u00a0%% of the plane",
                  100.0 * (1.0 - plan->sky_share));
-        add_key(sheet, PP_KEY_TINT, 0, 1.0, PP_GREY_FILL, words);
+        add_key(drawing, PP_KEY_TINT, 0, 1.0, PP_GREY_FILL, words);
     }
-    if (sheet->chart->report && sheet->chart->report->receiver_count) {
-        add_key(sheet, PP_KEY_MARKER, 0, 1.0, PP_INK, "reference points");
-        sheet->keys[sheet->key_count - 1].curve.marker = PP_POINT_MARK;
+    if (drawing->chart->report && drawing->chart->report->receiver_count) {
+        add_key(drawing, PP_KEY_MARKER, 0, 1.0, PP_INK, "reference points");
+        drawing->keys[drawing->key_count - 1].curve.marker = PP_POINT_MARK;
     }
 }
 
@@ -206,52 +210,54 @@ static void say_foot(const struct pp_plan_chart *chart, char *foot, size_t room)
 }
 
 /* Scale bar left, legend in the middle, north right, in a strip at the body's foot. */
-static double strip_height(const struct sheet *sheet)
+static double strip_height(const struct plan_drawing *drawing)
 {
-    double keys = sheet->key_count * (1.35 * sheet->style.text[PP_TEXT_BODY])
-                  + 0.7 * sheet->style.scale * sheet->key_count;
-    return fmax(keys, 14.0 * sheet->style.scale);
+    double keys = drawing->key_count * (1.35 * drawing->style.text[PP_TEXT_BODY])
+                  + 0.7 * drawing->style.scale * drawing->key_count;
+    return fmax(keys, 14.0 * drawing->style.scale);
 }
 
-static void draw_strip(struct sheet *sheet, struct pp_box strip)
+static void draw_strip(struct plan_drawing *drawing, struct pp_box strip)
 {
-    const struct pp_style *style = &sheet->style;
-    struct pp_box bar = pp_room_plan_scale_bar(sheet->cr, style, sheet->plan.mm_per_m,
-                                               strip.x + 1.0 * style->scale, strip.y);
+    const struct pp_style *style = &drawing->style;
+    struct pp_box bar =
+        pp_room_plan_scale_bar(drawing->cr, style, drawing->plan.mm_per_m,
+                               strip.x + 1.0 * style->scale, strip.y);
     char words[32];
-    snprintf(words, sizeof words, "1:%.0f", sheet->plan.scale);
+    snprintf(words, sizeof words, "1:%.0f", drawing->plan.scale);
     struct pp_lettering set = {.size = PP_TEXT_BODY, .bold = true};
-    pp_lettering_draw(sheet->cr, style, &set, strip.x,
+    pp_lettering_draw(drawing->cr, style, &set, strip.x,
                       bar.y + bar.height + style->scale, words);
     struct pp_lettering note = {.size = PP_TEXT_SMALL, .grey = PP_GREY_TEXT};
-    pp_lettering_draw(sheet->cr, style, &note, strip.x,
+    pp_lettering_draw(drawing->cr, style, &note, strip.x,
                       bar.y + bar.height + style->scale
                           + 1.35 * style->text[PP_TEXT_BODY],
                       "printed at 100\u00a0%");
     double radius = 3.8 * style->scale;
     double north = strip.x + strip.width - radius - 3.5 * style->scale;
-    pp_room_plan_north_arrow(sheet->cr, style, sheet->chart->world->north_rad, north,
-                             strip.y + radius + 2.5 * style->scale, radius);
+    pp_room_plan_north_arrow(drawing->cr, style, drawing->chart->world->north_rad,
+                             north, strip.y + radius + 2.5 * style->scale, radius);
     double left =
         fmax(bar.x + bar.width + 8.0 * style->scale, strip.x + 0.40 * strip.width);
-    pp_legend_draw(sheet->cr, style, sheet->keys, sheet->key_count, left, strip.y,
+    pp_legend_draw(drawing->cr, style, drawing->keys, drawing->key_count, left, strip.y,
                    north - radius - 4.0 * style->scale - left);
 }
 
-static void place_plan(struct sheet *sheet, struct pp_box room)
+static void place_plan(struct plan_drawing *drawing, struct pp_box room)
 {
-    struct pp_room_plan *plan = &sheet->plan;
-    pp_room_plan_fit(plan, sheet->chart->world, &sheet->style, room.width, room.height);
-    double width = (plan->high[0] - plan->low[0]) * plan->mm_per_m;
-    double height = (plan->high[1] - plan->low[1]) * plan->mm_per_m;
+    struct pp_room_plan *plan = &drawing->plan;
+    pp_room_plan_fit(plan, drawing->chart->world, &drawing->style, room.width,
+                     room.height);
+    double width = (plan->extent.high[0] - plan->extent.low[0]) * plan->mm_per_m;
+    double height = (plan->extent.high[1] - plan->extent.low[1]) * plan->mm_per_m;
     plan->x = room.x + 0.5 * (room.width - width);
     plan->y = room.y + 0.5 * (room.height + height);
-    sheet->labels->field = (struct pp_box){plan->x, plan->y - height, width, height};
+    drawing->labels->field = (struct pp_box){plan->x, plan->y - height, width, height};
 }
 
-static void draw_sheet(struct sheet *sheet, struct pp_canvas *canvas)
+static void draw_sheet(struct plan_drawing *drawing, struct pp_canvas *canvas)
 {
-    const struct pp_plan_chart *chart = sheet->chart;
+    const struct pp_plan_chart *chart = drawing->chart;
     const struct pp_world *world = chart->world;
     char sky[96], plane[32], subtitle[256], foot[4096] = "";
     pp_page_sky(sky, sizeof sky, world);
@@ -260,38 +266,38 @@ static void draw_sheet(struct sheet *sheet, struct pp_canvas *canvas)
              "Daylight factor on the working plane %s above the floor, %s", plane, sky);
     say_foot(chart, foot, sizeof foot);
     struct pp_page page = {world->name, subtitle, foot};
-    struct pp_box body = pp_page_draw(canvas, &sheet->style, &page);
+    struct pp_box body = pp_page_draw(canvas, &drawing->style, &page);
 
-    gather_keys(sheet);
-    double strip = strip_height(sheet), gap = 5.0 * sheet->style.scale;
-    place_plan(sheet,
+    gather_keys(drawing);
+    double strip = strip_height(drawing), gap = 5.0 * drawing->style.scale;
+    place_plan(drawing,
                (struct pp_box){body.x, body.y, body.width, body.height - strip - gap});
-    cairo_save(sheet->cr);
-    pp_room_plan_path(sheet->cr, &sheet->plan);
-    cairo_clip(sheet->cr);
-    draw_dark(sheet);
-    cairo_restore(sheet->cr);
-    draw_no_sky_line(sheet);
-    draw_contours(sheet);
-    draw_receivers(sheet);
+    cairo_save(drawing->cr);
+    pp_room_plan_path(drawing->cr, &drawing->plan);
+    cairo_clip(drawing->cr);
+    draw_dark(drawing);
+    cairo_restore(drawing->cr);
+    draw_no_sky_line(drawing);
+    draw_contours(drawing);
+    draw_receivers(drawing);
     if (chart->plan->contours.count == 0)
-        say_flat(sheet);
-    pp_room_plan_draw(sheet->cr, &sheet->style, &sheet->plan);
-    draw_strip(sheet, (struct pp_box){body.x, body.y + body.height - strip, body.width,
-                                      strip});
+        say_flat(drawing);
+    pp_room_plan_draw(drawing->cr, &drawing->style, &drawing->plan);
+    draw_strip(drawing, (struct pp_box){body.x, body.y + body.height - strip,
+                                        body.width, strip});
 }
 
 enum pp_status pp_plan_chart_draw(struct pp_canvas *canvas,
                                   const struct pp_plan_chart *chart,
                                   struct pp_error *err)
 {
-    struct sheet sheet = {.cr = pp_canvas_cairo(canvas),
-                          .style = pp_page_style(canvas),
-                          .chart = chart,
-                          .labels = calloc(1, sizeof *sheet.labels)};
-    if (!sheet.labels)
+    struct plan_drawing drawing = {.cr = pp_canvas_cairo(canvas),
+                                   .style = pp_page_style(canvas),
+                                   .chart = chart,
+                                   .labels = calloc(1, sizeof *drawing.labels)};
+    if (!drawing.labels)
         return pp_fail_memory(err);
-    draw_sheet(&sheet, canvas);
-    free(sheet.labels);
+    draw_sheet(&drawing, canvas);
+    free(drawing.labels);
     return PP_OK;
 }

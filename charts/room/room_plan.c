@@ -1,3 +1,6 @@
+/* room_plan.c - chooses the plan's scale and draws walls, windows, rooflights and
+ * free-standing surfaces.
+ */
 #include "charts/room/room_plan.h"
 
 #include <math.h>
@@ -32,21 +35,13 @@ void pp_room_plan_fit(struct pp_room_plan *plan, const struct pp_world *world,
 {
     static const double usual[] = {1, 2, 5, 10, 20, 25};
     plan->world = world;
-    for (int k = 0; k < 2; k++) {
-        plan->low[k] = INFINITY;
-        plan->high[k] = -INFINITY;
-    }
+    plan->extent = pp_bounds2_empty();
     for (int r = 0; r < world->plane.count; r++)
         for (int i = 0; i < world->plane.rings[r].count; i++)
-            for (int k = 0; k < 2; k++) {
-                plan->low[k] = fmin(plan->low[k], world->plane.rings[r].xy[i][k]);
-                plan->high[k] = fmax(plan->high[k], world->plane.rings[r].xy[i][k]);
-            }
+            pp_bounds2_add(&plan->extent, world->plane.rings[r].xy[i][0],
+                           world->plane.rings[r].xy[i][1]);
     if (world->plane.count == 0)
-        for (int k = 0; k < 2; k++) {
-            plan->low[k] = 0.0;
-            plan->high[k] = 1.0;
-        }
+        plan->extent = (struct pp_bounds2){{0.0, 0.0}, {1.0, 1.0}};
 
     /* 1, 2, 5, 10, 20, 25, 50, 100, 200, 250, 500 ... */
     for (int i = 0;; i++) {
@@ -54,8 +49,10 @@ void pp_room_plan_fit(struct pp_room_plan *plan, const struct pp_world *world,
             i < 6 ? usual[i] : usual[2 + (i - 6) % 4] * pow(10.0, 1 + (i - 6) / 4);
         plan->mm_per_m = 1000.0 / plan->scale;
         double border = 2.0 * pp_room_plan_border(plan, style);
-        if ((plan->high[0] - plan->low[0]) * plan->mm_per_m + border <= width_mm
-            && (plan->high[1] - plan->low[1]) * plan->mm_per_m + border <= height_mm)
+        if ((plan->extent.high[0] - plan->extent.low[0]) * plan->mm_per_m + border
+                <= width_mm
+            && (plan->extent.high[1] - plan->extent.low[1]) * plan->mm_per_m + border
+                   <= height_mm)
             return;
         if (plan->scale > 1e8)
             return;
@@ -64,12 +61,12 @@ void pp_room_plan_fit(struct pp_room_plan *plan, const struct pp_world *world,
 
 double pp_room_plan_x(const struct pp_room_plan *plan, double x)
 {
-    return plan->x + (x - plan->low[0]) * plan->mm_per_m;
+    return plan->x + (x - plan->extent.low[0]) * plan->mm_per_m;
 }
 
 double pp_room_plan_y(const struct pp_room_plan *plan, double y)
 {
-    return plan->y - (y - plan->low[1]) * plan->mm_per_m;
+    return plan->y - (y - plan->extent.low[1]) * plan->mm_per_m;
 }
 
 void pp_room_plan_path(cairo_t *cr, const struct pp_room_plan *plan)
@@ -90,10 +87,11 @@ static void draw_walls(cairo_t *cr, const struct pp_style *style,
 {
     double weight = wall_weight(style);
     cairo_save(cr);
-    cairo_rectangle(cr, plan->x - 2.0 * weight,
-                    pp_room_plan_y(plan, plan->high[1]) - 2.0 * weight,
-                    (plan->high[0] - plan->low[0]) * plan->mm_per_m + 4.0 * weight,
-                    (plan->high[1] - plan->low[1]) * plan->mm_per_m + 4.0 * weight);
+    cairo_rectangle(
+        cr, plan->x - 2.0 * weight,
+        pp_room_plan_y(plan, plan->extent.high[1]) - 2.0 * weight,
+        (plan->extent.high[0] - plan->extent.low[0]) * plan->mm_per_m + 4.0 * weight,
+        (plan->extent.high[1] - plan->extent.low[1]) * plan->mm_per_m + 4.0 * weight);
     pp_room_plan_path(cr, plan);
     cairo_set_fill_rule(cr, CAIRO_FILL_RULE_EVEN_ODD);
     cairo_clip(cr);
@@ -103,7 +101,7 @@ static void draw_walls(cairo_t *cr, const struct pp_style *style,
     cairo_restore(cr);
 }
 
-/* The window's ends in the wall, on paper, and the direction out of the room there. */
+/* On paper: the window's ends in the wall, and the direction out of the room. */
 static void ends_of(const struct pp_room_plan *plan, const struct pp_opening *opening,
                     double ends[2][2], double out[2])
 {
@@ -183,7 +181,7 @@ static void draw_overhead(cairo_t *cr, const struct pp_style *style,
     cairo_stroke(cr);
 }
 
-/* Where a loose surface in the room is cut by the working plane. */
+/* The line in which the working plane cuts a surface that stands free in the room. */
 static void draw_inside(cairo_t *cr, const struct pp_style *style,
                         const struct pp_room_plan *plan,
                         const struct pp_polygon *outline)

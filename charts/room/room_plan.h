@@ -9,14 +9,15 @@
 
 #include "charts/sheet/style.h"
 #include "charts/sheet/lettering.h"
+#include "model/geometry/bounds.h"
 #include "model/room/world.h"
 
 struct pp_room_plan {
     const struct pp_world *world;
-    double low[2], high[2]; /* extent of the plane, m */
-    double scale;           /* 50 for 1:50 */
+    struct pp_bounds2 extent; /* of the plane, m */
+    double scale;             /* 50 for 1:50 */
     double mm_per_m;
-    double x, y; /* on paper, of low x, low y */
+    double x, y; /* on paper, of the extent's low x and y */
 };
 
 /* Measures the room and chooses the largest usual scale at which it fits into the
@@ -24,18 +25,18 @@ struct pp_room_plan {
 void pp_room_plan_fit(struct pp_room_plan *plan, const struct pp_world *world,
                       const struct pp_style *style, double width_mm, double height_mm);
 
-/* How much the drawing takes beyond the plane's extent on each side, mm. */
+/* How far walls and reveals reach out from the plane's extent on each side, mm. */
 double pp_room_plan_border(const struct pp_room_plan *plan,
                            const struct pp_style *style);
 
-/* On paper. */
+/* Where a place of the room is on paper, mm. */
 double pp_room_plan_x(const struct pp_room_plan *plan, double x);
 double pp_room_plan_y(const struct pp_room_plan *plan, double y);
 
 /* Adds the outline of the working plane to the path. */
 void pp_room_plan_path(cairo_t *cr, const struct pp_room_plan *plan);
 
-/* Walls, openings, things that stand in the room. */
+/* Walls, openings, and surfaces that stand free in the room. */
 void pp_room_plan_draw(cairo_t *cr, const struct pp_style *style,
                        const struct pp_room_plan *plan);
 

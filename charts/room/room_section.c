@@ -1,3 +1,6 @@
+/* room_section.c - chooses the section's scale and draws the cut faces, openings in
+ * the cut and behind it, the working plane, and the line of sight to obstructions.
+ */
 #include "charts/room/room_section.h"
 
 #include <math.h>
@@ -8,7 +11,7 @@
 #include "charts/sheet/lettering.h"
 #include "model/base/text.h"
 
-/* What stands before a window, as seen from the middle of it. */
+/* The obstruction of a window, as seen from the window's middle in the section plane. */
 struct window_obstruction {
     double angle_rad; /* above the horizontal; 0: nothing */
     double s, z;      /* the window's middle */
@@ -21,7 +24,8 @@ static int face_at(const struct pp_section_cut *cut, bool near)
     return near ? cut->near_face : cut->far_face;
 }
 
-/* Middle of the openings in a face: of those cut, else of all. */
+/* Height of the middle of a face's openings: of those cut, else of all. False: there are
+ * none. */
 static bool middle_of_openings(const struct pp_room_section *section, int face,
                                double *z)
 {
@@ -49,8 +53,9 @@ static bool middle_of_openings(const struct pp_room_section *section, int face,
     return high > low;
 }
 
-/* The highest line of sight from the window's middle, outwards in the section's plane,
- * to what hides sky there. */
+/* The steepest line of sight from the window's middle, outwards in the section plane, to
+ * the head of a cut obstruction or a skyline. It is drawn, and nothing is computed from
+ * it: the obstruction angle of the methods is methods/visible_angle.h's. */
 static struct window_obstruction sight_of(const struct pp_room_section *section,
                                           bool near)
 {
@@ -86,7 +91,7 @@ bool pp_room_section_has_outside(const struct pp_room_section *section, bool nea
     return sight_of(section, near).angle_rad > 0.0;
 }
 
-/* Lowest and highest point of the room where it is cut. */
+/* Lowest and highest point of the cut faces. */
 static void heights_of(const struct pp_section_cut *cut, double *low, double *high)
 {
     *low = INFINITY;
@@ -146,44 +151,45 @@ struct section_drawing {
     double low, high; /* z */
 };
 
-static double at_s(const struct section_drawing *frame, double s)
+static double at_s(const struct section_drawing *drawing, double s)
 {
-    return frame->section->x + s * frame->section->mm_per_m;
+    return drawing->section->x + s * drawing->section->mm_per_m;
 }
 
-static double at_z(const struct section_drawing *frame, double z)
+static double at_z(const struct section_drawing *drawing, double z)
 {
-    return frame->section->y + (frame->high - z) * frame->section->mm_per_m;
+    return drawing->section->y + (drawing->high - z) * drawing->section->mm_per_m;
 }
 
-static void line(const struct section_drawing *frame, const double s[2],
+static void line(const struct section_drawing *drawing, const double s[2],
                  const double z[2])
 {
-    cairo_move_to(frame->cr, at_s(frame, s[0]), at_z(frame, z[0]));
-    cairo_line_to(frame->cr, at_s(frame, s[1]), at_z(frame, z[1]));
+    cairo_move_to(drawing->cr, at_s(drawing, s[0]), at_z(drawing, z[0]));
+    cairo_line_to(drawing->cr, at_s(drawing, s[1]), at_z(drawing, z[1]));
 }
 
-static void stroke_cuts(const struct section_drawing *frame, enum pp_cut_kind kind,
+static void stroke_cuts(const struct section_drawing *drawing, enum pp_cut_kind kind,
                         double weight_mm, double grey, cairo_line_cap_t cap)
 {
-    const struct pp_section_cut *cut = frame->section->cut;
-    pp_style_line(frame->cr, weight_mm, grey);
-    cairo_set_line_cap(frame->cr, cap);
+    const struct pp_section_cut *cut = drawing->section->cut;
+    pp_style_line(drawing->cr, weight_mm, grey);
+    cairo_set_line_cap(drawing->cr, cap);
     for (int i = 0; i < cut->count; i++)
         if (cut->list[i].kind == kind)
-            line(frame, cut->list[i].s, cut->list[i].z);
-    cairo_stroke(frame->cr);
+            line(drawing, cut->list[i].s, cut->list[i].z);
+    cairo_stroke(drawing->cr);
 }
 
-/* Openings that the plane does not cut, as seen in elevation beyond it. */
-static int draw_openings_beyond(const struct section_drawing *frame)
+/* Openings that the section plane does not cut, in elevation behind it. Returns how
+ * many. */
+static int draw_openings_behind(const struct section_drawing *drawing)
 {
-    const struct pp_world *world = frame->section->world;
-    const struct pp_section_cut *cut = frame->section->cut;
+    const struct pp_world *world = drawing->section->world;
+    const struct pp_section_cut *cut = drawing->section->cut;
     int drawn = 0;
-    pp_style_line(frame->cr, frame->style->thin, PP_GREY_LINE);
-    double dash = 0.9 * frame->style->scale;
-    cairo_set_dash(frame->cr, &dash, 1, 0.0);
+    pp_style_line(drawing->cr, drawing->style->thin, PP_GREY_LINE);
+    double dash = 0.9 * drawing->style->scale;
+    cairo_set_dash(drawing->cr, &dash, 1, 0.0);
     for (int i = 0; i < world->opening_count; i++) {
         bool is_cut = false;
         for (int k = 0; k < cut->count; k++)
@@ -192,24 +198,24 @@ static int draw_openings_beyond(const struct section_drawing *frame)
         if (is_cut)
             continue;
         const struct pp_polygon *outline = &world->openings[i].inner;
-        cairo_new_sub_path(frame->cr);
+        cairo_new_sub_path(drawing->cr);
         for (int k = 0; k < outline->count; k++)
-            cairo_line_to(frame->cr,
-                          at_s(frame, pp_section_cut_s(cut, outline->vertices[k])),
-                          at_z(frame, outline->vertices[k].z));
-        cairo_close_path(frame->cr);
+            cairo_line_to(drawing->cr,
+                          at_s(drawing, pp_section_cut_s(cut, outline->vertices[k])),
+                          at_z(drawing, outline->vertices[k].z));
+        cairo_close_path(drawing->cr);
         drawn++;
     }
-    cairo_stroke(frame->cr);
+    cairo_stroke(drawing->cr);
     return drawn;
 }
 
 /* Glass as two thin lines; the sides of a reveal out to it. */
-static void draw_openings_cut(const struct section_drawing *frame)
+static void draw_openings_cut(const struct section_drawing *drawing)
 {
-    const struct pp_section_cut *cut = frame->section->cut;
-    const struct pp_world *world = frame->section->world;
-    double half = 0.45 * frame->style->thick;
+    const struct pp_section_cut *cut = drawing->section->cut;
+    const struct pp_world *world = drawing->section->world;
+    double half = 0.45 * drawing->style->thick;
     for (int i = 0; i < cut->count; i++) {
         const struct pp_cut *glass = &cut->list[i];
         bool is_opening = glass->kind == PP_CUT_OPENING;
@@ -217,16 +223,16 @@ static void draw_openings_cut(const struct section_drawing *frame)
             continue;
         if (is_opening && world->openings[glass->of].reveal_m > 0.0)
             continue;
-        double x0 = at_s(frame, glass->s[0]), y0 = at_z(frame, glass->z[0]);
-        double x1 = at_s(frame, glass->s[1]), y1 = at_z(frame, glass->z[1]);
+        double x0 = at_s(drawing, glass->s[0]), y0 = at_z(drawing, glass->z[0]);
+        double x1 = at_s(drawing, glass->s[1]), y1 = at_z(drawing, glass->z[1]);
         double length = hypot(x1 - x0, y1 - y0);
         if (!(length > 0.0))
             continue;
         double nx = half * (y1 - y0) / length, ny = -half * (x1 - x0) / length;
-        pp_style_line(frame->cr, frame->style->thin, PP_INK);
+        pp_style_line(drawing->cr, drawing->style->thin, PP_INK);
         for (int side = -1; side <= 1; side += 2) {
-            cairo_move_to(frame->cr, x0 + side * nx, y0 + side * ny);
-            cairo_line_to(frame->cr, x1 + side * nx, y1 + side * ny);
+            cairo_move_to(drawing->cr, x0 + side * nx, y0 + side * ny);
+            cairo_line_to(drawing->cr, x1 + side * nx, y1 + side * ny);
         }
         for (int k = 0; k < cut->count; k++) {
             const struct pp_cut *inner = &cut->list[k];
@@ -234,30 +240,30 @@ static void draw_openings_cut(const struct section_drawing *frame)
                 || inner->of != glass->of)
                 continue;
             for (int end = 0; end < 2; end++)
-                line(frame, (double[]){glass->s[end], inner->s[end]},
+                line(drawing, (double[]){glass->s[end], inner->s[end]},
                      (double[]){glass->z[end], inner->z[end]});
         }
-        cairo_stroke(frame->cr);
+        cairo_stroke(drawing->cr);
     }
 }
 
-static void draw_plane(const struct section_drawing *frame)
+static void draw_plane(const struct section_drawing *drawing)
 {
-    const struct pp_room_section *section = frame->section;
-    cairo_t *cr = frame->cr;
-    double y = at_z(frame, section->cut->height_m);
-    double dashes[] = {1.6 * frame->style->scale, 0.9 * frame->style->scale};
-    pp_style_line(cr, frame->style->thin, PP_INK);
+    const struct pp_room_section *section = drawing->section;
+    cairo_t *cr = drawing->cr;
+    double y = at_z(drawing, section->cut->height_m);
+    double dashes[] = {1.6 * drawing->style->scale, 0.9 * drawing->style->scale};
+    pp_style_line(cr, drawing->style->thin, PP_INK);
     cairo_set_dash(cr, dashes, 2, 0.0);
-    cairo_move_to(cr, at_s(frame, 0.0), y);
-    cairo_line_to(cr, at_s(frame, section->cut->length_m), y);
+    cairo_move_to(cr, at_s(drawing, 0.0), y);
+    cairo_line_to(cr, at_s(drawing, section->cut->length_m), y);
     cairo_stroke(cr);
-    pp_style_line(cr, frame->style->thin, PP_INK);
-    double tick = 0.8 * frame->style->scale;
+    pp_style_line(cr, drawing->style->thin, PP_INK);
+    double tick = 0.8 * drawing->style->scale;
     for (int i = 0; i < section->report->receiver_count; i++) {
         double x =
-            at_s(frame, pp_section_cut_s(section->cut,
-                                         section->report->receivers[i].position));
+            at_s(drawing, pp_section_cut_s(section->cut,
+                                           section->report->receivers[i].position));
         cairo_move_to(cr, x, y - tick);
         cairo_line_to(cr, x, y + tick);
     }
@@ -266,35 +272,35 @@ static void draw_plane(const struct section_drawing *frame)
 
 /* The ground outside, from the wall to the end of the strip, if it is near the floor.
  */
-static void draw_ground(const struct section_drawing *frame)
+static void draw_ground(const struct section_drawing *drawing)
 {
-    const struct pp_room_section *section = frame->section;
-    double z = section->world->ground_level_m, y = at_z(frame, z);
-    if (fabs(z - frame->low) * section->mm_per_m > 3.0 * frame->style->scale)
+    const struct pp_room_section *section = drawing->section;
+    double z = section->world->ground_level_m, y = at_z(drawing, z);
+    if (fabs(z - drawing->low) * section->mm_per_m > 3.0 * drawing->style->scale)
         return;
-    pp_style_line(frame->cr, frame->style->thin, PP_INK);
+    pp_style_line(drawing->cr, drawing->style->thin, PP_INK);
     for (int near = 0; near < 2; near++) {
-        double wall = at_s(frame, near ? 0.0 : section->cut->length_m);
+        double wall = at_s(drawing, near ? 0.0 : section->cut->length_m);
         double reach = near ? section->left_mm : section->right_mm;
-        if (reach < 10.0 * frame->style->scale)
+        if (reach < 10.0 * drawing->style->scale)
             continue;
-        cairo_move_to(frame->cr, wall, y);
-        cairo_line_to(frame->cr, near ? wall - reach : wall + reach, y);
+        cairo_move_to(drawing->cr, wall, y);
+        cairo_line_to(drawing->cr, near ? wall - reach : wall + reach, y);
     }
-    cairo_stroke(frame->cr);
+    cairo_stroke(drawing->cr);
 }
 
-/* The line of sight to the head of what obstructs, the horizontal, and the angle. */
-static void draw_sight(const struct section_drawing *frame, bool near)
+/* The line of sight to the obstruction's head, the horizontal, and the angle. */
+static void draw_sight(const struct section_drawing *drawing, bool near)
 {
-    const struct pp_room_section *section = frame->section;
+    const struct pp_room_section *section = drawing->section;
     struct window_obstruction sight = sight_of(section, near);
     if (!(sight.angle_rad > 0.0))
         return;
-    cairo_t *cr = frame->cr;
-    const struct pp_style *style = frame->style;
+    cairo_t *cr = drawing->cr;
+    const struct pp_style *style = drawing->style;
     double out = near ? -1.0 : 1.0;
-    double x = at_s(frame, sight.s), y = at_z(frame, sight.z);
+    double x = at_s(drawing, sight.s), y = at_z(drawing, sight.z);
     double reach = (near ? section->left_mm : section->right_mm) - 1.0;
     /* As far as the strip and the section's top allow. */
     double top = fmax(y - section->y + 2.0 * style->scale, 1.0);
@@ -327,9 +333,9 @@ static void draw_sight(const struct section_drawing *frame, bool near)
     pp_lettering_draw(cr, style, &text, x + out * reach, y + 0.5 * style->scale, words);
 }
 
-static void write_caption(const struct section_drawing *frame, int beyond)
+static void write_caption(const struct section_drawing *drawing, int behind)
 {
-    const struct pp_room_section *section = frame->section;
+    const struct pp_room_section *section = drawing->section;
     char text[512], length[32], plane[32];
     pp_style_metres(length, sizeof length, section->cut->length_m);
     pp_style_metres(plane, sizeof plane, section->cut->height_m);
@@ -352,38 +358,38 @@ static void write_caption(const struct section_drawing *frame, int beyond)
         pp_text_append(text, sizeof text, "; window sill %s, head %s", sill, head);
     }
     pp_text_append(text, sizeof text, ".%s",
-                   beyond ? " Openings beside the section dashed." : "");
+                   behind ? " Openings beside the section dashed." : "");
     struct pp_lettering set = {.size = PP_TEXT_SMALL, .grey = PP_GREY_TEXT};
-    double left = section->x, right = at_s(frame, section->cut->length_m);
-    /* A narrow room's caption may go on beyond it. */
-    set.width = fmax(right - left, 90.0 * frame->style->scale);
+    double left = section->x, right = at_s(drawing, section->cut->length_m);
+    /* The caption may be wider than a narrow room. */
+    set.width = fmax(right - left, 90.0 * drawing->style->scale);
     set.lines = 2;
-    pp_lettering_draw(frame->cr, frame->style, &set, left,
-                      at_z(frame, frame->low) + 1.4 * frame->style->scale, text);
+    pp_lettering_draw(drawing->cr, drawing->style, &set, left,
+                      at_z(drawing, drawing->low) + 1.4 * drawing->style->scale, text);
 }
 
 void pp_room_section_draw(cairo_t *cr, const struct pp_style *style,
                           const struct pp_room_section *section)
 {
-    struct section_drawing frame = {section, cr, style, 0.0, 0.0};
-    heights_of(section->cut, &frame.low, &frame.high);
+    struct section_drawing drawing = {section, cr, style, 0.0, 0.0};
+    heights_of(section->cut, &drawing.low, &drawing.high);
 
-    /* What lies outside may reach far beyond the sheet. */
+    /* Ground and obstructions outside may be far wider than the sheet. */
     cairo_save(cr);
     double left = section->x - section->left_mm;
-    double right = at_s(&frame, section->cut->length_m) + section->right_mm;
+    double right = at_s(&drawing, section->cut->length_m) + section->right_mm;
     cairo_rectangle(cr, left, section->y - 3.0 * style->scale, right - left,
                     section->height_mm + 3.0 * style->scale);
     cairo_clip(cr);
-    int beyond = draw_openings_beyond(&frame);
-    draw_ground(&frame);
-    stroke_cuts(&frame, PP_CUT_OUTSIDE, style->medium, PP_INK, CAIRO_LINE_CAP_SQUARE);
+    int behind = draw_openings_behind(&drawing);
+    draw_ground(&drawing);
+    stroke_cuts(&drawing, PP_CUT_OUTSIDE, style->medium, PP_INK, CAIRO_LINE_CAP_SQUARE);
     for (int near = 1; near >= 0 && !section->no_sights; near--)
-        draw_sight(&frame, near);
-    stroke_cuts(&frame, PP_CUT_FACE, style->thick, PP_INK, CAIRO_LINE_CAP_SQUARE);
-    stroke_cuts(&frame, PP_CUT_INSIDE, style->medium, PP_INK, CAIRO_LINE_CAP_BUTT);
-    draw_openings_cut(&frame);
-    draw_plane(&frame);
+        draw_sight(&drawing, near);
+    stroke_cuts(&drawing, PP_CUT_FACE, style->thick, PP_INK, CAIRO_LINE_CAP_SQUARE);
+    stroke_cuts(&drawing, PP_CUT_INSIDE, style->medium, PP_INK, CAIRO_LINE_CAP_BUTT);
+    draw_openings_cut(&drawing);
+    draw_plane(&drawing);
     cairo_restore(cr);
-    write_caption(&frame, beyond);
+    write_caption(&drawing, behind);
 }

@@ -12,21 +12,21 @@ struct pp_room_section {
     const struct pp_world *world;
     const struct pp_section_cut *cut;
     const struct pp_report *report; /* its receivers are marked */
-    bool no_sights;                 /* leave out the angle of what stands outside */
+    bool no_sights;                 /* leave out the obstructions' angles */
 
     /* By pp_room_section_fit. */
     double mm_per_m;  /* a round scale: 1:20, 1:25, 1:30, 1:40 ... */
     double height_mm; /* of the drawing, its caption included */
 
-    /* Where: x of the near wall's inside face, y of the top; how far it may reach
-     * beyond the walls. */
+    /* Set by the caller: x of the near wall's inside face, y of the top, and room for
+     * what stands outside the near and the far wall. */
     double x, y, left_mm, right_mm;
 };
 
-/* Is there something to be seen outside the wall at the near or far end? */
+/* Is the window at the near or far end obstructed? */
 bool pp_room_section_has_outside(const struct pp_room_section *section, bool near);
 
-/* The largest round scale at which the room is no longer and no higher than that. */
+/* The largest round scale at which the room fits into that length and height. */
 void pp_room_section_fit(struct pp_room_section *section, const struct pp_style *style,
                          double length_mm, double height_mm);
 

@@ -1,3 +1,6 @@
+/* section_chart.c - lays out the sheet of the section chart and draws its curves, error
+ * bars and level lines over the section.
+ */
 #include "charts/room/section_chart.h"
 
 #include <math.h>
@@ -7,10 +10,11 @@
 
 #include "charts/sheet/page.h"
 #include "charts/room/room_section.h"
-#include "charts/room/section_plot.h"
+#include "charts/room/section_names.h"
+#include "charts/room/section_series.h"
 #include "charts/sheet/smooth.h"
 
-/* Per cent, with what the error bar adds (a sign) standard errors away. */
+/* The value in per cent, plus so many standard errors. */
 static double percent_of(const struct pp_reading *reading, double errors)
 {
     double error = isfinite(reading->std_error) ? reading->std_error : 0.0;
@@ -67,7 +71,7 @@ static enum pp_status sort_points(struct pp_section_plot *plot, struct pp_error 
     return PP_OK;
 }
 
-/* The axes: curves in `field` less what the labels of the upright axis take. */
+/* The axes along the lower and left side of the field. */
 static void lay_axes(struct pp_section_plot *plot, bool logarithmic)
 {
     const struct pp_style *style = &plot->style;
@@ -88,8 +92,8 @@ static void lay_axes(struct pp_section_plot *plot, bool logarithmic)
 
 /* ---- curves ---- */
 
-/* Draws points first ... last of the order, which all have values, as one curve, and
- * notes where it runs. Points at one distance are drawn once. */
+/* Draws points first ... last of the order, which all have values, as one curve, whose
+ * path the labels keep off. Points at one distance are drawn once. */
 static void draw_run(struct pp_section_plot *plot, int index, int first, int last)
 {
     const struct pp_series *series = &plot->series[index];
@@ -225,8 +229,8 @@ bool pp_section_chart_landscape(const struct pp_section_chart *chart)
 {
     const struct pp_report *report = chart->report;
     struct pp_section_cut cut;
-    if (pp_section_cut_create(&cut, report->world, report->receivers,
-                              report->receiver_count, 0)
+    if (pp_section_cut_init(&cut, report->world, report->receivers,
+                            report->receiver_count, 0)
         != PP_OK)
         return true;
     bool landscape = cut.length_m > 4.5 * report->world->height_m;
@@ -316,7 +320,7 @@ enum pp_status pp_section_chart_draw(struct pp_canvas *canvas,
     struct pp_section_plot plot = {.cr = pp_canvas_cairo(canvas),
                                    .style = pp_page_style(canvas),
                                    .report = report};
-    enum pp_status status = pp_section_cut_create(
+    enum pp_status status = pp_section_cut_init(
         &plot.cut, report->world, report->receivers, report->receiver_count, err);
     if (status != PP_OK)
         return status;

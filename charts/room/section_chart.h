@@ -10,7 +10,7 @@
  * The receivers must lie on one straight horizontal line, in any direction and in any
  * order. The section is cut along it, upright, with the window on the left where one
  * end of the line has a wall with a window; distances are from that wall's inside face.
- * Openings that are not cut are drawn in outline, as seen beyond the cut. Obstructions
+ * Openings that are not cut are drawn in outline, as seen behind the cut. Obstructions
  * outside show as the line of sight from the window's middle to their head.
  */
 #ifndef PP_CHARTS_ROOM_SECTION_CHART_H

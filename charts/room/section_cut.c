@@ -1,7 +1,12 @@
+/* section_cut.c - finds the line of the receivers and cuts every polygon of the world
+ * along it.
+ */
 #include "charts/room/section_cut.h"
 
 #include <math.h>
 #include <stdlib.h>
+
+#include "model/base/array.h"
 
 /* Receivers may be off their line by this much (m): they are read from decimal
  * numbers. */
@@ -105,12 +110,9 @@ static enum pp_status find_line(struct pp_section_cut *cut,
 
 static bool add_cut(struct pp_section_cut *cut, struct pp_cut one)
 {
-    struct pp_cut *list =
-        realloc(cut->list, (size_t)(cut->count + 1) * sizeof *cut->list);
-    if (!list)
+    if (pp_array_append(&cut->list, cut->count, sizeof *cut->list, NULL) != PP_OK)
         return false;
-    cut->list = list;
-    list[cut->count++] = one;
+    cut->list[cut->count++] = one;
     return true;
 }
 
@@ -258,10 +260,10 @@ static void turn_round(struct pp_section_cut *cut)
             cut->list[i].s[k] = -cut->list[i].s[k];
 }
 
-enum pp_status pp_section_cut_create(struct pp_section_cut *cut,
-                                     const struct pp_world *world,
-                                     const struct pp_receiver *receivers, int count,
-                                     struct pp_error *err)
+enum pp_status pp_section_cut_init(struct pp_section_cut *cut,
+                                   const struct pp_world *world,
+                                   const struct pp_receiver *receivers, int count,
+                                   struct pp_error *err)
 {
     *cut = (struct pp_section_cut){0};
     enum pp_status status = find_line(cut, world, receivers, count, err);

@@ -12,8 +12,8 @@ enum pp_cut_kind {
     PP_CUT_FACE,    /* of the envelope, openings taken out */
     PP_CUT_OPENING, /* in the face's plane */
     PP_CUT_GLASS,   /* at the reveal's outer end */
-    PP_CUT_INSIDE,  /* a loose surface in the room */
-    PP_CUT_OUTSIDE, /* a block or a loose surface outside */
+    PP_CUT_INSIDE,  /* a free-standing surface in the room */
+    PP_CUT_OUTSIDE, /* a block or a free-standing surface outside */
 };
 
 struct pp_cut {
@@ -32,13 +32,13 @@ struct pp_section_cut {
     bool near_window, far_window; /* is there an opening in them? */
 };
 
-/* Cuts the world along its receivers, which must lie on a horizontal straight line; a
- * single one is cut square to the nearest opening. PP_BAD_INPUT where they do not or
- * where there is none. */
-enum pp_status pp_section_cut_create(struct pp_section_cut *cut,
-                                     const struct pp_world *world,
-                                     const struct pp_receiver *receivers, int count,
-                                     struct pp_error *err);
+/* Cuts the world along its receivers, which must lie on a horizontal straight line;
+ * through a single one the cut is square to the nearest opening. PP_BAD_INPUT where they
+ * lie otherwise or where there is none; then there is nothing to clear. */
+enum pp_status pp_section_cut_init(struct pp_section_cut *cut,
+                                   const struct pp_world *world,
+                                   const struct pp_receiver *receivers, int count,
+                                   struct pp_error *err);
 void pp_section_cut_clear(struct pp_section_cut *cut);
 
 /* s of a point. */

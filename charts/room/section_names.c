@@ -1,9 +1,10 @@
-#include "charts/room/section_plot.h"
+/* section_names.c - puts the names of the curves beside them, or into a legend. */
+#include "charts/room/section_names.h"
 
 #include <math.h>
 
-/* A curve's name has a sample of its line with it, since curves may lie on each other;
- * the others stand next to what they name. */
+/* The name of a series. A curve's has a sample of its line with it, since curves may lie
+ * on each other; points and level lines have words only. */
 static struct pp_box draw_name(struct pp_section_plot *plot,
                                const struct pp_series *series, double x, double y,
                                bool drawn)
@@ -52,7 +53,7 @@ void pp_section_names_fit_legend(struct pp_section_plot *plot, double width)
     legend->height = legend->rows * row;
 }
 
-/* In the field's emptiest corner, or beside it. */
+/* In the first free corner of the field, or beside the field. */
 static void draw_legend_inside(struct pp_section_plot *plot, struct pp_box aside)
 {
     struct pp_box field = plot->field;

@@ -1,5 +1,5 @@
-/* section_plot.h - what the files of section_chart.h share.
- */
+/* section_plot.h - the section chart while it is drawn: what its layout, curves
+ * (section_chart.c), series (section_series.c) and names (section_names.c) share. */
 #ifndef PP_CHARTS_ROOM_SECTION_PLOT_H
 #define PP_CHARTS_ROOM_SECTION_PLOT_H
 
@@ -17,12 +17,13 @@ struct pp_series {
     struct pp_key key;
 };
 
-/* More names than that go to a legend below the section; at most so many a column. */
+/* More names than PP_KEYS_INSIDE go to a legend below the section, which has at most
+ * PP_KEYS_MOST in a column. */
 enum { PP_KEYS_INSIDE = 6, PP_KEYS_MOST = 64 };
 
 struct pp_section_legend {
-    int columns, rows; /* 0: there is none */
-    double wide, height;
+    int columns, rows;   /* 0: no legend below the section */
+    double wide, height; /* of a column, mm */
 };
 
 struct pp_section_plot {
@@ -40,22 +41,5 @@ struct pp_section_plot {
     struct pp_section_legend legend;
     char foot[4096];
 };
-
-/* The columns of daylight factors that have a value, into plot->series, which has room
- * for all. Sampled ones are points with error bars, the others lines; where these are
- * more than four, they get markers too. What has no value is said in plot->foot. */
-void pp_section_series_choose(struct pp_section_plot *plot);
-
-/* Names next to the curves where there is room for all, else in a legend in a free
- * corner of the field, or at `aside` where that lies beside it. */
-void pp_section_names_draw(struct pp_section_plot *plot, struct pp_box aside);
-
-/* The columns of plot->legend that more than PP_KEYS_INSIDE names need below the
- * section, and their size. */
-void pp_section_names_fit_legend(struct pp_section_plot *plot, double width);
-
-/* A legend of some of the names, on white. */
-void pp_section_names_draw_keys(struct pp_section_plot *plot, int first, int count,
-                                double x, double y, double width);
 
 #endif

@@ -1,4 +1,5 @@
-#include "charts/room/section_plot.h"
+/* section_series.c - chooses which columns of the report are drawn, and how. */
+#include "charts/room/section_series.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -1,3 +1,4 @@
+/* axis.c - chooses ticks of 1, 2 or 5 times a power of ten and draws axes with them. */
 #include "charts/sheet/axis.h"
 
 #include <math.h>

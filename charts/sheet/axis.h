@@ -1,5 +1,4 @@
-/* axis.h - straight axes with round ticks: linear, or logarithmic by 1, 2, 5.
- */
+/* axis.h - straight axes with round ticks: linear, or logarithmic by 1, 2, 5. */
 #ifndef PP_CHARTS_SHEET_AXIS_H
 #define PP_CHARTS_SHEET_AXIS_H
 

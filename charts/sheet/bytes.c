@@ -1,3 +1,6 @@
+/* bytes.c - a growing block of bytes, and the passes over cairo's files: ids and
+ * title of an SVG file, the resolution of a PNG file.
+ */
 #include "charts/sheet/bytes.h"
 
 #include <math.h>
@@ -5,6 +8,8 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+
+#include "model/base/array.h"
 
 bool pp_bytes_add(struct pp_bytes *bytes, const void *more, size_t count)
 {
@@ -69,33 +74,29 @@ struct svg_span {
     size_t length;
 };
 
-/* The ids in order of appearance; which number is whose. */
+/* The ids in order of appearance: an id's number is its place in the list. */
 struct ids {
     char prefix[16];
     struct svg_span *list;
-    size_t count, room;
+    int count, room;
 };
 
 /* The number of an id; -1: memory is out. */
-static long id_number(struct ids *ids, struct svg_span id)
+static int id_number(struct ids *ids, struct svg_span id)
 {
-    for (size_t i = 0; i < ids->count; i++)
+    for (int i = 0; i < ids->count; i++)
         if (ids->list[i].length == id.length
             && memcmp(ids->list[i].start, id.start, id.length) == 0)
-            return (long)i;
-    if (ids->count == ids->room) {
-        size_t room = ids->room ? 2 * ids->room : 256;
-        struct svg_span *list = realloc(ids->list, room * sizeof *list);
-        if (!list)
-            return -1;
-        ids->list = list;
-        ids->room = room;
-    }
+            return i;
+    if (pp_array_reserve(&ids->list, &ids->room, ids->count + 1, sizeof *ids->list,
+                         NULL)
+        != PP_OK)
+        return -1;
     ids->list[ids->count] = id;
-    return (long)ids->count++;
+    return ids->count++;
 }
 
-/* FNV-1a. The names that cairo gives depend on what else was drawn before in the same
+/* The FNV-1a hash of title and drawing. The names that cairo gives depend on what else was drawn before in the same
  * process, so digits inside quotes and url() after # or id= are passed over. */
 static uint32_t hash_drawing(struct svg_span drawing, const char *title)
 {
@@ -137,9 +138,9 @@ static bool add_renamed(struct pp_bytes *svg, struct svg_span body, struct ids *
         const char *stop = id;
         while (stop < end && *stop != '"' && *stop != ')')
             stop++;
-        long number = id_number(ids, (struct svg_span){id, (size_t)(stop - id)});
+        int number = id_number(ids, (struct svg_span){id, (size_t)(stop - id)});
         char name[48];
-        snprintf(name, sizeof name, "%s-%ld", ids->prefix, number);
+        snprintf(name, sizeof name, "%s-%d", ids->prefix, number);
         if (number < 0 || !pp_bytes_add(svg, at, (size_t)(id - at))
             || !add_string(svg, name))
             return false;

@@ -1,11 +1,12 @@
-/* bytes.h - a growing block of bytes, and what cairo's files lack until they are good.
- */
+/* bytes.h - a growing block of bytes, and the additions that make cairo's SVG and PNG
+ * files what canvas.h promises. */
 #ifndef PP_CHARTS_SHEET_BYTES_H
 #define PP_CHARTS_SHEET_BYTES_H
 
 #include <stdbool.h>
 #include <stddef.h>
 
+/* Counts are size_t, since a poster's PNG may outgrow the int of model/base/array.h. */
 struct pp_bytes {
     unsigned char *list;
     size_t count, room;

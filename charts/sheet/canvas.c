@@ -1,3 +1,6 @@
+/* canvas.c - makes the cairo surface of a sheet of paper and turns what cairo
+ * wrote into the finished file.
+ */
 #include "charts/sheet/canvas.h"
 
 #include <math.h>
@@ -223,7 +226,11 @@ enum pp_status pp_canvas_finish(struct pp_canvas *canvas, const unsigned char **
     return PP_OK;
 }
 
-enum pp_status pp_canvas_write(struct pp_canvas *canvas, pp_canvas_writer writer,
+enum pp_status pp_canvas_write(struct pp_canvas *canvas,
+                               enum pp_status (*writer)(void *closure,
+                                                        const unsigned char *bytes,
+                                                        size_t length,
+                                                        struct pp_error *err),
                                void *closure, struct pp_error *err)
 {
     const unsigned char *bytes;

@@ -54,13 +54,13 @@ enum pp_status pp_canvas_next_sheet(struct pp_canvas *canvas, struct pp_error *e
 enum pp_status pp_canvas_finish(struct pp_canvas *canvas, const unsigned char **bytes,
                                 size_t *length, struct pp_error *err);
 
-/* Takes some bytes of the file, in order; what it returns other than PP_OK ends the
- * writing and is handed on, with the message that it left in err. */
-typedef enum pp_status (*pp_canvas_writer)(void *closure, const unsigned char *bytes,
-                                           size_t length, struct pp_error *err);
-
-/* pp_canvas_finish, then hands the file to writer. */
-enum pp_status pp_canvas_write(struct pp_canvas *canvas, pp_canvas_writer writer,
+/* pp_canvas_finish, then hands the file to the caller's writer. A status of the writer's
+ * other than PP_OK is handed on, with its message in err. */
+enum pp_status pp_canvas_write(struct pp_canvas *canvas,
+                               enum pp_status (*writer)(void *closure,
+                                                        const unsigned char *bytes,
+                                                        size_t length,
+                                                        struct pp_error *err),
                                void *closure, struct pp_error *err);
 
 /* The format that a file name's ending asks for (".pdf", ".svg", ".png", in either

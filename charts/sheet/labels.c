@@ -1,3 +1,6 @@
+/* labels.c - finds the nearest free place for a label by trying all sides of the
+ * places that it may name, ring after ring.
+ */
 #include "charts/sheet/labels.h"
 
 #include <math.h>
@@ -52,8 +55,8 @@ bool pp_labels_is_near(const struct pp_labels *labels, int owner, double x, doub
     return false;
 }
 
-/* Does the box keep off all that is noted, by `pad`, off what is the owner's by less?
- */
+/* Is the box `pad` away from all places that are noted, a quarter of that from the
+ * owner's? */
 static bool is_free(const struct pp_labels *labels, struct pp_box box, int owner,
                     double pad)
 {
@@ -120,7 +123,7 @@ bool pp_labels_find(const struct pp_labels *labels, const struct pp_style *style
         if (p->owner != owner || seen++ % stride)
             continue;
         double at[2] = {p->x, p->y};
-        /* Where lines run close together a label would not tell which it means. */
+        /* Where lines run close together, a label does not tell which of them it means. */
         double apart = clearance(labels, at, at, owner);
         double doubt = 4.0 * fmax(0.0, 2.5 - apart / unit);
         for (int ring = 0; ring < 5; ring++)

@@ -42,8 +42,9 @@ bool pp_labels_is_near(const struct pp_labels *labels, int owner, double x, doub
 /* Is a box within the field and clear of all that is noted? */
 bool pp_labels_is_free(const struct pp_labels *labels, struct pp_box box);
 
-/* Looks for a place for a box of that size next to one of the owner's places, clear of
- * all others' by more than of its own; *anchor is where a leader points to. */
+/* Looks for a place for a box of that size next to one of the owner's places, further off
+ * others' places than off its own; *anchor is where a leader points to. False: there is
+ * none. */
 bool pp_labels_find(const struct pp_labels *labels, const struct pp_style *style,
                     double width, double height, int owner, struct pp_box *box,
                     double anchor[2]);

@@ -1,3 +1,6 @@
+/* legend.c - draws or measures a column of samples and words, by one function, so
+ * that a measured legend is as large as the drawn one.
+ */
 #include "charts/sheet/legend.h"
 
 #include <math.h>

@@ -1,5 +1,4 @@
-/* legend.h - which line is which, in a column of samples and words.
- */
+/* legend.h - which line is which, in a column of samples and words. */
 #ifndef PP_CHARTS_SHEET_LEGEND_H
 #define PP_CHARTS_SHEET_LEGEND_H
 

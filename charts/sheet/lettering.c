@@ -1,3 +1,4 @@
+/* lettering.c - lays text out with pango, unhinted, and draws or measures it. */
 #include "charts/sheet/lettering.h"
 
 #include <pango/pangocairo.h>

@@ -1,3 +1,6 @@
+/* page.c - title, subtitle and notes of a sheet, and the sentences that several
+ * charts have in their notes.
+ */
 #include "charts/sheet/page.h"
 #include "model/base/text.h"
 

@@ -1,5 +1,4 @@
-/* page.h - what every chart's sheet has round its drawing: title and notes.
- */
+/* page.h - title, subtitle and notes, which every chart's sheet has round its drawing. */
 #ifndef PP_CHARTS_SHEET_PAGE_H
 #define PP_CHARTS_SHEET_PAGE_H
 
@@ -18,9 +17,8 @@ struct pp_page {
 struct pp_box pp_page_draw(struct pp_canvas *canvas, const struct pp_style *style,
                            const struct pp_page *page);
 
-/* Adds a sentence to what is in `text` (of `room` bytes), after a space unless a
- * line begins; what does not
- * fit is cut. */
+/* Adds a sentence to `text` (of `room` bytes), after a space unless a line begins; what
+ * does not fit is cut. */
 void pp_page_say(char *text, size_t room, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 
@@ -32,8 +30,8 @@ void pp_page_sky(char *text, size_t room, const struct pp_world *world);
 void pp_page_sky_words(char *text, size_t room, const struct pp_sky *sky,
                        double north_rad);
 
-/* Adds what the figures rest on to a text, as pp_page_say: glazing, frame and dirt,
- * reflectances. */
+/* Adds the room's assumptions, as pp_page_say does: transmittance, frame and dirt of the
+ * openings, reflectances. */
 void pp_page_assumptions(char *text, size_t room, const struct pp_world *world);
 
 /* The style for the canvas' sheet. */

@@ -1,3 +1,13 @@
+/* smooth.c - the monotone piecewise cubic of Fritsch and Butland [FB84].
+ *
+ * Between two points stands the cubic that has the slope m of each end. With the widths
+ * h0, h1 and slopes d0, d1 of the chords before and behind a point,
+ *
+ *     m = 1 / (w / d0 + (1 - w) / d1)          d0 d1 > 0, else 0
+ *     w = (h0 + 2 h1) / (3 (h0 + h1))
+ *
+ * At the first and last point m is the slope of the only chord.
+ */
 #include "charts/sheet/smooth.h"
 
 /* Slope at point i: the weighted harmonic mean of the chords' on either side, 0 at a

@@ -1,5 +1,4 @@
-/* smooth.h - a curve through points that never leaves the range of its neighbours.
- */
+/* smooth.h - a smooth curve through points, which stays between neighbouring points. */
 #ifndef PP_CHARTS_SHEET_SMOOTH_H
 #define PP_CHARTS_SHEET_SMOOTH_H
 

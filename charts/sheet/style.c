@@ -1,3 +1,6 @@
+/* style.c - the sizes, dashes and markers of style.h, and figures as charts print
+ * them.
+ */
 #include "charts/sheet/style.h"
 
 #include <math.h>

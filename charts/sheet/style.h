@@ -16,7 +16,7 @@
 enum pp_text_size { PP_TEXT_SMALL, PP_TEXT_BODY, PP_TEXT_HEAD, PP_TEXT_TITLE };
 
 struct pp_style {
-    double scale;                     /* of everything below, 1 for A4 */
+    double scale;                     /* factor of all sizes below, 1 for A4 */
     double text[4];                   /* size of type, by enum pp_text_size */
     double hair, thin, medium, thick; /* weights of lines */
     double marker;                    /* size of a point's marker */
@@ -72,8 +72,7 @@ void pp_style_marker(cairo_t *cr, const struct pp_style *style, enum pp_marker m
                      double x, double y);
 
 /* A fraction as per cent with the digits that its size calls for, three significant at
- * most: "0.0012 %", "0.35 %", "2.1 %", "48 %", with a
- * space that does not break. */
+ * most: "0.0012 %", "0.35 %", "2.1 %", "48 %", with a space that does not break. */
 void pp_style_percent(char *text, size_t room, double fraction);
 
 /* A level as per cent, as short as it is exact to four digits: "0.5", "2", "12.5". */

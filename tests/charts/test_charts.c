@@ -1,4 +1,5 @@
-/* Charts: what stands on them, true scales, data that are odd. */
+/* test_charts.c - section, plan and availability charts: what stands on them, their true
+ * scales, and odd data. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <unistd.h>

@@ -1,8 +1,8 @@
 /* fuzz_cache.c - whatever bytes a cache file holds, reading it ends well.
  *
- * For clang's libFuzzer (make fuzz). A file is refused with a reason and nothing is
- * kept of it, or it is taken, and what is read of it is a number. The checksum is put
- * right first, and so are the hashes: else no bytes would come past them.
+ * For clang's libFuzzer (make fuzz). A file is refused with a reason and leaves
+ * the cache empty, or it is taken, and the irradiance at any point is a number. Head and
+ * checksum are put right first in half of the files: else all would be refused there.
  */
 #include <math.h>
 #include <stdbool.h>
@@ -11,33 +11,16 @@
 
 #include "simulate/sampling/hash.h"
 #include "simulate/cache/irradiance_cache.h"
-
-int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t length);
-
-static void must(bool holds)
-{
-    if (!holds)
-        abort();
-}
+#include "tests/fuzz/floor_scene.h"
+#include "tests/fuzz/must.h"
 
 static struct pp_irradiance_cache *empty_cache(void)
 {
-    static struct pp_light_scene *scene;
-    const struct pp_vec3 floor[3] = {{0, 0, 0}, {2, 0, 0}, {0, 3, 0}};
-    struct pp_material grey = pp_material_diffuse(pp_rgb_grey(0.4));
-    struct pp_scene_description from;
-    if (!scene) {
-        pp_scene_description_init(&from);
-        must(pp_scene_description_add_material(&from, &grey, NULL, NULL) == PP_OK);
-        must(pp_scene_description_add_polygon(&from, floor, 3, 0, NULL, NULL) == PP_OK);
-        must(pp_light_scene_of_description(&scene, &from, NULL) == PP_OK);
-        pp_scene_description_clear(&from);
-    }
     struct pp_radiance_options light = pp_radiance_defaults();
     struct pp_cache_options options = pp_irradiance_cache_defaults();
     struct pp_irradiance_cache *cache = NULL;
     options.threads = 1;
-    must(pp_irradiance_cache_create(&cache, scene, NULL, &light, &options, NULL)
+    must(pp_irradiance_cache_create(&cache, floor_scene(), NULL, &light, &options, NULL)
          == PP_OK);
     return cache;
 }

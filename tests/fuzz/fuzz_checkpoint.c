@@ -1,9 +1,9 @@
 /* fuzz_checkpoint.c - whatever bytes a checkpoint holds, taking it up ends well.
  *
- * For clang's libFuzzer (make fuzz). A file is refused with a reason and nothing is
- * taken of it; or it is taken, is what would be written again to the byte, and the
- * picture goes on from there to its end. Head and checksum are put right first: else no
- * bytes would come past them.
+ * For clang's libFuzzer (make fuzz). A file is refused with a reason and changes
+ * nothing of the picture; or it is taken, would be written again to the byte, and the
+ * picture goes on from there to its end. Head and checksum are put right first in half
+ * of the files: else all would be refused there.
  */
 #include <stdbool.h>
 #include <stdlib.h>
@@ -11,32 +11,16 @@
 
 #include "simulate/sampling/hash.h"
 #include "simulate/render/render.h"
+#include "tests/fuzz/floor_scene.h"
+#include "tests/fuzz/must.h"
 
-int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t length);
-
-/* Up to the counts, as checkpoint.c has it, and with them; the sum at the end. */
+/* Bytes of the head with its counts, as checkpoint.c writes it, and of the checksum at
+ * the end. */
 enum { MARKED = 8 + 4 + 8 + 3 * 4, TAIL = 8 };
 
-static void must(bool holds)
-{
-    if (!holds)
-        abort();
-}
-
-/* Of 2 by 2 tiles, the right and lower ones narrower. */
+/* A picture of 2 by 2 tiles, the right and lower ones narrower. */
 static struct pp_render *fresh_render(void)
 {
-    static struct pp_light_scene *scene;
-    const struct pp_vec3 floor[3] = {{0, 0, 0}, {2, 0, 0}, {0, 3, 0}};
-    struct pp_material grey = pp_material_diffuse(pp_rgb_grey(0.4));
-    struct pp_scene_description from;
-    if (!scene) {
-        pp_scene_description_init(&from);
-        must(pp_scene_description_add_material(&from, &grey, NULL, NULL) == PP_OK);
-        must(pp_scene_description_add_polygon(&from, floor, 3, 0, NULL, NULL) == PP_OK);
-        must(pp_light_scene_of_description(&scene, &from, NULL) == PP_OK);
-        pp_scene_description_clear(&from);
-    }
     struct pp_render_options options = {.width = 17,
                                         .height = 18,
                                         .samples = 1,
@@ -46,7 +30,7 @@ static struct pp_render *fresh_render(void)
     must(pp_camera_set(&options.camera, PP_VIEW_PARALLEL, pp_vec(1.0, 1.0, 1.0),
                        pp_vec(0.0, 0.0, -1.0), pp_vec(0.0, 1.0, 0.0), 1.0, 1.0, NULL)
          == PP_OK);
-    must(pp_render_create(&render, scene, &options, NULL) == PP_OK);
+    must(pp_render_create(&render, floor_scene(), &options, NULL) == PP_OK);
     return render;
 }
 

@@ -12,14 +12,7 @@
 
 #include "studies/climate/diffuse_curve.h"
 #include "formats/epw/epw.h"
-
-int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t length);
-
-static void must(bool holds)
-{
-    if (!holds)
-        abort();
-}
+#include "tests/fuzz/must.h"
 
 static void follow(const struct pp_epw *epw)
 {

@@ -11,14 +11,7 @@
 #include <string.h>
 
 #include "formats/pictures/picture_hdr.h"
-
-int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t length);
-
-static void must(bool holds)
-{
-    if (!holds)
-        abort();
-}
+#include "tests/fuzz/must.h"
 
 static size_t numbers_of(const struct pp_picture *picture)
 {

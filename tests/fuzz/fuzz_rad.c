@@ -15,8 +15,7 @@
 
 #include "formats/radiance/rad_read.h"
 #include "formats/radiance/rad_write.h"
-
-int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t length);
+#include "tests/fuzz/must.h"
 
 enum pp_status __wrap_pp_file_bytes(char **bytes, size_t *length, const char *path,
                                     size_t most, struct pp_error *err);
@@ -35,12 +34,6 @@ enum pp_status __wrap_pp_file_bytes(char **bytes, size_t *length, const char *pa
         return pp_fail_memory(err);
     memcpy(*bytes, fuzzed + half, *length);
     return PP_OK;
-}
-
-static void must(bool holds)
-{
-    if (!holds)
-        abort();
 }
 
 static void write_and_read(const struct pp_scene_description *scene)

@@ -2,7 +2,7 @@
 # The documents are about this program: every cited work is listed and every listed one
 # cited; every element, attribute, glazing and finish of room files, every method,
 # command, option and chart stands in the manual, every option in the man page; every
-# source file in ARCHITECTURE.md.
+# folder of the sources in ARCHITECTURE.md.
 build=$(pwd)
 . "$srcdir/tests/lib/tap.sh"
 

@@ -2,7 +2,8 @@
 # same_outputs.sh BEFORE AFTER - runs two builds of the program side by side: every command
 # on every example room, in every format, and every wrong call's words and exit status;
 # names each file in which they differ, byte for byte. For changes that move and rename and
-# must change nothing; minutes, and not part of make check.
+# must change nothing; minutes, and not part of make check. AFTER stands in its build folder,
+# where test_wrong_rooms (make check) is, which writes out the wrong rooms.
 set -eu
 case $#:${1-} in
 2:/* | 2:./* | 2:*/*) ;;
@@ -14,6 +15,11 @@ esac
 source=$(cd "$(dirname "$0")/../.." && pwd)
 before=$(cd "$(dirname "$1")" && pwd)/$(basename "$1")
 after=$(cd "$(dirname "$2")" && pwd)/$(basename "$2")
+writer=$(dirname "$after")/tests/model/room/read/test_wrong_rooms
+[ -x "$writer" ] || {
+    echo "same_outputs.sh: $writer is not built: make tests/model/room/read/test_wrong_rooms" >&2
+    exit 2
+}
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 
@@ -120,7 +126,7 @@ for side in before after; do
     # By the same names on both sides, since messages repeat them.
     mkdir -p rooms/wrong
     cp "$source"/examples/*.xml rooms
-    find "$source/tests" -path '*wrong*' -name '*.xml' -exec cp {} rooms/wrong \;
+    srcdir=$source "$writer" --write-all rooms/wrong
     rooms=rooms
     words
     blanks

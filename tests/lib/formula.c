@@ -1,4 +1,4 @@
-/* formula.c - see formula.h. Recursive descent:
+/* formula.c - evaluates a formula by recursive descent, in intervals:
  *
  *     sum     = product { (+|-) product }
  *     product = power { [*|/] power }        from left to right; side by side: times
@@ -90,7 +90,7 @@ static struct interval over(struct parser *parser, struct interval a, struct int
     return times(a, (struct interval){1.0 / b.high, 1.0 / b.low});
 }
 
-/* Of a base that is not negative, or to a whole power. */
+/* a to the power b, for an a that is not negative or a whole b. */
 static struct interval power_of(struct interval a, struct interval b)
 {
     double corners[5] = {pow(a.low, b.low), pow(a.low, b.high), pow(a.high, b.low),

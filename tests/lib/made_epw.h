@@ -7,7 +7,7 @@
 
 #include "formats/epw/epw.h"
 
-/* A file in the making; `end` goes behind each line. */
+/* A weather file while it is written; `end` stands behind each line. */
 struct made_epw {
     char *text;
     size_t length;
@@ -63,7 +63,7 @@ static inline void epw_day(struct made_epw *made, int year, int month, int day,
         epw_record(made, year, month, day, hour, 0, "9999", "9999", "9999", diffuse_lx);
 }
 
-/* The file's bytes so far; the settings's to free by epw_end. */
+/* The file's bytes so far; epw_end frees them. */
 static inline const char *epw_bytes(struct made_epw *made)
 {
     fflush(made->out);
@@ -76,7 +76,7 @@ static inline void epw_end(struct made_epw *made)
     free(made->text);
 }
 
-/* Reads it; the first mistake as "LINE: text", or "" for none, in said. */
+/* Reads the bytes as a weather file; said is the first mistake as "LINE: text", or "". */
 static inline struct pp_epw *epw_parsed(const char *bytes, size_t length, char *said,
                                         size_t room)
 {

@@ -1,4 +1,4 @@
-/* meridians.c - see meridians.h. */
+/* meridians.c - integrates the direct component meridian by meridian (meridians.h). */
 #include "tests/lib/meridians.h"
 
 #include <cubature.h>
@@ -71,7 +71,7 @@ static int by_size(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
-/* What a ray meets. */
+/* The first surface that a ray meets behind the opening, if any. */
 enum meets { NOTHING, OPEN, HIDDEN };
 
 struct hit {
@@ -136,7 +136,7 @@ static struct hit cast(const struct sight *sight, const struct track *tracks,
     return hit;
 }
 
-/* What one piece of a meridian is integrated with, where there is no closed form. */
+/* The integrand along one piece of a meridian. */
 struct beam {
     const struct sight *sight;
     struct pp_vec3 level;
@@ -193,47 +193,46 @@ static void add_cut(double *cuts, int *count, double rise, double run)
         cuts[(*count)++] = rise != 0.0 ? atan(-run / rise) : 0.0;
 }
 
-static int at_azimuth(unsigned dim, const double *azimuth, void *data, unsigned fdim,
-                      double *value)
-{
-    (void)dim, (void)fdim;
-    const struct sight *sight = data;
-    const struct pp_world *world = sight->world;
-    struct pp_vec3 level = {cos(*azimuth), sin(*azimuth), 0.0};
-    struct track inner = track_of(&sight->inner, level);
-    struct track outer = track_of(&sight->outer, level);
-    struct track tracks[SHAPES];
-    double cuts[CUTS];
-    int count = 0;
+/* One meridian: where the opening and the shapes lie on it. */
+struct meridian {
+    struct pp_vec3 level; /* the unit horizontal of its azimuth */
+    struct track inner, outer, tracks[SHAPES];
+    double cuts[CUTS]; /* altitudes between which one ray says what is seen */
+    int cut_count;
+};
 
-    value[0] = value[1] = 0.0;
-    if (inner.count == 0)
-        return 0;
-    cuts[count++] = -PP_PI / 2.0;
-    cuts[count++] = PP_PI / 2.0;
-    cuts[count++] = 0.0;
-    add_cut(cuts, &count, sight->normal.z, pp_vec_dot(sight->normal, level));
-    for (int i = 0; i < inner.count; i++)
-        cuts[count++] = inner.cuts[i];
-    for (int i = 0; i < outer.count; i++)
-        cuts[count++] = outer.cuts[i];
+/* Altitudes at which shapes begin, end, or pass before each other and the opening. */
+static void cut_at_shapes(struct meridian *meridian, const struct sight *sight)
+{
+    double *cuts = meridian->cuts;
+    int count = meridian->cut_count;
     for (int i = 0; i < sight->shape_count; i++) {
-        tracks[i] = track_of(&sight->shapes[i], level);
-        for (int k = 0; k < tracks[i].count; k++)
-            cuts[count++] = tracks[i].cuts[k];
-        if (tracks[i].count == 0)
+        struct track *track = &meridian->tracks[i];
+        *track = track_of(&sight->shapes[i], meridian->level);
+        for (int k = 0; k < track->count; k++)
+            cuts[count++] = track->cuts[k];
+        if (track->count == 0)
             continue;
         struct pp_vec3 apart =
             pp_vec_sub(sight->shapes[i].nearness, sight->inner.nearness);
-        add_cut(cuts, &count, apart.z, pp_vec_dot(apart, level));
+        add_cut(cuts, &count, apart.z, pp_vec_dot(apart, meridian->level));
         for (int k = 0; k < i; k++) {
             apart = pp_vec_sub(sight->shapes[i].nearness, sight->shapes[k].nearness);
-            if (tracks[k].count > 0)
-                add_cut(cuts, &count, apart.z, pp_vec_dot(apart, level));
+            if (meridian->tracks[k].count > 0)
+                add_cut(cuts, &count, apart.z, pp_vec_dot(apart, meridian->level));
         }
     }
-    struct pp_vec3 eye =
-        pp_vec_sub(sight->opening->inner.vertices[0], sight->inner.corners[0]);
+    meridian->cut_count = count;
+}
+
+/* Altitudes of the heads and feet of skylines, and where shapes pass before them. */
+static void cut_at_skylines(struct meridian *meridian, const struct sight *sight,
+                            struct pp_vec3 eye)
+{
+    const struct pp_world *world = sight->world;
+    struct pp_vec3 level = meridian->level;
+    double *cuts = meridian->cuts;
+    int count = meridian->cut_count;
     for (int i = 0; i < world->skyline_count; i++) {
         const struct pp_skyline *skyline = &world->skylines[i];
         const struct pp_polygon *wall = &world->surfaces[skyline->face].outline;
@@ -255,34 +254,72 @@ static int at_azimuth(unsigned dim, const double *azimuth, void *data, unsigned 
             add_cut(cuts, &count, n.z, pp_vec_dot(n, level) - out / away);
         }
     }
-    qsort(cuts, (size_t)count, sizeof *cuts, by_size);
+    meridian->cut_count = count;
+}
 
-    for (int i = 0; i + 1 < count; i++) {
-        double from = cuts[i], to = cuts[i + 1], middle = (from + to) / 2.0;
-        if (!(to > from))
-            continue;
-        struct pp_vec3 u =
-            pp_vec(level.x * cos(middle), level.y * cos(middle), sin(middle));
-        if (!(pp_vec_dot(sight->normal, u) > 0.0))
-            continue;
-        struct hit hit = cast(sight, tracks, &inner, &outer, eye, u, middle);
-        if (hit.meets == NOTHING)
-            continue;
-        struct beam beam = {sight, level, middle > 0.0 ? SKY : HORIZON};
-        struct beam plain = {sight, level, UNITY};
-        double factor =
-            hit.reflectance * (world->sky.kind == PP_SKY_OVERCAST ? 1.0 : 0.5);
-        if (hit.meets == HIDDEN) {
-            value[1] += factor * beam_between(beam, from, to);
-            if (hit.exitance > 0.0)
-                value[1] += hit.exitance / PP_PI * beam_between(plain, from, to);
-        } else if (middle > 0.0) {
-            value[0] += beam_between(beam, from, to);
-        } else {
-            value[1] +=
-                world->ground_reflectance / PP_PI * beam_between(plain, from, to);
-        }
+/* Adds the light between two altitudes, where one thing is seen, to value: sky, and
+ * external. */
+static void add_piece(double value[2], const struct sight *sight,
+                      const struct meridian *meridian, struct pp_vec3 eye, double from,
+                      double to)
+{
+    const struct pp_world *world = sight->world;
+    struct pp_vec3 level = meridian->level;
+    double middle = (from + to) / 2.0;
+    struct pp_vec3 u =
+        pp_vec(level.x * cos(middle), level.y * cos(middle), sin(middle));
+    if (!(pp_vec_dot(sight->normal, u) > 0.0))
+        return;
+    struct hit hit = cast(sight, meridian->tracks, &meridian->inner, &meridian->outer,
+                          eye, u, middle);
+    if (hit.meets == NOTHING)
+        return;
+    struct beam beam = {sight, level, middle > 0.0 ? SKY : HORIZON};
+    struct beam plain = {sight, level, UNITY};
+    double factor = hit.reflectance * (world->sky.kind == PP_SKY_OVERCAST ? 1.0 : 0.5);
+    if (hit.meets == HIDDEN) {
+        value[1] += factor * beam_between(beam, from, to);
+        if (hit.exitance > 0.0)
+            value[1] += hit.exitance / PP_PI * beam_between(plain, from, to);
+    } else if (middle > 0.0) {
+        value[0] += beam_between(beam, from, to);
+    } else {
+        value[1] += world->ground_reflectance / PP_PI * beam_between(plain, from, to);
     }
+}
+
+static int at_azimuth(unsigned dim, const double *azimuth, void *data, unsigned fdim,
+                      double *value)
+{
+    (void)dim, (void)fdim;
+    const struct sight *sight = data;
+    struct meridian meridian;
+    meridian.level = pp_vec(cos(*azimuth), sin(*azimuth), 0.0);
+    meridian.inner = track_of(&sight->inner, meridian.level);
+    meridian.outer = track_of(&sight->outer, meridian.level);
+
+    value[0] = value[1] = 0.0;
+    if (meridian.inner.count == 0)
+        return 0;
+    double *cuts = meridian.cuts;
+    int count = 0;
+    cuts[count++] = -PP_PI / 2.0;
+    cuts[count++] = PP_PI / 2.0;
+    cuts[count++] = 0.0;
+    add_cut(cuts, &count, sight->normal.z, pp_vec_dot(sight->normal, meridian.level));
+    for (int i = 0; i < meridian.inner.count; i++)
+        cuts[count++] = meridian.inner.cuts[i];
+    for (int i = 0; i < meridian.outer.count; i++)
+        cuts[count++] = meridian.outer.cuts[i];
+    meridian.cut_count = count;
+    struct pp_vec3 eye =
+        pp_vec_sub(sight->opening->inner.vertices[0], sight->inner.corners[0]);
+    cut_at_shapes(&meridian, sight);
+    cut_at_skylines(&meridian, sight, eye);
+    qsort(cuts, (size_t)meridian.cut_count, sizeof *cuts, by_size);
+    for (int i = 0; i + 1 < meridian.cut_count; i++)
+        if (cuts[i + 1] > cuts[i])
+            add_piece(value, sight, &meridian, eye, cuts[i], cuts[i + 1]);
     return 0;
 }
 

@@ -1,4 +1,4 @@
-/* near.h - what every test of a number needs, with cmocka and its many headers. */
+/* near.h - cmocka with the headers that it needs, and assertions about numbers. */
 #ifndef PP_TESTS_LIB_NEAR_H
 #define PP_TESTS_LIB_NEAR_H
 

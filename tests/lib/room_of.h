@@ -1,4 +1,4 @@
-/* room_of.h - a world out of a string, for tests. */
+/* room_of.h - the world of a room file that is a string, for tests. */
 #ifndef PP_TESTS_LIB_ROOM_OF_H
 #define PP_TESTS_LIB_ROOM_OF_H
 

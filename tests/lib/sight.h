@@ -1,6 +1,6 @@
-/* sight.h - what is seen from a point, by shooting rays at every polygon one after the
- * other: slow and plain, for tests of what is worked out with care elsewhere. It shares
- * nothing with methods/ or simulate/.
+/* sight.h - sky visibility from a point, by rays against every polygon one after the
+ * other: slow and plain, for tests of the methods' and the simulation's own ways. It
+ * shares nothing with methods/ or simulate/.
  */
 #ifndef PP_TESTS_LIB_SIGHT_H
 #define PP_TESTS_LIB_SIGHT_H

@@ -1,4 +1,4 @@
-/* traced.h - a room traced to the end, for tests. */
+/* traced.h - daylight factors of a room by the path tracer, run to its end, for tests. */
 #ifndef PP_TESTS_LIB_TRACED_H
 #define PP_TESTS_LIB_TRACED_H
 
@@ -13,8 +13,8 @@ static inline struct pp_receiver pp_test_receiver(double x, double y, double z,
     return (struct pp_receiver){{x, y, z}, pp_vec_unit(pp_vec(nx, ny, nz)), 0};
 }
 
-/* Everything read of `count` receivers, and of the average behind them where options
- * ask for it; free it. */
+/* The readings of `count` receivers, all four components, and behind them those of the
+ * average where options ask for it. The caller frees them. */
 static inline struct pp_reading (*pp_test_trace(
     const struct pp_world *world, const struct pp_receiver *receivers, int count,
     const struct pp_tracer_options *options, struct pp_tracer_work *work))[4]
@@ -36,14 +36,15 @@ static inline struct pp_reading (*pp_test_trace(
     return readings;
 }
 
-/* The fixed number of paths that most tests take; 32 randomisations of it. */
+/* A fixed number of paths in each of the 32 randomisations, as most tests take. */
 static inline struct pp_tracer_options pp_test_paths(long samples)
 {
     return (struct pp_tracer_options){.samples = samples, .seed = 20, .threads = 1};
 }
 
-/* A traced value lies within four of its standard errors of the true one (missed once
- * in 3000 by chance, and seeds are fixed), and the error is no more than `error`. */
+/* A traced value lies within four of its standard errors of the expected one (outside
+ * once in 3000 by chance, and seeds are fixed), and its standard error is at most
+ * `error`. */
 #define assert_traced(reading, expected, error)                                        \
     do {                                                                               \
         struct pp_reading reading_ = (reading);                                        \

@@ -1,4 +1,4 @@
-/* Sheets of paper as files: true scale, the same bytes, titles, errors. */
+/* test_canvas.c - sheets of paper as files: true scale, the same bytes, titles, errors. */
 #include <ctype.h>
 #include <stdio.h>
 #include <stdlib.h>

@@ -5,7 +5,7 @@
 #include "simulate/cache/cache_hemisphere.h"
 #include "simulate/cache/cached_points.h"
 #include "simulate/sampling/hash.h"
-#include "tests/lib/lit.h"
+#include "tests/lib/sampled_light.h"
 #include "tests/lib/room_of.h"
 #include "tests/lib/traced.h"
 

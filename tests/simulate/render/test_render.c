@@ -3,7 +3,7 @@
 
 #include "simulate/cache/cache_parts.h"
 #include "simulate/render/default_view.h"
-#include "tests/lib/lit.h"
+#include "tests/lib/sampled_light.h"
 #include "tests/lib/room_of.h"
 #include "tests/lib/traced.h"
 

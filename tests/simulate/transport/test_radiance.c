@@ -1,5 +1,5 @@
 /* test_radiance.c - light along rays and on surfaces against what is known on paper. */
-#include "tests/lib/lit.h"
+#include "tests/lib/sampled_light.h"
 
 static const struct pp_vec3 up = {0.0, 0.0, 1.0};
 

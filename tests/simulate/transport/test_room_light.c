@@ -1,6 +1,6 @@
 /* test_room_light.c - light in rooms, against the tracer and against itself. */
 #include "simulate/sampling/hash.h"
-#include "tests/lib/lit.h"
+#include "tests/lib/sampled_light.h"
 #include "tests/lib/room_of.h"
 #include "tests/lib/traced.h"
 
