@@ -14,6 +14,10 @@ function declared(statement,    name) {
         print name
 }
 
+# What only C++ sees: the braces of extern "C".
+/^#ifdef __cplusplus/ { cplusplus = 1 }
+cplusplus { if (/^#endif/) cplusplus = 0; next }
+
 FNR == 1 { comment = 0; depth = 0; continued = 0; statement = "" }
 
 !comment && (continued || /^[ \t]*#/) {

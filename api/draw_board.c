@@ -1,5 +1,6 @@
-#include "api/draw_board.h"
-
+/* draw_board.c - the diagrams that are worked at the drawing board: blank, or with a
+ * room's windows seen from its one point. */
+#include "api/chart_kind.h"
 #include "charts/drawing_board/nomogram_chart.h"
 #include "charts/drawing_board/pepper_pot_chart.h"
 #include "charts/drawing_board/protractor_chart.h"
@@ -11,11 +12,14 @@
 #include "methods/protractor/protractor_sheet_fill.h"
 #include "methods/waldram/waldram_sheet_fill.h"
 
-enum pp_status pp_draw_board_waldram(struct pp_canvas *canvas,
-                                     const struct pp_study_room *room,
-                                     const struct pp_board_options *options,
-                                     struct pp_error *err)
+static enum pp_status draw_waldram(struct pp_canvas *canvas, struct pp_study_room *room,
+                                   const struct pp_study_options *study,
+                                   const struct pp_chart_wish *wish, bool *finished,
+                                   struct pp_error *err)
 {
+    const struct pp_board_options *options = &wish->board;
+    (void)study;
+    (void)finished;
     struct pp_waldram_sheet sheet;
     enum pp_status status =
         room ? pp_waldram_sheet_fill_room(&sheet, room->world, room->receivers, err)
@@ -27,11 +31,15 @@ enum pp_status pp_draw_board_waldram(struct pp_canvas *canvas,
     return status;
 }
 
-enum pp_status pp_draw_board_pepper_pot(struct pp_canvas *canvas,
-                                        const struct pp_study_room *room,
-                                        const struct pp_board_options *options,
-                                        struct pp_error *err)
+static enum pp_status draw_pepper_pot(struct pp_canvas *canvas,
+                                      struct pp_study_room *room,
+                                      const struct pp_study_options *study,
+                                      const struct pp_chart_wish *wish, bool *finished,
+                                      struct pp_error *err)
 {
+    const struct pp_board_options *options = &wish->board;
+    (void)study;
+    (void)finished;
     double worth = options->fine ? PP_PEPPER_POT_FINE_WORTH : PP_PEPPER_POT_WORTH;
     struct pp_pepper_pot_sheet sheet;
     enum pp_status status =
@@ -60,11 +68,15 @@ static enum pp_status choose_protractor(struct pp_protractor *protractor,
                                          options->number ? options->number : 2, err);
 }
 
-enum pp_status pp_draw_board_protractor(struct pp_canvas *canvas,
-                                        const struct pp_study_room *room,
-                                        const struct pp_board_options *options,
-                                        struct pp_error *err)
+static enum pp_status draw_protractor(struct pp_canvas *canvas,
+                                      struct pp_study_room *room,
+                                      const struct pp_study_options *study,
+                                      const struct pp_chart_wish *wish, bool *finished,
+                                      struct pp_error *err)
 {
+    const struct pp_board_options *options = &wish->board;
+    (void)study;
+    (void)finished;
     double arc_mm = pp_protractor_chart_arc_mm(canvas, room != NULL);
     struct pp_mark_spacing spacing = {0.75 / arc_mm, (3.2 + 0.03 * arc_mm) / arc_mm};
     struct pp_protractor_sheet sheet = {0};
@@ -87,11 +99,15 @@ enum pp_status pp_draw_board_protractor(struct pp_canvas *canvas,
     return status;
 }
 
-enum pp_status pp_draw_board_nomogram(struct pp_canvas *canvas,
-                                      const struct pp_study_room *room,
-                                      const struct pp_board_options *options,
-                                      struct pp_error *err)
+static enum pp_status draw_nomogram(struct pp_canvas *canvas,
+                                    struct pp_study_room *room,
+                                    const struct pp_study_options *study,
+                                    const struct pp_chart_wish *wish, bool *finished,
+                                    struct pp_error *err)
 {
+    const struct pp_board_options *options = &wish->board;
+    (void)study;
+    (void)finished;
     const struct pp_nomogram_spacing spacing = {pp_nomogram_chart_height_mm(canvas),
                                                 pp_nomogram_chart_fine_mm(canvas),
                                                 pp_nomogram_chart_number_mm(canvas)};
@@ -105,3 +121,37 @@ enum pp_status pp_draw_board_nomogram(struct pp_canvas *canvas,
     pp_nomogram_sheet_clear(&sheet);
     return status;
 }
+
+const struct pp_chart_kind pp_draw_waldram = {
+    .name = "waldram",
+    .summary = "Waldram diagram, blank or with a room's windows",
+    .board = true,
+    .from_point = true,
+    .landscape = pp_chart_kind_landscape,
+    .draw = draw_waldram,
+};
+
+const struct pp_chart_kind pp_draw_pepper_pot = {
+    .name = "pepper-pot",
+    .summary = "pepper-pot diagram, blank or with a room's windows",
+    .board = true,
+    .from_point = true,
+    .landscape = pp_chart_kind_landscape,
+    .draw = draw_pepper_pot,
+};
+
+const struct pp_chart_kind pp_draw_protractor = {
+    .name = "protractor",
+    .summary = "BRS daylight protractor, blank or laid on a room's section and plan",
+    .board = true,
+    .from_point = true,
+    .draw = draw_protractor,
+};
+
+const struct pp_chart_kind pp_draw_nomogram = {
+    .name = "nomogram",
+    .summary =
+        "nomogram of the internally reflected component, blank or with a room's lines",
+    .board = true,
+    .draw = draw_nomogram,
+};

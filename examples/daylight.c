@@ -1,72 +1,44 @@
-/* daylight.c - how a program of your own uses the library: the daylight factors of a
- * room file by the default methods, one line a point and method.
+/* daylight.c - a room's daylight factors by hand and traced, side by side.
  *
  *     cc daylight.c -o daylight $(pkg-config --cflags --libs pepperpot)
  *     ./daylight deep-office.xml
  */
-#include <math.h>
+#include <pepperpot.h>
 #include <stdio.h>
-
-#include "methods/evaluate.h"
-#include "model/room/building.h"
-
-static void print_report(const struct pp_report *report)
-{
-    for (int i = 0; i < report->receiver_count; i++)
-        for (int k = 0; k < report->column_count; k++) {
-            const struct pp_column *column = &report->columns[k];
-            if (column->component != PP_DF || !column->points)
-                continue;
-            struct pp_vec3 p = report->receivers[i].position;
-            const struct pp_reading *reading = &column->points[i];
-            printf("%.2f %.2f %.2f  %-16s ", p.x, p.y, p.z, column->name);
-            if (isnan(reading->value))
-                printf("- (%s)\n", reading->why);
-            else
-                printf("%.2f %%\n", 100.0 * reading->value);
-        }
-}
-
-static enum pp_status work_out(const struct pp_room *room, struct pp_mistakes *mistakes,
-                               struct pp_error *err)
-{
-    struct pp_world *world = NULL;
-    enum pp_status status = pp_world_create(&world, room, mistakes, err);
-    if (status == PP_OK) {
-        struct pp_report report = {.world = world,
-                                   .receivers = world->receivers,
-                                   .receiver_count = world->receiver_count,
-                                   .finished = true};
-        status = pp_methods_evaluate(&report, "default", err);
-        if (status == PP_OK)
-            print_report(&report);
-        pp_report_clear(&report);
-    }
-    pp_world_destroy(world);
-    return status;
-}
 
 int main(int argc, char **argv)
 {
-    if (argc != 2) {
-        fprintf(stderr, "usage: daylight FILE\n");
-        return 2;
-    }
+    const char *path = argc > 1 ? argv[1] : "-";
+    struct pp_mistakes *mistakes = pp_mistakes_create(path);
     struct pp_building *building = NULL;
-    struct pp_mistakes mistakes;
-    struct pp_error err = {PP_OK, ""};
-    pp_mistakes_init(&mistakes, argv[1]);
-
-    enum pp_status status = pp_building_read(&building, argv[1], &mistakes, &err);
-    for (int i = 0; status == PP_OK && i < pp_building_room_count(building); i++)
-        status = work_out(pp_building_room(building, i), &mistakes, &err);
-
-    for (int i = 0; i < mistakes.count; i++)
-        fprintf(stderr, "%s:%d: %s\n", mistakes.file, mistakes.list[i].line,
-                mistakes.list[i].text);
+    struct pp_study *study = NULL;
+    struct pp_error err;
+    enum pp_status status = pp_building_read(&building, path, mistakes, &err);
+    if (status == PP_OK)
+        status = pp_study_create(&study, building, 0, NULL, mistakes, &err);
+    if (status == PP_OK)
+        status = pp_study_methods(study, "exact+bre", false, &err);
+    if (status == PP_OK)
+        status = pp_study_simulate(study, NULL, &err);
+    while (status == PP_OK && !pp_study_done(study))
+        status = pp_study_advance(study, 0.1, &err);
+    for (int i = 0; i < pp_mistakes_count(mistakes); i++)
+        fprintf(stderr, "%s:%d: %s\n", path, pp_mistakes_line(mistakes, i),
+                pp_mistakes_text(mistakes, i));
     if (status != PP_OK)
-        fprintf(stderr, "daylight: %s\n", err.message);
+        fprintf(stderr, "%s\n", err.message);
+    for (int i = 0; status == PP_OK && i < pp_study_point_count(study); i++) {
+        struct pp_reading hand =
+            pp_study_reading(study, pp_study_find(study, PP_DF, "exact+bre"), i);
+        struct pp_reading traced =
+            pp_study_reading(study, pp_study_find(study, PP_DF, "traced"), i);
+        double xyz[3];
+        pp_study_point(study, i, xyz);
+        printf("%5.2f %5.2f  by hand %6.2f %%  traced %6.2f +- %.2f %%\n", xyz[0],
+               xyz[1], 100 * hand.value, 100 * traced.value, 100 * traced.std_error);
+    }
+    pp_study_destroy(study);
     pp_building_destroy(building);
-    pp_mistakes_clear(&mistakes);
+    pp_mistakes_destroy(mistakes);
     return status == PP_OK ? 0 : 1;
 }

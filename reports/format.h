@@ -5,8 +5,7 @@
 
 #include <stdbool.h>
 #include <stdio.h>
-
-enum pp_format { PP_FORMAT_TEXT, PP_FORMAT_JSON, PP_FORMAT_CSV };
+#include "pepperpot.h"
 
 /* The fields that every CSV is put together with [RFC4180]. */
 

@@ -20,11 +20,8 @@
 
 #include <cairo.h>
 
+#include "pepperpot.h"
 #include "model/base/error.h"
-
-enum pp_chart_format { PP_CHART_PDF, PP_CHART_SVG, PP_CHART_PNG };
-
-enum pp_paper { PP_PAPER_A4, PP_PAPER_A5, PP_PAPER_A3, PP_PAPER_A2 };
 
 struct pp_sheet {
     enum pp_chart_format format;

@@ -2,8 +2,7 @@
 #ifndef PP_CLI_CHART_BOARD_OPTIONS_H
 #define PP_CLI_CHART_BOARD_OPTIONS_H
 
-#include "api/draw_board.h"
-#include "charts/chart_kind.h"
+#include "api/chart_kind.h"
 #include "cli/room_options.h"
 
 pp_option_reader pp_board_options_read_yes_no; /* enum pp_yes_no, "yes" or "no" */

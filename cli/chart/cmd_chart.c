@@ -6,7 +6,7 @@
 
 #include "cli/command.h"
 #include "cli/watch.h"
-#include "api/draw_chart.h"
+#include "api/chart_kind.h"
 #include "cli/availability/availability_options.h"
 #include "cli/chart/board_options.h"
 #include "cli/chart/sheet_options.h"
@@ -161,15 +161,15 @@ static enum pp_status draw_rooms(struct chart_task *drawing, struct pp_canvas *c
 {
     enum pp_status status = PP_OK;
     if (drawing->count == 0)
-        return pp_draw_chart(drawing->kind, canvas, NULL, &drawing->room_options->study,
-                             &drawing->options->wish, &drawing->finished, err);
+        return drawing->kind->draw(canvas, NULL, &drawing->room_options->study,
+                                   &drawing->options->wish, &drawing->finished, err);
     for (int i = 0; i < drawing->count && status == PP_OK; i++) {
         if (i > 0)
             status = pp_canvas_next_sheet(canvas, err);
         if (status == PP_OK)
-            status = pp_draw_chart(drawing->kind, canvas, &drawing->rooms[i],
-                                   &drawing->room_options->study,
-                                   &drawing->options->wish, &drawing->finished, err);
+            status = drawing->kind->draw(
+                canvas, &drawing->rooms[i], &drawing->room_options->study,
+                &drawing->options->wish, &drawing->finished, err);
     }
     return status;
 }
@@ -184,15 +184,15 @@ static enum pp_status draw(struct chart_task *drawing, FILE *out, struct pp_erro
     else
         snprintf(description, sizeof description, "%s; sky: %s", drawing->kind->summary,
                  pp_sky_name(world ? &world->sky : &options->wish.board.sky));
-    const struct pp_sheet sheet = {
-        .format = drawing->format,
-        .paper = options->paper,
-        .landscape = options->orientation == PP_LANDSCAPE
-                     || (options->orientation == PP_AS_FITS
-                         && pp_draw_chart_landscape(drawing->kind, world)),
-        .dpi = options->dpi,
-        .title = world ? world->name : drawing->kind->name,
-        .description = description};
+    const struct pp_sheet sheet = {.format = drawing->format,
+                                   .paper = options->paper,
+                                   .landscape = options->orientation == PP_LANDSCAPE
+                                                || (options->orientation == PP_AS_FITS
+                                                    && drawing->kind->landscape
+                                                    && drawing->kind->landscape(world)),
+                                   .dpi = options->dpi,
+                                   .title = world ? world->name : drawing->kind->name,
+                                   .description = description};
     struct pp_canvas *canvas;
     enum pp_status status = pp_canvas_create(&canvas, &sheet, err);
     if (status != PP_OK)

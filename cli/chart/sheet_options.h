@@ -2,9 +2,8 @@
 #ifndef PP_CLI_CHART_SHEET_OPTIONS_H
 #define PP_CLI_CHART_SHEET_OPTIONS_H
 
+#include "pepperpot.h"
 #include "cli/options.h"
-
-enum pp_orientation { PP_AS_FITS, PP_PORTRAIT, PP_LANDSCAPE };
 
 pp_option_reader pp_sheet_options_read_paper;       /* enum pp_paper (canvas.h) */
 pp_option_reader pp_sheet_options_read_orientation; /* enum pp_orientation */

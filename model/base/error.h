@@ -6,17 +6,7 @@
 #ifndef PP_MODEL_BASE_ERROR_H
 #define PP_MODEL_BASE_ERROR_H
 
-enum pp_status {
-    PP_OK = 0,
-    PP_BAD_INPUT,   /* the input or its data is wrong */
-    PP_SYSTEM,      /* the machine failed: memory, disk, permission */
-    PP_INTERRUPTED, /* stopped on request; what there is so far is good */
-};
-
-struct pp_error {
-    enum pp_status status;
-    char message[1024];
-};
+#include "pepperpot.h"
 
 /* Fills err (may be NULL) and returns status. */
 enum pp_status pp_fail(struct pp_error *err, enum pp_status status, const char *format,

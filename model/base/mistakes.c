@@ -77,3 +77,33 @@ void pp_mistakes_sort(struct pp_mistakes *mistakes)
         mistakes->list[k] = moved;
     }
 }
+
+struct pp_mistakes *pp_mistakes_create(const char *file)
+{
+    struct pp_mistakes *mistakes = malloc(sizeof *mistakes);
+    if (mistakes)
+        pp_mistakes_init(mistakes, file);
+    return mistakes;
+}
+
+void pp_mistakes_destroy(struct pp_mistakes *mistakes)
+{
+    if (mistakes)
+        pp_mistakes_clear(mistakes);
+    free(mistakes);
+}
+
+int pp_mistakes_count(const struct pp_mistakes *mistakes)
+{
+    return mistakes->count;
+}
+
+int pp_mistakes_line(const struct pp_mistakes *mistakes, int index)
+{
+    return mistakes->list[index].line;
+}
+
+const char *pp_mistakes_text(const struct pp_mistakes *mistakes, int index)
+{
+    return mistakes->list[index].text;
+}

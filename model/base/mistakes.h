@@ -19,6 +19,13 @@ struct pp_mistakes {
 
 enum { PP_MISTAKES_MOST = 1000 };
 
+/* On the heap, for those who do not see the struct: pepperpot.h. NULL: no memory. */
+struct pp_mistakes *pp_mistakes_create(const char *file);
+void pp_mistakes_destroy(struct pp_mistakes *mistakes); /* NULL is allowed */
+int pp_mistakes_count(const struct pp_mistakes *mistakes);
+int pp_mistakes_line(const struct pp_mistakes *mistakes, int index);
+const char *pp_mistakes_text(const struct pp_mistakes *mistakes, int index);
+
 void pp_mistakes_init(struct pp_mistakes *mistakes, const char *file);
 void pp_mistakes_clear(struct pp_mistakes *mistakes);
 

@@ -5,6 +5,7 @@
 
 #include <stdbool.h>
 
+#include "pepperpot.h"
 #include "model/base/error.h"
 
 enum pp_figure {
@@ -13,14 +14,6 @@ enum pp_figure {
     PP_FIGURE_RATIO,
     PP_FIGURE_ANGLE, /* radians */
     PP_FIGURE_AREA,  /* m2 */
-};
-
-enum pp_verdict {
-    PP_STATED, /* a figure that no criterion sets a bound for */
-    PP_MET,
-    PP_NOT_MET,
-    PP_UNDECIDED, /* the figure's own error is too large to tell */
-    PP_NOT_JUDGED /* the criterion does not speak of this room; the note says why */
 };
 
 struct pp_finding {

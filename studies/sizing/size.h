@@ -12,6 +12,7 @@
 
 #include <stdbool.h>
 
+#include "pepperpot.h"
 #include "studies/sizing/window_sizes.h"
 #include "model/results/reading.h"
 #include "model/room/world.h"
@@ -31,13 +32,6 @@ struct pp_size_task {
                      */
     pp_size_value *value;
     void *data;
-};
-
-enum pp_size_verdict {
-    PP_SIZE_REACHED,
-    PP_SIZE_SMALLEST_EXCEEDS, /* even the smallest is above the target */
-    PP_SIZE_OUT_OF_REACH,     /* no size reaches it; the best is given */
-    PP_SIZE_NO_VALUE,         /* reading.why says why */
 };
 
 struct pp_size_answer {

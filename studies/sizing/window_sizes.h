@@ -16,16 +16,9 @@
 
 #include <stdbool.h>
 
+#include "pepperpot.h"
 #include "model/base/error.h"
 #include "model/room/room.h"
-
-enum pp_size_change {
-    PP_CHANGE_WIDTH,
-    PP_CHANGE_HEIGHT, /* of a rooflight: its depth, about its middle */
-    PP_CHANGE_HEAD,
-    PP_CHANGE_SILL,
-    PP_CHANGE_NUMBER,
-};
 
 #define PP_SIZE_LEAST_M 0.01 /* of the smallest windows, the way that they change */
 #define PP_SIZE_GRID_M 0.001

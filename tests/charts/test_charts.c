@@ -5,7 +5,7 @@
 #include <unistd.h>
 
 #include "charts/sheet/axis.h"
-#include "charts/chart_kind.h"
+#include "api/chart_kind.h"
 #include "charts/room/plan_chart.h"
 #include "charts/room/room_plan.h"
 #include "charts/room/section_chart.h"

@@ -1,0 +1,28 @@
+/* chart_kind.c - the list of charts, in the order in which it is printed: a line each. */
+#include "api/chart_kind.h"
+
+#include <string.h>
+
+static const struct pp_chart_kind *const kinds[] = {
+    &pp_draw_section,    &pp_draw_plan,     &pp_draw_waldram,      &pp_draw_pepper_pot,
+    &pp_draw_protractor, &pp_draw_nomogram, &pp_draw_availability, NULL,
+};
+
+const struct pp_chart_kind *pp_chart_kind_at(int index)
+{
+    return kinds[index];
+}
+
+const struct pp_chart_kind *pp_chart_kind_find(const char *name)
+{
+    for (int i = 0; kinds[i]; i++)
+        if (strcmp(kinds[i]->name, name) == 0)
+            return kinds[i];
+    return NULL;
+}
+
+bool pp_chart_kind_landscape(const struct pp_world *world)
+{
+    (void)world;
+    return true;
+}

@@ -1,0 +1,83 @@
+/* chart_kind.h - the charts there are, in one list: how each comes from a room, or from
+ * nothing, on to a canvas.
+ *
+ * A kind computes what it shows by studies and methods and draws it by a chart of
+ * charts/. A new one is a file of its own, its entry declared here, and a line in
+ * chart_kind.c.
+ */
+#ifndef PP_API_CHART_KIND_H
+#define PP_API_CHART_KIND_H
+
+#include <stdbool.h>
+
+#include "charts/sheet/canvas.h"
+#include "model/light/glass.h"
+#include "model/light/sky.h"
+#include "model/results/nomogram_sheet.h"
+#include "studies/climate/year_light.h"
+#include "studies/study_options.h"
+#include "studies/study_room.h"
+
+/* What a diagram shows where there is a choice. */
+enum pp_yes_no { PP_UNSAID, PP_YES, PP_NO };
+
+struct pp_board_options {
+    enum pp_yes_no glazed;   /* a blank: with clear single glass? unsaid: yes */
+    bool fine;               /* pepper-pot: dots worth 0.01 % */
+    enum pp_yes_no vertical; /* a blank pepper-pot's receiver; unsaid: no */
+    double viewing_mm; /* pepper-pot: from the eye to the drawing; 0: 30, fine 60 */
+    struct pp_sky sky; /* of a blank; set by whoever asks */
+
+    int number;          /* a blank protractor of the ten; 0: not said */
+    const char *glazing; /* or of any glazing, "none" too; NULL: not said */
+    double slope_deg;    /* of that glazing, by --slope, */
+    bool slope_said;     /* if it was */
+    bool any_protractor; /* not one of the ten by number: what follows is it; set by
+                          * pp_board_options_check */
+    struct pp_glass glass;
+    double slope_rad;
+    char glass_words[72];
+
+    enum pp_nomogram_kind nomogram; /* by --which, */
+    bool nomogram_said;             /* if it was */
+};
+
+/* What a chart shows where there is a choice. */
+struct pp_chart_wish {
+    bool logarithmic;                    /* section: daylight factors */
+    struct pp_board_options board;       /* of kinds worked at the drawing board */
+    struct pp_year_options availability; /* of those of the light outside */
+};
+
+struct pp_chart_kind {
+    const char *name;    /* as typed on the command line */
+    const char *summary; /* one line, without a full stop */
+    bool board;          /* worked at the drawing board: can be blank, without a room */
+    bool from_point;     /* and is drawn from one point of a room */
+    bool outside;        /* of the light outside: can do without a room */
+
+    /* Does it look better on a sheet that lies on its side for this room (NULL: for a
+     * blank)? NULL: never. */
+    bool (*landscape)(const struct pp_world *world);
+
+    /* Computes what the chart shows of the room (NULL: a blank) and draws it; the room's
+     * points may change. *finished becomes false where the simulation was stopped. */
+    enum pp_status (*draw)(struct pp_canvas *canvas, struct pp_study_room *room,
+                           const struct pp_study_options *study,
+                           const struct pp_chart_wish *wish, bool *finished,
+                           struct pp_error *err);
+};
+
+extern const struct pp_chart_kind pp_draw_section, pp_draw_plan, pp_draw_waldram,
+    pp_draw_pepper_pot, pp_draw_protractor, pp_draw_nomogram, pp_draw_availability;
+
+/* In order; NULL at the end of the list, one past the last. */
+const struct pp_chart_kind *pp_chart_kind_at(int index);
+
+/* The kind of that name, or NULL. */
+const struct pp_chart_kind *pp_chart_kind_find(const char *name);
+
+/* For kinds whose sheet always lies on its side. */
+bool pp_chart_kind_landscape(const struct pp_world *world);
+
+#endif

@@ -1,0 +1,44 @@
+/* draw_availability.c - how often the light outside gives how much, and a room's share
+ * of it where there is a room. */
+#include "api/chart_kind.h"
+#include "charts/availability_chart.h"
+#include "studies/climate/availability.h"
+#include "studies/study_report.h"
+
+static enum pp_status draw(struct pp_canvas *canvas, struct pp_study_room *room,
+                           const struct pp_study_options *study,
+                           const struct pp_chart_wish *wish, bool *finished,
+                           struct pp_error *err)
+{
+    struct pp_report report = {0};
+    struct pp_year_light outside;
+    struct pp_availability_sheet sheet = {0};
+    bool by_clock = false;
+    enum pp_status status = pp_year_light_of_room(&outside, &wish->availability,
+                                                  room ? room->world : NULL, err);
+    if (status == PP_OK && room)
+        status = pp_study_report_methods(&report, room, study, err);
+    if (status == PP_OK && room && study->simulate)
+        status = pp_study_report_traced(&report, study, &by_clock, err);
+    if (status == PP_OK) {
+        struct pp_availability_question question =
+            pp_year_light_question(&wish->availability, &outside);
+        status = pp_availability_fill(&sheet, &question, room ? &report : NULL, err);
+    }
+    if (status == PP_OK)
+        status = pp_availability_chart_draw(canvas, &sheet, err);
+    if (room)
+        *finished &= report.finished;
+    pp_availability_sheet_clear(&sheet);
+    pp_report_clear(&report);
+    pp_year_light_clear(&outside);
+    return status;
+}
+
+const struct pp_chart_kind pp_draw_availability = {
+    .name = "availability",
+    .summary = "how often the sky gives how much light in working hours, and inside",
+    .outside = true,
+    .landscape = pp_chart_kind_landscape,
+    .draw = draw,
+};

@@ -1,0 +1,24 @@
+/* study.h - what is behind pepperpot.h's struct pp_study. Inside api/ only. */
+#ifndef PP_API_STUDY_H
+#define PP_API_STUDY_H
+
+#include "pepperpot.h"
+#include "studies/criteria/assessment.h"
+#include "studies/simulation.h"
+#include "studies/study_room.h"
+
+struct pp_study {
+    struct pp_study_room room;
+    struct pp_room *description;     /* the building's room, with the study's sky */
+    struct pp_study_options options; /* of what was last asked for */
+    struct pp_report report;
+    struct pp_simulation *simulation; /* NULL: none was asked for */
+    bool on_grid;                     /* are the points those of EN 17037's grid? */
+    struct pp_assessment assessment;
+    bool has_assessment;
+};
+
+/* An empty report on the room and points as they are. */
+void pp_study_begin_report(struct pp_study *study);
+
+#endif
