@@ -7,7 +7,7 @@
 #include <stdio.h>
 
 #include "cli/rooms.h"
-#include "studies/criteria/criterion.h"
+#include "studies/criteria/criteria.h"
 #include "studies/sizing/gains.h"
 
 struct pp_assess_options {

@@ -28,7 +28,7 @@ static struct pp_diffuse_curve curve_of(const struct pp_diffuse_light *light,
     const struct pp_working_hours hours = {from_h, to_h, days};
     struct pp_diffuse_curve curve;
     struct pp_error err;
-    if (pp_diffuse_curve_create(&curve, light, &hours, summer, &err) != PP_OK)
+    if (pp_diffuse_curve_init(&curve, light, &hours, summer, &err) != PP_OK)
         fail_msg("%s", err.message);
     return curve;
 }
@@ -320,7 +320,7 @@ static void no_hours_are_a_mistake(void **state)
     struct pp_diffuse_curve curve;
     struct pp_error err;
     assert_int_equal(
-        pp_diffuse_curve_create(&curve, &monday, &sunday, &no_summer, &err),
+        pp_diffuse_curve_init(&curve, &monday, &sunday, &no_summer, &err),
         PP_BAD_INPUT);
     pp_diffuse_light_clear(&light);
 }
