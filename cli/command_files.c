@@ -58,7 +58,8 @@ static int list_files(struct named_file *list, const struct pp_command_line *lin
             if ((!written && option->read != pp_options_read_input)
                 || count == FILES_MOST)
                 continue;
-            const char *path = *(const char **)((char *)group->values + option->offset);
+            const char *path =
+                *(const char **)((char *)line->values + group->offset + option->offset);
             if (path)
                 list[count++] = (struct named_file){option->name, path, written};
         }

@@ -8,26 +8,14 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "cli/commands.h"
+#include "cli/command.h"
 #include "cli/message.h"
 #include "model/base/text.h"
 
-struct command_entry {
-    const char *name;
-    pp_command *run;
-    const char *does;
-};
-
-static const struct command_entry commands[] = {
-    {"df", cmd_df, "daylight factors at the reference points and their average"},
-    {"chart", cmd_chart, "one chart of a room as PDF, SVG or PNG"},
-    {"render", cmd_render, "pictures of a room's light"},
-    {"assess", cmd_assess, "what a room's daylight has to reach, and whether it does"},
-    {"size", cmd_size, "the window that just reaches a target"},
-    {"availability", cmd_availability, "how often daylight is enough in working hours"},
-    {"validate", cmd_validate, "methods against simulation, program against paper"},
-    {"export", cmd_export, "a room as scene files for Radiance"},
-    {"import", cmd_import, "sensor points in a scene of Radiance's"},
+static const struct pp_command *const commands[] = {
+    &pp_command_df,       &pp_command_chart,  &pp_command_render,
+    &pp_command_assess,   &pp_command_size,   &pp_command_availability,
+    &pp_command_validate, &pp_command_export, &pp_command_import,
 };
 enum { COMMAND_COUNT = sizeof commands / sizeof commands[0] };
 
@@ -38,7 +26,7 @@ static void print_help(void)
          "worked on, and a simulation of the same room to set beside them.\n\n"
          "Commands:");
     for (int i = 0; i < COMMAND_COUNT; i++)
-        printf("  %-12s %s\n", commands[i].name, commands[i].does);
+        printf("  %-12s %s\n", commands[i]->name, commands[i]->summary);
     puts("\nOptions:\n"
          "  -h, --help     Print this help and stop; after a command: its own.\n"
          "      --version  Print the version and stop.\n\n"
@@ -49,7 +37,7 @@ static void print_help(void)
 static void list_names(const char *names[COMMAND_COUNT])
 {
     for (int i = 0; i < COMMAND_COUNT; i++)
-        names[i] = commands[i].name;
+        names[i] = commands[i]->name;
 }
 
 static enum pp_exit fail_unknown(const char *word)
@@ -88,8 +76,8 @@ static enum pp_exit run(int argc, char **argv)
         return PP_EXIT_DONE;
     }
     for (int i = 0; i < COMMAND_COUNT; i++)
-        if (strcmp(word, commands[i].name) == 0)
-            return commands[i].run(argc - 1, argv + 1);
+        if (strcmp(word, commands[i]->name) == 0)
+            return pp_command_run(commands[i], argc - 1, argv + 1);
     return fail_unknown(word);
 }
 

@@ -3,7 +3,7 @@
 #include <stdarg.h>
 #include <stdio.h>
 
-#include "cli/print/format.h"
+#include "reports/format.h"
 
 static void put_line(const char *before, const char *message)
 {

@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "cli/print/format.h"
+#include "reports/format.h"
 #include "model/base/text.h"
 
 enum { HELP_WIDTH = 80, HELP_INDENT = 24, MOST_OPTIONS = 64 };
@@ -44,7 +44,8 @@ static struct found find(const struct pp_command_line *line, const char *name,
     for (const struct pp_option_group *group = line->groups; group->title; group++)
         for (const struct pp_option *option = group->options; option->name; option++)
             if (name ? is_named(option, name, length) : option->letter == letter)
-                return (struct found){option, (char *)group->values + option->offset};
+                return (struct found){option, (char *)line->values + group->offset
+                                                  + option->offset};
     if (name ? is_named(&help_option, name, length) : letter == help_option.letter)
         return (struct found){&help_option, NULL};
     return (struct found){NULL, NULL};
@@ -56,7 +57,8 @@ static struct found find_short(const struct pp_command_line *line, const char *w
     for (const struct pp_option_group *group = line->groups; group->title; group++)
         for (const struct pp_option *option = group->options; option->name; option++)
             if (short_of(option) && strcmp(short_of(option), word) == 0)
-                return (struct found){option, (char *)group->values + option->offset};
+                return (struct found){option, (char *)line->values + group->offset
+                                                  + option->offset};
     return (struct found){NULL, NULL};
 }
 

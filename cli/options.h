@@ -33,7 +33,7 @@ struct pp_option {
 struct pp_option_group {
     const char *title; /* NULL ends a list of groups */
     const struct pp_option *options;
-    void *values;
+    size_t offset; /* of that struct in the command's own */
 };
 
 struct pp_command_line {
@@ -42,6 +42,7 @@ struct pp_command_line {
     const char *about; /* what the command does, in a paragraph or more */
     const struct pp_option_group *groups;
     void (*more_help)(FILE *out); /* what the help ends with; NULL: its options */
+    void *values;                 /* the command's own struct */
 };
 
 /* Reads argv[1] to argv[argc - 1]. The operands end up, in their order, at the start of

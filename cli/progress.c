@@ -6,7 +6,7 @@
 #include <sys/ioctl.h>
 #include <unistd.h>
 
-#include "cli/print/format.h"
+#include "reports/format.h"
 #include "model/base/clock.h"
 
 /* Columns that the bar, and the label, take at most; the bar at least. */

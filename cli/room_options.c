@@ -6,7 +6,7 @@
 
 #include "model/base/text.h"
 
-const struct pp_room_options pp_room_options_none = {.seed = 1};
+const struct pp_room_options pp_room_options_none = {.study.seed = 1};
 
 #define PLACE(member) offsetof(struct pp_room_options, member)
 
@@ -56,21 +56,29 @@ static enum pp_status read_points(const char *text, void *place, struct pp_error
     return PP_OK;
 }
 
-const struct pp_option pp_room_choice_options[] = {
+const struct pp_option pp_room_methods_option[] = {
     {"methods", 'm', "LIST",
      "The methods to use, by name and with commas between, or "
      "\"all\", or \"default\".",
-     pp_options_read_text, PLACE(methods)},
+     pp_options_read_text, PLACE(study.methods)},
+    {0},
+};
+
+const struct pp_option pp_room_points_option[] = {
     {"points", 'p', "X,Y[,Z]",
      "Reference points in metres instead of the file's; several "
      "with spaces between, or the option repeated. Without Z "
      "they lie on the working plane.",
-     read_points, PLACE(points)},
+     read_points, PLACE(study.points)},
+    {0},
+};
+
+const struct pp_option pp_room_sky_options[] = {
     {"sky", 0, "TYPE",
      "Another sky than the file's: overcast, uniform, or iso-1 to iso-15, "
      "with \",ALTITUDE,BEARING\" of the sun in degrees behind it where "
      "the type needs one.",
-     pp_options_read_text, PLACE(sky)},
+     pp_options_read_text, PLACE(study.sky)},
     {"room", 0, "NAME", "Only the room of that name.", pp_options_read_text,
      PLACE(room)},
     {0},
@@ -80,42 +88,45 @@ const struct pp_option pp_room_external_option[] = {
     {"external", 0, "LUX",
      "Set illuminances beside the daylight factors: what they make of so many lux "
      "outside (5000 is usual).",
-     pp_options_read_lux, PLACE(external_lux)},
+     pp_options_read_lux, PLACE(study.external_lux)},
     {0},
 };
 
-const struct pp_option *const pp_room_place_options = pp_room_choice_options + 1;
-const struct pp_option *const pp_room_sky_options = pp_room_choice_options + 2;
-
-const struct pp_option pp_room_simulation_options[] = {
+const struct pp_option pp_room_simulate_option[] = {
     {"simulate", 's', NULL,
      "Trace light paths too, and set the result beside the methods.", NULL,
-     PLACE(simulate)},
+     PLACE(study.simulate)},
+    {0},
+};
+
+const struct pp_option pp_room_stop_options[] = {
     {"error", 0, "E%",
      "Stop when the standard error of the daylight factor is down "
      "to that share of it, or to 0.002 % daylight factor, at "
      "every point (default 1%).",
-     pp_options_read_per_cent, PLACE(error)},
+     pp_options_read_per_cent, PLACE(study.error)},
     {"samples", 0, "N",
      "Stop after N paths a point in each randomisation, instead of "
      "--error.",
-     pp_options_read_count, PLACE(samples)},
+     pp_options_read_count, PLACE(study.samples)},
     {"time", 0, "TIME",
      "Stop after that time a room: 10s, 500ms, 2m, 1h. The result then "
      "depends on the machine.",
-     pp_options_read_seconds, PLACE(seconds)},
-    {"seed", 0, "N",
-     "Start of the random numbers (default 1); the same seed gives the "
-     "same result.",
-     pp_options_read_seed, PLACE(seed)},
-    {"threads", 'j', "N",
-     "Threads to work with (default: one for each processor); the "
-     "result does not depend on it.",
-     pp_options_read_threads, PLACE(threads)},
+     pp_options_read_seconds, PLACE(study.seconds)},
     {0},
 };
 
-const struct pp_option *const pp_room_seed_options = pp_room_simulation_options + 4;
+const struct pp_option pp_room_seed_options[] = {
+    {"seed", 0, "N",
+     "Start of the random numbers (default 1); the same seed gives the "
+     "same result.",
+     pp_options_read_seed, PLACE(study.seed)},
+    {"threads", 'j', "N",
+     "Threads to work with (default: one for each processor); the "
+     "result does not depend on it.",
+     pp_options_read_threads, PLACE(study.threads)},
+    {0},
+};
 
 const struct pp_option pp_room_output_options[] = {
     {"output", 'o', "FILE",
@@ -129,27 +140,27 @@ const struct pp_option pp_room_output_options[] = {
 enum pp_status pp_room_options_settle(struct pp_room_options *options,
                                       struct pp_error *err)
 {
-    const char *needs_simulate = options->error > 0.0     ? "--error"
-                                 : options->samples > 0   ? "--samples"
-                                 : options->seconds > 0.0 ? "--time"
-                                                          : NULL;
-    if (needs_simulate && !options->simulate)
+    const char *needs_simulate = options->study.error > 0.0     ? "--error"
+                                 : options->study.samples > 0   ? "--samples"
+                                 : options->study.seconds > 0.0 ? "--time"
+                                                                : NULL;
+    if (needs_simulate && !options->study.simulate)
         return pp_fail(err, PP_BAD_INPUT,
                        "%s says when the simulation stops; it needs --simulate",
                        needs_simulate);
-    if (options->error > 0.0 && options->samples > 0)
+    if (options->study.error > 0.0 && options->study.samples > 0)
         return pp_fail(err, PP_BAD_INPUT,
                        "--error and --samples are two ways to say the same; expected "
                        "one of them");
-    bool has_end =
-        options->error > 0.0 || options->samples > 0 || options->seconds > 0.0;
-    if (options->simulate && !has_end)
-        options->error = 0.01;
+    bool has_end = options->study.error > 0.0 || options->study.samples > 0
+                   || options->study.seconds > 0.0;
+    if (options->study.simulate && !has_end)
+        options->study.error = 0.01;
     return PP_OK;
 }
 
 void pp_room_options_clear(struct pp_room_options *options)
 {
-    free(options->points.list);
-    options->points = (struct pp_point_list){0};
+    free(options->study.points.list);
+    options->study.points = (struct pp_point_list){0};
 }

@@ -6,33 +6,11 @@
 #include <stdint.h>
 
 #include "cli/options.h"
-#include "methods/method.h"
-#include "model/room/world.h"
-
-/* Points of --points; z is NAN for the working plane. */
-struct pp_point_list {
-    struct pp_vec3 *list;
-    int count;
-};
+#include "studies/study_options.h"
 
 struct pp_room_options {
-    const char *methods; /* as typed; NULL: the default ones */
-    struct pp_point_list points;
-    const char *sky;  /* as typed; NULL: the file's */
-    const char *room; /* only the rooms of that name; NULL: all */
-
-    bool simulate;
-    double error;   /* wanted standard error over daylight factor; 0: not given */
-    long samples;   /* paths a point in each randomisation; 0: not given */
-    double seconds; /* 0: not given */
-    uint64_t seed;
-    int threads; /* 0: as many as there are processors */
-
-    bool explain; /* df: set out the sums of its one point */
-    struct pp_method_options method_options;
-
-    double external_lux; /* of the open level plane; 0: not given */
-
+    struct pp_study_options study;
+    const char *room;   /* only the rooms of that name; NULL: all */
     const char *output; /* NULL: standard output */
     bool quiet;
 };
@@ -41,13 +19,33 @@ struct pp_room_options {
 extern const struct pp_room_options pp_room_options_none;
 
 /* Lists for struct pp_option_group, with a struct pp_room_options as values. */
-extern const struct pp_option pp_room_choice_options[];     /* methods, points, sky */
-extern const struct pp_option pp_room_external_option[];    /* external */
-extern const struct pp_option *const pp_room_place_options; /* points, sky, room */
-extern const struct pp_option *const pp_room_sky_options;   /* sky, room */
-extern const struct pp_option pp_room_simulation_options[]; /* simulate ... threads */
-extern const struct pp_option *const pp_room_seed_options;  /* seed, threads */
-extern const struct pp_option pp_room_output_options[];     /* output, quiet */
+extern const struct pp_option pp_room_methods_option[];
+extern const struct pp_option pp_room_points_option[];
+extern const struct pp_option pp_room_sky_options[]; /* sky, room */
+extern const struct pp_option pp_room_external_option[];
+extern const struct pp_option pp_room_simulate_option[];
+extern const struct pp_option pp_room_stop_options[];   /* error, samples, time */
+extern const struct pp_option pp_room_seed_options[];   /* seed, threads */
+extern const struct pp_option pp_room_output_options[]; /* output, quiet */
+
+/* Rows of a command's list of groups, for a struct pp_room_options at that offset. */
+#define PP_ROOM_CHOICE_GROUPS(title, at)                                               \
+    {title, pp_room_methods_option, at}, {title, pp_room_points_option, at},           \
+    {                                                                                  \
+        title, pp_room_sky_options, at                                                 \
+    }
+#define PP_ROOM_PLACE_GROUPS(title, at)                                                \
+    {title, pp_room_points_option, at},                                                \
+    {                                                                                  \
+        title, pp_room_sky_options, at                                                 \
+    }
+#define PP_ROOM_STOP_GROUPS(at)                                                        \
+    {"Simulation", pp_room_stop_options, at},                                          \
+    {                                                                                  \
+        "Simulation", pp_room_seed_options, at                                         \
+    }
+#define PP_ROOM_SIMULATION_GROUPS(at)                                                  \
+    {"Simulation", pp_room_simulate_option, at}, PP_ROOM_STOP_GROUPS(at)
 
 /* Do the options make sense together? PP_BAD_INPUT if not. A simulation without an end
  * gets an error of 1 %. */

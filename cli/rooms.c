@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "cli/message.h"
+#include "model/base/array.h"
 #include "model/base/text.h"
 #include "model/room/building.h"
 
@@ -16,29 +17,28 @@ struct loading {
 };
 
 static enum pp_exit add_world(struct loading *loading, const char *file,
-                              const struct pp_room *room, struct pp_world *world)
+                              struct pp_building *building, const struct pp_room *room,
+                              struct pp_world *world)
 {
     struct pp_rooms *rooms = loading->rooms;
-    struct pp_loaded_room *grown =
-        realloc(rooms->list, ((size_t)rooms->count + 1) * sizeof *grown);
-    if (!grown) {
-        struct pp_error err;
+    struct pp_error err;
+    if (pp_array_append(&rooms->list, rooms->count, sizeof *rooms->list, &err)
+        != PP_OK) {
         pp_world_destroy(world);
-        pp_fail_memory(&err);
         return pp_message_error(&err);
     }
-    rooms->list = grown;
-    rooms->list[rooms->count++] =
-        (struct pp_loaded_room){.file = file, .room = room, .world = world};
+    pp_study_room_init(&rooms->list[rooms->count++], file, building, room, world);
     return PP_EXIT_DONE;
 }
 
 /* One room of a file; what does not make sense in it goes to mistakes. */
 static enum pp_exit resolve_room(struct loading *loading, const char *file,
-                                 struct pp_room *room, struct pp_mistakes *mistakes)
+                                 struct pp_building *building, int index,
+                                 struct pp_mistakes *mistakes)
 {
+    struct pp_room *room = pp_building_room(building, index);
     struct pp_error err = {0};
-    const char *sky = loading->options->sky;
+    const char *sky = loading->options->study.sky;
     if (sky && pp_room_set_sky(room, sky, &err) != PP_OK) {
         struct pp_error usage;
         pp_fail(&usage, PP_BAD_INPUT, "--sky: %s", err.message);
@@ -52,21 +52,19 @@ static enum pp_exit resolve_room(struct loading *loading, const char *file,
         return PP_EXIT_DONE; /* they are said with those of the rest of the file */
     if (status != PP_OK)
         return pp_message_error(&err);
-    return add_world(loading, file, room, world);
+    return add_world(loading, file, building, room, world);
 }
 
 /* Hands the building over to the rooms, as theirs; NULL is none. */
 static enum pp_exit keep_building(struct pp_rooms *rooms, struct pp_building *building)
 {
-    struct pp_building **grown =
-        realloc(rooms->buildings, ((size_t)rooms->building_count + 1) * sizeof *grown);
-    if (!grown) {
-        struct pp_error err;
+    struct pp_error err;
+    if (pp_array_append(&rooms->buildings, rooms->building_count,
+                        sizeof *rooms->buildings, &err)
+        != PP_OK) {
         pp_building_destroy(building);
-        pp_fail_memory(&err);
         return pp_message_error(&err);
     }
-    rooms->buildings = grown;
     rooms->buildings[rooms->building_count++] = building;
     return PP_EXIT_DONE;
 }
@@ -89,7 +87,7 @@ static enum pp_exit load_file(struct loading *loading, const char *file)
     }
     int count = building ? pp_building_room_count(building) : 0;
     for (int i = 0; i < count && result == PP_EXIT_DONE; i++)
-        result = resolve_room(loading, file, pp_building_room(building, i), &mistakes);
+        result = resolve_room(loading, file, building, i, &mistakes);
     if (mistakes.count > 0 && result == PP_EXIT_DONE)
         result = pp_message_mistakes(&mistakes);
     loading->rooms->several |= building && pp_building_name(building);
@@ -99,7 +97,7 @@ static enum pp_exit load_file(struct loading *loading, const char *file)
 }
 
 /* The points of --points in this room, facing up. */
-static enum pp_exit place_points(struct pp_loaded_room *room,
+static enum pp_exit place_points(struct pp_study_room *room,
                                  const struct pp_point_list *points)
 {
     struct pp_error err;
@@ -108,8 +106,7 @@ static enum pp_exit place_points(struct pp_loaded_room *room,
         pp_fail_memory(&err);
         return pp_message_error(&err);
     }
-    room->receivers = receivers;
-    room->receiver_count = points->count;
+    pp_study_room_set_points(room, receivers, points->count);
     for (int i = 0; i < points->count; i++) {
         struct pp_vec3 at = points->list[i];
         if (isnan(at.z))
@@ -167,11 +164,11 @@ static enum pp_exit choose_room(struct pp_rooms *rooms, const char *wanted)
         return say_no_such_room(rooms, wanted);
     kept = 0;
     for (int i = 0; i < rooms->count; i++) {
-        struct pp_world *world = rooms->list[i].world;
-        if (world->name && strcmp(world->name, wanted) == 0)
+        const char *name = rooms->list[i].world->name;
+        if (name && strcmp(name, wanted) == 0)
             rooms->list[kept++] = rooms->list[i];
         else
-            pp_world_destroy(world);
+            pp_study_room_clear(&rooms->list[i]);
     }
     rooms->count = kept;
     return PP_EXIT_DONE;
@@ -195,13 +192,9 @@ enum pp_exit pp_rooms_load(struct pp_rooms *rooms, const char *command, char **f
     }
     if (result == PP_EXIT_DONE && options->room)
         result = choose_room(rooms, options->room);
-    for (int i = 0; i < rooms->count && result == PP_EXIT_DONE; i++) {
-        struct pp_loaded_room *room = &rooms->list[i];
-        room->receivers = room->world->receivers;
-        room->receiver_count = room->world->receiver_count;
-        if (options->points.count > 0)
-            result = place_points(room, &options->points);
-    }
+    for (int i = 0; i < rooms->count && result == PP_EXIT_DONE; i++)
+        if (options->study.points.count > 0)
+            result = place_points(&rooms->list[i], &options->study.points);
     if (result != PP_EXIT_DONE)
         pp_rooms_clear(rooms);
     return result;
@@ -209,12 +202,8 @@ enum pp_exit pp_rooms_load(struct pp_rooms *rooms, const char *command, char **f
 
 void pp_rooms_clear(struct pp_rooms *rooms)
 {
-    for (int i = 0; i < rooms->count; i++) {
-        struct pp_loaded_room *room = &rooms->list[i];
-        if (room->receivers != room->world->receivers)
-            free(room->receivers);
-        pp_world_destroy(room->world);
-    }
+    for (int i = 0; i < rooms->count; i++)
+        pp_study_room_clear(&rooms->list[i]);
     for (int i = 0; i < rooms->building_count; i++)
         pp_building_destroy(rooms->buildings[i]);
     free(rooms->buildings);

@@ -6,20 +6,10 @@
 
 #include "cli/exit_status.h"
 #include "cli/room_options.h"
-#include "model/room/building.h"
-#include "model/room/world.h"
-
-struct pp_loaded_room {
-    const char *file; /* as typed; not owned */
-    const struct pp_room
-        *room; /* as the file has it, with the options' sky; not owned */
-    struct pp_world *world;
-    struct pp_receiver *receivers; /* the world's, or those of --points */
-    int receiver_count;
-};
+#include "studies/study_room.h"
 
 struct pp_rooms {
-    struct pp_loaded_room *list;
+    struct pp_study_room *list;
     int count;
     bool several; /* a building, or more than one file: results come as a list */
     bool more_than_one_file;

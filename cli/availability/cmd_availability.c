@@ -2,16 +2,17 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "cli/terminal.h"
 #include "cli/availability/availability_options.h"
-#include "cli/command_line.h"
-#include "cli/commands.h"
-#include "cli/print/format.h"
-#include "cli/study_report.h"
+#include "cli/command.h"
+#include "cli/rooms.h"
+#include "cli/watch.h"
+#include "cli/format_option.h"
+#include "studies/study_report.h"
 #include "cli/interrupt.h"
 #include "cli/message.h"
 #include "cli/output.h"
-#include "cli/print/print.h"
-#include "cli/availability/availability_text.h"
+#include "reports/availability_text.h"
 #include "methods/evaluate.h"
 
 static const char about[] =
@@ -24,38 +25,45 @@ static const char about[] =
     "is a "
     "room file; - is standard input.";
 
-/* What a run holds. `outside` is the rooms' light, one each. */
-struct run {
-    struct pp_availability_options *options;
-    const struct pp_room_options *room_options;
+struct availability_options {
+    struct pp_room_options room;
+    struct pp_availability_options light;
     enum pp_format format;
+};
+
+/* What a run holds. `outside` is the rooms' light, one each. */
+struct availability_run {
+    struct availability_options *options;
     struct pp_availability_results results;
     struct pp_environment_light *outside;
 };
 
-static enum pp_status compute_room(struct run *run, const struct pp_loaded_room *room,
-                                   int index, struct pp_error *err)
+static enum pp_status compute_room(struct availability_run *run,
+                                   const struct pp_study_room *room, int index,
+                                   struct pp_error *err)
 {
     struct pp_availability_result *result = &run->results.list[index];
     struct pp_environment_light *outside = &run->outside[index];
     result->file = room->file;
     enum pp_status status =
-        pp_availability_options_light(outside, run->options, room->world, err);
+        pp_availability_options_light(outside, &run->options->light, room->world, err);
     if (status == PP_OK)
-        status = pp_study_report_methods(&result->report, room, run->room_options, err);
-    if (status == PP_OK && run->room_options->simulate)
-        status = pp_study_report_traced(&result->report, run->room_options,
+        status =
+            pp_study_report_methods(&result->report, room, run->results.options, err);
+    if (status == PP_OK && run->results.options->simulate)
+        status = pp_study_report_traced(&result->report, run->results.options,
                                         &result->by_clock, err);
     if (status != PP_OK)
         return status;
     struct pp_availability_question question =
-        pp_availability_options_question(run->options, outside);
+        pp_availability_options_question(&run->options->light, outside);
     return pp_availability_fill(&result->sheet, &question, &result->report, err);
 }
 
-static enum pp_status print(const struct run *run, FILE *out, struct pp_error *err)
+static enum pp_status print(const struct availability_run *run, FILE *out,
+                            struct pp_error *err)
 {
-    switch (run->format) {
+    switch (run->options->format) {
     case PP_FORMAT_JSON:
         return pp_availability_json(&run->results, out, err);
     case PP_FORMAT_CSV:
@@ -64,17 +72,18 @@ static enum pp_status print(const struct run *run, FILE *out, struct pp_error *e
         break;
     }
     return pp_availability_text(&run->results,
-                                pp_print_width(run->room_options->output),
-                                pp_format_utf8_terminal(), out, err);
+                                pp_terminal_width(run->options->room.output),
+                                pp_terminal_utf8(), out, err);
 }
 
-static enum pp_exit compute_and_print(struct run *run, const struct pp_rooms *rooms)
+static enum pp_exit compute_and_print(struct availability_run *run,
+                                      const struct pp_rooms *rooms)
 {
     struct pp_error err = {0};
     struct pp_output output;
-    if (run->room_options->simulate)
+    if (run->results.options->simulate)
         pp_interrupt_watch();
-    enum pp_status status = pp_output_open(&output, run->room_options->output, &err);
+    enum pp_status status = pp_output_open(&output, run->options->room.output, &err);
     for (int i = 0; i < rooms->count && status == PP_OK; i++) {
         run->results.count = i + 1;
         status = compute_room(run, &rooms->list[i], i, &err);
@@ -90,13 +99,13 @@ static enum pp_exit compute_and_print(struct run *run, const struct pp_rooms *ro
     return PP_EXIT_DONE;
 }
 
-static enum pp_exit run_on(struct run *run, const struct pp_rooms *rooms)
+static enum pp_exit run_on(struct availability_run *run, const struct pp_rooms *rooms)
 {
     struct pp_error err;
     enum pp_exit result;
     run->results.several = rooms->several;
     run->results.more_than_one_file = rooms->more_than_one_file;
-    run->results.options = run->room_options;
+    run->results.options = &run->options->room.study;
     run->results.list = calloc((size_t)rooms->count, sizeof *run->results.list);
     run->outside = calloc((size_t)rooms->count, sizeof *run->outside);
     if (run->results.list && run->outside) {
@@ -115,68 +124,76 @@ static enum pp_exit run_on(struct run *run, const struct pp_rooms *rooms)
     return result;
 }
 
-/* What the options say, before any file is opened. */
-static enum pp_status check(struct pp_availability_options *options,
-                            struct pp_room_options *room_options, char **files,
-                            int file_count, struct pp_error *err)
+static enum pp_exit run(void *values, char **files, int file_count)
 {
-    if (file_count == 0)
-        return pp_fail(err, PP_BAD_INPUT,
-                       "expected a room file, or - for standard input");
-    enum pp_status status = pp_room_options_settle(room_options, err);
-    if (status == PP_OK)
-        status = pp_availability_options_check(options, files, file_count, err);
-    if (!room_options->methods)
-        room_options->methods = "exact+bre";
-    return status == PP_OK ? pp_selection_check(room_options->methods, err) : status;
-}
-
-static enum pp_exit load_and_run(struct run *run, char **files, int file_count)
-{
+    struct availability_options *options = values;
+    struct availability_run all = {.options = options};
+    struct pp_terminal_watch watch;
     struct pp_rooms rooms;
-    enum pp_exit result = pp_availability_options_load(run->options);
+    options->room.study.watch = pp_watch_of_terminal(&watch, options->room.quiet);
+    enum pp_exit result = pp_availability_options_load(&options->light);
+    if (result == PP_EXIT_DONE)
+        result =
+            pp_rooms_load(&rooms, "availability", files, file_count, &options->room);
     if (result != PP_EXIT_DONE)
         return result;
-    result =
-        pp_rooms_load(&rooms, "availability", files, file_count, run->room_options);
-    if (result != PP_EXIT_DONE)
-        return result;
-    result = run_on(run, &rooms);
+    result = run_on(&all, &rooms);
     pp_rooms_clear(&rooms);
     return result;
 }
 
-enum pp_exit cmd_availability(int argc, char **argv)
+/* ---- the command line ---- */
+
+#define PLACE(member) offsetof(struct availability_options, member)
+
+static const struct pp_option_group groups[] = {
+    {"Light outside and working hours", pp_light_options, PLACE(light)},
+    {"What is computed", pp_illuminance_options, PLACE(light)},
+    PP_ROOM_CHOICE_GROUPS("What is computed", PLACE(room)),
+    PP_ROOM_SIMULATION_GROUPS(PLACE(room)),
+    {"Output", pp_format_option, PLACE(format)},
+    {"Output", pp_room_output_options, PLACE(room)},
+    {0},
+};
+
+static void init(void *values)
 {
-    struct pp_room_options room_options = pp_room_options_none;
-    struct pp_availability_options options = pp_availability_options_default;
-    struct run run = {
-        .options = &options, .room_options = &room_options, .format = PP_FORMAT_TEXT};
-    const struct pp_option_group groups[] = {
-        {"Light outside and working hours", pp_light_options, &options},
-        {"What is computed", pp_illuminance_options, &options},
-        {"What is computed", pp_room_choice_options, &room_options},
-        {"Simulation", pp_room_simulation_options, &room_options},
-        {"Output", pp_format_option, &run.format},
-        {"Output", pp_room_output_options, &room_options},
-        {0},
-    };
-    const struct pp_command_line line = {"availability", "FILE...", about, groups,
-                                         NULL};
-
-    struct pp_error err = {0};
-    int file_count;
-    bool wants_help;
-    enum pp_exit exit_status;
-    enum pp_status status =
-        pp_options_read(&line, argc, argv, &file_count, &wants_help, &err);
-    if (status == PP_OK && !wants_help)
-        status = check(&options, &room_options, argv, file_count, &err);
-
-    if (pp_command_line_starts(&line, argv, file_count, status, wants_help, &err,
-                               &exit_status))
-        exit_status = load_and_run(&run, argv, file_count);
-    pp_availability_options_clear(&options);
-    pp_room_options_clear(&room_options);
-    return exit_status;
+    *(struct availability_options *)values = (struct availability_options){
+        .room = pp_room_options_none, .light = pp_availability_options_default};
 }
+
+static enum pp_status check(void *values, char **files, int file_count,
+                            struct pp_error *err)
+{
+    struct availability_options *options = values;
+    struct pp_study_options *study = &options->room.study;
+    if (file_count == 0)
+        return pp_fail(err, PP_BAD_INPUT,
+                       "expected a room file, or - for standard input");
+    enum pp_status status = pp_room_options_settle(&options->room, err);
+    if (status == PP_OK)
+        status = pp_availability_options_check(&options->light, files, file_count, err);
+    if (!study->methods)
+        study->methods = "exact+bre";
+    return status == PP_OK ? pp_selection_check(study->methods, err) : status;
+}
+
+static void clear(void *values)
+{
+    struct availability_options *options = values;
+    pp_availability_options_clear(&options->light);
+    pp_room_options_clear(&options->room);
+}
+
+const struct pp_command pp_command_availability = {
+    .name = "availability",
+    .summary = "how often daylight is enough in working hours",
+    .operands = "FILE...",
+    .about = about,
+    .groups = groups,
+    .size = sizeof(struct availability_options),
+    .init = init,
+    .check = check,
+    .run = run,
+    .clear = clear,
+};

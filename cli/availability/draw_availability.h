@@ -9,7 +9,7 @@
 /* room NULL: the light outside alone. *finished becomes false where the simulation was
  * interrupted. */
 enum pp_status pp_draw_availability(struct pp_canvas *canvas,
-                                    const struct pp_loaded_room *room,
+                                    const struct pp_study_room *room,
                                     const struct pp_room_options *room_options,
                                     const struct pp_availability_options *options,
                                     bool *finished, struct pp_error *err);

@@ -149,20 +149,20 @@ enum pp_status pp_board_options_check(struct pp_board_options *board,
     bool pepper_pot = strcmp(kind->name, "pepper-pot") == 0;
     bool protractor = strcmp(kind->name, "protractor") == 0;
     bool nomogram = strcmp(kind->name, "nomogram") == 0;
-    const char *needless = options->simulate                              ? "--simulate"
-                           : options->methods                             ? "--methods"
-                           : (blank || nomogram) && options->points.count ? "--points"
-                           : blank && options->room                       ? "--room"
-                           : !pepper_pot && board->fine                   ? "--fine"
-                           : !pepper_pot && board->vertical               ? "--receiver"
-                           : !pepper_pot && board->viewing_mm > 0.0
-                               ? "--viewing-distance"
-                           : (protractor || nomogram) && board->glazed ? "--glazed"
-                           : !nomogram && board->nomogram_said         ? "--which"
-                           : !protractor && board->number              ? "--number"
-                           : !protractor && board->glazing             ? "--glazing"
-                           : !protractor && board->slope_said          ? "--slope"
-                                                                       : NULL;
+    const char *needless =
+        options->study.simulate                              ? "--simulate"
+        : options->study.methods                             ? "--methods"
+        : (blank || nomogram) && options->study.points.count ? "--points"
+        : blank && options->room                             ? "--room"
+        : !pepper_pot && board->fine                         ? "--fine"
+        : !pepper_pot && board->vertical                     ? "--receiver"
+        : !pepper_pot && board->viewing_mm > 0.0             ? "--viewing-distance"
+        : (protractor || nomogram) && board->glazed          ? "--glazed"
+        : !nomogram && board->nomogram_said                  ? "--which"
+        : !protractor && board->number                       ? "--number"
+        : !protractor && board->glazing                      ? "--glazing"
+        : !protractor && board->slope_said                   ? "--slope"
+                                                             : NULL;
     if (needless)
         return pp_fail(err, PP_BAD_INPUT, "%s has no meaning for a %s%s diagram",
                        needless, blank ? "blank " : "", kind->name);
@@ -176,12 +176,12 @@ enum pp_status pp_board_options_check(struct pp_board_options *board,
         return pp_fail(err, PP_BAD_INPUT,
                        "%s is for a blank diagram; a room has its own",
                        board->glazed ? "--glazed" : "--receiver");
-    enum pp_status status = set_sky(&board->sky, options->sky, err);
+    enum pp_status status = set_sky(&board->sky, options->study.sky, err);
     if (status == PP_OK && nomogram && board->sky.kind != PP_SKY_OVERCAST)
         status = pp_fail(err, PP_BAD_INPUT,
                          "--sky is \"%.60s\"; nomograms are made for the overcast sky",
-                         options->sky);
+                         options->study.sky);
     if (status == PP_OK && protractor)
-        status = set_protractor(board, options->sky, err);
+        status = set_protractor(board, options->study.sky, err);
     return status;
 }

@@ -4,8 +4,8 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "cli/command_line.h"
-#include "cli/commands.h"
+#include "cli/command.h"
+#include "cli/watch.h"
 #include "cli/chart/draw_chart.h"
 #include "cli/interrupt.h"
 #include "cli/message.h"
@@ -137,7 +137,7 @@ struct chart_task {
     enum pp_chart_format format;
     const struct pp_room_options *room_options;
     const struct pp_chart_options *options;
-    struct pp_loaded_room *rooms;
+    struct pp_study_room *rooms;
     int count;
     bool finished; /* false: a simulation was interrupted */
 };
@@ -245,7 +245,7 @@ static enum pp_exit draw_all(struct chart_task *drawing, bool to_standard_output
                 drawing->count);
         return pp_message_usage("chart", &err);
     }
-    if (drawing->room_options->simulate)
+    if (drawing->room_options->study.simulate)
         pp_interrupt_watch();
     enum pp_status status =
         pages ? draw_to_file(drawing, drawing->room_options->output, &err)
@@ -275,10 +275,10 @@ static enum pp_exit check_points(const struct pp_chart_kind *kind,
     return PP_EXIT_DONE;
 }
 
-static enum pp_exit run(const struct pp_chart_kind *kind,
-                        const struct pp_room_options *room_options,
-                        const struct pp_chart_options *options, char **files,
-                        int file_count)
+static enum pp_exit run_on(const struct pp_chart_kind *kind,
+                           const struct pp_room_options *room_options,
+                           const struct pp_chart_options *options, char **files,
+                           int file_count)
 {
     struct pp_error err = {0};
     enum pp_chart_format format;
@@ -332,77 +332,108 @@ static enum pp_status check_light(const struct pp_availability_options *light,
             err, PP_BAD_INPUT,
             "expected --weather FILE.epw, --latitude DEG, or a room file with "
             "a site");
-    if (!options->methods)
-        options->methods = "exact+bre";
+    if (!options->study.methods)
+        options->study.methods = "exact+bre";
     return pp_availability_options_check(light, files, file_count, err);
 }
 
-/* What the words say, before any file is opened. */
-static enum pp_status check(char **words, int word_count,
-                            struct pp_room_options *options,
-                            struct pp_chart_options *chart_options,
-                            const struct pp_chart_kind **kind, struct pp_error *err)
+/* ---- the command line ---- */
+
+struct chart_command {
+    struct pp_room_options room;
+    struct pp_chart_options chart;
+    const struct pp_chart_kind *kind; /* by the first word; NULL: none */
+};
+
+#undef PLACE
+#define PLACE(member) offsetof(struct chart_command, member)
+
+static const struct pp_option_group groups[] = {
+    {"The sheet", sheet_options, PLACE(chart)},
+    {"Diagrams of the drawing board", board_options, PLACE(chart)},
+    {"Availability", pp_light_options, PLACE(chart.availability)},
+    {"Availability", pp_illuminance_options, PLACE(chart.availability)},
+    PP_ROOM_CHOICE_GROUPS("What is computed", PLACE(room)),
+    PP_ROOM_SIMULATION_GROUPS(PLACE(room)),
+    {"Output", pp_room_output_options, PLACE(room)},
+    {0},
+};
+
+static void init(void *values)
 {
+    *(struct chart_command *)values = (struct chart_command){
+        .room = pp_room_options_none,
+        .chart = {.paper = PP_PAPER_A4,
+                  .availability = pp_availability_options_default}};
+}
+
+static enum pp_status check(void *values, char **words, int word_count,
+                            struct pp_error *err)
+{
+    struct chart_command *command = values;
+    struct pp_room_options *options = &command->room;
+    struct pp_chart_options *chart = &command->chart;
+    if (chart->list)
+        return PP_OK;
     if (word_count == 0)
         return pp_fail(err, PP_BAD_INPUT,
                        "expected a kind of chart; --list names them");
-    *kind = find_kind(words[0], err);
-    if (!*kind)
+    const struct pp_chart_kind *kind = command->kind = find_kind(words[0], err);
+    if (!kind)
         return PP_BAD_INPUT;
-    if (word_count == 1 && !(*kind)->board && !(*kind)->outside)
+    if (word_count == 1 && !kind->board && !kind->outside)
         return pp_fail(err, PP_BAD_INPUT,
                        "expected a room file, or - for standard input");
     enum pp_status status = pp_room_options_settle(options, err);
     if (status == PP_OK)
-        status = check_light(&chart_options->availability, options, *kind, words + 1,
+        status = check_light(&chart->availability, options, kind, words + 1,
                              word_count - 1, err);
-    if (status == PP_OK && options->methods)
-        status = pp_selection_check(options->methods, err);
-    if (status == PP_OK && (*kind)->board)
-        status = pp_board_options_check(&chart_options->board, options, *kind,
-                                        word_count == 1, err);
+    if (status == PP_OK && options->study.methods)
+        status = pp_selection_check(options->study.methods, err);
+    if (status == PP_OK && kind->board)
+        status =
+            pp_board_options_check(&chart->board, options, kind, word_count == 1, err);
     return status;
 }
 
-enum pp_exit cmd_chart(int argc, char **argv)
+static enum pp_exit run(void *values, char **words, int word_count)
 {
-    struct pp_room_options room_options = pp_room_options_none;
-    struct pp_chart_options options = {.paper = PP_PAPER_A4,
-                                       .availability = pp_availability_options_default};
-    const struct pp_option_group groups[] = {
-        {"The sheet", sheet_options, &options},
-        {"Diagrams of the drawing board", board_options, &options},
-        {"Availability", pp_light_options, &options.availability},
-        {"Availability", pp_illuminance_options, &options.availability},
-        {"What is computed", pp_room_choice_options, &room_options},
-        {"Simulation", pp_room_simulation_options, &room_options},
-        {"Output", pp_room_output_options, &room_options},
-        {0},
-    };
-    const struct pp_command_line line = {"chart", "KIND [FILE...]", about, groups,
-                                         help_on_kinds};
-
-    struct pp_error err = {0};
-    const struct pp_chart_kind *kind = NULL;
-    int word_count;
-    bool wants_help;
-    enum pp_exit exit_status;
-    enum pp_status status =
-        pp_options_read(&line, argc, argv, &word_count, &wants_help, &err);
-    wants_help = wants_help || (options.list && word_count > 0);
-    if (status == PP_OK && !wants_help && !options.list)
-        status = check(argv, word_count, &room_options, &options, &kind, &err);
-
-    if (pp_command_line_starts(&line, argv + 1, word_count - 1, status, wants_help,
-                               &err, &exit_status)) {
-        if (options.list)
-            print_kinds(stdout);
+    struct chart_command *command = values;
+    struct pp_terminal_watch watch;
+    if (command->chart.list) {
+        if (word_count > 0)
+            pp_command_help(&pp_command_chart, stdout);
         else
-            exit_status = pp_availability_options_load(&options.availability);
-        if (kind && exit_status == PP_EXIT_DONE)
-            exit_status = run(kind, &room_options, &options, argv + 1, word_count - 1);
+            print_kinds(stdout);
+        return PP_EXIT_DONE;
     }
-    pp_availability_options_clear(&options.availability);
-    pp_room_options_clear(&room_options);
-    return exit_status;
+    command->room.study.watch = pp_watch_of_terminal(&watch, command->room.quiet);
+    enum pp_exit exit_status =
+        pp_availability_options_load(&command->chart.availability);
+    return exit_status == PP_EXIT_DONE
+               ? run_on(command->kind, &command->room, &command->chart, words + 1,
+                        word_count - 1)
+               : exit_status;
 }
+
+static void clear(void *values)
+{
+    struct chart_command *command = values;
+    pp_availability_options_clear(&command->chart.availability);
+    pp_room_options_clear(&command->room);
+}
+
+const struct pp_command pp_command_chart = {
+    .name = "chart",
+    .summary = "one chart of a room as PDF, SVG or PNG",
+    .operands = "KIND [FILE...]",
+    .about = about,
+    .groups = groups,
+    .size = sizeof(struct chart_command),
+    .more_help = help_on_kinds,
+    .init = init,
+    .check = check,
+    .run = run,
+    .clear = clear,
+    .words_before_files = 1,
+};

@@ -12,7 +12,7 @@
 #include "methods/waldram/waldram_sheet_fill.h"
 
 enum pp_status pp_draw_board_waldram(struct pp_canvas *canvas,
-                                     const struct pp_loaded_room *room,
+                                     const struct pp_study_room *room,
                                      const struct pp_board_options *options,
                                      struct pp_error *err)
 {
@@ -28,7 +28,7 @@ enum pp_status pp_draw_board_waldram(struct pp_canvas *canvas,
 }
 
 enum pp_status pp_draw_board_pepper_pot(struct pp_canvas *canvas,
-                                        const struct pp_loaded_room *room,
+                                        const struct pp_study_room *room,
                                         const struct pp_board_options *options,
                                         struct pp_error *err)
 {
@@ -61,7 +61,7 @@ static enum pp_status choose_protractor(struct pp_protractor *protractor,
 }
 
 enum pp_status pp_draw_board_protractor(struct pp_canvas *canvas,
-                                        const struct pp_loaded_room *room,
+                                        const struct pp_study_room *room,
                                         const struct pp_board_options *options,
                                         struct pp_error *err)
 {
@@ -88,7 +88,7 @@ enum pp_status pp_draw_board_protractor(struct pp_canvas *canvas,
 }
 
 enum pp_status pp_draw_board_nomogram(struct pp_canvas *canvas,
-                                      const struct pp_loaded_room *room,
+                                      const struct pp_study_room *room,
                                       const struct pp_board_options *options,
                                       struct pp_error *err)
 {

@@ -10,7 +10,7 @@
 /* room NULL: a blank; else it has one receiver, where the diagram is drawn from a
  * point. */
 typedef enum pp_status pp_board_drawer(struct pp_canvas *canvas,
-                                       const struct pp_loaded_room *room,
+                                       const struct pp_study_room *room,
                                        const struct pp_board_options *options,
                                        struct pp_error *err);
 

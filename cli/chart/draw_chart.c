@@ -7,8 +7,8 @@
 #include "charts/room/section_chart.h"
 #include "cli/availability/draw_availability.h"
 #include "cli/chart/draw_board.h"
-#include "cli/study_report.h"
-#include "cli/chart/section_line.h"
+#include "studies/study_report.h"
+#include "studies/section_line.h"
 #include "methods/daylight_curves.h"
 
 /* What a method that gives the internally reflected component adds at every point: the
@@ -117,7 +117,7 @@ bool pp_draw_chart_landscape(const struct pp_chart_kind *kind,
 }
 
 enum pp_status pp_draw_chart(const struct pp_chart_kind *kind, struct pp_canvas *canvas,
-                             struct pp_loaded_room *room,
+                             struct pp_study_room *room,
                              const struct pp_room_options *room_options,
                              const struct pp_chart_options *options, bool *finished,
                              struct pp_error *err)
@@ -128,7 +128,7 @@ enum pp_status pp_draw_chart(const struct pp_chart_kind *kind, struct pp_canvas 
     if (kind->outside)
         return pp_draw_availability(canvas, room, room_options, &options->availability,
                                     finished, err);
-    if (drawer->on_a_line && room_options->points.count == 0
+    if (drawer->on_a_line && room_options->study.points.count == 0
         && !pp_section_line_is_straight(room->receivers, room->receiver_count)) {
         enum pp_status status = pp_section_line(room, err);
         if (status != PP_OK)
@@ -136,10 +136,11 @@ enum pp_status pp_draw_chart(const struct pp_chart_kind *kind, struct pp_canvas 
     }
 
     struct pp_report report;
-    bool by_clock;
-    enum pp_status status = pp_study_report_methods(&report, room, room_options, err);
-    if (status == PP_OK && room_options->simulate)
-        status = pp_study_report_traced(&report, room_options, &by_clock, err);
+    bool by_clock = false;
+    enum pp_status status =
+        pp_study_report_methods(&report, room, &room_options->study, err);
+    if (status == PP_OK && room_options->study.simulate)
+        status = pp_study_report_traced(&report, &room_options->study, &by_clock, err);
     if (status == PP_OK)
         status = drawer->draw(canvas, &report, options, err);
     *finished &= report.finished;

@@ -31,7 +31,7 @@ bool pp_draw_chart_landscape(const struct pp_chart_kind *kind,
  * a room without a line of points gets one of its own (section_line.h). *finished
  * becomes false where the simulation was interrupted. */
 enum pp_status pp_draw_chart(const struct pp_chart_kind *kind, struct pp_canvas *canvas,
-                             struct pp_loaded_room *room,
+                             struct pp_study_room *room,
                              const struct pp_room_options *room_options,
                              const struct pp_chart_options *options, bool *finished,
                              struct pp_error *err);

@@ -2,24 +2,35 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "cli/command_line.h"
-#include "cli/commands.h"
-#include "cli/print/format.h"
-#include "cli/study_report.h"
-#include "cli/study_cached.h"
+#include "cli/command.h"
+#include "cli/df/engine_choice.h"
+#include "cli/format_option.h"
+#include "studies/study_report.h"
 #include "cli/interrupt.h"
 #include "cli/lumen_option.h"
 #include "cli/message.h"
 #include "cli/output.h"
-#include "cli/print/print.h"
+#include "cli/rooms.h"
+#include "cli/terminal.h"
+#include "cli/watch.h"
+#include "reports/print.h"
 #include "methods/evaluate.h"
 #include "methods/method.h"
+
+struct df_options {
+    struct pp_room_options room;
+    struct pp_lumen_files lumen_files;
+    struct pp_engine_choice engine;
+    enum pp_format format;
+};
+
+#define PLACE(member) offsetof(struct df_options, member)
 
 static const struct pp_option explain_option[] = {
     {"explain", 'e', NULL,
      "Set out how each figure comes about, step by step as on paper; of one point, "
      "in text or JSON.",
-     NULL, offsetof(struct pp_room_options, explain)},
+     NULL, PLACE(room.study.explain)},
     {0},
 };
 
@@ -43,41 +54,52 @@ static void help_on_methods(FILE *out)
                          out);
 }
 
+/* By light paths, through the cache, or both. */
+static enum pp_status simulate(struct pp_result *result,
+                               const struct pp_study_options *study,
+                               const struct pp_engine_choice *choice,
+                               struct pp_error *err)
+{
+    const struct pp_engine_options cached = {.cache = choice->cache.options,
+                                             .interpolate = choice->interpolate,
+                                             .cache_file = choice->cache.file};
+    struct pp_kept_bytes kept = {0};
+    enum pp_status status = PP_OK;
+    if (choice->path)
+        status = pp_study_report_traced(&result->report, study, &result->by_clock, err);
+    if (status == PP_OK && choice->cached)
+        status = pp_study_report_simulate(&result->report, &pp_engine_cache, cached,
+                                          study, &result->by_clock,
+                                          choice->cache.file ? &kept : NULL, err);
+    if (status == PP_OK && kept.bytes && result->report.finished)
+        status = pp_cache_choice_write(&choice->cache, kept.bytes, kept.length, err);
+    free(kept.bytes);
+    return status;
+}
+
 /* Hand methods of all rooms first: they take milliseconds, and are there whatever
  * happens to the simulation. */
 static enum pp_status compute(struct pp_results *results, const struct pp_rooms *rooms,
                               const struct pp_engine_choice *engine,
                               struct pp_error *err)
 {
-    for (int i = 0; i < rooms->count; i++) {
+    enum pp_status status = PP_OK;
+    for (int i = 0; i < rooms->count && status == PP_OK; i++) {
         struct pp_result *result = &results->list[results->count++];
         result->file = rooms->list[i].file;
-        enum pp_status status = pp_study_report_methods(
-            &result->report, &rooms->list[i], results->options, err);
-        if (status != PP_OK)
-            return status;
+        status = pp_study_report_methods(&result->report, &rooms->list[i],
+                                         results->options, err);
     }
-    if (!results->options->simulate)
-        return PP_OK;
-
-    pp_interrupt_watch();
-    for (int i = 0; i < results->count; i++) {
-        struct pp_result *result = &results->list[i];
-        enum pp_status status = PP_OK;
-        if (engine->path)
-            status = pp_study_report_traced(&result->report, results->options,
-                                            &result->by_clock, err);
-        if (status == PP_OK && engine->cached)
-            status = pp_study_cached_add(&result->report, results->options, engine,
-                                         &result->by_clock, err);
-        if (status != PP_OK)
-            return status;
-    }
-    return PP_OK;
+    if (status == PP_OK && results->options->simulate)
+        pp_interrupt_watch();
+    for (int i = 0; i < results->count && results->options->simulate; i++)
+        if (status == PP_OK)
+            status = simulate(&results->list[i], results->options, engine, err);
+    return status;
 }
 
 static enum pp_status print(const struct pp_results *results, enum pp_format format,
-                            FILE *out, struct pp_error *err)
+                            const char *path, FILE *out, struct pp_error *err)
 {
     switch (format) {
     case PP_FORMAT_JSON:
@@ -87,22 +109,21 @@ static enum pp_status print(const struct pp_results *results, enum pp_format for
     case PP_FORMAT_TEXT:
         break;
     }
-    return pp_df_text(results, pp_print_width(results->options->output),
-                      pp_format_utf8_terminal(), out, err);
+    return pp_df_text(results, pp_terminal_width(path), pp_terminal_utf8(), out, err);
 }
 
 static enum pp_exit compute_and_print(struct pp_results *results,
                                       const struct pp_rooms *rooms,
-                                      const struct pp_engine_choice *engine,
-                                      enum pp_format format)
+                                      const struct df_options *options)
 {
+    const char *path = options->room.output;
     struct pp_error err = {0};
     struct pp_output output;
-    enum pp_status status = pp_output_open(&output, results->options->output, &err);
+    enum pp_status status = pp_output_open(&output, path, &err);
     if (status == PP_OK)
-        status = compute(results, rooms, engine, &err);
+        status = compute(results, rooms, &options->engine, &err);
     if (status == PP_OK)
-        status = print(results, format, output.stream, &err);
+        status = print(results, options->format, path, output.stream, &err);
     status = pp_output_close(&output, status, &err);
     if (status != PP_OK)
         return pp_message_error(&err);
@@ -112,132 +133,127 @@ static enum pp_exit compute_and_print(struct pp_results *results,
     return PP_EXIT_DONE;
 }
 
-/* A sum is set out for one point a room. */
-static enum pp_exit check_explained(const struct pp_room_options *options,
-                                    const struct pp_rooms *rooms)
+/* A sum is set out for one point a room; a cache file has the records of one room. */
+static enum pp_exit check_rooms(const struct df_options *options,
+                                const struct pp_rooms *rooms)
 {
-    for (int i = 0; options->explain && i < rooms->count; i++) {
-        if (rooms->list[i].receiver_count == 1)
-            continue;
-        struct pp_error err;
-        pp_fail(&err, PP_BAD_INPUT,
-                "--explain sets out the sums of one point, and there are %d; expected "
-                "one, by --points X,Y",
-                rooms->list[i].receiver_count);
-        return pp_message_usage("df", &err);
-    }
-    return PP_EXIT_DONE;
-}
-
-static enum pp_exit run(const struct pp_room_options *options,
-                        const struct pp_engine_choice *engine, enum pp_format format,
-                        char **files, int file_count)
-{
-    struct pp_rooms rooms;
-    enum pp_exit exit_status = pp_rooms_load(&rooms, "df", files, file_count, options);
-    if (exit_status != PP_EXIT_DONE)
-        return exit_status;
-
-    exit_status = check_explained(options, &rooms);
-    if (exit_status == PP_EXIT_DONE && engine->cache.file && rooms.count > 1) {
-        struct pp_error err;
+    struct pp_error err = {0};
+    for (int i = 0; options->room.study.explain && i < rooms->count; i++)
+        if (rooms->list[i].receiver_count != 1 && err.status == PP_OK)
+            pp_fail(&err, PP_BAD_INPUT,
+                    "--explain sets out the sums of one point, and there are %d; "
+                    "expected one, by --points X,Y",
+                    rooms->list[i].receiver_count);
+    if (err.status == PP_OK && options->engine.cache.file && rooms->count > 1)
         pp_fail(&err, PP_BAD_INPUT,
                 "--cache has the records of one room, and there are %d; expected one, "
                 "by --room NAME",
-                rooms.count);
-        exit_status = pp_message_usage("df", &err);
-    }
-    if (exit_status != PP_EXIT_DONE) {
-        pp_rooms_clear(&rooms);
-        return exit_status;
-    }
-    struct pp_results results = {.several = rooms.several,
-                                 .more_than_one_file = rooms.more_than_one_file,
-                                 .options = options};
-    results.list = calloc((size_t)rooms.count, sizeof *results.list);
+                rooms->count);
+    return err.status == PP_OK ? PP_EXIT_DONE : pp_message_usage("df", &err);
+}
+
+static enum pp_exit run_on(struct df_options *options, const struct pp_rooms *rooms)
+{
+    struct pp_terminal_watch watch;
+    options->room.study.watch = pp_watch_of_terminal(&watch, options->room.quiet);
+    struct pp_results results = {
+        .several = rooms->several,
+        .more_than_one_file = rooms->more_than_one_file,
+        .options = &options->room.study,
+        .list = calloc((size_t)rooms->count + 1, sizeof *results.list)};
+    struct pp_error err;
+    enum pp_exit exit_status;
     if (results.list) {
-        exit_status = compute_and_print(&results, &rooms, engine, format);
+        exit_status = compute_and_print(&results, rooms, options);
     } else {
-        struct pp_error err;
         pp_fail_memory(&err);
         exit_status = pp_message_error(&err);
     }
     for (int i = 0; i < results.count; i++)
         pp_report_clear(&results.list[i].report);
     free(results.list);
-    pp_rooms_clear(&rooms);
     return exit_status;
 }
 
-/* What the options say, before any file is opened. */
-static enum pp_status check(struct pp_room_options *options, enum pp_format format,
-                            int file_count, struct pp_error *err)
+/* With the user's own tables for the lumen method, if he has any. */
+static enum pp_exit run(void *values, char **files, int file_count)
 {
-    if (file_count == 0)
-        return pp_fail(err, PP_BAD_INPUT,
-                       "expected a room file, or - for standard input");
-    if (options->explain && format == PP_FORMAT_CSV)
-        return pp_fail(err, PP_BAD_INPUT,
-                       "--explain has no place in CSV; expected --format text or json");
-    enum pp_status status = pp_room_options_settle(options, err);
-    if (status == PP_OK && options->methods)
-        status = pp_selection_check(options->methods, err);
-    return status;
-}
-
-/* With the user's own tables, if he has any. */
-static enum pp_exit run_with_tables(struct pp_room_options *options,
-                                    const struct pp_engine_choice *engine,
-                                    const struct pp_lumen_files *lumen_files,
-                                    enum pp_format format, char **files, int file_count)
-{
+    struct df_options *options = values;
     struct pp_lumen_table *table;
-    enum pp_exit exit_status = pp_lumen_option_load(&table, lumen_files);
-    options->method_options.lumen_table = table;
-    if (exit_status == PP_EXIT_DONE)
-        exit_status = run(options, engine, format, files, file_count);
-    options->method_options.lumen_table = NULL;
+    struct pp_rooms rooms;
+    enum pp_exit exit_status = pp_lumen_option_load(&table, &options->lumen_files);
+    if (exit_status != PP_EXIT_DONE)
+        return exit_status;
+    options->room.study.method_options.lumen_table = table;
+    exit_status = pp_rooms_load(&rooms, "df", files, file_count, &options->room);
+    if (exit_status == PP_EXIT_DONE) {
+        exit_status = check_rooms(options, &rooms);
+        if (exit_status == PP_EXIT_DONE)
+            exit_status = run_on(options, &rooms);
+        pp_rooms_clear(&rooms);
+    }
     pp_lumen_table_destroy(table);
     return exit_status;
 }
 
-enum pp_exit cmd_df(int argc, char **argv)
+/* ---- the command line ---- */
+
+static enum pp_status check(void *values, char **files, int file_count,
+                            struct pp_error *err)
 {
-    struct pp_room_options options = pp_room_options_none;
-    struct pp_lumen_files lumen_files = {.count = 0};
-    struct pp_engine_choice engine = {.cache = pp_cache_choice_default()};
-    enum pp_format format = PP_FORMAT_TEXT;
-    const struct pp_option_group groups[] = {
-        {"What is computed", pp_room_choice_options, &options},
-        {"What is computed", pp_lumen_option, &lumen_files},
-        {"What is computed", explain_option, &options},
-        {"What is computed", pp_room_external_option, &options},
-        {"Simulation", pp_room_simulation_options, &options},
-        {"Simulation", pp_engine_options, &engine},
-        {"Irradiance cache", pp_cache_choice_options, &engine.cache},
-        {"Output", pp_format_option, &format},
-        {"Output", pp_room_output_options, &options},
-        {0},
-    };
-    const struct pp_command_line line = {"df", "FILE...", about, groups,
-                                         help_on_methods};
-
-    struct pp_error err = {0};
-    int file_count;
-    bool wants_help;
-    enum pp_exit exit_status;
-    enum pp_status status =
-        pp_options_read(&line, argc, argv, &file_count, &wants_help, &err);
-    if (status == PP_OK && !wants_help)
-        status = check(&options, format, file_count, &err);
-    if (status == PP_OK && !wants_help)
-        status = pp_study_cached_settle(&engine, options.simulate, &err);
-
-    if (pp_command_line_starts(&line, argv, file_count, status, wants_help, &err,
-                               &exit_status))
-        exit_status =
-            run_with_tables(&options, &engine, &lumen_files, format, argv, file_count);
-    pp_room_options_clear(&options);
-    pp_cache_choice_clear(&engine.cache);
-    return exit_status;
+    struct df_options *options = values;
+    struct pp_study_options *study = &options->room.study;
+    (void)files;
+    if (file_count == 0)
+        return pp_fail(err, PP_BAD_INPUT,
+                       "expected a room file, or - for standard input");
+    if (study->explain && options->format == PP_FORMAT_CSV)
+        return pp_fail(err, PP_BAD_INPUT,
+                       "--explain has no place in CSV; expected --format text or json");
+    enum pp_status status = pp_room_options_settle(&options->room, err);
+    if (status == PP_OK && study->methods)
+        status = pp_selection_check(study->methods, err);
+    return status == PP_OK
+               ? pp_engine_choice_settle(&options->engine, study->simulate, err)
+               : status;
 }
+
+static void init(void *values)
+{
+    *(struct df_options *)values = (struct df_options){
+        .room = pp_room_options_none, .engine = {.cache = pp_cache_choice_default()}};
+}
+
+static void clear(void *values)
+{
+    struct df_options *options = values;
+    pp_room_options_clear(&options->room);
+    pp_cache_choice_clear(&options->engine.cache);
+}
+
+static const struct pp_option_group groups[] = {
+    PP_ROOM_CHOICE_GROUPS("What is computed", PLACE(room)),
+    {"What is computed", pp_lumen_option, PLACE(lumen_files)},
+    {"What is computed", explain_option, 0},
+    {"What is computed", pp_room_external_option, PLACE(room)},
+    PP_ROOM_SIMULATION_GROUPS(PLACE(room)),
+    {"Simulation", pp_engine_options, PLACE(engine)},
+    {"Irradiance cache", pp_cache_choice_options, PLACE(engine.cache)},
+    {"Output", pp_format_option, PLACE(format)},
+    {"Output", pp_room_output_options, PLACE(room)},
+    {0},
+};
+
+const struct pp_command pp_command_df = {
+    .name = "df",
+    .summary = "daylight factors at the reference points and their average",
+    .operands = "FILE...",
+    .about = about,
+    .groups = groups,
+    .size = sizeof(struct df_options),
+    .more_help = help_on_methods,
+    .init = init,
+    .check = check,
+    .run = run,
+    .clear = clear,
+};

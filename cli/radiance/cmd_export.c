@@ -2,12 +2,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "cli/command_line.h"
-#include "cli/commands.h"
+#include "cli/command.h"
 #include "cli/message.h"
 #include "cli/radiance/radiance_export.h"
 #include "cli/rooms.h"
-#include "cli/print/format.h"
+#include "reports/format.h"
 #include "model/base/read_file.h"
 #include "formats/radiance/rad_room.h"
 
@@ -22,6 +21,7 @@ static const char about[] =
     "room. It appears whole or not at all.";
 
 struct export_options {
+    struct pp_room_options room;
     const char *to;
     const char *directory;
     bool force, gloss;
@@ -117,7 +117,7 @@ static enum pp_status add_rooms(struct pp_output_directory *directory,
     char **folders = calloc((size_t)rooms->count + 1, sizeof *folders);
     enum pp_status status = folders ? PP_OK : pp_fail_memory(err);
     for (int i = 0; i < rooms->count && status == PP_OK; i++) {
-        const struct pp_loaded_room *room = &rooms->list[i];
+        const struct pp_study_room *room = &rooms->list[i];
         if (rooms->several && !(folders[i] = folder_of(rooms, i, folders)))
             status = pp_fail_memory(err);
         struct pp_error said;
@@ -158,13 +158,12 @@ static void say_left_out(const struct pp_rooms *rooms, bool gloss)
     }
 }
 
-static enum pp_exit run(const struct export_options *options,
-                        const struct pp_room_options *room_options, char **files,
-                        int file_count)
+static enum pp_exit run(void *values, char **files, int file_count)
 {
+    struct export_options *options = values;
     struct pp_rooms rooms;
     enum pp_exit exit_status =
-        pp_rooms_load(&rooms, "export", files, file_count, room_options);
+        pp_rooms_load(&rooms, "export", files, file_count, &options->room);
     if (exit_status != PP_EXIT_DONE)
         return exit_status;
     struct pp_error err = {0};
@@ -178,16 +177,18 @@ static enum pp_exit run(const struct export_options *options,
     if (status != PP_OK) {
         pp_output_directory_clear(&directory);
         exit_status = pp_message_error(&err);
-    } else if (!room_options->quiet) {
+    } else if (!options->room.quiet) {
         say_left_out(&rooms, options->gloss);
     }
     pp_rooms_clear(&rooms);
     return exit_status;
 }
 
-static enum pp_status check(struct export_options *options, int file_count,
+static enum pp_status check(void *values, char **files, int file_count,
                             struct pp_error *err)
 {
+    struct export_options *options = values;
+    (void)files;
     if (file_count == 0)
         return pp_fail(err, PP_BAD_INPUT,
                        "expected a room file, or - for standard input");
@@ -205,35 +206,39 @@ static enum pp_status check(struct export_options *options, int file_count,
 
 static const struct pp_option quiet_option[] = {
     {"quiet", 'q', NULL, "Say nothing of what the scene leaves out.", NULL,
-     offsetof(struct pp_room_options, quiet)},
+     offsetof(struct export_options, room.quiet)},
     {0},
 };
 
-enum pp_exit cmd_export(int argc, char **argv)
+static const struct pp_option_group groups[] = {
+    {"What is written", to_options, 0},
+    PP_ROOM_PLACE_GROUPS("What is written", offsetof(struct export_options, room)),
+    {"Output", output_options, 0},
+    {"Output", quiet_option, 0},
+    {0},
+};
+
+static void init(void *values)
 {
-    struct export_options options = {0};
-    struct pp_room_options room_options = pp_room_options_none;
-    const struct pp_option_group groups[] = {
-        {"What is written", to_options, &options},
-        {"What is written", pp_room_place_options, &room_options},
-        {"Output", output_options, &options},
-        {"Output", quiet_option, &room_options},
-        {0},
-    };
-    const struct pp_command_line line = {"export", "FILE...", about, groups, NULL};
-
-    struct pp_error err = {0};
-    int file_count;
-    bool wants_help;
-    enum pp_exit exit_status;
-    enum pp_status status =
-        pp_options_read(&line, argc, argv, &file_count, &wants_help, &err);
-    if (status == PP_OK && !wants_help)
-        status = check(&options, file_count, &err);
-
-    if (pp_command_line_starts(&line, argv, file_count, status, wants_help, &err,
-                               &exit_status))
-        exit_status = run(&options, &room_options, argv, file_count);
-    pp_room_options_clear(&room_options);
-    return exit_status;
+    *(struct export_options *)values =
+        (struct export_options){.room = pp_room_options_none};
 }
+
+static void clear(void *values)
+{
+    struct export_options *options = values;
+    pp_room_options_clear(&options->room);
+}
+
+const struct pp_command pp_command_export = {
+    .name = "export",
+    .summary = "a room as scene files for Radiance",
+    .operands = "FILE...",
+    .about = about,
+    .groups = groups,
+    .size = sizeof(struct export_options),
+    .init = init,
+    .check = check,
+    .run = run,
+    .clear = clear,
+};

@@ -3,14 +3,13 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "cli/command_line.h"
-#include "cli/commands.h"
-#include "cli/print/format.h"
+#include "cli/terminal.h"
+#include "cli/command.h"
+#include "cli/format_option.h"
 #include "cli/interrupt.h"
 #include "cli/message.h"
 #include "cli/output.h"
-#include "cli/print/print.h"
-#include "cli/radiance/print_sensors.h"
+#include "reports/print_sensors.h"
 #include "cli/progress.h"
 #include "cli/room_options.h"
 #include "cli/radiance/sensor_points.h"
@@ -32,6 +31,7 @@ static const long MOST_SAMPLES = 1 << 26;
 static const double slice_s = 0.1;
 
 struct import_options {
+    struct pp_room_options room;
     const char *points_file; /* NULL: none */
     bool summary;
     bool by_chance; /* lamps are not aimed at */
@@ -75,16 +75,16 @@ static void trace(struct pp_sensors *sensors, struct pp_imported *imported,
             break;
         }
         double spent = pp_clock_s() - progress.started_s, slice = slice_s;
-        if (options->seconds > 0.0) {
-            imported->by_clock = spent >= options->seconds;
+        if (options->study.seconds > 0.0) {
+            imported->by_clock = spent >= options->study.seconds;
             if (imported->by_clock)
                 break;
-            slice = fmin(slice, options->seconds - spent);
+            slice = fmin(slice, options->study.seconds - spent);
         }
         pp_sensors_advance(sensors, slice);
         double done = pp_sensors_progress(sensors);
-        if (options->seconds > 0.0)
-            done = fmax(done, spent / options->seconds);
+        if (options->study.seconds > 0.0)
+            done = fmax(done, spent / options->study.seconds);
         pp_progress_show(&progress, done, pp_sensors_error(sensors));
     }
     pp_progress_end(&progress);
@@ -100,10 +100,10 @@ static enum pp_status simulate(struct pp_imported *imported,
     if (status != PP_OK)
         return status;
     const struct pp_sensors_options wanted = {
-        .error = options->error,
-        .samples = options->samples,
-        .seed = options->seed,
-        .threads = options->threads,
+        .error = options->study.error,
+        .samples = options->study.samples,
+        .seed = options->study.seed,
+        .threads = options->study.threads,
         .horizontal = pp_rgb_luminance(imported->horizontal),
         .by_chance = by_chance};
     struct pp_sensors *sensors;
@@ -145,10 +145,10 @@ static enum pp_status read_all(struct pp_imported *imported,
     return PP_OK;
 }
 
-static enum pp_exit run(const struct import_options *options,
-                        const struct pp_room_options *room_options, char **files,
-                        int file_count)
+static enum pp_exit run(void *values, char **files, int file_count)
 {
+    struct import_options *options = values;
+    const struct pp_room_options *room_options = &options->room;
     struct pp_imported imported = {.files = files,
                                    .file_count = file_count,
                                    .summarised =
@@ -170,8 +170,8 @@ static enum pp_exit run(const struct import_options *options,
     }
     if (status == PP_OK)
         status = pp_print_sensors(&imported, options->format,
-                                  pp_print_width(room_options->output),
-                                  pp_format_utf8_terminal(), output.stream, &err);
+                                  pp_terminal_width(room_options->output),
+                                  pp_terminal_utf8(), output.stream, &err);
     status = pp_output_close(&output, status, &err);
     enum pp_exit exit_status = PP_EXIT_DONE;
     if (status != PP_OK)
@@ -184,10 +184,11 @@ static enum pp_exit run(const struct import_options *options,
     return exit_status;
 }
 
-static enum pp_status check(const struct import_options *options,
-                            struct pp_room_options *room_options, char **files,
-                            int file_count, struct pp_error *err)
+static enum pp_status check(void *values, char **files, int file_count,
+                            struct pp_error *err)
 {
+    struct import_options *options = values;
+    struct pp_room_options *room_options = &options->room;
     if (file_count == 0)
         return pp_fail(err, PP_BAD_INPUT,
                        "expected a scene file, or - for standard input");
@@ -200,42 +201,46 @@ static enum pp_status check(const struct import_options *options,
                                "file");
             from_input = true;
         }
-    if (room_options->samples > MOST_SAMPLES)
+    if (room_options->study.samples > MOST_SAMPLES)
         return pp_fail(err, PP_BAD_INPUT, "--samples is %ld; expected %ld at most",
-                       room_options->samples, MOST_SAMPLES);
+                       room_options->study.samples, MOST_SAMPLES);
     if (!options->points_file && options->format == PP_FORMAT_CSV)
         return pp_fail(err, PP_BAD_INPUT,
                        "a summary has no place in CSV; expected --points-file, or "
                        "--format text or json");
-    room_options->simulate = true;
+    room_options->study.simulate = true;
     return pp_room_options_settle(room_options, err);
 }
 
-enum pp_exit cmd_import(int argc, char **argv)
+static const struct pp_option_group groups[] = {
+    {"What is computed", import_options, 0},
+    PP_ROOM_STOP_GROUPS(offsetof(struct import_options, room)),
+    {"Output", pp_format_option, offsetof(struct import_options, format)},
+    {"Output", pp_room_output_options, offsetof(struct import_options, room)},
+    {0},
+};
+
+static void init(void *values)
 {
-    struct import_options options = {.format = PP_FORMAT_TEXT};
-    struct pp_room_options room_options = pp_room_options_none;
-    const struct pp_option_group groups[] = {
-        {"What is computed", import_options, &options},
-        {"Simulation", pp_room_simulation_options + 1, &room_options},
-        {"Output", pp_format_option, &options.format},
-        {"Output", pp_room_output_options, &room_options},
-        {0},
-    };
-    const struct pp_command_line line = {"import", "SCENE...", about, groups, NULL};
-
-    struct pp_error err = {0};
-    int file_count;
-    bool wants_help;
-    enum pp_exit exit_status;
-    enum pp_status status =
-        pp_options_read(&line, argc, argv, &file_count, &wants_help, &err);
-    if (status == PP_OK && !wants_help)
-        status = check(&options, &room_options, argv, file_count, &err);
-
-    if (pp_command_line_starts(&line, argv, file_count, status, wants_help, &err,
-                               &exit_status))
-        exit_status = run(&options, &room_options, argv, file_count);
-    pp_room_options_clear(&room_options);
-    return exit_status;
+    *(struct import_options *)values =
+        (struct import_options){.room = pp_room_options_none};
 }
+
+static void clear(void *values)
+{
+    struct import_options *options = values;
+    pp_room_options_clear(&options->room);
+}
+
+const struct pp_command pp_command_import = {
+    .name = "import",
+    .summary = "sensor points in a scene of Radiance's",
+    .operands = "SCENE...",
+    .about = about,
+    .groups = groups,
+    .size = sizeof(struct import_options),
+    .init = init,
+    .check = check,
+    .run = run,
+    .clear = clear,
+};

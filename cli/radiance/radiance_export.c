@@ -67,7 +67,7 @@ static enum pp_status add_scene_file(struct pp_output_directory *directory,
 }
 
 static enum pp_status add_points(struct pp_output_directory *directory,
-                                 const char *folder, const struct pp_loaded_room *room,
+                                 const char *folder, const struct pp_study_room *room,
                                  struct pp_error *err)
 {
     FILE *out;
@@ -139,7 +139,7 @@ static enum pp_status add_script(struct pp_output_directory *directory,
 }
 
 static enum pp_status add_scene(struct pp_output_directory *directory,
-                                const char *folder, const struct pp_loaded_room *room,
+                                const char *folder, const struct pp_study_room *room,
                                 const struct pp_rad_room *rad,
                                 const struct pp_rad_writer *writer,
                                 struct pp_error *err)
@@ -161,7 +161,7 @@ static enum pp_status add_scene(struct pp_output_directory *directory,
 }
 
 enum pp_status pp_radiance_export(struct pp_output_directory *directory,
-                                  const char *folder, const struct pp_loaded_room *room,
+                                  const char *folder, const struct pp_study_room *room,
                                   double external_lux, bool gloss, struct pp_error *err)
 {
     struct pp_rad_room rad;

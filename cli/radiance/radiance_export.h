@@ -14,7 +14,7 @@ extern const char *const pp_radiance_files[];
 /* Adds the room's files, below `folder` (NULL: at the top), with an open level
  * illuminance of `external_lux`; `gloss`: with the finishes' colour and gloss. */
 enum pp_status pp_radiance_export(struct pp_output_directory *directory,
-                                  const char *folder, const struct pp_loaded_room *room,
+                                  const char *folder, const struct pp_study_room *room,
                                   double external_lux, bool gloss,
                                   struct pp_error *err);
 

@@ -1,6 +1,5 @@
 /* render - a picture of a room's light. */
-#include "cli/command_line.h"
-#include "cli/commands.h"
+#include "cli/command.h"
 #include "cli/render/make_picture.h"
 #include "cli/message.h"
 #include "cli/output.h"
@@ -12,7 +11,7 @@ static const struct pp_option external_option[] = {
     {"external", 0, "LUX",
      "Horizontal illuminance outside, in lux (default 10000), which luminances and "
      "illuminances are in proportion to.",
-     pp_options_read_lux, offsetof(struct pp_room_options, external_lux)},
+     pp_options_read_lux, offsetof(struct pp_room_options, study.external_lux)},
     {0},
 };
 
@@ -58,7 +57,7 @@ static void say_if_black(const struct pp_picture *picture)
     pp_message("the picture is black: no light reaches what it shows");
 }
 
-static enum pp_exit render_room(const struct pp_loaded_room *room,
+static enum pp_exit render_room(const struct pp_study_room *room,
                                 const struct pp_render_choice *choice,
                                 const struct pp_room_options *options)
 {
@@ -92,8 +91,8 @@ static enum pp_exit show_file(const struct pp_render_choice *choice,
     return result;
 }
 
-static enum pp_exit run(const struct pp_render_choice *choice,
-                        const struct pp_room_options *options, char **files)
+static enum pp_exit render_or_show(const struct pp_render_choice *choice,
+                                   const struct pp_room_options *options, char **files)
 {
     enum pp_exit result = try_output(options->output);
     if (result == PP_EXIT_DONE && choice->checkpoint)
@@ -117,37 +116,66 @@ static enum pp_exit run(const struct pp_render_choice *choice,
     return result;
 }
 
-enum pp_exit cmd_render(int argc, char **argv)
-{
-    struct pp_room_options options = pp_room_options_none;
-    struct pp_render_choice choice = pp_render_choice_default();
-    const struct pp_option_group groups[] = {
-        {"The view", pp_render_view_options, &choice},
-        {"The picture", pp_render_picture_options, &choice},
-        {"The picture", external_option, &options},
-        {"The picture", pp_room_sky_options, &options},
-        {"The picture", pp_room_seed_options, &options},
-        {"Irradiance cache", pp_cache_choice_options, &choice.cache},
-        {"How it is shown", pp_render_shown_options, &choice},
-        {"Output", pp_room_output_options, &options},
-        {0},
-    };
-    const struct pp_command_line line = {"render", "[FILE]", about, groups, NULL};
+struct render_options {
+    struct pp_room_options room;
+    struct pp_render_choice choice;
+};
 
-    struct pp_error err = {0};
-    int file_count;
-    bool wants_help;
-    enum pp_exit exit_status;
-    enum pp_status status =
-        pp_options_read(&line, argc, argv, &file_count, &wants_help, &err);
-    if (status == PP_OK && !wants_help)
-        status = pp_render_choice_check(&choice, &options, file_count, &err);
-    if (options.external_lux == 0.0)
-        options.external_lux = 1e4;
-    if (pp_command_line_starts(&line, argv, file_count, status, wants_help, &err,
-                               &exit_status))
-        exit_status = run(&choice, &options, argv);
-    pp_render_choice_clear(&choice);
-    pp_room_options_clear(&options);
-    return exit_status;
+#define PLACE(member) offsetof(struct render_options, member)
+
+static const struct pp_option_group groups[] = {
+    {"The view", pp_render_view_options, PLACE(choice)},
+    {"The picture", pp_render_picture_options, PLACE(choice)},
+    {"The picture", external_option, PLACE(room)},
+    {"The picture", pp_room_sky_options, PLACE(room)},
+    {"The picture", pp_room_seed_options, PLACE(room)},
+    {"Irradiance cache", pp_cache_choice_options, PLACE(choice.cache)},
+    {"How it is shown", pp_render_shown_options, PLACE(choice)},
+    {"Output", pp_room_output_options, PLACE(room)},
+    {0},
+};
+
+static void init(void *values)
+{
+    *(struct render_options *)values = (struct render_options){
+        .room = pp_room_options_none, .choice = pp_render_choice_default()};
 }
+
+static enum pp_status check(void *values, char **files, int file_count,
+                            struct pp_error *err)
+{
+    struct render_options *options = values;
+    (void)files;
+    enum pp_status status =
+        pp_render_choice_check(&options->choice, &options->room, file_count, err);
+    if (options->room.study.external_lux == 0.0)
+        options->room.study.external_lux = 1e4;
+    return status;
+}
+
+static enum pp_exit run(void *values, char **files, int file_count)
+{
+    struct render_options *options = values;
+    (void)file_count;
+    return render_or_show(&options->choice, &options->room, files);
+}
+
+static void clear(void *values)
+{
+    struct render_options *options = values;
+    pp_render_choice_clear(&options->choice);
+    pp_room_options_clear(&options->room);
+}
+
+const struct pp_command pp_command_render = {
+    .name = "render",
+    .summary = "pictures of a room's light",
+    .operands = "[FILE]",
+    .about = about,
+    .groups = groups,
+    .size = sizeof(struct render_options),
+    .init = init,
+    .check = check,
+    .run = run,
+    .clear = clear,
+};

@@ -84,9 +84,9 @@ static enum pp_status fill_cache(struct pp_made_picture *made,
                                  struct pp_error *err)
 {
     struct pp_overture *overture = NULL;
-    enum pp_status status =
-        pp_cache_choice_open(&made->cache, &choice->cache, made->scene, made->store,
-                             &render->light, options->seed, options->threads, err);
+    enum pp_status status = pp_cache_choice_open(
+        &made->cache, &choice->cache, made->scene, made->store, &render->light,
+        options->study.seed, options->study.threads, err);
     if (status == PP_OK && choice->checkpoint
         && pp_irradiance_cache_count(made->cache) == 0)
         status = take_records(made->cache, choice->checkpoint, err);
@@ -116,8 +116,8 @@ static enum pp_status create(struct pp_made_picture *made, const struct pp_world
         .filter = choice->filter,
         .samples = choice->samples,
         .light = pp_radiance_defaults(),
-        .seed = options->seed,
-        .threads = options->threads,
+        .seed = options->study.seed,
+        .threads = options->study.threads,
     };
     render.light.windows = choice->windows != PP_WINDOWS_CHANCE;
     render.light.stored = choice->windows == PP_WINDOWS_STORED;
@@ -128,8 +128,8 @@ static enum pp_status create(struct pp_made_picture *made, const struct pp_world
     if (status == PP_OK)
         status = pp_render_view(&render.camera, &size, choice, made->scene, world, err);
     if (status == PP_OK && render.light.stored)
-        status = pp_window_store_create(&made->store, made->scene, options->seed,
-                                        options->threads, err);
+        status = pp_window_store_create(&made->store, made->scene, options->study.seed,
+                                        options->study.threads, err);
     if (status != PP_OK)
         return status;
     render.width = size.width;
@@ -232,7 +232,7 @@ static enum pp_status take_picture(struct pp_made_picture *made,
     shown->quantity = choice->quantity.is;
     shown->world = world;
     shown->tags = pp_render_tags(made->render);
-    shown->external_lux = options->external_lux;
+    shown->external_lux = options->study.external_lux;
     pp_camera_options(&shown->camera, shown->view, sizeof shown->view);
     pp_render_view_words(shown->words, sizeof shown->words, &shown->camera, world);
     if (choice->records) {
@@ -242,7 +242,7 @@ static enum pp_status take_picture(struct pp_made_picture *made,
     }
     double scale = shown->quantity == PP_DAYLIGHT_FACTOR
                        ? 1.0
-                       : options->external_lux / PP_LUMENS_PER_WATT;
+                       : options->study.external_lux / PP_LUMENS_PER_WATT;
     size_t count = 3 * (size_t)shown->picture.width * (size_t)shown->picture.height;
     for (size_t i = 0; i < count; i++)
         shown->picture.rgb[i] = (float)(scale * shown->picture.rgb[i]);

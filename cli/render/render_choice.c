@@ -419,10 +419,10 @@ static const char *making_said(const struct pp_render_choice *choice,
         {"--windows", choice->windows != PP_WINDOWS_STORED},
         {"--filter", choice->filter != PP_FILTER_BOX},
         {"--checkpoint", choice->checkpoint != NULL},
-        {"--external", options->external_lux > 0.0},
-        {"--sky", options->sky != NULL},
+        {"--external", options->study.external_lux > 0.0},
+        {"--sky", options->study.sky != NULL},
         {"--room", options->room != NULL},
-        {"--seed", options->seed != pp_room_options_none.seed},
+        {"--seed", options->study.seed != pp_room_options_none.study.seed},
     };
     for (size_t i = 0; i < sizeof list / sizeof *list; i++)
         if (list[i].said)
@@ -554,7 +554,7 @@ enum pp_status pp_render_choice_check(struct pp_render_choice *choice,
                        "an eye sees luminance; --exposure human does not go with "
                        "--quantity %s",
                        pp_quantity_words(choice->quantity.is).name);
-    if (options->external_lux > 0.0 && choice->quantity.is == PP_DAYLIGHT_FACTOR)
+    if (options->study.external_lux > 0.0 && choice->quantity.is == PP_DAYLIGHT_FACTOR)
         return pp_fail(err, PP_BAD_INPUT,
                        "a daylight factor is the same whatever it is outside; "
                        "--external does not go with --quantity df");

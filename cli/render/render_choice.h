@@ -5,7 +5,7 @@
 #include <stdbool.h>
 
 #include "charts/sheet/canvas.h"
-#include "cli/render/cache_choice.h"
+#include "cli/cache_choice.h"
 #include "cli/room_options.h"
 #include "cli/chart/sheet_options.h"
 #include "formats/pictures/picture_hdr.h"

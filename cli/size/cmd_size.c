@@ -3,16 +3,17 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "cli/command_line.h"
-#include "cli/commands.h"
+#include "cli/terminal.h"
+#include "cli/command.h"
 #include "cli/interrupt.h"
 #include "cli/message.h"
 #include "cli/output.h"
-#include "cli/print/print.h"
-#include "cli/size/print_size.h"
+#include "reports/print_size.h"
 #include "cli/rooms.h"
+#include "cli/format_option.h"
+#include "cli/watch.h"
 #include "cli/size/size_options.h"
-#include "cli/print/format.h"
+#include "cli/format_option.h"
 
 static const char about[] =
     "The window that just reaches a target: the smallest width, height, head, sill or "
@@ -22,9 +23,8 @@ static const char about[] =
 
 /* The room file with all that was sized. */
 static enum pp_status write_file(const struct pp_size_results *results,
-                                 struct pp_error *err)
+                                 const char *path, struct pp_error *err)
 {
-    const char *path = results->options->write;
     int count = 0;
     bool reached = false;
     for (int i = 0; i < results->count; i++)
@@ -68,13 +68,13 @@ static enum pp_status write_file(const struct pp_size_results *results,
 static enum pp_status compute(struct pp_size_results *results,
                               const struct pp_rooms *rooms, struct pp_error *err)
 {
-    bool of_one_window = results->options->line > 0 || results->options->wall;
+    bool of_one_window = results->wish->line > 0 || results->wish->wall;
     int sized = 0;
     for (int i = 0; i < rooms->count; i++) {
         struct pp_size_room_result *result = &results->list[results->count++];
         struct pp_error fault = {0};
         enum pp_status status =
-            pp_size_room(result, rooms, i, results->options, &fault);
+            pp_size_room(result, &rooms->list[i], results->wish, &fault);
         sized += status == PP_OK;
         bool none = sized == 0 && i + 1 == rooms->count;
         if (status != PP_OK && (status != PP_BAD_INPUT || none))
@@ -88,43 +88,46 @@ static enum pp_status compute(struct pp_size_results *results,
 }
 
 static enum pp_exit size_rooms(struct pp_size_results *results,
-                               const struct pp_rooms *rooms)
+                               const struct pp_rooms *rooms,
+                               const struct pp_size_options *options)
 {
-    const struct pp_size_options *options = results->options;
+    const char *path = options->room.output;
     struct pp_error err = {0};
     struct pp_output output;
-    if (options->room.threads > 0)
-        omp_set_num_threads(options->room.threads);
-    if (options->room.simulate)
+    if (options->room.study.threads > 0)
+        omp_set_num_threads(options->room.study.threads);
+    if (options->room.study.simulate)
         pp_interrupt_watch();
-    enum pp_status status = pp_output_open(&output, options->room.output, &err);
+    enum pp_status status = pp_output_open(&output, path, &err);
     if (status == PP_OK)
         status = compute(results, rooms, &err);
     if (status == PP_OK && options->format == PP_FORMAT_JSON)
         status = pp_print_size_json(results, output.stream, &err);
     else if (status == PP_OK)
-        status = pp_print_size(results, pp_print_width(options->room.output),
-                               pp_format_utf8_terminal(), output.stream, &err);
+        status = pp_print_size(results, pp_terminal_width(path), pp_terminal_utf8(),
+                               output.stream, &err);
     status = pp_output_close(&output, status, &err);
     if (status == PP_OK && options->write)
-        status = write_file(results, &err);
+        status = write_file(results, options->write, &err);
     return status == PP_OK ? PP_EXIT_DONE : pp_message_error(&err);
 }
 
-static enum pp_exit run(const struct pp_size_options *options, char **files,
-                        int file_count)
+static enum pp_exit run(void *values, char **files, int file_count)
 {
+    struct pp_size_options *options = values;
+    struct pp_terminal_watch watch;
     struct pp_rooms rooms;
+    options->room.study.watch = pp_watch_of_terminal(&watch, options->room.quiet);
     enum pp_exit exit_status =
         pp_rooms_load(&rooms, "size", files, file_count, &options->room);
     if (exit_status != PP_EXIT_DONE)
         return exit_status;
     struct pp_size_results results = {.several = rooms.several,
                                       .more_than_one_file = rooms.more_than_one_file,
-                                      .options = options};
+                                      .wish = &options->wish};
     results.list = calloc((size_t)rooms.count, sizeof *results.list);
     if (results.list) {
-        exit_status = size_rooms(&results, &rooms);
+        exit_status = size_rooms(&results, &rooms, options);
     } else {
         struct pp_error err;
         pp_fail_memory(&err);
@@ -137,39 +140,56 @@ static enum pp_exit run(const struct pp_size_options *options, char **files,
     return exit_status;
 }
 
-enum pp_exit cmd_size(int argc, char **argv)
-{
-    struct pp_size_options options = {.room = pp_room_options_none};
-    const struct pp_option_group groups[] = {
-        {"What is wanted", pp_size_task_options, &options},
-        {"What is wanted", pp_room_place_options, &options.room},
-        {"Simulation", pp_room_simulation_options, &options.room},
-        {"Output", pp_text_or_json_option, &options.format},
-        {"Output", pp_size_write_option, &options},
-        {"Output", pp_room_output_options, &options.room},
-        {0},
-    };
-    const struct pp_command_line line = {"size", "FILE...", about, groups, NULL};
+/* ---- the command line ---- */
 
-    struct pp_error err = {0};
-    int file_count;
-    bool wants_help;
-    enum pp_exit exit_status;
-    enum pp_status status =
-        pp_options_read(&line, argc, argv, &file_count, &wants_help, &err);
-    if (status == PP_OK && !wants_help) {
-        status = pp_size_options_settle(&options, &err);
-        if (status == PP_OK && file_count == 0)
-            status = pp_fail(&err, PP_BAD_INPUT,
-                             "expected a room file, or - for standard input");
-        if (status == PP_OK && options.write && file_count > 1)
-            status =
-                pp_fail(&err, PP_BAD_INPUT,
-                        "--write is of one room file, and there are %d", file_count);
-    }
-    if (pp_command_line_starts(&line, argv, file_count, status, wants_help, &err,
-                               &exit_status))
-        exit_status = run(&options, argv, file_count);
-    pp_room_options_clear(&options.room);
-    return exit_status;
+#define PLACE(member) offsetof(struct pp_size_options, member)
+
+static const struct pp_option_group groups[] = {
+    {"What is wanted", pp_size_task_options, 0},
+    PP_ROOM_PLACE_GROUPS("What is wanted", PLACE(room)),
+    PP_ROOM_SIMULATION_GROUPS(PLACE(room)),
+    {"Output", pp_text_or_json_option, PLACE(format)},
+    {"Output", pp_size_write_option, 0},
+    {"Output", pp_room_output_options, PLACE(room)},
+    {0},
+};
+
+static void init(void *values)
+{
+    *(struct pp_size_options *)values =
+        (struct pp_size_options){.room = pp_room_options_none};
 }
+
+static enum pp_status check(void *values, char **files, int file_count,
+                            struct pp_error *err)
+{
+    struct pp_size_options *options = values;
+    (void)files;
+    enum pp_status status = pp_size_options_settle(options, err);
+    if (status == PP_OK && file_count == 0)
+        status =
+            pp_fail(err, PP_BAD_INPUT, "expected a room file, or - for standard input");
+    if (status == PP_OK && options->write && file_count > 1)
+        status = pp_fail(err, PP_BAD_INPUT,
+                         "--write is of one room file, and there are %d", file_count);
+    return status;
+}
+
+static void clear(void *values)
+{
+    struct pp_size_options *options = values;
+    pp_room_options_clear(&options->room);
+}
+
+const struct pp_command pp_command_size = {
+    .name = "size",
+    .summary = "the window that just reaches a target",
+    .operands = "FILE...",
+    .about = about,
+    .groups = groups,
+    .size = sizeof(struct pp_size_options),
+    .init = init,
+    .check = check,
+    .run = run,
+    .clear = clear,
+};

@@ -4,13 +4,10 @@
 
 #include "methods/evaluate.h"
 
-const char *const pp_size_change_words[] = {"width", "height", "head",
-                                            "sill",  "number", NULL};
-
 static enum pp_status read_change(const char *text, void *place, struct pp_error *err)
 {
-    for (int i = 0; pp_size_change_words[i]; i++)
-        if (strcmp(text, pp_size_change_words[i]) == 0) {
+    for (int i = 0; pp_size_room_change_words[i]; i++)
+        if (strcmp(text, pp_size_room_change_words[i]) == 0) {
             *(enum pp_size_change *)place = (enum pp_size_change)i;
             return PP_OK;
         }
@@ -21,19 +18,19 @@ static enum pp_status read_change(const char *text, void *place, struct pp_error
 
 const struct pp_option pp_size_task_options[] = {
     {"target", 't', "DF%", "The daylight factor to reach: 2% or 2.",
-     pp_options_read_per_cent, PLACE(target)},
+     pp_options_read_per_cent, PLACE(wish.target)},
     {"by", 'b', "METHOD",
      "The method that it is worked out by: a method, a pair, or \"traced\" for the "
      "simulation (default exact+bre, or exact+split-flux where that does not cover "
      "the room).",
-     pp_options_read_text, PLACE(by)},
+     pp_options_read_text, PLACE(wish.by)},
     {"change", 'c', "WHAT",
      "What may change: width (default), height, head, sill, or the number of windows.",
-     read_change, PLACE(change)},
+     read_change, PLACE(wish.change)},
     {"wall", 0, "NAME", "Change the windows in that wall only.", pp_options_read_text,
-     PLACE(wall)},
+     PLACE(wish.wall)},
     {"window", 0, "LINE", "Change the window on that line of the room file only.",
-     pp_options_read_count, PLACE(line)},
+     pp_options_read_count, PLACE(wish.line)},
     {0},
 };
 
@@ -59,15 +56,16 @@ static enum pp_status check_method(const char *by, struct pp_error *err)
 enum pp_status pp_size_options_settle(struct pp_size_options *options,
                                       struct pp_error *err)
 {
-    if (!(options->target > 0.0))
+    if (!(options->wish.target > 0.0))
         return pp_fail(err, PP_BAD_INPUT,
                        "expected --target, the daylight factor to reach, such as "
                        "--target 2%%");
-    options->traced = options->by && strcmp(options->by, "traced") == 0;
-    if (options->traced)
-        options->room.simulate = true;
+    options->wish.traced = options->wish.by && strcmp(options->wish.by, "traced") == 0;
+    options->wish.study = &options->room.study;
+    if (options->wish.traced)
+        options->room.study.simulate = true;
     enum pp_status status = pp_room_options_settle(&options->room, err);
-    if (status == PP_OK && options->by && !options->traced)
-        status = check_method(options->by, err);
+    if (status == PP_OK && options->wish.by && !options->wish.traced)
+        status = check_method(options->wish.by, err);
     return status;
 }

@@ -7,13 +7,13 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "cli/print/format.h"
-#include "cli/study_report.h"
+#include "reports/format.h"
+#include "studies/study_report.h"
 #include "cli/interrupt.h"
-#include "cli/print/json.h"
+#include "reports/json.h"
 #include "cli/message.h"
 #include "cli/output.h"
-#include "cli/print/print.h"
+#include "reports/print.h"
 #include "cli/radiance/radiance_export.h"
 #include "model/base/read_file.h"
 #include "model/base/text.h"
@@ -113,10 +113,10 @@ static enum pp_status read_factors(struct beside *list, int count, char *text,
 
 /* The room with each point as often as it is asked. */
 static enum pp_status export_repeated(const char *path,
-                                      const struct pp_loaded_room *room,
+                                      const struct pp_study_room *room,
                                       struct pp_error *err)
 {
-    struct pp_loaded_room many = *room;
+    struct pp_study_room many = *room;
     many.receiver_count = REPEATS * room->receiver_count;
     many.receivers = calloc((size_t)many.receiver_count + 1, sizeof *many.receivers);
     if (!many.receivers)
@@ -137,7 +137,7 @@ static enum pp_status export_repeated(const char *path,
 }
 
 static enum pp_status ask_radiance(struct beside *list,
-                                   const struct pp_loaded_room *room,
+                                   const struct pp_study_room *room,
                                    struct pp_error *err)
 {
     const char *place = getenv("TMPDIR");
@@ -161,15 +161,16 @@ static enum pp_status ask_radiance(struct beside *list,
     return status;
 }
 
-static enum pp_status ask_tracer(struct beside *list, const struct pp_loaded_room *room,
+static enum pp_status ask_tracer(struct beside *list, const struct pp_study_room *room,
                                  const struct pp_room_options *options,
                                  struct pp_error *err)
 {
     struct pp_report report;
-    bool by_clock;
-    enum pp_status status = pp_study_report_methods(&report, room, options, err);
+    bool by_clock = false;
+    enum pp_status status =
+        pp_study_report_methods(&report, room, &options->study, err);
     if (status == PP_OK)
-        status = pp_study_report_traced(&report, options, &by_clock, err);
+        status = pp_study_report_traced(&report, &options->study, &by_clock, err);
     const struct pp_column *traced = NULL;
     for (int i = 0; i < report.column_count && status == PP_OK; i++)
         if (report.columns[i].component == PP_DF
@@ -249,7 +250,7 @@ static struct json_object *point_object(const struct beside *b)
     return pp_json_whole(object, good);
 }
 
-static struct json_object *room_object(const struct pp_loaded_room *room,
+static struct json_object *room_object(const struct pp_study_room *room,
                                        const struct beside *list)
 {
     struct json_object *object = json_object_new_object();
@@ -284,7 +285,7 @@ static enum pp_status print(const struct pp_rooms *rooms, struct beside *const *
     if (format == PP_FORMAT_CSV)
         fputs("room,x,y,z,traced,traced_se,radiance,radiance_se,off_by\r\n", out);
     for (int i = 0; i < rooms->count; i++) {
-        const struct pp_loaded_room *room = &rooms->list[i];
+        const struct pp_study_room *room = &rooms->list[i];
         if (format == PP_FORMAT_CSV) {
             print_csv(room->world->name, lists[i], room->receiver_count, out);
         } else {
@@ -299,7 +300,7 @@ static enum pp_status print(const struct pp_rooms *rooms, struct beside *const *
 /* ---- all rooms ---- */
 
 static enum pp_status compare_room(struct beside **list,
-                                   const struct pp_loaded_room *room,
+                                   const struct pp_study_room *room,
                                    const struct pp_room_options *options,
                                    struct pp_error *err)
 {

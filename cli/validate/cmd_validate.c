@@ -2,15 +2,16 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "cli/terminal.h"
 #include "cli/validate/against_radiance.h"
-#include "cli/command_line.h"
-#include "cli/commands.h"
-#include "cli/print/format.h"
-#include "cli/study_report.h"
+#include "cli/command.h"
+#include "cli/watch.h"
+#include "cli/format_option.h"
+#include "studies/study_report.h"
 #include "cli/interrupt.h"
 #include "cli/message.h"
 #include "cli/output.h"
-#include "cli/validate/print_validate.h"
+#include "reports/print_validate.h"
 #include "cli/rooms.h"
 #include "methods/evaluate.h"
 
@@ -32,7 +33,7 @@ static enum pp_status print_known(const struct pp_self_test_cases *known,
     if (format == PP_FORMAT_CSV)
         pp_print_validate_self_test_csv(known, out);
     else
-        pp_print_validate_self_test(known, pp_print_width(path), out);
+        pp_print_validate_self_test(known, pp_terminal_width(path), out);
     return PP_OK;
 }
 
@@ -43,7 +44,8 @@ static enum pp_exit answer(const struct pp_room_options *options, enum pp_format
     struct pp_output output;
     enum pp_status status = pp_output_open(&output, options->output, &err);
     if (status == PP_OK)
-        status = pp_self_test_run(&known, options->seed, options->threads, &err);
+        status =
+            pp_self_test_run(&known, options->study.seed, options->study.threads, &err);
     if (status == PP_OK)
         status = print_known(&known, format, options->output, output.stream, &err);
     status = pp_output_close(&output, status, &err);
@@ -89,30 +91,30 @@ static enum pp_status compute(struct pp_validation *validation,
 }
 
 static enum pp_status print(const struct pp_validation *validation,
-                            enum pp_format format, FILE *out, struct pp_error *err)
+                            enum pp_format format, const char *path, FILE *out,
+                            struct pp_error *err)
 {
     if (format == PP_FORMAT_JSON)
         return pp_print_validate_rooms_json(validation, out, err);
     if (format == PP_FORMAT_CSV)
         pp_print_validate_rooms_csv(validation, out);
     else
-        pp_print_validate_rooms(
-            validation, pp_print_width(validation->results->options->output), out);
+        pp_print_validate_rooms(validation, pp_terminal_width(path), out);
     return PP_OK;
 }
 
 static enum pp_exit compute_and_print(struct pp_validation *validation,
                                       struct pp_results *results,
                                       const struct pp_rooms *rooms,
-                                      enum pp_format format)
+                                      enum pp_format format, const char *path)
 {
     struct pp_error err = {0};
     struct pp_output output;
-    enum pp_status status = pp_output_open(&output, results->options->output, &err);
+    enum pp_status status = pp_output_open(&output, path, &err);
     if (status == PP_OK)
         status = compute(validation, results, rooms, &err);
     if (status == PP_OK)
-        status = print(validation, format, output.stream, &err);
+        status = print(validation, format, path, output.stream, &err);
     status = pp_output_close(&output, status, &err);
     if (status != PP_OK)
         return pp_message_error(&err);
@@ -134,13 +136,14 @@ static enum pp_exit compare(const struct pp_room_options *options,
     struct pp_results results = {.list = calloc(count, sizeof *results.list),
                                  .several = rooms.several,
                                  .more_than_one_file = rooms.more_than_one_file,
-                                 .options = options};
+                                 .options = &options->study};
     struct pp_validation validation = {.results = &results,
                                        .rooms = calloc(count, sizeof *validation.rooms),
                                        .counts =
                                            calloc(count, sizeof *validation.counts)};
     if (results.list && validation.rooms && validation.counts) {
-        exit_status = compute_and_print(&validation, &results, &rooms, format);
+        exit_status =
+            compute_and_print(&validation, &results, &rooms, format, options->output);
     } else {
         struct pp_error err;
         pp_fail_memory(&err);
@@ -168,12 +171,20 @@ static enum pp_status read_program(const char *text, void *place, struct pp_erro
     return PP_OK;
 }
 
+struct validate_options {
+    struct pp_room_options room;
+    const char *against; /* the other program; NULL: none */
+    enum pp_format format;
+};
+
+#define PLACE(member) offsetof(struct validate_options, member)
+
 static const struct pp_option against_option[] = {
     {"against", 0, "PROGRAM",
      "Compare the simulation with another program's, of the same rooms: radiance, "
      "where "
      "its oconv and rtrace are on PATH.",
-     read_program, 0},
+     read_program, PLACE(against)},
     {0},
 };
 
@@ -186,79 +197,91 @@ static enum pp_exit compare_with_radiance(struct pp_room_options *options,
         pp_rooms_load(&rooms, "validate", files, file_count, options);
     if (exit_status != PP_EXIT_DONE)
         return exit_status;
-    options->methods = "exact";
+    options->study.methods = "exact";
     exit_status = pp_against_radiance(&rooms, options, format);
     pp_rooms_clear(&rooms);
     return exit_status;
 }
 
-/* ---- the command ---- */
+/* ---- the command line ---- */
 
-/* What the options say, before any file is opened. */
-static enum pp_status check(struct pp_room_options *options, int file_count,
+static const struct pp_option_group groups[] = {
+    PP_ROOM_CHOICE_GROUPS("What is compared", PLACE(room)),
+    {"What is compared", against_option, 0},
+    PP_ROOM_STOP_GROUPS(PLACE(room)),
+    {"Output", pp_format_option, PLACE(format)},
+    {"Output", pp_room_output_options, PLACE(room)},
+    {0},
+};
+
+static void init(void *values)
+{
+    *(struct validate_options *)values =
+        (struct validate_options){.room = pp_room_options_none};
+}
+
+static enum pp_status check(void *values, char **files, int file_count,
                             struct pp_error *err)
 {
-    const char *of_rooms = options->methods            ? "--methods"
-                           : options->points.count > 0 ? "--points"
-                           : options->sky              ? "--sky"
-                           : options->room             ? "--room"
-                           : options->error > 0.0      ? "--error"
-                           : options->samples > 0      ? "--samples"
-                           : options->seconds > 0.0    ? "--time"
-                                                       : NULL;
+    struct validate_options *options = values;
+    struct pp_study_options *study = &options->room.study;
+    const char *of_rooms = study->methods            ? "--methods"
+                           : study->points.count > 0 ? "--points"
+                           : study->sky              ? "--sky"
+                           : options->room.room      ? "--room"
+                           : study->error > 0.0      ? "--error"
+                           : study->samples > 0      ? "--samples"
+                           : study->seconds > 0.0    ? "--time"
+                                                     : NULL;
+    (void)files;
+    if (options->against && file_count == 0)
+        return pp_fail(err, PP_BAD_INPUT,
+                       "--against is about a room; expected a room "
+                       "file, or - for standard input");
+    if (options->against && study->methods)
+        return pp_fail(err, PP_BAD_INPUT,
+                       "--against compares the simulation alone; expected it without "
+                       "--methods");
     if (file_count == 0 && of_rooms)
         return pp_fail(err, PP_BAD_INPUT,
                        "%s is about a room; expected a room file, or - for standard "
                        "input",
                        of_rooms);
-    options->simulate = true;
-    if (!options->methods)
-        options->methods = "all";
-    enum pp_status status = pp_room_options_settle(options, err);
-    return status == PP_OK ? pp_selection_check(options->methods, err) : status;
+    study->simulate = true;
+    if (!study->methods)
+        study->methods = "all";
+    enum pp_status status = pp_room_options_settle(&options->room, err);
+    return status == PP_OK ? pp_selection_check(study->methods, err) : status;
 }
 
-enum pp_exit cmd_validate(int argc, char **argv)
+static enum pp_exit run(void *values, char **files, int file_count)
 {
-    struct pp_room_options options = pp_room_options_none;
-    enum pp_format format = PP_FORMAT_TEXT;
-    const char *against = NULL;
-    const struct pp_option_group groups[] = {
-        {"What is compared", pp_room_choice_options, &options},
-        {"What is compared", against_option, &against},
-        {"Simulation", pp_room_simulation_options + 1, &options},
-        {"Output", pp_format_option, &format},
-        {"Output", pp_room_output_options, &options},
-        {0},
-    };
-    const struct pp_command_line line = {"validate", "[FILE...]", about, groups, NULL};
-
-    struct pp_error err = {0};
-    int file_count;
-    bool wants_help;
-    enum pp_exit exit_status;
-    enum pp_status status =
-        pp_options_read(&line, argc, argv, &file_count, &wants_help, &err);
-    if (status == PP_OK && !wants_help && against && file_count == 0)
-        status = pp_fail(&err, PP_BAD_INPUT,
-                         "--against is about a room; expected a room "
-                         "file, or - for standard input");
-    if (status == PP_OK && !wants_help && against && options.methods)
-        status = pp_fail(&err, PP_BAD_INPUT,
-                         "--against compares the simulation alone; expected it without "
-                         "--methods");
-    if (status == PP_OK && !wants_help)
-        status = check(&options, file_count, &err);
-
-    if (pp_command_line_starts(&line, argv, file_count, status, wants_help, &err,
-                               &exit_status)) {
-        if (against)
-            exit_status = compare_with_radiance(&options, format, argv, file_count);
-        else if (file_count == 0)
-            exit_status = answer(&options, format);
-        else
-            exit_status = compare(&options, format, argv, file_count);
-    }
-    pp_room_options_clear(&options);
-    return exit_status;
+    struct validate_options *options = values;
+    struct pp_terminal_watch watch;
+    options->room.study.watch = pp_watch_of_terminal(&watch, options->room.quiet);
+    if (options->against)
+        return compare_with_radiance(&options->room, options->format, files,
+                                     file_count);
+    return file_count == 0
+               ? answer(&options->room, options->format)
+               : compare(&options->room, options->format, files, file_count);
 }
+
+static void clear(void *values)
+{
+    struct validate_options *options = values;
+    pp_room_options_clear(&options->room);
+}
+
+const struct pp_command pp_command_validate = {
+    .name = "validate",
+    .summary = "methods against simulation, program against paper",
+    .operands = "[FILE...]",
+    .about = about,
+    .groups = groups,
+    .size = sizeof(struct validate_options),
+    .init = init,
+    .check = check,
+    .run = run,
+    .clear = clear,
+};

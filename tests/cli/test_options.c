@@ -35,8 +35,8 @@ enum { MOST = 12 };
 static enum pp_status read_words(struct words *values, const char *words[MOST],
                                  int *operands, bool *help, struct pp_error *err)
 {
-    const struct pp_option_group groups[] = {{"Options", table, values}, {0}};
-    const struct pp_command_line line = {"try", "FILE", "Tries.", groups, NULL};
+    const struct pp_option_group groups[] = {{"Options", table, 0}, {0}};
+    const struct pp_command_line line = {"try", "FILE", "Tries.", groups, NULL, values};
     int count = 0;
     while (words[count])
         count++;
@@ -202,9 +202,8 @@ static void illuminances_are_sensible(void **state)
 
 static enum pp_status read_points(struct pp_room_options *options, const char *text)
 {
-    const struct pp_option_group groups[] = {{"", pp_room_choice_options, options},
-                                             {0}};
-    const struct pp_command_line line = {"try", "", "", groups, NULL};
+    const struct pp_option_group groups[] = {{"", pp_room_points_option, 0}, {0}};
+    const struct pp_command_line line = {"try", "", "", groups, NULL, options};
     int operands;
     bool help;
     const char *words[] = {"try", "--points", text, NULL};
@@ -217,11 +216,11 @@ static void points_add_up_and_may_leave_out_their_height(void **state)
     struct pp_room_options options = pp_room_options_none;
     assert_int_equal(read_points(&options, "1.5,-.5  2,3,0.7;4,5"), PP_OK);
     assert_int_equal(read_points(&options, "6,7"), PP_OK);
-    assert_int_equal(options.points.count, 4);
-    assert_near(options.points.list[0].y, -0.5, 0.0);
-    assert_true(isnan(options.points.list[0].z));
-    assert_near(options.points.list[1].z, 0.7, 0.0);
-    assert_near(options.points.list[3].x, 6.0, 0.0);
+    assert_int_equal(options.study.points.count, 4);
+    assert_near(options.study.points.list[0].y, -0.5, 0.0);
+    assert_true(isnan(options.study.points.list[0].z));
+    assert_near(options.study.points.list[1].z, 0.7, 0.0);
+    assert_near(options.study.points.list[3].x, 6.0, 0.0);
     pp_room_options_clear(&options);
 }
 
@@ -241,12 +240,12 @@ static void limits_of_the_simulation_need_a_simulation(void **state)
 {
     (void)state;
     struct pp_room_options options = pp_room_options_none;
-    options.error = 0.01;
+    options.study.error = 0.01;
     assert_int_equal(pp_room_options_settle(&options, NULL), PP_BAD_INPUT);
-    options.simulate = true;
+    options.study.simulate = true;
     assert_int_equal(pp_room_options_settle(&options, NULL), PP_OK);
-    assert_near(options.error, 0.01, 0.0);
-    options.samples = 64;
+    assert_near(options.study.error, 0.01, 0.0);
+    options.study.samples = 64;
     assert_int_equal(pp_room_options_settle(&options, NULL), PP_BAD_INPUT);
 }
 
@@ -254,14 +253,14 @@ static void a_simulation_without_an_end_stops_at_one_per_cent(void **state)
 {
     (void)state;
     struct pp_room_options options = pp_room_options_none;
-    options.simulate = true;
+    options.study.simulate = true;
     assert_int_equal(pp_room_options_settle(&options, NULL), PP_OK);
-    assert_near(options.error, 0.01, 0.0);
+    assert_near(options.study.error, 0.01, 0.0);
     options = pp_room_options_none;
-    options.simulate = true;
-    options.seconds = 2.5;
+    options.study.simulate = true;
+    options.study.seconds = 2.5;
     assert_int_equal(pp_room_options_settle(&options, NULL), PP_OK);
-    assert_near(options.error, 0.0, 0.0);
+    assert_near(options.study.error, 0.0, 0.0);
 }
 
 int main(void)

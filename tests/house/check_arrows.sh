@@ -6,8 +6,8 @@
 # never prints, exits or looks at its surroundings, and keeps nothing in writable data.
 . "$srcdir/tests/lib/tap.sh"
 
-folders="model formats methods simulate studies charts cli"
-library="model formats methods simulate studies charts"
+folders="model formats methods simulate studies charts reports api cli"
+library="model formats methods simulate studies charts reports api"
 
 # Each place, what it may use besides itself, lowest first. "model" as a whole is all of
 # its folders.
@@ -28,7 +28,9 @@ simulate/cache      model simulate/sampling simulate/scene simulate/transport
 simulate/render     model simulate
 studies             model formats methods simulate
 charts              model
-cli                 model formats methods simulate studies charts'
+reports             model formats methods simulate studies
+api                 model formats methods simulate studies charts reports
+cli                 model formats methods simulate studies charts reports api'
 
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
@@ -166,7 +168,7 @@ check "one file at most knows Embree 4" one_file_at_most embree4/
 check "XML is read in model/room/read" only_in model/room/read libxml/
 check "ray queries are made in simulate/scene" only_in simulate/scene embree
 check "charts alone draw" only_in charts 'cairo|<pango'
-check "JSON is written in cli" only_in cli json
+check "JSON is written in reports" only_in reports json
 
 if $NM .libs/libmodel.a 2>/dev/null | grep -Eq '__(asan|ubsan|gcov|llvm_profile)'; then
     skip "file-scope data is constant" "the build is instrumented, and that keeps data"

@@ -52,7 +52,7 @@ check "every exported name begins with pp_" \
     nothing "$(grep -v '^pp_' "$scratch/exported")"
 
 # Names that the command's objects ask of others and do not have among themselves.
-$NM -g cli/*.o .libs/libcli.a 2>/dev/null | awk '$1 == "U" && $2 ~ /^pp_/ { print $2 }' |
+$NM -g cli/*.o .libs/libcli.a .libs/libreports.a 2>/dev/null | awk '$1 == "U" && $2 ~ /^pp_/ { print $2 }' |
     LC_ALL=C sort -u >"$scratch/asked"
 $NM -g --defined-only cli/*.o .libs/libcli.a 2>/dev/null | awk 'NF == 3 { print $3 }' |
     LC_ALL=C sort -u >"$scratch/own"

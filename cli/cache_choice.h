@@ -1,0 +1,52 @@
+/* cache_choice.h - the words for the irradiance cache, the same wherever it is used.
+ */
+#ifndef PP_CLI_RENDER_CACHE_CHOICE_H
+#define PP_CLI_RENDER_CACHE_CHOICE_H
+
+#include "cli/options.h"
+#include "simulate/cache/irradiance_cache.h"
+
+struct pp_cache_choice {
+    struct pp_cache_options options; /* seed and threads come from elsewhere */
+    const char *include, *exclude;   /* lists of materials, by commas; NULL: none */
+    const char *file;                /* --cache; NULL: none */
+    char *names;                     /* what options.materials points into */
+    const char **materials;
+};
+
+/* --accuracy (-aa), --resolution (-ar), --divisions (-ad), --supersamples (-as),
+ * --bounces (-ab), --ambient (-av), --include (-ai), --exclude (-ae), --cache; their
+ * values are a struct pp_cache_choice. */
+extern const struct pp_option pp_cache_choice_options[];
+
+struct pp_cache_choice pp_cache_choice_default(void);
+
+/* Once all words are read: makes the lists of materials. PP_BAD_INPUT where both lists
+ * are given. */
+enum pp_status pp_cache_choice_settle(struct pp_cache_choice *words,
+                                      struct pp_error *err);
+void pp_cache_choice_clear(struct pp_cache_choice *words);
+
+/* A word that asks for something else than the default and bears on a cache only (all
+ * but --bounces); NULL: none does. */
+const char *pp_cache_choice_used(const struct pp_cache_choice *words);
+
+/* The cache for a scene, with the records of --cache if there is such a file. */
+enum pp_status pp_cache_choice_open(struct pp_irradiance_cache **cache,
+                                    const struct pp_cache_choice *words,
+                                    const struct pp_light_scene *scene,
+                                    const struct pp_window_store *store,
+                                    const struct pp_radiance_options *light,
+                                    uint64_t seed, int threads, struct pp_error *err);
+
+/* Writes the file of --cache, whole or not at all. */
+enum pp_status pp_cache_choice_write(const struct pp_cache_choice *words,
+                                     const char *bytes, size_t length,
+                                     struct pp_error *err);
+
+/* The same of a cache's records, if --cache was given. */
+enum pp_status pp_cache_choice_save(const struct pp_cache_choice *words,
+                                    const struct pp_irradiance_cache *cache,
+                                    struct pp_error *err);
+
+#endif

@@ -1,0 +1,43 @@
+/* command.h - what a command of the program is; main.c has the list of them.
+ *
+ * A command is an entry of that list: how its words are read into a struct of its own,
+ * what makes sense of them, and what it does then. A new one is a file cmd_NAME.c in a
+ * folder of its name, a line here and one in main.c.
+ */
+#ifndef PP_CLI_COMMAND_H
+#define PP_CLI_COMMAND_H
+
+#include <stddef.h>
+#include <stdio.h>
+
+#include "cli/exit_status.h"
+#include "cli/options.h"
+
+struct pp_command {
+    const char *name, *summary;
+    const char *operands;                 /* "FILE..." */
+    const char *about;                    /* a paragraph or more of its help */
+    const struct pp_option_group *groups; /* with places in the command's own struct, */
+    size_t size;                          /* which has that many bytes */
+    void (*more_help)(FILE *out);         /* what the help ends with; NULL: options */
+
+    void (*init)(void *options); /* before the words are read */
+    /* Do the words make sense, before any file is opened? PP_BAD_INPUT if not. */
+    enum pp_status (*check)(void *options, char **operands, int count,
+                            struct pp_error *err);
+    enum pp_exit (*run)(void *options, char **operands, int count);
+    void (*clear)(void *options); /* in any case */
+    int words_before_files; /* how many operands are not yet files: 1 for a kind */
+};
+
+void pp_command_help(const struct pp_command *command, FILE *out);
+
+/* argv[0] is the command's name. Prints its help, or says what is wrong with its words,
+ * or runs it. */
+enum pp_exit pp_command_run(const struct pp_command *command, int argc, char **argv);
+
+extern const struct pp_command pp_command_df, pp_command_chart, pp_command_render,
+    pp_command_assess, pp_command_size, pp_command_availability, pp_command_validate,
+    pp_command_export, pp_command_import;
+
+#endif

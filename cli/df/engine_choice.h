@@ -1,0 +1,22 @@
+/* engine_choice.h - which engines `df --simulate` uses, and how the cache is made. */
+#ifndef PP_CLI_DF_ENGINE_CHOICE_H
+#define PP_CLI_DF_ENGINE_CHOICE_H
+
+#include "cli/cache_choice.h"
+#include "cli/options.h"
+
+struct pp_engine_choice {
+    const char *engines; /* as typed: path, cache or path,cache; NULL: path */
+    bool interpolate;
+    struct pp_cache_choice cache;
+    bool path, cached; /* settled */
+};
+
+/* --engine, --interpolate; values are a struct pp_engine_choice. */
+extern const struct pp_option pp_engine_options[];
+
+/* What is set without --engine cache, two rooms in one cache file ...: PP_BAD_INPUT. */
+enum pp_status pp_engine_choice_settle(struct pp_engine_choice *words, bool simulate,
+                                       struct pp_error *err);
+
+#endif

@@ -1,0 +1,12 @@
+/* format_option.h - --format: how results are printed. */
+#ifndef PP_CLI_FORMAT_OPTION_H
+#define PP_CLI_FORMAT_OPTION_H
+
+#include "cli/options.h"
+#include "reports/format.h"
+
+/* Lists for struct pp_option_group, with an enum pp_format as values. */
+extern const struct pp_option pp_format_option[];       /* text, json or csv */
+extern const struct pp_option pp_text_or_json_option[]; /* for what is no table */
+
+#endif

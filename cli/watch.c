@@ -1,0 +1,32 @@
+/* watch.c - see watch.h. */
+#include "cli/watch.h"
+
+#include "cli/interrupt.h"
+
+static void begin(void *data, const char *name)
+{
+    struct pp_terminal_watch *terminal = data;
+    pp_progress_begin(&terminal->progress, name, terminal->quiet);
+}
+
+static bool look(void *data, double done, double error)
+{
+    struct pp_terminal_watch *terminal = data;
+    if (pp_interrupt_came())
+        return false;
+    if (done > 0.0)
+        pp_progress_show(&terminal->progress, done, error);
+    return true;
+}
+
+static void end(void *data)
+{
+    struct pp_terminal_watch *terminal = data;
+    pp_progress_end(&terminal->progress);
+}
+
+struct pp_watch pp_watch_of_terminal(struct pp_terminal_watch *terminal, bool quiet)
+{
+    *terminal = (struct pp_terminal_watch){.quiet = quiet};
+    return (struct pp_watch){begin, look, end, terminal};
+}

@@ -1,0 +1,17 @@
+/* watch.h - a simulation watched from a terminal: the progress bar, and Ctrl-C. */
+#ifndef PP_CLI_WATCH_H
+#define PP_CLI_WATCH_H
+
+#include "cli/progress.h"
+#include "studies/study_options.h"
+
+struct pp_terminal_watch {
+    bool quiet;
+    struct pp_progress progress;
+};
+
+/* Shows a bar on the terminal unless quiet, and stops at an interrupt that came after
+ * pp_interrupt_watch. Good as long as *terminal. */
+struct pp_watch pp_watch_of_terminal(struct pp_terminal_watch *terminal, bool quiet);
+
+#endif

@@ -1,0 +1,125 @@
+/* Assessments as JSON, "pepperpot-assess-1". */
+#include <math.h>
+
+#include "reports/assess_text.h"
+#include "reports/json.h"
+#include "reports/print_gains.h"
+
+static const struct {
+    const char *unit;
+    double scale;
+} kinds[] = {
+    [PP_FIGURE_FACTOR] = {"%", 100.0}, [PP_FIGURE_SHARE] = {"%", 100.0},
+    [PP_FIGURE_RATIO] = {"", 1.0},     [PP_FIGURE_ANGLE] = {"degrees", 1.0 / PP_RAD},
+    [PP_FIGURE_AREA] = {"m2", 1.0},
+};
+
+/* { "of": "south, line 9", "line": 9, "figure": 30.1, "unit": "%", "wanted": 27,
+ * "bound": "least", "verdict": "met" } and whatever else there is. */
+static struct json_object *finding_object(const struct pp_finding *finding,
+                                          double external_lux)
+{
+    struct json_object *object = json_object_new_object();
+    double scale = kinds[finding->kind].scale;
+    bool judged = isfinite(finding->figure);
+    bool good = object && pp_json_text(object, "of", finding->what);
+    if (good && finding->line > 0)
+        good = pp_json_add(object, "line", json_object_new_int(finding->line));
+    if (good)
+        good = pp_json_number(object, "figure", scale * finding->figure);
+    if (good && judged)
+        good = pp_json_text(object, "unit", kinds[finding->kind].unit);
+    if (good && isfinite(finding->std_error))
+        good = pp_json_number(object, "se", scale * finding->std_error);
+    if (good && judged && external_lux > 0.0 && finding->kind == PP_FIGURE_FACTOR)
+        good = pp_json_number(object, "lux", external_lux * finding->figure);
+    if (good && isfinite(finding->wanted))
+        good = pp_json_number(object, "wanted", scale * finding->wanted)
+               && pp_json_text(object, "bound", finding->at_most ? "most" : "least");
+    if (good && isfinite(finding->reached_over))
+        good = pp_json_number(object, "reached_over", 100.0 * finding->reached_over);
+    if (good)
+        good =
+            pp_json_text(object, "verdict", pp_assess_text_verdict(finding->verdict));
+    if (good && isfinite(finding->confidence))
+        good = pp_json_number(
+            object, finding->verdict == PP_UNDECIDED ? "probability" : "confidence",
+            finding->confidence);
+    if (good && finding->note[0])
+        good = pp_json_text(object, finding->verdict == PP_NOT_JUDGED ? "why" : "note",
+                            finding->note);
+    if (good)
+        pp_json_on_one_line(object);
+    return pp_json_whole(object, good);
+}
+
+static bool add_findings(struct json_object *object,
+                         const struct pp_finding_list *findings, double external_lux)
+{
+    struct json_object *list = json_object_new_array();
+    bool good = pp_json_add(object, "findings", list);
+    for (int i = 0; i < findings->count && good; i++)
+        good = pp_json_append(list, finding_object(&findings->list[i], external_lux));
+    return good;
+}
+
+static struct json_object *answer_object(const struct pp_answer *answer,
+                                         double external_lux)
+{
+    struct json_object *object = json_object_new_object();
+    bool good = object && pp_json_text(object, "criterion", answer->criterion->name)
+                && pp_json_text(object, "title", answer->criterion->title)
+                && pp_json_text(object, "source", answer->criterion->source);
+    if (good && answer->findings.basis[0])
+        good = pp_json_text(object, "basis", answer->findings.basis);
+    good = good && add_findings(object, &answer->findings, external_lux);
+    return pp_json_whole(object, good);
+}
+
+static bool add_criteria(struct json_object *object,
+                         const struct pp_assessment *assessment, double external_lux)
+{
+    struct json_object *list = json_object_new_array();
+    bool good = pp_json_add(object, "criteria", list);
+    for (int i = 0; i < assessment->answer_count && good; i++)
+        good =
+            pp_json_append(list, answer_object(&assessment->answers[i], external_lux));
+    return good;
+}
+
+static struct json_object *room_object(const void *everything, int index)
+{
+    const struct pp_assessments *all = everything;
+    const struct pp_assessment *assessment = &all->list[index];
+    const struct pp_study_options *options = all->options;
+    const struct pp_world *world = assessment->room->world;
+    struct json_object *object = json_object_new_object();
+    bool good = object && pp_json_text(object, "format", "pepperpot-assess-1");
+    if (good && all->more_than_one_file)
+        good = pp_json_text(object, "file", assessment->room->file);
+    if (good)
+        good = pp_json_text(object, "room", world->name)
+               && pp_json_text(object, "sky", pp_sky_name(&world->sky));
+    if (good && assessment->before)
+        good = pp_json_text(object, "before", assessment->before->file);
+    if (good)
+        good = pp_json_number(object, "median_diffuse", assessment->median.lux)
+               && pp_json_text(object, "median_diffuse_by", assessment->median.how);
+    if (good && options->external_lux > 0.0)
+        good = pp_json_number(object, "external", options->external_lux);
+    if (good && options->simulate && assessment->has_factors)
+        good = pp_json_simulation(object, options, assessment->by_clock);
+    if (good && !assessment->report.finished)
+        good = pp_json_add(object, "finished", json_object_new_boolean(false));
+    if (good)
+        good = add_criteria(object, assessment, options->external_lux);
+    if (good && assessment->has_gains)
+        good = pp_print_gains_json(object, &assessment->gains);
+    return pp_json_whole(object, good);
+}
+
+enum pp_status pp_assess_json(const struct pp_assessments *all, FILE *out,
+                              struct pp_error *err)
+{
+    return pp_json_print_rooms(out, room_object, all, all->count, all->several, err);
+}

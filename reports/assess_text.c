@@ -1,0 +1,295 @@
+/* Assessments as text: a row a finding, its verdict at the end of it, and what there is
+ * to add below. */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "reports/assess_text.h"
+#include "reports/print.h"
+#include "reports/print_gains.h"
+#include "reports/format.h"
+#include "model/base/text.h"
+
+enum { CELL = 40, COLUMNS = 6, INDENT = 4, GAP = 2, NOTE_INDENT = 6 };
+enum { WHAT, FIGURE, LUX, WANTED, OVER, VERDICT };
+
+struct layout {
+    int widths[COLUMNS];
+    double external_lux; /* 0: no illuminances */
+    bool utf8;
+    int width;
+};
+
+const char *pp_assess_text_verdict(enum pp_verdict verdict)
+{
+    static const char *const words[] = {[PP_STATED] = NULL,
+                                        [PP_MET] = "met",
+                                        [PP_NOT_MET] = "not met",
+                                        [PP_UNDECIDED] = "undecided",
+                                        [PP_NOT_JUDGED] = "not judged"};
+    return words[verdict];
+}
+
+/* ---- cells ---- */
+
+static const char *unit_of(enum pp_figure kind, bool utf8)
+{
+    switch (kind) {
+    case PP_FIGURE_FACTOR:
+    case PP_FIGURE_SHARE:
+        return " %";
+    case PP_FIGURE_ANGLE:
+        return utf8 ? "\xc2\xb0" : " deg";
+    case PP_FIGURE_AREA:
+        return utf8 ? " m\xc2\xb2" : " m2";
+    case PP_FIGURE_RATIO:
+        break;
+    }
+    return "";
+}
+
+static double scale_of(enum pp_figure kind)
+{
+    return kind == PP_FIGURE_FACTOR || kind == PP_FIGURE_SHARE ? 100.0
+           : kind == PP_FIGURE_ANGLE                           ? 1.0 / PP_RAD
+                                                               : 1.0;
+}
+
+/* "3.16 +-0.02 %", the error rounded up to what can be shown. */
+static void write_figure(char cell[CELL], const struct pp_finding *finding, bool utf8)
+{
+    double scale = scale_of(finding->kind);
+    int digits = finding->kind == PP_FIGURE_ANGLE   ? 1
+                 : finding->kind == PP_FIGURE_SHARE ? 1
+                                                    : 2;
+    cell[0] = '\0';
+    if (isnan(finding->figure))
+        return;
+    pp_text_append(cell, CELL, "%.*f", digits, scale * finding->figure + 0.0);
+    if (isfinite(finding->std_error))
+        pp_text_append(cell, CELL, " %s%.2f", utf8 ? "\xc2\xb1" : "+-",
+                       ceil(100.0 * scale * finding->std_error - 1e-7) / 100.0 + 0.0);
+    pp_text_append(cell, CELL, "%s", unit_of(finding->kind, utf8));
+}
+
+static void write_wanted(char cell[CELL], const struct pp_finding *finding, bool utf8)
+{
+    cell[0] = '\0';
+    if (isnan(finding->figure) || isnan(finding->wanted))
+        return;
+    const char *sign = finding->at_most ? utf8 ? "\xe2\x89\xa4" : "<="
+                       : utf8           ? "\xe2\x89\xa5"
+                                        : ">=";
+    snprintf(cell, CELL, "%s %.3g%s", sign, scale_of(finding->kind) * finding->wanted,
+             unit_of(finding->kind, utf8));
+}
+
+/* Rounded so that only what is all but sure is called certain. */
+static void write_verdict(char cell[CELL], const struct pp_finding *finding)
+{
+    const char *word = pp_assess_text_verdict(finding->verdict);
+    double sure = finding->confidence;
+    if (isnan(sure))
+        snprintf(cell, CELL, "%s", word ? word : "");
+    else if (finding->verdict == PP_UNDECIDED)
+        snprintf(cell, CELL, "%s: met %.0f %%", word, 100.0 * sure);
+    else if (sure > 0.99995)
+        snprintf(cell, CELL, "%s: certain", word);
+    else
+        snprintf(cell, CELL, "%s: %.*f %%", word, sure < 0.99 ? 0 : 2,
+                 floor(1e4 * sure) / 100.0);
+}
+
+static void write_cells(char cells[COLUMNS][CELL], const struct pp_finding *finding,
+                        const struct layout *layout)
+{
+    write_figure(cells[FIGURE], finding, layout->utf8);
+    write_wanted(cells[WANTED], finding, layout->utf8);
+    write_verdict(cells[VERDICT], finding);
+    cells[LUX][0] = cells[OVER][0] = '\0';
+    if (isfinite(finding->reached_over))
+        snprintf(cells[OVER], CELL, "over %.0f %%", 100.0 * finding->reached_over);
+    if (layout->external_lux > 0.0 && finding->kind == PP_FIGURE_FACTOR
+        && isfinite(finding->figure))
+        snprintf(cells[LUX], CELL, "%.0f lx", layout->external_lux * finding->figure);
+}
+
+/* All columns but the first are as wide as they need to be, and no narrower than a row
+ * of most criteria needs, so that these stand below each other. */
+static void lay_out(struct layout *layout, const struct pp_finding_list *findings)
+{
+    static const int usual[COLUMNS] = {[FIGURE] = 9, [WANTED] = 9, [VERDICT] = 10};
+    char cells[COLUMNS][CELL];
+    int used = INDENT;
+    memcpy(layout->widths, usual, sizeof usual);
+    for (int k = 0; k < findings->count; k++) {
+        write_cells(cells, &findings->list[k], layout);
+        for (int c = FIGURE; c < COLUMNS; c++) {
+            int width = pp_format_utf8_width(cells[c]);
+            if (width > layout->widths[c])
+                layout->widths[c] = width;
+        }
+    }
+    for (int c = FIGURE; c < COLUMNS; c++)
+        used += layout->widths[c] ? layout->widths[c] + GAP : 0;
+    layout->widths[WHAT] = layout->width - used;
+    if (layout->widths[WHAT] > 44)
+        layout->widths[WHAT] = 44;
+}
+
+/* ---- rows ---- */
+
+/* Bytes of the text that go on a line of so many columns, without the blank behind. */
+static int fitting(const char *text, int columns)
+{
+    int length = 0, fits = 0, used = 0;
+    while (text[length]) {
+        int bytes = pp_format_utf8_length(text + length);
+        if (text[length] == ' ')
+            fits = length;
+        if (++used > columns)
+            return fits ? fits : length;
+        length += bytes;
+    }
+    return length;
+}
+
+static void put_note(const char *text, const struct layout *layout, FILE *out)
+{
+    fprintf(out, "%*s", NOTE_INDENT, "");
+    pp_print_wrapped(text, NOTE_INDENT, NOTE_INDENT, layout->width, out);
+}
+
+/* All cells but the first, right-aligned but for the verdict; no blanks at the end. */
+static void print_cells(char cells[COLUMNS][CELL], const struct layout *layout,
+                        int blanks, FILE *out)
+{
+    for (int c = FIGURE; c < COLUMNS; c++) {
+        int width = layout->widths[c], used = pp_format_utf8_width(cells[c]);
+        if (width == 0)
+            continue;
+        blanks += GAP + (c < VERDICT ? width - used : 0);
+        if (!cells[c][0])
+            continue;
+        fprintf(out, "%*s%s", blanks, "", cells[c]);
+        blanks = 0;
+    }
+    fputc('\n', out);
+}
+
+static void print_finding(const struct pp_finding *finding, const struct layout *layout,
+                          FILE *out)
+{
+    char cells[COLUMNS][CELL], part[sizeof finding->what];
+    write_cells(cells, finding, layout);
+    const char *rest = finding->what;
+    for (bool first = true; first || *rest; first = false) {
+        int bytes = fitting(rest, layout->widths[WHAT] - (first ? 0 : 2));
+        snprintf(part, sizeof part, "%.*s", bytes, rest);
+        rest += bytes;
+        rest += strspn(rest, " ");
+        fprintf(out, "%*s", first ? INDENT : INDENT + 2, "");
+        pp_format_utf8_put(out, part);
+        if (first)
+            print_cells(cells, layout,
+                        layout->widths[WHAT] - pp_format_utf8_width(part), out);
+        else
+            fputc('\n', out);
+    }
+    if (finding->note[0])
+        put_note(finding->note, layout, out);
+}
+
+static void print_answer(const struct pp_answer *answer, struct layout layout,
+                         FILE *out)
+{
+    lay_out(&layout, &answer->findings);
+    fprintf(out, "\n  %s  [%s]\n", answer->criterion->title, answer->criterion->source);
+    const struct pp_finding_list *findings = &answer->findings;
+    if (findings->basis[0]) {
+        fprintf(out, "%*s", INDENT, "");
+        pp_print_wrapped(findings->basis, INDENT, INDENT, layout.width, out);
+    }
+    /* What holds for several findings on end is said once, below the last. */
+    for (int i = 0; i < findings->count; i++) {
+        struct pp_finding finding = findings->list[i];
+        bool said_again = i + 1 < findings->count
+                          && strcmp(finding.note, findings->list[i + 1].note) == 0;
+        if (said_again)
+            finding.note[0] = '\0';
+        print_finding(&finding, &layout, out);
+    }
+}
+
+/* ---- a room ---- */
+
+static void print_sum(const struct pp_assessment *assessment, FILE *out)
+{
+    static const enum pp_verdict verdicts[] = {PP_MET, PP_NOT_MET, PP_UNDECIDED,
+                                               PP_NOT_JUDGED};
+    const char *before = "";
+    fputs("\n  ", out);
+    for (int v = 0; v < 4; v++) {
+        int count = 0;
+        for (int i = 0; i < assessment->answer_count; i++)
+            for (int k = 0; k < assessment->answers[i].findings.count; k++)
+                count += assessment->answers[i].findings.list[k].verdict == verdicts[v];
+        if (count == 0)
+            continue;
+        fprintf(out, "%s%d %s", before, count, pp_assess_text_verdict(verdicts[v]));
+        before = ", ";
+    }
+    fputs(*before ? "\n" : "no verdicts\n", out);
+}
+
+static void print_simulation(const struct pp_assessment *assessment,
+                             const struct pp_study_options *options,
+                             const struct layout *layout, FILE *out)
+{
+    char text[256];
+    snprintf(text, sizeof text,
+             "By simulation: %s one standard error, seed %llu; behind a verdict the "
+             "probability that it is right%s",
+             layout->utf8 ? "\xc2\xb1" : "+-", (unsigned long long)options->seed,
+             !assessment->report.finished ? "; NOT FINISHED, interrupted"
+             : assessment->by_clock
+                 ? "; stopped by the clock (--time), another run will differ"
+                 : "");
+    fputs("\n  ", out);
+    pp_print_wrapped(text, 2, 2, layout->width, out);
+}
+
+static void print_room(const struct pp_assessment *assessment,
+                       const struct pp_study_options *options, struct layout layout,
+                       FILE *out)
+{
+    pp_print_title(assessment->room->world, assessment->room->file, out);
+    fputc('\n', out);
+    pp_print_assumed(assessment->room->world, layout.width, out);
+    if (assessment->before) {
+        fputs("  before         ", out);
+        pp_print_title(assessment->before->world, assessment->before->file, out);
+    }
+    for (int i = 0; i < assessment->answer_count; i++)
+        print_answer(&assessment->answers[i], layout, out);
+    if (options->simulate && assessment->has_factors)
+        print_simulation(assessment, options, &layout, out);
+    print_sum(assessment, out);
+    if (assessment->has_gains)
+        pp_print_gains(&assessment->gains, layout.width, out);
+}
+
+enum pp_status pp_assess_text(const struct pp_assessments *assessments, int width,
+                              bool utf8, FILE *out, struct pp_error *err)
+{
+    (void)err;
+    const struct layout layout = {.width = width,
+                                  .utf8 = utf8,
+                                  .external_lux = assessments->options->external_lux};
+    for (int i = 0; i < assessments->count; i++) {
+        if (i > 0)
+            fputs("\n\n", out);
+        print_room(&assessments->list[i], assessments->options, layout, out);
+    }
+    return PP_OK;
+}

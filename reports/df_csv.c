@@ -1,0 +1,62 @@
+#include "reports/print.h"
+
+#include <math.h>
+
+#include "reports/format.h"
+
+const char *const pp_component_names[PP_COMPONENT_COUNT] = {"sc", "erc", "irc", "df"};
+
+/* One reading; receiver NULL: of the average. With external_lux over 0 a field more:
+ * what a daylight factor makes of so many lux outside. */
+static void put_line(const struct pp_result *result, const struct pp_column *column,
+                     const struct pp_receiver *receiver,
+                     const struct pp_reading *reading, double external_lux, FILE *out)
+{
+    pp_format_csv_field(result->file, out);
+    fputc(',', out);
+    pp_format_csv_field(result->report.world->name, out);
+    if (receiver) {
+        fputs(",point", out);
+        pp_format_csv_number(receiver->position.x, out);
+        pp_format_csv_number(receiver->position.y, out);
+        pp_format_csv_number(receiver->position.z, out);
+        pp_format_csv_number(receiver->normal.x, out);
+        pp_format_csv_number(receiver->normal.y, out);
+        pp_format_csv_number(receiver->normal.z, out);
+    } else {
+        fputs(",average,,,,,,", out);
+    }
+    fprintf(out, ",%s,%s", pp_component_names[column->component], column->name);
+    pp_format_csv_number(100.0 * reading->value, out);
+    pp_format_csv_number(100.0 * reading->std_error, out);
+    fprintf(out, ",%s,", result->report.finished ? "yes" : "no");
+    pp_format_csv_field(isfinite(reading->value) ? NULL : reading->why, out);
+    if (external_lux > 0.0)
+        pp_format_csv_number(
+            column->component == PP_DF ? external_lux * reading->value : NAN, out);
+    fputs("\r\n", out);
+}
+
+enum pp_status pp_df_csv(const struct pp_results *results, FILE *out,
+                         struct pp_error *err)
+{
+    (void)err;
+    fputs("file,room,place,x,y,z,nx,ny,nz,component,method,value_percent,"
+          "std_error_percent,finished,why",
+          out);
+    double lux = results->options->external_lux;
+    fputs(lux > 0.0 ? ",lux\r\n" : "\r\n", out);
+    for (int i = 0; i < results->count; i++) {
+        const struct pp_result *result = &results->list[i];
+        const struct pp_report *report = &result->report;
+        for (int r = 0; r < report->receiver_count; r++)
+            for (int c = 0; c < report->column_count; c++)
+                if (report->columns[c].points)
+                    put_line(result, &report->columns[c], &report->receivers[r],
+                             &report->columns[c].points[r], lux, out);
+        for (int c = 0; c < report->column_count; c++)
+            put_line(result, &report->columns[c], NULL, &report->columns[c].average,
+                     lux, out);
+    }
+    return PP_OK;
+}

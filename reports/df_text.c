@@ -1,0 +1,245 @@
+#include "reports/print.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "reports/print_notes.h"
+#include "reports/print_places.h"
+#include "reports/format.h"
+#include "model/base/text.h"
+
+struct titles {
+    const char *full, *brief;
+};
+
+static const struct titles titles[PP_COMPONENT_COUNT] = {
+    [PP_SC] = {"sky component", "SC"},
+    [PP_ERC] = {"externally reflected", "ERC"},
+    [PP_IRC] = {"internally reflected", "IRC"},
+    [PP_DF] = {"daylight factor", "DF"},
+};
+
+static const char off_title[] = "from traced, %";
+static const char off_brief[] = "off, %";
+
+/* ---- numbers as people read them ---- */
+
+/* Per cent with two decimals; a dash where there is no value. */
+static void put_value(char cell[PP_CELL_BYTES], const struct pp_reading *reading)
+{
+    if (isfinite(reading->value))
+        snprintf(cell, PP_CELL_BYTES, "%.2f", 100.0 * reading->value + 0.0);
+    else
+        snprintf(cell, PP_CELL_BYTES, "-");
+}
+
+/* With its standard error, rounded up to what can be shown. */
+static void put_sampled(char cell[PP_CELL_BYTES], const struct pp_reading *reading,
+                        bool utf8)
+{
+    put_value(cell, reading);
+    if (!isfinite(reading->value) || !isfinite(reading->std_error))
+        return;
+    double shown = ceil(1e4 * reading->std_error - 1e-9) / 100.0 + 0.0; /* no -0 */
+    pp_text_append(cell, PP_CELL_BYTES, " %s%.2f", utf8 ? "\xc2\xb1" : "+-", shown);
+}
+
+/* How far a value is from the traced one, in per cent of that; a dash where the traced
+ * one is not known well enough to say. */
+static void put_distance(char cell[PP_CELL_BYTES], const struct pp_reading *reading,
+                         const struct pp_reading *traced)
+{
+    double off = 100.0 * (reading->value - traced->value) / traced->value;
+    bool known = isfinite(off) && traced->value > 4.0 * traced->std_error;
+    if (!known)
+        snprintf(cell, PP_CELL_BYTES, "-");
+    else if (fabs(off) < 0.05)
+        snprintf(cell, PP_CELL_BYTES, "0.0");
+    else
+        snprintf(cell, PP_CELL_BYTES, fabs(off) < 99.95 ? "%+.1f" : "%+.0f", off);
+}
+
+/* Lux, in three significant digits or whole ones. */
+static void put_lux(char cell[PP_CELL_BYTES], double lux)
+{
+    if (!isfinite(lux)) {
+        snprintf(cell, PP_CELL_BYTES, "-");
+        return;
+    }
+    int decimals = lux < 0.05 || lux >= 99.95 ? 0 : lux < 9.995 ? 2 : 1;
+    snprintf(cell, PP_CELL_BYTES, "%.*f", decimals, lux + 0.0);
+}
+
+/* ---- the table ---- */
+
+static bool is_simulated(const struct pp_column *column)
+{
+    return strcmp(column->name, "traced") == 0 || strcmp(column->name, "cached") == 0;
+}
+
+static bool add_values(struct pp_table *table, const struct pp_report *report,
+                       const struct pp_column *column, bool utf8)
+{
+    const struct titles *title = &titles[column->component];
+    struct pp_table_column *shown =
+        pp_table_add(table, title->full, title->brief, column->name);
+    if (!shown)
+        return false;
+    bool with_error = is_simulated(column) && column->component == PP_DF;
+    for (int row = 0; row <= report->receiver_count; row++) {
+        const struct pp_reading *reading = pp_print_notes_reading(report, column, row);
+        if (reading && with_error)
+            put_sampled(shown->cells[row], reading, utf8);
+        else if (reading)
+            put_value(shown->cells[row], reading);
+    }
+    return true;
+}
+
+static bool add_distances(struct pp_table *table, const struct pp_report *report,
+                          const struct pp_column *column,
+                          const struct pp_column *traced)
+{
+    struct pp_table_column *shown =
+        pp_table_add(table, off_title, off_brief, column->name);
+    if (!shown)
+        return false;
+    for (int row = 0; row <= report->receiver_count; row++) {
+        const struct pp_reading *reading = pp_print_notes_reading(report, column, row);
+        if (reading)
+            put_distance(shown->cells[row], reading,
+                         pp_print_notes_reading(report, traced, row));
+    }
+    return true;
+}
+
+/* What a daylight factor makes of so many lux outside. */
+static bool add_illuminances(struct pp_table *table, const struct pp_report *report,
+                             const struct pp_column *column, const char *title,
+                             double external_lux)
+{
+    struct pp_table_column *shown = pp_table_add(table, title, "lux", column->name);
+    if (!shown)
+        return false;
+    for (int row = 0; row <= report->receiver_count; row++) {
+        const struct pp_reading *reading = pp_print_notes_reading(report, column, row);
+        if (reading)
+            put_lux(shown->cells[row], external_lux * reading->value);
+    }
+    return true;
+}
+
+/* lux_title: of the columns with illuminances; external_lux 0: none. */
+static bool fill_table(struct pp_table *table, const struct pp_report *report,
+                       double external_lux, const char *lux_title, bool utf8)
+{
+    for (int i = 0; i < report->column_count; i++)
+        if ((report->columns[i].component != PP_ERC
+             || !pp_print_notes_is_zero(report, PP_ERC))
+            && !add_values(table, report, &report->columns[i], utf8))
+            return false;
+    for (int i = 0; external_lux > 0.0 && i < report->column_count; i++)
+        if (report->columns[i].component == PP_DF
+            && !add_illuminances(table, report, &report->columns[i], lux_title,
+                                 external_lux))
+            return false;
+    const struct pp_column *traced = pp_report_find(report, PP_DF, "traced");
+    for (int i = 0; traced && i < report->column_count; i++) {
+        const struct pp_column *column = &report->columns[i];
+        if (column->component == PP_DF && column != traced && !column->of_all_surfaces
+            && !add_distances(table, report, column, traced))
+            return false;
+    }
+    return true;
+}
+
+/* Has the column points of no known error, which are not sampled but interpolated? */
+static bool is_interpolated(const struct pp_report *report,
+                            const struct pp_column *column)
+{
+    for (int i = 0; i < report->receiver_count; i++)
+        if (isfinite(column->points[i].value) && !isfinite(column->points[i].std_error))
+            return true;
+    return false;
+}
+
+static void print_simulation(const struct pp_result *result,
+                             const struct pp_study_options *options, bool utf8,
+                             int width, FILE *out)
+{
+    char text[512] = "";
+    const char *error = utf8 ? "\xc2\xb1" : "+-";
+    unsigned long long seed = options->seed;
+    bool traced = pp_report_find(&result->report, PP_DF, "traced");
+    if (traced)
+        pp_text_append(text, sizeof text,
+                       "traced: by simulation, %s one standard error, seed %llu; "
+                       "off, from traced: how far a method is from it",
+                       error, seed);
+    const struct pp_column *cached = pp_report_find(&result->report, PP_DF, "cached");
+    if (cached)
+        pp_text_append(text, sizeof text,
+                       "%scached: through the irradiance cache, %s%s the standard "
+                       "error of the sampling%s, seed %llu",
+                       traced ? "; " : "",
+                       is_interpolated(&result->report, cached)
+                           ? "interpolated at the points, with no error known; "
+                           : "",
+                       error,
+                       is_interpolated(&result->report, cached) ? "" : " at the point",
+                       seed);
+    if (!result->report.finished)
+        pp_text_append(text, sizeof text, "; NOT FINISHED, interrupted");
+    else if (result->by_clock)
+        pp_text_append(text, sizeof text,
+                       "; stopped by the clock (--time), another run will differ");
+    fputs("\n  ", out);
+    pp_print_wrapped(text, 2, 2, width, out);
+}
+
+/* ---- a room ---- */
+
+static enum pp_status print_room(const struct pp_result *result,
+                                 const struct pp_study_options *options, int width,
+                                 bool utf8, FILE *out, struct pp_error *err)
+{
+    const struct pp_report *report = &result->report;
+    pp_print_title(report->world, result->file, out);
+    fputc('\n', out);
+    pp_print_assumed(report->world, width, out);
+    fputc('\n', out);
+
+    char lux_title[48];
+    snprintf(lux_title, sizeof lux_title, "lux, of %g outside", options->external_lux);
+    struct pp_table table;
+    pp_table_init(&table, report->receiver_count + 1);
+    table.last_label = "average";
+    bool good = pp_print_places(&table, report, width, out)
+                && fill_table(&table, report, options->external_lux, lux_title, utf8);
+    if (good) {
+        fputc('\n', out);
+        pp_table_print(&table, width, out);
+    }
+    pp_table_clear(&table);
+    if (!good)
+        return pp_fail_memory(err);
+
+    if (pp_report_find(report, PP_DF, "traced")
+        || pp_report_find(report, PP_DF, "cached"))
+        print_simulation(result, options, utf8, width, out);
+    pp_df_steps(report, width, utf8, out);
+    return pp_print_notes(report, width, out) ? PP_OK : pp_fail_memory(err);
+}
+
+enum pp_status pp_df_text(const struct pp_results *results, int width, bool utf8,
+                          FILE *out, struct pp_error *err)
+{
+    enum pp_status status = PP_OK;
+    for (int i = 0; i < results->count && status == PP_OK; i++) {
+        if (i > 0)
+            fputs("\n\n", out);
+        status = print_room(&results->list[i], results->options, width, utf8, out, err);
+    }
+    return status;
+}

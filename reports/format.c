@@ -1,0 +1,112 @@
+/* format.c - see format.h. */
+#include "reports/format.h"
+
+#include <math.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+#include <wchar.h>
+
+void pp_format_csv_field(const char *text, FILE *out)
+{
+    if (!text)
+        return;
+    if (!strpbrk(text, "\",\r\n")) {
+        fputs(text, out);
+        return;
+    }
+    fputc('"', out);
+    for (; *text; text++) {
+        if (*text == '"')
+            fputc('"', out);
+        fputc(*text, out);
+    }
+    fputc('"', out);
+}
+
+void pp_format_csv_number(double number, FILE *out)
+{
+    fputc(',', out);
+    if (isfinite(number))
+        fprintf(out, "%.10g", number + 0.0);
+}
+
+/* The first character's code, or -1 for a byte that starts none; its length. */
+static int32_t decode(const char *text, int *length)
+{
+    const unsigned char *byte = (const unsigned char *)text;
+    int32_t code = byte[0];
+    *length = 1;
+    if (code < 0x80)
+        return code;
+
+    int more = code >= 0xf0 ? 3 : code >= 0xe0 ? 2 : 1;
+    if (code < 0xc2 || code > 0xf4)
+        return -1;
+    code &= 0x3f >> more;
+    for (int i = 1; i <= more; i++) {
+        if ((byte[i] & 0xc0) != 0x80)
+            return -1;
+        code = code << 6 | (byte[i] & 0x3f);
+    }
+    static const int32_t least[] = {0, 0x80, 0x800, 0x10000};
+    if (code < least[more] || code > 0x10ffff || (code >= 0xd800 && code <= 0xdfff))
+        return -1;
+    *length = more + 1;
+    return code;
+}
+
+/* Is it a control character (C0, DEL or C1), or no character at all? */
+static bool is_unfit(int32_t code)
+{
+    return code < 0x20 || (code >= 0x7f && code < 0xa0) || code == 0x2028
+           || code == 0x2029;
+}
+
+int pp_format_utf8_length(const char *text)
+{
+    int length;
+    if (!*text)
+        return 0;
+    decode(text, &length);
+    return length;
+}
+
+int pp_format_utf8_width(const char *text)
+{
+    int width = 0, length;
+    for (; *text; text += length) {
+        int32_t code = decode(text, &length);
+        int columns = is_unfit(code) ? 4 * length : wcwidth((wchar_t)code);
+        width += columns < 0 ? 1 : columns;
+    }
+    return width;
+}
+
+void pp_format_utf8_put(FILE *out, const char *text)
+{
+    int length;
+    for (; *text; text += length) {
+        if (!is_unfit(decode(text, &length)))
+            fwrite(text, 1, (size_t)length, out);
+        else
+            for (int i = 0; i < length; i++)
+                fprintf(out, "\\x%02x", (unsigned char)text[i]);
+    }
+}
+
+char *pp_format_utf8_repair(const char *text)
+{
+    static const char replacement[] = "\xef\xbf\xbd";
+    char *copy = malloc(3 * strlen(text) + 1), *end = copy;
+    if (!copy)
+        return NULL;
+    int length;
+    for (; *text; text += length)
+        if (decode(text, &length) >= 0)
+            end = mempcpy(end, text, (size_t)length);
+        else
+            end = mempcpy(end, replacement, 3);
+    *end = '\0';
+    return copy;
+}

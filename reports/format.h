@@ -1,0 +1,35 @@
+/* format.h - how figures are written: the formats of results, fields of CSV, and the
+ * width of text in UTF-8. */
+#ifndef PP_CLI_PRINT_FORMAT_H
+#define PP_CLI_PRINT_FORMAT_H
+
+#include <stdbool.h>
+#include <stdio.h>
+
+enum pp_format { PP_FORMAT_TEXT, PP_FORMAT_JSON, PP_FORMAT_CSV };
+
+/* The fields that every CSV is put together with [RFC4180]. */
+
+/* A field, in quotes where it holds what would end it; NULL is an empty one. */
+void pp_format_csv_field(const char *text, FILE *out);
+
+/* A comma and a number of ten significant digits; nothing behind the comma for what is
+ * not finite. */
+void pp_format_csv_number(double number, FILE *out);
+
+/* Text that others wrote (names, paths), made fit to print. */
+
+/* Bytes of the first character; 1 for a byte that starts no valid one; 0 at the end. */
+int pp_format_utf8_length(const char *text);
+
+/* Columns that text takes on a terminal, as pp_format_utf8_put prints it. */
+int pp_format_utf8_width(const char *text);
+
+/* Prints text with control characters and bytes that are not UTF-8 as \x1b, so that
+ * nothing in it can move the cursor or start a new line. */
+void pp_format_utf8_put(FILE *out, const char *text);
+
+/* A copy with U+FFFD for each byte that is not UTF-8; NULL when memory is out. */
+char *pp_format_utf8_repair(const char *text);
+
+#endif

@@ -1,0 +1,240 @@
+/* print.c - see print.h: what was assumed of a room, and words wrapped. */
+#include "reports/print.h"
+
+#include <math.h>
+#include <stdarg.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "reports/format.h"
+#include "model/base/text.h"
+
+enum { LABEL = 15, TEXT_BYTES = 512 };
+
+void pp_print_title(const struct pp_world *world, const char *file, FILE *out)
+{
+    const char *shown = strcmp(file, "-") == 0 ? "standard input" : file;
+    if (world->name && *world->name) {
+        pp_format_utf8_put(out, world->name);
+        fputs("  (", out);
+        pp_format_utf8_put(out, shown);
+        fputs(")\n", out);
+    } else {
+        pp_format_utf8_put(out, shown);
+        fputc('\n', out);
+    }
+}
+
+void pp_print_wrapped(const char *text, int column, int indent, int width, FILE *out)
+{
+    bool first = true;
+    for (text += strspn(text, " "); *text; text += strspn(text, " ")) {
+        char word[TEXT_BYTES];
+        int length = (int)strcspn(text, " ");
+        snprintf(word, sizeof word, "%.*s", length, text);
+        int columns = pp_format_utf8_width(word);
+        if (!first && column + 1 + columns > width) {
+            fprintf(out, "\n%*s", indent, "");
+            column = indent;
+        } else if (!first) {
+            fputc(' ', out);
+            column++;
+        }
+        pp_format_utf8_put(out, word);
+        column += columns;
+        text += length;
+        first = false;
+    }
+    fputc('\n', out);
+}
+
+/* "  label        the fact, wrapped" */
+static void put_fact(const char *label, int width, FILE *out, const char *format, ...)
+    __attribute__((format(printf, 4, 5)));
+static void put_fact(const char *label, int width, FILE *out, const char *format, ...)
+{
+    char text[TEXT_BYTES];
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(text, sizeof text, format, arguments);
+    va_end(arguments);
+    fprintf(out, "  %-*s", LABEL, label);
+    pp_print_wrapped(text, LABEL + 2, LABEL + 2, width, out);
+}
+
+static void print_sky(const struct pp_world *world, int width, FILE *out)
+{
+    const struct pp_sky *sky = &world->sky;
+    if (sky->kind == PP_SKY_OVERCAST) {
+        put_fact("sky", width, out, "CIE standard overcast");
+    } else if (sky->kind == PP_SKY_UNIFORM) {
+        put_fact("sky", width, out, "uniform");
+    } else if (!pp_sky_iso_has_sun(sky->iso)) {
+        put_fact("sky", width, out, "ISO 15469 type %d", sky->iso);
+    } else {
+        double bearing = atan2(sky->sun.x, sky->sun.y) + world->north_rad;
+        bearing = fmod(bearing / PP_RAD + 720.0, 360.0);
+        put_fact("sky", width, out,
+                 "ISO 15469 type %d, sun %.3g deg high, bearing %.4g deg; without its "
+                 "disc",
+                 sky->iso, asin(sky->sun.z) / PP_RAD, bearing);
+    }
+}
+
+static void print_size(const struct pp_world *world, int width, FILE *out)
+{
+    struct pp_vec3 low = pp_vec(INFINITY, INFINITY, INFINITY);
+    struct pp_vec3 high = pp_vec(-INFINITY, -INFINITY, -INFINITY);
+    double floor_m2 = 0.0, all_m2 = 0.0;
+    for (int i = 0; i < world->face_count; i++) {
+        const struct pp_surface *face = &world->surfaces[i];
+        for (int j = 0; j < face->outline.count; j++) {
+            struct pp_vec3 v = face->outline.vertices[j];
+            low = pp_vec(fmin(low.x, v.x), fmin(low.y, v.y), fmin(low.z, v.z));
+            high = pp_vec(fmax(high.x, v.x), fmax(high.y, v.y), fmax(high.z, v.z));
+        }
+        all_m2 += face->outline.area_m2;
+        if (face->role == PP_FLOOR)
+            floor_m2 += face->outline.area_m2;
+    }
+    put_fact("room", width, out,
+             "%.2f x %.2f m, %.2f m high; floor %.1f m2, surfaces %.1f m2",
+             high.x - low.x, high.y - low.y, high.z - low.z, floor_m2, all_m2);
+}
+
+/* "floor 0.20", or "floor 0.20 to 0.35" where its faces differ. */
+static void append_reflectance(const struct pp_world *world, enum pp_role role,
+                               const char *name, char text[TEXT_BYTES])
+{
+    double low = INFINITY, high = -INFINITY;
+    for (int i = 0; i < world->face_count; i++)
+        if (world->surfaces[i].role == role) {
+            low = fmin(low, world->surfaces[i].front);
+            high = fmax(high, world->surfaces[i].front);
+        }
+    if (low > high)
+        return;
+    pp_text_append(text, TEXT_BYTES, "%s%s %.3g", *text ? ", " : "", name, low);
+    if (high > low)
+        pp_text_append(text, TEXT_BYTES, " to %.3g", high);
+}
+
+static void print_reflectances(const struct pp_world *world, int width, FILE *out)
+{
+    char text[TEXT_BYTES] = "";
+    append_reflectance(world, PP_FLOOR, "floor", text);
+    append_reflectance(world, PP_WALL, "walls", text);
+    append_reflectance(world, PP_CEILING, "ceiling", text);
+    if (world->decorations != 1.0)
+        pp_text_append(text, TEXT_BYTES,
+                       "; decorations leave %.3g of what they reflect",
+                       world->decorations);
+    put_fact("reflectances", width, out, "%s", text);
+}
+
+/* What is assumed of an opening, without its place along the wall. */
+static void describe_opening(const struct pp_world *world,
+                             const struct pp_opening *opening, char text[TEXT_BYTES])
+{
+    double sill = INFINITY;
+    for (int i = 0; i < opening->inner.count; i++)
+        sill = fmin(sill, opening->inner.vertices[i].z);
+    const struct pp_surface *face = &world->surfaces[opening->face];
+    double slope = opening->slope_rad / PP_RAD;
+
+    text[0] = '\0';
+    pp_text_append(text, TEXT_BYTES, "%s: ",
+                   face->name                 ? face->name
+                   : face->role == PP_CEILING ? "ceiling"
+                                              : "envelope");
+    pp_text_append(text, TEXT_BYTES, "%.2f x %.2f m", opening->width_m,
+                   opening->height_m);
+    if (!opening->rectangle)
+        pp_text_append(text, TEXT_BYTES, " over all, %.2f m2", opening->inner.area_m2);
+    if (slope < 0.5)
+        pp_text_append(text, TEXT_BYTES, ", flat at %.2f m", sill);
+    else if (slope < 89.5)
+        pp_text_append(text, TEXT_BYTES, ", sloping %.0f deg from %.2f m", slope, sill);
+    else
+        pp_text_append(text, TEXT_BYTES, ", sill %.2f m", sill);
+    if (opening->reveal_m > 0.0)
+        pp_text_append(text, TEXT_BYTES, ", reveal %.2f m", opening->reveal_m);
+
+    const struct pp_glass *glass = &opening->glass;
+    if (glass->panes == 0)
+        pp_text_append(text, TEXT_BYTES, "; unglazed");
+    else if (glass->diffusing)
+        pp_text_append(text, TEXT_BYTES, "; diffusing, transmittance %.3g",
+                       glass->diffuse);
+    else
+        pp_text_append(
+            text, TEXT_BYTES, "; %d pane%s, normal transmittance %.2f, diffuse %.2f",
+            glass->panes, glass->panes > 1 ? "s" : "", glass->normal, glass->diffuse);
+    pp_text_append(text, TEXT_BYTES, "; frame factor %.3g, maintenance %.3g",
+                   opening->frame_factor, opening->maintenance);
+    if (opening->curtains != 1.0)
+        pp_text_append(text, TEXT_BYTES, ", curtains %.3g", opening->curtains);
+}
+
+/* Openings of which the same is to be said stand together. */
+static void print_openings(const struct pp_world *world, int width, FILE *out)
+{
+    for (int i = 0; i < world->opening_count; i++) {
+        char text[TEXT_BYTES], other[TEXT_BYTES];
+        describe_opening(world, &world->openings[i], text);
+        int same = 0;
+        bool said = false;
+        for (int j = 0; j < world->opening_count && !said; j++) {
+            describe_opening(world, &world->openings[j], other);
+            bool equal = strcmp(text, other) == 0;
+            said = equal && j < i;
+            same += equal;
+        }
+        if (said)
+            continue;
+        char label[LABEL + 8] = "opening";
+        if (same > 1)
+            snprintf(label, sizeof label, "%d openings", same);
+        put_fact(label, width, out, "%s", text);
+    }
+    if (world->opening_count == 0)
+        put_fact("openings", width, out, "none");
+}
+
+static void print_outside(const struct pp_world *world, int width, FILE *out)
+{
+    char text[TEXT_BYTES] = "";
+    pp_text_append(text, TEXT_BYTES, "ground %.3g", world->ground_reflectance);
+    for (int i = 0; i < world->skyline_count; i++) {
+        const struct pp_skyline *line = &world->skylines[i];
+        const char *wall = world->surfaces[line->face].name;
+        pp_text_append(text, TEXT_BYTES, "; skyline %.3g deg beyond %s",
+                       line->angle_rad / PP_RAD, wall ? wall : "the wall");
+        if (isfinite(line->distance_m))
+            pp_text_append(text, TEXT_BYTES, ", %.3g m away", line->distance_m);
+        pp_text_append(text, TEXT_BYTES, ", reflectance %.3g", line->reflectance);
+    }
+    if (world->block_count > 0)
+        pp_text_append(text, TEXT_BYTES, "; %d block%s", world->block_count,
+                       world->block_count > 1 ? "s" : "");
+    int loose = 0;
+    for (int i = 0; i < world->surface_count; i++)
+        loose +=
+            world->surfaces[i].role == PP_FREE_SURFACE && !world->surfaces[i].inside;
+    if (loose > 0)
+        pp_text_append(text, TEXT_BYTES, "; %d surface%s", loose, loose > 1 ? "s" : "");
+    if (world->skyline_count + world->block_count + loose == 0)
+        pp_text_append(text, TEXT_BYTES, "; nothing in the way");
+    put_fact("outside", width, out, "%s", text);
+}
+
+void pp_print_assumed(const struct pp_world *world, int width, FILE *out)
+{
+    print_sky(world, width, out);
+    print_size(world, width, out);
+    print_reflectances(world, width, out);
+    print_openings(world, width, out);
+    print_outside(world, width, out);
+    put_fact("working plane", width, out, "at %.2f m; the average is over all of it",
+             world->working_plane_m);
+}

@@ -1,0 +1,138 @@
+#include "reports/print_gains.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "reports/json.h"
+#include "reports/print.h"
+#include "reports/format.h"
+
+enum { INDENT = 4, FIGURES = 30, SENTENCE = 256 };
+
+/* "2.38 %", or blanks. */
+static void put_factor(double factor, FILE *out)
+{
+    if (isfinite(factor))
+        fprintf(out, "  %6.2f %%", 100.0 * factor);
+    else
+        fprintf(out, "  %8s", "");
+}
+
+/* The change in its column, wrapped, with the figures behind its first line. */
+static void print_gain(const struct pp_gain *gain, const struct pp_gains *gains,
+                       int width, FILE *out)
+{
+    int columns = width - INDENT - FIGURES, used = 0;
+    const char *rest = gain->change;
+    bool figures = false;
+    fprintf(out, "%*s", INDENT, "");
+    while (*rest) {
+        char word[64];
+        int length = (int)strcspn(rest, " ");
+        snprintf(word, sizeof word, "%.*s", length, rest);
+        int wide = pp_format_utf8_width(word);
+        if (used > 0 && used + 1 + wide > columns) {
+            if (!figures)
+                break;
+            fprintf(out, "\n%*s", INDENT + 2, "");
+            used = 2;
+        } else if (used > 0 && (used > 2 || !figures)) {
+            fputc(' ', out);
+            used++;
+        }
+        pp_format_utf8_put(out, word);
+        used += wide;
+        rest += length;
+        rest += strspn(rest, " ");
+    }
+    fprintf(out, "%*s", columns - used, "");
+    put_factor(gain->values.average, out);
+    double gained = gain->values.average / gains->now.average - 1.0;
+    if (gained > 0.0)
+        fprintf(out, "  %+6.0f %%", 100.0 * gained);
+    else
+        fprintf(out, "  %8s", "");
+    put_factor(gain->values.darkest, out);
+    fputc('\n', out);
+    if (*rest) {
+        fprintf(out, "%*s", INDENT + 2, "");
+        pp_print_wrapped(rest, INDENT + 2, INDENT + 2, width - FIGURES, out);
+    }
+}
+
+static void print_kind(const struct pp_gains *gains, bool of_design, int width,
+                       FILE *out)
+{
+    for (int i = 0; i < gains->count; i++)
+        if (gains->list[i].of_design == of_design)
+            print_gain(&gains->list[i], gains, width, out);
+}
+
+void pp_print_gains(const struct pp_gains *gains, int width, FILE *out)
+{
+    char sentence[SENTENCE];
+    if (!gains->method)
+        return;
+    int across = width < 100 ? width : 100;
+    fputs("\n  What holds the room back\n", out);
+    pp_gains_sentence(gains, sentence, sizeof sentence);
+    fprintf(out, "%*s", INDENT, "");
+    pp_print_wrapped(gains->count > 0 ? sentence
+                                      : "Nothing that was tried would bring it more.",
+                     INDENT, INDENT, width, out);
+    struct pp_gain now = {.values = gains->now};
+    snprintf(now.change, sizeof now.change, "as it is, by %s", gains->method);
+    fprintf(out, "%*s%10s%10s%10s\n", across - FIGURES, "", "average", "gain",
+            "darkest");
+    print_gain(&now, gains, across, out);
+    print_kind(gains, true, across, out);
+    print_kind(gains, false, across, out);
+    fprintf(out, "%*s", INDENT, "");
+    pp_print_wrapped(
+        isnan(gains->now.darkest)
+            ? "Each change by itself, all else as it is. No darkest point: none of "
+              "EN 17037's grid lies in this room."
+            : "Each change by itself, all else as it is. The darkest point is one "
+              "of EN 17037's grid; to it as to all the method gives the room's "
+              "average reflected light.",
+        INDENT, INDENT, across, out);
+}
+
+/* ---- JSON ---- */
+
+static bool add_values(struct json_object *object, const struct pp_gain_values *values)
+{
+    return pp_json_number(object, "average", 100.0 * values->average)
+           && pp_json_number(object, "darkest", 100.0 * values->darkest);
+}
+
+static bool add_changes(struct json_object *object, const struct pp_gains *gains)
+{
+    struct json_object *list = json_object_new_array();
+    if (!pp_json_add(object, "changes", list))
+        return false;
+    for (int i = 0; i < gains->count; i++) {
+        const struct pp_gain *gain = &gains->list[i];
+        struct json_object *one = json_object_new_object();
+        if (!pp_json_append(list, one))
+            return false;
+        pp_json_on_one_line(one);
+        if (!pp_json_text(one, "change", gain->change)
+            || !pp_json_text(one, "lacks", gain->lacks)
+            || !pp_json_add(one, "of_design", json_object_new_boolean(gain->of_design))
+            || !add_values(one, &gain->values))
+            return false;
+    }
+    return true;
+}
+
+bool pp_print_gains_json(struct json_object *object, const struct pp_gains *gains)
+{
+    char sentence[SENTENCE];
+    struct json_object *own = json_object_new_object();
+    pp_gains_sentence(gains, sentence, sizeof sentence);
+    return pp_json_add(object, "gains", own)
+           && pp_json_text(own, "method", gains->method) && add_values(own, &gains->now)
+           && pp_json_text(own, "holds_back", gains->count > 0 ? sentence : NULL)
+           && add_changes(own, gains);
+}

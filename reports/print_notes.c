@@ -1,0 +1,230 @@
+#include "reports/print_notes.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "reports/print.h"
+#include "methods/method.h"
+#include "model/base/text.h"
+
+const struct pp_reading *pp_print_notes_reading(const struct pp_report *report,
+                                                const struct pp_column *column, int row)
+{
+    if (row == report->receiver_count)
+        return &column->average;
+    return column->points ? &column->points[row] : NULL;
+}
+
+bool pp_print_notes_is_zero(const struct pp_report *report, enum pp_component component)
+{
+    bool any = false;
+    for (int i = 0; i < report->column_count; i++) {
+        const struct pp_column *column = &report->columns[i];
+        if (column->component != component)
+            continue;
+        any = true;
+        for (int row = 0; row <= report->receiver_count; row++) {
+            const struct pp_reading *reading =
+                pp_print_notes_reading(report, column, row);
+            if (reading && reading->value != 0.0)
+                return false;
+        }
+    }
+    return any;
+}
+
+/* Why there is no value in that row, or NULL. */
+static const char *why_at(const struct pp_report *report,
+                          const struct pp_column *column, int row)
+{
+    const struct pp_reading *reading = pp_print_notes_reading(report, column, row);
+    return reading && !isfinite(reading->value) ? reading->why : NULL;
+}
+
+/* The reasons of a report, each once, in the order of its columns; borrowed. */
+struct reasons {
+    const char **list;
+    int count;
+};
+
+static bool add_reason(struct reasons *reasons, const char *why)
+{
+    for (int i = 0; i < reasons->count; i++)
+        if (reasons->list[i] == why || strcmp(reasons->list[i], why) == 0)
+            return true;
+    const char **grown =
+        realloc(reasons->list, ((size_t)reasons->count + 1) * sizeof *grown);
+    if (!grown)
+        return false;
+    reasons->list = grown;
+    grown[reasons->count++] = why;
+    return true;
+}
+
+static bool collect_reasons(struct reasons *reasons, const struct pp_report *report)
+{
+    for (int c = 0; c < report->column_count; c++)
+        for (int row = 0; row <= report->receiver_count; row++) {
+            const char *why = why_at(report, &report->columns[c], row);
+            if (why && !add_reason(reasons, why))
+                return false;
+        }
+    return true;
+}
+
+/* Rows before `end` in which a column gives that reason. */
+static int count_rows(const struct pp_report *report, const struct pp_column *column,
+                      const char *why, int end)
+{
+    int count = 0;
+    for (int row = 0; row < end; row++) {
+        const char *own = why_at(report, column, row);
+        count += own && (own == why || strcmp(own, why) == 0);
+    }
+    return count;
+}
+
+/* Is the column's name in a list of names with commas? A method's components share its
+ * reasons. */
+static bool is_listed(const char *names, const char *name)
+{
+    size_t length = strlen(name);
+    for (const char *at = names; (at = strstr(at, name)) != NULL; at += length)
+        if ((at == names || at[-1] == ' ') && (at[length] == ',' || !at[length]))
+            return true;
+    return false;
+}
+
+/* Does the reason begin with the name of one of its columns ("bre: ...")? Those of
+ * pairs do, and are their part's. */
+static bool names_itself(const char *names, const char *why)
+{
+    char first[64];
+    const char *colon = strchr(why, ':');
+    if (!colon || colon - why >= (int)sizeof first)
+        return false;
+    snprintf(first, sizeof first, "%.*s", (int)(colon - why), why);
+    return is_listed(names, first);
+}
+
+/* "- brs-table, brs-table+bre: the table holds vertical openings only (3 of 17
+ * points)" */
+static void print_note(const struct pp_report *report, const char *why, int width,
+                       FILE *out)
+{
+    char text[1024] = "", names[512] = "";
+    int points = report->receiver_count, most = 0;
+    bool of_points = false;
+    for (int i = 0; i < report->column_count; i++) {
+        const struct pp_column *column = &report->columns[i];
+        if (count_rows(report, column, why, points + 1) == 0)
+            continue;
+        int missing = count_rows(report, column, why, points);
+        most = missing > most ? missing : most;
+        of_points |= column->points != NULL;
+        if (!is_listed(names, column->name))
+            pp_text_append(names, sizeof names, "%s%s", names[0] ? ", " : "",
+                           column->name);
+    }
+    if (!names_itself(names, why))
+        pp_text_append(text, sizeof text, "%s: ", names);
+    pp_text_append(text, sizeof text, "%s", why);
+    if (of_points && most == 0)
+        pp_text_append(text, sizeof text, " (the average)");
+    else if (of_points && most < points)
+        pp_text_append(text, sizeof text, " (%d of %d points)", most, points);
+    fputs("  - ", out);
+    pp_print_wrapped(text, 4, 4, width, out);
+}
+
+/* "- average-df: decorations are not counted ...", where they would be. */
+static void note_decorations(const struct pp_report *report, int width, FILE *out)
+{
+    char text[512] = "";
+    for (int i = 0; i < report->column_count; i++) {
+        const char *name = report->columns[i].name;
+        const struct pp_method *method = pp_method_find(name);
+        if (method && method->gives == PP_GIVES_WHOLE)
+            pp_text_append(text, sizeof text, "%s%s", text[0] ? ", " : "", name);
+    }
+    if (!text[0])
+        return;
+    pp_text_append(
+        text, sizeof text,
+        ": the decorations' %.3g, which bear on the internally reflected component "
+        "by itself, are not counted",
+        report->world->decorations);
+    fputs("  - ", out);
+    pp_print_wrapped(text, 4, 4, width, out);
+}
+
+/* Does a method speak of the daylight factor in one step, and leave out what is asked
+ * for? */
+static bool leaves_decorations(const struct pp_report *report)
+{
+    for (int i = 0; i < report->column_count; i++) {
+        const struct pp_method *method = pp_method_find(report->columns[i].name);
+        if (method && method->gives == PP_GIVES_WHOLE)
+            return report->world->decorations != 1.0;
+    }
+    return false;
+}
+
+/* Has any hand method a daylight factor for any row? */
+static bool says_something(const struct pp_report *report)
+{
+    for (int i = 0; i < report->column_count; i++) {
+        const struct pp_column *column = &report->columns[i];
+        if (column->component != PP_DF || strcmp(column->name, "traced") == 0)
+            continue;
+        for (int row = 0; row <= report->receiver_count; row++) {
+            const struct pp_reading *reading =
+                pp_print_notes_reading(report, column, row);
+            if (reading && isfinite(reading->value))
+                return true;
+        }
+    }
+    return false;
+}
+
+/* Where no method that was asked for answers, one that answers for any sky and any
+ * opening. */
+static void print_hint(const struct pp_report *report, int width, FILE *out)
+{
+    bool any_df = false;
+    for (int i = 0; i < report->column_count; i++)
+        any_df |= report->columns[i].component == PP_DF
+                  && strcmp(report->columns[i].name, "traced") != 0;
+    if (!any_df || says_something(report)
+        || pp_report_find(report, PP_DF, "exact+split-flux"))
+        return;
+    fputs("  - ", out);
+    pp_print_wrapped("None of these hand methods answers for this room. --methods "
+                     "exact+split-flux does for any sky and openings that slope or lie "
+                     "flat; --simulate for all.",
+                     4, 4, width, out);
+}
+
+bool pp_print_notes(const struct pp_report *report, int width, FILE *out)
+{
+    struct reasons reasons = {0};
+    if (!collect_reasons(&reasons, report)) {
+        free(reasons.list);
+        return false;
+    }
+    bool nothing_outside = pp_print_notes_is_zero(report, PP_ERC);
+    bool undecorated = leaves_decorations(report);
+    if (reasons.count > 0 || nothing_outside || undecorated)
+        fputc('\n', out);
+    if (nothing_outside)
+        fputs("  - The externally reflected component is 0 everywhere.\n", out);
+    for (int i = 0; i < reasons.count; i++)
+        print_note(report, reasons.list[i], width, out);
+    if (undecorated)
+        note_decorations(report, width, out);
+    if (reasons.count > 0)
+        print_hint(report, width, out);
+    free(reasons.list);
+    return true;
+}

@@ -1,0 +1,18 @@
+/* print_places.h - where the points of a report lie, for its table. */
+#ifndef PP_CLI_PRINT_PRINT_PLACES_H
+#define PP_CLI_PRINT_PRINT_PLACES_H
+
+#include <stdbool.h>
+#include <stdio.h>
+
+#include "reports/table.h"
+#include "model/results/report.h"
+
+/* Adds the key columns: the coordinates that change from point to point, and for points
+ * on a line the distance from the wall that all windows are in. What stays the same is
+ * said in a sentence that is printed at once, above the table. False when memory is
+ * out. */
+bool pp_print_places(struct pp_table *table, const struct pp_report *report, int width,
+                     FILE *out);
+
+#endif

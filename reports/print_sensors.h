@@ -1,0 +1,30 @@
+/* print_sensors.h - an imported scene, and what its sensors say. */
+#ifndef PP_CLI_RADIANCE_PRINT_SENSORS_H
+#define PP_CLI_RADIANCE_PRINT_SENSORS_H
+
+#include "reports/format.h"
+#include "formats/radiance/rad_read.h"
+#include "simulate/transport/sensors.h"
+
+struct pp_imported {
+    char *const *files;
+    int file_count;
+    const struct pp_scene_description *scene;
+    struct pp_rad_summary summary;
+    struct pp_rgb horizontal; /* irradiance of the open level ground */
+
+    const struct pp_sensor *points;
+    const struct pp_sensor_reading *readings; /* NULL: none were asked for */
+    int count;
+    bool finished, by_clock;
+    bool summarised; /* is the summary asked for? */
+};
+
+/* The efficacy that lux are worked out with, lm/W [WS98]. */
+#define PP_IMPORT_EFFICACY 179.0
+
+enum pp_status pp_print_sensors(const struct pp_imported *imported,
+                                enum pp_format format, int width, bool utf8, FILE *out,
+                                struct pp_error *err);
+
+#endif

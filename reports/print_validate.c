@@ -1,0 +1,418 @@
+/* print_validate.c - see print_validate.h. */
+#include "reports/print_validate.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "reports/format.h"
+#include "reports/json.h"
+
+static const char *const titles[PP_COMPONENT_COUNT] = {
+    [PP_SC] = "sky component",
+    [PP_ERC] = "externally reflected component",
+    [PP_IRC] = "internally reflected component",
+    [PP_DF] = "daylight factor",
+};
+
+/* A number, or a dash. */
+static void put(FILE *out, int width, const char *format, double value)
+{
+    char text[32];
+    snprintf(text, sizeof text, format, value + 0.0);
+    fprintf(out, "%*s", width, isfinite(value) ? text : "-");
+}
+
+/* ---- known answers ---- */
+
+void pp_print_validate_self_test(const struct pp_self_test_cases *known, int width,
+                                 FILE *out)
+{
+    int wrong = 0;
+    fputs("The program against answers known on paper; shares of the open sky\n\n"
+          "                                                         answer  expected\n",
+          out);
+    const char *by = "";
+    for (int i = 0; i < known->count; i++) {
+        const struct pp_self_test_case *one = &known->list[i];
+        if (strcmp(by, one->by) != 0)
+            fprintf(out, "\n  %s\n", one->by);
+        by = one->by;
+        bool right = pp_self_test_passes(one);
+        wrong += !right;
+        fprintf(out, "    %-49.49s %9.6f %9.6f  %s\n", one->what, one->answer,
+                one->expected, right ? "right" : "WRONG");
+    }
+    char text[200];
+    snprintf(text, sizeof text,
+             "%d of %d right: to the digits that the expected answers are known to, "
+             "traced ones within four of their standard errors",
+             known->count - wrong, known->count);
+    fputs("\n  ", out);
+    pp_print_wrapped(text, 2, 2, width, out);
+}
+
+static struct json_object *known_object(const struct pp_self_test_case *one)
+{
+    struct json_object *object = json_object_new_object();
+    bool good = object && pp_json_text(object, "what", one->what)
+                && pp_json_text(object, "by", one->by)
+                && pp_json_number(object, "answer", one->answer)
+                && pp_json_number(object, "expected", one->expected)
+                && pp_json_number(object, "difference", one->answer - one->expected)
+                && pp_json_number(object, "tolerance", one->tolerance);
+    if (good && isfinite(one->std_error))
+        good = pp_json_number(object, "se", one->std_error);
+    if (good)
+        good = pp_json_add(object, "right",
+                           json_object_new_boolean(pp_self_test_passes(one)));
+    if (good)
+        pp_json_on_one_line(object);
+    return pp_json_whole(object, good);
+}
+
+enum pp_status pp_print_validate_self_test_json(const struct pp_self_test_cases *known,
+                                                FILE *out, struct pp_error *err)
+{
+    struct json_object *object = json_object_new_object();
+    struct json_object *answers = json_object_new_array();
+    bool good = object && pp_json_text(object, "format", "pepperpot-validate-1")
+                && pp_json_add(object, "answers", answers);
+    for (int i = 0; i < known->count && good; i++)
+        good = pp_json_append(answers, known_object(&known->list[i]));
+    return pp_json_print(out, pp_json_whole(object, good), err);
+}
+
+void pp_print_validate_self_test_csv(const struct pp_self_test_cases *known, FILE *out)
+{
+    fputs("what,by,answer,expected,difference,tolerance,std_error,right\r\n", out);
+    for (int i = 0; i < known->count; i++) {
+        const struct pp_self_test_case *one = &known->list[i];
+        const double numbers[] = {one->answer, one->expected,
+                                  one->answer - one->expected, one->tolerance,
+                                  one->std_error};
+        pp_format_csv_field(one->what, out);
+        fprintf(out, ",%s", one->by);
+        for (size_t k = 0; k < sizeof numbers / sizeof numbers[0]; k++)
+            pp_format_csv_number(numbers[k], out);
+        fprintf(out, ",%s\r\n", pp_self_test_passes(one) ? "yes" : "no");
+    }
+}
+
+/* ---- rooms, as text ---- */
+
+enum { NAME_WIDTH = 20 };
+
+/* "1.50, 8.50", with the height where that is not the working plane's. */
+static void write_place(char text[64], const struct pp_report *report, int point)
+{
+    struct pp_vec3 at = report->receivers[point].position;
+    if (fabs(at.z - report->world->working_plane_m) < 1e-9)
+        snprintf(text, 64, "%.2f, %.2f", at.x, at.y);
+    else
+        snprintf(text, 64, "%.2f, %.2f, %.2f", at.x, at.y, at.z);
+}
+
+static void print_comparison(const struct pp_comparison *one,
+                             const struct pp_report *report, FILE *out)
+{
+    fprintf(out, "    %-*s", NAME_WIDTH, one->name);
+    put(out, 8, "%.2f", 100.0 * one->average);
+    put(out, 8, "%+.1f", 100.0 * (one->average / one->traced_average - 1.0));
+    if (one->points > 0) {
+        char place[64];
+        write_place(place, report, one->worst_point);
+        put(out, 7, "%+.2f", 100.0 * one->bias);
+        put(out, 8, "%.2f", 100.0 * one->spread);
+        put(out, 8, "%+.2f", 100.0 * one->worst);
+        fprintf(out, "  %s", place);
+        if (one->points < report->receiver_count)
+            fprintf(out, " (%d points)", one->points);
+    }
+    fputc('\n', out);
+}
+
+/* Where nothing stands outside, all agree that nothing comes from there. */
+static bool is_nothing(const struct pp_comparison *list, int count,
+                       enum pp_component component)
+{
+    for (int i = 0; i < count; i++) {
+        const struct pp_comparison *one = &list[i];
+        bool something = one->traced_average != 0.0 || one->bias != 0.0
+                         || one->spread != 0.0 || one->worst != 0.0
+                         || (isfinite(one->average) && one->average != 0.0);
+        if (one->component == component && !one->why && something)
+            return false;
+    }
+    return component != PP_DF;
+}
+
+static void print_component(const struct pp_comparison *list, int count,
+                            const struct pp_report *report, enum pp_component component,
+                            FILE *out)
+{
+    bool first = true;
+    for (int i = 0; i < count; i++) {
+        const struct pp_comparison *one = &list[i];
+        if (one->component != component || one->why)
+            continue;
+        if (first) {
+            fprintf(out, "\n  %s\n", titles[component]);
+            fprintf(out, "    %-*s%8s%8s%7s%8s%8s  %s\n", NAME_WIDTH, "", "average",
+                    "off, %", "bias", "spread", "worst", "at x, y");
+            fprintf(out, "    %-*s%8.2f\n", NAME_WIDTH, "traced",
+                    100.0 * one->traced_average);
+        }
+        first = false;
+        print_comparison(one, report, out);
+    }
+}
+
+/* "- bre: why", once for each reason; a reason may begin with its method's name. */
+static void print_refusals(const struct pp_comparison *list, int count, int width,
+                           FILE *out)
+{
+    bool any = false;
+    for (int i = 0; i < count; i++) {
+        const struct pp_comparison *one = &list[i];
+        bool said = !one->why;
+        for (int k = 0; k < i && !said; k++)
+            said = list[k].why && strcmp(list[k].why, one->why) == 0;
+        if (said)
+            continue;
+        char text[640];
+        bool named = strchr(one->why, ':') && !strchr(one->name, ':')
+                     && strncmp(one->why, one->name, strcspn(one->why, ":")) == 0;
+        snprintf(text, sizeof text, named ? "%s%s" : "%s: %s", named ? "" : one->name,
+                 one->why);
+        fputs(any ? "  - " : "\n  - ", out);
+        pp_print_wrapped(text, 4, 4, width, out);
+        any = true;
+    }
+}
+
+static void print_room(const struct pp_result *result, const struct pp_comparison *list,
+                       int count, int width, FILE *out)
+{
+    const struct pp_report *report = &result->report;
+    const char *name = report->world->name;
+    if (name && *name) {
+        pp_format_utf8_put(out, name);
+        fputs("  (", out);
+    }
+    pp_format_utf8_put(out, strcmp(result->file, "-") == 0 ? "standard input"
+                                                           : result->file);
+    fputs(name && *name ? ")\n" : "\n", out);
+    char text[160];
+    double bias_error = 0.0;
+    for (int i = 0; i < count; i++)
+        if (list[i].component == PP_DF && list[i].points > 0)
+            bias_error = list[i].bias_error;
+    snprintf(
+        text, sizeof text,
+        "%d point%s; by the simulation's noise alone a bias of the daylight factor "
+        "is uncertain by %.3f%s",
+        report->receiver_count, report->receiver_count == 1 ? "" : "s",
+        100.0 * bias_error, report->finished ? "" : "; NOT FINISHED, interrupted");
+    fputs("  ", out);
+    pp_print_wrapped(text, 2, 2, width, out);
+    for (int component = PP_SC; component < PP_COMPONENT_COUNT; component++)
+        if (!is_nothing(list, count, component))
+            print_component(list, count, report, component, out);
+    print_refusals(list, count, width, out);
+}
+
+static void print_overall(const struct pp_validation *validation, FILE *out)
+{
+    int rooms = validation->results->count;
+    fprintf(out, "\n\nAll %d rooms, in per cent of the traced value\n", rooms);
+    fprintf(out, "\n  %-22s%-17s%-22s%s\n", "", "   the average", "  at the points",
+            "the worst of all points");
+    fprintf(out, "  %-22s%7s%8s  %7s%8s%8s  %s\n", "", "bias", "spread", "bias",
+            "spread", "worst", "room, and x, y");
+    for (int component = PP_SC; component < PP_COMPONENT_COUNT; component++) {
+        bool first = true;
+        for (int i = 0; i < validation->overall_count; i++) {
+            const struct pp_overall *one = &validation->overall[i];
+            bool any = one->averages > 0 || one->points > 0;
+            if ((int)one->component != component || !any)
+                continue;
+            if (first)
+                fprintf(out, "\n  %s\n", titles[component]);
+            first = false;
+            fprintf(out, "    %-20s", one->name);
+            put(out, 7, "%+.1f", one->averages ? 100.0 * one->average_bias : NAN);
+            put(out, 8, "%.1f", one->averages ? 100.0 * one->average_spread : NAN);
+            fputs("  ", out);
+            put(out, 7, "%+.1f", one->points ? 100.0 * one->bias : NAN);
+            put(out, 8, "%.1f", one->points ? 100.0 * one->spread : NAN);
+            if (one->points > 0) {
+                const struct pp_report *report =
+                    &validation->results->list[one->worst_room].report;
+                char place[64];
+                write_place(place, report, one->worst_comparison->worst_point);
+                put(out, 8, "%+.0f", 100.0 * one->worst);
+                fputs("  ", out);
+                pp_format_utf8_put(out, report->world->name ? report->world->name : "");
+                fprintf(out, ", %s", place);
+            }
+            fputc('\n', out);
+        }
+    }
+}
+
+void pp_print_validate_rooms(const struct pp_validation *validation, int width,
+                             FILE *out)
+{
+    const struct pp_results *results = validation->results;
+    for (int i = 0; i < results->count; i++) {
+        if (i > 0)
+            fputs("\n\n", out);
+        print_room(&results->list[i], validation->rooms[i], validation->counts[i],
+                   width, out);
+    }
+    if (results->count > 1)
+        print_overall(validation, out);
+    fputs("\n  ", out);
+    pp_print_wrapped(
+        "Per cent of the open sky unless it says otherwise. off: the average over the "
+        "working plane, from the traced one, in per cent of that; bias: mean of method "
+        "less traced at the points; spread: its root mean square, less the "
+        "simulation's noise; worst: the largest difference, and where."
+        "",
+        2, 2, width, out);
+    if (results->count > 1) {
+        fputs("  ", out);
+        pp_print_wrapped("Over all rooms, differences at points are in per cent of the "
+                         "room's mean traced value.",
+                         2, 2, width, out);
+    }
+}
+
+/* ---- rooms, for programs ---- */
+
+static struct json_object *comparison_object(const struct pp_comparison *one,
+                                             const struct pp_report *report)
+{
+    struct json_object *object = json_object_new_object();
+    bool good = object
+                && pp_json_text(object, "component", pp_component_names[one->component])
+                && pp_json_text(object, "method", one->name);
+    if (good && one->why)
+        good = pp_json_text(object, "why", one->why);
+    if (good && isfinite(one->average))
+        good = pp_json_number(object, "average", 100.0 * one->average)
+               && pp_json_number(object, "traced-average", 100.0 * one->traced_average)
+               && pp_json_number(object, "traced-average-se",
+                                 100.0 * one->traced_average_error);
+    if (good && one->points > 0) {
+        struct pp_vec3 at = report->receivers[one->worst_point].position;
+        good = pp_json_add(object, "points", json_object_new_int(one->points))
+               && pp_json_number(object, "traced", 100.0 * one->traced)
+               && pp_json_number(object, "bias", 100.0 * one->bias)
+               && pp_json_number(object, "bias-se", 100.0 * one->bias_error)
+               && pp_json_number(object, "spread", 100.0 * one->spread)
+               && pp_json_number(object, "worst", 100.0 * one->worst)
+               && pp_json_number(object, "worst-se", 100.0 * one->worst_error)
+               && pp_json_number(object, "worst-x", at.x)
+               && pp_json_number(object, "worst-y", at.y)
+               && pp_json_number(object, "worst-z", at.z);
+    }
+    if (good)
+        pp_json_on_one_line(object);
+    return pp_json_whole(object, good);
+}
+
+static struct json_object *room_object(const struct pp_result *result,
+                                       const struct pp_comparison *list, int count)
+{
+    struct json_object *object = json_object_new_object();
+    struct json_object *methods = json_object_new_array();
+    bool good = object && pp_json_text(object, "file", result->file)
+                && pp_json_text(object, "room", result->report.world->name);
+    if (good && !result->report.finished)
+        good = pp_json_add(object, "finished", json_object_new_boolean(false));
+    good = good && pp_json_add(object, "methods", methods);
+    for (int i = 0; i < count && good; i++)
+        good = pp_json_append(methods, comparison_object(&list[i], &result->report));
+    return pp_json_whole(object, good);
+}
+
+static struct json_object *overall_object(const struct pp_overall *one)
+{
+    struct json_object *object = json_object_new_object();
+    bool good = object
+                && pp_json_text(object, "component", pp_component_names[one->component])
+                && pp_json_text(object, "method", one->name);
+    if (good && one->averages > 0)
+        good = pp_json_add(object, "averages", json_object_new_int(one->averages))
+               && pp_json_number(object, "average-bias", 100.0 * one->average_bias)
+               && pp_json_number(object, "average-spread", 100.0 * one->average_spread);
+    if (good && one->points > 0)
+        good = pp_json_add(object, "rooms", json_object_new_int(one->rooms))
+               && pp_json_add(object, "points", json_object_new_int(one->points))
+               && pp_json_number(object, "bias", 100.0 * one->bias)
+               && pp_json_number(object, "spread", 100.0 * one->spread)
+               && pp_json_number(object, "worst", 100.0 * one->worst);
+    if (good)
+        pp_json_on_one_line(object);
+    return pp_json_whole(object, good);
+}
+
+enum pp_status pp_print_validate_rooms_json(const struct pp_validation *validation,
+                                            FILE *out, struct pp_error *err)
+{
+    const struct pp_results *results = validation->results;
+    struct json_object *object = json_object_new_object();
+    struct json_object *rooms = json_object_new_array(), *all = NULL;
+    bool good = object && pp_json_text(object, "format", "pepperpot-validate-1")
+                && pp_json_add(object, "rooms", rooms);
+    for (int i = 0; i < results->count && good; i++)
+        good =
+            pp_json_append(rooms, room_object(&results->list[i], validation->rooms[i],
+                                              validation->counts[i]));
+    good = good && pp_json_add(object, "all", all = json_object_new_array());
+    for (int i = 0; i < validation->overall_count && good; i++)
+        good = pp_json_append(all, overall_object(&validation->overall[i]));
+    return pp_json_print(out, pp_json_whole(object, good), err);
+}
+
+void pp_print_validate_rooms_csv(const struct pp_validation *validation, FILE *out)
+{
+    fputs("file,room,component,method,average_percent,traced_average_percent,"
+          "traced_average_se_percent,points,traced_percent,bias_percent,"
+          "bias_se_percent,spread_percent,worst_percent,worst_se_percent,worst_x,"
+          "worst_y,worst_z,why\r\n",
+          out);
+    for (int i = 0; i < validation->results->count; i++) {
+        const struct pp_result *result = &validation->results->list[i];
+        for (int k = 0; k < validation->counts[i]; k++) {
+            const struct pp_comparison *one = &validation->rooms[i][k];
+            bool any = one->points > 0;
+            struct pp_vec3 at =
+                any ? result->report.receivers[one->worst_point].position
+                    : pp_vec(NAN, NAN, NAN);
+            const double fields[] = {any ? 100.0 * one->traced : NAN,
+                                     any ? 100.0 * one->bias : NAN,
+                                     any ? 100.0 * one->bias_error : NAN,
+                                     any ? 100.0 * one->spread : NAN,
+                                     any ? 100.0 * one->worst : NAN,
+                                     any ? 100.0 * one->worst_error : NAN,
+                                     at.x,
+                                     at.y,
+                                     at.z};
+            pp_format_csv_field(result->file, out);
+            fputc(',', out);
+            pp_format_csv_field(result->report.world->name, out);
+            fprintf(out, ",%s,%s", pp_component_names[one->component], one->name);
+            pp_format_csv_number(100.0 * one->average, out);
+            pp_format_csv_number(100.0 * one->traced_average, out);
+            pp_format_csv_number(100.0 * one->traced_average_error, out);
+            fprintf(out, ",%d", one->points);
+            for (size_t f = 0; f < sizeof fields / sizeof fields[0]; f++)
+                pp_format_csv_number(fields[f], out);
+            fputc(',', out);
+            pp_format_csv_field(one->why, out);
+            fputs("\r\n", out);
+        }
+    }
+}

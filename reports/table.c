@@ -1,0 +1,350 @@
+#include "reports/table.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "reports/format.h"
+
+enum {
+    INDENT = 2,
+    GAP = 2,       /* between columns */
+    GROUP_GAP = 3, /* between groups */
+    HEADING = 6,   /* headings are broken to be no wider than that, or than the cells */
+    HEADING_LINES = 6,
+};
+
+void pp_table_init(struct pp_table *table, int row_count)
+{
+    *table = (struct pp_table){.row_count = row_count};
+}
+
+void pp_table_clear(struct pp_table *table)
+{
+    for (int i = 0; i < table->column_count; i++)
+        free(table->columns[i].cells);
+    free(table->columns);
+    *table = (struct pp_table){0};
+}
+
+struct pp_table_column *pp_table_add(struct pp_table *table, const char *group,
+                                     const char *group_short, const char *heading)
+{
+    struct pp_table_column *grown =
+        realloc(table->columns, ((size_t)table->column_count + 1) * sizeof *grown);
+    if (!grown)
+        return NULL;
+    table->columns = grown;
+    struct pp_table_column *column = &grown[table->column_count];
+    *column = (struct pp_table_column){.group = group, .group_short = group_short};
+    snprintf(column->heading, sizeof column->heading, "%s", heading);
+    column->cells = calloc((size_t)table->row_count + 1, sizeof *column->cells);
+    if (!column->cells)
+        return NULL;
+    table->column_count++;
+    return column;
+}
+
+/* The part of a heading up to where it may be broken: before "+" or a blank, behind
+ * "-". */
+static int fragment(const char *text)
+{
+    int length = 1;
+    while (text[length] && text[length] != '+' && text[length] != ' '
+           && text[length - 1] != '-')
+        length++;
+    return length;
+}
+
+/* Breaks a heading into lines no wider than `width` as far as that goes; returns how
+ * many. Each line is a piece of heading, not ended by a zero. */
+static int break_heading(const char *heading, int width,
+                         const char *lines[HEADING_LINES], int lengths[HEADING_LINES])
+{
+    int count = 0;
+    while (*heading && count < HEADING_LINES) {
+        heading += *heading == ' ';
+        int length = fragment(heading);
+        while (heading[length]) {
+            int longer = length + fragment(heading + length);
+            if (longer > width && count < HEADING_LINES - 1)
+                break;
+            length = longer;
+        }
+        lines[count] = heading;
+        lengths[count++] = length;
+        heading += length;
+    }
+    return count;
+}
+
+/* Columns that one line of a heading takes on the terminal. */
+static int piece_width(const char *piece, int length)
+{
+    char text[sizeof((struct pp_table_column *)0)->heading];
+    snprintf(text, sizeof text, "%.*s", length, piece);
+    return pp_format_utf8_width(text);
+}
+
+static int cells_width(const struct pp_table *table,
+                       const struct pp_table_column *column)
+{
+    int width = 0;
+    for (int row = 0; row < table->row_count; row++) {
+        int cell = pp_format_utf8_width(column->cells[row]);
+        width = cell > width ? cell : width;
+    }
+    return width;
+}
+
+/* Sets the columns' widths: of the cells and of the heading's longest piece. */
+static bool same_group(const struct pp_table_column *a, const struct pp_table_column *b)
+{
+    return a->group == b->group;
+}
+
+/* The column behind the group that starts at or holds `first`. */
+static int group_end(const struct pp_table *table, int first)
+{
+    int end = first + 1;
+    while (end < table->column_count
+           && same_group(&table->columns[end], &table->columns[first]))
+        end++;
+    return end;
+}
+
+/* A group whose columns are narrower than its short title has a wider first one, so
+ * that titles keep apart. */
+static void widen_groups(struct pp_table *table)
+{
+    for (int i = table->key_count, next; i < table->column_count; i = next) {
+        next = group_end(table, i);
+        const char *title = table->columns[i].group_short;
+        int width = table->columns[i].width;
+        for (int j = i + 1; j < next; j++)
+            width += GAP + table->columns[j].width;
+        if (title && pp_format_utf8_width(title) > width)
+            table->columns[i].width += pp_format_utf8_width(title) - width;
+    }
+}
+
+static void measure(struct pp_table *table)
+{
+    for (int i = 0; i < table->column_count; i++) {
+        struct pp_table_column *column = &table->columns[i];
+        column->width = cells_width(table, column);
+        const char *lines[HEADING_LINES];
+        int lengths[HEADING_LINES];
+        int wanted = column->width > HEADING ? column->width : HEADING;
+        int count = break_heading(column->heading, wanted, lines, lengths);
+        for (int line = 0; line < count; line++) {
+            int width = piece_width(lines[line], lengths[line]);
+            column->width = width > column->width ? width : column->width;
+        }
+    }
+    widen_groups(table);
+}
+
+/* The gap before column i where column `first` stands next to the keys. */
+static int gap_before(const struct pp_table *table, int i, int first)
+{
+    if (i == 0)
+        return INDENT;
+    bool starts_group =
+        i == first || !same_group(&table->columns[i], &table->columns[i - 1]);
+    return starts_group ? GROUP_GAP : GAP;
+}
+
+static int keys_width(const struct pp_table *table)
+{
+    int width = 0;
+    for (int i = 0; i < table->key_count; i++)
+        width += gap_before(table, i, table->key_count) + table->columns[i].width;
+    return width;
+}
+
+/* The column behind the last that fits in a panel which begins with `first`: whole
+ * groups; or, of a group too wide for any panel, the columns that fit. */
+static int panel_end(const struct pp_table *table, int first, int width)
+{
+    int used = keys_width(table);
+    int end = first;
+    while (end < table->column_count) {
+        int next = group_end(table, end), needed = 0;
+        for (int i = end; i < next; i++)
+            needed += gap_before(table, i, first) + table->columns[i].width;
+        if (used + needed > width)
+            break;
+        used += needed;
+        end = next;
+    }
+    if (end > first)
+        return end;
+    for (; end < group_end(table, first); end++) {
+        used += gap_before(table, end, first) + table->columns[end].width;
+        if (end > first && used > width)
+            break;
+    }
+    return end;
+}
+
+/* Lines that go out without blanks at their ends: blanks wait until something follows.
+ */
+struct writer {
+    FILE *out;
+    int blanks;
+};
+
+static void put_text(struct writer *writer, const char *text, int length)
+{
+    if (length > 0)
+        fprintf(writer->out, "%*s%.*s", writer->blanks, "", length, text);
+    writer->blanks = length > 0 ? 0 : writer->blanks;
+}
+
+static void end_line(struct writer *writer)
+{
+    fputc('\n', writer->out);
+    writer->blanks = 0;
+}
+
+static void put_rule(struct writer *writer, int width)
+{
+    for (int i = 0; i < width; i++)
+        put_text(writer, "-", 1);
+}
+
+static void put_right(struct writer *writer, const char *text, int length, int columns,
+                      int width)
+{
+    writer->blanks += width - columns;
+    put_text(writer, text, length);
+    writer->blanks += length > 0 ? 0 : columns;
+}
+
+/* Columns of a table that stand side by side: the keys, and first to end - 1. */
+struct panel {
+    const struct pp_table *table;
+    int first, end;
+};
+
+/* The column to the right of column i. */
+static int next_column(const struct panel *panel, int i)
+{
+    return i + 1 == panel->table->key_count ? panel->first : i + 1;
+}
+
+static void put_gap(struct writer *writer, const struct panel *panel, int i)
+{
+    writer->blanks += gap_before(panel->table, i, panel->first);
+}
+
+/* Group titles, and below them the rules that show how far each reaches. */
+static void print_groups(const struct panel *panel, struct writer *writer)
+{
+    const struct pp_table *table = panel->table;
+    for (int ruled = 0; ruled < 2; ruled++) {
+        writer->blanks += keys_width(table);
+        for (int i = panel->first, next; i < panel->end; i = next) {
+            next = group_end(table, i) < panel->end ? group_end(table, i) : panel->end;
+            int width = table->columns[i].width;
+            for (int j = i + 1; j < next; j++)
+                width += GAP + table->columns[j].width;
+            const char *title = table->columns[i].group;
+            if (pp_format_utf8_width(title) > width)
+                title = table->columns[i].group_short;
+            put_gap(writer, panel, i);
+            if (ruled) {
+                put_rule(writer, width);
+            } else {
+                put_text(writer, title, (int)strlen(title));
+                writer->blanks += width - pp_format_utf8_width(title);
+            }
+        }
+        end_line(writer);
+    }
+}
+
+/* Headings stand on the last of their lines. */
+static void print_headings(const struct panel *panel, struct writer *writer)
+{
+    const struct pp_table *table = panel->table;
+    const char *lines[HEADING_LINES];
+    int lengths[HEADING_LINES], most = 0;
+    for (int i = 0; i < panel->end; i = next_column(panel, i)) {
+        const struct pp_table_column *column = &table->columns[i];
+        int count = break_heading(column->heading, column->width, lines, lengths);
+        most = count > most ? count : most;
+    }
+    for (int line = 0; line < most; line++) {
+        for (int i = 0; i < panel->end; i = next_column(panel, i)) {
+            const struct pp_table_column *column = &table->columns[i];
+            int count = break_heading(column->heading, column->width, lines, lengths);
+            int which = line - (most - count);
+            put_gap(writer, panel, i);
+            if (which < 0)
+                writer->blanks += column->width;
+            else
+                put_right(writer, lines[which], lengths[which],
+                          piece_width(lines[which], lengths[which]), column->width);
+        }
+        end_line(writer);
+    }
+}
+
+static void print_row(const struct panel *panel, int row, bool labelled,
+                      struct writer *writer)
+{
+    const struct pp_table *table = panel->table;
+    if (labelled) {
+        writer->blanks += INDENT;
+        put_text(writer, table->last_label, (int)strlen(table->last_label));
+        writer->blanks +=
+            keys_width(table) - INDENT - pp_format_utf8_width(table->last_label);
+    }
+    for (int i = labelled ? panel->first : 0; i < panel->end;
+         i = next_column(panel, i)) {
+        const char *cell = table->columns[i].cells[row];
+        put_gap(writer, panel, i);
+        put_right(writer, cell, (int)strlen(cell), pp_format_utf8_width(cell),
+                  table->columns[i].width);
+    }
+    end_line(writer);
+}
+
+static void print_panel(const struct panel *panel, FILE *out)
+{
+    const struct pp_table *table = panel->table;
+    struct writer writer = {out, 0};
+    print_groups(panel, &writer);
+    print_headings(panel, &writer);
+
+    int width = keys_width(table) - INDENT;
+    for (int i = panel->first; i < panel->end; i++)
+        width += gap_before(table, i, panel->first) + table->columns[i].width;
+    for (int row = 0; row < table->row_count; row++) {
+        bool labelled = table->last_label && row == table->row_count - 1;
+        if (labelled || row == 0) {
+            writer.blanks = INDENT;
+            put_rule(&writer, width);
+            end_line(&writer);
+        }
+        print_row(panel, row, labelled, &writer);
+    }
+}
+
+void pp_table_print(struct pp_table *table, int width, FILE *out)
+{
+    measure(table);
+    int key_width = keys_width(table) - INDENT;
+    int label_width = table->last_label ? pp_format_utf8_width(table->last_label) : 0;
+    if (table->key_count > 0 && key_width < label_width)
+        table->columns[0].width += label_width - key_width;
+
+    struct panel panel = {table, table->key_count, 0};
+    for (; panel.first < table->column_count; panel.first = panel.end) {
+        panel.end = panel_end(table, panel.first, width);
+        if (panel.first > table->key_count)
+            fputc('\n', out);
+        print_panel(&panel, out);
+    }
+}

@@ -1,0 +1,181 @@
+/* assessment.c - see assessment.h. */
+#include "studies/criteria/assessment.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "model/base/text.h"
+#include "studies/criteria/capitals.h"
+#include "studies/criteria/en17037_grid.h"
+#include "studies/criteria/factors.h"
+#include "studies/criteria/pair_rooms.h"
+
+/* Marks the criteria of a list with commas; NULL is all of them. */
+enum pp_status pp_assessment_choose(bool chosen[PP_CRITERIA_MOST], const char *list,
+                                    struct pp_error *err)
+{
+    const char *names[PP_CRITERIA_MOST];
+    int count = 0;
+    for (; pp_criteria_at(count); count++) {
+        names[count] = pp_criteria_at(count)->name;
+        chosen[count] = !list;
+    }
+    while (list) {
+        char word[64], known[512];
+        snprintf(word, sizeof word, "%.*s", (int)strcspn(list, ","), list);
+        int i = 0;
+        while (i < count && strcmp(names[i], word) != 0)
+            i++;
+        if (i == count) {
+            const char *guess = pp_text_nearest(word, names, count);
+            return guess
+                       ? pp_fail(err, PP_BAD_INPUT,
+                                 "there is no criterion \"%s\"; did you mean %s?", word,
+                                 guess)
+                       : pp_fail(err, PP_BAD_INPUT,
+                                 "there is no criterion \"%s\"; expected %s", word,
+                                 pp_text_list_names(known, sizeof known, names, count));
+        }
+        chosen[i] = true;
+        list = strchr(list, ',');
+        list = list ? list + 1 : NULL;
+    }
+    return PP_OK;
+}
+
+/* The room of the file before that goes with this one: the only one, or that of the
+ * same name. */
+static enum pp_status find_before(struct pp_assessment *assessment,
+                                  const struct pp_study_room *before,
+                                  int before_count, int room_count,
+                                  struct pp_error *err)
+{
+    const struct pp_study_room *room = assessment->room, *found = NULL;
+    for (int i = 0; i < before_count && !found; i++) {
+        const char *name = before[i].world->name, *wanted = room->world->name;
+        bool only = before_count == 1 && room_count == 1;
+        if (only || (name && wanted && strcmp(name, wanted) == 0))
+            found = &before[i];
+    }
+    const char *file = before[0].file;
+    if (!found)
+        return pp_fail(err, PP_BAD_INPUT,
+                       "%s: it has no room named \"%.100s\" to compare with", file,
+                       room->world->name ? room->world->name : "");
+    assessment->before = found;
+    struct pp_error why;
+    enum pp_status status =
+        pp_pair_rooms(&assessment->pairs, room->world, found->world, &why);
+    return status == PP_BAD_INPUT ? pp_fail(err, status, "%s: %s", file, why.message)
+           : status != PP_OK      ? pp_fail(err, status, "%s", why.message)
+                                  : PP_OK;
+}
+
+static void find_median(struct pp_median *median, const struct pp_world *world,
+                        const struct pp_assess_options *options)
+{
+    if (options->median_lux > 0.0) {
+        median->lux = options->median_lux;
+        snprintf(median->how, sizeof median->how, "%s",
+                 options->of_weather ? "of the weather file" : "as given");
+    } else if (options->place) {
+        const struct pp_capital *capital = pp_capitals_find(options->place);
+        median->lux = capital->median_lux;
+        snprintf(median->how, sizeof median->how, "%s, as chosen", capital->name);
+    } else {
+        *median = pp_capitals_median(world->latitude_rad, world->longitude_rad);
+    }
+}
+
+/* The daylight factors that criteria rest on; those of simulation come later. */
+static enum pp_status gather(struct pp_assessment *assessment,
+                             const struct pp_assess_options *options,
+                             struct pp_error *err)
+{
+    const struct pp_world *world = assessment->room->world;
+    find_median(&assessment->median, world, options);
+    assessment->report = (struct pp_report){.world = world, .finished = true};
+    if (!assessment->has_factors)
+        return PP_OK;
+    enum pp_status status = pp_en17037_grid(
+        &assessment->grid, &assessment->report.receiver_count, world, err);
+    assessment->report.receivers = assessment->grid;
+    return status == PP_OK ? pp_factors_by_hand(&assessment->report, err) : status;
+}
+
+static enum pp_status judge(struct pp_assessment *assessment,
+                            const bool chosen[PP_CRITERIA_MOST], struct pp_error *err)
+{
+    const struct pp_inquiry inquiry = {
+        .world = assessment->room->world,
+        .before = assessment->before ? assessment->before->world : NULL,
+        .pairs = assessment->pairs,
+        .factors = assessment->has_factors ? &assessment->report : NULL,
+        .median = assessment->median,
+    };
+    assessment->answers = calloc(PP_CRITERIA_MOST, sizeof *assessment->answers);
+    if (!assessment->answers)
+        return pp_fail_memory(err);
+    enum pp_status status = PP_OK;
+    const struct pp_criterion *criterion;
+    for (int i = 0; status == PP_OK && (criterion = pp_criteria_at(i)) != NULL; i++) {
+        if (!chosen[i] || (criterion->needs_before && !inquiry.before))
+            continue;
+        struct pp_answer *answer = &assessment->answers[assessment->answer_count++];
+        answer->criterion = criterion;
+        status = criterion->evaluate(&inquiry, &answer->findings, err);
+    }
+    return status;
+}
+
+static bool any_of_factors(const bool chosen[PP_CRITERIA_MOST])
+{
+    const struct pp_criterion *criterion;
+    for (int i = 0; (criterion = pp_criteria_at(i)) != NULL; i++)
+        if (chosen[i] && criterion->of_factors)
+            return true;
+    return false;
+}
+
+enum pp_status pp_assessment_begin(struct pp_assessment *assessment,
+                                   const struct pp_study_room *room, int room_count,
+                                   const struct pp_study_room *before, int before_count,
+                                   const struct pp_assess_options *options,
+                                   struct pp_error *err)
+{
+    bool chosen[PP_CRITERIA_MOST];
+    *assessment = (struct pp_assessment){.room = room};
+    enum pp_status status = pp_assessment_choose(chosen, options->criteria, err);
+    if (status != PP_OK)
+        return status;
+    assessment->has_factors = any_of_factors(chosen);
+    if (before_count > 0)
+        status = find_before(assessment, before, before_count, room_count, err);
+    return status == PP_OK ? gather(assessment, options, err) : status;
+}
+
+enum pp_status pp_assessment_judge(struct pp_assessment *assessment,
+                                   const struct pp_assess_options *options,
+                                   struct pp_error *err)
+{
+    bool chosen[PP_CRITERIA_MOST];
+    enum pp_status status = pp_assessment_choose(chosen, options->criteria, err);
+    if (status == PP_OK)
+        status = judge(assessment, chosen, err);
+    assessment->has_gains = !options->criteria;
+    if (status == PP_OK && assessment->has_gains)
+        status = pp_gains_find(&assessment->gains, assessment->room->room,
+                               assessment->room->world, err);
+    return status;
+}
+
+void pp_assessment_clear(struct pp_assessment *assessment)
+{
+    for (int i = 0; i < assessment->answer_count; i++)
+        pp_finding_list_clear(&assessment->answers[i].findings);
+    free(assessment->answers);
+    pp_report_clear(&assessment->report);
+    free(assessment->grid);
+    free(assessment->pairs);
+}

@@ -1,0 +1,67 @@
+/* assessment.h - one room held against the criteria: the daylight factors that they rest
+ * on, the verdicts, and what would help.
+ */
+#ifndef PP_STUDIES_CRITERIA_ASSESSMENT_H
+#define PP_STUDIES_CRITERIA_ASSESSMENT_H
+
+#include <stdbool.h>
+
+#include "studies/study_options.h"
+#include "studies/study_room.h"
+#include "studies/criteria/criteria.h"
+#include "studies/sizing/gains.h"
+
+struct pp_assess_options {
+    const struct pp_study_options *study; /* not owned */
+    const char *criteria;                 /* names with commas between; NULL: all */
+    const char *place; /* a capital of the standard's table; NULL: the room's site */
+    double median_lux; /* instead; 0: not given */
+    bool of_weather;   /* is that median a weather file's? */
+};
+
+/* A criterion that was asked for, and what it found. */
+struct pp_answer {
+    const struct pp_criterion *criterion;
+    struct pp_finding_list findings;
+};
+
+struct pp_assessment {
+    const struct pp_study_room *room;   /* not owned */
+    const struct pp_study_room *before; /* not owned; NULL */
+    int *pairs;
+    bool has_factors; /* does any criterion that was asked for judge by them? */
+    struct pp_receiver *grid;
+    struct pp_report report; /* daylight factors on the grid */
+    struct pp_median median;
+    struct pp_answer *answers;
+    int answer_count;
+    bool has_gains; /* was everything asked for, and with it what would help? */
+    struct pp_gains gains;
+    bool by_clock; /* the simulation was stopped by the clock */
+};
+
+enum { PP_CRITERIA_MOST = 64 };
+
+/* Marks the criteria that options ask for; a name that is none is PP_BAD_INPUT. */
+enum pp_status pp_assessment_choose(bool chosen[PP_CRITERIA_MOST], const char *list,
+                                    struct pp_error *err);
+
+/* An assessment of a room, of which nothing is judged yet: its grid, the hand methods'
+ * daylight factors there, the place's median. before (may be NULL): the rooms as they
+ * were, of which the one of the same name, or the only one, goes with this room, where
+ * that is one of `room_count`. Whoever wants to judge by traced factors adds them to
+ * assessment->report (study_report.h) before pp_assessment_judge. To be cleared in any
+ * case. */
+enum pp_status pp_assessment_begin(struct pp_assessment *assessment,
+                                   const struct pp_study_room *room, int room_count,
+                                   const struct pp_study_room *before, int before_count,
+                                   const struct pp_assess_options *options,
+                                   struct pp_error *err);
+
+/* Judges by what there is, and finds the gains where all criteria were asked for. */
+enum pp_status pp_assessment_judge(struct pp_assessment *assessment,
+                                   const struct pp_assess_options *options,
+                                   struct pp_error *err);
+void pp_assessment_clear(struct pp_assessment *assessment);
+
+#endif

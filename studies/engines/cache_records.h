@@ -1,0 +1,17 @@
+/* cache_records.h - an irradiance cache that begins with the records of a file. */
+#ifndef PP_STUDIES_ENGINES_CACHE_RECORDS_H
+#define PP_STUDIES_ENGINES_CACHE_RECORDS_H
+
+#include "simulate/cache/irradiance_cache.h"
+
+/* The cache for a scene, with the records of `file` if there is one of that name; NULL:
+ * without. A file that is none of this scene's is PP_BAD_INPUT. */
+enum pp_status pp_cache_records_open(struct pp_irradiance_cache **cache,
+                                     const char *file,
+                                     const struct pp_light_scene *scene,
+                                     const struct pp_window_store *store,
+                                     const struct pp_radiance_options *light,
+                                     const struct pp_cache_options *options,
+                                     struct pp_error *err);
+
+#endif

@@ -1,0 +1,62 @@
+/* engine.h - what simulates: the list of engines, each a file that puts one of
+ * simulate/'s solvers behind the same few functions.
+ *
+ * The caller holds the loop (studies/simulation.h): create, advance until done, read,
+ * destroy. A new engine is a file like engine_path.c, and a line in engine.c.
+ */
+#ifndef PP_STUDIES_ENGINES_ENGINE_H
+#define PP_STUDIES_ENGINES_ENGINE_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include "model/base/error.h"
+#include "model/results/report.h"
+#include "simulate/cache/irradiance_cache.h"
+
+/* What any engine may be asked; each looks at what it has a use for. */
+struct pp_engine_options {
+    double error; /* wanted standard error over daylight factor; 0: by samples, time */
+    long samples; /* paths a point in each randomisation instead; 0: not given */
+    uint64_t seed;
+    int threads; /* 0: as many as there are processors */
+
+    struct pp_cache_options cache; /* its seed and threads are those above */
+    bool interpolate;              /* what is reflected at the points from the cache */
+    const char *cache_file; /* records to begin with, where there is such a file; NULL:
+                             * none */
+};
+
+struct pp_engine {
+    const char *name;   /* as typed: "path" */
+    const char *column; /* of its results: "traced" */
+    const char *summary;
+
+    /* At the report's receivers and over its working plane. *run is made on success
+     * only; world and receivers must outlive it. */
+    enum pp_status (*create)(void **run, const struct pp_report *report,
+                             const struct pp_engine_options *options,
+                             struct pp_error *err);
+    enum pp_status (*advance)(void *run, double seconds, struct pp_error *err);
+    bool (*done)(const void *run);
+    double (*progress)(const void *run); /* 0 to 1 */
+    double (*error)(const void *run); /* largest standard error over daylight factor */
+
+    /* readings[PP_SC] ... readings[PP_DF] of receiver `index`; of the average for -1. */
+    void (*read)(const void *run, int index,
+                 struct pp_reading readings[PP_COMPONENT_COUNT]);
+
+    /* What a later run may begin with, as the bytes of a file; NULL where there is
+     * nothing to keep. *bytes NULL: not yet. Otherwise the caller's to free. */
+    enum pp_status (*keep)(const void *run, char **bytes, size_t *length,
+                           struct pp_error *err);
+    void (*destroy)(void *run); /* NULL is allowed */
+};
+
+extern const struct pp_engine pp_engine_path, pp_engine_cache;
+
+const struct pp_engine *pp_engine_at(int index);          /* NULL behind the last */
+const struct pp_engine *pp_engine_find(const char *name); /* NULL: there is none */
+
+#endif

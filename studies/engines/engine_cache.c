@@ -1,0 +1,127 @@
+/* engine_cache.c - points lit through an irradiance cache (simulate/cache) as an engine.
+ */
+#include <stdlib.h>
+
+#include "simulate/cache/cached_points.h"
+#include "studies/engines/cache_records.h"
+#include "studies/engines/engine.h"
+
+/* The scene and all that stands on it, in the order in which they are made. */
+struct cache_run {
+    struct pp_light_scene *scene;
+    struct pp_window_store *store;
+    struct pp_irradiance_cache *cache;
+    struct pp_cached_points *points;
+};
+
+static void destroy(void *data)
+{
+    struct cache_run *run = data;
+    if (!run)
+        return;
+    pp_cached_points_destroy(run->points);
+    pp_irradiance_cache_destroy(run->cache);
+    pp_window_store_destroy(run->store);
+    pp_light_scene_destroy(run->scene);
+    free(run);
+}
+
+static enum pp_status make(struct cache_run *run, const struct pp_report *report,
+                           const struct pp_engine_options *options,
+                           struct pp_error *err)
+{
+    const struct pp_radiance_options light = pp_cached_points_light();
+    const struct pp_cached_options wanted = {.error = options->error,
+                                             .samples = options->samples,
+                                             .average = true,
+                                             .interpolate = options->interpolate,
+                                             .seed = options->seed,
+                                             .threads = options->threads};
+    struct pp_cache_options records = options->cache;
+    records.seed = options->seed;
+    records.threads = options->threads;
+    enum pp_status status =
+        pp_light_scene_of_world_matt(&run->scene, report->world, err);
+    if (status == PP_OK)
+        status = pp_window_store_create(&run->store, run->scene, options->seed,
+                                        options->threads, err);
+    if (status == PP_OK)
+        status = pp_cache_records_open(&run->cache, options->cache_file, run->scene,
+                                       run->store, &light, &records, err);
+    if (status == PP_OK)
+        status = pp_cached_points_create(&run->points, run->scene, run->store,
+                                         run->cache, report->receivers,
+                                         report->receiver_count, &wanted, err);
+    return status;
+}
+
+static enum pp_status create(void **data, const struct pp_report *report,
+                             const struct pp_engine_options *options,
+                             struct pp_error *err)
+{
+    struct cache_run *run = calloc(1, sizeof *run);
+    if (!run)
+        return pp_fail_memory(err);
+    enum pp_status status = make(run, report, options, err);
+    if (status != PP_OK) {
+        destroy(run);
+        run = NULL;
+    }
+    *data = run;
+    return status;
+}
+
+static enum pp_status advance(void *data, double seconds, struct pp_error *err)
+{
+    struct cache_run *run = data;
+    return pp_cached_points_advance(run->points, seconds, err);
+}
+
+static bool done(const void *data)
+{
+    const struct cache_run *run = data;
+    return pp_cached_points_done(run->points);
+}
+
+static double progress(const void *data)
+{
+    const struct cache_run *run = data;
+    return pp_cached_points_progress(run->points);
+}
+
+static double error(const void *data)
+{
+    const struct cache_run *run = data;
+    return pp_cached_points_error(run->points);
+}
+
+static void read(const void *data, int index,
+                 struct pp_reading readings[PP_COMPONENT_COUNT])
+{
+    const struct cache_run *run = data;
+    pp_cached_points_read(run->points, index, readings);
+}
+
+static enum pp_status keep(const void *data, char **bytes, size_t *length,
+                           struct pp_error *err)
+{
+    const struct cache_run *run = data;
+    *bytes = NULL;
+    return pp_cache_grow_done(run->cache)
+               ? pp_cache_file_pack(run->cache, bytes, length, err)
+               : PP_OK;
+}
+
+const struct pp_engine pp_engine_cache = {
+    .name = "cache",
+    .column = "cached",
+    .summary = "through an irradiance cache",
+    .create = create,
+    .advance = advance,
+    .done = done,
+    .progress = progress,
+    .error = error,
+    .read = read,
+    .keep = keep,
+    .destroy = destroy,
+};

@@ -1,0 +1,128 @@
+/* simulation.c - see simulation.h: any engine of the list, advanced slice by slice. */
+#include "studies/simulation.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "model/base/clock.h"
+
+/* Between two looks at the clock and by the watch. */
+static const double slice_s = 0.1;
+
+struct pp_simulation {
+    const struct pp_engine *engine;
+    void *run;
+};
+
+enum pp_status pp_simulation_create(struct pp_simulation **simulation,
+                                    const struct pp_engine *engine,
+                                    const struct pp_report *report,
+                                    const struct pp_engine_options *options,
+                                    struct pp_error *err)
+{
+    struct pp_simulation *made = calloc(1, sizeof *made);
+    *simulation = NULL;
+    if (!made)
+        return pp_fail_memory(err);
+    made->engine = engine;
+    enum pp_status status = engine->create(&made->run, report, options, err);
+    if (status == PP_OK)
+        *simulation = made;
+    else
+        free(made);
+    return status;
+}
+
+void pp_simulation_destroy(struct pp_simulation *simulation)
+{
+    if (!simulation)
+        return;
+    simulation->engine->destroy(simulation->run);
+    free(simulation);
+}
+
+enum pp_status pp_simulation_advance(struct pp_simulation *simulation, double seconds,
+                                     struct pp_error *err)
+{
+    return simulation->engine->advance(simulation->run, seconds, err);
+}
+
+bool pp_simulation_done(const struct pp_simulation *simulation)
+{
+    return simulation->engine->done(simulation->run);
+}
+
+double pp_simulation_progress(const struct pp_simulation *simulation)
+{
+    return simulation->engine->progress(simulation->run);
+}
+
+double pp_simulation_error(const struct pp_simulation *simulation)
+{
+    return simulation->engine->error(simulation->run);
+}
+
+enum pp_status pp_simulation_run(struct pp_simulation *simulation, double seconds,
+                                 const struct pp_watch *watch, const char *name,
+                                 enum pp_simulation_end *end, struct pp_error *err)
+{
+    const double started_s = pp_clock_s();
+    enum pp_status status = PP_OK;
+    *end = PP_SIMULATION_DONE;
+    double done = 0.0, error = NAN;
+    if (watch->begin)
+        watch->begin(watch->data, name ? name : "room");
+    while (status == PP_OK && !pp_simulation_done(simulation)) {
+        double spent = pp_clock_s() - started_s, slice = slice_s;
+        if (watch->look && !watch->look(watch->data, done, error)) {
+            *end = PP_SIMULATION_STOPPED;
+            break;
+        }
+        if (seconds > 0.0 && spent >= seconds) {
+            *end = PP_SIMULATION_BY_CLOCK;
+            break;
+        }
+        if (seconds > 0.0)
+            slice = fmin(slice, seconds - spent);
+        status = pp_simulation_advance(simulation, slice, err);
+        done = pp_simulation_progress(simulation);
+        if (seconds > 0.0)
+            done = fmax(done, spent / seconds);
+        error = pp_simulation_error(simulation);
+    }
+    if (watch->end)
+        watch->end(watch->data);
+    return status;
+}
+
+enum pp_status pp_simulation_add_columns(const struct pp_simulation *simulation,
+                                         struct pp_report *report, struct pp_error *err)
+{
+    const struct pp_engine *engine = simulation->engine;
+    for (int component = PP_SC; component < PP_COMPONENT_COUNT; component++) {
+        struct pp_column *column =
+            (struct pp_column *)pp_report_find(report, component, engine->column);
+        if (!column)
+            column = pp_report_add(report, component, engine->column, true);
+        if (!column)
+            return pp_fail_memory(err);
+        struct pp_reading readings[PP_COMPONENT_COUNT];
+        engine->read(simulation->run, -1, readings);
+        column->average = readings[component];
+        for (int i = 0; i < report->receiver_count; i++) {
+            engine->read(simulation->run, i, readings);
+            column->points[i] = readings[component];
+        }
+    }
+    return PP_OK;
+}
+
+enum pp_status pp_simulation_keep(const struct pp_simulation *simulation, char **bytes,
+                                  size_t *length, struct pp_error *err)
+{
+    *bytes = NULL;
+    *length = 0;
+    return simulation->engine->keep
+               ? simulation->engine->keep(simulation->run, bytes, length, err)
+               : PP_OK;
+}

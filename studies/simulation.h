@@ -1,0 +1,62 @@
+/* simulation.h - an engine at work on the points of a report.
+ *
+ * The caller holds the loop:
+ *
+ *     pp_simulation_create(&simulation, pp_engine_find("path"), &report, &options, err);
+ *     while (!pp_simulation_done(simulation))
+ *         pp_simulation_advance(simulation, 0.1, err);
+ *     pp_simulation_add_columns(simulation, &report, err);
+ *
+ * or leaves it to pp_simulation_run, which looks at the clock and at who watches.
+ */
+#ifndef PP_STUDIES_SIMULATION_H
+#define PP_STUDIES_SIMULATION_H
+
+#include "studies/engines/engine.h"
+#include "studies/study_options.h"
+
+struct pp_simulation;
+
+/* The report's world and receivers must outlive it. */
+enum pp_status pp_simulation_create(struct pp_simulation **simulation,
+                                    const struct pp_engine *engine,
+                                    const struct pp_report *report,
+                                    const struct pp_engine_options *options,
+                                    struct pp_error *err);
+void pp_simulation_destroy(struct pp_simulation *simulation); /* NULL is allowed */
+
+/* Works for about `seconds` by the clock. */
+enum pp_status pp_simulation_advance(struct pp_simulation *simulation, double seconds,
+                                     struct pp_error *err);
+bool pp_simulation_done(const struct pp_simulation *simulation);
+
+/* How far it is, 0 to 1; and the largest standard error over daylight factor of any
+ * point so far, NAN before there is any. */
+double pp_simulation_progress(const struct pp_simulation *simulation);
+double pp_simulation_error(const struct pp_simulation *simulation);
+
+/* How a simulation came to its end. */
+enum pp_simulation_end {
+    PP_SIMULATION_DONE,
+    PP_SIMULATION_BY_CLOCK,
+    PP_SIMULATION_STOPPED
+};
+
+/* Advances until the engine is done, `seconds` (0: any) are over, or the watch says
+ * stop. name: of the room, for the watch; may be NULL. */
+enum pp_status pp_simulation_run(struct pp_simulation *simulation, double seconds,
+                                 const struct pp_watch *watch, const char *name,
+                                 enum pp_simulation_end *end, struct pp_error *err);
+
+/* Adds to the report a column of the engine's name for each component, with what is
+ * known so far; the columns of an earlier call are filled anew. */
+enum pp_status pp_simulation_add_columns(const struct pp_simulation *simulation,
+                                         struct pp_report *report,
+                                         struct pp_error *err);
+
+/* What a later run may begin with, as the bytes of a file, the caller's to free; *bytes
+ * NULL where there is nothing (yet) to keep. */
+enum pp_status pp_simulation_keep(const struct pp_simulation *simulation, char **bytes,
+                                  size_t *length, struct pp_error *err);
+
+#endif

@@ -1,0 +1,279 @@
+/* size_room.c - see size_room.h. */
+#include "studies/sizing/size_room.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "methods/method.h"
+#include "studies/room_value.h"
+#include "studies/study_report.h"
+
+const char *const pp_size_room_change_words[] = {"width", "height", "head",
+                                                 "sill",  "number", NULL};
+
+/* What a value of a room is worked out from. */
+struct valuation {
+    const struct pp_size_wish *wish;
+    const struct pp_study_room *room;
+    struct pp_room_value by_hand;
+};
+
+enum pp_gives pp_size_room_gives(const char *by)
+{
+    const struct pp_method *method = pp_method_find(by);
+    return method ? method->gives : PP_GIVES_WHOLE;
+}
+
+/* What was traced at a point (-1: the average), of the components that the method
+ * gives. The errors of two are added: they may go together. */
+static struct pp_reading traced_at(const struct pp_report *report, enum pp_gives gives,
+                                   int point)
+{
+    static const enum pp_component of[] = {[PP_GIVES_DIRECT] = PP_SC,
+                                           [PP_GIVES_INTERNAL] = PP_IRC,
+                                           [PP_GIVES_WHOLE] = PP_DF};
+    const struct pp_column *column = pp_report_find(report, of[gives], "traced");
+    struct pp_reading reading = point < 0 ? column->average : column->points[point];
+    if (gives == PP_GIVES_DIRECT) {
+        column = pp_report_find(report, PP_ERC, "traced");
+        struct pp_reading external =
+            point < 0 ? column->average : column->points[point];
+        reading.value += external.value;
+        reading.std_error += external.std_error;
+    }
+    return reading;
+}
+
+/* The traced average, or the lowest of the points. */
+static enum pp_status trace(struct valuation *valuation, const struct pp_world *world,
+                            struct pp_reading *reading, struct pp_error *err)
+{
+    int points = valuation->by_hand.point_count;
+    struct pp_report report = {.world = world,
+                               .receivers = valuation->by_hand.points,
+                               .receiver_count = points,
+                               .finished = true};
+    bool by_clock = false;
+    enum pp_status status =
+        pp_study_report_traced(&report, valuation->wish->study, &by_clock, err);
+    if (status == PP_OK && !report.finished)
+        status = pp_fail(err, PP_INTERRUPTED, "interrupted before a size was found");
+    if (status == PP_OK) {
+        enum pp_gives gives = pp_size_room_gives(valuation->by_hand.method);
+        *reading = traced_at(&report, gives, points > 0 ? 0 : -1);
+        for (int i = 1; i < points; i++) {
+            struct pp_reading other = traced_at(&report, gives, i);
+            if (other.value < reading->value)
+                *reading = other;
+        }
+    }
+    pp_report_clear(&report);
+    return status;
+}
+
+static enum pp_status value_of(void *data, const struct pp_world *world,
+                               struct pp_reading *reading, struct pp_error *err)
+{
+    struct valuation *valuation = data;
+    return valuation->wish->traced
+               ? trace(valuation, world, reading, err)
+               : pp_room_value(&valuation->by_hand, world, reading, err);
+}
+
+/* Is the opening one of those that may change? */
+static bool is_chosen(const struct pp_size_wish *wish,
+                      const struct pp_room_opening *opening, enum pp_opening_kind kind)
+{
+    if (wish->line > 0)
+        return opening->line == wish->line;
+    return opening->kind == kind
+           && (!wish->wall || strcmp(opening->wall, wish->wall) == 0);
+}
+
+/* The indices of the openings that change: the windows, or the rooflights where there
+ * are no windows. Fails where there are none. */
+static enum pp_status choose(int *openings, int *count, const struct pp_size_wish *wish,
+                             const struct pp_room *room, struct pp_error *err)
+{
+    int all = pp_room_opening_count(room), windows = 0;
+    for (int i = 0; i < all; i++)
+        windows += pp_room_opening_at(room, i).kind == PP_WINDOW;
+    enum pp_opening_kind kind = windows > 0 || wish->wall ? PP_WINDOW : PP_ROOFLIGHT;
+    *count = 0;
+    for (int i = 0; i < all; i++) {
+        struct pp_room_opening opening = pp_room_opening_at(room, i);
+        if (is_chosen(wish, &opening, kind))
+            openings[(*count)++] = i;
+    }
+    if (*count > 0)
+        return PP_OK;
+    if (wish->line > 0)
+        return pp_fail(err, PP_BAD_INPUT, "there is no window on line %ld", wish->line);
+    if (wish->wall)
+        return pp_fail(err, PP_BAD_INPUT, "there is no window in a wall \"%.200s\"",
+                       wish->wall);
+    return pp_fail(err, PP_BAD_INPUT,
+                   "there is no window or rooflight to change%s; expected one to begin "
+                   "with, of any size",
+                   all > 0 ? ", and what is given by its corners keeps its shape" : "");
+}
+
+static bool is_by_counts(const char *by)
+{
+    char name[64];
+    snprintf(name, sizeof name, "%.*s", (int)strcspn(by, "+"), by);
+    const struct pp_method *direct = pp_method_find(name);
+    const char *plus = strchr(by, '+');
+    const struct pp_method *internal = plus ? pp_method_find(plus + 1) : NULL;
+    return (direct && direct->counts) || (internal && internal->counts);
+}
+
+/* ---- What becomes of the openings ---- */
+
+static bool is_same(struct pp_opening_place a, struct pp_opening_place b)
+{
+    return a.left_m == b.left_m && a.width_m == b.width_m && a.sill_m == b.sill_m
+           && a.height_m == b.height_m;
+}
+
+/* Sets down how the sized room's openings differ from the room's; `openings` are those
+ * that could change. */
+static enum pp_status set_down_edits(struct pp_size_room_result *result,
+                                     const int *openings, int count,
+                                     struct pp_error *err)
+{
+    const struct pp_room *before = result->room->room, *after = result->answer.room;
+    int was = pp_room_opening_count(before), is = pp_room_opening_count(after);
+    int kept = is < was ? count - (was - is) : count, added = is > was ? is - was : 0;
+    result->edits = calloc((size_t)(count + added), sizeof *result->edits);
+    if (!result->edits)
+        return pp_fail_memory(err);
+    for (int i = 0; i < count; i++) {
+        struct pp_text_edit edit = {.kind = PP_TEXT_REMOVE, .opening = openings[i]};
+        if (i < kept) {
+            edit.kind = PP_TEXT_SET;
+            edit.place = pp_room_opening_at(after, openings[i]).place;
+            if (is_same(edit.place, pp_room_opening_at(before, openings[i]).place))
+                continue;
+        }
+        result->edits[result->edit_count++] = edit;
+    }
+    for (int i = 0; i < added; i++)
+        result->edits[result->edit_count++] = (struct pp_text_edit){
+            PP_TEXT_ADD, openings[count - 1], pp_room_opening_at(after, was + i).place};
+    return PP_OK;
+}
+
+/* Where the room stands in its file. */
+static void find_text(struct pp_size_room_result *result)
+{
+    struct pp_building *building = result->room->building;
+    int openings = 0;
+    for (int i = 0; i < pp_building_room_count(building); i++) {
+        const struct pp_room *room = pp_building_room(building, i);
+        if (room == result->room->room) {
+            result->file_text = pp_building_text(building, &result->file_length);
+            result->file_opening = openings;
+        }
+        openings += pp_room_opening_count(room);
+    }
+}
+
+/* ---- The room ---- */
+
+/* The method asked for, or else the first of the usual ones that covers the room. */
+static enum pp_status choose_method(struct valuation *valuation, struct pp_error *err)
+{
+    static const char *const usual[] = {"exact+bre", "exact+split-flux"};
+    struct pp_reading reading = pp_reading_none(NULL);
+    enum pp_status status = PP_OK;
+    valuation->by_hand.method = valuation->wish->by;
+    for (int i = 0; i < 2 && !valuation->wish->by && status == PP_OK; i++) {
+        valuation->by_hand.method = usual[i];
+        status =
+            pp_room_value(&valuation->by_hand, valuation->room->world, &reading, err);
+        if (!reading.why)
+            break;
+    }
+    return status;
+}
+
+/* The simulated check of an answer. */
+static enum pp_status check_by_simulation(struct pp_size_room_result *result,
+                                          struct valuation *valuation,
+                                          struct pp_error *err)
+{
+    struct pp_world *world = NULL;
+    struct pp_mistakes mistakes;
+    pp_mistakes_init(&mistakes, "the sized room");
+    enum pp_status status =
+        pp_world_create(&world, result->answer.room, &mistakes, err);
+    if (status == PP_OK)
+        status = trace(valuation, world, &result->traced, err);
+    pp_world_destroy(world);
+    pp_mistakes_clear(&mistakes);
+    return status;
+}
+
+enum pp_status pp_size_room(struct pp_size_room_result *result,
+                            const struct pp_study_room *room,
+                            const struct pp_size_wish *wish, struct pp_error *err)
+{
+    bool points = wish->study->points.count > 0;
+    struct valuation valuation = {
+        .wish = wish,
+        .room = room,
+        .by_hand = {.points = points ? room->receivers : NULL,
+                    .point_count = points ? room->receiver_count : 0}};
+    *result =
+        (struct pp_size_room_result){.room = room, .traced = pp_reading_none(NULL)};
+    find_text(result);
+    int all = pp_room_opening_count(room->room);
+    int *openings = malloc(((size_t)all + 1) * sizeof *openings);
+    if (!openings)
+        return pp_fail_memory(err);
+    struct pp_size_task task = {.room = room->room,
+                                .change = wish->change,
+                                .openings = openings,
+                                .target = wish->target,
+                                .value = value_of,
+                                .data = &valuation};
+    enum pp_status status = choose_method(&valuation, err);
+    if (status == PP_OK) {
+        result->method = valuation.by_hand.method;
+        task.by_counts = is_by_counts(result->method);
+        status = choose(openings, &task.opening_count, wish, room->room, err);
+    }
+    if (status == PP_OK)
+        status = pp_size_find(&result->answer, &task, err);
+    if (status == PP_OK && result->answer.room)
+        status = set_down_edits(result, openings, task.opening_count, err);
+    free(openings);
+    if (status == PP_OK && result->answer.verdict == PP_SIZE_NO_VALUE) {
+        snprintf(result->text, sizeof result->text, "%s", valuation.by_hand.why);
+        result->why = result->text;
+    }
+    if (status == PP_OK && wish->study->simulate && !wish->traced
+        && result->answer.room)
+        status = check_by_simulation(result, &valuation, err);
+    return status;
+}
+
+void pp_size_room_result_refuse(struct pp_size_room_result *result, const char *why)
+{
+    pp_size_room_result_clear(result);
+    result->answer = (struct pp_size_answer){.verdict = PP_SIZE_NO_VALUE,
+                                             .now = pp_reading_none(NULL),
+                                             .reading = pp_reading_none(NULL)};
+    result->edits = NULL;
+    result->edit_count = 0;
+    snprintf(result->text, sizeof result->text, "%s", why);
+    result->why = result->text;
+}
+
+void pp_size_room_result_clear(struct pp_size_room_result *result)
+{
+    pp_size_answer_clear(&result->answer);
+    free(result->edits);
+}

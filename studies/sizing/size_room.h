@@ -1,0 +1,57 @@
+/* size_room.h - the window of a room that just reaches a target, by a hand method or by
+ * the simulation, and how the room file changes with it.
+ */
+#ifndef PP_STUDIES_SIZING_SIZE_ROOM_H
+#define PP_STUDIES_SIZING_SIZE_ROOM_H
+
+#include "studies/study_room.h"
+#include "studies/sizing/size.h"
+#include "methods/method.h"
+#include "model/room/room_text.h"
+#include "studies/study_options.h"
+#include "studies/sizing/window_sizes.h"
+
+/* What is wanted. */
+struct pp_size_wish {
+    const struct pp_study_options *study; /* of points and simulation; not owned */
+    double target;                        /* a fraction; 0: not given */
+    const char *by; /* a method, a pair, or "traced"; NULL: what covers the room */
+    bool traced;    /* by is "traced" */
+    enum pp_size_change change;
+    const char *wall; /* only windows in that wall; NULL: any */
+    long line;        /* only the opening on that line of the file; 0: any */
+};
+
+/* What may change, by its name: "width". */
+extern const char *const pp_size_room_change_words[];
+
+/* What was found for one room. */
+struct pp_size_room_result {
+    const struct pp_study_room *room; /* not owned */
+    const char *method;               /* that it was sized by; not owned */
+    struct pp_size_answer answer;
+    struct pp_text_edit *edits; /* what becomes of the room's openings; owned */
+    int edit_count;
+    const char *file_text; /* not owned */
+    size_t file_length;
+    int file_opening; /* how many openings the file has before the room's first */
+    const char *why;  /* there is no value; not owned */
+    struct pp_reading traced; /* of the room sized; NAN where nothing was traced */
+    char text[512];           /* what why points to */
+};
+
+/* Sizes a room. PP_BAD_INPUT where it has no such
+ * window. The result is to be cleared in any case. */
+enum pp_status pp_size_room(struct pp_size_room_result *result,
+                            const struct pp_study_room *room,
+                            const struct pp_size_wish *wish, struct pp_error *err);
+
+/* Makes it the result of a room that can't be sized, and why. */
+void pp_size_room_result_refuse(struct pp_size_room_result *result, const char *why);
+
+/* What a method, a pair or "traced" gives: what the target is of. */
+enum pp_gives pp_size_room_gives(const char *by);
+
+void pp_size_room_result_clear(struct pp_size_room_result *result);
+
+#endif

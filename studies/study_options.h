@@ -1,0 +1,50 @@
+/* study_options.h - what is asked of a room: methods, points, sky, simulation. */
+#ifndef PP_STUDIES_STUDY_OPTIONS_H
+#define PP_STUDIES_STUDY_OPTIONS_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+#include "methods/method.h"
+#include "model/room/world.h"
+
+/* Reference points that stand for the file's; z is NAN for the working plane. */
+struct pp_point_list {
+    struct pp_vec3 *list;
+    int count;
+};
+
+/* Whoever looks on while a simulation works: a progress bar, a wish to stop. All NULL:
+ * nobody. Called from one thread, between two slices of work. */
+struct pp_watch {
+    void (*begin)(void *data, const char *name); /* of the room */
+    /* done: 0 to 1; error: the largest standard error over daylight factor so far, NAN
+     * where there is none. false: stop here, what there is so far is good. */
+    bool (*look)(void *data, double done, double error);
+    void (*end)(void *data);
+    void *data;
+};
+
+struct pp_study_options {
+    const char *methods; /* a selection (methods/selection.h); NULL: the default ones */
+    struct pp_point_list points;
+    const char *sky; /* as in a room file; NULL: the file's */
+
+    bool simulate;
+    double error;   /* wanted standard error over daylight factor; 0: not given */
+    long samples;   /* paths a point in each randomisation; 0: not given */
+    double seconds; /* 0: not given */
+    uint64_t seed;
+    int threads; /* 0: as many as there are processors */
+    struct pp_watch watch;
+
+    bool explain; /* are the methods to set out the sums of the room's one point? */
+    struct pp_method_options method_options;
+
+    double external_lux; /* of the open level plane; 0: not given */
+};
+
+/* Nothing asked for: seed 1, all else empty. */
+#define PP_STUDY_OPTIONS_NONE ((struct pp_study_options){.seed = 1})
+
+#endif

@@ -1,0 +1,41 @@
+/* study_report.h - one room's report: what the methods say, and what the simulation says.
+ *
+ * The only place that asks both; neither knows of the other.
+ */
+#ifndef PP_STUDIES_STUDY_REPORT_H
+#define PP_STUDIES_STUDY_REPORT_H
+
+#include "model/results/report.h"
+#include "studies/simulation.h"
+#include "studies/study_options.h"
+#include "studies/study_room.h"
+
+/* A report on the room with the columns of the methods asked for; nothing is simulated.
+ * The report is good as long as the room and the options; pp_report_clear frees it. */
+enum pp_status pp_study_report_methods(struct pp_report *report,
+                                       const struct pp_study_room *room,
+                                       const struct pp_study_options *options,
+                                       struct pp_error *err);
+
+/* Adds the columns "traced" of all components, by light paths. A watch that stops it
+ * leaves what there is so far, and report->finished is false. *by_clock: the time was
+ * over before the simulation was done. */
+enum pp_status pp_study_report_traced(struct pp_report *report,
+                                      const struct pp_study_options *options,
+                                      bool *by_clock, struct pp_error *err);
+
+/* The same by any engine. Of error, samples, seed and threads the study's options count.
+ * kept (may be NULL): what a later run may begin with, where the simulation was not
+ * stopped; the caller's to free. */
+struct pp_kept_bytes {
+    char *bytes;
+    size_t length;
+};
+enum pp_status pp_study_report_simulate(struct pp_report *report,
+                                        const struct pp_engine *engine,
+                                        struct pp_engine_options engine_options,
+                                        const struct pp_study_options *options,
+                                        bool *by_clock, struct pp_kept_bytes *kept,
+                                        struct pp_error *err);
+
+#endif

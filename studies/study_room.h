@@ -1,0 +1,31 @@
+/* study_room.h - one room to be studied: its file, its description, its world, and the
+ * points that figures are wanted of.
+ */
+#ifndef PP_STUDIES_STUDY_ROOM_H
+#define PP_STUDIES_STUDY_ROOM_H
+
+#include "model/room/building.h"
+#include "model/room/world.h"
+
+struct pp_study_room {
+    const char *file; /* as the user named it; not owned */
+    const struct pp_room
+        *room; /* as the file has it, with the options' sky; not owned */
+    struct pp_building *building; /* that the room is part of; not owned */
+    struct pp_world *world;
+    struct pp_receiver *receivers; /* the world's own, or others in their place */
+    int receiver_count;
+};
+
+/* Takes over world, with its own receivers as the points. */
+void pp_study_room_init(struct pp_study_room *room, const char *file,
+                        struct pp_building *building, const struct pp_room *description,
+                        struct pp_world *world);
+
+/* Other points in place of those there are; takes over the list (malloc). */
+void pp_study_room_set_points(struct pp_study_room *room, struct pp_receiver *receivers,
+                              int count);
+
+void pp_study_room_clear(struct pp_study_room *room);
+
+#endif

@@ -1,0 +1,143 @@
+/* The layout of a table of results in lines of a given width. */
+#include "tests/lib/near.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "reports/table.h"
+
+static void add(struct pp_table *table, const char *group, const char *heading,
+                const char *cell)
+{
+    struct pp_table_column *column = pp_table_add(table, group, group, heading);
+    assert_non_null(column);
+    for (int row = 0; row < table->row_count; row++)
+        snprintf(column->cells[row], PP_CELL_BYTES, "%s", cell);
+}
+
+/* The table as printed; to be freed. */
+static char *printed(struct pp_table *table, int width)
+{
+    char *text;
+    size_t size;
+    FILE *out = open_memstream(&text, &size);
+    assert_non_null(out);
+    pp_table_print(table, width, out);
+    assert_int_equal(fclose(out), 0);
+    return text;
+}
+
+static void shows(struct pp_table *table, int width, const char *expected)
+{
+    char *text = printed(table, width);
+    assert_string_equal(text, expected);
+    free(text);
+    pp_table_clear(table);
+}
+
+static const char one[] = "one", two[] = "two";
+
+static struct pp_table two_groups(void)
+{
+    struct pp_table table;
+    pp_table_init(&table, 2);
+    add(&table, NULL, "y", "0.50");
+    table.key_count = 1;
+    table.last_label = "mean";
+    add(&table, one, "exact", "12.30");
+    add(&table, one, "brs-table", "1.25");
+    add(&table, two, "exact+bre", "-");
+    return table;
+}
+
+static void columns_stand_side_by_side_while_the_line_lasts(void **state)
+{
+    (void)state;
+    struct pp_table table = two_groups();
+    shows(&table, 40,
+          "         one            two\n"
+          "         ------------   -----\n"
+          "                 brs-   exact\n"
+          "     y   exact  table    +bre\n"
+          "  ---------------------------\n"
+          "  0.50   12.30   1.25       -\n"
+          "  ---------------------------\n"
+          "  mean   12.30   1.25       -\n");
+}
+
+static void a_group_that_does_not_fit_goes_below_with_the_keys(void **state)
+{
+    (void)state;
+    struct pp_table table = two_groups();
+    shows(&table, 28,
+          "         one\n"
+          "         ------------\n"
+          "                 brs-\n"
+          "     y   exact  table\n"
+          "  -------------------\n"
+          "  0.50   12.30   1.25\n"
+          "  -------------------\n"
+          "  mean   12.30   1.25\n"
+          "\n"
+          "         two\n"
+          "         -----\n"
+          "         exact\n"
+          "     y    +bre\n"
+          "  ------------\n"
+          "  0.50       -\n"
+          "  ------------\n"
+          "  mean       -\n");
+}
+
+static void titles_of_narrow_groups_keep_apart(void **state)
+{
+    (void)state;
+    static const char long_one[] = "illuminance", long_two[] = "daylight factor";
+    struct pp_table table;
+    pp_table_init(&table, 1);
+    add(&table, NULL, "x", "0.5");
+    table.key_count = 1;
+    add(&table, long_one, "lx", "0");
+    add(&table, long_one, "+-", "0");
+    add(&table, long_two, "DF %", "0.1");
+    shows(&table, 60,
+          "        illuminance   daylight factor\n"
+          "        -----------   ---------------\n"
+          "    x        lx  +-              DF %\n"
+          "  -----------------------------------\n"
+          "  0.5         0   0               0.1\n");
+}
+
+static void a_group_too_wide_for_any_line_is_broken(void **state)
+{
+    (void)state;
+    struct pp_table table;
+    pp_table_init(&table, 1);
+    add(&table, NULL, "y", "0.5");
+    table.key_count = 1;
+    for (int i = 0; i < 9; i++)
+        add(&table, one, "exact", "12.30");
+    char *text = printed(&table, 40);
+    int length = 0;
+    for (const char *c = text; *c; c++) {
+        length = *c == '\n' ? 0 : length + 1;
+        assert_true(length <= 40);
+    }
+    int cells = 0;
+    for (const char *c = text; (c = strstr(c, "12.30")) != NULL; c++)
+        cells++;
+    assert_int_equal(cells, 9);
+    free(text);
+    pp_table_clear(&table);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(columns_stand_side_by_side_while_the_line_lasts),
+        cmocka_unit_test(a_group_that_does_not_fit_goes_below_with_the_keys),
+        cmocka_unit_test(titles_of_narrow_groups_keep_apart),
+        cmocka_unit_test(a_group_too_wide_for_any_line_is_broken),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
