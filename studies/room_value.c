@@ -1,12 +1,14 @@
-/* room_value.c - see room_value.h. */
+/* room_value.c - the figure is read from the report that the hand method fills, at the
+ * lowest of the points or as the average.
+ */
 #include "studies/room_value.h"
 
 #include <stdio.h>
 
 #include "methods/evaluate.h"
 
-/* The average (point -1) or a point's reading of a method, the sum of its components.
- */
+/* A method's reading at a point, or its average (point -1): the daylight factor, else
+ * the internally reflected component, else sky plus externally reflected component. */
 static struct pp_reading reading_of(const struct pp_report *report, const char *method,
                                     int point)
 {

@@ -1,4 +1,5 @@
-/* room_value.h - one figure of a room by one hand method: what a design is judged by.
+/* room_value.h - one daylight factor of a room by one hand method: the figure by which
+ * a design is judged when the room is changed step by step.
  */
 #ifndef PP_STUDIES_ROOM_VALUE_H
 #define PP_STUDIES_ROOM_VALUE_H
@@ -8,14 +9,15 @@
 #include "model/room/world.h"
 
 struct pp_room_value {
-    const char *method; /* "exact+bre", "average-df"; of a method that gives a component
-                         * only, its component: direct, or internally reflected */
-    const struct pp_receiver *points; /* the lowest of these; not owned */
-    int point_count;                  /* 0: the average over the working plane */
-    char why[512];                    /* what readings' why points to */
+    const char *method; /* as pp_methods_evaluate takes it: "exact+bre", "average-df" */
+    const struct pp_receiver *points; /* the figure is the lowest of these; not owned */
+    int point_count;                  /* 0: the figure is the working plane's average */
+    char why[512];                    /* the text that a reading's why points to */
 };
 
-/* The value in that world; a reading that is none says why. */
+/* The figure in that world. Of a method that gives no daylight factor it is the method's
+ * component: the internally reflected one, or the direct one (sky component plus
+ * externally reflected component). A reading without a value says why. */
 enum pp_status pp_room_value(struct pp_room_value *value, const struct pp_world *world,
                              struct pp_reading *reading, struct pp_error *err);
 

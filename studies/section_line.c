@@ -1,8 +1,13 @@
+/* section_line.c - finds the line of a section in a room and puts points on it.
+ */
 #include "studies/section_line.h"
 
 #include <math.h>
 #include <stdlib.h>
 
+#include "model/geometry/bounds.h"
+
+/* Spacing of the points along the line (m), at most. */
 static const double step_m = 0.25;
 
 bool pp_section_line_is_straight(const struct pp_receiver *receivers, int count)
@@ -40,7 +45,7 @@ static struct pp_vec3 middle_of(const struct pp_polygon *polygon)
     return pp_vec_scale(sum, 1.0 / polygon->count);
 }
 
-/* Where the line starts, on the working plane, and which way it goes. */
+/* The line's start on the working plane and its direction. */
 static void choose_start(const struct pp_world *world, struct pp_vec3 *start,
                          struct pp_vec3 *way)
 {
@@ -50,14 +55,11 @@ static void choose_start(const struct pp_world *world, struct pp_vec3 *start,
         *start = middle_of(&window->inner);
         *way = pp_vec_unit(pp_vec(normal.x, normal.y, 0.0));
     } else {
-        struct pp_vec3 low = pp_vec(INFINITY, INFINITY, 0.0);
-        struct pp_vec3 high = pp_vec(-INFINITY, -INFINITY, 0.0);
+        struct pp_bounds3 bounds = pp_bounds3_empty();
         for (int i = 0; i < world->face_count; i++)
-            for (int j = 0; j < world->surfaces[i].outline.count; j++) {
-                struct pp_vec3 v = world->surfaces[i].outline.vertices[j];
-                low = pp_vec(fmin(low.x, v.x), fmin(low.y, v.y), 0.0);
-                high = pp_vec(fmax(high.x, v.x), fmax(high.y, v.y), 0.0);
-            }
+            for (int j = 0; j < world->surfaces[i].outline.count; j++)
+                pp_bounds3_add(&bounds, world->surfaces[i].outline.vertices[j]);
+        struct pp_vec3 low = bounds.low, high = bounds.high;
         bool along_y = high.y - low.y > high.x - low.x;
         *way = along_y ? pp_vec(0.0, 1.0, 0.0) : pp_vec(1.0, 0.0, 0.0);
         *start = along_y ? pp_vec((low.x + high.x) / 2.0, low.y, 0.0)
@@ -66,7 +68,7 @@ static void choose_start(const struct pp_world *world, struct pp_vec3 *start,
     start->z = world->working_plane_m;
 }
 
-/* How far one can go before leaving the room, to a centimetre. */
+/* Length of the line from its start to the end of the room, to a centimetre. */
 static double free_length(const struct pp_world *world, struct pp_vec3 start,
                           struct pp_vec3 way)
 {

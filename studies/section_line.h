@@ -1,7 +1,7 @@
 /* section_line.h - the reference points of a section, where the room file has no line.
  */
-#ifndef PP_CLI_CHART_SECTION_LINE_H
-#define PP_CLI_CHART_SECTION_LINE_H
+#ifndef PP_STUDIES_SECTION_LINE_H
+#define PP_STUDIES_SECTION_LINE_H
 
 #include <stdbool.h>
 

@@ -1,3 +1,6 @@
+/* availability.c - fills the sheet of an availability question: first the rows, one a
+ * place, method and illuminance, then each period's curve and the rows' shares of it.
+ */
 #include "studies/climate/availability.h"
 
 #include <math.h>
@@ -9,8 +12,8 @@ double pp_availability_needed_lx(double lx, double daylight_factor)
     return daylight_factor > 0.0 ? lx / daylight_factor : INFINITY;
 }
 
-/* "8", "17:30". */
-static int say_clock(char *text, size_t room, double hour)
+/* Writes an hour of the day as "8" or "17:30"; returns the length of that text. */
+static int write_clock(char *text, size_t room, double hour)
 {
     int minutes = (int)lround(60.0 * hour);
     return minutes % 60 ? snprintf(text, room, "%d:%02d", minutes / 60, minutes % 60)
@@ -37,7 +40,8 @@ static enum pp_status fill_period(struct pp_availability_period *period,
     return PP_OK;
 }
 
-/* What one row says of one period. */
+/* The share of one period's hours that one row's illuminance is reached in, and its
+ * standard error by central differences of one standard error of the daylight factor. */
 static void fill_share(struct pp_availability_row *row, int period,
                        const struct pp_diffuse_curve *curve)
 {
@@ -61,8 +65,9 @@ static int compare_readings(const void *a, const void *b)
     return (p > q) - (p < q);
 }
 
-/* The median of a column's points into *median; false where there is none. The mean of
- * the middle two has the larger of their errors at most. */
+/* The median of a column's points into *median; false where fewer than three have a
+ * value. `sorted` has space for all points. Of an even number of points the median is
+ * the mean of the middle two, whose standard error is at most the larger of theirs. */
 static bool median_of(const struct pp_report *report, const struct pp_column *column,
                       struct pp_reading *median, struct pp_reading *sorted)
 {
@@ -96,7 +101,8 @@ static void add_rows(struct pp_availability_sheet *sheet, int place,
     }
 }
 
-/* All rows, without their shares. */
+/* All rows, without their shares: points in their order, then the median, then the
+ * average. */
 static enum pp_status fill_rows(struct pp_availability_sheet *sheet,
                                 struct pp_error *err)
 {
@@ -143,14 +149,14 @@ enum pp_status pp_availability_fill(struct pp_availability_sheet *sheet,
     for (int i = 0; status == PP_OK && i < question->period_count; i++) {
         const struct pp_working_hours *hours = &question->periods[i];
         struct pp_availability_period *period = &sheet->periods[sheet->period_count++];
-        int length = say_clock(period->words, sizeof period->words, hours->from_h);
+        int length = write_clock(period->words, sizeof period->words, hours->from_h);
         period->words[length++] = '-';
-        say_clock(period->words + length, sizeof period->words - (size_t)length,
-                  hours->to_h);
+        write_clock(period->words + length, sizeof period->words - (size_t)length,
+                    hours->to_h);
 
         struct pp_diffuse_curve curve;
-        status = pp_diffuse_curve_create(&curve, question->light, hours,
-                                         &question->summer, err);
+        status = pp_diffuse_curve_init(&curve, question->light, hours,
+                                       &question->summer, err);
         if (status == PP_OK)
             status = fill_period(period, &curve, err);
         for (int k = 0; status == PP_OK && k < sheet->row_count; k++)

@@ -24,11 +24,12 @@ struct pp_availability_question {
 /* E/D, both greater than 0; INFINITY for D of 0. */
 double pp_availability_needed_lx(double lx, double daylight_factor);
 
-/* The curves and, of a report's daylight factors (report may be NULL), how often each
- * place has each illuminance: its points, their median where there are three or more
- * that have values, and the average. A standard error is half the difference that one
- * of the daylight factor's up or down makes. PP_BAD_INPUT where a period has no hour
- * whose light is known. *sheet is to be cleared, in any case. */
+/* Fills the sheet with the curves and, of a report's daylight factors (report may be
+ * NULL), with the share of each period in which each place has each illuminance. Places
+ * are the report's points, their median where three or more have values, and the
+ * average. A share's standard error is half the difference between the shares at one
+ * standard error of the daylight factor up and down. PP_BAD_INPUT where a period has no
+ * hour whose light is known. *sheet is to be cleared by the caller, in any case. */
 enum pp_status pp_availability_fill(struct pp_availability_sheet *sheet,
                                     const struct pp_availability_question *question,
                                     const struct pp_report *report,

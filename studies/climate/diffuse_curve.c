@@ -1,13 +1,18 @@
+/* diffuse_curve.c - the working hours of the year, sorted by falling illuminance and
+ * summed up; shares and illuminances are then found by bisection.
+ */
 #include "studies/climate/diffuse_curve.h"
 
 #include <math.h>
 #include <stdlib.h>
 
+/* One stretch of working time with its illuminance. */
 struct worked_hour {
     double lx, length_h;
 };
 
-/* Falling; of equal values the longer first, so that the order is one. */
+/* By falling illuminance; of equal ones the longer stretch first, so that the order
+ * does not depend on the sort. */
 static int compare_hours(const void *a, const void *b)
 {
     const struct worked_hour *p = a, *q = b;
@@ -16,10 +21,12 @@ static int compare_hours(const void *a, const void *b)
     return (p->length_h < q->length_h) - (p->length_h > q->length_h);
 }
 
-static int gather(struct worked_hour *worked, struct pp_diffuse_curve *curve,
-                  const struct pp_diffuse_light *light,
-                  const struct pp_working_hours *hours,
-                  const struct pp_summer_time *summer)
+/* Collects the working time whose illuminance is known, sorted, into `worked`; returns
+ * the number of stretches. Adds the rest to curve->missing_h. */
+static int collect_hours(struct worked_hour *worked, struct pp_diffuse_curve *curve,
+                         const struct pp_diffuse_light *light,
+                         const struct pp_working_hours *hours,
+                         const struct pp_summer_time *summer)
 {
     int count = 0;
     for (int i = 0; i < light->count; i++) {
@@ -36,20 +43,21 @@ static int gather(struct worked_hour *worked, struct pp_diffuse_curve *curve,
     return count;
 }
 
-enum pp_status pp_diffuse_curve_create(struct pp_diffuse_curve *curve,
-                                       const struct pp_diffuse_light *light,
-                                       const struct pp_working_hours *hours,
-                                       const struct pp_summer_time *summer,
-                                       struct pp_error *err)
+enum pp_status pp_diffuse_curve_init(struct pp_diffuse_curve *curve,
+                                     const struct pp_diffuse_light *light,
+                                     const struct pp_working_hours *hours,
+                                     const struct pp_summer_time *summer,
+                                     struct pp_error *err)
 {
     *curve = (struct pp_diffuse_curve){0};
-    size_t room = (size_t)light->count + 1;
-    struct worked_hour *worked = malloc(room * sizeof *worked);
-    curve->lx = malloc(room * sizeof *curve->lx);
-    curve->reached_h = malloc(room * sizeof *curve->reached_h);
+    size_t most = (size_t)light->count + 1;
+    struct worked_hour *worked = malloc(most * sizeof *worked);
+    curve->lx = malloc(most * sizeof *curve->lx);
+    curve->reached_h = malloc(most * sizeof *curve->reached_h);
     enum pp_status status =
         worked && curve->lx && curve->reached_h ? PP_OK : pp_fail_memory(err);
-    int count = status == PP_OK ? gather(worked, curve, light, hours, summer) : 0;
+    int count =
+        status == PP_OK ? collect_hours(worked, curve, light, hours, summer) : 0;
     for (int i = 0; i < count; i++) {
         if (curve->count == 0 || worked[i].lx != curve->lx[curve->count - 1])
             curve->lx[curve->count++] = worked[i].lx;
@@ -75,7 +83,7 @@ void pp_diffuse_curve_clear(struct pp_diffuse_curve *curve)
 
 double pp_diffuse_curve_share(const struct pp_diffuse_curve *curve, double lx)
 {
-    /* How many values are lx or more, above 0 in any case. */
+    /* Bisection for the number of illuminances that are `lx` or more and above 0. */
     int low = 0, high = curve->count;
     while (low < high) {
         int middle = (low + high) / 2;
@@ -89,6 +97,8 @@ double pp_diffuse_curve_share(const struct pp_diffuse_curve *curve, double lx)
 
 double pp_diffuse_curve_lx(const struct pp_diffuse_curve *curve, double share)
 {
+    /* Bisection for the first illuminance that is reached in that share of the time; the
+     * share may have been rounded. */
     int low = 0, high = curve->count - 1;
     while (low < high) {
         int middle = (low + high) / 2;

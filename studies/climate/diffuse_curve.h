@@ -1,34 +1,35 @@
-/* diffuse_curve.h - how often the sky gives how much light in working hours: the
- * cumulative curve of the diffuse horizontal illuminance.
+/* diffuse_curve.h - in what share of the working hours the sky gives an illuminance or
+ * more: the cumulative curve of the diffuse horizontal illuminance [GEEBELEN].
  */
 #ifndef PP_STUDIES_CLIMATE_DIFFUSE_CURVE_H
 #define PP_STUDIES_CLIMATE_DIFFUSE_CURVE_H
 
 #include "studies/climate/working_hours.h"
 
-/* Each value with the working hours that have it, or more. */
+/* Each illuminance of the year with the working hours that reach it. */
 struct pp_diffuse_curve {
-    int count;         /* of different values, 1 or more */
-    double *lx;        /* falling; owned */
-    double *reached_h; /* rising: hours with that much or more; owned */
-    double total_h;    /* working hours for which the light is known */
-    double missing_h;  /* and for which it is not */
+    int count;         /* of different illuminances, 1 or more */
+    double *lx;        /* the illuminances, falling; owned */
+    double *reached_h; /* working hours with lx[i] or more, rising; owned */
+    double total_h;    /* working hours whose illuminance is known */
+    double missing_h;  /* working hours whose illuminance is not known */
 };
 
-/* PP_BAD_INPUT where no working hour has a known value. *curve is to be cleared. */
-enum pp_status pp_diffuse_curve_create(struct pp_diffuse_curve *curve,
-                                       const struct pp_diffuse_light *light,
-                                       const struct pp_working_hours *hours,
-                                       const struct pp_summer_time *summer,
-                                       struct pp_error *err);
+/* PP_BAD_INPUT where no working hour has a known illuminance. On success *curve is to be
+ * cleared by the caller. */
+enum pp_status pp_diffuse_curve_init(struct pp_diffuse_curve *curve,
+                                     const struct pp_diffuse_light *light,
+                                     const struct pp_working_hours *hours,
+                                     const struct pp_summer_time *summer,
+                                     struct pp_error *err);
 void pp_diffuse_curve_clear(struct pp_diffuse_curve *curve);
 
 /* The share of the working hours in which the sky gives `lx` or more, 0 to 1; for 0 or
- * less: any light at all. Falls as lx rises. */
+ * less: the share with any light at all. Falls as lx rises. */
 double pp_diffuse_curve_share(const struct pp_diffuse_curve *curve, double lx);
 
-/* The illuminance (lx) that is there in that share of the working hours, 0 to 1, or in
- * more. */
+/* The largest illuminance (lx) of the year that is reached in that share of the working
+ * hours, 0 to 1, or in more. */
 double pp_diffuse_curve_lx(const struct pp_diffuse_curve *curve, double share);
 
 #endif

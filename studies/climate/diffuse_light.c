@@ -1,3 +1,6 @@
+/* diffuse_light.c - the year's diffuse horizontal illuminance from a weather file or
+ * under overcast skies, and its median.
+ */
 #include "studies/climate/diffuse_light.h"
 
 #include <math.h>
@@ -7,8 +10,8 @@
 #include "model/light/sun.h"
 #include "model/geometry/vec.h"
 
-static enum pp_status make_room(struct pp_diffuse_light *light, int count,
-                                struct pp_error *err)
+static enum pp_status reserve_hours(struct pp_diffuse_light *light, int count,
+                                    struct pp_error *err)
 {
     light->list = calloc((size_t)count + 1, sizeof *light->list);
     return light->list ? PP_OK : pp_fail_memory(err);
@@ -22,8 +25,9 @@ void pp_diffuse_light_clear(struct pp_diffuse_light *light)
 
 /* ---- from a weather file ---- */
 
-/* The sun of a record: its mean height over the time that it is up, *up; on the horizon
- * where it is down. */
+/* The sun of a record, at its mean height (sine of the altitude) over those of STEPS
+ * times in the record at which it is up; on the horizon, and *up false, where it is down
+ * at all of them. */
 static struct pp_sun sun_of(const struct pp_epw *epw,
                             const struct pp_epw_record *record, bool *up)
 {
@@ -46,7 +50,10 @@ static struct pp_sun sun_of(const struct pp_epw *epw,
     return sun;
 }
 
-/* Illuminance by irradiance; NAN where that is missing too. */
+/* Diffuse illuminance from diffuse irradiance by [PISMS90]; NAN where the irradiance is
+ * missing. Where the direct irradiance is missing it is the global less the diffuse over
+ * the sine of the sun's altitude, for which 0.05 stands at low sun; where that is
+ * missing too there is no direct irradiance. A dew point that is missing is 11 degrees. */
 static double by_efficacy(const struct pp_epw *epw, const struct pp_epw_record *record,
                           bool *up)
 {
@@ -74,7 +81,7 @@ static bool has_illuminance(const struct pp_epw *epw)
     return false;
 }
 
-/* What is known of the hours: illuminance, or irradiance, or neither. */
+/* The i-th hour from the i-th record: its illuminance, else by its irradiance. */
 static void fill_hour(struct pp_diffuse_light *light, const struct pp_epw *epw, int i,
                       bool *sun_was_up)
 {
@@ -102,7 +109,7 @@ enum pp_status pp_diffuse_light_of_epw(struct pp_diffuse_light *light,
 {
     *light = (struct pp_diffuse_light){
         .origin = has_illuminance(epw) ? PP_LIGHT_ILLUMINANCE : PP_LIGHT_IRRADIANCE};
-    enum pp_status status = make_room(light, epw->record_count, err);
+    enum pp_status status = reserve_hours(light, epw->record_count, err);
     bool sun_was_up = false;
     double most = 0.0;
     for (int i = 0; status == PP_OK && i < epw->record_count; i++) {
@@ -137,7 +144,7 @@ enum pp_status pp_diffuse_light_overcast(struct pp_diffuse_light *light,
     static const double step_h = 24.0 / STEPS;
     *light =
         (struct pp_diffuse_light){.origin = PP_LIGHT_OVERCAST, .total_h = 24.0 * DAYS};
-    enum pp_status status = make_room(light, DAYS * STEPS, err);
+    enum pp_status status = reserve_hours(light, DAYS * STEPS, err);
     struct pp_month_day date = {1, 1};
     for (int day = 0; status == PP_OK && day < DAYS; day++) {
         double midnight =
@@ -187,7 +194,8 @@ double pp_diffuse_light_median_lx(const struct pp_diffuse_light *light)
     if (known)
         qsort(known, (size_t)count, sizeof *known, compare_falling);
 
-    /* Where half of the brightest hours are passed; between two values, their mean. */
+    /* The illuminance at which half of the brightest hours are passed; at the border of
+     * two stretches of time the mean of theirs. */
     double half_h = 0.5 * fmin(4380.0, 0.5 * known_h), passed_h = 0.0;
     for (int i = 0; known && i < count; i++) {
         passed_h += known[i][1];

@@ -1,9 +1,13 @@
+/* luminous_efficacy.c - equation (1) of luminous_efficacy.h, after [PISMS90]; its
+ * coefficients are columns of tables/perez_1993_all_weather.csv.
+ */
 #include "studies/climate/luminous_efficacy.h"
 
 #include <math.h>
 
 #include "model/geometry/vec.h"
 
+/* Columns: upper bound of the clearness bin; a of (1), which b, c and d follow. */
 enum { EPS_HIGH = 2, DIFFUSE = 27, COLUMNS = 39 };
 
 static const double bins[][COLUMNS] = {
@@ -14,9 +18,9 @@ double pp_luminous_efficacy_diffuse(double diffuse_w_m2, double direct_w_m2,
                                     double sun_zenith_rad, double sun_distance_au,
                                     double dew_point_c)
 {
-    double z = sun_zenith_rad, turned = 1.041 * z * z * z;
-    double clearness =
-        ((diffuse_w_m2 + direct_w_m2) / diffuse_w_m2 + turned) / (1.0 + turned);
+    double z = sun_zenith_rad, zenith_term = 1.041 * z * z * z;
+    double clearness = ((diffuse_w_m2 + direct_w_m2) / diffuse_w_m2 + zenith_term)
+                       / (1.0 + zenith_term);
     const double(*bin)[COLUMNS] = bins;
     while (clearness >= (*bin)[EPS_HIGH])
         bin++;

@@ -1,17 +1,21 @@
-/* luminous_efficacy.h - how many lumens a watt of light from the sky has.
+/* luminous_efficacy.h - lumens per watt of the diffuse light from the sky.
  *
  * Perez and others' model of diffuse illuminance [PISMS90]:
  *
  *     v = a + b W + c cos Z + d ln D                                    (1)
  *
- *     e = ((Ed + En)/Ed + 1.041 Z^3)/(1 + 1.041 Z^3)    clearness, chooses a ... d
+ *     e = ((Ed + En)/Ed + 1.041 Z^3)/(1 + 1.041 Z^3)    clearness, chooses a to d
  *     D = Ed m/E0                                       brightness
  *     m = 1/(cos Z + 0.15 (93.885 - Z)^-1.253)          air mass, Z in degrees [KAS66]
  *     W = exp(0.07 Td - 0.075)                          precipitable water, cm
  *
- * Ed diffuse irradiance of a level plane, En direct irradiance of a plane square to the
- * sun, E0 = 1367 W/m2 over the squared distance of the sun, Z its zenith angle, Td the
- * dew point. Its authors found diffuse illuminances within 5 % (rms, of measured
+ *     Ed  diffuse irradiance of a level plane, W/m2
+ *     En  direct irradiance of a plane square to the sun, W/m2
+ *     E0  1367 W/m2 over the squared distance of the sun in astronomical units
+ *     Z   zenith angle of the sun; in radians but for m
+ *     Td  dew point, degrees Celsius
+ *
+ * The model's authors found diffuse illuminances within 5 % (rms, of measured
  * means). Values are kept within 60 to 250 lm/W, which the model leaves only with
  * irradiances that no sky has.
  */

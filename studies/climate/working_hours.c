@@ -1,7 +1,11 @@
+/* working_hours.c - standard time put on the clock on the wall, and its overlap with the
+ * working hours.
+ */
 #include "studies/climate/working_hours.h"
 
 #include <math.h>
 
+/* A number that rises through the year, by one from day to day within a month. */
 static int day_number(struct pp_month_day date)
 {
     return 32 * date.month + date.day;

@@ -1,7 +1,8 @@
-/* working_hours.h - the hours in which daylight is wanted.
+/* working_hours.h - the hours of the day and the days of the week in which daylight is
+ * wanted.
  *
- * They are hours of the clock on the wall: local standard time, and an hour ahead of it
- * on the days of summer time.
+ * Hours are those of the clock on the wall: local standard time, and on the days of
+ * summer time an hour ahead of standard time.
  */
 #ifndef PP_STUDIES_CLIMATE_WORKING_HOURS_H
 #define PP_STUDIES_CLIMATE_WORKING_HOURS_H
@@ -15,14 +16,15 @@ struct pp_working_hours {
     unsigned days;       /* bits of the days of the week */
 };
 
-/* From the first day to the last, over the new year where that is before it in the
- * year; month 0: none. */
+/* The days of summer time, from the first to the last; over the new year where the last
+ * has the earlier date. from.month 0: there is no summer time. */
 struct pp_summer_time {
     struct pp_month_day from, to;
 };
 
-/* How much of a stretch of time, of one hour at most and within one hour of the clock,
- * is working time (h). A day of the week that is not known is any. */
+/* The working time in a stretch of time (h); the stretch is an hour long at most and
+ * lies within one hour of the clock. A weekday that is not known counts as one of
+ * `hours`. */
 double pp_working_hours_share_h(const struct pp_working_hours *hours,
                                 const struct pp_summer_time *summer,
                                 const struct pp_diffuse_hour *hour);

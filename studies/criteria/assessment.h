@@ -8,7 +8,7 @@
 
 #include "studies/study_options.h"
 #include "studies/study_room.h"
-#include "studies/criteria/criterion.h"
+#include "studies/criteria/criteria.h"
 #include "studies/sizing/gains.h"
 
 struct pp_assess_options {

@@ -1,11 +1,11 @@
-/* averages.c - how high the daylight factor is on average, and how even.
+/* averages.c - the average daylight factor and its uniformity.
  *
  *   average     1 % in bedrooms, 1.5 % in living rooms, 2 % in kitchens  [BS8206], over
  *               the whole working plane: traced, else by the formula that the code
  *               gives, `average-df`, else by a pair of hand methods
  *   uniformity  minimum over average: 0.3 in rooms lit from the side, 0.7 under glazed
- *               roofs [BREEAM14], of the points of the standard's grid, which leaves
- *               0.5 m along the walls out
+ *               roofs [BREEAM14], at the points of EN 17037's grid, which leaves out
+ *               0.5 m along the walls
  *
  * A roof is glazed where more than half of the area of the openings slopes less than 75
  * degrees.

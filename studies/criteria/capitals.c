@@ -1,6 +1,10 @@
+/* capitals.c - the capitals of [EN17037] table A.3, from tables/en17037_capitals.csv,
+ * and the one nearest to a site.
+ */
 #include "studies/criteria/capitals.h"
 
 #include <math.h>
+#include <stdbool.h>
 #include <stdio.h>
 #include <strings.h>
 
@@ -10,9 +14,11 @@ static const struct pp_capital capitals[] = {
 #include "tables/en17037_capitals.inc"
 };
 
-static const double earth_km = 6371.0, farthest_km = 1000.0;
-static const double farthest_deg = 2.5; /* half of the widest gap in the table, and some
-                                         */
+static const double earth_km = 6371.0; /* mean radius */
+
+/* A capital farther away than this says nothing of a site. The distance was chosen; the
+ * latitude is half of the widest gap in the table and a little more. */
+static const double farthest_km = 1000.0, farthest_deg = 2.5;
 
 int pp_capitals_count(void)
 {
@@ -38,7 +44,7 @@ static struct pp_vec3 towards(double latitude_rad, double longitude_rad)
                   cos(latitude_rad) * sin(longitude_rad), sin(latitude_rad));
 }
 
-/* By the chord, which is good for small distances too. */
+/* Great-circle distance, from the chord, which keeps its digits at small distances. */
 static double distance_km(const struct pp_capital *capital, double latitude_rad,
                           double longitude_rad)
 {

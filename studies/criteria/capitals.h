@@ -1,10 +1,16 @@
-/* capitals.h - the median diffuse illuminance of a place, by the table of capitals in
- * EN 17037.
+/* capitals.h - the median diffuse illuminance outside at a site, by the table of
+ * capitals in [EN17037].
  */
 #ifndef PP_STUDIES_CRITERIA_CAPITALS_H
 #define PP_STUDIES_CRITERIA_CAPITALS_H
 
-#include "studies/criteria/criterion.h"
+/* The diffuse horizontal illuminance that a site has in half of the year's daylight
+ * hours, E_v,d,med of [EN17037]. */
+struct pp_median {
+    double lux;    /* NAN: not known */
+    char how[200]; /* where it comes from ("London, 12 km away"), or why it is not
+                    * known, as a sentence without a full stop */
+};
 
 /* A capital of [EN17037] table A.3. */
 struct pp_capital {
@@ -17,13 +23,13 @@ struct pp_capital {
 int pp_capitals_count(void);
 const struct pp_capital *pp_capitals_at(int index);
 
-/* The capital of that name, whatever its capitals; NULL where there is none. */
+/* The capital of that name, upper and lower case alike; NULL where there is none. */
 const struct pp_capital *pp_capitals_find(const char *name);
 
 /* The median illuminance of a site: that of the nearest capital by great circle, if it
- * is within 1000 km; of a site with a latitude only, of the capital whose latitude is
- * nearest, if that is within 2.5 degrees. Angles in radians, NAN where not known. lux
- * is NAN where nothing is near, and `how` says why. */
+ * is within 1000 km; for a site without longitude that of the capital whose latitude is
+ * nearest, if it is within 2.5 degrees. Angles in radians, NAN where not known. lux is
+ * NAN where no capital is near, and `how` says why. */
 struct pp_median pp_capitals_median(double latitude_rad, double longitude_rad);
 
 #endif

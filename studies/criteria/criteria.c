@@ -1,4 +1,4 @@
-/* criteria.c - the list of all criteria. */
+/* criteria.c - the list of all criteria, in the order in which they are shown. */
 #include "studies/criteria/criteria.h"
 
 #include <stddef.h>

@@ -1,4 +1,5 @@
-/* criteria.h - each criterion's own entry, for the list and for tests. */
+/* criteria.h - the list of all criteria, and each one's own entry for tests.
+ */
 #ifndef PP_STUDIES_CRITERIA_CRITERIA_H
 #define PP_STUDIES_CRITERIA_CRITERIA_H
 
@@ -16,5 +17,12 @@ extern const struct pp_criterion pp_criterion_uniformity;
 extern const struct pp_criterion pp_criterion_en17037;
 extern const struct pp_criterion pp_criterion_uk_annex;
 extern const struct pp_criterion pp_criterion_rights_of_light;
+
+/* All criteria, in the order in which they are shown; NULL at the end. index is at most
+ * one past the last. */
+const struct pp_criterion *pp_criteria_at(int index);
+
+/* The criterion of that name, or NULL. */
+const struct pp_criterion *pp_criteria_find(const char *name);
 
 #endif

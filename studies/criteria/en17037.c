@@ -6,8 +6,8 @@
  *
  *   D = E / E_v,d,med
  *
- * E_v,d,med the place's median diffuse illuminance (studies/criteria/capitals.h). What has to be
- * reached, as a share of the reference plane:
+ * E_v,d,med is the site's median diffuse illuminance (capitals.h). Illuminances to be
+ * reached over a share of the reference plane:
  *
  *   windows (table A.1)       minimum 300 lx over 50 % and 100 lx over 95 %,
  *                             medium 500 and 300 lx, high 750 and 500 lx
@@ -15,9 +15,10 @@
  *   UK annex (table NA.1)     100 lx bedrooms, 150 lx living rooms, 200 lx kitchens,
  *                             each over 50 %
  *
- * The plane is the room's working plane less 0.5 m along the walls, by the standard's
- * grid (studies/criteria/en17037_grid.h); the sky is the CIE overcast one (type 16 or 1). A room
- * all of whose glass is level, to 15 degrees, is one with rooflights.
+ * The reference plane is the room's working plane less 0.5 m along the walls, on the
+ * standard's grid (en17037_grid.h); the sky is the CIE overcast sky (type 16 or 1). A
+ * room all of whose glass is within 15 degrees of level has rooflights; every other room
+ * has windows.
  */
 #include <math.h>
 #include <stdio.h>
@@ -29,10 +30,11 @@
 static const double half = 0.5, nearly_all = 0.95;
 static const double level_rad = 15.0 * PP_RAD;
 
+/* An illuminance to be reached over a part of the plane. */
 struct target {
-    const char *who; /* "minimum", "bedroom" */
+    const char *who; /* the level or the kind of room: "minimum", "bedroom" */
     double lux;
-    double part; /* of the plane */
+    double part; /* of the plane, a fraction */
 };
 
 static bool is_lit_by_rooflights(const struct pp_world *world)
@@ -43,7 +45,8 @@ static bool is_lit_by_rooflights(const struct pp_world *world)
     return all;
 }
 
-/* Adds the finding of one target. */
+/* Adds the finding of one target: by the daylight factors in `column`, or not judged
+ * where `why` gives a reason. */
 static enum pp_status add_target(const struct pp_inquiry *inquiry,
                                  const struct target *target,
                                  const struct pp_column *column, const char *why,
@@ -70,12 +73,13 @@ static enum pp_status add_target(const struct pp_inquiry *inquiry,
     return pp_finding_list_add(findings, &finding, err);
 }
 
-/* The figures, or why there are none. */
+/* The daylight factors of the grid, whose basis is added to the findings; NULL where
+ * there are none, and *why says why. */
 static const struct pp_column *column_of(const struct pp_inquiry *inquiry,
                                          struct pp_finding_list *findings,
                                          const char **why)
 {
-    /* What no option can help comes first. */
+    /* Reasons that no option of the command line removes come first. */
     *why = pp_factors_refuse(inquiry);
     if (!*why && isnan(inquiry->median.lux))
         *why = inquiry->median.how;
@@ -89,7 +93,7 @@ static const struct pp_column *column_of(const struct pp_inquiry *inquiry,
     return column;
 }
 
-/* The verdict on a level: that of the worse of its findings from `first` on. */
+/* The verdict on a level: the worst one of the findings from `first` on. */
 static enum pp_verdict level_verdict(const struct pp_finding_list *findings, int first)
 {
     bool undecided = false;
@@ -142,9 +146,8 @@ static enum pp_status evaluate_annex(const struct pp_inquiry *inquiry,
     const char *why;
     const struct pp_column *column = column_of(inquiry, findings, &why);
     enum pp_status status = PP_OK;
-    for (int i = 0; i < 3 && status == PP_OK; i++) {
+    for (int i = 0; i < 3 && status == PP_OK; i++)
         status = add_target(inquiry, &targets[i], column, why, findings, err);
-    }
     return status;
 }
 

@@ -1,8 +1,10 @@
+/* en17037_grid.c - the grid of [EN17037] annex B over a working plane of any form. */
 #include "studies/criteria/en17037_grid.h"
 
 #include <math.h>
 #include <stdlib.h>
 
+#include "model/geometry/bounds.h"
 #include "model/geometry/tolerance.h"
 
 double pp_en17037_grid_spacing(double width_m, double depth_m)
@@ -12,7 +14,8 @@ double pp_en17037_grid_spacing(double width_m, double depth_m)
     return fmin(0.5 * pow(5.0, log10(d)), 10.0);
 }
 
-static bool is_place(const struct pp_world *world, double x, double y)
+/* Can a receiver stand there, and is it within the margin? */
+static bool is_grid_point(const struct pp_world *world, double x, double y)
 {
     return pp_region_contains(&world->plane, x, y)
            && pp_region_edge_distance(&world->plane, x, y)
@@ -24,23 +27,22 @@ static bool is_place(const struct pp_world *world, double x, double y)
 enum pp_status pp_en17037_grid(struct pp_receiver **receivers, int *count,
                                const struct pp_world *world, struct pp_error *err)
 {
-    double low[2] = {INFINITY, INFINITY}, extent[2] = {-INFINITY, -INFINITY};
+    struct pp_bounds2 bounds = pp_bounds2_empty();
     for (int r = 0; r < world->plane.count; r++)
         for (int i = 0; i < world->plane.rings[r].count; i++)
-            for (int k = 0; k < 2; k++) {
-                low[k] = fmin(low[k], world->plane.rings[r].xy[i][k]);
-                extent[k] = fmax(extent[k], world->plane.rings[r].xy[i][k]);
-            }
+            pp_bounds2_add(&bounds, world->plane.rings[r].xy[i][0],
+                           world->plane.rings[r].xy[i][1]);
+    double low[2], extent[2];
     for (int k = 0; k < 2; k++) {
-        low[k] += PP_EN17037_GRID_MARGIN_M;
-        extent[k] -= low[k] + PP_EN17037_GRID_MARGIN_M;
+        low[k] = bounds.low[k] + PP_EN17037_GRID_MARGIN_M;
+        extent[k] = bounds.high[k] - (low[k] + PP_EN17037_GRID_MARGIN_M);
     }
     *receivers = NULL;
     *count = 0;
     if (!(extent[0] > PP_ROUNDING_M && extent[1] > PP_ROUNDING_M))
         return PP_OK;
 
-    /* 3.0000000001 cells are three. */
+    /* A millionth of a cell is rounding: 3.0000001 cells are three. */
     double spacing = pp_en17037_grid_spacing(extent[0], extent[1]), cells[2];
     for (int k = 0; k < 2; k++)
         cells[k] = fmax(ceil(extent[k] / spacing - 1e-6), 1.0);
@@ -53,7 +55,7 @@ enum pp_status pp_en17037_grid(struct pp_receiver **receivers, int *count,
         for (int i = 0; i < cells[0]; i++) {
             double x = low[0] + (i + 0.5) * extent[0] / cells[0];
             double y = low[1] + (j + 0.5) * extent[1] / cells[1];
-            if (is_place(world, x, y))
+            if (is_grid_point(world, x, y))
                 list[(*count)++] = (struct pp_receiver){
                     .position = pp_vec(x, y, world->working_plane_m),
                     .normal = pp_vec(0.0, 0.0, 1.0)};

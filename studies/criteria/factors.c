@@ -1,3 +1,4 @@
+/* factors.c - chooses among the report's columns: simulation first, then hand methods. */
 #include "studies/criteria/factors.h"
 
 #include <math.h>
@@ -35,7 +36,7 @@ const char *pp_factors_refuse(const struct pp_inquiry *inquiry)
     return overcast ? NULL : "it is asked under an overcast sky, and the room's is not";
 }
 
-/* The readings that findings rest on are named. */
+/* Names the method that the findings rest on. */
 static void set_basis(struct pp_finding_list *findings, const char *name)
 {
     bool simulated = name == traced;
@@ -43,7 +44,7 @@ static void set_basis(struct pp_finding_list *findings, const char *name)
                               simulated ? "" : ", not simulated");
 }
 
-/* Has every point a value? */
+/* Why the column lacks a value at some point; NULL where every point has one. */
 static const char *missing(const struct pp_column *column, int count)
 {
     for (int i = 0; i < count; i++)

@@ -1,13 +1,15 @@
+/* finding.c - judges figures by their bounds, and lists findings. */
 #include "studies/criteria/finding.h"
-#include "model/base/text.h"
 
 #include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 
-/* Figures and bounds are both worked out; this much of a difference is rounding. */
+#include "model/base/array.h"
+#include "model/base/text.h"
+
+/* Figures and bounds are both computed: a difference of this share is rounding. */
 static const double rounding = 1e-9;
 
 static bool is_met(const struct pp_finding *finding)
@@ -92,13 +94,11 @@ enum pp_status pp_finding_list_add(struct pp_finding_list *findings,
                                    const struct pp_finding *finding,
                                    struct pp_error *err)
 {
-    struct pp_finding *grown =
-        realloc(findings->list, ((size_t)findings->count + 1) * sizeof *grown);
-    if (!grown)
-        return pp_fail_memory(err);
-    findings->list = grown;
-    grown[findings->count++] = *finding;
-    return PP_OK;
+    enum pp_status status =
+        pp_array_append(&findings->list, findings->count, sizeof *findings->list, err);
+    if (status == PP_OK)
+        findings->list[findings->count++] = *finding;
+    return status;
 }
 
 void pp_finding_list_add_basis(struct pp_finding_list *findings, const char *format,

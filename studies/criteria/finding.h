@@ -1,4 +1,5 @@
-/* finding.h - one figure that a criterion asks for, and its verdict.
+/* finding.h - one figure that a criterion asks for, the bound it is held against, and
+ * the verdict.
  */
 #ifndef PP_STUDIES_CRITERIA_FINDING_H
 #define PP_STUDIES_CRITERIA_FINDING_H
@@ -10,10 +11,10 @@
 
 enum pp_figure {
     PP_FIGURE_FACTOR, /* a fraction of the open-sky horizontal illuminance */
-    PP_FIGURE_SHARE,  /* a fraction of anything else; both are read in per cent */
-    PP_FIGURE_RATIO,
-    PP_FIGURE_ANGLE, /* radians */
-    PP_FIGURE_AREA,  /* m2 */
+    PP_FIGURE_SHARE,  /* a fraction of anything else; printed in per cent, as factors */
+    PP_FIGURE_RATIO,  /* a plain number */
+    PP_FIGURE_ANGLE,  /* radians */
+    PP_FIGURE_AREA,   /* m2 */
 };
 
 struct pp_finding {
@@ -21,61 +22,63 @@ struct pp_finding {
     int line;      /* of the opening in the room file; 0: the room as a whole */
     enum pp_figure kind;
     double figure;       /* NAN: not judged */
-    double std_error;    /* of it; NAN where nothing was sampled */
-    double wanted;       /* NAN: stated */
-    bool at_most;        /* wanted is the most, else the least */
-    double reached_over; /* share of the plane on which `wanted` is reached; NAN where
-                          * that is not what is asked */
+    double std_error;    /* of the figure; NAN where nothing was sampled */
+    double wanted;       /* the bound; NAN: there is none, the figure is stated */
+    bool at_most;        /* the bound is an upper one, else a lower one */
+    double reached_over; /* share of the plane on which the bound is reached; NAN where
+                          * the criterion does not ask for one */
     enum pp_verdict verdict;
-    double confidence; /* probability that the verdict is right, of one not decided that
+    double confidence; /* probability that the verdict is right; for PP_UNDECIDED that
                         * the criterion is met; NAN where nothing was sampled */
-    char note[320];    /* sentences without the last full stop; empty: nothing to add */
+    char note[320];    /* sentences without the last full stop; may be empty */
 };
 
-/* What one criterion found. */
+/* The findings of one criterion. */
 struct pp_finding_list {
     struct pp_finding *list;
     int count;
-    char basis[320]; /* what the figures rest on, as a sentence without a full stop;
-                      * empty: the room as its file describes it */
+    char basis[320]; /* by which method the figures were found, as a sentence without a
+                      * full stop; empty: from the room as its file describes it */
 };
 
-/* Verdicts are given where the probability is this at least. */
+/* A verdict on a sampled figure is given where it is right with this probability or
+ * more: the usual level of statistical tests, not calibrated. */
 #define PP_SURE 0.95
 
-/* A figure with what is wanted of it, judged: it is met by a figure that is what is
- * wanted to 1e-9 of it. wanted NAN: stated. A figure of NAN is not judged. */
+/* A figure and its bound, judged: a figure within 1e-9 of the bound, relative, meets it.
+ * wanted NAN: the figure is stated. A figure of NAN is not judged. `what` is a format, as
+ * of printf. */
 struct pp_finding pp_finding_of(enum pp_figure kind, double figure, double wanted,
                                 bool at_most, const char *what, ...)
     __attribute__((format(printf, 5, 6)));
 
-/* One that is not judged, and why. */
+/* A finding without a figure, not judged; `why` becomes its note. */
 struct pp_finding pp_finding_not_judged(const char *why, const char *what, ...)
     __attribute__((format(printf, 2, 3)));
 
-/* The figure is known to within `error` only: nearer to what is wanted than that it is
- * not decided. */
+/* The figure is known to within `error` only: a verdict on a figure nearer to the bound
+ * than that becomes PP_UNDECIDED. */
 void pp_finding_within(struct pp_finding *finding, double error);
 
-/* The figure was sampled, with that standard error, and the criterion is met with that
- * probability. */
+/* The figure was sampled with that standard error, and the criterion is met with that
+ * probability: sets verdict and confidence by PP_SURE. */
 void pp_finding_sampled(struct pp_finding *finding, double std_error,
                         double probability);
 
-/* Probability that a value sampled as `value` with a standard error (greater than 0) is
- * `wanted` at least: of the normal distribution. */
+/* Probability that a quantity sampled as `value` with a standard error (greater than 0)
+ * is `wanted` or more, by the normal distribution. */
 double pp_finding_probability_at_least(double value, double std_error, double wanted);
 
-/* Adds to the note. */
+/* Adds text to the finding's note; cut off where the note is full. */
 void pp_finding_note(struct pp_finding *finding, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 
-/* Puts a copy at the end of the list. */
+/* Puts a copy of the finding at the end of the list. */
 enum pp_status pp_finding_list_add(struct pp_finding_list *findings,
                                    const struct pp_finding *finding,
                                    struct pp_error *err);
 
-/* Adds to the basis. */
+/* Adds text to the list's basis; cut off where the basis is full. */
 void pp_finding_list_add_basis(struct pp_finding_list *findings, const char *format,
                                ...) __attribute__((format(printf, 2, 3)));
 void pp_finding_list_clear(struct pp_finding_list *findings);

@@ -1,7 +1,8 @@
-/* glazing_ratio.c - windows over floor, as building codes ask for it:
+/* glazing_ratio.c - the area of windows over that of the floor, as building codes ask
+ * for it:
  *
- *   glass, net of frames, over floor area          >= 8 %     [IBC21] section 1204.2
- *   openings in the wall, frames included, over it >= 1/8     [MBO02] section 47
+ *   glass, net of frames, over floor area                  >= 8 %  [IBC21] section 1204.2
+ *   openings in the wall, frames included, over floor area >= 1/8  [MBO02] section 47
  *
  * All openings count, rooflights too, whatever their glass; the floor is that of the
  * whole room.

@@ -4,19 +4,20 @@
  *
  *   d    depth: from the window wall to the wall opposite (m)
  *   w    width of the room along the window wall (m)
- *   h    height of the window head above the floor, of the highest one (m)
- *   R_b  area-weighted mean reflectance of what lies in the rear half of the room,
- *        farther than d/2 from the window wall: floor, ceiling, walls, and both sides
- * of surfaces that stand there
+ *   h    height of the highest window head above the floor (m)
+ *   R_b  area-weighted mean reflectance of the rear half of the room, farther than d/2
+ *        from the window wall: floor, ceiling, walls, and both sides of free-standing
+ *        surfaces
  *
- * It speaks of box-shaped rooms with windows in one wall; of any other it says nothing.
- * What stands outside, how large the windows are and their glass do not enter into it.
+ * The rule is for box-shaped rooms with windows in one wall; other rooms are not judged.
+ * Obstructions outside, the size of the windows and their glass do not enter into it.
  */
 #include <math.h>
 #include <stdlib.h>
 
 #include "studies/criteria/criteria.h"
 #include "methods/reflected/interior.h"
+#include "model/geometry/frame.h"
 #include "model/geometry/tolerance.h"
 
 static const char title_of_ratio[] = "d/w + d/h";
@@ -26,26 +27,28 @@ static bool is_level(const struct pp_polygon *polygon)
     return fabs(polygon->normal.z) > cos(PP_LEVEL_RAD);
 }
 
-/* The window wall, or NULL, and then why. */
+/* The window wall of a plain box with windows in one wall; NULL for any other room, and
+ * *why says why. A box has one level floor, one level ceiling and four more faces, all
+ * with four corners and right angles, to 1e-3. */
 static const struct pp_surface *window_wall(const struct pp_world *world,
                                             const char **why)
 {
-    int floors = 0, ceilings = 0, corners = 0;
+    int floors = 0, ceilings = 0, rectangles = 0;
     for (int i = 0; i < world->face_count; i++) {
         const struct pp_surface *face = &world->surfaces[i];
         floors += face->role == PP_FLOOR && is_level(&face->outline);
         ceilings += face->role == PP_CEILING && is_level(&face->outline);
-        corners += face->outline.count == 4;
+        rectangles += face->outline.count == 4;
         for (int k = 0; k < face->outline.count; k++) {
             const struct pp_vec3 *v = face->outline.vertices;
             int n = face->outline.count;
             struct pp_vec3 a = pp_vec_sub(v[(k + 1) % n], v[k]);
             struct pp_vec3 b = pp_vec_sub(v[(k + 2) % n], v[(k + 1) % n]);
-            corners -=
+            rectangles -=
                 fabs(pp_vec_dot(a, b)) > 1e-3 * pp_vec_length(a) * pp_vec_length(b);
         }
     }
-    *why = world->face_count != 6 || floors != 1 || ceilings != 1 || corners != 6
+    *why = world->face_count != 6 || floors != 1 || ceilings != 1 || rectangles != 6
                ? "the room is not a plain box"
            : world->opening_count == 0 ? "the room has no openings"
                                        : NULL;
@@ -64,21 +67,16 @@ static enum pp_status add_rear(double sums[2], const struct pp_polygon *polygon,
                                struct pp_vec3 into, double from, double reflectance,
                                struct pp_error *err)
 {
-    /* Turned so that the depth points down. */
+    /* The polygon turned so that the depth points down, for pp_interior_area_below. */
     struct pp_vec3 down = pp_vec_scale(into, -1.0), up = {0.0, 0.0, 1.0};
-    struct pp_vec3 along = pp_vec_cross(up, down);
+    struct pp_frame frame = {pp_vec_cross(up, down), up, down};
     struct pp_polygon turned = *polygon;
     turned.vertices = malloc((size_t)polygon->count * sizeof *turned.vertices);
     if (!turned.vertices)
         return pp_fail_memory(err);
-    for (int i = 0; i < polygon->count; i++) {
-        struct pp_vec3 v = polygon->vertices[i];
-        turned.vertices[i] =
-            pp_vec(pp_vec_dot(v, along), pp_vec_dot(v, up), pp_vec_dot(v, down));
-    }
-    struct pp_vec3 n = polygon->normal;
-    turned.normal =
-        pp_vec(pp_vec_dot(n, along), pp_vec_dot(n, up), pp_vec_dot(n, down));
+    for (int i = 0; i < polygon->count; i++)
+        turned.vertices[i] = pp_frame_in(&frame, polygon->vertices[i]);
+    turned.normal = pp_frame_in(&frame, polygon->normal);
     double area_m2 = pp_interior_area_below(&turned, -from);
     free(turned.vertices);
     sums[0] += area_m2;
@@ -86,6 +84,7 @@ static enum pp_status add_rear(double sums[2], const struct pp_polygon *polygon,
     return PP_OK;
 }
 
+/* R_b: of the surfaces farther than `from` along `into`. */
 static enum pp_status rear_reflectance(double *mean, const struct pp_world *world,
                                        struct pp_vec3 into, double from,
                                        struct pp_error *err)
@@ -106,7 +105,7 @@ static enum pp_status rear_reflectance(double *mean, const struct pp_world *worl
     return PP_OK;
 }
 
-/* Extent of the room along a level direction. */
+/* Extent of the room along a direction; *low is where it begins. */
 static double extent(const struct pp_world *world, struct pp_vec3 along, double *low)
 {
     double high = -INFINITY;

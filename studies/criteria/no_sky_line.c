@@ -1,12 +1,12 @@
-/* no_sky_line.c - how much of the working plane sees the sky.
+/* no_sky_line.c - the share of the working plane from which sky can be seen.
  *
  * The no-sky line bounds the part of the working plane from which no sky can be seen
  * (methods/daylight_curves.h), through whatever glass.
  *
- *   no-sky-line  the area beyond it, stated; with the room before, the area that sees
- *                sky is 0.8 of what it was or more               [BR209]
- *   sky-line     sky is seen from 80 % of the plane or more: a fifth of it beyond the
- *                line makes the back of a room look gloomy       [BS8206], [BREEAM14]
+ *   no-sky-line  the area behind the line, stated; with the room before, the area that
+ *                sees sky is 0.8 of its former size or more      [BR209]
+ *   sky-line     80 % of the plane or more sees sky: a fifth of the plane behind the line
+ *                makes the back of a room look gloomy            [BS8206], [BREEAM14]
  */
 #include <math.h>
 
@@ -19,57 +19,58 @@
 
 static const char no_plane[] = "the room has no working plane";
 
-/* What of a room's working plane sees the sky. */
+/* The working plane, and the part of it that sees sky. */
 struct sky_view_area {
-    double plane_m2, lit_m2;
-    double error_m2; /* by the tolerance of the line */
+    double plane_m2, sky_m2;
+    double error_m2; /* of sky_m2, by the tolerance of the line */
 };
 
-static enum pp_status find_lit(struct sky_view_area *lit, const struct pp_world *world,
-                               struct pp_error *err)
+static enum pp_status find_view(struct sky_view_area *view,
+                                const struct pp_world *world, struct pp_error *err)
 {
-    *lit = (struct sky_view_area){pp_region_area(&world->plane), 0.0, 0.0};
-    if (!(lit->plane_m2 > 0.0))
+    *view = (struct sky_view_area){pp_region_area(&world->plane), 0.0, 0.0};
+    if (!(view->plane_m2 > 0.0))
         return PP_OK;
     struct pp_daylight_plan plan;
     enum pp_status status = pp_daylight_curves_no_sky(&plan, world, err);
     if (status != PP_OK)
         return status;
-    lit->lit_m2 = plan.sky_share * lit->plane_m2;
+    view->sky_m2 = plan.sky_share * view->plane_m2;
     for (int i = 0; i < plan.no_sky.count; i++)
-        lit->error_m2 += pp_curve_length(&plan.no_sky.list[i])
-                         * pp_daylight_curves_tolerance(&world->plane);
+        view->error_m2 += pp_curve_length(&plan.no_sky.list[i])
+                          * pp_daylight_curves_tolerance(&world->plane);
     pp_daylight_plan_clear(&plan);
     return PP_OK;
 }
 
-/* Adds the finding, or that there is no plane to find it on. */
+/* Adds the finding; not judged where the room has no working plane. */
 static enum pp_status add_if_plane(struct pp_finding_list *findings,
-                                   const struct sky_view_area *lit,
+                                   const struct sky_view_area *view,
                                    struct pp_finding finding, struct pp_error *err)
 {
-    if (!(lit->plane_m2 > 0.0))
+    if (!(view->plane_m2 > 0.0))
         finding = pp_finding_not_judged(no_plane, "%s", finding.what);
     return pp_finding_list_add(findings, &finding, err);
 }
 
+/* Adds the finding on the area that sees sky, now over before. */
 static enum pp_status add_former(const struct sky_view_area *now,
                                  const struct pp_world *before,
                                  struct pp_finding_list *findings, struct pp_error *err)
 {
     static const char what[] = "area that sees sky, now over before";
     struct sky_view_area then;
-    enum pp_status status = find_lit(&then, before, err);
+    enum pp_status status = find_view(&then, before, err);
     if (status != PP_OK)
         return status;
     struct pp_finding share =
         pp_finding_not_judged("no sky was seen from it before", what);
-    if (then.lit_m2 > 0.0) {
-        share = pp_finding_of(PP_FIGURE_RATIO, now->lit_m2 / then.lit_m2,
+    if (then.sky_m2 > 0.0) {
+        share = pp_finding_of(PP_FIGURE_RATIO, now->sky_m2 / then.sky_m2,
                               FORMER_SHARE_WANTED, false, what);
-        pp_finding_within(&share, (now->error_m2 + then.error_m2) / then.lit_m2);
-        pp_finding_note(&share, "%.2f m2 now, %.2f m2 before", now->lit_m2,
-                        then.lit_m2);
+        pp_finding_within(&share, (now->error_m2 + then.error_m2) / then.sky_m2);
+        pp_finding_note(&share, "%.2f m2 now, %.2f m2 before", now->sky_m2,
+                        then.sky_m2);
     }
     return pp_finding_list_add(findings, &share, err);
 }
@@ -78,19 +79,19 @@ static enum pp_status evaluate_line(const struct pp_inquiry *inquiry,
                                     struct pp_finding_list *findings,
                                     struct pp_error *err)
 {
-    struct sky_view_area lit;
-    enum pp_status status = find_lit(&lit, inquiry->world, err);
+    struct sky_view_area view;
+    enum pp_status status = find_view(&view, inquiry->world, err);
     if (status != PP_OK)
         return status;
-    double beyond_m2 = lit.plane_m2 - lit.lit_m2;
+    double no_sky_m2 = view.plane_m2 - view.sky_m2;
     struct pp_finding area =
-        pp_finding_of(PP_FIGURE_AREA, beyond_m2, NAN, true, "area beyond it");
-    if (lit.plane_m2 > 0.0)
+        pp_finding_of(PP_FIGURE_AREA, no_sky_m2, NAN, true, "area beyond it");
+    if (view.plane_m2 > 0.0)
         pp_finding_note(&area, "%.1f %% of the working plane",
-                        100.0 * beyond_m2 / lit.plane_m2);
-    status = add_if_plane(findings, &lit, area, err);
+                        100.0 * no_sky_m2 / view.plane_m2);
+    status = add_if_plane(findings, &view, area, err);
     if (status == PP_OK && inquiry->before)
-        status = add_former(&lit, inquiry->before, findings, err);
+        status = add_former(&view, inquiry->before, findings, err);
     return status;
 }
 
@@ -98,15 +99,15 @@ static enum pp_status evaluate_rule(const struct pp_inquiry *inquiry,
                                     struct pp_finding_list *findings,
                                     struct pp_error *err)
 {
-    struct sky_view_area lit;
-    enum pp_status status = find_lit(&lit, inquiry->world, err);
+    struct sky_view_area view;
+    enum pp_status status = find_view(&view, inquiry->world, err);
     if (status != PP_OK)
         return status;
     struct pp_finding share =
-        pp_finding_of(PP_FIGURE_SHARE, lit.lit_m2 / lit.plane_m2, SEEN_WANTED, false,
+        pp_finding_of(PP_FIGURE_SHARE, view.sky_m2 / view.plane_m2, SEEN_WANTED, false,
                       "working plane that sees sky");
-    pp_finding_within(&share, lit.error_m2 / lit.plane_m2);
-    return add_if_plane(findings, &lit, share, err);
+    pp_finding_within(&share, view.error_m2 / view.plane_m2);
+    return add_if_plane(findings, &view, share, err);
 }
 
 const struct pp_criterion pp_criterion_no_sky_line = {

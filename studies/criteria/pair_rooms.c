@@ -1,11 +1,13 @@
+/* pair_rooms.c - compares two rooms face by face and opening by opening. */
 #include "studies/criteria/pair_rooms.h"
 
 #include <math.h>
 #include <stdlib.h>
 
+/* Corners nearer together than this are the same; chosen, not measured. */
 static const double same_m = 0.01;
 
-/* Has b the same corners as a, from whichever it begins? */
+/* Has b the same corners as a, in the same order, from whichever corner b begins? */
 static bool same_outline(const struct pp_polygon *a, const struct pp_polygon *b)
 {
     if (a->count != b->count)

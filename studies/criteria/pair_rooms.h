@@ -1,17 +1,18 @@
-/* pair_rooms.h - is it the same room, before and after something was built outside? */
+/* pair_rooms.h - checks that two rooms are the same room before and after something was
+ * built outside, and pairs their openings.
+ */
 #ifndef PP_STUDIES_CRITERIA_PAIR_ROOMS_H
 #define PP_STUDIES_CRITERIA_PAIR_ROOMS_H
 
 #include "model/base/error.h"
 #include "model/room/world.h"
 
-/* Finds each opening of `world` in `before`: *pairs, to be freed, has the index there
- * of each, by the place of its outline, whatever the order in the files.
+/* (*pairs)[i] is the index in `before` of the opening whose outline is that of the i-th
+ * opening of `world`, whatever the order in the files. *pairs is the caller's to free.
  *
- * The room has to be the same: its faces, openings and working plane in the same
- * places, to 10 mm. Surroundings, glass, finishes and sky may differ. Else
- * PP_BAD_INPUT, with the first thing that does not agree, as the end of a sentence that
- * begins with the file's name. */
+ * Faces, openings and working plane must be in the same places, to 10 mm; surroundings,
+ * glass, finishes and sky may differ. Else PP_BAD_INPUT, whose message names the first
+ * difference, as the end of a sentence that begins with the file's name. */
 enum pp_status pp_pair_rooms(int **pairs, const struct pp_world *world,
                              const struct pp_world *before, struct pp_error *err);
 

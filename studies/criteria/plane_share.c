@@ -1,3 +1,6 @@
+/* plane_share.c - the Poisson binomial distribution of the number of points that reach a
+ * level, and levels of given probability by bisection.
+ */
 #include "studies/criteria/plane_share.h"
 
 #include <math.h>
@@ -6,10 +9,11 @@
 
 #include "studies/criteria/finding.h"
 
-/* A toss less sure than this either way is worth working out; the rest is taken as it
- * falls. */
+/* A point whose probability is this near to 0 or 1 is taken as certain. */
 static const double surely = 1e-12;
-static const double rounding = 1e-9; /* values and targets are worked out */
+
+/* Values and targets are computed: a difference of this share is rounding. */
+static const double rounding = 1e-9;
 
 static int compare_falling(const void *a, const void *b)
 {
@@ -17,41 +21,44 @@ static int compare_falling(const void *a, const void *b)
     return (x < y) - (x > y);
 }
 
-static double reaches(const struct pp_reading *point, double target)
+/* The probability that a point reaches the target; of a point that was not sampled 0 or
+ * 1. */
+static double probability_of_point(const struct pp_reading *point, double target)
 {
     if (!(point->std_error > 0.0))
         return point->value >= target - rounding * fabs(target) ? 1.0 : 0.0;
     return pp_finding_probability_at_least(point->value, point->std_error, target);
 }
 
-/* Probability that `wanted` points or more reach the level. odds has room for count + 1
- * numbers: the probabilities that 0, 1, 2 ... of those looked at so far do. */
+/* Probability that `wanted` points or more reach the level. `odds` has space for count +
+ * 1 numbers: odds[k] is the probability that k of the uncertain points taken so far reach
+ * the level. */
 static double probability_of(const struct pp_reading *points, int count, int wanted,
                              double level, double *odds)
 {
-    int tosses = 0, sure = 0;
+    int uncertain = 0, sure = 0;
     odds[0] = 1.0;
     for (int i = 0; i < count; i++) {
-        double p = reaches(&points[i], level);
+        double p = probability_of_point(&points[i], level);
         if (p > 1.0 - surely) {
             sure++;
             continue;
         }
         if (p < surely)
             continue;
-        odds[tosses + 1] = 0.0;
-        for (int k = ++tosses; k > 0; k--)
+        odds[uncertain + 1] = 0.0;
+        for (int k = ++uncertain; k > 0; k--)
             odds[k] = odds[k] * (1.0 - p) + odds[k - 1] * p;
         odds[0] *= 1.0 - p;
     }
     double sum = 0.0;
-    for (int k = tosses; k >= 0 && sure + k >= wanted; k--)
+    for (int k = uncertain; k >= 0 && sure + k >= wanted; k--)
         sum += odds[k];
     return fmin(sum, 1.0);
 }
 
 /* The level that `wanted` points reach with the given probability, by bisection between
- * levels that all and none of them do. */
+ * a level that all points reach and one that none reaches: 8 standard errors off. */
 static double level_of(const struct pp_reading *points, int count, int wanted,
                        double probability, double *odds)
 {

@@ -1,14 +1,16 @@
-/* rights_of_light.c - is the room adequately lit, as the English law of easements has
- * it, and how much of it was taken away?
+/* rights_of_light.c - the area of a room that is adequately lit in the English law of
+ * easements, and the part of it that was lost.
  *
  * The sky factor is the share of a uniform sky's light that reaches a level point
- * straight, without glass, frame or dirt: of 500 foot-candles outside 0.2 % is one
+ * directly, without glass, frame or dirt: 0.2 % of 500 foot-candles outside is one
  * foot-candle, the least to read by ("grumble line", [WW23]). It is taken at 0.85 m
  * above the floor, whatever the room's own sky and working plane:
  *
- *   SF = (1/pi) integral of sin altitude over the sky that is seen
+ *   SF = (1/pi) integral of sin(gamma) over the visible sky
  *
- * A room whose 0.2 % contour encloses half of it or more is counted as adequately lit.
+ *   gamma  altitude of a point of the sky
+ *
+ * A room is adequately lit where the 0.2 % contour encloses half of its area or more.
  * The contour is a true curve, to the tolerance of methods/daylight_curves.h.
  */
 #include <math.h>
@@ -22,7 +24,7 @@
 #define SKY_FACTOR 0.002
 #define SHARE_WANTED 0.5
 #define PLANE_M 0.85
-#define INSET_M 0.001
+#define INSET_M 0.001 /* points on the plane's edge are moved this far inside */
 
 static enum pp_status sky_factor_at(void *context, double x, double y, double *value,
                                     struct pp_error *err)
@@ -47,16 +49,16 @@ static enum pp_status sky_factor_at(void *context, double x, double y, double *v
 struct adequately_lit_area {
     double plane_m2; /* of the room at 0.85 m */
     double lit_m2;   /* within the contour */
-    double error_m2; /* by the tolerance of the contour */
+    double error_m2; /* of lit_m2, by the tolerance of the contour */
 };
 
-/* Area where a room's sky factor is above 0.2 %; `world` has the law's sky and plane.
- */
-static enum pp_status measure(struct adequately_lit_area *lit, struct pp_world *world,
+/* The area where the sky factor is above 0.2 %, in a world with uniform sky and the
+ * plane at 0.85 m. */
+static enum pp_status measure(struct adequately_lit_area *area, struct pp_world *world,
                               struct pp_error *err)
 {
-    lit->plane_m2 = pp_region_area(&world->plane);
-    if (!(lit->plane_m2 > 0.0))
+    area->plane_m2 = pp_region_area(&world->plane);
+    if (!(area->plane_m2 > 0.0))
         return PP_OK;
     struct pp_field *field;
     struct pp_curve_list below = {0}, lines = {0};
@@ -69,43 +71,43 @@ static enum pp_status measure(struct adequately_lit_area *lit, struct pp_world *
     if (status == PP_OK)
         status = pp_contour_below(field, SKY_FACTOR, &below, err);
     pp_field_destroy(field);
-    lit->lit_m2 = fmax(lit->plane_m2 - pp_curve_list_area(&below), 0.0);
+    area->lit_m2 = fmax(area->plane_m2 - pp_curve_list_area(&below), 0.0);
     for (int i = 0; i < lines.count; i++)
-        lit->error_m2 += pp_curve_length(&lines.list[i]) * tolerance;
+        area->error_m2 += pp_curve_length(&lines.list[i]) * tolerance;
     pp_curve_list_clear(&lines);
     pp_curve_list_clear(&below);
     return status;
 }
 
-static enum pp_status find_lit(struct adequately_lit_area *lit,
-                               const struct pp_world *world, struct pp_error *err)
+static enum pp_status find_area(struct adequately_lit_area *area,
+                                const struct pp_world *world, struct pp_error *err)
 {
-    *lit = (struct adequately_lit_area){0};
+    *area = (struct adequately_lit_area){0};
     double floor_z = INFINITY;
     for (int i = 0; i < world->face_count; i++)
         for (int k = 0; k < world->surfaces[i].outline.count; k++)
             floor_z = fmin(floor_z, world->surfaces[i].outline.vertices[k].z);
 
-    /* The world as the law looks at it; all but its plane is the other's. */
-    struct pp_world lawful = *world;
-    lawful.sky = pp_sky_uniform();
-    lawful.working_plane_m = floor_z + PLANE_M;
+    /* A shallow copy of the world with the law's sky and plane; it owns its plane only. */
+    struct pp_world legal = *world;
+    legal.sky = pp_sky_uniform();
+    legal.working_plane_m = floor_z + PLANE_M;
     enum pp_status status =
-        pp_working_plane_section(&lawful.plane, world, lawful.working_plane_m, err);
+        pp_working_plane_section(&legal.plane, world, legal.working_plane_m, err);
     if (status != PP_OK)
         return status;
-    status = measure(lit, &lawful, err);
-    pp_region_clear(&lawful.plane);
+    status = measure(area, &legal, err);
+    pp_region_clear(&legal.plane);
     return status;
 }
 
-/* What was lost since before. */
+/* Adds the area enclosed before, and the area lost since. */
 static enum pp_status add_loss(const struct adequately_lit_area *now,
                                const struct pp_inquiry *inquiry,
                                struct pp_finding_list *findings, struct pp_error *err)
 {
     struct adequately_lit_area then;
-    enum pp_status status = find_lit(&then, inquiry->before, err);
+    enum pp_status status = find_area(&then, inquiry->before, err);
     if (status != PP_OK)
         return status;
     struct pp_finding former =
@@ -123,7 +125,7 @@ static enum pp_status evaluate(const struct pp_inquiry *inquiry,
                                struct pp_finding_list *findings, struct pp_error *err)
 {
     struct adequately_lit_area now;
-    enum pp_status status = find_lit(&now, inquiry->world, err);
+    enum pp_status status = find_area(&now, inquiry->world, err);
     if (status != PP_OK)
         return status;
     if (!(now.plane_m2 > 0.0)) {

@@ -1,3 +1,6 @@
+/* section_angle.c - cuts every polygon outside by the vertical section and takes the
+ * highest angle of the pieces.
+ */
 #include "studies/criteria/section_angle.h"
 
 #include <math.h>
@@ -5,13 +8,14 @@
 #include "methods/view/exterior.h"
 #include "model/geometry/tolerance.h"
 
-/* The section: its middle is the origin, ahead runs level out of the wall. */
+/* The section: the eye is the middle of the opening's outside, `ahead` runs level out of
+ * the wall, `across` is the section's normal. */
 struct section_plane {
     struct pp_vec3 eye, ahead, across;
 };
 
-/* Where the edge from p to q meets the section: forward of the eye, and up. Half-open,
- * so that an edge that ends in the section counts once. */
+/* Where the edge from p to q meets the section: distance ahead of the eye and height
+ * above it. Edges are half-open, so that an edge that ends in the section counts once. */
 static bool crossing(const struct section_plane *section, struct pp_vec3 p,
                      struct pp_vec3 q, double at[2])
 {
@@ -25,7 +29,7 @@ static bool crossing(const struct section_plane *section, struct pp_vec3 p,
     return true;
 }
 
-/* Angle of the higher end of what lies before the eye of the piece from a to b. */
+/* Highest angle of the part of the piece from a to b that lies ahead of the eye. */
 static double angle_of_piece(const double a[2], const double b[2])
 {
     const double nearest = PP_SAME_M;
@@ -44,12 +48,11 @@ static double angle_of_piece(const double a[2], const double b[2])
     return highest;
 }
 
-/* A place where an edge meets the section, along the line in which the polygon cuts it;
- * edges that meet in one place come in their order. */
+/* A point where an edge of a polygon meets the section. */
 struct edge_crossing {
-    double along;
-    int edge;
-    double at[2];
+    double along; /* position on the line in which the polygon cuts the section */
+    int edge;     /* decides the order of crossings at one position */
+    double at[2]; /* ahead of the eye, above it */
 };
 
 static bool is_before(const struct edge_crossing *a, const struct edge_crossing *b)
@@ -57,10 +60,10 @@ static bool is_before(const struct edge_crossing *a, const struct edge_crossing 
     return a->along < b->along || (a->along == b->along && a->edge < b->edge);
 }
 
-/* The first place behind `last`; false: there is none. */
-static bool next_place(struct edge_crossing *next, const struct edge_crossing *last,
-                       const struct section_plane *section,
-                       const struct pp_polygon *polygon)
+/* The first crossing behind `last` along the line; false: there is none. */
+static bool next_crossing(struct edge_crossing *next, const struct edge_crossing *last,
+                          const struct section_plane *section,
+                          const struct pp_polygon *polygon)
 {
     const double line[2] = {polygon->normal.z,
                             -pp_vec_dot(polygon->normal, section->ahead)};
@@ -77,14 +80,15 @@ static bool next_place(struct edge_crossing *next, const struct edge_crossing *l
     return isfinite(next->along);
 }
 
-/* Each two places, as they follow along the line, are the ends of a piece. */
+/* Of the crossings in order along the line the first two are the ends of a piece of the
+ * polygon, and so are each two that follow. */
 static double angle_of_polygon(const struct section_plane *section,
                                const struct pp_polygon *polygon)
 {
     double highest = 0.0;
     struct edge_crossing from, to = {.along = -INFINITY};
-    while (next_place(&from, &to, section, polygon)
-           && next_place(&to, &from, section, polygon))
+    while (next_crossing(&from, &to, section, polygon)
+           && next_crossing(&to, &from, section, polygon))
         highest = fmax(highest, angle_of_piece(from.at, to.at));
     return highest;
 }
@@ -109,8 +113,8 @@ double pp_section_angle(const struct pp_world *world, const struct pp_opening *o
     }
     for (int i = 0; i < world->surface_count; i++) {
         const struct pp_surface *surface = &world->surfaces[i];
-        bool loose_inside = surface->role == PP_FREE_SURFACE && surface->inside;
-        if (i != opening->face && surface->role != PP_REVEAL && !loose_inside)
+        bool free_inside = surface->role == PP_FREE_SURFACE && surface->inside;
+        if (i != opening->face && surface->role != PP_REVEAL && !free_inside)
             highest = fmax(highest, angle_of_polygon(&section, &surface->outline));
     }
     return highest;

@@ -1,30 +1,50 @@
-/* vertical_sky.c - what of the sky a window faces: the vertical sky component, the 0.8
- * rule and the 25 degree rule of [BR209].
+/* vertical_sky.c - the sky that a window faces: the vertical sky component, the 0.8 rule
+ * and the 25 degree rule of [BR209].
  *
- *   VSC >= 27 %                       on the outside, at the window's middle
+ *   VSC >= 27 %                              on the outside, at the window's middle
  *   VSC >= 27 %  or  VSC >= 0.8 VSC before
- *   angle <= 25 degrees               of what rises before the window, in section
+ *   theta <= 25 degrees                      obstruction angle before the window
  *
- * The vertical sky component is the illuminance of the wall's plane from the sky alone
- * over that of a level plane under the open CIE overcast sky, whatever the room's own
- * sky; 39.6 % where nothing stands outside. An endless obstruction of 25 degrees leaves
- * 27.3 %, which is how the two rules belong together: where the angle is met, the
- * component need not be worked out; where it is not, the component decides.
+ * The vertical sky component VSC is the illuminance of the wall's plane from the sky
+ * alone over that of a level plane under the open CIE overcast sky, whatever the room's
+ * own sky; without obstructions it is 39.6 %. An endless obstruction of 25 degrees leaves
+ * 27.3 %: a window that keeps the 25 degree rule has the vertical sky component too, and
+ * where the angle is larger the component decides.
  */
 #include <math.h>
+#include <stdio.h>
 
 #include "studies/criteria/criteria.h"
 #include "studies/criteria/section_angle.h"
-#include "studies/criteria/window.h"
 #include "methods/view/exterior.h"
 
 #define VSC_WANTED 0.27
 #define FORMER_SHARE_WANTED 0.8
-#define NO_SKY 1e-6 /* a ratio to less than this means nothing */
+#define NO_SKY 1e-6 /* less than this is no sky, and a ratio to it means nothing */
 #define ANGLE_WANTED (25.0 * PP_RAD)
 
 static const char none[] = "the room has no openings";
 static const char slopes[] = "it is not upright; the rule is for windows in walls";
+
+enum { WORDS_SIZE = 64 };
+
+/* The name of an opening in findings: its face and its line in the room file, "south,
+ * line 9". */
+static void opening_words(char words[WORDS_SIZE], const struct pp_world *world,
+                          const struct pp_opening *opening)
+{
+    const struct pp_surface *face = &world->surfaces[opening->face];
+    const char *name = face->name                 ? face->name
+                       : face->role == PP_CEILING ? "ceiling"
+                                                  : "opening";
+    snprintf(words, WORDS_SIZE, "%.40s, line %d", name, opening->line);
+}
+
+/* Is the glass upright, to a degree? */
+static bool is_upright(const struct pp_opening *opening)
+{
+    return fabs(opening->slope_rad - PP_PI / 2.0) < 1.0 * PP_RAD;
+}
 
 static enum pp_status vertical_sky(double *share, const struct pp_world *world,
                                    const struct pp_opening *opening,
@@ -36,7 +56,8 @@ static enum pp_status vertical_sky(double *share, const struct pp_world *world,
                                     &overcast, err);
 }
 
-/* Adds a finding for each opening: what `find` makes of the upright ones. */
+/* Adds a finding for each opening: made by `find` for upright ones, not judged for all
+ * others. */
 static enum pp_status for_each_window(
     const struct pp_inquiry *inquiry, struct pp_finding_list *findings,
     enum pp_status (*find)(struct pp_finding *, const struct pp_inquiry *, int opening,
@@ -50,11 +71,11 @@ static enum pp_status for_each_window(
     }
     for (int i = 0; i < world->opening_count; i++) {
         const struct pp_opening *opening = &world->openings[i];
-        char words[PP_WINDOW_WORDS];
-        pp_window_words(words, world, opening);
+        char words[WORDS_SIZE];
+        opening_words(words, world, opening);
         struct pp_finding finding = pp_finding_not_judged(slopes, "%s", words);
         enum pp_status status = PP_OK;
-        if (pp_window_is_upright(opening))
+        if (is_upright(opening))
             status = find(&finding, inquiry, i, words, err);
         finding.line = opening->line;
         if (status == PP_OK)

@@ -1,24 +1,29 @@
+/* view_grid.c - lines are traced point by point through the camera's projection, and cut
+ * where a point is not in the picture.
+ */
 #include "studies/pictures/view_grid.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 
+/* Points of a full circle less one, points of an edge less one, labels of a picture. */
 enum { STEPS = 180, EDGE_STEPS = 24, WORDS_MOST = 16 };
 
-/* Words keep so far from the picture's middle, of its half, that all of them is in it.
- */
+/* Labels lie within this share of the picture's radius, so that all letters are inside;
+ * chosen by trial. */
 static const double RIM = 0.95;
 
+/* The sheet that lines are added to, and the line that is being traced. */
 struct tracing {
     struct pp_picture_sheet *sheet;
     const struct pp_camera *camera;
-    struct pp_curve curve; /* in the making; room for `space` points */
+    struct pp_curve curve; /* the line; its xy has space for `space` points */
     int space;
 };
 
-/* Where a point is seen, in pixels; false: not in the picture. */
-static bool place(const struct tracing *tracing, struct pp_vec3 point, double xy[2])
+/* The pixel in which a point is seen; false: the point is not in the picture. */
+static bool project(const struct tracing *tracing, struct pp_vec3 point, double xy[2])
 {
     double x, y, distance_m;
     if (!pp_camera_project(tracing->camera, point, &x, &y, &distance_m)
@@ -29,7 +34,7 @@ static bool place(const struct tracing *tracing, struct pp_vec3 point, double xy
     return true;
 }
 
-/* Ends the line in the making, if there is one. */
+/* Adds the line that is being traced to the sheet, if it has two points or more. */
 static enum pp_status end_line(struct tracing *tracing, struct pp_error *err)
 {
     struct pp_curve curve = tracing->curve;
@@ -40,12 +45,12 @@ static enum pp_status end_line(struct tracing *tracing, struct pp_error *err)
     return PP_OK;
 }
 
-/* The next point of the line; one that is not in the picture ends it. */
-static enum pp_status add(struct tracing *tracing, struct pp_vec3 point,
-                          struct pp_error *err)
+/* Adds the next point to the line; a point that is not in the picture ends the line. */
+static enum pp_status add_point(struct tracing *tracing, struct pp_vec3 point,
+                                struct pp_error *err)
 {
     double xy[2];
-    if (!place(tracing, point, xy))
+    if (!project(tracing, point, xy))
         return end_line(tracing, err);
     if (!tracing->curve.xy) {
         tracing->curve.xy = malloc((size_t)tracing->space * sizeof *tracing->curve.xy);
@@ -56,7 +61,7 @@ static enum pp_status add(struct tracing *tracing, struct pp_vec3 point,
     return PP_OK;
 }
 
-/* A point far enough to be a direction; bearing clockwise from north. */
+/* The point one metre from the eye in a direction; bearing clockwise from north. */
 static struct pp_vec3 towards(const struct tracing *tracing, double north_rad,
                               double bearing_rad, double altitude_rad)
 {
@@ -66,13 +71,14 @@ static struct pp_vec3 towards(const struct tracing *tracing, double north_rad,
     return pp_vec_add(tracing->camera->eye, u);
 }
 
+/* The circles of altitude and the lines of azimuth. */
 static enum pp_status trace_directions(struct tracing *tracing, double north_rad,
                                        struct pp_error *err)
 {
     enum pp_status status = PP_OK;
     for (int altitude = 0; altitude <= 75 && status == PP_OK; altitude += 15) {
         for (int i = 0; i <= STEPS && status == PP_OK; i++)
-            status = add(
+            status = add_point(
                 tracing,
                 towards(tracing, north_rad, 2.0 * PP_PI * i / STEPS, altitude * PP_RAD),
                 err);
@@ -81,9 +87,9 @@ static enum pp_status trace_directions(struct tracing *tracing, double north_rad
     }
     for (int bearing = 0; bearing < 360 && status == PP_OK; bearing += 30) {
         for (int i = 0; i <= 75 && status == PP_OK; i++)
-            status =
-                add(tracing, towards(tracing, north_rad, bearing * PP_RAD, i * PP_RAD),
-                    err);
+            status = add_point(
+                tracing, towards(tracing, north_rad, bearing * PP_RAD, i * PP_RAD),
+                err);
         if (status == PP_OK)
             status = end_line(tracing, err);
     }
@@ -100,16 +106,18 @@ static enum pp_status trace_opening(struct tracing *tracing,
         struct pp_vec3 side =
             pp_vec_sub(outline->vertices[(i + 1) % outline->count], a);
         for (int k = 0; k <= EDGE_STEPS && status == PP_OK; k++)
-            status = add(tracing, pp_vec_along(a, (double)k / EDGE_STEPS, side), err);
+            status =
+                add_point(tracing, pp_vec_along(a, (double)k / EDGE_STEPS, side), err);
     }
     return status == PP_OK ? end_line(tracing, err) : status;
 }
 
+/* Adds a label at a point, moved inwards where it is too near to the picture's rim. */
 static void add_word(struct tracing *tracing, struct pp_vec3 point, const char *words)
 {
     struct pp_picture_sheet *sheet = tracing->sheet;
     double xy[2];
-    if (sheet->word_count == WORDS_MOST || !place(tracing, point, xy))
+    if (sheet->word_count == WORDS_MOST || !project(tracing, point, xy))
         return;
     struct pp_picture_word *word = &sheet->words[sheet->word_count++];
     double x = 0.5 * sheet->raster.width, y = 0.5 * sheet->raster.height;

@@ -1,4 +1,5 @@
-/* view_grid.h - directions and outlines as a camera sees them, to lay over its picture.
+/* view_grid.h - lines of altitude and azimuth, points of the compass and outlines of
+ * openings as a fisheye camera sees them, to lay over its picture.
  */
 #ifndef PP_STUDIES_PICTURES_VIEW_GRID_H
 #define PP_STUDIES_PICTURES_VIEW_GRID_H
@@ -7,10 +8,9 @@
 #include "model/results/picture_sheet.h"
 #include "model/room/world.h"
 
-/* Adds to the sheet circles of altitude every 15 degrees and lines of azimuth every 30,
- * the former with their figures, the latter with the points of the compass, and the
- * outlines of the openings as they are seen. Of a fisheye; the picture has the raster's
- * size. */
+/* Adds to the sheet circles of altitude every 15 degrees with their figures, lines of
+ * azimuth every 30 degrees with the points of the compass, and the outlines of the
+ * openings. Coordinates are pixels of the sheet's raster. The camera is a fisheye. */
 enum pp_status pp_view_grid(struct pp_picture_sheet *sheet,
                             const struct pp_camera *camera,
                             const struct pp_world *world, struct pp_error *err);

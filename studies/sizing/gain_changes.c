@@ -1,21 +1,28 @@
-/* gain_changes.c - see gain_changes.h. */
+/* gain_changes.c - changes of finishes, glass, windows and surroundings, each made to a
+ * copy of the room.
+ */
 #include "studies/sizing/gain_changes.h"
 
+#include <limits.h>
 #include <math.h>
+#include <stddef.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "studies/sizing/window_number.h"
 #include "studies/sizing/window_sizes.h"
 #include "model/light/glazings.h"
 
-/* What finishes can be had: white paint, light walls, a light floor. */
+/* Reflectances of light finishes: white paint, light walls, a light floor; chosen, not
+ * measured. */
 static const double light_ceiling = 0.85, light_walls = 0.7, light_floor = 0.4;
 
-#define SAY(gain, ...) snprintf((gain)->change, sizeof(gain)->change, __VA_ARGS__)
+#define DESCRIBE(gain, ...) snprintf((gain)->change, sizeof(gain)->change, __VA_ARGS__)
 
 /* ---- Finishes ---- */
 
+/* Gives the darker faces of one role the wanted reflectance. */
 static enum pp_status lighten(struct pp_room **changed, struct pp_gain *gain,
                               const struct pp_room *room, const struct pp_world *world,
                               enum pp_role role, double wanted, const char *name,
@@ -29,8 +36,8 @@ static enum pp_status lighten(struct pp_room **changed, struct pp_gain *gain,
         }
     if (darkest >= wanted)
         return PP_OK;
-    SAY(gain, "%s of reflectance %g instead of %g%s", name, wanted, darkest,
-        lightest > darkest ? " and more" : "");
+    DESCRIBE(gain, "%s of reflectance %g instead of %g%s", name, wanted, darkest,
+             lightest > darkest ? " and more" : "");
     enum pp_status status = pp_room_copy(changed, room, err);
     if (status == PP_OK)
         pp_room_lighten(*changed, role, wanted);
@@ -62,7 +69,8 @@ static enum pp_status lighter_floor(struct pp_room **changed, struct pp_gain *ga
 
 /* ---- Glass ---- */
 
-/* The worst of a figure over all openings. */
+/* The least value that a member of struct pp_opening, a fraction at that offset, has
+ * over all openings. */
 static double least_of(const struct pp_world *world, size_t offset)
 {
     double least = 1.0;
@@ -80,7 +88,7 @@ static enum pp_status cleaner_glass(struct pp_room **changed, struct pp_gain *ga
     double least = least_of(world, offsetof(struct pp_opening, maintenance));
     if (least >= 1.0)
         return PP_OK;
-    SAY(gain, "clean glass (maintenance 1 instead of %g)", least);
+    DESCRIBE(gain, "clean glass (maintenance 1 instead of %g)", least);
     enum pp_status status = pp_room_copy(changed, room, err);
     for (int i = 0; status == PP_OK && i < world->opening_count; i++)
         pp_room_set_maintenance(*changed, i, 1.0);
@@ -94,8 +102,8 @@ static enum pp_status thinner_frames(struct pp_room **changed, struct pp_gain *g
     double least = least_of(world, offsetof(struct pp_opening, frame_factor));
     if (least >= 1.0)
         return PP_OK;
-    SAY(gain, "frames half as wide (frame factor %.3g instead of %g)",
-        0.5 * (1.0 + least), least);
+    DESCRIBE(gain, "frames half as wide (frame factor %.3g instead of %g)",
+             0.5 * (1.0 + least), least);
     enum pp_status status = pp_room_copy(changed, room, err);
     for (int i = 0; status == PP_OK && i < world->opening_count; i++)
         pp_room_set_frame_factor(*changed, i,
@@ -103,7 +111,7 @@ static enum pp_status thinner_frames(struct pp_room **changed, struct pp_gain *g
     return status;
 }
 
-/* The clear glazing of as many panes, of two at the most. */
+/* The clear glazing of as many panes as the glass, but two at most. */
 static const char *clear_of(const struct pp_glass *glass)
 {
     return glass->panes == 1 && !glass->diffusing ? "clear-single" : "clear-double";
@@ -125,10 +133,10 @@ static enum pp_status clearer_glazing(struct pp_room **changed, struct pp_gain *
             continue;
         pp_room_set_glass(*changed, i, clear);
         if (count++ == 0)
-            SAY(gain, "%s glazing (diffuse transmittance %.2f instead of %.2f)", name,
-                clear.diffuse, glass->diffuse);
+            DESCRIBE(gain, "%s glazing (diffuse transmittance %.2f instead of %.2f)",
+                     name, clear.diffuse, glass->diffuse);
         else if (strcmp(last, name) != 0)
-            SAY(gain, "clear glazing in all openings");
+            DESCRIBE(gain, "clear glazing in all openings");
         last = name;
     }
     if (count == 0) {
@@ -140,7 +148,7 @@ static enum pp_status clearer_glazing(struct pp_room **changed, struct pp_gain *
 
 /* ---- Windows ---- */
 
-/* The indices of all windows; the caller's. */
+/* The indices of all windows; *windows is the caller's to free. */
 static enum pp_status windows_of(int **windows, int *count, const struct pp_room *room,
                                  struct pp_error *err)
 {
@@ -155,8 +163,8 @@ static enum pp_status windows_of(int **windows, int *count, const struct pp_room
     return PP_OK;
 }
 
-/* All windows by one kind of change, as many steps larger than now (INT_MAX: as large
- * as they can be); *changed NULL where they can't be. */
+/* Enlarges all windows by one kind of change and that number of steps, or as far as they
+ * can grow where that is less; *changed stays NULL where they cannot grow. */
 static enum pp_status enlarge(struct pp_room **changed, const struct pp_room *room,
                               enum pp_size_change change, int steps,
                               struct pp_error *err)
@@ -177,9 +185,9 @@ static enum pp_status enlarge(struct pp_room **changed, const struct pp_room *ro
     return status;
 }
 
-/* How far the edge that moved most has moved (m). */
-static double moved(const struct pp_room *room, const struct pp_room *changed,
-                    enum pp_size_change change)
+/* The largest distance by which a head, or else a sill, has moved (m). */
+static double largest_move(const struct pp_room *room, const struct pp_room *changed,
+                           enum pp_size_change change)
 {
     double most = 0.0;
     for (int i = 0; i < pp_room_opening_count(room); i++) {
@@ -198,15 +206,15 @@ static enum pp_status higher_heads(struct pp_room **changed, struct pp_gain *gai
                                    const struct pp_world *world, struct pp_error *err)
 {
     (void)world;
-    enum pp_status status = enlarge(changed, room, PP_CHANGE_HEAD, 1000000, err);
+    enum pp_status status = enlarge(changed, room, PP_CHANGE_HEAD, INT_MAX, err);
     if (*changed) {
-        double by = moved(room, *changed, PP_CHANGE_HEAD);
-        SAY(gain, "window heads as high as they can be, up to %.2g m higher", by);
+        double by = largest_move(room, *changed, PP_CHANGE_HEAD);
+        DESCRIBE(gain, "window heads as high as they can be, up to %.2g m higher", by);
     }
     return status;
 }
 
-/* Below the working plane a sill changes little: not farther down than that. */
+/* Sills down to the working plane at most: lower ones change little on it. */
 static enum pp_status lower_sills(struct pp_room **changed, struct pp_gain *gain,
                                   const struct pp_room *room,
                                   const struct pp_world *world, struct pp_error *err)
@@ -222,12 +230,13 @@ static enum pp_status lower_sills(struct pp_room **changed, struct pp_gain *gain
     enum pp_status status =
         enlarge(changed, room, PP_CHANGE_SILL, (int)round(least / PP_SIZE_GRID_M), err);
     if (*changed) {
-        double by = moved(room, *changed, PP_CHANGE_SILL);
-        SAY(gain, "sills nearer to the working plane, up to %.2g m lower", by);
+        double by = largest_move(room, *changed, PP_CHANGE_SILL);
+        DESCRIBE(gain, "sills nearer to the working plane, up to %.2g m lower", by);
     }
     return status;
 }
 
+/* Width of all windows together (m). */
 static double width_of(const struct pp_room *room)
 {
     double sum = 0.0;
@@ -249,17 +258,19 @@ static enum pp_status wider_windows(struct pp_room **changed, struct pp_gain *ga
         if (opening.kind == PP_WINDOW)
             widest = fmax(widest, opening.place.width_m);
     }
-    /* A quarter wider. */
+    /* The widest by a quarter, the others in proportion. */
     enum pp_status status = enlarge(changed, room, PP_CHANGE_WIDTH,
                                     (int)round(widest / 4.0 / PP_SIZE_GRID_M), err);
     if (*changed)
-        SAY(gain, "windows %.2g m wider in all (%.3g m instead of %.3g m)",
-            width_of(*changed) - width_of(room), width_of(*changed), width_of(room));
+        DESCRIBE(gain, "windows %.2g m wider in all (%.3g m instead of %.3g m)",
+                 width_of(*changed) - width_of(room), width_of(*changed),
+                 width_of(room));
     return status;
 }
 
 /* ---- One window more ---- */
 
+/* Index of the window with the largest area; -1: the room has no window. */
 static int largest_window(const struct pp_room *room)
 {
     int largest = -1;
@@ -275,7 +286,7 @@ static int largest_window(const struct pp_room *room)
     return largest;
 }
 
-/* Free places for one more are looked for along the wall at this distance (m). */
+/* Places for one more window are tried along the wall at this spacing (m). */
 static const double search_m = 0.1;
 
 /* A copy of the room with one more window like the largest, in the first place along
@@ -288,16 +299,8 @@ static enum pp_status one_more_window(struct pp_room **changed, struct pp_gain *
     int like = largest_window(room);
     if (like < 0)
         return PP_OK;
-    const struct pp_opening *opening = &world->openings[like];
-    const struct pp_polygon *wall = &world->surfaces[opening->face].outline;
-    double low = INFINITY, high = -INFINITY;
-    for (int k = 0; k < wall->count; k++) {
-        double at = pp_vec_dot(opening->along, wall->vertices[k]);
-        low = fmin(low, at);
-        high = fmax(high, at);
-    }
     struct pp_opening_place place = pp_room_opening_at(room, like).place;
-    double most = high - low - place.width_m;
+    double most = pp_window_number_wall_length(world, like) - place.width_m;
     enum pp_status status = PP_OK;
     bool sound = false;
     for (int i = 0; status == PP_OK && !sound && i * search_m <= most; i++) {
@@ -313,13 +316,13 @@ static enum pp_status one_more_window(struct pp_room **changed, struct pp_gain *
         pp_room_destroy(*changed);
         *changed = NULL;
     }
-    SAY(gain, "one more window like that on line %d beside it, %.3g m by %.3g m",
-        opening->line, place.width_m, place.height_m);
+    DESCRIBE(gain, "one more window like that on line %d beside it, %.3g m by %.3g m",
+             world->openings[like].line, place.width_m, place.height_m);
     return status;
 }
 
-/* The wall that faces most against the given one, if it faces away from it and has no
- * opening; -1 where there is none. */
+/* The wall without openings that faces most nearly opposite to the given face, by 120
+ * degrees at least; -1 where there is none. */
 static int opposite_wall(const struct pp_world *world, int face)
 {
     struct pp_vec3 n = world->surfaces[face].outline.normal;
@@ -350,9 +353,9 @@ static enum pp_status opposite_window(struct pp_room **changed, struct pp_gain *
         return PP_OK;
     const char *wall = world->surfaces[face].name;
     struct pp_opening_place place = pp_room_opening_at(room, like).place;
-    SAY(gain,
-        "a window as large in the opposite wall, %.40s, if that is an outside one",
-        wall);
+    DESCRIBE(gain,
+             "a window as large in the opposite wall, %.40s, if that is an outside one",
+             wall);
     enum pp_status status = pp_room_copy(changed, room, err);
     if (status == PP_OK)
         status = pp_room_repeat_opening(*changed, like, place, err);
@@ -362,7 +365,7 @@ static enum pp_status opposite_window(struct pp_room **changed, struct pp_gain *
     return status;
 }
 
-/* ---- What stands outside ---- */
+/* ---- Surroundings ---- */
 
 static enum pp_status nothing_outside(struct pp_room **changed, struct pp_gain *gain,
                                       const struct pp_room *room,
@@ -375,7 +378,7 @@ static enum pp_status nothing_outside(struct pp_room **changed, struct pp_gain *
             world->surfaces[i].role == PP_FREE_SURFACE && !world->surfaces[i].inside;
     if (outside == 0)
         return PP_OK;
-    SAY(gain, "nothing outside that takes sky away");
+    DESCRIBE(gain, "nothing outside that takes sky away");
     enum pp_status status = pp_room_copy(changed, room, err);
     if (status == PP_OK)
         pp_room_clear_surroundings(*changed, world);

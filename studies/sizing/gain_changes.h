@@ -1,4 +1,4 @@
-/* gain_changes.h - the changes to a room that gains.h tries, one function each. Inside
+/* gain_changes.h - the changes to a room that gains.h ranks, one function each. Inside
  * studies/sizing/ only.
  */
 #ifndef PP_STUDIES_SIZING_GAIN_CHANGES_H
@@ -7,20 +7,22 @@
 #include "studies/sizing/gains.h"
 #include "model/room/room.h"
 
-/* Makes the changed room, which is the caller's, and says what was changed in
- * gain->change; *changed NULL where the change makes no sense of this room. */
+/* Makes the changed room, which is the caller's, and describes the change in
+ * gain->change; *changed stays NULL where the change does not apply to the room. */
 typedef enum pp_status pp_gain_change(struct pp_room **changed, struct pp_gain *gain,
                                       const struct pp_room *room,
                                       const struct pp_world *world,
                                       struct pp_error *err);
 
+/* A kind of change; lacks and of_design as in struct pp_gain. */
 struct pp_gain_kind {
     pp_gain_change *make;
     const char *lacks;
     bool of_design;
 };
 
-/* The kinds, in an order that decides between equal gains; make is NULL at the end. */
+/* All kinds of change; of equal gains the earlier kind ranks first. make is NULL at the
+ * end. */
 extern const struct pp_gain_kind pp_gain_kinds[];
 
 #endif

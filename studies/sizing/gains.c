@@ -1,4 +1,6 @@
-/* gains.c - see gains.h. */
+/* gains.c - makes each change of gain_changes.h, evaluates the changed room, and ranks
+ * the gains.
+ */
 #include "studies/sizing/gains.h"
 
 #include <math.h>
@@ -12,9 +14,11 @@
 
 static const char *const methods[] = {"exact+bre", "exact+split-flux"};
 
-/* A change whose gain is a smaller share of the average is none. */
+/* A change that raises the average by a smaller share than this is left out; chosen, not
+ * measured. */
 static const double least_share = 0.002;
 
+/* Average and darkest grid point of a world by the method; NAN where it gives none. */
 static enum pp_status evaluate(struct pp_gain_values *values,
                                const struct pp_world *world, const char *method,
                                struct pp_error *err)
@@ -46,7 +50,7 @@ static enum pp_status evaluate_room(struct pp_gain_values *values,
     pp_mistakes_init(&mistakes, "the changed room");
     enum pp_status status = pp_world_create(&world, room, &mistakes, err);
     *values = (struct pp_gain_values){NAN, NAN};
-    /* A change that the room has no space for is no gain. */
+    /* A change that leaves the room with mistakes has no values, and so no gain. */
     if (status == PP_BAD_INPUT)
         status = PP_OK;
     else if (status == PP_OK)
@@ -56,8 +60,8 @@ static enum pp_status evaluate_room(struct pp_gain_values *values,
     return status;
 }
 
-/* Puts a gain in its place, largest first. */
-static void rank(struct pp_gains *gains, const struct pp_gain *gain)
+/* Inserts a gain by its average, largest first. */
+static void insert(struct pp_gains *gains, const struct pp_gain *gain)
 {
     int at = gains->count++;
     for (; at > 0 && gains->list[at - 1].values.average < gain->values.average; at--)
@@ -76,7 +80,7 @@ static enum pp_status try_change(struct pp_gains *gains,
     if (status == PP_OK && changed) {
         status = evaluate_room(&gain.values, changed, gains->method, err);
         if (gain.values.average > (1.0 + least_share) * gains->now.average)
-            rank(gains, &gain);
+            insert(gains, &gain);
     }
     pp_room_destroy(changed);
     return status;
@@ -97,7 +101,7 @@ enum pp_status pp_gains_find(struct pp_gains *gains, const struct pp_room *room,
     return status;
 }
 
-void pp_gains_sentence(const struct pp_gains *gains, char *text, size_t room)
+void pp_gains_sentence(const struct pp_gains *gains, char *text, size_t size)
 {
     enum { NAMED = 3 };
     const char *named[NAMED];
@@ -105,7 +109,7 @@ void pp_gains_sentence(const struct pp_gains *gains, char *text, size_t room)
     for (int i = 0; i < gains->count && count < NAMED; i++)
         if (gains->list[i].lacks)
             named[count++] = gains->list[i].lacks;
-    snprintf(text, room, "%s", count ? "Most of all " : "");
-    pp_text_append_list(text, room, named, count, " and ");
-    pp_text_append(text, room, "%s", count ? "." : "");
+    snprintf(text, size, "%s", count ? "Most of all " : "");
+    pp_text_append_list(text, size, named, count, " and ");
+    pp_text_append(text, size, "%s", count ? "." : "");
 }

@@ -1,10 +1,10 @@
-/* gains.h - what holds a room's daylight back, and what each change to it would bring.
+/* gains.h - the changes to a room that would raise its daylight factors most.
  *
- * Each change is made to a copy of the room, which is resolved and worked out again by
- * the same method: nothing is estimated. The average is over the working plane, the
- * darkest point is that of the grid of EN 17037 (studies/criteria/en17037_grid.h), of which a
- * room may have none. The method is exact+bre, or exact+split-flux where that does not
- * cover the room.
+ * Each change is made to a copy of the room, whose daylight factors are computed by the
+ * same method as the room's own: nothing is estimated. The average is over the working
+ * plane; the darkest point is that of EN 17037's grid (studies/criteria/en17037_grid.h),
+ * of which a room may have none. The method is exact+bre, or exact+split-flux in rooms
+ * that exact+bre does not cover.
  */
 #ifndef PP_STUDIES_SIZING_GAINS_H
 #define PP_STUDIES_SIZING_GAINS_H
@@ -21,11 +21,12 @@ struct pp_gain_values {
 };
 
 struct pp_gain {
-    char change[128];  /* "a ceiling of reflectance 0.85 instead of 0.6" */
-    const char *lacks; /* what this lack is called: "a dark ceiling"; static; NULL: it
-                        * is none, but a chance */
-    bool of_design;    /* false: what stands outside, which nobody can take away */
-    struct pp_gain_values values; /* of the room so changed */
+    char change[128]; /* "a ceiling of reflectance 0.85 instead of 0.6" */
+    const char
+        *lacks;     /* the fault that the change mends: "a dark ceiling"; static; NULL:
+                        * the change mends no fault of the room */
+    bool of_design; /* the designer can make the change; false for obstructions */
+    struct pp_gain_values values; /* of the changed room */
 };
 
 enum { PP_GAINS_MOST = 16 };
@@ -33,16 +34,16 @@ enum { PP_GAINS_MOST = 16 };
 struct pp_gains {
     const char *method; /* static; NULL: no method covers the room */
     struct pp_gain_values now;
-    struct pp_gain list[PP_GAINS_MOST]; /* largest average first; none that is smaller
-                                         * than now */
+    struct pp_gain list[PP_GAINS_MOST]; /* largest average first; all above now's */
     int count;
 };
 
-/* Ranks the changes that make sense for the room. world is that of room. */
+/* Evaluates and ranks the changes that apply to the room. `world` was made of `room`. */
 enum pp_status pp_gains_find(struct pp_gains *gains, const struct pp_room *room,
                              const struct pp_world *world, struct pp_error *err);
 
-/* What holds it back most, as a sentence; empty where no change brings anything. */
-void pp_gains_sentence(const struct pp_gains *gains, char *text, size_t room);
+/* The room's three largest faults as a sentence ("Most of all low window heads and a
+ * dark ceiling."), in `text` of `size` bytes; empty where no change raises the average. */
+void pp_gains_sentence(const struct pp_gains *gains, char *text, size_t size);
 
 #endif

@@ -1,26 +1,30 @@
-/* cmd_size.c - see size.h. */
+/* size.c - the search of size.h: a scan of the whole range, bisection between the two
+ * sizes that enclose the target, and finer steps at the end.
+ */
 #include "studies/sizing/size.h"
 
 #include <math.h>
 
 #include "model/room/building.h"
 
+/* The numbers of scanned sizes, and both tolerances below, were chosen by trial. */
 enum {
-    SIGHTS = 9,         /* sizes over the whole range, both ends included */
-    SIGHTS_SAMPLED = 4, /* of a value that takes long */
-    REFINED_MOST = 3,   /* down to a micrometre */
+    SCANNED = 9,         /* sizes over the whole range, both ends included */
+    SCANNED_SAMPLED = 4, /* the same for sampled values, which take long */
+    REFINED_MOST = 3,    /* refinements of the grid: down to a micrometre */
 };
 
-/* How near above the target a value that is not counted shall come. */
+/* A value that is neither counted nor sampled shall exceed the target by this share of
+ * it at most. */
 static const double near_share = 0.0025;
 
-/* How near, in standard errors, one that was sampled shall come. */
+/* A sampled value shall come this near to the target, in its standard errors. */
 static const double near_errors = 0.5;
 
-/* What rounding may have taken from a value that is the target on paper. */
+/* A value this share below the target has lost it by rounding, and reaches it. */
 static const double rounding_share = 1e-9;
 
-/* A value at one size. */
+/* The value at one size. */
 struct size_trial {
     int step;
     struct pp_reading reading;
@@ -32,6 +36,7 @@ struct search {
     struct pp_size_answer *answer;
 };
 
+/* The world of a changed room; what is wrong with that room becomes the message. */
 static enum pp_status world_of(struct pp_world **world, const struct pp_room *room,
                                struct pp_error *err)
 {
@@ -44,48 +49,48 @@ static enum pp_status world_of(struct pp_world **world, const struct pp_room *ro
     return status;
 }
 
-static enum pp_status look(const struct search *search, int step,
-                           struct size_trial *sight, struct pp_error *err)
+static enum pp_status evaluate_size(const struct search *search, int step,
+                                    struct size_trial *trial, struct pp_error *err)
 {
     struct pp_room *room = NULL;
     struct pp_world *world = NULL;
-    sight->step = step;
+    trial->step = step;
     enum pp_status status = pp_window_sizes_room(&room, search->sizes, step, err);
     if (status == PP_OK)
         status = world_of(&world, room, err);
     if (status == PP_OK)
-        status = search->task->value(search->task->data, world, &sight->reading, err);
+        status = search->task->value(search->task->data, world, &trial->reading, err);
     search->answer->evaluations++;
     pp_world_destroy(world);
     pp_room_destroy(room);
     return status;
 }
 
-static bool has_value(const struct size_trial *sight)
+static bool has_value(const struct size_trial *trial)
 {
-    return isfinite(sight->reading.value);
+    return isfinite(trial->reading.value);
 }
 
-static bool is_sampled(const struct size_trial *sight)
+static bool is_sampled(const struct size_trial *trial)
 {
-    return isfinite(sight->reading.std_error);
+    return isfinite(trial->reading.std_error);
 }
 
-static bool reaches(const struct search *search, const struct size_trial *sight)
+static bool reaches(const struct search *search, const struct size_trial *trial)
 {
-    return sight->reading.value >= (1.0 - rounding_share) * search->task->target;
+    return trial->reading.value >= (1.0 - rounding_share) * search->task->target;
 }
 
-/* Is a sampled value as near to the target as its error lets one tell? */
-static bool is_near(const struct search *search, const struct size_trial *sight)
+/* Is a sampled value as near to the target as it shall come? */
+static bool is_near(const struct search *search, const struct size_trial *trial)
 {
-    return is_sampled(sight)
-           && fabs(sight->reading.value - search->task->target)
-                  <= near_errors * sight->reading.std_error;
+    return is_sampled(trial)
+           && fabs(trial->reading.value - search->task->target)
+                  <= near_errors * trial->reading.std_error;
 }
 
-/* The next size to look at between two: the middle, or, of sampled values, where a
- * straight line meets the target, not too near either. */
+/* The next size to evaluate between two: the middle, or, for sampled values, where a
+ * straight line through both meets the target, at least a tenth of the way off each. */
 static int between(const struct search *search, const struct size_trial *below,
                    const struct size_trial *above)
 {
@@ -103,28 +108,29 @@ static int between(const struct search *search, const struct size_trial *below,
                                  : step;
 }
 
-/* Narrows the two down to neighbours, or until one is near; that is then `above`. */
+/* Narrows the interval down to neighbouring sizes, or until the value at one size is
+ * near the target; that size is then `above`. */
 static enum pp_status narrow(const struct search *search, struct size_trial *below,
                              struct size_trial *above, struct pp_error *err)
 {
     if (is_near(search, below))
         *above = *below;
     while (above->step - below->step > 1 && !is_near(search, above)) {
-        struct size_trial sight = {0};
+        struct size_trial trial = {0};
         enum pp_status status =
-            look(search, between(search, below, above), &sight, err);
+            evaluate_size(search, between(search, below, above), &trial, err);
         if (status != PP_OK)
             return status;
-        if (is_near(search, &sight) || reaches(search, &sight))
-            *above = sight;
+        if (is_near(search, &trial) || reaches(search, &trial))
+            *above = trial;
         else
-            *below = sight;
+            *below = trial;
     }
     return PP_OK;
 }
 
-/* A size that is not counted shall come close: finer steps where these are too coarse.
- */
+/* Repeats the bisection on a finer grid while the value is not close to the target, for
+ * values that are neither counted nor sampled. */
 static enum pp_status refine(const struct search *search, struct size_trial *below,
                              struct size_trial *above, struct pp_error *err)
 {
@@ -135,11 +141,12 @@ static enum pp_status refine(const struct search *search, struct size_trial *bel
             || above->reading.value <= (1.0 + near_share) * task->target)
             break;
         pp_window_sizes_refine(search->sizes);
-        /* Edges on the finer grid stand a little farther out than they did. */
+        /* On the finer grid edges are rounded less, so that the window is a little
+         * larger than at the same step before: `below` may reach the target now. */
         above->step *= 10;
         below->step *= 10;
         for (int back = 10;; back *= 10) {
-            status = look(search, below->step, below, err);
+            status = evaluate_size(search, below->step, below, err);
             if (status != PP_OK || !reaches(search, below) || below->step == 0)
                 break;
             *above = *below;
@@ -151,91 +158,93 @@ static enum pp_status refine(const struct search *search, struct size_trial *bel
     return status;
 }
 
-/* Sights over the whole range, and of the room as it is, in order. */
-static enum pp_status look_over(const struct search *search, struct size_trial *sights,
-                                int *count, struct pp_error *err)
+/* Evaluates sizes over the whole range, and the room as it is, in the order of size. */
+static enum pp_status scan_range(const struct search *search, struct size_trial *trials,
+                                 int *count, struct pp_error *err)
 {
     int last = pp_window_sizes_count(search->sizes) - 1;
-    int now = pp_window_sizes_now(search->sizes), wanted = SIGHTS;
-    enum pp_status status = look(search, now, &sights[0], err);
+    int now = pp_window_sizes_now(search->sizes), wanted = SCANNED;
+    enum pp_status status = evaluate_size(search, now, &trials[0], err);
     *count = 1;
-    if (status != PP_OK || !has_value(&sights[0]))
+    if (status != PP_OK || !has_value(&trials[0]))
         return status;
-    search->answer->now = sights[0].reading;
-    if (is_sampled(&sights[0]))
-        wanted = SIGHTS_SAMPLED;
+    search->answer->now = trials[0].reading;
+    if (is_sampled(&trials[0]))
+        wanted = SCANNED_SAMPLED;
 
     for (int i = 0; i < wanted && status == PP_OK; i++) {
         int step = (int)round((double)last * i / (wanted - 1));
         int at = 0;
-        while (at < *count && sights[at].step < step)
+        while (at < *count && trials[at].step < step)
             at++;
-        if (at < *count && sights[at].step == step)
+        if (at < *count && trials[at].step == step)
             continue;
         for (int k = *count; k > at; k--)
-            sights[k] = sights[k - 1];
+            trials[k] = trials[k - 1];
         ++*count;
-        status = look(search, step, &sights[at], err);
+        status = evaluate_size(search, step, &trials[at], err);
     }
     return status;
 }
 
-/* Every number of windows, from the smallest on: there are few. */
-static enum pp_status count_up(const struct search *search, struct size_trial *found,
-                               struct pp_error *err)
+/* The search among numbers of windows: every number from the smallest on, as there are
+ * few. */
+static enum pp_status search_numbers(const struct search *search,
+                                     struct size_trial *found, struct pp_error *err)
 {
     int count = pp_window_sizes_count(search->sizes);
     struct pp_size_answer *answer = search->answer;
-    struct size_trial sight = {0};
+    struct size_trial trial = {0};
     enum pp_status status =
-        look(search, pp_window_sizes_now(search->sizes), &sight, err);
-    answer->now = sight.reading;
-    *found = sight;
-    if (status != PP_OK || !has_value(&sight))
+        evaluate_size(search, pp_window_sizes_now(search->sizes), &trial, err);
+    answer->now = trial.reading;
+    *found = trial;
+    if (status != PP_OK || !has_value(&trial))
         return status;
     bool first = true;
     for (int step = 0; step < count; step++) {
-        status = look(search, step, &sight, err);
+        status = evaluate_size(search, step, &trial, err);
         if (status != PP_OK)
             return status;
         if (step == 0)
-            answer->smallest = sight.reading;
-        if (first || sight.reading.value > found->reading.value)
-            *found = sight;
+            answer->smallest = trial.reading;
+        if (first || trial.reading.value > found->reading.value)
+            *found = trial;
         first = false;
-        answer->largest = sight.reading;
-        if (reaches(search, &sight))
+        answer->largest = trial.reading;
+        if (reaches(search, &trial))
             break;
     }
     answer->verdict = reaches(search, found) ? PP_SIZE_REACHED : PP_SIZE_OUT_OF_REACH;
     return PP_OK;
 }
 
-static enum pp_status narrow_down(const struct search *search, struct size_trial *found,
-                                  struct pp_error *err)
+/* The search among sizes. */
+static enum pp_status search_sizes(const struct search *search,
+                                   struct size_trial *found, struct pp_error *err)
 {
-    struct size_trial sights[SIGHTS + 1];
+    struct size_trial trials[SCANNED + 1];
     struct pp_size_answer *answer = search->answer;
     int count, first = 0, best = 0;
-    enum pp_status status = look_over(search, sights, &count, err);
-    *found = sights[0];
+    enum pp_status status = scan_range(search, trials, &count, err);
+    *found = trials[0];
     if (status != PP_OK || !has_value(found))
         return status;
-    answer->smallest = sights[0].reading;
-    answer->largest = sights[count - 1].reading;
+    answer->smallest = trials[0].reading;
+    answer->largest = trials[count - 1].reading;
     for (int i = 0; i < count; i++)
-        if (sights[i].reading.value > sights[best].reading.value)
+        if (trials[i].reading.value > trials[best].reading.value)
             best = i;
-    while (first < count && !reaches(search, &sights[first])
-           && !is_near(search, &sights[first]))
+    while (first < count && !reaches(search, &trials[first])
+           && !is_near(search, &trials[first]))
         first++;
     answer->verdict = first == count ? PP_SIZE_OUT_OF_REACH
                       : first == 0   ? PP_SIZE_SMALLEST_EXCEEDS
                                      : PP_SIZE_REACHED;
-    *found = sights[first == count ? best : first];
+    *found = trials[first == count ? best : first];
     if (answer->verdict != PP_SIZE_REACHED)
         return PP_OK;
-    struct size_trial below = sights[first - 1];
+    struct size_trial below = trials[first - 1];
     status = narrow(search, &below, found, err);
     if (status == PP_OK)
         status = refine(search, &below, found, err);
@@ -254,8 +263,8 @@ enum pp_status pp_size_find(struct pp_size_answer *answer,
         pp_window_sizes_create(&search.sizes, task->room, task->change, task->openings,
                                task->opening_count, err);
     if (status == PP_OK)
-        status = task->change == PP_CHANGE_NUMBER ? count_up(&search, &found, err)
-                                                  : narrow_down(&search, &found, err);
+        status = task->change == PP_CHANGE_NUMBER ? search_numbers(&search, &found, err)
+                                                  : search_sizes(&search, &found, err);
     answer->reading = found.reading;
     if (status == PP_OK && !has_value(&found)) {
         answer->verdict = PP_SIZE_NO_VALUE;

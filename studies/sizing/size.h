@@ -1,11 +1,12 @@
-/* size.h - the window that just reaches a target.
+/* size.h - the smallest window with which a daylight factor reaches a target.
  *
- * What is to reach it is any value of a room, worked out by the caller: an average or
- * a point's daylight factor, by a hand method or traced. The sizes of one kind of
- * change (studies/sizing/window_sizes.h) are searched for the smallest that is not below the
- * target: a few sizes over the whole range tell between which two the value passes it
- * (it need not grow all the way), and halving the steps between them does the rest. A
- * value with a standard error is done when it is within half of one of the target.
+ * The daylight factor is any value of a room that the caller computes: an average, or
+ * that of points, by a hand method or traced. The sizes of one kind of change
+ * (window_sizes.h) are searched for the smallest whose value is not below the target. A
+ * few sizes over the whole range show between which two neighbours the value first
+ * passes the target (it need not grow all the way); bisection does the rest. The search
+ * for a value with a standard error ends when the value is within half a standard error
+ * of the target.
  */
 #ifndef PP_STUDIES_SIZING_SIZE_H
 #define PP_STUDIES_SIZING_SIZE_H
@@ -17,21 +18,21 @@
 #include "model/results/reading.h"
 #include "model/room/world.h"
 
-/* The value of a room; the world is that of the room. A reading without a value says
- * why, of any room alike, and ends the search. */
+/* Computes the value of the room that `world` was made of. A reading without a value ends
+ * the search: its reason must be one that holds at every size. */
 typedef enum pp_status pp_size_value(void *data, const struct pp_world *world,
                                      struct pp_reading *reading, struct pp_error *err);
 
 struct pp_size_task {
     const struct pp_room *room;
     enum pp_size_change change;
-    const int *openings; /* that change, as of pp_window_sizes_create */
+    const int *openings; /* that change, as pp_window_sizes_create takes them */
     int opening_count;
     double target;  /* a fraction, as the value is */
-    bool by_counts; /* the value is counted, so that no size reaches the target closely
-                     */
+    bool by_counts; /* the value is a count (of dots, say) and grows in jumps, so that
+                     * finer sizes come no closer to the target */
     pp_size_value *value;
-    void *data;
+    void *data; /* handed to value */
 };
 
 struct pp_size_answer {
@@ -40,9 +41,9 @@ struct pp_size_answer {
     struct pp_reading smallest; /* of the smallest size */
     struct pp_reading largest;  /* of the largest size */
     struct pp_reading reading;  /* of the size given */
-    struct pp_room *room;       /* at the size given; NULL where there is no value */
+    struct pp_room *room;       /* at the size given, owned; NULL: there is no value */
     bool is_largest;            /* the size given is the largest */
-    int evaluations;            /* how many sizes were tried */
+    int evaluations;            /* number of sizes that were evaluated */
 };
 
 /* On success the answer is to be cleared by the caller. */

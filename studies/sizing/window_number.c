@@ -1,4 +1,6 @@
-/* window_number.c - see window_number.h. */
+/* window_number.c - places windows at equal distances along their wall, and tries which
+ * numbers the room accepts.
+ */
 #include "studies/sizing/window_number.h"
 
 #include <math.h>
@@ -6,11 +8,12 @@
 #include <string.h>
 
 #include "model/room/building.h"
-#include "model/room/world.h"
 
-/* More windows than this are no windows of one wall. */
+/* No more windows in one wall than this are tried, so that the search ends soon; chosen,
+ * not measured. */
 enum { NUMBER_MOST = 200 };
 
+/* PP_BAD_INPUT unless the windows are in one wall and of one size and sill. */
 static enum pp_status check_alike(const struct pp_room *room, const int *openings,
                                   int opening_count, struct pp_error *err)
 {
@@ -35,7 +38,21 @@ static enum pp_status check_alike(const struct pp_room *room, const int *opening
     return PP_OK;
 }
 
-/* The length of the wall that the opening is in, along its foot (m). */
+double pp_window_number_wall_length(const struct pp_world *world, int opening)
+{
+    struct pp_vec3 along = world->openings[opening].along;
+    const struct pp_polygon *wall =
+        &world->surfaces[world->openings[opening].face].outline;
+    double low = INFINITY, high = -INFINITY;
+    for (int k = 0; k < wall->count; k++) {
+        double at = pp_vec_dot(along, wall->vertices[k]);
+        low = fmin(low, at);
+        high = fmax(high, at);
+    }
+    return high - low;
+}
+
+/* The same for a room whose world is still to be made. */
 static enum pp_status wall_length(double *length_m, const struct pp_room *room,
                                   int index, struct pp_error *err)
 {
@@ -43,23 +60,15 @@ static enum pp_status wall_length(double *length_m, const struct pp_room *room,
     struct pp_world *world = NULL;
     pp_mistakes_init(&mistakes, "room");
     enum pp_status status = pp_world_create(&world, room, &mistakes, err);
-    if (status == PP_OK) {
-        const struct pp_opening *opening = &world->openings[index];
-        const struct pp_polygon *wall = &world->surfaces[opening->face].outline;
-        double low = INFINITY, high = -INFINITY;
-        for (int k = 0; k < wall->count; k++) {
-            double at = pp_vec_dot(opening->along, wall->vertices[k]);
-            low = fmin(low, at);
-            high = fmax(high, at);
-        }
-        *length_m = high - low;
-    }
+    if (status == PP_OK)
+        *length_m = pp_window_number_wall_length(world, index);
     pp_world_destroy(world);
     pp_mistakes_clear(&mistakes);
     return status;
 }
 
-/* Where the i-th of `number` windows begins, on the millimetre. */
+/* Distance of the i-th of `number` windows from the wall's beginning, rounded to the
+ * millimetre. */
 static double left_of(int i, int number, double width_m, double wall_m)
 {
     double left = wall_m * (i + 0.5) / number - 0.5 * width_m;

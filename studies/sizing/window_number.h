@@ -1,5 +1,5 @@
-/* window_number.h - a room with more or fewer windows of one kind in a wall: each in
- * the middle of its share of the wall's length. What window_sizes is made of; inside
+/* window_number.h - a room with more or fewer windows of one kind in a wall, each in the
+ * middle of its share of the wall's length. For window_sizes and gain_changes; inside
  * studies/sizing/ only.
  */
 #ifndef PP_STUDIES_SIZING_WINDOW_NUMBER_H
@@ -7,14 +7,19 @@
 
 #include "model/base/error.h"
 #include "model/room/room.h"
+#include "model/room/world.h"
 
-/* The numbers of windows that can be, in order, those of the room as it is among them;
- * *numbers is the caller's. PP_BAD_INPUT where the openings are not alike. */
+/* Length of the wall that the opening is in, along its foot (m). */
+double pp_window_number_wall_length(const struct pp_world *world, int opening);
+
+/* The numbers of windows that are possible, rising; the room's own number is one of
+ * them. *numbers is the caller's to free. PP_BAD_INPUT where the openings are not alike:
+ * in one wall, of one size and sill. */
 enum pp_status pp_window_number_choices(int **numbers, int *count,
                                         const struct pp_room *room, const int *openings,
                                         int opening_count, struct pp_error *err);
 
-/* The room with that number of windows in place of these; the caller's. */
+/* The room with that number of windows instead of these; *changed is the caller's. */
 enum pp_status pp_window_number_room(struct pp_room **changed,
                                      const struct pp_room *room, const int *openings,
                                      int opening_count, int number,

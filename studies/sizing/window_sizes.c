@@ -1,4 +1,6 @@
-/* window_sizes.c - see window_sizes.h. */
+/* window_sizes.c - finds the stations at which edges of windows are blocked on their way
+ * from the smallest size to the largest, and interpolates sizes between them.
+ */
 #include "studies/sizing/window_sizes.h"
 
 #include <math.h>
@@ -6,12 +8,13 @@
 #include <string.h>
 
 #include "studies/sizing/window_number.h"
+#include "model/base/array.h"
 
-/* An edge this near to what it may not pass is as near as it can be (m): more than
- * rounding to the grid takes away from two windows that meet. */
+/* An edge that cannot move by this is blocked (m): more than rounding to the grid takes
+ * away from two windows that meet. */
 static const double blocked_m = 0.0035;
 
-/* What rounding may have done to a length (m). */
+/* A difference of lengths that is rounding (m). */
 static const double slack_m = 1e-6;
 
 struct pp_window_sizes {
@@ -20,27 +23,29 @@ struct pp_window_sizes {
     int *openings; /* that change */
     int opening_count;
 
-    /* Of edges: where each is at stations of the way from the smallest size to the
-     * largest. Edge 2 i is opening i's low one, 2 i + 1 its high one. */
-    bool upright;      /* do sill and head move, or the sides? */
+    /* For all changes but PP_CHANGE_NUMBER: positions of the edges at stations on the
+     * way from the smallest size to the largest. Edge 2 i is the low one of opening i,
+     * 2 i + 1 its high one. */
+    bool upright;      /* sill and head move, else the sides */
     double **stations; /* 2 opening_count edges each */
     int station_count;
-    int fineness; /* steps a grid's width */
+    int fineness; /* steps in a grid's width */
 
-    /* Of numbers: those that fit in the wall, in order. */
+    /* For PP_CHANGE_NUMBER: the numbers that fit in the wall, rising. */
     int *numbers;
     int number_count;
 };
 
 /* ---- Edges of openings ---- */
 
+/* The place of the i-th opening with these edges. */
 static struct pp_opening_place place_of(const struct pp_window_sizes *sizes, int i,
                                         const double *edges)
 {
     struct pp_opening_place place =
         pp_room_opening_at(sizes->room, sizes->openings[i]).place;
     double low = edges[2 * i], high = edges[2 * i + 1];
-    /* One that does not move keeps its length to the bit. */
+    /* An opening that does not move keeps its length to the bit. */
     double *first = sizes->upright ? &place.sill_m : &place.left_m;
     double *length = sizes->upright ? &place.height_m : &place.width_m;
     if (low != *first || high != *first + *length) {
@@ -50,7 +55,8 @@ static struct pp_opening_place place_of(const struct pp_window_sizes *sizes, int
     return place;
 }
 
-static void take_edges(const struct pp_window_sizes *sizes, double *edges)
+/* The edges of the openings as the room has them. */
+static void read_edges(const struct pp_window_sizes *sizes, double *edges)
 {
     for (int i = 0; i < sizes->opening_count; i++) {
         struct pp_opening_place place =
@@ -61,14 +67,14 @@ static void take_edges(const struct pp_window_sizes *sizes, double *edges)
     }
 }
 
-static void put_edges(const struct pp_window_sizes *sizes, struct pp_room *room,
+static void set_edges(const struct pp_window_sizes *sizes, struct pp_room *room,
                       const double *edges)
 {
     for (int i = 0; i < sizes->opening_count; i++)
         pp_room_set_place(room, sizes->openings[i], place_of(sizes, i, edges));
 }
 
-/* The edge on the grid, no farther out than it was. */
+/* The edge rounded to the grid, towards the window's inside. */
 static double on_grid(double edge_m, bool high, double grid_m)
 {
     double n =
@@ -79,17 +85,20 @@ static double on_grid(double edge_m, bool high, double grid_m)
 
 /* ---- How far the edges can move ---- */
 
-static double *add_station(struct pp_window_sizes *sizes)
+/* Adds a station behind the last; *edges is for the caller to fill. */
+static enum pp_status add_station(double **edges, struct pp_window_sizes *sizes,
+                                  struct pp_error *err)
 {
-    double **grown =
-        realloc(sizes->stations, ((size_t)sizes->station_count + 1) * sizeof *grown);
-    if (!grown)
-        return NULL;
-    sizes->stations = grown;
-    double *edges = malloc(2 * (size_t)sizes->opening_count * sizeof *edges);
-    if (edges)
-        sizes->stations[sizes->station_count++] = edges;
-    return edges;
+    *edges = malloc(2 * (size_t)sizes->opening_count * sizeof **edges);
+    if (!*edges)
+        return pp_fail_memory(err);
+    enum pp_status status = pp_array_append(&sizes->stations, sizes->station_count,
+                                            sizeof *sizes->stations, err);
+    if (status == PP_OK)
+        sizes->stations[sizes->station_count++] = *edges;
+    else
+        free(*edges);
+    return status;
 }
 
 /* Can the room's openings have these edges? */
@@ -97,19 +106,20 @@ static enum pp_status is_possible(bool *possible, const struct pp_window_sizes *
                                   struct pp_room *trial, const double *edges,
                                   struct pp_error *err)
 {
-    put_edges(sizes, trial, edges);
+    set_edges(sizes, trial, edges);
     return pp_room_is_sound(possible, trial, err);
 }
 
-static void move(double *moved, const double *edges, const double *way, double by,
-                 int count)
+/* moved = edges + by * way */
+static void move_edges(double *moved, const double *edges, const double *way, double by,
+                       int count)
 {
     for (int e = 0; e < count; e++)
         moved[e] = edges[e] + by * way[e];
 }
 
-/* How far the edges can go together along their ways, m of the fastest: by doubling and
- * halving, down to the slack. */
+/* The largest `by` (m of the fastest edge) by which all edges can move along their ways
+ * together: by doubling and halving, down to slack_m. `moved` is scratch. */
 static enum pp_status farthest(double *by, const struct pp_window_sizes *sizes,
                                struct pp_room *trial, const double *edges,
                                const double *way, double *moved, struct pp_error *err)
@@ -118,7 +128,7 @@ static enum pp_status farthest(double *by, const struct pp_window_sizes *sizes,
     double good = 0.0, bad = 0.125;
     bool possible = true;
     while (possible && bad < 1e5) {
-        move(moved, edges, way, bad, count);
+        move_edges(moved, edges, way, bad, count);
         enum pp_status status = is_possible(&possible, sizes, trial, moved, err);
         if (status != PP_OK)
             return status;
@@ -127,7 +137,7 @@ static enum pp_status farthest(double *by, const struct pp_window_sizes *sizes,
     }
     while (bad - good > 0.5 * slack_m) {
         double middle = 0.5 * (good + bad);
-        move(moved, edges, way, middle, count);
+        move_edges(moved, edges, way, middle, count);
         enum pp_status status = is_possible(&possible, sizes, trial, moved, err);
         if (status != PP_OK)
             return status;
@@ -137,7 +147,7 @@ static enum pp_status farthest(double *by, const struct pp_window_sizes *sizes,
     return PP_OK;
 }
 
-/* Stops the edges that can't go farther by themselves; *stopped is how many. */
+/* Sets the way of each edge that is blocked by itself to 0; *stopped is their number. */
 static enum pp_status stop_blocked(int *stopped, const struct pp_window_sizes *sizes,
                                    struct pp_room *trial, const double *edges,
                                    double *way, double *moved, struct pp_error *err)
@@ -161,11 +171,11 @@ static enum pp_status stop_blocked(int *stopped, const struct pp_window_sizes *s
     return PP_OK;
 }
 
-/* One stretch of the way out: to where the first edge meets something. *done: nothing
+/* Adds the next station: where the first of the moving edges is blocked. *done: no edge
  * moves any more. */
-static enum pp_status go_out(bool *done, struct pp_window_sizes *sizes,
-                             struct pp_room *trial, double *way, double *moved,
-                             struct pp_error *err)
+static enum pp_status advance(bool *done, struct pp_window_sizes *sizes,
+                              struct pp_room *trial, double *way, double *moved,
+                              struct pp_error *err)
 {
     int count = 2 * sizes->opening_count, stopped;
     const double *from = sizes->stations[sizes->station_count - 1];
@@ -173,9 +183,10 @@ static enum pp_status go_out(bool *done, struct pp_window_sizes *sizes,
     enum pp_status status = farthest(&by, sizes, trial, from, way, moved, err);
     if (status != PP_OK)
         return status;
-    double *to = add_station(sizes);
-    if (!to)
-        return pp_fail_memory(err);
+    double *to;
+    status = add_station(&to, sizes, err);
+    if (status != PP_OK)
+        return status;
     from = sizes->stations[sizes->station_count - 2];
     for (int e = 0; e < count; e++) {
         double edge = on_grid(from[e] + by * way[e], e % 2, PP_SIZE_GRID_M);
@@ -190,8 +201,9 @@ static enum pp_status go_out(bool *done, struct pp_window_sizes *sizes,
     return status;
 }
 
-/* Which edges move, and how fast: the way out of the `leg`-th part of the change. False
- * where there is no such part. */
+/* The way of each edge in the `leg`-th part of the change: its speed outwards, 0 for an
+ * edge that stays. False where the change has no such part: a height has two, the head's
+ * and the sill's, every other change has one. */
 static bool way_of(const struct pp_window_sizes *sizes, int leg, double *way)
 {
     double widest = 0.0;
@@ -217,7 +229,7 @@ static bool way_of(const struct pp_window_sizes *sizes, int leg, double *way)
     return leg == 0 || (height && leg == 1);
 }
 
-/* The smallest sizes: what moves outwards has come from there. */
+/* The edges of the smallest size, from which edges with a way move outwards. */
 static void shrink(const struct pp_window_sizes *sizes, const double *now,
                    const double *way, double *least)
 {
@@ -235,18 +247,22 @@ static void shrink(const struct pp_window_sizes *sizes, const double *now,
     }
 }
 
+/* The stations of the change: the smallest size, the room as it is, and each size at
+ * which an edge is blocked. */
 static enum pp_status find_stations(struct pp_window_sizes *sizes, struct pp_error *err)
 {
     int count = 2 * sizes->opening_count;
     struct pp_room *trial = NULL;
     double *way = calloc(2 * (size_t)count, sizeof *way), *moved = way + count;
-    enum pp_status status = way ? pp_room_copy(&trial, sizes->room, err) : PP_OK;
-    double *least = way ? add_station(sizes) : NULL;
-    double *now = least ? add_station(sizes) : NULL;
-    if (!now)
-        status = pp_fail_memory(err);
+    double *least, *now;
+    enum pp_status status =
+        way ? pp_room_copy(&trial, sizes->room, err) : pp_fail_memory(err);
+    if (status == PP_OK)
+        status = add_station(&least, sizes, err);
+    if (status == PP_OK)
+        status = add_station(&now, sizes, err);
     if (status == PP_OK) {
-        take_edges(sizes, now);
+        read_edges(sizes, now);
         way_of(sizes, 0, way);
         shrink(sizes, now, way, least);
     }
@@ -259,7 +275,7 @@ static enum pp_status find_stations(struct pp_window_sizes *sizes, struct pp_err
         for (int e = 0; e < count; e++)
             done = done && way[e] == 0.0;
         while (status == PP_OK && !done)
-            status = go_out(&done, sizes, trial, way, moved, err);
+            status = advance(&done, sizes, trial, way, moved, err);
     }
     pp_room_destroy(trial);
     free(way);
@@ -268,8 +284,7 @@ static enum pp_status find_stations(struct pp_window_sizes *sizes, struct pp_err
 
 /* ---- Steps ---- */
 
-/* How far an opening's edges move from a station to the next, together (m): what its
- * size grows by. */
+/* The length by which an opening grows from a station to the next (m). */
 static double growth(const struct pp_window_sizes *sizes, int station, int opening)
 {
     const double *from = sizes->stations[station] + 2 * opening;
@@ -277,8 +292,8 @@ static double growth(const struct pp_window_sizes *sizes, int station, int openi
     return fabs(to[0] - from[0]) + fabs(to[1] - from[1]);
 }
 
-/* Steps between a station and the next: what most grows over the grid. */
-static int stretch(const struct pp_window_sizes *sizes, int station)
+/* Steps between a station and the next: the largest growth over the grid's width. */
+static int steps_between(const struct pp_window_sizes *sizes, int station)
 {
     double most = 0.0;
     for (int i = 0; i < sizes->opening_count; i++)
@@ -292,7 +307,7 @@ int pp_window_sizes_count(const struct pp_window_sizes *sizes)
         return sizes->number_count;
     int count = 1;
     for (int s = 0; s + 1 < sizes->station_count; s++)
-        count += stretch(sizes, s);
+        count += steps_between(sizes, s);
     return count;
 }
 
@@ -301,7 +316,7 @@ int pp_window_sizes_now(const struct pp_window_sizes *sizes)
     for (int i = 0; i < sizes->number_count; i++)
         if (sizes->numbers[i] == sizes->opening_count)
             return i;
-    return stretch(sizes, 0);
+    return steps_between(sizes, 0);
 }
 
 void pp_window_sizes_refine(struct pp_window_sizes *sizes)
@@ -309,16 +324,16 @@ void pp_window_sizes_refine(struct pp_window_sizes *sizes)
     sizes->fineness *= 10;
 }
 
-/* The edges at that step: on the straight way between two stations, and on the grid. */
+/* The edges at that step: interpolated between two stations and rounded to the grid. */
 static void edges_at(const struct pp_window_sizes *sizes, int step, double *edges)
 {
     int station = 0, steps = 0;
     while (station + 2 < sizes->station_count
-           && step > (steps = stretch(sizes, station))) {
+           && step > (steps = steps_between(sizes, station))) {
         step -= steps;
         station++;
     }
-    steps = stretch(sizes, station);
+    steps = steps_between(sizes, station);
     const double *from = sizes->stations[station], *to = sizes->stations[station + 1];
     double u = steps > 0 ? (double)step / steps : 1.0;
     for (int e = 0; e < 2 * sizes->opening_count; e++) {
@@ -346,7 +361,7 @@ enum pp_status pp_window_sizes_room(struct pp_room **room,
     enum pp_status status = pp_room_copy(room, sizes->room, err);
     if (status == PP_OK) {
         edges_at(sizes, step, edges);
-        put_edges(sizes, *room, edges);
+        set_edges(sizes, *room, edges);
     }
     free(edges);
     return status;
@@ -354,7 +369,7 @@ enum pp_status pp_window_sizes_room(struct pp_room **room,
 
 /* ---- Create ---- */
 
-/* Is this change one of that opening? */
+/* PP_BAD_INPUT where the opening cannot change so. */
 static enum pp_status check_opening(const struct pp_room *room, int index,
                                     enum pp_size_change change, struct pp_error *err)
 {

@@ -1,15 +1,16 @@
 /* window_sizes.h - the sizes that some windows of a room can take by one kind of
- * change, step by step from the smallest to the largest, each within the next.
+ * change, step by step from the smallest to the largest; each size encloses the one
+ * before.
  *
  * The windows change together. Widths change in proportion, about each window's middle;
  * an edge that meets the end of its wall or another opening stays there while the
- * others go on. Heads go up by equal lengths and sills down, up to what stands in their
- * way; for the height first the head, and then the sill. What can be is what
- * pp_world_create accepts. Edges that move are on a grid (a millimetre, or finer; half
- * of it where both edges move), rounded towards the window's inside.
+ * others go on. Heads go up by equal lengths and sills down, each until it is blocked;
+ * a height changes by the head first and then by the sill. A size is possible where
+ * pp_world_create accepts the room. Edges that move are on a grid (a millimetre, or
+ * finer; half of it where both edges move), rounded towards the window's inside.
  *
- * The number is of windows alike in one wall, each in the middle of its share of the
- * wall's length; the room's own number stands as the room has it.
+ * A change of number is for windows alike in one wall, each in the middle of its share
+ * of the wall's length; at the room's own number the windows stay where they are.
  */
 #ifndef PP_STUDIES_SIZING_WINDOW_SIZES_H
 #define PP_STUDIES_SIZING_WINDOW_SIZES_H
@@ -25,26 +26,26 @@
 
 struct pp_window_sizes;
 
-/* openings: indices of those that change, windows or rooflights; for PP_CHANGE_NUMBER
- * windows of one wall and one size. PP_BAD_INPUT where the change is not one of these
- * openings. Copies what it needs of room, in which nothing may be wrong. */
+/* openings: indices of the openings that change, windows or rooflights; for
+ * PP_CHANGE_NUMBER windows of one wall and one size. PP_BAD_INPUT where these openings
+ * cannot change so. Copies what it needs of room, which must be free of mistakes. */
 enum pp_status pp_window_sizes_create(struct pp_window_sizes **sizes,
                                       const struct pp_room *room,
                                       enum pp_size_change change, const int *openings,
                                       int opening_count, struct pp_error *err);
 void pp_window_sizes_destroy(struct pp_window_sizes *sizes); /* NULL is allowed */
 
-/* Steps are 0 to count - 1. From one to the next no size grows by more than the grid
- * is wide; `now` is the room as it is, to the bit. */
+/* Steps are 0 to count - 1. From one step to the next no window grows by more than the
+ * width of the grid. Step `now` is the room as it is, to the bit. */
 int pp_window_sizes_count(const struct pp_window_sizes *sizes);
 int pp_window_sizes_now(const struct pp_window_sizes *sizes);
 
 /* Makes each step ten times as fine: step k becomes step 10 k. Numbers stay. */
 void pp_window_sizes_refine(struct pp_window_sizes *sizes);
 
-/* The room at that step, which is the caller's (pp_room_destroy). Openings that are new
- * stand behind all others and are like the last of those that change; of numbers
- * smaller than the room's own the last are left out. */
+/* The room at that step, which is the caller's (pp_room_destroy). New openings come last
+ * in the room's list and are like the last of those that change; where the number is
+ * smaller than the room's own, the last openings are left out. */
 enum pp_status pp_window_sizes_room(struct pp_room **room,
                                     const struct pp_window_sizes *sizes, int step,
                                     struct pp_error *err);

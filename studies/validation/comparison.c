@@ -1,16 +1,19 @@
-/* comparison.c - see comparison.h. */
+/* comparison.c - bias, spread and worst difference of each column of a report, and their
+ * sums over rooms.
+ */
 #include "studies/validation/comparison.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
+/* The standard error of a reading; 0 where nothing was sampled. */
 static double known_error(const struct pp_reading *reading)
 {
     return isfinite(reading->std_error) ? reading->std_error : 0.0;
 }
 
-/* The reason of the first reading that has none. */
+/* The reason of the first reading without a value. */
 static const char *reason(const struct pp_report *report,
                           const struct pp_column *column)
 {

@@ -1,15 +1,15 @@
-/* comparison.h - how far each method is from the simulation, in one room and over
- * several.
+/* comparison.h - the differences between hand methods and the simulation, in one room
+ * and over several.
  *
- * At the points i of a room the difference is d_i = method - traced, the traced value's
- * standard error s_i:
+ * At the n points i of a room the difference is d_i = method - traced; s_i is the
+ * standard error of the traced value:
  *
  *     bias    mean d_i, with the standard error sqrt(sum s_i^2) / n
- *     spread  root mean square of d_i less what of it is the simulation's noise,
- *             sqrt(max(0, mean d_i^2 - mean s_i^2))
- *     worst   the d_i of the largest size
+ *     spread  sqrt(max(0, mean d_i^2 - mean s_i^2)), the root mean square of d_i less
+ *             the simulation's noise
+ *     worst   the d_i of the largest magnitude
  *
- * Over several rooms differences are taken over the room's mean traced value first, so
+ * Over several rooms differences are divided by the room's mean traced value first, so
  * that dark rooms count as much as bright ones.
  */
 #ifndef PP_STUDIES_VALIDATION_COMPARISON_H
@@ -22,35 +22,38 @@
 struct pp_comparison {
     enum pp_component component;
     const char *name; /* the report's */
-    const char *why;  /* there is no value at all; NULL: there are some */
-    int points;       /* with values of both; 0: see average alone */
-    double traced;    /* their mean */
+    const char *why;  /* why the method has no value at all; NULL: it has some */
+    int points;       /* number of points with both values; 0: only averages compare */
+    double traced;    /* mean traced value of those points */
     double bias, bias_error, spread;
-    double worst, worst_error; /* of one point */
+    double worst, worst_error; /* d_i and s_i of the worst point */
     int worst_point;           /* of the report's receivers */
     double average, traced_average, traced_average_error; /* NAN: none */
 };
 
-/* The list is the caller's to free; *count 0 where nothing was traced. */
+/* Compares each column of the report with "traced" of the same component. *list is the
+ * caller's to free; *count is 0 where nothing was traced. */
 enum pp_status pp_comparison_of_report(struct pp_comparison **list, int *count,
                                        const struct pp_report *report,
                                        struct pp_error *err);
 
-/* One method over several rooms; shares of the rooms' mean traced values. */
+/* One method over several rooms; differences are shares of the rooms' mean traced
+ * values. */
 struct pp_overall {
     enum pp_component component;
     const char *name;
-    int rooms, points; /* rooms with values at points */
+    int rooms, points; /* rooms with values at points, and all their points */
     double bias, spread;
-    double worst;          /* the difference of one point over its room's mean, */
-    int worst_room;        /* by place in the list, */
-    int averages;          /* rooms with an average of both */
-    double average_bias;   /* mean of method/traced - 1, */
-    double average_spread; /* its root mean square */
-    const struct pp_comparison *worst_comparison; /* not owned */
+    double worst;          /* the difference at the worst point of all rooms */
+    int worst_room;        /* index of its room */
+    int averages;          /* rooms whose average both give */
+    double average_bias;   /* mean of method/traced - 1 over these rooms' averages */
+    double average_spread; /* root mean square of the same */
+    const struct pp_comparison *worst_comparison; /* of the worst point; not owned */
 };
 
-/* rooms[i] has counts[i] comparisons. The list is the caller's to free. */
+/* Sums up room_count rooms; rooms[i] has counts[i] comparisons. *list is the caller's to
+ * free. */
 enum pp_status pp_comparison_overall(struct pp_overall **list, int *count,
                                      struct pp_comparison *const *rooms,
                                      const int *counts, int room_count,

@@ -1,8 +1,6 @@
-/* self_test.c - see self_test.h.
- *
- * Expected are closed forms of sky components on paper, the limits that hold in any
- * room, and small cases worked by hand or by independent quadrature; each to the digits
- * that stand here.
+/* self_test.c - the cases: closed forms of sky components on paper, limits that hold in
+ * any room, and small rooms worked by hand or by independent quadrature. Expected values
+ * are right to the digits that stand here.
  */
 #include "studies/validation/self_test.h"
 
@@ -16,12 +14,12 @@
 #include "model/room/building.h"
 #include "simulate/tracer/tracer.h"
 
-static void add(struct pp_self_test_cases *known, const char *what, const char *by,
+static void add(struct pp_self_test_cases *cases, const char *what, const char *by,
                 double answer, double expected, double tolerance)
 {
-    if (known->count == PP_SELF_TEST_CASES_MOST)
+    if (cases->count == PP_SELF_TEST_CASES_MOST)
         return;
-    struct pp_self_test_case *one = &known->list[known->count++];
+    struct pp_self_test_case *one = &cases->list[cases->count++];
     *one = (struct pp_self_test_case){.by = by,
                                       .expected = expected,
                                       .tolerance = tolerance,
@@ -30,16 +28,16 @@ static void add(struct pp_self_test_cases *known, const char *what, const char *
     snprintf(one->what, sizeof one->what, "%s", what);
 }
 
-/* In per cent, expected to the decimals it is given with. */
-static void add_per_cent(struct pp_self_test_cases *known, const char *what,
+/* A case whose expected value is in per cent, rounded to that number of decimals. */
+static void add_per_cent(struct pp_self_test_cases *cases, const char *what,
                          const char *by, double answer, double per_cent, int decimals)
 {
-    add(known, what, by, answer, per_cent / 100.0, 0.5001 * pow(10.0, -decimals - 2));
+    add(cases, what, by, answer, per_cent / 100.0, 0.5001 * pow(10.0, -decimals - 2));
 }
 
-bool pp_self_test_passes(const struct pp_self_test_case *known)
+bool pp_self_test_passes(const struct pp_self_test_case *one)
 {
-    return fabs(known->answer - known->expected) <= known->tolerance;
+    return fabs(one->answer - one->expected) <= one->tolerance;
 }
 
 /* ---- rooms ---- */
@@ -61,7 +59,7 @@ static enum pp_status world_of(struct pp_world **world, const char *xml,
     return status;
 }
 
-/* Readings of a room's first point and of its average. */
+/* A room and what methods say of its first point and its average. */
 struct answers {
     struct pp_world *world;
     struct pp_report report;
@@ -73,8 +71,8 @@ static void clear(struct answers *answers)
     pp_world_destroy(answers->world);
 }
 
-static enum pp_status ask(struct answers *answers, const char *xml, const char *methods,
-                          struct pp_error *err)
+static enum pp_status evaluate(struct answers *answers, const char *xml,
+                               const char *methods, struct pp_error *err)
 {
     *answers = (struct answers){0};
     enum pp_status status = world_of(&answers->world, xml, err);
@@ -99,8 +97,8 @@ static double at_point(const struct answers *answers, enum pp_component componen
 /* ---- by hand ---- */
 
 /* Rectangles seen from a point one metre off, one corner on the perpendicular. */
-static enum pp_status ask_rectangles(struct pp_self_test_cases *known,
-                                     struct pp_error *err)
+static enum pp_status check_rectangles(struct pp_self_test_cases *cases,
+                                       struct pp_error *err)
 {
     static const struct {
         bool overhead;
@@ -130,10 +128,10 @@ static enum pp_status ask_rectangles(struct pp_self_test_cases *known,
                      list[i].overhead ? "level" : "upright", list[i].a, list[i].b,
                      skies[sky]);
             struct answers answers;
-            enum pp_status status = ask(&answers, xml, "exact", err);
+            enum pp_status status = evaluate(&answers, xml, "exact", err);
             if (status != PP_OK)
                 return status;
-            add_per_cent(known, what, "exact", at_point(&answers, PP_SC, "exact"),
+            add_per_cent(cases, what, "exact", at_point(&answers, PP_SC, "exact"),
                          list[i].per_cent[sky], 4);
             clear(&answers);
         }
@@ -146,41 +144,42 @@ static enum pp_status ask_rectangles(struct pp_self_test_cases *known,
     "<point x='5.1' y='3'/>"
 
 /* A window through clear glass, by quadrature in azimuth and altitude. */
-static enum pp_status ask_glass(struct pp_self_test_cases *known, struct pp_error *err)
+static enum pp_status check_glass(struct pp_self_test_cases *cases,
+                                  struct pp_error *err)
 {
     struct answers answers;
-    enum pp_status status = ask(&answers, HALL "</room>", "exact", err);
+    enum pp_status status = evaluate(&answers, HALL "</room>", "exact", err);
     if (status != PP_OK)
         return status;
-    add_per_cent(known, "window 3 x 1.8 m, 3 m off, clear single glass", "exact",
+    add_per_cent(cases, "window 3 x 1.8 m, 3 m off, clear single glass", "exact",
                  at_point(&answers, PP_SC, "exact"), 3.424, 3);
     clear(&answers);
     return PP_OK;
 }
 
-static void ask_skies(struct pp_self_test_cases *known)
+static void check_skies(struct pp_self_test_cases *cases)
 {
     struct pp_sky overcast = pp_sky_overcast(), uniform = pp_sky_uniform();
     struct pp_vec3 up = {0.0, 0.0, 1.0}, south = {0.0, -1.0, 0.0};
-    add(known, "open sky on a level plane, overcast", "sky",
+    add(cases, "open sky on a level plane, overcast", "sky",
         pp_sky_on_plane(&overcast, up), 1.0, 1e-9);
-    add(known, "open sky on a level plane, uniform", "sky",
+    add(cases, "open sky on a level plane, uniform", "sky",
         pp_sky_on_plane(&uniform, up), 1.0, 1e-9);
-    add_per_cent(known, "open sky on an upright plane, overcast", "sky",
+    add_per_cent(cases, "open sky on an upright plane, overcast", "sky",
                  pp_sky_on_plane(&overcast, south), 39.6177, 4);
-    add_per_cent(known, "above an endless skyline of 25 degrees, overcast", "sky",
+    add_per_cent(cases, "above an endless skyline of 25 degrees, overcast", "sky",
                  pp_obstruction_angle_to_vsc(PP_SKY_OVERCAST, 25.0 * PP_RAD), 27.31, 2);
-    add_per_cent(known, "above an endless skyline of 25 degrees, uniform", "sky",
+    add_per_cent(cases, "above an endless skyline of 25 degrees, uniform", "sky",
                  pp_obstruction_angle_to_vsc(PP_SKY_UNIFORM, 25.0 * PP_RAD), 28.87, 2);
     struct pp_glass glass = pp_glass_clear_single();
-    add(known, "clear single glass, normal incidence", "glass", glass.normal, 0.900,
+    add(cases, "clear single glass, normal incidence", "glass", glass.normal, 0.900,
         5.001e-4);
-    add(known, "clear single glass, diffuse light", "glass", glass.diffuse, 0.827,
+    add(cases, "clear single glass, diffuse light", "glass", glass.diffuse, 0.827,
         5.001e-4);
 }
 
-static enum pp_status ask_protractors(struct pp_self_test_cases *known,
-                                      struct pp_error *err)
+static enum pp_status check_protractors(struct pp_self_test_cases *cases,
+                                        struct pp_error *err)
 {
     static const struct {
         int number;
@@ -200,7 +199,7 @@ static enum pp_status ask_protractors(struct pp_self_test_cases *known,
         if (status != PP_OK)
             return status;
         add_per_cent(
-            known, list[i].what, "protractor",
+            cases, list[i].what, "protractor",
             pp_protractor_scale_primary(&protractor, list[i].altitude_deg * PP_RAD),
             list[i].per_cent, list[i].decimals);
     }
@@ -214,20 +213,22 @@ static enum pp_status ask_protractors(struct pp_self_test_cases *known,
     "<window wall='south' left='0.2' sill='0.9' width='3.6' height='1.5' "
 
 /* The reflected component of a room 4 x 6 x 3 m, and a window read off the table. */
-static enum pp_status ask_rooms(struct pp_self_test_cases *known, struct pp_error *err)
+static enum pp_status check_rooms(struct pp_self_test_cases *cases,
+                                  struct pp_error *err)
 {
     struct answers answers;
     enum pp_status status =
-        ask(&answers, SCHOOLROOM "/></room>", "bre,split-flux", err);
+        evaluate(&answers, SCHOOLROOM "/></room>", "bre,split-flux", err);
     if (status != PP_OK)
         return status;
-    add_per_cent(known, "room 4 x 6 x 3 m, window 3.6 x 1.5 m", "bre",
+    add_per_cent(cases, "room 4 x 6 x 3 m, window 3.6 x 1.5 m", "bre",
                  at_point(&answers, PP_IRC, "bre"), 1.3289, 4);
-    add_per_cent(known, "room 4 x 6 x 3 m, window 3.6 x 1.5 m", "split-flux",
+    add_per_cent(cases, "room 4 x 6 x 3 m, window 3.6 x 1.5 m", "split-flux",
                  at_point(&answers, PP_IRC, "split-flux"), 1.2962, 4);
     clear(&answers);
 
-    status = ask(&answers,
+    status =
+        evaluate(&answers,
                  SCHOOLROOM "diffusing='yes' transmittance='0.68' maintenance='0.9'/>"
                             "<skyline wall='south' angle='25'/></room>",
                  "average-df", err);
@@ -235,25 +236,25 @@ static enum pp_status ask_rooms(struct pp_self_test_cases *known, struct pp_erro
         return status;
     const struct pp_column *column =
         pp_report_find(&answers.report, PP_DF, "average-df");
-    add_per_cent(known, "the same room, T 0.68, M 0.9, theta 65 degrees", "average-df",
+    add_per_cent(cases, "the same room, T 0.68, M 0.9, theta 65 degrees", "average-df",
                  column ? column->average.value : NAN, 2.5163, 4);
     clear(&answers);
 
-    status = ask(&answers, HALL "</room>", "brs-table", err);
+    status = evaluate(&answers, HALL "</room>", "brs-table", err);
     if (status != PP_OK)
         return status;
-    add_per_cent(known, "window 3 x 1.8 m, 3 m off", "brs-table",
+    add_per_cent(cases, "window 3 x 1.8 m, 3 m off", "brs-table",
                  at_point(&answers, PP_SC, "brs-table"), 3.35, 2);
     clear(&answers);
 
-    status =
-        ask(&answers, HALL "<skyline wall='south' angle='26.565051177078'/></room>",
-            "brs-table", err);
+    status = evaluate(&answers,
+                      HALL "<skyline wall='south' angle='26.565051177078'/></room>",
+                      "brs-table", err);
     if (status != PP_OK)
         return status;
-    add_per_cent(known, "the same, a skyline to h/d 0.5: sky", "brs-table",
+    add_per_cent(cases, "the same, a skyline to h/d 0.5: sky", "brs-table",
                  at_point(&answers, PP_SC, "brs-table"), 2.08, 2);
-    add_per_cent(known, "the same: what the skyline reflects", "brs-table",
+    add_per_cent(cases, "the same: what the skyline reflects", "brs-table",
                  at_point(&answers, PP_ERC, "brs-table"), 0.254, 3);
     clear(&answers);
     return PP_OK;
@@ -278,20 +279,21 @@ static enum pp_status trace(struct pp_reading readings[PP_COMPONENT_COUNT],
     return status;
 }
 
-static void add_traced(struct pp_self_test_cases *known, const char *what,
+static void add_traced(struct pp_self_test_cases *cases, const char *what,
                        struct pp_reading reading, double expected)
 {
-    add(known, what, "traced", reading.value, expected,
+    add(cases, what, "traced", reading.value, expected,
         4.0 * reading.std_error + 1e-12);
-    known->list[known->count - 1].std_error = reading.std_error;
+    cases->list[cases->count - 1].std_error = reading.std_error;
 }
 
 static const struct pp_receiver facing_up = {.position = {1.0, 1.0, 1.0},
                                              .normal = {0.0, 0.0, 1.0}};
 
-/* Nothing but sky. */
-static enum pp_status trace_open_sky(struct pp_self_test_cases *known, uint64_t seed,
-                                     int threads, struct pp_error *err)
+/* A point under the open sky: no surface at all. */
+static enum pp_status check_traced_open_sky(struct pp_self_test_cases *cases,
+                                            uint64_t seed, int threads,
+                                            struct pp_error *err)
 {
     struct pp_world world = {.sky = pp_sky_overcast()};
     struct pp_receiver upright = facing_up;
@@ -300,18 +302,20 @@ static enum pp_status trace_open_sky(struct pp_self_test_cases *known, uint64_t 
     enum pp_status status = trace(readings, &world, facing_up, seed, threads, err);
     if (status != PP_OK)
         return status;
-    add_traced(known, "open sky on a level plane, overcast", readings[PP_SC], 1.0);
+    add_traced(cases, "open sky on a level plane, overcast", readings[PP_SC], 1.0);
     status = trace(readings, &world, upright, seed, threads, err);
     if (status == PP_OK)
-        add_traced(known, "open sky on an upright plane, overcast", readings[PP_SC],
+        add_traced(cases, "open sky on an upright plane, overcast", readings[PP_SC],
                    0.39617706);
     return status;
 }
 
-/* In a closed room whose every surface gives off 1 and reflects rho, light goes on as
- * 1 + rho + rho^2 + ... whatever its form: that of the integrating sphere. */
-static enum pp_status trace_closed_cube(struct pp_self_test_cases *known, uint64_t seed,
-                                        int threads, struct pp_error *err)
+/* In a closed room whose every surface has exitance 1 and reflectance rho, illuminance
+ * is 1 + rho + rho^2 + ... = 1/(1 - rho) everywhere, whatever the room's form: the
+ * integrating sphere. */
+static enum pp_status check_traced_closed_cube(struct pp_self_test_cases *cases,
+                                               uint64_t seed, int threads,
+                                               struct pp_error *err)
 {
     static const double reflectances[] = {0.2, 0.5, 0.8};
     struct pp_world *world = NULL;
@@ -334,15 +338,16 @@ static enum pp_status trace_closed_cube(struct pp_self_test_cases *known, uint64
         snprintf(what, sizeof what, "closed glowing cube, 1/(1 - rho), rho %g",
                  reflectances[i]);
         if (status == PP_OK)
-            add_traced(known, what, readings[PP_IRC], 1.0 / (1.0 - reflectances[i]));
+            add_traced(cases, what, readings[PP_IRC], 1.0 / (1.0 - reflectances[i]));
     }
     pp_world_destroy(world);
     return status;
 }
 
-/* Windows of which the closed form, or quadrature, is known; a dark room. */
-static enum pp_status trace_windows(struct pp_self_test_cases *known, uint64_t seed,
-                                    int threads, struct pp_error *err)
+/* Windows whose sky component is known in closed form or by quadrature; a dark room. */
+static enum pp_status check_traced_windows(struct pp_self_test_cases *cases,
+                                           uint64_t seed, int threads,
+                                           struct pp_error *err)
 {
     static const struct {
         const char *what, *xml;
@@ -373,51 +378,51 @@ static enum pp_status trace_windows(struct pp_self_test_cases *known, uint64_t s
         pp_world_destroy(world);
         if (status != PP_OK)
             return status;
-        add_traced(known, list[i].what, readings[list[i].component],
+        add_traced(cases, list[i].what, readings[list[i].component],
                    list[i].per_cent / 100.0);
     }
     return PP_OK;
 }
 
-/* Sky component of the hall's window through glass, by both: neither knows of the
- * other. */
-static enum pp_status trace_against_exact(struct pp_self_test_cases *known,
-                                          uint64_t seed, int threads,
-                                          struct pp_error *err)
+/* Sky component of the hall's window through glass, traced and by `exact`, which share
+ * no way of finding it. */
+static enum pp_status check_traced_and_exact(struct pp_self_test_cases *cases,
+                                             uint64_t seed, int threads,
+                                             struct pp_error *err)
 {
     struct answers answers;
     struct pp_reading readings[PP_COMPONENT_COUNT];
-    enum pp_status status = ask(&answers, HALL "</room>", "exact", err);
+    enum pp_status status = evaluate(&answers, HALL "</room>", "exact", err);
     if (status != PP_OK)
         return status;
     status =
         trace(readings, answers.world, answers.world->receivers[0], seed, threads, err);
     if (status == PP_OK)
-        add_traced(known, "window 3 x 1.8 m, 3 m off, glazed, against exact",
+        add_traced(cases, "window 3 x 1.8 m, 3 m off, glazed, against exact",
                    readings[PP_SC], at_point(&answers, PP_SC, "exact"));
     clear(&answers);
     return status;
 }
 
-enum pp_status pp_self_test_run(struct pp_self_test_cases *known, uint64_t seed,
+enum pp_status pp_self_test_run(struct pp_self_test_cases *cases, uint64_t seed,
                                 int threads, struct pp_error *err)
 {
-    known->count = 0;
-    ask_skies(known);
-    enum pp_status status = ask_rectangles(known, err);
+    cases->count = 0;
+    check_skies(cases);
+    enum pp_status status = check_rectangles(cases, err);
     if (status == PP_OK)
-        status = ask_glass(known, err);
+        status = check_glass(cases, err);
     if (status == PP_OK)
-        status = ask_protractors(known, err);
+        status = check_protractors(cases, err);
     if (status == PP_OK)
-        status = ask_rooms(known, err);
+        status = check_rooms(cases, err);
     if (status == PP_OK)
-        status = trace_open_sky(known, seed, threads, err);
+        status = check_traced_open_sky(cases, seed, threads, err);
     if (status == PP_OK)
-        status = trace_closed_cube(known, seed, threads, err);
+        status = check_traced_closed_cube(cases, seed, threads, err);
     if (status == PP_OK)
-        status = trace_windows(known, seed, threads, err);
+        status = check_traced_windows(cases, seed, threads, err);
     if (status == PP_OK)
-        status = trace_against_exact(known, seed, threads, err);
+        status = check_traced_and_exact(cases, seed, threads, err);
     return status;
 }

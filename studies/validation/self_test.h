@@ -1,4 +1,6 @@
-/* self_test.h - the program against answers that are known on paper. */
+/* self_test.h - the program against answers that are known on paper: closed forms,
+ * limits, and cases worked by hand or by quadrature.
+ */
 #ifndef PP_STUDIES_VALIDATION_SELF_TEST_H
 #define PP_STUDIES_VALIDATION_SELF_TEST_H
 
@@ -7,15 +9,15 @@
 
 #include "model/base/error.h"
 
-/* One question; fractions of the open sky, or plain numbers. */
+/* One case; expected and answer are fractions of the open sky, or plain numbers. */
 struct pp_self_test_case {
     char what[80];
     const char *by; /* the method, or "traced" */
     double expected;
-    double tolerance; /* how far the answer may be off: the rounding of what is
-                       * expected, or four standard errors */
+    double tolerance; /* largest difference allowed: the rounding of `expected`, or four
+                       * standard errors of the answer */
     double answer;
-    double std_error; /* NAN: not sampled */
+    double std_error; /* of the answer; NAN: not sampled */
 };
 
 enum { PP_SELF_TEST_CASES_MOST = 64 };
@@ -25,11 +27,11 @@ struct pp_self_test_cases {
     struct pp_self_test_case list[PP_SELF_TEST_CASES_MOST];
 };
 
-bool pp_self_test_passes(const struct pp_self_test_case *known);
+/* Is the answer within its tolerance? */
+bool pp_self_test_passes(const struct pp_self_test_case *one);
 
-/* Puts all questions to the program; takes a second or two. The seed is that of what is
- * traced. */
-enum pp_status pp_self_test_run(struct pp_self_test_cases *known, uint64_t seed,
+/* Runs all cases; takes a second or two. seed and threads are for the traced ones. */
+enum pp_status pp_self_test_run(struct pp_self_test_cases *cases, uint64_t seed,
                                 int threads, struct pp_error *err);
 
 #endif

@@ -118,10 +118,5 @@ check "a plan has no weather" \
     refuses 2 "availability" chart plan -w "$days" -o "$scratch/x.pdf" "$deep"
 check "a weather file that is wrong" refuses 1 "cut.epw:50" \
     chart availability -w "$scratch/cut.epw" -o "$scratch/x.pdf" "$deep"
-if command -v pdftotext >/dev/null; then
-    pdftotext "$scratch/room.pdf" "$scratch/words.txt"
-    check "a room's figures are text" grep -q "need .* lx outside" "$scratch/words.txt"
-else
-    skip "a room's figures are text" "no pdftotext"
-fi
+check_words "a room's figures are text" "$scratch/room.pdf" "need .* lx outside"
 tap_done

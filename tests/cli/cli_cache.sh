@@ -10,10 +10,8 @@ kept=$scratch/kept.cache
 check "the cache answers" shows ",cached," df $few "$deep"
 cp "$scratch/out" "$scratch/one"
 check "without the tracer" nothing "$(grep ',traced,' "$scratch/one")"
-for threads in 1 2 4; do
-    check "the same by $threads threads" gives df $few -j $threads "$deep"
-    check "to the byte" same "$scratch/one" "$scratch/out"
-done
+check "the same by 1, 2 and 4 threads" same_by_threads "1 2 4" df $few "$deep"
+check "to the byte" same "$scratch/one" "$scratch/by_threads"
 check "both engines beside each other" \
     shows "cached: through the irradiance cache" df --simulate --engine path,cache \
     --samples 16 -ad 64 --points "1.5,2" "$deep"
@@ -69,14 +67,9 @@ check "one room a cache" refuses 2 "--cache has the records of one room" \
     df $few --cache "$scratch/new" "$examples/building.xml"
 check "a directory that is not there is refused" \
     refuses 3 "can't be written" df $few --cache "$scratch/none/new" "$deep"
-# full WORDS: where no file may grow beyond 4 blocks, status 3.
+# full WORDS: on a full disk the program says so, with status 3.
 full() {
-    (
-        trap '' XFSZ # a write that fails, as on a full disk
-        ulimit -f 4
-        exec "$pepperpot" "$@"
-    ) >/dev/null 2>"$scratch/err" </dev/null
-    status=$?
+    on_full_disk 4 "$@"
     [ $status -eq 3 ] && grep -q "can't be written" "$scratch/err" || told
 }
 check "a full disk is refused" full df $few --cache "$scratch/new" "$deep"
@@ -93,8 +86,7 @@ else
         refuses 3 "" df $few --cache "$kept" "$deep"
 fi
 chmod 600 "$kept"
-check "no half of a cache is left anywhere" \
-    nothing "$(ls -A "$scratch" | grep -F .pepperpot-)"
+check "no half of a cache is left anywhere" nothing "$(leftovers)"
 
 check "the engine needs a simulation" refuses 2 "needs --simulate" df --engine cache "$deep"
 check "the cache needs its engine" \

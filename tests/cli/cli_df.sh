@@ -8,8 +8,7 @@ check "and says what was assumed" grep -q "sill 0.80 m" "$scratch/out"
 check "and has a row for the average" grep -q "^  average" "$scratch/out"
 check "and one for each of its 17 points" \
     test "$(grep -cE '^ +[0-9]+\.[05]0 ' "$scratch/out")" -eq 17
-check "no line is wider than 80 columns" nothing "$(too_wide)"
-check "no line ends with a blank" nothing "$(grep -n ' $' "$scratch/out")"
+check "and is tidy in 80 columns" nothing "$(untidy)"
 gives df --methods all "$deep" >/dev/null
 check "all methods fit in 80 columns too" nothing "$(too_wide)"
 
@@ -84,15 +83,11 @@ check "and ends lines with CR LF" \
     test "$(tr -dc '\r' <"$scratch/out" | wc -c)" -eq "$(wc -l <"$scratch/out")"
 
 # The simulation: bytes do not depend on threads; the clock is marked.
-for threads in 1 2 4; do
-    "$pepperpot" df --simulate --samples 16 --threads $threads --format json "$deep" \
-        >"$scratch/threads.$threads"
-done
-check "2 threads give the same bytes as 1" same "$scratch/threads.1" "$scratch/threads.2"
-check "4 threads give the same bytes as 1" same "$scratch/threads.1" "$scratch/threads.4"
+check "1, 2 and 4 threads give the same bytes" same_by_threads "1 2 4" \
+    df --simulate --samples 16 --format json "$deep"
 "$pepperpot" df --simulate --samples 16 --seed 2 --format json "$deep" >"$scratch/seed"
 check "another seed gives other bytes" \
-    sh -c "! cmp -s '$scratch/seed' '$scratch/threads.1'"
+    sh -c "! cmp -s '$scratch/seed' '$scratch/by_threads'"
 check "the traced value stands beside the methods" \
     shows "from traced, %" df --simulate --error 5% "$deep"
 check "--time stops" shows "stopped by the clock" df -s --time 300ms "$deep"

@@ -39,8 +39,7 @@ check "a directory that is not there" \
 echo old >"$scratch/survivor"
 run df -o "$scratch/survivor" "$scratch/missing.xml"
 check "a failed run leaves the old file" test "$(cat "$scratch/survivor")" = old
-check "nothing temporary is left" \
-    nothing "$(find "$scratch" -name '.pepperpot*')"
+check "nothing temporary is left" nothing "$(leftovers)"
 
 if [ "$(id -u)" -ne 0 ]; then
     mkdir "$scratch/locked"

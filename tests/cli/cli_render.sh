@@ -10,9 +10,7 @@ draws() {
     file=$scratch/$1
     shift
     rm -f "$file"
-    run render "$@" -o "$file"
-    [ $status -eq 0 ] && [ -s "$file" ] && [ ! -s "$scratch/out" ] &&
-        [ ! -s "$scratch/err" ] || told
+    quietly render "$@" -o "$file" && { [ -s "$file" ] || told; }
 }
 
 # begins FILE TEXT: the file begins so.
@@ -102,17 +100,10 @@ check "a constant of paths" refuses 2 "--engine cache" \
 check "records of paths" refuses 2 "--engine cache" \
     render $small --records "$deep" -o "$scratch/x.png"
 
-# The words of a sheet, where there is a reader of them.
-sheet_says() {
-    command -v pdftotext >/dev/null || return 0
-    pdftotext "$scratch/words.pdf" "$scratch/words.txt"
-    for words; do
-        grep -qF -- "$words" "$scratch/words.txt" || { told; return 1; }
-    done
-}
 check "a sheet of a bright room" draws words.pdf $small --sky iso-1 --external 60000 \
     --false-colour --range 10,10000 "$deep"
-check "has its words and its figures in full" sheet_says "under an ISO 15469 sky" 10000
+check_words "has its words and its figures in full" "$scratch/words.pdf" \
+    "under an ISO 15469 sky" 10000
 
 # ---- from a picture ----
 
@@ -161,7 +152,7 @@ else
     skip "the same command goes on from there" "it was done too soon"
     skip "to the picture of one that was never interrupted" "it was done too soon"
 fi
-check "nothing temporary is left" nothing "$(find "$scratch" -name '.pepperpot*')"
+check "nothing temporary is left" nothing "$(leftovers)"
 check "another picture does not go on from it" refuses 1 "another picture" \
     render $small --checkpoint "$scratch/c" "$deep" -o "$scratch/x.hdr"
 check "a picture made with a checkpoint" \
@@ -201,14 +192,10 @@ check "a place for no checkpoint is said at once" refuses 3 "nowhere" \
     render $long --checkpoint "$scratch/nowhere/c" "$deep" -o "$scratch/x.hdr"
 check "picture and checkpoint in one file" refuses 2 "one file" \
     render $small --checkpoint "$scratch/x.hdr" "$deep" -o "$scratch/x.hdr"
-# fills WORDS: a disk that takes no more; status 3, and nothing is left of it.
+# fills WORDS: on a full disk the status is 3, and nothing is left of the picture.
 fills() {
-    (
-        trap '' XFSZ
-        ulimit -f 0
-        "$pepperpot" render $small "$@" "$deep" 2>/dev/null
-    )
-    test $? -eq 3 && nothing "$(find "$scratch" -name 'x.*' -o -name '.pepperpot*')"
+    on_full_disk 0 render $small "$@" "$deep"
+    test $status -eq 3 && nothing "$(leftovers; find "$scratch" -name 'x.*')"
 }
 for format in hdr pfm png pdf svg; do
     check "a full disk leaves nothing of a $format" fills -o "$scratch/x.$format"

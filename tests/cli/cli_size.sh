@@ -1,5 +1,5 @@
 #!/bin/sh
-# What size finds, fed back through df; what it says where there is nothing to find.
+# size: the sizes that it finds, fed back through df, and its words where there is none.
 . "$srcdir/tests/lib/tap.sh"
 . "$srcdir/tests/lib/cli.sh"
 
@@ -85,10 +85,8 @@ check "a width by the simulation, checked from another seed" traced 2
 check "and a larger one" traced 4.5
 check "a hand method's answer is checked by the simulation" \
     shows "traced " size -t 2 --simulate --error 3% "$deep"
-gives size -t 2 -b traced --error 5% --threads 1 --format json "$deep"
-cp "$scratch/out" "$scratch/one"
-gives size -t 2 -b traced --error 5% --threads 2 --format json "$deep"
-check "the same with any number of threads" same "$scratch/one" "$scratch/out"
+check "the same with any number of threads" same_by_threads "1 2" \
+    size -t 2 -b traced --error 5% --format json "$deep"
 
 check "what the wall has no space for is out of reach" \
     shows "instead of 2.6 m, gives only 4.73 %" size -t 6 "$deep"

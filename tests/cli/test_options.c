@@ -1,4 +1,4 @@
-/* The words of a command line, as the tables of options read them. */
+/* The arguments of a command line, as the tables of options read them. */
 #include "tests/lib/near.h"
 
 #include "cli/options.h"

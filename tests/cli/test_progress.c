@@ -1,4 +1,4 @@
-/* The line that says how far a long computation is. */
+/* The progress line of a long computation. */
 #include "tests/lib/near.h"
 
 #include <locale.h>
@@ -8,7 +8,7 @@
 #include "cli/progress.h"
 #include "reports/format.h"
 
-/* What the line looks like; to be freed. */
+/* The line as printed; to be freed. */
 static char *line_of(const char *label, double done, double error, double left_s,
                      int columns)
 {

@@ -30,7 +30,7 @@ static void follow(const struct pp_epw *epw)
              || (light.list[i].lx >= 0.0 && light.list[i].lx < 1e6));
 
     struct pp_diffuse_curve curve;
-    status = pp_diffuse_curve_create(&curve, &light, &hours, &summer, &err);
+    status = pp_diffuse_curve_init(&curve, &light, &hours, &summer, &err);
     must(status == PP_OK || err.message[0] != '\0');
     for (int i = 1; status == PP_OK && i < curve.count; i++)
         must(curve.lx[i] < curve.lx[i - 1]

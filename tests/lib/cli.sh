@@ -1,6 +1,7 @@
-# cli.sh - for the end-to-end tests: runs the program and looks at what it says.
+# cli.sh - for the end-to-end tests: runs the program and looks at its output.
 #
-# Sourced behind tap.sh. $scratch is a directory of our own, gone at the end.
+# Sourced behind tap.sh. $scratch is a directory of our own, removed at the end; out and
+# err in it are the standard output and error of the last run, $status is its status.
 
 pepperpot=$PWD/pepperpot
 examples=$(cd "$srcdir/examples" && pwd)
@@ -8,17 +9,23 @@ deep=$examples/deep-office.xml
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 
-# run WORDS: the program's standard output and error go to files, its status to $status.
+# run WORDS: runs the program with these arguments.
 run() {
     "$pepperpot" "$@" >"$scratch/out" 2>"$scratch/err" </dev/null
     status=$?
 }
 
-# what happened, for the log
+# told: prints the last run's status and first lines for the log, and fails.
 told() {
     echo "status $status"
     head -n 5 "$scratch/out" "$scratch/err"
     return 1
+}
+
+# quietly WORDS: status 0, and nothing on standard output or error.
+quietly() {
+    run "$@"
+    [ $status -eq 0 ] && [ ! -s "$scratch/out" ] && [ ! -s "$scratch/err" ] || told
 }
 
 # gives WORDS: status 0, something on standard output, nothing on standard error.
@@ -51,11 +58,74 @@ too_wide() {
     awk -v files="$examples/" 'length > 80 && !index($0, files)' "$scratch/out"
 }
 
+# untidy: lines of the output that are too wide, end with a blank, or hold a NaN.
+untidy() {
+    too_wide
+    grep -n ' $' "$scratch/out"
+    grep -inE '(^|[^a-z])-?(nan|inf)([^a-z]|$)' "$scratch/out"
+}
+
+# leftovers: temporary files and directories that the program left in $scratch.
+leftovers() {
+    find "$scratch" -name '*.pepperpot-*'
+}
+
+# same FILE FILE: byte for byte.
 same() {
     cmp "$1" "$2"
 }
 
-# simulates PID: does it watch for signals by now, and has worked for a second since?
+# same_by_threads "N M ..." WORDS: the output is the same with each number of threads; a
+# copy is in $scratch/by_threads.
+same_by_threads() {
+    numbers=$1
+    shift
+    rm -f "$scratch/by_threads"
+    for threads in $numbers; do
+        gives "$@" --threads "$threads" || return 1
+        [ -e "$scratch/by_threads" ] || cp "$scratch/out" "$scratch/by_threads"
+        same "$scratch/by_threads" "$scratch/out" || return 1
+    done
+}
+
+# on_full_disk BLOCKS WORDS: like run, but no file can grow beyond that many blocks, as on
+# a full disk; standard output is not kept.
+on_full_disk() {
+    blocks=$1
+    shift
+    : >"$scratch/out"
+    printed=$(
+        trap '' XFSZ # writes fail instead of ending the program
+        ulimit -f "$blocks"
+        exec "$pepperpot" "$@" 2>&1 >/dev/null </dev/null
+    )
+    status=$?
+    printf '%s' "$printed" >"$scratch/err"
+}
+
+# check_words WHAT FILE TEXT...: a check that the texts stand in a PDF, as text.
+check_words() {
+    what=$1
+    file=$2
+    shift 2
+    if command -v pdftotext >/dev/null; then
+        check "$what" has_words "$file" "$@"
+    else
+        skip "$what" "no pdftotext"
+    fi
+}
+has_words() {
+    pdftotext "$1" "$scratch/words.txt" || return 1
+    shift
+    for words; do
+        grep -q -- "$words" "$scratch/words.txt" || {
+            echo "no \"$words\""
+            return 1
+        }
+    done
+}
+
+# simulates PID: does that run catch signals by now, and has it worked for a second since?
 simulates() {
     caught=$(sed -n 's/^SigCgt:.*\(....\)$/\1/p' "/proc/$1/status")
     busy=$(awk '{ print $14 + $15 }' "/proc/$1/stat")
@@ -68,8 +138,8 @@ simulates() {
     esac
 }
 
-# interrupted WORDS: like run, but the program is ended once its simulation is well under
-# way, however slow the machine; after two minutes whatever it does.
+# interrupted WORDS: like run, but SIGTERM is sent once the simulation is well under way,
+# however slow the machine; after two minutes in any case.
 interrupted() {
     "$pepperpot" "$@" >"$scratch/out" 2>"$scratch/err" </dev/null &
     begun= tries=0

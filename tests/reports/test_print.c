@@ -1,5 +1,4 @@
-/* What is printed of a report: JSON, CSV and text hold the same numbers, in per cent.
- */
+/* A report printed as JSON, CSV and text: all hold the same numbers, in per cent. */
 #include "tests/lib/near.h"
 
 #include <json.h>
@@ -119,7 +118,7 @@ static enum pp_status as_text(const struct pp_results *results, FILE *out,
     return pp_df_text(results, 80, true, out, err);
 }
 
-/* What a printer prints; to be freed. */
+/* The text that a printer prints; to be freed. */
 static char *printed(struct fixture *f, printer *print)
 {
     char *text;

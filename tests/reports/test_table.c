@@ -1,4 +1,4 @@
-/* How a table of results is laid out in a line of so many columns. */
+/* The layout of a table of results in lines of a given width. */
 #include "tests/lib/near.h"
 
 #include <stdio.h>
@@ -15,7 +15,7 @@ static void add(struct pp_table *table, const char *group, const char *heading,
         snprintf(column->cells[row], PP_CELL_BYTES, "%s", cell);
 }
 
-/* What the table looks like; to be freed. */
+/* The table as printed; to be freed. */
 static char *printed(struct pp_table *table, int width)
 {
     char *text;

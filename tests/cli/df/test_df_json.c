@@ -48,7 +48,7 @@ static struct run start(const char *const words[])
     return (struct run){pid, fdopen(ends[0], "r")};
 }
 
-/* What it prints, as JSON, strictly; *status as waitpid has it. */
+/* The output of a run parsed as strict JSON; *status as waitpid gives it. */
 static struct json_object *finish(struct run run, int *status)
 {
     char *text = NULL;
@@ -207,7 +207,7 @@ static void several_files_are_an_array_with_their_names(void **state)
     free(other);
 }
 
-/* Does the process catch this signal by now? */
+/* Does the process catch this signal yet? */
 static bool catches(pid_t pid, int signal_number)
 {
     char path[64], line[128];
@@ -221,7 +221,7 @@ static bool catches(pid_t pid, int signal_number)
     return caught >> (signal_number - 1) & 1;
 }
 
-/* What the process has used of the processors, in seconds. */
+/* Processor time of the process (s). */
 static double busy_s(pid_t pid)
 {
     char path[64];

@@ -45,11 +45,11 @@ static char *run(const char *const words[])
 
 /* ---- one step recomputed ---- */
 
-/* A sheet that is being walked through. */
+/* An explained sum: the figures printed so far, for the formulae below them. */
 struct sheet {
     struct figures figures;
-    char of[512]; /* whose it is, for messages */
-    int formulae;
+    char of[512]; /* place and method of the sum, for messages */
+    int formulae; /* number of formulae that were recomputed */
 };
 
 static void begin(struct sheet *sheet, const char *of)
@@ -58,11 +58,12 @@ static void begin(struct sheet *sheet, const char *of)
     snprintf(sheet->of, sizeof sheet->of, "%s", of);
 }
 
-/* The next step: what is printed has to be among what the formula may come to, and the
- * figures printed have to be fine enough to tell: within 1 % from end to end, or ten
- * units of the fourth decimal, the coarsest that figures are printed with. */
-static void walk(struct sheet *sheet, const char *symbol, const char *formula,
-                 struct interval printed)
+/* Recomputes the next step from the figures above it, each known to its printed digits:
+ * the printed value must lie in the interval of the formula's results, and the interval
+ * must be narrow: 1 %, or ten units of the fourth decimal, the coarsest that figures are
+ * printed with. */
+static void recompute(struct sheet *sheet, const char *symbol, const char *formula,
+                      struct interval printed)
 {
     char message[128];
     struct interval again;
@@ -116,8 +117,8 @@ static void check_entry(struct sheet *sheet, const char *of, struct json_object 
         struct json_object *step = json_object_array_get_idx(steps, i);
         assert_true(json_object_object_get_ex(step, "value", &value));
         double printed = json_object_get_double(value);
-        walk(sheet, word_of(step, "symbol"), word_of(step, "formula"),
-             json_figure(printed));
+        recompute(sheet, word_of(step, "symbol"), word_of(step, "formula"),
+                  json_figure(printed));
         if (strcmp(word_of(step, "symbol"), total) == 0)
             last = printed;
     }
@@ -178,8 +179,8 @@ static bool value_of(char digits[32], const char *line)
     return has_unit;
 }
 
-/* Walks through the sheets of a report: formula lines begin where symbols do and hold
- * " = ", their rest is indented; the next line has the value at its end. */
+/* Recomputes the sums in a report's text: formula lines begin where symbols do and hold
+ * " = ", their continuation is indented; the next line ends with the value. */
 static void check_text(struct sheet *sheet, const char *of, char *text)
 {
     char symbol[32] = "", formula[256] = "", digits[32];
@@ -227,7 +228,7 @@ static void check_text(struct sheet *sheet, const char *of, char *text)
                 printed.low = printed.high = strtod(digits, NULL);
             if (strcmp(digits, "0") == 0)
                 printed = (struct interval){-1e-7, 1e-7};
-            walk(sheet, symbol, open ? formula : "", printed);
+            recompute(sheet, symbol, open ? formula : "", printed);
             open = false;
             formula[0] = symbol[0] = '\0';
         }

@@ -1,4 +1,5 @@
-/* How often a room has enough light, in figures and on its chart. */
+/* The hours in which a room has enough light (studies/climate/availability.h), in figures
+ * and on their chart. */
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -126,8 +127,8 @@ static void hours_are_counted_by_what_they_need(void **state)
     pp_world_destroy(world);
 }
 
-/* 2.5 +- 0.5 % need 5000 to 7500 lx: 6 or 3 of ten hours, 1.5 either way. A value that
- * is not there has no hours either, and keeps its reason. */
+/* 2.5 +- 0.5 % need 5000 to 7500 lx: 6 or 3 of ten hours, 1.5 either way. A reading
+ * without a value has no hours, and keeps its reason. */
 static void errors_of_daylight_factors_become_errors_of_hours(void **state)
 {
     (void)state;
@@ -194,7 +195,7 @@ static char *drawn(const struct pp_availability_sheet *sheet,
     return copy;
 }
 
-/* Walks over the straight strokes of an SVG's paths, from M to the first L. */
+/* The next straight stroke of an SVG's paths, from an M to the first L behind. */
 static const char *next_stroke(const char *at, double xy[4])
 {
     while ((at = strstr(at, " d=\"M ")) != NULL) {
@@ -205,8 +206,8 @@ static const char *next_stroke(const char *at, double xy[4])
     return NULL;
 }
 
-/* The longest level stroke of the file that has more behind it, as scales have ticks:
- * that of the light outside, or one as long. */
+/* The longest level stroke of the file whose path goes on behind it, as a scale's does
+ * with its ticks: the scale of the light outside, or one as long. */
 static void find_scale(const char *svg, double xy[4])
 {
     double one[4], longest = 0.0;
@@ -218,8 +219,8 @@ static void find_scale(const char *svg, double xy[4])
         }
 }
 
-/* 90 lx at 2 % need 4500 of the 10,000 lx that the scale ends at: 0.45 of its length
- * from its left end, to cairo's last printed digit, and as high as the field. */
+/* 90 lx at 2 % need 4500 of the 10,000 lx at the scale's end: the line stands at 0.45 of
+ * the scale's length, to cairo's last printed digit, and is as high as the field. */
 static void what_is_needed_is_marked_where_the_scale_says(void **state)
 {
     (void)state;

@@ -1,4 +1,5 @@
-/* The light of the sky through a year, and how often it is enough. */
+/* The light of the sky through a year, from files and from the sun, its luminous efficacy,
+ * and its cumulative curve over working hours. */
 #include "tests/lib/near.h"
 
 #include "tests/lib/made_epw.h"
@@ -28,7 +29,7 @@ static struct pp_diffuse_curve curve_of(const struct pp_diffuse_light *light,
     const struct pp_working_hours hours = {from_h, to_h, days};
     struct pp_diffuse_curve curve;
     struct pp_error err;
-    if (pp_diffuse_curve_create(&curve, light, &hours, summer, &err) != PP_OK)
+    if (pp_diffuse_curve_init(&curve, light, &hours, summer, &err) != PP_OK)
         fail_msg("%s", err.message);
     return curve;
 }
@@ -319,9 +320,8 @@ static void no_hours_are_a_mistake(void **state)
     const struct pp_working_hours sunday = {8.0, 18.0, 1u << 6};
     struct pp_diffuse_curve curve;
     struct pp_error err;
-    assert_int_equal(
-        pp_diffuse_curve_create(&curve, &monday, &sunday, &no_summer, &err),
-        PP_BAD_INPUT);
+    assert_int_equal(pp_diffuse_curve_init(&curve, &monday, &sunday, &no_summer, &err),
+                     PP_BAD_INPUT);
     pp_diffuse_light_clear(&light);
 }
 

@@ -1,6 +1,6 @@
-/* What `pepperpot assess` says of the examples, against figures by another route: rays
- * shot at every polygon (sight.h), formulae worked from the rooms' own dimensions as
- * typed below, and points counted one by one. Runs ./pepperpot. */
+/* The findings of `pepperpot assess` on the examples against figures by another route:
+ * rays shot at every polygon (sight.h), formulae over the rooms' dimensions as typed
+ * below, and points counted one by one. Runs ./pepperpot. */
 #include <json.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -10,8 +10,7 @@
 #include "tests/lib/near.h"
 #include "tests/lib/sight.h"
 
-/* As in the files: what the formulae need. Depth from the window wall, which in all
- * boxes here is a short or a long side as given. */
+/* Dimensions of the examples, as in their files; the depth is from the window wall. */
 struct facts {
     const char *file, *room;
     const char *capital;
@@ -113,9 +112,9 @@ static struct json_object *finding(const struct room *room, const char *criterio
 
 static int verdicts_held;
 
-/* The figure is ours within a tolerance, what is wanted is that, and the verdict
- * follows from ours: nothing in the examples is so near to what is wanted that our
- * tolerance could not tell. */
+/* The program's figure is ours within the tolerance, its bound is the given one, and its
+ * verdict follows from our figure: in the examples no figure is within the tolerance of
+ * its bound. */
 static void assert_finding(const struct room *room, const char *criterion,
                            const char *of, double figure, double tolerance,
                            double wanted, bool at_most)
@@ -266,7 +265,8 @@ static void vertical_sky_components_agree(void **state)
     }
 }
 
-/* The highest of directions 0.05 degrees apart in which something is met. */
+/* The obstruction angle: the highest of directions 0.05 degrees apart in which a ray
+ * meets an obstruction. */
 static void angles_in_section_agree(void **state)
 {
     (void)state;
@@ -383,7 +383,7 @@ static int falling(const void *a, const void *b)
     return (x < y) - (x > y);
 }
 
-/* Centres of cells of the rectangle that the plan's extent less 0.5 m is. */
+/* The grid of EN 17037: centres of the cells of the plan's extent less 0.5 m. */
 static void lay_out(struct points *points, const struct pp_world *world)
 {
     double low[2] = {INFINITY, INFINITY}, high[2] = {-INFINITY, -INFINITY};
@@ -438,7 +438,7 @@ static void fill(struct points *points, const struct pp_world *world)
     pp_report_clear(&report);
 }
 
-/* The least of the largest values that are so much of the points, in per cent. */
+/* The daylight factor that this share of the points reaches, in per cent. */
 static double reached_by(const struct points *points, int per_cent)
 {
     int wanted = (points->count * per_cent + 99) / 100;

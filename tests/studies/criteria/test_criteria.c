@@ -1,4 +1,4 @@
-/* What criteria find in rooms whose answer is known on paper. */
+/* The findings of criteria in rooms whose answer is known on paper. */
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -17,7 +17,7 @@ static struct pp_world *world_of(const char *body)
     return pp_test_world(text);
 }
 
-/* What one criterion finds; to be cleared. */
+/* The findings of one criterion; the list is to be cleared. */
 static struct pp_finding_list found_by(const struct pp_criterion *criterion,
                                        const struct pp_world *world,
                                        const struct pp_world *before)
@@ -47,7 +47,7 @@ static struct pp_finding_list found_by(const struct pp_criterion *criterion,
     return findings;
 }
 
-/* The index-th finding alone, of a room out of its body. */
+/* The index-th finding of one criterion in a room given by the XML in its element. */
 static struct pp_finding finding_in(const struct pp_criterion *criterion, int index,
                                     const char *body, const char *before_body)
 {
@@ -83,7 +83,7 @@ static void assert_not_judged(struct pp_finding finding, const char *why)
         fail_msg("\"%s\" does not say \"%s\"", finding.note, why);
 }
 
-/* ---- what a window faces ---- */
+/* ---- the sky before a window ---- */
 
 /* VSC(alpha) = 3/14 (1 - sin alpha) + 4/(7 pi) cos^2 alpha: 39.618 % in the open,
  * 27.313 % behind 25 degrees, 26.729 % behind 26. */
@@ -196,7 +196,7 @@ static void four_fifths_of_the_former_sky_is_asked(void **state)
     assert_not_judged(finding_in(former, 0, ROOM, ROOM SKYLINE(89.9999)), "no sky");
 }
 
-/* ---- what sees the sky ---- */
+/* ---- the area that sees sky ---- */
 
 /* The head at 2.25 m rises over 30 degrees up to 1.4/tan 30 from the window. */
 static void the_area_beyond_the_no_sky_line_is_the_back_of_the_room(void **state)
@@ -215,8 +215,8 @@ static void the_area_beyond_the_no_sky_line_is_the_back_of_the_room(void **state
                    PP_NOT_MET);
 }
 
-/* Where the line lies at 0.8 of the depth to a millimetre, nobody can tell: behind
- * atan(1.4 / (0.8 * 6.3)). */
+/* Behind atan(1.4 / (0.8 * 6.3)) the no-sky line lies at 0.8 of the depth: to its
+ * tolerance of a millimetre the rule is undecided. */
 static void what_the_line_cannot_tell_is_undecided(void **state)
 {
     (void)state;
@@ -278,7 +278,7 @@ static void the_grumble_line_encloses_what_the_closed_form_does(void **state)
     }
 }
 
-/* What a house opposite takes is what was there less what is left. */
+/* The area that a house opposite takes is the former area less the present one. */
 static void the_area_lost_is_the_difference(void **state)
 {
     (void)state;

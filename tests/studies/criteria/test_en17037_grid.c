@@ -1,4 +1,4 @@
-/* The spacing of the points of EN 17037. */
+/* The spacing of EN 17037's grid. */
 #include "tests/lib/near.h"
 
 #include "studies/criteria/en17037_grid.h"

@@ -1,4 +1,4 @@
-/* Over how much of the plane a daylight factor is reached, and how surely. */
+/* The share of the plane that reaches a daylight factor, and its probability. */
 #include "studies/criteria/finding.h"
 #include "studies/criteria/plane_share.h"
 #include "tests/lib/near.h"
@@ -45,7 +45,7 @@ static void one_point_is_as_sure_as_the_normal_distribution(void **state)
     assert_relative(share.std_error, 0.0004, 1e-3);
 }
 
-/* All ways in which six points can fall, one by one. */
+/* All 64 outcomes of six points, one by one. */
 static void sums_of_unlike_tosses_are_what_enumeration_gives(void **state)
 {
     (void)state;
@@ -72,7 +72,7 @@ static void sums_of_unlike_tosses_are_what_enumeration_gives(void **state)
     }
 }
 
-/* Small steps of a congruential generator, whose odds are known well enough here. */
+/* Uniform numbers by a congruential generator, which is good enough here. */
 static double uniform(unsigned *state)
 {
     *state = *state * 1664525u + 1013904223u;

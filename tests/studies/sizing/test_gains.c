@@ -1,5 +1,5 @@
-/* What each change to a room would bring: the same as the room with that change written
- * into its file. */
+/* The gain by each change to a room is that of a room file with the change written into
+ * it. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

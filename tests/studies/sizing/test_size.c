@@ -1,5 +1,5 @@
-/* The window that reaches a target: what sizes there are, and the search among them, of
- * values that are known on paper and of daylight factors. */
+/* The window that reaches a target: the sizes that are possible, and the search among
+ * them, by values that are known on paper and by daylight factors. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -53,7 +53,7 @@ static enum pp_status area(void *data, const struct pp_world *world,
     return PP_OK;
 }
 
-/* The width of the first (m) in whole thirds of a metre, over 100 m. */
+/* The width of the first opening (m) in whole thirds of a metre, over 100 m. */
 static enum pp_status thirds(void *data, const struct pp_world *world,
                              struct pp_reading *reading, struct pp_error *err)
 {
@@ -63,7 +63,7 @@ static enum pp_status thirds(void *data, const struct pp_world *world,
     return PP_OK;
 }
 
-/* Grows with the width of the first up to 2.2 m, and falls from there on. */
+/* A value that grows with the first opening's width up to 2.2 m and falls behind. */
 static enum pp_status tent(void *data, const struct pp_world *world,
                            struct pp_reading *reading, struct pp_error *err)
 {
@@ -81,8 +81,7 @@ static enum pp_status constant(void *data, const struct pp_world *world,
     return PP_OK;
 }
 
-/* The width of the first over 100 m, 1 % off by chance, with the standard error said.
- */
+/* The first opening's width over 100 m with noise of 1 % and that standard error. */
 static enum pp_status sampled(void *data, const struct pp_world *world,
                               struct pp_reading *reading, struct pp_error *err)
 {
@@ -414,7 +413,8 @@ static double high_edge(struct pp_opening_place p, enum pp_size_change change)
     return change == PP_CHANGE_WIDTH ? p.left_m + p.width_m : p.sill_m + p.height_m;
 }
 
-/* Every step of all windows is a room that can be, and lies within the next. */
+/* At every step the room is free of mistakes, and each window lies within that of the
+ * next step. */
 static void check_steps(const char *xml, enum pp_size_change change, int count)
 {
     static const int openings[] = {0, 1, 2, 3};
@@ -494,7 +494,7 @@ static enum pp_status by_method(void *data, const struct pp_world *world,
     return pp_room_value(data, world, reading, err);
 }
 
-/* What a method says of a room, asked in another way than pp_room_value does. */
+/* A method's daylight factor of a room, by another way than pp_room_value's. */
 static double told(const struct pp_room *room, const char *method,
                    const struct pp_receiver *point)
 {

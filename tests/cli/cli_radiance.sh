@@ -1,5 +1,5 @@
 #!/bin/sh
-# export to Radiance's formats, and import of its scenes.
+# export to Radiance's formats, import of its scenes, and validate --against radiance.
 . "$srcdir/tests/lib/tap.sh"
 . "$srcdir/tests/lib/cli.sh"
 
@@ -13,7 +13,7 @@ export_to() {
 check "a room becomes a directory" export_to -o "$out" "$deep"
 check "with all its files" test "$(ls "$out" | tr '\n' ' ')" = \
     "daylight_factors.sh glazing.rad materials.rad outside.rad pepperpot.cal points.pts room.rad sky.rad "
-check "and nothing beside it" nothing "$(ls "$scratch" | grep 'pepperpot-')"
+check "and nothing beside it" nothing "$(leftovers)"
 check "a script that a shell understands" sh -n "$out/daylight_factors.sh"
 check "which can be run" test -x "$out/daylight_factors.sh"
 check "its 17 points" test "$(wc -l <"$out/points.pts")" -eq 17
@@ -69,27 +69,17 @@ check "what Radiance can't say is refused by its line" refuses 1 "line " \
     export --to radiance -o "$scratch/lit" "$scratch/lit.xml"
 check "and nothing is written" test ! -e "$scratch/lit"
 
-# A disk that takes no more: files of no more than no blocks.
 full() {
-    (
-        trap '' XFSZ
-        ulimit -f 0
-        "$pepperpot" export --to radiance -o "$scratch/full" "$deep" 2>/dev/null
-    )
-    test $? -eq 3 && test ! -e "$scratch/full" &&
-        nothing "$(ls "$scratch" | grep 'pepperpot-')"
+    on_full_disk 0 export --to radiance -o "$scratch/full" "$deep"
+    test $status -eq 3 && test ! -e "$scratch/full" && nothing "$(leftovers)"
 }
 check "a full disk leaves nothing behind" full
 
 full_again() {
     cat "$scratch/matt"/* >"$scratch/before"
-    (
-        trap '' XFSZ
-        ulimit -f 0
-        "$pepperpot" export --to radiance --force -o "$scratch/matt" "$deep" 2>/dev/null
-    )
-    test $? -eq 3 && cat "$scratch/matt"/* | cmp - "$scratch/before" &&
-        nothing "$(ls "$scratch" | grep 'pepperpot-')"
+    on_full_disk 0 export --to radiance --force -o "$scratch/matt" "$deep"
+    test $status -eq 3 && cat "$scratch/matt"/* | cmp - "$scratch/before" &&
+        nothing "$(leftovers)"
 }
 check "and an export that was to be replaced as it was" full_again
 
@@ -110,7 +100,7 @@ whole_or_nothing() {
         wait $!
         test ! -e "$scratch/large" -o "$(ls "$scratch/large"/*/* 2>/dev/null | wc -l)" -eq 64 ||
             return 1
-        nothing "$(ls "$scratch" | grep 'pepperpot-')" || return 1
+        nothing "$(leftovers)" || return 1
         rm -rf "$scratch/large"
     done
 }
@@ -157,7 +147,8 @@ lum polygon lamp
 12 -0.35 -0.35 2.3  -0.35 0.35 2.3  0.35 0.35 2.3  0.35 -0.35 2.3
 END
 echo "0 0 0 0 0 1" >"$scratch/lamp.pts"
-# lamp_within ERRORS SHARE OPTIONS: that many standard errors from it, itself of that share.
+# lamp_within ERRORS SHARE OPTIONS: the value is within that many standard errors of E, and
+# the standard error is within that share of the value.
 lamp_within() {
     errors=$1
     share=$2
@@ -186,18 +177,13 @@ check "and one that looks nowhere" refuses 1 "bad.pts:1: " import sky.rad --poin
 check "and none" refuses 1 "no points" import sky.rad --points-file "$scratch/bad.pts"
 check "a summary is no table" refuses 2 "CSV" import sky.rad --format csv
 
-# Ctrl-C: what is there is printed, and marked.
-interrupted() {
+# Ctrl-C: the figures so far are printed, and marked.
+prints_when_interrupted() {
     # shellcheck disable=SC2086
-    "$pepperpot" import $files --points-file points.pts --error 0.001% \
-        --format json >"$scratch/out" 2>/dev/null &
-    pid=$!
-    sleep 0.5
-    kill -TERM $pid
-    wait $pid
-    test $? -eq 130 && grep -q '"finished": false' "$scratch/out"
+    interrupted import $files --points-file points.pts --error 0.001% --format json
+    [ $status -eq 130 ] && grep -q '"finished": false' "$scratch/out" || told
 }
-check "an interrupt leaves what there is" interrupted
+check "an interrupt leaves what there is" prints_when_interrupted
 
 # An unobstructed sensor under gensky's overcast sky sees all of it: 100 %.
 printf 'void plastic g 0 0 5 0 0 0 0 0\n!gensky -ang 60 0 -c -b 1\nskyfunc glow s 0 0 4 1 1 1 0\ns source sky 0 0 4 0 0 1 180\ng polygon p 0 0 9 0 0 -9 1 0 -9 0 1 -9\n' >"$scratch/sky.rad"

@@ -1,0 +1,195 @@
+#!/bin/sh
+# Names, so that a thing is where its name says: no two files of one name, no two structs
+# of one tag, a head on every file, guards that are paths, external functions that begin
+# with their file's name and are declared in its header, folders and files of a size that
+# can be surveyed.
+. "$srcdir/tests/lib/tap.sh"
+
+program="model formats methods simulate studies charts reports api cli"
+files_most=35        # a folder
+lines_most=500       # a file of the program
+test_lines_most=700  # a test or benchmark: a list of facts, each short
+share_least=95       # per cent of the external functions
+
+# Files that may be longer: one a line, path and then the reason.
+long_files='
+'
+
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+
+# All sources, by path from the top; those of a build in the source tree are left out.
+(cd "$srcdir" && find $program tests bench -name '*.[ch]' | LC_ALL=C sort) >"$scratch/sources"
+grep -E "^($(echo "$program" | tr ' ' '|'))/" "$scratch/sources" >"$scratch/program"
+
+# What bears a name of its own: tables, scripts and grammars too. The same stem of a .c and
+# a .h belongs to one thing, which has one folder.
+(cd "$srcdir" && find $program tables tests bench \
+    -name '*.[ch]' -o -name '*.sh' -o -name '*.csv' -o -name '*.awk' -o -name '*.dict') |
+    sed 's|\(.*\)/\([^/]*\)|\2 \1|' | LC_ALL=C sort >"$scratch/named"
+
+same_names() {
+    awk '{ folders[$1] = folders[$1] " " $2; n[$1]++ }
+        END { for (name in n) if (n[name] > 1) print name " is in" folders[name] }' \
+        "$scratch/named"
+    sed -n 's/^\([^ ]*\)\.[ch] /\1 /p' "$scratch/named" | LC_ALL=C sort -u |
+        awk '{ folders[$1] = folders[$1] " " $2; n[$1]++ }
+            END { for (name in n) if (n[name] > 1) print name ".[ch] is in" folders[name] }'
+}
+
+# code FILE...: lines "FILE CODE" without comments and without what strings hold.
+code() {
+    (cd "$srcdir" && awk '
+        FNR == 1 { inside = 0 }
+        {
+            line = $0
+            if (inside) {
+                if (!(end = index(line, "*/")))
+                    next
+                line = substr(line, end + 2)
+                inside = 0
+            }
+            gsub(/\\./, "", line)
+            gsub(/"[^"]*"/, "\"\"", line)
+            while ((from = index(line, "/*"))) {
+                rest = substr(line, from + 2)
+                line = substr(line, 1, from - 1)
+                if (!(end = index(rest, "*/"))) {
+                    inside = 1
+                    break
+                }
+                line = line " " substr(rest, end + 2)
+            }
+            sub(/\/\/.*/, "", line)
+            if (line ~ /[^ ]/)
+                print FILENAME " " line
+        }' "$@")
+}
+
+# Tags of structs, unions and enums that more than one place of the program defines.
+same_tags() {
+    code $(cat "$scratch/program") | awk '
+        match($0, /(struct|union|enum) +[A-Za-z0-9_]+ *\{/) {
+            split(substr($0, RSTART, RLENGTH), words, /[ {]+/)
+            tag = words[1] " " words[2]
+            places[tag] = places[tag] " " $1
+            n[tag]++
+        }
+        END { for (tag in n) if (n[tag] > 1) print tag " is defined in" places[tag] }'
+}
+
+# Sources that do not begin with a comment, and heads that name another file.
+without_head() {
+    (cd "$srcdir" && awk '
+        FNR == 1 {
+            name = FILENAME
+            sub(/.*\//, "", name)
+            if ($1 != "/*" || NF < 2)
+                print FILENAME " begins with no comment"
+            else if ($3 == "-" && $2 ~ /\.[ch]$/ && $2 != name)
+                print FILENAME " has the head of " $2
+        }' $(cat "$scratch/sources"))
+}
+
+# Headers whose guard is not PP_ and their path.
+wrong_guards() {
+    code $(grep '\.h$' "$scratch/sources") | awk '
+        function guard_of(path) {
+            gsub(/[^A-Za-z0-9]/, "_", path)
+            return "PP_" toupper(path)
+        }
+        $1 != file {
+            file = $1
+            headers[file] = 1
+            if ($2 != "#ifndef" || $3 != guard_of(file))
+                print file " does not begin with #ifndef " guard_of(file)
+            ifndef = 1
+            next
+        }
+        ifndef {
+            ifndef = 0
+            if ($2 != "#define" || $3 != guard_of(file))
+                print file " does not define " guard_of(file)
+        }'
+}
+
+# Lines "PATH NAME" of the program's external functions, from its archives: the name of an
+# object tells its source, since names are unique.
+sed -n 's|\(.*/\)\([^/]*\)\.c$|\2 \1\2.c|p' "$scratch/program" >"$scratch/stems"
+for folder in $program; do
+    $NM -A -g --defined-only ".libs/lib$folder.a" 2>/dev/null
+done | sed -n 's/^[^:]*:\([^:]*\)\.o:[^ ]* T \([^_ ][^ ]*\)$/\1 \2/p' |
+    sed 's/^lib[a-z]*_la-//' |
+    awk 'NR == FNR { path[$1] = $2; next } $1 in path { print path[$1], $2 }' \
+        "$scratch/stems" - >"$scratch/functions"
+
+# Lines "HEADER NAME" of what is declared there.
+code $(grep '\.h$' "$scratch/program") | awk '
+    {
+        file = $1
+        $1 = ""
+        while (match($0, /[a-z][a-z0-9_]*\(/)) {
+            print file " " substr($0, RSTART, RLENGTH - 1)
+            $0 = substr($0, RSTART + RLENGTH)
+        }
+    }' >"$scratch/declared"
+
+# External functions with another name than pp_[folder_]file..., and those that their own
+# file's header does not declare. A command, cmd_df of cmd_df.c, is one of a list
+# (cli/commands.h).
+astray() {
+    awk '
+        NR == FNR { declared[$1, $2] = 1; next }
+        {
+            header = path = $1
+            sub(/\.c$/, ".h", header)
+            n = split(path, parts, "/")
+            stem = parts[n]
+            sub(/\.c$/, "", stem)
+            if ($2 == stem && stem ~ /^cmd_/)
+                next
+            if ($2 !~ "^pp_(" parts[n - 1] "_)?" stem "(_|$)")
+                print path ": " $2 " does not begin with pp_" stem
+            else if (!((header, $2) in declared))
+                print path ": " $2 " is not declared in " header
+        }' "$scratch/declared" "$scratch/functions"
+}
+
+large_folders() {
+    sed 's|/[^/]*$||' "$scratch/sources" | LC_ALL=C sort | uniq -c |
+        awk -v most=$files_most '$1 > most { print $2 " holds " $1 " files" }'
+}
+
+long_sources() {
+    printf '%s' "$long_files" >"$scratch/long"
+    (cd "$srcdir" && wc -l $(cat "$scratch/sources")) |
+        awk -v most=$lines_most -v test_most=$test_lines_most '
+            NR == FNR { if (NF > 1) allowed[$1] = 1; next }
+            $2 != "total" && !($2 in allowed) &&
+                $1 > ($2 ~ /^(tests|bench)\// ? test_most : most) {
+                print $2 " has " $1 " lines"
+            }' "$scratch/long" -
+}
+
+check "there are names to look at" test -s "$scratch/functions" -a -s "$scratch/declared"
+check "no two files have one name" nothing "$(same_names)"
+check "no two structs have one tag" nothing "$(same_tags)"
+check "every source begins with a comment" nothing "$(without_head)"
+check "include guards are paths" nothing "$(wrong_guards)"
+check "no folder holds more than $files_most files" nothing "$(large_folders)"
+check "no file is longer than $lines_most lines, but for reasons" nothing "$(long_sources)"
+
+# The share is told whether it is enough or not, and what is astray if it is not.
+astray >"$scratch/astray"
+wrong=$(wc -l <"$scratch/astray")
+all=$(wc -l <"$scratch/functions")
+share=$(awk -v wrong="$wrong" -v all="$all" \
+    'BEGIN { printf "%.1f", all ? 100 * (all - wrong) / all : 0 }')
+enough() {
+    awk -v share="$share" -v least=$share_least 'BEGIN { exit !(share >= least) }' || {
+        cat "$scratch/astray"
+        return 1
+    }
+}
+check "$share % of $((all)) functions are where their names say ($share_least % at least)" enough
+tap_done
