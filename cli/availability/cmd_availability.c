@@ -13,6 +13,7 @@
 #include "cli/print/print.h"
 #include "cli/availability/availability_text.h"
 #include "methods/evaluate.h"
+#include "methods/selection.h"
 
 static const char about[] =
     "In how many of the working hours daylight alone gives an illuminance, at the "

@@ -13,6 +13,7 @@
 #include "cli/output.h"
 #include "cli/print/print.h"
 #include "methods/evaluate.h"
+#include "methods/selection.h"
 #include "methods/method.h"
 
 static const struct pp_option explain_option[] = {

@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "methods/evaluate.h"
+#include "methods/selection.h"
 
 const char *const pp_size_change_words[] = {"width", "height", "head",
                                             "sill",  "number", NULL};

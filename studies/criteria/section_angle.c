@@ -2,7 +2,7 @@
 
 #include <math.h>
 
-#include "methods/view/exterior.h"
+#include "methods/exact/exterior.h"
 #include "model/geometry/tolerance.h"
 
 /* The section: its middle is the origin, ahead runs level out of the wall. */

@@ -1,6 +1,6 @@
 /* test_average_df.c - the average daylight factor formula. */
 #include "methods/reflected/interior.h"
-#include "methods/method_entries.h"
+#include "methods/method.h"
 
 #include "tests/lib/near.h"
 

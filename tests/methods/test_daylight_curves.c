@@ -3,7 +3,7 @@
 #include <stdlib.h>
 
 #include "methods/daylight_curves.h"
-#include "methods/exact/exact.h"
+#include "methods/method.h"
 #include "model/geometry/vec.h"
 #include "tests/lib/room_of.h"
 

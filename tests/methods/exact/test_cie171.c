@@ -4,7 +4,7 @@
 
 #include <stdio.h>
 
-#include "methods/exact/exact.h"
+#include "methods/method.h"
 #include "methods/exact/quadrature.h"
 #include "methods/view/visible.h"
 #include "tests/lib/room_of.h"

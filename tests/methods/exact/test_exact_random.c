@@ -3,7 +3,7 @@
 
 #include <stdlib.h>
 
-#include "methods/exact/exact.h"
+#include "methods/method.h"
 #include "tests/lib/meridians.h"
 
 #ifndef SCENES

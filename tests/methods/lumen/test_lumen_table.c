@@ -1,6 +1,7 @@
 /* Tables of the lumen method that a user has: good ones read, bad ones named by line.
  */
 #include "methods/lumen/lumen_table.h"
+#include "methods/lumen/lumen_csv.h"
 #include "tests/lib/near.h"
 
 #include <stdio.h>

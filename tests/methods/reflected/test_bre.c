@@ -1,7 +1,6 @@
 /* test_bre.c - the BRE inter-reflection formula and its factor C. */
-#include "methods/method_entries.h"
-#include "methods/reflected/obstruction_angle.h"
-#include "methods/reflected/obstruction_factor.h"
+#include "methods/method.h"
+#include "methods/reflected/obstruction.h"
 
 #include "tests/lib/near.h"
 

@@ -2,7 +2,7 @@
  * table. */
 #include "methods/reflected/bre_terms.h"
 #include "methods/reflected/irc_minimum.h"
-#include "methods/method_entries.h"
+#include "methods/method.h"
 
 #include "tests/lib/near.h"
 

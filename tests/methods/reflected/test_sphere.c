@@ -1,7 +1,7 @@
 /* test_sphere.c - the integrating-sphere formula, and what it has to do with the
  * others. */
 #include "methods/reflected/interior.h"
-#include "methods/method_entries.h"
+#include "methods/method.h"
 
 #include "tests/lib/near.h"
 

@@ -1,6 +1,6 @@
 /* test_split_flux.c - the split-flux formula, for clear and diffusing glass. */
 #include "methods/reflected/interior.h"
-#include "methods/method_entries.h"
+#include "methods/method.h"
 
 #include "tests/lib/near.h"
 

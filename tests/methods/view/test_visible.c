@@ -4,8 +4,8 @@
 #include <stdio.h>
 
 #include "methods/exact/direct.h"
-#include "methods/exact/exact.h"
-#include "methods/view/exterior.h"
+#include "methods/method.h"
+#include "methods/exact/exterior.h"
 #include "methods/view/visible.h"
 #include "tests/lib/meridians.h"
 #include "tests/lib/room_of.h"
@@ -406,7 +406,7 @@ static void assert_sum_of_pieces(const char *before, double x, double z)
         assert_relative(part.sky, sky[p], 1e-6); /* what exact.h promises with glass */
         assert_relative(part.external, external[p], 1e-6);
     }
-    pp_method_exact.put_away(tools);
+    pp_method_exact.destroy_tools(tools);
     pp_world_destroy(world);
 }
 
@@ -457,7 +457,7 @@ static void an_uneven_pane_is_the_same_prepared_and_roughly(void **state)
         assert_relative(rough.sky, alone.sky, 1e-4);
         assert_relative(rough.external, alone.external, 1e-4);
     }
-    exact->put_away(tools);
+    exact->destroy_tools(tools);
     pp_world_destroy(world);
 }
 
