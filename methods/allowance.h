@@ -12,8 +12,8 @@
  *   K   curtains: their transmittance (not of the source, and in no published figure)
  *   D   deterioration of decorations
  *
- * Formulae with the net glass area W have B in W already (PP_ALLOWS_FRAME). D belongs to
- * the room and not to an opening: methods/evaluate.c applies it to the internally
+ * Formulae with the net glass area W have B in W already (PP_ALLOWS_FRAME). D belongs
+ * to the room and not to an opening: methods/evaluate.c applies it to the internally
  * reflected component.
  */
 #ifndef PP_METHODS_ALLOWANCE_H

@@ -18,9 +18,9 @@
  *   R      their area-weighted mean reflectance, openings with 0.1
  *
  * The two are averages over different surfaces and not to be compared: before dirt, the
- * older one is (1 + R)/2 of the other. For vertical openings under the CIE overcast sky.
- * Several openings add up, with the common A and R. Both contain the opening's glass
- * and, through W, the frame; `average-df` contains dirt too. Neither is meant for
+ * older one is (1 + R)/2 of the other. For vertical openings under the CIE overcast
+ * sky. Several openings add up, with the common A and R. Both contain the opening's
+ * glass and, through W, the frame; `average-df` contains dirt too. Neither is meant for
  * obstructions that one section angle does not describe; reflected/obstruction.h says
  * how blocks become such an angle.
  */

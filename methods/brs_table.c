@@ -1,8 +1,8 @@
 /* brs_table.c - `brs-table`: sky component and externally reflected component by the
  * BRS simplified daylight table.                                            [HLG58]
  *
- * The table, T(h/d, w/d), gives the sky component of a vertical, clear-glazed window
- * at a point of the working plane under the CIE overcast sky. The window's sill is level
+ * The table, T(h/d, w/d), gives the sky component of a vertical, clear-glazed window at
+ * a point of the working plane under the CIE overcast sky. The window's sill is level
  * with the point and its head h above the point; one jamb is on the normal through the
  * point, the other w to the side; d is the distance. As published:
  *
@@ -21,9 +21,9 @@
  * For vertical openings with clear glass, or none, and points that face up under the
  * CIE overcast sky. The figures contain clear single glass; no frame, no dirt. At 1 to
  * 7 m from the window, readings of 1 % and more are 1.4 % low on average against the
- * exact direct component with that glass, 3.4 % rms; a window far to one side, the small
- * difference of two cells, can be 20 % off, and nearer than the table's last row twice
- * that.
+ * exact direct component with that glass, 3.4 % rms; a window far to one side, the
+ * small difference of two cells, can be 20 % off, and nearer than the table's last row
+ * twice that.
  */
 #include "methods/brs_table.h"
 

@@ -1,5 +1,5 @@
-/* daylight_curves.c - contours of the daylight factor by `exact` and of the solid angle of
- * the visible sky, traced by model/geometry/contour. */
+/* daylight_curves.c - contours of the daylight factor by `exact` and of the solid angle
+ * of the visible sky, traced by model/geometry/contour. */
 #include "methods/daylight_curves.h"
 
 #include <math.h>
@@ -17,9 +17,9 @@
 #define NO_SKY_SR 1e-9
 
 /* The distance from the walls at which the plane's edge is evaluated, over the plane's
- * diagonal, and at most (m). On the edge, in a window's plane or under one, the daylight
- * factor is not defined, and just before the edge all contours crowd together; the
- * distance is less than the thickness of a wall on the drawing. */
+ * diagonal, and at most (m). On the edge, in a window's plane or under one, the
+ * daylight factor is not defined, and just before the edge all contours crowd together;
+ * the distance is less than the thickness of a wall on the drawing. */
 #define DAYLIGHT_INSET (1.0 / 500.0)
 #define DAYLIGHT_INSET_MOST_M 0.02
 #define SKY_INSET_M 0.001

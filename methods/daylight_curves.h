@@ -2,15 +2,15 @@
  *
  * The direct component is that of `exact` at the working plane, facing up; a constant
  * may be added for the internally reflected component, as in A+B for a formula that
- * gives an average only. The no-sky line bounds the part of the working plane from which
- * no sky is seen directly, whatever the sky's luminance and the glass.
+ * gives an average only. The no-sky line bounds the part of the working plane from
+ * which no sky is seen directly, whatever the sky's luminance and the glass.
  *
  * Curves are accurate to a millimetre, or to 1/5000 of the plane's diagonal where that
  * is more; they begin and end on the plane's edge or are closed. Nearer to a wall than
- * 20 mm or 1/500 of that diagonal, the daylight factor is taken as at that distance. The
- * daylight factor is evaluated by fixed rules, to a relative error of 1e-5, or some 1e-4
- * close to a pane, where the gradient is so steep that this moves the curve by less than
- * a millimetre.
+ * 20 mm or 1/500 of that diagonal, the daylight factor is taken as at that distance.
+ * The daylight factor is evaluated by fixed rules, to a relative error of 1e-5, or some
+ * 1e-4 close to a pane, where the gradient is so steep that this moves the curve by
+ * less than a millimetre.
  */
 #ifndef PP_METHODS_DAYLIGHT_CURVES_H
 #define PP_METHODS_DAYLIGHT_CURVES_H

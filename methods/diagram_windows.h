@@ -1,5 +1,5 @@
-/* diagram_windows.h - the windows of a room on the diagrams of a graphical method: which
- * windows share a diagram, and how a window is entered on one.
+/* diagram_windows.h - the windows of a room on the diagrams of a graphical method:
+ * which windows share a diagram, and how a window is entered on one.
  *
  * Windows that face the same way and have glass, or none, alike share a diagram. */
 #ifndef PP_METHODS_DIAGRAM_WINDOWS_H
@@ -26,9 +26,9 @@ int pp_diagram_windows_count_alike(const struct pp_world *world, int first);
 /* The number of diagrams that a room needs. */
 int pp_diagram_windows_diagram_count(const struct pp_world *world);
 
-/* Draws an opening as seen from the point and begins the sheet's window for it: its line,
- * corrections, distance, and room for a piece for each part of the drawing. On success
- * the drawing is the caller's to clear. */
+/* Draws an opening as seen from the point and begins the sheet's window for it: its
+ * line, corrections, distance, and room for a piece for each part of the drawing. On
+ * success the drawing is the caller's to clear. */
 enum pp_status pp_diagram_windows_begin(struct pp_board_window *window,
                                         struct pp_window_drawing *drawing,
                                         const struct pp_method *method,

@@ -71,7 +71,8 @@ static const char *const component_names[PP_COMPONENT_COUNT] = {
     [PP_DF] = "daylight factor",
 };
 
-/* Symbols in formulae: of one opening by the method itself, and with all corrections. */
+/* Symbols in formulae: of one opening by the method itself, and with all
+ * corrections. */
 static const char *const own_symbols[PP_COMPONENT_COUNT] = {"sc", "erc", "irc", "df"};
 static const char *const symbols[PP_COMPONENT_COUNT] = {"SC", "ERC", "IRC", "DF"};
 
@@ -231,7 +232,8 @@ static enum pp_status to_reading(struct pp_reading *reading, struct pp_report *r
 {
     if (!answer->why) {
         *reading = pp_reading_of(figure(&answer->part, component));
-        /* Both direct components have one list of steps, which stands with the first. */
+        /* Both direct components have one list of steps, which stands with the
+         * first. */
         if (component != PP_ERC)
             reading->steps = answer->steps;
         return PP_OK;

@@ -2,15 +2,15 @@
  * pairs of methods, averages.
  *
  * A method gives the components of one opening (method.h). Here each method is called
- * for each opening and each receiver, the corrections for glass, frame and dirt that its
- * figures lack are applied (methods/allowance.h), the openings are added up, and pairs
- * of methods become daylight factors:
+ * for each opening and each receiver, the corrections for glass, frame and dirt that
+ * its figures lack are applied (methods/allowance.h), the openings are added up, and
+ * pairs of methods become daylight factors:
  *
  *     df(A+B) = sc(A) + erc(A) + irc(B)
  *
- * An opening that a method does not cover makes the method's value at that receiver NAN,
- * and `why` names the opening. An internally reflected component that is an average of
- * the room stands for each point of the room.
+ * An opening that a method does not cover makes the method's value at that receiver
+ * NAN, and `why` names the opening. An internally reflected component that is an
+ * average of the room stands for each point of the room.
  *
  * The average over the working plane of a method that speaks for a point is the mean
  * reading of receivers that face up, by adaptive cubature to a relative estimated error
@@ -30,9 +30,9 @@ enum { PP_AVERAGE_POINTS = 2000 };
 
 /* Adds the columns of a selection of methods (selection.h) to `report`, whose world,
  * receivers and receiver_count the caller has set. A column that the report already has
- * is left unchanged. A wrong selection is PP_BAD_INPUT. On failure some columns may have
- * been added; pp_report_clear frees them. The points are shared among OpenMP's threads;
- * the numbers do not depend on how many there are.
+ * is left unchanged. A wrong selection is PP_BAD_INPUT. On failure some columns may
+ * have been added; pp_report_clear frees them. The points are shared among OpenMP's
+ * threads; the numbers do not depend on how many there are.
  *
  * With report->explain the readings of each point (and, of methods that speak for the
  * room, of the average) have the steps of their sum: for each opening the method's own

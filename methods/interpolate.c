@@ -1,5 +1,5 @@
-/* interpolate.c - Lagrange's cubic, Gauss's rule and bisection for tables of even steps,
- * and straight lines between the rows of published ones. */
+/* interpolate.c - Lagrange's cubic, Gauss's rule and bisection for tables of even
+ * steps, and straight lines between the rows of published ones. */
 #include "methods/interpolate.h"
 
 #include <math.h>

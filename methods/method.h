@@ -81,7 +81,8 @@ struct pp_method {
      * On success *tools is freed by destroy_tools. */
     enum pp_status (*prepare)(void **tools, const struct pp_world *world,
                               struct pp_error *err);
-    /* The same for a method whose figures depend on the options; in place of prepare. */
+    /* The same for a method whose figures depend on the options; in place of
+     * prepare. */
     enum pp_status (*prepare_with_options)(void **tools, const struct pp_world *world,
                                            const struct pp_method_options *options,
                                            struct pp_error *err);
@@ -106,7 +107,8 @@ struct pp_method {
 extern const struct pp_method *const pp_methods[];
 
 /* pp_methods[index], for programs that link the shared library, which exports functions
- * but no data; NULL at the end of the list. index is at most one past the last method. */
+ * but no data; NULL at the end of the list. index is at most one past the last method.
+ */
 const struct pp_method *pp_method_at(int index);
 
 /* The method of that name, or NULL. */

@@ -6,8 +6,9 @@
 #include <stdlib.h>
 
 /* A piece of the plane: points origin + s a + t b. A triangle has s from 0 to 1 and t
- * from 0 to s. A piece of a rectangle has s = g(u) and t = g(v), with u and v from low to
- * low + wide and g the grading below; s and t from 0 to 1 are the whole rectangle. */
+ * from 0 to s. A piece of a rectangle has s = g(u) and t = g(v), with u and v from low
+ * to low + wide and g the grading below; s and t from 0 to 1 are the whole rectangle.
+ */
 struct plane_piece {
     double origin[2], a[2], b[2];
     bool triangle;
@@ -120,8 +121,8 @@ struct integral {
     bool stopped;
 };
 
-/* The values at a point of the unit square times the area element. Once the function has
- * stopped they are zero, which ends the integration at once (hcubature leaks memory
+/* The values at a point of the unit square times the area element. Once the function
+ * has stopped they are zero, which ends the integration at once (hcubature leaks memory
  * when its integrand fails). */
 static int integrand_at(unsigned dim, const double *square, void *data, unsigned fdim,
                         double *values)
@@ -214,9 +215,10 @@ enum pp_status pp_plane_average(double mean[PP_PLANE_VALUES], bool *stopped,
                       : pp_fail_memory(err);
     }
 
-    /* A first estimate, one rule for each piece, gives the error that each may have; the
-     * errors of the pieces are taken as independent. Only an eighth of the error asked
-     * for is allowed, since the two sums of a rule may agree where both are wrong. */
+    /* A first estimate, one rule for each piece, gives the error that each may have;
+     * the errors of the pieces are taken as independent. Only an eighth of the error
+     * asked for is allowed, since the two sums of a rule may agree where both are
+     * wrong. */
     struct integral integral = {
         .z = world->working_plane_m, .function = function, .data = data};
     double sum[PP_PLANE_VALUES];

@@ -16,13 +16,13 @@ typedef bool pp_plane_function(void *data, const struct pp_receiver *receiver,
  *
  * The plane is divided into nine uneven rectangles or, unless it is one rectangle, into
  * triangles. A piece is refined until its estimated error is its part of
- * relative_error/8 times the sum of the integrals, or until it has had about most_points
- * over the number of pieces, as happens where something cuts the light off sharply. In a
- * rectangle the points are denser towards the walls. With a relative error of 1e-3 and
- * 2000 points, the sky component of 200 random boxes with a window had an rms error of
- * 5e-4, 95 of 100 within 1e-3, the worst 4e-3; of 60 L-shaped rooms 1e-3 and 5e-3. The
- * pieces are shared among OpenMP's threads where the room is more than a box; the points
- * and the sum do not depend on the number of threads.
+ * relative_error/8 times the sum of the integrals, or until it has had about
+ * most_points over the number of pieces, as happens where something cuts the light off
+ * sharply. In a rectangle the points are denser towards the walls. With a relative
+ * error of 1e-3 and 2000 points, the sky component of 200 random boxes with a window
+ * had an rms error of 5e-4, 95 of 100 within 1e-3, the worst 4e-3; of 60 L-shaped rooms
+ * 1e-3 and 5e-3. The pieces are shared among OpenMP's threads where the room is more
+ * than a box; the points and the sum do not depend on the number of threads.
  *
  * *stopped tells whether the function has stopped the integration; the mean is then not
  * valid. Fails where the plane is empty (PP_BAD_INPUT) and for lack of memory. */

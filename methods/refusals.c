@@ -1,4 +1,5 @@
-/* refusals.c - the sentences, and the tests of sky, receiver and opening behind them. */
+/* refusals.c - the sentences, and the tests of sky, receiver and opening behind
+ * them. */
 #include "methods/refusals.h"
 
 #include <stddef.h>

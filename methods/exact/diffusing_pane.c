@@ -1,5 +1,5 @@
-/* diffusing_pane.c - finds the lines where the illuminance is not smooth, interpolates it
- * between them, and integrates over the visible part. */
+/* diffusing_pane.c - finds the lines where the illuminance is not smooth, interpolates
+ * it between them, and integrates over the visible part. */
 #include "methods/exact/diffusing_pane.h"
 
 #include <stdlib.h>
@@ -112,7 +112,8 @@ static enum pp_status find_borders(struct borders *borders,
     return PP_OK;
 }
 
-/* The border nearest to the cell's middle, or the middle where no border is in the cell. */
+/* The border nearest to the cell's middle, or the middle where no border is in the
+ * cell. */
 static double cut_of(const struct borders *borders, const struct pp_pane_cell *cell,
                      int axis)
 {
@@ -129,8 +130,8 @@ static double cut_of(const struct borders *borders, const struct pp_pane_cell *c
 
 /* ---- the illuminance of the outside ---- */
 
-/* Adds to tails[axis] the absolute values of the polynomial's last two coefficients along
- * each axis. */
+/* Adds to tails[axis] the absolute values of the polynomial's last two coefficients
+ * along each axis. */
 static void add_tails(double tails[2], const double values[NODES][NODES])
 {
     double basis[NODES][NODES];

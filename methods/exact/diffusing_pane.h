@@ -1,14 +1,14 @@
-/* diffusing_pane.h - an unevenly lit diffusing pane: the illuminance of its outside, and
- * its direct component at a receiver.
+/* diffusing_pane.h - an unevenly lit diffusing pane: the illuminance of its outside,
+ * and its direct component at a receiver.
  *
  * The illuminance jumps where an obstruction touches the pane's plane, has kinks where
- * the plane of a surface meets the pane and at the heights of corners above the horizon,
- * and is smooth between these lines. The pane is divided along such lines where they are
- * parallel to its axes, else in the middle, until polynomials through 7 x 7 Chebyshev
- * nodes of each cell have an error, by the last of their coefficients, of 1e-6 of the flux
- * on the whole pane; or until there are 96 cells, fewer behind dozens of surfaces, where
- * each node takes milliseconds. Errors measured at that limit: 1e-3 behind a sloping
- * shelf that touches the pane, 1.2e-2 behind twenty slats.
+ * the plane of a surface meets the pane and at the heights of corners above the
+ * horizon, and is smooth between these lines. The pane is divided along such lines
+ * where they are parallel to its axes, else in the middle, until polynomials through 7
+ * x 7 Chebyshev nodes of each cell have an error, by the last of their coefficients, of
+ * 1e-6 of the flux on the whole pane; or until there are 96 cells, fewer behind dozens
+ * of surfaces, where each node takes milliseconds. Errors measured at that limit: 1e-3
+ * behind a sloping shelf that touches the pane, 1.2e-2 behind twenty slats.
  */
 #ifndef PP_METHODS_EXACT_DIFFUSING_PANE_H
 #define PP_METHODS_EXACT_DIFFUSING_PANE_H
@@ -30,8 +30,8 @@ enum pp_status pp_diffusing_pane_init(struct pp_diffusing_pane *pane,
                                       struct pp_error *err);
 void pp_diffusing_pane_clear(struct pp_diffusing_pane *pane);
 
-/* Adds to *sum the integrals of the outside's illuminance (over Eh) times (n.u) over the
- * visible part of the pane; sum->rough as in direct.h. */
+/* Adds to *sum the integrals of the outside's illuminance (over Eh) times (n.u) over
+ * the visible part of the pane; sum->rough as in direct.h. */
 enum pp_status pp_diffusing_pane_add(struct pp_direct *sum,
                                      const struct pp_diffusing_pane *pane,
                                      const struct pp_visible *visible,

@@ -1,4 +1,5 @@
-/* direct.c - chooses closed form or quadrature for each patch of a view, and adds up. */
+/* direct.c - chooses closed form or quadrature for each patch of a view, and adds
+ * up. */
 #include "methods/exact/direct.h"
 
 #include <float.h>

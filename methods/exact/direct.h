@@ -1,4 +1,4 @@
-/* direct.h - sky component and externally reflected component of a view, patch by patch.
+/* direct.h - sky and externally reflected component of a view, patch by patch.
  *
  * With tau the transmittance of the glass at the angle of incidence (1 without glass),
  * luminances over Eh and integrals over solid angle, a patch contributes
@@ -37,8 +37,8 @@ enum pp_status pp_direct_add(struct pp_direct *sum, const struct pp_visible *vis
                              const struct pp_world *world, const struct pp_sky *sky,
                              struct pp_error *err);
 
-/* The same for the view of a receiver through an opening, with `glass` (clear, or none) in
- * place of the opening's own. */
+/* The same for the view of a receiver through an opening, with `glass` (clear, or none)
+ * in place of the opening's own. */
 enum pp_status pp_direct_through(struct pp_direct *sum, const struct pp_world *world,
                                  const struct pp_opening *opening,
                                  const struct pp_receiver *receiver,

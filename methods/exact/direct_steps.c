@@ -1,8 +1,8 @@
 /* direct_steps.c - the steps of a patch that shows sky and ground or an obstruction.
  *
- * For a sky with a closed form, the steps give the moments of the patch, the sky component
- * without glass by these (solid_angle.h), and the mean transmittance of the glass. For any
- * other sky the steps give the value of the integral.
+ * For a sky with a closed form, the steps give the moments of the patch, the sky
+ * component without glass by these (solid_angle.h), and the mean transmittance of the
+ * glass. For any other sky the steps give the value of the integral.
  */
 #include "methods/exact/direct_steps.h"
 

@@ -11,13 +11,11 @@ struct pp_patch_figures {
     struct pp_moments moments; /* of the part above the horizon */
     bool closed_form; /* the sky's luminance has a closed form by the moments */
     bool glazed;
-    double above; /* by visible or hidden sky, through the glass */
-    double
-        below;  /* of an obstruction: the part below the horizon at the luminance of the
-                    * horizon; else by ground with a reflectance of 1 */
-    double own; /* by the exitance of the obstruction */
-    double
-        factor; /* luminance factor of the obstruction, or reflectance of the ground */
+    double above;  /* by visible or hidden sky, through the glass */
+    double below;  /* by ground with a reflectance of 1; for an obstruction, by its part
+                    * below the horizon at the luminance of the horizon */
+    double own;    /* by the exitance of the obstruction */
+    double factor; /* luminance factor of the obstruction, reflectance of the ground */
 };
 
 /* Records the steps of the next part; none for a patch of no size. */

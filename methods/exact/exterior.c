@@ -1,5 +1,5 @@
-/* exterior.c - half a cube of views about a point outside, summed by direct.h, or the open
- * sky in closed form where no surface is in front of the plane. */
+/* exterior.c - half a cube of views about a point outside, summed by direct.h, or the
+ * open sky in closed form where no surface is in front of the plane. */
 #include "methods/exact/exterior.h"
 
 #include <stdlib.h>

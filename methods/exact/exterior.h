@@ -12,10 +12,10 @@
 struct pp_vec3 pp_exterior_opening_centroid(const struct pp_opening *opening);
 
 /* Illuminance over Eh, from the visible sky alone and without glass, of a plane through
- * the centroid of the opening's outer outline with the outward unit normal `normal`; for a
- * vertical normal the vertical sky component. The sky is `sky`, not the world's.
- * Obstructions are the skylines of the opening's own face, blocks, free-standing surfaces
- * outside and the building's own outer faces. */
+ * the centroid of the opening's outer outline with the outward unit normal `normal`;
+ * for a vertical normal the vertical sky component. The sky is `sky`, not the world's.
+ * Obstructions are the skylines of the opening's own face, blocks, free-standing
+ * surfaces outside and the building's own outer faces. */
 enum pp_status pp_exterior_sky_on_plane(double *share, const struct pp_world *world,
                                         const struct pp_opening *opening,
                                         struct pp_vec3 normal, const struct pp_sky *sky,
@@ -23,15 +23,15 @@ enum pp_status pp_exterior_sky_on_plane(double *share, const struct pp_world *wo
 
 /* Illuminances of a plane, over Eh. */
 struct pp_exterior_light {
-    double sky; /* from the sky alone */
-    double
-        external; /* from obstructions (equivalent sky component times luminance factor,
-                      * and exitance) and from the ground */
+    double sky;      /* from the sky alone */
+    double external; /* from the ground and from obstructions: equivalent sky component
+                      * times luminance factor, and exitance */
 };
 
 /* The illuminances of a plane through any position outside, with unit normal `normal`.
- * `face` is the index of the surface that the plane is part of: it hides nothing, and its
- * skylines are the ones before the plane; -1: no such surface and no skylines. Closed form for the overcast and uniform skies (errors of 1e-13), else quadrature to
+ * `face` is the index of the surface that the plane is part of: it hides nothing, and
+ * its skylines are the ones before the plane; -1: no such surface and no skylines.
+ * Closed form for the overcast and uniform skies (errors of 1e-13), else quadrature to
  * 1e-9. */
 enum pp_status pp_exterior_light_on_plane(struct pp_exterior_light *outside,
                                           const struct pp_world *world,

@@ -1,5 +1,5 @@
-/* quadrature.c - divides a region into cells between two edges, and integrates over each
- * cell by adaptive or fixed rules. */
+/* quadrature.c - divides a region into cells between two edges, and integrates over
+ * each cell by adaptive or fixed rules. */
 #include "methods/exact/quadrature.h"
 
 #include <cubature.h>
@@ -12,8 +12,8 @@
 /* Coordinates that agree to this share of the whole extent count as equal. */
 #define GRAIN 1e-13
 
-/* The absolute error that any integral may have: a slit no wider than rounding errors has
- * no significant digits. */
+/* The absolute error that any integral may have: a slit no wider than rounding errors
+ * has no significant digits. */
 #define ABSOLUTE 1e-17
 
 /* The most evaluations of a column, and the most columns of a cell; where they do not
@@ -57,8 +57,8 @@ static void clear_cells(struct integration_cells *cells)
 /* ---- from rings to edges ---- */
 
 /* Cuts a ring by a x + b y + c > 0. A ring that is not convex keeps bridges along the
- * cut, which run both ways and cancel. Returns the number of points of the rest; out has
- * room for 2 count. */
+ * cut, which run both ways and cancel. Returns the number of points of the rest; out
+ * has room for 2 count. */
 static int cut_ring(double (*out)[2], const double (*in)[2], int count, double a,
                     double b, double c)
 {
@@ -166,8 +166,9 @@ static enum pp_status add_cell(struct integration_cells *cells,
     return status;
 }
 
-/* Adds the cells between two stops: the edges across the strip, ordered by height, bound
- * them in pairs. A cell that ends at `left` between the same two edges is extended. */
+/* Adds the cells between two stops: the edges across the strip, ordered by height,
+ * bound them in pairs. A cell that ends at `left` between the same two edges is
+ * extended. */
 static enum pp_status add_strip(struct integration_cells *cells, int *crossing,
                                 double left, double right, bool may_continue,
                                 struct pp_error *err)
@@ -344,8 +345,9 @@ static struct rule rule_over(double low, double high)
     return rule;
 }
 
-/* The integral over a cell by fixed rules, with the altitude itself as variable: towards
- * 90 degrees the angle of incidence is smooth in the altitude, not in its sine. */
+/* The integral over a cell by fixed rules, with the altitude itself as variable:
+ * towards 90 degrees the angle of incidence is smooth in the altitude, not in its sine.
+ */
 static double integrate_fixed(struct cell_integral *integral)
 {
     double sum = 0.0;
@@ -382,6 +384,60 @@ static struct cell_integral integral_over(const struct pp_projection *view,
         .alpha = {atan2(cell->x[0], d), atan2(cell->x[1], d)}};
 }
 
+/* Adds the integrals over all cells by fixed rules. */
+static void add_fixed(struct pp_quadrature *result,
+                      const struct integration_cells *cells,
+                      const struct pp_projection *view, struct pp_vec3 normal,
+                      const struct pp_integrand *integrand)
+{
+    for (int i = 0; i < cells->count; i++) {
+        struct cell_integral integral =
+            integral_over(view, &cells->list[i], normal, integrand);
+        result->value += integrate_fixed(&integral);
+        result->evaluations += integral.evaluations;
+    }
+}
+
+/* Adds the integrals over all cells, and their errors, by adaptive rules. */
+static enum pp_status add_adaptive(struct pp_quadrature *result,
+                                   const struct integration_cells *cells,
+                                   const struct pp_projection *view,
+                                   struct pp_vec3 normal,
+                                   const struct pp_integrand *integrand,
+                                   double relative_error, struct pp_error *err)
+{
+    enum pp_status status = PP_OK;
+    /* A first estimate of the sum, for an absolute error bound of each cell. */
+    double estimate = 0.0;
+    for (int i = 0; i < cells->count && status == PP_OK; i++) {
+        struct cell_integral integral =
+            integral_over(view, &cells->list[i], normal, integrand);
+        double middle = (integral.alpha[0] + integral.alpha[1]) / 2.0, value;
+        integral.column_error = 1.0;
+        if (at_alpha(1, &middle, &integral, 1, &value) != 0)
+            status = pp_fail_memory(err);
+        estimate += fabs(value) * (integral.alpha[1] - integral.alpha[0]);
+    }
+    double enough = fmax(0.1 * relative_error * estimate, ABSOLUTE) / cells->count;
+    for (int i = 0; i < cells->count && status == PP_OK; i++) {
+        struct cell_integral integral =
+            integral_over(view, &cells->list[i], normal, integrand);
+        double width = integral.alpha[1] - integral.alpha[0], value, error;
+        /* The error of columns must be below the resolution of the rule across them. */
+        integral.column_abs = 0.3 * enough / width;
+        integral.column_error = 0.3 * relative_error;
+        if (hcubature(1, at_alpha, &integral, 1, &integral.alpha[0], &integral.alpha[1],
+                      COLUMNS_MOST, enough, relative_error, ERROR_INDIVIDUAL, &value,
+                      &error)
+            != 0)
+            status = pp_fail_memory(err);
+        result->value += value;
+        result->error += error + 0.3 * fmax(enough, relative_error * fabs(value));
+        result->evaluations += integral.evaluations;
+    }
+    return status;
+}
+
 enum pp_status pp_quadrature_over(struct pp_quadrature *result,
                                   const struct pp_projection *view,
                                   const struct pp_region *region,
@@ -415,45 +471,11 @@ enum pp_status pp_quadrature_over(struct pp_quadrature *result,
     if (status == PP_OK)
         status = find_cells(&cells, cusp, err);
 
-    if (relative_error >= PP_QUADRATURE_ROUGH) {
-        for (int i = 0; i < cells.count && status == PP_OK; i++) {
-            struct cell_integral integral =
-                integral_over(view, &cells.list[i], normal, integrand);
-            result->value += integrate_fixed(&integral);
-            result->evaluations += integral.evaluations;
-        }
-        clear_cells(&cells);
-        return status;
-    }
-
-    /* A first estimate of the sum, for an absolute error bound of each cell. */
-    double estimate = 0.0;
-    for (int i = 0; i < cells.count && status == PP_OK; i++) {
-        struct cell_integral integral =
-            integral_over(view, &cells.list[i], normal, integrand);
-        double middle = (integral.alpha[0] + integral.alpha[1]) / 2.0, value;
-        integral.column_error = 1.0;
-        if (at_alpha(1, &middle, &integral, 1, &value) != 0)
-            status = pp_fail_memory(err);
-        estimate += fabs(value) * (integral.alpha[1] - integral.alpha[0]);
-    }
-    double enough = fmax(0.1 * relative_error * estimate, ABSOLUTE) / cells.count;
-    for (int i = 0; i < cells.count && status == PP_OK; i++) {
-        struct cell_integral integral =
-            integral_over(view, &cells.list[i], normal, integrand);
-        double width = integral.alpha[1] - integral.alpha[0], value, error;
-        /* The error of columns must be below the resolution of the rule across them. */
-        integral.column_abs = 0.3 * enough / width;
-        integral.column_error = 0.3 * relative_error;
-        if (hcubature(1, at_alpha, &integral, 1, &integral.alpha[0], &integral.alpha[1],
-                      COLUMNS_MOST, enough, relative_error, ERROR_INDIVIDUAL, &value,
-                      &error)
-            != 0)
-            status = pp_fail_memory(err);
-        result->value += value;
-        result->error += error + 0.3 * fmax(enough, relative_error * fabs(value));
-        result->evaluations += integral.evaluations;
-    }
+    if (status == PP_OK && relative_error >= PP_QUADRATURE_ROUGH)
+        add_fixed(result, &cells, view, normal, integrand);
+    else if (status == PP_OK)
+        status =
+            add_adaptive(result, &cells, view, normal, integrand, relative_error, err);
     clear_cells(&cells);
     return status;
 }

@@ -100,8 +100,8 @@ static void end_boundary(struct boundary_sums *sums, struct pp_moments *moments)
     moments->cosine_sine += (sums->normal.z * omega - sums->thrice_cosine_sine) / 3.0;
 }
 
-/* Clipping as a row of stages, each of which passes on the vertices on its side [SH74]: no
- * polygon has to be stored. */
+/* Clipping as a row of stages, each of which passes on the vertices on its side [SH74]:
+ * no polygon has to be stored. */
 struct clip_stage {
     struct pp_vec3 half_space;
     bool begun;
@@ -122,8 +122,8 @@ static double size_of(struct pp_vec3 v)
     return fabs(v.x) + fabs(v.y) + fabs(v.z);
 }
 
-/* The depth of v within a half-space; 0 for a point in its plane but for rounding, so that
- * no sliver is left of a patch that only touches the plane. */
+/* The depth of v within a half-space; 0 for a point in its plane but for rounding, so
+ * that no sliver is left of a patch that only touches the plane. */
 static double depth_in(struct pp_vec3 half_space, struct pp_vec3 v)
 {
     double depth = pp_vec_dot(half_space, v);

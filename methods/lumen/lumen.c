@@ -284,7 +284,8 @@ static double rooflight_value(const struct reading *r, const struct pp_opening *
     return value;
 }
 
-/* The point's distance from the opening's wall over the room's depth; NAN for no point. */
+/* The point's distance from the opening's wall over the room's depth; NAN for no
+ * point. */
 static double share_of(const struct reading *r, const struct pp_opening *opening,
                        const struct pp_receiver *receiver)
 {

@@ -1,5 +1,5 @@
-/* lumen_cavity.c - the exitances of two or three zones that reflect one another's light,
- * solved in closed form. */
+/* lumen_cavity.c - the exitances of two or three zones that reflect one another's
+ * light, solved in closed form. */
 #include "methods/lumen/lumen_cavity.h"
 
 #include "methods/lumen/rectangle_factor.h"

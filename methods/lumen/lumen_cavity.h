@@ -5,10 +5,11 @@
 #define PP_METHODS_LUMEN_LUMEN_CAVITY_H
 
 /* Share of a Lambertian ceiling's flux that falls on the working plane, directly and by
- * interreflection: three zones (ceiling, walls, plane) of even exitance, in a room with a
- * square plan and that room cavity ratio, RCR = 5 h (L + W) / (L W), 0 or more. The flux
- * leaves openings spread over the ceiling; `ceiling` is the reflectance of the ceiling,
- * its openings included, and `plane` that of the cavity below the working plane. */
+ * interreflection: three zones (ceiling, walls, plane) of even exitance, in a room with
+ * a square plan and that room cavity ratio, RCR = 5 h (L + W) / (L W), 0 or more. The
+ * flux leaves openings spread over the ceiling; `ceiling` is the reflectance of the
+ * ceiling, its openings included, and `plane` that of the cavity below the working
+ * plane. */
 double pp_lumen_cavity(double rcr, double ceiling, double walls, double plane);
 
 /* Share of the diffuse light on top of a well that leaves the well below, for a well of

@@ -1,5 +1,5 @@
-/* lumen_csv.c - cuts lines at their commas, reads the names of the columns, then the lines
- * of one of the two tables, and notes every mistake with its line. */
+/* lumen_csv.c - cuts lines at their commas, reads the names of the columns, then the
+ * lines of one of the two tables, and notes every mistake with its line. */
 #include "methods/lumen/lumen_csv.h"
 
 #include <errno.h>
@@ -147,7 +147,8 @@ static void add_width(struct reader *reader, double width, const char *text)
         widths->at[widths->count++] = width;
 }
 
-/* Notes as mistakes what the columns lack, or have too many, for one of the two tables. */
+/* Notes as mistakes what the columns lack, or have too many, for one of the two
+ * tables. */
 static void check_columns(struct reader *reader)
 {
     static const enum column side_needs[] = {RATIO, DEPTH, POSITION};

@@ -143,8 +143,8 @@ void pp_lumen_room_destroy(struct pp_lumen_room *room)
     free(room);
 }
 
-/* A light source outside: a sky, or for NULL an evenly bright ground. Luminances are over
- * the window's illuminance. */
+/* A light source outside: a sky, or for NULL an evenly bright ground. Luminances are
+ * over the window's illuminance. */
 struct source {
     const struct pp_sky *sky;
     double per_window;
@@ -157,8 +157,8 @@ static double luminance(const struct source *source, struct pp_vec3 u)
 }
 
 /* Direct illuminance at p of a plane with that normal. The window's jambs are lines of
- * constant azimuth, and its part above (below) the horizon extends from altitude 0 to the
- * head (sill): Gauss's rule in both angles. */
+ * constant azimuth, and its part above (below) the horizon extends from altitude 0 to
+ * the head (sill): Gauss's rule in both angles. */
 static double direct_at(const struct pp_lumen_room *room, const struct source *source,
                         struct pp_vec3 p, struct pp_vec3 normal, int order)
 {

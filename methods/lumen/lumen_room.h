@@ -3,10 +3,10 @@
  *
  * The method's room is a box [IES84]: its floor is the working plane and its ceiling is
  * at the window's head (wall above the window counts as ceiling, wall below the sill as
- * floor), and the windows, evenly spread along one wall, are the whole of that wall. All
- * lengths are in window heights. The window's reflectance from inside is 0. The working
- * plane has the reflectance of the cavity below, 0.20: that of a floor of 0.30 and walls
- * of 0.50, 0.75 m below a window of 1.5 m, within 0.07.
+ * floor), and the windows, evenly spread along one wall, are the whole of that wall.
+ * All lengths are in window heights. The window's reflectance from inside is 0. The
+ * working plane has the reflectance of the cavity below, 0.20: that of a floor of 0.30
+ * and walls of 0.50, 0.75 m below a window of 1.5 m, within 0.07.
  *
  *     M = rho (E_direct + sum F M)       on patches of ceiling, plane and three walls
  *     CU = E on the working plane / E on the outside of the window, unglazed
@@ -24,8 +24,8 @@
 #include "model/base/error.h"
 #include "model/light/sky.h"
 
-/* The method's points, in shares of the depth from the window, on the normal through the
- * window's middle. */
+/* The method's points, in shares of the depth from the window, on the normal through
+ * the window's middle. */
 enum { PP_LUMEN_POINTS = 5 };
 extern const double pp_lumen_places[PP_LUMEN_POINTS]; /* 0.1, 0.3, 0.5, 0.7, 0.9 */
 

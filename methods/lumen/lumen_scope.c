@@ -76,8 +76,8 @@ static void extent(double range[2], const struct pp_polygon *polygon,
     }
 }
 
-/* Are the windows in the same wall level with the opening, and are windows in other walls
- * opposite? Why not, or NULL. */
+/* Are the windows in the same wall level with the opening, and are windows in other
+ * walls opposite? Why not, or NULL. */
 static const char *refuses_neighbours(const struct pp_world *world,
                                       const struct pp_opening *opening)
 {

@@ -114,9 +114,9 @@ static bool find_between(struct between *between, const struct pp_lumen_axis *ax
     return true;
 }
 
-/* The coefficient at one position for one sky or the ground, from the 16 neighbours: along
- * the width first, then depth, walls and ceiling. A neighbour without weight may be
- * missing in the table. */
+/* The coefficient at one position for one sky or the ground, from the 16 neighbours:
+ * along the width first, then depth, walls and ceiling. A neighbour without weight may
+ * be missing in the table. */
 static double interpolate(const struct pp_lumen_side_table *table, int light,
                           const struct between between[PP_LUMEN_SIDE_AXES],
                           int position)

@@ -1,5 +1,5 @@
-/* lumen_table.h - coefficients of utilization of the lumen method [IES84]: the program's
- * own tables, and interpolation in these or a user's (lumen_csv.h).
+/* lumen_table.h - coefficients of utilization of the lumen method [IES84]: the
+ * program's own tables, and interpolation in these or a user's (lumen_csv.h).
  *
  * Light from the side: one coefficient for each sky (by the ratio Ev/Eh of the open
  * sky's illuminance on the window to that on the ground; 0.396 is the CIE overcast sky)
@@ -42,9 +42,9 @@ enum pp_status pp_lumen_table_create(struct pp_lumen_table **table,
                                      struct pp_error *err);
 void pp_lumen_table_destroy(struct pp_lumen_table *table); /* NULL is allowed */
 
-/* The arguments of a reading from the side table. ev_over_eh is that of the sky, NAN for
- * the ground; an overcast sky is read from the table with Ev/Eh below 0.45, whatever
- * ev_over_eh is, any other sky from those with 0.45 and more. */
+/* The arguments of a reading from the side table. ev_over_eh is that of the sky, NAN
+ * for the ground; an overcast sky is read from the table with Ev/Eh below 0.45,
+ * whatever ev_over_eh is, any other sky from those with 0.45 and more. */
 struct pp_lumen_query {
     double ev_over_eh;
     bool overcast;
@@ -61,12 +61,12 @@ bool pp_lumen_table_side(double cu[PP_LUMEN_POSITIONS],
                          const struct pp_lumen_table *table,
                          const struct pp_lumen_query *query, char *why, size_t room);
 
-/* The coefficient at a share of the depth from the window, 0.1 to 0.9: geometric between
- * the five positions. */
+/* The coefficient at a share of the depth from the window, 0.1 to 0.9: geometric
+ * between the five positions. */
 double pp_lumen_table_at_depth(const double cu[PP_LUMEN_POSITIONS], double share);
 
-/* The coefficient for light from above, linear between neighbouring lines; NAN, with the
- * reason as above, outside the table's range. */
+/* The coefficient for light from above, linear between neighbouring lines; NAN, with
+ * the reason as above, outside the table's range. */
 double pp_lumen_table_top(const struct pp_lumen_table *table, double rcr,
                           double ceiling, double walls, char *why, size_t room);
 

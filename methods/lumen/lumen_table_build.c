@@ -1,5 +1,5 @@
-/* lumen_table_build.c - arranges the lines of a table of coefficients of utilization, in
- * any order, in a grid over its axes. */
+/* lumen_table_build.c - arranges the lines of a table of coefficients of utilization,
+ * in any order, in a grid over its axes. */
 #include "methods/lumen/lumen_table_build.h"
 
 #include <math.h>
@@ -61,7 +61,8 @@ static double *cells_create(size_t count)
     return cells;
 }
 
-/* Collects the axes of the lines; false, with a mistake noted, where one is too long. */
+/* Collects the axes of the lines; false, with a mistake noted, where one is too
+ * long. */
 static bool collect_axes(struct pp_lumen_side_table *table,
                          const struct pp_lumen_line *lines, int count,
                          struct pp_mistakes *mistakes)

@@ -1,5 +1,5 @@
-/* lumen_table_build.h - the tables of coefficients of utilization as grids, and how lines
- * in any order become one. For the files of lumen/ only. */
+/* lumen_table_build.h - the tables of coefficients of utilization as grids, and how
+ * lines in any order become one. For the files of lumen/ only. */
 #ifndef PP_METHODS_LUMEN_LUMEN_TABLE_BUILD_H
 #define PP_METHODS_LUMEN_LUMEN_TABLE_BUILD_H
 
@@ -21,7 +21,8 @@ struct pp_lumen_top_line {
     int line;
 };
 
-/* Light from the side. `light` is the index of a sky or, behind the last, the ground. */
+/* Light from the side. `light` is the index of a sky or, behind the last, the
+ * ground. */
 struct pp_lumen_side_table {
     struct pp_lumen_axis sky, axes[PP_LUMEN_SIDE_AXES];
     double *cu; /* [light][ceiling][walls][depth][position][width]; NAN: not given */
@@ -39,9 +40,9 @@ struct pp_lumen_table {
     struct pp_lumen_top_table top;
 };
 
-/* A table from lines in any order. A reflectance that is NAN in all lines makes no axis.
- * Two lines for one cell, and axes of more than PP_LUMEN_AXIS_MOST values, are noted as
- * mistakes. */
+/* A table from lines in any order. A reflectance that is NAN in all lines makes no
+ * axis. Two lines for one cell, and axes of more than PP_LUMEN_AXIS_MOST values, are
+ * noted as mistakes. */
 enum pp_status pp_lumen_table_build_side(struct pp_lumen_side_table *table,
                                          const struct pp_lumen_axis *widths,
                                          const struct pp_lumen_line *lines, int count,

@@ -1,4 +1,5 @@
-/* rectangle_factor.c - sums G of rectangle_factor.h over the corners of two rectangles. */
+/* rectangle_factor.c - sums G of rectangle_factor.h over the corners of two
+ * rectangles. */
 #include "methods/lumen/rectangle_factor.h"
 
 #include <math.h>

@@ -8,9 +8,9 @@
 /* Why the room cannot be set on a nomogram: a static sentence, or NULL. */
 const char *pp_nomogram_reading_refuses_room(const struct pp_world *world);
 
-/* Lays the straight-edge for an opening on A and B, on C and D and, on nomogram II, on E
- * and F. Each value is rounded by pp_nomogram_scale_read. A ratio outside scale A is set
- * times a power of ten and the component is divided by the same power, as it is
+/* Lays the straight-edge for an opening on A and B, on C and D and, on nomogram II, on
+ * E and F. Each value is rounded by pp_nomogram_scale_read. A ratio outside scale A is
+ * set times a power of ten and the component is divided by the same power, as it is
  * proportional to the ratio. The mean reflectance must be on scale B. */
 enum pp_status pp_nomogram_reading_of_opening(struct pp_nomogram_reading *reading,
                                               const struct pp_nomogram *nomogram,

@@ -1,4 +1,5 @@
-/* nomogram_scale.c - the derivation of the nomograms' scales [GEEBELEN], and the scales.
+/* nomogram_scale.c - the derivation of the nomograms' scales [GEEBELEN], and the
+ * scales.
  *
  * THE FORMULA. For vertical glass the BRE formula [HLP54], [BRE310], per cent,
  *
@@ -50,8 +51,8 @@
  *   D and F are shorter than the height and stand in its middle.
  *
  * Since A and B are the ends of the first line, D and F of the others, the scale that
- * is read always lies between the scales that are set, so that their errors are averaged
- * and not magnified.
+ * is read always lies between the scales that are set, so that their errors are
+ * averaged and not magnified.
  */
 #include "methods/nomogram/nomogram_scale.h"
 

@@ -33,8 +33,8 @@ double pp_nomogram_scale_position(const struct pp_nomogram *nomogram, int stem,
 /* The value at y on a stem that is read (C, E, G): a fraction of Eh. */
 double pp_nomogram_scale_value(const struct pp_nomogram *nomogram, int stem, double y);
 
-/* The y at which straight-edge `edge`, laid on y_from and y_to of its two stems, crosses
- * the stem at x. */
+/* The y at which straight-edge `edge`, laid on y_from and y_to of its two stems,
+ * crosses the stem at x. */
 double pp_nomogram_scale_crossing(const struct pp_nomogram *nomogram, int edge,
                                   double y_from, double y_to, double x);
 
@@ -47,9 +47,9 @@ bool pp_nomogram_scale_contains(const struct pp_nomogram *nomogram, int stem,
 double pp_nomogram_scale_printed_unit(enum pp_nomogram_quantity quantity);
 
 /* The division of a scale about `printed`, a value in the unit of the numbers: the
- * smallest of 1, 2 and 5 times a power of ten whose marks are all at least least_mm apart
- * in the stretch between two bold figures, on scales height_mm high. stretch: the ends of
- * that stretch. */
+ * smallest of 1, 2 and 5 times a power of ten whose marks are all at least least_mm
+ * apart in the stretch between two bold figures, on scales height_mm high. stretch: the
+ * ends of that stretch. */
 double pp_nomogram_scale_division(const struct pp_nomogram *nomogram, int stem,
                                   double printed, double height_mm, double least_mm,
                                   double stretch[2]);

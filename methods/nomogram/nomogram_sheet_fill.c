@@ -1,5 +1,5 @@
-/* nomogram_sheet_fill.c - the marks of the scales, stretch by stretch, and the openings of
- * a room, equal readings once. */
+/* nomogram_sheet_fill.c - the marks of the scales, stretch by stretch, and the openings
+ * of a room, equal readings once. */
 #include "methods/nomogram/nomogram_sheet_fill.h"
 
 #include <math.h>

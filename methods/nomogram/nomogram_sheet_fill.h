@@ -19,9 +19,9 @@ enum pp_status pp_nomogram_sheet_fill_blank(struct pp_nomogram_sheet *sheet,
                                             struct pp_error *err);
 
 /* With the readings of the room's openings: vertical ones on I and II, all others on
- * III. The world must outlive the sheet. PP_BAD_INPUT where the sky is not overcast, the
- * mean reflectance is outside scale B, or the room has no opening for that nomogram. The
- * sum of I is the component by the method `nomogram`. */
+ * III. The world must outlive the sheet. PP_BAD_INPUT where the sky is not overcast,
+ * the mean reflectance is outside scale B, or the room has no opening for that
+ * nomogram. The sum of I is the component by the method `nomogram`. */
 enum pp_status pp_nomogram_sheet_fill_room(struct pp_nomogram_sheet *sheet,
                                            enum pp_nomogram_kind kind,
                                            const struct pp_world *world,

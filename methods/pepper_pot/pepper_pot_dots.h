@@ -1,9 +1,9 @@
 /* pepper_pot_dots.h - Pleijel's pepper-pot diagram: dots on the true perspective of a
  * window, each worth the same share of the sky component [PLE54].
  *
- * The drawing is the window's own vertical plane at unit distance from the point: (a, b)
- * is seen in the direction a to the right, b up, 1 ahead. A dot stands for a piece of
- * the sky that gives `worth` to the receiver (normal n):
+ * The drawing is the window's own vertical plane at unit distance from the point: (a,
+ * b) is seen in the direction a to the right, b up, 1 ahead. A dot stands for a piece
+ * of the sky that gives `worth` to the receiver (normal n):
  *
  *     dSC = L(gamma) tau(cos gamma cos phi) (n.u) cos gamma dgamma dphi       [PLE54]
  *
@@ -43,8 +43,8 @@ struct pp_pepper_pot {
     double (*dots)[2]; /* (a, b), b > 0 */
 };
 
-/* Makes the dots. A sky other than overcast or uniform, and a worth outside 1e-5 ... 0.1,
- * are refused; facing_rad is used for an upright receiver only. */
+/* Makes the dots. A sky other than overcast or uniform, and a worth outside 1e-5 ...
+ * 0.1, are refused; facing_rad is used for an upright receiver only. */
 enum pp_status pp_pepper_pot_dots_create(struct pp_pepper_pot **pot,
                                          const struct pp_sky *sky, bool glazed,
                                          bool upright, double facing_rad, double worth,

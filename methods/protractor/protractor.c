@@ -1,8 +1,8 @@
 /* protractor.c - `protractor`: direct component by the BRS daylight protractors
  * [BRE309].
  *
- * The opening is divided into rectangles of sky and of obstructions (protractor_read.c).
- * For each rectangle a user reads, in this order:
+ * The opening is divided into rectangles of sky and of obstructions
+ * (protractor_read.c). For each rectangle a user reads, in this order:
  *
  *   1. on the section, the primary scale at the upper and at the lower sight line;
  *      their difference is the component of an endless opening

@@ -1,15 +1,16 @@
-/* protractor_read.c - an opening read with a protractor [BRE309], rectangle by rectangle.
+/* protractor_read.c - an opening read with a protractor [BRE309], rectangle by
+ * rectangle.
  *
  * A vertical opening and its obstructions are the upright rectangles of elevation.h,
- * each read by itself. With d the distance of the opening's plane, an edge at the height
- * z and a jamb at x are seen on section and plan under
+ * each read by itself. With d the distance of the opening's plane, an edge at the
+ * height z and a jamb at x are seen on section and plan under
  *
  *     tan gamma = z / d,   tan phi = x / d.
  *
  * The plane of an opening at the slope beta (0 level, 90 degrees vertical) is at the
  * perpendicular distance d from the point; b and x are measured in the plane from the
- * foot of that perpendicular, b up the slope. The section, square to the opening's level
- * edges, shows an edge at b under
+ * foot of that perpendicular, b up the slope. The section, square to the opening's
+ * level edges, shows an edge at b under
  *
  *     tan gamma = (b sin beta + d cos beta) / (d sin beta - b cos beta),
  *
@@ -21,10 +22,10 @@
  *
  * (For beta = 90 degrees that is tan phi cos gamma.) All edges of a level opening are
  * level: its section is square to the longer ones, since the average altitude is most
- * accurate for long narrow strips. Any other shape is read as a rectangle of equal area,
- * with the same middle and proportions. An obstruction is read as the rectangle of equal
- * area with the jambs of the hidden part and its edge nearer to the zenith; the readings
- * of obstructions are subtracted from that of the opening.
+ * accurate for long narrow strips. Any other shape is read as a rectangle of equal
+ * area, with the same middle and proportions. An obstruction is read as the rectangle
+ * of equal area with the jambs of the hidden part and its edge nearer to the zenith;
+ * the readings of obstructions are subtracted from that of the opening.
  */
 #include "methods/protractor/protractor_read.h"
 
@@ -178,8 +179,8 @@ static enum pp_status add_ring(struct pp_area_moments *sum, const struct pp_ring
     return PP_OK;
 }
 
-/* The rectangle of an obstruction: jambs and head (the edge nearer to the zenith) of the
- * hidden part, equal area. */
+/* The rectangle of an obstruction: jambs and head (the edge nearer to the zenith) of
+ * the hidden part, equal area. */
 static struct rectangle obstruction_rectangle(const struct pp_area_moments *extent,
                                               double slope)
 {
@@ -191,7 +192,8 @@ static struct rectangle obstruction_rectangle(const struct pp_area_moments *exte
     return (struct rectangle){extent->left, extent->right, low, low + height};
 }
 
-/* The rectangle of equal area with the middle and the proportions of the bounding box. */
+/* The rectangle of equal area with the middle and the proportions of the bounding
+ * box. */
 static struct rectangle equal_rectangle(const struct pp_area_moments *extent)
 {
     double width = extent->right - extent->left, height = extent->high - extent->low;
@@ -213,8 +215,8 @@ static enum pp_status extent_of(struct pp_area_moments *extent,
     return status;
 }
 
-/* The whole opening as sky; then each obstruction, subtracted from the sky component and
- * added to the externally reflected one. */
+/* The whole opening as sky; then each obstruction, subtracted from the sky component
+ * and added to the externally reflected one. */
 static enum pp_status read_sloping(struct pp_protractor_readings *readings,
                                    const struct pp_protractor_dial *dial,
                                    const struct pp_opening *opening,

@@ -70,7 +70,8 @@ static bool closed_form(const struct pp_protractor *protractor)
     return protractor->glass.panes == 0 && protractor->sky.kind != PP_SKY_ISO;
 }
 
-/* The context of the integrands below, whose variables are theta, or theta and gamma. */
+/* The context of the integrands below, whose variables are theta, or theta and
+ * gamma. */
 struct strip {
     const struct pp_protractor *protractor;
     double gamma;

@@ -11,8 +11,8 @@
 
 /* ---- the primary scale ---- */
 
-/* The smallest of the usual divisions, in tenths of a per cent, whose marks are at least
- * apart_rad apart where the scale has that slope. */
+/* The smallest of the usual divisions, in tenths of a per cent, whose marks are at
+ * least apart_rad apart where the scale has that slope. */
 static int division(double slope, double apart_rad)
 {
     static const int usual[] = {1, 2, 5, 10, 20, 50, 100};
@@ -165,7 +165,8 @@ enum pp_status pp_protractor_sheet_fill_blank(struct pp_protractor_sheet *sheet,
     return status;
 }
 
-/* Reads one opening, and keeps the reading if its direct component is the largest yet. */
+/* Reads one opening, and keeps the reading if its direct component is the largest
+ * yet. */
 static enum pp_status keep_if_largest(struct pp_protractor_sheet *sheet,
                                       struct pp_protractor_dial *dial,
                                       const struct pp_opening *opening,

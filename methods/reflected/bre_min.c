@@ -6,13 +6,14 @@
  *   k  1.8, 1.4, 1.3, 1.2 for walls of a mean reflectance of 0.2, 0.4, 0.6, 0.8
  *
  * k is published for these four; between them it is interpolated linearly, outside them
- * it is that of the nearer end, which gives too high a minimum for walls darker than 0.2
- * and too low a one for lighter than 0.8: the more evenly light is spread, the nearer
- * the minimum is to the average. The mean is that of all walls without their openings.
+ * it is that of the nearer end, which gives too high a minimum for walls darker than
+ * 0.2 and too low a one for lighter than 0.8: the more evenly light is spread, the
+ * nearer the minimum is to the average. The mean is that of all walls without their
+ * openings.
  *
- * The minimum is that of the point farthest from the windows, and is published for rooms
- * with windows in one wall, at most twice as long as wide. For each point it is a lower
- * bound; it is no average. Scope and allowances are those of `bre`.
+ * The minimum is that of the point farthest from the windows, and is published for
+ * rooms with windows in one wall, at most twice as long as wide. For each point it is a
+ * lower bound; it is no average. Scope and allowances are those of `bre`.
  */
 #include "methods/reflected/bre_terms.h"
 #include "methods/reflected/interior.h"

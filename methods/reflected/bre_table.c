@@ -1,5 +1,5 @@
-/* bre_table.c - `bre-table`: minimum internally reflected component in the room, from the
- * published table (irc_minimum.h).
+/* bre_table.c - `bre-table`: minimum internally reflected component in the room, from
+ * the published table (irc_minimum.h).
  *
  *     IRC = T k_F k_c k_o                                                   [BRE310]
  *

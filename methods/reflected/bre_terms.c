@@ -1,4 +1,5 @@
-/* bre_terms.c - the terms of the BRE formula from the world, the formula, and its steps. */
+/* bre_terms.c - the terms of the BRE formula from the world, the formula, and its
+ * steps. */
 #include "methods/reflected/bre_terms.h"
 
 #include "methods/reflected/obstruction.h"

@@ -11,8 +11,8 @@
  *
  * As given in [GEEBELEN]. 5 per cent is the ground: reflectance 0.1, seen by half the
  * hemisphere. 0.85 is the diffuse transmittance of clear single glass. Several openings
- * add up, each with its own W, C, R_fw and R_cw and the common A and R; in R_fw and R_cw
- * the openings of the other walls count with 0.1.
+ * add up, each with its own W, C, R_fw and R_cw and the common A and R; in R_fw and
+ * R_cw the openings of the other walls count with 0.1.
  */
 #ifndef PP_METHODS_REFLECTED_BRE_TERMS_H
 #define PP_METHODS_REFLECTED_BRE_TERMS_H
@@ -40,8 +40,8 @@ enum pp_status pp_bre_terms(struct pp_bre_terms *terms, const struct pp_world *w
 /* The average internally reflected component by the formula, a fraction. */
 double pp_bre_terms_average(const struct pp_bre_terms *terms);
 
-/* C R_fw + 5 R_cw as a fraction, for any factor C (a fraction): the light after its first
- * reflection, over Eh and the glass. */
+/* C R_fw + 5 R_cw as a fraction, for any factor C (a fraction): the light after its
+ * first reflection, over Eh and the glass. */
 double pp_bre_terms_reflected(const struct pp_bre_terms *terms, double C);
 
 /* Records R_fw, R_cw and C. steps may be NULL. */

@@ -16,9 +16,9 @@ static struct pp_vec3 crossing(struct pp_vec3 a, struct pp_vec3 b, double z)
     return pp_vec_along(a, (z - a.z) / (b.z - a.z), pp_vec_sub(b, a));
 }
 
-/* The polygon's area is the sum of the triangles of its edges with a fixed point o. With
- * o on the cut, triangles of edges along the cut have no area, so that the sum needs
- * only the parts of the polygon's own edges below z. */
+/* The polygon's area is the sum of the triangles of its edges with a fixed point o.
+ * With o on the cut, triangles of edges along the cut have no area, so that the sum
+ * needs only the parts of the polygon's own edges below z. */
 double pp_interior_area_below(const struct pp_polygon *polygon, double z)
 {
     struct pp_vec3 o = polygon->vertices[0];

@@ -14,8 +14,8 @@ static const double printed[][COLUMNS] = {
 #include "tables/irc_minimum.inc"
 };
 
-/* reflectance of the walls (per cent); average over minimum; factor of 10 m2, of 90 m2
- */
+/* reflectance of the walls (per cent); average over minimum; factor of 10 m2, of 90
+ * m2 */
 static const double by_walls[WALLS][4] = {
 #include "tables/irc_minimum_walls.inc"
 };

@@ -1,8 +1,8 @@
 /* irc_minimum.h - the published table of the minimum internally reflected component in
  * side-lit rooms, with its factors [BRE310].
  *
- * Interpolation between printed figures is linear, for the floor area linear in the side
- * of a square of that area, of which 10, 40 and 90 m2 are even steps. There is no
+ * Interpolation between printed figures is linear, for the floor area linear in the
+ * side of a square of that area, of which 10, 40 and 90 m2 are even steps. There is no
  * extrapolation (pp_irc_minimum_lacks), except for less glass than printed: the minimum
  * is then proportional to the glass. Conditions: tables/irc_minimum.csv.
  */

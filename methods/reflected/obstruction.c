@@ -1,5 +1,5 @@
-/* obstruction.c - the obstruction angle alpha of an opening by skyline or by VSC, VSC and
- * alpha from one another, and the printed factor C. */
+/* obstruction.c - the obstruction angle alpha of an opening by skyline or by VSC, VSC
+ * and alpha from one another, and the printed factor C. */
 #include "methods/reflected/obstruction.h"
 
 #include "methods/exact/exterior.h"

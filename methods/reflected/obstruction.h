@@ -18,8 +18,8 @@
 
 #include "model/room/world.h"
 
-/* VSC(alpha); angle 0 to pi/2. ISO skies count as the overcast sky: the angle stands for
- * a shape, whose VSC has no closed form under those skies. */
+/* VSC(alpha); angle 0 to pi/2. ISO skies count as the overcast sky: the angle stands
+ * for a shape, whose VSC has no closed form under those skies. */
 double pp_obstruction_angle_to_vsc(enum pp_sky_kind sky, double angle_rad);
 
 /* The angle at which VSC is `share`, in closed form; 0 for any share above that of the

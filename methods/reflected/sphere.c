@@ -13,14 +13,14 @@
  *         (entering_light.h)
  *
  * This is the formula of `bre` with the room's own ground reflectance and with the
- * window's own wall, for any sky, any slope and any number of openings, which add up. In
- * print it is for clear glass; through a diffusing pane the share u of the light falls
- * on the upper part first, the rest on the lower:
+ * window's own wall, for any sky, any slope and any number of openings, which add up.
+ * In print it is for clear glass; through a diffusing pane the share u of the light
+ * falls on the upper part first, the rest on the lower:
  *
  *     IRC = tau Ag / (A (1 - R)) (C_g + C) (u rho_u + (1 - u) rho_l)
  *
- * The formula contains the opening's glass and, through Ag, the frame; no dirt, no deterioration
- * of decorations.
+ * The formula contains the opening's glass and, through Ag, the frame; no dirt, no
+ * deterioration of decorations.
  */
 #include <stddef.h>
 

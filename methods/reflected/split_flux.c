@@ -21,8 +21,8 @@
  *   u     share of a diffusing pane's light that goes up, 1/2 in print
  *
  * For any sky, any slope, and several openings, each with its own parts, which add up.
- * The formula contains the opening's glass and, through Ag, the frame; no dirt, no deterioration of
- * decorations.
+ * The formula contains the opening's glass and, through Ag, the frame; no dirt, no
+ * deterioration of decorations.
  */
 #include <stddef.h>
 

@@ -1,5 +1,5 @@
-/* elevation.c - draws the opening and the obstructions as rectangles, and cuts the opening
- * along all their edges. */
+/* elevation.c - draws the opening and the obstructions as rectangles, and cuts the
+ * opening along all their edges. */
 #include "methods/view/elevation.h"
 
 #include <stdlib.h>
@@ -163,8 +163,8 @@ static enum pp_status add_skylines(struct opening_drawing *drawing,
     return PP_OK;
 }
 
-/* Draws the part of a surface on the outer side of the glass. Returns the number of points
- * drawn. */
+/* Draws the part of a surface on the outer side of the glass. Returns the number of
+ * points drawn. */
 static int draw_outside(double (*drawn)[2], const struct pp_polygon *outline,
                         const struct opening_frame *frame, double glass_m)
 {
@@ -186,8 +186,8 @@ static int draw_outside(double (*drawn)[2], const struct pp_polygon *outline,
     return kept;
 }
 
-/* The silhouette of one obstruction, summed over its surfaces that face the point, none of
- * which hides another. */
+/* The silhouette of one obstruction, summed over its surfaces that face the point, none
+ * of which hides another. */
 struct silhouette {
     struct pp_area_moments extent;
     double distance_m; /* of the nearest corner */
@@ -324,7 +324,8 @@ static double reflectance_at(const struct opening_drawing *drawing, double x, do
     return NAN;
 }
 
-/* Cuts the visible part along all edges: each piece shows the sky or one obstruction. */
+/* Cuts the visible part along all edges: each piece shows the sky or one
+ * obstruction. */
 static enum pp_status divide(struct pp_elevation *elevation,
                              const struct opening_drawing *drawing,
                              struct pp_error *err)

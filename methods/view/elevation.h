@@ -1,22 +1,22 @@
 /* elevation.h - an opening and the obstructions before it as upright rectangles, for
  * tables and protractors.
  *
- * Rectangles are measured as seen from a point, over the distance d of the point from the
- * opening's plane: x/d along the opening, to the right as seen from inside, and z/d
+ * Rectangles are measured as seen from a point, over the distance d of the point from
+ * the opening's plane: x/d along the opening, to the right as seen from inside, and z/d
  * above the point.
  *
- * The visible part of the opening above the point's horizon becomes one rectangle. For a
- * rectangular opening that is the rectangle itself or, with a reveal, the intersection of
- * both outlines; any other shape, or one partly hidden by an occluder inside, becomes the
- * rectangle of equal area with the same centroid and the proportions of the bounding
- * box, raised where it would extend below the horizon.
+ * The visible part of the opening above the point's horizon becomes one rectangle. For
+ * a rectangular opening that is the rectangle itself or, with a reveal, the
+ * intersection of both outlines; any other shape, or one partly hidden by an occluder
+ * inside, becomes the rectangle of equal area with the same centroid and the
+ * proportions of the bounding box, raised where it would extend below the horizon.
  *
  * Obstructions are upright rectangles too. The skyline of the opening's own wall hides
- * all below its head, at h/d = (head - z)/(D + d), or at tan alpha for a skyline without
- * a distance. A block, a free-standing surface outside or another part of the building
- * becomes the rectangle with the jambs and the lower edge of its silhouette within the
- * opening and with an equal area. Where several overlap, the one with the nearest corner
- * counts.
+ * all below its head, at h/d = (head - z)/(D + d), or at tan alpha for a skyline
+ * without a distance. A block, a free-standing surface outside or another part of the
+ * building becomes the rectangle with the jambs and the lower edge of its silhouette
+ * within the opening and with an equal area. Where several overlap, the one with the
+ * nearest corner counts.
  */
 #ifndef PP_METHODS_VIEW_ELEVATION_H
 #define PP_METHODS_VIEW_ELEVATION_H

@@ -1,5 +1,5 @@
-/* occluders.c - cuts surfaces (those not convex as triangles) and skylines to a view and
- * projects them. */
+/* occluders.c - cuts surfaces (those not convex as triangles) and skylines to a view
+ * and projects them. */
 #include "methods/view/occluders.h"
 
 #include <stdlib.h>
@@ -8,8 +8,8 @@
 #include "model/base/array.h"
 #include "model/geometry/clip.h"
 
-/* Coordinates in the view's plane that agree to this share of its extent count as equal:
- * some roundings of a double. */
+/* Coordinates in the view's plane that agree to this share of its extent count as
+ * equal: some roundings of a double. */
 #define GRAIN 2e-15
 
 /* Room for the planes that may cut a polygon: four of the pyramid, two of depth. */
@@ -64,8 +64,8 @@ static enum pp_status add_piece(struct pp_occluders *pieces,
     return PP_OK;
 }
 
-/* The four sides of the pyramid through the extent, and a range of depth: a point v inside
- * has normal.v > offset for all of them. */
+/* The four sides of the pyramid through the extent, and a range of depth: a point v
+ * inside has normal.v > offset for all of them. */
 struct sides {
     struct pp_vec3 normal[CUTS];
     double offset[CUTS];
@@ -137,8 +137,8 @@ static bool is_convex(const struct pp_polygon *outline)
     return true;
 }
 
-/* Coordinates of a vertex in its polygon's plane: the two axes along which the polygon is
- * largest, unchanged, so that the corners of triangles are found again exactly. */
+/* Coordinates of a vertex in its polygon's plane: the two axes along which the polygon
+ * is largest, unchanged, so that the corners of triangles are found again exactly. */
 static void flatten(double xy[2], struct pp_vec3 v, struct pp_vec3 normal)
 {
     struct pp_vec3 n = pp_vec(fabs(normal.x), fabs(normal.y), fabs(normal.z));
@@ -229,8 +229,8 @@ static bool cannot_hide(const struct pp_occluders_scene *scene, struct pp_vec3 n
     return true;
 }
 
-/* Is the surface a side of a block that faces away from the eye, so that other sides hide
- * all that this side could? Not if the view's plane cuts the block. */
+/* Is the surface a side of a block that faces away from the eye, so that other sides
+ * hide all that this side could? Not if the view's plane cuts the block. */
 static bool is_back_of_box(const struct pp_occluders_scene *scene,
                            const struct pp_surface *surface, double offset)
 {

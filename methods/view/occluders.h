@@ -1,8 +1,8 @@
 /* occluders.h - the surfaces in a view, cut to the view and projected on to its plane.
  *
  * Surfaces are cut in space to the view's pyramid, so that no part behind the eye or
- * beside the opening is projected, and at the opening's plane: the part on the near side
- * is an occluder inside, the part on the far side an obstruction outside.
+ * beside the opening is projected, and at the opening's plane: the part on the near
+ * side is an occluder inside, the part on the far side an obstruction outside.
  */
 #ifndef PP_METHODS_VIEW_OCCLUDERS_H
 #define PP_METHODS_VIEW_OCCLUDERS_H
@@ -20,8 +20,9 @@
 struct pp_occluder {
     int count;
     double (*xy)[2]; /* clockwise or counter-clockwise */
-    /* nearness . (x, y, distance_m) is one over the distance along the ray to (x, y), in
-     * units of that vector: of two surfaces the one with the larger value is in front. */
+    /* nearness . (x, y, distance_m) is one over the distance along the ray to (x, y),
+     * in units of that vector: of two surfaces the one with the larger value is in
+     * front. */
     struct pp_vec3 nearness;
     double reflectance, exitance; /* of the visible side */
 };
@@ -49,12 +50,12 @@ enum pp_status pp_occluders_collect(struct pp_occluders *inside,
                                     const struct pp_occluders_scene *scene,
                                     struct pp_error *err);
 
-/* The directions that a skyline hides, by half-spaces through the eye: those neither above
- * the skyline (above.u > 0) nor below its foot (below.u > 0). */
+/* The directions that a skyline hides, by half-spaces through the eye: those neither
+ * above the skyline (above.u > 0) nor below its foot (below.u > 0). */
 struct pp_band {
     struct pp_vec3 above, below;
     struct pp_vec3
-        nearness; /* as above, in the room's axes, for a vector from the eye */
+        nearness; /* as above, in the room's axes, of a vector from the eye */
 };
 
 struct pp_band pp_occluders_band(const struct pp_world *world,

@@ -1,5 +1,5 @@
-/* overlay.c - unions and differences of occluders by GEOS, with the line of equal distance
- * as border between two that intersect. */
+/* overlay.c - unions and differences of occluders by GEOS, with the line of equal
+ * distance as border between two that intersect. */
 #include "methods/view/overlay.h"
 
 #include <stdlib.h>

@@ -37,7 +37,8 @@ static enum pp_status subtract_inside(struct pp_patch_builder *builder,
     return status;
 }
 
-/* Moves the region to a new patch, unless it is empty. hider: NULL for sky and ground. */
+/* Moves the region to a new patch, unless it is empty. hider: NULL for sky and
+ * ground. */
 static void add_patch(struct pp_visible *visible, struct pp_region *region,
                       const struct pp_occluder *hider)
 {
@@ -73,7 +74,8 @@ static enum pp_status cover(struct pp_patch_builder *builder, struct pp_region *
     return status;
 }
 
-/* Do the areas of union and sky add up to the whole, and is every piece in the union? */
+/* Do the areas of union and sky add up to the whole, and is every piece in the
+ * union? */
 static bool adds_up(const struct pp_patch_builder *builder, const struct pp_region *all,
                     const struct pp_region *sky)
 {
@@ -95,8 +97,8 @@ static bool adds_up(const struct pp_patch_builder *builder, const struct pp_regi
 }
 
 /* Divides builder->open where every piece is in sight and gives off the same light:
- * first without a grid, which is five times as fast; then with the grid if GEOS has lost
- * an area. */
+ * first without a grid, which is five times as fast; then with the grid if GEOS has
+ * lost an area. */
 static enum pp_status divide_same_light(struct pp_visible *visible,
                                         struct pp_patch_builder *builder,
                                         struct pp_error *err)

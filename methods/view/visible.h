@@ -2,10 +2,10 @@
  *
  * The part of the opening's plane within both its outlines (the outer one projected
  * centrally on to the inner), without the parts that occluders inside hide, is divided
- * into patches that show sky and ground and patches that show an obstruction. Patches do
- * not overlap and are exact: outlines of surfaces are projected and overlaid as polygons.
- * Of two obstructions of different reflectance in one direction the nearer one counts;
- * their border is the straight line of equal distances.
+ * into patches that show sky and ground and patches that show an obstruction. Patches
+ * do not overlap and are exact: outlines of surfaces are projected and overlaid as
+ * polygons. Of two obstructions of different reflectance in one direction the nearer
+ * one counts; their border is the straight line of equal distances.
  */
 #ifndef PP_METHODS_VIEW_VISIBLE_H
 #define PP_METHODS_VIEW_VISIBLE_H
@@ -16,8 +16,8 @@
 #include "model/geometry/region.h"
 #include "model/room/world.h"
 
-/* A part of the view's plane: the part of `region` (in the view's coordinates) within the
- * half-spaces through the eye (in the room's axes). */
+/* A part of the view's plane: the part of `region` (in the view's coordinates) within
+ * the half-spaces through the eye (in the room's axes). */
 struct pp_visible_patch {
     struct pp_region region; /* may be shared with other patches */
     struct pp_vec3 half_spaces[2];
@@ -77,8 +77,8 @@ enum pp_status pp_visible_in_air(struct pp_visible *visible,
 
 void pp_visible_clear(struct pp_visible *visible);
 
-/* Luminance factor of an obstruction: its luminance over that of the sky which it hides.
- * Under the overcast sky the reflectance itself, else half the reflectance. */
+/* Luminance factor of an obstruction: its luminance over that of the sky which it
+ * hides. Under the overcast sky the reflectance itself, else half the reflectance. */
 double pp_visible_luminance_factor(const struct pp_sky *sky, double reflectance);
 
 #endif

@@ -14,8 +14,8 @@
 #include "model/geometry/region.h"
 #include "model/room/world.h"
 
-/* The axes of the plane: a point (a, b) of the drawing lies in the direction a along + b
- * up + out. */
+/* The axes of the plane: a point (a, b) of the drawing lies in the direction a along +
+ * b up + out. */
 struct pp_window_axes {
     struct pp_vec3 along, up; /* unit, in the plane; along is horizontal */
     struct pp_vec3 out;       /* unit, square to the plane, away from the point */
@@ -41,8 +41,8 @@ enum pp_status pp_window_drawing_init(struct pp_window_drawing *drawing,
                                       struct pp_vec3 point, struct pp_error *err);
 void pp_window_drawing_clear(struct pp_window_drawing *drawing);
 
-/* Records the count on a part: `count` squares or dots (`things`), each of the worth "w"
- * of an earlier step, give `share`. */
+/* Records the count on a part: `count` squares or dots (`things`), each of the worth
+ * "w" of an earlier step, give `share`. */
 void pp_window_drawing_steps(struct pp_part_steps *terms,
                              const struct pp_drawn_part *part, double count,
                              const char *things, double share);

@@ -100,8 +100,8 @@ static enum pp_status evaluate(const struct pp_world *world,
     return status;
 }
 
-/* The diagram, and the window's axes, for the luminance of the sky through the glass with
- * the diagram's product of losses. */
+/* The diagram, and the window's axes, for the luminance of the sky through the glass
+ * with the diagram's product of losses. */
 struct charted {
     const struct pp_waldram *waldram;
     struct pp_vec3 along, toward;

@@ -13,8 +13,8 @@
  *     Y = (3 sin^2 gamma + 4 sin^3 gamma) / (14 pi)          overcast sky
  *
  * With clear vertical glass the losses depend on cos i = cos gamma cos phi, which is no
- * product of a function of gamma and one of phi. The diagram takes the losses at azimuth
- * 0 times those at the horizon, and so is exact on both of its axes:
+ * product of a function of gamma and one of phi. The diagram takes the losses at
+ * azimuth 0 times those at the horizon, and so is exact on both of its axes:
  *
  *     tau(cos gamma cos phi)  ->  tau(cos gamma) tau(cos phi) / tau(1)
  *
@@ -46,16 +46,18 @@ struct pp_waldram {
     double y[PP_WALDRAM_PANELS + 1]; /* Y at even steps of altitude from 0 to pi/2 */
 };
 
-/* Makes the diagram of a sky whose luminance does not depend on azimuth; PP_BAD_INPUT for
- * any other. */
+/* Makes the diagram of a sky whose luminance does not depend on azimuth; PP_BAD_INPUT
+ * for any other. */
 enum pp_status pp_waldram_scale_init(struct pp_waldram *waldram,
                                      const struct pp_sky *sky, bool glazed,
                                      struct pp_error *err);
 
-/* X of an azimuth from -pi to pi, odd in the azimuth; with glass constant from pi/2 on. */
+/* X of an azimuth from -pi to pi, odd in the azimuth; with glass constant from pi/2
+ * on. */
 double pp_waldram_scale_x(const struct pp_waldram *waldram, double azimuth_rad);
 
-/* Y of an altitude, 0 to pi/2; 0 below the horizon. Relative error of both scales 1e-9. */
+/* Y of an altitude, 0 to pi/2; 0 below the horizon. Relative error of both scales
+ * 1e-9. */
 double pp_waldram_scale_y(const struct pp_waldram *waldram, double altitude_rad);
 
 /* Area of the map from azimuth -pi/2 to pi/2: 1/2 without glass. */

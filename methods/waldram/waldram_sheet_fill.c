@@ -1,4 +1,5 @@
-/* waldram_sheet_fill.c - scales, droop lines and windows of a sheet of Waldram's diagram.
+/* waldram_sheet_fill.c - scales, droop lines and windows of a sheet of Waldram's
+ * diagram.
  *
  * Droop lines, gamma altitude and phi azimuth from the window's normal [WW23]:
  *

@@ -16,8 +16,8 @@ enum pp_status pp_waldram_sheet_fill_blank(struct pp_waldram_sheet *sheet,
 
 /* With the room's windows as seen from the receiver: a panel for each direction that
  * windows face, with glass and without; one blank panel for a room without openings.
- * PP_BAD_INPUT with the reason where the method `waldram` refuses the room. The sums are
- * the components by that method. */
+ * PP_BAD_INPUT with the reason where the method `waldram` refuses the room. The sums
+ * are the components by that method. */
 enum pp_status pp_waldram_sheet_fill_room(struct pp_waldram_sheet *sheet,
                                           const struct pp_world *world,
                                           const struct pp_receiver *receiver,

@@ -1,5 +1,5 @@
-/* waldram_squares.c - draws outlines on the diagram by halving their edges, and cuts them
- * into squares by Sutherland and Hodgman's algorithm [SH74]. */
+/* waldram_squares.c - draws outlines on the diagram by halving their edges, and cuts
+ * them into squares by Sutherland and Hodgman's algorithm [SH74]. */
 #include "methods/waldram/waldram_squares.h"
 
 #include <math.h>
@@ -60,11 +60,11 @@ static struct diagram_point point_of(const struct mapping *mapping, struct pp_ve
                                   pp_waldram_scale_x(mapping->waldram, azimuth), y};
 }
 
-/* Adds the points after `from` up to `to` of the straight edge from direction a to b. The
- * edge is halved until the middle of a chord is near the middle of the edge. Between the
- * last chord and the edge a triangle of equal area is added (a parabola has 2/3 of its
- * box, a triangle 1/2, so that the triangle has 4/3 of the height), so that counts have
- * no bias. */
+/* Adds the points after `from` up to `to` of the straight edge from direction a to b.
+ * The edge is halved until the middle of a chord is near the middle of the edge.
+ * Between the last chord and the edge a triangle of equal area is added (a parabola has
+ * 2/3 of its box, a triangle 1/2, so that the triangle has 4/3 of the height), so that
+ * counts have no bias. */
 static void add_edge(struct droop_polyline *line, const struct mapping *mapping,
                      struct pp_vec3 a, struct diagram_point from, struct pp_vec3 b,
                      struct diagram_point to, int depth)

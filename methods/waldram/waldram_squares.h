@@ -1,8 +1,8 @@
 /* waldram_squares.h - counts squares on a Waldram diagram [WW23].
  *
- * The diagram is ruled into squares of equal worth (0.1 % of Eh): columns of equal width
- * from azimuth -90 to 90 degrees, and rows from the horizon up, the last of which may
- * be cut off by the zenith. Whole squares within a window's outline count one, part
+ * The diagram is ruled into squares of equal worth (0.1 % of Eh): columns of equal
+ * width from azimuth -90 to 90 degrees, and rows from the horizon up, the last of which
+ * may be cut off by the zenith. Whole squares within a window's outline count one, part
  * squares are estimated to a tenth. The rounding error of each estimate is added to the
  * next square, up a column and from column to column, so that counts have no bias.
  */
@@ -40,8 +40,8 @@ enum pp_status pp_waldram_squares_count(struct pp_waldram_count *count,
                                         struct pp_error *err);
 void pp_waldram_squares_clear(struct pp_waldram_count *count);
 
-/* The region's outline on the diagram, in X and Y: droop lines as chords that deviate by
- * less than 1/500 of a square. Not cut at +-90 degrees; points below the horizon are
+/* The region's outline on the diagram, in X and Y: droop lines as chords that deviate
+ * by less than 1/500 of a square. Not cut at +-90 degrees; points below the horizon are
  * moved up to the horizon. The outline is the caller's. */
 enum pp_status pp_waldram_squares_outline(struct pp_region *outline,
                                           const struct pp_waldram *waldram,

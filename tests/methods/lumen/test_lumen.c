@@ -223,8 +223,8 @@ static void what_the_tables_do_not_hold_is_refused(void **state)
     refused(p, "do not face each other");
 }
 
-/* A clear sky with the sun before the window: brighter outside than the overcast one.
- */
+/* A clear sky with the sun before the window: brighter outside than the overcast
+ * one. */
 static void clear_skies_are_read_by_their_ratio(void **state)
 {
     (void)state;

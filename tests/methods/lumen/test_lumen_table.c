@@ -1,5 +1,5 @@
-/* Tables of the lumen method that a user has: good ones read, bad ones named by line.
- */
+/* Tables of the lumen method that a user has: good ones read, bad ones named by
+ * line. */
 #include "methods/lumen/lumen_table.h"
 #include "methods/lumen/lumen_csv.h"
 #include "tests/lib/near.h"
@@ -98,8 +98,8 @@ static void nothing_is_read_outside_it(void **state)
     done();
 }
 
-/* The ground may stop short of the sky's depths, as in what is known of the handbook.
- */
+/* The ground may stop short of the sky's depths, as in what is known of the
+ * handbook. */
 static void cells_left_out_are_no_numbers(void **state)
 {
     (void)state;

@@ -169,8 +169,8 @@ static void sloping_glass_has_the_skys_exact_share_and_its_ground(void **state)
         double A = 2 * 3.3 * 4.9 + 2 * 8.2 * 2.6;
         double scale = 0.85 * 0.77 / (A - 0.4 * (A - 0.77) - 0.1 * 0.77) * 0.4;
         double ground = 0.2 * (1 - cos(beta)) / 2;
-        /* both parts have one colour, so that where light falls first is all the same
-         */
+        /* both parts have one colour, so that where light falls first is all the
+         * same */
         assert_relative(value_of(&pp_method_sphere, &box, 0),
                         scale * (open_sky_on_slope(beta) + ground), 1e-12);
         box.world.sky = pp_sky_uniform();
