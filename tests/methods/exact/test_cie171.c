@@ -1,5 +1,5 @@
-/* CIE 171's daylight cases: unglazed and glazed roof and facade openings, a canopy, a
- * building opposite, under all sixteen skies. */
+/* test_cie171.c - the daylight cases of CIE 171: unglazed and glazed roof and facade
+ * openings, a canopy, a building opposite, under all sixteen skies. */
 #include "tests/lib/near.h"
 
 #include <stdio.h>

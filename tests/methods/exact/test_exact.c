@@ -1,4 +1,4 @@
-/* The direct component of rooms: limits and figures known on paper. */
+/* test_exact.c - the direct component of rooms: limits and values by closed form. */
 #include "tests/lib/near.h"
 
 #include "methods/method.h"

@@ -1,9 +1,10 @@
-/* The lumen method: its sum, its points, its two forms, and which rooms it covers. */
+/* test_lumen.c - the lumen method: its sum, its points, its two forms, and the rooms
+ * that it covers. */
 #include "methods/evaluate.h"
 #include "methods/method.h"
 #include "tests/lib/room_of.h"
 
-/* What is put into the room of a test; sizes that lie on lines of the table: two window
+/* Elements of the room of a test, whose size is on lines of the table: two window
  * heights wide, four deep. */
 struct parts {
     const char *before, *finishes, *window, *after;

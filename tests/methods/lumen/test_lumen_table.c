@@ -1,5 +1,5 @@
-/* Tables of the lumen method that a user has: good ones read, bad ones named by
- * line. */
+/* test_lumen_table.c - a user's tables of the lumen method: correct ones are read,
+ * mistakes are reported with their lines. */
 #include "methods/lumen/lumen_table.h"
 #include "methods/lumen/lumen_csv.h"
 #include "tests/lib/near.h"

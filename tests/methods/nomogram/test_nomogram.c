@@ -1,5 +1,5 @@
-/* test_nomogram.c - nomograms of the internally reflected component: what a
- * straight-edge does on their scales, the rule behind them, and the method. */
+/* test_nomogram.c - nomograms of the internally reflected component: their scales, the
+ * rule behind them, and the method. */
 #include <stdio.h>
 
 #include "methods/reflected/interior.h"

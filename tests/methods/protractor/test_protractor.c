@@ -1,5 +1,5 @@
-/* test_protractor.c - `protractor`: readings step by step, and how far they are from
- * the exact direct component. */
+/* test_protractor.c - `protractor`: readings step by step, and their errors against the
+ * exact direct component. */
 #include <stdlib.h>
 
 #include "methods/method.h"

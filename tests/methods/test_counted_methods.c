@@ -1,5 +1,5 @@
-/* test_drawing_board.c - `waldram` and `pepper-pot` in rooms: squares and dots against
- * the exact direct component. */
+/* test_counted_methods.c - `waldram` and `pepper-pot` in rooms: squares and dots
+ * against the exact direct component. */
 #include "methods/method.h"
 #include "methods/waldram/waldram_squares.h"
 #include "methods/view/window_drawing.h"
@@ -55,7 +55,7 @@ static struct pp_part areas(const struct pp_world *world,
     for (int i = 0; i < world->opening_count; i++) {
         struct pp_window_drawing drawing;
         assert_int_equal(pp_window_drawing_init(&drawing, world, &world->openings[i],
-                                                  receiver->position, NULL),
+                                                receiver->position, NULL),
                          PP_OK);
         for (int k = 0; k < drawing.count; k++) {
             const struct pp_drawn_part *part = &drawing.parts[k];
