@@ -2,7 +2,7 @@
 #include <stdio.h>
 
 #include "bench/bench.h"
-#include "methods/exact/exact.h"
+#include "methods/method.h"
 #include "methods/exact/solid_angle.h"
 
 /* A window's moments alone, from a row of points. */

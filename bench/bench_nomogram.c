@@ -7,7 +7,7 @@
 
 #include "bench/bench.h"
 #include "methods/reflected/bre_terms.h"
-#include "methods/method_entries.h"
+#include "methods/method.h"
 #include "methods/nomogram/nomogram_scale.h"
 #include "simulate/sampling/hash.h"
 
@@ -90,7 +90,7 @@ static bool values_of(const struct pp_world *world, double values[3])
         terms.R_cw = PP_NOMOGRAM_K * terms.R_fw;
         values[1] += pp_bre_terms_average(&terms);
     }
-    method->put_away(tools);
+    method->destroy_tools(tools);
     return done;
 }
 

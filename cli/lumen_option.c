@@ -1,6 +1,7 @@
 #include "cli/lumen_option.h"
 
 #include "cli/message.h"
+#include "methods/lumen/lumen_csv.h"
 
 static enum pp_status read_file_name(const char *text, void *place,
                                      struct pp_error *err)

@@ -1,11 +1,8 @@
-/* allowance.c - see allowance.h. */
+/* allowance.c - the corrections of an opening as factors, as steps and in words. */
 #include "methods/allowance.h"
 #include "model/base/text.h"
 
 #include <stdio.h>
-
-/* Diffuse transmittance of clear single glass in the reflected-component formulae. */
-static const double printed_diffuse = 0.85;
 
 /* G: diffuse transmittance over that of clear single glass. */
 static double glass_type(const struct pp_glass *glass)
@@ -17,7 +14,30 @@ double pp_allowance_reflected_glass(const struct pp_opening *opening)
 {
     if (opening->glass.panes == 0)
         return 1.0;
-    return printed_diffuse * glass_type(&opening->glass);
+    return PP_ALLOWANCE_CLEAR_DIFFUSE * glass_type(&opening->glass);
+}
+
+double pp_allowance_net_glass_m2(const struct pp_opening *opening)
+{
+    return opening->inner.area_m2 * opening->frame_factor;
+}
+
+void pp_allowance_net_glass_step(struct pp_steps *steps,
+                                 const struct pp_opening *opening, const char *symbol)
+{
+    double B = opening->frame_factor;
+    int line = opening->line;
+    if (B == 1.0) {
+        pp_steps_add_named(steps, PP_UNIT_SQUARE_METRE, opening->inner.area_m2, symbol,
+                           "opening on line %d: net area of glass, all of it", line);
+        return;
+    }
+    pp_steps_add_named(steps, PP_UNIT_SQUARE_METRE, opening->inner.area_m2, "a",
+                       "opening on line %d: area", line);
+    pp_steps_add_named(steps, PP_UNIT_NUMBER, B, "B",
+                       "opening on line %d: frame factor", line);
+    pp_steps_add_worked(steps, PP_UNIT_SQUARE_METRE, pp_allowance_net_glass_m2(opening),
+                        symbol, "a B", "opening on line %d: net area of glass", line);
 }
 
 /* ---- corrections ---- */
@@ -29,7 +49,7 @@ struct correction {
 
 enum { CORRECTIONS_MOST = 8 };
 
-/* What the glass still asks for: nothing, or one factor. */
+/* The correction for glass; false where the figure needs none. */
 static bool correct_glass(struct correction *correction, unsigned allowances,
                           const struct pp_opening *opening)
 {
@@ -44,7 +64,7 @@ static bool correct_glass(struct correction *correction, unsigned allowances,
             pp_allowance_reflected_glass(opening)};
     else if (bare)
         *correction = (struct correction){"G", "no glass: 1 over clear single's 0.85",
-                                          1.0 / printed_diffuse};
+                                          1.0 / PP_ALLOWANCE_CLEAR_DIFFUSE};
     else
         *correction =
             (struct correction){"G", "glass: diffuse transmittance over clear single",
@@ -52,7 +72,7 @@ static bool correct_glass(struct correction *correction, unsigned allowances,
     return true;
 }
 
-/* All that figures with these allowances lack; the number of corrections. */
+/* Lists the corrections that figures with these allowances lack; their number. */
 static int correct(struct correction list[CORRECTIONS_MOST], unsigned allowances,
                    const struct pp_opening *opening)
 {
@@ -64,7 +84,7 @@ static int correct(struct correction list[CORRECTIONS_MOST], unsigned allowances
     if (!(allowances & PP_ALLOWS_FRAME))
         list[count++] = (struct correction){"B", "frame: area of glass over opening",
                                             opening->frame_factor};
-    /* No published figure has curtains. */
+    /* No published figure contains curtains. */
     if (opening->curtains != 1.0)
         list[count++] = (struct correction){"K", "curtains: what they let through",
                                             opening->curtains};

@@ -1,15 +1,20 @@
-/* allowance.h - the one place that settles glass, frame, dirt and curtains.
+/* allowance.h - the corrections for glass, frame, dirt and curtains.
  *
- * Published figures differ in what they already contain. A method declares that; what
- * is still missing for an opening is multiplied on here, and nothing is counted twice:
+ * Published figures differ in the corrections that they already contain. A method
+ * declares those; the remaining ones of an opening are applied here, so that none is
+ * counted twice:
  *
  *     DF = ((SC + ERC) M G B + IRC M G D) K                                  [BRE310]
  *
- * M maintenance, G glass type over clear single glass, B net glass area over opening
- * area, K curtains (not of the source), D deterioration of decorations. In formulae that
- * work with the net glass area W, B is in W already (PP_ALLOWS_FRAME). K is in no
- * published figure. D is the room's, not an opening's: methods/evaluate.c multiplies it
- * on the internally reflected component.
+ *   M   maintenance: the transmittance that dirt on the glass leaves
+ *   G   glass type: diffuse transmittance over that of clear single glass
+ *   B   frame: net glass area over opening area
+ *   K   curtains: their transmittance (not of the source, and in no published figure)
+ *   D   deterioration of decorations
+ *
+ * Formulae with the net glass area W have B in W already (PP_ALLOWS_FRAME). D belongs
+ * to the room and not to an opening: methods/evaluate.c applies it to the internally
+ * reflected component.
  */
 #ifndef PP_METHODS_ALLOWANCE_H
 #define PP_METHODS_ALLOWANCE_H
@@ -19,34 +24,45 @@
 #include "model/results/steps.h"
 #include "model/room/world.h"
 
+/* Diffuse transmittance of clear single glass in the formulae of the internally
+ * reflected component [BRE310]. */
+#define PP_ALLOWANCE_CLEAR_DIFFUSE 0.85
+
+/* The corrections that a figure already contains. */
 enum pp_allowance {
     PP_ALLOWS_NOTHING = 0,
-    PP_ALLOWS_CLEAR_GLASS =
-        1 << 0,                   /* clear single glass, its angular losses included */
-    PP_ALLOWS_OWN_GLASS = 1 << 1, /* the opening's own glazing */
-    PP_ALLOWS_FRAME = 1 << 2,     /* frame and bars */
-    PP_ALLOWS_DIRT = 1 << 3,      /* dirt on the glass */
-    PP_ALLOWS_NO_GLASS = 1 << 4,  /* with CLEAR_GLASS: has figures of its own, which
-                                     * contain no glass, for unglazed openings */
+    PP_ALLOWS_CLEAR_GLASS = 1 << 0, /* clear single glass, with its angular losses */
+    PP_ALLOWS_OWN_GLASS = 1 << 1,   /* the opening's own glazing */
+    PP_ALLOWS_FRAME = 1 << 2,       /* frame and bars */
+    PP_ALLOWS_DIRT = 1 << 3,        /* dirt on the glass */
+    PP_ALLOWS_NO_GLASS = 1 << 4,    /* with CLEAR_GLASS: the method has other figures,
+                                     * without glass, for unglazed openings */
 };
 
-/* The factor that a figure which contains `allowances` still needs for this opening.
- * Figures for clear glass are turned into the opening's own by the ratio G of the
- * diffuse transmittances; for an unglazed opening by 1/0.85, unless the method has
- * figures without glass (PP_ALLOWS_NO_GLASS). */
+/* The product of the corrections that a figure which contains `allowances` lacks for
+ * this opening. Figures for clear glass become those of the opening's own glass by the
+ * ratio G; for an unglazed opening by 1/0.85, unless the method has figures without
+ * glass (PP_ALLOWS_NO_GLASS). */
 double pp_allowance_factor(unsigned allowances, const struct pp_opening *opening);
 
-/* Sets down the corrections that make up that factor, one by one, and puts their
- * symbols into `product` as further factors of a formula: " M G B", or nothing. */
+/* Records those corrections as steps, one by one, and writes their symbols to `product`
+ * as further factors of a formula: " M G B", or nothing. */
 void pp_allowance_steps(struct pp_steps *steps, unsigned allowances,
                         const struct pp_opening *opening, char *product, size_t room);
 
-/* What figures with these allowances contain: "clear single glass and the frame",
- * "nothing of glass, frame or dirt". */
+/* The allowances in words: "clear single glass and the frame", "nothing of glass, frame
+ * or dirt". */
 void pp_allowance_words(char *text, size_t room, unsigned allowances);
 
-/* The diffuse transmittance that the reflected-component formulae take: 0.85 G, 1 for
- * an unglazed opening. */
+/* The diffuse transmittance in the formulae of the internally reflected component:
+ * 0.85 G, 1 for an unglazed opening. */
 double pp_allowance_reflected_glass(const struct pp_opening *opening);
+
+/* Net glass area W of an opening (m2): opening area times frame factor. */
+double pp_allowance_net_glass_m2(const struct pp_opening *opening);
+
+/* Records the net glass area under `symbol`. steps may be NULL. */
+void pp_allowance_net_glass_step(struct pp_steps *steps,
+                                 const struct pp_opening *opening, const char *symbol);
 
 #endif

@@ -10,26 +10,29 @@
  *
  *   T      diffuse transmittance of the glass, 1 for an unglazed opening
  *   W      net glass area (m2): opening area times frame factor
- *   theta  angle of visible sky (degrees), visible_angle.h
+ *   theta  angle of visible sky (degrees): in the vertical section through the middle
+ *          of the opening, in the plane of the wall's inside, from the obstruction
+ *          angle alpha (reflected/obstruction.h) up to the head of the reveal
  *   M      maintenance factor
  *   A      area of all inside surfaces, openings included (m2)
  *   R      their area-weighted mean reflectance, openings with 0.1
  *
- * They are averages of different things, and not to be compared: the older is (1 + R)/2
- * of the other, before dirt. For vertical openings under the CIE overcast sky. Several
- * openings add up, with the common A and R. Both contain the opening's glass and,
- * through W, the frame; `average-df` dirt too. Neither is meant for obstructions that
- * one section angle does not describe; blocks are taken by obstruction_angle.h.
+ * The two are averages over different surfaces and not to be compared: before dirt, the
+ * older one is (1 + R)/2 of the other. For vertical openings under the CIE overcast
+ * sky. Several openings add up, with the common A and R. Both contain the opening's
+ * glass and, through W, the frame; `average-df` contains dirt too. Neither is meant for
+ * obstructions that one section angle does not describe; reflected/obstruction.h says
+ * how blocks become such an angle.
  */
-#include "methods/reflected/bre_terms.h"
 #include "methods/reflected/interior.h"
-#include "methods/method_entries.h"
+#include "methods/reflected/obstruction.h"
+#include "methods/method.h"
 #include "methods/refusals.h"
-#include "methods/visible_angle.h"
 
 struct terms {
     double T, W, M;
-    struct pp_visible_angle angle;
+    double head_rad; /* altitude of the reveal's head: 90 degrees without a reveal */
+    double alpha_rad, theta_rad;
     struct pp_interior all; /* A and R */
 };
 
@@ -37,22 +40,46 @@ static enum pp_status find_terms(struct terms *terms, const struct pp_world *wor
                                  const struct pp_opening *opening, struct pp_error *err)
 {
     terms->T = opening->glass.diffuse;
-    terms->W = opening->inner.area_m2 * opening->frame_factor;
+    terms->W = pp_allowance_net_glass_m2(opening);
     terms->M = opening->maintenance;
     terms->all = pp_interior_all(world);
-    return pp_visible_angle(&terms->angle, world, opening, err);
+    enum pp_status status =
+        pp_obstruction_angle(&terms->alpha_rad, world, opening, err);
+    terms->head_rad = atan2(opening->height_m / 2.0, opening->reveal_m);
+    terms->theta_rad = fmax(terms->head_rad - terms->alpha_rad, 0.0);
+    return status;
 }
 
-/* dirt: M, too. */
-static void set_down(struct pp_steps *steps, const struct terms *terms,
-                     const struct pp_opening *opening, bool dirt)
+static void add_angle_steps(struct pp_steps *steps, const struct terms *terms,
+                            const struct pp_opening *opening)
+{
+    int line = opening->line;
+    if (opening->reveal_m > 0.0) {
+        pp_steps_add_named(steps, PP_UNIT_METRE, opening->height_m, "h",
+                           "opening on line %d: height", line);
+        pp_steps_add_named(steps, PP_UNIT_METRE, opening->reveal_m, "d",
+                           "opening on line %d: depth of the reveal", line);
+        pp_steps_add_worked(steps, PP_UNIT_ANGLE, terms->head_rad, "theta_h",
+                            "atan(h / 2 / d)", "altitude of the reveal's head");
+    } else {
+        pp_steps_add_named(steps, PP_UNIT_ANGLE, terms->head_rad, "theta_h",
+                           "opening on line %d: up to the zenith", line);
+    }
+    pp_steps_add_named(steps, PP_UNIT_ANGLE, terms->alpha_rad, "alpha",
+                       "opening on line %d: angle of the obstruction", line);
+    pp_steps_add_worked(steps, PP_UNIT_ANGLE, terms->theta_rad, "theta",
+                        "max(theta_h - alpha, 0)", "angle of visible sky");
+}
+
+static void add_term_steps(struct pp_steps *steps, const struct terms *terms,
+                           const struct pp_opening *opening, bool with_dirt)
 {
     int line = opening->line;
     pp_steps_add_named(steps, PP_UNIT_NUMBER, terms->T, "T",
                        "opening on line %d: diffuse transmittance", line);
-    pp_bre_terms_net_area_step(steps, opening, "W");
-    pp_visible_angle_steps(steps, &terms->angle, opening);
-    if (dirt)
+    pp_allowance_net_glass_step(steps, opening, "W");
+    add_angle_steps(steps, terms, opening);
+    if (with_dirt)
         pp_steps_add_named(steps, PP_UNIT_NUMBER, terms->M, "M",
                            "opening on line %d: maintenance", line);
     pp_interior_steps(steps, &terms->all);
@@ -68,10 +95,10 @@ static enum pp_status evaluate(const struct pp_world *world,
     enum pp_status status = find_terms(&terms, world, opening, err);
     if (status != PP_OK)
         return status;
-    double T = terms.T, W = terms.W, theta_deg = terms.angle.theta_rad / PP_RAD;
+    double T = terms.T, W = terms.W, theta_deg = terms.theta_rad / PP_RAD;
     double M = terms.M, A = terms.all.area_m2, R = terms.all.reflectance;
     part->value = T * W * theta_deg * M / (A * (1.0 - R * R)) / 100.0;
-    set_down(part->steps, &terms, opening, true);
+    add_term_steps(part->steps, &terms, opening, true);
     pp_steps_add_worked(part->steps, PP_UNIT_SHARE, part->value, "df",
                         "T W theta M / (A (1 - R^2))",
                         "opening on line %d: average daylight factor", opening->line);
@@ -89,10 +116,10 @@ static enum pp_status evaluate_lynes(const struct pp_world *world,
     enum pp_status status = find_terms(&terms, world, opening, err);
     if (status != PP_OK)
         return status;
-    double T = terms.T, W = terms.W, theta_deg = terms.angle.theta_rad / PP_RAD;
+    double T = terms.T, W = terms.W, theta_deg = terms.theta_rad / PP_RAD;
     double A = terms.all.area_m2, R = terms.all.reflectance;
     part->value = T * W * theta_deg / (2.0 * A * (1.0 - R)) / 100.0;
-    set_down(part->steps, &terms, opening, false);
+    add_term_steps(part->steps, &terms, opening, false);
     pp_steps_add_worked(part->steps, PP_UNIT_SHARE, part->value, "df",
                         "T W theta / (2 A (1 - R))",
                         "opening on line %d: average over all surfaces", opening->line);

@@ -1,39 +1,40 @@
 /* brs_table.c - `brs-table`: sky component and externally reflected component by the
  * BRS simplified daylight table.                                            [HLG58]
  *
- * The table, T(h/d, w/d), gives the sky component at a point of the working plane of a
- * vertical, clear-glazed window under the CIE overcast sky: the window's sill is level
- * with the point, its head h above it, one jamb is on the normal through the point, the
- * other w to the side, d is the distance. As published:
+ * The table, T(h/d, w/d), gives the sky component of a vertical, clear-glazed window at
+ * a point of the working plane under the CIE overcast sky. The window's sill is level
+ * with the point and its head h above the point; one jamb is on the normal through the
+ * point, the other w to the side; d is the distance. As published:
  *
  *   - a window on both sides of the normal: the two halves added
  *   - a window to one side: the wider less the narrower
  *   - a sill above the point: head less sill
- *   - an obstruction: as if it were the sill; what that takes away is the equivalent
- *     sky component of the obstruction, and 0.2 (its reflectance) times that the
- *     externally reflected component
+ *   - an obstruction: as if its head were the sill; the difference is the equivalent
+ *     sky component of the obstruction, and the externally reflected component is 0.2
+ *     (the obstruction's reflectance) times that difference
  *
- * Read so: linear between neighbours in both directions, in the reciprocal between the
- * last printed column or row and infinity, to zero below the first. What is a rectangle
- * and what an obstruction's outline is in elevation.h; a part that the table makes less
- * than nothing counts as nothing.
+ * Interpolation is linear between neighbours in both directions, linear in the
+ * reciprocal between the last printed column or row and infinity, and linear to zero
+ * below the first. elevation.h says how openings and obstructions become rectangles; a
+ * negative sum counts as 0.
  *
  * For vertical openings with clear glass, or none, and points that face up under the
- * CIE overcast sky. It contains clear single glass; no frame, no dirt. From 1 to 7 m
- * off, readings of 1 % and more are 1.4 % low on average against the exact direct
- * component with that glass, 3.4 % rms; a window far to one side, the small difference
- * of two cells, can be 20 % off, and nearer than the table's last row twice that.
+ * CIE overcast sky. The figures contain clear single glass; no frame, no dirt. At 1 to
+ * 7 m from the window, readings of 1 % and more are 1.4 % low on average against the
+ * exact direct component with that glass, 3.4 % rms; a window far to one side, the
+ * small difference of two cells, can be 20 % off, and nearer than the table's last row
+ * twice that.
  */
 #include "methods/brs_table.h"
 
 #include <stddef.h>
 
 #include "methods/view/elevation.h"
-#include "methods/method_entries.h"
+#include "methods/method.h"
 #include "methods/refusals.h"
 #include "methods/part_steps.h"
 
-/* A first row of w/d, then rows of h/d and per cent, from infinity down. */
+/* The first row holds w/d; each other row h/d (from infinity down), then per cent. */
 static const double printed[][21] = {
 #include "tables/brs_simplified_table.inc"
 };
@@ -43,7 +44,7 @@ enum {
     COLUMNS = sizeof printed[0] / sizeof printed[0][0]
 };
 
-/* Where x lies between two printed values: 0 at low, 1 at high. */
+/* The position of x between two printed values: 0 at low, 1 at high. */
 static double between(double x, double low, double high)
 {
     return isinf(high) ? 1.0 - low / x : (x - low) / (high - low);
@@ -75,27 +76,28 @@ double pp_brs_table_read(double h_over_d, double w_over_d)
     return (low_value + t * (high_value - low_value)) / 100.0;
 }
 
-/* From the normal to x/d, to the right positive, to the left negative. */
-static double to_one_side(double h_over_d, double x_over_d)
+/* Sky component from the normal to x/d: positive to the right, negative to the left. */
+static double signed_read(double h_over_d, double x_over_d)
 {
     return copysign(pp_brs_table_read(h_over_d, fabs(x_over_d)), x_over_d);
 }
 
-static double of_rectangle(const struct pp_elevation_part *part)
+/* Sky component of a rectangle: its head less its sill. */
+static double read_rectangle(const struct pp_elevation_part *part)
 {
     double head =
-        to_one_side(part->high, part->right) - to_one_side(part->high, part->left);
+        signed_read(part->high, part->right) - signed_read(part->high, part->left);
     double sill =
-        to_one_side(part->low, part->right) - to_one_side(part->low, part->left);
+        signed_read(part->low, part->right) - signed_read(part->low, part->left);
     return head - sill;
 }
 
-/* ---- on paper ---- */
+/* ---- steps ---- */
 
-/* Names of an edge's figures and the words for them. */
+/* Symbols, formulae and words for the steps of an edge. */
 struct edge_names {
     const char *height, *left, *right, *sum;
-    const char *added, *left_less, *right_less; /* formulae of the sum */
+    const char *added, *left_less, *right_less; /* formulae */
     const char *what;
 };
 
@@ -106,10 +108,10 @@ static const struct edge_names lower = {
     "s",         "T_sl", "T_sr", "S", "T_sl# + T_sr#", "T_sl# - T_sr#", "T_sr# - T_sl#",
     "lower edge"};
 
-/* The table read at one edge: halves on both sides of the normal added, else the wider
- * less the narrower. */
-static void set_down_edge(struct pp_part_steps *terms, const struct edge_names *edge,
-                          double h_over_d, const struct pp_elevation_part *part)
+/* Records the readings at one edge: both sides of the normal added, else the wider less
+ * the narrower. */
+static void add_edge_steps(struct pp_part_steps *terms, const struct edge_names *edge,
+                           double h_over_d, const struct pp_elevation_part *part)
 {
     struct pp_steps *steps = terms->steps;
     pp_steps_add_named(steps, PP_UNIT_NUMBER, h_over_d,
@@ -123,7 +125,7 @@ static void set_down_edge(struct pp_part_steps *terms, const struct edge_names *
                        pp_brs_table_read(h_over_d, fabs(part->right)),
                        pp_part_steps_symbol(terms, edge->right).text,
                        "table at that h/d and w/d %.3f", fabs(part->right));
-    double sum = to_one_side(h_over_d, part->right) - to_one_side(h_over_d, part->left);
+    double sum = signed_read(h_over_d, part->right) - signed_read(h_over_d, part->left);
     pp_part_steps_figure(terms, PP_UNIT_SHARE, sum, edge->sum,
                          part->left < 0.0 && part->right > 0.0 ? edge->added
                          : part->right > 0.0                   ? edge->right_less
@@ -133,20 +135,22 @@ static void set_down_edge(struct pp_part_steps *terms, const struct edge_names *
                              : "the wider less the narrower");
 }
 
-/* One rectangle: upper edge less lower edge, which is nothing at the point's height. */
-static void set_down(struct pp_part_steps *terms, const struct pp_elevation_part *part)
+/* Records a rectangle: upper edge less lower edge, whose reading is 0 at the point's
+ * height. */
+static void add_rectangle_steps(struct pp_part_steps *terms,
+                                const struct pp_elevation_part *part)
 {
     bool hidden = !isnan(part->reflectance);
-    double share = of_rectangle(part);
+    double share = read_rectangle(part);
     pp_part_steps_next(terms);
     pp_steps_add(terms->steps, PP_UNIT_NUMBER, part->left,
                  "%s: left jamb over distance, w/d, right is positive",
                  hidden ? "obstruction" : "sky");
     pp_steps_add(terms->steps, PP_UNIT_NUMBER, part->right, "right jamb");
-    set_down_edge(terms, &upper, part->high, part);
+    add_edge_steps(terms, &upper, part->high, part);
     bool raised = part->low > 0.0;
     if (raised)
-        set_down_edge(terms, &lower, part->low, part);
+        add_edge_steps(terms, &lower, part->low, part);
     if (!hidden) {
         pp_part_steps_component(terms, false, share, raised ? "H# - S#" : "H#",
                                 "sky component");
@@ -154,8 +158,7 @@ static void set_down(struct pp_part_steps *terms, const struct pp_elevation_part
     }
     pp_part_steps_figure(terms, PP_UNIT_SHARE, share, "e", raised ? "H# - S#" : "H#",
                          "equivalent sky component of the obstruction");
-    pp_steps_add_named(terms->steps, PP_UNIT_NUMBER, part->reflectance,
-                       pp_part_steps_symbol(terms, "f").text,
+    pp_part_steps_read(terms, PP_UNIT_NUMBER, part->reflectance, "f",
                        "luminance factor of the obstruction");
     pp_part_steps_component(terms, true, part->reflectance * share, "f# e#",
                             "externally reflected component");
@@ -188,7 +191,7 @@ static enum pp_status evaluate(const struct pp_world *world,
     (void)tools;
     struct pp_elevation elevation;
     enum pp_status status =
-        pp_elevation_create(&elevation, world, opening, receiver->position, err);
+        pp_elevation_init(&elevation, world, opening, receiver->position, err);
     if (status != PP_OK)
         return status;
     double sky = 0.0, external = 0.0;
@@ -199,13 +202,13 @@ static enum pp_status evaluate(const struct pp_world *world,
     struct pp_part_steps terms = pp_part_steps_begin(part->steps, elevation.count);
     for (int i = 0; i < elevation.count; i++) {
         const struct pp_elevation_part *seen = elevation.parts + i;
-        double equivalent_sky = of_rectangle(seen);
+        double equivalent_sky = read_rectangle(seen);
         if (isnan(seen->reflectance))
             sky += equivalent_sky;
         else
             external += seen->reflectance * equivalent_sky;
         if (part->steps)
-            set_down(&terms, seen);
+            add_rectangle_steps(&terms, seen);
     }
     pp_part_steps_end(&terms);
     part->sky = fmax(sky, 0.0);

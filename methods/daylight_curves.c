@@ -1,3 +1,5 @@
+/* daylight_curves.c - contours of the daylight factor by `exact` and of the solid angle
+ * of the visible sky, traced by model/geometry/contour. */
 #include "methods/daylight_curves.h"
 
 #include <math.h>
@@ -6,39 +8,62 @@
 #include <string.h>
 
 #include "model/geometry/contour/contour.h"
-#include "methods/exact/exact.h"
-#include "methods/view/exterior.h"
-#include "methods/plane_inset.h"
+#include "methods/exact/exterior.h"
+#include "methods/method.h"
+#include "model/geometry/bounds.h"
 
-/* Sky of a smaller solid angle than this (sr) is none: 1e-9 sr is what a slit of a
- * metre by a micrometre shows at 30 m. */
+/* The solid angle (sr) from which on sky counts as seen: that of a slit of a metre by a
+ * micrometre at 30 m. */
 #define NO_SKY_SR 1e-9
 
-/* How far off the walls the plane's edge is evaluated, over its diagonal, and at most
- * (m). On it, in a window's plane or under one, the daylight factor has no value of its
- * own, and just before it all levels crowd together; this is less than a drawn wall. */
+/* The distance from the walls at which the plane's edge is evaluated, over the plane's
+ * diagonal, and at most (m). On the edge, in a window's plane or under one, the
+ * daylight factor is not defined, and just before the edge all contours crowd together;
+ * the distance is less than the thickness of a wall on the drawing. */
 #define DAYLIGHT_INSET (1.0 / 500.0)
 #define DAYLIGHT_INSET_MOST_M 0.02
 #define SKY_INSET_M 0.001
 
+/* The context of the contoured functions. */
 struct contoured_plane {
     const struct pp_world *world;
     double irc;
-    double inset_m; /* the plane's edge itself is in the walls */
+    double inset_m;
 };
 
-/* ---- what is contoured ---- */
+/* The region's interior lies on the left of its rings. */
+struct pp_vec3 pp_daylight_curves_off_walls(const struct pp_region *plane, double z,
+                                            double inset_m, double x, double y)
+{
+    struct pp_vec3 moved = pp_vec(x, y, z);
+    for (int r = 0; r < plane->count; r++)
+        for (int i = 0; i < plane->rings[r].count; i++) {
+            const double *a = plane->rings[r].xy[i];
+            const double *b = plane->rings[r].xy[(i + 1) % plane->rings[r].count];
+            double dx = b[0] - a[0], dy = b[1] - a[1], length = hypot(dx, dy);
+            double share = ((x - a[0]) * dx + (y - a[1]) * dy) / (length * length);
+            share = fmin(fmax(share, 0.0), 1.0);
+            double off = hypot(a[0] + share * dx - x, a[1] + share * dy - y);
+            if (off >= inset_m)
+                continue;
+            moved.x -= dy / length * (inset_m - off);
+            moved.y += dx / length * (inset_m - off);
+        }
+    return moved;
+}
+
+/* ---- the contoured functions ---- */
 
 static enum pp_status daylight_at(void *context, double x, double y, double *value,
                                   struct pp_error *err)
 {
-    const struct contoured_plane *scene = context;
-    const struct pp_world *world = scene->world;
+    const struct contoured_plane *contoured = context;
+    const struct pp_world *world = contoured->world;
     struct pp_receiver receiver = {
-        .position =
-            pp_plane_inset(&world->plane, world->working_plane_m, scene->inset_m, x, y),
+        .position = pp_daylight_curves_off_walls(&world->plane, world->working_plane_m,
+                                                 contoured->inset_m, x, y),
         .normal = pp_vec(0, 0, 1)};
-    *value = scene->irc;
+    *value = contoured->irc;
     for (int i = 0; i < world->opening_count; i++) {
         const struct pp_opening *opening = &world->openings[i];
         struct pp_part part = {0};
@@ -55,10 +80,10 @@ static enum pp_status daylight_at(void *context, double x, double y, double *val
 static enum pp_status sky_seen_at(void *context, double x, double y, double *value,
                                   struct pp_error *err)
 {
-    const struct contoured_plane *scene = context;
-    const struct pp_world *world = scene->world;
-    struct pp_vec3 eye =
-        pp_plane_inset(&world->plane, world->working_plane_m, scene->inset_m, x, y);
+    const struct contoured_plane *contoured = context;
+    const struct pp_world *world = contoured->world;
+    struct pp_vec3 eye = pp_daylight_curves_off_walls(
+        &world->plane, world->working_plane_m, contoured->inset_m, x, y);
     return pp_exterior_sky_solid_angle(value, world, eye, err);
 }
 
@@ -66,8 +91,8 @@ static enum pp_status sky_seen_at(void *context, double x, double y, double *val
 
 enum { LEVELS_MOST = 9 };
 
-/* Those of the usual levels that the range holds, the lowest left out where there are
- * too many; where there are too few, multiples of a round step. */
+/* The usual levels within the range, the highest LEVELS_MOST of them; where fewer than
+ * three are within, multiples of a round step. */
 static int choose_levels(double levels[LEVELS_MOST], double low, double high)
 {
     static const double percent[] = {0.001, 0.002, 0.005, 0.01, 0.02, 0.05,
@@ -95,14 +120,14 @@ static int choose_levels(double levels[LEVELS_MOST], double low, double high)
 /* ---- the plan ---- */
 
 static enum pp_status add_contours(struct pp_daylight_plan *plan,
-                                   struct contoured_plane *scene, double tolerance,
+                                   struct contoured_plane *contoured, double tolerance,
                                    const double *levels, int level_count,
                                    struct pp_error *err)
 {
     struct pp_field *field;
     double usual[LEVELS_MOST];
-    enum pp_status status = pp_field_create(&field, &scene->world->plane, daylight_at,
-                                            scene, tolerance, err);
+    enum pp_status status = pp_field_create(&field, &contoured->world->plane,
+                                            daylight_at, contoured, tolerance, err);
     if (status != PP_OK)
         return status;
     pp_field_range(field, &plan->lowest, plan->lowest_xy, &plan->highest,
@@ -113,7 +138,7 @@ static enum pp_status add_contours(struct pp_daylight_plan *plan,
     }
     for (int i = 0; i < level_count && status == PP_OK; i++)
         status = pp_contour_curves(field, levels[i], &plan->contours, err);
-    /* Refining near the levels may have come upon a higher or lower place. */
+    /* Refining near the levels may have found a higher or lower point. */
     pp_field_range(field, &plan->lowest, plan->lowest_xy, &plan->highest,
                    plan->highest_xy);
     pp_field_destroy(field);
@@ -121,12 +146,12 @@ static enum pp_status add_contours(struct pp_daylight_plan *plan,
 }
 
 static enum pp_status add_no_sky_line(struct pp_daylight_plan *plan,
-                                      struct contoured_plane *scene, double tolerance,
-                                      struct pp_error *err)
+                                      struct contoured_plane *contoured,
+                                      double tolerance, struct pp_error *err)
 {
     struct pp_field *field;
-    enum pp_status status = pp_field_create(&field, &scene->world->plane, sky_seen_at,
-                                            scene, tolerance, err);
+    enum pp_status status = pp_field_create(&field, &contoured->world->plane,
+                                            sky_seen_at, contoured, tolerance, err);
     if (status != PP_OK)
         return status;
     status = pp_contour_curves(field, NO_SKY_SR, &plan->no_sky, err);
@@ -134,21 +159,19 @@ static enum pp_status add_no_sky_line(struct pp_daylight_plan *plan,
         status = pp_contour_below(field, NO_SKY_SR, &plan->dark, err);
     pp_field_destroy(field);
     double share =
-        pp_curve_list_area(&plan->dark) / pp_region_area(&scene->world->plane);
+        pp_curve_list_area(&plan->dark) / pp_region_area(&contoured->world->plane);
     plan->sky_share = fmin(fmax(1.0 - share, 0.0), 1.0);
     return status;
 }
 
 static double diagonal_of(const struct pp_region *plane)
 {
-    double low[2] = {INFINITY, INFINITY}, high[2] = {-INFINITY, -INFINITY};
+    struct pp_bounds2 box = pp_bounds2_empty();
     for (int r = 0; r < plane->count; r++)
         for (int i = 0; i < plane->rings[r].count; i++)
-            for (int k = 0; k < 2; k++) {
-                low[k] = fmin(low[k], plane->rings[r].xy[i][k]);
-                high[k] = fmax(high[k], plane->rings[r].xy[i][k]);
-            }
-    return plane->count ? hypot(high[0] - low[0], high[1] - low[1]) : 0.0;
+            pp_bounds2_add(&box, plane->rings[r].xy[i][0], plane->rings[r].xy[i][1]);
+    return plane->count ? hypot(box.high[0] - box.low[0], box.high[1] - box.low[1])
+                        : 0.0;
 }
 
 double pp_daylight_curves_tolerance(const struct pp_region *plane)
@@ -162,7 +185,7 @@ enum pp_status pp_daylight_curves(struct pp_daylight_plan *plan,
                                   int level_count, struct pp_error *err)
 {
     *plan = (struct pp_daylight_plan){0};
-    struct contoured_plane scene = {world, irc_name ? irc : 0.0, 0.0};
+    struct contoured_plane contoured = {world, irc_name ? irc : 0.0, 0.0};
     if (irc_name && !(isfinite(irc) && irc >= 0.0))
         return pp_fail(err, PP_BAD_INPUT,
                        "internally reflected component is %g; contours need a number "
@@ -172,12 +195,12 @@ enum pp_status pp_daylight_curves(struct pp_daylight_plan *plan,
              irc_name ? "+" : "", irc_name ? irc_name : "");
     double diagonal = diagonal_of(&world->plane);
     double tolerance = pp_daylight_curves_tolerance(&world->plane);
-    scene.inset_m = fmin(DAYLIGHT_INSET * diagonal, DAYLIGHT_INSET_MOST_M);
+    contoured.inset_m = fmin(DAYLIGHT_INSET * diagonal, DAYLIGHT_INSET_MOST_M);
     enum pp_status status =
-        add_contours(plan, &scene, tolerance, levels, level_count, err);
-    scene.inset_m = SKY_INSET_M;
+        add_contours(plan, &contoured, tolerance, levels, level_count, err);
+    contoured.inset_m = SKY_INSET_M;
     if (status == PP_OK)
-        status = add_no_sky_line(plan, &scene, tolerance, err);
+        status = add_no_sky_line(plan, &contoured, tolerance, err);
     if (status != PP_OK)
         pp_daylight_plan_clear(plan);
     return status;
@@ -188,9 +211,9 @@ enum pp_status pp_daylight_curves_no_sky(struct pp_daylight_plan *plan,
                                          struct pp_error *err)
 {
     *plan = (struct pp_daylight_plan){0};
-    struct contoured_plane scene = {world, 0.0, SKY_INSET_M};
-    enum pp_status status =
-        add_no_sky_line(plan, &scene, pp_daylight_curves_tolerance(&world->plane), err);
+    struct contoured_plane contoured = {world, 0.0, SKY_INSET_M};
+    enum pp_status status = add_no_sky_line(
+        plan, &contoured, pp_daylight_curves_tolerance(&world->plane), err);
     if (status != PP_OK)
         pp_daylight_plan_clear(plan);
     return status;

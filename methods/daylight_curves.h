@@ -1,15 +1,16 @@
 /* daylight_curves.h - contours of the daylight factor and the no-sky line, as curves.
  *
- * The direct component is `exact`'s at the working plane, facing up; a constant may
- * stand for the internally reflected one, as it does in A+B for a formula that has only
- * an average. The no-sky line bounds the part of the working plane from which no sky
- * can be seen directly; it does not ask how bright the sky or how clear the glass is.
+ * The direct component is that of `exact` at the working plane, facing up; a constant
+ * may be added for the internally reflected component, as in A+B for a formula that
+ * gives an average only. The no-sky line bounds the part of the working plane from
+ * which no sky is seen directly, whatever the sky's luminance and the glass.
  *
- * Curves are true to a tolerance of a millimetre, or of 1/5000 of the plane's diagonal
- * where that is more; they begin and end on the plane's edge or are closed. Next to
- * a wall, within 20 mm or 1/500 of that diagonal, the daylight factor is taken as it is
- * there. It is evaluated by fixed rules: to 1e-5 of itself, to some 1e-4 close to a pane,
- * where it changes so fast that this is less than a millimetre of the curve's place.
+ * Curves are accurate to a millimetre, or to 1/5000 of the plane's diagonal where that
+ * is more; they begin and end on the plane's edge or are closed. Nearer to a wall than
+ * 20 mm or 1/500 of that diagonal, the daylight factor is taken as at that distance.
+ * The daylight factor is evaluated by fixed rules, to a relative error of 1e-5, or some
+ * 1e-4 close to a pane, where the gradient is so steep that this moves the curve by
+ * less than a millimetre.
  */
 #ifndef PP_METHODS_DAYLIGHT_CURVES_H
 #define PP_METHODS_DAYLIGHT_CURVES_H
@@ -20,9 +21,9 @@
 
 /* Fills plan (to be cleared by the caller; empty on failure).
  *
- * irc: added everywhere, a fraction, with the name of the method it is by ("bre");
- * irc_name NULL: nothing is added and the name is "exact".
- * levels: daylight factors to contour, fractions, ascending; level_count 0: seven or so
+ * irc: internally reflected component added everywhere, a fraction, and irc_name the
+ * name of its method ("bre"); irc_name NULL: nothing is added, and the name is "exact".
+ * levels: daylight factors to contour, fractions, ascending; level_count 0: about seven
  * round ones (0.5, 1, 2, 3, 5, 10 per cent ...) within the room's own range. */
 enum pp_status pp_daylight_curves(struct pp_daylight_plan *plan,
                                   const struct pp_world *world, double irc,
@@ -35,7 +36,14 @@ enum pp_status pp_daylight_curves_no_sky(struct pp_daylight_plan *plan,
                                          const struct pp_world *world,
                                          struct pp_error *err);
 
-/* The tolerance (m) that curves over a plane are true to. */
+/* The accuracy (m) of curves over a plane. */
 double pp_daylight_curves_tolerance(const struct pp_region *plane);
+
+/* The point at height z over (x, y), moved inside the plane so that it is at least
+ * inset_m from the walls: along the inward normals of the edges that are nearer. On the
+ * edge itself, in a window's plane or under one, the view of the outside is not
+ * defined. */
+struct pp_vec3 pp_daylight_curves_off_walls(const struct pp_region *plane, double z,
+                                            double inset_m, double x, double y);
 
 #endif

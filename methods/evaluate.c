@@ -1,4 +1,5 @@
-/* evaluate.c - see evaluate.h. */
+/* evaluate.c - calls the methods for each opening and receiver, applies the corrections
+ * (symbol by symbol for the steps), adds up, and enters the readings in the report. */
 #include "methods/evaluate.h"
 
 #include <stdio.h>
@@ -8,61 +9,59 @@
 #include "methods/plane_average.h"
 #include "methods/selection.h"
 
-/* A method at work on one world. */
+/* One method on one world. */
 struct method_run {
     const struct pp_method *method;
     const struct pp_world *world;
-    double *factors; /* what the method's figures still need, an opening each */
-    void *tools;     /* what it prepared; NULL for a room that it refuses */
-    bool roughly;    /* for an average */
+    double *factors; /* product of the missing corrections, one for each opening */
+    void *tools;     /* made by the method; NULL for a room that it refuses */
+    bool roughly;    /* by evaluate_roughly, for an average */
 };
 
-/* What a method says in all, allowances settled, or why it says nothing. */
+/* The components by a method over all openings, corrected, or why there are none. */
 struct answer {
     struct pp_part part;
-    const char *why;                  /* not owned; NULL: there is a part */
-    const struct pp_opening *opening; /* that why speaks of; NULL: of the room */
-    struct pp_steps *steps;           /* where the sum is set down; NULL: nowhere */
+    const char *why;                  /* not owned; NULL: part is valid */
+    const struct pp_opening *opening; /* the subject of why; NULL: the room */
+    struct pp_steps *steps;           /* where the sum is recorded; may be NULL */
 };
 
-/* D, which bears on what is reflected inside. A method that gives the daylight factor as
- * a whole keeps no such part: it does without. */
-static double decorations_of(const struct method_run *work)
+/* D applies to the internally reflected component. A method that gives the daylight
+ * factor as a whole has no such part, and gets no D. */
+static double decorations_of(const struct method_run *run)
 {
-    return work->method->gives == PP_GIVES_INTERNAL ? work->world->decorations : 1.0;
+    return run->method->gives == PP_GIVES_INTERNAL ? run->world->decorations : 1.0;
 }
 
-static enum pp_status work_create(struct method_run *work,
-                                  const struct pp_method *method,
-                                  const struct pp_report *report, struct pp_error *err)
+static enum pp_status run_init(struct method_run *run, const struct pp_method *method,
+                               const struct pp_report *report, struct pp_error *err)
 {
-    static const struct pp_method_options nothing_asked;
+    static const struct pp_method_options no_options;
     const struct pp_world *world = report->world;
-    *work = (struct method_run){.method = method, .world = world};
-    work->factors = malloc(((size_t)world->opening_count + 1) * sizeof(double));
-    if (!work->factors)
+    *run = (struct method_run){.method = method, .world = world};
+    run->factors = malloc(((size_t)world->opening_count + 1) * sizeof(double));
+    if (!run->factors)
         return pp_fail_memory(err);
     for (int i = 0; i < world->opening_count; i++)
-        work->factors[i] = pp_allowance_factor(method->allowances, world->openings + i)
-                           * decorations_of(work);
+        run->factors[i] = pp_allowance_factor(method->allowances, world->openings + i)
+                          * decorations_of(run);
     bool refused = method->refuses_room && method->refuses_room(world, NULL);
     enum pp_status status = PP_OK;
     if (method->prepare && !refused)
-        status = method->prepare(&work->tools, world, err);
-    if (method->prepare_by && !refused)
-        status =
-            method->prepare_by(&work->tools, world,
-                               report->options ? report->options : &nothing_asked, err);
+        status = method->prepare(&run->tools, world, err);
+    if (method->prepare_with_options && !refused)
+        status = method->prepare_with_options(
+            &run->tools, world, report->options ? report->options : &no_options, err);
     if (status != PP_OK)
-        free(work->factors);
+        free(run->factors);
     return status;
 }
 
-static void work_clear(struct method_run *work)
+static void run_clear(struct method_run *run)
 {
-    if (work->method->put_away)
-        work->method->put_away(work->tools);
-    free(work->factors);
+    if (run->method->destroy_tools)
+        run->method->destroy_tools(run->tools);
+    free(run->factors);
 }
 
 static const char *const component_names[PP_COMPONENT_COUNT] = {
@@ -72,11 +71,12 @@ static const char *const component_names[PP_COMPONENT_COUNT] = {
     [PP_DF] = "daylight factor",
 };
 
-/* In formulae: of one opening as the method has it, and with all allowances. */
+/* Symbols in formulae: of one opening by the method itself, and with all
+ * corrections. */
 static const char *const own_symbols[PP_COMPONENT_COUNT] = {"sc", "erc", "irc", "df"};
 static const char *const symbols[PP_COMPONENT_COUNT] = {"SC", "ERC", "IRC", "DF"};
 
-/* The component that a method's part.sky or part.value belongs to. */
+/* The component in a method's part.sky or part.value. */
 static enum pp_component component_of(const struct pp_method *method)
 {
     static const enum pp_component given_by[] = {
@@ -87,7 +87,7 @@ static enum pp_component component_of(const struct pp_method *method)
     return given_by[method->gives];
 }
 
-/* The figure of a part that belongs to a component. */
+/* The value of a component in a part. */
 static double figure(const struct pp_part *part, enum pp_component component)
 {
     return component == PP_SC    ? part->sky
@@ -95,8 +95,8 @@ static double figure(const struct pp_part *part, enum pp_component component)
                                  : part->value;
 }
 
-/* The components that a method's sheet speaks of, at most two. Nothing reflected
- * outside needs no line, unless the method has one. */
+/* The components that the steps list, at most two: the externally reflected component
+ * is left out where it is 0 and the method has recorded none. */
 static int components_of(enum pp_component list[2], const struct pp_method *method,
                          const struct pp_part *part, const struct pp_steps *steps,
                          int first)
@@ -108,25 +108,25 @@ static int components_of(enum pp_component list[2], const struct pp_method *meth
     return list[0] == PP_SC && reflects ? 2 : 1;
 }
 
-/* Sets down one opening's corrections and what comes of them, behind the method's own
- * steps, which begin with step `first`. */
-static void set_down_opening(struct answer *answer, const struct method_run *work,
-                             int index, const struct pp_part *part,
-                             const struct pp_part *settled, int first)
+/* Records the corrections of one opening and the corrected components, behind the
+ * method's own steps, which begin with step `first`. */
+static void add_opening_steps(struct answer *answer, const struct method_run *run,
+                              int index, const struct pp_part *part,
+                              const struct pp_part *corrected, int first)
 {
     struct pp_steps *steps = answer->steps;
-    const struct pp_opening *opening = &work->world->openings[index];
+    const struct pp_opening *opening = &run->world->openings[index];
     enum pp_component components[2];
-    int count = components_of(components, work->method, part, steps, first);
+    int count = components_of(components, run->method, part, steps, first);
     for (int i = 0; i < count; i++)
         if (!pp_steps_find(steps, first, own_symbols[components[i]]))
             pp_steps_add_named(steps, PP_UNIT_SHARE, figure(part, components[i]),
                                own_symbols[components[i]], "%s, as read",
                                component_names[components[i]]);
     char product[64];
-    pp_allowance_steps(steps, work->method->allowances, opening, product,
+    pp_allowance_steps(steps, run->method->allowances, opening, product,
                        sizeof product);
-    double D = decorations_of(work);
+    double D = decorations_of(run);
     if (D != 1.0) {
         pp_steps_add_named(steps, PP_UNIT_NUMBER, D, "D",
                            "decorations: what their deterioration leaves");
@@ -134,43 +134,42 @@ static void set_down_opening(struct answer *answer, const struct method_run *wor
     }
     for (int i = 0; i < count; i++) {
         char symbol[16], formula[96];
-        bool alone = work->world->opening_count == 1;
-        snprintf(symbol, sizeof symbol, alone ? "%s" : "%s_%d", symbols[components[i]],
+        bool single = run->world->opening_count == 1;
+        snprintf(symbol, sizeof symbol, single ? "%s" : "%s_%d", symbols[components[i]],
                  index + 1);
         snprintf(formula, sizeof formula, "%s%s", own_symbols[components[i]], product);
-        pp_steps_add_worked(steps, PP_UNIT_SHARE, figure(settled, components[i]),
+        pp_steps_add_worked(steps, PP_UNIT_SHARE, figure(corrected, components[i]),
                             symbol, formula, "%s", component_names[components[i]]);
     }
 }
 
-/* Sets down the sums over several openings, or none. */
-static void set_down_sums(const struct answer *answer, const struct method_run *work)
+/* Records the sums over the openings, where there is not just one. */
+static void add_sum_steps(const struct answer *answer, const struct method_run *run)
 {
     enum pp_component components[2];
-    int count =
-        components_of(components, work->method, &answer->part, answer->steps, 0);
+    int count = components_of(components, run->method, &answer->part, answer->steps, 0);
     answer->steps->line = 0;
     for (int i = 0; i < count; i++)
-        pp_steps_add_sum(answer->steps, 0, work->world->opening_count,
+        pp_steps_add_sum(answer->steps, 0, run->world->opening_count,
                          symbols[components[i]], component_names[components[i]]);
 }
 
-/* What one opening gives, times the factor that settles its glass, frame and dirt. */
-static struct pp_part settle(const struct pp_part *part, double factor)
+/* The components of one opening times its corrections. */
+static struct pp_part corrected_part(const struct pp_part *part, double factor)
 {
     return (struct pp_part){.sky = factor * part->sky,
                             .external = factor * part->external,
                             .value = factor * part->value};
 }
 
-/* Asks the method for each opening and adds up. */
-static enum pp_status add_openings(const struct method_run *work,
+/* Adds up the components of all openings by the method. */
+static enum pp_status add_openings(const struct method_run *run,
                                    const struct pp_receiver *receiver,
                                    struct answer *answer, struct pp_error *err)
 {
-    const struct pp_method *method = work->method;
-    const struct pp_world *world = work->world;
-    bool roughly = work->roughly && method->evaluate_roughly;
+    const struct pp_method *method = run->method;
+    const struct pp_world *world = run->world;
+    bool roughly = run->roughly && method->evaluate_roughly;
     for (int i = 0; i < world->opening_count; i++) {
         struct pp_part part = {.steps = answer->steps};
         int first = 0;
@@ -179,7 +178,7 @@ static enum pp_status add_openings(const struct method_run *work,
             answer->steps->line = world->openings[i].line;
         }
         enum pp_status status = (roughly ? method->evaluate_roughly : method->evaluate)(
-            world, world->openings + i, receiver, work->tools, &part, err);
+            world, world->openings + i, receiver, run->tools, &part, err);
         if (status != PP_OK)
             return status;
         if (part.why) {
@@ -187,24 +186,24 @@ static enum pp_status add_openings(const struct method_run *work,
             answer->opening = world->openings + i;
             return PP_OK;
         }
-        const struct pp_part own = settle(&part, work->factors[i]);
+        const struct pp_part own = corrected_part(&part, run->factors[i]);
         answer->part.sky += own.sky;
         answer->part.external += own.external;
         answer->part.value += own.value;
         if (answer->steps)
-            set_down_opening(answer, work, i, &part, &own, first);
+            add_opening_steps(answer, run, i, &part, &own, first);
     }
     return PP_OK;
 }
 
-/* Sums the method over the openings for a receiver (NULL: for the room). The answer's
- * steps are the caller's. */
-static enum pp_status sum_openings(const struct method_run *work,
+/* The method's sum over the openings for a receiver (NULL: for the room), or why there
+ * is none. The caller owns answer->steps. */
+static enum pp_status sum_openings(const struct method_run *run,
                                    const struct pp_receiver *receiver,
                                    struct answer *answer, struct pp_error *err)
 {
-    const struct pp_method *method = work->method;
-    const struct pp_world *world = work->world;
+    const struct pp_method *method = run->method;
+    const struct pp_world *world = run->world;
     *answer = (struct answer){.steps = answer->steps};
     if (method->refuses_room)
         answer->why = method->refuses_room(world, receiver);
@@ -217,15 +216,15 @@ static enum pp_status sum_openings(const struct method_run *work,
             return PP_OK;
     }
     answer->opening = NULL;
-    enum pp_status status = add_openings(work, receiver, answer, err);
+    enum pp_status status = add_openings(run, receiver, answer, err);
     if (status != PP_OK || answer->why || !answer->steps)
         return status;
     if (world->opening_count != 1)
-        set_down_sums(answer, work);
+        add_sum_steps(answer, run);
     return answer->steps->failed ? pp_fail_memory(err) : PP_OK;
 }
 
-/* An answer as a reading of one component; its why goes to the report's keeping. */
+/* One component of an answer as a reading; the report keeps the text of its why. */
 static enum pp_status to_reading(struct pp_reading *reading, struct pp_report *report,
                                  const struct pp_method *method,
                                  const struct answer *answer,
@@ -233,7 +232,8 @@ static enum pp_status to_reading(struct pp_reading *reading, struct pp_report *r
 {
     if (!answer->why) {
         *reading = pp_reading_of(figure(&answer->part, component));
-        /* Both direct components come of one sum, which stands with the first. */
+        /* Both direct components have one list of steps, which stands with the
+         * first. */
         if (component != PP_ERC)
             reading->steps = answer->steps;
         return PP_OK;
@@ -247,10 +247,10 @@ static enum pp_status to_reading(struct pp_reading *reading, struct pp_report *r
     return why ? PP_OK : pp_fail_memory(err);
 }
 
-/* What the integral over the working plane needs at each point. */
+/* The context of the integrand over the working plane. */
 struct plane_sum {
-    const struct method_run *work;
-    struct answer refusal; /* the last one; all points refuse for one reason */
+    const struct method_run *run;
+    struct answer refusal; /* of any point: the reason is the same at all points */
     bool failed;
 };
 
@@ -259,7 +259,7 @@ static bool plane_sum_at(void *data, const struct pp_receiver *receiver,
 {
     struct plane_sum *sum = data;
     struct answer answer = {0};
-    bool failed = sum_openings(sum->work, receiver, &answer, NULL) != PP_OK;
+    bool failed = sum_openings(sum->run, receiver, &answer, NULL) != PP_OK;
     if (failed || answer.why) {
 #pragma omp critical(pp_plane_sum)
         {
@@ -269,29 +269,29 @@ static bool plane_sum_at(void *data, const struct pp_receiver *receiver,
         }
         return false;
     }
-    bool direct = sum->work->method->gives == PP_GIVES_DIRECT;
+    bool direct = sum->run->method->gives == PP_GIVES_DIRECT;
     values[0] = direct ? answer.part.sky : answer.part.value;
     values[1] = direct ? answer.part.external : 0.0;
     return true;
 }
 
-/* The average over the working plane, of a method that speaks for a point. */
-static enum pp_status average_of_points(const struct method_run *work,
+/* The average over the working plane by a method that speaks for a point. */
+static enum pp_status average_of_points(const struct method_run *run,
                                         struct answer *answer, struct pp_error *err)
 {
-    struct method_run rough_work = *work;
-    rough_work.roughly = true;
-    struct plane_sum sum = {.work = &rough_work};
+    struct method_run rough_run = *run;
+    rough_run.roughly = true;
+    struct plane_sum sum = {.run = &rough_run};
     double mean[PP_PLANE_VALUES];
     bool stopped;
     *answer = (struct answer){0};
-    if (pp_region_area(&work->world->plane) <= 0.0) {
+    if (pp_region_area(&run->world->plane) <= 0.0) {
         answer->why = "the room has no working plane at that height";
         return PP_OK;
     }
     enum pp_status status = pp_plane_average(
-        mean, &stopped, work->world, plane_sum_at, &sum,
-        work->method->counts ? PP_AVERAGE_ERROR_COUNTS : PP_AVERAGE_ERROR,
+        mean, &stopped, run->world, plane_sum_at, &sum,
+        run->method->counts ? PP_AVERAGE_ERROR_COUNTS : PP_AVERAGE_ERROR,
         PP_AVERAGE_POINTS, err);
     if (status != PP_OK)
         return status;
@@ -302,31 +302,31 @@ static enum pp_status average_of_points(const struct method_run *work,
     if (stopped)
         return pp_fail(err, PP_SYSTEM,
                        "%s could not be averaged over the working plane",
-                       work->method->name);
+                       run->method->name);
     answer->part =
         (struct pp_part){.sky = mean[0], .external = mean[1], .value = mean[0]};
     return PP_OK;
 }
 
-/* The answers at each receiver, and of the room's average behind them. */
-static enum pp_status answer_all(const struct method_run *work,
+/* The answers for each receiver and, behind them, for the room's average. */
+static enum pp_status answer_all(const struct method_run *run,
                                  const struct pp_report *report, struct answer *answers,
                                  struct pp_error *err)
 {
     int count = report->receiver_count, failed = count;
-    bool by_point = work->method->speaks_for == PP_FOR_POINT;
-    bool minimum = work->method->speaks_for == PP_FOR_MINIMUM;
+    bool by_point = run->method->speaks_for == PP_FOR_POINT;
+    bool minimum = run->method->speaks_for == PP_FOR_MINIMUM;
     struct answer *average = answers + count;
-    bool integrated = by_point && !work->method->has_average;
-    enum pp_status status = integrated ? average_of_points(work, average, err)
-                                       : sum_openings(work, NULL, average, err);
+    bool integrated = by_point && !run->method->has_average;
+    enum pp_status status = integrated ? average_of_points(run, average, err)
+                                       : sum_openings(run, NULL, average, err);
     if (status != PP_OK)
         return status;
 
     for (int i = 0; i < count && !by_point; i++) {
         const char *why = NULL;
-        if (work->method->refuses_room)
-            why = work->method->refuses_room(work->world, report->receivers + i);
+        if (run->method->refuses_room)
+            why = run->method->refuses_room(run->world, report->receivers + i);
         answers[i] = why ? (struct answer){.why = why} : *average;
     }
     if (minimum && !average->why)
@@ -335,17 +335,17 @@ static enum pp_status answer_all(const struct method_run *work,
         return PP_OK;
 #pragma omp parallel for schedule(dynamic, 1) if (count > 64)
     for (int i = 0; i < count; i++)
-        if (sum_openings(work, report->receivers + i, answers + i, NULL) != PP_OK) {
+        if (sum_openings(run, report->receivers + i, answers + i, NULL) != PP_OK) {
 #pragma omp critical(pp_answer_all)
             failed = i < failed ? i : failed;
         }
-    /* Once more in order, for what the first that failed has to say. */
+    /* Again in order from the first failure on, for its message. */
     for (int i = failed; i < count && status == PP_OK; i++)
-        status = sum_openings(work, report->receivers + i, answers + i, err);
+        status = sum_openings(run, report->receivers + i, answers + i, err);
     return status;
 }
 
-/* Adds one component's column from a method's answers. */
+/* Adds the column of one component from the answers of a method. */
 static enum pp_status add_column(struct pp_report *report,
                                  const struct pp_method *method,
                                  const struct answer *answers,
@@ -369,9 +369,10 @@ static enum pp_status add_column(struct pp_report *report,
     return status;
 }
 
-/* Lists for the sums where they are asked for: one a receiver, or one of the room. */
-static bool give_steps(struct answer *answers, struct pp_report *report,
-                       const struct pp_method *method)
+/* Where steps are asked for, makes their lists: one for each receiver or one for the
+ * room. */
+static bool create_steps(struct answer *answers, struct pp_report *report,
+                         const struct pp_method *method)
 {
     if (!report->explain)
         return true;
@@ -391,26 +392,26 @@ static enum pp_status add_method(struct pp_report *report,
     if (pp_report_find(report, component, method->name))
         return PP_OK;
 
-    struct method_run work;
-    enum pp_status status = work_create(&work, method, report, err);
+    struct method_run run;
+    enum pp_status status = run_init(&run, method, report, err);
     if (status != PP_OK)
         return status;
     struct answer *answers =
         calloc((size_t)report->receiver_count + 1, sizeof *answers);
     status =
-        answers && give_steps(answers, report, method) ? PP_OK : pp_fail_memory(err);
+        answers && create_steps(answers, report, method) ? PP_OK : pp_fail_memory(err);
     if (status == PP_OK)
-        status = answer_all(&work, report, answers, err);
+        status = answer_all(&run, report, answers, err);
     if (status == PP_OK)
         status = add_column(report, method, answers, component, err);
     if (status == PP_OK && method->gives == PP_GIVES_DIRECT)
         status = add_column(report, method, answers, PP_ERC, err);
     free(answers);
-    work_clear(&work);
+    run_clear(&run);
     return status;
 }
 
-/* sc + erc + irc, or why there is none: the direct part's reason first. */
+/* sc + erc + irc, or why there is no sum: the reason of the direct part comes first. */
 static struct pp_reading pair_of(struct pp_reading sc, struct pp_reading erc,
                                  struct pp_reading irc)
 {
@@ -419,8 +420,8 @@ static struct pp_reading pair_of(struct pp_reading sc, struct pp_reading erc,
     return irc.why ? irc : pp_reading_of(sc.value + erc.value + irc.value);
 }
 
-/* One of a pair's parts at a point. */
-static void set_down_column(struct pp_steps *steps, const struct pp_column *column,
+/* Records the reading of a column at a point. */
+static void add_column_step(struct pp_steps *steps, const struct pp_column *column,
                             int point)
 {
     pp_steps_add_named(steps, PP_UNIT_SHARE, column->points[point].value,
@@ -447,9 +448,9 @@ static enum pp_status add_pair(struct pp_report *report, const struct pp_method 
         if (!report->explain || df->points[i].why)
             continue;
         struct pp_steps *steps = pp_report_steps(report);
-        set_down_column(steps, sc, i);
-        set_down_column(steps, erc, i);
-        set_down_column(steps, irc, i);
+        add_column_step(steps, sc, i);
+        add_column_step(steps, erc, i);
+        add_column_step(steps, irc, i);
         pp_steps_add_worked(steps, PP_UNIT_SHARE, df->points[i].value, symbols[PP_DF],
                             "SC + ERC + IRC", "%s", component_names[PP_DF]);
         if (!steps || steps->failed)

@@ -1,3 +1,5 @@
+/* interpolate.c - Lagrange's cubic, Gauss's rule and bisection for tables of even
+ * steps, and straight lines between the rows of published ones. */
 #include "methods/interpolate.h"
 
 #include <math.h>
@@ -40,7 +42,7 @@ void pp_interpolate_tabulate_integral(double *values, int count, double low,
 double pp_interpolate_inverse(const double *values, int count, double low, double high,
                               double value)
 {
-    /* Which step it lies in, then where in that step. */
+    /* The step that holds the value, then the place within that step. */
     int below = 0, above = count - 1;
     while (above - below > 1) {
         int middle = (below + above) / 2;

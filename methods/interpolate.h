@@ -1,37 +1,35 @@
-/* interpolate.h - tables with even steps: reading between their lines, filling them with
- * a running integral, and finding where they reach a value. */
+/* interpolate.h - interpolation in tables, of even steps and as published; running
+ * integrals and inverses of the former. */
 #ifndef PP_METHODS_INTERPOLATE_H
 #define PP_METHODS_INTERPOLATE_H
 
-/* The cubic through the four entries nearest to x, of `count` (4 or more) at even steps
- * from low to high. x outside is taken at the nearer end. For a smooth function the
- * error is 0.023 step^4 times its fourth derivative, twice that in the first and last
- * step. */
+/* The value at x of the cubic through the four entries nearest to x, of `count` (4 or
+ * more) entries at even steps from low to high. Outside that range the value at the
+ * nearer end. For a smooth function the error is 0.023 step^4 times the fourth
+ * derivative, twice that in the first and last step. */
 double pp_interpolate_cubic(const double *values, int count, double low, double high,
                             double x);
 
-/* Fills values with the integral of a smooth function from low on: Gauss's rule of four
- * points in each step, whose error falls with the eighth power of the step. */
+/* values[i] becomes the integral of a smooth function from low to the i-th even step:
+ * Gauss's rule of four points in each step, whose error falls with the eighth power of
+ * the step. */
 void pp_interpolate_tabulate_integral(double *values, int count, double low,
                                       double high,
                                       double (*function)(const void *context, double x),
                                       const void *context);
 
-/* The x, within 1e-10 of high - low, at which an ascending table reaches `value`; low
- * or high where it never does. */
+/* The x, within 1e-10 (high - low), at which an ascending table of even steps reaches
+ * `value`; low or high for a value outside the table. */
 double pp_interpolate_inverse(const double *values, int count, double low, double high,
                               double value);
 
-/* interpolate.h - reading a published table between its rows, as a straight-edge does.
- */
-
-/* The value at x of the line through `count` (2 or more) rows {x, y}, x ascending;
- * the first row's before it, the last row's beyond. */
+/* Linear interpolation at x between `count` (2 or more) rows {x, y}, x ascending; the
+ * first row's y before that row, the last row's y after that row. */
 double pp_interpolate_linear(const double (*rows)[2], int count, double x);
 
-/* Between which rows x lies: the index of the upper one, 1 to count - 1, and in *share
- * how far x is from the lower to the upper, 0 to 1; x outside is taken at the nearer
- * end. `column` is x's place in rows `width` numbers wide. */
+/* The two rows that x lies between: returns the index of the upper one, 1 to count - 1,
+ * and in *share the position of x from the lower (0) to the upper (1), cut to that
+ * range. Rows are `width` numbers wide; `column` is the index of x in a row. */
 int pp_interpolate_interval(const double *rows, int count, int width, int column,
                             double x, double *share);
 

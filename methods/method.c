@@ -1,5 +1,5 @@
-/* method.c - the hand methods, in the order in which results show them. */
-#include "methods/method_entries.h"
+/* method.c - the list of the hand methods, in the order in which results show them. */
+#include "methods/method.h"
 
 #include <stddef.h>
 #include <string.h>

@@ -1,8 +1,10 @@
-/* method.h - what every hand method is: one entry in one list.
+/* method.h - what every hand method is, and the list of them.
  *
- * A method says what one opening gives, as its source has it; the sum over openings and
- * the settling of glass, frame and dirt (methods/allowance.h) are done once for all, in
- * methods/evaluate.c.
+ * A method gives the components of one opening, as its source has them. The sum over
+ * openings and the corrections for glass, frame and dirt (methods/allowance.h) are the
+ * same for all methods and are made in methods/evaluate.c. A new method is one file
+ * with one struct pp_method, declared at the end of this header and entered in the list
+ * in method.c.
  */
 #ifndef PP_METHODS_METHOD_H
 #define PP_METHODS_METHOD_H
@@ -22,26 +24,27 @@ enum pp_gives {
 
 enum pp_speaks_for {
     PP_FOR_POINT,
-    PP_FOR_ROOM,    /* an average: a point's value by it is that average */
-    PP_FOR_MINIMUM, /* the least in the room: it stands for each point, and tells no
-                     * average */
+    PP_FOR_ROOM,    /* an average, which stands for each point of the room */
+    PP_FOR_MINIMUM, /* the minimum in the room, which stands for each point; the room
+                     * has no average by such a method */
 };
 
-/* What one opening gives, before allowances are settled. A method that sets down how
- * it comes to its figures calls the last of each "sc" and "erc", "irc", or "df", which
- * formulae further on take up; one that does not has a step of that name made for it.
- * Whose opening the steps are is known from pp_steps.line. */
+/* The components of one opening, before the corrections for glass, frame and dirt. A
+ * method that records its steps names the last step of each component "sc", "erc",
+ * "irc" or "df", which later formulae refer to; for a method that does not,
+ * methods/evaluate.c adds a step of that name. pp_steps.line tells which opening the
+ * steps belong to. */
 struct pp_part {
     double sky;             /* of PP_GIVES_DIRECT */
     double external;        /* of PP_GIVES_DIRECT */
     double value;           /* of PP_GIVES_INTERNAL and PP_GIVES_WHOLE */
-    const char *why;        /* set instead of a value: why there is none after all, as
-                             * the end of a sentence that begins with "the opening on
-                             * line 12"; static, or good as long as the tools */
-    struct pp_steps *steps; /* where readings on the way are set down; NULL: nowhere */
+    const char *why;        /* set instead of a value: why there is none, as the end of
+                             * a sentence that begins with "the opening on line 12";
+                             * static, or valid as long as the tools */
+    struct pp_steps *steps; /* where intermediate results are recorded; may be NULL */
 };
 
-/* What somebody asked for that changes a method's figures; all zero: nothing. */
+/* A user's choices that change the figures of a method; all zero: none. */
 struct pp_method_options {
     const struct pp_lumen_table *lumen_table; /* not owned; NULL: the program's own */
 };
@@ -55,44 +58,44 @@ struct pp_method {
     bool of_all_surfaces; /* an average over the room's surfaces, not its working plane:
                            * not to be compared with one */
     unsigned allowances;  /* what its figures already contain, enum pp_allowance */
-    bool counts;          /* squares or dots: no finer than one of them */
+    bool counts;          /* counts squares or dots: readings are multiples of one */
     bool has_average; /* of PP_FOR_POINT: evaluate without a receiver gives the average
                        * over the working plane, in place of an integral over points */
 
-    /* Why the method says nothing of this room, or of this receiver in it (NULL: of the
-     * room as a whole): a static sentence ("the table holds the overcast sky only"), or
-     * NULL if it does say something. May be left out (NULL): it covers all. */
+    /* Why the method does not apply to this room, or to this receiver in the room
+     * (NULL: to the room as a whole): a static sentence ("the table holds the overcast
+     * sky only"), or NULL where the method applies. NULL function: it always does. */
     const char *(*refuses_room)(const struct pp_world *world,
                                 const struct pp_receiver *receiver);
 
     /* Why the method does not cover this opening for this receiver (NULL for the room),
      * as the static end of a sentence that begins with "the opening on line 12"
-     * ("slopes; the table holds vertical openings only"), or NULL if it does. May be
-     * left out. */
+     * ("slopes; the table holds vertical openings only"), or NULL where the method
+     * covers the opening. NULL function: it covers all. */
     const char *(*refuses)(const struct pp_world *world,
                            const struct pp_opening *opening,
                            const struct pp_receiver *receiver);
 
-    /* Makes what the method works with all over one world that it does not refuse: a
-     * diagram, drawn once. May be left out: then tools is NULL. On success *tools is
-     * given back to put_away. */
+    /* Makes the tools that serve for all points of one world, such as a diagram. Called
+     * only for a world that the method does not refuse. NULL function: tools is NULL.
+     * On success *tools is freed by destroy_tools. */
     enum pp_status (*prepare)(void **tools, const struct pp_world *world,
                               struct pp_error *err);
-    /* The same of a method whose figures the options bear on; in place of prepare. */
-    enum pp_status (*prepare_by)(void **tools, const struct pp_world *world,
-                                 const struct pp_method_options *options,
-                                 struct pp_error *err);
-    void (*put_away)(void *tools); /* NULL tools are allowed */
+    /* The same for a method whose figures depend on the options; in place of
+     * prepare. */
+    enum pp_status (*prepare_with_options)(void **tools, const struct pp_world *world,
+                                           const struct pp_method_options *options,
+                                           struct pp_error *err);
+    void (*destroy_tools)(void *tools); /* NULL tools are allowed */
 
-    /* What the opening gives; called only where nothing refuses, part zeroed but for
-     * its steps. Several threads may be in it at once. */
+    /* The components of one opening. Called only where neither function above refuses,
+     * with part zero but for its steps, and from several threads at once. */
     enum pp_status (*evaluate)(const struct pp_world *world,
                                const struct pp_opening *opening,
                                const struct pp_receiver *receiver, const void *tools,
                                struct pp_part *part, struct pp_error *err);
 
-    /* The same to about 1e-4 and fast, where evaluate takes pains: for averages. May be
-     * left out. */
+    /* The same faster, to a relative error of about 1e-4, for averages. May be NULL. */
     enum pp_status (*evaluate_roughly)(const struct pp_world *world,
                                        const struct pp_opening *opening,
                                        const struct pp_receiver *receiver,
@@ -104,10 +107,32 @@ struct pp_method {
 extern const struct pp_method *const pp_methods[];
 
 /* pp_methods[index], for programs that link the shared library, which exports functions
- * only; NULL at the end of the list. index is at most one past the last method. */
+ * but no data; NULL at the end of the list. index is at most one past the last method.
+ */
 const struct pp_method *pp_method_at(int index);
 
 /* The method of that name, or NULL. */
 const struct pp_method *pp_method_find(const char *name);
+
+/* The methods by name. Sky and externally reflected component: */
+extern const struct pp_method pp_method_exact;
+extern const struct pp_method pp_method_brs_table;
+extern const struct pp_method pp_method_waldram;
+extern const struct pp_method pp_method_pepper_pot;
+extern const struct pp_method pp_method_protractor;
+
+/* Internally reflected component: */
+extern const struct pp_method pp_method_bre;
+extern const struct pp_method pp_method_bre_min;
+extern const struct pp_method pp_method_bre_table;
+extern const struct pp_method pp_method_split_flux;
+extern const struct pp_method pp_method_sphere;
+extern const struct pp_method pp_method_nomogram;
+
+/* The daylight factor as a whole: */
+extern const struct pp_method pp_method_average_df;
+extern const struct pp_method pp_method_average_df_lynes;
+extern const struct pp_method pp_method_lumen;
+extern const struct pp_method pp_method_lumen_one;
 
 #endif

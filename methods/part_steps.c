@@ -1,4 +1,4 @@
-/* part_steps.c - see part_steps.h. */
+/* part_steps.c - symbols with the numbers of parts, and the sums over the parts. */
 #include "methods/part_steps.h"
 #include "model/base/text.h"
 
@@ -26,7 +26,7 @@ struct pp_symbol pp_part_steps_symbol(const struct pp_part_steps *terms,
     return symbol;
 }
 
-/* The formula with numbers, or none, for its marks. */
+/* Copies the formula with the part's number (or nothing) in place of each #. */
 static void number(char *text, size_t room, const struct pp_part_steps *terms,
                    const char *formula)
 {
@@ -35,6 +35,13 @@ static void number(char *text, size_t room, const struct pp_part_steps *terms,
             pp_text_append(text, room, "%c", *formula);
         else if (terms->parts > 1)
             pp_text_append(text, room, "_%d", terms->number);
+}
+
+void pp_part_steps_read(const struct pp_part_steps *terms, enum pp_step_unit unit,
+                        double value, const char *name, const char *what)
+{
+    pp_steps_add_named(terms->steps, unit, value,
+                       pp_part_steps_symbol(terms, name).text, "%s", what);
 }
 
 void pp_part_steps_figure(struct pp_part_steps *terms, enum pp_step_unit unit,
@@ -61,14 +68,14 @@ void pp_part_steps_end(struct pp_part_steps *terms)
 {
     if (!terms->steps)
         return;
-    bool alone = terms->parts == 1;
-    if (!alone || terms->sky_count == 0)
+    bool single = terms->parts == 1;
+    if (!single || terms->sky_count == 0)
         pp_steps_add_sum(terms->steps, terms->first, terms->number, "sc",
                          "sky component");
     if (terms->sky < 0.0)
         pp_steps_add_worked(terms->steps, PP_UNIT_SHARE, 0.0, "sc", "max(sc, 0)",
                             "less than nothing is nothing");
-    if (terms->hidden_count > 0 && !alone)
+    if (terms->hidden_count > 0 && !single)
         pp_steps_add_sum(terms->steps, terms->first, terms->number, "erc",
                          "externally reflected component");
 }

@@ -1,5 +1,7 @@
-/* part_steps.h - the parts of an opening that are read one by one, sky here and an
- * obstruction there, as they stand in formulae: sc_1, erc_2, sc_3, and their sums.
+/* part_steps.h - the steps of an opening that is read part by part.
+ *
+ * A part shows the sky or an obstruction. The steps of part k have symbols with that
+ * number (sc_1, erc_2, sc_3); their sums are sc and erc.
  */
 #ifndef PP_METHODS_PART_STEPS_H
 #define PP_METHODS_PART_STEPS_H
@@ -9,42 +11,47 @@
 #include "model/results/steps.h"
 
 struct pp_part_steps {
-    struct pp_steps *steps;      /* NULL: nothing is set down */
-    int first;                   /* the first step of this opening */
-    int parts;                   /* in all: of a single one names have no number */
-    int number;                  /* of the part that is being read, from 1 */
-    int sky_count, hidden_count; /* read so far */
-    double sky;                  /* sum */
+    struct pp_steps *steps; /* NULL: no steps are recorded */
+    int first;              /* index of the opening's first step */
+    int parts;  /* of the opening; symbols of a single part have no number */
+    int number; /* of the current part, from 1 */
+    int sky_count, hidden_count; /* components recorded so far */
+    double sky;                  /* sum of the sky components so far */
 };
 
-/* Names for formulae. */
 struct pp_symbol {
     char text[16];
 };
 
-/* `parts` are about to be read. */
+/* Before the first of `parts` parts. */
 struct pp_part_steps pp_part_steps_begin(struct pp_steps *steps, int parts);
 
 /* Goes on to the next part. */
 void pp_part_steps_next(struct pp_part_steps *terms);
 
-/* The name of a figure of this part: "n", or "n_2" where there are several. */
+/* The symbol of a quantity of the current part: "n", or "n_2" where the opening has
+ * several parts. */
 struct pp_symbol pp_part_steps_symbol(const struct pp_part_steps *terms,
                                       const char *name);
 
-/* Sets down a figure of this part, worked out by a formula in which each # stands for
- * the part's number: "k_r# - k_l#". */
+/* Records a quantity that was read for the current part: from a scale, a table, a
+ * count. */
+void pp_part_steps_read(const struct pp_part_steps *terms, enum pp_step_unit unit,
+                        double value, const char *name, const char *what);
+
+/* Records a quantity of the current part that is worked out by a formula, in which each
+ * # stands for the part's number: "k_r# - k_l#". */
 void pp_part_steps_figure(struct pp_part_steps *terms, enum pp_step_unit unit,
                           double value, const char *name, const char *formula,
                           const char *what);
 
-/* Sets down what this part comes to, sky component or externally reflected one, by a
- * formula of that kind. */
+/* Records the sky component of the current part or, of a `hidden` part, the externally
+ * reflected component; the formula is written as above. */
 void pp_part_steps_component(struct pp_part_steps *terms, bool hidden, double share,
                              const char *formula, const char *what);
 
-/* Sets down the sums: sc, and erc where anything is hidden. A sum of sky that comes out
- * below 0 counts as 0. */
+/* Records the sums: sc, and erc where a part is hidden. A negative sum of the sky
+ * components counts as 0. */
 void pp_part_steps_end(struct pp_part_steps *terms);
 
 #endif

@@ -1,10 +1,11 @@
-/* refusals.c - see refusals.h. */
+/* refusals.c - the sentences, and the tests of sky, receiver and opening behind
+ * them. */
 #include "methods/refusals.h"
 
 #include <stddef.h>
 
-/* A direction is level, or up, to this: it changes no figure's third digit, and corners
- * written with three decimals pass. */
+/* Directions within this angle of level or of the vertical count as such: the angle
+ * changes no figure's third digit, and accepts corners written with three decimals. */
 static const double angle_tolerance_rad = 1e-3;
 
 const char *pp_refusals_unless_up(const struct pp_receiver *receiver)

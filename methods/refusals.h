@@ -1,36 +1,40 @@
-/* refusals.h - reasons that several methods have for not answering, in one wording. */
+/* refusals.h - the reasons, shared by several methods, why a method does not apply to a
+ * room, a receiver or an opening.
+ *
+ * pp_refusals_unless_... and pp_refusals_if_... return one reason or NULL; the others
+ * have the signature of a method's refuses_room or refuses (method.h). */
 #ifndef PP_METHODS_REFUSALS_H
 #define PP_METHODS_REFUSALS_H
 
 #include "model/room/world.h"
 
-/* Sentences of refuses_room(); NULL where there is no such reason. */
+/* Sentences for refuses_room. */
 
-/* For methods made for the CIE overcast sky and a plane facing up. receiver may be
+/* For methods made for the CIE overcast sky and a plane that faces up. receiver may be
  * NULL. */
 const char *pp_refusals_unless_overcast_and_up(const struct pp_world *world,
                                                const struct pp_receiver *receiver);
 
-/* For methods made for a plane facing up; receiver may be NULL. */
+/* For methods made for a plane that faces up; receiver may be NULL. */
 const char *pp_refusals_unless_up(const struct pp_receiver *receiver);
 
-/* For methods that know no source of light but the sky: does a surface give off light
- * by itself? */
+/* For methods without other sources of light than the sky: refuses a world with a
+ * self-luminous surface. */
 const char *pp_refusals_if_luminous(const struct pp_world *world);
 
-/* refuses_room() itself of those that refuse nothing else. */
+/* refuses_room of methods that refuse self-luminous surfaces only. */
 const char *pp_refusals_luminous_room(const struct pp_world *world,
                                       const struct pp_receiver *receiver);
 
-/* refuses_room() of the room formulae that were made for the CIE overcast sky, a plane
+/* refuses_room of the room formulae, which were made for the CIE overcast sky, a plane
  * that faces up and no other source of light. */
 const char *pp_refusals_formula_room(const struct pp_world *world,
                                      const struct pp_receiver *receiver);
 
-/* The end of a sentence of refuses(): for methods that hold vertical openings only. */
+/* The end of a sentence for refuses: for methods made for vertical openings only. */
 const char *pp_refusals_unless_vertical(const struct pp_opening *opening);
 
-/* refuses() itself of those that refuse nothing else. */
+/* refuses of methods that refuse other than vertical openings only. */
 const char *pp_refusals_sloping_opening(const struct pp_world *world,
                                         const struct pp_opening *opening,
                                         const struct pp_receiver *receiver);

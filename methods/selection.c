@@ -1,10 +1,10 @@
-/* selection.c - see selection.h. */
+/* selection.c - reads lists of methods, such as "exact+bre,average-df". */
 #include "methods/selection.h"
 
 #include <stdlib.h>
 #include <string.h>
 
-#include "methods/evaluate.h"
+#include "model/base/array.h"
 #include "model/base/text.h"
 
 static const char default_selection[] = "exact+bre,brs-table+bre,average-df";
@@ -17,16 +17,14 @@ static enum pp_status add(struct pp_selection *selection,
         if (selection->choices[i].method == method
             && selection->choices[i].internal == internal)
             return PP_OK;
-    struct pp_choice *choices =
-        realloc(selection->choices, ((size_t)selection->count + 1) * sizeof *choices);
-    if (!choices)
-        return pp_fail_memory(err);
-    selection->choices = choices;
-    choices[selection->count++] = (struct pp_choice){method, internal};
-    return PP_OK;
+    enum pp_status status = pp_array_append(&selection->choices, selection->count,
+                                            sizeof *selection->choices, err);
+    if (status == PP_OK)
+        selection->choices[selection->count++] = (struct pp_choice){method, internal};
+    return status;
 }
 
-/* Says which methods there are, and which one may have been meant. */
+/* Fails with the names of all methods and the one that may have been meant. */
 static enum pp_status unknown(const char *name, struct pp_error *err)
 {
     enum { MOST = 32 };
@@ -120,7 +118,7 @@ static enum pp_status add_item(struct pp_selection *selection, char *item,
     return status == PP_OK ? add(selection, method, NULL, err) : status;
 }
 
-/* Adds what a list separated by commas names; takes the list apart. */
+/* Adds the methods of a list separated by commas; writes into the list. */
 static enum pp_status add_list(struct pp_selection *selection, char *list,
                                struct pp_error *err)
 {

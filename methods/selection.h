@@ -1,24 +1,35 @@
-/* selection.h - which methods somebody asked for. */
+/* selection.h - which methods a user asks for: a list separated by commas of
+ *
+ *     default   exact+bre, brs-table+bre, average-df; the same as NULL
+ *     all       every direct method with bre, exact with every internal one, all whole
+ *     A+B       direct component by A, internally reflected by B, and both components
+ *     NAME      one method, with the components that it gives
+ */
 #ifndef PP_METHODS_SELECTION_H
 #define PP_METHODS_SELECTION_H
 
 #include "methods/method.h"
 
-/* One method, or a direct one with an internal one. */
+/* One method, or a pair: direct component by one, internally reflected by another. */
 struct pp_choice {
     const struct pp_method *method;
-    const struct pp_method *internal; /* of a pair; else NULL */
+    const struct pp_method *internal; /* of a pair, else NULL */
 };
 
-/* In the order asked for, each once. */
+/* In the order of the list, each once. */
 struct pp_selection {
     int count;
     struct pp_choice *choices;
 };
 
-/* Reads a selection as methods/evaluate.h describes it; NULL is the default one. */
+/* Reads a list of that form; NULL is the default. A wrong name or pair is PP_BAD_INPUT,
+ * with the known names and the nearest one. On success the selection is to be
+ * cleared. */
 enum pp_status pp_selection_parse(struct pp_selection *selection, const char *text,
                                   struct pp_error *err);
 void pp_selection_clear(struct pp_selection *selection);
+
+/* PP_OK where pp_selection_parse would accept the text, else its error. */
+enum pp_status pp_selection_check(const char *selection, struct pp_error *err);
 
 #endif

@@ -14,6 +14,7 @@
 #include "cli/output.h"
 #include "reports/availability_text.h"
 #include "methods/evaluate.h"
+#include "methods/selection.h"
 
 static const char about[] =
     "In how many of the working hours daylight alone gives an illuminance, at the "

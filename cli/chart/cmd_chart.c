@@ -15,6 +15,7 @@
 #include "cli/message.h"
 #include "cli/output.h"
 #include "methods/evaluate.h"
+#include "methods/selection.h"
 #include "model/base/text.h"
 
 static enum pp_status read_format(const char *text, void *place, struct pp_error *err)

@@ -15,6 +15,7 @@
 #include "cli/watch.h"
 #include "reports/print.h"
 #include "methods/evaluate.h"
+#include "methods/selection.h"
 #include "methods/method.h"
 
 struct df_options {

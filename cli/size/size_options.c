@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "methods/evaluate.h"
+#include "methods/selection.h"
 
 static enum pp_status read_change(const char *text, void *place, struct pp_error *err)
 {

@@ -14,6 +14,7 @@
 #include "reports/print_validate.h"
 #include "cli/rooms.h"
 #include "methods/evaluate.h"
+#include "methods/selection.h"
 
 static const char about[] =
     "Without FILE: the program's answers beside those that are known on paper (open "

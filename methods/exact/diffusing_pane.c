@@ -1,45 +1,47 @@
-/* diffusing_pane.c - see diffusing_pane.h. */
+/* diffusing_pane.c - finds the lines where the illuminance is not smooth, interpolates
+ * it between them, and integrates over the visible part. */
 #include "methods/exact/diffusing_pane.h"
 
 #include <stdlib.h>
 
-#include "methods/view/occluders.h"
-#include "methods/view/exterior.h"
+#include "methods/exact/exterior.h"
 #include "methods/exact/quadrature.h"
+#include "methods/view/occluders.h"
+#include "model/geometry/bounds.h"
 
-enum { PLACES = 7, CELLS_MOST = 96 };
+enum { NODES = 7, CELLS_MOST = 96 };
 
-/* Evaluations times the square of the number of surfaces that they look at: some
+/* The most evaluations times the square of the number of surfaces before the pane: some
  * seconds. */
 static const double WORK_MOST = 2e6;
 
-/* Of what falls on the whole pane. */
-static const double ENOUGH = 1e-6;
+/* Error at which no cell is divided further, relative to the flux on the whole pane. */
+static const double RELATIVE_ERROR = 1e-6;
 
 /* Coordinates are along the opening's own axes (m, from the room's origin). */
 struct pp_pane_cell {
     double low[2], high[2];
-    double sky[PLACES][PLACES], external[PLACES][PLACES];
-    double total, error; /* of its integral over the cell */
-    int worse;           /* the axis that more of the error is along */
+    double sky[NODES][NODES], external[NODES][NODES];
+    double total, error; /* of the integral over the cell */
+    int worse;           /* the axis with the larger part of the error */
 };
 
-/* Places from -1 to 1, the nodes of Chebyshev's polynomial: -cos((2 i + 1) pi / 14),
- * and their barycentric weights. */
-static const double places[PLACES] = {
+/* Nodes from -1 to 1, the zeros of Chebyshev's polynomial: -cos((2 i + 1) pi / 14), and
+ * their barycentric weights. */
+static const double nodes[NODES] = {
     -0.9749279121818236, -0.7818314824680298, -0.4338837391175582, 0.0,
     0.43388373911755806, 0.7818314824680295,  0.9749279121818237};
-static const double barycentric[PLACES] = {
+static const double barycentric[NODES] = {
     0.2225209339563144, -0.6234898018587335, 0.9009688679024191, -1.0,
     0.9009688679024191, -0.6234898018587339, 0.2225209339563141};
 
-/* ---- where it may not be smooth ---- */
+/* ---- lines where the illuminance is not smooth ---- */
 
-/* Coordinates on either axis. */
+/* Those parallel to an axis of the pane: their coordinates on the other axis. */
 struct borders {
     double *at[2];
     int count[2];
-    int surfaces; /* before the pane */
+    int surfaces; /* number of surfaces in front of the pane */
 };
 
 /* The pane's plane: foot + x along + y up. */
@@ -55,7 +57,8 @@ static struct plane plane_of(const struct pp_opening *opening)
                           toward};
 }
 
-/* Where the plane m.p = offset meets the pane's, if that is parallel to an axis. */
+/* Adds the line where the plane m.p = offset meets the pane's plane, if that line is
+ * parallel to an axis. */
 static void add_border(struct borders *borders, const struct plane *plane,
                        struct pp_vec3 m, double offset)
 {
@@ -66,7 +69,8 @@ static void add_border(struct borders *borders, const struct plane *plane,
                 (offset - pp_vec_dot(m, plane->foot)) / slope[axis];
 }
 
-static bool is_beyond(const struct pp_polygon *outline, const struct plane *plane)
+/* Does the polygon reach in front of the pane's plane? */
+static bool is_in_front(const struct pp_polygon *outline, const struct plane *plane)
 {
     for (int i = 0; i < outline->count; i++)
         if (pp_vec_dot(pp_vec_sub(outline->vertices[i], plane->foot), plane->toward)
@@ -93,7 +97,7 @@ static enum pp_status find_borders(struct borders *borders,
         const struct pp_surface *surface = &world->surfaces[i];
         const struct pp_polygon *outline = &surface->outline;
         if (i == opening->face || surface->role == PP_REVEAL
-            || !is_beyond(outline, &plane))
+            || !is_in_front(outline, &plane))
             continue;
         borders->surfaces++;
         add_border(borders, &plane, outline->normal,
@@ -108,39 +112,40 @@ static enum pp_status find_borders(struct borders *borders,
     return PP_OK;
 }
 
-/* The border nearest to the cell's middle, or that itself. */
+/* The border nearest to the cell's middle, or the middle where no border is in the
+ * cell. */
 static double cut_of(const struct borders *borders, const struct pp_pane_cell *cell,
                      int axis)
 {
     double low = cell->low[axis], high = cell->high[axis];
-    double middle = (low + high) / 2.0, cut = NAN, hair = 1e-9 * (high - low);
+    double middle = (low + high) / 2.0, cut = NAN, margin = 1e-9 * (high - low);
     for (int i = 0; i < borders->count[axis]; i++) {
         double at = borders->at[axis][i];
-        if (at > low + hair && at < high - hair
+        if (at > low + margin && at < high - margin
             && !(fabs(at - middle) >= fabs(cut - middle)))
             cut = at;
     }
     return isnan(cut) ? middle : cut;
 }
 
-/* ---- lighting it ---- */
+/* ---- the illuminance of the outside ---- */
 
-/* Adds to tails what the last two of the polynomial's coefficients along either axis
- * come to. */
-static void add_tails(double tails[2], const double values[PLACES][PLACES])
+/* Adds to tails[axis] the absolute values of the polynomial's last two coefficients
+ * along each axis. */
+static void add_tails(double tails[2], const double values[NODES][NODES])
 {
-    double basis[PLACES][PLACES];
-    for (int m = 0; m < PLACES; m++)
-        for (int i = 0; i < PLACES; i++)
-            basis[m][i] = cos(m * acos(places[i])) * (m > 0 ? 2.0 : 1.0) / PLACES;
-    for (int m = 0; m < PLACES; m++)
-        for (int n = 0; n < PLACES; n++) {
+    double basis[NODES][NODES];
+    for (int m = 0; m < NODES; m++)
+        for (int i = 0; i < NODES; i++)
+            basis[m][i] = cos(m * acos(nodes[i])) * (m > 0 ? 2.0 : 1.0) / NODES;
+    for (int m = 0; m < NODES; m++)
+        for (int n = 0; n < NODES; n++) {
             double sum = 0.0;
-            for (int i = 0; i < PLACES; i++)
-                for (int k = 0; k < PLACES; k++)
+            for (int i = 0; i < NODES; i++)
+                for (int k = 0; k < NODES; k++)
                     sum += values[i][k] * basis[m][i] * basis[n][k];
-            tails[0] += m >= PLACES - 2 ? fabs(sum) : 0.0;
-            tails[1] += n >= PLACES - 2 ? fabs(sum) : 0.0;
+            tails[0] += m >= NODES - 2 ? fabs(sum) : 0.0;
+            tails[1] += n >= NODES - 2 ? fabs(sum) : 0.0;
         }
 }
 
@@ -154,11 +159,11 @@ static enum pp_status light_cell(struct pp_pane_cell *cell,
         middle[axis] = (cell->low[axis] + cell->high[axis]) / 2.0;
         half[axis] = (cell->high[axis] - cell->low[axis]) / 2.0;
     }
-    for (int i = 0; i < PLACES; i++)
-        for (int k = 0; k < PLACES; k++) {
+    for (int i = 0; i < NODES; i++)
+        for (int k = 0; k < NODES; k++) {
             struct pp_vec3 at =
-                pp_vec_along(plane.foot, middle[0] + half[0] * places[i], plane.along);
-            at = pp_vec_along(at, middle[1] + half[1] * places[k], plane.up);
+                pp_vec_along(plane.foot, middle[0] + half[0] * nodes[i], plane.along);
+            at = pp_vec_along(at, middle[1] + half[1] * nodes[k], plane.up);
             struct pp_exterior_light outside;
             enum pp_status status = pp_exterior_light_on_plane(
                 &outside, world, &world->sky, at, plane.toward, opening->face, err);
@@ -169,16 +174,16 @@ static enum pp_status light_cell(struct pp_pane_cell *cell,
             sum += outside.sky + outside.external;
         }
     double area = 4.0 * half[0] * half[1], tails[2] = {0.0, 0.0};
-    add_tails(tails, (const double(*)[PLACES])cell->sky);
-    add_tails(tails, (const double(*)[PLACES])cell->external);
-    cell->total = area * sum / (PLACES * PLACES);
+    add_tails(tails, (const double(*)[NODES])cell->sky);
+    add_tails(tails, (const double(*)[NODES])cell->external);
+    cell->total = area * sum / (NODES * NODES);
     cell->error = area * (tails[0] + tails[1]);
     cell->worse = tails[0] > tails[1] ? 0 : 1;
     return PP_OK;
 }
 
-/* Sums up; the cell with the largest error. */
-static int worst_of(struct pp_diffusing_pane *pane)
+/* Sets the error of the pane; returns the cell with the largest error. */
+static int find_worst(struct pp_diffusing_pane *pane)
 {
     double total = 0.0, error = 0.0;
     int worst = 0;
@@ -198,12 +203,12 @@ static enum pp_status divide(struct pp_diffusing_pane *pane,
                              const struct pp_opening *opening, struct pp_error *err)
 {
     enum pp_status status = light_cell(&pane->cells[0], world, opening, err);
-    double work = PLACES * PLACES * (double)borders->surfaces * borders->surfaces;
+    double work = NODES * NODES * (double)borders->surfaces * borders->surfaces;
     int most = (int)fmin(CELLS_MOST, 1.0 + WORK_MOST / fmax(2.0 * work, 1.0));
     pane->cell_count = 1;
     while (status == PP_OK) {
-        int worst = worst_of(pane);
-        if (!(pane->error > ENOUGH) || pane->cell_count == most)
+        int worst = find_worst(pane);
+        if (!(pane->error > RELATIVE_ERROR) || pane->cell_count == most)
             return PP_OK;
         struct pp_pane_cell *cell = &pane->cells[worst];
         struct pp_pane_cell *other = &pane->cells[pane->cell_count++];
@@ -223,16 +228,13 @@ enum pp_status pp_diffusing_pane_init(struct pp_diffusing_pane *pane,
                                       struct pp_error *err)
 {
     const struct pp_polygon *outline = &opening->outer;
-    struct pp_pane_cell whole = {.low = {INFINITY, INFINITY},
-                                 .high = {-INFINITY, -INFINITY}};
+    struct pp_bounds2 box = pp_bounds2_empty();
     for (int i = 0; i < outline->count; i++) {
         struct pp_vec3 v = outline->vertices[i];
-        double xy[2] = {pp_vec_dot(v, opening->along), pp_vec_dot(v, opening->up)};
-        for (int axis = 0; axis < 2; axis++) {
-            whole.low[axis] = fmin(whole.low[axis], xy[axis]);
-            whole.high[axis] = fmax(whole.high[axis], xy[axis]);
-        }
+        pp_bounds2_add(&box, pp_vec_dot(v, opening->along), pp_vec_dot(v, opening->up));
     }
+    struct pp_pane_cell whole = {.low = {box.low[0], box.low[1]},
+                                 .high = {box.high[0], box.high[1]}};
     struct borders borders;
     enum pp_status status = find_borders(&borders, world, opening, err);
     *pane =
@@ -256,33 +258,33 @@ void pp_diffusing_pane_clear(struct pp_diffusing_pane *pane)
     *pane = (struct pp_diffusing_pane){0};
 }
 
-/* ---- what it gives ---- */
+/* ---- the direct component ---- */
 
-/* A cell as a receiver sees it. */
+/* A cell as seen from a receiver. */
 struct cell_seen {
     const struct pp_pane_cell *cell;
-    const double (*values)[PLACES];
+    const double (*values)[NODES];
     struct plane plane;
-    double eye[2]; /* the foot of its perpendicular, on the pane's axes */
+    double eye[2]; /* the foot of the eye's perpendicular, on the pane's axes */
     double distance_m;
 };
 
-/* What the values of the places count at t from -1 to 1: Lagrange's polynomials in
- * their barycentric form. */
-static void weigh(double weights[PLACES], double t)
+/* The weights of the nodes' values at t from -1 to 1: Lagrange's polynomials in their
+ * barycentric form. */
+static void weigh(double weights[NODES], double t)
 {
     double sum = 0.0;
-    for (int i = 0; i < PLACES; i++) {
-        double apart = t - places[i];
+    for (int i = 0; i < NODES; i++) {
+        double apart = t - nodes[i];
         if (apart == 0.0) {
-            for (int k = 0; k < PLACES; k++)
+            for (int k = 0; k < NODES; k++)
                 weights[k] = k == i;
             return;
         }
         weights[i] = barycentric[i] / apart;
         sum += weights[i];
     }
-    for (int i = 0; i < PLACES; i++)
+    for (int i = 0; i < NODES; i++)
         weights[i] /= sum;
 }
 
@@ -293,20 +295,20 @@ static double illuminance_at(const void *context, struct pp_vec3 u)
     double reach_m = seen->distance_m / pp_vec_dot(u, seen->plane.toward);
     double xy[2] = {seen->eye[0] + reach_m * pp_vec_dot(u, seen->plane.along),
                     seen->eye[1] + reach_m * pp_vec_dot(u, seen->plane.up)};
-    double weights[2][PLACES], sum = 0.0;
+    double weights[2][NODES], sum = 0.0;
     for (int axis = 0; axis < 2; axis++)
         weigh(weights[axis], (2.0 * xy[axis] - cell->low[axis] - cell->high[axis])
                                  / (cell->high[axis] - cell->low[axis]));
-    for (int i = 0; i < PLACES; i++) {
+    for (int i = 0; i < NODES; i++) {
         double row = 0.0;
-        for (int k = 0; k < PLACES; k++)
+        for (int k = 0; k < NODES; k++)
             row += weights[1][k] * seen->values[i][k];
         sum += weights[0][i] * row;
     }
     return sum;
 }
 
-/* The half-spaces through the eye that the cell lies in. */
+/* The half-spaces through the eye and the sides of the cell. */
 static void sides_of(struct pp_vec3 sides[4], const struct cell_seen *seen)
 {
     const struct pp_vec3 axes[2] = {seen->plane.along, seen->plane.up};
@@ -331,7 +333,7 @@ static enum pp_status add_cell(struct pp_direct *sum, struct cell_seen *seen,
     for (int i = 0; i < 2 && status == PP_OK; i++) {
         struct pp_quadrature result;
         seen->values =
-            (const double(*)[PLACES])(i == 0 ? seen->cell->sky : seen->cell->external);
+            (const double(*)[NODES])(i == 0 ? seen->cell->sky : seen->cell->external);
         struct pp_integrand part = {illuminance_at, seen, NULL};
         status = pp_quadrature_over(
             &result, &visible->view, &visible->patches[0].region, half_spaces, 5,

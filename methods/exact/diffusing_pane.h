@@ -1,14 +1,14 @@
-/* diffusing_pane.h - a diffusing pane that is not lit the same all over: what falls on its
- * outside, and what it gives a receiver.
+/* diffusing_pane.h - an unevenly lit diffusing pane: the illuminance of its outside,
+ * and its direct component at a receiver.
  *
- * What stands before a pane leaves jumps in its illuminance where it touches the pane's
- * plane, kinks where the plane of a surface meets it and at the height of the corners
- * of what rises above the horizon, and is smooth between. The pane is divided where
- * that runs along its axes, and in the middle else, until polynomials through 7 x 7
- * places (Chebyshev's) of each cell are within 1e-6 of what falls on the whole, by the
- * last of their coefficients; or until there are 96 cells, fewer behind dozens of
- * surfaces, of which each place takes milliseconds. Measured then: 1e-3 behind a shelf
- * that touches the pane on a slope, 1.2e-2 behind twenty slats.
+ * The illuminance jumps where an obstruction touches the pane's plane, has kinks where
+ * the plane of a surface meets the pane and at the heights of corners above the
+ * horizon, and is smooth between these lines. The pane is divided along such lines
+ * where they are parallel to its axes, else in the middle, until polynomials through 7
+ * x 7 Chebyshev nodes of each cell have an error, by the last of their coefficients, of
+ * 1e-6 of the flux on the whole pane; or until there are 96 cells, fewer behind dozens
+ * of surfaces, where each node takes milliseconds. Errors measured at that limit: 1e-3
+ * behind a sloping shelf that touches the pane, 1.2e-2 behind twenty slats.
  */
 #ifndef PP_METHODS_EXACT_DIFFUSING_PANE_H
 #define PP_METHODS_EXACT_DIFFUSING_PANE_H
@@ -20,17 +20,18 @@
 struct pp_diffusing_pane {
     struct pp_pane_cell *cells;
     int cell_count;
-    double error; /* estimated, of what falls on the whole, as a share of it */
+    double error; /* estimated, of the flux on the pane, relative */
 };
 
+/* Works out the illuminance of an opening's outside. */
 enum pp_status pp_diffusing_pane_init(struct pp_diffusing_pane *pane,
                                       const struct pp_world *world,
                                       const struct pp_opening *opening,
                                       struct pp_error *err);
 void pp_diffusing_pane_clear(struct pp_diffusing_pane *pane);
 
-/* Adds to *sum the integrals of what falls on the outside (over Eh) times (n.u) over
- * what is seen of the pane; `rough` as there. */
+/* Adds to *sum the integrals of the outside's illuminance (over Eh) times (n.u) over
+ * the visible part of the pane; sum->rough as in direct.h. */
 enum pp_status pp_diffusing_pane_add(struct pp_direct *sum,
                                      const struct pp_diffusing_pane *pane,
                                      const struct pp_visible *visible,

@@ -1,4 +1,5 @@
-/* direct.c - see direct.h. */
+/* direct.c - chooses closed form or quadrature for each patch of a view, and adds
+ * up. */
 #include "methods/exact/direct.h"
 
 #include <float.h>
@@ -8,19 +9,14 @@
 #include "methods/exact/direct_steps.h"
 #include "methods/exact/quadrature.h"
 
-double pp_direct_factor(const struct pp_sky *sky, double reflectance)
-{
-    return sky->kind == PP_SKY_OVERCAST ? reflectance : reflectance / 2.0;
-}
-
 /* ---- closed forms ---- */
 
 enum { CORNERS_ON_STACK = 64 };
 
-/* The patch's half-spaces and `more` in one array; returns their number. */
-static int gather(struct pp_vec3 all[PP_HALF_SPACES_MOST],
-                  const struct pp_visible_patch *patch, const struct pp_vec3 *more,
-                  int more_count)
+/* Writes the patch's half-spaces and `more` to one array; returns their number. */
+static int join_half_spaces(struct pp_vec3 all[PP_HALF_SPACES_MOST],
+                            const struct pp_visible_patch *patch,
+                            const struct pp_vec3 *more, int more_count)
 {
     int count = 0;
     for (int i = 0; i < patch->half_space_count; i++)
@@ -37,7 +33,7 @@ enum pp_status pp_direct_moments(struct pp_moments *moments,
                                  int more_count, struct pp_error *err)
 {
     struct pp_vec3 limits[PP_HALF_SPACES_MOST];
-    int limit_count = gather(limits, patch, more, more_count);
+    int limit_count = join_half_spaces(limits, patch, more, more_count);
     *moments = (struct pp_moments){0};
     for (int r = 0; r < patch->region.count; r++) {
         const struct pp_ring *ring = &patch->region.rings[r];
@@ -99,7 +95,7 @@ static double horizon_through_glass(const void *context, struct pp_vec3 u)
 
 /* ---- a patch ---- */
 
-/* What is asked of a patch, and of whom. */
+/* One patch, the receiver's normal, and the sum that the patch is added to. */
 struct task {
     struct pp_direct *sum;
     const struct pp_visible *visible;
@@ -113,7 +109,7 @@ static bool is_unglazed(const struct task *task)
     return task->lights.glass->panes == 0;
 }
 
-/* Which side of the horizon? */
+/* Side of the horizon. */
 enum side { ABOVE, BELOW, BOTH };
 
 /* The half-spaces of the receiver and of that side. */
@@ -134,7 +130,7 @@ static enum pp_status by_quadrature(double *value, const struct task *task,
 {
     struct pp_vec3 sides[2], limits[PP_HALF_SPACES_MOST];
     int count = limits_of(sides, task, side);
-    count = gather(limits, task->patch, sides, count);
+    count = join_half_spaces(limits, task->patch, sides, count);
     struct pp_integrand integrand = {luminance, &task->lights, cusp};
     double relative_error = task->sum->rough    ? PP_QUADRATURE_ROUGH
                             : is_unglazed(task) ? PP_QUADRATURE_UNGLAZED
@@ -163,7 +159,7 @@ static enum pp_status transmitted(double *value, const struct task *task,
     return status;
 }
 
-/* Integral of L tau (n.u), over the sky that is seen or would be. */
+/* Integral of L tau (n.u) above the horizon: visible or hidden sky. */
 static enum pp_status from_sky(double *value, const struct task *task,
                                struct pp_error *err)
 {
@@ -192,9 +188,9 @@ static enum pp_status from_below(double *value, const struct task *task,
     return status;
 }
 
-/* Sets a patch out on paper. */
-static enum pp_status set_down(struct pp_part_steps *terms, const struct task *task,
-                               struct pp_patch_figures *figures, struct pp_error *err)
+/* Records the steps of a patch. */
+static enum pp_status add_steps(struct pp_part_steps *terms, const struct task *task,
+                                struct pp_patch_figures *figures, struct pp_error *err)
 {
     const struct pp_sky *sky = task->lights.sky;
     struct pp_vec3 limits[2];
@@ -214,29 +210,31 @@ static enum pp_status add_patch(const struct task *task, const struct pp_world *
                                 struct pp_part_steps *terms, struct pp_error *err)
 {
     const struct pp_visible_patch *patch = task->patch;
-    struct pp_patch_figures of = {0};
+    struct pp_patch_figures figures = {0};
     double all = 0.0;
     bool faces_up =
         task->normal.x == 0.0 && task->normal.y == 0.0 && task->normal.z > 0.0;
-    enum pp_status status = from_sky(&of.above, task, err);
+    enum pp_status status = from_sky(&figures.above, task, err);
     if (!patch->hidden) {
         if (status == PP_OK && !faces_up)
-            status = transmitted(&of.below, task, BELOW, err);
-        task->sum->sky += of.above;
-        task->sum->external += world->ground_reflectance / PP_PI * of.below;
-        of.below /= PP_PI;
-        of.factor = world->ground_reflectance;
+            status = transmitted(&figures.below, task, BELOW, err);
+        task->sum->sky += figures.above;
+        task->sum->external += world->ground_reflectance / PP_PI * figures.below;
+        figures.below /= PP_PI;
+        figures.factor = world->ground_reflectance;
     } else {
         if (status == PP_OK && !faces_up)
-            status = from_below(&of.below, task, err);
+            status = from_below(&figures.below, task, err);
         if (status == PP_OK && patch->exitance > 0.0)
             status = transmitted(&all, task, BOTH, err);
-        of.factor = pp_direct_factor(task->lights.sky, patch->reflectance);
-        of.own = patch->exitance / PP_PI * all;
-        task->sum->external += of.factor * (of.above + of.below) + of.own;
+        figures.factor =
+            pp_visible_luminance_factor(task->lights.sky, patch->reflectance);
+        figures.own = patch->exitance / PP_PI * all;
+        task->sum->external +=
+            figures.factor * (figures.above + figures.below) + figures.own;
     }
     if (status == PP_OK && terms->steps)
-        status = set_down(terms, task, &of, err);
+        status = add_steps(terms, task, &figures, err);
     return status;
 }
 

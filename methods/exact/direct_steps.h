@@ -1,24 +1,24 @@
-/* direct_steps.h - how what a patch of a view gives is set out on paper. */
+/* direct_steps.h - the steps of one patch of a view, for direct.c. */
 #ifndef PP_METHODS_EXACT_DIRECT_STEPS_H
 #define PP_METHODS_EXACT_DIRECT_STEPS_H
 
 #include "methods/exact/solid_angle.h"
 #include "methods/part_steps.h"
 
-/* What was worked out of one patch; shares of Eh. */
+/* The results for one patch, over Eh. */
 struct pp_patch_figures {
     bool hidden;
-    struct pp_moments moments; /* of what lies above the horizon */
-    bool closed_form;          /* do they suffice for the sky? */
+    struct pp_moments moments; /* of the part above the horizon */
+    bool closed_form; /* the sky's luminance has a closed form by the moments */
     bool glazed;
-    double above;  /* the sky's light, seen or hidden, through the glass */
-    double below;  /* hidden: at the luminance of the horizon; else the
-                    * ground's, for a reflectance of 1 */
-    double own;    /* what a patch that is hidden gives off by itself */
-    double factor; /* luminance factor of what hides, or of the ground */
+    double above;  /* by visible or hidden sky, through the glass */
+    double below;  /* by ground with a reflectance of 1; for an obstruction, by its part
+                    * below the horizon at the luminance of the horizon */
+    double own;    /* by the exitance of the obstruction */
+    double factor; /* luminance factor of the obstruction, reflectance of the ground */
 };
 
-/* Sets down the next of the terms; nothing of what is a sliver. */
+/* Records the steps of the next part; none for a patch of no size. */
 void pp_direct_steps_add(struct pp_part_steps *terms,
                          const struct pp_patch_figures *figures,
                          const struct pp_sky *sky);

@@ -1,23 +1,37 @@
-/* exact.c - see exact.h. */
-#include "methods/exact/exact.h"
+/* exact.c - `exact`: the direct component without approximation.
+ *
+ * Sky component by closed form [ARVO95] for the overcast and uniform skies without
+ * glass (to 1e-9 or 1e-15 of the open sky), by quadrature with glass (to 1e-6) and for
+ * the skies of ISO 15469 (to 1e-9 without glass); externally reflected component by the
+ * conventions in direct.h. Any number of windows, rooflights and sloping openings, any
+ * receiver, any shape of room; reveals, skylines, blocks and free-standing surfaces.
+ *
+ * A diffusing pane is a Lambertian emitter of the light that falls on its outside:
+ * exact where that light is the same all over the pane (nothing before the pane but
+ * sky, ground and skylines without a distance), else to 1e-6 by polynomials over parts
+ * of the pane (diffusing_pane.h, which says where the error is larger). The illuminance
+ * of such panes is worked out once for a room where the method is prepared, else for
+ * each receiver anew; the numbers are the same.
+ */
+#include "methods/method.h"
 
 #include <stdlib.h>
 
 #include "methods/exact/direct.h"
-#include "methods/view/exterior.h"
+#include "methods/exact/exterior.h"
 #include "methods/exact/diffusing_pane.h"
 #include "methods/view/visible.h"
 
 /* ---- diffusing panes ---- */
 
-/* The panes that are lit unevenly are lit once for the room: a list with one for each
- * opening, of which the others stay empty. */
+/* The unevenly lit diffusing panes, whose illuminance is worked out once for the room:
+ * one item for each opening, empty for all other openings. */
 struct panes {
     int count;
     struct pp_diffusing_pane list[];
 };
 
-static void put_away(void *tools)
+static void destroy_tools(void *tools)
 {
     struct panes *panes = tools;
     for (int i = 0; panes && i < panes->count; i++)
@@ -25,9 +39,9 @@ static void put_away(void *tools)
     free(panes);
 }
 
-/* NULL where there are none. */
-static enum pp_status light_panes(void **tools, const struct pp_world *world,
-                                  struct pp_error *err)
+/* *tools is NULL for a room without unevenly lit panes. */
+static enum pp_status prepare(void **tools, const struct pp_world *world,
+                              struct pp_error *err)
 {
     struct panes *panes = NULL;
     enum pp_status status = PP_OK;
@@ -45,17 +59,17 @@ static enum pp_status light_panes(void **tools, const struct pp_world *world,
         status = pp_diffusing_pane_init(&panes->list[i], world, opening, err);
     }
     if (status != PP_OK)
-        put_away(panes);
+        destroy_tools(panes);
     else
         *tools = panes;
     return status;
 }
 
-/* The pane is lit evenly: what falls on it, what of that it lets through, and its
- * configuration factor c. */
-static void set_down_even_pane(struct pp_steps *steps,
-                               const struct pp_exterior_light *outside, double c,
-                               double tau)
+/* Records the sum of an evenly lit pane: its illuminance outside, its transmittance,
+ * and the configuration factor c of its visible part. */
+static void add_even_pane_steps(struct pp_steps *steps,
+                                const struct pp_exterior_light *outside, double c,
+                                double tau)
 {
     pp_steps_add_named(steps, PP_UNIT_NUMBER, c, "c",
                        "configuration factor of what is seen of the diffusing pane");
@@ -91,8 +105,8 @@ static enum pp_status from_even_pane(struct pp_direct *sum,
         return status;
     sum->sky += outside.sky * moments.cosine;
     sum->external += outside.external * moments.cosine;
-    set_down_even_pane(sum->steps, &outside, moments.cosine / PP_PI,
-                       opening->glass.diffuse);
+    add_even_pane_steps(sum->steps, &outside, moments.cosine / PP_PI,
+                        opening->glass.diffuse);
     return PP_OK;
 }
 
@@ -173,8 +187,8 @@ const struct pp_method pp_method_exact = {
     .gives = PP_GIVES_DIRECT,
     .speaks_for = PP_FOR_POINT,
     .allowances = PP_ALLOWS_OWN_GLASS,
-    .prepare = light_panes,
-    .put_away = put_away,
+    .prepare = prepare,
+    .destroy_tools = destroy_tools,
     .evaluate = evaluate,
     .evaluate_roughly = evaluate_roughly,
 };

@@ -1,4 +1,5 @@
-/* quadrature.c - see quadrature.h. */
+/* quadrature.c - divides a region into cells between two edges, and integrates over
+ * each cell by adaptive or fixed rules. */
 #include "methods/exact/quadrature.h"
 
 #include <cubature.h>
@@ -6,15 +7,17 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Coordinates that agree to this share of the whole extent are one. */
+#include "model/base/array.h"
+
+/* Coordinates that agree to this share of the whole extent count as equal. */
 #define GRAIN 1e-13
 
-/* What a whole integral may err by however small it is: a slit as narrow as rounding
- * has no digits to work for. */
+/* The absolute error that any integral may have: a slit no wider than rounding errors
+ * has no significant digits. */
 #define ABSOLUTE 1e-17
 
-/* Evaluations after which a column, and columns after which a cell, is left as it is;
- * the error bound then says so. */
+/* The most evaluations of a column, and the most columns of a cell; where they do not
+ * suffice, the error bound is larger. */
 enum { COLUMN_MOST = 3000, COLUMNS_MOST = 3000 };
 
 /* An edge of the clipped rings, from left to right. */
@@ -22,25 +25,26 @@ struct ring_edge {
     double x[2], y[2];
 };
 
-/* Between two lines y = level + slope x, from x[0] to x[1]. */
+/* The line y = level + slope x. */
 struct cell_bound {
     double level, slope;
 };
 
+/* The area between two such lines, from x[0] to x[1]. */
 struct integration_cell {
     double x[2];
     struct cell_bound lower, upper;
     int lower_edge, upper_edge; /* -1: not an edge */
 };
 
-/* All there is to integrate over. */
+/* The edges of the region and the cells between them. */
 struct integration_cells {
     struct ring_edge *edges;
-    int edge_count, edge_room;
-    double *stops; /* where cells begin and end */
+    int edge_count, edge_capacity;
+    double *stops; /* the x at which cells begin and end */
     int stop_count;
     struct integration_cell *list;
-    int count, room;
+    int count, capacity;
 };
 
 static void clear_cells(struct integration_cells *cells)
@@ -53,8 +57,8 @@ static void clear_cells(struct integration_cells *cells)
 /* ---- from rings to edges ---- */
 
 /* Cuts a ring by a x + b y + c > 0. A ring that is not convex keeps bridges along the
- * cut, which run both ways and cancel. Returns how many points are left; out has room
- * for 2 count. */
+ * cut, which run both ways and cancel. Returns the number of points of the rest; out
+ * has room for 2 count. */
 static int cut_ring(double (*out)[2], const double (*in)[2], int count, double a,
                     double b, double c)
 {
@@ -94,16 +98,12 @@ static enum pp_status add_ring(struct integration_cells *cells,
         from = to;
         to = swap;
     }
-    if (cells->edge_count + count > cells->edge_room) {
-        int edge_room = 2 * cells->edge_room + count;
-        struct ring_edge *edges =
-            realloc(cells->edges, (size_t)edge_room * sizeof *cells->edges);
-        if (!edges) {
-            free(buffer);
-            return pp_fail_memory(err);
-        }
-        cells->edges = edges;
-        cells->edge_room = edge_room;
+    enum pp_status status =
+        pp_array_reserve(&cells->edges, &cells->edge_capacity,
+                         cells->edge_count + count, sizeof *cells->edges, err);
+    if (status != PP_OK) {
+        free(buffer);
+        return status;
     }
     for (int i = 0, k = count - 1; i < count; k = i++) {
         int left = from[k][0] <= from[i][0] ? k : i, right = left == k ? i : k;
@@ -159,21 +159,16 @@ static struct cell_bound line_of(const struct ring_edge *edge)
 static enum pp_status add_cell(struct integration_cells *cells,
                                struct integration_cell cell, struct pp_error *err)
 {
-    if (cells->count == cells->room) {
-        int room = cells->room ? 2 * cells->room : 8;
-        struct integration_cell *list =
-            realloc(cells->list, (size_t)room * sizeof *cells->list);
-        if (!list)
-            return pp_fail_memory(err);
-        cells->list = list;
-        cells->room = room;
-    }
-    cells->list[cells->count++] = cell;
-    return PP_OK;
+    enum pp_status status = pp_array_reserve(
+        &cells->list, &cells->capacity, cells->count + 1, sizeof *cells->list, err);
+    if (status == PP_OK)
+        cells->list[cells->count++] = cell;
+    return status;
 }
 
-/* Cells between two stops: edges that cross the strip, by height, bound them in pairs.
- * A cell between the same two edges as one that ends here is that one, continued. */
+/* Adds the cells between two stops: the edges across the strip, ordered by height,
+ * bound them in pairs. A cell that ends at `left` between the same two edges is
+ * extended. */
 static enum pp_status add_strip(struct integration_cells *cells, int *crossing,
                                 double left, double right, bool may_continue,
                                 struct pp_error *err)
@@ -269,8 +264,9 @@ struct cell_integral {
     struct pp_vec3 normal;          /* the receiver's, room's axes */
     struct cell_bound lower, upper; /* over the distance of the plane */
     double alpha[2];
-    double cos_alpha, sin_alpha;     /* of the column that is being integrated */
-    double column_abs, column_error; /* error bounds of a column, either will do */
+    double cos_alpha, sin_alpha; /* of the current column */
+    double column_abs,
+        column_error; /* absolute and relative error bounds of a column */
     long evaluations;
 };
 
@@ -279,16 +275,17 @@ static int at_sine(unsigned dim, const double *sine, void *data, unsigned fdim,
                    double *value)
 {
     (void)dim, (void)fdim;
-    struct cell_integral *walk = data;
+    struct cell_integral *integral = data;
     double cosine = sqrt(fmax(0.0, 1.0 - sine[0] * sine[0]));
     struct pp_vec3 own =
-        pp_vec(walk->sin_alpha * cosine, sine[0], walk->cos_alpha * cosine);
-    struct pp_vec3 u = pp_projection_to_room(walk->view, own);
-    double facing = pp_vec_dot(walk->normal, u);
-    *value = facing > 0.0
-                 ? walk->integrand->luminance(walk->integrand->context, u) * facing
-                 : 0.0;
-    walk->evaluations++;
+        pp_vec(integral->sin_alpha * cosine, sine[0], integral->cos_alpha * cosine);
+    struct pp_vec3 u = pp_projection_to_room(integral->view, own);
+    double facing = pp_vec_dot(integral->normal, u);
+    *value =
+        facing > 0.0
+            ? integral->integrand->luminance(integral->integrand->context, u) * facing
+            : 0.0;
+    integral->evaluations++;
     return 0;
 }
 
@@ -304,14 +301,15 @@ static int at_alpha(unsigned dim, const double *alpha, void *data, unsigned fdim
                     double *value)
 {
     (void)dim, (void)fdim;
-    struct cell_integral *walk = data;
+    struct cell_integral *integral = data;
     double c = cos(alpha[0]), s = sin(alpha[0]), error;
-    walk->cos_alpha = c;
-    walk->sin_alpha = s;
-    double low = sine_of(walk->lower, s / c, 1.0 / c);
-    double high = sine_of(walk->upper, s / c, 1.0 / c);
-    return hcubature(1, at_sine, walk, 1, &low, &high, COLUMN_MOST, walk->column_abs,
-                     walk->column_error, ERROR_INDIVIDUAL, value, &error);
+    integral->cos_alpha = c;
+    integral->sin_alpha = s;
+    double low = sine_of(integral->lower, s / c, 1.0 / c);
+    double high = sine_of(integral->upper, s / c, 1.0 / c);
+    return hcubature(1, at_sine, integral, 1, &low, &high, COLUMN_MOST,
+                     integral->column_abs, integral->column_error, ERROR_INDIVIDUAL,
+                     value, &error);
 }
 
 /* Nodes and weights of the Gauss-Legendre rule on -1 to 1, the positive half. */
@@ -319,20 +317,22 @@ enum { NODES = 4 };
 static const double gauss[NODES / 2][2] = {{0.33998104358485626, 0.65214515486254614},
                                            {0.86113631159405258, 0.34785484513745386}};
 
-/* Places and weights of a rule from one angle to another. */
+/* Nodes and weights of a composite rule from one angle to another. */
 enum { STRETCHES_MOST = 16 };
-struct places {
+struct rule {
     int count;
     double at[STRETCHES_MOST * NODES], weight[STRETCHES_MOST * NODES];
 };
 
-/* Equal stretches of at most 0.7, a rule each; shorter ones towards 90 degrees, where
- * glass dims light from full to nothing. */
-static struct places places_of(double low, double high)
+/* One rule for each of equal stretches of at most 0.7; shorter stretches towards 90
+ * degrees, where the transmittance of glass falls from full to 0. With 0.7 throughout
+ * the worst error was 2e-2; with these borders it is 2e-4 over 1,200 random windows
+ * from 2 cm on. */
+static struct rule rule_over(double low, double high)
 {
     static const double border[] = {-PP_PI / 2.0, -1.5, -1.35, -1.1,
                                     1.1,          1.35, 1.5,   PP_PI / 2.0};
-    struct places places = {0};
+    struct rule rule = {0};
     for (int b = 0; b + 1 < (int)(sizeof border / sizeof border[0]); b++) {
         double from = fmax(low, border[b]), to = fmin(high, border[b + 1]);
         int stretches = to > from ? 1 + (int)((to - from) / 0.7) : 0;
@@ -340,29 +340,30 @@ static struct places places_of(double low, double high)
         for (int i = 0; i < stretches * NODES; i++) {
             const double *node = gauss[i % NODES / 2];
             double middle = from + half * (2 * (i / NODES) + 1);
-            places.at[places.count] = middle + (i % 2 ? half : -half) * node[0];
-            places.weight[places.count++] = node[1] * half;
+            rule.at[rule.count] = middle + (i % 2 ? half : -half) * node[0];
+            rule.weight[rule.count++] = node[1] * half;
         }
     }
-    return places;
+    return rule;
 }
 
-/* The integral over a cell by fixed rules, up in the altitude itself: towards 90
- * degrees the angle of incidence is smooth in that, not in its sine. */
-static double roughly(struct cell_integral *walk)
+/* The integral over a cell by fixed rules, with the altitude itself as variable:
+ * towards 90 degrees the angle of incidence is smooth in the altitude, not in its sine.
+ */
+static double integrate_fixed(struct cell_integral *integral)
 {
     double sum = 0.0;
-    struct places across = places_of(walk->alpha[0], walk->alpha[1]);
+    struct rule across = rule_over(integral->alpha[0], integral->alpha[1]);
     for (int i = 0; i < across.count; i++) {
         double value, column = 0.0;
         double c = cos(across.at[i]), s = sin(across.at[i]);
-        walk->cos_alpha = c;
-        walk->sin_alpha = s;
-        struct places up = places_of(asin(sine_of(walk->lower, s / c, 1.0 / c)),
-                                     asin(sine_of(walk->upper, s / c, 1.0 / c)));
+        integral->cos_alpha = c;
+        integral->sin_alpha = s;
+        struct rule up = rule_over(asin(sine_of(integral->lower, s / c, 1.0 / c)),
+                                   asin(sine_of(integral->upper, s / c, 1.0 / c)));
         for (int k = 0; k < up.count; k++) {
             double sine = sin(up.at[k]);
-            at_sine(1, &sine, walk, 1, &value);
+            at_sine(1, &sine, integral, 1, &value);
             column += up.weight[k] * cos(up.at[k]) * value;
         }
         sum += across.weight[i] * column;
@@ -370,19 +371,74 @@ static double roughly(struct cell_integral *walk)
     return sum;
 }
 
-static struct cell_integral walk_of(const struct pp_projection *view,
-                                    const struct integration_cell *cell,
-                                    struct pp_vec3 normal,
-                                    const struct pp_integrand *what)
+static struct cell_integral integral_over(const struct pp_projection *view,
+                                          const struct integration_cell *cell,
+                                          struct pp_vec3 normal,
+                                          const struct pp_integrand *integrand)
 {
     double d = view->distance_m;
     return (struct cell_integral){
         .view = view,
-        .integrand = what,
+        .integrand = integrand,
         .normal = normal,
         .lower = {cell->lower.level / d, cell->lower.slope},
         .upper = {cell->upper.level / d, cell->upper.slope},
         .alpha = {atan2(cell->x[0], d), atan2(cell->x[1], d)}};
+}
+
+/* Adds the integrals over all cells by fixed rules. */
+static void add_fixed(struct pp_quadrature *result,
+                      const struct integration_cells *cells,
+                      const struct pp_projection *view, struct pp_vec3 normal,
+                      const struct pp_integrand *integrand)
+{
+    for (int i = 0; i < cells->count; i++) {
+        struct cell_integral integral =
+            integral_over(view, &cells->list[i], normal, integrand);
+        result->value += integrate_fixed(&integral);
+        result->evaluations += integral.evaluations;
+    }
+}
+
+/* Adds the integrals over all cells, and their errors, by adaptive rules. */
+static enum pp_status add_adaptive(struct pp_quadrature *result,
+                                   const struct integration_cells *cells,
+                                   const struct pp_projection *view,
+                                   struct pp_vec3 normal,
+                                   const struct pp_integrand *integrand,
+                                   double relative_error, struct pp_error *err)
+{
+    enum pp_status status = PP_OK;
+    /* A first estimate of the sum, for an absolute error bound of each cell. */
+    double estimate = 0.0;
+    for (int i = 0; i < cells->count && status == PP_OK; i++) {
+        struct cell_integral integral =
+            integral_over(view, &cells->list[i], normal, integrand);
+        double middle = (integral.alpha[0] + integral.alpha[1]) / 2.0, value;
+        integral.column_error = 1.0;
+        if (at_alpha(1, &middle, &integral, 1, &value) != 0)
+            status = pp_fail_memory(err);
+        estimate += fabs(value) * (integral.alpha[1] - integral.alpha[0]);
+    }
+    double enough = fmax(0.1 * relative_error * estimate, ABSOLUTE) / cells->count;
+    for (int i = 0; i < cells->count && status == PP_OK; i++) {
+        struct cell_integral integral =
+            integral_over(view, &cells->list[i], normal, integrand);
+        double width = integral.alpha[1] - integral.alpha[0], value, error;
+        /* The error of columns must be below the resolution of the rule across them;
+         * the factors 0.3 and 0.1 were chosen by trial. */
+        integral.column_abs = 0.3 * enough / width;
+        integral.column_error = 0.3 * relative_error;
+        if (hcubature(1, at_alpha, &integral, 1, &integral.alpha[0], &integral.alpha[1],
+                      COLUMNS_MOST, enough, relative_error, ERROR_INDIVIDUAL, &value,
+                      &error)
+            != 0)
+            status = pp_fail_memory(err);
+        result->value += value;
+        result->error += error + 0.3 * fmax(enough, relative_error * fabs(value));
+        result->evaluations += integral.evaluations;
+    }
+    return status;
 }
 
 enum pp_status pp_quadrature_over(struct pp_quadrature *result,
@@ -390,7 +446,7 @@ enum pp_status pp_quadrature_over(struct pp_quadrature *result,
                                   const struct pp_region *region,
                                   const struct pp_vec3 *half_spaces,
                                   int half_space_count, struct pp_vec3 normal,
-                                  const struct pp_integrand *what,
+                                  const struct pp_integrand *integrand,
                                   double relative_error, struct pp_error *err)
 {
     *result = (struct pp_quadrature){0};
@@ -398,10 +454,10 @@ enum pp_status pp_quadrature_over(struct pp_quadrature *result,
     for (int i = 0; i < half_space_count; i++)
         planes[i] = pp_projection_direction(view, half_spaces[i]);
 
-    /* Where the cusp is drawn, if it is before the eye. */
+    /* The cusp in the view's plane, if it is in front of the eye and in the region. */
     double place[2], *cusp = NULL;
-    if (what->cusp) {
-        struct pp_vec3 own = pp_projection_direction(view, *what->cusp);
+    if (integrand->cusp) {
+        struct pp_vec3 own = pp_projection_direction(view, *integrand->cusp);
         if (own.z > 0.0) {
             place[0] = own.x / own.z * view->distance_m;
             place[1] = own.y / own.z * view->distance_m;
@@ -418,42 +474,11 @@ enum pp_status pp_quadrature_over(struct pp_quadrature *result,
     if (status == PP_OK)
         status = find_cells(&cells, cusp, err);
 
-    if (relative_error >= PP_QUADRATURE_ROUGH) {
-        for (int i = 0; i < cells.count && status == PP_OK; i++) {
-            struct cell_integral walk = walk_of(view, &cells.list[i], normal, what);
-            result->value += roughly(&walk);
-            result->evaluations += walk.evaluations;
-        }
-        clear_cells(&cells);
-        return status;
-    }
-
-    /* A first idea of the sum, so that no work goes into what does not show in it. */
-    double idea = 0.0;
-    for (int i = 0; i < cells.count && status == PP_OK; i++) {
-        struct cell_integral walk = walk_of(view, &cells.list[i], normal, what);
-        double middle = (walk.alpha[0] + walk.alpha[1]) / 2.0, value;
-        walk.column_error = 1.0;
-        if (at_alpha(1, &middle, &walk, 1, &value) != 0)
-            status = pp_fail_memory(err);
-        idea += fabs(value) * (walk.alpha[1] - walk.alpha[0]);
-    }
-    double enough = fmax(0.1 * relative_error * idea, ABSOLUTE) / cells.count;
-    for (int i = 0; i < cells.count && status == PP_OK; i++) {
-        struct cell_integral walk = walk_of(view, &cells.list[i], normal, what);
-        double width = walk.alpha[1] - walk.alpha[0], value, error;
-        /* Columns are to err less than the rule across them can tell. */
-        walk.column_abs = 0.3 * enough / width;
-        walk.column_error = 0.3 * relative_error;
-        if (hcubature(1, at_alpha, &walk, 1, &walk.alpha[0], &walk.alpha[1],
-                      COLUMNS_MOST, enough, relative_error, ERROR_INDIVIDUAL, &value,
-                      &error)
-            != 0)
-            status = pp_fail_memory(err);
-        result->value += value;
-        result->error += error + 0.3 * fmax(enough, relative_error * fabs(value));
-        result->evaluations += walk.evaluations;
-    }
+    if (status == PP_OK && relative_error >= PP_QUADRATURE_ROUGH)
+        add_fixed(result, &cells, view, normal, integrand);
+    else if (status == PP_OK)
+        status =
+            add_adaptive(result, &cells, view, normal, integrand, relative_error, err);
     clear_cells(&cells);
     return status;
 }

@@ -1,4 +1,4 @@
-/* quadrature.h - what a part of a view gives a receiver, for any luminance.
+/* quadrature.h - illuminance of a receiver by a part of a view, for any luminance L:
  *
  *     integral over the part of L(u) (n.u) domega
  *
@@ -15,16 +15,16 @@
 #include "model/base/error.h"
 #include "model/geometry/region.h"
 
-/* Relative error bounds that `exact` asks for, with glass and without. What comes out
- * is better by two powers of ten or more: over random windows at 0.05 to 8 m the worst
+/* Relative error bounds that `exact` asks for, with glass and without. The results are
+ * better by two powers of ten or more: over random windows at 0.05 to 8 m the worst
  * error was 1e-7 and 1e-11. */
 #define PP_QUADRATURE_GLAZED 1e-5
 #define PP_QUADRATURE_UNGLAZED 1e-9
 
-/* From this bound on fixed Gauss-Legendre rules take the place of the adaptive ones,
- * four to twenty times as fast and without an estimate of their error. Over 1,200
- * random windows with clear glass the rms error is 2e-5 at 2 to 5 cm from the pane, 3e-6
- * to 0.1 m and 1e-6 beyond, the worst 2e-4. */
+/* From this bound on fixed Gauss-Legendre rules replace the adaptive ones: four to
+ * twenty times as fast and without an error estimate. Over 1,200 random windows with
+ * clear glass the rms error is 2e-5 at 2 to 5 cm from the pane, 3e-6 from there to 0.1
+ * m and 1e-6 at larger distances, the worst 2e-4. */
 #define PP_QUADRATURE_ROUGH 1e-3
 
 /* Luminance towards the eye from direction u (unit, room's axes). */
@@ -33,17 +33,19 @@ typedef double pp_luminance_function(const void *context, struct pp_vec3 u);
 struct pp_integrand {
     pp_luminance_function *luminance;
     const void *context;
-    const struct pp_vec3 *cusp; /* a direction where it is not smooth, or NULL */
+    const struct pp_vec3
+        *cusp; /* a direction where the luminance is not smooth, or NULL */
 };
 
 struct pp_quadrature {
     double value;
-    double error; /* estimated bound of the absolute error; 0 of a rough value */
+    double error; /* estimated bound of the absolute error; 0 for fixed rules */
     long evaluations;
 };
 
-/* Over what lies of `region` (the view's coordinates) within the half-spaces (room's
- * axes). n.u must not be negative there: n itself is to be among the half-spaces. */
+/* The integral over the part of `region` (in the view's coordinates) within the
+ * half-spaces (in the room's axes). normal must be one of the half-spaces, so that n.u
+ * is not negative. */
 enum pp_status pp_quadrature_over(struct pp_quadrature *result,
                                   const struct pp_projection *view,
                                   const struct pp_region *region,

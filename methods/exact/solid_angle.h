@@ -1,4 +1,4 @@
-/* solid_angle.h - what a plane polygon gives a receiver, in closed form.
+/* solid_angle.h - the light of a plane polygon at a receiver, in closed form.
  *
  * A polygon is seen from a point (the eye, at the origin of its vertices) as a patch of
  * the unit sphere bounded by arcs of great circles. With unit directions r_i to its
@@ -27,14 +27,14 @@ struct pp_moments {
     double cosine_sine; /* E1 */
 };
 
-/* No more half-spaces than this in one call. */
+/* The most half-spaces in one call. */
 enum { PP_HALF_SPACES_MOST = 5 };
 
-/* Adds to *sum the moments of what lies of a ring within all the half-spaces h.u > 0.
+/* Adds to *sum the moments of the part of a ring within all the half-spaces h.u > 0.
  *
  * vertices are relative to the eye, counter-clockwise as it sees them (a clockwise
  * ring, a hole, counts negative); they lie in one plane that does not pass through the
- * eye. normal need not be among the half-spaces: without it, what lies behind the
+ * eye. normal need not be among the half-spaces: without it, the part behind the
  * receiver counts negative. Errors are some units in the last place of the largest
  * term; a polygon of angular size s comes out to about 1e-16/s relative. Allocates
  * nothing. */
@@ -43,10 +43,10 @@ void pp_solid_angle_add_moments(struct pp_moments *sum, const struct pp_vec3 *ve
                                 const struct pp_vec3 *half_spaces,
                                 int half_space_count);
 
-/* Is the sky's luminance such that the moments suffice? */
+/* Do the moments suffice for the sky's luminance? */
 bool pp_solid_angle_has_closed_form(const struct pp_sky *sky);
 
-/* What a patch of such a sky with these moments gives the receiver, over Eh. */
+/* Illuminance by a patch of such a sky with these moments, over Eh. */
 double pp_solid_angle_sky_component(const struct pp_moments *moments,
                                     const struct pp_sky *sky);
 

@@ -14,20 +14,21 @@
  * 0.1 CU_g) / (E_s + 0.1), that of a ground of reflectance 0.2
  *
  * The table's window is all of a wall; windows spread along a wall are taken as that
- * window with their part of its light. A point's value is read by its depth from the
- * window between the 10 and 90 % of the table, wherever it is across the room. Windows
- * in two opposite walls add up.
+ * window with their share of its area. A point's value depends on its depth from the
+ * window alone, between the 10 and 90 % of the table. Windows in two opposite walls add
+ * up.
  *
  * Light from above, on average only:
  *
  *     E = tau (A_s / A_w) E_h CU         tau = T N B M
  *
  *   A_s, A_w   areas of rooflight and working plane; B glass over opening area
- *   N     what the well lets through, T and M as above, E_h on the rooflight over Eh
+ *   N     efficiency of the well; T and M as above
+ *   E_h   illuminance on the rooflight, over Eh
  *   CU    by the room cavity ratio 5 h (L + W) / (L W) and reflectances
  *
- * Which rooms and openings it covers is in lumen_scope.h; a room outside the tables
- * gets nothing. All of glass, frame and dirt is in tau.
+ * lumen_scope.h has the rooms and openings that the method covers; there is no
+ * extrapolation. tau contains glass, frame and dirt.
  */
 #include <stdio.h>
 #include <stdlib.h>
@@ -35,21 +36,22 @@
 #include "methods/lumen/lumen_cavity.h"
 #include "methods/lumen/lumen_scope.h"
 #include "methods/lumen/lumen_table.h"
-#include "methods/method_entries.h"
-#include "methods/reflected/obstruction_angle.h"
+#include "methods/method.h"
+#include "methods/reflected/obstruction.h"
 #include "methods/refusals.h"
 
-/* The ground that the one coefficient was made for. */
+/* The ground reflectance in the one coefficient. */
 static const double one_ground = 0.2;
 
-/* More than this of a skyline is an obstruction (rad). */
+/* A skyline higher than this is an obstruction (rad). */
 static const double free_below_rad = 1e-3;
 
-/* All that a window's or rooflight's sum is made of but the point. */
+/* The terms of a window's or rooflight's sum that do not depend on the point. */
 struct reading {
-    const char *why; /* static, or whose `text`; NULL: covered */
+    const char *why; /* static, or `text`; NULL: the opening is covered */
     char text[160];
-    double height_m, width_m, depth_m; /* window height; room */
+    double height_m;         /* of the window */
+    double width_m, depth_m; /* of the room */
     double area_m2;
     double T, R_a, M, tau;
     double E_s, E_g;
@@ -181,8 +183,8 @@ static const char *refuses_room(const struct pp_world *world,
     return why ? why : pp_lumen_scope_refuses_room(world);
 }
 
-static void set_down_glass(const struct reading *r, const struct pp_opening *opening,
-                           struct pp_steps *steps)
+static void add_glass_steps(const struct reading *r, const struct pp_opening *opening,
+                            struct pp_steps *steps)
 {
     pp_steps_add_named(steps, PP_UNIT_SQUARE_METRE, r->area_m2, "A",
                        "opening on line %d: area", opening->line);
@@ -193,7 +195,7 @@ static void set_down_glass(const struct reading *r, const struct pp_opening *ope
     pp_steps_add_named(steps, PP_UNIT_NUMBER, r->M, "M", "light loss by dirt");
 }
 
-/* The coefficient at the point with that share of the depth; NAN: the average. */
+/* The coefficient at a share of the depth; the average for NAN. */
 static double coefficient(const double cu[PP_LUMEN_POSITIONS], double share)
 {
     return isnan(share) ? cu[PP_LUMEN_AVERAGE] : pp_lumen_table_at_depth(cu, share);
@@ -210,7 +212,7 @@ static double window_value(const struct reading *r, const struct pp_opening *ope
                        : r->tau * (r->E_s * cu_s + r->E_g * cu_g);
     if (!steps)
         return value;
-    set_down_glass(r, opening, steps);
+    add_glass_steps(r, opening, steps);
     pp_steps_add_named(steps, PP_UNIT_METRE, r->height_m, "H", "window height");
     pp_steps_add_named(steps, PP_UNIT_METRE, r->width_m, "W",
                        "room along the window's wall");
@@ -259,7 +261,7 @@ static double rooflight_value(const struct reading *r, const struct pp_opening *
     double value = r->tau * r->area_m2 / r->plane_m2 * r->E_h * r->cu_top;
     if (!steps)
         return value;
-    set_down_glass(r, opening, steps);
+    add_glass_steps(r, opening, steps);
     pp_steps_add_named(steps, PP_UNIT_NUMBER, r->well, "N",
                        "what its well lets through");
     pp_steps_add_worked(steps, PP_UNIT_NUMBER, r->tau, "tau", "T N B M",
@@ -282,8 +284,8 @@ static double rooflight_value(const struct reading *r, const struct pp_opening *
     return value;
 }
 
-/* The point's distance from the opening's wall over the room's depth; NAN of no point.
- */
+/* The point's distance from the opening's wall over the room's depth; NAN for no
+ * point. */
 static double share_of(const struct reading *r, const struct pp_opening *opening,
                        const struct pp_receiver *receiver)
 {
@@ -293,10 +295,10 @@ static double share_of(const struct reading *r, const struct pp_opening *opening
     return pp_vec_dot(from, opening->inner.normal) / r->depth_m;
 }
 
-static enum pp_status give(const struct pp_world *world,
-                           const struct pp_opening *opening,
-                           const struct pp_receiver *receiver, const void *made,
-                           struct pp_part *part, bool one)
+static enum pp_status evaluate_by(const struct pp_world *world,
+                                  const struct pp_opening *opening,
+                                  const struct pp_receiver *receiver, const void *made,
+                                  struct pp_part *part, bool one)
 {
     const struct tools *tools = made;
     const struct reading *r = &tools->readings[opening - world->openings];
@@ -327,7 +329,7 @@ static enum pp_status evaluate(const struct pp_world *world,
                                struct pp_part *part, struct pp_error *err)
 {
     (void)err;
-    return give(world, opening, receiver, tools, part, false);
+    return evaluate_by(world, opening, receiver, tools, part, false);
 }
 
 static enum pp_status evaluate_one(const struct pp_world *world,
@@ -337,7 +339,7 @@ static enum pp_status evaluate_one(const struct pp_world *world,
                                    struct pp_error *err)
 {
     (void)err;
-    return give(world, opening, receiver, tools, part, true);
+    return evaluate_by(world, opening, receiver, tools, part, true);
 }
 
 const struct pp_method pp_method_lumen = {
@@ -349,8 +351,8 @@ const struct pp_method pp_method_lumen = {
     .allowances = PP_ALLOWS_OWN_GLASS | PP_ALLOWS_FRAME | PP_ALLOWS_DIRT,
     .has_average = true,
     .refuses_room = refuses_room,
-    .prepare_by = prepare,
-    .put_away = free,
+    .prepare_with_options = prepare,
+    .destroy_tools = free,
     .evaluate = evaluate,
 };
 
@@ -363,7 +365,7 @@ const struct pp_method pp_method_lumen_one = {
     .allowances = PP_ALLOWS_OWN_GLASS | PP_ALLOWS_FRAME | PP_ALLOWS_DIRT,
     .has_average = true,
     .refuses_room = refuses_room,
-    .prepare_by = prepare,
-    .put_away = free,
+    .prepare_with_options = prepare,
+    .destroy_tools = free,
     .evaluate = evaluate_one,
 };

@@ -1,9 +1,10 @@
-/* lumen_cavity.c - see lumen_cavity.h. */
+/* lumen_cavity.c - the exitances of two or three zones that reflect one another's
+ * light, solved in closed form. */
 #include "methods/lumen/lumen_cavity.h"
 
 #include "methods/lumen/rectangle_factor.h"
 
-/* From one end of a box to the other. */
+/* Form factor from one end of a box to the other. */
 static double end_to_end(double width, double length, double depth)
 {
     const struct pp_aligned_rectangle top = {2, {0, 0, depth}, {width, length, depth}};

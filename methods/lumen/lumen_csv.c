@@ -1,11 +1,15 @@
-/* lumen_csv.c - the lumen method's tables out of CSV files; see lumen_table.h. */
+/* lumen_csv.c - cuts lines at their commas, reads the names of the columns, then the
+ * lines of one of the two tables, and notes every mistake with its line. */
+#include "methods/lumen/lumen_csv.h"
+
 #include <errno.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "methods/lumen/lumen_parts.h"
+#include "methods/lumen/lumen_table_build.h"
+#include "model/base/array.h"
 #include "model/base/text.h"
 
 enum {
@@ -14,7 +18,7 @@ enum {
     FILE_LARGEST = 1 << 24,
 };
 
-/* Of a coefficient, and of Ev/Eh. */
+/* The largest coefficient, and the largest Ev/Eh, that are accepted. */
 static const double coefficient_most = 2.0, ratio_most = 10.0;
 
 enum column {
@@ -40,7 +44,7 @@ static const char *const column_names[] = {
     [CU] = "cu",
 };
 
-/* A line cut at its commas, white space off. */
+/* A line cut at its commas, without the white space round the fields. */
 struct csv_fields {
     int count;
     char text[FIELDS_MOST][FIELD_LONGEST];
@@ -48,14 +52,14 @@ struct csv_fields {
 
 struct reader {
     struct pp_mistakes *mistakes;
-    int number;  /* of the line at hand */
-    int columns; /* 0: their names have not come yet */
-    bool sound;  /* do the columns make a table? */
+    int number;  /* of the current line */
+    int columns; /* 0: before the line with their names */
+    bool sound;  /* the columns make a table */
     enum column kinds[FIELDS_MOST];
     struct pp_lumen_axis widths;
-    bool top; /* a table for light from above */
-    int count, capacity;
-    struct pp_lumen_line *side_lines; /* their cu in `cu`, filled in at the end */
+    bool top; /* the table is for light from above */
+    int count, side_capacity, top_capacity, cu_capacity;
+    struct pp_lumen_line *side_lines; /* their cu points into `cu` at the end */
     struct pp_lumen_top_line *top_lines;
     double (*cu)[PP_LUMEN_AXIS_MOST];
 };
@@ -65,7 +69,7 @@ static bool is_white(char c)
     return c == ' ' || c == '\t' || c == '\r';
 }
 
-/* Cuts one line; false, with a mistake noted, where it can't be one of a table. */
+/* Cuts one line; false, with a mistake noted, for a line that no table can have. */
 static bool cut(struct reader *reader, struct csv_fields *fields, const char *line,
                 size_t length)
 {
@@ -143,7 +147,8 @@ static void add_width(struct reader *reader, double width, const char *text)
         widths->at[widths->count++] = width;
 }
 
-/* Do the columns make one of the two tables? */
+/* Notes as mistakes what the columns lack, or have too many, for one of the two
+ * tables. */
 static void check_columns(struct reader *reader)
 {
     static const enum column side_needs[] = {RATIO, DEPTH, POSITION};
@@ -197,7 +202,7 @@ static void read_header(struct reader *reader, const struct csv_fields *fields)
     check_columns(reader);
 }
 
-/* A number in a range; notes what is wrong with it. */
+/* A number in a range; NAN, with a mistake noted, for any other text. */
 static double number(struct reader *reader, const char *text, const char *name,
                      double low, bool low_too, double high)
 {
@@ -239,24 +244,19 @@ static int read_position(struct reader *reader, const char *text)
     return 0;
 }
 
-/* Room for one line more. */
-static bool grow(struct reader *reader)
+/* Makes room for one more line. */
+static bool reserve_line(struct reader *reader)
 {
-    if (reader->count < reader->capacity)
-        return true;
-    size_t capacity = reader->capacity > 0 ? 2 * (size_t)reader->capacity : 256;
-    void *side = realloc(reader->side_lines, capacity * sizeof *reader->side_lines);
-    if (side)
-        reader->side_lines = side;
-    void *top = realloc(reader->top_lines, capacity * sizeof *reader->top_lines);
-    if (top)
-        reader->top_lines = top;
-    void *cu = realloc(reader->cu, capacity * sizeof *reader->cu);
-    if (cu)
-        reader->cu = cu;
-    if (side && top && cu)
-        reader->capacity = (int)capacity;
-    return side && top && cu;
+    int wanted = reader->count + 1;
+    return pp_array_reserve(&reader->side_lines, &reader->side_capacity, wanted,
+                            sizeof *reader->side_lines, NULL)
+               == PP_OK
+           && pp_array_reserve(&reader->top_lines, &reader->top_capacity, wanted,
+                               sizeof *reader->top_lines, NULL)
+                  == PP_OK
+           && pp_array_reserve(&reader->cu, &reader->cu_capacity, wanted,
+                               sizeof *reader->cu, NULL)
+                  == PP_OK;
 }
 
 static void read_side(struct reader *reader, const struct csv_fields *fields)
@@ -290,7 +290,7 @@ static void read_side(struct reader *reader, const struct csv_fields *fields)
             break;
         case RCR:
         case CU:
-            break; /* not in such a table */
+            break; /* no column of a table for light from the side */
         case WIDTH:
             cu[width++] =
                 number(reader, text, "a coefficient", 0.0, false, coefficient_most);
@@ -332,7 +332,7 @@ static void read_top(struct reader *reader, const struct csv_fields *fields)
     }
 }
 
-/* One line of the file; false: memory is out. */
+/* Reads one line of the file; false for lack of memory. */
 static bool read_line(struct reader *reader, const char *text, size_t length)
 {
     struct csv_fields fields;
@@ -342,7 +342,7 @@ static bool read_line(struct reader *reader, const char *text, size_t length)
     if (blank == length || text[0] == '#')
         return true;
     if (reader->columns > 0 && !reader->sound)
-        return true; /* of a table whose columns are wrong no line makes sense */
+        return true; /* no line makes sense where the columns are wrong */
     if (!cut(reader, &fields, text, length))
         return true;
     if (reader->columns == 0) {
@@ -357,14 +357,14 @@ static bool read_line(struct reader *reader, const char *text, size_t length)
             fields.count, reader->columns);
         return true;
     }
-    if (!grow(reader))
+    if (!reserve_line(reader))
         return false;
     (reader->top ? read_top : read_side)(reader, &fields);
     reader->count++;
     return true;
 }
 
-/* What was read takes the place of the table of its kind. */
+/* Replaces the table of the same kind by the one that was read. */
 static enum pp_status build(struct reader *reader, struct pp_lumen_table *table,
                             struct pp_error *err)
 {
@@ -398,7 +398,7 @@ enum pp_status pp_lumen_csv_parse(struct pp_lumen_table *table, const char *text
                                   size_t length, struct pp_mistakes *mistakes,
                                   struct pp_error *err)
 {
-    static const char mark[] = "\xef\xbb\xbf"; /* of UTF-8, before the first line */
+    static const char mark[] = "\xef\xbb\xbf"; /* byte order mark of UTF-8 */
     struct reader reader = {.mistakes = mistakes};
     bool memory = true;
     if (length >= 3 && memcmp(text, mark, 3) == 0) {
@@ -435,6 +435,30 @@ enum pp_status pp_lumen_csv_parse(struct pp_lumen_table *table, const char *text
     return status;
 }
 
+/* Reads the whole of a file, to be freed by the caller whatever the status. */
+static enum pp_status read_file(char **text, size_t *length, FILE *file,
+                                const char *path, struct pp_error *err)
+{
+    int capacity = 0;
+    for (;;) {
+        enum pp_status status =
+            pp_array_reserve(text, &capacity, (int)*length + (1 << 16), 1, err);
+        if (status != PP_OK)
+            return status;
+        size_t got = fread(*text + *length, 1, (size_t)capacity - *length, file);
+        *length += got;
+        if (got == 0)
+            break;
+        if (*length > FILE_LARGEST)
+            return pp_fail(err, PP_BAD_INPUT,
+                           "%s: too large for a table; expected 16 MB at most", path);
+    }
+    if (ferror(file))
+        return pp_fail(err, errno == EISDIR ? PP_BAD_INPUT : PP_SYSTEM, "%s: %s", path,
+                       strerror(errno));
+    return PP_OK;
+}
+
 enum pp_status pp_lumen_csv_read(struct pp_lumen_table *table, const char *path,
                                  struct pp_mistakes *mistakes, struct pp_error *err)
 {
@@ -442,30 +466,9 @@ enum pp_status pp_lumen_csv_read(struct pp_lumen_table *table, const char *path,
     if (!file)
         return pp_fail(err, errno == ENOENT ? PP_BAD_INPUT : PP_SYSTEM, "%s: %s", path,
                        strerror(errno));
-    size_t length = 0, capacity = 0;
+    size_t length = 0;
     char *text = NULL;
-    enum pp_status status = PP_OK;
-    while (status == PP_OK) {
-        if (length == capacity) {
-            capacity = capacity > 0 ? 2 * capacity : 1 << 16;
-            char *grown = realloc(text, capacity);
-            if (!grown) {
-                status = pp_fail_memory(err);
-                break;
-            }
-            text = grown;
-        }
-        size_t got = fread(text + length, 1, capacity - length, file);
-        length += got;
-        if (got == 0)
-            break;
-        if (length > FILE_LARGEST)
-            status = pp_fail(err, PP_BAD_INPUT,
-                             "%s: too large for a table; expected 16 MB at most", path);
-    }
-    if (status == PP_OK && ferror(file))
-        status = pp_fail(err, errno == EISDIR ? PP_BAD_INPUT : PP_SYSTEM, "%s: %s",
-                         path, strerror(errno));
+    enum pp_status status = read_file(&text, &length, file, path, err);
     fclose(file);
     if (status == PP_OK)
         status = pp_lumen_csv_parse(table, text, length, mistakes, err);

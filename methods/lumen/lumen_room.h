@@ -1,22 +1,22 @@
-/* lumen_room.h - the room of the lumen method, worked out by transfer of flux: what
- * the coefficients of its tables are made from.
+/* lumen_room.h - flux transfer in the room of the lumen method for light from the side,
+ * from which the coefficients of its tables are made.
  *
- * For light from the side the method's room is a box [IES84]: the working plane is its
- * floor and the window's head its ceiling (wall above the window counts as ceiling,
- * what is below the sill as floor), and the windows, evenly spread along one wall, are
- * the whole of that wall. All lengths are in window heights. From inside the window is
- * black. The working plane reflects as the cavity below it does, 0.20: what a floor of
- * 0.30 and walls of 0.50 come to, 0.75 m below a window of 1.5 m, within 0.07.
+ * The method's room is a box [IES84]: its floor is the working plane and its ceiling is
+ * at the window's head (wall above the window counts as ceiling, wall below the sill as
+ * floor), and the windows, evenly spread along one wall, are the whole of that wall.
+ * All lengths are in window heights. The window's reflectance from inside is 0. The
+ * working plane has the reflectance of the cavity below, 0.20: that of a floor of 0.30
+ * and walls of 0.50, 0.75 m below a window of 1.5 m, within 0.07.
  *
  *     M = rho (E_direct + sum F M)       on patches of ceiling, plane and three walls
  *     CU = E on the working plane / E on the outside of the window, unglazed
  *
- * The patches exchange light by closed form (rectangle_factor.h), direct light comes by
- * quadrature over the window, and what the five points get of the patches is exact
- * again: what is left is that the exitance is even over a patch.
+ * Form factors between patches are in closed form (rectangle_factor.h), direct light is
+ * by quadrature over the window, and the illuminances of the five points by the patches
+ * are in closed form again; the one approximation is an even exitance over each patch.
  *
- * A room of endless width is 10,000 window heights wide, which changes its middle by
- * less than 1e-4 of itself.
+ * A room of endless width is taken as 10,000 window heights wide, which changes the
+ * illuminances in its middle by less than 1e-4.
  */
 #ifndef PP_METHODS_LUMEN_LUMEN_ROOM_H
 #define PP_METHODS_LUMEN_LUMEN_ROOM_H
@@ -24,8 +24,8 @@
 #include "model/base/error.h"
 #include "model/light/sky.h"
 
-/* The method's points, in shares of the depth from the window, on the line through its
- * middle. */
+/* The method's points, in shares of the depth from the window, on the normal through
+ * the window's middle. */
 enum { PP_LUMEN_POINTS = 5 };
 extern const double pp_lumen_places[PP_LUMEN_POINTS]; /* 0.1, 0.3, 0.5, 0.7, 0.9 */
 
@@ -44,30 +44,29 @@ struct pp_lumen_finishes {
 struct pp_lumen_room; /* one geometry under one light */
 
 /* width and depth in window heights, greater than 0, width up to INFINITY. fineness 1
- * is the mesh of the tables (about 300 patches to half a room), 2 one twice as fine in
- * each direction. On success *room is the caller's. */
+ * is the mesh of the tables (about 300 patches for half a room), 2 a mesh twice as fine
+ * in each direction. On success *room is the caller's. */
 enum pp_status pp_lumen_room_create(struct pp_lumen_room **room, double width,
                                     double depth, int fineness, struct pp_error *err);
 void pp_lumen_room_destroy(struct pp_lumen_room *room); /* NULL is allowed */
 
-/* Lights it from a sky that is the same on both sides of the window's normal, which
- * points to -y; NULL: from an even ground. */
+/* Sets the light source: a sky that is the same on both sides of the window's outward
+ * normal, which is -y; NULL: an evenly bright ground. */
 void pp_lumen_room_light(struct pp_lumen_room *room, const struct pp_sky *sky);
 
-/* The coefficients with those reflectances, each 0 to below 1. Valid after
- * pp_lumen_room_light. Iterates until nothing changes by 1e-9. */
+/* The coefficients with those reflectances, each 0 to below 1. To be called after
+ * pp_lumen_room_light. Iterates until no exitance changes by more than 1e-10. */
 struct pp_lumen_coefficients pp_lumen_room_solve(
     struct pp_lumen_room *room, const struct pp_lumen_finishes *finishes);
 
-/* How much of the light that entered the last solution cannot account for: what
- * ceiling, plane and walls absorb and what leaves by the window, over what entered,
- * less 1. */
+/* Error of the last solution's flux balance: the flux absorbed by ceiling, plane and
+ * walls and lost through the window, over the flux that has entered, less 1. */
 double pp_lumen_room_imbalance(const struct pp_lumen_room *room);
 
-/* The sky that the tables hold for a ratio Ev/Eh of the illuminances on the window and
- * on the ground: for 0.396 (any below 0.5) the CIE overcast sky, else the ISO sky
- * of
- * ratio; PP_BAD_INPUT where none does. */
+/* The sky of the tables with a ratio Ev/Eh of the illuminances on the window and on the
+ * ground: for 0.396 (any ratio below 0.5) the CIE overcast sky, else the clear sky of
+ * ISO 15469 type 13 whose sun, straight before the window, is at the altitude that
+ * gives the ratio; PP_BAD_INPUT where none does. */
 enum pp_status pp_lumen_room_sky(struct pp_sky *sky, double ev_over_eh,
                                  struct pp_error *err);
 

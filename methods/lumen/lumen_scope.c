@@ -1,13 +1,14 @@
-/* lumen_scope.c - see lumen_scope.h. */
+/* lumen_scope.c - the tests of room, windows and rooflights behind lumen_scope.h. */
 #include "methods/lumen/lumen_scope.h"
 
 #include <stddef.h>
 
 #include "methods/refusals.h"
 
-/* Lengths (m) and cosines that count as none. */
+/* Lengths (m) and cosines up to this count as 0. */
 static const double small = 1e-3;
 
+/* Tolerances of a window against the table's window; chosen, not published. */
 static const double sill_within_m = 0.30, level_within_m = 0.05;
 static const double reveal_most = 0.2; /* of the window's height */
 
@@ -63,7 +64,7 @@ bool pp_lumen_scope_is_rooflight(const struct pp_opening *opening)
     return opening->slope_rad < small;
 }
 
-/* How far the polygon reaches along a direction, from the origin. */
+/* The least and greatest coordinate of the polygon along a direction. */
 static void extent(double range[2], const struct pp_polygon *polygon,
                    struct pp_vec3 along)
 {
@@ -76,7 +77,8 @@ static void extent(double range[2], const struct pp_polygon *polygon,
     }
 }
 
-/* Are the windows in its wall level with it, and are those in other walls opposite? */
+/* Are the windows in the same wall level with the opening, and are windows in other
+ * walls opposite? Why not, or NULL. */
 static const char *refuses_neighbours(const struct pp_world *world,
                                       const struct pp_opening *opening)
 {
@@ -100,8 +102,8 @@ static const char *refuses_neighbours(const struct pp_world *world,
     return NULL;
 }
 
-/* Is there a stretch of wall beside it that it can't be spread over? To the side
- * towards which `way` (1 or -1, along the opening) points. */
+/* Is the stretch of wall beside the opening, on the side that `way` (1 or -1, along the
+ * opening) points to, too long for windows spread along the wall? */
 static bool leaves_wall_bare(const struct pp_world *world,
                              const struct pp_opening *opening, double way)
 {
@@ -123,19 +125,19 @@ static bool leaves_wall_bare(const struct pp_world *world,
 }
 
 /* Does no point of the plan lie farther from the nearest rooflight than the ceiling is
- * high above the working plane? Looked at on a net of 32 by 32. */
+ * high above the working plane? Tested on a grid of 32 by 32. */
 static bool is_spread(const struct pp_world *world)
 {
-    enum { NET = 32 };
+    enum { GRID = 32 };
     const struct pp_polygon *floor = &floor_of(world)->outline;
     struct pp_vec3 corner = floor->vertices[0];
     struct pp_vec3 a = pp_vec_sub(floor->vertices[1], corner);
     struct pp_vec3 b = pp_vec_sub(floor->vertices[3], corner);
     double reach_m = world->height_m - world->working_plane_m;
-    for (int k = 0; k <= (NET + 1) * (NET + 1) - 1; k++) {
+    for (int k = 0; k <= (GRID + 1) * (GRID + 1) - 1; k++) {
         struct pp_vec3 p =
-            pp_vec_along(pp_vec_along(corner, (double)(k / (NET + 1)) / NET, a),
-                         (double)(k % (NET + 1)) / NET, b);
+            pp_vec_along(pp_vec_along(corner, (double)(k / (GRID + 1)) / GRID, a),
+                         (double)(k % (GRID + 1)) / GRID, b);
         double nearest_m = INFINITY;
         for (int i = 0; i < world->opening_count; i++) {
             const struct pp_opening *opening = &world->openings[i];

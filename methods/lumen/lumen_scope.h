@@ -5,33 +5,33 @@
 
 #include "model/room/world.h"
 
-/* Why the method says nothing of a room, as a sentence, or NULL: it is no box with a
- * level ceiling, has things standing in it or surfaces that give off light, or its
- * floor is far from the tables' (reflectance 0.10 to 0.50; theirs is 0.30). */
+/* Why the method does not apply to a room, as a sentence, or NULL: the room is no box
+ * with a level ceiling, has free-standing or self-luminous surfaces, or its floor
+ * reflectance is not 0.10 to 0.50 (the tables have 0.30). */
 const char *pp_lumen_scope_refuses_room(const struct pp_world *world);
 
-/* Why it does not cover an opening of a room that it does cover, as the end of a
- * sentence that begins with the opening, or NULL. A window is an upright rectangle of
- * clear glass with nothing before it, its sill within 0.30 m of the working plane, its
- * reveal no deeper than a fifth of its height, level with the others in its wall, no
- * more than its height from the wall's ends and twice that from its neighbours; the
- * windows of a room are in one wall or two opposite ones. A rooflight is level; from no
- * point of the plan is the nearest one farther off than it is high above the working
- * plane. */
+/* Why the method does not cover an opening of a room that it applies to, as the end of
+ * a sentence that begins with the opening, or NULL. A window is an upright rectangle of
+ * clear glass without obstructions, its sill within 0.30 m of the working plane, its
+ * reveal no deeper than a fifth of its height, level with the other windows of its
+ * wall, no more than its height from the wall's ends and twice that from its
+ * neighbours; the windows of a room are in one wall or two opposite ones. A rooflight
+ * is level; no point of the plan is farther from the nearest rooflight than the ceiling
+ * is high above the working plane. */
 const char *pp_lumen_scope_refuses_opening(const struct pp_world *world,
                                            const struct pp_opening *opening);
 
-/* Is it a rooflight, and no window? Of a covered opening. */
+/* Is a covered opening a rooflight, and not a window? */
 bool pp_lumen_scope_is_rooflight(const struct pp_opening *opening);
 
-/* A covered room's size as the table wants it (m): along the opening's wall and away
- * from it; of a rooflight the plan's two sides. */
+/* The size of a covered room (m): along the opening's wall and away from that wall; for
+ * a rooflight the two sides of the plan. */
 void pp_lumen_scope_room_size(double *width_m, double *depth_m,
                               const struct pp_world *world,
                               const struct pp_opening *opening);
 
-/* A covered room's reflectances: the ceiling's; the mean of the walls but `left_out`, a
- * face's index or -1. */
+/* Reflectances of a covered room: of the ceiling, and the mean of the walls without the
+ * face `left_out` (its index, or -1). */
 double pp_lumen_scope_ceiling_reflectance(const struct pp_world *world);
 double pp_lumen_scope_wall_reflectance(const struct pp_world *world, int left_out);
 

@@ -1,14 +1,15 @@
-/* lumen_table.c - see lumen_table.h. */
+/* lumen_table.c - the program's own tables of coefficients of utilization, and
+ * interpolation in any table. */
 #include "methods/lumen/lumen_table.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "methods/lumen/lumen_parts.h"
+#include "methods/lumen/lumen_table_build.h"
 
 /* Ev/Eh (NAN: ground), ceiling, walls, depth, per cent of the depth (NAN: average),
- * then the coefficients for these widths. */
+ * then the coefficients for own_widths. */
 static const double own_side[][13] = {
 #include "tables/lumen_sidelight.inc"
 };
@@ -23,159 +24,11 @@ enum {
     OWN_TOP = sizeof own_top / sizeof own_top[0],
 };
 
-/* Tables for a smaller Ev/Eh are of overcast skies, from it on of clear ones. */
+/* Ev/Eh from which on a table is of clear skies, below which of overcast ones. */
 static const double clear_from = 0.45;
 
-/* A value outside a range by no more than this lies in it. */
-static const double slack = 1e-3;
-
-/* Where `value` stands on the axis, put there in order if it is new; -1: no room left.
- */
-static int place_on(struct pp_lumen_axis *axis, double value)
-{
-    int i = 0;
-    while (i < axis->count && axis->at[i] < value)
-        i++;
-    if (i < axis->count && axis->at[i] == value)
-        return i;
-    if (axis->count == PP_LUMEN_AXIS_MOST)
-        return -1;
-    for (int k = axis->count++; k > i; k--)
-        axis->at[k] = axis->at[k - 1];
-    axis->at[i] = value;
-    return i;
-}
-
-static int find_on(const struct pp_lumen_axis *axis, double value)
-{
-    for (int i = 0; i < axis->count; i++)
-        if (axis->at[i] == value)
-            return i;
-    return 0;
-}
-
-/* Lengths of the axes in cells: one that is not asked for has one. */
-static int cells_of(const struct pp_lumen_axis *axis)
-{
-    return axis->count > 0 ? axis->count : 1;
-}
-
-/* The cell of the first width. */
-static size_t side_cell(const struct pp_lumen_side_table *table, int light,
-                        const int at[PP_LUMEN_SIDE_AXES], int position)
-{
-    size_t cell = (size_t)light;
-    for (int axis = PP_LUMEN_CEILING; axis <= PP_LUMEN_DEPTH; axis++)
-        cell = cell * (size_t)cells_of(&table->axes[axis]) + (size_t)at[axis];
-    return (cell * PP_LUMEN_POSITIONS + (size_t)position)
-               * (size_t)table->axes[PP_LUMEN_WIDTH].count
-           + (size_t)at[PP_LUMEN_WIDTH];
-}
-
-static void too_many(struct pp_mistakes *mistakes, int line, const char *what)
-{
-    pp_mistakes_add(mistakes, line, "there are more than %d different %s",
-                    PP_LUMEN_AXIS_MOST, what);
-}
-
-static double *cells_create(size_t count)
-{
-    double *cells = malloc(count * sizeof *cells);
-    for (size_t i = 0; cells && i < count; i++)
-        cells[i] = NAN;
-    return cells;
-}
-
-/* The axes that lines need; false: too long a one, which is noted. */
-static bool side_axes(struct pp_lumen_side_table *table,
-                      const struct pp_lumen_line *lines, int count,
-                      struct pp_mistakes *mistakes)
-{
-    static const char *const names[] = {"ceiling reflectances", "wall reflectances",
-                                        "room depths"};
-    for (int i = 0; i < count; i++) {
-        const double at[] = {lines[i].ceiling, lines[i].walls, lines[i].depth};
-        for (int axis = 0; axis < 3; axis++)
-            if (!isnan(at[axis]) && place_on(&table->axes[axis], at[axis]) < 0) {
-                too_many(mistakes, lines[i].line, names[axis]);
-                return false;
-            }
-        if (!isnan(lines[i].light) && place_on(&table->sky, lines[i].light) < 0) {
-            too_many(mistakes, lines[i].line, "skies");
-            return false;
-        }
-    }
-    return true;
-}
-
-enum pp_status pp_lumen_table_build_side(struct pp_lumen_side_table *table,
-                                         const struct pp_lumen_axis *widths,
-                                         const struct pp_lumen_line *lines, int count,
-                                         struct pp_mistakes *mistakes,
-                                         struct pp_error *err)
-{
-    *table = (struct pp_lumen_side_table){0};
-    table->axes[PP_LUMEN_WIDTH] = *widths;
-    if (!side_axes(table, lines, count, mistakes))
-        return pp_fail(err, PP_BAD_INPUT, "a table has too many lines");
-    size_t size = (size_t)(table->sky.count + 1) * PP_LUMEN_POSITIONS;
-    for (int axis = 0; axis < PP_LUMEN_SIDE_AXES; axis++)
-        size *= (size_t)cells_of(&table->axes[axis]);
-    table->cu = cells_create(size);
-    if (!table->cu)
-        return pp_fail_memory(err);
-    for (int i = 0; i < count; i++) {
-        int at[PP_LUMEN_SIDE_AXES] = {
-            find_on(&table->axes[PP_LUMEN_CEILING], lines[i].ceiling),
-            find_on(&table->axes[PP_LUMEN_WALLS], lines[i].walls),
-            find_on(&table->axes[PP_LUMEN_DEPTH], lines[i].depth), 0};
-        int light = isnan(lines[i].light) ? table->sky.count
-                                          : find_on(&table->sky, lines[i].light);
-        double *cell = table->cu + side_cell(table, light, at, lines[i].position);
-        if (!isnan(cell[0]))
-            pp_mistakes_add(mistakes, lines[i].line,
-                            "this line's coefficients have been given before");
-        for (int k = 0; k < widths->count; k++)
-            cell[k] = lines[i].cu[k];
-    }
-    return PP_OK;
-}
-
-enum pp_status pp_lumen_table_build_top(struct pp_lumen_top_table *table,
-                                        const struct pp_lumen_top_line *lines,
-                                        int count, struct pp_mistakes *mistakes,
-                                        struct pp_error *err)
-{
-    static const char *const names[] = {"room cavity ratios", "ceiling reflectances",
-                                        "wall reflectances"};
-    *table = (struct pp_lumen_top_table){0};
-    size_t size = 1;
-    for (int i = 0; i < count; i++) {
-        const double at[] = {lines[i].rcr, lines[i].ceiling, lines[i].walls};
-        for (int axis = 0; axis < PP_LUMEN_TOP_AXES; axis++)
-            if (place_on(&table->axes[axis], at[axis]) < 0) {
-                too_many(mistakes, lines[i].line, names[axis]);
-                return pp_fail(err, PP_BAD_INPUT, "a table has too many lines");
-            }
-    }
-    for (int axis = 0; axis < PP_LUMEN_TOP_AXES; axis++)
-        size *= (size_t)cells_of(&table->axes[axis]);
-    table->cu = cells_create(size);
-    if (!table->cu)
-        return pp_fail_memory(err);
-    for (int i = 0; i < count; i++) {
-        int r = find_on(&table->axes[0], lines[i].rcr);
-        int c = find_on(&table->axes[1], lines[i].ceiling);
-        int w = find_on(&table->axes[2], lines[i].walls);
-        double *cell =
-            table->cu + (r * table->axes[1].count + c) * table->axes[2].count + w;
-        if (!isnan(*cell))
-            pp_mistakes_add(mistakes, lines[i].line,
-                            "this line's coefficient has been given before");
-        *cell = lines[i].cu;
-    }
-    return PP_OK;
-}
+/* A value outside a range by no more than this counts as inside. */
+static const double range_tolerance = 1e-3;
 
 static enum pp_status build_own(struct pp_lumen_table *table,
                                 struct pp_lumen_line *side,
@@ -232,7 +85,7 @@ void pp_lumen_table_destroy(struct pp_lumen_table *table)
     free(table);
 }
 
-/* Two neighbours on an axis, and how far from the first: 0 to 1. */
+/* Two neighbours on an axis, and the position between them: 0 at low, 1 at high. */
 struct between {
     int low, high;
     double share;
@@ -245,8 +98,8 @@ static bool find_between(struct between *between, const struct pp_lumen_axis *ax
     if (axis->count == 0)
         return true;
     int last = axis->count - 1;
-    if (!(first <= last && value >= axis->at[first] - slack
-          && value <= axis->at[last] + slack))
+    if (!(first <= last && value >= axis->at[first] - range_tolerance
+          && value <= axis->at[last] + range_tolerance))
         return false;
     int i = first;
     while (i < last && axis->at[i + 1] < value)
@@ -261,9 +114,9 @@ static bool find_between(struct between *between, const struct pp_lumen_axis *ax
     return true;
 }
 
-/* One position's coefficient, of one light: over the corners of the box of neighbours,
- * from the width inwards to the ceiling. Neighbours that carry no weight need not be
- * given. */
+/* The coefficient at one position for one sky or the ground, from the 16 neighbours:
+ * along the width first, then depth, walls and ceiling. A neighbour without weight may
+ * be missing in the table. */
 static double interpolate(const struct pp_lumen_side_table *table, int light,
                           const struct between between[PP_LUMEN_SIDE_AXES],
                           int position)
@@ -273,7 +126,8 @@ static double interpolate(const struct pp_lumen_side_table *table, int light,
         int at[PP_LUMEN_SIDE_AXES];
         for (int axis = 0; axis < PP_LUMEN_SIDE_AXES; axis++)
             at[axis] = corner >> axis & 1 ? between[axis].high : between[axis].low;
-        values[corner] = table->cu[side_cell(table, light, at, position)];
+        values[corner] =
+            table->cu[pp_lumen_table_build_cell(table, light, at, position)];
     }
     for (int axis = PP_LUMEN_SIDE_AXES - 1; axis >= 0; axis--) {
         double t = between[axis].share;
@@ -296,6 +150,7 @@ static const char *const axis_names[PP_LUMEN_SIDE_AXES] = {
     [PP_LUMEN_WIDTH] = "lights a room whose width over window height is",
 };
 
+/* Writes why a value is outside its axis; returns false. */
 static bool outside(char *why, size_t room, const char *what, double value,
                     const struct pp_lumen_axis *axis, int first)
 {
@@ -307,7 +162,7 @@ static bool outside(char *why, size_t room, const char *what, double value,
     return false;
 }
 
-/* The two skies to read between, or the ground. */
+/* The two skies to interpolate between, or the ground. */
 static bool find_light(struct between *light, const struct pp_lumen_side_table *table,
                        const struct pp_lumen_query *query, char *why, size_t room)
 {

@@ -1,11 +1,11 @@
-/* lumen_table.h - coefficients of utilization of the lumen method: the program's own
- * tables, tables that a user has, and reading between their lines.
+/* lumen_table.h - coefficients of utilization of the lumen method [IES84]: the
+ * program's own tables, and interpolation in these or a user's (lumen_csv.h).
  *
  * Light from the side: one coefficient for each sky (by the ratio Ev/Eh of the open
  * sky's illuminance on the window to that on the ground; 0.396 is the CIE overcast sky)
  * and for light from the ground, by reflectances, room depth and width in window
  * heights, at the method's five positions and on average. Light from above: by room
- * cavity ratio and reflectances. Nothing is ever read outside a table's ranges.
+ * cavity ratio and reflectances. There is no extrapolation.
  */
 #ifndef PP_METHODS_LUMEN_LUMEN_TABLE_H
 #define PP_METHODS_LUMEN_LUMEN_TABLE_H
@@ -14,7 +14,6 @@
 #include <stddef.h>
 
 #include "model/base/error.h"
-#include "model/base/mistakes.h"
 
 enum {
     PP_LUMEN_AXIS_MOST = 24,
@@ -23,7 +22,7 @@ enum {
 };
 
 struct pp_lumen_axis {
-    int count; /* 0: the table does not ask for it */
+    int count; /* 0: the table has no such axis */
     double at[PP_LUMEN_AXIS_MOST];
 };
 
@@ -35,7 +34,7 @@ enum pp_lumen_side_axis {
     PP_LUMEN_SIDE_AXES
 };
 
-struct pp_lumen_table; /* one for light from the side, one for light from above */
+struct pp_lumen_table; /* for light from the side and for light from above */
 
 /* The program's own tables, made by bench/make_lumen_tables. On success *table is the
  * caller's. */
@@ -43,29 +42,9 @@ enum pp_status pp_lumen_table_create(struct pp_lumen_table **table,
                                      struct pp_error *err);
 void pp_lumen_table_destroy(struct pp_lumen_table *table); /* NULL is allowed */
 
-/* Puts the table of a CSV file in the place of the one for light from the side or from
- * above, as its columns say:
- *
- *     Ev_over_Eh (empty, "uniform" or "ground": light from the ground),
- *     [component (sky or ground),] [ceiling_reflectance, wall_reflectance,]
- *     depth_over_window_height, position_percent (empty: the average), then a column
- *     for each width over window height, ascending, "inf" last
- *
- *     rcr, ceiling_reflectance, wall_reflectance, cu
- *
- * Lines that begin with # are comments. All mistakes are noted with their lines; then
- * PP_BAD_INPUT, and the table is as it was. A file that can't be read is PP_BAD_INPUT
- * or PP_SYSTEM with a message. */
-enum pp_status pp_lumen_csv_read(struct pp_lumen_table *table, const char *path,
-                                 struct pp_mistakes *mistakes, struct pp_error *err);
-
-/* The same of a file's text. */
-enum pp_status pp_lumen_csv_parse(struct pp_lumen_table *table, const char *text,
-                                  size_t length, struct pp_mistakes *mistakes,
-                                  struct pp_error *err);
-
-/* What to read: ev_over_eh of the sky, NAN for the ground; overcast: of the table for
- * Ev/Eh below 0.45, whatever ev_over_eh is, else of those from 0.45 on. */
+/* The arguments of a reading from the side table. ev_over_eh is that of the sky, NAN
+ * for the ground; an overcast sky is read from the table with Ev/Eh below 0.45,
+ * whatever ev_over_eh is, any other sky from those with 0.45 and more. */
 struct pp_lumen_query {
     double ev_over_eh;
     bool overcast;
@@ -74,19 +53,20 @@ struct pp_lumen_query {
 
 /* The coefficients at the five positions and the average: between neighbouring lines
  * linear in Ev/Eh and in the reflectances, geometric in depth and in the reciprocal of
- * the width. Against the rooms themselves, half-way between lines, that is good to 8 %.
- * A table without averages gives the mean of its five positions. False, with the reason
- * in `why` as the end of a sentence that begins with an opening, where the table does
- * not reach. */
+ * the width. Half-way between lines this agrees with flux transfer in the room itself
+ * (lumen_room.h) to 8 %. Without averages in the table, the average is the mean of the
+ * five positions. False, with the reason in `why` as the end of a sentence that begins
+ * with an opening, outside the table's range. */
 bool pp_lumen_table_side(double cu[PP_LUMEN_POSITIONS],
                          const struct pp_lumen_table *table,
                          const struct pp_lumen_query *query, char *why, size_t room);
 
-/* At a share of the depth from the window, 0.1 to 0.9: geometric between positions. */
+/* The coefficient at a share of the depth from the window, 0.1 to 0.9: geometric
+ * between the five positions. */
 double pp_lumen_table_at_depth(const double cu[PP_LUMEN_POSITIONS], double share);
 
-/* The coefficient for light from above, linear between neighbouring lines; NAN with the
- * reason as above where the table does not reach. */
+/* The coefficient for light from above, linear between neighbouring lines; NAN, with
+ * the reason as above, outside the table's range. */
 double pp_lumen_table_top(const struct pp_lumen_table *table, double rcr,
                           double ceiling, double walls, char *why, size_t room);
 

@@ -1,4 +1,5 @@
-/* rectangle_factor.c - see rectangle_factor.h. */
+/* rectangle_factor.c - sums G of rectangle_factor.h over the corners of two
+ * rectangles. */
 #include "methods/lumen/rectangle_factor.h"
 
 #include <math.h>
@@ -26,6 +27,7 @@ static double logarithm(double k, double x)
     return x > 0.0 ? k * log(x) : 0.0;
 }
 
+/* G of parallel rectangles. */
 static double parallel(double u, double v, double z)
 {
     return (arc(v, hypot(u, z)) + arc(u, hypot(v, z))
@@ -33,6 +35,7 @@ static double parallel(double u, double v, double z)
            / (2.0 * PP_PI);
 }
 
+/* G of rectangles square to one another. */
 static double square(double x, double s, double t)
 {
     double r2 = x * x + s * s;
@@ -71,6 +74,7 @@ static double distance(const struct pp_aligned_rectangle *r, int axis, double pl
     return which ? fmax(low, high) : fmin(low, high);
 }
 
+/* Square to different axes. */
 static double exchange_square(const struct pp_aligned_rectangle *a,
                               const struct pp_aligned_rectangle *b)
 {

@@ -1,5 +1,5 @@
-/* rectangle_factor.h - what share of the light that leaves one rectangle falls on
- * another, in closed form, for rectangles square to the axes.
+/* rectangle_factor.h - form factors between rectangles with edges along the axes, in
+ * closed form [HSM16].
  */
 #ifndef PP_METHODS_LUMEN_RECTANGLE_FACTOR_H
 #define PP_METHODS_LUMEN_RECTANGLE_FACTOR_H
@@ -15,8 +15,8 @@ struct pp_aligned_rectangle {
 double pp_rectangle_factor_area(const struct pp_aligned_rectangle *rectangle);
 
 /* A F: area of a times the form factor from a to b (m2), the same both ways; 0 within
- * one plane. The whole of each must lie on the front of the other, which is not
- * looked at. With G the integral of the kernel over both rectangles' edges [HSM16]:
+ * one plane. The whole of each must lie in front of the other, which is not checked.
+ * With G the integral of the kernel over both rectangles' edges [HSM16]:
  *
  *     A F = sum over the four corners of each, (-1)^(i + j + k + l) G
  *     parallel, z apart, u and v between the corners:

@@ -1,4 +1,4 @@
-/* nomogram_sheet.c - `nomogram`: average internally reflected component as read with a
+/* nomogram.c - `nomogram`: average internally reflected component, read with a
  * straight-edge on nomogram I, which `chart nomogram` prints.
  *
  *     A to B, read C;  C to D, read E                                 [GEEBELEN]
@@ -15,15 +15,15 @@
  * add up.
  *
  * For vertical openings under the CIE overcast sky in rooms with a mean reflectance of
- * 0.1 to 0.9. It contains clear single glass and, through A, the frame; no dirt, no
- * deterioration of decorations.
+ * 0.1 to 0.9. The chart contains clear single glass and, through A, the frame; no dirt,
+ * no deterioration of decorations.
  */
 #include <math.h>
 #include <stddef.h>
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "methods/method_entries.h"
+#include "methods/method.h"
 #include "methods/nomogram/nomogram_reading.h"
 #include "methods/nomogram/nomogram_scale.h"
 #include "methods/refusals.h"
@@ -47,9 +47,9 @@ static const char *refuses_room(const struct pp_world *world,
     return why ? why : pp_nomogram_reading_refuses_room(world);
 }
 
-/* As on paper: what was put in, set and read. */
-static void set_down(struct pp_steps *steps, const struct pp_nomogram *nomogram,
-                     const struct pp_nomogram_reading *reading, int line)
+/* Records the quantities that were put in, set on scales and read. */
+static void add_steps(struct pp_steps *steps, const struct pp_nomogram *nomogram,
+                      const struct pp_nomogram_reading *reading, int line)
 {
     const double *value = reading->value;
     char shift[32] = "", formula[32];
@@ -98,7 +98,7 @@ static enum pp_status evaluate(const struct pp_world *world,
         return status;
     part->value = reading.component;
     if (part->steps)
-        set_down(part->steps, nomogram, &reading, opening->line);
+        add_steps(part->steps, nomogram, &reading, opening->line);
     return PP_OK;
 }
 
@@ -112,6 +112,6 @@ const struct pp_method pp_method_nomogram = {
     .refuses_room = refuses_room,
     .refuses = pp_refusals_sloping_opening,
     .prepare = prepare,
-    .put_away = free,
+    .destroy_tools = free,
     .evaluate = evaluate,
 };

@@ -1,16 +1,18 @@
-/* nomogram_reading.c - see nomogram_reading.h. */
+/* nomogram_reading.c - sets the room's quantities on the scales and reads the stems
+ * between them. */
 #include "methods/nomogram/nomogram_reading.h"
 
 #include <math.h>
 #include <stddef.h>
 
+#include "methods/allowance.h"
 #include "methods/reflected/interior.h"
 #include "methods/nomogram/nomogram_scale.h"
-#include "methods/reflected/obstruction_angle.h"
+#include "methods/reflected/obstruction.h"
 
-/* What is read where the straight-edge lies on values that are set already. */
-static void lay(struct pp_nomogram_reading *reading, const struct pp_nomogram *nomogram,
-                int index)
+/* Reads a stem where the straight-edge crosses it, laid on the values of two others. */
+static void lay_edge(struct pp_nomogram_reading *reading,
+                     const struct pp_nomogram *nomogram, int index)
 {
     const struct pp_nomogram_edge *edge = &nomogram->edges[index];
     double y_from =
@@ -24,7 +26,7 @@ static void lay(struct pp_nomogram_reading *reading, const struct pp_nomogram *n
     reading->used[index] = true;
 }
 
-/* The ratio W/A times the power of ten that brings it on to scale A. */
+/* The ratio W/A times the power of ten that brings the ratio on to scale A. */
 static double shifted(const struct pp_nomogram_stem *stem, double ratio, int *tens)
 {
     *tens = 0;
@@ -50,15 +52,14 @@ enum pp_status pp_nomogram_reading_of_opening(struct pp_nomogram_reading *readin
                                               struct pp_error *err)
 {
     struct pp_interior all = pp_interior_all(world);
-    *reading = (struct pp_nomogram_reading){.glass_m2 = opening->inner.area_m2
-                                                        * opening->frame_factor,
-                                            .inside_m2 = all.area_m2};
+    *reading = (struct pp_nomogram_reading){
+        .glass_m2 = pp_allowance_net_glass_m2(opening), .inside_m2 = all.area_m2};
     for (int i = 0; i < PP_NOMOGRAM_STEMS; i++)
         reading->value[i] = NAN;
-    double turn_rad = opening->slope_rad;
+    double angle_rad = opening->slope_rad;
     enum pp_status status = PP_OK;
     if (nomogram->kind != PP_NOMOGRAM_ROOFLIGHT)
-        status = pp_obstruction_angle(&turn_rad, world, opening, err);
+        status = pp_obstruction_angle(&angle_rad, world, opening, err);
     if (status != PP_OK)
         return status;
 
@@ -68,12 +69,12 @@ enum pp_status pp_nomogram_reading_of_opening(struct pp_nomogram_reading *readin
         nomogram, PP_STEM_A,
         shifted(&nomogram->stems[PP_STEM_A], reading->ratio, &reading->tens));
     value[PP_STEM_B] = pp_nomogram_scale_read(nomogram, PP_STEM_B, all.reflectance);
-    lay(reading, nomogram, 0);
+    lay_edge(reading, nomogram, 0);
 
-    value[PP_STEM_D] = pp_nomogram_scale_read(nomogram, PP_STEM_D, turn_rad);
+    value[PP_STEM_D] = pp_nomogram_scale_read(nomogram, PP_STEM_D, angle_rad);
     if (value[PP_STEM_D] > 0.0)
-        lay(reading, nomogram, 1);
-    else /* on the way to E the same figure, at its own height */
+        lay_edge(reading, nomogram, 1);
+    else /* without an obstruction E is C */
         value[PP_STEM_E] = value[PP_STEM_C];
 
     double back = pow(10.0, -reading->tens);
@@ -82,7 +83,7 @@ enum pp_status pp_nomogram_reading_of_opening(struct pp_nomogram_reading *readin
     if (nomogram->kind == PP_NOMOGRAM_MINIMUM) {
         value[PP_STEM_F] = pp_nomogram_scale_read(
             nomogram, PP_STEM_F, pp_interior_role(world, PP_WALL).reflectance);
-        lay(reading, nomogram, 2);
+        lay_edge(reading, nomogram, 2);
         reading->minimum = back * value[PP_STEM_G];
     }
     return PP_OK;

@@ -1,4 +1,5 @@
-/* nomogram_scale.c - see nomogram_scale.h.
+/* nomogram_scale.c - the derivation of the nomograms' scales [GEEBELEN], and the
+ * scales.
  *
  * THE FORMULA. For vertical glass the BRE formula [HLP54], [BRE310], per cent,
  *
@@ -6,8 +7,8 @@
  *
  * for top light the same with the sky's share C(beta) on glass of slope beta in place
  * of C, and the ground's 5 (1 - cos beta) in place of 5: for horizontal glass 100 and
- * 0. It knows the room by three reflectances, a scale by one. So a rule has to tie
- * R_fw and R_cw to R:
+ * 0. The formula has three reflectances, a scale has one. So a rule has to tie R_fw and
+ * R_cw to R:
  *
  *     R_cw = k R_fw,   R = (R_fw + R_cw)/2  =>  R_fw = 2 R/(1 + k)            (2)
  *
@@ -50,16 +51,17 @@
  *   D and F are shorter than the height and stand in its middle.
  *
  * Since A and B are the ends of the first line, D and F of the others, the scale that
- * is read always lies between those set, so that their errors are averaged, not drawn
- * out.
+ * is read always lies between the scales that are set, so that their errors are
+ * averaged and not magnified.
  */
 #include "methods/nomogram/nomogram_scale.h"
 
 #include <math.h>
 #include <stddef.h>
 
+#include "methods/reflected/bre_terms.h"
 #include "methods/reflected/irc_minimum.h"
-#include "methods/reflected/obstruction_factor.h"
+#include "methods/reflected/obstruction.h"
 #include "model/geometry/vec.h"
 
 /* Ranges of the scales that are set. */
@@ -72,17 +74,17 @@ static double slope_factor(double beta)
 {
     double c = cos(beta), s = sin(beta);
     double C = 3.0 / 14.0 * (1.0 + c) + 4.0 / (7.0 * PP_PI) * (s + (PP_PI - beta) * c);
-    return C + 0.05 * PP_NOMOGRAM_K * (1.0 - c);
+    return C + PP_BRE_GROUND * PP_NOMOGRAM_K * (1.0 - c);
 }
 
 static double obstruction_factor(double alpha)
 {
-    double ground = 0.05 * PP_NOMOGRAM_K;
+    double ground = PP_BRE_GROUND * PP_NOMOGRAM_K;
     return (pp_obstruction_factor(alpha) + ground)
            / (pp_obstruction_factor(0.0) + ground);
 }
 
-/* What (3) is a product of. */
+/* The factor of (3) that depends on a quantity. */
 static double function_of(enum pp_nomogram_quantity quantity, double value)
 {
     switch (quantity) {
@@ -128,7 +130,7 @@ static struct pp_nomogram_stem middle_stem(enum pp_nomogram_quantity quantity, d
                                      .high = high};
 }
 
-/* The y of its lower end, or of its upper. */
+/* The y of a stem's lower or upper end. */
 static double end_y(const struct pp_nomogram_stem *stem, bool upper)
 {
     double a =
@@ -138,8 +140,8 @@ static double end_y(const struct pp_nomogram_stem *stem, bool upper)
     return upper ? fmax(a, b) : fmin(a, b);
 }
 
-/* The stem that is read between two others, at the x that (4) gives; constant: what the
- * sum of their logarithms lacks. */
+/* The stem that is read between two others, at the x by (4); constant: the factor that
+ * the sum of their logarithms lacks. */
 static struct pp_nomogram_stem between(const struct pp_nomogram_stem *from,
                                        const struct pp_nomogram_stem *to,
                                        double constant)
@@ -156,8 +158,8 @@ static struct pp_nomogram_stem between(const struct pp_nomogram_stem *from,
     return stem;
 }
 
-/* The decade of a stem at x_to, so that what is read between it and `from` lies at
- * x_read. */
+/* The decade of a stem at x_to for which the stem that is read between `from` and that
+ * stem lies at x_read. */
 static double decade_for(const struct pp_nomogram_stem *from, double x_read,
                          double x_to)
 {
@@ -167,13 +169,14 @@ static double decade_for(const struct pp_nomogram_stem *from, double x_read,
 
 struct pp_nomogram pp_nomogram_scale_make(enum pp_nomogram_kind kind)
 {
-    /* Where stems are wanted: B, E, D, and of the minimum G, F. */
-    static const double wanted[PP_NOMOGRAMS][5] = {
+    /* The x of the stems B, E, D and, for the minimum, G, F, chosen by trial for even
+     * spacing. */
+    static const double places[PP_NOMOGRAMS][5] = {
         [PP_NOMOGRAM_AVERAGE] = {0.78, 0.61, 1.0},
         [PP_NOMOGRAM_MINIMUM] = {0.74, 0.52, 0.87, 0.63, 1.0},
         [PP_NOMOGRAM_ROOFLIGHT] = {0.78, 0.56, 1.0},
     };
-    const double *x = wanted[kind];
+    const double *x = places[kind];
     bool top = kind == PP_NOMOGRAM_ROOFLIGHT, minimum = kind == PP_NOMOGRAM_MINIMUM;
     struct pp_nomogram nomogram = {
         .kind = kind,
@@ -185,8 +188,9 @@ struct pp_nomogram pp_nomogram_scale_make(enum pp_nomogram_kind kind)
                   {PP_STEM_C, PP_STEM_D, PP_STEM_E},
                   {PP_STEM_E, PP_STEM_F, PP_STEM_G}},
     };
-    double open = top ? 1.0 : pp_obstruction_factor(0.0) + 0.05 * PP_NOMOGRAM_K;
-    double K = 0.85 * nomogram.R_fw_R * open;
+    double open =
+        top ? 1.0 : pp_obstruction_factor(0.0) + PP_BRE_GROUND * PP_NOMOGRAM_K;
+    double K = PP_ALLOWANCE_CLEAR_DIFFUSE * nomogram.R_fw_R * open;
 
     struct pp_nomogram_stem *stem = nomogram.stems;
     stem[PP_STEM_A] = whole_stem(PP_NOMOGRAM_GLASS, 0.0, least_glass, most_glass);
@@ -253,9 +257,9 @@ double pp_nomogram_scale_printed_unit(enum pp_nomogram_quantity quantity)
     return 1.0;
 }
 
-/* The stretch between bold figures that a value lies in: 1, 2, 5, 10 ... on a
- * logarithmic scale, tenths of a reflectance (of the walls what is published), tens of
- * degrees. */
+/* The stretch between bold figures that holds a value: 1, 2, 5, 10 ... on a
+ * logarithmic scale, tenths of a reflectance (fifths for the walls, as published), tens
+ * of degrees. */
 static void find_stretch(enum pp_nomogram_quantity quantity, double printed,
                          double stretch[2])
 {
@@ -312,7 +316,7 @@ double pp_nomogram_scale_division(const struct pp_nomogram *nomogram, int index,
             return width;
         if (fabs(width / step - rint(width / step)) > 1e-6)
             continue;
-        /* Divisions only shrink, or only grow, along a stretch. */
+        /* The spacing of marks is monotone along a stretch: its ends suffice. */
         double ends[2] = {low, high - step};
         double apart = INFINITY;
         for (int end = 0; end < 2; end++) {

@@ -1,5 +1,5 @@
-/* nomogram_scale.h - the scales of the nomograms of the internally reflected component,
- * set out from the formula, and reading them.
+/* nomogram_scale.h - the scales of the nomograms of the internally reflected component
+ * [GEEBELEN], derived from the BRE formula, and readings of them.
  *
  * Nomogram I is for the average in side-lit rooms, II for the average and the minimum,
  * III for the average in top-lit rooms; CIE overcast sky, clear single glass. The
@@ -21,42 +21,42 @@
 #define PP_NOMOGRAM_LEAST_R 0.1
 #define PP_NOMOGRAM_MOST_R 0.9
 
-/* Of stem letters: A is 0. The stems of a nomogram stand in order of their letters. */
+/* Indices of the stems of a nomogram, which are in the order of their letters. */
 enum { PP_STEM_A, PP_STEM_B, PP_STEM_C, PP_STEM_D, PP_STEM_E, PP_STEM_F, PP_STEM_G };
 
 struct pp_nomogram pp_nomogram_scale_make(enum pp_nomogram_kind kind);
 
-/* y of a value on its stem; what lies outside the stem's values is taken at its nearer
- * end. */
+/* y of a value on its stem; a value outside the stem is placed at the nearer end. */
 double pp_nomogram_scale_position(const struct pp_nomogram *nomogram, int stem,
                                   double value);
 
-/* The value at y of a stem that is read (C, E, G): a fraction of Eh. */
+/* The value at y on a stem that is read (C, E, G): a fraction of Eh. */
 double pp_nomogram_scale_value(const struct pp_nomogram *nomogram, int stem, double y);
 
-/* Where the straight-edge of number `edge`, laid on these y of its two stems, crosses
- * the stem at x. */
+/* The y at which straight-edge `edge`, laid on y_from and y_to of its two stems,
+ * crosses the stem at x. */
 double pp_nomogram_scale_crossing(const struct pp_nomogram *nomogram, int edge,
                                   double y_from, double y_to, double x);
 
-/* Is the value on the stem, from end to end? */
+/* Is the value on the stem, its ends included? */
 bool pp_nomogram_scale_contains(const struct pp_nomogram *nomogram, int stem,
                                 double value);
 
-/* What scales are numbered in: per cent, degrees; else 1. */
+/* The unit in which a scale is numbered: per cent and degrees per fraction and radian;
+ * else 1. */
 double pp_nomogram_scale_printed_unit(enum pp_nomogram_quantity quantity);
 
-/* The division of a scale about `printed`, a value as it is numbered: the smallest of
- * 1, 2 and 5 times a power of ten of which all stand at least least_mm apart up to the
- * next bold figure, where the scales are height_mm high; and where its stretch begins
- * and ends. */
+/* The division of a scale about `printed`, a value in the unit of the numbers: the
+ * smallest of 1, 2 and 5 times a power of ten whose marks are all at least least_mm
+ * apart in the stretch between two bold figures, on scales height_mm high. stretch: the
+ * ends of that stretch. */
 double pp_nomogram_scale_division(const struct pp_nomogram *nomogram, int stem,
                                   double printed, double height_mm, double least_mm,
                                   double stretch[2]);
 
-/* The value as a careful person sets or reads it: to a fifth of a division on a sheet
- * of A4, where the scales are PP_NOMOGRAM_A4_MM high and divisions PP_NOMOGRAM_LEAST_MM
- * at least. */
+/* The value rounded as a user sets or reads it: to a fifth of a division on a sheet of
+ * A4, where the scales are PP_NOMOGRAM_A4_MM high and divisions at least
+ * PP_NOMOGRAM_LEAST_MM. */
 double pp_nomogram_scale_read(const struct pp_nomogram *nomogram, int stem,
                               double value);
 

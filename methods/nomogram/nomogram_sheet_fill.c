@@ -1,24 +1,24 @@
-/* nomogram_sheet_fill.c - see nomogram_sheet_fill.h. */
+/* nomogram_sheet_fill.c - the marks of the scales, stretch by stretch, and the openings
+ * of a room, equal readings once. */
 #include "methods/nomogram/nomogram_sheet_fill.h"
 
 #include <math.h>
 #include <stdlib.h>
 
-#include "methods/method_entries.h"
+#include "methods/method.h"
 #include "methods/nomogram/nomogram_reading.h"
 #include "methods/nomogram/nomogram_scale.h"
 #include "methods/refusals.h"
 
-/* --- the marks -----------------------------------------------------------------------
- */
+/* ---- marks ---- */
 
-/* Is it a multiple of the step? */
+/* Is the number a multiple of the step? */
 static bool multiple(double number, double step)
 {
     return fabs(number / step - rint(number / step)) < 1e-6;
 }
 
-/* Adds the marks of the stretch that begins at `number`; *numbered is the y of the last
+/* Adds the marks of the stretch that begins at `number`. *numbered: the y of the last
  * numbered mark. */
 static void add_stretch(struct pp_nomogram_scale *scale,
                         const struct pp_nomogram *nomogram, int stem, double number,
@@ -39,7 +39,7 @@ static void add_stretch(struct pp_nomogram_scale *scale,
         bool held =
             pp_nomogram_scale_contains(nomogram, stem, at / unit * (1.0 + 1e-9))
             || pp_nomogram_scale_contains(nomogram, stem, at / unit * (1.0 - 1e-9));
-        /* A stretch's end is the next one's beginning. */
+        /* The end of a stretch is added as the beginning of the next. */
         bool next =
             i == count
             && pp_nomogram_scale_contains(nomogram, stem, at / unit * (1.0 + 1e-6));
@@ -94,12 +94,11 @@ enum pp_status pp_nomogram_sheet_fill_blank(struct pp_nomogram_sheet *sheet,
     return make_marks(sheet, spacing, err);
 }
 
-/* --- a room --------------------------------------------------------------------------
- */
+/* ---- a room ---- */
 
-/* Would one line serve for both? */
-static bool alike(const struct pp_nomogram_window *a,
-                  const struct pp_nomogram_window *b)
+/* Have both the same lines on the sheet? */
+static bool same_lines(const struct pp_nomogram_window *a,
+                       const struct pp_nomogram_window *b)
 {
     bool same = a->allowance == b->allowance && a->read.tens == b->read.tens;
     for (int i = 0; i < PP_NOMOGRAM_STEMS && same; i++)
@@ -123,7 +122,7 @@ static enum pp_status add_window(struct pp_nomogram_sheet *sheet,
     sheet->component += sheet->decorations * window.allowance * window.read.component;
     sheet->minimum += sheet->decorations * window.allowance * window.read.minimum;
     for (int i = 0; i < sheet->window_count; i++)
-        if (alike(&sheet->windows[i], &window)) {
+        if (same_lines(&sheet->windows[i], &window)) {
             sheet->windows[i].alike++;
             return PP_OK;
         }

@@ -1,8 +1,8 @@
 /* pepper_pot.c - `pepper-pot`: direct component by counting dots on Pleijel's diagram
  * [PLE54].
  *
- * The window as it looks from the point, in true perspective, is laid under the diagram
- * (pepper_pot_dots.h); each dot in the outline is worth 0.1 %:
+ * The window in true perspective from the point is laid under the diagram
+ * (pepper_pot_dots.h); each dot within the outline is worth 0.1 %:
  *
  *     SC  = dots on the sky x 0.1 %
  *     ERC = luminance factor x dots on obstructions x 0.1 %
@@ -14,17 +14,17 @@
 #include <stdlib.h>
 
 #include "methods/exact/direct.h"
-#include "methods/method_entries.h"
+#include "methods/method.h"
 #include "methods/pepper_pot/pepper_pot_dots.h"
 #include "methods/refusals.h"
 #include "methods/view/window_drawing.h"
 
-/* The diagrams for points that face up, those that the room's openings need. */
+/* The diagrams for points that face up; NULL where no opening needs one. */
 struct pepper_pot_diagrams {
     struct pp_pepper_pot *unglazed, *glazed;
 };
 
-static void put_away(void *tools)
+static void destroy_tools(void *tools)
 {
     struct pepper_pot_diagrams *diagrams = tools;
     if (diagrams) {
@@ -49,7 +49,7 @@ static enum pp_status prepare(void **tools, const struct pp_world *world,
                                                PP_PEPPER_POT_WORTH, err);
     }
     if (status != PP_OK)
-        put_away(diagrams);
+        destroy_tools(diagrams);
     else
         *tools = diagrams;
     return status;
@@ -80,7 +80,7 @@ static const char *refuses(const struct pp_world *world,
     return pp_refusals_unless_vertical(opening);
 }
 
-/* Dots on sky and on obstructions, of one diagram. */
+/* Counts the dots of a diagram on sky and on obstructions. */
 static void count_dots(struct pp_part *part, const struct pp_pepper_pot *pot,
                        const struct pp_window_drawing *drawing)
 {
@@ -106,7 +106,7 @@ static enum pp_status evaluate(const struct pp_world *world,
     bool glazed = opening->glass.panes > 0;
     struct pp_window_drawing drawing;
     enum pp_status status =
-        pp_window_drawing_create(&drawing, world, opening, receiver->position, err);
+        pp_window_drawing_init(&drawing, world, opening, receiver->position, err);
     if (status != PP_OK)
         return status;
     if (is_upright(receiver->normal)) {
@@ -125,8 +125,8 @@ static enum pp_status evaluate(const struct pp_world *world,
     return status;
 }
 
-/* The mean of many counts is what the dots stand for: for averages over many points it
- * is taken by quadrature instead of dots. */
+/* The mean of many counts is the component itself: for averages over many points it is
+ * taken by quadrature instead of dots. */
 static enum pp_status evaluate_roughly(const struct pp_world *world,
                                        const struct pp_opening *opening,
                                        const struct pp_receiver *receiver,
@@ -153,7 +153,7 @@ const struct pp_method pp_method_pepper_pot = {
     .allowances = PP_ALLOWS_CLEAR_GLASS | PP_ALLOWS_NO_GLASS,
     .counts = true,
     .prepare = prepare,
-    .put_away = put_away,
+    .destroy_tools = destroy_tools,
     .refuses_room = refuses_room,
     .refuses = refuses,
     .evaluate = evaluate,

@@ -1,4 +1,5 @@
-/* pepper_pot_dots.c - see pepper_pot_dots.h. */
+/* pepper_pot_dots.c - integrates the light by altitude and azimuth, and inverts both
+ * integrals at the points of a Fibonacci lattice. */
 #include "methods/pepper_pot/pepper_pot_dots.h"
 
 #include <math.h>
@@ -19,8 +20,8 @@ static void azimuths(const struct pp_pepper_pot *pot, double *low, double *high)
     }
 }
 
-/* dSC / (dgamma dphi) of the header is the product of what depends on the altitude
- * alone and the rest. */
+/* dSC / (dgamma dphi) of the header as a product: a factor that depends on the altitude
+ * only, times by_azimuth. */
 static double by_altitude(const struct pp_pepper_pot *pot, double gamma)
 {
     double s = sin(gamma), c = cos(gamma);
@@ -37,7 +38,7 @@ static double by_azimuth(const struct pp_pepper_pot *pot, double cos_gamma, doub
                                   cos_gamma * cos(phi));
 }
 
-/* One altitude, and what comes from the left of even azimuths in it. */
+/* One altitude, and the light from the left of each of even azimuths. */
 struct ring_of_sky {
     const struct pp_pepper_pot *pot;
     double cos_gamma;

@@ -1,18 +1,17 @@
 /* pepper_pot_dots.h - Pleijel's pepper-pot diagram: dots on the true perspective of a
- * window, each worth the same share of the sky component.
+ * window, each worth the same share of the sky component [PLE54].
  *
- * The drawing is the window's own upright plane at unit distance from the point: (a, b)
- * is seen in the direction a to the right, b up, 1 ahead. What a dot stands for is a
- * piece of the sky that gives the receiver (normal n) `worth`:
+ * The drawing is the window's own vertical plane at unit distance from the point: (a,
+ * b) is seen in the direction a to the right, b up, 1 ahead. A dot stands for a piece
+ * of the sky that gives `worth` to the receiver (normal n):
  *
  *     dSC = L(gamma) tau(cos gamma cos phi) (n.u) cos gamma dgamma dphi       [PLE54]
  *
- * The sky seen is mapped on to a square, t by altitude (the share that comes from below
- * it) and s by azimuth (the share of that altitude's light that comes from its left),
- * so that equal areas are equal shares; the dots are a Fibonacci lattice of that
- * square: even, without clumps, and with no row along any edge of a window [SP06]. A
- * dot stands for exactly its worth; a window's count is off by the dots that its
- * outline cuts off or takes in.
+ * The sky is mapped on to the unit square: t is the share of the light from below an
+ * altitude, s the share of that altitude's light from the left of an azimuth, so that
+ * equal areas are equal shares. The dots are a Fibonacci lattice of the square: even,
+ * without clumps, and with no row along any edge of a window [SP06]. A dot stands for
+ * exactly its worth; the error of a count comes from the dots next to the outline.
  */
 #ifndef PP_METHODS_PEPPER_POT_PEPPER_POT_DOTS_H
 #define PP_METHODS_PEPPER_POT_PEPPER_POT_DOTS_H
@@ -44,19 +43,19 @@ struct pp_pepper_pot {
     double (*dots)[2]; /* (a, b), b > 0 */
 };
 
-/* Makes the dots. sky other than overcast or uniform, and a worth outside 1e-5 ... 0.1,
- * are refused; facing_rad is not looked at unless upright. */
+/* Makes the dots. A sky other than overcast or uniform, and a worth outside 1e-5 ...
+ * 0.1, are refused; facing_rad is used for an upright receiver only. */
 enum pp_status pp_pepper_pot_dots_create(struct pp_pepper_pot **pot,
                                          const struct pp_sky *sky, bool glazed,
                                          bool upright, double facing_rad, double worth,
                                          struct pp_error *err);
 void pp_pepper_pot_dots_destroy(struct pp_pepper_pot *pot); /* NULL is allowed */
 
-/* How many dots lie in a region of the drawing. */
+/* The number of dots in a region of the drawing. */
 int pp_pepper_pot_dots_count(const struct pp_pepper_pot *pot,
                              const struct pp_region *region);
 
-/* Where (a, b) lies on the square of equal areas; false where it gives nothing. */
+/* The point of the unit square for (a, b); false for a direction without light. */
 bool pp_pepper_pot_dots_to_square(const struct pp_pepper_pot *pot, double a, double b,
                                   double *s, double *t);
 

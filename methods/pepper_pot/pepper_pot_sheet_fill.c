@@ -1,11 +1,11 @@
-/* pepper_pot_sheet_fill.c - see pepper_pot_sheet_fill.h. */
+/* pepper_pot_sheet_fill.c - dots and windows of a sheet of the pepper-pot diagram. */
 #include "methods/pepper_pot/pepper_pot_sheet_fill.h"
 
 #include <math.h>
 #include <stdlib.h>
 
-#include "methods/drawing_board.h"
-#include "methods/method_entries.h"
+#include "methods/diagram_windows.h"
+#include "methods/method.h"
 #include "methods/pepper_pot/pepper_pot_dots.h"
 #include "methods/view/window_drawing.h"
 
@@ -43,21 +43,15 @@ static enum pp_status fill_window(struct pp_pepper_pot_panel *panel,
                                   struct pp_vec3 point, double worth,
                                   struct pp_error *err)
 {
-    window->line = opening->line;
-    window->allowance = pp_allowance_factor(pp_method_pepper_pot.allowances, opening);
     struct pp_window_drawing drawing;
-    enum pp_status status =
-        pp_window_drawing_create(&drawing, world, opening, point, err);
+    enum pp_status status = pp_diagram_windows_begin(
+        window, &drawing, &pp_method_pepper_pot, world, opening, point, err);
     if (status != PP_OK)
         return status;
-    window->distance_m = drawing.distance_m;
-    window->pieces = calloc((size_t)drawing.count + 1, sizeof *window->pieces);
-    if (!window->pieces)
-        status = pp_fail_memory(err);
-    for (int i = 0; i < drawing.count && status == PP_OK; i++) {
+    for (int i = 0; i < drawing.count; i++) {
         struct pp_drawn_part *part = &drawing.parts[i];
         struct pp_board_piece *piece = &window->pieces[window->count++];
-        /* The drawing's outline is handed over. */
+        /* The outline is moved from the drawing to the sheet. */
         *piece = (struct pp_board_piece){
             .outline = part->region, .hidden = part->hidden, .factor = part->factor};
         part->region = (struct pp_region){0};
@@ -65,10 +59,10 @@ static enum pp_status fill_window(struct pp_pepper_pot_panel *panel,
     }
     pp_board_sheets_window_sum(window, worth);
     pp_window_drawing_clear(&drawing);
-    return status;
+    return PP_OK;
 }
 
-/* The panel of the windows like opening `first`. */
+/* The panel of the windows that share a diagram with opening `first`. */
 static enum pp_status fill_panel(struct pp_pepper_pot_panel *panel,
                                  const struct pp_world *world, int first,
                                  const struct pp_receiver *receiver, bool upright,
@@ -85,12 +79,12 @@ static enum pp_status fill_panel(struct pp_pepper_pot_panel *panel,
     status = fill_dots(panel, pot, err);
     pp_pepper_pot_dots_destroy(pot);
     panel->wall = world->surfaces[opening->face].name;
-    panel->windows = calloc((size_t)pp_drawing_board_count_alike(world, first),
+    panel->windows = calloc((size_t)pp_diagram_windows_count_alike(world, first),
                             sizeof *panel->windows);
     if (status == PP_OK && !panel->windows)
         status = pp_fail_memory(err);
     for (int i = first; i < world->opening_count && status == PP_OK; i++)
-        if (pp_drawing_board_first_alike(world, i) == first)
+        if (pp_diagram_windows_first_alike(world, i) == first)
             status = fill_window(panel, &panel->windows[panel->count++], world,
                                  &world->openings[i], receiver->position, worth, err);
     return status;
@@ -129,7 +123,7 @@ enum pp_status pp_pepper_pot_sheet_fill_room(struct pp_pepper_pot_sheet *sheet,
     *sheet = (struct pp_pepper_pot_sheet){0};
     bool upright = fabs(receiver->normal.z) < 0.5;
     enum pp_status status =
-        pp_drawing_board_check(&pp_method_pepper_pot, world, receiver, err);
+        pp_diagram_windows_check(&pp_method_pepper_pot, world, receiver, err);
     if (status == PP_OK && world->opening_count == 0)
         status = pp_pepper_pot_sheet_fill_blank(sheet, &world->sky, false, upright,
                                                 worth, err);
@@ -144,11 +138,11 @@ enum pp_status pp_pepper_pot_sheet_fill_room(struct pp_pepper_pot_sheet *sheet,
     if (world->opening_count == 0)
         return PP_OK;
     sheet->panels =
-        calloc((size_t)pp_drawing_board_diagram_count(world), sizeof *sheet->panels);
+        calloc((size_t)pp_diagram_windows_diagram_count(world), sizeof *sheet->panels);
     if (!sheet->panels)
         return pp_fail_memory(err);
     for (int i = 0; i < world->opening_count && status == PP_OK; i++)
-        if (pp_drawing_board_first_alike(world, i) == i)
+        if (pp_diagram_windows_first_alike(world, i) == i)
             status = fill_panel(&sheet->panels[sheet->count++], world, i, receiver,
                                 upright, worth, err);
     for (int i = 0; i < sheet->count; i++)

@@ -1,5 +1,6 @@
 /* pepper_pot_sheet_fill.h - fills a sheet of the pepper-pot diagram
- * (model/results/board_sheets.h): its dots, and a room's windows with theirs counted. */
+ * (model/results/board_sheets.h): dots, and the windows of a room with their counted
+ * dots. */
 #ifndef PP_METHODS_PEPPER_POT_PEPPER_POT_SHEET_FILL_H
 #define PP_METHODS_PEPPER_POT_PEPPER_POT_SHEET_FILL_H
 
@@ -7,7 +8,8 @@
 #include "model/results/board_sheets.h"
 #include "model/room/world.h"
 
-/* A blank one, for a horizontal receiver or for an upright one that faces the window.
+/* A sheet without windows, for a horizontal receiver or a vertical one that faces the
+ * window.
  * Skies other than overcast and uniform, and a worth outside 1e-5 ... 0.1, are refused.
  * The sheet is to be cleared by the caller; empty on failure. */
 enum pp_status pp_pepper_pot_sheet_fill_blank(struct pp_pepper_pot_sheet *sheet,
@@ -15,10 +17,10 @@ enum pp_status pp_pepper_pot_sheet_fill_blank(struct pp_pepper_pot_sheet *sheet,
                                               bool upright, double worth,
                                               struct pp_error *err);
 
-/* With the room's windows as seen from the receiver: a panel for each way they face,
- * with glass and without; one blank panel for a room without openings. What the method
- * `pepper-pot` refuses is PP_BAD_INPUT and why. With a worth of 0.1 % its sums are
- * what the method gives. */
+/* With the room's windows as seen from the receiver: a panel for each direction that
+ * windows face, with glass and without; one blank panel for a room without openings.
+ * PP_BAD_INPUT with the reason where the method `pepper-pot` refuses the room. With a
+ * worth of 0.1 % the sums are the components by that method. */
 enum pp_status pp_pepper_pot_sheet_fill_room(struct pp_pepper_pot_sheet *sheet,
                                              const struct pp_world *world,
                                              const struct pp_receiver *receiver,

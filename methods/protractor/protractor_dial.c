@@ -1,12 +1,13 @@
-/* protractor_dial.c - see protractor_dial.h. */
+/* protractor_dial.c - tabulates the density of protractor_scale.h by Simpson's rule and
+ * reads the tables by Hermite's cubics. */
 #include "methods/protractor/protractor_dial.h"
 
 #include <math.h>
 
 static const double between_semicircles_rad = 10.0 * PP_RAD;
 
-/* The strip's shape where it narrows to nothing, at the ends of the scale, is taken
- * this near to them. */
+/* The auxiliary scale at the ends of the primary one, where the strip has no width, is
+ * taken at this distance from the ends. */
 static const double end_rad = 1e-4;
 
 /* The cubic with these values and slopes at both ends of a step, at t in 0..1. */
@@ -18,7 +19,7 @@ static double hermite(double t, double step, double a, double a_slope, double b,
            + step * t * u * (a_slope * u - b_slope * t);
 }
 
-/* Of a table of values and slopes at even steps from 0 to `last`. */
+/* Interpolates in a table of values and slopes at even steps from 0 to `last`. */
 static double read_table(const double *values, const double *slopes, double last,
                          double x)
 {
@@ -33,7 +34,7 @@ static double simpson(double a, double middle, double b, double step)
     return (a + 4.0 * middle + b) * step / 6.0;
 }
 
-/* dF/dgamma: the whole strip, both sides of the section. */
+/* dF/dgamma: the density integrated over the strip, both sides of the section. */
 static double strip(const struct pp_protractor *protractor, double gamma)
 {
     enum { STEPS = 90 };

@@ -1,14 +1,13 @@
-/* protractor_dial.h - a protractor as it lies on the drawing board: its scales set out
- * once, then read as often as needed.
+/* protractor_dial.h - a protractor with tabulated scales, worked out once for many
+ * readings [BRE309].
  *
  * The primary scale reads the share of an endless window up to any section altitude.
- * The auxiliary has semicircles for average altitudes 10 degrees apart; between them a
- * reader interpolates along the jamb's sight line, and so does pp_protractor_dial_factor. That
- * line stands
+ * The auxiliary scale has semicircles for average altitudes 10 degrees apart; between
+ * them readings are interpolated along the jamb's sight line. The angle of that line is
  *
- *   for vertical openings on the plan, at the jamb's azimuth phi from the normal:
+ *   for vertical openings, on the plan, the jamb's azimuth phi from the normal:
  *       tan phi = x / distance on the plan
- *   for all others on the plan turned down into the plane of the average sight line:
+ *   for all others, on the plan turned down into the plane of the average sight line:
  *       tan theta = x / slant distance along that line
  *
  * since on the plan an opening overhead has no jambs to sight at. For a vertical
@@ -20,7 +19,7 @@
 #include "methods/protractor/protractor_scale.h"
 
 enum {
-    PP_DIAL_STEPS = 180,      /* of the primary scale, and of a semicircle's 90 deg */
+    PP_DIAL_STEPS = 180, /* of the primary scale, and of 90 degrees of a semicircle */
     PP_DIAL_SEMICIRCLES = 19, /* at 0 to 180 degrees */
 };
 
@@ -41,7 +40,7 @@ struct pp_protractor_dial {
     struct pp_protractor_semicircle semicircles[PP_DIAL_SEMICIRCLES];
 };
 
-/* Takes 5 ms. Readings are good to 5e-7 of the open sky, factors to 1e-7. */
+/* Takes 5 ms. Errors are up to 5e-7 of the open sky in readings, 1e-7 in factors. */
 void pp_protractor_dial_init(struct pp_protractor_dial *dial,
                              const struct pp_protractor *protractor);
 
@@ -49,12 +48,12 @@ void pp_protractor_dial_init(struct pp_protractor_dial *dial,
 double pp_protractor_dial_share(const struct pp_protractor_dial *dial,
                                 double gamma_rad);
 
-/* dF/dgamma there, to 1e-3. */
+/* dF/dgamma at gamma_rad, to 1e-3. */
 double pp_protractor_dial_slope(const struct pp_protractor_dial *dial,
                                 double gamma_rad);
 
-/* The angle at which the primary scale reads `share`, 0 to the whole scale's: Newton
- * from start_rad, as from the mark before. */
+/* The angle at which the primary scale reads `share`, 0 to the reading at its end, by
+ * Newton's method from start_rad. */
 double pp_protractor_dial_angle(const struct pp_protractor_dial *dial, double share,
                                 double start_rad);
 
@@ -63,12 +62,12 @@ double pp_protractor_dial_angle(const struct pp_protractor_dial *dial, double sh
 double pp_protractor_dial_factor(const struct pp_protractor_dial *dial,
                                  double average_rad, double jamb_rad, bool turned_down);
 
-/* The auxiliary at any average altitude, 0 to pi, for charts. */
+/* The auxiliary scale at any average altitude, 0 to pi, for charts. */
 void pp_protractor_dial_semicircle_init(struct pp_protractor_semicircle *semicircle,
                                         const struct pp_protractor *protractor,
                                         double average_rad);
 
-/* The jamb's angle at which it has the factor `factor`, 0 to 1/2; to 1e-9. */
+/* The jamb's angle at which the semicircle reads `factor`, 0 to 1/2; to 1e-9. */
 double pp_protractor_dial_jamb_angle(const struct pp_protractor_semicircle *semicircle,
                                      double factor, bool turned_down);
 

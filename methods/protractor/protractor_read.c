@@ -1,13 +1,16 @@
-/* protractor_read.c - an opening read with a protractor, rectangle by rectangle.
+/* protractor_read.c - an opening read with a protractor [BRE309], rectangle by
+ * rectangle.
  *
  * A vertical opening and its obstructions are the upright rectangles of elevation.h,
- * each read by itself: section altitudes of its edges tan gamma = z / d, jambs on the
- * plan tan phi = x / d, d the distance of the opening's plane.
+ * each read by itself. With d the distance of the opening's plane, an edge at the
+ * height z and a jamb at x are seen on section and plan under
  *
- * An opening in a plane at the slope beta (0 level, 90 degrees upright) lies, for the
- * point, at the distance d square to that plane; b and x are measured in the plane from
- * the foot of that perpendicular, b up the slope. The section, cut square to the
- * opening's level edges, shows an edge at b under
+ *     tan gamma = z / d,   tan phi = x / d.
+ *
+ * The plane of an opening at the slope beta (0 level, 90 degrees vertical) is at the
+ * perpendicular distance d from the point; b and x are measured in the plane from the
+ * foot of that perpendicular, b up the slope. The section, square to the opening's
+ * level edges, shows an edge at b under
  *
  *     tan gamma = (b sin beta + d cos beta) / (d sin beta - b cos beta),
  *
@@ -17,23 +20,24 @@
  *
  *     tan theta = x sin(gamma + beta) / d.
  *
- * (For beta = 90 degrees that is tan phi cos gamma.) A level opening has no level edges
- * of its own choice: its section is cut square to the longer ones, since the average
- * altitude serves long narrow strips best. What is not a rectangle is read as the
- * rectangle of its area; obstructions seen through it have the jambs of what they hide
- * and its edge nearer to the horizon, and an equal area; their readings are taken off
- * the opening's.
+ * (For beta = 90 degrees that is tan phi cos gamma.) All edges of a level opening are
+ * level: its section is square to the longer ones, since the average altitude is most
+ * accurate for long narrow strips. Any other shape is read as a rectangle of equal
+ * area, with the same middle and proportions. An obstruction is read as the rectangle
+ * of equal area with the jambs of the hidden part and its edge nearer to the zenith;
+ * the readings of obstructions are subtracted from that of the opening.
  */
+#include "methods/protractor/protractor_read.h"
+
 #include <math.h>
 #include <stdlib.h>
 
-#include "methods/exact/direct.h"
+#include "methods/view/visible.h"
 #include "methods/view/elevation.h"
 #include "model/geometry/area_moments.h"
-#include "methods/protractor/protractor.h"
 #include "methods/view/window_drawing.h"
 
-/* A plane within this of upright or level is. */
+/* A slope within this angle of a right angle, 0 or a published slope counts as such. */
 static const double slope_tolerance_rad = 1e-3;
 
 double pp_protractor_read_slope(const struct pp_opening *opening)
@@ -67,7 +71,7 @@ enum pp_status pp_protractor_read_choose(struct pp_protractor *protractor,
                    slope / PP_RAD);
 }
 
-/* A rectangle in the opening's plane, over the distance of the plane. */
+/* A rectangle in the opening's plane, lengths over the distance of the plane. */
 struct rectangle {
     double left, right, low, high;
 };
@@ -77,6 +81,7 @@ static bool is_upright(double slope)
     return fabs(slope - PP_PI / 2.0) < slope_tolerance_rad;
 }
 
+/* gamma of an edge at b. */
 static double section_altitude(double b, double slope)
 {
     double up = b * sin(slope) + cos(slope), forward = sin(slope) - b * cos(slope);
@@ -112,7 +117,7 @@ static enum pp_status read_upright(struct pp_protractor_readings *readings,
                                    struct pp_vec3 point, struct pp_error *err)
 {
     struct pp_elevation elevation;
-    enum pp_status status = pp_elevation_create(&elevation, world, opening, point, err);
+    enum pp_status status = pp_elevation_init(&elevation, world, opening, point, err);
     if (status != PP_OK)
         return status;
     readings->list = calloc((size_t)elevation.count + 1, sizeof *readings->list);
@@ -123,7 +128,9 @@ static enum pp_status read_upright(struct pp_protractor_readings *readings,
         struct pp_protractor_reading *reading = &readings->list[readings->count++];
         reading->hidden = !isnan(part->reflectance);
         reading->factor =
-            reading->hidden ? pp_direct_factor(&world->sky, part->reflectance) : 1.0;
+            reading->hidden
+                ? pp_visible_luminance_factor(&world->sky, part->reflectance)
+                : 1.0;
         read_rectangle(
             reading, dial, PP_PI / 2.0,
             (struct rectangle){part->left, part->right, part->low, part->high});
@@ -140,14 +147,14 @@ struct axes {
     struct pp_vec3 along, up;
 };
 
-static struct axes axes_of(const struct pp_opening *opening, double slope)
+static struct axes section_axes(const struct pp_opening *opening, double slope)
 {
     if (slope < slope_tolerance_rad && opening->height_m > opening->width_m)
         return (struct axes){true, opening->up, pp_vec_scale(opening->along, -1.0)};
     return (struct axes){false, opening->along, opening->up};
 }
 
-/* What lies of a ring above the point's horizon, on the section's axes. */
+/* Adds the part of a ring above the point's horizon, in the section's axes. */
 static enum pp_status add_ring(struct pp_area_moments *sum, const struct pp_ring *ring,
                                const struct axes *axes, double horizon,
                                struct pp_error *err)
@@ -172,9 +179,10 @@ static enum pp_status add_ring(struct pp_area_moments *sum, const struct pp_ring
     return PP_OK;
 }
 
-/* What hides the sky: its jambs, its head (the edge nearer to the zenith), and an equal
- * area. */
-static struct rectangle hanging(const struct pp_area_moments *extent, double slope)
+/* The rectangle of an obstruction: jambs and head (the edge nearer to the zenith) of
+ * the hidden part, equal area. */
+static struct rectangle obstruction_rectangle(const struct pp_area_moments *extent,
+                                              double slope)
 {
     double height = extent->area / (extent->right - extent->left);
     bool behind =
@@ -184,16 +192,17 @@ static struct rectangle hanging(const struct pp_area_moments *extent, double slo
     return (struct rectangle){extent->left, extent->right, low, low + height};
 }
 
-/* Equal area, the same middle and proportions. */
-static struct rectangle equal(const struct pp_area_moments *extent)
+/* The rectangle of equal area with the middle and the proportions of the bounding
+ * box. */
+static struct rectangle equal_rectangle(const struct pp_area_moments *extent)
 {
     double width = extent->right - extent->left, height = extent->high - extent->low;
-    double spare = (1.0 - sqrt(extent->area / (width * height))) / 2.0;
-    if (!(spare > 1e-9))
-        spare = 0.0;
+    double margin = (1.0 - sqrt(extent->area / (width * height))) / 2.0;
+    if (!(margin > 1e-9))
+        margin = 0.0;
     return (struct rectangle){
-        extent->left + spare * width, extent->right - spare * width,
-        extent->low + spare * height, extent->high - spare * height};
+        extent->left + margin * width, extent->right - margin * width,
+        extent->low + margin * height, extent->high - margin * height};
 }
 
 static enum pp_status extent_of(struct pp_area_moments *extent,
@@ -206,7 +215,8 @@ static enum pp_status extent_of(struct pp_area_moments *extent,
     return status;
 }
 
-/* The whole opening as sky, then each obstruction: off the sky, and as itself. */
+/* The whole opening as sky; then each obstruction, subtracted from the sky component
+ * and added to the externally reflected one. */
 static enum pp_status read_sloping(struct pp_protractor_readings *readings,
                                    const struct pp_protractor_dial *dial,
                                    const struct pp_opening *opening,
@@ -214,7 +224,7 @@ static enum pp_status read_sloping(struct pp_protractor_readings *readings,
                                    struct pp_error *err)
 {
     double slope = pp_protractor_read_slope(opening);
-    struct axes axes = axes_of(opening, slope);
+    struct axes axes = section_axes(opening, slope);
     double horizon = slope < slope_tolerance_rad ? -INFINITY : -1.0 / tan(slope);
     readings->list = calloc((size_t)drawing->count + 1, sizeof *readings->list);
     if (!readings->list)
@@ -228,7 +238,7 @@ static enum pp_status read_sloping(struct pp_protractor_readings *readings,
         return status;
     struct pp_protractor_reading *all = &readings->list[readings->count++];
     all->factor = 1.0;
-    read_rectangle(all, dial, slope, equal(&whole));
+    read_rectangle(all, dial, slope, equal_rectangle(&whole));
     readings->sky = all->component;
 
     for (int i = 0; i < drawing->count && status == PP_OK; i++) {
@@ -241,7 +251,7 @@ static enum pp_status read_sloping(struct pp_protractor_readings *readings,
         struct pp_protractor_reading *reading = &readings->list[readings->count++];
         reading->hidden = true;
         reading->factor = drawing->parts[i].factor;
-        read_rectangle(reading, dial, slope, hanging(&extent, slope));
+        read_rectangle(reading, dial, slope, obstruction_rectangle(&extent, slope));
         readings->sky -= reading->initial * reading->width_factor;
         readings->less_hidden = true;
         readings->external += reading->component;
@@ -257,7 +267,7 @@ enum pp_status pp_protractor_read(struct pp_protractor_readings *readings,
                                   struct pp_vec3 point, struct pp_error *err)
 {
     double slope = pp_protractor_read_slope(opening);
-    struct axes axes = axes_of(opening, slope);
+    struct axes axes = section_axes(opening, slope);
     *readings = (struct pp_protractor_readings){
         .along = axes.along,
         .out = pp_vec_unit(pp_vec_cross(pp_vec(0.0, 0.0, 1.0), axes.along)),
@@ -269,7 +279,7 @@ enum pp_status pp_protractor_read(struct pp_protractor_readings *readings,
         status = read_upright(readings, dial, world, opening, point, err);
     } else {
         struct pp_window_drawing drawing;
-        status = pp_window_drawing_create(&drawing, world, opening, point, err);
+        status = pp_window_drawing_init(&drawing, world, opening, point, err);
         if (status != PP_OK)
             return status;
         status = read_sloping(readings, dial, opening, &drawing, err);

@@ -1,4 +1,5 @@
-/* protractor_scale.c - see protractor_scale.h. */
+/* protractor_scale.c - the published protractors, and the scales by closed form or by
+ * cubature of their density. */
 #include "methods/protractor/protractor_scale.h"
 
 #include <cubature.h>
@@ -56,7 +57,7 @@ double pp_protractor_scale_density(const struct pp_protractor *protractor,
     double gamma = gamma_rad, theta = theta_rad;
     double across = cos(theta), up = sin(gamma);
     double cos_i = across * sin(gamma + protractor->slope_rad);
-    /* Along the glass nothing comes through, and several panes leave 0/0. */
+    /* At grazing incidence the transmittance is 0, and several panes give 0/0. */
     if (protractor->glass.panes > 0 && !(cos_i > 1e-12))
         return 0.0;
     struct pp_vec3 u = pp_vec(across * cos(gamma), sin(theta), across * up);
@@ -69,7 +70,8 @@ static bool closed_form(const struct pp_protractor *protractor)
     return protractor->glass.panes == 0 && protractor->sky.kind != PP_SKY_ISO;
 }
 
-/* What the quadratures know at each node: x is theta, or (theta, gamma). */
+/* The context of the integrands below, whose variables are theta, or theta and
+ * gamma. */
 struct strip {
     const struct pp_protractor *protractor;
     double gamma;
@@ -93,7 +95,7 @@ static int strip_integrand(unsigned dim, const double *x, void *data, unsigned f
     return 0;
 }
 
-/* Of the strip at gamma, between the section and theta >= 0. */
+/* The integral over the strip at gamma, between the section and theta >= 0. */
 static double one_side(const struct pp_protractor *protractor, double gamma,
                        double theta)
 {
@@ -104,7 +106,7 @@ static double one_side(const struct pp_protractor *protractor, double gamma,
     return value;
 }
 
-/* Of all strips from low to high. */
+/* The integral over all strips from low to high, both sides of the section. */
 static double between(const struct pp_protractor *protractor, double low_rad,
                       double high_rad)
 {
@@ -177,7 +179,7 @@ double pp_protractor_scale_auxiliary(const struct pp_protractor *protractor,
             (theta / 2.0 + sin(2.0 * theta) / 4.0 + brighter * (s - s * s * s / 3.0))
             / (PP_PI / 4.0 + brighter * 2.0 / 3.0);
     } else {
-        /* At the horizon the strip gives nothing, but has a limit's shape. */
+        /* At the horizon the strip's integral is 0; the share has a limit there. */
         double gamma = fmax(gamma_rad, 1e-9);
         share = one_side(protractor, gamma, theta)
                 / one_side(protractor, gamma, PP_PI / 2.0);

@@ -59,7 +59,7 @@ double pp_protractor_scale_density(const struct pp_protractor *protractor,
 double pp_protractor_scale_primary(const struct pp_protractor *protractor,
                                    double gamma_rad);
 
-/* dF/dgamma, for whoever looks for the angle of a reading. */
+/* dF/dgamma, for finding the angle of a reading. */
 double pp_protractor_scale_primary_slope(const struct pp_protractor *protractor,
                                          double gamma_rad);
 

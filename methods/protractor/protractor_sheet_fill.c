@@ -1,18 +1,18 @@
-/* protractor_sheet_fill.c - see protractor_sheet_fill.h. */
+/* protractor_sheet_fill.c - the marks of the primary scale, the lines of the auxiliary
+ * scale, the names of sky and glass, and the choice of the opening. */
 #include "methods/protractor/protractor_sheet_fill.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "methods/method_entries.h"
-#include "methods/protractor/protractor.h"
+#include "methods/method.h"
+#include "methods/protractor/protractor_read.h"
 
-/* --- the primary scale ---------------------------------------------------------------
- */
+/* ---- the primary scale ---- */
 
-/* The smallest of the usual divisions, in tenths of a per cent, that stand so far apart
- * where the scale has that slope. */
+/* The smallest of the usual divisions, in tenths of a per cent, whose marks are at
+ * least apart_rad apart where the scale has that slope. */
 static int division(double slope, double apart_rad)
 {
     static const int usual[] = {1, 2, 5, 10, 20, 50, 100};
@@ -32,7 +32,6 @@ static enum pp_status make_marks(struct pp_protractor_scale *scale,
         return pp_fail_memory(err);
     double angle = 0.0, labelled = 0.0;
     for (int tenths = 1; tenths <= last; tenths++) {
-        /* From mark to mark, by Newton. */
         double share = fmin(1e-3 * tenths, scale->whole);
         angle = pp_protractor_dial_angle(dial, share, fmax(angle, 0.02));
         double slope = pp_protractor_dial_slope(dial, angle);
@@ -44,7 +43,7 @@ static enum pp_status make_marks(struct pp_protractor_scale *scale,
         enum pp_mark_rank rank = PP_MARK_FINE;
         if (tenths % middle == 0)
             rank = PP_MARK_MIDDLE;
-        /* At a scale's end that meets its mirror image figures would meet, too. */
+        /* At an end where the scale meets its mirror image, figures would collide. */
         double left = scale->range_rad - angle;
         if (tenths % label == 0 && angle - labelled > 0.8 * spacing.label_rad
             && left > 0.6 * spacing.label_rad) {
@@ -57,8 +56,7 @@ static enum pp_status make_marks(struct pp_protractor_scale *scale,
     return PP_OK;
 }
 
-/* --- the auxiliary -------------------------------------------------------------------
- */
+/* ---- the auxiliary ---- */
 
 enum { LINES = 24 }; /* 0.02 to 0.48 */
 
@@ -91,8 +89,7 @@ static enum pp_status make_lines(struct pp_protractor_scale *scale,
     return PP_OK;
 }
 
-/* --- the sheet -----------------------------------------------------------------------
- */
+/* ---- the sheet ---- */
 
 static void write_sky(char *text, size_t room, const struct pp_sky *sky)
 {
@@ -168,11 +165,12 @@ enum pp_status pp_protractor_sheet_fill_blank(struct pp_protractor_sheet *sheet,
     return status;
 }
 
-/* Reads one opening; sky less than before is left as it was. */
-static enum pp_status read_if_more(struct pp_protractor_sheet *sheet,
-                                   struct pp_protractor_dial *dial,
-                                   const struct pp_opening *opening,
-                                   struct pp_error *err)
+/* Reads one opening, and keeps the reading if its direct component is the largest
+ * yet. */
+static enum pp_status keep_if_largest(struct pp_protractor_sheet *sheet,
+                                      struct pp_protractor_dial *dial,
+                                      const struct pp_opening *opening,
+                                      struct pp_error *err)
 {
     const struct pp_world *world = sheet->world;
     struct pp_receiver receiver = {.position = sheet->point, .normal = {0, 0, 1}};
@@ -190,11 +188,11 @@ static enum pp_status read_if_more(struct pp_protractor_sheet *sheet,
     status = pp_protractor_read(&read, dial, world, opening, sheet->point, err);
     if (status != PP_OK)
         return status;
-    bool more =
+    bool larger =
         read.count > 0
         && (!sheet->opening
             || read.sky + read.external > sheet->read.sky + sheet->read.external);
-    if (more) {
+    if (larger) {
         pp_protractor_sheet_readings_clear(&sheet->read);
         sheet->read = read;
         sheet->opening = opening;
@@ -219,7 +217,7 @@ enum pp_status pp_protractor_sheet_fill_room(struct pp_protractor_sheet *sheet,
         return pp_fail_memory(err);
     enum pp_status status = PP_OK;
     for (int i = 0; i < world->opening_count && status == PP_OK; i++)
-        status = read_if_more(sheet, dial, &world->openings[i], err);
+        status = keep_if_largest(sheet, dial, &world->openings[i], err);
     if (status == PP_OK && !sheet->opening)
         status = pp_fail(err, PP_BAD_INPUT,
                          "the point sees nothing of any opening above its horizon");

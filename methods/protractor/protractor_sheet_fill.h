@@ -1,27 +1,28 @@
-/* protractor_sheet_fill.h - what is drawn of a protractor, by itself or on a room. */
+/* protractor_sheet_fill.h - fills a sheet of a protractor
+ * (model/results/protractor_sheet.h): its scales, and the readings of an opening. */
 #ifndef PP_METHODS_PROTRACTOR_PROTRACTOR_SHEET_FILL_H
 #define PP_METHODS_PROTRACTOR_PROTRACTOR_SHEET_FILL_H
 
 #include "methods/protractor/protractor_scale.h"
 #include "model/results/protractor_sheet.h"
 
-/* How near marks and labelled marks of the primary scale may stand, radians. */
+/* The least angles between marks and between labelled marks of the primary scale. */
 struct pp_mark_spacing {
     double fine_rad, label_rad;
 };
 
-/* Any glass but a diffusing one, slopes from 0 to pi/2, skies without azimuth; else
- * PP_BAD_INPUT. glass_words names the glass ("clear single glass"). On failure, too,
- * the sheet may be cleared. */
+/* A protractor for any glass but diffusing glass, slopes from 0 to pi/2, skies without
+ * azimuth dependence; else PP_BAD_INPUT. glass_words names the glass ("clear single
+ * glass"). Even after a failure the sheet can be cleared. */
 enum pp_status pp_protractor_sheet_fill_blank(struct pp_protractor_sheet *sheet,
                                               const struct pp_protractor *protractor,
                                               const char *glass_words,
                                               struct pp_mark_spacing spacing,
                                               struct pp_error *err);
 
-/* The protractor as it is laid on the world, which must outlive the sheet, to read the
- * opening that gives the receiver the most. PP_BAD_INPUT where there is none, or where
- * no protractor is made for it. */
+/* The protractor and its readings for the opening with the largest direct component at
+ * the receiver. The world must outlive the sheet. PP_BAD_INPUT where the receiver sees
+ * no opening, or where there is no protractor for an opening. */
 enum pp_status pp_protractor_sheet_fill_room(struct pp_protractor_sheet *sheet,
                                              const struct pp_world *world,
                                              const struct pp_receiver *receiver,

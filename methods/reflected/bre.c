@@ -1,11 +1,13 @@
 /* bre.c - `bre`: average internally reflected component, BRE inter-reflection formula
  * (bre_terms.h).
  *
- * For vertical openings under the CIE overcast sky. It contains clear single glass and,
- * through W, the frame; no dirt, no deterioration of decorations.
+ *     IRC = 0.85 W / (A (1 - R)) (C R_fw + 5 R_cw)   per cent   [HLP54], [BRE310]
+ *
+ * For vertical openings under the CIE overcast sky. The formula contains clear single
+ * glass and, through W, the frame; no dirt, no deterioration of decorations.
  */
 #include "methods/reflected/bre_terms.h"
-#include "methods/method_entries.h"
+#include "methods/method.h"
 #include "methods/refusals.h"
 
 static enum pp_status evaluate(const struct pp_world *world,

@@ -1,23 +1,24 @@
-/* bre_min.c - `bre-min`: the least internally reflected component in the room, beside
- * the average of `bre`.
+/* bre_min.c - `bre-min`: minimum internally reflected component in the room, from the
+ * average by `bre`.
  *
  *     IRC_min = IRC_average / k                                             [BRE310]
  *
  *   k  1.8, 1.4, 1.3, 1.2 for walls of a mean reflectance of 0.2, 0.4, 0.6, 0.8
  *
- * k is published for these four; between them it is taken in proportion, beyond them as
- * at the nearer end. Walls darker than 0.2 have less than that, lighter ones more: the
- * more evenly light is spread, the nearer is the least to the average. The mean is that
- * of all walls, openings left out.
+ * k is published for these four; between them it is interpolated linearly, outside them
+ * it is that of the nearer end, which gives too high a minimum for walls darker than
+ * 0.2 and too low a one for lighter than 0.8: the more evenly light is spread, the
+ * nearer the minimum is to the average. The mean is that of all walls without their
+ * openings.
  *
- * It is what the point farthest from the windows gets, and is published for rooms with
- * windows in one wall, at most twice as long as wide. For each point it stands as the
- * least that it can have; it is no average. Scope and allowances are those of `bre`.
+ * The minimum is that of the point farthest from the windows, and is published for
+ * rooms with windows in one wall, at most twice as long as wide. For each point it is a
+ * lower bound; it is no average. Scope and allowances are those of `bre`.
  */
 #include "methods/reflected/bre_terms.h"
 #include "methods/reflected/interior.h"
 #include "methods/reflected/irc_minimum.h"
-#include "methods/method_entries.h"
+#include "methods/method.h"
 #include "methods/refusals.h"
 
 static enum pp_status evaluate(const struct pp_world *world,

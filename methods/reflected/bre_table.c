@@ -1,22 +1,27 @@
-/* bre_table.c - `bre-table`: the least internally reflected component in the room, read
- * off the published table (irc_minimum.h).
+/* bre_table.c - `bre-table`: minimum internally reflected component in the room, from
+ * the published table (irc_minimum.h).
  *
  *     IRC = T k_F k_c k_o                                                   [BRE310]
  *
- *   T    printed, by net glass area over floor area and by the mean reflectances of
- *        floor and walls; for an obstruction of 20 degrees, a ceiling of 0.7, 40 m2
- *   k_F  for a floor of the room's size, k_c for its ceiling
- *   k_o  for its own obstruction: (C R_fw + 5 R_cw)/(31 R_fw + 5 R_cw), the ratio by
- * the formula of `bre` (bre_terms.h), in which 31 is C of 20 degrees. Not of the
- *        source: that has no other angle.
+ *   T    the printed minimum, by net glass area over floor area and by the mean
+ *        reflectances of floor and walls; for an obstruction of 20 degrees, a ceiling
+ *        of 0.7 and a floor of 40 m2
+ *   k_F  factor for the room's floor area
+ *   k_c  factor for the room's ceiling reflectance
+ *   k_o  factor for the opening's obstruction,
  *
- * The table is entered with the glass of all openings; each has its share by area, with
- * its own k_o. It contains clear single glass and the frame, since it goes by net glass
- * area; no dirt, no deterioration of decorations.
+ *            k_o = (C R_fw + 5 R_cw) / (31 R_fw + 5 R_cw),
  *
- * Vertical openings, the CIE overcast sky, rooms inside the printed figures. Published
- * for windows in one wall, from a sill of 0.9 m to the ceiling, in rooms at most twice
- * as long as wide. For each point it stands as the least that it can have; it is no
+ *        the ratio by the formula of `bre` (bre_terms.h), where 31 is C of 20 degrees.
+ *        Not of the source, which has no other angle.
+ *
+ * The table is entered with the glass of all openings; each opening has its share by
+ * area, with its own k_o. The table contains clear single glass and, as it goes by net
+ * glass area, the frame; no dirt, no deterioration of decorations.
+ *
+ * For vertical openings, the CIE overcast sky and rooms within the printed ranges.
+ * Published for windows in one wall, from a sill of 0.9 m to the ceiling, in rooms at
+ * most twice as long as wide. For each point the minimum is a lower bound; it is no
  * average.
  */
 #include <stddef.h>
@@ -24,8 +29,8 @@
 #include "methods/reflected/bre_terms.h"
 #include "methods/reflected/interior.h"
 #include "methods/reflected/irc_minimum.h"
-#include "methods/method_entries.h"
-#include "methods/reflected/obstruction_factor.h"
+#include "methods/method.h"
+#include "methods/reflected/obstruction.h"
 #include "methods/refusals.h"
 
 static const double printed_obstruction_rad = 20.0 * PP_RAD;
@@ -39,8 +44,7 @@ static struct pp_irc_minimum_entry entry_of(const struct pp_world *world)
         .walls = pp_interior_role(world, PP_WALL).reflectance,
         .ceiling = pp_interior_role(world, PP_CEILING).reflectance};
     for (int i = 0; i < world->opening_count; i++)
-        entry.glass_m2 +=
-            world->openings[i].inner.area_m2 * world->openings[i].frame_factor;
+        entry.glass_m2 += pp_allowance_net_glass_m2(&world->openings[i]);
     return entry;
 }
 
@@ -54,9 +58,9 @@ static const char *refuses_room(const struct pp_world *world,
     return pp_irc_minimum_lacks(&entry);
 }
 
-static void set_down_reading(struct pp_steps *steps,
-                             const struct pp_irc_minimum_entry *entry,
-                             const struct pp_irc_minimum *read)
+static void add_reading_steps(struct pp_steps *steps,
+                              const struct pp_irc_minimum_entry *entry,
+                              const struct pp_irc_minimum *read)
 {
     pp_steps_add_named(steps, PP_UNIT_SQUARE_METRE, entry->glass_m2, "W_all",
                        "net area of glass of all openings");
@@ -79,10 +83,11 @@ static void set_down_reading(struct pp_steps *steps,
                        "factor for the ceiling, from the table");
 }
 
-static void set_down_opening(struct pp_steps *steps, const struct pp_opening *opening,
-                             const struct pp_bre_terms *terms, double k_o, double value)
+static void add_opening_steps(struct pp_steps *steps, const struct pp_opening *opening,
+                              const struct pp_bre_terms *terms, double k_o,
+                              double value)
 {
-    pp_bre_terms_net_area_step(steps, opening, "W");
+    pp_allowance_net_glass_step(steps, opening, "W");
     pp_bre_terms_reflected_steps(steps, terms, opening);
     pp_steps_add_worked(steps, PP_UNIT_NUMBER, k_o, "k_o",
                         "(C R_fw + 5 R_cw) / (31 R_fw + 5 R_cw)",
@@ -107,12 +112,12 @@ static enum pp_status evaluate(const struct pp_world *world,
     double as_printed =
         pp_bre_terms_reflected(&terms, pp_obstruction_factor(printed_obstruction_rad));
     if (terms.W <= 0.0 || as_printed <= 0.0)
-        return PP_OK; /* no glass, or all that it lights is black */
+        return PP_OK; /* no glass, or only black surfaces are lit first */
     double k_o = pp_bre_terms_reflected(&terms, terms.C) / as_printed;
     part->value = read.printed * read.floor_factor * read.ceiling_factor * k_o * terms.W
                   / entry.glass_m2;
-    set_down_reading(part->steps, &entry, &read);
-    set_down_opening(part->steps, opening, &terms, k_o, part->value);
+    add_reading_steps(part->steps, &entry, &read);
+    add_opening_steps(part->steps, opening, &terms, k_o, part->value);
     return PP_OK;
 }
 

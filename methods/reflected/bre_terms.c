@@ -1,9 +1,8 @@
-/* bre_terms.c - see bre_terms.h. */
+/* bre_terms.c - the terms of the BRE formula from the world, the formula, and its
+ * steps. */
 #include "methods/reflected/bre_terms.h"
 
-#include "methods/reflected/interior.h"
-#include "methods/reflected/obstruction_angle.h"
-#include "methods/reflected/obstruction_factor.h"
+#include "methods/reflected/obstruction.h"
 
 enum pp_status pp_bre_terms(struct pp_bre_terms *terms, const struct pp_world *world,
                             const struct pp_opening *opening, struct pp_error *err)
@@ -15,7 +14,7 @@ enum pp_status pp_bre_terms(struct pp_bre_terms *terms, const struct pp_world *w
     struct pp_interior_parts parts =
         pp_interior_split_without(world, opening->middle_z_m, opening->face);
     terms->all = pp_interior_all(world);
-    terms->W = opening->inner.area_m2 * opening->frame_factor;
+    terms->W = pp_allowance_net_glass_m2(opening);
     terms->R_fw = parts.lower.reflectance;
     terms->R_cw = parts.upper.reflectance;
     terms->C = pp_obstruction_factor(terms->alpha_rad);
@@ -24,31 +23,14 @@ enum pp_status pp_bre_terms(struct pp_bre_terms *terms, const struct pp_world *w
 
 double pp_bre_terms_reflected(const struct pp_bre_terms *terms, double C)
 {
-    return C * terms->R_fw + 0.05 * terms->R_cw;
+    return C * terms->R_fw + PP_BRE_GROUND * terms->R_cw;
 }
 
 double pp_bre_terms_average(const struct pp_bre_terms *terms)
 {
     double W = terms->W, A = terms->all.area_m2, R = terms->all.reflectance;
-    return 0.85 * W / (A * (1.0 - R)) * pp_bre_terms_reflected(terms, terms->C);
-}
-
-void pp_bre_terms_net_area_step(struct pp_steps *steps,
-                                const struct pp_opening *opening, const char *symbol)
-{
-    double area_m2 = opening->inner.area_m2, B = opening->frame_factor;
-    int line = opening->line;
-    if (B == 1.0) {
-        pp_steps_add_named(steps, PP_UNIT_SQUARE_METRE, area_m2, symbol,
-                           "opening on line %d: net area of glass, all of it", line);
-        return;
-    }
-    pp_steps_add_named(steps, PP_UNIT_SQUARE_METRE, area_m2, "a",
-                       "opening on line %d: area", line);
-    pp_steps_add_named(steps, PP_UNIT_NUMBER, B, "B",
-                       "opening on line %d: frame factor", line);
-    pp_steps_add_worked(steps, PP_UNIT_SQUARE_METRE, area_m2 * B, symbol, "a B",
-                        "opening on line %d: net area of glass", line);
+    return PP_ALLOWANCE_CLEAR_DIFFUSE * W / (A * (1.0 - R))
+           * pp_bre_terms_reflected(terms, terms->C);
 }
 
 void pp_bre_terms_reflected_steps(struct pp_steps *steps,
@@ -69,7 +51,7 @@ void pp_bre_terms_reflected_steps(struct pp_steps *steps,
 void pp_bre_terms_steps(struct pp_steps *steps, const struct pp_bre_terms *terms,
                         const struct pp_opening *opening, const char *symbol)
 {
-    pp_bre_terms_net_area_step(steps, opening, "W");
+    pp_allowance_net_glass_step(steps, opening, "W");
     pp_interior_steps(steps, &terms->all);
     pp_bre_terms_reflected_steps(steps, terms, opening);
     pp_steps_add_worked(steps, PP_UNIT_SHARE, pp_bre_terms_average(terms), symbol,

@@ -1,11 +1,9 @@
-/* entering_light.c - see entering_light.h. */
+/* entering_light.c - C, C_g and u of an opening, and their steps. */
 #include "methods/reflected/entering_light.h"
 
 #include <stddef.h>
 
-#include "methods/reflected/bre_terms.h"
-#include "methods/reflected/obstruction_angle.h"
-#include "methods/reflected/obstruction_factor.h"
+#include "methods/reflected/obstruction.h"
 #include "methods/refusals.h"
 #include "methods/allowance.h"
 
@@ -17,15 +15,14 @@ enum pp_status pp_entering_light(struct pp_entering_light *light,
     enum pp_status status = pp_obstruction_angle(&alpha_rad, world, opening, err);
     if (status != PP_OK)
         return status;
-    *light =
-        (struct pp_entering_light){.tau = pp_allowance_reflected_glass(opening),
-                                   .Ag = opening->inner.area_m2 * opening->frame_factor,
-                                   .alpha_rad = alpha_rad,
-                                   .C_hv = NAN,
-                                   .u = (1.0 - cos(opening->slope_rad)) / 2.0,
-                                   .diffusing = opening->glass.diffusing,
-                                   .rho_g = world->ground_reflectance,
-                                   .beta_rad = opening->slope_rad};
+    *light = (struct pp_entering_light){.tau = pp_allowance_reflected_glass(opening),
+                                        .Ag = pp_allowance_net_glass_m2(opening),
+                                        .alpha_rad = alpha_rad,
+                                        .C_hv = NAN,
+                                        .u = (1.0 - cos(opening->slope_rad)) / 2.0,
+                                        .diffusing = opening->glass.diffusing,
+                                        .rho_g = world->ground_reflectance,
+                                        .beta_rad = opening->slope_rad};
 
     bool vertical = pp_refusals_unless_vertical(opening) == NULL;
     if (vertical && world->sky.kind == PP_SKY_OVERCAST) {
@@ -51,7 +48,7 @@ void pp_entering_light_steps(struct pp_steps *steps,
                              const struct pp_opening *opening)
 {
     int line = opening->line;
-    pp_bre_terms_net_area_step(steps, opening, "Ag");
+    pp_allowance_net_glass_step(steps, opening, "Ag");
     pp_steps_add_named(steps, PP_UNIT_NUMBER, light->tau, "tau",
                        opening->glass.panes == 0
                            ? "opening on line %d: diffuse transmittance, no glass"

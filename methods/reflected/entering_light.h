@@ -1,21 +1,22 @@
-/* entering_light.h - what comes through an opening and where it falls first, as
- * `split-flux` and `sphere` take it.
+/* entering_light.h - the light that enters through an opening, and its division between
+ * the upper and the lower part of the room, for `split-flux` and `sphere`.
  *
  *   C     illuminance of the glass from above the horizon, over Eh
  *   C_g   the same from the ground: rho_g (1 - cos beta)/2, rho_g/2 for vertical glass
  *   beta  slope of the glass, 0 horizontal
  *
  * C of a vertical opening under the overcast sky is that of the BRE table
- * (obstruction_factor.h). Elsewhere it is C_hv (1 - alpha/90), as printed [GEEBELEN],
- * with the sky's exact ratio C_hv of the open sky on the glass's slope in place of
- * 0.39:
+ * (obstruction.h). For other slopes and skies C is C_hv (1 - alpha/90), as printed in
+ * [GEEBELEN], where 0.39 is replaced by the illuminance C_hv of glass of that slope
+ * from the open sky, over Eh:
  *
- *     overcast   C_hv = 3/14 (1 + cos beta) + 4/(7 pi) (sin beta + (pi - beta) cos
- * beta) uniform    C_hv = (1 + cos beta)/2
+ *     overcast   C_hv = 3/14 (1 + cos beta)
+ *                     + 4/(7 pi) (sin beta + (pi - beta) cos beta)
+ *     uniform    C_hv = (1 + cos beta)/2
  *
  * Through clear glass, light from above the horizon falls on the lower part of the room
  * and light from the ground on the upper one. A diffusing pane sends the share u of all
- * of it up and the rest down: u = (1 - cos beta)/2, one half for vertical panes.
+ * its light up and the rest down: u = (1 - cos beta)/2, one half for vertical panes.
  */
 #ifndef PP_METHODS_REFLECTED_ENTERING_LIGHT_H
 #define PP_METHODS_REFLECTED_ENTERING_LIGHT_H
@@ -33,8 +34,9 @@ struct pp_entering_light {
     double C, C_g;
     double u;
     bool diffusing;
-    double up, down; /* on the glass, over Eh, of what falls on the upper and on the
-                      * lower part first; times tau Ag is a flux */
+    double up,
+        down; /* illuminance of the glass, over Eh, by the light that falls on the
+                      * upper and on the lower part first; times tau Ag: a flux */
     double rho_g, beta_rad;
 };
 
@@ -43,8 +45,7 @@ enum pp_status pp_entering_light(struct pp_entering_light *light,
                                  const struct pp_opening *opening,
                                  struct pp_error *err);
 
-/* Sets down all of it but u, which is set down where the pane diffuses. steps may be
- * NULL. */
+/* Records all terms; u for a diffusing pane only. steps may be NULL. */
 void pp_entering_light_steps(struct pp_steps *steps,
                              const struct pp_entering_light *light,
                              const struct pp_opening *opening);

@@ -1,4 +1,5 @@
-/* position.c - see interior.h. */
+/* interior.c - sums of area and of area times reflectance over the inside surfaces of a
+ * room, cut at a height. */
 #include "methods/reflected/interior.h"
 
 /* Twice the signed area of triangle o a b, seen against the polygon's normal. */
@@ -15,9 +16,9 @@ static struct pp_vec3 crossing(struct pp_vec3 a, struct pp_vec3 b, double z)
     return pp_vec_along(a, (z - a.z) / (b.z - a.z), pp_vec_sub(b, a));
 }
 
-/* The sum over edges of the triangles with a fixed point o is the polygon's area. With
- * o on the cut, the edges along the cut add nothing, so that only the parts of the
- * polygon's own edges under z need to be summed. */
+/* The polygon's area is the sum of the triangles of its edges with a fixed point o.
+ * With o on the cut, triangles of edges along the cut have no area, so that the sum
+ * needs only the parts of the polygon's own edges below z. */
 double pp_interior_area_below(const struct pp_polygon *polygon, double z)
 {
     struct pp_vec3 o = polygon->vertices[0];
@@ -61,7 +62,7 @@ static double area_below(const struct pp_polygon *polygon, double z)
     return pp_interior_area_below(polygon, z);
 }
 
-/* Sums of area and of area times reflectance on the way to a mean. */
+/* Sums of area and of area times reflectance, for an area-weighted mean. */
 struct sums {
     double area_m2, reflecting_m2;
 };

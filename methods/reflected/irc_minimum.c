@@ -1,4 +1,4 @@
-/* irc_minimum.c - see irc_minimum.h. */
+/* irc_minimum.c - the printed tables, their ranges, and interpolation in them. */
 #include "methods/reflected/irc_minimum.h"
 
 #include <math.h>
@@ -14,8 +14,8 @@ static const double printed[][COLUMNS] = {
 #include "tables/irc_minimum.inc"
 };
 
-/* reflectance of the walls (per cent); average over minimum; factor of 10 m2, of 90 m2
- */
+/* reflectance of the walls (per cent); average over minimum; factor of 10 m2, of 90
+ * m2 */
 static const double by_walls[WALLS][4] = {
 #include "tables/irc_minimum_walls.inc"
 };
@@ -40,7 +40,7 @@ static double between(double low, double high, double share)
     return low + share * (high - low);
 }
 
-/* Is it within the printed range, rounding forgiven? */
+/* Is the value within the printed range but for rounding? */
 static bool covers(double low, double high, double value)
 {
     double grain = 1e-9 * high;
@@ -62,7 +62,7 @@ const char *pp_irc_minimum_lacks(const struct pp_irc_minimum_entry *entry)
     return NULL;
 }
 
-/* One row at the room's reflectances. */
+/* The minimum of one row, interpolated to the room's reflectances. */
 static double read_row(const double row[COLUMNS], int floor, double floor_share,
                        int walls, double walls_share)
 {
@@ -74,7 +74,8 @@ static double read_row(const double row[COLUMNS], int floor, double floor_share,
     return between(at[0], at[1], floor_share);
 }
 
-/* 1 at 40 m2, by the side of a square between the three. */
+/* The factor is 1 at 40 m2, and linear in the side of a square of that area between the
+ * three sizes. */
 static double floor_factor(double area_m2, const double factors[2])
 {
     const double line[3][2] = {{sqrt(small_floor_m2), factors[0]},

@@ -7,30 +7,32 @@
  *   Ag    net glass area (m2): opening area times frame factor
  *   A     area of all inside surfaces, openings included (m2)
  *   R     their area-weighted mean reflectance, openings with 0.1
- *   rho_u mean reflectance of what lies above the middle of the opening's height,
- *         window walls less their openings included; rho_l of what lies below
+ *   rho_u mean reflectance of the surfaces above the middle of the opening's height,
+ *         window walls included without their openings; rho_l of those below
  *   C, C_g   illuminance of the glass from above the horizon and from the ground
  *         (entering_light.h)
  *
- * The formula of `bre` with the ground as given, the window's own wall counted, and for
- * any sky, any slope and any number of openings, which add up. In print it is for clear
- * glass; through a diffusing pane the share u of all the light falls on the upper part
- * first, the rest on the lower: (C_g + C)(u rho_u + (1 - u) rho_l).
+ * This is the formula of `bre` with the room's own ground reflectance and with the
+ * window's own wall, for any sky, any slope and any number of openings, which add up.
+ * In print it is for clear glass; through a diffusing pane the share u of the light
+ * falls on the upper part first, the rest on the lower:
  *
- * It contains the opening's glass and, through Ag, the frame; no dirt, no deterioration
- * of decorations.
+ *     IRC = tau Ag / (A (1 - R)) (C_g + C) (u rho_u + (1 - u) rho_l)
+ *
+ * The formula contains the opening's glass and, through Ag, the frame; no dirt, no
+ * deterioration of decorations.
  */
 #include <stddef.h>
 
 #include "methods/reflected/entering_light.h"
 #include "methods/reflected/interior.h"
-#include "methods/method_entries.h"
+#include "methods/method.h"
 #include "methods/refusals.h"
 
-static void set_down(struct pp_steps *steps, const struct pp_entering_light *light,
-                     const struct pp_interior *all,
-                     const struct pp_interior_parts *parts,
-                     const struct pp_opening *opening, double value)
+static void add_steps(struct pp_steps *steps, const struct pp_entering_light *light,
+                      const struct pp_interior *all,
+                      const struct pp_interior_parts *parts,
+                      const struct pp_opening *opening, double value)
 {
     pp_entering_light_steps(steps, light, opening);
     pp_interior_steps(steps, all);
@@ -62,7 +64,7 @@ static enum pp_status evaluate(const struct pp_world *world,
     double rho_u = parts.upper.reflectance, rho_l = parts.lower.reflectance;
     part->value = light.tau * light.Ag / (A * (1.0 - R))
                   * (rho_u * light.up + rho_l * light.down);
-    set_down(part->steps, &light, &all, &parts, opening, part->value);
+    add_steps(part->steps, &light, &all, &parts, opening, part->value);
     return PP_OK;
 }
 

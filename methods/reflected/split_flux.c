@@ -14,20 +14,21 @@
  *
  *   tau   diffuse transmittance: 0.85 times the glass type's factor, 1 for no glass
  *   Ag    net glass area (m2): opening area times frame factor
- *   A_u, rho_u   area (m2) and mean reflectance of what lies above the middle of the
- *         opening's height, window walls less their openings included; A_l, rho_l below
+ *   A_u, rho_u   area (m2) and mean reflectance of the surfaces above the middle of the
+ *         opening's height, window walls included without their openings; A_l, rho_l of
+ *         those below
  *   C, C_g   illuminance of the glass from above the horizon and from the ground
  *   u     share of a diffusing pane's light that goes up, 1/2 in print
  *
- * For any sky, any slope, several openings: each with its own parts, added up. It
- * contains the opening's glass and, through Ag, the frame; no dirt, no deterioration of
- * decorations.
+ * For any sky, any slope, and several openings, each with its own parts, which add up.
+ * The formula contains the opening's glass and, through Ag, the frame; no dirt, no
+ * deterioration of decorations.
  */
 #include <stddef.h>
 
 #include "methods/reflected/entering_light.h"
 #include "methods/reflected/interior.h"
-#include "methods/method_entries.h"
+#include "methods/method.h"
 #include "methods/refusals.h"
 
 static const char *refuses(const struct pp_world *world,
@@ -41,15 +42,15 @@ static const char *refuses(const struct pp_world *world,
     return NULL;
 }
 
-/* x/y, and 0 where there is nothing to light. */
+/* x/y, and 0 where the part of the room has no area. */
 static double over(double x, double y)
 {
     return y > 0.0 ? x / y : 0.0;
 }
 
-static void set_down(struct pp_steps *steps, const struct pp_entering_light *light,
-                     const struct pp_interior_parts *parts,
-                     const struct pp_opening *opening, double value)
+static void add_steps(struct pp_steps *steps, const struct pp_entering_light *light,
+                      const struct pp_interior_parts *parts,
+                      const struct pp_opening *opening, double value)
 {
     static const char clear[] =
         "tau Ag / (1 - rho_u rho_l) (rho_u C_g / A_u + rho_u rho_l C / A_l)";
@@ -91,7 +92,7 @@ static enum pp_status evaluate(const struct pp_world *world,
     part->value =
         light.tau * light.Ag / (1.0 - rho_u * rho_l)
         * (over(rho_u * light.up, A_u) + over(rho_u * rho_l * light.down, A_l));
-    set_down(part->steps, &light, &parts, opening, part->value);
+    add_steps(part->steps, &light, &parts, opening, part->value);
     return PP_OK;
 }
 

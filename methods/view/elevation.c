@@ -1,27 +1,29 @@
-/* elevation.c - see elevation.h. */
+/* elevation.c - draws the opening and the obstructions as rectangles, and cuts the
+ * opening along all their edges. */
 #include "methods/view/elevation.h"
 
 #include <stdlib.h>
 
+#include "methods/view/visible.h"
+#include "model/base/array.h"
 #include "model/geometry/area_moments.h"
-#include "methods/view/exterior.h"
+#include "model/geometry/frame.h"
 
-/* The opening's own axes, from the point: x along, y out through the glass, z up. */
+/* The opening's own frame at the point: x along, y out through the glass, z up. */
 struct opening_frame {
-    struct pp_vec3 point, along, out, up;
+    struct pp_vec3 point;
+    struct pp_frame axes;
 };
 
 static struct pp_vec3 in_frame(const struct opening_frame *frame, struct pp_vec3 p)
 {
-    struct pp_vec3 from = pp_vec_sub(p, frame->point);
-    return pp_vec(pp_vec_dot(from, frame->along), pp_vec_dot(from, frame->out),
-                  pp_vec_dot(from, frame->up));
+    return pp_frame_in(&frame->axes, pp_vec_sub(p, frame->point));
 }
 
 /* An obstruction on the drawing. */
 struct obstruction {
     struct pp_elevation_part outline;
-    double distance_m; /* of its nearest corner */
+    double distance_m; /* of the nearest corner */
 };
 
 struct obstructions {
@@ -29,17 +31,18 @@ struct obstructions {
     struct obstruction *list;
 };
 
-/* What the drawing of an opening is made from. */
+/* An opening and its obstructions as seen from the point. */
 struct opening_drawing {
     const struct pp_world *world;
     const struct pp_opening *opening;
     struct opening_frame frame;
     double face_m, glass_m;        /* distances of the point from wall face and glass */
-    struct pp_elevation_part seen; /* of the opening */
+    struct pp_elevation_part seen; /* the visible part of the opening */
     struct obstructions obstructions;
 };
 
-/* The rectangle of equal area with the bounding box' proportions, same centroid. */
+/* The rectangle of equal area with the centroid of a figure and the proportions of its
+ * bounding box. */
 static struct pp_elevation_part equal_rectangle(const struct pp_area_moments *extent)
 {
     double width = extent->right - extent->left, height = extent->high - extent->low;
@@ -52,7 +55,8 @@ static struct pp_elevation_part equal_rectangle(const struct pp_area_moments *ex
                                       .high = low + scale * height};
 }
 
-/* Does nothing inside the room stand between any point and any opening? */
+/* Is the room convex and without free-standing surfaces, so that no opening is hidden
+ * inside? */
 static bool is_convex_and_empty(const struct pp_world *world)
 {
     for (int i = 0; i < world->surface_count; i++)
@@ -71,7 +75,7 @@ static bool is_convex_and_empty(const struct pp_world *world)
     return true;
 }
 
-/* What both outlines of an upright rectangle leave, above the horizon. */
+/* The intersection of both outlines of an upright rectangle, above the horizon. */
 static struct pp_elevation_part through_rectangle(const struct pp_opening *opening,
                                                   const struct opening_frame *frame)
 {
@@ -98,15 +102,15 @@ static bool is_empty(const struct pp_elevation_part *upright)
     return !(upright->right > upright->left && upright->high > upright->low);
 }
 
-/* What the point sees of the opening, as one rectangle; empty where it sees nothing. */
-static enum pp_status see(struct opening_drawing *drawing, struct pp_error *err)
+/* Sets the visible part of the opening, as one rectangle, which may be empty. */
+static enum pp_status find_seen(struct opening_drawing *drawing, struct pp_error *err)
 {
     if (drawing->opening->rectangle && is_convex_and_empty(drawing->world)) {
         drawing->seen = through_rectangle(drawing->opening, &drawing->frame);
         return PP_OK;
     }
     struct pp_region visible = {0};
-    enum pp_status status = pp_exterior_visible_part(
+    enum pp_status status = pp_visible_open_part(
         &visible, drawing->world, drawing->opening, drawing->frame.point, err);
     if (status != PP_OK)
         return status;
@@ -117,18 +121,19 @@ static enum pp_status see(struct opening_drawing *drawing, struct pp_error *err)
     return PP_OK;
 }
 
-static enum pp_status note(struct opening_drawing *drawing,
-                           struct obstruction obstruction, struct pp_error *err)
+/* Adds an obstruction: nearest first, and of two as near the one added first. */
+static enum pp_status add_obstruction(struct opening_drawing *drawing,
+                                      struct obstruction obstruction,
+                                      struct pp_error *err)
 {
     struct obstructions *obstructions = &drawing->obstructions;
     if (is_empty(&obstruction.outline))
         return PP_OK;
-    size_t size = (size_t)obstructions->count + 1;
-    struct obstruction *list = realloc(obstructions->list, size * sizeof *list);
-    if (!list)
-        return pp_fail_memory(err);
-    obstructions->list = list;
-    /* Nearest first; of two as near the one noted first. */
+    enum pp_status status = pp_array_append(&obstructions->list, obstructions->count,
+                                            sizeof *obstructions->list, err);
+    if (status != PP_OK)
+        return status;
+    struct obstruction *list = obstructions->list;
     int at = obstructions->count++;
     for (; at > 0 && list[at - 1].distance_m > obstruction.distance_m; at--)
         list[at] = list[at - 1];
@@ -136,8 +141,8 @@ static enum pp_status note(struct opening_drawing *drawing,
     return PP_OK;
 }
 
-static enum pp_status note_skylines(struct opening_drawing *drawing,
-                                    struct pp_error *err)
+static enum pp_status add_skylines(struct opening_drawing *drawing,
+                                   struct pp_error *err)
 {
     const struct pp_world *world = drawing->world;
     for (int i = 0; i < world->skyline_count; i++) {
@@ -151,16 +156,17 @@ static enum pp_status note_skylines(struct opening_drawing *drawing,
         struct obstruction obstruction = {
             .outline = {-INFINITY, INFINITY, -INFINITY, high, skyline->reflectance},
             .distance_m = distance_m};
-        enum pp_status status = note(drawing, obstruction, err);
+        enum pp_status status = add_obstruction(drawing, obstruction, err);
         if (status != PP_OK)
             return status;
     }
     return PP_OK;
 }
 
-/* The part of a surface beyond the glass, drawn. Returns the number of its points. */
-static int draw_beyond(double (*drawn)[2], const struct pp_polygon *outline,
-                       const struct opening_frame *frame, double glass_m)
+/* Draws the part of a surface on the outer side of the glass. Returns the number of
+ * points drawn. */
+static int draw_outside(double (*drawn)[2], const struct pp_polygon *outline,
+                        const struct opening_frame *frame, double glass_m)
 {
     int kept = 0;
     for (int i = 0; i < outline->count; i++) {
@@ -180,8 +186,8 @@ static int draw_beyond(double (*drawn)[2], const struct pp_polygon *outline,
     return kept;
 }
 
-/* What is seen of one thing outside, surface by surface: none of its surfaces that face
- * the point hides another. */
+/* The silhouette of one obstruction, summed over its surfaces that face the point, none
+ * of which hides another. */
 struct silhouette {
     struct pp_area_moments extent;
     double distance_m; /* of the nearest corner */
@@ -202,7 +208,7 @@ static enum pp_status add_surface(struct silhouette *silhouette,
     double(*points)[2] = malloc(2 * room * sizeof *points);
     if (!points)
         return pp_fail_memory(err);
-    int count = draw_beyond(points, outline, &drawing->frame, drawing->glass_m);
+    int count = draw_outside(points, outline, &drawing->frame, drawing->glass_m);
     struct pp_area_moments extent = pp_area_moments_in_box(
         points, points + room, count, seen->left, seen->right, seen->low, seen->high);
     free(points);
@@ -220,9 +226,9 @@ static enum pp_status add_surface(struct silhouette *silhouette,
     return PP_OK;
 }
 
-static enum pp_status note_silhouette(struct opening_drawing *drawing,
-                                      const struct silhouette *silhouette,
-                                      double reflectance, struct pp_error *err)
+static enum pp_status add_silhouette(struct opening_drawing *drawing,
+                                     const struct silhouette *silhouette,
+                                     double reflectance, struct pp_error *err)
 {
     const struct pp_area_moments *extent = &silhouette->extent;
     double width = extent->right - extent->left;
@@ -232,7 +238,7 @@ static enum pp_status note_silhouette(struct opening_drawing *drawing,
         .outline = {extent->left, extent->right, extent->low,
                     extent->low + extent->area / width, reflectance},
         .distance_m = silhouette->distance_m};
-    return note(drawing, obstruction, err);
+    return add_obstruction(drawing, obstruction, err);
 }
 
 static bool faces(const struct pp_polygon *outline, struct pp_vec3 point)
@@ -240,29 +246,29 @@ static bool faces(const struct pp_polygon *outline, struct pp_vec3 point)
     return pp_vec_dot(pp_vec_sub(point, outline->vertices[0]), outline->normal) > 0.0;
 }
 
-/* Loose surfaces outside and the building's own outer faces, one by one. */
-static enum pp_status note_surfaces(struct opening_drawing *drawing,
-                                    struct pp_error *err)
+/* Adds the free-standing surfaces outside and the building's own outer faces. */
+static enum pp_status add_surfaces(struct opening_drawing *drawing,
+                                   struct pp_error *err)
 {
     const struct pp_world *world = drawing->world;
     enum pp_status status = PP_OK;
     for (int i = 0; i < world->surface_count && status == PP_OK; i++) {
         const struct pp_surface *surface = world->surfaces + i;
-        bool loose_outside = surface->role == PP_FREE_SURFACE && !surface->inside;
-        if (i == drawing->opening->face || !(i < world->face_count || loose_outside))
+        bool free_outside = surface->role == PP_FREE_SURFACE && !surface->inside;
+        if (i == drawing->opening->face || !(i < world->face_count || free_outside))
             continue;
         struct silhouette silhouette = no_silhouette();
         bool front = faces(&surface->outline, drawing->frame.point);
         status = add_surface(&silhouette, drawing, &surface->outline, err);
         if (status == PP_OK)
-            status = note_silhouette(drawing, &silhouette,
-                                     front ? surface->front : surface->back, err);
+            status = add_silhouette(drawing, &silhouette,
+                                    front ? surface->front : surface->back, err);
     }
     return status;
 }
 
-/* Blocks: of each the sides that face the point. */
-static enum pp_status note_blocks(struct opening_drawing *drawing, struct pp_error *err)
+/* Adds the blocks, each by its sides that face the point. */
+static enum pp_status add_blocks(struct opening_drawing *drawing, struct pp_error *err)
 {
     const struct pp_world *world = drawing->world;
     enum pp_status status = PP_OK;
@@ -275,14 +281,15 @@ static enum pp_status note_blocks(struct opening_drawing *drawing, struct pp_err
                 status = add_surface(&silhouette, drawing, &side->outline, err);
         }
         if (status == PP_OK)
-            status = note_silhouette(drawing, &silhouette, world->blocks[b].reflectance,
-                                     err);
+            status =
+                add_silhouette(drawing, &silhouette, world->blocks[b].reflectance, err);
     }
     return status;
 }
 
-/* Edges of what is seen and of all that stands before it, in order, along one axis. */
-static int edges_of(double *edges, const struct opening_drawing *drawing, bool across)
+/* The edges of the visible part and of all obstructions, in order, along one axis. */
+static int sorted_edges(double *edges, const struct opening_drawing *drawing,
+                        bool across)
 {
     const struct pp_elevation_part *seen = &drawing->seen;
     double first = across ? seen->left : seen->low;
@@ -307,7 +314,7 @@ static int edges_of(double *edges, const struct opening_drawing *drawing, bool a
 }
 
 /* Reflectance of the nearest obstruction at a point of the drawing; NAN: sky. */
-static double behind(const struct opening_drawing *drawing, double x, double z)
+static double reflectance_at(const struct opening_drawing *drawing, double x, double z)
 {
     for (int i = 0; i < drawing->obstructions.count; i++) {
         const struct pp_elevation_part *o = &drawing->obstructions.list[i].outline;
@@ -317,8 +324,9 @@ static double behind(const struct opening_drawing *drawing, double x, double z)
     return NAN;
 }
 
-/* Cuts what is seen along all edges; each part has one thing behind it. */
-static enum pp_status cut_up(struct pp_elevation *elevation,
+/* Cuts the visible part along all edges: each piece shows the sky or one
+ * obstruction. */
+static enum pp_status divide(struct pp_elevation *elevation,
                              const struct opening_drawing *drawing,
                              struct pp_error *err)
 {
@@ -330,17 +338,17 @@ static enum pp_status cut_up(struct pp_elevation *elevation,
         free(parts);
         return pp_fail_memory(err);
     }
-    int columns = edges_of(across, drawing, true) - 1;
+    int columns = sorted_edges(across, drawing, true) - 1;
     double *up = across + most;
-    int rows = edges_of(up, drawing, false) - 1;
+    int rows = sorted_edges(up, drawing, false) - 1;
     for (int i = 0; i < columns; i++)
         for (int k = 0; k < rows; k++) {
             struct pp_elevation_part part = {across[i], across[i + 1], up[k], up[k + 1],
                                              NAN};
             if (is_empty(&part))
                 continue;
-            part.reflectance = behind(drawing, (part.left + part.right) / 2.0,
-                                      (part.low + part.high) / 2.0);
+            part.reflectance = reflectance_at(drawing, (part.left + part.right) / 2.0,
+                                              (part.low + part.high) / 2.0);
             parts[elevation->count++] = part;
         }
     elevation->parts = parts;
@@ -348,33 +356,34 @@ static enum pp_status cut_up(struct pp_elevation *elevation,
     return PP_OK;
 }
 
-enum pp_status pp_elevation_create(struct pp_elevation *elevation,
-                                   const struct pp_world *world,
-                                   const struct pp_opening *opening,
-                                   struct pp_vec3 point, struct pp_error *err)
+enum pp_status pp_elevation_init(struct pp_elevation *elevation,
+                                 const struct pp_world *world,
+                                 const struct pp_opening *opening, struct pp_vec3 point,
+                                 struct pp_error *err)
 {
     *elevation = (struct pp_elevation){0};
     struct opening_drawing drawing = {
         .world = world,
         .opening = opening,
-        .frame = {point, opening->along, pp_vec_scale(opening->inner.normal, -1.0),
-                  opening->up},
+        .frame = {point,
+                  {opening->along, pp_vec_scale(opening->inner.normal, -1.0),
+                   opening->up}},
     };
     drawing.face_m = in_frame(&drawing.frame, opening->inner.vertices[0]).y;
     drawing.glass_m = in_frame(&drawing.frame, opening->outer.vertices[0]).y;
     if (drawing.face_m < 1e-9)
         return PP_OK;
 
-    enum pp_status status = see(&drawing, err);
+    enum pp_status status = find_seen(&drawing, err);
     if (status != PP_OK || is_empty(&drawing.seen))
         return status;
-    status = note_skylines(&drawing, err);
+    status = add_skylines(&drawing, err);
     if (status == PP_OK)
-        status = note_surfaces(&drawing, err);
+        status = add_surfaces(&drawing, err);
     if (status == PP_OK)
-        status = note_blocks(&drawing, err);
+        status = add_blocks(&drawing, err);
     if (status == PP_OK)
-        status = cut_up(elevation, &drawing, err);
+        status = divide(elevation, &drawing, err);
     free(drawing.obstructions.list);
     return status;
 }

@@ -1,13 +1,15 @@
-/* occluders.c - see occluders.h. */
+/* occluders.c - cuts surfaces (those not convex as triangles) and skylines to a view
+ * and projects them. */
 #include "methods/view/occluders.h"
 
 #include <stdlib.h>
 #include <string.h>
 
+#include "model/base/array.h"
 #include "model/geometry/clip.h"
 
-/* Coordinates in the view's plane that agree to this share of its extent are one: some
- * roundings of a double. */
+/* Coordinates in the view's plane that agree to this share of its extent count as
+ * equal: some roundings of a double. */
 #define GRAIN 2e-15
 
 /* Room for the planes that may cut a polygon: four of the pyramid, two of depth. */
@@ -21,8 +23,8 @@ void pp_occluders_clear(struct pp_occluders *pieces)
     *pieces = (struct pp_occluders){0};
 }
 
-/* What is cut at the edge of the extent lies on it, to the bit. */
-static double settle(double at, double low, double high)
+/* Moves a coordinate that was cut at the edge of the extent exactly on to the edge. */
+static double snap(double at, double low, double high)
 {
     double grain = GRAIN * fmax(fabs(low), fabs(high));
     return fabs(at - low) <= grain ? low : fabs(at - high) <= grain ? high : at;
@@ -39,8 +41,8 @@ static enum pp_status add_piece(struct pp_occluders *pieces,
         return pp_fail_memory(err);
     for (int i = 0; i < count; i++) {
         double scale = scene->view->distance_m / corners[i].z;
-        xy[i][0] = settle(corners[i].x * scale, scene->low[0], scene->high[0]);
-        xy[i][1] = settle(corners[i].y * scale, scene->low[1], scene->high[1]);
+        xy[i][0] = snap(corners[i].x * scale, scene->low[0], scene->high[0]);
+        xy[i][1] = snap(corners[i].y * scale, scene->low[1], scene->high[1]);
     }
     double extent =
         fmax(scene->high[0] - scene->low[0], scene->high[1] - scene->low[1]);
@@ -49,16 +51,11 @@ static enum pp_status add_piece(struct pp_occluders *pieces,
         free(xy);
         return PP_OK;
     }
-    if (pieces->count == pieces->room) {
-        int room = pieces->room ? 2 * pieces->room : 8;
-        struct pp_occluder *list =
-            realloc(pieces->list, (size_t)room * sizeof *pieces->list);
-        if (!list) {
-            free(xy);
-            return pp_fail_memory(err);
-        }
-        pieces->list = list;
-        pieces->room = room;
+    enum pp_status status = pp_array_reserve(
+        &pieces->list, &pieces->capacity, pieces->count + 1, sizeof *pieces->list, err);
+    if (status != PP_OK) {
+        free(xy);
+        return status;
     }
     struct pp_occluder *piece = &pieces->list[pieces->count++];
     *piece = *like;
@@ -67,8 +64,8 @@ static enum pp_status add_piece(struct pp_occluders *pieces,
     return PP_OK;
 }
 
-/* The four sides of the pyramid through the extent, and a layer of depth: what is
- * inside has v.half_space > offset. */
+/* The four sides of the pyramid through the extent, and a range of depth: a point v
+ * inside has normal.v > offset for all of them. */
 struct sides {
     struct pp_vec3 normal[CUTS];
     double offset[CUTS];
@@ -87,7 +84,7 @@ static struct sides sides_of(const struct pp_occluders_scene *scene, double near
                           {near, -far, 0.0, 0.0, 0.0, 0.0}};
 }
 
-/* Cuts a convex polygon to the sides and adds what is left. */
+/* Cuts a convex polygon to the sides and adds the rest. */
 static enum pp_status add_convex(struct pp_occluders *pieces,
                                  const struct pp_occluder *like,
                                  const struct pp_vec3 *corners, int count,
@@ -95,7 +92,7 @@ static enum pp_status add_convex(struct pp_occluders *pieces,
                                  const struct pp_occluders_scene *scene,
                                  struct pp_error *err)
 {
-    /* Wholly outside one side? */
+    /* A polygon that lies wholly outside one side adds nothing. */
     for (int s = 0; s < CUTS; s++) {
         int i = 0;
         while (i < count
@@ -140,8 +137,8 @@ static bool is_convex(const struct pp_polygon *outline)
     return true;
 }
 
-/* Coordinates of a vertex in its polygon's plane: the two axes that see most of it,
- * unchanged, so that a corner of a triangle is found again exactly. */
+/* Coordinates of a vertex in its polygon's plane: the two axes along which the polygon
+ * is largest, unchanged, so that the corners of triangles are found again exactly. */
 static void flatten(double xy[2], struct pp_vec3 v, struct pp_vec3 normal)
 {
     struct pp_vec3 n = pp_vec(fabs(normal.x), fabs(normal.y), fabs(normal.z));
@@ -195,7 +192,7 @@ static enum pp_status triangles_of(int (**triangles)[3], int *count,
     return status;
 }
 
-/* Cuts any polygon, given in the view's axes, and adds what is left. */
+/* Cuts any polygon, with corners in the view's axes, and adds the rest. */
 static enum pp_status add_polygon(struct pp_occluders *pieces,
                                   const struct pp_occluder *like,
                                   const struct pp_polygon *outline,
@@ -217,10 +214,10 @@ static enum pp_status add_polygon(struct pp_occluders *pieces,
     return status;
 }
 
-/* Do the eye and all that is looked through lie on one side of the plane normal.v =
- * offset (view's axes)? Then it can't come between them. */
-static bool stands_aside(const struct pp_occluders_scene *scene, struct pp_vec3 normal,
-                         double offset)
+/* Do the eye and the outline lie on one side of the plane normal.v = offset (view's
+ * axes)? A surface in that plane then hides no part of the outline. */
+static bool cannot_hide(const struct pp_occluders_scene *scene, struct pp_vec3 normal,
+                        double offset)
 {
     double side = offset < 0.0 ? 1.0 : -1.0;
     for (int i = 0; i < scene->outline_count; i++) {
@@ -232,8 +229,8 @@ static bool stands_aside(const struct pp_occluders_scene *scene, struct pp_vec3 
     return true;
 }
 
-/* Does a closed box turn this side away, so that its other sides hide all that this one
- * could? Not if the view's plane cuts it open. */
+/* Is the surface a side of a block that faces away from the eye, so that other sides
+ * hide all that this side could? Not if the view's plane cuts the block. */
 static bool is_back_of_box(const struct pp_occluders_scene *scene,
                            const struct pp_surface *surface, double offset)
 {
@@ -261,7 +258,7 @@ static enum pp_status collect_surface(struct pp_occluders *inside,
     const struct pp_projection *view = scene->view;
     double plane_m = view->distance_m;
 
-    /* How deep does it lie? */
+    /* The range of depths of the surface. */
     double nearest = INFINITY, farthest = -INFINITY;
     for (int i = 0; i < outline->count; i++) {
         double depth =
@@ -271,20 +268,22 @@ static enum pp_status collect_surface(struct pp_occluders *inside,
     }
     if (!(farthest > PP_OCCLUDERS_COPLANAR_M))
         return PP_OK;
-    bool before = false, beyond = true;
+    bool hides_inside = false, hides_outside = true;
     struct pp_vec3 normal = pp_projection_direction(view, outline->normal);
     double offset =
         pp_vec_dot(outline->normal, pp_vec_sub(outline->vertices[0], view->eye));
     if (scene->from_inside) {
-        before = nearest < plane_m - PP_OCCLUDERS_COPLANAR_M
-                 && !stands_aside(scene, normal, offset);
-        beyond = farthest > plane_m + PP_OCCLUDERS_COPLANAR_M;
-        /* A loose plate that lies in the plane itself is outside. */
-        if (!before && !beyond && nearest >= plane_m - PP_OCCLUDERS_COPLANAR_M)
-            beyond = surface->role == PP_FREE_SURFACE || surface->role == PP_BLOCK;
+        hides_inside = nearest < plane_m - PP_OCCLUDERS_COPLANAR_M
+                       && !cannot_hide(scene, normal, offset);
+        hides_outside = farthest > plane_m + PP_OCCLUDERS_COPLANAR_M;
+        /* A free-standing plate that lies in the plane itself is outside. */
+        if (!hides_inside && !hides_outside
+            && nearest >= plane_m - PP_OCCLUDERS_COPLANAR_M)
+            hides_outside =
+                surface->role == PP_FREE_SURFACE || surface->role == PP_BLOCK;
     }
-    if ((!before && !beyond) || fabs(offset) <= PP_OCCLUDERS_COPLANAR_M)
-        return PP_OK; /* nothing, or seen edge on */
+    if ((!hides_inside && !hides_outside) || fabs(offset) <= PP_OCCLUDERS_COPLANAR_M)
+        return PP_OK; /* hides nothing, or is seen edge on */
     if (is_back_of_box(scene, surface, offset))
         return PP_OK;
 
@@ -302,11 +301,11 @@ static enum pp_status collect_surface(struct pp_occluders *inside,
         corners[i] = pp_projection_point(view, outline->vertices[i]);
     enum pp_status status = PP_OK;
     double hair = 1e-9 * fmin(plane_m, 1.0);
-    if (before) {
+    if (hides_inside) {
         struct sides sides = sides_of(scene, hair, plane_m);
         status = add_polygon(inside, &like, outline, corners, &sides, scene, err);
     }
-    if (beyond && status == PP_OK) {
+    if (hides_outside && status == PP_OK) {
         double from = hair;
         if (scene->from_inside)
             from = nearest >= plane_m - PP_OCCLUDERS_COPLANAR_M

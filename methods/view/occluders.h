@@ -1,8 +1,8 @@
-/* occluders.h - what stands in a view, projected on to its plane.
+/* occluders.h - the surfaces in a view, cut to the view and projected on to its plane.
  *
- * Surfaces are cut to the view's pyramid in space first, so that nothing behind the eye
- * or beside the opening is ever projected, and at the opening's plane: what lies
- * nearer is an occluder inside, what lies beyond it an obstruction outside.
+ * Surfaces are cut in space to the view's pyramid, so that no part behind the eye or
+ * beside the opening is projected, and at the opening's plane: the part on the near
+ * side is an occluder inside, the part on the far side an obstruction outside.
  */
 #ifndef PP_METHODS_VIEW_OCCLUDERS_H
 #define PP_METHODS_VIEW_OCCLUDERS_H
@@ -13,54 +13,55 @@
 #include "model/geometry/region.h"
 #include "model/room/world.h"
 
-/* Metres: what stands less than this behind a plane lies in it. */
+/* A point nearer to a plane than this (m) counts as lying in the plane. */
 #define PP_OCCLUDERS_COPLANAR_M 1e-9
 
 /* A convex piece of one surface, or of a skyline, in the view's plane. */
 struct pp_occluder {
     int count;
-    double (*xy)[2]; /* in either direction */
-    /* One over the distance along the ray to (x, y), in units of the vector (x, y,
-     * distance_m), is nearness . that vector: of two surfaces the one with the larger
-     * value is in front. */
+    double (*xy)[2]; /* clockwise or counter-clockwise */
+    /* nearness . (x, y, distance_m) is one over the distance along the ray to (x, y),
+     * in units of that vector: of two surfaces the one with the larger value is in
+     * front. */
     struct pp_vec3 nearness;
-    double reflectance, exitance; /* of the side that is seen */
+    double reflectance, exitance; /* of the visible side */
 };
 
 struct pp_occluders {
-    int count, room;
+    int count, capacity;
     struct pp_occluder *list;
 };
 
-/* Where to look. */
+/* A view of a world. */
 struct pp_occluders_scene {
     const struct pp_world *world;
     const struct pp_projection *view;
     int face;                   /* the surface that the view's plane lies in, or -1 */
-    bool from_inside;           /* is there an inside, this side of the plane? */
-    const double (*outline)[2]; /* corners of what is looked through */
+    bool from_inside;           /* the near side of the plane is inside the room */
+    const double (*outline)[2]; /* corners of the outline that is looked through */
     int outline_count;
-    double low[2], high[2]; /* its extent along x and y */
+    double low[2], high[2]; /* the outline's extent along x and y */
 };
 
-/* Adds the pieces of all surfaces. Takes well under a microsecond and allocates nothing
- * where there are none, as in a convex room with nothing outside. */
+/* Adds the pieces of all surfaces. In a convex room without obstructions, which has no
+ * pieces, well under a microsecond and no allocation. */
 enum pp_status pp_occluders_collect(struct pp_occluders *inside,
                                     struct pp_occluders *outside,
                                     const struct pp_occluders_scene *scene,
                                     struct pp_error *err);
 
-/* The directions that a skyline hides, as half-spaces through the eye: it hides what is
- * neither above it (above.u > 0) nor under it (below.u > 0). */
+/* The directions that a skyline hides, by half-spaces through the eye: those neither
+ * above the skyline (above.u > 0) nor below its foot (below.u > 0). */
 struct pp_band {
     struct pp_vec3 above, below;
-    struct pp_vec3 nearness; /* in the room's axes, of the vector from the eye */
+    struct pp_vec3
+        nearness; /* as above, in the room's axes, of a vector from the eye */
 };
 
 struct pp_band pp_occluders_band(const struct pp_world *world,
                                  const struct pp_skyline *skyline, struct pp_vec3 eye);
 
-/* Adds the piece that a skyline is, where it is in sight. */
+/* Adds the visible part of a skyline as a piece. */
 enum pp_status pp_occluders_add_skyline(struct pp_occluders *outside,
                                         const struct pp_occluders_scene *scene,
                                         const struct pp_skyline *skyline,

@@ -1,3 +1,5 @@
+/* overlay.c - unions and differences of occluders by GEOS, with the line of equal
+ * distance as border between two that intersect. */
 #include "methods/view/overlay.h"
 
 #include <stdlib.h>
@@ -5,8 +7,7 @@
 
 #include "model/geometry/clip.h"
 
-/* pieces' figures as regions that borrow their coordinates, turned counter-clockwise.
- */
+/* The pieces as regions that borrow the coordinates, turned counter-clockwise. */
 static enum pp_status borrow(struct pp_region **regions, struct pp_ring **rings,
                              const struct pp_occluders *pieces, struct pp_error *err)
 {
@@ -51,8 +52,8 @@ bool pp_overlay_same_light(const struct pp_occluder *a, const struct pp_occluder
     return a->reflectance == b->reflectance && a->exitance == b->exitance;
 }
 
-/* The part of `hider` that stands in front of `piece`: the rest lies beyond the line on
- * which both are equally far. */
+/* The part of `hider` in front of `piece`, up to the line on which both are at the same
+ * distance. */
 static enum pp_status part_in_front(struct pp_occluders *parts,
                                     const struct pp_occluder *hider,
                                     const struct pp_occluder *piece, double distance_m,
@@ -89,29 +90,29 @@ static enum pp_status part_in_front(struct pp_occluders *parts,
     return PP_OK;
 }
 
-/* What is seen of piece `index` behind all that give off another light. */
+/* The visible part of piece `index` behind all pieces with other light. */
 static enum pp_status seen_part(struct pp_clipper *clipper, struct pp_region *seen,
                                 const struct pp_occluders *pieces, int index,
                                 double distance_m, struct pp_error *err)
 {
     const struct pp_occluder *piece = &pieces->list[index];
-    struct pp_occluders before = {0}, self = {1, 1, &pieces->list[index]};
+    struct pp_occluders nearer = {0}, self = {1, 1, &pieces->list[index]};
     struct pp_region taken = {0}, whole = {0};
-    before.room = pieces->count;
-    before.list = calloc((size_t)before.room, sizeof *before.list);
-    enum pp_status status = before.list ? PP_OK : pp_fail_memory(err);
+    nearer.capacity = pieces->count;
+    nearer.list = calloc((size_t)nearer.capacity, sizeof *nearer.list);
+    enum pp_status status = nearer.list ? PP_OK : pp_fail_memory(err);
     for (int k = 0; k < pieces->count && status == PP_OK; k++)
         if (!pp_overlay_same_light(&pieces->list[k], piece))
-            status = part_in_front(&before, &pieces->list[k], piece, distance_m, err);
+            status = part_in_front(&nearer, &pieces->list[k], piece, distance_m, err);
     if (status == PP_OK)
         status = pp_overlay_union(clipper, &whole, &self, err);
-    if (status == PP_OK && before.count > 0)
-        status = pp_overlay_union(clipper, &taken, &before, err);
+    if (status == PP_OK && nearer.count > 0)
+        status = pp_overlay_union(clipper, &taken, &nearer, err);
     if (status == PP_OK)
         status = pp_region_difference(clipper, seen, &whole, &taken, err);
     pp_region_clear(&taken);
     pp_region_clear(&whole);
-    pp_occluders_clear(&before);
+    pp_occluders_clear(&nearer);
     return status;
 }
 

@@ -1,11 +1,11 @@
-/* visible.h - what is seen of the outside through an opening, and what hides the rest.
+/* visible.h - the view of the outside through an opening, divided into patches.
  *
  * The part of the opening's plane within both its outlines (the outer one projected
- * centrally on to the inner), less what occluders inside hide, is divided into patches:
- * where nothing hides the sky and the ground, and where something does. Patches do not
- * overlap and are exact: outlines of surfaces are projected and overlaid as polygons,
- * and where two things of different reflectance lie behind each other the nearer one
- * counts, the border being the straight line on which they are equally far.
+ * centrally on to the inner), without the parts that occluders inside hide, is divided
+ * into patches that show sky and ground and patches that show an obstruction. Patches
+ * do not overlap and are exact: outlines of surfaces are projected and overlaid as
+ * polygons. Of two obstructions of different reflectance in one direction the nearer
+ * one counts; their border is the straight line of equal distances.
  */
 #ifndef PP_METHODS_VIEW_VISIBLE_H
 #define PP_METHODS_VIEW_VISIBLE_H
@@ -16,27 +16,27 @@
 #include "model/geometry/region.h"
 #include "model/room/world.h"
 
-/* Part of the view's plane: what lies of `region` (its coordinates) within the
- * half-spaces through the eye (room's axes). */
+/* A part of the view's plane: the part of `region` (in the view's coordinates) within
+ * the half-spaces through the eye (in the room's axes). */
 struct pp_visible_patch {
     struct pp_region region; /* may be shared with other patches */
     struct pp_vec3 half_spaces[2];
     int half_space_count;
-    bool hidden;                  /* or are sky and ground seen? */
-    double reflectance, exitance; /* of what hides them */
+    bool hidden;                  /* shows an obstruction; else sky and ground */
+    double reflectance, exitance; /* of the obstruction */
 };
 
 enum { PP_CORNERS_FEW = 16 };
 
-/* Keep it where it was filled: parts of it point to others. Several threads may each
- * fill their own. */
+/* Not to be copied: members point to other members. Several threads may each fill their
+ * own. */
 struct pp_visible {
     struct pp_projection view;
-    int patch_count; /* 0: nothing is seen */
+    int patch_count; /* 0: the opening is not seen */
     struct pp_visible_patch *patches;
 
-    /* Storage: within for an opening with nothing in front of it but a skyline, so that
-     * nothing is allocated; else allocated. */
+    /* Storage for the patches of a rectangle without occluders and with at most one
+     * skyline; the patches of any other view are allocated. */
     struct pp_visible_patch few[3];
     struct pp_ring ring;
     double corners[PP_CORNERS_FEW][2];
@@ -44,27 +44,41 @@ struct pp_visible {
 };
 
 /* Through an opening, from a point inside; no patches if the point lies behind the
- * opening or within PP_OCCLUDERS_COPLANAR_M of its plane. On failure nothing needs to be cleared. */
+ * opening or within PP_OCCLUDERS_COPLANAR_M of its plane. On success *visible is to be
+ * cleared. */
 enum pp_status pp_visible_through(struct pp_visible *visible,
                                   const struct pp_world *world,
                                   const struct pp_opening *opening, struct pp_vec3 eye,
                                   struct pp_error *err);
 
-/* The same without what stands outside: one patch, the part that is open to the
- * outside, or none. */
+/* The same without obstructions outside: one patch, the part of the opening that no
+ * occluder inside hides, or none. */
 enum pp_status pp_visible_opening(struct pp_visible *visible,
                                   const struct pp_world *world,
                                   const struct pp_opening *opening, struct pp_vec3 eye,
                                   struct pp_error *err);
 
+/* That patch as a region on the plane at unit distance: x along opening->along, y along
+ * opening->up, from the foot of the perpendicular, over the distance from the face's
+ * plane. Not cut at the position's horizon. Empty if the position lies behind the
+ * opening or in its plane. The region is the caller's. */
+enum pp_status pp_visible_open_part(struct pp_region *region,
+                                    const struct pp_world *world,
+                                    const struct pp_opening *opening,
+                                    struct pp_vec3 position, struct pp_error *err);
+
 /* Through a rectangle in the air, low to high along the view's axes, from outside: all
- * that stands in front of the eye hides. `face` is left out, its skylines count; -1:
- * neither. */
+ * surfaces in front of the eye are obstructions, except the surface `face`, whose
+ * skylines count; -1: no such surface. */
 enum pp_status pp_visible_in_air(struct pp_visible *visible,
                                  const struct pp_world *world,
                                  const struct pp_projection *view, const double low[2],
                                  const double high[2], int face, struct pp_error *err);
 
 void pp_visible_clear(struct pp_visible *visible);
+
+/* Luminance factor of an obstruction: its luminance over that of the sky which it
+ * hides. Under the overcast sky the reflectance itself, else half the reflectance. */
+double pp_visible_luminance_factor(const struct pp_sky *sky, double reflectance);
 
 #endif

@@ -1,39 +1,39 @@
-/* window_drawing.c - see window_drawing.h. */
+/* window_drawing.c - scales the patches of a view to unit distance and cuts them to
+ * their half-spaces. */
 #include "methods/view/window_drawing.h"
 
 #include <stdlib.h>
 
-#include "methods/exact/direct.h"
 #include "methods/view/visible.h"
 
-/* A point of a ring against a half-space h.u > 0 of directions u = (x, y, 1). */
-static double beyond(const double *xy, struct pp_vec3 h)
+/* h.u for the direction u = (x, y, 1): positive within the half-space. */
+static double depth_in(const double *xy, struct pp_vec3 h)
 {
     return h.x * xy[0] + h.y * xy[1] + h.z;
 }
 
-/* Cuts a ring in place by a half-space; room is for twice its points. What is left of a
- * ring that is not convex may run twice along the cut: its area and what lies in it are
- * right all the same [SH74]. */
-static int cut_ring(double (*xy)[2], int count, struct pp_vec3 h, double (*room)[2])
+/* Cuts a ring in place by a half-space [SH74]; spare has room for twice its points. A
+ * ring that is not convex may run twice along the cut, which changes neither its area
+ * nor which points are inside. */
+static int cut_ring(double (*xy)[2], int count, struct pp_vec3 h, double (*spare)[2])
 {
     int kept = 0;
     for (int i = 0; i < count; i++) {
         const double *p = xy[i], *q = xy[(i + 1) % count];
-        double from = beyond(p, h), to = beyond(q, h);
+        double from = depth_in(p, h), to = depth_in(q, h);
         if (from >= 0.0) {
-            room[kept][0] = p[0];
-            room[kept++][1] = p[1];
+            spare[kept][0] = p[0];
+            spare[kept++][1] = p[1];
         }
         if ((from > 0.0 && to < 0.0) || (from < 0.0 && to > 0.0)) {
             double t = from / (from - to);
-            room[kept][0] = p[0] + t * (q[0] - p[0]);
-            room[kept++][1] = p[1] + t * (q[1] - p[1]);
+            spare[kept][0] = p[0] + t * (q[0] - p[0]);
+            spare[kept++][1] = p[1] + t * (q[1] - p[1]);
         }
     }
     for (int i = 0; i < kept; i++) {
-        xy[i][0] = room[i][0];
-        xy[i][1] = room[i][1];
+        xy[i][0] = spare[i][0];
+        xy[i][1] = spare[i][1];
     }
     return kept;
 }
@@ -46,10 +46,10 @@ static enum pp_status draw_ring(struct pp_ring *drawn, const struct pp_ring *rin
 {
     /* Each half-space can at most double the points. */
     size_t most = (size_t)ring->count << patch->half_space_count;
-    double(*room)[2] = malloc((most + 1) * sizeof *room);
+    double(*spare)[2] = malloc((most + 1) * sizeof *spare);
     drawn->xy = malloc((most + 1) * sizeof *drawn->xy);
-    if (!room || !drawn->xy) {
-        free(room);
+    if (!spare || !drawn->xy) {
+        free(spare);
         return pp_fail_memory(err);
     }
     for (int i = 0; i < ring->count; i++)
@@ -59,8 +59,8 @@ static enum pp_status draw_ring(struct pp_ring *drawn, const struct pp_ring *rin
     for (int i = 0; i < patch->half_space_count; i++)
         drawn->count = cut_ring(
             drawn->xy, drawn->count,
-            pp_projection_direction(&visible->view, patch->half_spaces[i]), room);
-    free(room);
+            pp_projection_direction(&visible->view, patch->half_spaces[i]), spare);
+    free(spare);
     return PP_OK;
 }
 
@@ -70,7 +70,8 @@ static enum pp_status draw_patch(struct pp_drawn_part *part,
                                  const struct pp_sky *sky, struct pp_error *err)
 {
     part->hidden = patch->hidden;
-    part->factor = patch->hidden ? pp_direct_factor(sky, patch->reflectance) : 1.0;
+    part->factor =
+        patch->hidden ? pp_visible_luminance_factor(sky, patch->reflectance) : 1.0;
     part->region.rings = calloc(patch->region.count + 1, sizeof *part->region.rings);
     if (!part->region.rings)
         return pp_fail_memory(err);
@@ -86,10 +87,10 @@ static enum pp_status draw_patch(struct pp_drawn_part *part,
     return status;
 }
 
-enum pp_status pp_window_drawing_create(struct pp_window_drawing *drawing,
-                                        const struct pp_world *world,
-                                        const struct pp_opening *opening,
-                                        struct pp_vec3 point, struct pp_error *err)
+enum pp_status pp_window_drawing_init(struct pp_window_drawing *drawing,
+                                      const struct pp_world *world,
+                                      const struct pp_opening *opening,
+                                      struct pp_vec3 point, struct pp_error *err)
 {
     *drawing =
         (struct pp_window_drawing){.axes = {opening->along, opening->up,
@@ -134,8 +135,7 @@ void pp_window_drawing_steps(struct pp_part_steps *terms,
         pp_part_steps_component(terms, false, share, "n# w", "sky component");
         return;
     }
-    pp_steps_add_named(terms->steps, PP_UNIT_NUMBER, part->factor,
-                       pp_part_steps_symbol(terms, "f").text,
+    pp_part_steps_read(terms, PP_UNIT_NUMBER, part->factor, "f",
                        "luminance factor of the obstruction");
     pp_part_steps_component(terms, true, share, "f# n# w",
                             "externally reflected component");

@@ -1,10 +1,9 @@
-/* window_drawing.h - an opening and what hides the sky in it, drawn in true
- * perspective: what a person lays under a pepper-pot diagram or carries over on to
- * Waldram's.
+/* window_drawing.h - an opening and the obstructions seen through it, drawn in true
+ * perspective, for the pepper-pot diagram and for Waldram's.
  *
  * The drawing lies on the plane parallel to the opening at unit distance from the
- * point: (a, b) is a to the right and b up (as the opening's own axes have it), over
- * the distance of the plane. Straight edges are straight in it.
+ * point: (a, b) is a to the right and b up along the opening's own axes, over the
+ * distance of the opening's plane. Straight edges are straight in the drawing.
  */
 #ifndef PP_METHODS_VIEW_WINDOW_DRAWING_H
 #define PP_METHODS_VIEW_WINDOW_DRAWING_H
@@ -15,8 +14,8 @@
 #include "model/geometry/region.h"
 #include "model/room/world.h"
 
-/* The plane as seen from the point: a place (a, b) of the drawing lies in the direction
- * a along + b up + out. */
+/* The axes of the plane: a point (a, b) of the drawing lies in the direction a along +
+ * b up + out. */
 struct pp_window_axes {
     struct pp_vec3 along, up; /* unit, in the plane; along is horizontal */
     struct pp_vec3 out;       /* unit, square to the plane, away from the point */
@@ -24,26 +23,26 @@ struct pp_window_axes {
 
 struct pp_drawn_part {
     struct pp_region region;
-    bool hidden;   /* does something outside stand there, or is the sky open? */
-    double factor; /* luminance factor of what hides it; 1 for the sky */
+    bool hidden;   /* shows an obstruction; else the sky */
+    double factor; /* luminance factor of the obstruction; 1 for the sky */
 };
 
 struct pp_window_drawing {
     struct pp_window_axes axes;
     double distance_m;           /* from the point to the plane */
-    int count;                   /* 0: the point sees nothing of the opening */
+    int count;                   /* 0: the point does not see the opening */
     struct pp_drawn_part *parts; /* do not overlap */
 };
 
 /* To be cleared by the caller; empty on failure. */
-enum pp_status pp_window_drawing_create(struct pp_window_drawing *drawing,
-                                        const struct pp_world *world,
-                                        const struct pp_opening *opening,
-                                        struct pp_vec3 point, struct pp_error *err);
+enum pp_status pp_window_drawing_init(struct pp_window_drawing *drawing,
+                                      const struct pp_world *world,
+                                      const struct pp_opening *opening,
+                                      struct pp_vec3 point, struct pp_error *err);
 void pp_window_drawing_clear(struct pp_window_drawing *drawing);
 
-/* Sets down what was counted on a part: so many `things`, each worth "w", which has
- * been set down, give `share`. */
+/* Records the count on a part: `count` squares or dots (`things`), each of the worth
+ * "w" of an earlier step, give `share`. */
 void pp_window_drawing_steps(struct pp_part_steps *terms,
                              const struct pp_drawn_part *part, double count,
                              const char *things, double share);

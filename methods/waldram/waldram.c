@@ -1,8 +1,8 @@
 /* waldram.c - `waldram`: direct component by counting squares on Waldram's diagram
  * [WW23].
  *
- * What the point sees of each opening is drawn on the diagram (waldram_scale.h) and the
- * squares are counted (waldram_squares.h): of the sky, and of what hides it,
+ * The visible part of each opening is drawn on the diagram (waldram_scale.h), and the
+ * squares of sky and of obstructions are counted (waldram_squares.h):
  *
  *     SC  = squares of sky x 0.1 %
  *     ERC = luminance factor x squares of obstruction x 0.1 %
@@ -14,13 +14,13 @@
 #include <string.h>
 
 #include "methods/exact/direct.h"
-#include "methods/method_entries.h"
 #include "methods/exact/quadrature.h"
+#include "methods/method.h"
 #include "methods/refusals.h"
 #include "methods/view/visible.h"
 #include "methods/waldram/waldram_squares.h"
 
-/* The diagrams that are kept at hand: those that the room's openings need. */
+/* The diagrams for the room's openings; one that no opening needs is not set. */
 struct waldram_diagrams {
     struct pp_waldram unglazed, glazed;
 };
@@ -77,7 +77,7 @@ static enum pp_status evaluate(const struct pp_world *world,
         opening->glass.panes > 0 ? &diagrams->glazed : &diagrams->unglazed;
     struct pp_window_drawing drawing;
     enum pp_status status =
-        pp_window_drawing_create(&drawing, world, opening, receiver->position, err);
+        pp_window_drawing_init(&drawing, world, opening, receiver->position, err);
     if (status != PP_OK)
         return status;
     pp_steps_add_named(part->steps, PP_UNIT_SHARE, PP_WALDRAM_WORTH, "w",
@@ -100,8 +100,8 @@ static enum pp_status evaluate(const struct pp_world *world,
     return status;
 }
 
-/* Luminance of the sky through the glass as the diagram has it, in the window's axes.
- */
+/* The diagram, and the window's axes, for the luminance of the sky through the glass
+ * with the diagram's product of losses. */
 struct charted {
     const struct pp_waldram *waldram;
     struct pp_vec3 along, toward;
@@ -121,8 +121,41 @@ static double charted_luminance(const void *context, struct pp_vec3 u)
            * pp_glass_transmittance(glass, ahead / level) / glass->normal;
 }
 
-/* The mean of many counts is the area: for averages over many points it is taken by
- * quadrature instead of squares. */
+/* The component through glass by quadrature, with the diagram's losses. */
+static enum pp_status integrate_glazed(const struct pp_world *world,
+                                       const struct pp_opening *opening,
+                                       const struct pp_receiver *receiver,
+                                       const struct pp_waldram *waldram,
+                                       struct pp_part *part, struct pp_error *err)
+{
+    struct pp_visible visible;
+    enum pp_status status =
+        pp_visible_through(&visible, world, opening, receiver->position, err);
+    if (status != PP_OK)
+        return status;
+    struct charted charted = {waldram, visible.view.along, visible.view.toward};
+    struct pp_integrand integrand = {charted_luminance, &charted, NULL};
+    for (int i = 0; i < visible.patch_count && status == PP_OK; i++) {
+        const struct pp_visible_patch *patch = &visible.patches[i];
+        struct pp_vec3 planes[3] = {receiver->normal};
+        struct pp_quadrature result;
+        memcpy(planes + 1, patch->half_spaces, sizeof patch->half_spaces);
+        status = pp_quadrature_over(&result, &visible.view, &patch->region, planes,
+                                    1 + patch->half_space_count, receiver->normal,
+                                    &integrand, PP_QUADRATURE_ROUGH, err);
+        if (patch->hidden)
+            part->external +=
+                pp_visible_luminance_factor(&world->sky, patch->reflectance)
+                * result.value;
+        else
+            part->sky += result.value;
+    }
+    pp_visible_clear(&visible);
+    return status;
+}
+
+/* The mean of many counts is the area: for averages over many points the area is taken,
+ * by quadrature, instead of squares. */
 static enum pp_status evaluate_roughly(const struct pp_world *world,
                                        const struct pp_opening *opening,
                                        const struct pp_receiver *receiver,
@@ -138,30 +171,7 @@ static enum pp_status evaluate_roughly(const struct pp_world *world,
         return plain;
     }
     const struct waldram_diagrams *diagrams = tools;
-    struct pp_visible visible;
-    enum pp_status status =
-        pp_visible_through(&visible, world, opening, receiver->position, err);
-    if (status != PP_OK)
-        return status;
-    struct charted charted = {&diagrams->glazed, visible.view.along,
-                              visible.view.toward};
-    struct pp_integrand integrand = {charted_luminance, &charted, NULL};
-    for (int i = 0; i < visible.patch_count && status == PP_OK; i++) {
-        const struct pp_visible_patch *patch = &visible.patches[i];
-        struct pp_vec3 planes[3] = {receiver->normal};
-        struct pp_quadrature result;
-        memcpy(planes + 1, patch->half_spaces, sizeof patch->half_spaces);
-        status = pp_quadrature_over(&result, &visible.view, &patch->region, planes,
-                                    1 + patch->half_space_count, receiver->normal,
-                                    &integrand, PP_QUADRATURE_ROUGH, err);
-        if (patch->hidden)
-            part->external +=
-                pp_direct_factor(&world->sky, patch->reflectance) * result.value;
-        else
-            part->sky += result.value;
-    }
-    pp_visible_clear(&visible);
-    return status;
+    return integrate_glazed(world, opening, receiver, &diagrams->glazed, part, err);
 }
 
 const struct pp_method pp_method_waldram = {
@@ -173,7 +183,7 @@ const struct pp_method pp_method_waldram = {
     .allowances = PP_ALLOWS_CLEAR_GLASS | PP_ALLOWS_NO_GLASS,
     .counts = true,
     .prepare = prepare,
-    .put_away = free,
+    .destroy_tools = free,
     .refuses_room = refuses_room,
     .refuses = refuses,
     .evaluate = evaluate,

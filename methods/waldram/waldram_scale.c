@@ -1,4 +1,4 @@
-/* waldram_scale.c - see waldram_scale.h. */
+/* waldram_scale.c - tabulates X and Y, and integrates areas by Green's theorem. */
 #include "methods/waldram/waldram_scale.h"
 
 #include <cubature.h>

@@ -1,22 +1,26 @@
 /* waldram_scale.h - the Waldram diagram: a map of the sky on which equal areas are
- * equal sky components.
+ * equal sky components [WW23].
  *
  * Upright lines of the sky stay upright: the abscissa X depends on the azimuth phi
  * alone (from the window's normal), the ordinate Y on the altitude gamma alone,
  *
  *     dSC = L(gamma) sin gamma cos gamma dgamma dphi = dX dY                  [WW23]
  *
- * without glass:  X = phi,  Y = sum of L sin gamma cos gamma from the horizon up:
- *                 sin^2 gamma / (2 pi) uniform,
- *                 (3 sin^2 gamma + 4 sin^3 gamma)/(14 pi) overcast.
- * with clear vertical glass the losses depend on cos i = cos gamma cos phi, which is no
- * product of a function of each. The diagram takes the losses by altitude times those
- * by azimuth, as though each stood alone, and so is right on both of its axes:
+ * Without glass, with Y the integral of L sin gamma cos gamma from the horizon up:
+ *
+ *     X = phi
+ *     Y = sin^2 gamma / (2 pi)                               uniform sky
+ *     Y = (3 sin^2 gamma + 4 sin^3 gamma) / (14 pi)          overcast sky
+ *
+ * With clear vertical glass the losses depend on cos i = cos gamma cos phi, which is no
+ * product of a function of gamma and one of phi. The diagram takes the losses at
+ * azimuth 0 times those at the horizon, and so is exact on both of its axes:
  *
  *     tau(cos gamma cos phi)  ->  tau(cos gamma) tau(cos phi) / tau(1)
  *
- * It never falls short; how far it is over is tabulated in the manual: 1 % for the mean
- * of ordinary windows, a few per cent for the largest seen from near by.
+ * The sky component is never too low by that; how much too high is tabulated in the
+ * manual: 1 % for the mean of ordinary windows, a few per cent for the largest windows
+ * from near by.
  *
  * Coordinates are fractions of Eh per unit area: a region's area is its sky component.
  */
@@ -42,24 +46,26 @@ struct pp_waldram {
     double y[PP_WALDRAM_PANELS + 1]; /* Y at even steps of altitude from 0 to pi/2 */
 };
 
-/* Makes the diagram of a sky whose luminance does not change with azimuth; any other is
- * refused. */
+/* Makes the diagram of a sky whose luminance does not depend on azimuth; PP_BAD_INPUT
+ * for any other. */
 enum pp_status pp_waldram_scale_init(struct pp_waldram *waldram,
                                      const struct pp_sky *sky, bool glazed,
                                      struct pp_error *err);
 
-/* Azimuth from -pi to pi, odd in it; with glass what lies beyond pi/2 adds nothing. */
+/* X of an azimuth from -pi to pi, odd in the azimuth; with glass constant from pi/2
+ * on. */
 double pp_waldram_scale_x(const struct pp_waldram *waldram, double azimuth_rad);
 
-/* Altitude, 0 to pi/2; 0 below the horizon. Relative error of both scales 1e-9. */
+/* Y of an altitude, 0 to pi/2; 0 below the horizon. Relative error of both scales
+ * 1e-9. */
 double pp_waldram_scale_y(const struct pp_waldram *waldram, double altitude_rad);
 
 /* Area of the map from azimuth -pi/2 to pi/2: 1/2 without glass. */
 double pp_waldram_scale_total_area(const struct pp_waldram *waldram);
 
-/* Area on the diagram of a region of a window's drawing, exact for the diagram's own
- * scales (relative error 1e-9): what lies below the horizon has none. Straight lines
- * of the plane become droop lines. A region round the zenith counts as it should. */
+/* Area on the diagram of a region of a window's drawing, for the diagram's own scales
+ * (relative error 1e-9); the part below the horizon has no area. Straight lines of the
+ * drawing are droop lines on the diagram. The region may contain the zenith. */
 double pp_waldram_scale_area(const struct pp_waldram *waldram,
                              const struct pp_window_axes *axes,
                              const struct pp_region *region);

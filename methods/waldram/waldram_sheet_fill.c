@@ -1,6 +1,7 @@
-/* waldram_sheet_fill.c - see waldram_sheet_fill.h.
+/* waldram_sheet_fill.c - scales, droop lines and windows of a sheet of Waldram's
+ * diagram.
  *
- * Droop lines, gamma altitude and phi azimuth from the window's normal:
+ * Droop lines, gamma altitude and phi azimuth from the window's normal [WW23]:
  *
  *     edges parallel to the window       tan gamma = tan gamma0 cos phi
  *     edges perpendicular to it          tan gamma = tan gamma90 |sin phi|
@@ -10,8 +11,8 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "methods/drawing_board.h"
-#include "methods/method_entries.h"
+#include "methods/diagram_windows.h"
+#include "methods/method.h"
 #include "methods/waldram/waldram_squares.h"
 
 enum { DROOP_STEP_DEG = 10, DROOP_LINES = 8, DROOP_POINTS = 181 };
@@ -69,7 +70,7 @@ static enum pp_status fill_scales(struct pp_waldram_panel *panel,
     return good ? PP_OK : pp_fail_memory(err);
 }
 
-/* In squares instead of X and Y. */
+/* Converts X and Y to numbers of squares. */
 static void to_squares(struct pp_region *outline, double width, double height)
 {
     for (int r = 0; r < outline->count; r++)
@@ -116,17 +117,11 @@ static enum pp_status fill_window(struct pp_board_window *window,
                                   const struct pp_opening *opening,
                                   struct pp_vec3 point, struct pp_error *err)
 {
-    window->line = opening->line;
-    window->allowance = pp_allowance_factor(pp_method_waldram.allowances, opening);
     struct pp_window_drawing drawing;
-    enum pp_status status =
-        pp_window_drawing_create(&drawing, world, opening, point, err);
+    enum pp_status status = pp_diagram_windows_begin(
+        window, &drawing, &pp_method_waldram, world, opening, point, err);
     if (status != PP_OK)
         return status;
-    window->distance_m = drawing.distance_m;
-    window->pieces = calloc((size_t)drawing.count + 1, sizeof *window->pieces);
-    if (!window->pieces)
-        status = pp_fail_memory(err);
     for (int i = 0; i < drawing.count && status == PP_OK; i++) {
         struct pp_board_piece *piece = &window->pieces[window->count++];
         status = fill_piece(piece, waldram, &drawing.axes, &drawing.parts[i], err);
@@ -136,8 +131,7 @@ static enum pp_status fill_window(struct pp_board_window *window,
     return status;
 }
 
-/* Columns out to 180 degrees where an outline reaches beyond 90: of openings that
- * slope. */
+/* Extends the columns from 90 to 180 degrees where a sloping opening needs them. */
 static void widen(struct pp_waldram_panel *panel)
 {
     for (int w = 0; w < panel->count && !panel->glazed; w++)
@@ -153,7 +147,7 @@ static void widen(struct pp_waldram_panel *panel)
         }
 }
 
-/* The panel of the windows like opening `first`. */
+/* The panel of the windows that share a diagram with opening `first`. */
 static enum pp_status fill_panel(struct pp_waldram_panel *panel,
                                  const struct pp_world *world, int first,
                                  struct pp_vec3 point, struct pp_error *err)
@@ -165,12 +159,12 @@ static enum pp_status fill_panel(struct pp_waldram_panel *panel,
     if (status == PP_OK)
         status = fill_scales(panel, &waldram, err);
     panel->wall = world->surfaces[opening->face].name;
-    panel->windows = calloc((size_t)pp_drawing_board_count_alike(world, first),
+    panel->windows = calloc((size_t)pp_diagram_windows_count_alike(world, first),
                             sizeof *panel->windows);
     if (status == PP_OK && !panel->windows)
         status = pp_fail_memory(err);
     for (int i = first; i < world->opening_count && status == PP_OK; i++)
-        if (pp_drawing_board_first_alike(world, i) == first)
+        if (pp_diagram_windows_first_alike(world, i) == first)
             status = fill_window(&panel->windows[panel->count++], &waldram, world,
                                  &world->openings[i], point, err);
     widen(panel);
@@ -204,7 +198,7 @@ enum pp_status pp_waldram_sheet_fill_room(struct pp_waldram_sheet *sheet,
 {
     *sheet = (struct pp_waldram_sheet){0};
     enum pp_status status =
-        pp_drawing_board_check(&pp_method_waldram, world, receiver, err);
+        pp_diagram_windows_check(&pp_method_waldram, world, receiver, err);
     if (status == PP_OK && world->opening_count == 0)
         status = pp_waldram_sheet_fill_blank(sheet, &world->sky, false, err);
     if (status != PP_OK)
@@ -217,11 +211,11 @@ enum pp_status pp_waldram_sheet_fill_room(struct pp_waldram_sheet *sheet,
     if (world->opening_count == 0)
         return PP_OK;
     sheet->panels =
-        calloc((size_t)pp_drawing_board_diagram_count(world), sizeof *sheet->panels);
+        calloc((size_t)pp_diagram_windows_diagram_count(world), sizeof *sheet->panels);
     if (!sheet->panels)
         return pp_fail_memory(err);
     for (int i = 0; i < world->opening_count && status == PP_OK; i++)
-        if (pp_drawing_board_first_alike(world, i) == i)
+        if (pp_diagram_windows_first_alike(world, i) == i)
             status = fill_panel(&sheet->panels[sheet->count++], world, i,
                                 receiver->position, err);
     for (int i = 0; i < sheet->count; i++)

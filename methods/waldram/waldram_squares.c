@@ -1,10 +1,13 @@
-/* waldram_squares.c - see waldram_squares.h. */
+/* waldram_squares.c - draws outlines on the diagram by halving their edges, and cuts
+ * them into squares by Sutherland and Hodgman's algorithm [SH74]. */
 #include "methods/waldram/waldram_squares.h"
 
 #include <math.h>
 #include <stdbool.h>
 #include <stdlib.h>
 #include <string.h>
+
+#include "model/base/array.h"
 
 enum { DEEPEST = 12 }; /* halvings of one straight edge */
 
@@ -24,23 +27,18 @@ struct droop_polyline {
 
 static void add_point(struct droop_polyline *line, double x, double y)
 {
-    if (line->count == line->capacity) {
-        int capacity = line->capacity ? 2 * line->capacity : 64;
-        double(*xy)[2] = realloc(line->xy, capacity * sizeof *xy);
-        if (!xy) {
-            line->failed = true;
-            return;
-        }
-        line->xy = xy;
-        line->capacity = capacity;
+    if (pp_array_reserve(&line->xy, &line->capacity, line->count + 1, sizeof *line->xy,
+                         NULL)
+        != PP_OK) {
+        line->failed = true;
+        return;
     }
     line->xy[line->count][0] = x;
     line->xy[line->count][1] = y;
     line->count++;
 }
 
-/* A place on the diagram; its azimuth is kept beside X so that it can be followed past
- * 180 degrees. */
+/* A point of the diagram, with its azimuth, which is followed past 180 degrees. */
 struct diagram_point {
     double azimuth, x, y;
 };
@@ -50,9 +48,9 @@ struct mapping {
     double width, height; /* of a square */
 };
 
-/* Where direction u (right, ahead, up) falls, with an azimuth within 180 degrees of
+/* The point of direction u (right, ahead, up), with an azimuth within 180 degrees of
  * `near`. */
-static struct diagram_point place_of(const struct mapping *mapping, struct pp_vec3 u,
+static struct diagram_point point_of(const struct mapping *mapping, struct pp_vec3 u,
                                      double near)
 {
     double azimuth = u.x == 0.0 && u.y == 0.0 ? near : atan2(u.x, u.y);
@@ -62,16 +60,17 @@ static struct diagram_point place_of(const struct mapping *mapping, struct pp_ve
                                   pp_waldram_scale_x(mapping->waldram, azimuth), y};
 }
 
-/* Adds what lies after `from` up to `to` of the straight edge that runs from direction
- * a to b: halved until a chord's middle is nearly where the edge's is. The last bulge
- * is drawn as a triangle of the bulge's own area (a parabola's is 2/3 of its box, a
- * triangle's 1/2: 4/3 of its height), so that counts have no bias. */
+/* Adds the points after `from` up to `to` of the straight edge from direction a to b.
+ * The edge is halved until the middle of a chord is near the middle of the edge.
+ * Between the last chord and the edge a triangle of equal area is added (a parabola has
+ * 2/3 of its box, a triangle 1/2, so that the triangle has 4/3 of the height), so that
+ * counts have no bias. */
 static void add_edge(struct droop_polyline *line, const struct mapping *mapping,
                      struct pp_vec3 a, struct diagram_point from, struct pp_vec3 b,
                      struct diagram_point to, int depth)
 {
     struct pp_vec3 middle = pp_vec_scale(pp_vec_add(a, b), 0.5);
-    struct diagram_point half = place_of(mapping, middle, from.azimuth);
+    struct diagram_point half = point_of(mapping, middle, from.azimuth);
     double dx = (half.x - (from.x + to.x) / 2.0) / mapping->width;
     double dy = (half.y - (from.y + to.y) / 2.0) / mapping->height;
     bool far_apart = fabs(to.x - from.x) > 4.0 * mapping->width;
@@ -100,17 +99,17 @@ static struct droop_polyline ring_outline(const struct mapping *mapping,
         struct pp_vec3 here =
             pp_vec(pp_vec_dot(u, axes->along), pp_vec_dot(u, ahead), u.z);
         if (i == 0) {
-            from = first = place_of(mapping, here, 0.0);
+            from = first = point_of(mapping, here, 0.0);
             add_point(&line, first.x, first.y);
         } else {
             /* The far end's azimuth is followed along the edge, through its middle. */
             struct pp_vec3 middle = pp_vec_scale(pp_vec_add(last, here), 0.5);
-            struct diagram_point half = place_of(mapping, middle, from.azimuth);
-            struct diagram_point to = place_of(mapping, here, half.azimuth);
+            struct diagram_point half = point_of(mapping, middle, from.azimuth);
+            struct diagram_point to = point_of(mapping, here, half.azimuth);
             if (last.z * here.z < 0.0) {
                 double t = last.z / (last.z - here.z);
                 struct pp_vec3 cut = pp_vec_along(last, t, pp_vec_sub(here, last));
-                struct diagram_point at = place_of(mapping, cut, from.azimuth);
+                struct diagram_point at = point_of(mapping, cut, from.azimuth);
                 add_edge(&line, mapping, last, from, cut, at, 0);
                 add_edge(&line, mapping, cut, at, here, to, 0);
             } else {
@@ -121,7 +120,7 @@ static struct droop_polyline ring_outline(const struct mapping *mapping,
         last = here;
     }
     if (fabs(from.azimuth - first.azimuth) > PP_PI) {
-        /* Once round the zenith: the region reaches up to it. */
+        /* The outline runs round the zenith: the region extends up to the top. */
         double top = pp_waldram_scale_y(mapping->waldram, PP_PI / 2.0);
         add_point(&line, from.x, top);
         add_point(&line, first.x, top);
@@ -156,9 +155,8 @@ enum pp_status pp_waldram_squares_outline(struct pp_region *outline,
     return PP_OK;
 }
 
-/* Cuts a ring at coordinate `axis` = limit and keeps what lies above it (sign 1) or
- * below (sign -1); the signed area of what is left is right for any ring (Sutherland
- * and Hodgman). */
+/* Cuts a ring at coordinate `axis` = limit and keeps the part above (sign 1) or
+ * below (sign -1); the signed area of the rest is correct for any ring [SH74]. */
 static void cut(struct droop_polyline *kept, const double (*xy)[2], int count, int axis,
                 double limit, double sign)
 {
@@ -205,8 +203,8 @@ static bool add_column(double *parts, int rows, const struct pp_ring *ring, doub
     return !failed;
 }
 
-/* Estimates one column's squares and appends those that hold anything; *carried is what
- * estimates so far have left over. */
+/* Estimates one column's squares and appends those that are covered at least in part;
+ * *carried is the sum of the rounding errors so far. */
 static bool count_column(struct pp_waldram_count *count, double *carried,
                          const double *parts, int rows, int column, double square)
 {
@@ -218,12 +216,11 @@ static bool count_column(struct pp_waldram_count *count, double *carried,
         double estimated = part > 1.0 - 1e-9 ? 1.0 : round(wanted * 10.0) / 10.0;
         estimated = fmin(fmax(estimated, 0.0), 1.0);
         *carried = wanted - estimated;
-        struct pp_waldram_square *list =
-            realloc(count->list, (count->count + 1) * sizeof *list);
-        if (!list)
+        if (pp_array_append(&count->list, count->count, sizeof *count->list, NULL)
+            != PP_OK)
             return false;
-        count->list = list;
-        list[count->count++] = (struct pp_waldram_square){column, row, part, estimated};
+        count->list[count->count++] =
+            (struct pp_waldram_square){column, row, part, estimated};
         count->squares += estimated;
     }
     return true;

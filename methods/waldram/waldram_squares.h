@@ -1,12 +1,10 @@
-/* waldram_squares.h - counting squares on a Waldram diagram, as a careful person does.
+/* waldram_squares.h - counts squares on a Waldram diagram [WW23].
  *
- * The diagram is ruled into squares of one worth (0.1 % of Eh): columns of equal width
- * from azimuth -90 to 90 degrees, and rows from the horizon up, the last of which may
- * be cut off by the zenith. A window's outline is drawn on it; whole squares count one,
- * part squares are estimated to a tenth. Who sees the same sliver in square after
- * square down a jamb rounds it up in one and down in the next: the remainder of each
- * estimate is carried on to the next square, up a column and from column to column, so
- * that counts have no bias.
+ * The diagram is ruled into squares of equal worth (0.1 % of Eh): columns of equal
+ * width from azimuth -90 to 90 degrees, and rows from the horizon up, the last of which
+ * may be cut off by the zenith. Whole squares within a window's outline count one, part
+ * squares are estimated to a tenth. The rounding error of each estimate is added to the
+ * next square, up a column and from column to column, so that counts have no bias.
  */
 #ifndef PP_METHODS_WALDRAM_WALDRAM_SQUARES_H
 #define PP_METHODS_WALDRAM_WALDRAM_SQUARES_H
@@ -16,7 +14,7 @@
 #define PP_WALDRAM_WORTH 0.001    /* of a fine square */
 enum { PP_WALDRAM_COLUMNS = 36 }; /* in 180 degrees: five degrees each without glass */
 
-/* One square with something in it. */
+/* One square that the outline covers at least in part. */
 struct pp_waldram_square {
     int column, row;  /* from azimuth 0 (negative to the left) and from the horizon */
     double part;      /* of its area, exact */
@@ -33,8 +31,8 @@ struct pp_waldram_count {
 void pp_waldram_squares_size(const struct pp_waldram *waldram, double *width,
                              double *height);
 
-/* Counts a region of a window's plane (see pp_waldram_scale_area). *count is to be cleared by
- * the caller; empty on failure. */
+/* Counts the squares of a region of a window's drawing (as for pp_waldram_scale_area).
+ * *count is to be cleared by the caller; empty on failure. */
 enum pp_status pp_waldram_squares_count(struct pp_waldram_count *count,
                                         const struct pp_waldram *waldram,
                                         const struct pp_window_axes *axes,
@@ -42,9 +40,9 @@ enum pp_status pp_waldram_squares_count(struct pp_waldram_count *count,
                                         struct pp_error *err);
 void pp_waldram_squares_clear(struct pp_waldram_count *count);
 
-/* The region's outline on the diagram, in X and Y: droop lines as chords that stray
- * from them by less than 1/500 of a square. Not cut at +-90 degrees; flattened on to
- * the horizon below it. The outline is the caller's. */
+/* The region's outline on the diagram, in X and Y: droop lines as chords that deviate
+ * by less than 1/500 of a square. Not cut at +-90 degrees; points below the horizon are
+ * moved up to the horizon. The outline is the caller's. */
 enum pp_status pp_waldram_squares_outline(struct pp_region *outline,
                                           const struct pp_waldram *waldram,
                                           const struct pp_window_axes *axes,

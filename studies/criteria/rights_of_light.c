@@ -19,7 +19,6 @@
 #include "model/geometry/contour/contour.h"
 #include "methods/daylight_curves.h"
 #include "methods/exact/direct.h"
-#include "methods/plane_inset.h"
 
 #define SKY_FACTOR 0.002
 #define SHARE_WANTED 0.5
@@ -33,7 +32,7 @@ static enum pp_status sky_factor_at(void *context, double x, double y, double *v
     const struct pp_glass none = pp_glass_none();
     const struct pp_receiver receiver = {
         .position =
-            pp_plane_inset(&world->plane, world->working_plane_m, INSET_M, x, y),
+            pp_daylight_curves_off_walls(&world->plane, world->working_plane_m, INSET_M, x, y),
         .normal = pp_vec(0.0, 0.0, 1.0)};
     struct pp_direct sum = {.rough = true};
     for (int i = 0; i < world->opening_count; i++) {

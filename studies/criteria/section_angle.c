@@ -5,7 +5,7 @@
 
 #include <math.h>
 
-#include "methods/view/exterior.h"
+#include "methods/exact/exterior.h"
 #include "model/geometry/tolerance.h"
 
 /* The section: the eye is the middle of the opening's outside, `ahead` runs level out of

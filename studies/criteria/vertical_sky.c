@@ -16,7 +16,7 @@
 
 #include "studies/criteria/criteria.h"
 #include "studies/criteria/section_angle.h"
-#include "methods/view/exterior.h"
+#include "methods/exact/exterior.h"
 
 #define VSC_WANTED 0.27
 #define FORMER_SHARE_WANTED 0.8

@@ -9,7 +9,7 @@
 #include <string.h>
 
 #include "methods/evaluate.h"
-#include "methods/reflected/obstruction_angle.h"
+#include "methods/reflected/obstruction.h"
 #include "methods/protractor/protractor_scale.h"
 #include "model/room/building.h"
 #include "simulate/tracer/tracer.h"

@@ -1,25 +1,12 @@
 /* test_average_df.c - the average daylight factor formula. */
 #include "methods/reflected/interior.h"
-#include "methods/method_entries.h"
+#include "methods/method.h"
 
-#include "tests/lib/near.h"
-
-#include "tests/lib/box_room.h"
-
-static double value_of(const struct pp_method *method, struct box_room *box, int index)
-{
-    struct pp_part part = {0};
-    const struct pp_opening *opening = box->openings + index;
-    assert_null(method->refuses_room(&box->world, NULL));
-    assert_null(method->refuses(&box->world, opening, NULL));
-    assert_int_equal(method->evaluate(&box->world, opening, NULL, NULL, &part, NULL),
-                     PP_OK);
-    return part.value;
-}
+#include "tests/methods/box_method.h"
 
 static double average_df_of(struct box_room *box, int index)
 {
-    return value_of(&pp_method_average_df, box, index);
+    return box_method_value(&pp_method_average_df, box, index);
 }
 
 static void build_worked_room(struct box_room *box)
@@ -77,10 +64,11 @@ static void older_form_is_over_all_surfaces(void **state)
     struct box_room box;
     build_worked_room(&box);
     box_room_skyline(&box, 25.0 * PP_RAD, 1.65, INFINITY);
-    assert_near(100.0 * value_of(&pp_method_average_df_lynes, &box, 0), 2.0379, 2e-4);
+    assert_near(100.0 * box_method_value(&pp_method_average_df_lynes, &box, 0), 2.0379,
+                2e-4);
     double R = pp_interior_all(&box.world).reflectance, M = 0.9;
     assert_near(R, 0.45778, 5e-6); /* as printed */
-    assert_relative(value_of(&pp_method_average_df_lynes, &box, 0),
+    assert_relative(box_method_value(&pp_method_average_df_lynes, &box, 0),
                     (1 + R) / 2 / M * average_df_of(&box, 0), 1e-14);
     assert_true(pp_method_average_df_lynes.of_all_surfaces);
     assert_int_equal(pp_method_average_df_lynes.allowances & PP_ALLOWS_DIRT, 0);

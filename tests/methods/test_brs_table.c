@@ -1,6 +1,7 @@
-/* test_brs_table.c - the BRS simplified daylight table and what is drawn to read it. */
+/* test_brs_table.c - the BRS simplified daylight table, and openings and obstructions
+ * as rectangles. */
 #include "methods/brs_table.h"
-#include "methods/method_entries.h"
+#include "methods/method.h"
 
 #include <stdio.h>
 

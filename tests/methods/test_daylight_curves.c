@@ -1,9 +1,10 @@
-/* No-sky lines where geometry puts them, contours where exact has their value. */
+/* test_daylight_curves.c - no-sky lines where geometry has them, contours where `exact`
+ * has their value. */
 #include <stdio.h>
 #include <stdlib.h>
 
 #include "methods/daylight_curves.h"
-#include "methods/exact/exact.h"
+#include "methods/method.h"
 #include "model/geometry/vec.h"
 #include "tests/lib/room_of.h"
 
@@ -139,8 +140,8 @@ static void points_of_a_contour_have_its_daylight_factor(void **state)
             struct pp_receiver receiver = {
                 .position = {curve->xy[k][0], curve->xy[k][1], 0.85},
                 .normal = {0, 0, 1}};
-            /* Near the window and at the walls the factor changes too fast to compare.
-             */
+            /* Near the window and at the walls the factor changes too fast to
+             * compare. */
             if (curve->xy[k][1] < 0.4 || curve->xy[k][0] < 0.01
                 || curve->xy[k][0] > 4.09 || curve->xy[k][1] > 6.29)
                 continue;

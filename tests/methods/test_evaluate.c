@@ -1,4 +1,4 @@
-/* test_evaluate.c - sums over openings, allowances, pairs, averages, refusals. */
+/* test_evaluate.c - sums over openings, corrections, selections, averages, refusals. */
 #include "methods/evaluate.h"
 
 #include <omp.h>

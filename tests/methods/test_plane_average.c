@@ -4,7 +4,7 @@
 #include "methods/evaluate.h"
 #include "tests/lib/room_of.h"
 
-/* What is averaged, and how often it was asked for. */
+/* The averaged quantity, and the number of calls. */
 struct quantity {
     double (*of)(double x, double y);
     int asked;

@@ -9,7 +9,7 @@
 #include "charts/drawing_board/nomogram_chart.h"
 #include "methods/nomogram/nomogram_scale.h"
 #include "methods/nomogram/nomogram_sheet_fill.h"
-#include "methods/reflected/obstruction_factor.h"
+#include "methods/reflected/obstruction.h"
 #include "methods/evaluate.h"
 #include "model/geometry/vec.h"
 

@@ -1,10 +1,10 @@
-/* CIE 171's daylight cases: unglazed and glazed roof and facade openings, a canopy, a
- * building opposite, under all sixteen skies. */
+/* test_cie171.c - the daylight cases of CIE 171: unglazed and glazed roof and facade
+ * openings, a canopy, a building opposite, under all sixteen skies. */
 #include "tests/lib/near.h"
 
 #include <stdio.h>
 
-#include "methods/exact/exact.h"
+#include "methods/method.h"
 #include "methods/exact/quadrature.h"
 #include "methods/view/visible.h"
 #include "tests/lib/room_of.h"

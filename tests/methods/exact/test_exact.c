@@ -1,8 +1,8 @@
-/* The direct component of rooms: limits and figures known on paper. */
+/* test_exact.c - the direct component of rooms: limits and values by closed form. */
 #include "tests/lib/near.h"
 
-#include "methods/exact/exact.h"
-#include "methods/view/exterior.h"
+#include "methods/method.h"
+#include "methods/exact/exterior.h"
 #include "tests/lib/room_of.h"
 
 static struct pp_part at(const struct pp_world *world, struct pp_vec3 position,

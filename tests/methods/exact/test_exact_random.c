@@ -1,9 +1,10 @@
-/* The direct component of random scenes, against another way of reckoning it. */
+/* test_exact_random.c - the direct component of random scenes, against quadrature along
+ * meridians. */
 #include "tests/lib/near.h"
 
 #include <stdlib.h>
 
-#include "methods/exact/exact.h"
+#include "methods/method.h"
 #include "tests/lib/meridians.h"
 
 #ifndef SCENES
@@ -24,7 +25,7 @@ struct scene {
     struct pp_receiver receiver;
 };
 
-/* Deals numbers out; one seed a scene, so that one can be looked at alone. */
+/* Random numbers: one seed for each scene, so that a single scene can be repeated. */
 struct dice {
     uint64_t state;
 };
@@ -172,7 +173,7 @@ static void deal_plate(struct scene *scene, struct dice *dice)
         surface->exitance = between(dice, 0.0, 0.5);
 }
 
-/* A box beyond the opening, sides outwards. */
+/* A box in front of the opening, sides outwards. */
 static void deal_block(struct scene *scene, struct dice *dice)
 {
     const struct pp_opening *opening = &scene->opening;
@@ -307,7 +308,7 @@ static void exact_agrees_with_a_sum_over_meridians(void **state)
 {
     (void)state;
     double worst = 0.0;
-    const char *one = getenv("PP_TEST_SCENE"); /* to look at a scene alone */
+    const char *one = getenv("PP_TEST_SCENE"); /* runs a single scene */
     if (one)
         compare(atoi(one), &worst);
     int dealt = 0;

@@ -1,4 +1,4 @@
-/* The closed forms for plane polygons: limits and figures known on paper. */
+/* test_solid_angle.c - the closed forms for plane polygons: limits and known values. */
 #include "tests/lib/near.h"
 
 #include "methods/exact/solid_angle.h"

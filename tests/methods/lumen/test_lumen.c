@@ -1,9 +1,10 @@
-/* The lumen method: its sum, its points, its two forms, and which rooms it covers. */
+/* test_lumen.c - the lumen method: its sum, its points, its two forms, and the rooms
+ * that it covers. */
 #include "methods/evaluate.h"
 #include "methods/method.h"
 #include "tests/lib/room_of.h"
 
-/* What is put into the room of a test; sizes that lie on lines of the table: two window
+/* Elements of the room of a test, whose size is on lines of the table: two window
  * heights wide, four deep. */
 struct parts {
     const char *before, *finishes, *window, *after;
@@ -223,8 +224,8 @@ static void what_the_tables_do_not_hold_is_refused(void **state)
     refused(p, "do not face each other");
 }
 
-/* A clear sky with the sun before the window: brighter outside than the overcast one.
- */
+/* A clear sky with the sun before the window: brighter outside than the overcast
+ * one. */
 static void clear_skies_are_read_by_their_ratio(void **state)
 {
     (void)state;

@@ -1,4 +1,5 @@
-/* Transfer of flux in the lumen method's rooms, and the tables made of it. */
+/* test_lumen_room.c - flux transfer in the lumen method's rooms, and the tables made
+ * from it. */
 #include "methods/lumen/lumen_cavity.h"
 #include "methods/lumen/lumen_room.h"
 #include "methods/lumen/lumen_table.h"
@@ -186,7 +187,7 @@ static void handbook_rows_are_near(void **state)
 {
     (void)state;
     struct pp_lumen_table *table = own_table();
-    int beyond = 0, beyond_wide = 0;
+    int over = 0, over_wide = 0;
     double squares = 0.0;
     for (int i = 0; i < HANDBOOK; i++)
         for (int w = 0; w < 8; w++) {
@@ -195,15 +196,15 @@ static void handbook_rows_are_near(void **state)
             read_own(cu, table, row[0], 0.7, 0.5, row[1], widths[w]);
             double off = cu[(int)(row[2] / 20.0)] / row[3 + w] - 1.0;
             squares += off * off;
-            beyond += fabs(off) > 0.20;
-            beyond_wide += fabs(off) > 0.20 && widths[w] > 0.5;
+            over += fabs(off) > 0.20;
+            over_wide += fabs(off) > 0.20 && widths[w] > 0.5;
             assert_true(fabs(off) < 0.44);
         }
     /* 10 to 13 % a block; the narrow rooms' backs are what is off. */
     assert_true(sqrt(squares / (8 * HANDBOOK)) < 0.12);
     assert_int_equal(HANDBOOK, 25);
-    assert_in_range(beyond, 0, 10);
-    assert_in_range(beyond_wide, 0, 3);
+    assert_in_range(over, 0, 10);
+    assert_in_range(over_wide, 0, 3);
     pp_lumen_table_destroy(table);
 }
 

@@ -1,6 +1,7 @@
-/* Tables of the lumen method that a user has: good ones read, bad ones named by line.
- */
+/* test_lumen_table.c - a user's tables of the lumen method: correct ones are read,
+ * mistakes are reported with their lines. */
 #include "methods/lumen/lumen_table.h"
+#include "methods/lumen/lumen_csv.h"
 #include "tests/lib/near.h"
 
 #include <stdio.h>
@@ -97,8 +98,8 @@ static void nothing_is_read_outside_it(void **state)
     done();
 }
 
-/* The ground may stop short of the sky's depths, as in what is known of the handbook.
- */
+/* The ground may stop short of the sky's depths, as in what is known of the
+ * handbook. */
 static void cells_left_out_are_no_numbers(void **state)
 {
     (void)state;

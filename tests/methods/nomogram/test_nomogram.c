@@ -1,12 +1,12 @@
-/* test_nomogram.c - nomograms of the internally reflected component: what a
- * straight-edge does on their scales, the rule behind them, and the method. */
+/* test_nomogram.c - nomograms of the internally reflected component: their scales, the
+ * rule behind them, and the method. */
 #include <stdio.h>
 
 #include "methods/reflected/interior.h"
-#include "methods/method_entries.h"
+#include "methods/method.h"
 #include "methods/nomogram/nomogram_reading.h"
 #include "methods/nomogram/nomogram_scale.h"
-#include "methods/reflected/obstruction_factor.h"
+#include "methods/reflected/obstruction.h"
 #include "model/geometry/vec.h"
 
 #include "tests/lib/near.h"
@@ -187,7 +187,7 @@ static double nomogram_of(const struct pp_world *world, int index,
     assert_int_equal(
         method->evaluate(world, &world->openings[index], NULL, tools, &part, NULL),
         PP_OK);
-    method->put_away(tools);
+    method->destroy_tools(tools);
     return part.value;
 }
 

@@ -1,9 +1,9 @@
-/* test_protractor.c - `protractor`: readings step by step, and how far they are from
- * the exact direct component. */
+/* test_protractor.c - `protractor`: readings step by step, and their errors against the
+ * exact direct component. */
 #include <stdlib.h>
 
-#include "methods/method_entries.h"
-#include "methods/protractor/protractor.h"
+#include "methods/method.h"
+#include "methods/protractor/protractor_read.h"
 #include "methods/allowance.h"
 
 #include "tests/lib/near.h"
@@ -44,8 +44,8 @@ static struct pp_part read_first(const struct pp_method *method,
     if (method->prepare)
         assert_int_equal(method->prepare(&tools, world, NULL), PP_OK);
     struct pp_part part = read_with(tools, method, world, x, y, z, steps);
-    if (method->put_away)
-        method->put_away(tools);
+    if (method->destroy_tools)
+        method->destroy_tools(tools);
     return part;
 }
 
@@ -246,7 +246,7 @@ static void assert_distances(struct distances *distances, double mean_expected,
                              double p95_expected)
 {
     double mean = 0.0;
-    pp_method_protractor.put_away(distances->tools);
+    pp_method_protractor.destroy_tools(distances->tools);
     for (int i = 0; i < distances->count; i++)
         mean += distances->off[i] / distances->count;
     qsort(distances->off, (size_t)distances->count, sizeof *distances->off, ascending);
@@ -555,7 +555,7 @@ static void odd_places_before_a_window(void **state)
     struct pp_part over =
         read_with(tools, &pp_method_protractor, world, 4.0, 2.0, 2.8, NULL);
     assert_near(over.sky + over.external, 0.0, 0.0);
-    pp_method_protractor.put_away(tools);
+    pp_method_protractor.destroy_tools(tools);
     pp_world_destroy(world);
 }
 

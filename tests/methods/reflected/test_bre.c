@@ -1,24 +1,15 @@
 /* test_bre.c - the BRE inter-reflection formula and its factor C. */
-#include "methods/method_entries.h"
-#include "methods/reflected/obstruction_angle.h"
-#include "methods/reflected/obstruction_factor.h"
-
-#include "tests/lib/near.h"
+#include "methods/method.h"
+#include "methods/reflected/obstruction.h"
 
 #include <stdio.h>
 
-#include "tests/lib/box_room.h"
+#include "tests/methods/box_method.h"
 #include "tests/lib/room_of.h"
 
 static double bre_of(struct box_room *box, int index)
 {
-    struct pp_part part = {0};
-    const struct pp_opening *opening = box->openings + index;
-    assert_null(pp_method_bre.refuses_room(&box->world, NULL));
-    assert_null(pp_method_bre.refuses(&box->world, opening, NULL));
-    assert_int_equal(
-        pp_method_bre.evaluate(&box->world, opening, NULL, NULL, &part, NULL), PP_OK);
-    return part.value;
+    return box_method_value(&pp_method_bre, box, index);
 }
 
 static void build_worked_room(struct box_room *box)

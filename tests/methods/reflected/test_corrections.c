@@ -1,5 +1,5 @@
 /* test_corrections.c - dirt, frames, curtains and decorations: their tables, the room
- * file, and that each counts once, by hand and traced. */
+ * file, and that each is applied once, by hand and traced. */
 #include "methods/evaluate.h"
 #include "methods/method.h"
 #include "model/room/corrections.h"

@@ -1,16 +1,14 @@
-/* test_irc_minimum.c - the least internally reflected component, by formula and by
+/* test_irc_minimum.c - the minimum internally reflected component, by formula and by
  * table. */
 #include "methods/reflected/bre_terms.h"
 #include "methods/reflected/irc_minimum.h"
-#include "methods/method_entries.h"
-
-#include "tests/lib/near.h"
+#include "methods/method.h"
 
 #include <stdio.h>
 
 #include "model/results/report.h"
 #include "methods/evaluate.h"
-#include "tests/lib/box_room.h"
+#include "tests/methods/box_method.h"
 #include "tests/lib/room_of.h"
 
 static const double foot = 0.3048;
@@ -23,17 +21,6 @@ static const double printed[][13] = {
 
 static const double floors[3] = {0.1, 0.2, 0.4};
 static const double walls[4] = {0.2, 0.4, 0.6, 0.8};
-
-static double value_of(const struct pp_method *method, struct box_room *box, int index)
-{
-    struct pp_part part = {0};
-    const struct pp_opening *opening = box->openings + index;
-    assert_null(method->refuses_room(&box->world, NULL));
-    assert_null(method->refuses(&box->world, opening, NULL));
-    assert_int_equal(method->evaluate(&box->world, opening, NULL, NULL, &part, NULL),
-                     PP_OK);
-    return part.value;
-}
 
 /* The room that the printed table fits best: 20 x 20 x 10 ft, sill at 3 ft, window to
  * the ceiling, obstruction 20 degrees. As wide as the area asks, wall or no wall: the
@@ -61,7 +48,7 @@ static void formula_over_its_ratio_is_near_every_printed_cell(void **state)
             for (int w = 0; w < 4; w++) {
                 struct box_room box;
                 build_printed_room(&box, printed[r][0], floors[f], walls[w]);
-                double minimum = 100.0 * value_of(&pp_method_bre_min, &box, 0);
+                double minimum = 100.0 * box_method_value(&pp_method_bre_min, &box, 0);
                 double cell = printed[r][1 + 4 * f + w];
                 assert_near(minimum, cell, 0.25);
                 squares += (minimum - cell) * (minimum - cell);
@@ -92,7 +79,8 @@ static void worked_room_has_its_average_over_1_35(void **state)
     struct box_room box;
     box_room_build(&box, 4.0, 6.0, 3.0, 0.2, 0.5, 0.7);
     box_room_south(&box, 0.2, 0.9, 3.6, 1.5);
-    assert_near(100.0 * value_of(&pp_method_bre_min, &box, 0), 1.3289 / 1.35, 4e-5);
+    assert_near(100.0 * box_method_value(&pp_method_bre_min, &box, 0), 1.3289 / 1.35,
+                4e-5);
 }
 
 static struct pp_irc_minimum_entry printed_entry(double percent, double floor,
@@ -185,21 +173,23 @@ static void obstruction_scales_the_table_as_the_formula(void **state)
     (void)state;
     struct box_room box;
     build_printed_room(&box, 20.0, 0.2, 0.4);
-    double at_20 = value_of(&pp_method_bre_table, &box, 0);
+    double at_20 = box_method_value(&pp_method_bre_table, &box, 0);
     double side_m2 = 400 * foot * foot;
     double factor = 0.7 + 0.3 * (sqrt(side_m2) - sqrt(10)) / (sqrt(40) - sqrt(10));
     assert_near(100.0 * at_20, 0.6 * factor, 1e-12);
-    double formula_at_20 = value_of(&pp_method_bre_min, &box, 0);
+    double formula_at_20 = box_method_value(&pp_method_bre_min, &box, 0);
     for (double deg = 0.0; deg < 90.0; deg += 13.0) {
         box_room_skyline(&box, deg * PP_RAD, 6.5 * foot, INFINITY);
-        assert_relative(value_of(&pp_method_bre_table, &box, 0) / at_20,
-                        value_of(&pp_method_bre_min, &box, 0) / formula_at_20, 1e-13);
+        assert_relative(box_method_value(&pp_method_bre_table, &box, 0) / at_20,
+                        box_method_value(&pp_method_bre_min, &box, 0) / formula_at_20,
+                        1e-13);
     }
     box_room_skyline(&box, 20.0 * PP_RAD, 6.5 * foot, INFINITY);
     box.openings[0].frame_factor = 0.75; /* 15 % of the floor: 0.5 */
-    assert_near(100.0 * value_of(&pp_method_bre_table, &box, 0), 0.5 * factor, 1e-12);
+    assert_near(100.0 * box_method_value(&pp_method_bre_table, &box, 0), 0.5 * factor,
+                1e-12);
     box.openings[0].frame_factor = 0.0;
-    assert_near(value_of(&pp_method_bre_table, &box, 0), 0.0, 0.0);
+    assert_near(box_method_value(&pp_method_bre_table, &box, 0), 0.0, 0.0);
 }
 
 /* Two windows have what one of their size has, though the table is no straight line. */
@@ -212,9 +202,9 @@ static void windows_share_one_reading_of_the_table(void **state)
     box_room_build(&two, 5.0, 6.0, 2.9, 0.3, 0.5, 0.75);
     box_room_south(&two, 0.5, 0.9, 1.2, 1.6);
     box_room_south(&two, 2.0, 0.9, 2.1, 1.6);
-    assert_relative(value_of(&pp_method_bre_table, &two, 0)
-                        + value_of(&pp_method_bre_table, &two, 1),
-                    value_of(&pp_method_bre_table, &one, 0), 1e-13);
+    assert_relative(box_method_value(&pp_method_bre_table, &two, 0)
+                        + box_method_value(&pp_method_bre_table, &two, 1),
+                    box_method_value(&pp_method_bre_table, &one, 0), 1e-13);
 }
 
 /* A minimum stands for each point and tells no average; nor does a pair with it. */

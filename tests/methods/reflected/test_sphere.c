@@ -1,60 +1,19 @@
-/* test_sphere.c - the integrating-sphere formula, and what it has to do with the
- * others. */
+/* test_sphere.c - the integrating-sphere formula, and its relation to `bre` and
+ * `split-flux`. */
 #include "methods/reflected/interior.h"
-#include "methods/method_entries.h"
+#include "methods/method.h"
 
-#include "tests/lib/near.h"
-
-#include "tests/lib/box_room.h"
-
-static double value_of(const struct pp_method *method, struct box_room *box, int index)
-{
-    struct pp_part part = {0};
-    const struct pp_opening *opening = box->openings + index;
-    assert_null(method->refuses_room(&box->world, NULL));
-    assert_true(!method->refuses || !method->refuses(&box->world, opening, NULL));
-    assert_int_equal(method->evaluate(&box->world, opening, NULL, NULL, &part, NULL),
-                     PP_OK);
-    return part.value;
-}
-
-/* A room with all numbers awkward, and what the formula names in it. */
-struct symbols {
-    double tau, Ag, A, R, rho_u, rho_l, rho_g, C;
-};
-
-static struct symbols build_awkward_room(struct box_room *box, struct pp_glass glass)
-{
-    double w = 3.7, d = 5.3, h = 2.9, middle = 0.7 + 1.3 / 2;
-    double floor = 0.15, walls = 0.62, ceiling = 0.81;
-    box_room_build(box, w, d, h, floor, walls, ceiling);
-    struct pp_opening *window = box_room_south(box, 0.4, 0.7, 1.9, 1.3);
-    window->glass = glass;
-    window->frame_factor = 0.83;
-    box->world.ground_reflectance = 0.17;
-    box_room_skyline(box, 34.0 * PP_RAD, middle, INFINITY);
-
-    double glass_m2 = 1.9 * 1.3, round = 2 * (w + d);
-    double upper_walls = round * (h - middle) - glass_m2 / 2;
-    double lower_walls = round * middle - glass_m2 / 2;
-    struct symbols s = {.Ag = glass_m2 * 0.83, .rho_g = 0.17, .C = 0.23};
-    s.tau = 0.85 * glass.diffuse / pp_glass_clear_single().diffuse;
-    s.A = 2 * w * d + round * h;
-    s.R = (w * d * (floor + ceiling) + (round * h - glass_m2) * walls + glass_m2 * 0.1)
-          / s.A;
-    s.rho_u = (w * d * ceiling + upper_walls * walls) / (w * d + upper_walls);
-    s.rho_l = (w * d * floor + lower_walls * walls) / (w * d + lower_walls);
-    return s;
-}
+#include "tests/methods/box_method.h"
 
 static void clear_window_is_the_published_equation_15(void **state)
 {
     (void)state;
     struct box_room box;
-    struct symbols s = build_awkward_room(&box, pp_glass_clear_single());
+    struct box_method_symbols s =
+        box_method_awkward_room(&box, pp_glass_clear_single());
     double published =
         s.tau * s.Ag / (s.A * (1 - s.R)) * (s.rho_u * s.rho_g / 2 + s.rho_l * s.C);
-    assert_relative(value_of(&pp_method_sphere, &box, 0), published, 1e-12);
+    assert_relative(box_method_value(&pp_method_sphere, &box, 0), published, 1e-12);
 }
 
 /* Half of the diffusing pane's light goes up, half goes down. */
@@ -62,10 +21,11 @@ static void diffusing_window_lights_both_parts_alike(void **state)
 {
     (void)state;
     struct box_room box;
-    struct symbols s = build_awkward_room(&box, pp_glass_diffusing(0.52));
+    struct box_method_symbols s =
+        box_method_awkward_room(&box, pp_glass_diffusing(0.52));
     double expected = s.tau * s.Ag / (s.A * (1 - s.R)) * (s.rho_g / 2 + s.C)
                       * (s.rho_u + s.rho_l) / 2;
-    assert_relative(value_of(&pp_method_sphere, &box, 0), expected, 1e-12);
+    assert_relative(box_method_value(&pp_method_sphere, &box, 0), expected, 1e-12);
 }
 
 /* With one colour inside, the window's own wall and the two ways of naming the ground
@@ -78,8 +38,8 @@ static void one_colour_and_ground_of_0_1_is_the_bre_formula(void **state)
     box_room_south(&box, 0.4, 0.7, 1.9, 1.3);
     box_room_skyline(&box, 34.0 * PP_RAD, 1.35, INFINITY);
     box.world.ground_reflectance = 0.1;
-    assert_relative(value_of(&pp_method_sphere, &box, 0),
-                    value_of(&pp_method_bre, &box, 0), 1e-12);
+    assert_relative(box_method_value(&pp_method_sphere, &box, 0),
+                    box_method_value(&pp_method_bre, &box, 0), 1e-12);
 }
 
 /* Both formulae, with the sphere's A (1 - R) in one, A_u + A_l and their reflectance in
@@ -91,8 +51,8 @@ static double split_over_sphere(struct box_room *box, double rho)
     struct pp_interior_parts parts = pp_interior_split(&box->world, 1.3);
     double without = (parts.lower.area_m2 + parts.upper.area_m2) * (1 - rho);
     double opening = all.area_m2 * (1 - all.reflectance) / without;
-    return value_of(&pp_method_split_flux, box, 0)
-           / (value_of(&pp_method_sphere, box, 0) * opening);
+    return box_method_value(&pp_method_split_flux, box, 0)
+           / (box_method_value(&pp_method_sphere, box, 0) * opening);
 }
 
 static void one_colour_and_equal_halves_are_2rho_over_1_plus_rho(void **state)
@@ -121,8 +81,8 @@ static void a_small_opening_needs_no_taking_out(void **state)
     box_room_south(&box, 0.7, 1.3 - 5e-4, 1e-3, 1e-3);
     box.world.ground_reflectance = 0.0;
     double share = 1e-6 / pp_interior_all(&box.world).area_m2;
-    assert_relative(value_of(&pp_method_split_flux, &box, 0)
-                        / value_of(&pp_method_sphere, &box, 0),
+    assert_relative(box_method_value(&pp_method_split_flux, &box, 0)
+                        / box_method_value(&pp_method_sphere, &box, 0),
                     2 * rho / (1 + rho), 3 * share);
 }
 
@@ -138,12 +98,13 @@ static void rooflight_lets_the_whole_sky_in(void **state)
     double floor = 3.3 * 4.9, A = 2 * floor + 2 * 8.2 * 2.6;
     double loss = A - 0.4 * (A - floor) - 0.8 * (floor - 0.77) - 0.1 * 0.77;
     double expected = 0.77 / loss * 0.4;
-    assert_relative(value_of(&pp_method_sphere, &box, 0), expected, 1e-12);
+    assert_relative(box_method_value(&pp_method_sphere, &box, 0), expected, 1e-12);
     box.world.sky = pp_sky_uniform();
-    assert_relative(value_of(&pp_method_sphere, &box, 0), expected, 1e-12);
+    assert_relative(box_method_value(&pp_method_sphere, &box, 0), expected, 1e-12);
     /* it sends nothing up, clear or diffusing */
     box.openings[0].glass = pp_glass_diffusing(pp_glass_clear_single().diffuse);
-    assert_relative(value_of(&pp_method_sphere, &box, 0), 0.85 * expected, 1e-12);
+    assert_relative(box_method_value(&pp_method_sphere, &box, 0), 0.85 * expected,
+                    1e-12);
 }
 
 /* What the open overcast sky gives glass at the slope beta. */
@@ -169,12 +130,12 @@ static void sloping_glass_has_the_skys_exact_share_and_its_ground(void **state)
         double A = 2 * 3.3 * 4.9 + 2 * 8.2 * 2.6;
         double scale = 0.85 * 0.77 / (A - 0.4 * (A - 0.77) - 0.1 * 0.77) * 0.4;
         double ground = 0.2 * (1 - cos(beta)) / 2;
-        /* both parts have one colour, so that where light falls first is all the same
-         */
-        assert_relative(value_of(&pp_method_sphere, &box, 0),
+        /* both parts have one colour, so that where light falls first is all the
+         * same */
+        assert_relative(box_method_value(&pp_method_sphere, &box, 0),
                         scale * (open_sky_on_slope(beta) + ground), 1e-12);
         box.world.sky = pp_sky_uniform();
-        assert_relative(value_of(&pp_method_sphere, &box, 0),
+        assert_relative(box_method_value(&pp_method_sphere, &box, 0),
                         scale * ((1 + cos(beta)) / 2 + ground), 1e-12);
     }
 }

@@ -1,21 +1,12 @@
 /* test_split_flux.c - the split-flux formula, for clear and diffusing glass. */
 #include "methods/reflected/interior.h"
-#include "methods/method_entries.h"
+#include "methods/method.h"
 
-#include "tests/lib/near.h"
-
-#include "tests/lib/box_room.h"
+#include "tests/methods/box_method.h"
 
 static double split_flux_of(struct box_room *box, int index)
 {
-    struct pp_part part = {0};
-    const struct pp_opening *opening = box->openings + index;
-    assert_null(pp_method_split_flux.refuses_room(&box->world, NULL));
-    assert_null(pp_method_split_flux.refuses(&box->world, opening, NULL));
-    assert_int_equal(
-        pp_method_split_flux.evaluate(&box->world, opening, NULL, NULL, &part, NULL),
-        PP_OK);
-    return part.value;
+    return box_method_value(&pp_method_split_flux, box, index);
 }
 
 static void worked_room_has_1_2962_per_cent(void **state)
@@ -28,39 +19,12 @@ static void worked_room_has_1_2962_per_cent(void **state)
     assert_near(100.0 * split_flux_of(&box, 0), 1.2962, 5e-5); /* as printed */
 }
 
-/* A room with all numbers awkward, and what the formulae name in it. */
-struct symbols {
-    double tau, Ag, A_u, A_l, rho_u, rho_l, rho_g, C;
-};
-
-static struct symbols build_awkward_room(struct box_room *box, struct pp_glass glass)
-{
-    double w = 3.7, d = 5.3, h = 2.9, middle = 0.7 + 1.3 / 2;
-    double floor = 0.15, walls = 0.62, ceiling = 0.81;
-    box_room_build(box, w, d, h, floor, walls, ceiling);
-    struct pp_opening *window = box_room_south(box, 0.4, 0.7, 1.9, 1.3);
-    window->glass = glass;
-    window->frame_factor = 0.83;
-    box->world.ground_reflectance = 0.17;
-    box_room_skyline(box, 34.0 * PP_RAD, middle, INFINITY);
-
-    double half_glass = 1.9 * 1.3 / 2, round = 2 * (w + d);
-    double upper_walls = round * (h - middle) - half_glass;
-    double lower_walls = round * middle - half_glass;
-    struct symbols s = {.Ag = 1.9 * 1.3 * 0.83, .rho_g = 0.17, .C = 0.23};
-    s.tau = 0.85 * glass.diffuse / pp_glass_clear_single().diffuse;
-    s.A_u = w * d + upper_walls;
-    s.A_l = w * d + lower_walls;
-    s.rho_u = (w * d * ceiling + upper_walls * walls) / s.A_u;
-    s.rho_l = (w * d * floor + lower_walls * walls) / s.A_l;
-    return s;
-}
-
 static void clear_window_is_the_published_equation_9(void **state)
 {
     (void)state;
     struct box_room box;
-    struct symbols s = build_awkward_room(&box, pp_glass_clear_single());
+    struct box_method_symbols s =
+        box_method_awkward_room(&box, pp_glass_clear_single());
     double published =
         s.tau * s.Ag / (1 - s.rho_u * s.rho_l)
         * (s.rho_u * s.rho_g / (2 * s.A_u) + s.rho_u * s.rho_l * s.C / s.A_l);
@@ -71,7 +35,8 @@ static void diffusing_window_is_the_published_equation_12(void **state)
 {
     (void)state;
     struct box_room box;
-    struct symbols s = build_awkward_room(&box, pp_glass_diffusing(0.52));
+    struct box_method_symbols s =
+        box_method_awkward_room(&box, pp_glass_diffusing(0.52));
     double published = s.tau * s.Ag / (1 - s.rho_u * s.rho_l) * 0.5
                        * (s.rho_g / 2 + s.C)
                        * (s.rho_u / s.A_u + s.rho_u * s.rho_l / s.A_l);
@@ -124,7 +89,7 @@ static void other_skies_use_their_own_ratio(void **state)
 {
     (void)state;
     struct box_room box;
-    struct symbols s = build_awkward_room(&box, pp_glass_none());
+    struct box_method_symbols s = box_method_awkward_room(&box, pp_glass_none());
     box.world.sky = pp_sky_uniform();
     s.C = 0.5 * (1 - 34.0 / 90.0);
     double published =

@@ -1,11 +1,12 @@
-/* What hides what: odd cases of openings, occluders inside and obstructions outside. */
+/* test_visible.c - views with unusual openings, occluders inside and obstructions
+ * outside, by two routes. */
 #include "tests/lib/near.h"
 
 #include <stdio.h>
 
 #include "methods/exact/direct.h"
-#include "methods/exact/exact.h"
-#include "methods/view/exterior.h"
+#include "methods/method.h"
+#include "methods/exact/exterior.h"
 #include "methods/view/visible.h"
 #include "tests/lib/meridians.h"
 #include "tests/lib/room_of.h"
@@ -128,8 +129,8 @@ static void what_is_not_in_the_way_changes_nothing(void **state)
                     "<vertex x='2' y='4.5' z='0'/><vertex x='2' y='4.5' z='2'/>"
                     "<vertex x='1' y='4.5' z='2'/></surface>"));
     struct pp_receiver receiver = receiver_at(1.4, 2.3, 0.85);
-    struct pp_part part = part_of(world, &receiver), alone = part_of(bare, &receiver);
-    assert_near(part.sky, alone.sky, 0.0);
+    struct pp_part part = part_of(world, &receiver), plain = part_of(bare, &receiver);
+    assert_near(part.sky, plain.sky, 0.0);
     assert_near(part.external, 0.0, 0.0);
     pp_world_destroy(world);
     pp_world_destroy(bare);
@@ -406,7 +407,7 @@ static void assert_sum_of_pieces(const char *before, double x, double z)
         assert_relative(part.sky, sky[p], 1e-6); /* what exact.h promises with glass */
         assert_relative(part.external, external[p], 1e-6);
     }
-    pp_method_exact.put_away(tools);
+    pp_method_exact.destroy_tools(tools);
     pp_world_destroy(world);
 }
 
@@ -445,19 +446,19 @@ static void an_uneven_pane_is_the_same_prepared_and_roughly(void **state)
     assert_non_null(tools);
     for (int i = 0; i < 6; i++) {
         struct pp_receiver receiver = receiver_at(0.7 + 0.37 * i, 0.1 + 0.53 * i, 0.85);
-        struct pp_part alone = part_of(world, &receiver), prepared = {0}, rough = {0};
+        struct pp_part plain = part_of(world, &receiver), prepared = {0}, rough = {0};
         assert_int_equal(exact->evaluate(world, &world->openings[0], &receiver, tools,
                                          &prepared, NULL),
                          PP_OK);
         assert_int_equal(exact->evaluate_roughly(world, &world->openings[0], &receiver,
                                                  tools, &rough, NULL),
                          PP_OK);
-        assert_true(alone.sky > 0.0 && prepared.sky == alone.sky);
-        assert_true(prepared.external == alone.external);
-        assert_relative(rough.sky, alone.sky, 1e-4);
-        assert_relative(rough.external, alone.external, 1e-4);
+        assert_true(plain.sky > 0.0 && prepared.sky == plain.sky);
+        assert_true(prepared.external == plain.external);
+        assert_relative(rough.sky, plain.sky, 1e-4);
+        assert_relative(rough.external, plain.external, 1e-4);
     }
-    exact->put_away(tools);
+    exact->destroy_tools(tools);
     pp_world_destroy(world);
 }
 

@@ -68,8 +68,8 @@ static struct tally count_obstructed(const struct pp_waldram *waldram, double x0
     return count_ring(waldram, &upright, xy, 9);
 }
 
-/* Droop lines are drawn to a thousandth of a square's side, bulges with their own area.
- */
+/* Droop lines are drawn to a thousandth of a square's side, bulges with their own
+ * area. */
 static void parts_of_squares_add_up_to_the_exact_area(void **state)
 {
     (void)state;

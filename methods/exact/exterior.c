@@ -1,16 +1,19 @@
-/* environment.c - see environment.h. */
-#include "methods/view/exterior.h"
+/* exterior.c - half a cube of views about a point outside, summed by direct.h, or the
+ * open sky in closed form where no surface is in front of the plane. */
+#include "methods/exact/exterior.h"
 
 #include <stdlib.h>
 
 #include "methods/exact/direct.h"
-#include "methods/view/occluders.h"
 #include "methods/exact/solid_angle.h"
+#include "methods/view/occluders.h"
 #include "methods/view/visible.h"
+#include "model/geometry/frame.h"
 
-/* Does any surface but the plane's own, and no reveal, reach beyond the plane? */
-static bool has_surface_beyond(const struct pp_world *world, struct pp_vec3 position,
-                               struct pp_vec3 normal, int face)
+/* Does any surface reach in front of the plane, other than the plane's own face and
+ * reveals? */
+static bool has_surface_in_front(const struct pp_world *world, struct pp_vec3 position,
+                                 struct pp_vec3 normal, int face)
 {
     for (int i = 0; i < world->surface_count; i++) {
         const struct pp_surface *surface = &world->surfaces[i];
@@ -31,18 +34,19 @@ bool pp_exterior_is_uniform(const struct pp_world *world,
         if (world->skylines[i].face == opening->face
             && !isinf(world->skylines[i].distance_m))
             return false;
-    return !has_surface_beyond(world, opening->outer.vertices[0],
-                               pp_vec_scale(opening->inner.normal, -1.0),
-                               opening->face);
+    return !has_surface_in_front(world, opening->outer.vertices[0],
+                                 pp_vec_scale(opening->inner.normal, -1.0),
+                                 opening->face);
 }
 
-/* Two directions that make up a right-handed frame with n. */
-static void frame_of(struct pp_vec3 n, struct pp_vec3 *a, struct pp_vec3 *b)
+/* A frame with z along n. */
+static struct pp_frame frame_about(struct pp_vec3 n)
 {
     struct pp_vec3 level = {-n.y, n.x, 0.0};
-    *a = hypot(n.x, n.y) > 1e-6 ? pp_vec_unit(level) : pp_vec(1.0, 0.0, 0.0);
-    *b = pp_vec_unit(pp_vec_cross(n, *a));
-    *a = pp_vec_cross(*b, n);
+    struct pp_vec3 a =
+        hypot(n.x, n.y) > 1e-6 ? pp_vec_unit(level) : pp_vec(1.0, 0.0, 0.0);
+    struct pp_vec3 b = pp_vec_unit(pp_vec_cross(n, a));
+    return (struct pp_frame){pp_vec_cross(b, n), b, n};
 }
 
 enum pp_status pp_exterior_light_on_plane(struct pp_exterior_light *outside,
@@ -52,7 +56,7 @@ enum pp_status pp_exterior_light_on_plane(struct pp_exterior_light *outside,
                                           struct pp_vec3 normal, int face,
                                           struct pp_error *err)
 {
-    bool hidden = has_surface_beyond(world, position, normal, face);
+    bool hidden = has_surface_in_front(world, position, normal, face);
     for (int i = 0; i < world->skyline_count; i++)
         hidden = hidden || (face >= 0 && world->skylines[i].face == face);
     if (!hidden) {
@@ -63,8 +67,8 @@ enum pp_status pp_exterior_light_on_plane(struct pp_exterior_light *outside,
     }
 
     /* Half a cube about the position: the face ahead and half of each beside it. */
-    struct pp_vec3 a, b;
-    frame_of(normal, &a, &b);
+    struct pp_frame frame = frame_about(normal);
+    struct pp_vec3 a = frame.x, b = frame.y;
     struct pp_vec3 toward[5] = {normal, a, pp_vec_scale(a, -1.0), b,
                                 pp_vec_scale(b, -1.0)};
     struct pp_direct sum = {0};
@@ -117,25 +121,6 @@ enum pp_status pp_exterior_sky_on_plane(double *share, const struct pp_world *wo
         opening->face, err);
     if (status == PP_OK)
         *share = outside.sky;
-    return status;
-}
-
-enum pp_status pp_exterior_visible_part(struct pp_region *region,
-                                        const struct pp_world *world,
-                                        const struct pp_opening *opening,
-                                        struct pp_vec3 position, struct pp_error *err)
-{
-    struct pp_visible visible;
-    *region = (struct pp_region){0};
-    enum pp_status status = pp_visible_opening(&visible, world, opening, position, err);
-    if (status != PP_OK || visible.patch_count == 0)
-        return status;
-    status = pp_region_copy(region, &visible.patches[0].region, err);
-    for (int r = 0; r < region->count; r++)
-        for (int i = 0; i < region->rings[r].count; i++)
-            for (int axis = 0; axis < 2; axis++)
-                region->rings[r].xy[i][axis] /= visible.view.distance_m;
-    pp_visible_clear(&visible);
     return status;
 }
 

@@ -1,6 +1,6 @@
-/* test_drawing_board.c - `waldram` and `pepper-pot` in rooms: squares and dots against
- * the exact direct component. */
-#include "methods/method_entries.h"
+/* test_counted_methods.c - `waldram` and `pepper-pot` in rooms: squares and dots
+ * against the exact direct component. */
+#include "methods/method.h"
 #include "methods/waldram/waldram_squares.h"
 #include "methods/view/window_drawing.h"
 #include "methods/allowance.h"
@@ -40,8 +40,8 @@ static struct pp_part direct(const struct pp_method *method,
         sum.sky += factor * part.sky;
         sum.external += factor * part.external;
     }
-    if (method->put_away)
-        method->put_away(tools);
+    if (method->destroy_tools)
+        method->destroy_tools(tools);
     return sum;
 }
 
@@ -54,8 +54,8 @@ static struct pp_part areas(const struct pp_world *world,
     assert_int_equal(pp_waldram_scale_init(&waldram, &world->sky, glazed, NULL), PP_OK);
     for (int i = 0; i < world->opening_count; i++) {
         struct pp_window_drawing drawing;
-        assert_int_equal(pp_window_drawing_create(&drawing, world, &world->openings[i],
-                                                  receiver->position, NULL),
+        assert_int_equal(pp_window_drawing_init(&drawing, world, &world->openings[i],
+                                                receiver->position, NULL),
                          PP_OK);
         for (int k = 0; k < drawing.count; k++) {
             const struct pp_drawn_part *part = &drawing.parts[k];

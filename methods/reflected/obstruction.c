@@ -1,7 +1,21 @@
-/* obstruction_angle.c - see obstruction_angle.h. */
-#include "methods/reflected/obstruction_angle.h"
+/* obstruction.c - the obstruction angle alpha of an opening by skyline or by VSC, VSC
+ * and alpha from one another, and the printed factor C. */
+#include "methods/reflected/obstruction.h"
 
-#include "methods/view/exterior.h"
+#include "methods/exact/exterior.h"
+#include "methods/interpolate.h"
+
+/* obstruction (degrees), C (per cent) */
+static const double printed[][2] = {
+#include "tables/bre_obstruction_factors.inc"
+};
+
+enum { ROWS = sizeof printed / sizeof printed[0] };
+
+double pp_obstruction_factor(double angle_rad)
+{
+    return pp_interpolate_linear(printed, ROWS, angle_rad / PP_RAD) / 100.0;
+}
 
 double pp_obstruction_angle_to_vsc(enum pp_sky_kind sky, double angle_rad)
 {
@@ -22,9 +36,9 @@ double pp_obstruction_angle_from_vsc(enum pp_sky_kind sky, double share)
     return asin(fmin(fmax(s, 0.0), 1.0));
 }
 
-/* Does any of the vertices lie beyond the opening's plane, on the outer side? */
-static bool lies_beyond(const struct pp_polygon *outline,
-                        const struct pp_opening *opening)
+/* Does any of the vertices lie in front of the opening's plane, on the outer side? */
+static bool reaches_in_front(const struct pp_polygon *outline,
+                             const struct pp_opening *opening)
 {
     for (int i = 0; i < outline->count; i++) {
         struct pp_vec3 from =
@@ -35,14 +49,14 @@ static bool lies_beyond(const struct pp_polygon *outline,
     return false;
 }
 
-/* Does anything but an endless skyline stand before the opening? */
-static bool has_more_than_skyline(const struct pp_world *world,
-                                  const struct pp_opening *opening)
+/* Do surfaces, which are no endless skyline, stand before the opening? */
+static bool has_surface_in_front(const struct pp_world *world,
+                                 const struct pp_opening *opening)
 {
     for (int i = 0; i < world->surface_count; i++) {
         const struct pp_surface *surface = world->surfaces + i;
         bool out_of_doors = i < world->face_count || !surface->inside;
-        if (out_of_doors && lies_beyond(&surface->outline, opening))
+        if (out_of_doors && reaches_in_front(&surface->outline, opening))
             return true;
     }
     return false;
@@ -69,7 +83,7 @@ enum pp_status pp_obstruction_angle(double *angle_rad, const struct pp_world *wo
                                     const struct pp_opening *opening,
                                     struct pp_error *err)
 {
-    if (!has_more_than_skyline(world, opening)) {
+    if (!has_surface_in_front(world, opening)) {
         *angle_rad = skyline_angle(world, opening);
         return PP_OK;
     }

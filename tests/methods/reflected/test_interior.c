@@ -1,4 +1,4 @@
-/* test_inside.c - areas and mean reflectances of the inside of a room. */
+/* test_interior.c - areas and mean reflectances of the inside surfaces of a room. */
 #include "methods/reflected/interior.h"
 
 #include "tests/lib/near.h"

@@ -1,23 +1,23 @@
-/* protractor.h - what the protractor's readings of one opening are: for the method and
- * for its worked chart. */
-#ifndef PP_METHODS_PROTRACTOR_PROTRACTOR_H
-#define PP_METHODS_PROTRACTOR_PROTRACTOR_H
+/* protractor_read.h - one opening read with a BRS daylight protractor [BRE309],
+ * rectangle by rectangle, for the method and for its worked chart. */
+#ifndef PP_METHODS_PROTRACTOR_PROTRACTOR_READ_H
+#define PP_METHODS_PROTRACTOR_PROTRACTOR_READ_H
 
 #include "methods/protractor/protractor_dial.h"
 #include "model/results/protractor_sheet.h"
 
-/* The slope as protractors have it: 0 level and pi/2 upright; over pi/2 for an opening
- * that leans out over who looks through it from inside. */
+/* The slope of an opening in the sense of protractors (rad): 0 level, pi/2 vertical,
+ * over pi/2 for an opening whose outer side faces down. */
 double pp_protractor_read_slope(const struct pp_opening *opening);
 
-/* Which protractor an opening is read with; PP_BAD_INPUT where there is none. */
+/* The protractor for an opening; PP_BAD_INPUT where there is none. */
 enum pp_status pp_protractor_read_choose(struct pp_protractor *protractor,
                                          const struct pp_sky *sky,
                                          const struct pp_opening *opening,
                                          struct pp_error *err);
 
-/* Reads all that the point sees of the opening; none where it sees nothing. To be
- * cleared by the caller; empty on failure. */
+/* Reads all rectangles that the point sees in the opening. The readings are to be
+ * cleared by the caller; empty where the point sees nothing, and on failure. */
 enum pp_status pp_protractor_read(struct pp_protractor_readings *readings,
                                   const struct pp_protractor_dial *dial,
                                   const struct pp_world *world,

@@ -1,8 +1,10 @@
-/* lumen_parts.h - what the reader of the lumen method's tables and their user share. */
-#ifndef PP_METHODS_LUMEN_LUMEN_PARTS_H
-#define PP_METHODS_LUMEN_LUMEN_PARTS_H
+/* lumen_table_build.h - the tables of coefficients of utilization as grids, and how
+ * lines in any order become one. For the files of lumen/ only. */
+#ifndef PP_METHODS_LUMEN_LUMEN_TABLE_BUILD_H
+#define PP_METHODS_LUMEN_LUMEN_TABLE_BUILD_H
 
 #include "methods/lumen/lumen_table.h"
+#include "model/base/mistakes.h"
 
 /* One line of a table for light from the side. */
 struct pp_lumen_line {
@@ -19,7 +21,8 @@ struct pp_lumen_top_line {
     int line;
 };
 
-/* Light from the side. Skies lie one behind another, the ground last. */
+/* Light from the side. `light` is the index of a sky or, behind the last, the
+ * ground. */
 struct pp_lumen_side_table {
     struct pp_lumen_axis sky, axes[PP_LUMEN_SIDE_AXES];
     double *cu; /* [light][ceiling][walls][depth][position][width]; NAN: not given */
@@ -37,9 +40,9 @@ struct pp_lumen_table {
     struct pp_lumen_top_table top;
 };
 
-/* A table out of lines in any order. Reflectances that are NAN in all of them are not
- * asked for. Lines that say the same twice, and axes of more than PP_LUMEN_AXIS_MOST
- * values, are noted as mistakes. */
+/* A table from lines in any order. A reflectance that is NAN in all lines makes no
+ * axis. Two lines for one cell, and axes of more than PP_LUMEN_AXIS_MOST values, are
+ * noted as mistakes. */
 enum pp_status pp_lumen_table_build_side(struct pp_lumen_side_table *table,
                                          const struct pp_lumen_axis *widths,
                                          const struct pp_lumen_line *lines, int count,
@@ -49,5 +52,9 @@ enum pp_status pp_lumen_table_build_top(struct pp_lumen_top_table *table,
                                         const struct pp_lumen_top_line *lines,
                                         int count, struct pp_mistakes *mistakes,
                                         struct pp_error *err);
+
+/* Index in cu of a cell of the side table, at[PP_LUMEN_WIDTH] included. */
+size_t pp_lumen_table_build_cell(const struct pp_lumen_side_table *table, int light,
+                                 const int at[PP_LUMEN_SIDE_AXES], int position);
 
 #endif

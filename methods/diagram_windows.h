@@ -1,0 +1,39 @@
+/* diagram_windows.h - the windows of a room on the diagrams of a graphical method:
+ * which windows share a diagram, and how a window is entered on one.
+ *
+ * Windows that face the same way and have glass, or none, alike share a diagram. */
+#ifndef PP_METHODS_DIAGRAM_WINDOWS_H
+#define PP_METHODS_DIAGRAM_WINDOWS_H
+
+#include "methods/method.h"
+#include "methods/view/window_drawing.h"
+#include "model/results/board_sheets.h"
+
+/* PP_OK where the method covers the room and all its openings for the receiver; else
+ * PP_BAD_INPUT and why. */
+enum pp_status pp_diagram_windows_check(const struct pp_method *method,
+                                        const struct pp_world *world,
+                                        const struct pp_receiver *receiver,
+                                        struct pp_error *err);
+
+/* The index of the first opening that shares a diagram with opening `index`, which may
+ * be `index` itself. */
+int pp_diagram_windows_first_alike(const struct pp_world *world, int index);
+
+/* The number of openings on the diagram whose first opening is `first`. */
+int pp_diagram_windows_count_alike(const struct pp_world *world, int first);
+
+/* The number of diagrams that a room needs. */
+int pp_diagram_windows_diagram_count(const struct pp_world *world);
+
+/* Draws an opening as seen from the point and begins the sheet's window for it: its
+ * line, corrections, distance, and room for a piece for each part of the drawing. On
+ * success the drawing is the caller's to clear. */
+enum pp_status pp_diagram_windows_begin(struct pp_board_window *window,
+                                        struct pp_window_drawing *drawing,
+                                        const struct pp_method *method,
+                                        const struct pp_world *world,
+                                        const struct pp_opening *opening,
+                                        struct pp_vec3 point, struct pp_error *err);
+
+#endif

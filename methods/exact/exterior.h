@@ -1,0 +1,55 @@
+/* exterior.h - the light on planes outside and the visible sky, by the geometry of
+ * `exact`, for other methods and for criteria.
+ */
+#ifndef PP_METHODS_EXACT_EXTERIOR_H
+#define PP_METHODS_EXACT_EXTERIOR_H
+
+#include <stdbool.h>
+
+#include "model/room/world.h"
+
+/* The centroid of an opening's outer outline. */
+struct pp_vec3 pp_exterior_opening_centroid(const struct pp_opening *opening);
+
+/* Illuminance over Eh, from the visible sky alone and without glass, of a plane through
+ * the centroid of the opening's outer outline with the outward unit normal `normal`;
+ * for a vertical normal the vertical sky component. The sky is `sky`, not the world's.
+ * Obstructions are the skylines of the opening's own face, blocks, free-standing
+ * surfaces outside and the building's own outer faces. */
+enum pp_status pp_exterior_sky_on_plane(double *share, const struct pp_world *world,
+                                        const struct pp_opening *opening,
+                                        struct pp_vec3 normal, const struct pp_sky *sky,
+                                        struct pp_error *err);
+
+/* Illuminances of a plane, over Eh. */
+struct pp_exterior_light {
+    double sky;      /* from the sky alone */
+    double external; /* from the ground and from obstructions: equivalent sky component
+                      * times luminance factor, and exitance */
+};
+
+/* The illuminances of a plane through any position outside, with unit normal `normal`.
+ * `face` is the index of the surface that the plane is part of: it hides nothing, and
+ * its skylines are the ones before the plane; -1: no such surface and no skylines.
+ * Closed form for the overcast and uniform skies (errors of 1e-13), else quadrature to
+ * 1e-9. */
+enum pp_status pp_exterior_light_on_plane(struct pp_exterior_light *outside,
+                                          const struct pp_world *world,
+                                          const struct pp_sky *sky,
+                                          struct pp_vec3 position,
+                                          struct pp_vec3 normal, int face,
+                                          struct pp_error *err);
+
+/* Is the illuminance the same all over an opening's outside, with nothing before the
+ * opening but sky, ground and skylines without a distance? */
+bool pp_exterior_is_uniform(const struct pp_world *world,
+                            const struct pp_opening *opening);
+
+/* Solid angle (sr) of the sky that is directly visible from a point in the room through
+ * all its openings, whatever their glass; none through diffusing panes. Exactly 0 where
+ * no sky is visible. */
+enum pp_status pp_exterior_sky_solid_angle(double *solid_angle,
+                                           const struct pp_world *world,
+                                           struct pp_vec3 eye, struct pp_error *err);
+
+#endif

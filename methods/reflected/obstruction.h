@@ -1,0 +1,46 @@
+/* obstruction.h - obstructions outside in the formulae of the internally reflected
+ * component and of the average daylight factor: one angle, and the factor C by that
+ * angle.
+ *
+ * The formulae were made for an endless skyline parallel to the window, at the section
+ * angle alpha (so that tan altitude = tan alpha cos azimuth). Before such a skyline a
+ * vertical plane gets from the sky alone, as a fraction of Eh, by integration over the
+ * strip of sky above the skyline,
+ *
+ *     overcast   VSC(alpha) = 3/14 (1 - sin alpha) + 4/(7 pi) cos^2 alpha
+ *     uniform    VSC(alpha) = 1/2 (1 - sin alpha)
+ *
+ * Blocks and other obstructions become the endless skyline with the same VSC at the
+ * opening's centre.
+ */
+#ifndef PP_METHODS_REFLECTED_OBSTRUCTION_H
+#define PP_METHODS_REFLECTED_OBSTRUCTION_H
+
+#include "model/room/world.h"
+
+/* VSC(alpha); angle 0 to pi/2. ISO skies count as the overcast sky: the angle stands
+ * for a shape, whose VSC has no closed form under those skies. */
+double pp_obstruction_angle_to_vsc(enum pp_sky_kind sky, double angle_rad);
+
+/* The angle at which VSC is `share`, in closed form; 0 for any share above that of the
+ * open sky, pi/2 for one below 0. */
+double pp_obstruction_angle_from_vsc(enum pp_sky_kind sky, double share);
+
+/* alpha of an opening (rad, 0 to pi/2): the angle of its own wall's skyline from the
+ * middle of the opening's height; where blocks, free-standing surfaces outside or other
+ * parts of the building stand before the opening, the angle by the VSC with all
+ * obstructions. For a sloping opening the VSC is that of the vertical plane with the
+ * same azimuth; the angle of a horizontal opening is 90 degrees times the share of the
+ * sky's light that is hidden. */
+enum pp_status pp_obstruction_angle(double *angle_rad, const struct pp_world *world,
+                                    const struct pp_opening *opening,
+                                    struct pp_error *err);
+
+/* Factor C of the BRE inter-reflection formula: illuminance of a vertical window from
+ * above the horizon over Eh, CIE overcast sky, before an endless obstruction of
+ * altitude angle_rad (0 to pi/2). A fraction, 0.39 to 0.05, which includes the light
+ * that the obstruction reflects. The printed table [BRE310], linear between its angles,
+ * constant above its last one. */
+double pp_obstruction_factor(double angle_rad);
+
+#endif

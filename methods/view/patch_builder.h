@@ -1,0 +1,29 @@
+/* patch_builder.h - builds the patches of a view (visible.h) from the outline that is
+ * looked through and the occluders on either side of the plane. For visible.c only.
+ */
+#ifndef PP_METHODS_VIEW_PATCH_BUILDER_H
+#define PP_METHODS_VIEW_PATCH_BUILDER_H
+
+#include "methods/view/occluders.h"
+#include "methods/view/visible.h"
+
+/* scene and, for an outline that is no rectangle, clipper and open are set before; all
+ * else is zero. */
+struct pp_patch_builder {
+    struct pp_occluders_scene scene;
+    struct pp_occluders inside, outside;
+    struct pp_clipper *clipper; /* NULL until it is needed */
+    struct pp_region open;      /* the part that is not hidden inside */
+    bool open_is_extent;        /* is it the whole rectangle from scene.low to high? */
+    double grid;                /* on which regions are overlaid */
+};
+
+/* Fills visible. The outline is builder->open or, where that is empty, the rectangle
+ * visible->ring. Without `with_outside`, obstructions and skylines are left out. */
+enum pp_status pp_patch_builder_fill(struct pp_visible *visible,
+                                     struct pp_patch_builder *builder,
+                                     bool with_outside, struct pp_error *err);
+
+void pp_patch_builder_clear(struct pp_patch_builder *builder);
+
+#endif
