@@ -6,7 +6,7 @@
  *     struct pp_error err;
  *
  *     if (pp_building_read(&building, "room.xml", mistakes, &err) == PP_OK
- *         && pp_study_create(&study, building, 0, mistakes, &err) == PP_OK
+ *         && pp_study_create(&study, building, 0, NULL, mistakes, &err) == PP_OK
  *         && pp_study_methods(study, "exact+bre", false, &err) == PP_OK
  *         && pp_study_simulate(study, NULL, &err) == PP_OK)
  *         while (!pp_study_done(study))

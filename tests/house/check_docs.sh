@@ -86,6 +86,10 @@ check "every option is in the man page" \
 "$program" chart --list | sed -n 's/^  \([a-z][a-z-]*\) .*/\1/p' >"$scratch/charts"
 check "every chart is in the manual" nothing "$(not_in docs/manual.md <"$scratch/charts")"
 
+reference() {
+    ${AWK:-awk} -f docs/reference.awk pepperpot.h | cmp - docs/reference.md
+}
+check "docs/reference.md is what make reference makes of pepperpot.h" reference
 check "every folder of the sources is in ARCHITECTURE.md" \
     nothing "$(find $folders -type d | sed 's|.*/||; s|$|/|' | not_in ARCHITECTURE.md)"
 tap_done
