@@ -3,6 +3,7 @@
 
 #include <ctype.h>
 #include <dirent.h>
+#include <limits.h>
 #include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -43,7 +44,7 @@ static char *copy_of(const char *text)
 
 static void read_base(struct reader *reader, const char *name)
 {
-    char path[1024];
+    char path[2 * PATH_MAX];
     struct pp_error err = {0};
     snprintf(path, sizeof path, "%s/%s", reader->folder, name);
     free(reader->base);
