@@ -1,3 +1,4 @@
+/* text.c - see text.h. */
 #include "model/base/text.h"
 
 #include <limits.h>
@@ -108,6 +109,32 @@ const char *pp_text_list_names(char *text, size_t size, const char *const *names
     text[0] = '\0';
     pp_text_append_list(text, size, names, count, " or ");
     return text;
+}
+
+void pp_text_append_nearest(char *text, size_t room, const char *typed,
+                            const char *const *names, int count)
+{
+    const char *nearest = pp_text_nearest(typed, names, count);
+    if (nearest)
+        pp_text_append(text, room, "; did you mean \"%s\"?", nearest);
+}
+
+enum pp_status pp_text_unknown(struct pp_error *err, const char *typed,
+                               const char *const *names, int count,
+                               const char *otherwise, const char *format, ...)
+{
+    char message[sizeof err->message] = "", expected[512];
+    va_list arguments;
+    va_start(arguments, format);
+    pp_text_append_v(message, sizeof message, format, arguments);
+    va_end(arguments);
+    const char *nearest = pp_text_nearest(typed, names, count);
+    if (nearest)
+        return pp_fail(err, PP_BAD_INPUT, "%s; did you mean %s?", message, nearest);
+    if (otherwise)
+        return pp_fail(err, PP_BAD_INPUT, "%s%s", message, otherwise);
+    return pp_fail(err, PP_BAD_INPUT, "%s; expected %s", message,
+                   pp_text_list_names(expected, sizeof expected, names, count));
 }
 
 /* Bytes of the UTF-8 letter at p, never past its terminating NUL. */

@@ -1,4 +1,4 @@
-/* Text put together piece by piece. */
+/* Text put together piece by piece, and names that were mistyped. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -47,12 +47,37 @@ static void names_are_listed_as_in_a_sentence(void **state)
     assert_string_equal(text, "no dirt, frame or glass");
 }
 
+static void an_unknown_name_is_answered_with_the_nearest_or_with_all(void **state)
+{
+    (void)state;
+    const char *const names[] = {"dirt", "frame", "glass", NULL};
+    struct pp_error err = {0};
+    assert_int_equal(pp_text_unknown(&err, "galss", names, 3, NULL,
+                                     "there is no loss \"%s\"", "galss"),
+                     PP_BAD_INPUT);
+    assert_string_equal(err.message, "there is no loss \"galss\"; did you mean glass?");
+    pp_text_unknown(&err, "wind", names, -1, NULL, "there is no loss \"%s\"", "wind");
+    assert_string_equal(err.message,
+                        "there is no loss \"wind\"; expected dirt, frame or glass");
+    pp_text_unknown(&err, "wind", names, 3, "", "there is no loss");
+    assert_string_equal(err.message, "there is no loss");
+    assert_int_equal(pp_text_unknown(NULL, "wind", names, 3, "", "no loss"),
+                     PP_BAD_INPUT);
+
+    char text[64] = "no loss";
+    pp_text_append_nearest(text, sizeof text, "wind", names, 3);
+    assert_string_equal(text, "no loss");
+    pp_text_append_nearest(text, sizeof text, "fram", names, 3);
+    assert_string_equal(text, "no loss; did you mean \"frame\"?");
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(pieces_follow_one_another),
         cmocka_unit_test(what_has_no_room_is_cut_off),
         cmocka_unit_test(names_are_listed_as_in_a_sentence),
+        cmocka_unit_test(an_unknown_name_is_answered_with_the_nearest_or_with_all),
     };
-    return cmocka_run_group_tests_name("sentences", tests, NULL, NULL);
+    return cmocka_run_group_tests_name("text", tests, NULL, NULL);
 }
