@@ -118,8 +118,8 @@ static enum pp_status read_summer(const char *text, void *place, struct pp_error
     } else if (text[length] == '-' && length < sizeof from) {
         memcpy(from, text, length);
         from[length] = '\0';
-        good = pp_epw_header_parse_month_day(from, &choice.time.from)
-               && pp_epw_header_parse_month_day(text + length + 1, &choice.time.to);
+        good = pp_month_day_parse(from, &choice.time.from)
+               && pp_month_day_parse(text + length + 1, &choice.time.to);
     }
     if (!good)
         return pp_fail(
@@ -423,8 +423,8 @@ static void say_calendar(struct pp_environment_light *outside,
     if (summer.from.month)
         snprintf(outside->calendar, sizeof outside->calendar,
                  "%s; standard time, an hour ahead from %s to %s", days,
-                 pp_epw_header_month_day_words(from, sizeof from, summer.from),
-                 pp_epw_header_month_day_words(to, sizeof to, summer.to));
+                 pp_month_day_words(from, sizeof from, summer.from),
+                 pp_month_day_words(to, sizeof to, summer.to));
     else
         snprintf(outside->calendar, sizeof outside->calendar,
                  "%s; standard time all year", days);

@@ -1,34 +1,28 @@
-/* rad_genbox.c - the box that a line "!genbox" makes, its edges sharp, bevelled, round.
+/* rad_genbox.c - see rad_genbox.h.
  *
  * Edges are cut off by -b and rounded by -r. Rounded ones are cylinders and spheres;
  * with -n, and in boxes that look inwards, as many flat segments a quarter turn as the
  * power of two from N up. A bevel is a rounding of one segment.
  */
-#include <stdlib.h>
+#include "formats/radiance/rad_genbox.h"
+
 #include <string.h>
 
+#include "formats/radiance/rad_shapes.h"
 #include "model/base/text.h"
-#include "formats/radiance/rad_reader.h"
 
 enum { SEGMENTS_MOST = 256, SEGMENTS_INWARDS = 32 };
 
 struct genbox_box {
     struct pp_rad_reader *reader;
-    const struct pp_rad_words *words;
-    int line;
-    const struct pp_rad_context *way;
+    const struct pp_rad_pipe *pipe; /* where the command stands */
+    const struct pp_rad_context *context;
     struct pp_rad_meaning material;
     double size[3];
     double inset; /* of the edges: 0 where they are sharp */
     bool inwards;
     int segments; /* a quarter turn; 0: round */
 };
-
-static enum pp_status fail(const struct genbox_box *box, struct pp_error *err,
-                           const char *what, const char *word)
-{
-    return pp_rad_words_fail(box->words, box->line, err, "%s%.60s", what, word);
-}
 
 /* ---- the words ---- */
 
@@ -50,17 +44,18 @@ static enum pp_status read_options(struct genbox_box *box, char *const *words,
         } else if (strcmp(word, "-n") == 0) {
             if (++i == count || !pp_text_parse_number(words[i], &number)
                 || !(number >= 1.0 && number <= SEGMENTS_MOST) || number != (int)number)
-                return fail(box, err,
-                            "expected a whole number from 1 to 256 behind genbox's ",
-                            word);
+                return pp_rad_pipe_fail(
+                    box->pipe, err,
+                    "expected a whole number from 1 to 256 behind genbox's ", word);
         } else if (valued) {
             if (++i == count || !read_size(words[i], &box->inset))
-                return fail(box, err, "expected a size behind genbox's ", word);
+                return pp_rad_pipe_fail(box->pipe, err,
+                                        "expected a size behind genbox's ", word);
             round = round || word[1] == 'r';
         } else {
-            return fail(box, err,
-                        "of genbox's options -i, -b, -r and -n are understood, not ",
-                        word);
+            return pp_rad_pipe_fail(
+                box->pipe, err,
+                "of genbox's options -i, -b, -r and -n are understood, not ", word);
         }
     }
     if (number == 1.0 && box->inwards)
@@ -71,9 +66,10 @@ static enum pp_status read_options(struct genbox_box *box, char *const *words,
         box->segments = 0;
     for (int i = 0; i < 3; i++)
         if (2.0 * box->inset > box->size[i])
-            return fail(box, err,
-                        "genbox of edges that meet: expected them at most half of ",
-                        words[3 + i]);
+            return pp_rad_pipe_fail(
+                box->pipe, err,
+                "genbox of edges that meet: expected them at most half of ",
+                words[3 + i]);
     return PP_OK;
 }
 
@@ -81,19 +77,22 @@ static enum pp_status read_box(struct genbox_box *box, char *const *words, int c
                                struct pp_error *err)
 {
     if (count < 6)
-        return fail(box, err, "expected genbox MATERIAL NAME and three sizes", "");
+        return pp_rad_pipe_fail(box->pipe, err,
+                                "expected genbox MATERIAL NAME and three sizes", "");
     if (!pp_rad_names_find(&box->reader->names, words[1], strlen(words[1]),
                            &box->material))
-        return fail(box, err, "there is no material ", words[1]);
+        return pp_rad_pipe_fail(box->pipe, err, "there is no material ", words[1]);
     for (int i = 0; i < 3; i++)
         if (!read_size(words[3 + i], &box->size[i]))
-            return fail(box, err, "genbox of a size of ", words[3 + i]);
+            return pp_rad_pipe_fail(box->pipe, err, "genbox of a size of ",
+                                    words[3 + i]);
     return read_options(box, words, count, err);
 }
 
 /* ---- its parts ---- */
 
-/* A corner of the inner box, that is smaller by the inset all round. */
+/* A corner of the inner box, which is smaller by the inset all round; bit i of `corner`
+ * says at which end of axis i. */
 static struct pp_vec3 inner_corner(const struct genbox_box *box, int corner)
 {
     double at[3];
@@ -123,8 +122,8 @@ static enum pp_status add_flat(const struct genbox_box *box, struct pp_vec3 *cor
             corners[i] = corners[count - 1 - i];
             corners[count - 1 - i] = other;
         }
-    return pp_rad_shapes_add_polygon(box->reader, box->words, box->line, box->material,
-                                     corners, count, box->way, err);
+    return pp_rad_shapes_add_polygon(box->reader, box->pipe->words, box->pipe->line,
+                                     box->material, corners, count, box->context, err);
 }
 
 /* The sides, two an axis. */
@@ -143,7 +142,7 @@ static enum pp_status add_sides(const struct genbox_box *box, struct pp_error *e
     return status;
 }
 
-/* Of a quarter turn from a to b in so many segments, the direction after `step`. */
+/* The direction after `step` of the segments of a quarter turn from a to b. */
 static struct pp_vec3 turned(struct pp_vec3 a, struct pp_vec3 b, int step, int segments)
 {
     if (step == 0)
@@ -166,8 +165,8 @@ static enum pp_status add_edge(const struct genbox_box *box, int corner, int axi
         struct pp_shape rod = {
             .kind = PP_SHAPE_CONE,
             .is.cone = {{ends[0], ends[1]}, {box->inset, box->inset}}};
-        return pp_rad_shapes_add(box->reader, box->words, box->line, box->material, rod,
-                                 box->way, err);
+        return pp_rad_shapes_add(box->reader, box->pipe->words, box->pipe->line,
+                                 box->material, rod, box->context, err);
     }
     struct pp_vec3 a = outward(corner, (axis + 1) % 3);
     struct pp_vec3 b = outward(corner, (axis + 2) % 3);
@@ -184,8 +183,8 @@ static enum pp_status add_edge(const struct genbox_box *box, int corner, int axi
     return status;
 }
 
-/* The triangle between three directions from `middle`, or the four that it is cut into
- * at the middles of its sides, and so on. */
+/* The spherical triangle between three directions from `middle`, as flat triangles: it is
+ * cut into four at the middles of its sides, and these again, until `segments` is 1. */
 static enum pp_status add_triangle(const struct genbox_box *box, struct pp_vec3 middle,
                                    const struct pp_vec3 d[3], int segments,
                                    struct pp_error *err)
@@ -217,18 +216,17 @@ static enum pp_status add_corner(const struct genbox_box *box, int corner,
         return add_triangle(box, middle, d, box->segments, err);
     }
     struct pp_shape ball = {.kind = PP_SHAPE_SPHERE, .is.sphere = {middle, box->inset}};
-    return pp_rad_shapes_add(box->reader, box->words, box->line, box->material, ball,
-                             box->way, err);
+    return pp_rad_shapes_add(box->reader, box->pipe->words, box->pipe->line,
+                             box->material, ball, box->context, err);
 }
 
 enum pp_status pp_rad_genbox(struct pp_rad_reader *reader,
-                             const struct pp_rad_words *words, int line,
-                             char *const *command, int count,
-                             const struct pp_rad_context *way, struct pp_error *err)
+                             const struct pp_rad_pipe *pipe,
+                             const struct pp_rad_command *command,
+                             const struct pp_rad_context *context, struct pp_error *err)
 {
-    struct genbox_box box = {
-        .reader = reader, .words = words, .line = line, .way = way};
-    enum pp_status status = read_box(&box, command, count, err);
+    struct genbox_box box = {.reader = reader, .pipe = pipe, .context = context};
+    enum pp_status status = read_box(&box, command->words, command->count, err);
     if (status == PP_OK)
         status = add_sides(&box, err);
     for (int corner = 0; corner < 8 && box.inset > 0.0; corner++) {

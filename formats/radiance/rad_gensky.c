@@ -17,7 +17,8 @@
 
 #include "model/base/text.h"
 
-/* lm/W of skylight and sunlight; what the formulae's cd/m2 are divided by. */
+/* Luminous efficacy of skylight and sunlight (lm/W): the formulae's cd/m2 are divided by
+ * it. */
 static const double sky_efficacy = 203.0, sun_efficacy = 208.0;
 
 struct gensky_options {
@@ -303,7 +304,7 @@ static double sun_of(const struct gensky_options *asked, double s)
     return asked->type == PP_GENSKY_INTERMEDIATE ? 0.15 * radiance : radiance;
 }
 
-static void light_up(struct pp_gensky *sky, struct gensky_options *asked)
+static void set_brightness(struct pp_gensky *sky, struct gensky_options *asked)
 {
     int type = asked->type;
     bool even = type == PP_GENSKY_OVERCAST || type == PP_GENSKY_UNIFORM;
@@ -360,6 +361,6 @@ bool pp_rad_gensky_evaluate(struct pp_gensky *sky, char *const *words, int count
         return false;
     if (!asked.by_angle)
         place_sun(&asked);
-    light_up(sky, &asked);
+    set_brightness(sky, &asked);
     return true;
 }

@@ -1,4 +1,4 @@
-/* rad_gensky.h - what gensky's options make of sky and sun. */
+/* rad_gensky.h - Radiance's sky generator: sky and sun by the options of gensky [WS98]. */
 #ifndef PP_FORMATS_RADIANCE_RAD_GENSKY_H
 #define PP_FORMATS_RADIANCE_RAD_GENSKY_H
 

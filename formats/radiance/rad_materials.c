@@ -1,10 +1,9 @@
-/* rad_materials.c - Radiance's materials, and the sky's pattern. */
+/* rad_materials.c - see rad_materials.h. */
+#include "formats/radiance/rad_materials.h"
+
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-
-#include "model/base/text.h"
-#include "formats/radiance/rad_reader.h"
 
 static struct pp_rgb rgb_at(const double *n)
 {
@@ -60,14 +59,14 @@ static struct pp_material light(const double *n, int count)
     return pp_material_light(rgb_at(n));
 }
 
-/* One of a radius below 0 is for the eye alone: it lights nothing. */
+/* A glow of a radius below 0 is shown to the eye and lights nothing. */
 static struct pp_material glow(const double *n, int count)
 {
     (void)count;
     return pp_material_glow(n[3] < 0.0 ? pp_rgb_grey(0.0) : rgb_at(n));
 }
 
-/* A lamp to what it lights, and not there to the eye; take_other has what is. */
+/* A lamp to what it lights; what the eye sees in its place is read by take_other. */
 static struct pp_material illum(const double *n, int count)
 {
     (void)count;
@@ -84,11 +83,11 @@ static struct pp_material mirror(const double *n, int count)
     return pp_material_mirror(rgb_at(n));
 }
 
-/* Transmissivities and the like: fractions; radiances may be anything from 0. */
+/* Types, and how their numbers become a material. */
 static const struct {
     const char *name;
     int least, most; /* numbers */
-    bool grain;      /* four strings say along what the first roughness goes */
+    bool grain;      /* four strings give the direction of the first roughness */
     struct pp_material (*make)(const double *numbers, int count);
 } materials[] = {
     {"plastic", 5, 5, false, plastic}, {"metal", 5, 5, false, metal},
@@ -101,7 +100,7 @@ static const struct {
 
 /* "ux uy uz .": the direction of the first roughness, by constants. */
 static enum pp_status take_grain(const struct pp_rad_primitive *primitive,
-                                 const struct pp_rad_context *way,
+                                 const struct pp_rad_context *context,
                                  struct pp_vec3 *grain, struct pp_error *err)
 {
     double u[3];
@@ -109,9 +108,9 @@ static enum pp_status take_grain(const struct pp_rad_primitive *primitive,
         primitive->string_count == 4 && pp_rad_words_is(primitive->strings[3], ".");
     for (int i = 0; i < 3 && good; i++)
         good = pp_rad_words_number(primitive->strings[i], &u[i]);
-    *grain = good
-                 ? pp_rad_transform_direction(&way->transform, pp_vec(u[0], u[1], u[2]))
-                 : pp_vec(0.0, 0.0, 0.0);
+    *grain =
+        good ? pp_rad_transform_direction(&context->transform, pp_vec(u[0], u[1], u[2]))
+             : pp_vec(0.0, 0.0, 0.0);
     if (good && pp_vec_length(*grain) > 0.0)
         return PP_OK;
     return pp_rad_words_fail(
@@ -131,7 +130,7 @@ static enum pp_status take_other(const struct pp_rad_reader *reader,
     if (primitive->string_count == 0)
         return PP_OK;
     struct pp_rad_word other = primitive->strings[0];
-    int shown = (int)(other.length < 60 ? other.length : 60);
+    int shown = pp_rad_words_shown(other);
     if (!pp_rad_names_find(&reader->names, other.text, other.length, &meaning))
         return pp_rad_words_fail(primitive->words, other.line, err,
                                  "there is no material \"%.*s\"", shown, other.text);
@@ -162,19 +161,9 @@ static enum pp_status add_black(struct pp_rad_reader *reader, int *index,
     return pp_scene_description_add_material(reader->scene, &black, index, err);
 }
 
-static enum pp_status define(struct pp_rad_reader *reader,
-                             const struct pp_rad_primitive *primitive,
-                             struct pp_rad_meaning meaning, struct pp_error *err)
-{
-    return pp_rad_names_define(&reader->names, primitive->name.text,
-                               primitive->name.length, meaning)
-               ? PP_OK
-               : pp_fail_memory(err);
-}
-
 static enum pp_status take_material(struct pp_rad_reader *reader,
                                     const struct pp_rad_primitive *primitive,
-                                    const struct pp_rad_context *way, size_t which,
+                                    const struct pp_rad_context *context, size_t which,
                                     struct pp_error *err)
 {
     const struct pp_rad_words *words = primitive->words;
@@ -204,7 +193,7 @@ static enum pp_status take_material(struct pp_rad_reader *reader,
     struct pp_rad_meaning meaning = {PP_RAD_MATERIAL, 0, -1};
     enum pp_status status = PP_OK;
     if (materials[which].grain)
-        status = take_grain(primitive, way, &material.grain, err);
+        status = take_grain(primitive, context, &material.grain, err);
     if (is_illum)
         status = take_other(reader, primitive, &material, &meaning.back, err);
     if (status != PP_OK)
@@ -231,10 +220,11 @@ static enum pp_status take_material(struct pp_rad_reader *reader,
                                                &said);
     if (status == PP_OK && strcmp(name, "mirror") == 0)
         status = add_black(reader, &meaning.back, &said);
-    if (status == PP_BAD_INPUT)
-        return pp_rad_words_fail(words, primitive->line, err, "%.600s", said.message);
-    return status == PP_OK ? define(reader, primitive, meaning, err)
-                           : pp_fail(err, status, "%s", said.message);
+    status = pp_rad_words_locate(words, primitive->line, status, &said, err);
+    if (status != PP_OK)
+        return status;
+    return pp_rad_names_define(&reader->names, primitive->name.text,
+                               primitive->name.length, meaning, err);
 }
 
 enum pp_status pp_rad_materials_check_count(const struct pp_rad_reader *reader,
@@ -249,108 +239,15 @@ enum pp_status pp_rad_materials_check_count(const struct pp_rad_reader *reader,
                                    PP_RAD_MATERIALS_MOST);
 }
 
-/* ---- the sky ---- */
-
-/* The turn about the vertical that the strings behind the function's file ask for. */
-static enum pp_status pattern_turn(const struct pp_rad_primitive *primitive,
-                                   const struct pp_rad_context *way,
-                                   struct pp_rad_transform *turn, struct pp_error *err)
-{
-    int count = primitive->string_count - 2;
-    struct pp_rad_transform own = pp_rad_transform_identity();
-    char text[16][64], *words[16];
-    bool good = count <= 16;
-    for (int i = 0; i < count && good; i++) {
-        struct pp_rad_word word = primitive->strings[2 + i];
-        good = word.length < sizeof text[i];
-        if (good) {
-            memcpy(text[i], word.text, word.length);
-            text[i][word.length] = '\0';
-            words[i] = text[i];
-        }
-    }
-    for (int i = 0; i < count && good;) {
-        int taken = pp_rad_transform_read_option(&own, words + i, count - i);
-        good = taken > 0;
-        i += taken;
-    }
-    *turn = pp_rad_transform_compose(&way->transform, &own);
-    struct pp_vec3 up = pp_rad_transform_direction(turn, pp_vec(0.0, 0.0, 1.0));
-    if (good && up.z > 1.0 - 1e-9)
-        return PP_OK;
-    return pp_rad_words_fail(primitive->words, primitive->line, err,
-                             "a sky that is moved; expected none, or turned about the "
-                             "vertical");
-}
-
-static enum pp_status take_sky(struct pp_rad_reader *reader,
-                               const struct pp_rad_primitive *primitive,
-                               const struct pp_rad_context *way, struct pp_error *err)
-{
-    const struct pp_rad_words *words = primitive->words;
-    const double *n = primitive->numbers;
-    bool gensky = primitive->string_count >= 2
-                  && pp_rad_words_is(primitive->strings[0], "skybr")
-                  && pp_rad_words_is(primitive->strings[1], "skybright.cal");
-    if (!gensky || primitive->modifier.kind != PP_RAD_VOID)
-        return pp_rad_words_fail(words, primitive->line, err,
-                                 "a brightfunc that is not understood; expected \"void "
-                                 "brightfunc\" with \"skybr skybright.cal\", as gensky "
-                                 "writes it");
-    bool within = primitive->number_count > 0 && n[0] >= 1.0 && n[0] <= 4.0;
-    int type = within ? (int)n[0] : 0;
-    bool even = type == PP_GENSKY_OVERCAST || type == PP_GENSKY_UNIFORM;
-    bool sunny = type == PP_GENSKY_CLEAR || type == PP_GENSKY_INTERMEDIATE;
-    if (!(even && primitive->number_count >= 3 && n[0] == type)
-        && !(sunny && primitive->number_count == 7 && n[0] == type))
-        return pp_rad_words_fail(
-            words, primitive->line, err,
-            "a sky of %d numbers; expected its type (1 clear, 2 "
-            "overcast, 3 uniform, 4 intermediate), the zenith's and the "
-            "ground's brightness, and for 1 and 4 a factor and the "
-            "direction to the sun",
-            primitive->number_count);
-    struct pp_pattern pattern = {.kind = PP_PATTERN_GENSKY,
-                                 .type = (enum pp_gensky_kind)type,
-                                 .zenith = n[1],
-                                 .ground = n[2],
-                                 .norm = 1.0,
-                                 .sun = {0.0, 0.0, 1.0}};
-    struct pp_rad_transform turn;
-    enum pp_status status = pattern_turn(primitive, way, &turn, err);
-    if (status != PP_OK)
-        return status;
-    if (!(n[1] >= 0.0) || !(n[2] >= 0.0))
-        return pp_rad_words_fail(words, primitive->line, err,
-                                 "a sky of brightness %g and %g; expected 0 or more",
-                                 n[1], n[2]);
-    if (sunny) {
-        struct pp_vec3 sun = pp_vec(n[4], n[5], n[6]);
-        if (!(n[3] > 0.0) || !(pp_vec_length(sun) > 0.5))
-            return pp_rad_words_fail(
-                words, primitive->line, err,
-                "a sunny sky without a sun; expected a factor above 0 "
-                "and a direction");
-        pattern.norm = n[3];
-        pattern.sun = pp_rad_transform_direction(&turn, pp_vec_unit(sun));
-    }
-    struct pp_rad_meaning meaning = {PP_RAD_PATTERN, 0, -1};
-    status =
-        pp_scene_description_add_pattern(reader->scene, &pattern, &meaning.index, err);
-    return status == PP_OK ? define(reader, primitive, meaning, err) : status;
-}
-
 enum pp_status pp_rad_materials_read(struct pp_rad_reader *reader,
                                      const struct pp_rad_primitive *primitive,
-                                     const struct pp_rad_context *way, bool *taken,
+                                     const struct pp_rad_context *context, bool *taken,
                                      struct pp_error *err)
 {
     *taken = true;
-    if (pp_rad_words_is(primitive->type, "brightfunc"))
-        return take_sky(reader, primitive, way, err);
     for (size_t i = 0; i < sizeof materials / sizeof *materials; i++)
         if (pp_rad_words_is(primitive->type, materials[i].name))
-            return take_material(reader, primitive, way, i, err);
+            return take_material(reader, primitive, context, i, err);
     *taken = false;
     return PP_OK;
 }

@@ -1,8 +1,10 @@
-/* rad_reader.h - what the parts of the Radiance reader share (inside formats/radiance/ only).
+/* rad_reader.h - the state of the Radiance reader, which its parts share. Inside
+ * formats/radiance/ only.
  *
- * rad_read.c holds the loop over primitives and files, rad_materials.c,
- * rad_functions.c and rad_shapes.c what each type becomes, rad_command.c what lines
- * that begin with "!" do, rad_genbox.c the boxes of one.
+ * rad_read.c goes over files, primitives and commands; rad_primitive.c reads one
+ * primitive, which becomes a part of the scene in rad_shapes.c, rad_materials.c,
+ * rad_sky.c and rad_functions.c; rad_pipe.c, rad_xform.c and rad_genbox.c are about
+ * commands.
  */
 #ifndef PP_FORMATS_RADIANCE_RAD_READER_H
 #define PP_FORMATS_RADIANCE_RAD_READER_H
@@ -15,9 +17,10 @@
 /* Of one file, and of all that xforms read. */
 #define PP_RAD_BYTES_MOST ((size_t)4 << 30)
 
-/* Files that read files that ...; copies that all xforms make, shapes, and materials
- * with patterns, in all: a line of a hundred characters can ask for any number. The
- * fuzzer's are smaller, for speed. */
+/* Limits: on the depth of files that xforms read within files, and, of all files
+ * together, on the copies that xforms make, on shapes, and on materials and patterns. A
+ * line of a hundred characters can ask for any number. The fuzzer's limits are smaller,
+ * for speed. */
 #ifdef FUZZING_BUILD_MODE_UNSAFE_FOR_PRODUCTION
 enum {
     PP_RAD_DEPTH_MOST = 8,
@@ -34,7 +37,8 @@ enum {
 };
 #endif
 
-/* "modifier type identifier", and behind it so many strings, whole numbers, numbers. */
+/* "modifier type identifier" with its strings and numbers (whole numbers are passed
+ * over). */
 struct pp_rad_primitive {
     struct pp_rad_words *words; /* where it stands, for messages */
     int line;
@@ -46,13 +50,13 @@ struct pp_rad_primitive {
     int number_count;
 };
 
-/* How what is read is changed on its way: by the xforms that it goes through. */
+/* What the xforms that shapes go through do to them. */
 struct pp_rad_context {
     struct pp_rad_transform transform;
     bool inverted;                  /* front for back */
     bool replaced;                  /* all modifiers of shapes, */
     struct pp_rad_meaning modifier; /* by this one */
-    int depth;                      /* of files in files */
+    int depth;                      /* how many files are being read within files */
 };
 
 struct pp_rad_reader {
@@ -69,60 +73,5 @@ struct pp_rad_reader {
     struct pp_vec3 *corners;
     int corner_space;
 };
-
-/* Everything of one file, or of standard input ("-"). */
-enum pp_status pp_rad_read_file(struct pp_rad_reader *reader, const char *path,
-                                const struct pp_rad_context *way, struct pp_error *err);
-
-/* Makes it mean its material or pattern; *taken is false if its type is none of these.
- */
-enum pp_status pp_rad_materials_read(struct pp_rad_reader *reader,
-                                     const struct pp_rad_primitive *primitive,
-                                     const struct pp_rad_context *way, bool *taken,
-                                     struct pp_error *err);
-
-/* The same of what pepperpot's own exports say by functions (rad_functions.h). */
-enum pp_status pp_rad_functions_read(struct pp_rad_reader *reader,
-                                     const struct pp_rad_primitive *primitive,
-                                     const struct pp_rad_context *way, bool *taken,
-                                     struct pp_error *err);
-
-/* Adds it to the scene; *taken is false if its type is no shape's. */
-enum pp_status pp_rad_shapes_read(struct pp_rad_reader *reader,
-                                  const struct pp_rad_primitive *primitive,
-                                  const struct pp_rad_context *way, bool *taken,
-                                  struct pp_error *err);
-
-/* PP_BAD_INPUT where there are more materials and patterns than may be. */
-enum pp_status pp_rad_materials_check_count(const struct pp_rad_reader *reader,
-                                            const struct pp_rad_words *words, int line,
-                                            struct pp_error *err);
-
-/* Works out what the commands of a line, piped together, would print, and reads that.
- * `words` is where the line stands. */
-enum pp_status pp_rad_command_run(struct pp_rad_reader *reader,
-                                  const struct pp_rad_words *words, char *command,
-                                  int line, const struct pp_rad_context *way,
-                                  struct pp_error *err);
-
-/* The box of a line "genbox MATERIAL NAME X Y Z [options]", in words. */
-enum pp_status pp_rad_genbox(struct pp_rad_reader *reader,
-                             const struct pp_rad_words *words, int line,
-                             char *const *command, int count,
-                             const struct pp_rad_context *way, struct pp_error *err);
-
-/* The shape through its transform and into the scene: polygons of count corners, all
- * else by *shape. A material of void is not seen: nothing is added. */
-enum pp_status pp_rad_shapes_add_polygon(struct pp_rad_reader *reader,
-                                         const struct pp_rad_words *words, int line,
-                                         struct pp_rad_meaning modifier,
-                                         const struct pp_vec3 *corners, int count,
-                                         const struct pp_rad_context *way,
-                                         struct pp_error *err);
-enum pp_status pp_rad_shapes_add(struct pp_rad_reader *reader,
-                                 const struct pp_rad_words *words, int line,
-                                 struct pp_rad_meaning modifier, struct pp_shape shape,
-                                 const struct pp_rad_context *way,
-                                 struct pp_error *err);
 
 #endif

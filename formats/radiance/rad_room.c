@@ -9,9 +9,11 @@
 #include "model/room/keyhole.h"
 #include "model/room/surface_materials.h"
 
-/* Of a near skyline: what is left out of an endless one lies within half a degree of
- * its own direction, and no higher than that. */
-static const double WIDE = 100.0; /* over its distance, to either side */
+/* A near skyline is endless; its polygon reaches this far to either side, over its
+ * distance: what is left out lies within half a degree of the skyline's own direction,
+ * and no higher than that. */
+static const double WIDE = 100.0;
+/* Between the polygons of its two sides. */
 static const double THICK_M = 0.01;
 
 struct rad_room_builder {
@@ -23,7 +25,7 @@ struct rad_room_builder {
     struct pp_error *err;
 };
 
-/* Its number in the scene: a new one, or that of one like it. */
+/* The material's number in the scene: a new one, or that of one like it. */
 static enum pp_status number_of(struct rad_room_builder *b,
                                 const struct pp_material *material, int *index)
 {
@@ -33,9 +35,9 @@ static enum pp_status number_of(struct rad_room_builder *b,
     if (!pp_rad_names_find(&b->known, (const char *)&key, sizeof key, &known)) {
         status =
             pp_scene_description_add_material(b->scene, material, &known.index, b->err);
-        if (status == PP_OK
-            && !pp_rad_names_define(&b->known, (const char *)&key, sizeof key, known))
-            status = pp_fail_memory(b->err);
+        if (status == PP_OK)
+            status = pp_rad_names_define(&b->known, (const char *)&key, sizeof key,
+                                         known, b->err);
     }
     *index = known.index;
     return status;
@@ -140,7 +142,7 @@ static struct pp_vec3 outward_of(const struct pp_world *world,
     return pp_vec_unit(pp_vec(-n.x, -n.y, 0.0));
 }
 
-/* Of the side with that normal: what the open sky and the ground give it. */
+/* Radiance of the skyline's side with that normal, lit by the open sky and the ground. */
 static double radiance_of(const struct rad_room_builder *b,
                           const struct pp_skyline *skyline, struct pp_vec3 normal)
 {
@@ -246,9 +248,8 @@ static enum pp_status add_sky(struct rad_room_builder *b)
     return status == PP_OK ? add_half(b, "ground", ground, -1.0) : status;
 }
 
-enum pp_status pp_rad_room_create(struct pp_rad_room *room,
-                                  const struct pp_world *world, double horizontal,
-                                  bool gloss, struct pp_error *err)
+enum pp_status pp_rad_room_init(struct pp_rad_room *room, const struct pp_world *world,
+                                double horizontal, bool gloss, struct pp_error *err)
 {
     *room = (struct pp_rad_room){0};
     pp_scene_description_init(&room->scene);

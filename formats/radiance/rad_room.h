@@ -1,7 +1,7 @@
 /* rad_room.h - a room's world as a scene that Radiance's formats can say.
  *
- * Faces less their openings, panes, reveals, loose surfaces and blocks as they are,
- * each of two materials where its sides differ. Sky and ground are distant glows, in
+ * Faces less their openings, panes, reveals, free-standing surfaces and blocks as they
+ * are, each of two materials where its sides differ. Sky and ground are distant glows, in
  * units of which `horizontal` falls on the open level ground; skylines so far away that
  * they have no distance are part of the sky's pattern; those with one are upright glows
  * as wide as 200 times their distance, twice, one for each side, a centimetre apart.
@@ -35,9 +35,8 @@ struct pp_rad_room {
 
 /* horizontal: irradiance of the open level ground, above 0. PP_BAD_INPUT, beginning
  * with the line where the file has one, for what can't be said. */
-enum pp_status pp_rad_room_create(struct pp_rad_room *room,
-                                  const struct pp_world *world, double horizontal,
-                                  bool gloss, struct pp_error *err);
+enum pp_status pp_rad_room_init(struct pp_rad_room *room, const struct pp_world *world,
+                                double horizontal, bool gloss, struct pp_error *err);
 /* Has any of its finishes a colour or a gloss? */
 bool pp_rad_room_has_gloss(const struct pp_world *world);
 

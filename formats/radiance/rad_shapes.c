@@ -1,24 +1,27 @@
-/* rad_shapes.c - Radiance's shapes as shapes of a scene description. */
+/* rad_shapes.c - see rad_shapes.h. */
+#include "formats/radiance/rad_shapes.h"
+
 #include <stdlib.h>
 
-#include "formats/radiance/rad_reader.h"
+#include "model/base/array.h"
 
-/* A sky's pattern is of directions, and what it is on is infinitely far away. */
+/* A sky's pattern goes by direction, and only a source may have it, which is infinitely
+ * far away. */
 static bool has_pattern(const struct pp_rad_reader *reader, int material)
 {
     return material >= 0 && reader->scene->materials[material].pattern >= 0;
 }
 
-/* What a shape of this modifier is made of, -1: it is not seen; and its other side, -1:
- * of the same. */
+/* The material of a shape with this modifier, -1 where the shape is left out, and that
+ * of its back, -1 where it is the same. */
 static enum pp_status material_of(const struct pp_rad_reader *reader,
                                   const struct pp_rad_words *words, int line,
                                   struct pp_rad_meaning modifier,
-                                  const struct pp_rad_context *way, bool distant,
+                                  const struct pp_rad_context *context, bool distant,
                                   int *material, int *back, struct pp_error *err)
 {
-    if (way->replaced)
-        modifier = way->modifier;
+    if (context->replaced)
+        modifier = context->modifier;
     *material = modifier.kind == PP_RAD_MATERIAL ? modifier.index : -1;
     *back = modifier.kind == PP_RAD_MATERIAL ? modifier.back : -1;
     if (modifier.kind == PP_RAD_PATTERN)
@@ -46,44 +49,30 @@ static enum pp_status check_count(const struct pp_rad_reader *reader,
                                    PP_RAD_SHAPES_MOST);
 }
 
-/* The scene's own complaint, with file and line. */
-static enum pp_status located(enum pp_status status, const struct pp_rad_words *words,
-                              int line, const struct pp_error *said,
-                              struct pp_error *err)
-{
-    if (status == PP_BAD_INPUT)
-        return pp_rad_words_fail(words, line, err, "%.600s", said->message);
-    return status == PP_OK ? PP_OK : pp_fail(err, status, "%s", said->message);
-}
-
 enum pp_status pp_rad_shapes_add_polygon(struct pp_rad_reader *reader,
                                          const struct pp_rad_words *words, int line,
                                          struct pp_rad_meaning modifier,
                                          const struct pp_vec3 *corners, int count,
-                                         const struct pp_rad_context *way,
+                                         const struct pp_rad_context *context,
                                          struct pp_error *err)
 {
     int material, back;
-    enum pp_status status =
-        material_of(reader, words, line, modifier, way, false, &material, &back, err);
+    enum pp_status status = material_of(reader, words, line, modifier, context, false,
+                                        &material, &back, err);
     if (status == PP_OK)
         status = check_count(reader, words, line, err);
     if (status != PP_OK || material < 0)
         return status;
-    if (count > reader->corner_space) {
-        int space = count > 64 ? count : 64;
-        struct pp_vec3 *grown = realloc(reader->corners, (size_t)space * sizeof *grown);
-        if (!grown)
-            return pp_fail_memory(err);
-        reader->corners = grown;
-        reader->corner_space = space;
-    }
+    status = pp_array_reserve(&reader->corners, &reader->corner_space, count,
+                              sizeof *reader->corners, err);
+    if (status != PP_OK)
+        return status;
     /* Through a mirror what ran counter-clockwise runs clockwise. */
-    bool backwards = way->transform.mirrored != way->inverted;
+    bool backwards = context->transform.mirrored != context->inverted;
     struct pp_vec3 *moved = reader->corners, area = {0.0, 0.0, 0.0};
     double size = 0.0, turned = 0.0;
     for (int i = 0; i < count; i++) {
-        moved[i] = pp_rad_transform_point(&way->transform,
+        moved[i] = pp_rad_transform_point(&context->transform,
                                           corners[backwards ? count - 1 - i : i]);
         struct pp_vec3 side = pp_vec_sub(moved[i], moved[0]);
         size = fmax(size, pp_vec_length(side));
@@ -111,23 +100,24 @@ enum pp_status pp_rad_shapes_add_polygon(struct pp_rad_reader *reader,
         reader->scene->shapes[index].back_material = back;
         reader->summary->polygons++;
     }
-    return located(status, words, line, &said, err);
+    return pp_rad_words_locate(words, line, status, &said, err);
 }
 
 enum pp_status pp_rad_shapes_add(struct pp_rad_reader *reader,
                                  const struct pp_rad_words *words, int line,
                                  struct pp_rad_meaning modifier, struct pp_shape shape,
-                                 const struct pp_rad_context *way, struct pp_error *err)
+                                 const struct pp_rad_context *context,
+                                 struct pp_error *err)
 {
-    const struct pp_rad_transform *t = &way->transform;
-    enum pp_status status =
-        material_of(reader, words, line, modifier, way, shape.kind == PP_SHAPE_DISTANT,
-                    &shape.material, &shape.back_material, err);
+    const struct pp_rad_transform *t = &context->transform;
+    enum pp_status status = material_of(reader, words, line, modifier, context,
+                                        shape.kind == PP_SHAPE_DISTANT, &shape.material,
+                                        &shape.back_material, err);
     if (status == PP_OK)
         status = check_count(reader, words, line, err);
     if (status != PP_OK || shape.material < 0)
         return status;
-    shape.inward = shape.inward != way->inverted;
+    shape.inward = shape.inward != context->inverted;
     switch (shape.kind) {
     case PP_SHAPE_SPHERE:
         shape.is.sphere.centre = pp_rad_transform_point(t, shape.is.sphere.centre);
@@ -142,7 +132,7 @@ enum pp_status pp_rad_shapes_add(struct pp_rad_reader *reader,
     case PP_SHAPE_RING:
         shape.is.ring.centre = pp_rad_transform_point(t, shape.is.ring.centre);
         shape.is.ring.axis = pp_rad_transform_direction(t, shape.is.ring.axis);
-        if (way->inverted)
+        if (context->inverted)
             shape.is.ring.axis = pp_vec_scale(shape.is.ring.axis, -1.0);
         for (int i = 0; i < 2; i++)
             shape.is.ring.radii_m[i] *= t->scale;
@@ -157,7 +147,7 @@ enum pp_status pp_rad_shapes_add(struct pp_rad_reader *reader,
     struct pp_error said;
     status = pp_scene_description_add_shape(reader->scene, &shape, NULL, &said);
     reader->summary->others += status == PP_OK;
-    return located(status, words, line, &said, err);
+    return pp_rad_words_locate(words, line, status, &said, err);
 }
 
 /* ---- the types ---- */
@@ -230,7 +220,7 @@ static const struct {
 
 static enum pp_status take_polygon(struct pp_rad_reader *reader,
                                    const struct pp_rad_primitive *primitive,
-                                   const struct pp_rad_context *way,
+                                   const struct pp_rad_context *context,
                                    struct pp_error *err)
 {
     int count = primitive->number_count / 3;
@@ -244,17 +234,17 @@ static enum pp_status take_polygon(struct pp_rad_reader *reader,
     const struct pp_vec3 *corners =
         (const struct pp_vec3 *)(const void *)primitive->numbers;
     return pp_rad_shapes_add_polygon(reader, primitive->words, primitive->line,
-                                     primitive->modifier, corners, count, way, err);
+                                     primitive->modifier, corners, count, context, err);
 }
 
 enum pp_status pp_rad_shapes_read(struct pp_rad_reader *reader,
                                   const struct pp_rad_primitive *primitive,
-                                  const struct pp_rad_context *way, bool *taken,
+                                  const struct pp_rad_context *context, bool *taken,
                                   struct pp_error *err)
 {
     *taken = true;
     if (pp_rad_words_is(primitive->type, "polygon"))
-        return take_polygon(reader, primitive, way, err);
+        return take_polygon(reader, primitive, context, err);
     for (size_t i = 0; i < sizeof shapes / sizeof *shapes; i++) {
         if (!pp_rad_words_is(primitive->type, shapes[i].name))
             continue;
@@ -266,7 +256,7 @@ enum pp_status pp_rad_shapes_read(struct pp_rad_reader *reader,
                 shapes[i].numbers);
         return pp_rad_shapes_add(reader, primitive->words, primitive->line,
                                  primitive->modifier,
-                                 shapes[i].make(primitive->numbers), way, err);
+                                 shapes[i].make(primitive->numbers), context, err);
     }
     *taken = false;
     return PP_OK;

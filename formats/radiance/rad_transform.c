@@ -1,3 +1,4 @@
+/* rad_transform.c - see rad_transform.h. */
 #include "formats/radiance/rad_transform.h"
 
 #include <string.h>
@@ -43,7 +44,7 @@ struct pp_rad_transform pp_rad_transform_compose(const struct pp_rad_transform *
     return both;
 }
 
-/* Turning by so many degrees, the quarters exactly. */
+/* A turn about an axis; by quarters exactly. */
 static struct pp_rad_transform turning(int axis, double degrees)
 {
     double quarters = degrees / 90.0, c = cos(degrees * PP_RAD),

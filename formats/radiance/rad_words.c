@@ -1,3 +1,4 @@
+/* rad_words.c - see rad_words.h. */
 #include "formats/radiance/rad_words.h"
 
 #include <limits.h>
@@ -22,6 +23,15 @@ enum pp_status pp_rad_words_fail(const struct pp_rad_words *words, int line,
     vsnprintf(text, sizeof text, format, args);
     va_end(args);
     return pp_fail(err, PP_BAD_INPUT, "%.200s:%d: %s", words->file, line, text);
+}
+
+enum pp_status pp_rad_words_locate(const struct pp_rad_words *words, int line,
+                                   enum pp_status status, const struct pp_error *said,
+                                   struct pp_error *err)
+{
+    if (status == PP_BAD_INPUT)
+        return pp_rad_words_fail(words, line, err, "%.600s", said->message);
+    return status == PP_OK ? PP_OK : pp_fail(err, status, "%s", said->message);
 }
 
 static void skip_line(struct pp_rad_words *words)

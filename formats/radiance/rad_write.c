@@ -1,53 +1,12 @@
 /* rad_write.c - see rad_write.h: names and shapes. */
 #include "formats/radiance/rad_write.h"
 
-#include <locale.h>
-#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "model/base/text.h"
+#include "formats/radiance/rad_numbers.h"
+#include "formats/radiance/rad_write_materials.h"
 #include "formats/radiance/rad_writer.h"
-
-/* So many digits, with a point. */
-static void print_digits(char *text, int digits, double number)
-{
-    const char *point = localeconv()->decimal_point;
-    snprintf(text, 32, "%.*g", digits, number);
-    char *at = strstr(text, point);
-    if (!at)
-        return;
-    size_t length = strlen(point);
-    *at = '.';
-    memmove(at + 1, at + length, strlen(at + length) + 1);
-}
-
-void pp_rad_write_number_text(double number, char *text)
-{
-    double back = NAN;
-    for (int digits = 15; digits <= 17 && back != number; digits++) {
-        print_digits(text, digits, number);
-        pp_text_parse_number(text, &back);
-    }
-}
-
-double pp_rad_write_round_15_digits(double number)
-{
-    char text[32];
-    print_digits(text, 15, number);
-    return pp_text_parse_number(text, &number) ? number : 0.0;
-}
-
-void pp_rad_write_numbers(FILE *out, const double *numbers, int count)
-{
-    fprintf(out, "%d", count);
-    for (int i = 0; i < count; i++) {
-        char text[32];
-        pp_rad_write_number_text(numbers[i], text);
-        fprintf(out, " %s", text);
-    }
-    fputc('\n', out);
-}
 
 /* ---- names ---- */
 
@@ -85,9 +44,7 @@ static enum pp_status take_name(struct pp_rad_writer *writer, const char *name,
                                 int last, struct pp_error *err)
 {
     struct pp_rad_meaning meaning = {PP_RAD_MATERIAL, last, -1};
-    return pp_rad_names_define(&writer->taken, name, strlen(name), meaning)
-               ? PP_OK
-               : pp_fail_memory(err);
+    return pp_rad_names_define(&writer->taken, name, strlen(name), meaning, err);
 }
 
 /* The next name of the list; there is room. */
@@ -116,8 +73,8 @@ static enum pp_status find_pairs(struct pp_rad_writer *writer, struct pp_error *
 {
     const struct pp_scene_description *scene = writer->scene;
     struct pp_rad_names known = {0}; /* by both numbers */
-    bool good = true;
-    for (int i = 0; i < scene->shape_count && good; i++) {
+    enum pp_status status = PP_OK;
+    for (int i = 0; i < scene->shape_count && status == PP_OK; i++) {
         const struct pp_shape *shape = &scene->shapes[i];
         const int sides[2] = {shape->material, shape->back_material};
         struct pp_rad_meaning pair = {PP_RAD_MATERIAL, -1, -1};
@@ -126,12 +83,13 @@ static enum pp_status find_pairs(struct pp_rad_writer *writer, struct pp_error *
             && !pp_rad_names_find(&known, (const char *)sides, sizeof sides, &pair)) {
             pair.index = writer->pair_count++;
             writer->pairs[pair.index] = (struct pp_rad_pair){sides[0], sides[1], -1};
-            good = pp_rad_names_define(&known, (const char *)sides, sizeof sides, pair);
+            status = pp_rad_names_define(&known, (const char *)sides, sizeof sides,
+                                         pair, err);
         }
         writer->pair_of[i] = pair.index;
     }
     pp_rad_names_clear(&known);
-    return good ? PP_OK : pp_fail_memory(err);
+    return status;
 }
 
 static size_t most_pairs(const struct pp_scene_description *scene)
@@ -226,7 +184,7 @@ static void write_vec(FILE *out, struct pp_vec3 v)
     const double xyz[3] = {v.x, v.y, v.z};
     for (int i = 0; i < 3; i++) {
         char text[32];
-        pp_rad_write_number_text(xyz[i], text);
+        pp_rad_numbers_text(xyz[i], text);
         fprintf(out, " %s", text);
     }
 }
@@ -241,7 +199,7 @@ static void write_polygon(const struct pp_rad_writer *writer,
     }
 }
 
-/* By kind and by which way the front looks. */
+/* By kind, and by the side on which the front is. */
 static const char *type_of(const struct pp_shape *shape)
 {
     switch (shape->kind) {
@@ -314,6 +272,6 @@ void pp_rad_write_shapes(const struct pp_rad_writer *writer, const char *name,
         double numbers[8];
         int count = numbers_of(shape, numbers);
         fprintf(out, "0\n0\n");
-        pp_rad_write_numbers(out, numbers, count);
+        pp_rad_numbers_write(out, numbers, count);
     }
 }

@@ -1,8 +1,7 @@
 /* rad_write.h - scene descriptions as Radiance scene files [WS98].
  *
  * What is written reads back (rad_read.h) as the same description: vertices to the bit,
- * what materials do to rounding. Numbers have a point whatever the locale and as many
- * digits as bring the double back.
+ * what materials do to rounding. Materials and patterns are rad_write_materials.h's.
  *
  *     glass         a single pane, nothing but glass
  *     BRTDfunc      any other clear glazing, by pp_through and pp_mirrored
@@ -31,16 +30,8 @@ enum pp_status pp_rad_write_create(struct pp_rad_writer **writer,
                                    struct pp_error *err);
 void pp_rad_write_destroy(struct pp_rad_writer *writer); /* NULL is allowed */
 
-/* All patterns and materials; what the stream says of its errors is the caller's
- * affair. */
-void pp_rad_write_materials(const struct pp_rad_writer *writer, FILE *out);
-
 /* Shapes `first` to `end` - 1, named `name` and their numbers from 1. */
 void pp_rad_write_shapes(const struct pp_rad_writer *writer, const char *name,
                          int first, int end, FILE *out);
-
-/* The shortest of 15 to 17 digits that reads back as the same double, with a point;
- * `text` has room for 32. */
-void pp_rad_write_number_text(double number, char *text);
 
 #endif

@@ -1,8 +1,11 @@
-/* rad_write_materials.c - materials and patterns in Radiance's words. */
+/* rad_write_materials.c - see rad_write_materials.h. */
+#include "formats/radiance/rad_write_materials.h"
+
 #include <math.h>
 #include <string.h>
 
 #include "formats/radiance/rad_functions.h"
+#include "formats/radiance/rad_numbers.h"
 #include "formats/radiance/rad_writer.h"
 #include "model/room/surface_materials.h"
 
@@ -19,7 +22,7 @@ struct rad_primitive_text {
     int count;
 };
 
-/* As near as rounding lets be. */
+/* The same but for rounding? */
 static bool near(double a, double b)
 {
     return fabs(a - b) <= 1e-12;
@@ -35,10 +38,10 @@ static void add(struct rad_primitive_text *said, double number)
     said->numbers[said->count++] = number;
 }
 
-/* One that was worked out: without the last digit's roundings. */
+/* A number that was worked out: without the last digits, which are rounding. */
 static void add_worked(struct rad_primitive_text *said, double number)
 {
-    add(said, pp_rad_write_round_15_digits(number));
+    add(said, pp_rad_numbers_round(number));
 }
 
 static void add_worked_rgb(struct rad_primitive_text *said, struct pp_rgb c)
@@ -59,21 +62,16 @@ static void add_rgb(struct rad_primitive_text *said, struct pp_rgb c)
 static void say_grain(struct rad_primitive_text *said, struct pp_vec3 grain)
 {
     char x[32], y[32], z[32];
-    pp_rad_write_number_text(grain.x, x);
-    pp_rad_write_number_text(grain.y, y);
-    pp_rad_write_number_text(grain.z, z);
+    pp_rad_numbers_text(grain.x, x);
+    pp_rad_numbers_text(grain.y, y);
+    pp_rad_numbers_text(grain.z, z);
     snprintf(said->strings, sizeof said->strings, "4 %s %s %s .", x, y, z);
-}
-
-static double most_of(struct pp_rgb c)
-{
-    return pp_rgb_most(c);
 }
 
 /* The ratio of two colours, where it is the same in all channels; else below 0. */
 static double ratio_of(struct pp_rgb part, struct pp_rgb whole)
 {
-    double most = most_of(whole);
+    double most = pp_rgb_most(whole);
     if (!(most > 0.0))
         return pp_rgb_is_black(part) ? 0.0 : -1.0;
     double ratio = whole.r == most   ? part.r / whole.r
@@ -90,7 +88,7 @@ static bool is_mirror(const struct pp_material *m)
            && m->roughness[0] == 0.0 && m->roughness[1] == 0.0;
 }
 
-/* Radiance's `mirror` is black from behind: what is seen from there is a metal. */
+/* Radiance's `mirror` is black from behind: where both sides are seen it is a metal. */
 static bool say_opaque(struct rad_primitive_text *said, const struct pp_material *m,
                        bool both_sides)
 {
@@ -237,7 +235,7 @@ static void write_said(const struct rad_primitive_text *said, const char *modifi
                        const char *name, FILE *out)
 {
     fprintf(out, "\n%s %s %s\n%s\n0\n", modifier, said->type, name, said->strings);
-    pp_rad_write_numbers(out, said->numbers, said->count);
+    pp_rad_numbers_write(out, said->numbers, said->count);
 }
 
 /* ---- patterns ---- */
@@ -260,7 +258,7 @@ static void write_sky(const struct pp_pattern *pattern, const char *name, FILE *
         numbers[count++] = skyline->radiance;
     }
     fprintf(out, "\nvoid brightfunc %s\n2 pp_sky " PP_RAD_CAL_NAME "\n0\n", name);
-    pp_rad_write_numbers(out, numbers, count);
+    pp_rad_numbers_write(out, numbers, count);
 }
 
 static void write_gensky(const struct pp_pattern *pattern, const char *name, FILE *out)
@@ -271,7 +269,7 @@ static void write_gensky(const struct pp_pattern *pattern, const char *name, FIL
     bool sunny =
         pattern->type == PP_GENSKY_CLEAR || pattern->type == PP_GENSKY_INTERMEDIATE;
     fprintf(out, "\nvoid brightfunc %s\n2 skybr skybright.cal\n0\n", name);
-    pp_rad_write_numbers(out, numbers, sunny ? 7 : 3);
+    pp_rad_numbers_write(out, numbers, sunny ? 7 : 3);
 }
 
 /* ---- all of them ---- */
@@ -296,8 +294,8 @@ bool pp_rad_write_materials_is_mirror(const struct pp_rad_writer *writer,
            && back->emits == PP_EMITS_NOTHING && !writer->behind[pair->front];
 }
 
-/* One pair of clear panes of the same glass is a single BRTDfunc, and neither material
- * is written for it; nor is the back of a mirror. */
+/* A pair of clear panes of the same glass is a single BRTDfunc, and neither of its
+ * materials is written; nor is the back of a mirror. */
 void pp_rad_write_materials_classify(struct pp_rad_writer *writer)
 {
     const struct pp_scene_description *scene = writer->scene;

@@ -15,6 +15,7 @@
 
 #include "formats/radiance/rad_read.h"
 #include "formats/radiance/rad_write.h"
+#include "formats/radiance/rad_write_materials.h"
 
 int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t length);
 
