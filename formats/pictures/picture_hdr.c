@@ -309,7 +309,7 @@ enum pp_status pp_picture_hdr_read(struct pp_picture *picture,
             pp_fail(err, PP_BAD_INPUT, "the picture is cut off: %zu bytes for %d rows",
                     length - in.at, size[0]);
     if (status == PP_OK)
-        status = pp_picture_create(picture, size[1], size[0], err);
+        status = pp_picture_init(picture, size[1], size[0], err);
     if (status != PP_OK)
         return status;
 

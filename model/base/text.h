@@ -10,8 +10,8 @@
 
 #include "model/base/error.h"
 
-/* Adds to the end of `text`, of `room` bytes with its terminating NUL, as printf would;
- * what has no room is cut off. No argument may lie in `text`. */
+/* Adds to the end of `text`, an array of `room` bytes, as printf would; text that has no
+ * room is cut off. No argument may lie in `text`. */
 void pp_text_append(char *text, size_t room, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 void pp_text_append_v(char *text, size_t room, const char *format, va_list arguments)

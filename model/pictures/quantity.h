@@ -1,5 +1,4 @@
-/* quantity.h - what the numbers of a picture are, and in which unit people read them.
- */
+/* quantity.h - the quantities that pixels may hold, and the units they are read in. */
 #ifndef PP_MODEL_PICTURES_QUANTITY_H
 #define PP_MODEL_PICTURES_QUANTITY_H
 

@@ -14,8 +14,8 @@ struct pp_raster {
 };
 
 /* A black one, of a picture's size. */
-enum pp_status pp_raster_create(struct pp_raster *raster, int width, int height,
-                                struct pp_error *err);
+enum pp_status pp_raster_init(struct pp_raster *raster, int width, int height,
+                              struct pp_error *err);
 void pp_raster_clear(struct pp_raster *raster);
 
 /* The picture as `tone` shows it. */

@@ -1,4 +1,4 @@
-/* report.h - all that was found out about one room, for whoever prints or draws it.
+/* report.h - all results of one room, as they are printed and drawn.
  *
  * A column is one entry of the results: a component by a method ("exact"), by a pair
  * ("exact+bre"), or by the simulation ("traced").
@@ -16,11 +16,9 @@ struct pp_column {
     enum pp_component component;
     char name[48];
     struct pp_reading average; /* over the whole working plane */
-    bool
-        of_all_surfaces; /* an average over the room's surfaces: not to be compared with
-                           * those over its working plane */
-    struct pp_reading
-        *points; /* one for each receiver; NULL: speaks for the room only */
+    bool of_all_surfaces; /* the average is over the room's surfaces: not to be compared
+                                * with those over its working plane */
+    struct pp_reading *points; /* one for each receiver; NULL: of the room only */
 };
 
 struct pp_method_options; /* methods/method.h */

@@ -175,16 +175,6 @@ static enum pp_status chain(struct pp_region *region, struct plane_section *sect
     return status;
 }
 
-static double ring_area_m2(const struct pp_ring *ring)
-{
-    double twice = 0.0;
-    for (int i = 1; i + 1 < ring->count; i++)
-        twice +=
-            (ring->xy[i][0] - ring->xy[0][0]) * (ring->xy[i + 1][1] - ring->xy[0][1])
-            - (ring->xy[i + 1][0] - ring->xy[0][0]) * (ring->xy[i][1] - ring->xy[0][1]);
-    return 0.5 * twice;
-}
-
 /* Outer rings, each followed by the holes in it. */
 static enum pp_status sort_rings(struct pp_region *region, struct pp_error *err)
 {
@@ -194,12 +184,13 @@ static enum pp_status sort_rings(struct pp_region *region, struct pp_error *err)
     int count = 0;
     for (int i = 0; i < region->count; i++) {
         const struct pp_ring *outer = &region->rings[i];
-        if (ring_area_m2(outer) <= 0.0)
+        if (pp_region_ring_area((const double(*)[2])outer->xy, outer->count) <= 0.0)
             continue;
         sorted[count++] = *outer;
         for (int k = 0; k < region->count; k++) {
             struct pp_ring *hole = &region->rings[k];
-            if (hole->count == 0 || ring_area_m2(hole) > 0.0
+            if (hole->count == 0
+                || pp_region_ring_area((const double(*)[2])hole->xy, hole->count) > 0.0
                 || pp_polygon_ring_side((const double(*)[2])outer->xy, outer->count,
                                         hole->xy[0][0], hole->xy[0][1], 0.0)
                        == PP_OUTSIDE)
