@@ -7,6 +7,8 @@
 #include "cli/message.h"
 #include "model/base/text.h"
 #include "model/room/building.h"
+#include "model/room/room.h"
+#include "model/room/position.h"
 
 /* What goes from file to file while all are read. */
 struct loading {

@@ -1,4 +1,5 @@
 #include "cli/chart/section_line.h"
+#include "model/room/position.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -17,12 +17,13 @@
 #include "formats/radiance/rad_xform.h"
 #include "model/base/read_file.h"
 
-static enum pp_status read_file(struct pp_rad_reader *reader, const char *path,
-                                const struct pp_rad_context *context,
-                                struct pp_error *err);
-static enum pp_status run(struct pp_rad_reader *reader, const struct pp_rad_pipe *pipe,
-                          int which, const struct pp_rad_context *context,
-                          struct pp_error *err);
+static enum pp_status read_scene_file(struct pp_rad_reader *reader, const char *path,
+                                      const struct pp_rad_context *context,
+                                      struct pp_error *err);
+static enum pp_status run_command(struct pp_rad_reader *reader,
+                                  const struct pp_rad_pipe *pipe, int which,
+                                  const struct pp_rad_context *context,
+                                  struct pp_error *err);
 
 /* ---- commands ---- */
 
@@ -38,7 +39,7 @@ static enum pp_status read_files(struct pp_rad_reader *reader,
             return pp_rad_pipe_fail(
                 pipe, err, "files within files within files: does one name itself? ",
                 xform->files[i]);
-        status = read_file(reader, xform->files[i], &context, err);
+        status = read_scene_file(reader, xform->files[i], &context, err);
         if (status == PP_OK && reader->bytes > PP_RAD_BYTES_MOST)
             return pp_rad_pipe_fail(
                 pipe, err,
@@ -89,16 +90,18 @@ static enum pp_status run_xform(struct pp_rad_reader *reader,
         if (!isfinite(pp_vec_length(next.transform.move))
             || !(next.transform.scale > 1e-12) || !(next.transform.scale < 1e12))
             return pp_rad_pipe_fail(pipe, err, "copies that leave all bounds", "");
-        status = xform.file_count > 0 ? read_files(reader, pipe, &xform, next, err)
-                                      : run(reader, pipe, which - 1, &next, err);
+        status = xform.file_count > 0
+                     ? read_files(reader, pipe, &xform, next, err)
+                     : run_command(reader, pipe, which - 1, &next, err);
     }
     return status;
 }
 
 /* What command `which` of the pipe prints, as a part of the scene. */
-static enum pp_status run(struct pp_rad_reader *reader, const struct pp_rad_pipe *pipe,
-                          int which, const struct pp_rad_context *context,
-                          struct pp_error *err)
+static enum pp_status run_command(struct pp_rad_reader *reader,
+                                  const struct pp_rad_pipe *pipe, int which,
+                                  const struct pp_rad_context *context,
+                                  struct pp_error *err)
 {
     const struct pp_rad_command *command = &pipe->commands[which];
     const char *name = command->words[0];
@@ -130,7 +133,7 @@ static enum pp_status run_line(struct pp_rad_reader *reader,
     pipe->line = line;
     enum pp_status status = pp_rad_pipe_split(pipe, text, err);
     if (status == PP_OK)
-        status = run(reader, pipe, pipe->command_count - 1, context, err);
+        status = run_command(reader, pipe, pipe->command_count - 1, context, err);
     free(pipe);
     return status;
 }
@@ -156,9 +159,9 @@ static enum pp_status read_words(struct pp_rad_reader *reader,
     return status;
 }
 
-static enum pp_status read_file(struct pp_rad_reader *reader, const char *path,
-                                const struct pp_rad_context *context,
-                                struct pp_error *err)
+static enum pp_status read_scene_file(struct pp_rad_reader *reader, const char *path,
+                                      const struct pp_rad_context *context,
+                                      struct pp_error *err)
 {
     char *bytes;
     size_t length;
@@ -199,7 +202,7 @@ enum pp_status pp_rad_read(struct pp_scene_description *scene,
     *summary = (struct pp_rad_summary){0};
     enum pp_status status = PP_OK;
     for (int i = 0; i < count && status == PP_OK; i++)
-        status = read_file(&reader, paths[i], &identity, err);
+        status = read_scene_file(&reader, paths[i], &identity, err);
     return finish(&reader, status);
 }
 

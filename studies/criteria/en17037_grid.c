@@ -4,6 +4,7 @@
 #include <stdlib.h>
 
 #include "model/geometry/tolerance.h"
+#include "model/room/position.h"
 
 double pp_en17037_grid_spacing(double width_m, double depth_m)
 {

@@ -18,6 +18,7 @@
 #include "methods/daylight_curves.h"
 #include "methods/exact/direct.h"
 #include "methods/plane_inset.h"
+#include "model/room/section.h"
 
 #define SKY_FACTOR 0.002
 #define SHARE_WANTED 0.5
@@ -91,7 +92,7 @@ static enum pp_status find_lit(struct adequately_lit_area *lit,
     lawful.sky = pp_sky_uniform();
     lawful.working_plane_m = floor_z + PLANE_M;
     enum pp_status status =
-        pp_working_plane_section(&lawful.plane, world, lawful.working_plane_m, err);
+        pp_section_at(&lawful.plane, world, lawful.working_plane_m, err);
     if (status != PP_OK)
         return status;
     status = measure(lit, &lawful, err);

@@ -1,7 +1,8 @@
-/* outline.c - is a polygon of the room file a good one by itself? See resolve.h. */
+/* outline.c - see outline.h. */
+#include "model/room/build/outline.h"
+
 #include <stdlib.h>
 
-#include "model/room/build/resolve.h"
 #include "model/geometry/tolerance.h"
 
 static bool is_unread(const struct pp_vertices *vertices)

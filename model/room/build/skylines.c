@@ -1,7 +1,8 @@
-/* skylines.c - endless obstructions parallel to a wall. */
+/* skylines.c - see skylines.h. */
+#include "model/room/build/skylines.h"
+
 #include <stdlib.h>
 
-#include "model/room/build/resolve.h"
 #include "model/geometry/tolerance.h"
 
 static void take_heights(const struct pp_polygon *polygon, double *low, double *high)

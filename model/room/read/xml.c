@@ -57,7 +57,7 @@ void pp_xml_clear(struct pp_xml *xml)
     *xml = (struct pp_xml){0};
 }
 
-/* What the parser's callbacks share. */
+/* The state that the parser's callbacks share. */
 struct xml_builder {
     struct pp_xml *xml;
     xmlParserCtxtPtr parser;
@@ -73,7 +73,7 @@ struct xml_builder {
     size_t counted; /* bytes[0 .. counted) hold line - 1 line ends */
     int line;
 
-    bool stopped; /* a limit was passed or the file broken: said already */
+    bool stopped; /* a limit was passed or the file is broken, which has been noted */
     bool out_of_memory;
     bool text_noted;      /* since the last tag */
     bool bad_namespace;   /* of the element that comes */

@@ -22,6 +22,6 @@ int pp_opening_outline_face(struct pp_resolver *r, const struct pp_opening_part 
  * has room for four points, or for the polygon's. False, and noted, for a window that
  * sticks out of its wall's extent. */
 bool pp_opening_outline(struct pp_resolver *r, const struct pp_opening_part *part,
-                        const struct pp_face_frame *sheet, double (*xy)[2]);
+                        const struct pp_face_frame *frame, double (*xy)[2]);
 
 #endif

@@ -1,5 +1,5 @@
 /* opening_outline.c - see opening_outline.h. */
-#include "model/room/opening_outline.h"
+#include "model/room/build/opening_outline.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -29,11 +29,12 @@ const char *pp_opening_outline_face_words(char *text, size_t size,
 
 /* The window's outline in its wall; false (and a mistake) where it sticks out. */
 static bool window_outline(struct pp_resolver *r, const struct pp_opening_part *part,
-                           const struct pp_face_frame *sheet, double xy[4][2])
+                           const struct pp_face_frame *frame, double xy[4][2])
 {
     char words[96];
-    double wide = sheet->high[0] - sheet->low[0], tall = sheet->high[1] - sheet->low[1];
-    pp_opening_outline_face_words(words, sizeof words, sheet->face);
+    double wide = frame->bounds.high[0] - frame->bounds.low[0],
+           tall = frame->bounds.high[1] - frame->bounds.low[1];
+    pp_opening_outline_face_words(words, sizeof words, frame->face);
     double right = part->left_m + part->width_m - wide;
     double top = part->sill_m + part->height_m - tall;
     bool fits = true;
@@ -69,48 +70,49 @@ static bool window_outline(struct pp_resolver *r, const struct pp_opening_part *
         fits = false;
     }
     /* Left is left from outside: it is the high end of `along`. */
-    double x_high = fmin(sheet->high[0], sheet->high[0] - part->left_m);
-    double x_low = fmax(sheet->low[0], sheet->high[0] - part->left_m - part->width_m);
-    double y_low = fmax(sheet->low[1], sheet->low[1] + part->sill_m);
-    double y_high =
-        fmin(sheet->high[1], sheet->low[1] + (part->sill_m + part->height_m));
+    double x_high = fmin(frame->bounds.high[0], frame->bounds.high[0] - part->left_m);
+    double x_low = fmax(frame->bounds.low[0],
+                        frame->bounds.high[0] - part->left_m - part->width_m);
+    double y_low = fmax(frame->bounds.low[1], frame->bounds.low[1] + part->sill_m);
+    double y_high = fmin(frame->bounds.high[1],
+                         frame->bounds.low[1] + (part->sill_m + part->height_m));
     if (fabs(right) <= PP_ROUNDING_M)
-        x_low = sheet->low[0];
+        x_low = frame->bounds.low[0];
     if (fabs(part->left_m) <= PP_ROUNDING_M)
-        x_high = sheet->high[0];
+        x_high = frame->bounds.high[0];
     if (fabs(part->sill_m) <= PP_ROUNDING_M)
-        y_low = sheet->low[1];
+        y_low = frame->bounds.low[1];
     if (fabs(top) <= PP_ROUNDING_M)
-        y_high = sheet->high[1];
+        y_high = frame->bounds.high[1];
     double ring[4][2] = {
         {x_low, y_low}, {x_high, y_low}, {x_high, y_high}, {x_low, y_high}};
     memcpy(xy, ring, sizeof ring);
     return fits;
 }
 
-/* The rooflight's outline, counter-clockwise from below in a level sheet: x runs along
- * it, y against its up. */
+/* The rooflight's outline, counter-clockwise seen from below: the room's x runs along the
+ * frame's `along`, its y against `up`. */
 static void rooflight_outline(const struct pp_opening_part *part,
-                              const struct pp_face_frame *sheet, double xy[4][2])
+                              const struct pp_face_frame *frame, double xy[4][2])
 {
-    double z = sheet->origin.z;
+    double z = frame->origin.z;
     struct pp_vec3 corners[4] = {{part->x, part->y + part->depth_m, z},
                                  {part->x + part->width_m, part->y + part->depth_m, z},
                                  {part->x + part->width_m, part->y, z},
                                  {part->x, part->y, z}};
-    pp_polygon_flatten(corners, 4, sheet->origin, sheet->along, sheet->up, xy);
+    pp_polygon_flatten(corners, 4, frame->origin, frame->along, frame->up, xy);
 }
 
 bool pp_opening_outline(struct pp_resolver *r, const struct pp_opening_part *part,
-                        const struct pp_face_frame *sheet, double (*xy)[2])
+                        const struct pp_face_frame *frame, double (*xy)[2])
 {
     if (part->kind == PP_WINDOW)
-        return window_outline(r, part, sheet, xy);
+        return window_outline(r, part, frame, xy);
     if (part->kind == PP_ROOFLIGHT)
-        rooflight_outline(part, sheet, xy);
+        rooflight_outline(part, frame, xy);
     else
-        pp_polygon_flatten(part->vertices.list, part->vertices.count, sheet->origin,
-                           sheet->along, sheet->up, xy);
+        pp_polygon_flatten(part->vertices.list, part->vertices.count, frame->origin,
+                           frame->along, frame->up, xy);
     return true;
 }
 
@@ -134,7 +136,7 @@ static int ceiling_of(const struct pp_world *world, const struct pp_opening_part
             pp_polygon_distance(&face->outline, pp_vec(part->x + 0.5 * part->width_m,
                                                        part->y + 0.5 * part->depth_m,
                                                        face->outline.vertices[0].z));
-        /* Of two, one above the other, the upper. */
+        /* Of two ceilings, one above the other, the upper. */
         bool above = nearest >= 0
                      && face->outline.vertices[0].z
                             > world->surfaces[nearest].outline.vertices[0].z;
