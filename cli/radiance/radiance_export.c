@@ -6,10 +6,10 @@
 #include <string.h>
 
 #include "formats/radiance/rad_functions.h"
-#include "formats/radiance/rad_room.h"
-#include "formats/radiance/rad_write.h"
-#include "formats/radiance/rad_numbers.h"
-#include "formats/radiance/rad_write_materials.h"
+#include "formats/radiance/write/rad_room.h"
+#include "formats/radiance/write/rad_write.h"
+#include "formats/radiance/write/rad_numbers.h"
+#include "formats/radiance/write/rad_write_materials.h"
 
 static const char materials_name[] = "materials.rad";
 static const char points_name[] = "points.pts";

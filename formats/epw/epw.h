@@ -26,12 +26,12 @@ struct pp_epw_record {
     int year; /* of a typical year: that in which it was measured */
     struct pp_month_day date;
     int weekday;         /* 0 Monday to 6 Sunday, or PP_WEEKDAY_UNKNOWN */
-    double start_h;      /* of its time, local standard, 0 to 24 */
+    double start_h;      /* when it begins, local standard time, 0 to 24 */
     double dew_point_c;  /* degrees Celsius */
     double global_w_m2;  /* irradiance of a level plane */
-    double direct_w_m2;  /* of a plane square to the sun, by the sun alone */
-    double diffuse_w_m2; /* of a level plane, by the sky alone */
-    double diffuse_lx;   /* illuminance of a level plane by the sky alone */
+    double direct_w_m2;  /* irradiance of a plane square to the sun, by the sun only */
+    double diffuse_w_m2; /* irradiance of a level plane, by the sky only */
+    double diffuse_lx;   /* illuminance of a level plane, by the sky only */
 };
 
 struct pp_epw {

@@ -9,7 +9,7 @@
 #include "model/base/text.h"
 #include "model/geometry/vec.h"
 
-/* What reading the header needs at each line. */
+/* The state of reading the header. */
 struct header_reader {
     struct pp_epw *epw;
     struct pp_epw_header *header;
@@ -174,24 +174,24 @@ static void read_periods(struct header_reader *r)
         read_period(r, i);
 }
 
-static void pass_over(struct header_reader *r)
+static void ignore(struct header_reader *r)
 {
     (void)r;
 }
 
-/* The lines there are; what matters of a line is its name and fields. */
+/* The names of header lines, and how each is read. */
 static const struct header_line {
     const char *name;
     void (*read)(struct header_reader *r);
 } header_lines[] = {
     {"LOCATION", read_location},
-    {"DESIGN CONDITIONS", pass_over},
-    {"TYPICAL/EXTREME PERIODS", pass_over},
-    {"GROUND TEMPERATURES", pass_over},
+    {"DESIGN CONDITIONS", ignore},
+    {"TYPICAL/EXTREME PERIODS", ignore},
+    {"GROUND TEMPERATURES", ignore},
     {"HOLIDAYS/DAYLIGHT SAVINGS", read_holidays},
     {"HOLIDAYS/DAYLIGHT SAVING", read_holidays},
-    {"COMMENTS 1", pass_over},
-    {"COMMENTS 2", pass_over},
+    {"COMMENTS 1", ignore},
+    {"COMMENTS 2", ignore},
     {"DATA PERIODS", read_periods},
 };
 enum { HEADER_LINES = sizeof header_lines / sizeof header_lines[0] };

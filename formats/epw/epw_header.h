@@ -26,8 +26,9 @@ struct pp_epw_header {
     struct pp_epw_period periods[PP_EPW_PERIODS_MOST];
 };
 
-/* Reads header lines into epw and header up to the first record, which is *record (NULL:
- * the file ends before it). False where there is a mistake, or memory is out (err). */
+/* Reads header lines into epw and header up to the first record, which is *record
+ * (NULL: the file ends before it). False where there is a mistake, or memory is out
+ * (err). */
 bool pp_epw_header_read(struct pp_epw *epw, struct pp_epw_header *header,
                         struct pp_epw_lines *lines, char **record,
                         struct pp_mistakes *mistakes, struct pp_error *err);

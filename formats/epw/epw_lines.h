@@ -22,8 +22,8 @@ struct pp_epw_lines {
     int next_line;  /* number of the line at `at` */
 };
 
-/* Looks at the bytes alone: false, with the first mistake noted, where they can't be a
- * weather file (UTF-16, NUL bytes, lines without an end, nothing at all). */
+/* Checks the bytes by themselves: false, with the first mistake noted, where they can't
+ * be a weather file (UTF-16, NUL bytes, lines without an end, nothing at all). */
 bool pp_epw_lines_check_bytes(const char *bytes, size_t length,
                               struct pp_mistakes *mistakes);
 

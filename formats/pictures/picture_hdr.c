@@ -134,8 +134,8 @@ struct input {
     int line; /* that was read last, from 1 */
 };
 
-/* The next line without its end; false where the input ends before or it is too long.
- */
+/* The next line without its end; false where the input ends before or it is too
+ * long. */
 static bool read_line(struct input *in, char line[LINE_MOST])
 {
     size_t left = in->length - in->at;

@@ -18,10 +18,10 @@ enum { PP_HDR_VIEW_SIZE = 512 };
 
 /* What the header says besides the size. */
 struct pp_hdr_notes {
-    double exposure;             /* what the radiances have been multiplied by; 0: 1 */
+    double exposure; /* factor that the radiances have been multiplied by; 0: 1 */
     char view[PP_HDR_VIEW_SIZE]; /* the options behind VIEW=, e.g. "-vtv -vp 1 2 3";
                                   * empty: none */
-    char quantity[16]; /* what the pixels are where they are no radiances: "df"; behind
+    char quantity[16]; /* of the pixels, where they are no radiances: "df"; behind
                         * QUANTITY=, which other programs pass over; empty: not said */
     const char
         *software; /* the program that made it, for pp_picture_hdr_write; NULL: not

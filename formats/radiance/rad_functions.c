@@ -6,7 +6,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "formats/radiance/rad_reader.h"
+#include "formats/radiance/read/rad_reader.h"
 
 static const char cal[] =
     "{\n"

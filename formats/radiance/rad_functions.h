@@ -1,5 +1,5 @@
-/* rad_functions.h - what Radiance's own materials can't say of a room, as functions
- * that it works out: the text of "pepperpot.cal".
+/* rad_functions.h - "pepperpot.cal": functions for the skies and glazings of a room
+ * that Radiance has no material or pattern for, which it evaluates itself.
  *
  *     pp_sky       skies without gensky's fade into the ground at the horizon, and
  *                  skylines so far away that they are the same from every point

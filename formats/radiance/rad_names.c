@@ -1,5 +1,5 @@
-/* rad_names.c - see rad_names.h. Open addressing with linear probing, half full at most.
- */
+/* rad_names.c - see rad_names.h. Open addressing with linear probing, half full at
+ * most. */
 #include "formats/radiance/rad_names.h"
 
 #include <stdint.h>

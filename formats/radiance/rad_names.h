@@ -1,4 +1,4 @@
-/* rad_names.h - what the names in a Radiance scene stand for.
+/* rad_names.h - the names in a Radiance scene, each with its material or pattern.
  *
  * A later definition of a name takes the place of an earlier one from there on. A name
  * may be any bytes. It is a hash table: to define or to find a name takes the same time

@@ -10,7 +10,7 @@ enum pp_status {
     PP_OK = 0,
     PP_BAD_INPUT,   /* the input or its data is wrong */
     PP_SYSTEM,      /* the machine failed: memory, disk, permission */
-    PP_INTERRUPTED, /* stopped on request; what there is so far is good */
+    PP_INTERRUPTED, /* stopped on request; the results so far are good */
 };
 
 struct pp_error {

@@ -1,6 +1,5 @@
 /* text.h - text put together piece by piece in an array of fixed size; names that
- * somebody mistyped; and numbers as people write them, whatever the locale.
- */
+ * somebody mistyped; and numbers as people write them, whatever the locale. */
 #ifndef PP_MODEL_BASE_TEXT_H
 #define PP_MODEL_BASE_TEXT_H
 
@@ -10,8 +9,8 @@
 
 #include "model/base/error.h"
 
-/* Adds to the end of `text`, an array of `room` bytes, as printf would; text that has no
- * room is cut off. No argument may lie in `text`. */
+/* Adds to the end of `text`, an array of `room` bytes, as printf would; text that has
+ * no room is cut off. No argument may lie in `text`. */
 void pp_text_append(char *text, size_t room, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 void pp_text_append_v(char *text, size_t room, const char *format, va_list arguments)
@@ -31,7 +30,8 @@ int pp_text_edit_distance(const char *a, const char *b);
  * else the first that contains it ("oak": "oak-floor"). NULL where none is like it. */
 const char *pp_text_nearest(const char *typed, const char *const *names, int count);
 
-/* Adds `; did you mean "nearest"?` where a name is like what was typed, else nothing. */
+/* Adds `; did you mean "nearest"?` where a name is like what was typed, else
+ * nothing. */
 void pp_text_append_nearest(char *text, size_t room, const char *typed,
                             const char *const *names, int count);
 

@@ -32,7 +32,8 @@ static bool is_spike(const double a[2], const double b[2], const double c[2])
     return dot <= 0.0 && fabs(cross) <= 1e-9 * fabs(dot);
 }
 
-/* Takes spikes off a ring: overlays leave them, and they have no area but an moments. */
+/* Takes spikes off a ring, which overlays leave: they have no area, but enlarge the
+ * bounding box. */
 static void take_spikes_off(struct pp_ring *ring)
 {
     for (int i = 0, passed = 0; passed < ring->count && ring->count > 2; i++) {

@@ -1,7 +1,7 @@
 /* region.h - plane figures with holes, their union, difference and intersection.
  *
- * Overlays are GEOS's, which no other file knows. Coordinates are plain pairs in whatever
- * plane the caller means (the working plane, an opening's own plane).
+ * Overlays are GEOS's, which no other file knows. Coordinates are plain pairs in
+ * whatever plane the caller means (the working plane, an opening's own plane).
  */
 #ifndef PP_MODEL_GEOMETRY_REGION_H
 #define PP_MODEL_GEOMETRY_REGION_H
@@ -25,7 +25,8 @@ struct pp_region {
     struct pp_ring *rings;
 };
 
-/* Holds a GEOS context: one for each thread. The functions below change nothing else. */
+/* Holds a GEOS context: one for each thread. The functions below change nothing
+ * else. */
 struct pp_clipper;
 enum pp_status pp_region_clipper_create(struct pp_clipper **clipper,
                                         struct pp_error *err);
@@ -44,7 +45,8 @@ enum pp_status pp_region_of_ring(struct pp_clipper *clipper, struct pp_region *r
                                  struct pp_error *err);
 /* The figure of any closed line, by crossings: a point is in it where a ray from there
  * crosses the line an odd number of times. Where the line runs there and back, as along
- * the bridge from a rim to a hole, it bounds nothing; a hole may run either way round. */
+ * the bridge from a rim to a hole, it bounds nothing; a hole may run either way
+ * round. */
 enum pp_status pp_region_by_crossings(struct pp_clipper *clipper,
                                       struct pp_region *region, const double (*xy)[2],
                                       int count, struct pp_error *err);

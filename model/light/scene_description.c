@@ -8,8 +8,8 @@
 #include "model/base/array.h"
 #include "model/geometry/polygon.h"
 
-/* How far out of its plane a corner of a polygon may be, over the polygon's size: chosen,
- * not measured. */
+/* How far out of its plane a corner of a polygon may be, over the polygon's size:
+ * chosen, not measured. */
 static const double MOST_UNEVEN = 1e-3;
 
 void pp_scene_description_init(struct pp_scene_description *scene)
@@ -96,8 +96,8 @@ static enum pp_status append(struct pp_scene_description *scene,
     return PP_OK;
 }
 
-/* Copies the corners behind the scene's vertices without repeated ones; returns how many
- * are left. */
+/* Copies the corners behind the scene's vertices without repeated ones; returns how
+ * many are left. */
 static int copy_corners(struct pp_scene_description *scene,
                         const struct pp_vec3 *corners, int count)
 {
@@ -263,8 +263,8 @@ double pp_scene_description_pattern_value(const struct pp_pattern *pattern,
                 return pattern->skylines[i].radiance;
         return pattern->factor * pp_sky_luminance(&pattern->sky, u);
     }
-    /* The mean of sky and ground, weighted by tenth powers: the ground's share is a half
-     * at the horizon, a tenth at 6 degrees, 3e-4 at 30. */
+    /* The mean of sky and ground, weighted by tenth powers: the ground's share is a
+     * half at the horizon, a tenth at 6 degrees, 3e-4 at 30. */
     double above = pow(u.z + 1.01, 10.0), below = 1.0 / above;
     double value =
         (above * gensky_sky(pattern, u) + below * pattern->ground) / (above + below);

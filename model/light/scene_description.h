@@ -1,8 +1,8 @@
 /* scene_description.h - a scene as plain lists: shapes, materials, patterns of light.
  *
- * An import (formats/radiance) fills the lists; simulate/scene/light_scene.h is made from
- * them. Lengths are in metres (or in the unit of the receivers), radiances in any unit,
- * which the results then have.
+ * An import (formats/radiance) fills the lists; simulate/scene/light_scene.h is made
+ * from them. Lengths are in metres (or in the unit of the receivers), radiances in any
+ * unit, which the results then have.
  *
  * Lists are grown by the functions below, which check each shape as it comes.
  */

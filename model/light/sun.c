@@ -1,6 +1,6 @@
-/* sun.c - see sun.h. The steps are the almanac's: the sun's longitude on the
- * ecliptic, its right ascension and declination, and by sidereal time its hour angle and
- * its place above the horizon [MIC88]:
+/* sun.c - see sun.h. The steps are the almanac's: the sun's longitude on the ecliptic,
+ * its right ascension and declination, and by sidereal time its hour angle and its
+ * place above the horizon [MIC88]:
  *
  *     L  = 280.460 + 0.9856474 n                    mean longitude (degrees)
  *     g  = 357.528 + 0.9856003 n                    mean anomaly

@@ -7,7 +7,8 @@
 
 #include "model/geometry/vec.h"
 
-/* Share of the pixels, at either end, that the scale leaves out: chosen, not measured. */
+/* Share of the pixels, at either end, that the scale leaves out: chosen, not
+ * measured. */
 static const double left_out = 0.005;
 
 enum { DECADES_MOST = 4 };

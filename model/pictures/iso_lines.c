@@ -5,8 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Without tags: neighbours whose values differ by more than this, in natural logarithms,
- * show two surfaces. Chosen by trial. */
+/* Without tags: neighbours whose values differ by more than this, in natural
+ * logarithms, show two surfaces. Chosen by trial. */
 static const double edge_log = 0.3;
 
 struct log_picture {

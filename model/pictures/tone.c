@@ -13,8 +13,8 @@
 #include <string.h>
 
 /* Trimming the histogram ends when it takes less than this share of what is left of the
- * histogram. [LRP97] have the same share of the whole, which can be half of what is left
- * where little is. */
+ * histogram. [LRP97] have the same share of the whole, which can be half of what is
+ * left where little is. */
 static const double tolerance = 0.025;
 
 /* Share of the histogram that is spread evenly over its bins: chosen by trial. */
@@ -143,8 +143,9 @@ static void make_curve(struct pp_tone *tone, const struct adaptation_fields *fie
         bins[bin < PP_TONE_BINS ? bin : PP_TONE_BINS - 1] += 1.0;
         total += 1.0;
     }
-    /* A hundredth of all spread evenly over the bins, so that trimmed contrast can go into
-     * the gap between the luminances of a room and its window, where it shows nowhere. */
+    /* A hundredth of all spread evenly over the bins, so that trimmed contrast can go
+     * into the gap between the luminances of a room and its window, where it shows
+     * nowhere. */
     double all = total + spread * total;
     for (int i = 0; i < PP_TONE_BINS; i++)
         bins[i] += spread * total / PP_TONE_BINS;

@@ -1,9 +1,9 @@
 /* tone.h - tone mapping: from the light in a picture to the light of a screen or paper.
  *
- * Three ways: an exposure set by hand; one by the picture, which makes its geometric mean
- * a middle grey; or the curve of [LRP97], which spreads contrast over the luminances that
- * occur but shows no more of it than there is, nor than an eye adapted to the scene would
- * see: surfaces that look alike there look alike in the picture.
+ * Three ways: an exposure set by hand; one by the picture, which makes its geometric
+ * mean a middle grey; or the curve of [LRP97], which spreads contrast over the
+ * luminances that occur but shows no more of it than there is, nor than an eye adapted
+ * to the scene would see: surfaces that look alike there look alike in the picture.
  *
  * Luminances are cd/m2, from the picture's grey (rgb.h) times `unit`.
  */
@@ -14,7 +14,7 @@
 
 enum pp_tone_way { PP_TONE_BY_HAND, PP_TONE_AUTOMATIC, PP_TONE_HUMAN };
 
-/* The luminances of black and white of what the picture is shown on, cd/m2. */
+/* Luminances of the display's black and white, cd/m2. */
 #define PP_TONE_DISPLAY_LEAST 1.0
 #define PP_TONE_DISPLAY_MOST 100.0
 
@@ -46,9 +46,10 @@ enum pp_status pp_tone_prepare(struct pp_tone *tone, const struct pp_picture *pi
                                const struct pp_tone_options *options,
                                struct pp_error *err);
 
-/* The display's luminance for a luminance of the scene (cd/m2), over the display's white:
- * 0 to 1, and above in the first two ways. It grows with the luminance. The display's black is not taken off
- * the curve: on one that gives off less, the contrast of dark parts would grow. */
+/* The display's luminance for a luminance of the scene (cd/m2), over the display's
+ * white: 0 to 1, and above in the first two ways. It grows with the luminance. The
+ * display's black is not taken off the curve: on one that gives off less, the contrast
+ * of dark parts would grow. */
 double pp_tone_shown(const struct pp_tone *tone, double luminance);
 
 /* A pixel in sRGB [IEC61966]. */

@@ -1,7 +1,7 @@
 /* availability_sheet.h - how often daylight suffices, as it is printed and drawn.
  *
- * studies/climate/availability.h fills it; charts/availability_chart.h draws it. Illuminances
- * are in lx, shares of the working hours 0 to 1.
+ * studies/climate/availability.h fills it; charts/availability_chart.h draws it.
+ * Illuminances are in lx, shares of the working hours 0 to 1.
  */
 #ifndef PP_MODEL_RESULTS_AVAILABILITY_SHEET_H
 #define PP_MODEL_RESULTS_AVAILABILITY_SHEET_H

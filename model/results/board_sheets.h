@@ -28,11 +28,12 @@ struct pp_board_piece {
 };
 
 struct pp_board_window {
-    int line;             /* of the room file */
-    double distance_m;    /* from the point to its plane */
-    double allowance;     /* for its glass, frame and dirt */
-    double sky, external; /* what it gives, fractions of Eh, allowance included */
-    int count;            /* 0: the point sees nothing of it */
+    int line;          /* of the room file */
+    double distance_m; /* from the point to its plane */
+    double allowance;  /* for its glass, frame and dirt */
+    double sky,
+        external; /* illuminance through it, fractions of Eh, allowance included */
+    int count;    /* 0: the point sees nothing of it */
     struct pp_board_piece *pieces;
 };
 
@@ -40,7 +41,7 @@ struct pp_board_window {
  * one, a fraction of Eh. */
 void pp_board_sheets_window_sum(struct pp_board_window *window, double worth);
 
-/* Adds what the windows give to *sky and *external. */
+/* Adds the windows' sky and external to *sky and *external. */
 void pp_board_sheets_windows_add(const struct pp_board_window *windows, int count,
                                  double *sky, double *external);
 
@@ -57,7 +58,8 @@ void pp_board_sheets_windows_destroy(struct pp_board_window *windows, int count)
  *
  * All lengths on the diagram are in its squares, x from azimuth 0 (the direction square
  * to the window), positive to the right, y from the horizon up. A method fills it
- * (methods/waldram/waldram_sheet_fill.h); a chart draws it (charts/drawing_board/waldram_chart.h). */
+ * (methods/waldram/waldram_sheet_fill.h); a chart draws it
+ * (charts/drawing_board/waldram_chart.h). */
 
 /* One diagram, with the windows that face one way. */
 struct pp_waldram_panel {

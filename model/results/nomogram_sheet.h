@@ -10,9 +10,11 @@ enum pp_mark_rank { PP_MARK_FINE, PP_MARK_MIDDLE, PP_MARK_LABELLED };
 
 /* ---- the nomogram ----
  *
- * A nomogram is a chart of upright scales on which a straight-edge does a sum. A stem is a scale on an upright line. Places on the sheet are fractions of its width
- * and of the scales' height, x from the left, y from the bottom. A method sets them out
- * (methods/nomogram/nomogram_scale.h), where the derivation stands; a chart draws them. */
+ * A nomogram is a chart of upright scales on which a straight-edge does a sum. A stem
+ * is a scale on an upright line. Places on the sheet are fractions of its width and of
+ * the scales' height, x from the left, y from the bottom. A method sets them out
+ * (methods/nomogram/nomogram_scale.h), where the derivation stands; a chart draws them.
+ */
 
 enum pp_nomogram_kind {
     PP_NOMOGRAM_AVERAGE,   /* I: average component of a side-lit room */
@@ -96,7 +98,7 @@ struct pp_nomogram_sheet {
     int window_count;
     struct pp_nomogram_window *windows; /* owned */
     int left_out;       /* openings of the room that the nomogram is not made for */
-    double decorations; /* D: what their deterioration leaves, of all windows */
+    double decorations; /* D: share that their deterioration leaves, of all windows */
     double component;   /* average of all windows, allowances settled */
     double minimum;     /* of II: the least of all windows; else NAN */
 };

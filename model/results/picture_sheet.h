@@ -1,4 +1,5 @@
-/* picture_sheet.h - the data of a sheet with a picture on it (charts/picture_chart.h). */
+/* picture_sheet.h - the data of a sheet with a picture on it
+ * (charts/picture_chart.h). */
 #ifndef PP_MODEL_RESULTS_PICTURE_SHEET_H
 #define PP_MODEL_RESULTS_PICTURE_SHEET_H
 
@@ -14,7 +15,7 @@ struct pp_picture_word {
 
 struct pp_picture_sheet {
     const char *title;  /* not owned; NULL: none */
-    char subtitle[512]; /* what it shows, from where, under which sky */
+    char subtitle[512]; /* the quantity, the view, the sky */
     char foot[512];     /* notes */
 
     struct pp_raster raster;

@@ -30,11 +30,11 @@ struct pp_report {
     int receiver_count;
     struct pp_column *columns; /* in order of component, then as asked for */
     int column_count;
-    bool finished;    /* false: interrupted, what is there is good */
+    bool finished;    /* false: interrupted; the columns so far are good */
     bool explain;     /* are the methods to set down their steps? */
-    char **sentences; /* what readings' why points to, where it is not static */
+    char **sentences; /* that readings' why points to, where it is not static */
     int sentence_count;
-    struct pp_steps **steps; /* what readings' steps point to */
+    struct pp_steps **steps; /* that readings' steps point to */
     int steps_count;
 };
 
@@ -57,7 +57,7 @@ const char *pp_report_say(struct pp_report *report, const char *format, ...)
  * out. */
 struct pp_steps *pp_report_steps(struct pp_report *report);
 
-/* Frees the columns, sentences and steps; what else is in the report stays. */
+/* Frees the columns, sentences and steps; the rest of the report stays. */
 void pp_report_clear(struct pp_report *report);
 
 #endif

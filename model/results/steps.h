@@ -1,5 +1,5 @@
-/* steps.h - a calculation as it would be set out on paper: the figures that were read or
- * put in, and those worked out of them, each with its formula and unit, in order.
+/* steps.h - a calculation as it would be set out on paper: the figures that were read
+ * or put in, and those worked out of them, each with its formula and unit, in order.
  *
  * A formula is written in the figures as they are printed: per cent, degrees, metres.
  * It holds numbers, the symbols of steps before it (the latest of a name counts), + - *

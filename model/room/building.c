@@ -34,7 +34,8 @@ enum pp_status pp_building_parse(struct pp_building **building, const char *byte
     pp_xml_clear(&xml);
     pp_mistakes_sort(mistakes);
 
-    /* Of a file that breaks off, no room can be judged: what it lacks may follow. */
+    /* No room of a file that breaks off can be judged: its missing parts may have
+     * followed. */
     if (whole)
         *building = made;
     else

@@ -1,5 +1,5 @@
-/* building.h - a room file, read: a room, or a building of several. world.h goes on from
- * its rooms to their worlds. */
+/* building.h - a room file, read: a room, or a building of several. world.h goes on
+ * from its rooms to their worlds. */
 #ifndef PP_MODEL_ROOM_BUILDING_H
 #define PP_MODEL_ROOM_BUILDING_H
 

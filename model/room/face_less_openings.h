@@ -1,6 +1,5 @@
-/* face_less_openings.h - a polygon in coordinates of its own plane, less the openings in it,
- * for the clipper; and the way back into the room, to the bit.
- */
+/* face_less_openings.h - a polygon in coordinates of its own plane, less the openings
+ * in it, for the clipper; and the way back into the room, to the bit. */
 #ifndef PP_MODEL_ROOM_FACE_LESS_OPENINGS_H
 #define PP_MODEL_ROOM_FACE_LESS_OPENINGS_H
 

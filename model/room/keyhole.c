@@ -1,7 +1,7 @@
 /* keyhole.c - see keyhole.h.
  *
- * Of the holes not yet joined, the next is that whose corner lies nearest to a corner of
- * the outline so far with no edge in between: that pair of corners is the bridge.
+ * Of the holes not yet joined, the next is that whose corner lies nearest to a corner
+ * of the outline so far with no edge in between: that pair of corners is the bridge.
  */
 #include "model/room/keyhole.h"
 
@@ -98,7 +98,8 @@ static struct keyhole_bridge find_bridge(const struct closed_line *outline,
     return best;
 }
 
-/* Takes the outline along the bridge, round the hole, and back. There is room for it. */
+/* Takes the outline along the bridge, round the hole, and back. There is room for
+ * it. */
 static void join_hole(struct closed_line *outline, const struct closed_line *hole,
                       struct keyhole_bridge bridge)
 {

@@ -104,7 +104,7 @@ static const char *fault_on_surface(enum pp_role role)
     return "lies in a surface";
 }
 
-/* Does a receiver on that surface measure what falls on it from the room? */
+/* Does a receiver on that surface measure the light that falls on it from the room? */
 static bool lies_on(const struct pp_surface *surface, struct pp_vec3 normal)
 {
     bool envelope = surface->role == PP_FLOOR || surface->role == PP_WALL

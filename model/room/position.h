@@ -20,8 +20,8 @@ bool pp_position_in_surface(const struct pp_world *world, struct pp_vec3 point);
 const char *pp_position_receiver_fault(const struct pp_world *world,
                                        struct pp_vec3 position, struct pp_vec3 normal);
 
-/* A receiver that faces up at (x, y, z), z NAN: on the working plane; PP_BAD_INPUT where
- * light can't be measured there. */
+/* A receiver that faces up at (x, y, z), z NAN: on the working plane; PP_BAD_INPUT
+ * where light can't be measured there. */
 enum pp_status pp_position_place_receiver(const struct pp_world *world, double x,
                                           double y, double z,
                                           struct pp_receiver *receiver,

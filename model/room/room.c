@@ -53,8 +53,8 @@ static void copy_plan(struct pp_plan_part *plan, bool *good)
     }
 }
 
-/* Puts copies in place of all that the room points to. Parts that are reached after memory
- * was out are empty, so that the room can be cleared. */
+/* Puts copies in place of all that the room points to. Parts that are reached after
+ * memory was out are empty, so that the room can be cleared. */
 static void copy_parts(struct pp_room *room, bool *good)
 {
     copy_text(&room->name, good);
@@ -200,7 +200,7 @@ void pp_room_set_maintenance(struct pp_room *room, int index, double maintenance
     room->openings[index].glazing.maintenance = maintenance;
 }
 
-/* ---- The room itself, and what stands outside ---- */
+/* ---- The room itself, and its surroundings ---- */
 
 enum pp_status pp_room_set_sky(struct pp_room *room, const char *spec,
                                struct pp_error *err)

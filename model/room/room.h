@@ -1,6 +1,6 @@
-/* room.h - a room as its file describes it, to be copied and changed. Nothing is checked
- * here: pp_world_create finds what makes no sense in a changed room, as in a file's.
- */
+/* room.h - a room as its file describes it, to be copied and changed. Nothing is
+ * checked here: pp_world_create finds the mistakes of a changed room, as those of a
+ * file's. */
 #ifndef PP_MODEL_ROOM_ROOM_H
 #define PP_MODEL_ROOM_ROOM_H
 

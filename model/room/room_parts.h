@@ -1,5 +1,5 @@
-/* room_parts.h - a room as its file describes it, part by part: the reader (read/) fills
- * it, and world.c resolves it. Inside model/room/ only.
+/* room_parts.h - a room as its file describes it, part by part: the reader (read/)
+ * fills it, and world.c resolves it. Inside model/room/ only.
  *
  * Angles are radians, everything else is as in the file. Every part has the line of its
  * element. A number that the file left out and that has no default is NAN; a string is

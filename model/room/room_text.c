@@ -1,6 +1,6 @@
 /* room_text.c - see room_text.h.
  *
- * The text is well-formed XML without DOCTYPE, so that what lies between "<" and ">" is
+ * The text is well-formed XML without DOCTYPE, so that between "<" and ">" there is
  * a tag, a comment, a processing instruction or CDATA, and a ">" in a tag stands in
  * quotes or ends it.
  */

@@ -1,6 +1,5 @@
-/* room_text.h - the text of a room file with some of its windows changed; all else stays
- * byte for byte, comments and blanks included.
- */
+/* room_text.h - the text of a room file with some of its windows changed; all else
+ * stays byte for byte, comments and blanks included. */
 #ifndef PP_MODEL_ROOM_ROOM_TEXT_H
 #define PP_MODEL_ROOM_ROOM_TEXT_H
 
@@ -24,7 +23,8 @@ struct pp_text_edit {
 };
 
 /* The text, in which pp_building_parse has found no mistake, with the edits made; they
- * are in order of their openings. *changed is the caller's, *changed_length bytes and a 0. */
+ * are in order of their openings. *changed is the caller's, *changed_length bytes and a
+ * 0. */
 enum pp_status pp_room_text_edit(char **changed, size_t *changed_length,
                                  const char *text, size_t length,
                                  const struct pp_text_edit *edits, int edit_count,

@@ -39,8 +39,8 @@ static struct plane_crossing crossing_of(struct pp_vec3 low, struct pp_vec3 high
         .xy = {low.x + t * (high.x - low.x), low.y + t * (high.y - low.y)}};
 }
 
-/* The crossings of a face in order along the direction in which the room lies on the left;
- * returns how many (an even number). */
+/* The crossings of a face in order along the direction in which the room lies on the
+ * left; returns how many (an even number). */
 static int face_crossings(struct plane_crossing *crossings,
                           const struct pp_polygon *face, const int *corners, double z)
 {

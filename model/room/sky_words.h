@@ -1,5 +1,5 @@
-/* sky_words.h - a sky in words, as a room file's <sky> and the command line's --sky have
- * it: "overcast", "uniform", "iso-1" to "iso-15", and where the sun stands. */
+/* sky_words.h - a sky in words, as a room file's <sky> and the command line's --sky
+ * have it: "overcast", "uniform", "iso-1" to "iso-15", and where the sun stands. */
 #ifndef PP_MODEL_ROOM_SKY_WORDS_H
 #define PP_MODEL_ROOM_SKY_WORDS_H
 
@@ -23,9 +23,9 @@ struct pp_sky_part pp_sky_words_default(void);
 /* Gives the part the type of that index among pp_sky_words. */
 void pp_sky_words_set_type(struct pp_sky_part *part, int index);
 
-/* Reads "TYPE" or "TYPE,SUN-ALTITUDE,SUN-BEARING", in degrees ("iso-12,30,180"). Without
- * a sun the part keeps its own; PP_BAD_INPUT where a type needs the sun and neither has
- * one, and the part stays as it was. */
+/* Reads "TYPE" or "TYPE,SUN-ALTITUDE,SUN-BEARING", in degrees ("iso-12,30,180").
+ * Without a sun the part keeps its own; PP_BAD_INPUT where a type needs the sun and
+ * neither has one, and the part stays as it was. */
 enum pp_status pp_sky_words_parse(struct pp_sky_part *part, const char *spec,
                                   struct pp_error *err);
 

@@ -7,10 +7,10 @@
 #include "model/light/material.h"
 #include "model/room/world.h"
 
-/* The material of the side that the surface's normal points to, or of the other one. It is
- * named after the surface: "floor", "ceiling", a wall's name, "reveal", "surface",
- * "block"; backs of the envelope and of reveals have " (outside)" behind. Its emission is
- * over Eh. */
+/* The material of the side that the surface's normal points to, or of the other one. It
+ * is named after the surface: "floor", "ceiling", a wall's name, "reveal", "surface",
+ * "block"; backs of the envelope and of reveals have " (outside)" behind. Its emission
+ * is over Eh. */
 struct pp_material pp_surface_materials_of(const struct pp_world *world, int surface,
                                            bool front);
 
@@ -18,13 +18,13 @@ struct pp_material pp_surface_materials_of(const struct pp_world *world, int sur
 struct pp_material pp_surface_materials_matt(const struct pp_world *world, int surface,
                                              bool front);
 
-/* The material of an opening's pane seen from inside or outside, with its frame, dirt and
- * curtains; named "glazing". */
+/* The material of an opening's pane seen from inside or outside, with its frame, dirt
+ * and curtains; named "glazing". */
 struct pp_material pp_surface_materials_pane(const struct pp_world *world, int opening,
                                              bool inside);
 
-/* All fields of a material, its name included: materials are the same where their keys are
- * the same to the byte. -0 counts as 0. */
+/* All fields of a material, its name included: materials are the same where their keys
+ * are the same to the byte. -0 counts as 0. */
 enum { PP_MATERIAL_KEY_NUMBERS = 39 };
 struct pp_material_key {
     char name[PP_MATERIAL_NAME_SIZE];

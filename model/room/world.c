@@ -72,9 +72,9 @@ static enum pp_status resolve_site(struct pp_resolver *r, struct pp_error *err)
     return PP_OK;
 }
 
-/* Faces are compared with each other and with all that is near them, corner by corner. A
- * room of more pairs than this would take many seconds: 40,000 windows in one wall took
- * minutes, and are refused in 0.1 s. */
+/* Faces are compared with each other and with all that is near them, corner by corner.
+ * A room of more pairs than this would take many seconds: 40,000 windows in one wall
+ * took minutes, and are refused in 0.1 s. */
 static const double corner_pairs_most = 3e8;
 
 static bool is_comparable(struct pp_resolver *r)

@@ -40,8 +40,8 @@ struct pp_surface {
     double exitance; /* emitted by each side by itself, over Eh */
     const struct pp_finish *finish; /* named in the file: of the front, and of both
                                      * sides of blocks and free-standing surfaces; NULL:
-                                     * grey and without gloss. Its reflectance is `front`
-                                     * all the same */
+                                     * grey and without gloss. The reflectance is that
+                                     * of `front` anyhow */
     int owner;                      /* reveal: its opening; block: its block; else -1 */
     int line;                       /* in the room file; 0 where none */
 };

@@ -13,9 +13,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "formats/radiance/rad_read.h"
-#include "formats/radiance/rad_write.h"
-#include "formats/radiance/rad_write_materials.h"
+#include "formats/radiance/read/rad_read.h"
+#include "formats/radiance/write/rad_write.h"
+#include "formats/radiance/write/rad_write_materials.h"
 
 int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t length);
 

@@ -7,13 +7,13 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "formats/radiance/rad_read.h"
-#include "formats/radiance/rad_room.h"
-#include "formats/radiance/rad_write.h"
+#include "formats/radiance/read/rad_read.h"
+#include "formats/radiance/write/rad_room.h"
+#include "formats/radiance/write/rad_write.h"
 #include "simulate/transport/sensors.h"
 #include "tests/lib/room_of.h"
 #include "tests/lib/traced.h"
-#include "formats/radiance/rad_write_materials.h"
+#include "formats/radiance/write/rad_write_materials.h"
 
 /* Of all rooms. */
 struct pp_test_beside {

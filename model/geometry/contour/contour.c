@@ -1,6 +1,5 @@
-/* contour.c - see contour.h: the crossings of a level (level_crossing.h) joined to curves,
- * and these with the figure's edge to outlines.
- */
+/* contour.c - see contour.h: the crossings of a level (level_crossing.h) joined to
+ * curves, and these with the figure's edge to outlines. */
 #include "model/geometry/contour/contour.h"
 
 #include <float.h>

@@ -2,9 +2,9 @@
  * it.
  *
  * The mesh keeps to the figure's edges. The function is evaluated inside the figure and
- * on its edge, nowhere else, and never twice at a node. Triangles are at most 1/24 of the
- * figure's diagonal long, and along the figure's edge a quarter of that; contour.h halves
- * those near a level.
+ * on its edge, nowhere else, and never twice at a node. Triangles are at most 1/24 of
+ * the figure's diagonal long, and along the figure's edge a quarter of that; contour.h
+ * halves those near a level.
  */
 #ifndef PP_MODEL_GEOMETRY_CONTOUR_FIELD_H
 #define PP_MODEL_GEOMETRY_CONTOUR_FIELD_H
@@ -19,7 +19,8 @@
 typedef enum pp_status (*pp_field_function)(void *context, double x, double y,
                                             double *value, struct pp_error *err);
 
-/* A part of a curve across one triangle, from edge to edge, higher values on its left. */
+/* A part of a curve across one triangle, from edge to edge, higher values on its
+ * left. */
 struct pp_crossing {
     int from, to;     /* edges */
     int first, count; /* points in between, in field.between */

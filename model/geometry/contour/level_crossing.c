@@ -74,8 +74,8 @@ static enum pp_status find_level(struct pp_field *field, const double a_xy[2],
     return PP_OK;
 }
 
-/* A triangle that the level crosses: its corner A is the only one on its side. The curve
- * runs from edge AB to edge AC and is met by each ray from A to a place on BC. */
+/* A triangle that the level crosses: its corner A is the only one on its side. The
+ * curve runs from edge AB to edge AC and is met by each ray from A to a place on BC. */
 struct fan {
     const double *a, *b, *c;
     bool a_high;
@@ -158,8 +158,8 @@ static enum pp_status add_between(struct pp_field *field, const double xy[2],
     return status;
 }
 
-/* Adds the points that the curve needs between p, on the ray to BC at p_share, and q, at
- * q_share. */
+/* Adds the points that the curve needs between p, on the ray to BC at p_share, and q,
+ * at q_share. */
 static enum pp_status follow(struct pp_field *field, const struct fan *fan,
                              const double p[2], double p_share, const double q[2],
                              double q_share, int depth, struct pp_error *err)

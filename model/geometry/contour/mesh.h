@@ -30,8 +30,8 @@ struct pp_mesh {
     int table_room;
 };
 
-/* Makes a mesh of the region's constrained Delaunay triangles; it is empty on failure.
- */
+/* Makes a mesh of the region's constrained Delaunay triangles; it is empty on
+ * failure. */
 enum pp_status pp_mesh_init(struct pp_mesh *mesh, const struct pp_region *region,
                             struct pp_error *err);
 void pp_mesh_clear(struct pp_mesh *mesh);

@@ -1,4 +1,5 @@
-/* corners.c - see corners.h. Points are hashed by the cube of space that they are in. */
+/* corners.c - see corners.h. Points are hashed by the cube of space that they are
+ * in. */
 #include "model/room/build/corners.h"
 
 #include <stdint.h>

@@ -90,8 +90,8 @@ static bool window_outline(struct pp_resolver *r, const struct pp_opening_part *
     return fits;
 }
 
-/* The rooflight's outline, counter-clockwise seen from below: the room's x runs along the
- * frame's `along`, its y against `up`. */
+/* The rooflight's outline, counter-clockwise seen from below: the room's x runs along
+ * the frame's `along`, its y against `up`. */
 static void rooflight_outline(const struct pp_opening_part *part,
                               const struct pp_face_frame *frame, double xy[4][2])
 {

@@ -1,8 +1,7 @@
 /* opening_outline.h - in which face an opening of the room file lies, and where in it.
- * Inside model/room/ only.
- */
-#ifndef PP_MODEL_ROOM_OPENING_OUTLINE_H
-#define PP_MODEL_ROOM_OPENING_OUTLINE_H
+ * Inside model/room/ only. */
+#ifndef PP_MODEL_ROOM_BUILD_OPENING_OUTLINE_H
+#define PP_MODEL_ROOM_BUILD_OPENING_OUTLINE_H
 
 #include "model/room/build/resolve.h"
 #include "model/room/face_frame.h"

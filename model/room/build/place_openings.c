@@ -9,8 +9,8 @@
 #include "model/geometry/tolerance.h"
 #include "model/room/build/outline.h"
 
-/* Moves vertices of the ring that stick out of its face by no more than the tolerance on
- * to the face's edge, and notes where it sticks out by more. */
+/* Moves vertices of the ring that stick out of its face by no more than the tolerance
+ * on to the face's edge, and notes where it sticks out by more. */
 static enum pp_status fit_in_face(bool *fits, struct pp_resolver *r,
                                   const struct pp_opening_part *part,
                                   const struct pp_face_frame *frame, double (*xy)[2],

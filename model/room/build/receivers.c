@@ -15,8 +15,8 @@
 /* Spacing and margin of the default grid. */
 static const double default_spacing_m = 0.5;
 
-/* Receivers of a room, in all; and comparisons, since each receiver is compared with each
- * surface. */
+/* Receivers of a room, in all; and comparisons, since each receiver is compared with
+ * each surface. */
 enum { RECEIVERS_MOST = 100000 };
 static const double comparisons_most = 1e8;
 
@@ -212,8 +212,8 @@ static enum pp_status resolve_grid(struct pp_resolver *r, struct receiver_list *
     return PP_OK;
 }
 
-/* Adds a receiver well inside the plane, for a room too small for the default grid: at the
- * point of a fine mesh that is farthest from the edges. */
+/* Adds a receiver well inside the plane, for a room too small for the default grid: at
+ * the point of a fine mesh that is farthest from the edges. */
 static enum pp_status add_inmost(struct pp_resolver *r, struct receiver_list *list,
                                  struct pp_error *err)
 {
@@ -224,7 +224,8 @@ static enum pp_status add_inmost(struct pp_resolver *r, struct receiver_list *li
     double farthest = 0.0;
     struct pp_receiver best = {.normal = pp_vec(0.0, 0.0, 1.0)};
     for (int k = 0; k < MESH * MESH; k++) {
-        /* From the middle outwards, so that of several points as far the middle is taken. */
+        /* From the middle outwards, so that of several points as far the middle is
+         * taken. */
         int i = (k % MESH + MESH / 2) % MESH, j = (k / MESH + MESH / 2) % MESH;
         double x = low[0] + (i + 0.5) / MESH * (high[0] - low[0]);
         double y = low[1] + (j + 0.5) / MESH * (high[1] - low[1]);

@@ -15,8 +15,8 @@ int pp_resolve_wall_index(struct pp_resolver *r, const char *name, const char *w
     for (int i = 0; i < r->wall_count; i++)
         if (strcmp(r->walls[i], name) == 0)
             return i;
-    /* A room without a plan has its mistake noted already; and there is a limit to what
-     * is worth noting. */
+    /* A room without a plan has its mistake noted already; and thousands of unknown
+     * names are not worth noting. */
     if (r->wall_count == 0 || r->unknown_walls++ > PP_MISTAKES_MOST)
         return -1;
 

@@ -313,8 +313,8 @@ static bool attributes_known(const struct pp_element_rule *rule,
     return good;
 }
 
-/* Is this attribute the nearest to one that is not known? Then it is not noted as missing,
- * too. */
+/* Is this attribute the nearest to one that is not known? Then it is not noted as
+ * missing, too. */
 static bool is_misspelt(const struct pp_element_rule *rule,
                         const struct pp_xml_element *element, const char *name)
 {

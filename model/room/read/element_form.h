@@ -1,5 +1,5 @@
-/* element_form.h - elements read by the table of room_schema.h, and told what is wrong
- * with them. Inside model/room/ only. */
+/* element_form.h - elements read and checked by the table of room_schema.h. Inside
+ * model/room/ only. */
 #ifndef PP_MODEL_ROOM_READ_ELEMENT_FORM_H
 #define PP_MODEL_ROOM_READ_ELEMENT_FORM_H
 

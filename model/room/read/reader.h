@@ -1,8 +1,8 @@
-/* reader.h - the state that the readers of a room file's elements share. Inside model/room/
- * only.
+/* reader.h - the state that the readers of a room file's elements share. Inside
+ * model/room/ only.
  *
- * Each reader takes one element to its place in the room, notes what is wrong with it,
- * and leaves out what has a mistake in it.
+ * Each reader reads one element into its place in the room, notes its mistakes, and
+ * leaves it out if it has any.
  */
 #ifndef PP_MODEL_ROOM_READ_READER_H
 #define PP_MODEL_ROOM_READ_READER_H
@@ -19,8 +19,8 @@ struct pp_reader {
     int bad_elements;
     bool out_of_memory;
 
-    /* The table's glazings that have been asked for (panes > 0), so that each is integrated
-     * once. */
+    /* The table's glazings that have been asked for (panes > 0), so that each is
+     * integrated once. */
     struct pp_glass glasses[PP_READER_GLASSES];
 };
 

@@ -1,9 +1,9 @@
 /* room_schema.h - the elements of a room file, their attributes and what each may be.
  * Inside model/room/ only.
  *
- * One row an attribute: its name, what kind of value it takes, whether it must be
- * there, what stands for it if not, and where in the element's form the value goes.
- * A form is the element as its attributes have it, before it becomes a part of a room.
+ * One row an attribute: its name, the kind of its value, whether it is required, its
+ * value if it is left out, and where in the element's form the value goes. A form is
+ * the element as its attributes have it, before it becomes a part of a room.
  */
 #ifndef PP_MODEL_ROOM_READ_ROOM_SCHEMA_H
 #define PP_MODEL_ROOM_READ_ROOM_SCHEMA_H
@@ -35,7 +35,7 @@ struct pp_value_kind {
     double least, most;       /* of numbers, both allowed but: */
     bool above_least;         /* least itself is not */
     bool below_most;          /* most itself is not */
-    double unit;              /* what a number is multiplied by when stored; 0: 1 */
+    double unit;              /* factor by which a number is stored; 0: 1 */
     const char *const *words; /* of a choice; ends with NULL */
     const struct pp_named_factors *factors;
 };

@@ -356,8 +356,8 @@ enum pp_status pp_xml_parse(struct pp_xml *xml, const char *bytes, size_t length
                                    .cdataBlock = on_text,
                                    .serror = on_error};
     parser->_private = &b;
-    /* NOENT: else &amp; arrives as &#38;. A DOCTYPE stops the parser, so that a file can
-     * declare no entities of its own. */
+    /* NOENT: else &amp; arrives as &#38;. A DOCTYPE stops the parser, so that a file
+     * can declare no entities of its own. */
     xmlDocPtr none = xmlCtxtReadMemory(parser, bytes, (int)length, NULL, NULL,
                                        XML_PARSE_NONET | XML_PARSE_NOENT);
     xmlFreeDoc(none);

@@ -1,4 +1,5 @@
-/* xml_words.h - the XML parser's errors in words for people. Inside model/room/ only. */
+/* xml_words.h - the XML parser's errors in words for people. Inside model/room/
+ * only. */
 #ifndef PP_MODEL_ROOM_READ_XML_WORDS_H
 #define PP_MODEL_ROOM_READ_XML_WORDS_H
 

@@ -6,14 +6,14 @@
 #include <stdlib.h>
 
 #include "formats/radiance/rad_functions.h"
-#include "formats/radiance/rad_read.h"
-#include "formats/radiance/rad_room.h"
-#include "formats/radiance/rad_write.h"
+#include "formats/radiance/read/rad_read.h"
+#include "formats/radiance/write/rad_room.h"
+#include "formats/radiance/write/rad_write.h"
 #include "model/room/building.h"
 #include "model/room/keyhole.h"
 #include "tests/lib/near.h"
-#include "formats/radiance/rad_numbers.h"
-#include "formats/radiance/rad_write_materials.h"
+#include "formats/radiance/write/rad_numbers.h"
+#include "formats/radiance/write/rad_write_materials.h"
 
 static char *text_of(const struct pp_scene_description *scene, size_t *length)
 {
