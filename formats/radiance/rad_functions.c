@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "formats/radiance/read/rad_reader.h"
+#include "formats/radiance/read/rad_sky.h"
 
 static const char cal[] =
     "{\n"
@@ -254,13 +255,7 @@ static enum pp_status take_sky(struct pp_rad_reader *reader,
         pattern.skylines[pattern.skyline_count++] = (struct pp_pattern_skyline){
             pp_rad_transform_direction(&context->transform, outward), of[2], of[3]};
     }
-    struct pp_rad_meaning meaning = {PP_RAD_PATTERN, 0, -1};
-    status =
-        pp_scene_description_add_pattern(reader->scene, &pattern, &meaning.index, err);
-    if (status != PP_OK)
-        return status;
-    return pp_rad_names_define(&reader->names, primitive->name.text,
-                               primitive->name.length, meaning, err);
+    return pp_rad_sky_define(reader, primitive, &pattern, err);
 }
 
 enum pp_status pp_rad_functions_read(struct pp_rad_reader *reader,

@@ -7,6 +7,19 @@
 #include "formats/radiance/read/rad_materials.h"
 #include "formats/radiance/read/rad_shapes.h"
 
+enum pp_status pp_rad_sky_define(struct pp_rad_reader *reader,
+                                 const struct pp_rad_primitive *primitive,
+                                 const struct pp_pattern *pattern, struct pp_error *err)
+{
+    struct pp_rad_meaning meaning = {PP_RAD_PATTERN, 0, -1};
+    enum pp_status status =
+        pp_scene_description_add_pattern(reader->scene, pattern, &meaning.index, err);
+    if (status != PP_OK)
+        return status;
+    return pp_rad_names_define(&reader->names, primitive->name.text,
+                               primitive->name.length, meaning, err);
+}
+
 /* ---- as written ---- */
 
 /* The turn about the vertical that the strings behind the function's file ask for. */
@@ -93,13 +106,7 @@ static enum pp_status take_sky(struct pp_rad_reader *reader,
         pattern.norm = n[3];
         pattern.sun = pp_rad_transform_direction(&turn, pp_vec_unit(sun));
     }
-    struct pp_rad_meaning meaning = {PP_RAD_PATTERN, 0, -1};
-    status =
-        pp_scene_description_add_pattern(reader->scene, &pattern, &meaning.index, err);
-    if (status != PP_OK)
-        return status;
-    return pp_rad_names_define(&reader->names, primitive->name.text,
-                               primitive->name.length, meaning, err);
+    return pp_rad_sky_define(reader, primitive, &pattern, err);
 }
 
 enum pp_status pp_rad_sky_read(struct pp_rad_reader *reader,

@@ -13,6 +13,12 @@ enum pp_status pp_rad_sky_read(struct pp_rad_reader *reader,
                                const struct pp_rad_context *context, bool *taken,
                                struct pp_error *err);
 
+/* Adds the pattern to the scene, by the primitive's name. */
+enum pp_status pp_rad_sky_define(struct pp_rad_reader *reader,
+                                 const struct pp_rad_primitive *primitive,
+                                 const struct pp_pattern *pattern,
+                                 struct pp_error *err);
+
 /* What "gensky [options]" would print: "skyfunc" and, of a sky with a sun, "solar" and
  * its source. */
 enum pp_status pp_rad_sky_generate(struct pp_rad_reader *reader,
