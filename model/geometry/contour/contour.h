@@ -2,10 +2,9 @@
  *
  * The function is sampled over a mesh of triangles (field.h), which are halved (longest
  * edge first [RIV84]) near the levels asked for; the curve is followed from triangle to
- * triangle (level_crossing.h) to within the field's tolerance. Closed curves within one
- * triangle, on none of whose corners the function is on their inner side, are not
- * found: corners are at most 1/24 of the figure's diagonal apart, three quarters of
- * that near a level, and a quarter along the figure's edge.
+ * triangle (level_crossing.h) to within the field's tolerance. A closed curve that
+ * no corner lies within is not found: corners are at most 1/24 of the figure's diagonal
+ * apart, three quarters of that near a level, and a quarter along the figure's edge.
  *
  * The function need not be smooth: of a step, the curve is where it jumps.
  */
