@@ -6,7 +6,7 @@
 
 #include "methods/evaluate.h"
 #include "model/room/building.h"
-#include "model/room/world.h"
+#include "model/room/position.h"
 #include "studies/criteria/en17037_grid.h"
 
 void pp_study_begin_report(struct pp_study *study)

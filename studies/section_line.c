@@ -5,6 +5,8 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "model/room/position.h"
+
 #include "model/geometry/bounds.h"
 
 /* Spacing of the points along the line (m), at most. */

@@ -13,18 +13,19 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "formats/radiance/rad_read.h"
-#include "formats/radiance/rad_write.h"
+#include "formats/radiance/read/rad_read.h"
+#include "formats/radiance/write/rad_write.h"
+#include "formats/radiance/write/rad_write_materials.h"
 #include "tests/fuzz/must.h"
 
-enum pp_status __wrap_pp_file_bytes(char **bytes, size_t *length, const char *path,
-                                    size_t most, struct pp_error *err);
+enum pp_status __wrap_pp_read_file(char **bytes, size_t *length, const char *path,
+                                   size_t most, struct pp_error *err);
 
 static const uint8_t *fuzzed;
 static size_t fuzzed_length;
 
-enum pp_status __wrap_pp_file_bytes(char **bytes, size_t *length, const char *path,
-                                    size_t most, struct pp_error *err)
+enum pp_status __wrap_pp_read_file(char **bytes, size_t *length, const char *path,
+                                   size_t most, struct pp_error *err)
 {
     (void)path, (void)most;
     size_t half = fuzzed_length / 2;
