@@ -11,6 +11,7 @@
 #include "bench/bench.h"
 #include "formats/radiance/rad_read.h"
 #include "simulate/scene/light_scene.h"
+#include "simulate/scene/light_scene_of_description.h"
 
 enum { ACROSS = 1000, RUNS = 3 };
 

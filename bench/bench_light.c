@@ -5,7 +5,10 @@
 
 #include "bench/bench.h"
 #include "simulate/sampling/hash.h"
+#include "simulate/scene/light_scene_of_description.h"
+#include "simulate/scene/light_scene_of_world.h"
 #include "simulate/transport/radiance.h"
+#include "simulate/transport/window_store.h"
 
 enum { SEEDS = 32 };
 
@@ -65,7 +68,7 @@ static struct pp_light_scene *lamp(struct pp_material material)
 
 static void light_and_glow(void)
 {
-    struct pp_radiance_options options = pp_radiance_defaults();
+    struct pp_radiance_options options = pp_radiance_options_defaults();
     options.source_size = 0.0;
     struct pp_vec3 under = {0.0, 0.0, 0.0};
     struct pp_light_scene *light = lamp(pp_material_light(pp_rgb_grey(1.0)));
@@ -112,7 +115,7 @@ static void openings(const char *name, const char *xml)
     printf("%s (store: %.3f s)\n", name, processor_s() - start);
     printf("  %5s  %-19s %-19s %-19s  saves\n", "y", "aimed at, stored", "followed",
            "found by chance");
-    struct pp_radiance_options options = pp_radiance_defaults();
+    struct pp_radiance_options options = pp_radiance_options_defaults();
     options.source_size = 0.5;
     for (int i = 0; i < world->receiver_count; i++) {
         struct pp_vec3 p = world->receivers[i].position;

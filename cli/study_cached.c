@@ -7,7 +7,10 @@
 #include "cli/interrupt.h"
 #include "cli/progress.h"
 #include "model/base/clock.h"
+#include "simulate/cache/cache_grow.h"
 #include "simulate/cache/cached_points.h"
+#include "simulate/scene/light_scene_of_world.h"
+#include "simulate/transport/window_store.h"
 
 static const double slice_s = 0.1;
 

@@ -9,6 +9,7 @@
 #include "cli/output.h"
 #include "model/base/read_file.h"
 #include "model/base/text.h"
+#include "simulate/cache/cache_file.h"
 
 /* No cache is larger: 1 GiB. */
 static const size_t MOST_BYTES = (size_t)1 << 30;

@@ -1,4 +1,6 @@
-/* cache_record.h - one record worked out: hemisphere, derivatives, ellipse. */
+/* cache_record.h - one irradiance record worked out: hemisphere, derivatives, ellipse.
+ * Inside simulate/ only.
+ */
 #ifndef PP_SIMULATE_CACHE_CACHE_RECORD_H
 #define PP_SIMULATE_CACHE_CACHE_RECORD_H
 

@@ -1,4 +1,4 @@
-/* default_view.c - see default_view.h. */
+/* default_view.c - the best of many places to look at a window from, and cut planes. */
 #include "simulate/render/default_view.h"
 
 #include <math.h>
@@ -96,8 +96,8 @@ static struct pp_vec3 stand_back(const struct pp_light_scene *scene,
                                  struct pp_vec3 target, struct pp_vec3 back,
                                  double height_m)
 {
-    struct pp_vec3 low, high;
-    pp_light_scene_bounds(scene, true, &low, &high);
+    struct pp_bounds3 room = pp_light_scene_bounds(scene, true);
+    struct pp_vec3 low = room.low, high = room.high;
     struct pp_vec3 best = pp_vec_scale(pp_vec_add(low, high), 0.5);
     double best_score = -INFINITY;
     for (int j = 0; j < PLACES; j++)
@@ -112,9 +112,9 @@ static struct pp_vec3 stand_back(const struct pp_light_scene *scene,
             double behind =
                 pp_vec_length(back) > 0.0 ? pp_vec_dot(way, back) : pp_vec_length(way);
             double aside = sqrt(fmax(pp_vec_dot(way, way) - behind * behind, 0.0));
-            double room = clearance(scene, place, clear_m);
+            double clear = clearance(scene, place, clear_m);
             double score = prospect(scene, place, target) - 0.5 * aside + 0.1 * behind
-                           - 20.0 * (clear_m - room) - hidden(scene, place, target);
+                           - 20.0 * (clear_m - clear) - hidden(scene, place, target);
             if (score > best_score) {
                 best_score = score;
                 best = place;
@@ -150,8 +150,8 @@ static void look_at_window(struct pp_view_place *place,
 static void look_along(struct pp_view_place *place, const struct pp_light_scene *scene,
                        const struct pp_world *world)
 {
-    struct pp_vec3 low, high;
-    pp_light_scene_bounds(scene, true, &low, &high);
+    struct pp_bounds3 room = pp_light_scene_bounds(scene, true);
+    struct pp_vec3 low = room.low, high = room.high;
     bool deep = high.y - low.y >= high.x - low.x;
     struct pp_vec3 end = pp_vec_scale(pp_vec_add(low, high), 0.5);
     struct pp_vec3 back = deep ? pp_vec(0.0, 1.0, 0.0) : pp_vec(1.0, 0.0, 0.0);
@@ -166,8 +166,8 @@ static void look_along(struct pp_view_place *place, const struct pp_light_scene 
 static struct pp_vec3 middle_of_plane(const struct pp_light_scene *scene,
                                       const struct pp_world *world)
 {
-    struct pp_vec3 low, high;
-    pp_light_scene_bounds(scene, true, &low, &high);
+    struct pp_bounds3 room = pp_light_scene_bounds(scene, true);
+    struct pp_vec3 low = room.low, high = room.high;
     struct pp_vec3 middle = pp_vec_scale(pp_vec_add(low, high), 0.5);
     middle.z = world->working_plane_m;
     struct pp_vec3 best = middle;
@@ -178,8 +178,8 @@ static struct pp_vec3 middle_of_plane(const struct pp_light_scene *scene,
                                     low.y + (high.y - low.y) * j / PLACES, middle.z};
             if (pp_position_receiver_fault(world, place, upwards))
                 continue;
-            double room = clearance(scene, place, clear_m);
-            double score = 20.0 * room - pp_vec_length(pp_vec_sub(place, middle));
+            double clear = clearance(scene, place, clear_m);
+            double score = 20.0 * clear - pp_vec_length(pp_vec_sub(place, middle));
             if (score > best_score) {
                 best_score = score;
                 best = place;
@@ -191,8 +191,8 @@ static struct pp_vec3 middle_of_plane(const struct pp_light_scene *scene,
 static void cut_plan(struct pp_view_place *place, const struct pp_light_scene *scene,
                      const struct pp_world *world)
 {
-    struct pp_vec3 low, high;
-    pp_light_scene_bounds(scene, true, &low, &high);
+    struct pp_bounds3 room = pp_light_scene_bounds(scene, true);
+    struct pp_vec3 low = room.low, high = room.high;
     place->eye = pp_vec_scale(pp_vec_add(low, high), 0.5);
     place->eye.z = fmin(PP_PLAN_CUT_M, 0.5 * world->height_m);
     place->toward = pp_vec(0.0, 0.0, -1.0);
@@ -204,8 +204,8 @@ static void cut_plan(struct pp_view_place *place, const struct pp_light_scene *s
 static void cut_section(struct pp_view_place *place, const struct pp_light_scene *scene,
                         const struct pp_world *world, int window)
 {
-    struct pp_vec3 low, high;
-    pp_light_scene_bounds(scene, true, &low, &high);
+    struct pp_bounds3 room = pp_light_scene_bounds(scene, true);
+    struct pp_vec3 low = room.low, high = room.high;
     struct pp_vec3 size = pp_vec_sub(high, low);
     place->eye = pp_vec_scale(pp_vec_add(low, high), 0.5);
     place->down_m = size.z;

@@ -12,6 +12,7 @@
 #define PP_SIMULATE_RENDER_DEFAULT_VIEW_H
 
 #include "model/pictures/camera.h"
+#include "model/room/world.h"
 #include "simulate/scene/light_scene.h"
 
 #define PP_EYE_HEIGHT_M 1.6

@@ -1,4 +1,4 @@
-/* lobe.h - directions about a normal.
+/* lobe.h - frames about a normal, and cosine-weighted directions in them.
  *
  * Own sine and cosine for the small range that is needed: plain arithmetic, the same to
  * the bit with any compiler, and quicker than the library's.

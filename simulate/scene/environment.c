@@ -1,4 +1,4 @@
-/* environment.c - see environment.h. */
+/* environment.c - the world's skylines as half planes that give off light. */
 #include "simulate/scene/environment.h"
 
 #include <math.h>

@@ -1,4 +1,4 @@
-/* environment.h - what a ray meets that leaves the scene: sky, ground, skylines.
+/* environment.h - the light of a ray that leaves the scene: sky, ground, skylines.
  *
  * Light is given as pi times luminance over the horizontal illuminance Eh of the open
  * sky, so that the mean over a cosine lobe is an illuminance over Eh.
@@ -9,8 +9,11 @@
  *     rho (Ev + rho_ground / 2)
  *
  * where Ev is the open sky's illuminance on it. Without a distance it hides the
- * directions u with 0 < u.z < tan(angle) (u.o), o the outward horizontal of its wall:
- * the limit of a face ever farther away and higher. With a distance it stands on the
+ * directions u with
+ *
+ *     0 < u.z < tan(angle) (u.o)
+ *
+ * o the outward horizontal of its wall: the limit of a face ever farther away and higher. With a distance it stands on the
  * ground at that distance from its wall and is met at a point, from either side. Its
  * light is the same by convention: the room's own building does not shadow it.
  */

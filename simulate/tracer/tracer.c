@@ -14,10 +14,12 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "model/base/array.h"
 #include "model/base/clock.h"
-#include "simulate/tracer/estimate.h"
 #include "simulate/sampling/hash.h"
 #include "simulate/sampling/processors.h"
+#include "simulate/tracer/estimate.h"
+#include "simulate/tracer/radiosity_solve.h"
 
 enum {
     STEP = 1024, /* most paths of an item at a time */
@@ -50,7 +52,7 @@ struct pp_tracer {
     int threads;
     struct pp_sobol sobol;
     struct pp_ray_scene *scene;
-    struct pp_radiosity *guess;
+    struct pp_radiosity *radiosity;
     struct traced_point *points; /* the receivers, then the average if it is wanted */
     int point_count, receiver_count;
 
@@ -79,16 +81,10 @@ static uint64_t seed_of_room(uint64_t seed, const struct pp_world *world)
     return pp_hash(seed, 0);
 }
 
-/* A point's numbers are its own: they hang on where it is, not on which others there
- * are. */
+/* Random numbers depend on where a receiver is, not on which others there are. */
 static uint64_t seed_of_receiver(uint64_t seed, const struct pp_receiver *receiver)
 {
-    const double part[6] = {receiver->position.x, receiver->position.y,
-                            receiver->position.z, receiver->normal.x,
-                            receiver->normal.y,   receiver->normal.z};
-    for (int i = 0; i < 6; i++)
-        seed = pp_hash_double(seed, part[i]);
-    return seed;
+    return pp_hash_vec(pp_hash_vec(seed, receiver->position), receiver->normal);
 }
 
 static void make_points(struct pp_tracer *tracer, const struct pp_receiver *receivers,
@@ -186,7 +182,7 @@ enum pp_status pp_tracer_create(struct pp_tracer **result, const struct pp_world
     status = pp_ray_scene_create(&tracer->scene, world, err);
     if (status == PP_OK)
         status =
-            pp_radiosity_create(&tracer->guess, tracer->scene, world, &tracer->sobol,
+            pp_radiosity_solve(&tracer->radiosity, tracer->scene, world, &tracer->sobol,
                                 pp_hash(seed, 1), tracer->threads, err);
     if (status == PP_OK) {
         bool average = options->average && tracer->scene->plane_count > 0;
@@ -217,7 +213,7 @@ void pp_tracer_destroy(struct pp_tracer *tracer)
     }
     free(tracer->points);
     free(tracer->units);
-    pp_radiosity_destroy(tracer->guess);
+    pp_radiosity_destroy(tracer->radiosity);
     pp_ray_scene_destroy(tracer->scene);
     free(tracer);
 }
@@ -324,15 +320,11 @@ static enum pp_status list_units(struct pp_tracer *tracer, struct pp_error *err)
     for (int i = 0; i < tracer->point_count; i++) {
         struct traced_point *point = &tracer->points[i];
         const struct pp_randomisation *items = items_of(tracer, point);
-        if (tracer->unit_count + point->item_count > tracer->unit_capacity) {
-            int capacity = 2 * (tracer->unit_count + point->item_count);
-            struct tracer_unit *units =
-                realloc(tracer->units, (size_t)capacity * sizeof *units);
-            if (!units)
-                return pp_fail_memory(err);
-            tracer->units = units;
-            tracer->unit_capacity = capacity;
-        }
+        enum pp_status status = pp_array_reserve(&tracer->units, &tracer->unit_capacity,
+                                                 tracer->unit_count + point->item_count,
+                                                 sizeof *tracer->units, err);
+        if (status != PP_OK)
+            return status;
         for (int k = 0; k < point->item_count; k++)
             if (!pp_randomisation_is_done(&items[k], point->counts))
                 tracer->units[tracer->unit_count++] = (struct tracer_unit){i, k};
@@ -345,7 +337,7 @@ static void run_batch(struct pp_tracer *tracer, int first, int end)
 #pragma omp parallel num_threads(tracer->threads)
     {
         struct pp_path_state state = {.scene = tracer->scene,
-                                      .guess = tracer->guess,
+                                      .radiosity = tracer->radiosity,
                                       .every_ray = tracer->options.every_ray};
 #pragma omp for schedule(dynamic, 1)
         for (int i = first; i < end; i++) {

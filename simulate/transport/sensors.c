@@ -10,9 +10,10 @@
 #include <stdlib.h>
 
 #include "model/base/clock.h"
-#include "simulate/tracer/estimate.h"
 #include "simulate/sampling/hash.h"
 #include "simulate/sampling/processors.h"
+#include "simulate/scene/unsampled.h"
+#include "simulate/tracer/estimate.h"
 #include "simulate/transport/radiance.h"
 
 enum {
@@ -205,7 +206,7 @@ static void step(struct pp_sensors *sensors, struct sensor_unit unit)
     struct sensor_randomisation *item = &point->items[unit.item];
     const struct pp_sensor *sensor = &sensors->list[unit.point];
     struct pp_radiance_state state = {.scene = sensors->scene,
-                                      .options = pp_radiance_defaults()};
+                                      .options = pp_radiance_options_defaults()};
     state.options.sources = !sensors->options.by_chance;
     uint64_t seed = pp_hash(pp_hash(sensors->options.seed, (uint64_t)unit.point),
                             (uint64_t)unit.item);
@@ -215,9 +216,7 @@ static void step(struct pp_sensors *sensors, struct sensor_unit unit)
         state.index = (uint32_t)item->paths;
         struct pp_irradiance e = pp_radiance_irradiance(&state, sensor->position,
                                                         sensor->normal, point->space);
-        struct pp_rgb sum =
-            pp_rgb_add(pp_rgb_add(e.sources, e.rest), pp_rgb_add(e.sky, e.outside));
-        item->sum = pp_rgb_add(item->sum, sum);
+        item->sum = pp_rgb_add(item->sum, pp_irradiance_sum(&e));
     }
 }
 

@@ -9,8 +9,10 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "simulate/cache/cache_file.h"
 #include "simulate/sampling/hash.h"
 #include "simulate/cache/irradiance_cache.h"
+#include "simulate/scene/light_scene_of_description.h"
 
 int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t length);
 
@@ -33,7 +35,7 @@ static struct pp_irradiance_cache *empty_cache(void)
         must(pp_light_scene_of_description(&scene, &from, NULL) == PP_OK);
         pp_scene_description_clear(&from);
     }
-    struct pp_radiance_options light = pp_radiance_defaults();
+    struct pp_radiance_options light = pp_radiance_options_defaults();
     struct pp_cache_options options = pp_irradiance_cache_defaults();
     struct pp_irradiance_cache *cache = NULL;
     options.threads = 1;

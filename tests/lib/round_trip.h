@@ -10,6 +10,7 @@
 #include "formats/radiance/rad_read.h"
 #include "formats/radiance/rad_room.h"
 #include "formats/radiance/rad_write.h"
+#include "simulate/scene/light_scene_of_description.h"
 #include "simulate/transport/sensors.h"
 #include "tests/lib/room_of.h"
 #include "tests/lib/traced.h"

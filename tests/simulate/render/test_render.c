@@ -1,8 +1,14 @@
 /* test_render.c - pictures against what is known of the light in them. */
+#include "simulate/cache/cache_file.h"
+#include "simulate/cache/cache_grow.h"
+#include "simulate/render/checkpoint.h"
+#include "simulate/render/overture.h"
 #include "simulate/render/render.h"
 
 #include "simulate/cache/cache_parts.h"
 #include "simulate/render/default_view.h"
+#include "simulate/render/render_cache.h"
+#include "simulate/scene/light_scene_of_world.h"
 #include "tests/lib/lit.h"
 #include "tests/lib/room_of.h"
 #include "tests/lib/traced.h"
@@ -37,7 +43,7 @@ static struct pp_render_options looking(enum pp_view_kind kind, struct pp_vec3 e
     struct pp_render_options options = {.width = side,
                                         .height = side,
                                         .samples = samples,
-                                        .light = pp_radiance_defaults(),
+                                        .light = pp_radiance_options_defaults(),
                                         .seed = 3,
                                         .threads = 1};
     options.light.source_most = 4;
@@ -114,7 +120,7 @@ static void a_fisheyes_mean_is_the_illuminance(void **state)
         looking(PP_VIEW_HEMISPHERICAL, point, up, PP_PI, 64, 16);
     struct pp_render *render = rendered(scene.light, &options);
     struct pp_test_mean known =
-        pp_test_irradiance(scene.light, NULL, pp_radiance_defaults(), point, up, 256);
+        pp_test_irradiance(scene.light, NULL, pp_radiance_options_defaults(), point, up, 256);
     assert_true(known.error < 0.003 * known.value.g);
     assert_relative(4.0 * mean_of(render), known.value.g, 0.012);
     pp_render_destroy(render);
@@ -166,7 +172,7 @@ static void a_plan_of_daylight_factors_has_those_of_receivers(void **state)
     options.irradiance = true;
     struct pp_render *render = rendered(scene.light, &options);
     struct pp_test_mean known =
-        pp_test_irradiance(scene.light, NULL, pp_radiance_defaults(),
+        pp_test_irradiance(scene.light, NULL, pp_radiance_options_defaults(),
                            pp_vec(1.4, 2.2, 0.0), pp_vec(0.0, 0.0, 1.0), 256);
     assert_relative(mean_of(render), known.value.g, 0.015);
     assert_int_equal(pp_render_tags(render)[5], 0); /* the floor is the first face */

@@ -33,8 +33,8 @@ static void a_gloss_lies_along_its_grain(void **state)
     metal.grain = pp_vec(0.0, 2.0, 1.0);
     struct pp_vec3 eye = towards(52.0, 100.0);
     struct pp_lobes lobes = lobes_of(&metal, eye);
-    assert_near(lobes.a.y, 1.0, 1e-12);
-    assert_near(lobes.b.x, -1.0, 1e-12);
+    assert_near(lobes.frame.x.y, 1.0, 1e-12);
+    assert_near(lobes.frame.y.x, -1.0, 1e-12);
     assert_true(pp_rgb_is_black(lobes.share[PP_LOBE_DIFFUSE]));
 
     struct pp_vec3 o = towards(47.0, 275.0);

@@ -1,4 +1,6 @@
 /* test_radiance.c - light along rays and on surfaces against what is known on paper. */
+#include "simulate/scene/light_scene_of_description.h"
+#include "simulate/scene/unsampled.h"
 #include "tests/lib/lit.h"
 
 static const struct pp_vec3 up = {0.0, 0.0, 1.0};
@@ -82,7 +84,7 @@ static struct pp_test_mean under(const struct pp_pattern *pattern,
                                  struct pp_vec3 normal)
 {
     struct pp_light_scene *scene = under_sky(pattern);
-    struct pp_test_mean mean = pp_test_irradiance(scene, NULL, pp_radiance_defaults(),
+    struct pp_test_mean mean = pp_test_irradiance(scene, NULL, pp_radiance_options_defaults(),
                                                   pp_vec(1.3, 2.7, 0.4), normal, 1024);
     pp_light_scene_destroy(scene);
     return mean;
@@ -116,7 +118,7 @@ static void of_two_domes_the_smaller_one_is_seen(void **state)
     add_dome(&scene, bright, up, half);
     add_dome(&scene, dim, up, PP_PI / 2.0);
     struct pp_light_scene *made = built(&scene);
-    struct pp_test_mean mean = pp_test_irradiance(made, NULL, pp_radiance_defaults(),
+    struct pp_test_mean mean = pp_test_irradiance(made, NULL, pp_radiance_options_defaults(),
                                                   pp_vec(0.0, 0.0, 0.0), up, 2048);
     assert_lit(mean, PP_PI * (1.0 + 4.0 * sin(half) * sin(half)), 2e-3);
     pp_light_scene_destroy(made);
@@ -154,7 +156,7 @@ static void a_square_lamp_gives_its_form_factor_as_light_and_as_glow(void **stat
     struct pp_light_scene *light = under_square(pp_material_light(colour), a, h);
     struct pp_light_scene *glow = under_square(pp_material_glow(colour), a, h);
     struct pp_vec3 point = {0.0, 0.0, 0.0};
-    struct pp_radiance_options one = pp_radiance_defaults();
+    struct pp_radiance_options one = pp_radiance_options_defaults();
     one.source_size = 0.0;
     struct pp_test_mean aimed = pp_test_irradiance(light, NULL, one, point, up, 16);
     struct pp_test_mean found = pp_test_irradiance(glow, NULL, one, point, up, 4096);
@@ -177,15 +179,15 @@ static void the_back_of_a_lamp_is_dark(void **state)
     struct pp_light_scene *scene =
         under_square(pp_material_light(pp_rgb_grey(7.0)), 0.4, -1.1);
     struct pp_test_mean mean =
-        pp_test_irradiance(scene, NULL, pp_radiance_defaults(), pp_vec(0.0, 0.0, 0.0),
+        pp_test_irradiance(scene, NULL, pp_radiance_options_defaults(), pp_vec(0.0, 0.0, 0.0),
                            pp_vec(0.0, 0.0, -1.0), 16);
     assert_near(mean.value.g, 0.0, 0.0);
-    assert_near(pp_test_radiance(scene, pp_radiance_defaults(), pp_vec(0.0, 0.0, 0.0),
+    assert_near(pp_test_radiance(scene, pp_radiance_options_defaults(), pp_vec(0.0, 0.0, 0.0),
                                  pp_vec(0.0, 0.0, -1.0), 1)
                     .value.g,
                 0.0, 0.0);
     assert_near(
-        pp_test_radiance(scene, pp_radiance_defaults(), pp_vec(0.0, 0.0, -2.0), up, 1)
+        pp_test_radiance(scene, pp_radiance_options_defaults(), pp_vec(0.0, 0.0, -2.0), up, 1)
             .value.g,
         7.0, 0.0);
     pp_light_scene_destroy(scene);
@@ -209,10 +211,10 @@ static void a_lamp_that_is_black_behind_is_one_emitter(void **state)
     struct pp_light_scene *made = built(&scene);
     struct pp_vec3 o = {0.0, 0.0, 0.0};
     assert_near(
-        pp_test_irradiance(made, NULL, pp_radiance_defaults(), o, up, 64).value.g, 0.0,
+        pp_test_irradiance(made, NULL, pp_radiance_options_defaults(), o, up, 64).value.g, 0.0,
         0.0);
     /* The front's form factor, from 1 m. */
-    assert_lit(pp_test_irradiance(made, NULL, pp_radiance_defaults(),
+    assert_lit(pp_test_irradiance(made, NULL, pp_radiance_options_defaults(),
                                   pp_vec(0.0, 0.0, -2.0), up, 64),
                PP_PI * square_factor(1.0, 1.0), 0.01);
     pp_light_scene_destroy(made);
@@ -232,7 +234,7 @@ static struct pp_test_mean furnace(struct pp_material material, double reflectan
     add_box(&scene, add(&scene, material), 1.7, 2.3, 1.1);
     struct pp_light_scene *made = built(&scene);
     struct pp_test_mean mean =
-        pp_test_radiance(made, pp_radiance_defaults(), pp_vec(0.6, 0.9, 0.4), to, 64);
+        pp_test_radiance(made, pp_radiance_options_defaults(), pp_vec(0.6, 0.9, 0.4), to, 64);
     pp_light_scene_destroy(made);
     return mean;
 }
@@ -288,7 +290,7 @@ static struct pp_test_mean lit_by(struct pp_shape lamp, struct pp_vec3 normal, b
 {
     struct pp_light_scene *scene =
         under_lamp(lamp, pp_material_light(pp_rgb_grey(1.0)));
-    struct pp_radiance_options options = pp_radiance_defaults();
+    struct pp_radiance_options options = pp_radiance_options_defaults();
     options.sources = aim;
     struct pp_test_mean mean = pp_test_irradiance(
         scene, NULL, options, pp_vec(0.0, 0.0, 0.0), pp_vec_unit(normal), paths);
@@ -384,7 +386,7 @@ static void a_gloss_shows_the_same_lamp_aimed_at_and_found(void **state)
                       pp_vec(0.7 - a, -a, 1.1), pp_vec(0.0, 2.0 * a, 0.0),
                       pp_vec(2.0 * a, 0.0, 0.0));
         struct pp_light_scene *made = built(&scene);
-        struct pp_radiance_options options = pp_radiance_defaults();
+        struct pp_radiance_options options = pp_radiance_options_defaults();
         struct pp_vec3 eye = {-0.9, 0.1, 1.3}, at = {0.9, -0.1, -1.3};
         struct pp_test_mean aimed = pp_test_radiance(made, options, eye, at, 256);
         options.sources = false;
@@ -436,9 +438,9 @@ static void a_mirror_gives_as_much_as_a_lamp_behind_it(void **state)
         struct pp_light_scene *by = by_mirrors(mirrors, false, mirror);
         struct pp_light_scene *lamps = by_mirrors(mirrors, true, mirror);
         struct pp_test_mean mean =
-            pp_test_irradiance(by, NULL, pp_radiance_defaults(), point, tilted, 256);
+            pp_test_irradiance(by, NULL, pp_radiance_options_defaults(), point, tilted, 256);
         struct pp_test_mean expected =
-            pp_test_irradiance(lamps, NULL, pp_radiance_defaults(), point, tilted, 256);
+            pp_test_irradiance(lamps, NULL, pp_radiance_options_defaults(), point, tilted, 256);
         assert_relative(mean.value.g, expected.value.g, 1e-3);
         assert_true(mean.error < 5e-4 * mean.value.g);
         pp_light_scene_destroy(by);
@@ -460,7 +462,7 @@ static void the_sun_is_aimed_at_in_a_mirror(void **state)
                   pp_vec(-5.0, 5.0, -5.0), pp_vec(10.0, 0.0, 0.0),
                   pp_vec(0.0, 0.0, 10.0));
     struct pp_light_scene *made = built(&scene);
-    assert_lit(pp_test_irradiance(made, NULL, pp_radiance_defaults(),
+    assert_lit(pp_test_irradiance(made, NULL, pp_radiance_options_defaults(),
                                   pp_vec(0.0, 0.0, 0.0), up, 64),
                1.8 * 1e5 * PP_PI * sin(half) * sin(half) * sun.z, 1e-3);
     assert_near(pp_unsampled_bound(made, pp_vec(0.0, 0.0, 0.0), false, 64).g, 0.0, 0.0);
@@ -487,7 +489,7 @@ static void mirrors_show_the_same_lamp_aimed_at_and_found(void **state)
                   pp_vec(-0.4, -0.4, 1.9), pp_vec(0.0, 0.8, 0.0),
                   pp_vec(0.8, 0.0, 0.0));
     struct pp_light_scene *made = built(&scene);
-    struct pp_radiance_options options = pp_radiance_defaults();
+    struct pp_radiance_options options = pp_radiance_options_defaults();
     struct pp_vec3 point = {0.2, 0.3, 0.7};
     struct pp_vec3 to = pp_vec_unit(pp_vec(0.7, 0.2, 0.1));
     struct pp_test_mean aimed =
@@ -557,13 +559,13 @@ static void a_lamp_shines_through_glass(void **state)
                   pp_vec(2.0 * a, 0.0, 0.0));
     struct pp_light_scene *made = built(&scene);
     /* The lamp is 0.01 wide, so all incidence is normal to 1e-4 of cos. */
-    struct pp_test_mean mean = pp_test_irradiance(made, NULL, pp_radiance_defaults(),
+    struct pp_test_mean mean = pp_test_irradiance(made, NULL, pp_radiance_options_defaults(),
                                                   pp_vec(0.0, 0.0, 0.0), up, 16);
     double expected = 4.0 * a * a / (h * h);
     assert_relative(mean.value.r, expected * pane.glass[0].normal, 1e-3);
     assert_relative(mean.value.b, expected * pane.glass[2].normal, 1e-3);
     struct pp_test_mean seen =
-        pp_test_radiance(made, pp_radiance_defaults(), pp_vec(0.0, 0.0, 0.0), up, 4096);
+        pp_test_radiance(made, pp_radiance_options_defaults(), pp_vec(0.0, 0.0, 0.0), up, 4096);
     assert_lit(seen,
                pp_rgb_luminance(pp_rgb(pane.glass[0].normal, pane.glass[1].normal,
                                        pane.glass[2].normal)),
@@ -583,7 +585,7 @@ static void assert_in_equilibrium(struct pp_material trans)
     add_box(&scene, add(&scene, trans), 1.7, 2.3, 1.1);
     add_dome(&scene, add(&scene, pp_material_glow(pp_rgb_grey(1.0))), up, PP_PI);
     struct pp_light_scene *made = built(&scene);
-    struct pp_radiance_options options = pp_radiance_defaults();
+    struct pp_radiance_options options = pp_radiance_options_defaults();
     const struct pp_vec3 from[] = {{0.6, 0.9, 0.4}, {0.6, 0.9, 4.4}, {-3.0, 0.2, 1.3}};
     const struct pp_vec3 to[] = {
         {0.3, 0.5, -0.4}, {0.03, 0.05, -1.0}, {4.0, 0.6, -0.2}};
@@ -613,7 +615,7 @@ static void a_box_of_lossless_glass_is_not_to_be_seen(void **state)
     const double tilts[] = {1.0, 45.0, 80.0, 87.0, 89.0, 89.9, 89.999};
     for (int i = 0; i < 7; i++) {
         double t = tilts[i] * PP_RAD;
-        assert_lit(pp_test_radiance(made, pp_radiance_defaults(),
+        assert_lit(pp_test_radiance(made, pp_radiance_options_defaults(),
                                     pp_vec(-0.9, 1.1, 1.1 + 2.0 / tan(t)),
                                     pp_vec(sin(t), 0.02 * sin(t), -cos(t)), 64),
                    1.0, 1e-3);
@@ -643,10 +645,10 @@ static void the_sun_shows_in_mirrors(void **state)
     /* Mirrored in the floor and in the wall the sun's direction has both turned. */
     struct pp_vec3 to = {-sun.x, sun.y, -sun.z};
     struct pp_test_mean mean =
-        pp_test_radiance(made, pp_radiance_defaults(), eye, to, 4);
+        pp_test_radiance(made, pp_radiance_options_defaults(), eye, to, 4);
     assert_relative(mean.value.g, 0.9 * 0.8 * (1e6 + 3.0), 1e-9);
     to.y += 0.02; /* 1.4 degrees aside */
-    mean = pp_test_radiance(made, pp_radiance_defaults(), eye, to, 4);
+    mean = pp_test_radiance(made, pp_radiance_options_defaults(), eye, to, 4);
     assert_relative(mean.value.g, 0.9 * 0.8 * 3.0, 1e-9);
     pp_light_scene_destroy(made);
 }
@@ -663,9 +665,9 @@ static void an_unseen_lamp_lights_but_does_not_show(void **state)
     struct pp_light_scene *scene = under_square(air, a, h);
     struct pp_vec3 o = {0.0, 0.0, 0.0};
     double expected = 3.0 * PP_PI * square_factor(a, h);
-    assert_lit(pp_test_irradiance(scene, NULL, pp_radiance_defaults(), o, up, 64),
+    assert_lit(pp_test_irradiance(scene, NULL, pp_radiance_options_defaults(), o, up, 64),
                expected, 0.01);
-    assert_near(pp_test_radiance(scene, pp_radiance_defaults(), o, up, 1).value.g, 0.0,
+    assert_near(pp_test_radiance(scene, pp_radiance_options_defaults(), o, up, 1).value.g, 0.0,
                 0.0);
     pp_light_scene_destroy(scene);
 }
@@ -684,7 +686,7 @@ static void bounces_can_be_limited(void **state)
     grey.radiance = pp_rgb_grey(0.4);
     add_box(&scene, add(&scene, grey), 1.7, 2.3, 1.1);
     struct pp_light_scene *made = built(&scene);
-    struct pp_radiance_options options = pp_radiance_defaults();
+    struct pp_radiance_options options = pp_radiance_options_defaults();
     struct pp_vec3 from = {0.6, 0.9, 0.4};
     for (options.bounces = 0; options.bounces < 5; options.bounces++) {
         assert_lit(pp_test_radiance(made, options, from, pp_vec(0.3, 0.5, -0.4), 256),
@@ -728,7 +730,7 @@ static void inter_reflection_may_be_had_from_elsewhere(void **state)
     struct pp_sobol *sobol = malloc(sizeof *sobol);
     pp_sobol_init(sobol);
     struct pp_radiance_state path_state = {
-        .scene = made, .options = pp_radiance_defaults(), .ambient = &ambient};
+        .scene = made, .options = pp_radiance_options_defaults(), .ambient = &ambient};
     pp_sobol_sequence_init(&path_state.sequence, sobol, 1);
     struct pp_light_ray down = {.from = pp_vec(0.3, 0.2, 2.0),
                                 .to = pp_vec(0.0, 0.0, -1.0)};
@@ -767,7 +769,7 @@ static void many_lamps_give_as_much_as_one_of_their_size(void **state)
                           pp_vec(0.0, 1.0 / side, 0.0), pp_vec(1.0 / side, 0.0, 0.0));
         struct pp_light_scene *made = built(&scene);
         struct pp_test_mean mean =
-            pp_test_irradiance(made, NULL, pp_radiance_defaults(),
+            pp_test_irradiance(made, NULL, pp_radiance_options_defaults(),
                                pp_vec(0.9, 1.1, 0.8), pp_vec(0.0, 0.0, 1.0), 256);
         assert_true(mean.error < 0.003 * mean.value.g);
         seen[many] = mean.value.g;

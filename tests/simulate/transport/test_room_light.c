@@ -1,5 +1,7 @@
 /* test_room_light.c - light in rooms, against the tracer and against itself. */
 #include "simulate/sampling/hash.h"
+#include "simulate/scene/light_scene_of_world.h"
+#include "simulate/transport/window_store.h"
 #include "tests/lib/lit.h"
 #include "tests/lib/room_of.h"
 #include "tests/lib/traced.h"
@@ -28,7 +30,7 @@ static void assert_as_traced(const char *xml, double slack)
     for (int i = 0; i < world->receiver_count; i++) {
         struct pp_reading df = traced[i][PP_DF];
         for (int stored = 0; stored < 2; stored++) {
-            struct pp_radiance_options how = pp_radiance_defaults();
+            struct pp_radiance_options how = pp_radiance_options_defaults();
             how.source_size = 0.5;
             struct pp_test_mean mean = pp_test_irradiance(
                 scene, stored ? store : NULL, how, world->receivers[i].position,
@@ -115,7 +117,7 @@ static void sky_and_outside_are_told_apart(void **state)
     struct pp_sobol *sobol = malloc(sizeof *sobol);
     pp_sobol_init(sobol);
     struct pp_radiance_state path_state = {.scene = scene,
-                                           .options = pp_radiance_defaults()};
+                                           .options = pp_radiance_options_defaults()};
     pp_sobol_sequence_init(&path_state.sequence, sobol, 5);
     double sky = 0.0, outside = 0.0;
     enum { PATHS = 512 };
@@ -142,7 +144,7 @@ static void windows_aimed_at_save_time_not_light(void **state)
     (void)state;
     struct pp_world *world = pp_test_world(DEEP "</room>");
     struct pp_light_scene *scene = scene_of(world);
-    struct pp_radiance_options options = pp_radiance_defaults();
+    struct pp_radiance_options options = pp_radiance_options_defaults();
     struct pp_vec3 back = {1.5, 7.0, 0.85}, up = {0.0, 0.0, 1.0};
     struct pp_test_mean aimed = pp_test_irradiance(scene, NULL, options, back, up, 256);
     options.windows = false;
@@ -170,7 +172,7 @@ static void light_through_two_windows_falls_on_what_stands_outside(void **state)
         "<block x='-9' y='-3' width='21' depth='2' height='12' reflectance='0.8'/>"
         "</room>");
     struct pp_light_scene *scene = scene_of(world);
-    struct pp_radiance_options options = pp_radiance_defaults();
+    struct pp_radiance_options options = pp_radiance_options_defaults();
     struct pp_vec3 eye = {1.5, 1.0, 1.5}, south = {0.0, -1.0, 0.0};
     struct pp_test_mean aimed = pp_test_radiance(scene, options, eye, south, 1024);
     options.windows = false;
@@ -197,7 +199,7 @@ static void a_room_in_equilibrium_shows_one_everywhere(void **state)
     for (int i = 0; i < world->surface_count; i++)
         world->surfaces[i].exitance = 1.0 - world->surfaces[i].front;
     struct pp_light_scene *scene = scene_of(world);
-    struct pp_radiance_options options = pp_radiance_defaults();
+    struct pp_radiance_options options = pp_radiance_options_defaults();
     const struct pp_vec3 looks[] = {{0.1, 0.2, 1.0},   {0.3, -1.0, 0.1},
                                     {-0.4, 0.3, -0.6}, {0.0, -1.0, -0.2},
                                     {1.0, -0.3, 0.1},  {-1.0, -0.4, -0.1}};
@@ -247,7 +249,7 @@ static void light_goes_on_from_the_edges(void **state)
     struct pp_sobol *sobol = malloc(sizeof *sobol);
     pp_sobol_init(sobol);
     struct pp_radiance_state path_state = {.scene = scene,
-                                           .options = pp_radiance_defaults()};
+                                           .options = pp_radiance_options_defaults()};
     pp_sobol_sequence_init(&path_state.sequence, sobol, 7);
     for (path_state.index = 0; path_state.index < 3000; path_state.index++) {
         struct pp_vec3 eye = {1.5, 8.0, 1.6}, at = {0.001 * path_state.index, 0.0, 0.0};
@@ -274,7 +276,7 @@ static struct pp_irradiance straight_in(const char *xml, bool stored,
     pp_sobol_init(sobol);
     assert_int_equal(pp_window_store_create(&store, scene, 1, 1, NULL), PP_OK);
     struct pp_radiance_state path_state = {.scene = scene,
-                                           .options = pp_radiance_defaults(),
+                                           .options = pp_radiance_options_defaults(),
                                            .store = stored ? store : NULL};
     struct pp_irradiance sum = {.rest = pp_rgb_grey(0.0)};
     enum { PATHS = 1024 };
@@ -343,7 +345,7 @@ static void the_store_does_not_hang_on_threads(void **state)
         struct pp_window_store *store;
         assert_int_equal(pp_window_store_create(&store, scene, 9, 1 + 2 * i, NULL),
                          PP_OK);
-        seen[i] = pp_test_irradiance(scene, store, pp_radiance_defaults(),
+        seen[i] = pp_test_irradiance(scene, store, pp_radiance_options_defaults(),
                                      pp_vec(1.2, 2.3, 0.7), pp_vec(0.0, 0.0, 1.0), 8)
                       .value.g;
         pp_window_store_destroy(store);
