@@ -1,5 +1,4 @@
-/* bench_light.c - what it saves to hunt light by its kind: rays and time to one error.
- */
+/* bench_light.c - what next-event estimation saves: rays and time to one error. */
 #include <math.h>
 #include <stdio.h>
 
@@ -79,7 +78,8 @@ static void light_and_glow(void)
     printf("  %8s  %12s %9s  %12s %9s\n", "rays", "as light", "error", "as glow",
            "error");
     for (uint32_t paths = 4; paths <= 65536; paths *= 4) {
-        /* Aimed at, a path has two rays: one to the lamp, one round about. */
+        /* By next-event estimation a path has two rays: one to the lamp, one round
+         * about. */
         struct outcome a = measure(light, NULL, options, under, paths / 2);
         struct outcome b = measure(glow, NULL, options, under, paths);
         printf("  %8.0f  %12.6f %8.4f%%  %12.6f %8.4f%%\n", b.rays, a.value,
@@ -121,13 +121,13 @@ static void openings(const char *name, const char *xml)
         struct pp_vec3 p = world->receivers[i].position;
         options.windows = true;
         struct outcome stored = measure(scene, store, options, p, 1024);
-        struct outcome aimed = measure(scene, NULL, options, p, 1024);
+        struct outcome sampled = measure(scene, NULL, options, p, 1024);
         options.windows = false;
         struct outcome found = measure(scene, NULL, options, p, 4096);
         printf("  %5.2f  %6.3f%% %5.2f%% %4.1fms %6.3f%% %5.2f%% %4.1fms %6.3f%% "
                "%5.2f%% %4.1fms %5.1f times\n",
                p.y, 100.0 * stored.value, 100.0 * stored.error, 1e3 * stored.seconds,
-               100.0 * aimed.value, 100.0 * aimed.error, 1e3 * aimed.seconds,
+               100.0 * sampled.value, 100.0 * sampled.error, 1e3 * sampled.seconds,
                100.0 * found.value, 100.0 * found.error, 1e3 * found.seconds,
                cost(&found) / cost(&stored));
         log_sum += log(cost(&found) / cost(&stored));

@@ -1,5 +1,5 @@
-/* bench_tracer.c - what tracing costs: whole rooms, and rays against the bare kernels.
- */
+/* bench_tracer.c - what tracing costs: whole rooms, and rays against the bare
+ * kernels. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -71,10 +71,12 @@ static void bench_room(const char *name, const char *xml)
 
 /* 32 randomisations of `paths` paths of each kind at all receivers, with rays logged
  * where there is a log. */
-static void run_items(const struct pp_world *world, const struct pp_ray_scene *scene,
-                      const struct pp_radiosity *radiosity, const struct pp_sobol *sobol,
-                      uint32_t paths, bool every_ray, struct pp_path_state *path_state,
-                      struct pp_ray_log *log)
+static void run_randomisations(const struct pp_world *world,
+                               const struct pp_ray_scene *scene,
+                               const struct pp_radiosity *radiosity,
+                               const struct pp_sobol *sobol, uint32_t paths,
+                               bool every_ray, struct pp_path_state *path_state,
+                               struct pp_ray_log *log)
 {
     *path_state = (struct pp_path_state){
         .scene = scene, .radiosity = radiosity, .every_ray = every_ray, .log = log};
@@ -84,8 +86,9 @@ static void run_items(const struct pp_world *world, const struct pp_ray_scene *s
             struct pp_start start = {
                 .position = pp_vec_sub(world->receivers[i].position, scene->centre),
                 .normal = world->receivers[i].normal};
-            struct pp_randomisation item = {.seed = pp_hash(k, (uint64_t)i)};
-            pp_randomisation_run(&item, path_state, sobol, &start, counts, paths);
+            struct pp_randomisation randomisation = {.seed = pp_hash(k, (uint64_t)i)};
+            pp_randomisation_run(&randomisation, path_state, sobol, &start, counts,
+                                 paths);
         }
 }
 
@@ -100,13 +103,15 @@ static void bench_rays(const char *name, const struct pp_world *world, uint32_t 
     must(pp_ray_scene_create(&scene, world, &err), &err);
     must(pp_radiosity_solve(&radiosity, scene, world, &sobol, 1, 1, &err), &err);
     struct pp_path_state path_state;
-    run_items(world, scene, radiosity, &sobol, paths, every_ray, &path_state, NULL);
+    run_randomisations(world, scene, radiosity, &sobol, paths, every_ray, &path_state,
+                       NULL);
     struct pp_ray_log log = {NULL, 0, path_state.rays};
     log.rays = malloc(sizeof *log.rays * (size_t)path_state.rays);
     float(*bare)[6] = malloc(sizeof *bare * (size_t)path_state.rays);
     if (!log.rays || !bare)
         exit(3);
-    run_items(world, scene, radiosity, &sobol, paths, every_ray, &path_state, &log);
+    run_randomisations(world, scene, radiosity, &sobol, paths, every_ray, &path_state,
+                       &log);
     for (long i = 0; i < log.count; i++) {
         struct pp_vec3 p = pp_vec_along(log.rays[i].point, 1e-5, log.rays[i].normal);
         struct pp_vec3 u = log.rays[i].direction;
@@ -118,7 +123,8 @@ static void bench_rays(const char *name, const struct pp_world *world, uint32_t 
     long hits = 0;
     for (int repeat = 0; repeat < 3; repeat++) {
         double start = processor_s();
-        run_items(world, scene, radiosity, &sobol, paths, every_ray, &path_state, NULL);
+        run_randomisations(world, scene, radiosity, &sobol, paths, every_ray,
+                           &path_state, NULL);
         traced = fmin(traced, processor_s() - start);
         start = processor_s();
         for (long i = 0; i < log.count; i++) {

@@ -1,5 +1,6 @@
-/* draw_lesson.c - the pictures of docs/theory.md: the same light aimed at and found by
- * chance, with about the same number of rays. Writes four PNG files into a folder. */
+/* draw_lesson.c - the pictures of docs/theory.md: the same light sampled directly and
+ * found by chance, with about the same number of rays. Writes four PNG files into a
+ * folder. */
 #include <cairo.h>
 #include <math.h>
 #include <stdio.h>

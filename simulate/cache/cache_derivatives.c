@@ -1,5 +1,5 @@
-/* cache_derivatives.c - gradients and Hessian summed over the edges of a hemisphere's cells.
- * Formula numbers are those of cache_derivatives.h. */
+/* cache_derivatives.c - gradients and Hessian summed over the edges of a hemisphere's
+ * cells. Formula numbers are those of cache_derivatives.h. */
 #include "simulate/cache/cache_derivatives.h"
 
 #include <math.h>

@@ -1,5 +1,5 @@
-/* cache_entry.h - a record as the cache keeps it, and the irradiance that it gives a place
- * near by. Inside simulate/ only.
+/* cache_entry.h - a record as the cache keeps it, and the irradiance that it gives a
+ * place near by. Inside simulate/ only.
  *
  * Its weight falls from 1 at its own place to 0 at the edge of its ellipse: where one
  * record takes over from another nothing jumps. It holds for places on the same side

@@ -8,8 +8,8 @@
  *     a checksum of all that stands before it
  *
  * The radii are those after neighbours have limited each other, values and gradients
- * those before smoothing (cache_smooth.h): that is done when a file is read as it is when
- * a cache is grown, and the same sums are formed in the same order.
+ * those before smoothing (cache_smooth.h): that is done when a file is read as it is
+ * when a cache is grown, and the same sums are formed in the same order.
  */
 #ifndef PP_SIMULATE_CACHE_CACHE_FILE_H
 #define PP_SIMULATE_CACHE_CACHE_FILE_H

@@ -1,11 +1,11 @@
 /* cache_grow.c - requests, and records made batch by batch until they are met.
  *
- * Requests come in a scattered order, so that the first records stand far apart and later
- * ones between them. They are looked at in chunks; of those in a chunk that no record
- * covers, a batch is taken, its members not too near to each other; all are worked out
- * from the cache as it is, entered in order, and the rest of the chunk is looked at
- * again. First come the records that light what is seen, then those of what is seen.
- */
+ * Requests come in a scattered order, so that the first records stand far apart and
+ * later ones between them. They are looked at in chunks; of those in a chunk that no
+ * record covers, a batch is taken, its members not too near to each other; all are
+ * worked out from the cache as it is, entered in order, and the rest of the chunk is
+ * looked at again. First come the records that light what is seen, then those of what
+ * is seen. */
 #include "simulate/cache/cache_grow.h"
 
 #include <math.h>
@@ -100,7 +100,8 @@ static struct pp_radiance_state state_of(const struct pp_irradiance_cache *cache
     return state;
 }
 
-/* Follows a ray without next-event estimation, and notes where it asks for irradiance. */
+/* Follows a ray without next-event estimation, and notes where it asks for
+ * irradiance. */
 static void trace_requests(const struct pp_irradiance_cache *cache,
                            const struct pp_light_ray *ray, int depth, uint32_t index,
                            struct ray_requests *wanted)
@@ -203,7 +204,8 @@ enum pp_status pp_cache_grow_request_hemisphere(struct pp_irradiance_cache *cach
     return status;
 }
 
-/* For the new requests of depth 0, requests of depth 1 of the surfaces that light them. */
+/* For the new requests of depth 0, requests of depth 1 of the surfaces that light
+ * them. */
 static enum pp_status expand(struct pp_irradiance_cache *cache, struct pp_error *err)
 {
     const struct pp_cache_layer *seen = &cache->layers[0];
@@ -231,7 +233,8 @@ static enum pp_status expand(struct pp_irradiance_cache *cache, struct pp_error 
 
 /* ---- growing ---- */
 
-/* A record that is being worked out, for the rays of its hemisphere that ask the cache. */
+/* A record that is being worked out, for the rays of its hemisphere that ask the
+ * cache. */
 struct asking_record {
     struct pp_irradiance_cache *cache;
     int depth; /* of the record */
@@ -314,8 +317,8 @@ static bool stands_apart(const struct pp_cache_request *request,
     return true;
 }
 
-/* The first open requests that stand apart. Those that are covered by now leave the list;
- * no more of it is looked at than a batch needs. */
+/* The first open requests that stand apart. Those that are covered by now leave the
+ * list; no more of it is looked at than a batch needs. */
 static int choose(struct pp_irradiance_cache *cache, struct pp_cache_layer *layer,
                   const struct pp_cache_request *chosen[])
 {

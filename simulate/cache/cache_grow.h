@@ -1,9 +1,9 @@
 /* cache_grow.h - requests to an irradiance cache, and how it grows until they are met.
  *
- * The cache grows in a fixed order: in batches whose records are all worked out from the
- * cache as it was before, and entered in their order. The same scene, options and
- * requests give the same records to the bit, for any number of threads and length of the
- * slices.
+ * The cache grows in a fixed order: in batches whose records are all worked out from
+ * the cache as it was before, and entered in their order. The same scene, options and
+ * requests give the same records to the bit, for any number of threads and length of
+ * the slices.
  */
 #ifndef PP_SIMULATE_CACHE_CACHE_GROW_H
 #define PP_SIMULATE_CACHE_CACHE_GROW_H
@@ -13,8 +13,9 @@
 /* Requests the places that the rays of a picture will ask for, through glass and by
  * mirrors too. Their order decides that of the records: a scattered one is best, and is
  * made here. May be called again, before or after growing; once the cache is done, it
- * forgets the requests that it has met when new ones come. The records made for these may
- * shrink earlier ones: whoever requests in parts does so until nothing new is made. */
+ * forgets the requests that it has met when new ones come. The records made for these
+ * may shrink earlier ones: whoever requests in parts does so until nothing new is
+ * made. */
 enum pp_status pp_cache_grow_request_rays(struct pp_irradiance_cache *cache,
                                           const struct pp_light_ray *rays, size_t count,
                                           struct pp_error *err);

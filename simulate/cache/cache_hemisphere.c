@@ -11,8 +11,8 @@
 static const double NEAREST_M = 1e-6;
 
 /* The standard error wanted of an irradiance, over itself; and the most passes over all
- * cells. 0.05 is as smooth as 0.03 and half its work: the office by --engine cache takes
- * 0.7 s instead of 1.5. */
+ * cells. 0.05 is as smooth as 0.03 and half its work: the office by --engine cache
+ * takes 0.7 s instead of 1.5. */
 static const double ERROR = 0.05;
 static const double PASSES_MOST = 16.0;
 
@@ -52,7 +52,8 @@ static void send(struct pp_cache_hemisphere *h, struct pp_radiance_state *state,
 }
 
 /* How much the neighbours' luminances differ from each other. The cell's own is left
- * out: more samples of a cell because its first came out high would bias the mean down. */
+ * out: more samples of a cell because its first came out high would bias the mean
+ * down. */
 static double contrast_about(const struct pp_cache_hemisphere *h, int k)
 {
     int n = h->side, i = k % n, j = k / n, count = 0;

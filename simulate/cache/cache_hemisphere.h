@@ -1,10 +1,10 @@
 /* cache_hemisphere.h - the light that comes to a surface, by a hemisphere of rays.
  *
- * Stratified: the unit square is cut into side x side cells and laid on the hemisphere [SC97], so
- * that every cell counts the same for the irradiance: one ray goes into each, more into
- * those that differ from their neighbours, and into all while the irradiance is not
- * sure enough. Cells touch as they do in the square, which is what the derivatives need
- * (cache_derivatives.h).
+ * Stratified: the unit square is cut into side x side cells and laid on the hemisphere
+ * [SC97], so that every cell counts the same for the irradiance: one ray goes into
+ * each, more into those that differ from their neighbours, and into all while the
+ * irradiance is not sure enough. Cells touch as they do in the square, which is what
+ * the derivatives need (cache_derivatives.h).
  */
 #ifndef PP_SIMULATE_CACHE_CACHE_HEMISPHERE_H
 #define PP_SIMULATE_CACHE_CACHE_HEMISPHERE_H
@@ -13,7 +13,8 @@
 #include "simulate/cache/cache_entry.h"
 #include "simulate/transport/radiance.h"
 
-/* The radiance of one cell, and the surface seen in it. Vectors in the record's frame. */
+/* The radiance of one cell, and the surface seen in it. Vectors in the record's
+ * frame. */
 struct pp_cache_hemisphere_cell {
     struct pp_rgb radiance; /* mean of its rays */
     struct pp_vec3 to;      /* unit: of its first ray */

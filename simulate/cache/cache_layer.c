@@ -6,7 +6,8 @@
 
 #include "model/base/array.h"
 
-/* A record is read where its weight is more than this: not at the edge of its ellipse. */
+/* A record is read where its weight is more than this: not at the edge of its
+ * ellipse. */
 static const double LEAST_WEIGHT = 1e-6;
 
 /* An entry that is being fitted in. */

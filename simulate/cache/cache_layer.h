@@ -1,8 +1,8 @@
 /* cache_layer.h - the records of one depth, and the requests for them. Inside simulate/
  * only.
  *
- * Depth 0 has the records of surfaces that are seen, depth 1 those of surfaces that light
- * these.
+ * Depth 0 has the records of surfaces that are seen, depth 1 those of surfaces that
+ * light these.
  */
 #ifndef PP_SIMULATE_CACHE_CACHE_LAYER_H
 #define PP_SIMULATE_CACHE_CACHE_LAYER_H

@@ -1,4 +1,5 @@
-/* cache_octree.h - the records by place: an octree of the scene's box. Inside simulate/ only.
+/* cache_octree.h - the records by place: an octree of the scene's box. Inside simulate/
+ * only.
  *
  * A record stands in every cell of about its own size that its ellipse's box touches,
  * so that all whose ellipses may hold a point are met on one way from the root down.

@@ -8,12 +8,13 @@
 /* An ellipse is no longer than this many times its width. Chosen by trial. */
 static const double LONGEST = 3.0;
 
-/* For the derivatives, surfaces nearer than this many of the smallest radii count as this
- * far away: nearer still, the gradient would be the noise of their rays. Chosen by trial.
- */
+/* For the derivatives, surfaces nearer than this many of the smallest radii count as
+ * this far away: nearer still, the gradient would be the noise of their rays. Chosen by
+ * trial. */
 static const double NEAREST = 4.0;
 
-/* Rays lower than this sine of altitude tell how far the surface is clear. Chosen by trial. */
+/* Rays lower than this sine of altitude tell how far the surface is clear. Chosen by
+ * trial. */
 static const double LOW = 0.4;
 
 void pp_cache_record_ellipse(const double curvature[3], double error, double most_m,
@@ -96,8 +97,8 @@ static double clear_of(const struct pp_cache_hemisphere_cell *cell, int sector)
     return clear;
 }
 
-/* How far the surface is clear all round, by the surfaces that low rays met: in their own
- * sector and, since no ray may have come into those, in the two beside it. */
+/* How far the surface is clear all round, by the surfaces that low rays met: in their
+ * own sector and, since no ray may have come into those, in the two beside it. */
 static void find_horizon(const struct pp_cache_hemisphere *h,
                          struct pp_cache_entry *entry)
 {
@@ -120,7 +121,8 @@ static void find_horizon(const struct pp_cache_hemisphere *h,
     }
 }
 
-/* Within the radius a record's gradient is not to double its value or take all of it away. */
+/* Within the radius a record's gradient is not to double its value or take all of it
+ * away. */
 static double limit_by_gradient(double radius, double value, const double along[2],
                                 const double axis[2])
 {

@@ -4,8 +4,8 @@
  * gradient more than that over its radius, the more the nearer things stand. Read as
  * they are, records show as faint discs, above all where a room is dark and in its
  * corners. But the irradiance is smooth over an ellipse: what neighbours say of a place
- * helps to find its value and gradient. Each record is fitted, by weighted least squares,
- * to what it says itself and to its neighbours' values,
+ * helps to find its value and gradient. Each record is fitted, by weighted least
+ * squares, to what it says itself and to its neighbours' values,
  *
  *     (E - E0)^2 + (grad E - grad E0)^2/g^2 + (noise M grad E)^2
  *     + sum of w (E + grad E . d - E')^2
@@ -30,8 +30,8 @@
 
 #include "simulate/cache/cache_layer.h"
 
-/* Fits all records of the layer to their neighbours, whatever they were fitted to before.
- */
+/* Fits all records of the layer to their neighbours, whatever they were fitted to
+ * before. */
 enum pp_status pp_cache_smooth_layer(struct pp_cache_layer *layer,
                                      struct pp_error *err);
 

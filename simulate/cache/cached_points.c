@@ -1,4 +1,5 @@
-/* cached_points.c - points sampled in rounds of doubled paths, once the cache has grown. */
+/* cached_points.c - points sampled in rounds of doubled paths, once the cache has
+ * grown. */
 #include "simulate/cache/cached_points.h"
 
 #include <math.h>

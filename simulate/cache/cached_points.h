@@ -1,12 +1,12 @@
 /* cached_points.h - daylight factors of a room's points, with the light between its
  * surfaces from an irradiance cache.
  *
- * Light of the sky and of surfaces outside is sampled at the point itself, by next-event
- * estimation of its windows, and never interpolated. Internally reflected light comes by a
- * hemisphere of rays at the point; the irradiance of the surfaces that these meet is read
- * from the cache (depth 1). Only on request is the point's own irradiance, too, read from
- * the cache (depth 0). In a cache of no bounces nothing is reflected, but for its ambient
- * constant.
+ * Light of the sky and of surfaces outside is sampled at the point itself, by
+ * next-event estimation of its windows, and never interpolated. Internally reflected
+ * light comes by a hemisphere of rays at the point; the irradiance of the surfaces that
+ * these meet is read from the cache (depth 1). Only on request is the point's own
+ * irradiance, too, read from the cache (depth 0). In a cache of no bounces nothing is
+ * reflected, but for its ambient constant.
  *
  * The standard error is that of the sampling at the point, from 32 independent
  * randomisations; what the cache has wrong is not in it. What is interpolated has none:

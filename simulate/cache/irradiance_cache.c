@@ -10,16 +10,17 @@
 #include "simulate/sampling/processors.h"
 
 /* Records of depth 1 are averaged over a hemisphere once more: they stand farther apart
- * and have fewer rays, by these factors, chosen by trial. With them and the other settings
- * the examples' means are within 0.3 % of the tracer. */
+ * and have fewer rays, by these factors, chosen by trial. With them and the other
+ * settings the examples' means are within 0.3 % of the tracer. */
 static const double LIGHTING_ERROR = 4.0;
 enum { LIGHTING_DIVISIONS = 4, LEAST_SIDE = 4, MOST_SIDE = 1024 };
 
-/* A record's total error over its value, m2, is accuracy times the square of this share of
- * the scene's size. Chosen by trial. */
+/* A record's total error over its value, m2, is accuracy times the square of this share
+ * of the scene's size. Chosen by trial. */
 static const double ERROR_SPACING = 1.0 / 64.0;
 
-/* Radii are at least this share of the scene's size, where the resolution says nothing. */
+/* Radii are at least this share of the scene's size, where the resolution says
+ * nothing. */
 static const double LEAST_RADIUS = 1e-5;
 
 /* The standard deviation of one ray of a hemisphere, over the mean. Chosen by trial. */

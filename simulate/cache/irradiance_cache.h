@@ -1,5 +1,5 @@
-/* irradiance_cache.h - diffuse inter-reflection from irradiance records, worked out at few
- * places and interpolated between them.
+/* irradiance_cache.h - diffuse inter-reflection from irradiance records, worked out at
+ * few places and interpolated between them.
  *
  * After Ward, Rubinstein and Clear [WRC88]: the indirect irradiance of diffuse surfaces
  * changes slowly, so it is worked out where it is wanted and no record covers the place
@@ -8,8 +8,8 @@
  * a place within such ellipses has the weighted mean of what their records say. Direct
  * light (sources, windows) is never kept.
  *
- * The caller requests what it will look at, then lets the cache grow (cache_grow.h), then
- * reads it:
+ * The caller requests what it will look at, then lets the cache grow (cache_grow.h),
+ * then reads it:
  *
  *     pp_irradiance_cache_create(&cache, scene, store, &light, &options, err);
  *     pp_cache_grow_request_rays(cache, rays, ray_count, err);
@@ -50,8 +50,8 @@ struct pp_cache_options {
 /* 0.1, 128, 1024, 256, -1, black, none left out, seed 0. */
 struct pp_cache_options pp_irradiance_cache_defaults(void);
 
-/* PP_BAD_INPUT with a sentence where options make no sense, also where a material is not
- * one of the scene's. */
+/* PP_BAD_INPUT with a sentence where options make no sense, also where a material is
+ * not one of the scene's. */
 enum pp_status pp_irradiance_cache_check_options(const struct pp_cache_options *options,
                                                  const struct pp_light_scene *scene,
                                                  struct pp_error *err);
@@ -69,8 +69,8 @@ enum pp_status pp_irradiance_cache_create(struct pp_irradiance_cache **cache,
 void pp_irradiance_cache_destroy(
     struct pp_irradiance_cache *cache); /* NULL is allowed */
 
-/* For struct pp_radiance_state, with `bounces` -1 there: the cache ends the paths. While
- * it is read it must not grow. Belongs to the cache. */
+/* For struct pp_radiance_state, with `bounces` -1 there: the cache ends the paths.
+ * While it is read it must not grow. Belongs to the cache. */
 const struct pp_ambient *pp_irradiance_cache_ambient(struct pp_irradiance_cache *cache);
 
 /* The irradiance at a place; false where no record covers it. `depth` as in struct

@@ -1,4 +1,5 @@
-/* little_endian.h - numbers as bytes of a file, least significant first, on any machine.
+/* little_endian.h - numbers as bytes of a file, least significant first, on any
+ * machine.
  */
 #ifndef PP_SIMULATE_CACHE_LITTLE_ENDIAN_H
 #define PP_SIMULATE_CACHE_LITTLE_ENDIAN_H
@@ -6,7 +7,8 @@
 #include <stdint.h>
 #include <string.h>
 
-/* Writes or reads the lowest 1 to 8 bytes of a number at *at, which moves behind them. */
+/* Writes or reads the lowest 1 to 8 bytes of a number at *at, which moves behind
+ * them. */
 static inline void pp_little_endian_put(unsigned char **at, uint64_t value, int bytes)
 {
     for (int i = 0; i < bytes; i++)

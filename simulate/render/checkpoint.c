@@ -186,7 +186,8 @@ enum pp_status pp_checkpoint_cache(const unsigned char *bytes, size_t length,
     return status;
 }
 
-/* Is the checkpoint of this render? *at: behind the version; moved behind the counts. */
+/* Is the checkpoint of this render? *at: behind the version; moved behind the
+ * counts. */
 static enum pp_status check(const struct pp_render *render, const unsigned char **at,
                             long long work[2], struct pp_error *err)
 {

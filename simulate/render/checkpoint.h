@@ -29,15 +29,15 @@ enum pp_status pp_checkpoint_save(const struct pp_render *render,
                                   const struct pp_irradiance_cache *cache, FILE *out,
                                   struct pp_error *err);
 
-/* The cache in the bytes that pp_checkpoint_save wrote, for pp_cache_file_unpack: a part
- * of bytes; NULL and 0 where there is none. PP_BAD_INPUT as by pp_checkpoint_resume, but
- * not for another scene or other options. */
+/* The cache in the bytes that pp_checkpoint_save wrote, for pp_cache_file_unpack: a
+ * part of bytes; NULL and 0 where there is none. PP_BAD_INPUT as by
+ * pp_checkpoint_resume, but not for another scene or other options. */
 enum pp_status pp_checkpoint_cache(const unsigned char *bytes, size_t length,
                                    const char **cache, size_t *cache_length,
                                    struct pp_error *err);
 
-/* Takes up a render of the same scene and options, whole or not at all; PP_BAD_INPUT where
- * the bytes are those of another, of another version, cut off or damaged. */
+/* Takes up a render of the same scene and options, whole or not at all; PP_BAD_INPUT
+ * where the bytes are those of another, of another version, cut off or damaged. */
 enum pp_status pp_checkpoint_resume(struct pp_render *render,
                                     const unsigned char *bytes, size_t length,
                                     struct pp_error *err);

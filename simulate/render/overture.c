@@ -75,8 +75,8 @@ static enum pp_status show(const struct pp_overture *overture, int part,
 }
 
 /* Once the cache has all that it was shown: the next part, and behind the last one
- * another round, unless this one has brought no record. A single part needs no second round:
- * the cache has looked at all its requests again. */
+ * another round, unless this one has brought no record. A single part needs no second
+ * round: the cache has looked at all its requests again. */
 static enum pp_status go_on(struct pp_overture *overture, struct pp_error *err)
 {
     int parts = overture->step * overture->step;

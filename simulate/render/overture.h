@@ -2,9 +2,9 @@
  *
  * As Radiance's overture does: the cache grows until it has what the middles of all
  * pixels ask for, so that the picture interpolates between records and does not
- * extrapolate; then it may be the ambient store. A large picture is shown to it in parts,
- * first each pixel of a coarser one, over and over until no new record is made: memory is
- * that of one part.
+ * extrapolate; then it may be the ambient store. A large picture is shown to it in
+ * parts, first each pixel of a coarser one, over and over until no new record is made:
+ * memory is that of one part.
  */
 #ifndef PP_SIMULATE_RENDER_OVERTURE_H
 #define PP_SIMULATE_RENDER_OVERTURE_H

@@ -11,8 +11,8 @@
 #include "simulate/scene/light_scene_parts.h"
 
 enum {
-    /* The vertex of a path's random numbers for its place in the pixel: far from all that
-     * radiance.c uses. */
+    /* The vertex of a path's random numbers for its place in the pixel: far from all
+     * that radiance.c uses. */
     PIXEL_VERTEX = 1 << 29,
 };
 

@@ -5,8 +5,8 @@
  * the scene, the options and its own place alone, so that it is the same, to the bit,
  * whatever the number of threads, the length of the slices and where it was resumed.
  *
- * A pixel is the mean over stratified places in and about it, weighted by its filter; each
- * place has one path of radiance.h. Light of a world is over Eh, as there.
+ * A pixel is the mean over stratified places in and about it, weighted by its filter;
+ * each place has one path of radiance.h. Light of a world is over Eh, as there.
  */
 #ifndef PP_SIMULATE_RENDER_RENDER_H
 #define PP_SIMULATE_RENDER_RENDER_H
@@ -90,9 +90,9 @@ struct pp_render_tile pp_render_tile(const struct pp_render *render, int tile);
 bool pp_render_camera_ray(const struct pp_render *render, const double place[2],
                           struct pp_light_ray *ray);
 
-/* The allowance for the deterioration of the room's decorations, on internally reflected
- * light: of irradiances; radiances are those of surfaces as their finishes say, and have
- * 1. */
+/* The allowance for the deterioration of the room's decorations, on internally
+ * reflected light: of irradiances; radiances are those of surfaces as their finishes
+ * say, and have 1. */
 double pp_render_decorations(const struct pp_render *render);
 
 #endif

@@ -1,4 +1,5 @@
-/* gloss.c - the gloss lobe: its scale worked out and tabulated, its value, its sampling. */
+/* gloss.c - the gloss lobe: its scale worked out and tabulated, its value, its
+ * sampling. */
 #include "simulate/sampling/gloss.h"
 
 #include <math.h>
@@ -36,12 +37,12 @@ static double roughness_towards(const struct pp_gloss *gloss, struct pp_vec3 d)
     return sqrt((x * x + y * y) / flat2);
 }
 
-/* The scale changes most where the cosine is about the roughness: by this factor, chosen
- * by trial, the columns are closest from there down to grazing incidence. */
+/* The scale changes most where the cosine is about the roughness: by this factor,
+ * chosen by trial, the columns are closest from there down to grazing incidence. */
 static const double COLUMN_SPACING = 4.0;
 
-/* The nodes of the table that a direction lies between: the row and column below it, and
- * the share of the next ones. */
+/* The nodes of the table that a direction lies between: the row and column below it,
+ * and the share of the next ones. */
 struct gloss_node {
     int row, column;
     double up, right;

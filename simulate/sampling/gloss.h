@@ -7,17 +7,17 @@
  *     f = 1/(pi a_x a_y) exp(-((h.x / a_x)^2 + (h.y / a_y)^2) / (h.n)^2)
  *         (h.h) / (h.n)^4
  *
- * Its half vectors are drawn as Gaussian slopes; a direction then has the weight
- * 2 cos o / (cos i + cos o). Light that a facet throws down on the surface is lost: a_x a_y
- * of it at normal incidence, up to a fifth near grazing incidence however smooth
- * the surface, two thirds at a roughness of 1. In a real surface that light
- * meets other facets and goes on. So the lobe is scaled at both of its ends,
+ * Its half vectors are drawn as Gaussian slopes; a direction then has the weight 2 cos
+ * o / (cos i + cos o). Light that a facet throws down on the surface is lost: a_x a_y
+ * of it at normal incidence, up to a fifth near grazing incidence however smooth the
+ * surface, two thirds at a roughness of 1. In a real surface that light meets other
+ * facets and goes on. So the lobe is scaled at both of its ends,
  *
  *     f'(i, o) = s(i) s(o) f(i, o)        s(i) int f(i, o) s(o) cos o do = 1
  *
- * for every i: nothing is lost, light may run either way, and the lobe keeps its
- * shape. Such an s exists and is unique [SK67]; it lies between 0.88 and 1.18 at
- * roughnesses up to 0.4.
+ * for every i: nothing is lost, light may run either way, and the lobe keeps its shape.
+ * Such an s exists and is unique [SK67]; it lies between 0.88 and 1.18 at roughnesses
+ * up to 0.4.
  *
  * The scale s is tabulated over the cosine of the direction and, where there are two
  * roughnesses, over its azimuth, and read by linear interpolation: the albedo is that

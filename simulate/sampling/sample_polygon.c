@@ -6,16 +6,16 @@
 
 #include "simulate/sampling/triangle.h"
 
-/* Any part of the unit square gets about this share of the mean density at least, so that
- * the variance that a wrong guess may cost is bounded. Chosen by trial. */
+/* Any part of the unit square gets about this share of the mean density at least, so
+ * that the variance that a wrong guess may cost is bounded. Chosen by trial. */
 static const double LEAST_WEIGHT = 0.05;
 
-/* A rectangle nearer than this many of its diagonals is sampled by solid angle; chosen by
- * trial. */
+/* A rectangle nearer than this many of its diagonals is sampled by solid angle; chosen
+ * by trial. */
 static const double NEAR_DIAGONALS = 0.6;
 
-/* Triangles of smaller solid angle are sampled by area: there Arvo's formulae lose digits.
- */
+/* Triangles of smaller solid angle are sampled by area: there Arvo's formulae lose
+ * digits. */
 static const double SMALL_TRIANGLE_SR = 1e-3;
 
 static double max2(double a, double b)
@@ -55,7 +55,8 @@ bool pp_sample_polygon_in_sight(const struct pp_target *target, struct pp_vec3 f
     return height_over(target, from) > 1e-9 && any_corner_before(target, from, n);
 }
 
-/* Cosine at the surface times the brightness outside, for the unnormalised direction v. */
+/* Cosine at the surface times the brightness outside, for the unnormalised direction
+ * v. */
 static double receiver_weight(struct pp_vec3 v, double length, struct pp_vec3 n,
                               struct pp_brightness brightness)
 {
@@ -86,8 +87,8 @@ static struct pp_vec3 rectangle_point(const struct pp_target *target, double x,
     return pp_vec_along(pp_vec_along(target->corner, x, target->along), y, target->up);
 }
 
-/* The weight of this corner of a rectangle: cosine times brightness, per solid angle or,
- * by area, per area. */
+/* The weight of this corner of a rectangle: cosine times brightness, per solid angle
+ * or, by area, per area. */
 static double corner_value(const struct pp_polygon_sampler *sampler, struct pp_vec3 n,
                            struct pp_brightness brightness, int right, int top)
 {

@@ -63,8 +63,8 @@ void pp_sample_polygon_init(struct pp_polygon_sampler *sampler,
                             const struct pp_target *target, struct pp_vec3 from,
                             struct pp_vec3 n, struct pp_brightness brightness);
 
-/* A point of the target for two numbers in (0, 1), its direction from sampler->from, its
- * distance, and 1/density in steradians. */
+/* A point of the target for two numbers in (0, 1), its direction from sampler->from,
+ * its distance, and 1/density in steradians. */
 struct pp_direction_sample {
     struct pp_vec3 point, direction;
     double distance_m, per_density;

@@ -1,4 +1,5 @@
-/* scatter.c - shares of the lobes by material and angle, and directions of each lobe. */
+/* scatter.c - shares of the lobes by material and angle, and directions of each
+ * lobe. */
 #include "simulate/sampling/scatter.h"
 
 #include <math.h>

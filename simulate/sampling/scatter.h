@@ -36,8 +36,8 @@ void pp_scatter_init(struct pp_lobes *lobes, const struct pp_material *material,
                      const struct pp_gloss *gloss, struct pp_vec3 n,
                      struct pp_vec3 eye);
 
-/* Transmittance of the material for light that is not scattered (regular transmittance),
- * at the cosine of the angle of incidence. */
+/* Transmittance of the material for light that is not scattered (regular
+ * transmittance), at the cosine of the angle of incidence. */
 struct pp_rgb pp_scatter_regular_transmittance(const struct pp_material *material,
                                                double cos_incidence);
 
@@ -45,15 +45,17 @@ struct pp_rgb pp_scatter_regular_transmittance(const struct pp_material *materia
 struct pp_rgb pp_scatter_specular_reflectance(const struct pp_material *material,
                                               double cos_incidence);
 
-/* BRDF, or BTDF, of the glosses between the eye and direction o (unit, any side), 1/sr. */
+/* BRDF, or BTDF, of the glosses between the eye and direction o (unit, any side),
+ * 1/sr. */
 struct pp_rgb pp_scatter_gloss_brdf(const struct pp_lobes *lobes, struct pp_vec3 o);
 
-/* The width of the gloss' lobe in radians: the geometric mean of its two roughnesses. */
+/* The width of the gloss' lobe in radians: the geometric mean of its two
+ * roughnesses. */
 double pp_scatter_gloss_width(const struct pp_lobes *lobes);
 
-/* A direction of that lobe by two numbers in (0, 1), and the factor by which its share is
- * then multiplied: BRDF times cosine over density and share. False where the direction
- * would go into the surface. */
+/* A direction of that lobe by two numbers in (0, 1), and the factor by which its share
+ * is then multiplied: BRDF times cosine over density and share. False where the
+ * direction would go into the surface. */
 bool pp_scatter_sample(const struct pp_lobes *lobes, enum pp_lobe lobe, double u,
                        double v, struct pp_vec3 *o, double *factor);
 

@@ -54,7 +54,8 @@ static void make_target(struct pp_target *target, const struct pp_vec3 *corners,
     target->up = pp_vec_scale(up, 1.0 / target->height_m);
 }
 
-/* Copies the triangles to the scene, and takes the emitter's area and middle from them. */
+/* Copies the triangles to the scene, and takes the emitter's area and middle from
+ * them. */
 static enum pp_status keep_triangles(struct pp_light_scene *scene,
                                      struct pp_emitter *emitter,
                                      const struct pp_vec3 (*triangles)[3], int count,
@@ -179,8 +180,8 @@ enum pp_status pp_emitters_add_distant(struct pp_light_scene *scene,
 
 /* ---- sampled ---- */
 
-/* A direction in a cone about the axis, uniform in solid angle; fall: 1 - cos of its half
- * angle. */
+/* A direction in a cone about the axis, uniform in solid angle; fall: 1 - cos of its
+ * half angle. */
 static struct pp_vec3 in_cone(struct pp_vec3 axis, double fall, double u, double v)
 {
     fall *= u;

@@ -1,5 +1,5 @@
-/* emitters.h - concentrated emitters, which next-event estimation samples: which sides of
- * which parts they are, and directions to them.
+/* emitters.h - concentrated emitters, which next-event estimation samples: which sides
+ * of which parts they are, and directions to them.
  *
  * Plane emitters are sampled as openings are (sample_polygon.h), spheres by the cone of
  * directions that they fill, distant ones by their own cone, cones and rings by area.
@@ -78,8 +78,8 @@ bool pp_emitters_sampler_init(struct pp_emitter_sampler *sampler,
 bool pp_emitters_sample(const struct pp_emitter_sampler *sampler, double u, double v,
                         struct pp_direction_sample *sample);
 
-/* A guess of the light that it brings, for choosing one of several; not 0 where it brings
- * any. */
+/* A guess of the light that it brings, for choosing one of several; not 0 where it
+ * brings any. */
 double pp_emitters_importance(const struct pp_emitter *emitter,
                               const struct pp_light_scene *scene, struct pp_vec3 from,
                               struct pp_vec3 n);

@@ -79,16 +79,18 @@ static uint64_t stir_round(uint64_t hash, const struct pp_shape *shape)
     }
 }
 
-static uint64_t stir_outside(uint64_t hash, const struct pp_environment *outside)
+static uint64_t stir_environment(uint64_t hash,
+                                 const struct pp_environment *environment)
 {
-    hash = stir_sky(hash, &outside->sky);
-    hash = stir(stir(hash, outside->ground_reflectance), outside->ground_level_m);
-    for (int i = 0; i < outside->far_count; i++) {
-        const struct pp_far_skyline *far = &outside->far_skylines[i];
+    hash = stir_sky(hash, &environment->sky);
+    hash =
+        stir(stir(hash, environment->ground_reflectance), environment->ground_level_m);
+    for (int i = 0; i < environment->far_count; i++) {
+        const struct pp_far_skyline *far = &environment->far_skylines[i];
         hash = stir(stir(pp_hash_vec(hash, far->outward), far->slope), far->exitance);
     }
-    for (int i = 0; i < outside->near_count; i++) {
-        const struct pp_near_skyline *near = &outside->near_skylines[i];
+    for (int i = 0; i < environment->near_count; i++) {
+        const struct pp_near_skyline *near = &environment->near_skylines[i];
         hash =
             stir(stir(pp_hash_vec(hash, near->outward), near->offset_m), near->head_m);
         hash = stir(stir(hash, near->exitance[0]), near->exitance[1]);
@@ -119,5 +121,6 @@ void pp_light_hash_scene(struct pp_light_scene *scene, const float (*triangles)[
         hash = stir(pp_hash_vec(hash, distant->direction), distant->cos_half);
         hash = stir(hash, distant->material);
     }
-    scene->hash = scene->room ? stir_outside(hash, &scene->room->outside) : hash;
+    scene->hash =
+        scene->room ? stir_environment(hash, &scene->room->environment) : hash;
 }

@@ -6,8 +6,8 @@
 
 #include "simulate/scene/light_scene.h"
 
-/* Sets scene->hash from all that the scene is made of; triangles: those given to the ray
- * kernels, NULL: those of scene->room. */
+/* Sets scene->hash from all that the scene is made of; triangles: those given to the
+ * ray kernels, NULL: those of scene->room. */
 void pp_light_hash_scene(struct pp_light_scene *scene, const float (*triangles)[3][3]);
 
 #endif

@@ -163,9 +163,9 @@ enum pp_meeting pp_light_scene_meet(const struct pp_light_scene *scene,
         hit->distance_m = distance;
 
     /* A skyline with a distance may stand before it. */
-    if (scene->room && !indoors && scene->room->outside.near_count > 0) {
+    if (scene->room && !indoors && scene->room->environment.near_count > 0) {
         double exitance, near = pp_environment_near_skyline(
-                             &scene->room->outside, ray->from, ray->to, &exitance);
+                             &scene->room->environment, ray->from, ray->to, &exitance);
         if (near < hit->distance_m) {
             hit->distance_m = near;
             return PP_MEETS_ENVIRONMENT;
@@ -210,7 +210,8 @@ struct pp_rgb pp_light_scene_distant_radiance(const struct pp_light_scene *scene
         pp_scene_description_pattern_value(&scene->patterns[material->pattern], u));
 }
 
-/* The extended distant source that fills the smallest angle, of those in which u lies. */
+/* The extended distant source that fills the smallest angle, of those in which u
+ * lies. */
 static int distant_in(const struct pp_light_scene *scene, struct pp_vec3 u)
 {
     int found = -1;
@@ -231,9 +232,10 @@ struct pp_rgb pp_light_scene_environment(const struct pp_light_scene *scene,
     bool sky = false;
     double light = 0.0; /* pi L, as environment.h has it */
     if (scene->room && isfinite(near_m))
-        pp_environment_near_skyline(&scene->room->outside, ray->from, ray->to, &light);
+        pp_environment_near_skyline(&scene->room->environment, ray->from, ray->to,
+                                    &light);
     else if (scene->room)
-        light = pp_environment_light(&scene->room->outside, ray->to, &sky);
+        light = pp_environment_light(&scene->room->environment, ray->to, &sky);
     if (is_sky)
         *is_sky = sky;
     if (scene->room)

@@ -5,8 +5,8 @@
  * ask. Points and directions are the scene's own; the shift and rounding for the ray
  * kernels stay within.
  *
- * Light of a world is over Eh: radiances per steradian, irradiances as daylight factors.
- * Light of a description has the description's unit.
+ * Light of a world is over Eh: radiances per steradian, irradiances as daylight
+ * factors. Light of a description has the description's unit.
  */
 #ifndef PP_SIMULATE_SCENE_LIGHT_SCENE_H
 #define PP_SIMULATE_SCENE_LIGHT_SCENE_H
@@ -23,9 +23,9 @@ struct pp_gloss;
 
 void pp_light_scene_destroy(struct pp_light_scene *scene); /* NULL is allowed */
 
-/* Where a ray runs, as far as that is known. In a world, a ray that is indoors can't see
- * the back of the room's envelope: if it does, it has leaked between the edges of two
- * surfaces and counts nothing. A description's rays run anywhere. */
+/* Where a ray runs, as far as that is known. In a world, a ray that is indoors can't
+ * see the back of the room's envelope: if it does, it has leaked between the edges of
+ * two surfaces and counts nothing. A description's rays run anywhere. */
 enum pp_space { PP_ANYWHERE, PP_INDOORS, PP_OUTDOORS };
 
 /* Where a point lies: PP_ANYWHERE in a description's scene. */
@@ -41,8 +41,8 @@ struct pp_light_ray {
     enum pp_space space;
 };
 
-/* The first surface that a ray meets. A part is a polygon, a sphere ...: whatever has one
- * plane or one curve. */
+/* The first surface that a ray meets. A part is a polygon, a sphere ...: whatever has
+ * one plane or one curve. */
 struct pp_light_hit {
     int part; /* -1: nothing */
     int tag;  /* the shape's */
@@ -72,8 +72,8 @@ struct pp_bounds3 pp_light_scene_bounds(const struct pp_light_scene *scene, bool
 /* A number that depends on every shape, material and light of the scene. */
 uint64_t pp_light_scene_hash(const struct pp_light_scene *scene);
 
-/* ---- for the other files of simulate/: points are measured from the scene's centre ----
- */
+/* ---- for the other files of simulate/: points are measured from the scene's centre
+ * ---- */
 
 /* What a ray comes to. */
 enum pp_meeting {
@@ -82,8 +82,8 @@ enum pp_meeting {
     PP_MEETS_LEAK,        /* the wrong side of a room's envelope: the ray is given up */
 };
 
-/* The ray's first meeting. hit->distance_m is its distance in any case, INFINITY for the
- * sky and the like. */
+/* The ray's first meeting. hit->distance_m is its distance in any case, INFINITY for
+ * the sky and the like. */
 enum pp_meeting pp_light_scene_meet(const struct pp_light_scene *scene,
                                     const struct pp_light_ray *ray,
                                     struct pp_light_hit *hit);

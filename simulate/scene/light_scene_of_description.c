@@ -27,8 +27,8 @@ static bool is_polygon(const struct pp_shape *shape)
     return shape->kind == PP_SHAPE_POLYGON;
 }
 
-/* The box round all shapes, and the mean of their points as the centre: there, where most
- * of them are, single precision is best. */
+/* The box round all shapes, and the mean of their points as the centre: there, where
+ * most of them are, single precision is best. */
 static void measure(struct pp_light_scene *scene,
                     const struct pp_scene_description *from)
 {

@@ -56,9 +56,8 @@ struct pp_light_scene {
     int mirror_count;
     struct pp_mirror_path *mirror_paths;
     int mirror_path_count;
-    double
-        unsampled_share; /* the greatest reflectance of what mirrors by no mirror path */
-    struct pp_rgb glow;  /* the brightest of its extended emitters that has a place */
+    double unsampled_share; /* the greatest reflectance of parts outside mirror paths */
+    struct pp_rgb glow; /* the brightest of its extended emitters that has a place */
 
     struct pp_bounds3 bounds; /* of all that has a place, in the scene's coordinates */
     uint64_t hash;

@@ -1,10 +1,10 @@
 /* mirrors.h - plane mirrors, by which next-event estimation samples emitters too.
  *
- * As Radiance does for its `mirror` [WS98], but for any surface that mirrors: directions
- * to the emitter are sampled from the image of the shading point behind the mirror, and
- * unfolded again. Curved mirrors, the lesser planes of many and third reflections are
- * left to rays that find the emitter; the light that these may miss is part of the stated
- * error (unsampled.h).
+ * As Radiance does for its `mirror` [WS98], but for any surface that mirrors:
+ * directions to the emitter are sampled from the image of the shading point behind the
+ * mirror, and unfolded again. Curved mirrors, the lesser planes of many and third
+ * reflections are left to rays that find the emitter; the light that these may miss is
+ * part of the stated error (unsampled.h).
  */
 #ifndef PP_SIMULATE_SCENE_MIRRORS_H
 #define PP_SIMULATE_SCENE_MIRRORS_H
@@ -26,8 +26,8 @@ struct pp_mirror_path {
     double share;                     /* the product of theirs */
 };
 
-/* Finds the scene's mirrors and mirror paths, once all its parts and emitters are there.
- */
+/* Finds the scene's mirrors and mirror paths, once all its parts and emitters are
+ * there. */
 enum pp_status pp_mirrors_find(struct pp_light_scene *scene, struct pp_error *err);
 
 /* The mirror path with that mirror behind its last; -1: there is none. */
@@ -40,7 +40,8 @@ struct pp_vec3 pp_mirrors_path_point(const struct pp_light_scene *scene,
 struct pp_vec3 pp_mirrors_path_direction(const struct pp_light_scene *scene,
                                          int mirror_path, struct pp_vec3 u);
 
-/* The direction in which light that leaves the last mirror along u has left the point. */
+/* The direction in which light that leaves the last mirror along u has left the
+ * point. */
 struct pp_vec3 pp_mirrors_path_unfold(const struct pp_light_scene *scene,
                                       int mirror_path, struct pp_vec3 u);
 

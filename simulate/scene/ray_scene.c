@@ -232,7 +232,7 @@ enum pp_status pp_ray_scene_create(struct pp_ray_scene **result,
     if (status == PP_OK)
         status = make_rays(scene, err);
     if (status == PP_OK)
-        status = pp_environment_init(&scene->outside, world, scene->centre, err);
+        status = pp_environment_init(&scene->environment, world, scene->centre, err);
     if (status != PP_OK) {
         pp_ray_scene_destroy(scene);
         return status;
@@ -247,7 +247,7 @@ void pp_ray_scene_destroy(struct pp_ray_scene *scene)
 {
     if (!scene)
         return;
-    pp_environment_clear(&scene->outside);
+    pp_environment_clear(&scene->environment);
     pp_rays_destroy(scene->rays);
     free(scene->facets);
     free(scene->panes);

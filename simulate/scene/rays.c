@@ -1,4 +1,5 @@
-/* rays.c - triangles and round shapes in a scene of Embree, and rays sent through it. */
+/* rays.c - triangles and round shapes in a scene of Embree, and rays sent through
+ * it. */
 #include "config.h"
 
 #include "simulate/scene/rays.h"

@@ -1,4 +1,5 @@
-/* round.c - quadrics and rings met by rays, with their normals, boxes, areas and points. */
+/* round.c - quadrics and rings met by rays, with their normals, boxes, areas and
+ * points. */
 #include "simulate/scene/round.h"
 
 #include <math.h>
@@ -34,8 +35,8 @@ static bool meet_sphere(const struct pp_shape *shape, struct pp_vec3 p,
     return roots(pp_vec_dot(u, u), pp_vec_dot(w, u), pp_vec_dot(w, w) - r * r, t);
 }
 
-/* A cone's axis: its direction from the first end (unit), its length, and the radius that
- * the cone gains along each metre. */
+/* A cone's axis: its direction from the first end (unit), its length, and the radius
+ * that the cone gains along each metre. */
 struct axis {
     struct pp_vec3 along;
     double length_m, growth;
@@ -53,8 +54,7 @@ static struct axis axis_of(const struct pp_shape *cone)
 /* With x from the first end, h its part along the axis, k the growth and r the first
  * radius, the cone's points have
  *
- *     x^2 - h^2 = (r + k h)^2
- */
+ *     x^2 - h^2 = (r + k h)^2 */
 static bool meet_cone(const struct pp_shape *shape, struct pp_vec3 p, struct pp_vec3 u,
                       double t[2])
 {

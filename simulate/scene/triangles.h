@@ -36,7 +36,8 @@ enum pp_status pp_triangles_of_plane(struct pp_vec3 (**triangles)[3], int *count
                                      const struct pp_world *world,
                                      struct pp_vec3 centre, struct pp_error *err);
 
-/* The corners in single precision, for the ray kernels; to be freed. NULL: no memory. */
+/* The corners in single precision, for the ray kernels; to be freed. NULL: no
+ * memory. */
 float (*pp_triangles_single(const struct pp_vec3 (*corners)[3], int count))[3][3];
 
 #endif

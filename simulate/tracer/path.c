@@ -1,5 +1,5 @@
-/* path.c - the three estimators of path.h: direct light, gathering of the control variate,
- * and its correction. */
+/* path.c - the three estimators of path.h: direct light, gathering of the control
+ * variate, and its correction. */
 #include "simulate/tracer/path.h"
 
 #include <math.h>
@@ -10,17 +10,19 @@
 
 enum {
     /* Directions from each surface met, where the control variate leaves a small
-     * difference of two large numbers. Measured in two rooms: half and twice as many lose
-     * 10 to 40 % of the efficiency, one of each two thirds. */
+     * difference of two large numbers. Measured in two rooms: half and twice as many
+     * lose 10 to 40 % of the efficiency, one of each two thirds. */
     OPENINGS = 4,
     LOBES = 8
 };
 
-/* Chance of a path to go on, for each unit of throughput, where the control variate stands
- * for the light that it would bring. Measured: any value between 0.5 and 1 is as good. */
+/* Chance of a path to go on, for each unit of throughput, where the control variate
+ * stands for the light that it would bring. Measured: any value between 0.5 and 1 is as
+ * good. */
 static const double GOING_ON = 0.7;
 
-/* The point, and the random numbers that the path begins with: direction (2) and choice. */
+/* The point, and the random numbers that the path begins with: direction (2) and
+ * choice. */
 static struct pp_vec3 begin(const struct pp_path_state *state,
                             const struct pp_start *start, double u[3])
 {

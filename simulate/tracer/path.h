@@ -1,31 +1,31 @@
 /* path.h - the daylight factor at a point, by random paths.
  *
- * It is split into three expectations, each sampled on its own. With B the true exitance
- * of the room's surfaces,
+ * It is split into three expectations, each sampled on its own. With B the true
+ * exitance of the room's surfaces,
  *
  *     B = M + rho (E + K B)                                                        (1)
  *
  * (M their own, E the irradiance by the openings, K the irradiance by other surfaces'
  * exitance), and a coarse radiosity solution G (radiosity.h) as control variate:
  *
- *     direct      light that comes in by an opening straight to the point, by next-event
- *                 estimation
+ *     direct      light that comes in by an opening straight to the point, by
+ *                 next-event estimation
  *     gather      the mean of G over the cosine lobe of the point
  *     correction  the mean of B - G over that lobe, with
  *
  *                     B - G = (M - G) + rho (E + K G) + rho K (B - G)              (2)
  *
- *                 followed along a path: at each surface met the first two terms of (2),
- *                 then on to the next surface by Russian roulette
+ *                 followed along a path: at each surface met the first two terms of
+ *                 (2), then on to the next surface by Russian roulette
  *
  * Their sum is unbiased whatever G; a good G leaves a correction of little variance.
  * Without G the correction is plain path tracing.
  *
- * Indoors, every diffuse surface gets the light of the openings by next-event estimation;
- * a ray of the cosine lobe that reaches an opening counts nothing for light that comes in
- * by it, and is reflected by glass and frame. After a reflection in glass such light does
- * count. Outside, and where light comes back in by another opening, paths are followed
- * without next-event estimation.
+ * Indoors, every diffuse surface gets the light of the openings by next-event
+ * estimation; a ray of the cosine lobe that reaches an opening counts nothing for light
+ * that comes in by it, and is reflected by glass and frame. After a reflection in glass
+ * such light does count. Outside, and where light comes back in by another opening,
+ * paths are followed without next-event estimation.
  *
  * All light is over Eh.
  */

@@ -5,9 +5,9 @@
 
 #include "model/results/reading.h"
 
-/* The ray that leaves by the opening in the sampled direction, its throughput multiplied by
- * cosine over density and transmittance; false where no light comes in that way, or a
- * surface stands before the opening. */
+/* The ray that leaves by the opening in the sampled direction, its throughput
+ * multiplied by cosine over density and transmittance; false where no light comes in
+ * that way, or a surface stands before the opening. */
 static bool leave_by(struct pp_path_state *state, const struct pp_pane *pane,
                      const struct pp_direction_sample *sample, struct pp_vec3 n,
                      int vertex, struct pp_path_ray *ray)

@@ -8,9 +8,9 @@
 
 #include "simulate/tracer/path_ray.h"
 
-/* One sample of the irradiance by the openings at a point of a surface in the room, times
- * `throughput`, added to the component's part of `light`. u: place in the opening (2) and
- * the choice of it. */
+/* One sample of the irradiance by the openings at a point of a surface in the room,
+ * times `throughput`, added to the component's part of `light`. u: place in the opening
+ * (2) and the choice of it. */
 void pp_path_openings(struct pp_path_state *state, struct pp_vec3 p, struct pp_vec3 n,
                       const double u[3], int vertex, double throughput, int component,
                       struct pp_light *light);

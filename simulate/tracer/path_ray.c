@@ -7,19 +7,6 @@
 
 #include "model/results/reading.h"
 
-struct pp_contact pp_path_ray_first(struct pp_path_state *state, struct pp_vec3 p,
-                                    struct pp_vec3 n, struct pp_vec3 u)
-{
-    state->rays++;
-    if (state->log && state->log->count < state->log->capacity) {
-        long i = state->log->count++;
-        state->log->rays[i].point = p;
-        state->log->rays[i].normal = n;
-        state->log->rays[i].direction = u;
-    }
-    return pp_ray_scene_first(state->scene, p, n, u);
-}
-
 /* ---- openings ---- */
 
 /* The shares of light that an opening reflects and transmits. */
@@ -105,7 +92,7 @@ void pp_path_ray_add_sky(const struct pp_ray_scene *scene,
                          const struct pp_path_ray *ray, struct pp_light *light)
 {
     bool is_sky;
-    double value = pp_environment_light(&scene->outside, ray->to, &is_sky);
+    double value = pp_environment_light(&scene->environment, ray->to, &is_sky);
     int component = ray->component != PP_PATH_RAY_UNSORTED ? ray->component
                     : is_sky                               ? PP_SC
                                                            : PP_ERC;
@@ -118,7 +105,7 @@ bool pp_path_ray_add_near_skyline(const struct pp_ray_scene *scene,
 {
     double exitance = 0.0;
     double distance =
-        pp_environment_near_skyline(&scene->outside, ray->from, ray->to, &exitance);
+        pp_environment_near_skyline(&scene->environment, ray->from, ray->to, &exitance);
     if (isinf(distance) || (met->facet >= 0 && met->distance_m < distance))
         return false;
     light->part[ray->component == PP_PATH_RAY_UNSORTED ? PP_ERC : ray->component] +=
@@ -135,9 +122,9 @@ void pp_path_ray_leave_surface(const struct pp_facet *facet, struct pp_path_ray 
     ray->normal = pp_path_ray_side_normal(facet, met->side);
 }
 
-/* Russian roulette goes by the share that is left of the throughput, not by the throughput
- * itself: far from a window that is small from the start, and a façade opposite would be
- * seen by one path in hundreds, as bright as hundreds. */
+/* Russian roulette goes by the share that is left of the throughput, not by the
+ * throughput itself: far from a window that is small from the start, and a façade
+ * opposite would be seen by one path in hundreds, as bright as hundreds. */
 void pp_path_ray_follow(struct pp_path_state *state, struct pp_path_ray ray, int vertex,
                         struct pp_light *light)
 {

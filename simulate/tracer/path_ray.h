@@ -13,7 +13,8 @@
 #include "simulate/sampling/sobol.h"
 #include "simulate/scene/ray_scene.h"
 
-/* Light by what the point first sees: PP_SC, PP_ERC, PP_IRC of model/results/reading.h. */
+/* Light by what the point first sees: PP_SC, PP_ERC, PP_IRC of
+ * model/results/reading.h. */
 struct pp_light {
     double part[3];
 };
@@ -43,14 +44,15 @@ struct pp_path_state {
     long leaks; /* rays that were lost between the edges of two surfaces */
 };
 
-/* The component of light that has met nothing yet: sky will be PP_SC, a surface PP_ERC. */
+/* The component of light that has met nothing yet: sky will be PP_SC, a surface
+ * PP_ERC. */
 enum { PP_PATH_RAY_UNSORTED = -1 };
 
 /* Vertex numbers for the path outside of each vertex. */
 enum { PP_PATH_RAY_OUTSIDE_STEP = 1024 };
 
-/* A path ends here where nothing ever absorbs: in an enclosure that reflects all. With a
- * reflectance of 0.99 one path in 10^70 comes so far. */
+/* A path ends here where nothing ever absorbs: in an enclosure that reflects all. With
+ * a reflectance of 0.99 one path in 10^70 comes so far. */
 enum { PP_PATH_RAY_MOST_BOUNCES = 1 << 14 };
 
 /* Paths whose throughput has come down to this share of what they began with go on by
@@ -94,25 +96,36 @@ static inline bool pp_path_ray_survives(struct pp_path_ray *ray, double chance,
     return true;
 }
 
-/* What the ray from p, a point of a plane with normal n, meets first; the ray is counted
- * and logged. */
-struct pp_contact pp_path_ray_first(struct pp_path_state *state, struct pp_vec3 p,
-                                    struct pp_vec3 n, struct pp_vec3 u);
+/* What the ray from p, a point of a plane with normal n, meets first; the ray is
+ * counted and logged. */
+static inline struct pp_contact pp_path_ray_first(struct pp_path_state *state,
+                                                  struct pp_vec3 p, struct pp_vec3 n,
+                                                  struct pp_vec3 u)
+{
+    state->rays++;
+    if (state->log && state->log->count < state->log->capacity) {
+        long i = state->log->count++;
+        state->log->rays[i].point = p;
+        state->log->rays[i].normal = n;
+        state->log->rays[i].direction = u;
+    }
+    return pp_ray_scene_first(state->scene, p, n, u);
+}
 
-/* Has the ray met the wrong side of the room's envelope: has it leaked between the edges
- * of two surfaces? */
+/* Has the ray met the wrong side of the room's envelope: has it leaked between the
+ * edges of two surfaces? */
 bool pp_path_ray_is_leak(const struct pp_ray_scene *scene,
                          const struct pp_path_ray *ray, const struct pp_contact *met);
 
-/* The transmittance of an opening for the cosine of the angle of incidence, with its frame,
- * dirt and curtains. */
+/* The transmittance of an opening for the cosine of the angle of incidence, with its
+ * frame, dirt and curtains. */
 double pp_path_ray_transmittance(const struct pp_opening *opening,
                                  double cos_incidence);
 
 enum pp_opening_event { PP_OPENING_MIRRORS, PP_OPENING_SCATTERS, PP_OPENING_TRANSMITS };
 
-/* Turns the ray by one of the events at the opening that it has met, chosen at random; false
- * where the light ends. Light is transmitted only where that is counted. u:
+/* Turns the ray by one of the events at the opening that it has met, chosen at random;
+ * false where the light ends. Light is transmitted only where that is counted. u:
  * direction (2), event. */
 bool pp_path_ray_pass_opening(const struct pp_ray_scene *scene, struct pp_path_ray *ray,
                               const struct pp_contact *met, bool count_through,
@@ -123,8 +136,8 @@ bool pp_path_ray_pass_opening(const struct pp_ray_scene *scene, struct pp_path_r
 void pp_path_ray_leave_surface(const struct pp_facet *facet, struct pp_path_ray *ray,
                                const struct pp_contact *met, struct pp_light *light);
 
-/* The light of sky, ground and far skylines; and of a near skyline that stands before the
- * surface that was met (false if none does). */
+/* The light of sky, ground and far skylines; and of a near skyline that stands before
+ * the surface that was met (false if none does). */
 void pp_path_ray_add_sky(const struct pp_ray_scene *scene,
                          const struct pp_path_ray *ray, struct pp_light *light);
 bool pp_path_ray_add_near_skyline(const struct pp_ray_scene *scene,

@@ -1,16 +1,18 @@
 /* radiosity.h - a coarse radiosity solution of the room, read between its patches.
  *
  * Some thousand patches, whose irradiance comes by the openings and, along a few random
- * rays, by other patches (gathering radiosity), with bilinear interpolation between their
- * centres. It serves as the control variate G of path.h, so that none of its error ends in
- * a result. It depends on the room and the seed alone. radiosity_solve.h makes it.
+ * rays, by other patches (gathering radiosity), with bilinear interpolation between
+ * their centres. It serves as the control variate G of path.h, so that none of its
+ * error ends in a result. It depends on the room and the seed alone. radiosity_solve.h
+ * makes it.
  */
 #ifndef PP_SIMULATE_TRACER_RADIOSITY_H
 #define PP_SIMULATE_TRACER_RADIOSITY_H
 
 #include "simulate/scene/ray_scene.h"
 
-/* The patches of one side of a facet, in a grid; a patch's value stands at its centre. */
+/* The patches of one side of a facet, in a grid; a patch's value stands at its
+ * centre. */
 struct pp_radiosity_grid {
     int first;           /* of its values; -1: no patches on this side */
     int columns, rows;   /* along the facet's a and b */

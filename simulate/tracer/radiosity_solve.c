@@ -1,5 +1,5 @@
-/* radiosity_solve.c - patches laid out, lit by the openings along sampled directions, and
- * the exchange between them iterated. */
+/* radiosity_solve.c - patches laid out, lit by the openings along sampled directions,
+ * and the exchange between them iterated. */
 #include "simulate/tracer/radiosity_solve.h"
 
 #include <math.h>
@@ -22,7 +22,7 @@ enum {
 };
 
 /* A patch while the exchange is worked out. */
-struct patch {
+struct radiosity_patch {
     struct pp_vec3 point;
     int facet;
     enum pp_facet_side side;
@@ -103,7 +103,8 @@ static int lay_out(struct pp_radiosity *radiosity, const struct pp_ray_scene *sc
     return count;
 }
 
-static void place_patches(struct patch *patches, const struct pp_radiosity *radiosity,
+static void place_patches(struct radiosity_patch *patches,
+                          const struct pp_radiosity *radiosity,
                           const struct pp_ray_scene *scene,
                           const struct pp_world *world)
 {
@@ -114,7 +115,7 @@ static void place_patches(struct patch *patches, const struct pp_radiosity *radi
             for (int k = 0; grid->first >= 0 && k < grid->columns * grid->rows; k++) {
                 double a = grid->a0 + k % grid->columns / grid->per_a;
                 double b = grid->b0 + k / grid->columns / grid->per_b;
-                struct patch *patch = &patches[grid->first + k];
+                struct radiosity_patch *patch = &patches[grid->first + k];
                 patch->facet = i;
                 patch->side = side;
                 patch->in_figure =
@@ -128,7 +129,8 @@ static void place_patches(struct patch *patches, const struct pp_radiosity *radi
 }
 
 /* The irradiance of the patch by the openings, and the patches that its rays meet. */
-static void light_patch(struct patch *patch, const struct pp_radiosity *radiosity,
+static void light_patch(struct radiosity_patch *patch,
+                        const struct pp_radiosity *radiosity,
                         const struct pp_ray_scene *scene, const struct pp_sobol *sobol,
                         uint64_t seed)
 {
@@ -155,9 +157,9 @@ static void light_patch(struct patch *patch, const struct pp_radiosity *radiosit
     }
 }
 
-/* Gauss-Seidel iteration: each patch gathers from those that its rays meet, in turn, until
- * the solution changes by less than 1e-4. */
-static void exchange(double *values, const struct patch *patches, int count,
+/* Gauss-Seidel iteration: each patch gathers from those that its rays meet, in turn,
+ * until the solution changes by less than 1e-4. */
+static void exchange(double *values, const struct radiosity_patch *patches, int count,
                      const struct pp_ray_scene *scene)
 {
     for (int i = 0; i < count; i++)
@@ -180,9 +182,10 @@ static void exchange(double *values, const struct patch *patches, int count,
     }
 }
 
-/* Patches beside the figure (outside the corner of an L) get the mean of those in it, for
- * the interpolation. */
-static void fill_beside(struct pp_radiosity *radiosity, const struct patch *patches,
+/* Patches beside the figure (outside the corner of an L) get the mean of those in it,
+ * for the interpolation. */
+static void fill_beside(struct pp_radiosity *radiosity,
+                        const struct radiosity_patch *patches,
                         const struct pp_radiosity_grid *grid)
 {
     int count = grid->columns * grid->rows, in_figure = 0;
@@ -197,7 +200,7 @@ static void fill_beside(struct pp_radiosity *radiosity, const struct patch *patc
             radiosity->values[i] = in_figure > 0 ? sum / in_figure : 0.0;
 }
 
-static void work_out(struct pp_radiosity *radiosity, struct patch *patches,
+static void work_out(struct pp_radiosity *radiosity, struct radiosity_patch *patches,
                      const struct pp_ray_scene *scene, const struct pp_world *world,
                      const struct pp_sobol *sobol, uint64_t seed, int threads)
 {
@@ -236,7 +239,7 @@ enum pp_status pp_radiosity_solve(struct pp_radiosity **result,
     if (!radiosity)
         return pp_fail_memory(err);
     radiosity->grids = calloc((size_t)scene->facet_count, sizeof *radiosity->grids);
-    struct patch *patches = NULL;
+    struct radiosity_patch *patches = NULL;
     if (radiosity->grids) {
         radiosity->count = lay_out(radiosity, scene, world);
         radiosity->values = calloc((size_t)radiosity->count, sizeof *radiosity->values);

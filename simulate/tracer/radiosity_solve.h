@@ -7,8 +7,8 @@
 #include "simulate/sampling/sobol.h"
 #include "simulate/tracer/radiosity.h"
 
-/* On success *radiosity is the caller's; NULL where the room has so many surfaces that a
- * solution would not pay. */
+/* On success *radiosity is the caller's; NULL where the room has so many surfaces that
+ * a solution would not pay. */
 enum pp_status pp_radiosity_solve(struct pp_radiosity **radiosity,
                                   const struct pp_ray_scene *scene,
                                   const struct pp_world *world,

@@ -1,5 +1,5 @@
-/* light_path.c - path tracing: emission and direct light at each surface, a lobe drawn to
- * go on by, Russian roulette. */
+/* light_path.c - path tracing: emission and direct light at each surface, a lobe drawn
+ * to go on by, Russian roulette. */
 #include "simulate/transport/light_path.h"
 
 #include <math.h>
@@ -18,8 +18,8 @@ enum {
 /* What a gloss, a mirror or a pane leads to may be a window or a lamp, far brighter
  * than all that these light: Russian roulette begins at this share of the throughput at
  * which it begins for diffuse light. Together with paths of their own for gloss and
- * mirror, a polished floor at 16 paths a pixel had an RMS error of 10 % instead of 41 %,
- * for 36 % more time. */
+ * mirror, a polished floor at 16 paths a pixel had an RMS error of 10 % instead of
+ * 41 %, for 36 % more time. */
 static const double LEAST_GLOSS = 0.1;
 
 struct pp_rgb pp_light_path_follow(struct pp_radiance_state *state,
@@ -105,8 +105,8 @@ static struct pp_rgb ambient_reflected(const struct pp_radiance_state *state,
     return sum;
 }
 
-/* The surface's own emission along the path, unless it was sampled directly; false where
- * the path ends there. */
+/* The surface's own emission along the path, unless it was sampled directly; false
+ * where the path ends there. */
 static bool add_emission(const struct pp_radiance_state *state,
                          const struct pp_light_path *path,
                          const struct pp_light_hit *hit, struct pp_rgb *total)
@@ -141,8 +141,8 @@ static void add_environment(const struct pp_radiance_state *state,
 
 /* ---- on from a surface ---- */
 
-/* One of the lobes with a probability in proportion to its share; PP_LOBE_COUNT: all are
- * black. The throughput is multiplied by the share over the probability. */
+/* One of the lobes with a probability in proportion to its share; PP_LOBE_COUNT: all
+ * are black. The throughput is multiplied by the share over the probability. */
 static enum pp_lobe choose_lobe(const struct pp_lobes *lobes, double u,
                                 struct pp_rgb *throughput)
 {
@@ -166,7 +166,8 @@ static enum pp_lobe choose_lobe(const struct pp_lobes *lobes, double u,
     return chosen;
 }
 
-/* Which emitters and windows were sampled directly, for a ray that leaves by this lobe. */
+/* Which emitters and windows were sampled directly, for a ray that leaves by this
+ * lobe. */
 static void note_sampled(const struct pp_radiance_state *state,
                          struct pp_light_path *path, const struct pp_lobes *lobes,
                          enum pp_lobe lobe, const struct pp_light_hit *hit)
@@ -190,8 +191,8 @@ static void note_sampled(const struct pp_radiance_state *state,
     }
 }
 
-/* Turns the path into a direction of the lobe, by two numbers in (0, 1); the lobe's share
- * is in the throughput already. False where the path ends. */
+/* Turns the path into a direction of the lobe, by two numbers in (0, 1); the lobe's
+ * share is in the throughput already. False where the path ends. */
 static bool leave_by(const struct pp_radiance_state *state, struct pp_light_path *path,
                      const struct pp_lobes *lobes, enum pp_lobe lobe,
                      const struct pp_light_hit *hit, double u, double v)
@@ -211,8 +212,8 @@ static bool leave_by(const struct pp_radiance_state *state, struct pp_light_path
     return true;
 }
 
-/* The path goes on by one of the lobes, drawn at random; false where it ends, by Russian
- * roulette or because nothing is scattered. */
+/* The path goes on by one of the lobes, drawn at random; false where it ends, by
+ * Russian roulette or because nothing is scattered. */
 static bool go_on(struct pp_radiance_state *state, struct pp_light_path *path,
                   const struct pp_lobes *lobes, const struct pp_light_hit *hit)
 {
@@ -248,8 +249,8 @@ static struct pp_rgb follow_lobe(struct pp_radiance_state *state,
     return pp_light_path_follow(state, &branch, NULL);
 }
 
-/* Gloss and mirror bring much light or none: as long as another lobe is left for the path
- * itself, they are followed as branches, and are black from then on. */
+/* Gloss and mirror bring much light or none: as long as another lobe is left for the
+ * path itself, they are followed as branches, and are black from then on. */
 static struct pp_rgb follow_gloss_and_mirror(struct pp_radiance_state *state,
                                              const struct pp_light_path *path,
                                              struct pp_lobes *lobes,
@@ -278,8 +279,8 @@ static bool scatters(const struct pp_lobes *lobes)
 }
 
 /* The point that was met, back along the ray by half of what lifts rays off their
- * surface (rays.h): in a corner, to the bit, it would lie in the other surface too, and a
- * ray that starts there might be on the wrong side of that. */
+ * surface (rays.h): in a corner, to the bit, it would lie in the other surface too, and
+ * a ray that starts there might be on the wrong side of that. */
 static struct pp_light_hit drawn_back(const struct pp_light_hit *hit, struct pp_vec3 to)
 {
     struct pp_light_hit back = *hit;
@@ -288,7 +289,8 @@ static struct pp_light_hit drawn_back(const struct pp_light_hit *hit, struct pp_
     return back;
 }
 
-/* The material's lobes towards the eye, without those whose light was sampled directly. */
+/* The material's lobes towards the eye, without those whose light was sampled
+ * directly. */
 static void lobes_of(const struct pp_radiance_state *state,
                      const struct pp_light_path *path, const struct pp_light_hit *hit,
                      struct pp_lobes *lobes)

@@ -1,12 +1,12 @@
-/* light_path.h - a path of light followed from its ray to its end. Inside simulate/ only;
- * all points are measured from the scene's centre.
+/* light_path.h - a path of light followed from its ray to its end. Inside simulate/
+ * only; all points are measured from the scene's centre.
  *
- * Paths run backwards, from the eye or a sensor. At each surface that scatters, light of
- * concentrated emitters and windows is added by next-event estimation (light_sources.h,
- * light_windows.h); then the path goes on by one of the material's lobes. Light is counted
- * by one of the two ways, never by both: if the path's own ray comes to an emitter or a
- * window that was sampled directly from where the ray starts, it counts nothing. No
- * weights of multiple importance sampling are needed.
+ * Paths run backwards, from the eye or a sensor. At each surface that scatters, light
+ * of concentrated emitters and windows is added by next-event estimation
+ * (light_sources.h, light_windows.h); then the path goes on by one of the material's
+ * lobes. Light is counted by one of the two ways, never by both: if the path's own ray
+ * comes to an emitter or a window that was sampled directly from where the ray starts,
+ * it counts nothing. No weights of multiple importance sampling are needed.
  */
 #ifndef PP_SIMULATE_TRANSPORT_LIGHT_PATH_H
 #define PP_SIMULATE_TRANSPORT_LIGHT_PATH_H

@@ -120,8 +120,8 @@ struct connections {
     int first;
 };
 
-/* What may come by that connection. Never 0 where there may be light: glass mirrors more
- * at other angles than at normal incidence. */
+/* What may come by that connection. Never 0 where there may be light: glass mirrors
+ * more at other angles than at normal incidence. */
 static double importance_of(const void *of, int index)
 {
     const struct connections *connections = of;
@@ -137,8 +137,8 @@ static double importance_of(const void *of, int index)
                                     connection.n);
 }
 
-/* The connections from `first` to `end`: all of them at the first surface if they are no
- * more than `most`, else one at random. */
+/* The connections from `first` to `end`: all of them at the first surface if they are
+ * no more than `most`, else one at random. */
 static struct pp_rgb sample_connections(struct pp_radiance_state *state,
                                         const struct pp_shading_point *shading,
                                         int first, int end, int most, int vertex)

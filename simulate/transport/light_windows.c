@@ -38,7 +38,7 @@ static struct pp_rgb light_outside(struct pp_radiance_state *state,
     *is_sky = false;
     if (scene->room->panes[window].unobstructed) {
         double exitance, near = pp_environment_near_skyline(
-                             &scene->room->outside, ray->from, ray->to, &exitance);
+                             &scene->room->environment, ray->from, ray->to, &exitance);
         return pp_light_scene_environment(scene, ray, near, is_sky);
     }
     struct pp_light_hit hit;

@@ -1,6 +1,6 @@
-/* light_windows.h - next-event estimation of a room's openings: directions to a pane are
- * sampled as to a lamp, whose radiance is the light that sky, ground and whatever stands
- * outside send through it. Inside simulate/ only.
+/* light_windows.h - next-event estimation of a room's openings: directions to a pane
+ * are sampled as to a lamp, whose radiance is the light that sky, ground and whatever
+ * stands outside send through it. Inside simulate/ only.
  */
 #ifndef PP_SIMULATE_TRANSPORT_LIGHT_WINDOWS_H
 #define PP_SIMULATE_TRANSPORT_LIGHT_WINDOWS_H

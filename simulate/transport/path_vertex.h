@@ -1,5 +1,5 @@
-/* path_vertex.h - the state of a path between two surfaces, and a surface that it shades.
- * Inside simulate/ only; all points are measured from the scene's centre.
+/* path_vertex.h - the state of a path between two surfaces, and a surface that it
+ * shades. Inside simulate/ only; all points are measured from the scene's centre.
  */
 #ifndef PP_SIMULATE_TRANSPORT_PATH_VERTEX_H
 #define PP_SIMULATE_TRANSPORT_PATH_VERTEX_H
@@ -80,9 +80,9 @@ static inline struct pp_light_path pp_path_vertex_outside(
 
 /* One side of a surface whose direct light is wanted.
  *
- * Next-event estimation at a window needs the light outside it, which is that of a path.
- * light_windows.c gets the function that follows the path (light_path.c's) by this
- * pointer, so that neither file calls the other. */
+ * Next-event estimation at a window needs the light outside it, which is that of a
+ * path. light_windows.c gets the function that follows the path (light_path.c's) by
+ * this pointer, so that neither file calls the other. */
 struct pp_shading_point {
     struct pp_vec3 point, normal; /* normal: of that side */
     enum pp_space space;
@@ -105,9 +105,10 @@ static inline struct pp_light_ray pp_path_vertex_shadow_ray(
     return (struct pp_light_ray){shading->point, shading->normal, to, shading->space};
 }
 
-/* Into how many strata, with a direction each, next-event estimation divides a source or
- * window of that angular size: the power of two, at most options.source_most, that makes
- * a stratum look smaller than options.source_size; 1 where the path is not split. */
+/* Into how many strata, with a direction each, next-event estimation divides a source
+ * or window of that angular size: the power of two, at most options.source_most, that
+ * makes a stratum look smaller than options.source_size; 1 where the path is not
+ * split. */
 uint32_t pp_path_vertex_direction_count(const struct pp_radiance_state *state,
                                         const struct pp_shading_point *shading,
                                         double angular_size);

@@ -7,8 +7,8 @@
  * Each kind of light has its estimator. At every surface that scatters,
  *
  *     sources   concentrated emitters and the sun, by next-event estimation: the nearer
- *               and larger one is, the more strata of directions it gets (the power of two
- *               that makes each look smaller than `source_size`)
+ *               and larger one is, the more strata of directions it gets (the power of
+ *               two that makes each look smaller than `source_size`)
  *     windows   the panes of a world's openings, likewise, as lamps whose light is what
  *               sky, ground and whatever stands outside send through them
  *     the rest  extended emitters, sky, ground and all surfaces, by rays that go where
@@ -17,8 +17,8 @@
  * Each of the first two can be switched off: then rays find that light too. The mean is
  * the same; noise and time are not.
  *
- * Diffuse inter-reflection, the dearest part, may be had from elsewhere: see
- * struct pp_ambient.
+ * Diffuse inter-reflection, the dearest part, may be had from elsewhere: see struct
+ * pp_ambient.
  */
 #ifndef PP_SIMULATE_TRANSPORT_RADIANCE_H
 #define PP_SIMULATE_TRANSPORT_RADIANCE_H

@@ -1,4 +1,5 @@
-/* radiance_options.h - which estimators the light transport uses, and when paths end. */
+/* radiance_options.h - which estimators the light transport uses, and when paths
+ * end. */
 #ifndef PP_SIMULATE_TRANSPORT_RADIANCE_OPTIONS_H
 #define PP_SIMULATE_TRANSPORT_RADIANCE_OPTIONS_H
 
@@ -21,8 +22,8 @@ struct pp_radiance_options {
                          * it; greater than 0 */
 };
 
-/* All estimators on, no limit of bounces, unbiased but for `stored`: size 0.2, at most 64
- * directions, roulette below 0.3. */
+/* All estimators on, no limit of bounces, unbiased but for `stored`: size 0.2, at most
+ * 64 directions, roulette below 0.3. */
 struct pp_radiance_options pp_radiance_options_defaults(void);
 
 #endif

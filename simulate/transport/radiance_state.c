@@ -1,5 +1,5 @@
-/* radiance_state.c - the rays of a path: counted, and shadow rays through clear surfaces
- * and by plane mirrors. */
+/* radiance_state.c - the rays of a path: counted, and shadow rays through clear
+ * surfaces and by plane mirrors. */
 #include "simulate/transport/radiance_state.h"
 
 #include <math.h>
@@ -55,8 +55,8 @@ bool pp_radiance_state_unoccluded(struct pp_radiance_state *state,
     return false;
 }
 
-/* The ray is reflected by the surface that it has met; false where that does not mirror.
- */
+/* The ray is reflected by the surface that it has met; false where that does not
+ * mirror. */
 static bool reflect(const struct pp_light_scene *scene, struct pp_light_ray *ray,
                     const struct pp_light_hit *hit, struct pp_rgb *through)
 {

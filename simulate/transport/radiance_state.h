@@ -1,4 +1,5 @@
-/* radiance_state.h - what a thread needs to trace paths, and the rays that it traces. */
+/* radiance_state.h - what a thread needs to trace paths, and the rays that it
+ * traces. */
 #ifndef PP_SIMULATE_TRANSPORT_RADIANCE_STATE_H
 #define PP_SIMULATE_TRANSPORT_RADIANCE_STATE_H
 
@@ -16,8 +17,8 @@
  * or, of a translucent material, on the far side: then `normal` is turned) for the
  * irradiance from all light that is not sampled directly: the light that
  * pp_radiance_indirect gives the hemispherical integral of. `depth` is how many diffuse
- * reflections the path has behind it, 0 at the first surface. It returns false where the
- * path is to sample that light itself. Called by many threads at a time. */
+ * reflections the path has behind it, 0 at the first surface. It returns false where
+ * the path is to sample that light itself. Called by many threads at a time. */
 struct pp_ambient {
     bool (*irradiance)(void *store, const struct pp_light_hit *hit,
                        struct pp_vec3 normal, int depth, struct pp_rgb *value);

@@ -1,5 +1,5 @@
-/* window_store.c - the tables of all openings, filled by paths: for each bin of each patch
- * the mean over several paths that leave the opening there. */
+/* window_store.c - the tables of all openings, filled by paths: for each bin of each
+ * patch the mean over several paths that leave the opening there. */
 #include "simulate/transport/window_store.h"
 
 #include <math.h>
@@ -22,7 +22,8 @@ static const struct pp_target *target_of(const struct pp_light_scene *scene, int
     return &scene->room->panes[window].target;
 }
 
-/* The distance of the nearest surface before the opening; INFINITY where none is met. */
+/* The distance of the nearest surface before the opening; INFINITY where none is
+ * met. */
 static double nearest(const struct pp_light_scene *scene, int window,
                       const struct pp_sobol *sobol, uint64_t seed)
 {
@@ -62,8 +63,8 @@ static bool outside_radiance(struct pp_radiance_state *state,
     return true;
 }
 
-/* A bin's sum over its paths, of radiances no nearer than the table has them; returns how
- * many of the paths met such a surface. */
+/* A bin's sum over its paths, of radiances no nearer than the table has them; returns
+ * how many of the paths met such a surface. */
 static int sample_bin(const struct pp_window_table *table,
                       struct pp_radiance_state *state, int window, int patch, int bin,
                       uint32_t samples, struct pp_rgb *sum)
@@ -88,8 +89,8 @@ static int sample_bin(const struct pp_window_table *table,
     return met;
 }
 
-/* The mean radiance of each bin; where no path of a bin met a surface, that of all bins.
- */
+/* The mean radiance of each bin; where no path of a bin met a surface, that of all
+ * bins. */
 static void fill_patch(struct pp_window_table *table, struct pp_radiance_state *state,
                        int window, int patch, uint32_t samples)
 {

@@ -1,8 +1,8 @@
 /* window_store.h - the radiance outside each opening of a room, worked out once.
  *
- * Paths that leave by a window then need no more than one ray outside: whether that meets
- * a surface is still traced, so that silhouettes stay sharp, but the surface's radiance is
- * read from the opening's table (window_table.h).
+ * Paths that leave by a window then need no more than one ray outside: whether that
+ * meets a surface is still traced, so that silhouettes stay sharp, but the surface's
+ * radiance is read from the opening's table (window_table.h).
  */
 #ifndef PP_SIMULATE_TRANSPORT_WINDOW_STORE_H
 #define PP_SIMULATE_TRANSPORT_WINDOW_STORE_H
@@ -19,8 +19,8 @@ struct pp_window_store {
     uint32_t samples; /* paths of each bin */
 };
 
-/* NULL where there is nothing to work out. The same for any number of threads (0: as many
- * as the machine has processors). */
+/* NULL where there is nothing to work out. The same for any number of threads (0: as
+ * many as the machine has processors). */
 enum pp_status pp_window_store_create(struct pp_window_store **store,
                                       const struct pp_light_scene *scene, uint64_t seed,
                                       int threads, struct pp_error *err);

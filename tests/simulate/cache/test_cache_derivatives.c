@@ -37,8 +37,8 @@ static double irradiance_at(double x, double y)
 }
 
 /* The same on a surface that leans by an angle to an azimuth, all of the patch being
- * over its horizon: the scene is turned about it, and Lambert's formula is for a floor.
- */
+ * over its horizon: the scene is turned about it, and Lambert's formula is for a
+ * floor. */
 static double irradiance_leaning(double x, double y, double azimuth, double lean)
 {
     double sum = 0.0, c = cos(azimuth), s = sin(azimuth);
@@ -134,7 +134,7 @@ static void a_hemisphere_knows_how_a_patchs_light_changes(void **state)
     double aa = (irradiance_at(x + d, y) - 2 * e + irradiance_at(x - d, y)) / (d * d);
     double bb = (irradiance_at(x, y + d) - 2 * e + irradiance_at(x, y - d)) / (d * d);
     /* The frame about +z is x, y. */
-    assert_near(h.a.x, 1.0, 1e-12);
+    assert_near(h.frame.x.x, 1.0, 1e-12);
     assert_near(h.irradiance.g, e, 2e-3 * e);
     assert_near(change.along[1][0], along, 0.02 * fabs(along));
     assert_near(change.along[1][1], across, 0.02 * fabs(along));

@@ -119,8 +119,8 @@ static void a_fisheyes_mean_is_the_illuminance(void **state)
     struct pp_render_options options =
         looking(PP_VIEW_HEMISPHERICAL, point, up, PP_PI, 64, 16);
     struct pp_render *render = rendered(scene.light, &options);
-    struct pp_test_mean known =
-        pp_test_irradiance(scene.light, NULL, pp_radiance_options_defaults(), point, up, 256);
+    struct pp_test_mean known = pp_test_irradiance(
+        scene.light, NULL, pp_radiance_options_defaults(), point, up, 256);
     assert_true(known.error < 0.003 * known.value.g);
     assert_relative(4.0 * mean_of(render), known.value.g, 0.012);
     pp_render_destroy(render);
@@ -301,7 +301,7 @@ static void a_picture_does_not_hang_on_threads(void **state)
 
 /* ---- the overture ---- */
 
-/* A cache grown for the picture in parts of so many pixels. */
+/* A cache grown for the picture in parts of a given number of pixels. */
 static struct pp_irradiance_cache *grown(const struct scene *scene,
                                          const struct pp_render_options *options,
                                          int part_pixels, int threads, double slice_s)
@@ -358,8 +358,8 @@ static void every_pixel_is_read_between_records(void **state)
                 assert_true(pp_irradiance_cache_value(
                     caches[which], hit.point, hit.normal, hit.space, 0, &value));
         }
-    assert_true(caches[0]->layers[0].request_space >= WIDE * HIGH * 3 / 4);
-    assert_true(caches[1]->layers[0].request_space <= 1024);
+    assert_true(caches[0]->layers[0].request_capacity >= WIDE * HIGH * 3 / 4);
+    assert_true(caches[1]->layers[0].request_capacity <= 1024);
 
     char *bytes[2];
     size_t lengths[2];
@@ -629,8 +629,8 @@ static double free_m(const struct scene *scene, struct pp_vec3 eye, double angle
     return pp_light_scene_first(scene->light, &ray, &hit) ? hit.distance_m : INFINITY;
 }
 
-/* From behind the corner of the L its wall would fill a third of the picture 3 m away.
- */
+/* From behind the corner of the L its wall would fill a third of the picture 3 m
+ * away. */
 static void the_default_view_does_not_look_round_a_corner(void **state)
 {
     (void)state;

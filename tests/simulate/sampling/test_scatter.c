@@ -82,8 +82,8 @@ static void glass_shares_light_out_as_its_law_says(void **state)
         assert_near(sum.r, 1.0, 1e-12);
         assert_true(sum.g < 0.95 && sum.b < sum.g);
     }
-    /* At normal incidence rho = (0.52/2.52)^2, tau = (1 - rho)^2 t / (1 - rho^2 t^2).
-     */
+    /* At normal incidence rho = (0.52/2.52)^2, tau = (1 - rho)^2 t / (1 - rho^2
+     * t^2). */
     double rho = 0.52 / 2.52 * (0.52 / 2.52);
     struct pp_lobes lobes = lobes_of(&pane, up);
     assert_near(lobes.share[PP_LOBE_STRAIGHT].g,

@@ -1,4 +1,4 @@
-/* test_tracer_errors.c - standard errors are true, and answers hang on nothing else
+/* test_tracer_errors.c - standard errors are true, and answers depend on nothing else
  * than room, point and seed. */
 #include "tests/lib/random_rooms.h"
 
@@ -87,7 +87,7 @@ static void the_average_is_that_of_the_whole_plane(void **state)
     pp_world_destroy(world);
 }
 
-/* ---- what answers hang on ---- */
+/* ---- what answers depend on ---- */
 
 static void threads_change_nothing(void **state)
 {

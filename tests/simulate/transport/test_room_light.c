@@ -70,8 +70,8 @@ static void so_has_one_with_things_close_outside(void **state)
 }
 
 /* A bright wall half a metre before the window: what it throws back into the room comes
- * out again, and so on. Windows are aimed at on the first way out only; the store's
- * patches may cost 1 % of the light right beside the window. */
+ * out again, and so on. Windows are sampled directly on the first way out only; the
+ * store's patches may cost 1 % of the light right beside the window. */
 static void so_has_one_with_a_wall_right_before_its_window(void **state)
 {
     (void)state;
@@ -146,20 +146,23 @@ static void windows_aimed_at_save_time_not_light(void **state)
     struct pp_light_scene *scene = scene_of(world);
     struct pp_radiance_options options = pp_radiance_options_defaults();
     struct pp_vec3 back = {1.5, 7.0, 0.85}, up = {0.0, 0.0, 1.0};
-    struct pp_test_mean aimed = pp_test_irradiance(scene, NULL, options, back, up, 256);
+    struct pp_test_mean sampled =
+        pp_test_irradiance(scene, NULL, options, back, up, 256);
     options.windows = false;
     struct pp_test_mean found =
         pp_test_irradiance(scene, NULL, options, back, up, 1024);
-    assert_near(aimed.value.g, found.value.g, 4.0 * hypot(aimed.error, found.error));
+    assert_near(sampled.value.g, found.value.g,
+                4.0 * hypot(sampled.error, found.error));
     /* Rays to the same error go with its square. */
-    double rays = (double)aimed.rays * aimed.error * aimed.error;
+    double rays = (double)sampled.rays * sampled.error * sampled.error;
     assert_true((double)found.rays * found.error * found.error > 2.0 * rays);
     pp_light_scene_destroy(scene);
     pp_world_destroy(world);
 }
 
 /* Of a wall before one window, part is lit through the room and its other window.
- * Windows aren't aimed at from there, so what it finds through both of them counts. */
+ * Windows aren't sampled directly from there, so what it finds through both of them
+ * counts. */
 static void light_through_two_windows_falls_on_what_stands_outside(void **state)
 {
     (void)state;
@@ -174,17 +177,19 @@ static void light_through_two_windows_falls_on_what_stands_outside(void **state)
     struct pp_light_scene *scene = scene_of(world);
     struct pp_radiance_options options = pp_radiance_options_defaults();
     struct pp_vec3 eye = {1.5, 1.0, 1.5}, south = {0.0, -1.0, 0.0};
-    struct pp_test_mean aimed = pp_test_radiance(scene, options, eye, south, 1024);
+    struct pp_test_mean sampled = pp_test_radiance(scene, options, eye, south, 1024);
     options.windows = false;
     struct pp_test_mean found = pp_test_radiance(scene, options, eye, south, 1024);
-    assert_near(aimed.value.g, found.value.g, 4.0 * hypot(aimed.error, found.error));
-    assert_true(hypot(aimed.error, found.error) < 0.01 * found.value.g);
+    assert_near(sampled.value.g, found.value.g,
+                4.0 * hypot(sampled.error, found.error));
+    assert_true(hypot(sampled.error, found.error) < 0.01 * found.value.g);
     pp_light_scene_destroy(scene);
     pp_world_destroy(world);
 }
 
 /* A room in equilibrium with a white sky and ground, whose surfaces give off what they
- * don't reflect, whatever their gloss, the window being aimed at or found: all is 1. */
+ * don't reflect, whatever their gloss, the window being sampled directly or found: all
+ * is 1. */
 static void a_room_in_equilibrium_shows_one_everywhere(void **state)
 {
     (void)state;
@@ -211,7 +216,7 @@ static void a_room_in_equilibrium_shows_one_everywhere(void **state)
     pp_world_destroy(world);
 }
 
-/* Not one ray slips out by the edges, though all rays are aimed at them. */
+/* Not one ray slips out by the edges, though all rays go to them. */
 static void no_light_leaks_in_by_the_edges(void **state)
 {
     (void)state;
