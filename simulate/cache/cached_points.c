@@ -20,7 +20,8 @@ enum {
     PLANE_REQUESTS = 16, /* points of the plane whose surroundings are requested */
 };
 
-/* As the tracer's: 0.002 % daylight factor. */
+/* The least standard error that is asked for, as the tracer's: 0.002 % daylight
+ * factor. */
 static const double LEAST_ERROR = 2e-5;
 
 /* The standard error is widened for the number of randomisations (estimate.h). */
@@ -281,7 +282,7 @@ void pp_cached_points_read(const struct pp_cached_points *points, int index,
 
 /* ---- the loop ---- */
 
-/* What each point lacks goes to `unfinished`, and its paths are doubled, from the
+/* Lists the points whose error is too large, and doubles their paths, from the
  * second round on. */
 static void plan_round(struct pp_cached_points *points)
 {

@@ -43,7 +43,7 @@ static struct pp_vec3 middle_of(const struct pp_polygon *polygon)
     return sum;
 }
 
-/* How far the next thing is; INFINITY where there is none. */
+/* The distance of the nearest surface in a direction; INFINITY where there is none. */
 static double free_way(const struct pp_light_scene *scene, struct pp_vec3 from,
                        struct pp_vec3 to)
 {
@@ -52,7 +52,7 @@ static double free_way(const struct pp_light_scene *scene, struct pp_vec3 from,
     return pp_light_scene_first(scene, &ray, &hit) ? hit.distance_m : INFINITY;
 }
 
-/* How far a place is from whatever stands about it at its height, `most` at most. */
+/* The distance from a place to the nearest surface at its height, `most` at most. */
 static double clearance(const struct pp_light_scene *scene, struct pp_vec3 place,
                         double most)
 {
@@ -63,7 +63,7 @@ static double clearance(const struct pp_light_scene *scene, struct pp_vec3 place
     return most;
 }
 
-/* How much worse a place is that does not see what is looked at. */
+/* The penalty of a place from which the target is hidden. */
 static double hidden(const struct pp_light_scene *scene, struct pp_vec3 place,
                      struct pp_vec3 target)
 {

@@ -19,7 +19,7 @@
 #define PP_PERSPECTIVE_DEG 75.0 /* across the picture */
 #define PP_PLAN_CUT_M 1.2
 
-/* What is looked at, or cut. */
+/* The view of a room that is wanted. */
 enum pp_room_view {
     PP_ROOM_VIEW_PERSPECTIVE,
     PP_ROOM_VIEW_FISHEYE,

@@ -23,7 +23,7 @@ struct pp_sobol {
     uint32_t table[PP_SOBOL_DIMENSIONS][4][256];
 };
 
-/* One randomisation of it. */
+/* One randomisation of the sequence. */
 struct pp_sobol_sequence {
     const struct pp_sobol *sobol; /* not owned */
     uint64_t seed;

@@ -78,13 +78,14 @@ bool pp_emitters_sampler_init(struct pp_emitter_sampler *sampler,
 bool pp_emitters_sample(const struct pp_emitter_sampler *sampler, double u, double v,
                         struct pp_direction_sample *sample);
 
-/* A guess of the light that it brings, for choosing one of several; not 0 where it
- * brings any. */
+/* A guess of the light that an emitter brings to a point, for choosing one of several;
+ * not 0 where it brings any. */
 double pp_emitters_importance(const struct pp_emitter *emitter,
                               const struct pp_light_scene *scene, struct pp_vec3 from,
                               struct pp_vec3 n);
 
-/* How large it looks from there: the root of its area over its distance. */
+/* The angular size of an emitter from a point: the root of its area over its
+ * distance. */
 double pp_emitters_angular_size(const struct pp_emitter *emitter,
                                 const struct pp_light_scene *scene,
                                 struct pp_vec3 from);

@@ -75,7 +75,7 @@ uint64_t pp_light_scene_hash(const struct pp_light_scene *scene);
 /* ---- for the other files of simulate/: points are measured from the scene's centre
  * ---- */
 
-/* What a ray comes to. */
+/* The end of a ray. */
 enum pp_meeting {
     PP_MEETS_PART,
     PP_MEETS_ENVIRONMENT, /* sky, ground, skyline, distant sources */
@@ -102,7 +102,7 @@ struct pp_rgb pp_light_scene_distant_radiance(const struct pp_light_scene *scene
 enum pp_status pp_light_scene_add_glosses(struct pp_light_scene *scene,
                                           struct pp_error *err);
 
-/* Of a material; NULL: it has none, or is a mirror. */
+/* The gloss of a material; NULL: it has none, or is a mirror. */
 const struct pp_gloss *pp_light_scene_gloss(const struct pp_light_scene *scene,
                                             int material);
 

@@ -25,7 +25,7 @@ struct candidate {
     double share, weight; /* its reflectance; that times its area */
 };
 
-/* Its specular reflectance at normal incidence, on the better of its sides. */
+/* The part's specular reflectance at normal incidence, on the better of its sides. */
 static double share_of(const struct pp_light_scene *scene, int part)
 {
     double share = 0.0;

@@ -9,7 +9,7 @@
 #include <string.h>
 
 #ifdef HAVE_EMBREE4
-/* Its headers declare functions without a prototype. */
+/* Embree's headers declare functions without a prototype. */
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wstrict-prototypes"
 #include <embree4/rtcore.h>

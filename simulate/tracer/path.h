@@ -42,8 +42,8 @@ struct pp_start {
     struct pp_vec3 normal;
 };
 
-/* One sample each of path `state->index`. Direct light is added to `light`; the others
- * are internally reflected all of them, and 0 where there is no room. */
+/* One sample each, of path `state->index`. Direct light is added to `light`; gathered
+ * light and correction are internally reflected, and 0 where there is no room. */
 void pp_path_direct(struct pp_path_state *state, const struct pp_start *start,
                     struct pp_light *light);
 double pp_path_gather(struct pp_path_state *state, const struct pp_start *start);

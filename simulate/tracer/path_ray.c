@@ -35,7 +35,8 @@ static struct opening_optics optics_of(const struct pp_opening *opening,
     return (struct opening_optics){glass, frame, through};
 }
 
-/* One of the three in proportion. Their sum must not be 0. */
+/* One of the three events, with probabilities in proportion to their shares, whose sum
+ * must not be 0. */
 static enum pp_opening_event choose(const struct opening_optics *optics, double u)
 {
     double left = u * (optics->mirror + optics->scatter + optics->through);

@@ -96,7 +96,7 @@ static inline bool pp_path_ray_survives(struct pp_path_ray *ray, double chance,
     return true;
 }
 
-/* What the ray from p, a point of a plane with normal n, meets first; the ray is
+/* The first meeting of the ray from p, a point of a plane with normal n; the ray is
  * counted and logged. */
 static inline struct pp_contact pp_path_ray_first(struct pp_path_state *state,
                                                   struct pp_vec3 p, struct pp_vec3 n,

@@ -16,7 +16,7 @@ struct pp_counts {
     uint32_t of[PP_ESTIMATORS];
 };
 
-/* What the paths of one randomisation have added up to. */
+/* The sums over the paths of one randomisation. */
 struct pp_randomisation {
     uint64_t seed;
     struct pp_light direct;

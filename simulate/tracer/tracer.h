@@ -43,7 +43,7 @@ enum pp_status pp_tracer_advance(struct pp_tracer *tracer, double seconds,
                                  struct pp_error *err);
 bool pp_tracer_done(const struct pp_tracer *tracer);
 
-/* How far it is, 0 to 1, by the work that it now thinks it has to do. */
+/* The share of the work that is done, 0 to 1, by the present plan. */
 double pp_tracer_progress(const struct pp_tracer *tracer);
 
 /* The largest standard error over daylight factor of any point so far; NAN before there

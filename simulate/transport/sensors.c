@@ -141,7 +141,7 @@ static double largest_value(const struct pp_sensors *sensors)
     return largest;
 }
 
-/* How many paths the point is to have: a power of two, or no more. */
+/* Sets how many paths the point is to have: more by a power of two, or no more. */
 static void plan_point(struct pp_sensors *sensors, int index, double largest)
 {
     const struct pp_sensors_options *options = &sensors->options;

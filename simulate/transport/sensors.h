@@ -59,7 +59,7 @@ void pp_sensors_destroy(struct pp_sensors *sensors); /* NULL is allowed */
 void pp_sensors_advance(struct pp_sensors *sensors, double seconds);
 bool pp_sensors_done(const struct pp_sensors *sensors);
 
-/* How far it is, 0 to 1, by the work that it now thinks it has to do; and the largest
+/* The share of the work that is done, 0 to 1, by the present plan; and the largest
  * standard error over value so far, NAN before there is any. */
 double pp_sensors_progress(const struct pp_sensors *sensors);
 double pp_sensors_error(const struct pp_sensors *sensors);

@@ -278,7 +278,7 @@ static void assert_same_pictures(const struct pp_render *a, const struct pp_rend
                         sizeof(int) * (size_t)(p->width * p->height));
 }
 
-static void a_picture_does_not_hang_on_threads(void **state)
+static void a_picture_does_not_depend_on_threads(void **state)
 {
     (void)state;
     struct scene scene = scene_of(DEEP);
@@ -677,7 +677,7 @@ int main(void)
         cmocka_unit_test(decorations_dim_a_picture_of_daylight_factors),
         cmocka_unit_test(glass_has_no_daylight_factor),
         cmocka_unit_test(a_cut_room_ends_at_its_walls),
-        cmocka_unit_test(a_picture_does_not_hang_on_threads),
+        cmocka_unit_test(a_picture_does_not_depend_on_threads),
         cmocka_unit_test(every_pixel_is_read_between_records),
         cmocka_unit_test(a_picture_taken_up_again_is_the_same),
         cmocka_unit_test(a_picture_through_a_cache_is_taken_up_with_it),

@@ -339,7 +339,7 @@ static void things_at_the_window_are_not_stored(void **state)
 }
 
 /* The store is worked out the same by any number of threads. */
-static void the_store_does_not_hang_on_threads(void **state)
+static void the_store_does_not_depend_on_threads(void **state)
 {
     (void)state;
     struct pp_world *world = pp_test_world(
@@ -375,7 +375,7 @@ int main(void)
         cmocka_unit_test(light_goes_on_from_the_edges),
         cmocka_unit_test(a_diffusing_pane_is_lit_from_point_to_point),
         cmocka_unit_test(things_at_the_window_are_not_stored),
-        cmocka_unit_test(the_store_does_not_hang_on_threads),
+        cmocka_unit_test(the_store_does_not_depend_on_threads),
     };
     return cmocka_run_group_tests_name("room_light", tests, NULL, NULL);
 }
