@@ -7,6 +7,7 @@
 #include "methods/evaluate.h"
 #include "model/room/building.h"
 #include "model/room/position.h"
+#include "model/room/room.h"
 #include "studies/criteria/en17037_grid.h"
 
 void pp_study_begin_report(struct pp_study *study)

@@ -2,8 +2,8 @@
  * integral that they stand for, by the shape of the window: the tables of the manual.
  *
  * Windows of clear single glass under the overcast sky, of every shape, with a sill up
- * to half their head's height, anywhere from straight ahead to a distance to the side.
- */
+ * to half their head's height, anywhere from straight ahead to a distance to the
+ * side. */
 #include <math.h>
 #include <stdint.h>
 #include <stdio.h>

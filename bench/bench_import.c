@@ -1,7 +1,6 @@
 /* bench_import.c - what a scene of a million polygons costs to read and to build.
  *
- * It is asked that both together take less than 10 s and 1 GiB.
- */
+ * It is asked that both together take less than 10 s and 1 GiB. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -11,6 +10,7 @@
 #include "bench/bench.h"
 #include "formats/radiance/read/rad_read.h"
 #include "simulate/scene/light_scene.h"
+#include "simulate/scene/light_scene_of_description.h"
 
 enum { ACROSS = 1000, RUNS = 3 };
 

@@ -1,11 +1,13 @@
-/* bench_light.c - what it saves to hunt light by its kind: rays and time to one error.
- */
+/* bench_light.c - what next-event estimation saves: rays and time to one error. */
 #include <math.h>
 #include <stdio.h>
 
 #include "bench/bench.h"
 #include "simulate/sampling/hash.h"
+#include "simulate/scene/light_scene_of_description.h"
+#include "simulate/scene/light_scene_of_world.h"
 #include "simulate/transport/radiance.h"
+#include "simulate/transport/window_store.h"
 
 enum { SEEDS = 32 };
 
@@ -65,7 +67,7 @@ static struct pp_light_scene *lamp(struct pp_material material)
 
 static void light_and_glow(void)
 {
-    struct pp_radiance_options options = pp_radiance_defaults();
+    struct pp_radiance_options options = pp_radiance_options_defaults();
     options.source_size = 0.0;
     struct pp_vec3 under = {0.0, 0.0, 0.0};
     struct pp_light_scene *light = lamp(pp_material_light(pp_rgb_grey(1.0)));
@@ -76,7 +78,8 @@ static void light_and_glow(void)
     printf("  %8s  %12s %9s  %12s %9s\n", "rays", "as light", "error", "as glow",
            "error");
     for (uint32_t paths = 4; paths <= 65536; paths *= 4) {
-        /* Aimed at, a path has two rays: one to the lamp, one round about. */
+        /* By next-event estimation a path has two rays: one to the lamp, one round
+         * about. */
         struct outcome a = measure(light, NULL, options, under, paths / 2);
         struct outcome b = measure(glow, NULL, options, under, paths);
         printf("  %8.0f  %12.6f %8.4f%%  %12.6f %8.4f%%\n", b.rays, a.value,
@@ -112,19 +115,19 @@ static void openings(const char *name, const char *xml)
     printf("%s (store: %.3f s)\n", name, processor_s() - start);
     printf("  %5s  %-19s %-19s %-19s  saves\n", "y", "aimed at, stored", "followed",
            "found by chance");
-    struct pp_radiance_options options = pp_radiance_defaults();
+    struct pp_radiance_options options = pp_radiance_options_defaults();
     options.source_size = 0.5;
     for (int i = 0; i < world->receiver_count; i++) {
         struct pp_vec3 p = world->receivers[i].position;
         options.windows = true;
         struct outcome stored = measure(scene, store, options, p, 1024);
-        struct outcome aimed = measure(scene, NULL, options, p, 1024);
+        struct outcome sampled = measure(scene, NULL, options, p, 1024);
         options.windows = false;
         struct outcome found = measure(scene, NULL, options, p, 4096);
         printf("  %5.2f  %6.3f%% %5.2f%% %4.1fms %6.3f%% %5.2f%% %4.1fms %6.3f%% "
                "%5.2f%% %4.1fms %5.1f times\n",
                p.y, 100.0 * stored.value, 100.0 * stored.error, 1e3 * stored.seconds,
-               100.0 * aimed.value, 100.0 * aimed.error, 1e3 * aimed.seconds,
+               100.0 * sampled.value, 100.0 * sampled.error, 1e3 * sampled.seconds,
                100.0 * found.value, 100.0 * found.error, 1e3 * found.seconds,
                cost(&found) / cost(&stored));
         log_sum += log(cost(&found) / cost(&stored));

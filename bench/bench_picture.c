@@ -6,8 +6,11 @@
 #include "bench/bench.h"
 #include "model/base/clock.h"
 #include "simulate/render/default_view.h"
+#include "simulate/render/overture.h"
 #include "simulate/sampling/hash.h"
 #include "simulate/render/render.h"
+#include "simulate/scene/light_scene_of_world.h"
+#include "simulate/transport/window_store.h"
 
 enum {
     SIDE = 512,
@@ -27,7 +30,7 @@ static struct pp_render_options picture_of(const struct pp_light_scene *scene,
     struct pp_render_options options = {.width = SIDE,
                                         .height = SIDE,
                                         .samples = SAMPLES,
-                                        .light = pp_radiance_defaults(),
+                                        .light = pp_radiance_options_defaults(),
                                         .threads = THREADS};
     pp_default_view(&from, scene, world, PP_ROOM_VIEW_PERSPECTIVE);
     must(pp_camera_set(&options.camera, PP_VIEW_PERSPECTIVE, from.eye, from.toward,

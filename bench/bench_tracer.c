@@ -1,11 +1,12 @@
-/* bench_tracer.c - what tracing costs: whole rooms, and rays against the bare kernels.
- */
+/* bench_tracer.c - what tracing costs: whole rooms, and rays against the bare
+ * kernels. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 
 #include "bench/bench.h"
 #include "simulate/sampling/hash.h"
+#include "simulate/tracer/radiosity_solve.h"
 #include "simulate/tracer/randomisation.h"
 #include "simulate/tracer/tracer.h"
 
@@ -70,21 +71,24 @@ static void bench_room(const char *name, const char *xml)
 
 /* 32 randomisations of `paths` paths of each kind at all receivers, with rays logged
  * where there is a log. */
-static void run_items(const struct pp_world *world, const struct pp_ray_scene *scene,
-                      const struct pp_radiosity *guess, const struct pp_sobol *sobol,
-                      uint32_t paths, bool every_ray, struct pp_path_state *path_state,
-                      struct pp_ray_log *log)
+static void run_randomisations(const struct pp_world *world,
+                               const struct pp_ray_scene *scene,
+                               const struct pp_radiosity *radiosity,
+                               const struct pp_sobol *sobol, uint32_t paths,
+                               bool every_ray, struct pp_path_state *path_state,
+                               struct pp_ray_log *log)
 {
     *path_state = (struct pp_path_state){
-        .scene = scene, .guess = guess, .every_ray = every_ray, .log = log};
+        .scene = scene, .radiosity = radiosity, .every_ray = every_ray, .log = log};
     struct pp_counts counts = {{paths, paths, paths / 4}};
     for (int i = 0; i < world->receiver_count; i++)
         for (uint64_t k = 0; k < 32; k++) {
             struct pp_start start = {
                 .position = pp_vec_sub(world->receivers[i].position, scene->centre),
                 .normal = world->receivers[i].normal};
-            struct pp_randomisation item = {.seed = pp_hash(k, (uint64_t)i)};
-            pp_randomisation_run(&item, path_state, sobol, &start, counts, paths);
+            struct pp_randomisation randomisation = {.seed = pp_hash(k, (uint64_t)i)};
+            pp_randomisation_run(&randomisation, path_state, sobol, &start, counts,
+                                 paths);
         }
 }
 
@@ -93,19 +97,21 @@ static void bench_rays(const char *name, const struct pp_world *world, uint32_t 
 {
     struct pp_error err;
     struct pp_ray_scene *scene;
-    struct pp_radiosity *guess;
+    struct pp_radiosity *radiosity;
     static struct pp_sobol sobol;
     pp_sobol_init(&sobol);
     must(pp_ray_scene_create(&scene, world, &err), &err);
-    must(pp_radiosity_create(&guess, scene, world, &sobol, 1, 1, &err), &err);
+    must(pp_radiosity_solve(&radiosity, scene, world, &sobol, 1, 1, &err), &err);
     struct pp_path_state path_state;
-    run_items(world, scene, guess, &sobol, paths, every_ray, &path_state, NULL);
+    run_randomisations(world, scene, radiosity, &sobol, paths, every_ray, &path_state,
+                       NULL);
     struct pp_ray_log log = {NULL, 0, path_state.rays};
     log.rays = malloc(sizeof *log.rays * (size_t)path_state.rays);
     float(*bare)[6] = malloc(sizeof *bare * (size_t)path_state.rays);
     if (!log.rays || !bare)
         exit(3);
-    run_items(world, scene, guess, &sobol, paths, every_ray, &path_state, &log);
+    run_randomisations(world, scene, radiosity, &sobol, paths, every_ray, &path_state,
+                       &log);
     for (long i = 0; i < log.count; i++) {
         struct pp_vec3 p = pp_vec_along(log.rays[i].point, 1e-5, log.rays[i].normal);
         struct pp_vec3 u = log.rays[i].direction;
@@ -117,7 +123,8 @@ static void bench_rays(const char *name, const struct pp_world *world, uint32_t 
     long hits = 0;
     for (int repeat = 0; repeat < 3; repeat++) {
         double start = processor_s();
-        run_items(world, scene, guess, &sobol, paths, every_ray, &path_state, NULL);
+        run_randomisations(world, scene, radiosity, &sobol, paths, every_ray,
+                           &path_state, NULL);
         traced = fmin(traced, processor_s() - start);
         start = processor_s();
         for (long i = 0; i < log.count; i++) {
@@ -135,7 +142,7 @@ static void bench_rays(const char *name, const struct pp_world *world, uint32_t 
            1e9 * kernels / log.count, kernels / traced);
     free(bare);
     free(log.rays);
-    pp_radiosity_destroy(guess);
+    pp_radiosity_destroy(radiosity);
     pp_ray_scene_destroy(scene);
 }
 

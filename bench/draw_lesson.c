@@ -1,5 +1,6 @@
-/* draw_lesson.c - the pictures of docs/theory.md: the same light aimed at and found by
- * chance, with about the same number of rays. Writes four PNG files into a folder. */
+/* draw_lesson.c - the pictures of docs/theory.md: the same light sampled directly and
+ * found by chance, with about the same number of rays. Writes four PNG files into a
+ * folder. */
 #include <cairo.h>
 #include <math.h>
 #include <stdio.h>
@@ -9,6 +10,8 @@
 #include "bench/bench.h"
 #include "model/room/building.h"
 #include "simulate/sampling/hash.h"
+#include "simulate/scene/light_scene_of_description.h"
+#include "simulate/scene/light_scene_of_world.h"
 #include "simulate/transport/radiance.h"
 
 enum { WIDE = 320, HIGH = 240 };
@@ -146,7 +149,7 @@ static struct pp_light_scene *lamp_room(struct pp_material lamp)
 static void lamp_pictures(const char *folder)
 {
     struct view view = view_of(pp_vec(3.2, 0.2, 1.5), pp_vec(1.5, 3.0, 1.0), 0.75, 1.3);
-    struct pp_radiance_options options = pp_radiance_defaults();
+    struct pp_radiance_options options = pp_radiance_options_defaults();
     options.source_size = 0.0;
     struct pp_light_scene *light = lamp_room(pp_material_light(pp_rgb_grey(30.0)));
     draw(folder, "lamp-light", light, &view, options, 64);
@@ -176,7 +179,7 @@ static void window_pictures(const char *folder)
     must(pp_light_scene_of_world(&scene, world, &err), &err);
     struct view view =
         view_of(pp_vec(1.3, 8.6, 1.6), pp_vec(1.6, 0.0, 1.15), 0.62, 22.0);
-    struct pp_radiance_options options = pp_radiance_defaults();
+    struct pp_radiance_options options = pp_radiance_options_defaults();
     options.source_size = 0.0;
     draw(folder, "window-aimed-at", scene, &view, options, 64);
     options.windows = false;

@@ -9,6 +9,7 @@
 #include "cli/output.h"
 #include "studies/engines/cache_records.h"
 #include "model/base/text.h"
+#include "simulate/cache/cache_file.h"
 
 /* No cache is larger: 1 GiB. */
 

@@ -15,6 +15,7 @@
 #include "cli/radiance/sensor_points.h"
 #include "model/base/clock.h"
 #include "model/light/scene_horizontal.h"
+#include "simulate/scene/light_scene_of_description.h"
 
 static const char about[] =
     "Reads a scene of Radiance's and simulates sensor points in it by path tracing: "

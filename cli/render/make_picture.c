@@ -11,6 +11,12 @@
 #include "cli/render/render_view.h"
 #include "model/base/clock.h"
 #include "model/base/read_file.h"
+#include "simulate/cache/cache_file.h"
+#include "simulate/render/checkpoint.h"
+#include "simulate/render/overture.h"
+#include "simulate/render/render_cache.h"
+#include "simulate/scene/light_scene_of_world.h"
+#include "simulate/transport/window_store.h"
 
 /* A slice of the work, and the time between two checkpoints. */
 static const double slice_s = 0.1, checkpoint_s = 30.0;
@@ -115,7 +121,7 @@ static enum pp_status create(struct pp_made_picture *made, const struct pp_world
         .indoors = choice->view == PP_CHOOSE_PLAN || choice->view == PP_CHOOSE_SECTION,
         .filter = choice->filter,
         .samples = choice->samples,
-        .light = pp_radiance_defaults(),
+        .light = pp_radiance_options_defaults(),
         .seed = options->study.seed,
         .threads = options->study.threads,
     };

@@ -1,4 +1,5 @@
-/* cache_derivatives.c - see cache_derivatives.h. */
+/* cache_derivatives.c - gradients and Hessian summed over the edges of a hemisphere's
+ * cells. Formula numbers are those of cache_derivatives.h. */
 #include "simulate/cache/cache_derivatives.h"
 
 #include <math.h>
@@ -61,8 +62,8 @@ static const struct pp_cache_hemisphere_cell *nearer(
     return p->distance_m <= q->distance_m ? p : q;
 }
 
-/* Where direction u meets the plane of what the cell has met; at the cell's distance
- * where that is far from it. */
+/* Where direction u meets the plane of the surface seen in the cell; at the cell's
+ * distance where that is far from it. */
 static struct pp_vec3 on_surface(const struct pp_cache_hemisphere *h,
                                  const struct pp_cache_hemisphere_cell *cell,
                                  struct pp_vec3 u)

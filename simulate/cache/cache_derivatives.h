@@ -18,14 +18,17 @@
  *     A = n . (r0 x e),  w = e x n,  g = 2 int r/|r|^4,
  *     H = int (8 r r^T/|r|^6 - 2/|r|^4).
  *
- * A cell's radiance pulls at the gradient by its edges, p_k together, as it does at the
- * irradiance by pi/n where there are n cells. So noise that each cell has by itself is
- * sqrt(n sum p_k^2/2)/pi times as much in the gradient; the same for second
- * derivatives.
+ * A cell's radiance L_k enters the gradient by its edges, with dgrad/dL_k = p_k, and
+ * the irradiance with dE/dL_k = pi/n where there are n cells. So noise that is
+ * independent from cell to cell is, in the gradient over that in the irradiance,
+ *
+ *     sqrt(n sum p_k^2/2)/pi                                                       (4)
+ *
+ * and likewise for second derivatives.
  *
  * Along the horizon an edge counts by the azimuths of its ends. With the turn of the
- * normal irradiance changes by the sum of L times the part of its direction that is
- * in the surface [WH92].
+ * normal irradiance changes by the sum of L times the part of its direction that is in
+ * the surface [WH92].
  */
 #ifndef PP_SIMULATE_CACHE_CACHE_DERIVATIVES_H
 #define PP_SIMULATE_CACHE_CACHE_DERIVATIVES_H

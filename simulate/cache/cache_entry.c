@@ -1,4 +1,5 @@
-/* cache_entry.c - see cache_entry.h. */
+/* cache_entry.c - the distance of a place by a record's own measure, and its
+ * irradiance. */
 #include "simulate/cache/cache_entry.h"
 
 #include <math.h>
@@ -6,11 +7,12 @@
 /* 1 - cos of the turn at which a record's weight is 0: 20 degrees. */
 static const double MOST_TURN = 0.0603;
 
-/* A step out of the record's plane counts as so many along its smaller axis. */
+/* A step out of the record's plane counts as this many along its smaller axis. Chosen
+ * by trial, as is the next. */
 static const double STEP = 4.0;
 
-/* A place so far behind the record, over its smaller radius, may be hidden from what
- * the record has seen. */
+/* A place this far behind the record, over its smaller radius, may not see what the
+ * record has seen. */
 static const double BEHIND = 0.05;
 
 static const double NEVER = 1e30;

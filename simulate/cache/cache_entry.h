@@ -1,7 +1,8 @@
-/* cache_entry.h - a record as the cache keeps it, and what it says of a place near by.
+/* cache_entry.h - a record as the cache keeps it, and the irradiance that it gives a
+ * place near by. Inside simulate/ only.
  *
  * Its weight falls from 1 at its own place to 0 at the edge of its ellipse: where one
- * record takes over from another nothing jumps. It speaks for places on the same side
+ * record takes over from another nothing jumps. It holds for places on the same side
  * only: facing alike, in the same space, not behind it, and with nothing standing
  * between: `horizon_m` is how far the surface is clear in each direction, by the lowest
  * rays of the hemisphere.
@@ -21,7 +22,7 @@ struct pp_cache_entry {
     double curvature;   /* greatest second derivative over the value, as far as it is
                          * sure to be more than noise, 1/m2 */
 
-    /* What is read: `is` alone, or in agreement with its neighbours (cache_smooth.c). */
+    /* What is read: those of `is`, or these smoothed (cache_smooth.h). */
     struct pp_rgb value;
     struct pp_vec3 along[3];
 };
@@ -36,11 +37,11 @@ struct pp_cache_place {
 };
 
 /* How far from the record the place is, 0 at it and 1 at the edge of its ellipse; more
- * than 1e9 where it does not speak for it however near. */
+ * than 1e9 where the record does not hold for the place however near. */
 double pp_cache_entry_distance(const struct pp_cache_entry *entry,
                                const struct pp_cache_place *place);
 
-/* What the record makes of the irradiance there, no channel below 0. */
+/* The irradiance there by the record's value and gradients, no channel below 0. */
 struct pp_rgb pp_cache_entry_read(const struct pp_cache_entry *entry,
                                   const struct pp_cache_place *place);
 

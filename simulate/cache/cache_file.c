@@ -1,21 +1,13 @@
-/* cache_file.c - a cache's records as a file.
- *
- * All little-endian, 8 bytes each but the first 16:
- *
- *     "pepperpot cache\n", version, the scene's hash, the options' hash,
- *     number of records of depth 0, of depth 1,
- *     each record: NUMBERS doubles (see put_entry),
- *     a checksum of all that stands before it
- *
- * The radii are those after neighbours have limited each other, values and gradients
- * those before they agree (cache_smooth.c): that is done when a file is read as it is
- * when a cache is grown, and the same sums are formed in the same order.
- */
+/* cache_file.c - the records of a cache written as bytes, and read back with checks. */
+#include "simulate/cache/cache_file.h"
+
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "simulate/cache/cache_parts.h"
+#include "simulate/cache/cache_smooth.h"
+#include "simulate/cache/little_endian.h"
 #include "simulate/sampling/hash.h"
 #include "simulate/sampling/lobe.h"
 
@@ -29,45 +21,17 @@ enum {
 
 static const char magic[17] = "pepperpot cache\n";
 
-static void put_word(unsigned char **at, uint64_t word)
-{
-    for (int i = 0; i < WORD; i++)
-        *(*at)++ = (unsigned char)(word >> 8 * i);
-}
-
-static uint64_t take_word(const unsigned char **at)
-{
-    uint64_t word = 0;
-    for (int i = 0; i < WORD; i++)
-        word |= (uint64_t) * (*at)++ << 8 * i;
-    return word;
-}
-
-static void put_number(unsigned char **at, double number)
-{
-    uint64_t word;
-    memcpy(&word, &number, sizeof word);
-    put_word(at, word);
-}
-
-static double take_number(const unsigned char **at)
-{
-    uint64_t word = take_word(at);
-    double number;
-    memcpy(&number, &word, sizeof number);
-    return number;
-}
-
 static void put_vec(unsigned char **at, struct pp_vec3 v)
 {
-    put_number(at, v.x);
-    put_number(at, v.y);
-    put_number(at, v.z);
+    pp_little_endian_put_double(at, v.x);
+    pp_little_endian_put_double(at, v.y);
+    pp_little_endian_put_double(at, v.z);
 }
 
 static struct pp_vec3 take_vec(const unsigned char **at)
 {
-    double x = take_number(at), y = take_number(at), z = take_number(at);
+    double x = pp_little_endian_take_double(at), y = pp_little_endian_take_double(at),
+           z = pp_little_endian_take_double(at);
     return pp_vec(x, y, z);
 }
 
@@ -76,7 +40,7 @@ static uint64_t checksum(const unsigned char *bytes, size_t length)
     uint64_t sum = length;
     for (size_t i = 0; i < length; i += WORD) {
         const unsigned char *at = bytes + i;
-        sum = pp_hash(sum, take_word(&at));
+        sum = pp_hash(sum, pp_little_endian_take(&at, WORD));
     }
     return sum;
 }
@@ -86,7 +50,7 @@ static void put_entry(unsigned char **at, const struct pp_cache_entry *entry)
     const struct pp_cache_record *is = &entry->is;
     put_vec(at, is->point);
     put_vec(at, is->normal);
-    put_number(at, is->space);
+    pp_little_endian_put_double(at, is->space);
     put_vec(at, pp_vec(is->value.r, is->value.g, is->value.b));
     for (int c = 0; c < 3; c++)
         put_vec(at, is->along[c]);
@@ -95,11 +59,11 @@ static void put_entry(unsigned char **at, const struct pp_cache_entry *entry)
     for (int i = 0; i < 2; i++)
         put_vec(at, is->axes[i]);
     for (int i = 0; i < 2; i++)
-        put_number(at, is->radii_m[i]);
+        pp_little_endian_put_double(at, is->radii_m[i]);
     for (int i = 0; i < PP_CACHE_SECTORS; i++)
-        put_number(at, entry->horizon_m[i]);
-    put_number(at, entry->along_noise);
-    put_number(at, entry->curvature);
+        pp_little_endian_put_double(at, entry->horizon_m[i]);
+    pp_little_endian_put_double(at, entry->along_noise);
+    pp_little_endian_put_double(at, entry->curvature);
 }
 
 static bool is_finite(struct pp_vec3 v)
@@ -112,14 +76,14 @@ static bool is_unit(struct pp_vec3 v)
     return is_finite(v) && fabs(pp_vec_dot(v, v) - 1.0) < 1e-6;
 }
 
-/* False where the numbers can't be a record's. */
+/* False where the numbers can't be those of a record. */
 static bool take_entry(const unsigned char **at, struct pp_cache_entry *entry)
 {
     struct pp_cache_record *is = &entry->is;
     bool good = true;
     is->point = take_vec(at);
     is->normal = take_vec(at);
-    double space = take_number(at);
+    double space = pp_little_endian_take_double(at);
     struct pp_vec3 value = take_vec(at);
     is->value = pp_rgb(value.x, value.y, value.z);
     for (int c = 0; c < 3; c++)
@@ -129,15 +93,15 @@ static bool take_entry(const unsigned char **at, struct pp_cache_entry *entry)
     for (int i = 0; i < 2; i++)
         good = is_unit(is->axes[i] = take_vec(at)) && good;
     for (int i = 0; i < 2; i++) {
-        is->radii_m[i] = take_number(at);
+        is->radii_m[i] = pp_little_endian_take_double(at);
         good = good && is->radii_m[i] >= 0.0 && isfinite(is->radii_m[i]);
     }
     for (int i = 0; i < PP_CACHE_SECTORS; i++) {
-        entry->horizon_m[i] = take_number(at);
+        entry->horizon_m[i] = pp_little_endian_take_double(at);
         good = good && entry->horizon_m[i] >= 0.0;
     }
-    entry->along_noise = take_number(at);
-    entry->curvature = take_number(at);
+    entry->along_noise = pp_little_endian_take_double(at);
+    entry->curvature = pp_little_endian_take_double(at);
     good = good && entry->along_noise >= 0.0 && entry->curvature >= 0.0;
     good = good && is_finite(is->point) && is_unit(is->normal) && is_finite(value)
            && value.x >= 0.0 && value.y >= 0.0 && value.z >= 0.0
@@ -158,21 +122,21 @@ enum pp_status pp_cache_file_pack(const struct pp_irradiance_cache *cache, char 
         return pp_fail_memory(err);
     memcpy(at, magic, 16);
     at += 16;
-    put_word(&at, VERSION);
-    put_word(&at, pp_light_scene_hash(cache->scene));
-    put_word(&at, pp_irradiance_cache_hash_options(cache));
+    pp_little_endian_put(&at, VERSION, WORD);
+    pp_little_endian_put(&at, pp_light_scene_hash(cache->scene), WORD);
+    pp_little_endian_put(&at, pp_irradiance_cache_hash_options(cache), WORD);
     for (int i = 0; i < PP_CACHE_DEPTHS; i++)
-        put_word(&at, (uint64_t)cache->layers[i].entry_count);
+        pp_little_endian_put(&at, (uint64_t)cache->layers[i].entry_count, WORD);
     for (int i = 0; i < PP_CACHE_DEPTHS; i++)
         for (int k = 0; k < cache->layers[i].entry_count; k++)
             put_entry(&at, &cache->layers[i].entries[k]);
-    put_word(&at, checksum(all, size - WORD));
+    pp_little_endian_put(&at, checksum(all, size - WORD), WORD);
     *bytes = (char *)all;
     *length = size;
     return PP_OK;
 }
 
-/* Looks at all but the records. */
+/* Checks all but the records. */
 static enum pp_status check(const struct pp_irradiance_cache *cache,
                             const unsigned char *bytes, size_t length,
                             const char *title, uint64_t counts[PP_CACHE_DEPTHS],
@@ -186,14 +150,15 @@ static enum pp_status check(const struct pp_irradiance_cache *cache,
     if (length < HEAD + WORD)
         return pp_fail(err, PP_BAD_INPUT, "%s is cut off: the cache has no records",
                        title);
-    uint64_t version = take_word(&at);
+    uint64_t version = pp_little_endian_take(&at, WORD);
     if (version != VERSION)
         return pp_fail(err, PP_BAD_INPUT,
                        "%s is a cache of version %llu; expected version %d", title,
                        (unsigned long long)version, VERSION);
-    uint64_t scene = take_word(&at), options = take_word(&at), total = 0;
+    uint64_t scene = pp_little_endian_take(&at, WORD),
+             options = pp_little_endian_take(&at, WORD), total = 0;
     for (int i = 0; i < PP_CACHE_DEPTHS; i++) {
-        counts[i] = take_word(&at);
+        counts[i] = pp_little_endian_take(&at, WORD);
         total += counts[i] < INT32_MAX ? counts[i] : INT32_MAX;
     }
     if (total >= INT32_MAX || length != HEAD + total * ENTRY + WORD)
@@ -202,7 +167,7 @@ static enum pp_status check(const struct pp_irradiance_cache *cache,
                        "of records",
                        title);
     const unsigned char *end = bytes + length - WORD;
-    if (take_word(&end) != checksum(bytes, length - WORD))
+    if (pp_little_endian_take(&end, WORD) != checksum(bytes, length - WORD))
         return pp_fail(err, PP_BAD_INPUT, "%s is damaged: its checksum is wrong",
                        title);
     if (scene != pp_light_scene_hash(cache->scene))

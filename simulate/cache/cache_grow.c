@@ -1,30 +1,36 @@
-/* cache_grow.c - requests, and how the cache grows until they are met.
+/* cache_grow.c - requests, and records made batch by batch until they are met.
  *
- * Requests come in a scattered order, so that the first records stand far apart and later
- * ones between them. They are looked at in chunks; of those in a chunk that no record
- * speaks for, a batch is taken, its members not too near to each other; all are worked
- * out from the cache as it is, entered in order, and the rest of the chunk is looked at
- * again. First come the records that light what is seen, then those of what is seen.
- */
+ * Requests come in a scattered order, so that the first records stand far apart and
+ * later ones between them. They are looked at in chunks; of those in a chunk that no
+ * record covers, a batch is taken, its members not too near to each other; all are
+ * worked out from the cache as it is, entered in order, and the rest of the chunk is
+ * looked at again. First come the records that light what is seen, then those of what
+ * is seen. */
+#include "simulate/cache/cache_grow.h"
+
 #include <math.h>
 #include <stdlib.h>
 
+#include "model/base/array.h"
 #include "model/base/clock.h"
 #include "simulate/cache/cache_parts.h"
+#include "simulate/cache/cache_smooth.h"
 #include "simulate/sampling/hash.h"
 #include "simulate/sampling/lobe.h"
 
 enum {
     CHUNK = 1 << 16,
-    SPREAD_RAYS =
-        8192,         /* at most, that look where what lights the requests is: what they
-                         * miss has its light by paths */
+    EXPANSION_RAYS =
+        8192,         /* at most, that look for the surfaces which light the requests;
+                            * surfaces that they miss have their light by paths */
     RAY_REQUESTS = 2, /* surfaces that one ray of a picture may ask for */
 };
 
-/* Two members of a batch stand no nearer than so much of the radius expected there. */
+/* Two members of a batch stand no nearer than this share of the radius expected there.
+ * Chosen by trial. */
 static const double APART = 0.7;
-/* The radius expected where nothing is known, over the scene's size. */
+/* The radius expected where there is no record yet, over the scene's size. Chosen by
+ * trial. */
 static const double FIRST_GUESS = 1.0 / 32.0;
 
 /* ---- requests ---- */
@@ -32,18 +38,13 @@ static const double FIRST_GUESS = 1.0 / 32.0;
 static enum pp_status request(struct pp_cache_layer *layer,
                               const struct pp_cache_place *place, struct pp_error *err)
 {
-    if (layer->request_count == layer->request_space) {
-        size_t space = layer->request_space ? 2 * layer->request_space : 1024;
-        struct pp_cache_request *requests =
-            realloc(layer->requests, space * sizeof *requests);
-        if (!requests)
-            return pp_fail_memory(err);
-        layer->requests = requests;
-        layer->request_space = space;
-    }
-    layer->requests[layer->request_count++] =
-        (struct pp_cache_request){.place = *place};
-    return PP_OK;
+    enum pp_status status =
+        pp_array_reserve(&layer->requests, &layer->request_capacity,
+                         layer->request_count + 1, sizeof *layer->requests, err);
+    if (status == PP_OK)
+        layer->requests[layer->request_count++] =
+            (struct pp_cache_request){.place = *place};
+    return status;
 }
 
 /* Requests that have been met are forgotten when others come. */
@@ -53,13 +54,13 @@ static void forget(struct pp_irradiance_cache *cache)
         return;
     for (int i = 0; i < PP_CACHE_DEPTHS; i++)
         cache->layers[i].request_count = cache->layers[i].next = 0;
-    cache->spread = 0;
+    cache->expanded = 0;
 }
 
 /* Shuffles the requests from `first` on: the same way each time. */
-static void scatter(struct pp_cache_layer *layer, size_t first)
+static void scatter(struct pp_cache_layer *layer, int first)
 {
-    size_t count = layer->request_count - first;
+    size_t count = (size_t)(layer->request_count - first);
     struct pp_cache_request *requests = layer->requests + first;
     for (size_t i = count; i > 1; i--) {
         size_t k = (size_t)(pp_hash(i, count) % i);
@@ -69,34 +70,24 @@ static void scatter(struct pp_cache_layer *layer, size_t first)
     }
 }
 
-/* What one ray asks for on its way. */
+/* The requests that one ray makes on its way. */
 struct ray_requests {
     const struct pp_irradiance_cache *cache;
-    int depth; /* that is listened to */
+    int depth; /* of the requests that are kept */
     int count;
     struct pp_cache_place places[RAY_REQUESTS];
 };
 
-enum pp_space pp_cache_grow_hit_space(const struct pp_irradiance_cache *cache,
-                                      const struct pp_light_hit *hit,
-                                      struct pp_vec3 normal)
-{
-    if (pp_vec_dot(normal, hit->normal) > 0.0)
-        return hit->space;
-    return pp_light_scene_space(cache->scene,
-                                pp_vec_along(hit->point, 1e-6 * cache->size_m, normal));
-}
-
 static bool record_request(void *store, const struct pp_light_hit *hit,
                            struct pp_vec3 normal, int depth, struct pp_rgb *value)
 {
-    struct ray_requests *sight = store;
+    struct ray_requests *wanted = store;
     *value = pp_rgb_grey(0.0);
-    if (depth != sight->depth || sight->cache->left_out[hit->material]
-        || sight->count == RAY_REQUESTS)
+    if (depth != wanted->depth || wanted->cache->left_out[hit->material]
+        || wanted->count == RAY_REQUESTS)
         return true;
-    sight->places[sight->count++] = (struct pp_cache_place){
-        hit->point, normal, pp_cache_grow_hit_space(sight->cache, hit, normal)};
+    wanted->places[wanted->count++] = (struct pp_cache_place){
+        hit->point, normal, pp_irradiance_cache_hit_space(wanted->cache, hit, normal)};
     return true;
 }
 
@@ -109,13 +100,14 @@ static struct pp_radiance_state state_of(const struct pp_irradiance_cache *cache
     return state;
 }
 
-/* Follows a ray without aiming at anything. */
-static void look(const struct pp_irradiance_cache *cache,
-                 const struct pp_light_ray *ray, int depth, uint32_t index,
-                 struct ray_requests *sight)
+/* Follows a ray without next-event estimation, and notes where it asks for
+ * irradiance. */
+static void trace_requests(const struct pp_irradiance_cache *cache,
+                           const struct pp_light_ray *ray, int depth, uint32_t index,
+                           struct ray_requests *wanted)
 {
-    *sight = (struct ray_requests){.cache = cache, .depth = depth};
-    struct pp_ambient ambient = {record_request, sight};
+    *wanted = (struct ray_requests){.cache = cache, .depth = depth};
+    struct pp_ambient ambient = {record_request, wanted};
     struct pp_radiance_state state = state_of(cache, cache->options.seed);
     state.options.sources = state.options.windows = false;
     state.ambient = &ambient;
@@ -126,10 +118,10 @@ static void look(const struct pp_irradiance_cache *cache,
         pp_radiance_indirect(&state, ray, NULL);
 }
 
-/* Requests of depth `depth` by rays, in their order. */
-static enum pp_status look_along(struct pp_irradiance_cache *cache,
-                                 const struct pp_light_ray *rays, size_t count,
-                                 int depth, struct pp_error *err)
+/* Appends the requests of depth `depth` that rays make, in their order. */
+static enum pp_status request_along(struct pp_irradiance_cache *cache,
+                                    const struct pp_light_ray *rays, size_t count,
+                                    int depth, struct pp_error *err)
 {
     enum pp_status status = PP_OK;
     struct pp_cache_layer *layer = &cache->layers[depth];
@@ -140,8 +132,8 @@ static enum pp_status look_along(struct pp_irradiance_cache *cache,
         int n = count - first < CHUNK ? (int)(count - first) : CHUNK;
 #pragma omp parallel for num_threads(cache->options.threads) schedule(dynamic, 64)
         for (int i = 0; i < n; i++)
-            look(cache, &rays[first + (size_t)i], depth, (uint32_t)(first + (size_t)i),
-                 &rays_requests[i]);
+            trace_requests(cache, &rays[first + (size_t)i], depth,
+                           (uint32_t)(first + (size_t)i), &rays_requests[i]);
         for (int i = 0; i < n; i++)
             for (int k = 0; status == PP_OK && k < rays_requests[i].count; k++)
                 status = request(layer, &rays_requests[i].places[k], err);
@@ -157,8 +149,8 @@ enum pp_status pp_cache_grow_request_rays(struct pp_irradiance_cache *cache,
     if (cache->options.bounces == 0)
         return PP_OK;
     forget(cache);
-    size_t first = cache->layers[0].request_count;
-    enum pp_status status = look_along(cache, rays, count, 0, err);
+    int first = cache->layers[0].request_count;
+    enum pp_status status = request_along(cache, rays, count, 0, err);
     if (status == PP_OK)
         scatter(&cache->layers[0], first);
     return status;
@@ -205,23 +197,25 @@ enum pp_status pp_cache_grow_request_hemisphere(struct pp_irradiance_cache *cach
     for (uint32_t i = 0; i < RAYS; i++)
         rays[i] = ray_about(cache, &place, cache->options.seed, i);
     forget(cache);
-    size_t first = cache->layers[1].request_count;
-    enum pp_status status = look_along(cache, rays, RAYS, 1, err);
+    int first = cache->layers[1].request_count;
+    enum pp_status status = request_along(cache, rays, RAYS, 1, err);
     if (status == PP_OK)
         scatter(&cache->layers[1], first);
     return status;
 }
 
-/* Of the requests of what is seen that are new, what lights them. */
-static enum pp_status spread(struct pp_irradiance_cache *cache, struct pp_error *err)
+/* For the new requests of depth 0, requests of depth 1 of the surfaces that light
+ * them. */
+static enum pp_status expand(struct pp_irradiance_cache *cache, struct pp_error *err)
 {
     const struct pp_cache_layer *seen = &cache->layers[0];
-    size_t new = seen->request_count - cache->spread;
-    size_t left = SPREAD_RAYS - cache->spread_rays;
+    size_t new = (size_t)(seen->request_count - cache->expanded);
+    size_t left = (size_t)(EXPANSION_RAYS - cache->expanded_rays);
     size_t count = 8 * new < left ? 8 * new : left;
-    size_t begin = cache->spread, first = cache->layers[1].request_count;
-    cache->spread = seen->request_count;
-    cache->spread_rays += count;
+    size_t begin = (size_t)cache->expanded;
+    int first = cache->layers[1].request_count;
+    cache->expanded = seen->request_count;
+    cache->expanded_rays += (int)count;
     if (count == 0 || (cache->options.bounces >= 0 && cache->options.bounces < 2))
         return PP_OK;
     struct pp_light_ray *rays = malloc(count * sizeof *rays);
@@ -230,7 +224,7 @@ static enum pp_status spread(struct pp_irradiance_cache *cache, struct pp_error 
     for (size_t i = 0; i < count; i++)
         rays[i] = ray_about(cache, &seen->requests[begin + i % new].place,
                             cache->options.seed, (uint32_t)i);
-    enum pp_status status = look_along(cache, rays, count, 1, err);
+    enum pp_status status = request_along(cache, rays, count, 1, err);
     if (status == PP_OK)
         scatter(&cache->layers[1], first);
     free(rays);
@@ -239,8 +233,9 @@ static enum pp_status spread(struct pp_irradiance_cache *cache, struct pp_error 
 
 /* ---- growing ---- */
 
-/* The cache as a record that is being worked out sees it. */
-struct viewpoint {
+/* A record that is being worked out, for the rays of its hemisphere that ask the
+ * cache. */
+struct asking_record {
     struct pp_irradiance_cache *cache;
     int depth; /* of the record */
 };
@@ -248,10 +243,10 @@ struct viewpoint {
 static bool ask_from_record(void *store, const struct pp_light_hit *hit,
                             struct pp_vec3 normal, int depth, struct pp_rgb *value)
 {
-    const struct viewpoint *from = store;
+    const struct asking_record *from = store;
     struct pp_irradiance_cache *cache = from->cache;
     int at = from->depth + depth, bounces = cache->options.bounces;
-    /* What lights the rest is worked out without bias, by paths to their end. */
+    /* Records of depth 1 are worked out without bias, by paths to their end. */
     if (from->depth > 0 && !cache->left_out[hit->material]
         && (bounces < 0 || at < bounces))
         return false;
@@ -261,12 +256,8 @@ static bool ask_from_record(void *store, const struct pp_light_hit *hit,
 static uint64_t seed_of(const struct pp_irradiance_cache *cache,
                         const struct pp_cache_place *place, int depth)
 {
-    const double numbers[] = {place->point.x,  place->point.y,  place->point.z,
-                              place->normal.x, place->normal.y, place->normal.z};
     uint64_t seed = pp_hash(cache->options.seed, (uint64_t)depth);
-    for (int i = 0; i < 6; i++)
-        seed = pp_hash_double(seed, numbers[i]);
-    return seed;
+    return pp_hash_vec(pp_hash_vec(seed, place->point), place->normal);
 }
 
 static void compute_record(struct pp_irradiance_cache *cache, int depth,
@@ -274,7 +265,7 @@ static void compute_record(struct pp_irradiance_cache *cache, int depth,
                            struct pp_cache_hemisphere_cell *cells,
                            struct pp_cache_entry *entry)
 {
-    struct viewpoint from = {cache, depth};
+    struct asking_record from = {cache, depth};
     struct pp_ambient ambient = {ask_from_record, &from};
     struct pp_radiance_state state = state_of(cache, seed_of(cache, place, depth));
     state.ambient = &ambient;
@@ -283,7 +274,7 @@ static void compute_record(struct pp_irradiance_cache *cache, int depth,
     entry->is.depth = depth;
 }
 
-/* Is there no record that speaks for the request? Then also how large one may be there. */
+/* Is the request covered by no record? Then sets the radius expected there, too. */
 static bool is_open(const struct pp_irradiance_cache *cache,
                     const struct pp_cache_layer *layer,
                     struct pp_cache_request *request)
@@ -298,20 +289,20 @@ static bool is_open(const struct pp_irradiance_cache *cache,
 
 static struct pp_cache_request *open_request(const struct pp_cache_layer *layer, int i)
 {
-    return &layer->requests[layer->next + (size_t)layer->open[i]];
+    return &layer->requests[layer->next + layer->open[i]];
 }
 
-/* Which requests of the chunk are open, in their order. */
-static void sift(struct pp_irradiance_cache *cache, struct pp_cache_layer *layer,
-                 int count)
+/* Lists the open requests of the chunk, in their order. */
+static void find_open(struct pp_irradiance_cache *cache, struct pp_cache_layer *layer,
+                      int count)
 {
     layer->open_count = 0;
 #pragma omp parallel for num_threads(cache->options.threads)                           \
     schedule(dynamic, 256) if (count > 4096)
     for (int i = 0; i < count; i++)
-        is_open(cache, layer, &layer->requests[layer->next + (size_t)i]);
+        is_open(cache, layer, &layer->requests[layer->next + i]);
     for (int i = 0; i < count; i++)
-        if (layer->requests[layer->next + (size_t)i].guess_m >= 0.0f)
+        if (layer->requests[layer->next + i].guess_m >= 0.0f)
             layer->open[layer->open_count++] = i;
 }
 
@@ -326,8 +317,8 @@ static bool stands_apart(const struct pp_cache_request *request,
     return true;
 }
 
-/* The first open requests that stand apart. Those come to that are open no longer leave
- * the list; no more of it is looked at than is needed for a batch. */
+/* The first open requests that stand apart. Those that are covered by now leave the
+ * list; no more of it is looked at than a batch needs. */
 static int choose(struct pp_irradiance_cache *cache, struct pp_cache_layer *layer,
                   const struct pp_cache_request *chosen[])
 {
@@ -375,6 +366,7 @@ static enum pp_status batch(struct pp_irradiance_cache *cache, int depth,
     return status;
 }
 
+/* The depth whose requests come next; -1: all are met. */
 static int depth_at_work(const struct pp_irradiance_cache *cache)
 {
     for (int depth = PP_CACHE_DEPTHS - 1; depth >= 0; depth--)
@@ -393,10 +385,10 @@ static enum pp_status step(struct pp_irradiance_cache *cache, struct pp_error *e
         if (!layer->open)
             return pp_fail_memory(err);
     }
-    size_t left = layer->request_count - layer->next;
-    int chunk = left < CHUNK ? (int)left : CHUNK;
+    int left = layer->request_count - layer->next;
+    int chunk = left < CHUNK ? left : CHUNK;
     if (layer->open_count == 0) {
-        sift(cache, layer, chunk);
+        find_open(cache, layer, chunk);
     } else {
         enum pp_status status = batch(cache, depth, err);
         if (status != PP_OK)
@@ -404,13 +396,13 @@ static enum pp_status step(struct pp_irradiance_cache *cache, struct pp_error *e
     }
     if (layer->open_count > 0)
         return PP_OK;
-    layer->next += (size_t)chunk;
+    layer->next += chunk;
     if (layer->next < layer->request_count)
         return PP_OK;
     if (!layer->again)
         return pp_cache_smooth_layer(layer, err);
     /* Neighbours have limited each other: is every request still covered? Each gets a
-     * record of its own at last, so that this ends. */
+     * record of its own at last, so that this comes to an end. */
     layer->again = false;
     layer->next = 0;
     return pp_cache_layer_rebuild_tree(layer, err);
@@ -421,8 +413,8 @@ enum pp_status pp_cache_grow(struct pp_irradiance_cache *cache, double seconds,
 {
     double end = pp_clock_s() + seconds;
     enum pp_status status = PP_OK;
-    if (cache->spread < cache->layers[0].request_count)
-        status = spread(cache, err);
+    if (cache->expanded < cache->layers[0].request_count)
+        status = expand(cache, err);
     while (status == PP_OK && !pp_cache_grow_done(cache)) {
         status = step(cache, err);
         if (pp_clock_s() >= end)
@@ -433,7 +425,8 @@ enum pp_status pp_cache_grow(struct pp_irradiance_cache *cache, double seconds,
 
 bool pp_cache_grow_done(const struct pp_irradiance_cache *cache)
 {
-    return cache->spread == cache->layers[0].request_count && depth_at_work(cache) < 0;
+    return cache->expanded == cache->layers[0].request_count
+           && depth_at_work(cache) < 0;
 }
 
 double pp_cache_grow_progress(const struct pp_irradiance_cache *cache)

@@ -1,4 +1,4 @@
-/* cache_hemisphere.c - see cache_hemisphere.h. */
+/* cache_hemisphere.c - the rays of a hemisphere, dealt out to its cells. */
 #include "simulate/cache/cache_hemisphere.h"
 
 #include <math.h>
@@ -6,11 +6,13 @@
 
 #include "simulate/sampling/lobe.h"
 
-/* A place may stand on the edge that its rays meet; what changes with its distance is
- * still to be numbers. */
+/* A place may lie on the edge that its rays meet: hits nearer than this count as so far
+ * away, so that gradients stay finite. */
 static const double NEAREST_M = 1e-6;
 
-/* Wanted of an irradiance's error, over itself; passes over all cells at most. */
+/* The standard error wanted of an irradiance, over itself; and the most passes over all
+ * cells. 0.05 is as smooth as 0.03 and half its work: the office by --engine cache
+ * takes 0.7 s instead of 1.5. */
 static const double ERROR = 0.05;
 static const double PASSES_MOST = 16.0;
 
@@ -25,17 +27,6 @@ struct pp_vec3 *pp_cache_hemisphere_corners(int side)
     return corners;
 }
 
-static struct pp_vec3 to_world(const struct pp_cache_hemisphere *h, struct pp_vec3 v)
-{
-    return pp_vec_along(pp_vec_along(pp_vec_scale(h->a, v.x), v.y, h->b), v.z,
-                        h->normal);
-}
-
-static struct pp_vec3 to_frame(const struct pp_cache_hemisphere *h, struct pp_vec3 v)
-{
-    return pp_vec(pp_vec_dot(v, h->a), pp_vec_dot(v, h->b), pp_vec_dot(v, h->normal));
-}
-
 /* One ray more into cell k, as path `index`. */
 static void send(struct pp_cache_hemisphere *h, struct pp_radiance_state *state,
                  const struct pp_cache_place *place, int k, uint32_t index)
@@ -46,14 +37,14 @@ static void send(struct pp_cache_hemisphere *h, struct pp_radiance_state *state,
     pp_sobol_sequence_draw(&state->sequence, index, 0, 2, u);
     struct pp_vec3 to = pp_lobe_sample_cosine((k % h->side + u[0]) / h->side,
                                               (k / h->side + u[1]) / h->side);
-    struct pp_light_ray ray = {place->point, place->normal, to_world(h, to),
+    struct pp_light_ray ray = {place->point, place->normal, pp_frame_out(&h->frame, to),
                                place->space};
     struct pp_light_hit hit;
     struct pp_rgb radiance = pp_radiance_indirect(state, &ray, &hit);
     if (cell->samples == 0.0) {
         cell->to = to;
         cell->distance_m = hit.part >= 0 ? fmax(hit.distance_m, NEAREST_M) : INFINITY;
-        cell->facing = to_frame(h, hit.normal);
+        cell->facing = pp_frame_in(&h->frame, hit.normal);
     }
     cell->samples += 1.0;
     cell->radiance = pp_rgb_along(cell->radiance, 1.0 / cell->samples,
@@ -61,7 +52,8 @@ static void send(struct pp_cache_hemisphere *h, struct pp_radiance_state *state,
 }
 
 /* How much the neighbours' luminances differ from each other. The cell's own is left
- * out: were it sampled again because it came out high, the mean would be drawn down. */
+ * out: more samples of a cell because its first came out high would bias the mean
+ * down. */
 static double contrast_about(const struct pp_cache_hemisphere *h, int k)
 {
     int n = h->side, i = k % n, j = k / n, count = 0;
@@ -101,8 +93,8 @@ static void supersample(struct pp_cache_hemisphere *h, struct pp_radiance_state 
 }
 
 /* The irradiance's standard error over itself, by how much cells differ from the next
- * in their row: what changes across the hemisphere counts too, so it is rather more
- * than less. */
+ * in their row: what changes across the hemisphere counts too, so the estimate is
+ * rather too large than too small. */
 static double relative_error(const struct pp_cache_hemisphere *h)
 {
     double sum = 0.0, squares = 0.0;
@@ -118,9 +110,9 @@ static double relative_error(const struct pp_cache_hemisphere *h)
 }
 
 /* Where few of the rays bring most of the light, as far from a window, more are sent
- * into all cells until the error is about what it should be. */
-static void settle(struct pp_cache_hemisphere *h, struct pp_radiance_state *state,
-                   const struct pp_cache_place *place, uint32_t index)
+ * into all cells, as many passes as bring the error to about ERROR. */
+static void add_passes(struct pp_cache_hemisphere *h, struct pp_radiance_state *state,
+                       const struct pp_cache_place *place, uint32_t index)
 {
     double more = relative_error(h) / ERROR;
     int passes = (int)fmin(more * more, PASSES_MOST) - 1;
@@ -135,15 +127,15 @@ void pp_cache_hemisphere_sample(struct pp_cache_hemisphere *h,
                                 const struct pp_cache_place *place, int supersamples)
 {
     int cells = h->side * h->side;
-    h->normal = place->normal;
-    pp_lobe_frame(h->normal, &h->a, &h->b);
+    h->frame.z = place->normal;
+    pp_lobe_frame(h->frame.z, &h->frame.x, &h->frame.y);
     for (int k = 0; k < cells; k++) {
         h->cells[k] = (struct pp_cache_hemisphere_cell){.samples = 0.0};
         send(h, state, place, k, (uint32_t)k);
     }
     if (supersamples > 0)
         supersample(h, state, place, supersamples);
-    settle(h, state, place, (uint32_t)(cells + supersamples));
+    add_passes(h, state, place, (uint32_t)(cells + supersamples));
     struct pp_rgb sum = pp_rgb_grey(0.0);
     for (int k = 0; k < cells; k++)
         sum = pp_rgb_add(sum, h->cells[k].radiance);

@@ -1,35 +1,39 @@
 /* cache_hemisphere.h - the light that comes to a surface, by a hemisphere of rays.
  *
- * The unit square is cut into side x side cells and laid on the hemisphere [SC97], so
- * that every cell counts the same for the irradiance: one ray goes into each, more into
- * those that differ from their neighbours, and into all while the irradiance is not
- * sure enough. Cells touch as they do in the square, which is what the derivatives need
- * (cache_derivatives.h).
+ * Stratified: the unit square is cut into side x side cells and laid on the hemisphere
+ * [SC97], so that every cell counts the same for the irradiance: one ray goes into
+ * each, more into those that differ from their neighbours, and into all while the
+ * irradiance is not sure enough. Cells touch as they do in the square, which is what
+ * the derivatives need (cache_derivatives.h).
  */
 #ifndef PP_SIMULATE_CACHE_CACHE_HEMISPHERE_H
 #define PP_SIMULATE_CACHE_CACHE_HEMISPHERE_H
 
+#include "model/geometry/frame.h"
 #include "simulate/cache/cache_entry.h"
+#include "simulate/transport/radiance.h"
 
-/* What is seen in one cell. Vectors in the frame (a, b, normal) of the record. */
+/* The radiance of one cell, and the surface seen in it. Vectors in the record's
+ * frame. */
 struct pp_cache_hemisphere_cell {
     struct pp_rgb radiance; /* mean of its rays */
     struct pp_vec3 to;      /* unit: of its first ray */
-    double distance_m;      /* of what that met; INFINITY: nothing */
-    struct pp_vec3 facing;  /* normal of what that met */
+    double distance_m;      /* of the surface that it met; INFINITY: none */
+    struct pp_vec3 facing;  /* normal of that surface */
     double samples;
-    double contrast; /* of its neighbours: what more rays are dealt out by */
-    double gradient_per_radiance[2]; /* of its radiance on the gradient, 1/m */
-    double hessian_per_radiance[3]; /* and on the second derivatives aa, ab, bb, 1/m2 */
+    double contrast; /* of its neighbours: more rays go where this is large */
+    double gradient_per_radiance[2]; /* d(gradient)/dL, 1/m */
+    double hessian_per_radiance[3];  /* d(second derivatives aa, ab, bb)/dL, 1/m2 */
 };
 
 struct pp_cache_hemisphere {
     int side;
-    const struct pp_vec3 *corners; /* (side + 1)^2 unit directions of the cells'
-                                       * corners,    row by row; not owned */
+    const struct pp_vec3 *corners; /* (side + 1)^2 unit directions, row by row; not
+                                    * owned */
     struct pp_cache_hemisphere_cell *cells; /* side^2, row by row */
-    double nearest_m; /* what is nearer changes with the place as if it were so far */
-    struct pp_vec3 a, b, normal;
+    double
+        nearest_m; /* surfaces nearer than this count as this far for the derivatives */
+    struct pp_frame frame; /* z: the normal */
     struct pp_rgb irradiance;
 };
 

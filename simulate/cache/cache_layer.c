@@ -1,18 +1,22 @@
-/* cache_layer.c - the records of one depth: put in and read. */
+/* cache_layer.c - records fitted in among their neighbours, and interpolated. */
+#include "simulate/cache/cache_layer.h"
+
 #include <math.h>
 #include <stdlib.h>
 
-#include "simulate/cache/cache_parts.h"
+#include "model/base/array.h"
 
-/* A record is read where its weight is more than this: its edge counts nothing. */
+/* A record is read where its weight is more than this: not at the edge of its
+ * ellipse. */
 static const double LEAST_WEIGHT = 1e-6;
 
-struct meeting {
+/* An entry that is being fitted in. */
+struct newcomer {
     struct pp_cache_layer *layer;
     struct pp_cache_entry *entry;
 };
 
-/* A radius is no more than another's and the distance to it. */
+/* A radius is no more than the other record's plus the distance to that. */
 static void limit(struct pp_cache_entry *entry, const struct pp_cache_entry *by,
                   double distance_m)
 {
@@ -21,17 +25,17 @@ static void limit(struct pp_cache_entry *entry, const struct pp_cache_entry *by,
             fmin(entry->is.radii_m[i], by->is.radii_m[i] + distance_m);
 }
 
-static void meet_neighbour(void *context, int record)
+static void limit_neighbour(void *context, int record)
 {
-    struct meeting *meeting = context;
-    struct pp_cache_entry *other = &meeting->layer->entries[record];
-    if (other->is.space != meeting->entry->is.space
-        || pp_vec_dot(other->is.normal, meeting->entry->is.normal) < 0.0)
+    struct newcomer *newcomer = context;
+    struct pp_cache_entry *other = &newcomer->layer->entries[record];
+    if (other->is.space != newcomer->entry->is.space
+        || pp_vec_dot(other->is.normal, newcomer->entry->is.normal) < 0.0)
         return;
     double distance =
-        pp_vec_length(pp_vec_sub(other->is.point, meeting->entry->is.point));
-    limit(meeting->entry, other, distance);
-    limit(other, meeting->entry, distance);
+        pp_vec_length(pp_vec_sub(other->is.point, newcomer->entry->is.point));
+    limit(newcomer->entry, other, distance);
+    limit(other, newcomer->entry, distance);
 }
 
 static double reach_of(const struct pp_cache_entry *entry)
@@ -43,19 +47,15 @@ enum pp_status pp_cache_layer_put(struct pp_cache_layer *layer,
                                   const struct pp_cache_entry *entry,
                                   struct pp_error *err)
 {
-    if (layer->entry_count == layer->entry_space) {
-        int space = layer->entry_space ? 2 * layer->entry_space : 256;
-        struct pp_cache_entry *entries =
-            realloc(layer->entries, (size_t)space * sizeof *entries);
-        if (!entries)
-            return pp_fail_memory(err);
-        layer->entries = entries;
-        layer->entry_space = space;
-    }
+    enum pp_status status =
+        pp_array_reserve(&layer->entries, &layer->entry_capacity,
+                         layer->entry_count + 1, sizeof *layer->entries, err);
+    if (status != PP_OK)
+        return status;
     layer->entries[layer->entry_count] = *entry;
     pp_cache_entry_unsmooth(&layer->entries[layer->entry_count]);
-    enum pp_status status = pp_cache_octree_add(&layer->tree, layer->entry_count,
-                                                entry->is.point, reach_of(entry), err);
+    status = pp_cache_octree_add(&layer->tree, layer->entry_count, entry->is.point,
+                                 reach_of(entry), err);
     layer->entry_count += status == PP_OK;
     return status;
 }
@@ -65,9 +65,9 @@ enum pp_status pp_cache_layer_add(struct pp_cache_layer *layer,
                                   struct pp_error *err)
 {
     struct pp_cache_entry fitted = *entry;
-    struct meeting meeting = {layer, &fitted};
+    struct newcomer newcomer = {layer, &fitted};
     pp_cache_octree_visit_near(&layer->tree, fitted.is.point, reach_of(&fitted),
-                               meet_neighbour, &meeting);
+                               limit_neighbour, &newcomer);
     return pp_cache_layer_put(layer, &fitted, err);
 }
 
@@ -87,10 +87,10 @@ bool pp_cache_layer_read(const struct pp_cache_layer *layer,
 {
     struct pp_rgb sum = pp_rgb_grey(0.0);
     double weights = 0.0, nearest = INFINITY, guess = 0.0;
-    struct pp_cache_octree_iterator way =
+    struct pp_cache_octree_iterator iterator =
         pp_cache_octree_iterator(&layer->tree, place->point);
     int record;
-    while (pp_cache_octree_next(&way, &record)) {
+    while (pp_cache_octree_next(&iterator, &record)) {
         const struct pp_cache_entry *entry = &layer->entries[record];
         double distance = pp_cache_entry_distance(entry, place);
         if (distance < nearest && distance < 1e9) {

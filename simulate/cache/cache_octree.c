@@ -1,8 +1,10 @@
-/* cache_octree.c - see cache_octree.h. */
+/* cache_octree.c - cells of the octree, split as records come in, and walks down it. */
 #include "simulate/cache/cache_octree.h"
 
 #include <math.h>
 #include <stdlib.h>
+
+#include "model/base/array.h"
 
 enum { MOST_LEVELS = 20 };
 
@@ -16,15 +18,11 @@ struct cube {
 static enum pp_status new_cell(struct pp_cache_octree *tree, int *cell,
                                struct pp_error *err)
 {
-    if (tree->cell_count == tree->cell_space) {
-        int space = tree->cell_space ? 2 * tree->cell_space : 256;
-        struct pp_cache_octree_cell *cells =
-            realloc(tree->cells, (size_t)space * sizeof *cells);
-        if (!cells)
-            return pp_fail_memory(err);
-        tree->cells = cells;
-        tree->cell_space = space;
-    }
+    enum pp_status status =
+        pp_array_reserve(&tree->cells, &tree->cell_capacity, tree->cell_count + 1,
+                         sizeof *tree->cells, err);
+    if (status != PP_OK)
+        return status;
     *cell = tree->cell_count++;
     tree->cells[*cell] = (struct pp_cache_octree_cell){.first = -1};
     return PP_OK;
@@ -84,15 +82,11 @@ static bool holds(const struct cube *cube, struct pp_vec3 point)
 static enum pp_status add_link(struct pp_cache_octree *tree, int cell, int record,
                                struct pp_error *err)
 {
-    if (tree->link_count == tree->link_space) {
-        int space = tree->link_space ? 2 * tree->link_space : 1024;
-        struct pp_cache_octree_link *links =
-            realloc(tree->links, (size_t)space * sizeof *links);
-        if (!links)
-            return pp_fail_memory(err);
-        tree->links = links;
-        tree->link_space = space;
-    }
+    enum pp_status status =
+        pp_array_reserve(&tree->links, &tree->link_capacity, tree->link_count + 1,
+                         sizeof *tree->links, err);
+    if (status != PP_OK)
+        return status;
     tree->links[tree->link_count] =
         (struct pp_cache_octree_link){record, tree->cells[cell].first};
     tree->cells[cell].first = tree->link_count++;
@@ -140,24 +134,24 @@ struct pp_cache_octree_iterator pp_cache_octree_iterator(
                                              tree->size_m, 0,     tree->cells[0].first};
 }
 
-bool pp_cache_octree_next(struct pp_cache_octree_iterator *way, int *record)
+bool pp_cache_octree_next(struct pp_cache_octree_iterator *iterator, int *record)
 {
-    while (way->link < 0) {
-        struct cube cube = {way->cell, way->low, way->size_m};
+    while (iterator->link < 0) {
+        struct cube cube = {iterator->cell, iterator->low, iterator->size_m};
         double half = 0.5 * cube.size_m;
-        int which = (way->point.x - cube.low.x > half)
-                    | (way->point.y - cube.low.y > half) << 1
-                    | (way->point.z - cube.low.z > half) << 2;
-        struct cube child = child_of(way->tree, &cube, which);
+        int which = (iterator->point.x - cube.low.x > half)
+                    | (iterator->point.y - cube.low.y > half) << 1
+                    | (iterator->point.z - cube.low.z > half) << 2;
+        struct cube child = child_of(iterator->tree, &cube, which);
         if (child.cell == 0)
             return false;
-        way->cell = child.cell;
-        way->low = child.low;
-        way->size_m = child.size_m;
-        way->link = way->tree->cells[child.cell].first;
+        iterator->cell = child.cell;
+        iterator->low = child.low;
+        iterator->size_m = child.size_m;
+        iterator->link = iterator->tree->cells[child.cell].first;
     }
-    *record = way->tree->links[way->link].record;
-    way->link = way->tree->links[way->link].next;
+    *record = iterator->tree->links[iterator->link].record;
+    iterator->link = iterator->tree->links[iterator->link].next;
     return true;
 }
 

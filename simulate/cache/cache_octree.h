@@ -1,7 +1,8 @@
-/* cache_octree.h - where the records are: an octree of the scene's box.
+/* cache_octree.h - the records by place: an octree of the scene's box. Inside simulate/
+ * only.
  *
  * A record stands in every cell of about its own size that its ellipse's box touches,
- * so that all that speak for a point are met on one way from the root down.
+ * so that all whose ellipses may hold a point are met on one way from the root down.
  */
 #ifndef PP_SIMULATE_CACHE_CACHE_OCTREE_H
 #define PP_SIMULATE_CACHE_CACHE_OCTREE_H
@@ -25,9 +26,9 @@ struct pp_cache_octree {
     struct pp_vec3 low;
     double size_m;
     struct pp_cache_octree_cell *cells;
-    int cell_count, cell_space;
+    int cell_count, cell_capacity;
     struct pp_cache_octree_link *links;
-    int link_count, link_space;
+    int link_count, link_capacity;
 };
 
 /* low and size_m: the cube that all points should lie in; those outside are kept at
@@ -36,7 +37,7 @@ enum pp_status pp_cache_octree_init(struct pp_cache_octree *tree, struct pp_vec3
                                     double size_m, struct pp_error *err);
 void pp_cache_octree_clear(struct pp_cache_octree *tree);
 
-/* Forgets the records but not the box. */
+/* Empties the tree of its records, within the same box. */
 enum pp_status pp_cache_octree_reset(struct pp_cache_octree *tree,
                                      struct pp_error *err);
 
@@ -53,7 +54,7 @@ struct pp_cache_octree_iterator {
 };
 struct pp_cache_octree_iterator pp_cache_octree_iterator(
     const struct pp_cache_octree *tree, struct pp_vec3 point);
-bool pp_cache_octree_next(struct pp_cache_octree_iterator *way, int *record);
+bool pp_cache_octree_next(struct pp_cache_octree_iterator *iterator, int *record);
 
 /* Calls `visit` for each record (more than once maybe) in cells that the box of
  * half-width radius_m about point touches. */

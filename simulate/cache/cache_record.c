@@ -1,18 +1,20 @@
-/* cache_record.c - see cache_record.h. */
+/* cache_record.c - the ellipse, horizon and limits of a record, from its hemisphere. */
 #include "simulate/cache/cache_record.h"
 
 #include <math.h>
 
 #include "simulate/cache/cache_derivatives.h"
 
-/* An ellipse is no longer than so many times its width. */
+/* An ellipse is no longer than this many times its width. Chosen by trial. */
 static const double LONGEST = 3.0;
 
-/* What is nearer than so many of the smallest radii changes with the place as if it
- * were so far away: nearer still the noise of its rays would be all of the gradient. */
+/* For the derivatives, surfaces nearer than this many of the smallest radii count as
+ * this far away: nearer still, the gradient would be the noise of their rays. Chosen by
+ * trial. */
 static const double NEAREST = 4.0;
 
-/* Rays lower than this sine of altitude tell how far the surface is clear. */
+/* Rays lower than this sine of altitude tell how far the surface is clear. Chosen by
+ * trial. */
 static const double LOW = 0.4;
 
 void pp_cache_record_ellipse(const double curvature[3], double error, double most_m,
@@ -95,10 +97,10 @@ static double clear_of(const struct pp_cache_hemisphere_cell *cell, int sector)
     return clear;
 }
 
-/* How far the surface is clear all round, by what low rays met: in their sector, and in
- * the next ones, which none may have come into. */
-static void look_round(const struct pp_cache_hemisphere *h,
-                       struct pp_cache_entry *entry)
+/* How far the surface is clear all round, by the surfaces that low rays met: in their
+ * own sector and, since no ray may have come into those, in the two beside it. */
+static void find_horizon(const struct pp_cache_hemisphere *h,
+                         struct pp_cache_entry *entry)
 {
     int n = h->side;
     for (int i = 0; i < PP_CACHE_SECTORS; i++)
@@ -119,7 +121,8 @@ static void look_round(const struct pp_cache_hemisphere *h,
     }
 }
 
-/* By its gradient, a record is not to say twice its value or none at all. */
+/* Within the radius a record's gradient is not to double its value or take all of it
+ * away. */
 static double limit_by_gradient(double radius, double value, const double along[2],
                                 const double axis[2])
 {
@@ -168,16 +171,16 @@ void pp_cache_record_compute(const struct pp_cache_record_settings *settings,
     is->normal = place->normal;
     is->space = place->space;
     is->value = h.irradiance;
-    entry->a = h.a;
-    entry->b = h.b;
+    entry->a = h.frame.x;
+    entry->b = h.frame.y;
     for (int c = 0; c < 3; c++) {
-        is->along[c] = pp_vec_along(pp_vec_scale(h.a, change.along[c][0]),
-                                    change.along[c][1], h.b);
-        is->turned[c] = pp_vec_along(pp_vec_scale(h.a, change.turned[c][0]),
-                                     change.turned[c][1], h.b);
+        is->along[c] = pp_vec_along(pp_vec_scale(h.frame.x, change.along[c][0]),
+                                    change.along[c][1], h.frame.y);
+        is->turned[c] = pp_vec_along(pp_vec_scale(h.frame.x, change.turned[c][0]),
+                                     change.turned[c][1], h.frame.y);
     }
     entry->along_noise = change.along_noise;
-    look_round(&h, entry);
+    find_horizon(&h, entry);
 
     double value = pp_rgb_luminance(h.irradiance);
     double luminance[2], relative[3] = {0.0, 0.0, 0.0}, axes[2][2];
@@ -191,7 +194,8 @@ void pp_cache_record_compute(const struct pp_cache_record_settings *settings,
     pp_cache_record_ellipse(relative, settings->error, settings->most_m, is->radii_m,
                             axes);
     for (int i = 0; i < 2; i++) {
-        is->axes[i] = pp_vec_along(pp_vec_scale(h.a, axes[i][0]), axes[i][1], h.b);
+        is->axes[i] =
+            pp_vec_along(pp_vec_scale(h.frame.x, axes[i][0]), axes[i][1], h.frame.y);
         is->radii_m[i] =
             fmax(limit_by_gradient(is->radii_m[i], value, luminance, axes[i]),
                  settings->least_m);

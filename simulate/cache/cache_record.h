@@ -1,17 +1,19 @@
-/* cache_record.h - one record worked out: hemisphere, derivatives, ellipse. */
+/* cache_record.h - one irradiance record worked out: hemisphere, derivatives, ellipse.
+ * Inside simulate/ only.
+ */
 #ifndef PP_SIMULATE_CACHE_CACHE_RECORD_H
 #define PP_SIMULATE_CACHE_CACHE_RECORD_H
 
 #include "simulate/cache/cache_hemisphere.h"
 
-/* What records of one depth are made by; not owned. */
+/* How records of one depth are made. */
 struct pp_cache_record_settings {
     int side; /* of the hemispheres */
     int supersamples;
-    const struct pp_vec3 *corners;
-    double error;           /* the total error of a record, over its value, m2 */
-    double noise;           /* of a record's value, at random, over the value */
-    double least_m, most_m; /* radii */
+    const struct pp_vec3 *corners; /* of cache_hemisphere.h; not owned */
+    double error;                  /* the total error of a record, over its value, m2 */
+    double noise;                  /* of a record's value, at random, over the value */
+    double least_m, most_m;        /* radii */
 };
 
 /* state has all but its index. cells: room for side^2. */

@@ -1,39 +1,22 @@
-/* cache_smooth.c - what records have in common with their neighbours.
- *
- * A record is a few hundred rays: its value is some per cent off at random, and by its
- * gradient more than that over its radius, the more the nearer things stand. Read as
- * they are, records show as faint discs, above all where a room is dark and in its
- * corners. But the truth is smooth over an ellipse: what records about it say of a
- * place helps to find its value and gradient. Each is fitted, by weighted least
- * squares, to what it says itself and to its neighbours' values,
- *
- *     (E - E0)^2 + (grad E - grad E0)^2/g^2 + (noise M grad E)^2
- *     + sum of w (E + grad E . d - E')^2,
- *     w = 1/(1 + (b/noise)^2),
- *
- * g the noise of its gradient over that of its value, b = C d^2/2 the share by which
- * light may bend away at that distance, M the largest radius there is: over so much
- * light may well change by all of itself, hardly by more. C is the curvature as far as
- * it is more than the noise of the rays: where light does change quickly neighbours
- * have no say, and none where they see something else altogether.
- */
+/* cache_smooth.c - the least-squares fit of each record to its neighbours. */
+#include "simulate/cache/cache_smooth.h"
+
 #include <math.h>
 #include <stdlib.h>
 
-#include "simulate/cache/cache_parts.h"
-
-/* Neighbours are so near, over the radii. */
+/* Neighbours are nearer than this many radii. Chosen by trial, as are the next two. */
 static const double NEAR = 2.0;
 
-/* One that is farther off what is expected than so many times the noise of both sees
- * something else. */
-static const double STRANGE = 4.0;
+/* A neighbour that is farther from the expected value than this many times the noise of
+ * both sees something else: an outlier. */
+static const double OUTLIER = 4.0;
 
-/* Where light may bend away by so many times the noise a neighbour has no say. */
-static const double MOST_BEND = 10.0;
+/* Where light may depart from its tangent by this many times the noise, a neighbour has
+ * no weight. */
+static const double MOST_DEPARTURE = 10.0;
 
-/* The noise of a gradient over the radius, over that of the value, is at least so much
- * and at most its inverse. */
+/* The noise of a gradient over the radius, over that of the value, is taken for no less
+ * than this and no more than its inverse. */
 static const double LEAST_NOISE = 1e-3;
 
 /* The fit of one record. */
@@ -41,7 +24,7 @@ struct fit {
     const struct pp_cache_layer *layer;
     const struct pp_cache_entry *entry;
     int number;         /* of the record */
-    int *met;           /* of each record: the last one that has met it */
+    int *met;           /* by record: the last one whose neighbours it was among */
     double matrix[6];   /* symmetric: 00 01 02 11 12 22; of E, R dE/da, R dE/db */
     double right[3][3]; /* by channel */
 };
@@ -58,7 +41,7 @@ static void add_equation(struct fit *fit, double weight, const double row[3],
     }
 }
 
-/* What one record says at its own place to a surface with normal n. */
+/* The irradiance at the record's own place of a surface with normal n. */
 static struct pp_rgb turned_to(const struct pp_cache_record *is, struct pp_vec3 n)
 {
     struct pp_vec3 turn = pp_vec_sub(n, is->normal);
@@ -87,18 +70,18 @@ static void add_neighbour(void *context, int record)
     if (!(distance < NEAR))
         return;
     double radius = is->radii_m[0];
-    double bend = 0.5 * fit->entry->curvature * radius * radius * distance * distance
-                  / settings->noise;
-    if (!(bend < MOST_BEND))
+    double departure = 0.5 * fit->entry->curvature * radius * radius * distance
+                       * distance / settings->noise;
+    if (!(departure < MOST_DEPARTURE))
         return;
-    double spread2 = 1.0 + bend * bend;
+    double spread2 = 1.0 + departure * departure;
     struct pp_rgb says = turned_to(&other->is, is->normal);
     double expected = pp_rgb_luminance(pp_cache_entry_read(fit->entry, &there));
     double off = fabs(pp_rgb_luminance(says) - expected)
                  / (settings->noise * pp_rgb_luminance(is->value));
     struct pp_vec3 away = pp_vec_sub(other->is.point, is->point);
     double steep = pp_vec_length(away) * fit->entry->along_noise;
-    if (!(off * off < STRANGE * STRANGE * (spread2 + 1.0 + steep * steep)))
+    if (!(off * off < OUTLIER * OUTLIER * (spread2 + 1.0 + steep * steep)))
         return;
     const double row[3] = {1.0, pp_vec_dot(away, fit->entry->a) / radius,
                            pp_vec_dot(away, fit->entry->b) / radius};

@@ -1,4 +1,5 @@
-/* cached_points.c - see cached_points.h. */
+/* cached_points.c - points sampled in rounds of doubled paths, once the cache has
+ * grown. */
 #include "simulate/cache/cached_points.h"
 
 #include <math.h>
@@ -6,25 +7,27 @@
 #include <string.h>
 
 #include "model/base/clock.h"
+#include "simulate/cache/cache_grow.h"
 #include "simulate/cache/cache_parts.h"
 #include "simulate/sampling/hash.h"
-#include "simulate/scene/light_parts.h"
 #include "simulate/sampling/processors.h"
+#include "simulate/scene/light_scene_parts.h"
 
 enum {
     RANDOMISATIONS = 32,
     FIRST_PATHS = 16,
     MOST_PATHS = 1 << 16,
-    PLANE_REQUESTS = 16, /* points of the plane whose surroundings are wished for */
+    PLANE_REQUESTS = 16, /* points of the plane whose surroundings are requested */
 };
 
-/* As the tracer's: 0.002 % daylight factor. */
+/* The least standard error that is asked for, as the tracer's: 0.002 % daylight
+ * factor. */
 static const double LEAST_ERROR = 2e-5;
 
 /* The standard error is widened for the number of randomisations (estimate.h). */
 static const double STUDENT = 31.0 / 29.0;
 
-/* What is reflected at a point is known by */
+/* How the internally reflected light at a point is found. */
 enum reflected_by {
     BY_SAMPLES,  /* rays from the point */
     BY_RECORDS,  /* the cache, interpolated there */
@@ -63,8 +66,8 @@ struct pp_cached_points {
 
 struct pp_radiance_options pp_cached_points_light(void)
 {
-    struct pp_radiance_options light = pp_radiance_defaults();
-    light.source_most = 1; /* a point has many paths: each aims once */
+    struct pp_radiance_options light = pp_radiance_options_defaults();
+    light.source_most = 1; /* a point has many paths: one direction each */
     return light;
 }
 
@@ -114,10 +117,7 @@ static struct cached_point point_of(const struct pp_cached_points *points,
                                  .normal = receiver->normal,
                                  .seed = points->options.seed,
                                  .by = reflected_by(points, false)};
-    const double numbers[] = {point.position.x, point.position.y, point.position.z,
-                              point.normal.x,   point.normal.y,   point.normal.z};
-    for (int i = 0; i < 6; i++)
-        point.seed = pp_hash_double(point.seed, numbers[i]);
+    point.seed = pp_hash_vec(pp_hash_vec(point.seed, point.position), point.normal);
     point.space = pp_light_scene_space(points->scene, point.position);
     return point;
 }
@@ -282,7 +282,7 @@ void pp_cached_points_read(const struct pp_cached_points *points, int index,
 
 /* ---- the loop ---- */
 
-/* What each point lacks goes to `unfinished`, and its paths are doubled, from the
+/* Lists the points whose error is too large, and doubles their paths, from the
  * second round on. */
 static void plan_round(struct pp_cached_points *points)
 {

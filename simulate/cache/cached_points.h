@@ -1,10 +1,11 @@
-/* cached_points.h - daylight factors of a room's points, with what its surfaces send on
- * from an irradiance cache.
+/* cached_points.h - daylight factors of a room's points, with the light between its
+ * surfaces from an irradiance cache.
  *
- * Sky and what stands outside are sampled at the point itself, by its windows, and
- * never interpolated. What is reflected inside comes by a hemisphere of rays at the
- * point; what these meet is lit by the cache (depth 1). Only on request is that
- * hemisphere, too, read from the cache (depth 0). In a cache of no bounces nothing is
+ * Light of the sky and of surfaces outside is sampled at the point itself, by
+ * next-event estimation of its windows, and never interpolated. Internally reflected
+ * light comes by a hemisphere of rays at the point; the irradiance of the surfaces that
+ * these meet is read from the cache (depth 1). Only on request is the point's own
+ * irradiance, too, read from the cache (depth 0). In a cache of no bounces nothing is
  * reflected, but for its ambient constant.
  *
  * The standard error is that of the sampling at the point, from 32 independent
@@ -15,6 +16,7 @@
 #define PP_SIMULATE_CACHE_CACHED_POINTS_H
 
 #include "model/results/reading.h"
+#include "model/room/world.h"
 #include "simulate/cache/irradiance_cache.h"
 
 struct pp_cached_options {
@@ -30,7 +32,7 @@ struct pp_cached_options {
 struct pp_cached_points;
 
 /* Copies what it needs of receivers; scene (of a world), store (may be NULL) and cache
- * must live as long as the points. Tells the cache what it wishes. */
+ * must live as long as the points. Makes its requests to the cache. */
 enum pp_status pp_cached_points_create(
     struct pp_cached_points **points, const struct pp_light_scene *scene,
     const struct pp_window_store *store, struct pp_irradiance_cache *cache,
@@ -52,7 +54,7 @@ double pp_cached_points_error(const struct pp_cached_points *points);
 void pp_cached_points_read(const struct pp_cached_points *points, int index,
                            struct pp_reading readings[PP_COMPONENT_COUNT]);
 
-/* What the points' light is to be followed with: what the cache is made with, too. */
+/* The options of transport for the points, and for the cache that they read. */
 struct pp_radiance_options pp_cached_points_light(void);
 
 #endif

@@ -1,23 +1,13 @@
-/* checkpoint.c - a render that is not done, kept in a file.
- *
- * Least significant byte first:
- *
- *     8 bytes   "PPRENDER"
- *     u32       version, 2
- *     u64       a number that hangs on the scene and all options
- *     u32 x 3   width, height, count of tiles
- *     i64 x 2   rays, leaks so far
- *     u8 each   tile: 1 done, 0 not
- *     the done tiles' pixels: three floats and a tag of four bytes each
- *     the cache that the picture is read from, as cache_file.c has it; none: nothing
- *     u64       how many bytes those are
- *     u64       a number that hangs on all bytes before
- */
+/* checkpoint.c - the tiles of a render written as bytes, and taken up again. */
+#include "simulate/render/checkpoint.h"
+
 #include <stdlib.h>
 #include <string.h>
 
-#include "simulate/sampling/hash.h"
+#include "simulate/cache/cache_file.h"
+#include "simulate/cache/little_endian.h"
 #include "simulate/render/render_parts.h"
+#include "simulate/sampling/hash.h"
 
 static const char magic[8] = {'P', 'P', 'R', 'E', 'N', 'D', 'E', 'R'};
 
@@ -78,36 +68,7 @@ static uint64_t hash_bytes(const unsigned char *bytes, size_t length)
     return hash;
 }
 
-/* ---- bytes ---- */
-
-static void put(unsigned char **at, uint64_t value, int bytes)
-{
-    for (int i = 0; i < bytes; i++)
-        *(*at)++ = (unsigned char)(value >> 8 * i);
-}
-
-static uint64_t take(const unsigned char **at, int bytes)
-{
-    uint64_t value = 0;
-    for (int i = 0; i < bytes; i++)
-        value |= (uint64_t) * (*at)++ << 8 * i;
-    return value;
-}
-
-static void put_float(unsigned char **at, float value)
-{
-    uint32_t bits;
-    memcpy(&bits, &value, sizeof bits);
-    put(at, bits, 4);
-}
-
-static float take_float(const unsigned char **at)
-{
-    uint32_t bits = (uint32_t)take(at, 4);
-    float value;
-    memcpy(&value, &bits, sizeof value);
-    return value;
-}
+/* ---- its size ---- */
 
 static size_t tile_pixels(const struct pp_render *render, int tile)
 {
@@ -115,7 +76,7 @@ static size_t tile_pixels(const struct pp_render *render, int tile)
     return (size_t)(box.x1 - box.x0) * (size_t)(box.y1 - box.y0);
 }
 
-/* Of a file with these tiles done and no cache. */
+/* The size of a file with these tiles done and no cache. */
 static size_t size_of(const struct pp_render *render, const unsigned char *done)
 {
     size_t pixels = 0;
@@ -133,27 +94,27 @@ static void put_tile(unsigned char **at, const struct pp_render *render, int til
         for (int x = box.x0; x < box.x1; x++) {
             const float *rgb = pp_picture_at(&render->picture, x, y);
             for (int i = 0; i < 3; i++)
-                put_float(at, rgb[i]);
+                pp_little_endian_put_float(at, rgb[i]);
             int tag =
                 render->tags[(size_t)y * (size_t)render->picture.width + (size_t)x];
-            put(at, (uint32_t)tag, 4);
+            pp_little_endian_put(at, (uint32_t)tag, 4);
         }
 }
 
-/* All of the file; cache: `kept` bytes. */
+/* The whole file; cache: `kept` bytes. */
 static void put_all(unsigned char *bytes, size_t size, const struct pp_render *render,
                     const char *cache, size_t kept)
 {
     unsigned char *at = bytes;
     memcpy(at, magic, sizeof magic);
     at += sizeof magic;
-    put(&at, VERSION, 4);
-    put(&at, pp_checkpoint_hash(render), 8);
-    put(&at, (uint64_t)render->picture.width, 4);
-    put(&at, (uint64_t)render->picture.height, 4);
-    put(&at, (uint64_t)render->tile_count, 4);
-    put(&at, (uint64_t)render->work.rays, 8);
-    put(&at, (uint64_t)render->work.leaks, 8);
+    pp_little_endian_put(&at, VERSION, 4);
+    pp_little_endian_put(&at, pp_checkpoint_hash(render), 8);
+    pp_little_endian_put(&at, (uint64_t)render->picture.width, 4);
+    pp_little_endian_put(&at, (uint64_t)render->picture.height, 4);
+    pp_little_endian_put(&at, (uint64_t)render->tile_count, 4);
+    pp_little_endian_put(&at, (uint64_t)render->work.rays, 8);
+    pp_little_endian_put(&at, (uint64_t)render->work.leaks, 8);
     memcpy(at, render->tile_done, (size_t)render->tile_count);
     at += render->tile_count;
     for (int i = 0; i < render->tile_count; i++)
@@ -162,8 +123,8 @@ static void put_all(unsigned char *bytes, size_t size, const struct pp_render *r
     if (kept > 0)
         memcpy(at, cache, kept);
     at += kept;
-    put(&at, kept, 8);
-    put(&at, hash_bytes(bytes, size - 8), 8);
+    pp_little_endian_put(&at, kept, 8);
+    pp_little_endian_put(&at, hash_bytes(bytes, size - 8), 8);
 }
 
 enum pp_status pp_checkpoint_save(const struct pp_render *render,
@@ -192,7 +153,7 @@ enum pp_status pp_checkpoint_save(const struct pp_render *render,
 
 /* ---- reading ---- */
 
-/* Is it a checkpoint, and whole? *kept: bytes of its cache. */
+/* Are the bytes a checkpoint, and whole? *kept: how many are its cache. */
 static enum pp_status check_whole(const unsigned char *bytes, size_t length,
                                   size_t *kept, struct pp_error *err)
 {
@@ -201,12 +162,13 @@ static enum pp_status check_whole(const unsigned char *bytes, size_t length,
     if (length < HEAD + TAIL)
         return pp_fail(err, PP_BAD_INPUT, "the checkpoint is cut off or damaged");
     const unsigned char *head = bytes + sizeof magic, *tail = bytes + length - TAIL;
-    unsigned version = (unsigned)take(&head, 4);
+    unsigned version = (unsigned)pp_little_endian_take(&head, 4);
     if (version != VERSION)
         return pp_fail(err, PP_BAD_INPUT,
                        "the checkpoint has version %u; this program reads version %d",
                        version, VERSION);
-    uint64_t cache = take(&tail, 8), hash = take(&tail, 8);
+    uint64_t cache = pp_little_endian_take(&tail, 8),
+             hash = pp_little_endian_take(&tail, 8);
     if (hash != hash_bytes(bytes, length - 8) || cache > length - HEAD - TAIL)
         return pp_fail(err, PP_BAD_INPUT, "the checkpoint is cut off or damaged");
     *kept = (size_t)cache;
@@ -224,19 +186,22 @@ enum pp_status pp_checkpoint_cache(const unsigned char *bytes, size_t length,
     return status;
 }
 
-/* Is it of this render? *at: behind the version; it is moved behind the counts. */
+/* Is the checkpoint of this render? *at: behind the version; moved behind the
+ * counts. */
 static enum pp_status check(const struct pp_render *render, const unsigned char **at,
                             long long work[2], struct pp_error *err)
 {
-    uint64_t mark = take(at, 8);
-    int width = (int)take(at, 4), height = (int)take(at, 4), tiles = (int)take(at, 4);
+    uint64_t mark = pp_little_endian_take(at, 8);
+    int width = (int)pp_little_endian_take(at, 4),
+        height = (int)pp_little_endian_take(at, 4),
+        tiles = (int)pp_little_endian_take(at, 4);
     if (mark != pp_checkpoint_hash(render) || width != render->picture.width
         || height != render->picture.height || tiles != render->tile_count)
         return pp_fail(err, PP_BAD_INPUT,
                        "the checkpoint is of another picture: its room, view or "
                        "options differ");
-    work[0] = (long long)take(at, 8);
-    work[1] = (long long)take(at, 8);
+    work[0] = (long long)pp_little_endian_take(at, 8);
+    work[1] = (long long)pp_little_endian_take(at, 8);
     return PP_OK;
 }
 
@@ -248,9 +213,9 @@ static void take_tile_pixels(const unsigned char **at, struct pp_render *render,
         for (int x = box.x0; x < box.x1; x++) {
             float *rgb = pp_picture_at(&render->picture, x, y);
             for (int i = 0; i < 3; i++)
-                rgb[i] = take_float(at);
+                rgb[i] = pp_little_endian_take_float(at);
             render->tags[(size_t)y * (size_t)render->picture.width + (size_t)x] =
-                (int32_t)(uint32_t)take(at, 4);
+                (int32_t)(uint32_t)pp_little_endian_take(at, 4);
         }
 }
 

@@ -1,4 +1,4 @@
-/* default_view.c - see default_view.h. */
+/* default_view.c - the best of many places to look at a window from, and cut planes. */
 #include "simulate/render/default_view.h"
 #include "model/room/position.h"
 
@@ -44,7 +44,7 @@ static struct pp_vec3 middle_of(const struct pp_polygon *polygon)
     return sum;
 }
 
-/* How far the next thing is; INFINITY where there is none. */
+/* The distance of the nearest surface in a direction; INFINITY where there is none. */
 static double free_way(const struct pp_light_scene *scene, struct pp_vec3 from,
                        struct pp_vec3 to)
 {
@@ -53,7 +53,7 @@ static double free_way(const struct pp_light_scene *scene, struct pp_vec3 from,
     return pp_light_scene_first(scene, &ray, &hit) ? hit.distance_m : INFINITY;
 }
 
-/* How far a place is from whatever stands about it at its height, `most` at most. */
+/* The distance from a place to the nearest surface at its height, `most` at most. */
 static double clearance(const struct pp_light_scene *scene, struct pp_vec3 place,
                         double most)
 {
@@ -64,7 +64,7 @@ static double clearance(const struct pp_light_scene *scene, struct pp_vec3 place
     return most;
 }
 
-/* How much worse a place is that does not see what is looked at. */
+/* The penalty of a place from which the target is hidden. */
 static double hidden(const struct pp_light_scene *scene, struct pp_vec3 place,
                      struct pp_vec3 target)
 {
@@ -97,8 +97,8 @@ static struct pp_vec3 stand_back(const struct pp_light_scene *scene,
                                  struct pp_vec3 target, struct pp_vec3 back,
                                  double height_m)
 {
-    struct pp_vec3 low, high;
-    pp_light_scene_bounds(scene, true, &low, &high);
+    struct pp_bounds3 room = pp_light_scene_bounds(scene, true);
+    struct pp_vec3 low = room.low, high = room.high;
     struct pp_vec3 best = pp_vec_scale(pp_vec_add(low, high), 0.5);
     double best_score = -INFINITY;
     for (int j = 0; j < PLACES; j++)
@@ -113,9 +113,9 @@ static struct pp_vec3 stand_back(const struct pp_light_scene *scene,
             double behind =
                 pp_vec_length(back) > 0.0 ? pp_vec_dot(way, back) : pp_vec_length(way);
             double aside = sqrt(fmax(pp_vec_dot(way, way) - behind * behind, 0.0));
-            double room = clearance(scene, place, clear_m);
+            double clear = clearance(scene, place, clear_m);
             double score = prospect(scene, place, target) - 0.5 * aside + 0.1 * behind
-                           - 20.0 * (clear_m - room) - hidden(scene, place, target);
+                           - 20.0 * (clear_m - clear) - hidden(scene, place, target);
             if (score > best_score) {
                 best_score = score;
                 best = place;
@@ -151,8 +151,8 @@ static void look_at_window(struct pp_view_place *place,
 static void look_along(struct pp_view_place *place, const struct pp_light_scene *scene,
                        const struct pp_world *world)
 {
-    struct pp_vec3 low, high;
-    pp_light_scene_bounds(scene, true, &low, &high);
+    struct pp_bounds3 room = pp_light_scene_bounds(scene, true);
+    struct pp_vec3 low = room.low, high = room.high;
     bool deep = high.y - low.y >= high.x - low.x;
     struct pp_vec3 end = pp_vec_scale(pp_vec_add(low, high), 0.5);
     struct pp_vec3 back = deep ? pp_vec(0.0, 1.0, 0.0) : pp_vec(1.0, 0.0, 0.0);
@@ -167,8 +167,8 @@ static void look_along(struct pp_view_place *place, const struct pp_light_scene 
 static struct pp_vec3 middle_of_plane(const struct pp_light_scene *scene,
                                       const struct pp_world *world)
 {
-    struct pp_vec3 low, high;
-    pp_light_scene_bounds(scene, true, &low, &high);
+    struct pp_bounds3 room = pp_light_scene_bounds(scene, true);
+    struct pp_vec3 low = room.low, high = room.high;
     struct pp_vec3 middle = pp_vec_scale(pp_vec_add(low, high), 0.5);
     middle.z = world->working_plane_m;
     struct pp_vec3 best = middle;
@@ -179,8 +179,8 @@ static struct pp_vec3 middle_of_plane(const struct pp_light_scene *scene,
                                     low.y + (high.y - low.y) * j / PLACES, middle.z};
             if (pp_position_receiver_fault(world, place, upwards))
                 continue;
-            double room = clearance(scene, place, clear_m);
-            double score = 20.0 * room - pp_vec_length(pp_vec_sub(place, middle));
+            double clear = clearance(scene, place, clear_m);
+            double score = 20.0 * clear - pp_vec_length(pp_vec_sub(place, middle));
             if (score > best_score) {
                 best_score = score;
                 best = place;
@@ -192,8 +192,8 @@ static struct pp_vec3 middle_of_plane(const struct pp_light_scene *scene,
 static void cut_plan(struct pp_view_place *place, const struct pp_light_scene *scene,
                      const struct pp_world *world)
 {
-    struct pp_vec3 low, high;
-    pp_light_scene_bounds(scene, true, &low, &high);
+    struct pp_bounds3 room = pp_light_scene_bounds(scene, true);
+    struct pp_vec3 low = room.low, high = room.high;
     place->eye = pp_vec_scale(pp_vec_add(low, high), 0.5);
     place->eye.z = fmin(PP_PLAN_CUT_M, 0.5 * world->height_m);
     place->toward = pp_vec(0.0, 0.0, -1.0);
@@ -205,8 +205,8 @@ static void cut_plan(struct pp_view_place *place, const struct pp_light_scene *s
 static void cut_section(struct pp_view_place *place, const struct pp_light_scene *scene,
                         const struct pp_world *world, int window)
 {
-    struct pp_vec3 low, high;
-    pp_light_scene_bounds(scene, true, &low, &high);
+    struct pp_bounds3 room = pp_light_scene_bounds(scene, true);
+    struct pp_vec3 low = room.low, high = room.high;
     struct pp_vec3 size = pp_vec_sub(high, low);
     place->eye = pp_vec_scale(pp_vec_add(low, high), 0.5);
     place->down_m = size.z;

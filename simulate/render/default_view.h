@@ -12,13 +12,14 @@
 #define PP_SIMULATE_RENDER_DEFAULT_VIEW_H
 
 #include "model/pictures/camera.h"
+#include "model/room/world.h"
 #include "simulate/scene/light_scene.h"
 
 #define PP_EYE_HEIGHT_M 1.6
 #define PP_PERSPECTIVE_DEG 75.0 /* across the picture */
 #define PP_PLAN_CUT_M 1.2
 
-/* What is looked at, or cut. */
+/* The view of a room that is wanted. */
 enum pp_room_view {
     PP_ROOM_VIEW_PERSPECTIVE,
     PP_ROOM_VIEW_FISHEYE,

@@ -1,20 +1,23 @@
-/* overture.c - a cache grows until it has all that a picture asks for. */
+/* overture.c - rays of a picture's pixels shown to the cache, part by part. */
+#include "simulate/render/overture.h"
+
 #include <math.h>
 #include <stdlib.h>
 
 #include "model/base/clock.h"
+#include "simulate/cache/cache_grow.h"
 #include "simulate/render/render_parts.h"
 
-/* Pixels of a part where nothing is said: some 170 MB of rays and requests. */
+/* Pixels of a part where the caller says nothing: some 170 MB of rays and requests. */
 enum { PART_PIXELS = 1 << 20 };
 
-/* Of the progress, what showing the first round of parts is worth. */
+/* The share of the progress that showing the first round of parts is worth. */
 static const double FIRST_ROUND = 0.9;
 
 struct pp_overture {
     struct pp_irradiance_cache *cache;
-    struct pp_render view; /* what the camera's rays hang on, and no picture */
-    int step;              /* a part has every so many-th pixel of as many-th rows */
+    struct pp_render view; /* camera and scene, without a picture */
+    int step;              /* a part has every step-th pixel of every step-th row */
     int part;              /* the next one to be shown; step^2 of them are a round */
     bool first;            /* is it the first round? */
     size_t before;         /* records when the round began */
@@ -72,8 +75,8 @@ static enum pp_status show(const struct pp_overture *overture, int part,
 }
 
 /* Once the cache has all that it was shown: the next part, and behind the last one
- * another round, unless this one has brought nothing. Of a single part the cache itself
- * has looked whether all is there. */
+ * another round, unless this one has brought no record. A single part needs no second
+ * round: the cache has looked at all its requests again. */
 static enum pp_status go_on(struct pp_overture *overture, struct pp_error *err)
 {
     int parts = overture->step * overture->step;

@@ -1,20 +1,22 @@
-/* cmd_render.c - see render.h. */
+/* render.c - pixels, tiles and threads of a picture. */
+#include "simulate/render/render.h"
+
 #include <math.h>
 #include <stdlib.h>
 
 #include "model/base/clock.h"
-#include "simulate/sampling/hash.h"
-#include "simulate/scene/light_parts.h"
-#include "simulate/sampling/processors.h"
 #include "simulate/render/render_parts.h"
+#include "simulate/sampling/hash.h"
+#include "simulate/sampling/processors.h"
+#include "simulate/scene/light_scene_parts.h"
 
 enum {
-    /* The vertex of a path's random numbers that says where in its pixel it begins: far
-     * from all that radiance.c uses. */
+    /* The vertex of a path's random numbers for its place in the pixel: far from all
+     * that radiance.c uses. */
     PIXEL_VERTEX = 1 << 29,
 };
 
-/* Of the Gaussian, in pixels. */
+/* Standard deviation and radius of the Gaussian filter, in pixels. */
 static const double deviation = 0.5, reach = 1.5;
 
 /* ---- one pixel ---- */
@@ -50,7 +52,7 @@ bool pp_render_camera_ray(const struct pp_render *render, const double place[2],
         && hypot(2.0 * place[0] / options->width - 1.0,
                  2.0 * place[1] / options->height - 1.0)
                > 1.0)
-        return false; /* outside the circle: beyond the angle */
+        return false; /* outside the circle */
     if (options->camera.kind == PP_VIEW_PARALLEL)
         ray->space = pp_light_scene_space(render->scene, ray->from);
     return !options->indoors || ray->space == PP_INDOORS;

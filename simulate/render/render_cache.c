@@ -1,9 +1,11 @@
-/* render_cache.c - what a picture shows of an irradiance cache. */
+/* render_cache.c - records hashed, and projected into the picture. */
+#include "simulate/render/render_cache.h"
+
 #include <math.h>
 #include <stdlib.h>
 
-#include "simulate/sampling/hash.h"
 #include "simulate/render/render_parts.h"
+#include "simulate/sampling/hash.h"
 
 /* A record is seen where the ray towards it ends within this share of its way. */
 static const double seen_share = 1e-3;

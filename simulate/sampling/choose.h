@@ -1,4 +1,5 @@
-/* choose.h - one of several at random, in proportion to what each may count. */
+/* choose.h - one of several at random, with probabilities in proportion to
+ * importances. */
 #ifndef PP_SIMULATE_SAMPLING_CHOOSE_H
 #define PP_SIMULATE_SAMPLING_CHOOSE_H
 

@@ -1,4 +1,5 @@
-/* gloss.c - see gloss.h. */
+/* gloss.c - the gloss lobe: its scale worked out and tabulated, its value, its
+ * sampling. */
 #include "simulate/sampling/gloss.h"
 
 #include <math.h>
@@ -24,7 +25,7 @@ bool pp_gloss_is_of(const struct pp_gloss *gloss, double along, double across)
     return gloss->along == fmax(along, SMOOTH) && gloss->across == fmax(across, SMOOTH);
 }
 
-/* ---- where in the table ---- */
+/* ---- the table's nodes ---- */
 
 /* The roughness in a direction's azimuth. Rows of the table are even in it. */
 static double roughness_towards(const struct pp_gloss *gloss, struct pp_vec3 d)
@@ -36,12 +37,12 @@ static double roughness_towards(const struct pp_gloss *gloss, struct pp_vec3 d)
     return sqrt((x * x + y * y) / flat2);
 }
 
-/* About the cosine that is the roughness the scale changes most: the columns are
- * closest from there down to grazing incidence. */
-static const double BEND = 4.0;
+/* The scale changes most where the cosine is about the roughness: by this factor,
+ * chosen by trial, the columns are closest from there down to grazing incidence. */
+static const double COLUMN_SPACING = 4.0;
 
-/* The nodes that a direction lies between, and its share of the latter of either two.
- */
+/* The nodes of the table that a direction lies between: the row and column below it,
+ * and the share of the next ones. */
 struct gloss_node {
     int row, column;
     double up, right;
@@ -63,7 +64,7 @@ static struct gloss_node place_of(const struct pp_gloss *gloss, struct pp_vec3 d
     if (gloss->azimuths > 1)
         place.row = node_below((rough - gloss->along) / (gloss->across - gloss->along),
                                gloss->azimuths, &place.up);
-    double z = fmax(d.z, 0.0), k = BEND * rough;
+    double z = fmax(d.z, 0.0), k = COLUMN_SPACING * rough;
     place.column =
         node_below(fmin(sqrt(z * (1.0 + k) / (z + k)), 1.0), COSINES, &place.right);
     return place;
@@ -77,7 +78,7 @@ static struct pp_vec3 node_direction(const struct pp_gloss *gloss, int row, int 
         rough += (double)row / (gloss->azimuths - 1) * (across - along);
         x2 = (across * across - rough * rough) / (across * across - along * along);
     }
-    double k = BEND * rough, part = (double)column / (COSINES - 1);
+    double k = COLUMN_SPACING * rough, part = (double)column / (COSINES - 1);
     part *= part;
     double z = fmin(fmax(k * part / (1.0 + k - part), 1e-6 * k), 1.0);
     double flat = sqrt(1.0 - z * z);
@@ -109,8 +110,8 @@ double pp_gloss_value(const struct pp_gloss *gloss, struct pp_vec3 i, struct pp_
     return ward * pp_gloss_scale(gloss, i) * pp_gloss_scale(gloss, o);
 }
 
-/* What a facet of slope (a_x p, a_y q) mirrors from i, and the weight of that in the
- * lobe before it is scaled; 0 where it goes down. */
+/* The direction into which a facet of slope (a_x p, a_y q) mirrors i, and its weight in
+ * the lobe before that is scaled; 0 where the direction goes down. */
 static double mirrored(const struct pp_gloss *gloss, struct pp_vec3 i, double p,
                        double q, struct pp_vec3 *o)
 {
@@ -125,8 +126,8 @@ double pp_gloss_sample(const struct pp_gloss *gloss, struct pp_vec3 i, double u,
 {
     double r = sqrt(-log(u)), sine, cosine;
     sincos(2.0 * PP_PI * v, &sine, &cosine);
-    /* Of two opposite slopes one may mirror light down, near grazing incidence about
-     * always: then it is the other that is drawn, twice as often. */
+    /* Of two opposite slopes one may mirror light down, near grazing incidence nearly
+     * always: then the other is drawn, twice as often. */
     struct pp_vec3 opposite;
     double weight = mirrored(gloss, i, r * cosine, r * sine, o);
     double other = mirrored(gloss, i, -r * cosine, -r * sine, &opposite);
@@ -139,9 +140,10 @@ double pp_gloss_sample(const struct pp_gloss *gloss, struct pp_vec3 i, double u,
     return weight * pp_gloss_scale(gloss, i) * pp_gloss_scale(gloss, *o);
 }
 
-/* ---- balanced ---- */
+/* ---- the scale ---- */
 
-/* Facets of equal share: the midpoints of a square that is laid on the Gaussian. */
+/* Facets of equal share: the midpoints of the cells of a square that is mapped to the
+ * Gaussian. */
 static void draw_facets(double (*facets)[2])
 {
     for (int i = 0; i < SLOPES; i++)
@@ -153,9 +155,9 @@ static void draw_facets(double (*facets)[2])
         }
 }
 
-/* What of the light from one direction goes to the neighbourhood of each node. */
-static void spread(const struct pp_gloss *gloss, const double (*facets)[2],
-                   struct pp_vec3 from, double *to_node)
+/* The share of light from one direction that goes to the neighbourhood of each node. */
+static void distribute(const struct pp_gloss *gloss, const double (*facets)[2],
+                       struct pp_vec3 from, double *to_node)
 {
     for (int i = 0; i < FACETS; i++) {
         struct pp_vec3 to;
@@ -174,7 +176,8 @@ static void spread(const struct pp_gloss *gloss, const double (*facets)[2],
     }
 }
 
-/* [SK67], for a symmetric lobe: what is too small by a factor grows by its root. */
+/* The iteration of [SK67] for a symmetric lobe: a scale that is too small by a factor
+ * grows by the root of that. */
 static void balance(double *scale, const double *lobe, int nodes)
 {
     double next[PP_GLOSS_AZIMUTHS * COSINES];
@@ -204,8 +207,9 @@ enum pp_status pp_gloss_init(struct pp_gloss *gloss, double along, double across
     if (status == PP_OK) {
         draw_facets(facets);
         for (int i = 0; i < nodes; i++)
-            spread(gloss, (const double(*)[2])facets,
-                   node_direction(gloss, i / COSINES, i % COSINES), &lobe[i * nodes]);
+            distribute(gloss, (const double(*)[2])facets,
+                       node_direction(gloss, i / COSINES, i % COSINES),
+                       &lobe[i * nodes]);
         balance(gloss->scale[0], lobe, nodes);
     }
     free(facets);

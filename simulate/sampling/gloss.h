@@ -1,4 +1,4 @@
-/* gloss.h - the Gaussian gloss, made to give back all the light that it gets.
+/* gloss.h - the BRDF of a Gaussian gloss that loses no energy.
  *
  * With i and o the unit directions to where light comes from and goes to, on the side
  * of the normal n, and h = i + o (not unit length), Ward's gloss [WARD92] in its
@@ -7,19 +7,19 @@
  *     f = 1/(pi a_x a_y) exp(-((h.x / a_x)^2 + (h.y / a_y)^2) / (h.n)^2)
  *         (h.h) / (h.n)^4
  *
- * Its half vectors are drawn as Gaussian slopes; a direction then has the weight
- * 2 cos o / (cos i + cos o). What a facet throws down on the surface is lost: a_x a_y
- * of the light at normal incidence, up to a fifth near grazing incidence however smooth
- * the surface, two thirds at a roughness of 1. In truth it meets other facets and goes
- * on. So the lobe is scaled at both of its ends,
+ * Its half vectors are drawn as Gaussian slopes; a direction then has the weight 2 cos
+ * o / (cos i + cos o). Light that a facet throws down on the surface is lost: a_x a_y
+ * of it at normal incidence, up to a fifth near grazing incidence however smooth the
+ * surface, two thirds at a roughness of 1. In a real surface that light meets other
+ * facets and goes on. So the lobe is scaled at both of its ends,
  *
  *     f'(i, o) = s(i) s(o) f(i, o)        s(i) int f(i, o) s(o) cos o do = 1
  *
- * for every i: nothing is lost, light may run either way, and the lobe keeps its
- * shape. Such an s exists and is unique [SK67]; it lies between 0.88 and 1.18 at
- * roughnesses up to 0.4.
+ * for every i: nothing is lost, light may run either way, and the lobe keeps its shape.
+ * Such an s exists and is unique [SK67]; it lies between 0.88 and 1.18 at roughnesses
+ * up to 0.4.
  *
- * It is tabulated over the cosine of the direction and, where there are two
+ * The scale s is tabulated over the cosine of the direction and, where there are two
  * roughnesses, over its azimuth, and read by linear interpolation: the albedo is that
  * declared to 0.3 % (to 1 % where one roughness is hundreds of times the other).
  */
@@ -48,7 +48,7 @@ struct pp_gloss {
 enum pp_status pp_gloss_init(struct pp_gloss *gloss, double along, double across,
                              struct pp_error *err);
 
-/* Is it what pp_gloss_init makes of these? */
+/* Would pp_gloss_init make the same of these roughnesses? */
 bool pp_gloss_is_of(const struct pp_gloss *gloss, double along, double across);
 
 /* s in a unit direction of the surface's frame: x along the first roughness, z off the

@@ -1,4 +1,5 @@
-/* hash.h - seeds from what they belong to, so that no two parts of the work share one.
+/* hash.h - seeds as hashes of the point, randomisation and path that they belong to, so
+ * that no two parts of the work share one.
  *
  * The 64-bit mixer is the finaliser of SplitMix64 [SLF14]; the 32-bit one is lowbias32
  * [WELLONS18]. Both are bijections without state.
@@ -20,13 +21,13 @@ static inline uint64_t pp_hash_mix64(uint64_t x)
     return x ^ x >> 31;
 }
 
-/* The seed of the part `part` of what has seed `seed`. */
+/* The seed of part number `part` of a piece of work that has seed `seed`. */
 static inline uint64_t pp_hash(uint64_t seed, uint64_t part)
 {
     return pp_hash_mix64(pp_hash_mix64(seed + UINT64_C(0x9e3779b97f4a7c15)) ^ part);
 }
 
-/* The same with a number; -0 counts as 0. */
+/* The same of a part that is known by a number (-0 counts as 0), or by a point. */
 static inline uint64_t pp_hash_double(uint64_t seed, double part)
 {
     uint64_t bits;

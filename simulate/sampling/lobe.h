@@ -1,4 +1,4 @@
-/* lobe.h - directions about a normal.
+/* lobe.h - frames about a normal, and cosine-weighted directions in them.
  *
  * Own sine and cosine for the small range that is needed: plain arithmetic, the same to
  * the bit with any compiler, and quicker than the library's.
@@ -56,7 +56,7 @@ static inline struct pp_vec3 pp_lobe_sample_cosine(double u1, double u2)
     return pp_vec(r * x, r * y, z2 > 0.0 ? sqrt(z2) : 0.0);
 }
 
-/* The same about n, with the frame (a, b, n). */
+/* A cosine-weighted direction about n, in the frame (a, b, n). */
 static inline struct pp_vec3 pp_lobe_sample_in_frame(struct pp_vec3 a, struct pp_vec3 b,
                                                      struct pp_vec3 n, double u1,
                                                      double u2)

@@ -1,16 +1,21 @@
-/* sample_polygon.c - see sample_polygon.h. */
+/* sample_polygon.c - rectangles and triangles sampled by solid angle or by area, with a
+ * bilinear density on top. */
 #include "simulate/sampling/sample_polygon.h"
 
 #include <math.h>
 
-/* The least share of the mean density that any part of the unit square gets is about
- * this: what a wrong guess may cost is bounded. */
+#include "simulate/sampling/triangle.h"
+
+/* Any part of the unit square gets about this share of the mean density at least, so
+ * that the variance that a wrong guess may cost is bounded. Chosen by trial. */
 static const double LEAST_WEIGHT = 0.05;
 
-/* A rectangle nearer than this many of its diagonals is sampled by solid angle. */
+/* A rectangle nearer than this many of its diagonals is sampled by solid angle; chosen
+ * by trial. */
 static const double NEAR_DIAGONALS = 0.6;
 
-/* Triangles of smaller solid angle are sampled by area: Arvo's formulae lose digits. */
+/* Triangles of smaller solid angle are sampled by area: there Arvo's formulae lose
+ * digits. */
 static const double SMALL_TRIANGLE_SR = 1e-3;
 
 static double max2(double a, double b)
@@ -50,7 +55,8 @@ bool pp_sample_polygon_in_sight(const struct pp_target *target, struct pp_vec3 f
     return height_over(target, from) > 1e-9 && any_corner_before(target, from, n);
 }
 
-/* Cosine at the surface times brightness beyond, for the unnormalised direction v. */
+/* Cosine at the surface times the brightness outside, for the unnormalised direction
+ * v. */
 static double receiver_weight(struct pp_vec3 v, double length, struct pp_vec3 n,
                               struct pp_brightness brightness)
 {
@@ -81,39 +87,39 @@ static struct pp_vec3 rectangle_point(const struct pp_target *target, double x,
     return pp_vec_along(pp_vec_along(target->corner, x, target->along), y, target->up);
 }
 
-/* What a direction to this corner of a rectangle brings, per solid angle or, by area,
- * per area. */
-static double corner_value(const struct pp_polygon_sampler *aim, struct pp_vec3 n,
+/* The weight of this corner of a rectangle: cosine times brightness, per solid angle
+ * or, by area, per area. */
+static double corner_value(const struct pp_polygon_sampler *sampler, struct pp_vec3 n,
                            struct pp_brightness brightness, int right, int top)
 {
-    const struct pp_target *target = aim->target;
+    const struct pp_target *target = sampler->target;
     struct pp_vec3 v = pp_vec_sub(rectangle_point(target, right ? target->width_m : 0.0,
                                                   top ? target->height_m : 0.0),
-                                  aim->from);
+                                  sampler->from);
     double square = pp_vec_dot(v, v), length = sqrt(square);
     double value = receiver_weight(v, length, n, brightness);
-    if (aim->by_area)
-        value *= aim->distance_m / (length * square);
+    if (sampler->by_area)
+        value *= sampler->distance_m / (length * square);
     return value;
 }
 
-static void weigh_corners(struct pp_polygon_sampler *aim, struct pp_vec3 n,
+static void weigh_corners(struct pp_polygon_sampler *sampler, struct pp_vec3 n,
                           struct pp_brightness brightness)
 {
     double sum = 0.0;
     for (int top = 0; top < 2; top++)
         for (int right = 0; right < 2; right++) {
-            double value = corner_value(aim, n, brightness, right, top);
-            aim->corner_weight[top][right] = value;
+            double value = corner_value(sampler, n, brightness, right, top);
+            sampler->corner_weight[top][right] = value;
             sum += value;
         }
-    /* Guess and uniform density in a fixed proportion. */
+    /* The guess and a uniform density, mixed in a fixed proportion. */
     double scale = sum > 0.0 ? (1.0 - LEAST_WEIGHT) * 4.0 / sum : 0.0;
     double least = sum > 0.0 ? LEAST_WEIGHT : 1.0;
     for (int top = 0; top < 2; top++)
         for (int right = 0; right < 2; right++)
-            aim->corner_weight[top][right] =
-                aim->corner_weight[top][right] * scale + least;
+            sampler->corner_weight[top][right] =
+                sampler->corner_weight[top][right] * scale + least;
 }
 
 static double near_square(double low, double high)
@@ -122,53 +128,54 @@ static double near_square(double low, double high)
     return d * d;
 }
 
-/* The map of [URENA13], their names: the rectangle lies at z = -distance, x to the
+/* The map of [URENA13], in their symbols: the rectangle lies at z = -distance, x to the
  * right, y up from the foot of the point. */
-static void rectangle_init(struct pp_polygon_sampler *aim)
+static void rectangle_init(struct pp_polygon_sampler *sampler)
 {
-    const struct pp_target *target = aim->target;
-    struct pp_vec3 d = pp_vec_sub(target->corner, aim->from);
-    aim->x0 = pp_vec_dot(d, target->along);
-    aim->y0 = pp_vec_dot(d, target->up);
-    aim->x1 = aim->x0 + target->width_m;
-    aim->y1 = aim->y0 + target->height_m;
+    const struct pp_target *target = sampler->target;
+    struct pp_vec3 d = pp_vec_sub(target->corner, sampler->from);
+    sampler->x0 = pp_vec_dot(d, target->along);
+    sampler->y0 = pp_vec_dot(d, target->up);
+    sampler->x1 = sampler->x0 + target->width_m;
+    sampler->y1 = sampler->y0 + target->height_m;
 
-    double z2 = aim->distance_m * aim->distance_m;
+    double z2 = sampler->distance_m * sampler->distance_m;
     double diagonal2 =
         target->width_m * target->width_m + target->height_m * target->height_m;
-    aim->by_area = near_square(aim->x0, aim->x1) + near_square(aim->y0, aim->y1) + z2
-                   > NEAR_DIAGONALS * NEAR_DIAGONALS * diagonal2;
-    if (aim->by_area)
+    sampler->by_area = near_square(sampler->x0, sampler->x1)
+                           + near_square(sampler->y0, sampler->y1) + z2
+                       > NEAR_DIAGONALS * NEAR_DIAGONALS * diagonal2;
+    if (sampler->by_area)
         return;
-    aim->b0 = -aim->y0 / sqrt(aim->y0 * aim->y0 + z2);
-    aim->b1 = aim->y1 / sqrt(aim->y1 * aim->y1 + z2);
-    double n1 = aim->x1 / sqrt(aim->x1 * aim->x1 + z2);
-    double n3 = -aim->x0 / sqrt(aim->x0 * aim->x0 + z2);
-    double g0 = acos(-aim->b0 * n1), g1 = acos(-n1 * aim->b1);
-    double g2 = acos(-aim->b1 * n3), g3 = acos(-n3 * aim->b0);
-    aim->k = 2.0 * PP_PI - g2 - g3;
-    aim->solid = g0 + g1 - aim->k;
+    sampler->b0 = -sampler->y0 / sqrt(sampler->y0 * sampler->y0 + z2);
+    sampler->b1 = sampler->y1 / sqrt(sampler->y1 * sampler->y1 + z2);
+    double n1 = sampler->x1 / sqrt(sampler->x1 * sampler->x1 + z2);
+    double n3 = -sampler->x0 / sqrt(sampler->x0 * sampler->x0 + z2);
+    double g0 = acos(-sampler->b0 * n1), g1 = acos(-n1 * sampler->b1);
+    double g2 = acos(-sampler->b1 * n3), g3 = acos(-n3 * sampler->b0);
+    sampler->k = 2.0 * PP_PI - g2 - g3;
+    sampler->solid = g0 + g1 - sampler->k;
 }
 
-static struct pp_vec3 rectangle_by_solid_angle(const struct pp_polygon_sampler *aim,
+static struct pp_vec3 rectangle_by_solid_angle(const struct pp_polygon_sampler *sampler,
                                                double u, double v)
 {
-    double z0 = -aim->distance_m, z2 = z0 * z0;
+    double z0 = -sampler->distance_m, z2 = z0 * z0;
     double sine, cosine;
-    sincos(u * aim->solid + aim->k, &sine, &cosine);
-    double fu = (cosine * aim->b0 - aim->b1) / sine;
-    double cu = copysign(1.0 / sqrt(fu * fu + aim->b0 * aim->b0), fu);
+    sincos(u * sampler->solid + sampler->k, &sine, &cosine);
+    double fu = (cosine * sampler->b0 - sampler->b1) / sine;
+    double cu = copysign(1.0 / sqrt(fu * fu + sampler->b0 * sampler->b0), fu);
     cu = max2(-1.0, min2(1.0, cu));
     double xu = -cu * z0 / sqrt(max2(1.0 - cu * cu, 1e-300));
-    xu = max2(aim->x0, min2(aim->x1, xu));
+    xu = max2(sampler->x0, min2(sampler->x1, xu));
 
     double d = sqrt(xu * xu + z2);
-    double h0 = aim->y0 / sqrt(d * d + aim->y0 * aim->y0);
-    double h1 = aim->y1 / sqrt(d * d + aim->y1 * aim->y1);
+    double h0 = sampler->y0 / sqrt(d * d + sampler->y0 * sampler->y0);
+    double h1 = sampler->y1 / sqrt(d * d + sampler->y1 * sampler->y1);
     double hv = h0 + v * (h1 - h0), hv2 = hv * hv;
-    double yv = hv2 < 1.0 - 1e-12 ? hv * d / sqrt(1.0 - hv2) : aim->y1;
-    yv = max2(aim->y0, min2(aim->y1, yv));
-    return rectangle_point(aim->target, xu - aim->x0, yv - aim->y0);
+    double yv = hv2 < 1.0 - 1e-12 ? hv * d / sqrt(1.0 - hv2) : sampler->y1;
+    yv = max2(sampler->y0, min2(sampler->y1, yv));
+    return rectangle_point(sampler->target, xu - sampler->x0, yv - sampler->y0);
 }
 
 /* Solid angle of a triangle of directions a, b, c [VOS83]. */
@@ -181,12 +188,12 @@ static double triangle_solid_angle(struct pp_vec3 a, struct pp_vec3 b, struct pp
     return angle;
 }
 
-static double triangle_of_target(const struct pp_polygon_sampler *aim, int i)
+static double triangle_of_target(const struct pp_polygon_sampler *sampler, int i)
 {
-    const struct pp_vec3 *t = aim->target->triangles[i];
-    return triangle_solid_angle(pp_vec_unit(pp_vec_sub(t[0], aim->from)),
-                                pp_vec_unit(pp_vec_sub(t[1], aim->from)),
-                                pp_vec_unit(pp_vec_sub(t[2], aim->from)));
+    const struct pp_vec3 *t = sampler->target->triangles[i];
+    return triangle_solid_angle(pp_vec_unit(pp_vec_sub(t[0], sampler->from)),
+                                pp_vec_unit(pp_vec_sub(t[1], sampler->from)),
+                                pp_vec_unit(pp_vec_sub(t[2], sampler->from)));
 }
 
 /* Angle between the planes (a, b) and (a, c) at a. */
@@ -223,38 +230,35 @@ static struct pp_vec3 spherical_triangle(struct pp_vec3 a, struct pp_vec3 b,
                       pp_vec_scale(side, sqrt(max2(0.0, 1.0 - z * z)) / length));
 }
 
-static struct pp_direction_sample at_point(const struct pp_polygon_sampler *aim,
+static struct pp_direction_sample at_point(const struct pp_polygon_sampler *sampler,
                                            struct pp_vec3 point)
 {
-    struct pp_direction_sample aimed = {.point = point};
-    struct pp_vec3 v = pp_vec_sub(point, aim->from);
-    aimed.distance_m = pp_vec_length(v);
-    aimed.direction = pp_vec_scale(v, 1.0 / aimed.distance_m);
-    return aimed;
+    struct pp_direction_sample sample = {.point = point};
+    struct pp_vec3 v = pp_vec_sub(point, sampler->from);
+    sample.distance_m = pp_vec_length(v);
+    sample.direction = pp_vec_scale(v, 1.0 / sample.distance_m);
+    return sample;
 }
 
 /* Steradians per square metre where the target is met. */
-static double per_area(const struct pp_polygon_sampler *aim,
-                       const struct pp_direction_sample *aimed)
+static double per_area(const struct pp_polygon_sampler *sampler,
+                       const struct pp_direction_sample *sample)
 {
-    double r = aimed->distance_m;
-    return aim->distance_m / (r * r * r);
+    double r = sample->distance_m;
+    return sampler->distance_m / (r * r * r);
 }
 
 /* The triangle that u falls to by solid angle or by area, u stretched to its share, and
  * the probability of that triangle. */
-static int choose_triangle(const struct pp_polygon_sampler *aim, double *u,
+static int choose_triangle(const struct pp_polygon_sampler *sampler, double *u,
                            double *size, double *probability)
 {
-    const struct pp_target *target = aim->target;
-    double total = aim->by_area ? target->area_m2 : aim->solid;
+    const struct pp_target *target = sampler->target;
+    double total = sampler->by_area ? target->area_m2 : sampler->solid;
     double left = *u * total;
     for (int i = 0;; i++) {
-        const struct pp_vec3 *t = target->triangles[i];
-        *size = aim->by_area ? pp_vec_length(pp_vec_cross(pp_vec_sub(t[1], t[0]),
-                                                          pp_vec_sub(t[2], t[0])))
-                                   / 2.0
-                             : triangle_of_target(aim, i);
+        *size = sampler->by_area ? pp_triangle_area(target->triangles[i])
+                                 : triangle_of_target(sampler, i);
         if (left < *size || i == target->triangle_count - 1) {
             *u = *size > 0.0 ? min2(left / *size, 1.0) : 0.5;
             *probability = *size / total;
@@ -264,36 +268,29 @@ static int choose_triangle(const struct pp_polygon_sampler *aim, double *u,
     }
 }
 
-static struct pp_direction_sample triangle_sample(const struct pp_polygon_sampler *aim,
-                                                  double u, double v)
+static struct pp_direction_sample triangle_sample(
+    const struct pp_polygon_sampler *sampler, double u, double v)
 {
     double size, probability;
     const struct pp_vec3 *t =
-        aim->target->triangles[choose_triangle(aim, &u, &size, &probability)];
-    if (!aim->by_area && size > SMALL_TRIANGLE_SR) {
-        struct pp_vec3 direction =
-            spherical_triangle(pp_vec_unit(pp_vec_sub(t[0], aim->from)),
-                               pp_vec_unit(pp_vec_sub(t[1], aim->from)),
-                               pp_vec_unit(pp_vec_sub(t[2], aim->from)), size, u, v);
-        double toward = -pp_vec_dot(direction, aim->target->normal);
-        double r = aim->distance_m / max2(toward, 1e-12);
-        struct pp_direction_sample aimed = {.point =
-                                                pp_vec_along(aim->from, r, direction),
-                                            .direction = direction,
-                                            .distance_m = r,
-                                            .per_density = size / probability};
-        return aimed;
+        sampler->target->triangles[choose_triangle(sampler, &u, &size, &probability)];
+    if (!sampler->by_area && size > SMALL_TRIANGLE_SR) {
+        struct pp_vec3 direction = spherical_triangle(
+            pp_vec_unit(pp_vec_sub(t[0], sampler->from)),
+            pp_vec_unit(pp_vec_sub(t[1], sampler->from)),
+            pp_vec_unit(pp_vec_sub(t[2], sampler->from)), size, u, v);
+        double toward = -pp_vec_dot(direction, sampler->target->normal);
+        double r = sampler->distance_m / max2(toward, 1e-12);
+        struct pp_direction_sample sample = {
+            .point = pp_vec_along(sampler->from, r, direction),
+            .direction = direction,
+            .distance_m = r,
+            .per_density = size / probability};
+        return sample;
     }
-    double root = sqrt(u);
-    struct pp_vec3 point = pp_vec_add(
-        pp_vec_scale(t[0], 1.0 - root),
-        pp_vec_add(pp_vec_scale(t[1], root * (1.0 - v)), pp_vec_scale(t[2], root * v)));
-    struct pp_direction_sample aimed = at_point(aim, point);
-    double area =
-        pp_vec_length(pp_vec_cross(pp_vec_sub(t[1], t[0]), pp_vec_sub(t[2], t[0])))
-        / 2.0;
-    aimed.per_density = area / probability * per_area(aim, &aimed);
-    return aimed;
+    struct pp_direction_sample sample = at_point(sampler, pp_triangle_point(t, u, v));
+    sample.per_density = pp_triangle_area(t) / probability * per_area(sampler, &sample);
+    return sample;
 }
 
 /* A number with density in proportion to a (1 - x) + b x. */
@@ -302,52 +299,53 @@ static double sample_linear(double u, double a, double b)
     return u * (a + b) / (a + sqrt(a * a + u * (b * b - a * a)));
 }
 
-static struct pp_direction_sample rectangle_sample(const struct pp_polygon_sampler *aim,
-                                                   double u, double v)
+static struct pp_direction_sample rectangle_sample(
+    const struct pp_polygon_sampler *sampler, double u, double v)
 {
-    const double(*w)[2] = aim->corner_weight;
+    const double(*w)[2] = sampler->corner_weight;
     v = sample_linear(v, w[0][0] + w[0][1], w[1][0] + w[1][1]);
     double left = w[0][0] + v * (w[1][0] - w[0][0]);
     double right = w[0][1] + v * (w[1][1] - w[0][1]);
     u = sample_linear(u, left, right);
     double density = left + u * (right - left);
 
-    if (aim->by_area) {
-        struct pp_direction_sample aimed =
-            at_point(aim, rectangle_point(aim->target, u * aim->target->width_m,
-                                          v * aim->target->height_m));
-        aimed.per_density = aim->target->area_m2 * per_area(aim, &aimed) / density;
-        return aimed;
+    if (sampler->by_area) {
+        struct pp_direction_sample sample = at_point(
+            sampler, rectangle_point(sampler->target, u * sampler->target->width_m,
+                                     v * sampler->target->height_m));
+        sample.per_density =
+            sampler->target->area_m2 * per_area(sampler, &sample) / density;
+        return sample;
     }
-    struct pp_direction_sample aimed =
-        at_point(aim, rectangle_by_solid_angle(aim, u, v));
-    aimed.per_density = aim->solid / density;
-    return aimed;
+    struct pp_direction_sample sample =
+        at_point(sampler, rectangle_by_solid_angle(sampler, u, v));
+    sample.per_density = sampler->solid / density;
+    return sample;
 }
 
-void pp_sample_polygon_init(struct pp_polygon_sampler *aim,
+void pp_sample_polygon_init(struct pp_polygon_sampler *sampler,
                             const struct pp_target *target, struct pp_vec3 from,
                             struct pp_vec3 n, struct pp_brightness brightness)
 {
-    aim->target = target;
-    aim->from = from;
-    aim->facing = n;
-    aim->distance_m = height_over(target, from);
+    sampler->target = target;
+    sampler->from = from;
+    sampler->facing = n;
+    sampler->distance_m = height_over(target, from);
     if (target->rectangle) {
-        rectangle_init(aim);
-        weigh_corners(aim, n, brightness);
+        rectangle_init(sampler);
+        weigh_corners(sampler, n, brightness);
         return;
     }
-    aim->solid = 0.0;
+    sampler->solid = 0.0;
     for (int i = 0; i < target->triangle_count; i++)
-        aim->solid += triangle_of_target(aim, i);
-    aim->by_area = aim->solid < SMALL_TRIANGLE_SR;
+        sampler->solid += triangle_of_target(sampler, i);
+    sampler->by_area = sampler->solid < SMALL_TRIANGLE_SR;
 }
 
-struct pp_direction_sample pp_sample_polygon_draw(const struct pp_polygon_sampler *aim,
-                                                  double u, double v)
+struct pp_direction_sample pp_sample_polygon_draw(
+    const struct pp_polygon_sampler *sampler, double u, double v)
 {
-    if (aim->target->rectangle)
-        return rectangle_sample(aim, u, v);
-    return triangle_sample(aim, u, v);
+    if (sampler->target->rectangle)
+        return rectangle_sample(sampler, u, v);
+    return triangle_sample(sampler, u, v);
 }

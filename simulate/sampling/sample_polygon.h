@@ -4,9 +4,9 @@
  * Fajardo and King [URENA13], a triangle by Arvo's [ARVO95b]; where the opening looks
  * small both by area. On top of the map a bilinear density over the unit square [PJH23]
  * makes the sampling follow, corner to corner, the cosine at the receiving surface and
- * the brightness behind the opening. All of it only guides: whatever the guess, the
- * inverse density that comes with a direction is exact, and every direction to the
- * opening has one.
+ * the brightness behind the opening (importance sampling). The guess of that brightness
+ * affects the variance alone: the inverse density that comes with a direction is exact,
+ * and every direction to the opening has one.
  */
 #ifndef PP_SIMULATE_SAMPLING_SAMPLE_POLYGON_H
 #define PP_SIMULATE_SAMPLING_SAMPLE_POLYGON_H
@@ -15,7 +15,8 @@
 
 #include "model/geometry/vec.h"
 
-/* What is aimed at: a plane figure that light comes out of on the side of `normal`. */
+/* A plane figure to which directions are sampled: light comes out of it on the side of
+ * `normal`. */
 struct pp_target {
     struct pp_vec3 normal; /* unit, into the room */
     struct pp_vec3 middle;
@@ -29,14 +30,14 @@ struct pp_target {
     int triangle_count;
 };
 
-/* A guess of the luminance beyond the openings, over that of the horizon: 1 at the
+/* A guess of the luminance outside the openings, over that of the horizon: 1 at the
  * horizon, 3 at the zenith, `ground` below. */
 struct pp_brightness {
     double ground;
-    bool even; /* the same everywhere: a lamp */
+    bool even; /* the same in all directions: a lamp */
 };
 
-/* A target as it is seen from one point of a surface. */
+/* A target as seen from one point of a surface. */
 struct pp_polygon_sampler {
     const struct pp_target *target; /* not owned */
     struct pp_vec3 from, facing;    /* the point, and the normal of its surface */
@@ -48,27 +49,27 @@ struct pp_polygon_sampler {
 };
 
 /* Is there any direction from this side of a surface at `from` with normal n to the
- * lit side of the target? */
+ * side of the target that gives light? */
 bool pp_sample_polygon_in_sight(const struct pp_target *target, struct pp_vec3 from,
                                 struct pp_vec3 n);
 
-/* How much the target may count at `from`, for choosing among several: never 0 for one
- * that is in sight. */
+/* A guess of the light that the target brings to `from`, for choosing one of several:
+ * never 0 for one that is in sight. */
 double pp_sample_polygon_importance(const struct pp_target *target, struct pp_vec3 from,
                                     struct pp_vec3 n, struct pp_brightness brightness);
 
 /* The target must be in sight. n is the normal of the receiving surface. */
-void pp_sample_polygon_init(struct pp_polygon_sampler *aim,
+void pp_sample_polygon_init(struct pp_polygon_sampler *sampler,
                             const struct pp_target *target, struct pp_vec3 from,
                             struct pp_vec3 n, struct pp_brightness brightness);
 
-/* A point of the target for two numbers in (0, 1), its direction from aim->from, its
- * distance, and 1/density in steradians. */
+/* A point of the target for two numbers in (0, 1), its direction from sampler->from,
+ * its distance, and 1/density in steradians. */
 struct pp_direction_sample {
     struct pp_vec3 point, direction;
     double distance_m, per_density;
 };
-struct pp_direction_sample pp_sample_polygon_draw(const struct pp_polygon_sampler *aim,
-                                                  double u, double v);
+struct pp_direction_sample pp_sample_polygon_draw(
+    const struct pp_polygon_sampler *sampler, double u, double v);
 
 #endif

@@ -1,4 +1,5 @@
-/* scatter.c - see scatter.h. */
+/* scatter.c - shares of the lobes by material and angle, and directions of each
+ * lobe. */
 #include "simulate/sampling/scatter.h"
 
 #include <math.h>
@@ -51,24 +52,24 @@ struct pp_rgb pp_scatter_specular_reflectance(const struct pp_material *material
     }
 }
 
-/* The frame: along the grain's part in the surface where there is any. */
+/* x along the grain's part in the surface, where there is any. */
 static void lay_frame(struct pp_lobes *lobes, const struct pp_material *material)
 {
-    struct pp_vec3 n = lobes->n, grain = material->grain;
+    struct pp_vec3 n = lobes->frame.z, grain = material->grain;
     struct pp_vec3 in = pp_vec_along(grain, -pp_vec_dot(grain, n), n);
     double length = pp_vec_length(in);
     if (!(length > 1e-6 * pp_vec_length(grain))) {
-        pp_lobe_frame(n, &lobes->a, &lobes->b);
+        pp_lobe_frame(n, &lobes->frame.x, &lobes->frame.y);
         return;
     }
-    lobes->a = pp_vec_scale(in, 1.0 / length);
-    lobes->b = pp_vec_cross(n, lobes->a);
+    lobes->frame.x = pp_vec_scale(in, 1.0 / length);
+    lobes->frame.y = pp_vec_cross(n, lobes->frame.x);
 }
 
 void pp_scatter_init(struct pp_lobes *lobes, const struct pp_material *material,
                      const struct pp_gloss *gloss, struct pp_vec3 n, struct pp_vec3 eye)
 {
-    *lobes = (struct pp_lobes){.n = n, .eye = eye, .gloss = gloss};
+    *lobes = (struct pp_lobes){.frame = {.z = n}, .eye = eye, .gloss = gloss};
     lay_frame(lobes, material);
     double cosine = fabs(pp_vec_dot(n, eye));
     struct pp_rgb *share = lobes->share;
@@ -95,51 +96,41 @@ static struct pp_vec3 mirrored(struct pp_vec3 v, struct pp_vec3 n)
     return pp_vec_along(v, -2.0 * pp_vec_dot(v, n), n);
 }
 
-static struct pp_vec3 in_frame(const struct pp_lobes *lobes, struct pp_vec3 v)
-{
-    return pp_vec(pp_vec_dot(v, lobes->a), pp_vec_dot(v, lobes->b),
-                  pp_vec_dot(v, lobes->n));
-}
-
-static struct pp_vec3 out_of_frame(const struct pp_lobes *lobes, struct pp_vec3 v)
-{
-    return pp_vec_along(pp_vec_along(pp_vec_scale(lobes->a, v.x), v.y, lobes->b), v.z,
-                        lobes->n);
-}
-
 struct pp_rgb pp_scatter_gloss_brdf(const struct pp_lobes *lobes, struct pp_vec3 o)
 {
-    bool through = pp_vec_dot(o, lobes->n) < 0.0;
+    bool through = pp_vec_dot(o, lobes->frame.z) < 0.0;
     struct pp_rgb share = lobes->share[through ? PP_LOBE_THROUGH_GLOSS : PP_LOBE_GLOSS];
     if (pp_rgb_is_black(share))
         return share;
-    o = in_frame(lobes, o);
+    o = pp_frame_in(&lobes->frame, o);
     o.z = fabs(o.z);
-    return pp_rgb_scale(share,
-                        pp_gloss_value(lobes->gloss, in_frame(lobes, lobes->eye), o));
+    return pp_rgb_scale(
+        share, pp_gloss_value(lobes->gloss, pp_frame_in(&lobes->frame, lobes->eye), o));
 }
 
 static bool sample_gloss(const struct pp_lobes *lobes, bool through, double u, double v,
                          struct pp_vec3 *o, double *factor)
 {
-    *factor = pp_gloss_sample(lobes->gloss, in_frame(lobes, lobes->eye), u, v, o);
+    *factor =
+        pp_gloss_sample(lobes->gloss, pp_frame_in(&lobes->frame, lobes->eye), u, v, o);
     if (through)
         o->z = -o->z;
-    *o = out_of_frame(lobes, *o);
+    *o = pp_frame_out(&lobes->frame, *o);
     return *factor > 0.0;
 }
 
 bool pp_scatter_sample(const struct pp_lobes *lobes, enum pp_lobe lobe, double u,
                        double v, struct pp_vec3 *o, double *factor)
 {
-    struct pp_vec3 n = lobes->n;
+    struct pp_vec3 n = lobes->frame.z;
     *factor = 1.0;
     switch (lobe) {
     case PP_LOBE_DIFFUSE:
-        *o = pp_lobe_sample_in_frame(lobes->a, lobes->b, n, u, v);
+        *o = pp_lobe_sample_in_frame(lobes->frame.x, lobes->frame.y, n, u, v);
         return true;
     case PP_LOBE_THROUGH_DIFFUSE:
-        *o = mirrored(pp_lobe_sample_in_frame(lobes->a, lobes->b, n, u, v), n);
+        *o = mirrored(pp_lobe_sample_in_frame(lobes->frame.x, lobes->frame.y, n, u, v),
+                      n);
         return true;
     case PP_LOBE_GLOSS:
     case PP_LOBE_THROUGH_GLOSS:

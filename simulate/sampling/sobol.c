@@ -1,4 +1,4 @@
-/* sobol.c - see sobol.h. */
+/* sobol.c - direction numbers, tables by byte, and the scramble. */
 #include "simulate/sampling/sobol.h"
 
 #include "simulate/sampling/hash.h"

@@ -23,7 +23,7 @@ struct pp_sobol {
     uint32_t table[PP_SOBOL_DIMENSIONS][4][256];
 };
 
-/* One randomisation of it. */
+/* One randomisation of the sequence. */
 struct pp_sobol_sequence {
     const struct pp_sobol *sobol; /* not owned */
     uint64_t seed;
@@ -42,7 +42,7 @@ void pp_sobol_sequence_draw(const struct pp_sobol_sequence *sequence, uint32_t i
                             int vertex, int count, double u[]);
 
 /* The scramble alone: a number whose bits are reversed (the first binary digit lowest);
- * digit k of the result hangs on digits 0 to k only. */
+ * digit k of the result depends on digits 0 to k only. */
 uint32_t pp_sobol_owen_scramble_reversed(uint32_t reversed, uint32_t seed);
 
 uint32_t pp_sobol_reverse_bits(uint32_t x);

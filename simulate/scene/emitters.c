@@ -1,35 +1,28 @@
-/* emitters.c - concentrated emitters: what sides of what parts they are, and directions
- * to them. See light_parts.h.
- *
- * Plane ones are sampled as openings are (sample_polygon.h), spheres by the cone of
- * directions that they fill, distant ones by theirs, cones and rings by area.
- */
+/* emitters.c - emitters gathered from the parts of a scene, and directions to them. */
+#include "simulate/scene/emitters.h"
+
 #include <math.h>
-#include <stdlib.h>
 
-#include "simulate/scene/light_parts.h"
+#include "model/base/array.h"
 #include "simulate/sampling/lobe.h"
+#include "simulate/sampling/triangle.h"
+#include "simulate/scene/light_scene_parts.h"
 #include "simulate/scene/round.h"
-#include "simulate/scene/triangles.h"
 
-/* Edges whose lengths and right angles differ by less than this share. */
+/* A quadrangle is a rectangle whose opposite edges and right angles differ by less than
+ * this share. */
 static const double SAME_SHAPE = 1e-6;
 
-/* ---- made ---- */
+/* ---- gathered ---- */
 
 static enum pp_status append(struct pp_light_scene *scene,
                              const struct pp_emitter *emitter, struct pp_error *err)
 {
-    int count = scene->emitter_count;
-    if ((count & (count + 1)) == 0) { /* 0, 1, 3, 7, ...: full */
-        void *grown =
-            realloc(scene->emitters, ((size_t)count * 2 + 1) * sizeof *scene->emitters);
-        if (!grown)
-            return pp_fail_memory(err);
-        scene->emitters = grown;
-    }
-    scene->emitters[scene->emitter_count++] = *emitter;
-    return PP_OK;
+    enum pp_status status = pp_array_append(&scene->emitters, scene->emitter_count,
+                                            sizeof *scene->emitters, err);
+    if (status == PP_OK)
+        scene->emitters[scene->emitter_count++] = *emitter;
+    return status;
 }
 
 static bool is_rectangle(const struct pp_vec3 *corners, int count)
@@ -61,21 +54,18 @@ static void make_target(struct pp_target *target, const struct pp_vec3 *corners,
     target->up = pp_vec_scale(up, 1.0 / target->height_m);
 }
 
-/* Keeps the triangles; area and middle from them. */
+/* Copies the triangles to the scene, and takes the emitter's area and middle from
+ * them. */
 static enum pp_status keep_triangles(struct pp_light_scene *scene,
                                      struct pp_emitter *emitter,
                                      const struct pp_vec3 (*triangles)[3], int count,
                                      struct pp_error *err)
 {
-    int all = scene->emitter_triangle_count + count;
-    if (all > scene->emitter_triangle_space) {
-        void *grown = realloc(scene->emitter_triangles,
-                              2 * (size_t)all * sizeof *scene->emitter_triangles);
-        if (!grown)
-            return pp_fail_memory(err);
-        scene->emitter_triangles = grown;
-        scene->emitter_triangle_space = 2 * all;
-    }
+    enum pp_status status = pp_array_reserve(
+        &scene->emitter_triangles, &scene->emitter_triangle_capacity,
+        scene->emitter_triangle_count + count, sizeof *scene->emitter_triangles, err);
+    if (status != PP_OK)
+        return status;
     emitter->first_triangle = scene->emitter_triangle_count;
     emitter->triangle_count = count;
     struct pp_vec3 sum = {0.0, 0.0, 0.0};
@@ -84,7 +74,7 @@ static enum pp_status keep_triangles(struct pp_light_scene *scene,
             scene->emitter_triangles[scene->emitter_triangle_count++];
         for (int k = 0; k < 3; k++)
             copy[k] = triangles[i][k];
-        double area = pp_triangles_area(copy);
+        double area = pp_triangle_area(copy);
         emitter->area_m2 += area;
         for (int k = 0; k < 3; k++)
             sum = pp_vec_along(sum, area / 3.0, copy[k]);
@@ -188,10 +178,10 @@ enum pp_status pp_emitters_add_distant(struct pp_light_scene *scene,
     return status;
 }
 
-/* ---- aimed at ---- */
+/* ---- sampled ---- */
 
-/* Directions in a cone about the axis, uniform in solid angle; fall: 1 - cos of its
- * half angle, which loses no digits where that is small. */
+/* A direction in a cone about the axis, uniform in solid angle; fall: 1 - cos of its
+ * half angle. */
 static struct pp_vec3 in_cone(struct pp_vec3 axis, double fall, double u, double v)
 {
     fall *= u;
@@ -205,87 +195,87 @@ static struct pp_vec3 in_cone(struct pp_vec3 axis, double fall, double u, double
         sine_cone * sine, b);
 }
 
-/* Is any direction of the cone before the plane with normal n? */
+/* Is any direction of the cone on the side of the normal n? */
 static bool cone_before(struct pp_vec3 axis, double fall, struct pp_vec3 n)
 {
     double facing = pp_vec_dot(axis, n);
     return facing > 0.0 || fall >= 1.0 || facing > -sqrt(fall * (2.0 - fall));
 }
 
-static bool aim_at_sphere(struct pp_emitter_sampler *aim, struct pp_vec3 n)
+static bool init_sphere(struct pp_emitter_sampler *sampler, struct pp_vec3 n)
 {
-    const struct pp_shape *sphere = &aim->emitter->round;
-    struct pp_vec3 to = pp_vec_sub(sphere->is.sphere.centre, aim->from);
+    const struct pp_shape *sphere = &sampler->emitter->round;
+    struct pp_vec3 to = pp_vec_sub(sphere->is.sphere.centre, sampler->from);
     double r = sphere->is.sphere.radius_m, d = pp_vec_length(to);
-    bool emits_outside = sphere->inward == aim->emitter->back;
+    bool emits_outside = sphere->inward == sampler->emitter->back;
     if (emits_outside != (d > r))
         return false;
-    aim->axis = d > 0.0 ? pp_vec_scale(to, 1.0 / d) : pp_vec(0.0, 0.0, 1.0);
+    sampler->axis = d > 0.0 ? pp_vec_scale(to, 1.0 / d) : pp_vec(0.0, 0.0, 1.0);
     double sine2 = r / d * (r / d);
-    aim->fall = d > r ? sine2 / (1.0 + sqrt(1.0 - sine2)) : 2.0;
-    return cone_before(aim->axis, aim->fall, n);
+    sampler->fall = d > r ? sine2 / (1.0 + sqrt(1.0 - sine2)) : 2.0;
+    return cone_before(sampler->axis, sampler->fall, n);
 }
 
-bool pp_emitters_sampler_init(struct pp_emitter_sampler *aim,
+bool pp_emitters_sampler_init(struct pp_emitter_sampler *sampler,
                               const struct pp_light_scene *scene,
                               const struct pp_emitter *emitter, struct pp_vec3 from,
                               struct pp_vec3 n)
 {
-    aim->emitter = emitter;
-    aim->from = from;
+    sampler->emitter = emitter;
+    sampler->from = from;
     switch (emitter->shape) {
     case PP_EMITTER_PLANE:
         if (!pp_sample_polygon_in_sight(&emitter->target, from, n))
             return false;
-        pp_sample_polygon_init(&aim->plane, &emitter->target, from, n,
+        pp_sample_polygon_init(&sampler->plane, &emitter->target, from, n,
                                (struct pp_brightness){.even = true});
         return true;
     case PP_EMITTER_SPHERE:
-        return aim_at_sphere(aim, n);
+        return init_sphere(sampler, n);
     case PP_EMITTER_DISTANT:
-        aim->axis = scene->distants[emitter->distant].direction;
-        aim->fall = scene->distants[emitter->distant].solid / (2.0 * PP_PI);
-        return cone_before(aim->axis, aim->fall, n);
+        sampler->axis = scene->distants[emitter->distant].direction;
+        sampler->fall = scene->distants[emitter->distant].solid / (2.0 * PP_PI);
+        return cone_before(sampler->axis, sampler->fall, n);
     default:
         return true;
     }
 }
 
-static bool sample_by_area(const struct pp_emitter_sampler *aim, double u, double v,
-                           struct pp_direction_sample *aimed)
+static bool sample_by_area(const struct pp_emitter_sampler *sampler, double u, double v,
+                           struct pp_direction_sample *sample)
 {
-    const struct pp_emitter *emitter = aim->emitter;
-    aimed->point = pp_round_point(&emitter->round, u, v);
-    struct pp_vec3 to = pp_vec_sub(aimed->point, aim->from);
+    const struct pp_emitter *emitter = sampler->emitter;
+    sample->point = pp_round_point(&emitter->round, u, v);
+    struct pp_vec3 to = pp_vec_sub(sample->point, sampler->from);
     double square = pp_vec_dot(to, to);
-    aimed->distance_m = sqrt(square);
-    aimed->direction = pp_vec_scale(to, 1.0 / aimed->distance_m);
-    struct pp_vec3 normal = pp_round_normal(&emitter->round, aimed->point);
+    sample->distance_m = sqrt(square);
+    sample->direction = pp_vec_scale(to, 1.0 / sample->distance_m);
+    struct pp_vec3 normal = pp_round_normal(&emitter->round, sample->point);
     double facing =
-        -pp_vec_dot(normal, aimed->direction) * (emitter->back ? -1.0 : 1.0);
-    aimed->per_density = emitter->area_m2 * facing / square;
+        -pp_vec_dot(normal, sample->direction) * (emitter->back ? -1.0 : 1.0);
+    sample->per_density = emitter->area_m2 * facing / square;
     return facing > 0.0;
 }
 
-bool pp_emitters_sample(const struct pp_emitter_sampler *aim, double u, double v,
-                        struct pp_direction_sample *aimed)
+bool pp_emitters_sample(const struct pp_emitter_sampler *sampler, double u, double v,
+                        struct pp_direction_sample *sample)
 {
-    switch (aim->emitter->shape) {
+    switch (sampler->emitter->shape) {
     case PP_EMITTER_PLANE:
-        *aimed = pp_sample_polygon_draw(&aim->plane, u, v);
+        *sample = pp_sample_polygon_draw(&sampler->plane, u, v);
         return true;
     case PP_EMITTER_ROUND:
-        return sample_by_area(aim, u, v, aimed);
+        return sample_by_area(sampler, u, v, sample);
     default:
         break;
     }
-    aimed->direction = in_cone(aim->axis, aim->fall, u, v);
-    aimed->per_density = 2.0 * PP_PI * aim->fall;
-    aimed->distance_m = INFINITY;
-    if (aim->emitter->shape == PP_EMITTER_SPHERE
-        && !pp_round_meet(&aim->emitter->round, aim->from, aimed->direction, 1e-9,
-                          INFINITY, &aimed->distance_m))
-        return false; /* its very rim */
+    sample->direction = in_cone(sampler->axis, sampler->fall, u, v);
+    sample->per_density = 2.0 * PP_PI * sampler->fall;
+    sample->distance_m = INFINITY;
+    if (sampler->emitter->shape == PP_EMITTER_SPHERE
+        && !pp_round_meet(&sampler->emitter->round, sampler->from, sample->direction,
+                          1e-9, INFINITY, &sample->distance_m))
+        return false; /* a grazing ray, at the rim */
     return true;
 }
 
@@ -319,15 +309,4 @@ double pp_emitters_importance(const struct pp_emitter *emitter,
         slant = -pp_vec_dot(emitter->target.normal, to) / length;
     return light * emitter->area_m2 / (square + emitter->area_m2) * fmax(facing, 0.1)
            * fmax(slant, 0.05);
-}
-
-uint32_t pp_emitters_direction_count(double spread, double size, int most)
-{
-    uint32_t count = 1;
-    if (!(size > 0.0))
-        return count;
-    double wanted = spread / size * (spread / size);
-    while ((double)count < wanted && 2 * count <= (uint32_t)most)
-        count *= 2;
-    return count;
 }

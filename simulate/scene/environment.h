@@ -1,4 +1,4 @@
-/* environment.h - what a ray meets that leaves the scene: sky, ground, skylines.
+/* environment.h - the light of a ray that leaves the scene: sky, ground, skylines.
  *
  * Light is given as pi times luminance over the horizontal illuminance Eh of the open
  * sky, so that the mean over a cosine lobe is an illuminance over Eh.
@@ -9,10 +9,14 @@
  *     rho (Ev + rho_ground / 2)
  *
  * where Ev is the open sky's illuminance on it. Without a distance it hides the
- * directions u with 0 < u.z < tan(angle) (u.o), o the outward horizontal of its wall:
- * the limit of a face ever farther away and higher. With a distance it stands on the
- * ground at that distance from its wall and is met at a point, from either side. Its
- * light is the same by convention: the room's own building does not shadow it.
+ * directions u with
+ *
+ *     0 < u.z < tan(angle) (u.o)
+ *
+ * o the outward horizontal of its wall: the limit of a face ever farther away and
+ * higher. With a distance it stands on the ground at that distance from its wall and is
+ * met at a point, from either side. Its light is the same by convention: the room's own
+ * building does not shadow it.
  */
 #ifndef PP_SIMULATE_SCENE_ENVIRONMENT_H
 #define PP_SIMULATE_SCENE_ENVIRONMENT_H
@@ -46,19 +50,19 @@ struct pp_environment {
 };
 
 /* Lengths and points are measured from `centre`. */
-enum pp_status pp_environment_init(struct pp_environment *outside,
+enum pp_status pp_environment_init(struct pp_environment *environment,
                                    const struct pp_world *world, struct pp_vec3 centre,
                                    struct pp_error *err);
-void pp_environment_clear(struct pp_environment *outside);
+void pp_environment_clear(struct pp_environment *environment);
 
 /* The distance at which the ray from p along u (unit) meets a near skyline, with its
  * exitance; INFINITY if it meets none. */
-double pp_environment_near_skyline(const struct pp_environment *outside,
+double pp_environment_near_skyline(const struct pp_environment *environment,
                                    struct pp_vec3 p, struct pp_vec3 u,
                                    double *exitance);
 
 /* The light from direction u (unit) where no surface and no near skyline is met. */
-double pp_environment_light(const struct pp_environment *outside, struct pp_vec3 u,
+double pp_environment_light(const struct pp_environment *environment, struct pp_vec3 u,
                             bool *is_sky);
 
 #endif

@@ -1,16 +1,13 @@
-/* light_hash.c - a number that hangs on all that a light scene is made of: value by
- * value, since the gaps within structs hold anything. */
+/* light_hash.c - a scene stirred into a number value by value, since the gaps within
+ * structs hold anything. */
+#include "simulate/scene/light_hash.h"
+
 #include "simulate/sampling/hash.h"
-#include "simulate/scene/light_parts.h"
+#include "simulate/scene/light_scene_parts.h"
 
 static uint64_t stir(uint64_t hash, double value)
 {
     return pp_hash_double(hash, value);
-}
-
-static uint64_t stir_vec(uint64_t hash, struct pp_vec3 v)
-{
-    return stir(stir(stir(hash, v.x), v.y), v.z);
 }
 
 static uint64_t stir_rgb(uint64_t hash, struct pp_rgb c)
@@ -21,7 +18,7 @@ static uint64_t stir_rgb(uint64_t hash, struct pp_rgb c)
 static uint64_t stir_sky(uint64_t hash, const struct pp_sky *sky)
 {
     hash = stir(stir(hash, sky->kind), sky->iso);
-    hash = stir_vec(hash, sky->sun);
+    hash = pp_hash_vec(hash, sky->sun);
     hash = stir(stir(stir(hash, sky->a), sky->b), sky->c);
     return stir(stir(stir(hash, sky->d), sky->e), sky->per_horizontal);
 }
@@ -32,7 +29,7 @@ static uint64_t stir_material(uint64_t hash, const struct pp_material *m)
         hash = pp_hash(hash, (unsigned char)*c);
     hash = stir(stir_rgb(stir_rgb(hash, m->diffuse), m->gloss), m->kind);
     hash = stir(stir(hash, m->roughness[0]), m->roughness[1]);
-    hash = stir_vec(hash, m->grain);
+    hash = pp_hash_vec(hash, m->grain);
     hash = stir_rgb(stir_rgb(hash, m->through_diffuse), m->through_gloss);
     for (int i = 0; i < 3; i++) {
         hash = stir(stir(hash, m->glass[i].panes), m->glass[i].n);
@@ -48,18 +45,18 @@ static uint64_t stir_pattern(uint64_t hash, const struct pp_pattern *p)
 {
     hash = stir(stir(hash, p->kind), p->factor);
     for (int i = 0; p->kind == PP_PATTERN_SKY && i < p->skyline_count; i++) {
-        hash = stir_vec(hash, p->skylines[i].outward);
+        hash = pp_hash_vec(hash, p->skylines[i].outward);
         hash = stir(stir(hash, p->skylines[i].slope), p->skylines[i].radiance);
     }
     if (p->kind == PP_PATTERN_SKY)
         return stir_sky(hash, &p->sky);
     hash = stir(stir(stir(stir(hash, p->type), p->zenith), p->ground), p->norm);
-    return stir_vec(hash, p->sun);
+    return pp_hash_vec(hash, p->sun);
 }
 
 static uint64_t stir_part(uint64_t hash, const struct pp_light_part *part)
 {
-    hash = stir(stir_vec(hash, part->normal), part->offset_m);
+    hash = stir(pp_hash_vec(hash, part->normal), part->offset_m);
     hash = stir(stir(hash, part->material[0]), part->material[1]);
     return stir(stir(hash, part->back_emits), part->envelope);
 }
@@ -69,27 +66,33 @@ static uint64_t stir_round(uint64_t hash, const struct pp_shape *shape)
     hash = stir(stir(hash, shape->kind), shape->inward);
     switch (shape->kind) {
     case PP_SHAPE_SPHERE:
-        return stir(stir_vec(hash, shape->is.sphere.centre), shape->is.sphere.radius_m);
+        return stir(pp_hash_vec(hash, shape->is.sphere.centre),
+                    shape->is.sphere.radius_m);
     case PP_SHAPE_RING:
-        hash = stir_vec(stir_vec(hash, shape->is.ring.centre), shape->is.ring.axis);
+        hash =
+            pp_hash_vec(pp_hash_vec(hash, shape->is.ring.centre), shape->is.ring.axis);
         return stir(stir(hash, shape->is.ring.radii_m[0]), shape->is.ring.radii_m[1]);
     default:
-        hash = stir_vec(stir_vec(hash, shape->is.cone.ends[0]), shape->is.cone.ends[1]);
+        hash = pp_hash_vec(pp_hash_vec(hash, shape->is.cone.ends[0]),
+                           shape->is.cone.ends[1]);
         return stir(stir(hash, shape->is.cone.radii_m[0]), shape->is.cone.radii_m[1]);
     }
 }
 
-static uint64_t stir_outside(uint64_t hash, const struct pp_environment *outside)
+static uint64_t stir_environment(uint64_t hash,
+                                 const struct pp_environment *environment)
 {
-    hash = stir_sky(hash, &outside->sky);
-    hash = stir(stir(hash, outside->ground_reflectance), outside->ground_level_m);
-    for (int i = 0; i < outside->far_count; i++) {
-        const struct pp_far_skyline *far = &outside->far_skylines[i];
-        hash = stir(stir(stir_vec(hash, far->outward), far->slope), far->exitance);
+    hash = stir_sky(hash, &environment->sky);
+    hash =
+        stir(stir(hash, environment->ground_reflectance), environment->ground_level_m);
+    for (int i = 0; i < environment->far_count; i++) {
+        const struct pp_far_skyline *far = &environment->far_skylines[i];
+        hash = stir(stir(pp_hash_vec(hash, far->outward), far->slope), far->exitance);
     }
-    for (int i = 0; i < outside->near_count; i++) {
-        const struct pp_near_skyline *near = &outside->near_skylines[i];
-        hash = stir(stir(stir_vec(hash, near->outward), near->offset_m), near->head_m);
+    for (int i = 0; i < environment->near_count; i++) {
+        const struct pp_near_skyline *near = &environment->near_skylines[i];
+        hash =
+            stir(stir(pp_hash_vec(hash, near->outward), near->offset_m), near->head_m);
         hash = stir(stir(hash, near->exitance[0]), near->exitance[1]);
     }
     return hash;
@@ -97,7 +100,7 @@ static uint64_t stir_outside(uint64_t hash, const struct pp_environment *outside
 
 void pp_light_hash_scene(struct pp_light_scene *scene, const float (*triangles)[3][3])
 {
-    uint64_t hash = stir_vec(0, scene->centre);
+    uint64_t hash = pp_hash_vec(0, scene->centre);
     for (int i = 0; i < scene->material_count; i++)
         hash = stir_material(hash, &scene->materials[i]);
     for (int i = 0; i < scene->pattern_count; i++)
@@ -106,16 +109,18 @@ void pp_light_hash_scene(struct pp_light_scene *scene, const float (*triangles)[
         hash = stir_part(hash, &scene->parts[i]);
     for (int i = 0; i < scene->triangle_count; i++)
         for (int k = 0; k < 3; k++)
-            hash = triangles
-                       ? stir_vec(hash, pp_vec(triangles[i][k][0], triangles[i][k][1],
+            hash =
+                triangles
+                    ? pp_hash_vec(hash, pp_vec(triangles[i][k][0], triangles[i][k][1],
                                                triangles[i][k][2]))
-                       : stir_vec(hash, scene->room->triangles[i][k]);
+                    : pp_hash_vec(hash, scene->room->triangles[i][k]);
     for (int i = 0; i < scene->round_count; i++)
         hash = stir_round(hash, &scene->rounds[i]);
     for (int i = 0; i < scene->distant_count; i++) {
         const struct pp_distant *distant = &scene->distants[i];
-        hash = stir(stir_vec(hash, distant->direction), distant->cos_half);
+        hash = stir(pp_hash_vec(hash, distant->direction), distant->cos_half);
         hash = stir(hash, distant->material);
     }
-    scene->hash = scene->room ? stir_outside(hash, &scene->room->outside) : hash;
+    scene->hash =
+        scene->room ? stir_environment(hash, &scene->room->environment) : hash;
 }

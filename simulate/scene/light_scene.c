@@ -1,9 +1,12 @@
-/* light_scene.c - see light_scene.h: what rays meet. How the parts come about is in
- * light_scene_of_description.c and light_scene_of_world.c. */
+/* light_scene.c - what rays meet in a light scene, its materials and its environment.
+ * light_scene_of_description.c and light_scene_of_world.c make the parts. */
+#include "simulate/scene/light_scene.h"
+
 #include <math.h>
 #include <stdlib.h>
 
-#include "simulate/scene/light_parts.h"
+#include "model/base/array.h"
+#include "simulate/scene/light_scene_parts.h"
 #include "simulate/scene/round.h"
 #include "model/room/position.h"
 
@@ -54,23 +57,17 @@ uint64_t pp_light_scene_hash(const struct pp_light_scene *scene)
     return scene->hash;
 }
 
-void pp_light_scene_bounds(const struct pp_light_scene *scene, bool room,
-                           struct pp_vec3 *low, struct pp_vec3 *high)
+struct pp_bounds3 pp_light_scene_bounds(const struct pp_light_scene *scene, bool room)
 {
-    *low = scene->low;
-    *high = scene->high;
     if (!room || !scene->world || scene->world->face_count == 0)
-        return;
-    *low = pp_vec(INFINITY, INFINITY, INFINITY);
-    *high = pp_vec(-INFINITY, -INFINITY, -INFINITY);
+        return scene->bounds;
+    struct pp_bounds3 bounds = pp_bounds3_empty();
     for (int i = 0; i < scene->world->face_count; i++) {
         const struct pp_polygon *outline = &scene->world->surfaces[i].outline;
-        for (int k = 0; k < outline->count; k++) {
-            struct pp_vec3 v = outline->vertices[k];
-            *low = pp_vec(fmin(low->x, v.x), fmin(low->y, v.y), fmin(low->z, v.z));
-            *high = pp_vec(fmax(high->x, v.x), fmax(high->y, v.y), fmax(high->z, v.z));
-        }
+        for (int k = 0; k < outline->count; k++)
+            pp_bounds3_add(&bounds, outline->vertices[k]);
     }
+    return bounds;
 }
 
 /* ---- materials ---- */
@@ -94,13 +91,10 @@ static enum pp_status find_gloss(struct pp_light_scene *scene,
     for (*number = 0; *number < count; (*number)++)
         if (pp_gloss_is_of(&scene->glosses[*number], roughness[0], roughness[1]))
             return PP_OK;
-    if ((count & (count + 1)) == 0) { /* 0, 1, 3, 7, ...: full */
-        void *grown =
-            realloc(scene->glosses, ((size_t)count * 2 + 1) * sizeof *scene->glosses);
-        if (!grown)
-            return pp_fail_memory(err);
-        scene->glosses = grown;
-    }
+    enum pp_status status =
+        pp_array_append(&scene->glosses, count, sizeof *scene->glosses, err);
+    if (status != PP_OK)
+        return status;
     return pp_gloss_init(&scene->glosses[scene->gloss_count++], roughness[0],
                          roughness[1], err);
 }
@@ -131,14 +125,6 @@ const struct pp_gloss *pp_light_scene_gloss(const struct pp_light_scene *scene,
 
 /* ---- rays ---- */
 
-/* Off the surface that it leaves by more than single precision can lose. */
-static struct pp_vec3 lift(const struct pp_light_ray *ray)
-{
-    struct pp_vec3 p = ray->from;
-    double reach = fabs(p.x) + fabs(p.y) + fabs(p.z);
-    return pp_vec_along(p, 0x1p-20 + 0x1p-20 * reach, ray->off);
-}
-
 /* Puts the hit on the part itself, in double precision. */
 static void refine(const struct pp_light_scene *scene, const struct pp_light_part *part,
                    const struct pp_light_ray *ray, struct pp_vec3 start,
@@ -167,7 +153,7 @@ enum pp_meeting pp_light_scene_meet(const struct pp_light_scene *scene,
                                     const struct pp_light_ray *ray,
                                     struct pp_light_hit *hit)
 {
-    struct pp_vec3 start = lift(ray);
+    struct pp_vec3 start = pp_rays_lift(ray->from, ray->off);
     float origin[3] = {(float)start.x, (float)start.y, (float)start.z};
     float direction[3] = {(float)ray->to.x, (float)ray->to.y, (float)ray->to.z};
     float distance;
@@ -178,9 +164,9 @@ enum pp_meeting pp_light_scene_meet(const struct pp_light_scene *scene,
         hit->distance_m = distance;
 
     /* A skyline with a distance may stand before it. */
-    if (scene->room && !indoors && scene->room->outside.near_count > 0) {
+    if (scene->room && !indoors && scene->room->environment.near_count > 0) {
         double exitance, near = pp_environment_near_skyline(
-                             &scene->room->outside, ray->from, ray->to, &exitance);
+                             &scene->room->environment, ray->from, ray->to, &exitance);
         if (near < hit->distance_m) {
             hit->distance_m = near;
             return PP_MEETS_ENVIRONMENT;
@@ -209,7 +195,7 @@ bool pp_light_scene_first(const struct pp_light_scene *scene,
     return meeting == PP_MEETS_PART;
 }
 
-/* ---- what is beyond ---- */
+/* ---- the environment ---- */
 
 struct pp_rgb pp_light_scene_distant_radiance(const struct pp_light_scene *scene, int i,
                                               struct pp_vec3 u)
@@ -225,7 +211,8 @@ struct pp_rgb pp_light_scene_distant_radiance(const struct pp_light_scene *scene
         pp_scene_description_pattern_value(&scene->patterns[material->pattern], u));
 }
 
-/* The extended one that fills the smallest angle, of those in which u lies. */
+/* The extended distant source that fills the smallest angle, of those in which u
+ * lies. */
 static int distant_in(const struct pp_light_scene *scene, struct pp_vec3 u)
 {
     int found = -1;
@@ -246,9 +233,10 @@ struct pp_rgb pp_light_scene_environment(const struct pp_light_scene *scene,
     bool sky = false;
     double light = 0.0; /* pi L, as environment.h has it */
     if (scene->room && isfinite(near_m))
-        pp_environment_near_skyline(&scene->room->outside, ray->from, ray->to, &light);
+        pp_environment_near_skyline(&scene->room->environment, ray->from, ray->to,
+                                    &light);
     else if (scene->room)
-        light = pp_environment_light(&scene->room->outside, ray->to, &sky);
+        light = pp_environment_light(&scene->room->environment, ray->to, &sky);
     if (is_sky)
         *is_sky = sky;
     if (scene->room)

@@ -1,21 +1,24 @@
-/* light_scene_of_description.c - a light scene out of a description. */
-#include <float.h>
-#include <math.h>
+/* light_scene_of_description.c - the parts, triangles and emitters of a description's
+ * shapes. */
+#include "simulate/scene/light_scene_of_description.h"
+
 #include <stdlib.h>
 #include <string.h>
 
 #include "model/geometry/polygon.h"
-#include "simulate/scene/light_parts.h"
+#include "simulate/scene/light_hash.h"
+#include "simulate/scene/light_scene_parts.h"
 #include "simulate/scene/round.h"
 #include "simulate/scene/triangles.h"
+#include "simulate/scene/unsampled.h"
 
-/* What is needed while the triangles are made. */
+/* A scene that is being made. */
 struct light_scene_builder {
     struct pp_light_scene *scene;
     const struct pp_scene_description *from;
     struct pp_clipper *clipper;
     struct pp_triangles triangles; /* of all polygons */
-    struct pp_vec3 *corners;       /* of the polygon at hand, from the centre */
+    struct pp_vec3 *corners;       /* of one polygon, measured from the centre */
     size_t rounds;                 /* how many there are */
 };
 
@@ -24,38 +27,28 @@ static bool is_polygon(const struct pp_shape *shape)
     return shape->kind == PP_SHAPE_POLYGON;
 }
 
-static void stretch(struct pp_light_scene *scene, struct pp_vec3 low,
-                    struct pp_vec3 high)
-{
-    scene->low = pp_vec(fmin(scene->low.x, low.x), fmin(scene->low.y, low.y),
-                        fmin(scene->low.z, low.z));
-    scene->high = pp_vec(fmax(scene->high.x, high.x), fmax(scene->high.y, high.y),
-                         fmax(scene->high.z, high.z));
-}
-
-/* The box round all, and the mean of all that has a place as the centre: where most is,
- * single precision is best. */
+/* The box round all shapes, and the mean of their points as the centre: there, where
+ * most of them are, single precision is best. */
 static void measure(struct pp_light_scene *scene,
                     const struct pp_scene_description *from)
 {
     struct pp_vec3 sum = {0.0, 0.0, 0.0};
     double count = 0.0;
-    scene->low = pp_vec(DBL_MAX, DBL_MAX, DBL_MAX);
-    scene->high = pp_vec(-DBL_MAX, -DBL_MAX, -DBL_MAX);
+    scene->bounds = pp_bounds3_empty();
     for (int i = 0; i < from->shape_count; i++) {
         const struct pp_shape *shape = &from->shapes[i];
         if (shape->kind == PP_SHAPE_DISTANT)
             continue;
-        struct pp_vec3 low, high;
         if (!is_polygon(shape)) {
-            pp_round_box(shape, &low, &high);
-            stretch(scene, low, high);
-            sum = pp_vec_add(sum, pp_vec_scale(pp_vec_add(low, high), 0.5));
+            struct pp_bounds3 box = pp_round_bounds(shape);
+            pp_bounds3_add(&scene->bounds, box.low);
+            pp_bounds3_add(&scene->bounds, box.high);
+            sum = pp_vec_add(sum, pp_vec_scale(pp_vec_add(box.low, box.high), 0.5));
             count++;
         }
         for (int k = 0; is_polygon(shape) && k < shape->is.polygon.count; k++) {
             struct pp_vec3 v = from->vertices[shape->is.polygon.first + k];
-            stretch(scene, v, v);
+            pp_bounds3_add(&scene->bounds, v);
             sum = pp_vec_add(sum, v);
             count++;
         }
@@ -63,7 +56,7 @@ static void measure(struct pp_light_scene *scene,
     if (count > 0.0)
         scene->centre = pp_vec_scale(sum, 1.0 / count);
     else
-        scene->low = scene->high = pp_vec(0.0, 0.0, 0.0);
+        scene->bounds = (struct pp_bounds3){.low = {0.0, 0.0, 0.0}};
 }
 
 static enum pp_status allocate(struct light_scene_builder *b, struct pp_error *err)
@@ -161,7 +154,7 @@ static enum pp_status add_round(struct light_scene_builder *b,
     return pp_emitters_add_part(scene, index, NULL, 0, NULL, 0, err);
 }
 
-/* Whose the triangles are, and room for the round shapes. */
+/* Which part each triangle belongs to, with space for the round shapes behind. */
 static enum pp_status count_triangles(struct light_scene_builder *b,
                                       struct pp_error *err)
 {
@@ -182,16 +175,10 @@ static enum pp_status make_rays(struct light_scene_builder *b, struct pp_error *
 {
     struct pp_light_scene *scene = b->scene;
     int count = scene->triangle_count;
-    float(*single)[3][3] = malloc(((size_t)count + 1) * sizeof *single);
+    float(*single)[3][3] =
+        pp_triangles_single((const struct pp_vec3(*)[3])b->triangles.corners, count);
     if (!single)
         return pp_fail_memory(err);
-    for (int i = 0; i < count; i++)
-        for (int k = 0; k < 3; k++) {
-            struct pp_vec3 v = b->triangles.corners[i][k];
-            single[i][k][0] = (float)v.x;
-            single[i][k][1] = (float)v.y;
-            single[i][k][2] = (float)v.z;
-        }
     pp_light_hash_scene(scene, (const float(*)[3][3])single);
     enum pp_status status =
         pp_rays_create_with(&scene->rays, (const float(*)[3][3])single, count,

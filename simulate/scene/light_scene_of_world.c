@@ -1,17 +1,18 @@
-/* light_scene_of_world.c - a light scene out of a room's world: the tracer's scene, with
- * materials. */
-#include <float.h>
-#include <math.h>
+/* light_scene_of_world.c - the parts of a world's surfaces and panes: the facets of the
+ * tracer's scene, with materials. */
+#include "simulate/scene/light_scene_of_world.h"
+
 #include <stdlib.h>
 
 #include "model/room/surface_materials.h"
-#include "simulate/scene/light_parts.h"
+#include "simulate/scene/light_hash.h"
+#include "simulate/scene/light_scene_parts.h"
 
-/* A new material is compared with so many of the last: a world of a million surfaces
- * has few of them, mostly neighbours. */
+/* A new material is compared with this many of the last: a world of a million surfaces
+ * has few materials, and neighbours mostly share theirs. */
 enum { LOOKED_BACK = 64 };
 
-/* Its number among the scene's; the list has room. */
+/* The material's number among the scene's; the list is long enough for one more. */
 static int number_of(struct pp_light_scene *scene, struct pp_material material)
 {
     int last = scene->material_count - LOOKED_BACK;
@@ -69,14 +70,10 @@ static struct pp_light_part pane_of(struct pp_light_scene *scene, int window)
         .envelope = true};
 }
 
-static void stretch(struct pp_light_scene *scene, const struct pp_polygon *outline)
+static void add_to_bounds(struct pp_bounds3 *bounds, const struct pp_polygon *outline)
 {
-    struct pp_vec3 *low = &scene->low, *high = &scene->high;
-    for (int i = 0; i < outline->count; i++) {
-        struct pp_vec3 v = outline->vertices[i];
-        *low = pp_vec(fmin(low->x, v.x), fmin(low->y, v.y), fmin(low->z, v.z));
-        *high = pp_vec(fmax(high->x, v.x), fmax(high->y, v.y), fmax(high->z, v.z));
-    }
+    for (int i = 0; i < outline->count; i++)
+        pp_bounds3_add(bounds, outline->vertices[i]);
 }
 
 static enum pp_status build(struct pp_light_scene *scene, struct pp_error *err)
@@ -97,16 +94,15 @@ static enum pp_status build(struct pp_light_scene *scene, struct pp_error *err)
     for (size_t i = 0; i < triangles; i++)
         scene->part_of_triangle[i] = room->facet_of_triangle[i];
     scene->triangle_count = room->triangle_count;
-    scene->low = pp_vec(DBL_MAX, DBL_MAX, DBL_MAX);
-    scene->high = pp_vec(-DBL_MAX, -DBL_MAX, -DBL_MAX);
+    scene->bounds = pp_bounds3_empty();
     for (int i = 0; i < world->surface_count; i++) {
         scene->parts[scene->part_count++] = part_of(scene, i);
-        stretch(scene, &world->surfaces[i].outline);
+        add_to_bounds(&scene->bounds, &world->surfaces[i].outline);
     }
     for (int i = 0; i < world->opening_count; i++)
         scene->parts[scene->part_count++] = pane_of(scene, i);
     if (world->surface_count == 0)
-        scene->low = scene->high = pp_vec(0.0, 0.0, 0.0);
+        scene->bounds = (struct pp_bounds3){.low = {0.0, 0.0, 0.0}};
     pp_light_hash_scene(scene, NULL);
     return pp_light_scene_add_glosses(scene, err);
 }

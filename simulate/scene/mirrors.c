@@ -1,26 +1,20 @@
-/* mirrors.c - plane mirrors, by which concentrated emitters are aimed at too. See
- * light_parts.h.
- *
- * As Radiance does for its `mirror` [WS98], but for whatever mirrors: from the image of
- * a point behind the mirror the emitter is aimed at as from the point itself, and the
- * way is unfolded again. Curved mirrors, the lesser planes of many and third
- * reflections are left to chance; what that may bring goes into the stated error
- * (unsampled.c).
- */
+/* mirrors.c - the planes in which parts mirror, and images in one or two of them. */
+#include "simulate/scene/mirrors.h"
+
 #include <math.h>
 #include <stdlib.h>
 
-#include "simulate/scene/light_parts.h"
-#include "simulate/scene/round.h"
 #include "simulate/sampling/scatter.h"
+#include "simulate/scene/light_scene_parts.h"
+#include "simulate/scene/round.h"
 
 enum {
-    MOST_MIRRORS = 8, /* planes */
-    MOST_WAYS = 256,  /* mirror_paths of them times emitters */
+    MOST_MIRRORS = 8,      /* planes */
+    MOST_CONNECTIONS = 256 /* mirror paths times emitters */
 };
 
-/* Planes are one whose normals differ by less than this in the cosine, and whose
- * offsets by less than this share. */
+/* Two planes are the same if their normals differ by less than this in the cosine,
+ * and their offsets by less than this share. */
 static const double SAME_NORMAL = 1e-12, SAME_OFFSET = 1e-7;
 
 /* ---- found ---- */
@@ -28,10 +22,10 @@ static const double SAME_NORMAL = 1e-12, SAME_OFFSET = 1e-7;
 /* A part that mirrors. */
 struct candidate {
     int part;
-    double share, weight; /* weight: how much it may matter */
+    double share, weight; /* its reflectance; that times its area */
 };
 
-/* What it mirrors of light at right angles, on the better of its sides. */
+/* The part's specular reflectance at normal incidence, on the better of its sides. */
 static double share_of(const struct pp_light_scene *scene, int part)
 {
     double share = 0.0;
@@ -83,7 +77,8 @@ static bool same_plane(const struct pp_mirror *a, const struct pp_mirror *b)
            && fabs(offset - a->offset_m) < SAME_OFFSET * (1.0 + fabs(a->offset_m));
 }
 
-/* The mirror in whose plane the part is, a new one if there is room; else -1. */
+/* The mirror in whose plane the part is, a new one if there are not too many;
+ * else -1. */
 static int mirror_of(struct pp_light_scene *scene, const struct candidate *candidate)
 {
     struct pp_mirror plane;
@@ -123,7 +118,7 @@ static enum pp_status find_mirrors(struct pp_light_scene *scene, struct pp_error
     return PP_OK;
 }
 
-/* ---- chained ---- */
+/* ---- mirror paths ---- */
 
 static void add_mirror_path(struct pp_light_scene *scene, int first, int second)
 {
@@ -144,10 +139,10 @@ static int by_share(const void *a, const void *b)
     return x->mirrors[1] - y->mirrors[1];
 }
 
-/* One mirror, or one and then another: the strongest of these. */
+/* Paths by one mirror, or by one and then another: those of the greatest shares. */
 static void make_mirror_paths(struct pp_light_scene *scene)
 {
-    int count = scene->mirror_count, most = MOST_WAYS / scene->emitter_count;
+    int count = scene->mirror_count, most = MOST_CONNECTIONS / scene->emitter_count;
     for (int i = 0; i < count; i++)
         for (int k = -1; k < count; k++)
             if (k != i)
@@ -160,7 +155,8 @@ static void make_mirror_paths(struct pp_light_scene *scene)
                  scene->mirror_paths[scene->mirror_path_count - 1].share);
 }
 
-/* The most that three reflections leave: there, back, and there again. */
+/* The greatest product of three reflectances: of the best mirror, the second, and the
+ * best again. */
 static double share_of_three(const struct pp_light_scene *scene)
 {
     double first = 0.0, second = 0.0;
@@ -190,7 +186,7 @@ enum pp_status pp_mirrors_find(struct pp_light_scene *scene, struct pp_error *er
     return PP_OK;
 }
 
-/* ---- used ---- */
+/* ---- images ---- */
 
 int pp_mirrors_path_extend(const struct pp_light_scene *scene, int mirror_path,
                            int mirror)

@@ -1,39 +1,33 @@
-/* ray_scene.c - see ray_scene.h. */
+/* ray_scene.c - facets, panes and triangles from a world, and rays among them. */
 #include "simulate/scene/ray_scene.h"
 
 #include <float.h>
 #include <math.h>
 #include <stdlib.h>
 
+#include "model/geometry/bounds.h"
 #include "simulate/sampling/choose.h"
 #include "simulate/sampling/lobe.h"
+#include "simulate/sampling/triangle.h"
 #include "simulate/scene/triangles.h"
 
 /* Points nearer than this to a plane lie in it. */
 static const double SAME_PLANE_M = 1e-7;
 
-static void stretch(struct pp_vec3 *low, struct pp_vec3 *high,
-                    const struct pp_polygon *outline)
-{
-    for (int i = 0; i < outline->count; i++) {
-        struct pp_vec3 v = outline->vertices[i];
-        *low = pp_vec(fmin(low->x, v.x), fmin(low->y, v.y), fmin(low->z, v.z));
-        *high = pp_vec(fmax(high->x, v.x), fmax(high->y, v.y), fmax(high->z, v.z));
-    }
-}
-
 /* The middle of the room's box, or of everything's where there is no room. */
 static void find_centre(struct pp_ray_scene *scene, const struct pp_world *world)
 {
-    struct pp_vec3 low = {DBL_MAX, DBL_MAX, DBL_MAX};
-    struct pp_vec3 high = {-DBL_MAX, -DBL_MAX, -DBL_MAX};
+    struct pp_bounds3 box = pp_bounds3_empty();
     int count = scene->has_room ? world->face_count : world->surface_count;
-    for (int i = 0; i < count; i++)
-        stretch(&low, &high, &world->surfaces[i].outline);
+    for (int i = 0; i < count; i++) {
+        const struct pp_polygon *outline = &world->surfaces[i].outline;
+        for (int k = 0; k < outline->count; k++)
+            pp_bounds3_add(&box, outline->vertices[k]);
+    }
     if (count == 0)
         return;
-    scene->centre = pp_vec_scale(pp_vec_add(low, high), 0.5);
-    struct pp_vec3 half = pp_vec_scale(pp_vec_sub(high, low), 0.5);
+    scene->centre = pp_vec_scale(pp_vec_add(box.low, box.high), 0.5);
+    struct pp_vec3 half = pp_vec_scale(pp_vec_sub(box.high, box.low), 0.5);
     scene->size_m = fmax(half.x, fmax(half.y, half.z));
 }
 
@@ -69,9 +63,9 @@ static void make_facets(struct pp_ray_scene *scene, const struct pp_world *world
     }
 }
 
-/* ---- what is known of an opening beforehand ---- */
+/* ---- facts of an opening that save rays ---- */
 
-/* Is no vertex of the outline behind the plane through `on` with normal n? */
+/* Does no vertex of the outline lie behind the plane through `on` with normal n? */
 static bool all_before(const struct pp_polygon *outline, struct pp_vec3 on,
                        struct pp_vec3 n)
 {
@@ -81,8 +75,8 @@ static bool all_before(const struct pp_polygon *outline, struct pp_vec3 on,
     return true;
 }
 
-static bool is_nothing_beyond(const struct pp_world *world,
-                              const struct pp_opening *opening)
+static bool is_unobstructed(const struct pp_world *world,
+                            const struct pp_opening *opening)
 {
     struct pp_vec3 on = opening->outer.vertices[0], n = opening->outer.normal;
     for (int i = 0; i < world->surface_count; i++)
@@ -144,7 +138,7 @@ static void make_panes(struct pp_ray_scene *scene, const struct pp_world *world)
         pane->opening = opening;
         pane->facet = world->surface_count + i;
         pane->seen_by_all = convex;
-        pane->unobstructed = is_nothing_beyond(world, opening);
+        pane->unobstructed = is_unobstructed(world, opening);
         make_target(&pane->target, opening, scene->centre);
     }
 }
@@ -198,25 +192,18 @@ static enum pp_status make_triangles(struct pp_ray_scene *scene,
         target->triangle_count++;
     }
     for (int i = 0; i < scene->plane_count; i++)
-        scene->plane_area_m2 += pp_triangles_area(scene->plane[i]);
+        scene->plane_area_m2 += pp_triangle_area(scene->plane[i]);
     return PP_OK;
 }
 
 static enum pp_status make_rays(struct pp_ray_scene *scene, struct pp_error *err)
 {
-    int count = scene->triangle_count;
-    float(*single)[3][3] = malloc(sizeof *single * (size_t)(count > 0 ? count : 1));
+    float(*single)[3][3] = pp_triangles_single(
+        (const struct pp_vec3(*)[3])scene->triangles, scene->triangle_count);
     if (!single)
         return pp_fail_memory(err);
-    for (int i = 0; i < count; i++)
-        for (int k = 0; k < 3; k++) {
-            struct pp_vec3 v = scene->triangles[i][k];
-            single[i][k][0] = (float)v.x;
-            single[i][k][1] = (float)v.y;
-            single[i][k][2] = (float)v.z;
-        }
-    enum pp_status status =
-        pp_rays_create(&scene->rays, (const float(*)[3][3])single, count, err);
+    enum pp_status status = pp_rays_create(&scene->rays, (const float(*)[3][3])single,
+                                           scene->triangle_count, err);
     free(single);
     return status;
 }
@@ -245,7 +232,7 @@ enum pp_status pp_ray_scene_create(struct pp_ray_scene **result,
     if (status == PP_OK)
         status = make_rays(scene, err);
     if (status == PP_OK)
-        status = pp_environment_init(&scene->outside, world, scene->centre, err);
+        status = pp_environment_init(&scene->environment, world, scene->centre, err);
     if (status != PP_OK) {
         pp_ray_scene_destroy(scene);
         return status;
@@ -260,7 +247,7 @@ void pp_ray_scene_destroy(struct pp_ray_scene *scene)
 {
     if (!scene)
         return;
-    pp_environment_clear(&scene->outside);
+    pp_environment_clear(&scene->environment);
     pp_rays_destroy(scene->rays);
     free(scene->facets);
     free(scene->panes);
@@ -275,29 +262,26 @@ struct pp_vec3 pp_ray_scene_plane_point(const struct pp_ray_scene *scene, double
 {
     double left = u * scene->plane_area_m2;
     int i = 0;
-    double area = pp_triangles_area(scene->plane[0]);
+    double area = pp_triangle_area(scene->plane[0]);
     while (left > area && i < scene->plane_count - 1) {
         left -= area;
-        area = pp_triangles_area(scene->plane[++i]);
+        area = pp_triangle_area(scene->plane[++i]);
     }
-    const struct pp_vec3 *t = scene->plane[i];
-    double root = sqrt(fmin(left / area, 1.0));
-    return pp_vec_add(
-        pp_vec_scale(t[0], 1.0 - root),
-        pp_vec_add(pp_vec_scale(t[1], root * (1.0 - v)), pp_vec_scale(t[2], root * v)));
+    return pp_triangle_point(scene->plane[i], fmin(left / area, 1.0), v);
 }
 
-/* What panes may count at a point of a surface. */
-struct lit_point {
+/* The point of a surface for which a pane is chosen. */
+struct shading_point {
     const struct pp_ray_scene *scene;
     struct pp_vec3 point, normal;
 };
 
 static double importance_of(const void *of, int pane)
 {
-    const struct lit_point *lit = of;
-    return pp_sample_polygon_importance(&lit->scene->panes[pane].target, lit->point,
-                                        lit->normal, lit->scene->brightness);
+    const struct shading_point *shading = of;
+    return pp_sample_polygon_importance(&shading->scene->panes[pane].target,
+                                        shading->point, shading->normal,
+                                        shading->scene->brightness);
 }
 
 int pp_ray_scene_choose_pane(const struct pp_ray_scene *scene, struct pp_vec3 point,
@@ -308,22 +292,14 @@ int pp_ray_scene_choose_pane(const struct pp_ray_scene *scene, struct pp_vec3 po
         return pp_sample_polygon_in_sight(&scene->panes[0].target, point, normal) ? 0
                                                                                   : -1;
     }
-    struct lit_point lit = {scene, point, normal};
-    return pp_choose(importance_of, &lit, scene->pane_count, u, probability);
-}
-
-/* Where a ray starts: off its plane by more than single precision can lose, so that it
- * can't meet that plane again. */
-static struct pp_vec3 lift(struct pp_vec3 p, struct pp_vec3 n)
-{
-    double reach = fabs(p.x) + fabs(p.y) + fabs(p.z);
-    return pp_vec_along(p, 0x1p-20 + 0x1p-20 * reach, n);
+    struct shading_point shading = {scene, point, normal};
+    return pp_choose(importance_of, &shading, scene->pane_count, u, probability);
 }
 
 struct pp_contact pp_ray_scene_first(const struct pp_ray_scene *scene, struct pp_vec3 p,
                                      struct pp_vec3 n, struct pp_vec3 u)
 {
-    struct pp_vec3 start = lift(p, n);
+    struct pp_vec3 start = pp_rays_lift(p, n);
     float origin[3] = {(float)start.x, (float)start.y, (float)start.z};
     float direction[3] = {(float)u.x, (float)u.y, (float)u.z}, distance;
     int triangle = pp_rays_first(scene->rays, origin, direction, &distance);

@@ -1,9 +1,9 @@
-/* ray_scene.h - a world as rays see it.
+/* ray_scene.h - a world as the tracer's rays meet it: grey, diffuse surfaces and glass.
  *
  * Every surface and every pane of glass becomes a facet: a plane with its optics, and
- * triangles for the ray kernels. Faces are cut by their openings. All is moved so that
- * the room's centre is the origin, before it becomes single precision; planes stay in
- * double, and hit points are put back on them.
+ * triangles for the ray kernels. Faces are cut by their openings. Coordinates are
+ * shifted so that the room's centre is the origin, before they become single precision;
+ * planes stay in double, and hit points are put back on these.
  */
 #ifndef PP_SIMULATE_SCENE_RAY_SCENE_H
 #define PP_SIMULATE_SCENE_RAY_SCENE_H
@@ -18,7 +18,7 @@
 
 enum pp_facet_side { PP_FRONT, PP_BACK };
 
-/* A plane figure; openings have their glass as one. */
+/* A plane figure with its optics; each opening's glass is one. */
 struct pp_facet {
     struct pp_vec3 normal, a, b; /* right-handed frame (a, b, normal) */
     double offset_m;             /* normal . x of its points */
@@ -28,7 +28,7 @@ struct pp_facet {
     bool envelope; /* envelope or reveal: its back is not seen from inside the room */
 };
 
-/* An opening and what is known of it beforehand. */
+/* An opening, with facts that save rays. */
 struct pp_pane {
     struct pp_target target;
     const struct pp_opening *opening; /* not owned */
@@ -56,12 +56,12 @@ struct pp_ray_scene {
     int plane_count;
     double plane_area_m2;
 
-    double most_exitance; /* of any surface by itself */
+    double most_exitance; /* the greatest of any surface's own */
     double decorations; /* allowance on what is reflected inside, no matter of paths */
-    bool reflects;      /* does anything that the room sees? */
+    bool reflects;      /* does any surface that the room sees? */
 
-    struct pp_environment outside;
-    struct pp_brightness brightness; /* a guess of what lies beyond the openings */
+    struct pp_environment environment;
+    struct pp_brightness brightness; /* a guess of that outside the openings */
 };
 
 /* world must live as long as the scene. */

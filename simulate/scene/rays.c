@@ -1,4 +1,5 @@
-/* rays.c - see rays.h. */
+/* rays.c - triangles and round shapes in a scene of Embree, and rays sent through
+ * it. */
 #include "config.h"
 
 #include "simulate/scene/rays.h"
@@ -8,7 +9,7 @@
 #include <string.h>
 
 #ifdef HAVE_EMBREE4
-/* Its headers declare functions without a prototype. */
+/* Embree's headers declare functions without a prototype. */
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wstrict-prototypes"
 #include <embree4/rtcore.h>
@@ -27,7 +28,7 @@ struct pp_rays {
     int triangle_count;
 };
 
-/* Embree's last complaint, as ours. */
+/* Embree's last error, as ours. */
 static enum pp_status embree_failed(RTCDevice device, struct pp_error *err)
 {
     enum RTCError code = rtcGetDeviceError(device);
@@ -65,7 +66,7 @@ static enum pp_status attach_triangles(struct pp_rays *rays,
     return PP_OK;
 }
 
-/* Single precision that is not within the box it was rounded from. */
+/* Rounded away from the inside of a box. */
 static float rounded_down(double x)
 {
     return nextafterf((float)x, -INFINITY);
@@ -79,14 +80,13 @@ static float rounded_up(double x)
 static void round_bounds(const struct RTCBoundsFunctionArguments *asked)
 {
     const struct pp_shape *rounds = asked->geometryUserPtr;
-    struct pp_vec3 low, high;
-    pp_round_box(&rounds[asked->primID], &low, &high);
-    *asked->bounds_o = (struct RTCBounds){.lower_x = rounded_down(low.x),
-                                          .lower_y = rounded_down(low.y),
-                                          .lower_z = rounded_down(low.z),
-                                          .upper_x = rounded_up(high.x),
-                                          .upper_y = rounded_up(high.y),
-                                          .upper_z = rounded_up(high.z)};
+    struct pp_bounds3 box = pp_round_bounds(&rounds[asked->primID]);
+    *asked->bounds_o = (struct RTCBounds){.lower_x = rounded_down(box.low.x),
+                                          .lower_y = rounded_down(box.low.y),
+                                          .lower_z = rounded_down(box.low.z),
+                                          .upper_x = rounded_up(box.high.x),
+                                          .upper_y = rounded_up(box.high.y),
+                                          .upper_z = rounded_up(box.high.z)};
 }
 
 static void round_intersect(const struct RTCIntersectFunctionNArguments *asked)

@@ -1,5 +1,5 @@
-/* rays.h - what a ray meets first among triangles and round shapes. The only door to
- * Embree.
+/* rays.h - the first of triangles and round shapes that a ray meets. Embree, the ray
+ * kernels, is called in rays.c alone.
  *
  * Coordinates are single precision and best near the origin. The structure is built
  * once, by one thread, and only read afterwards: any number of threads may ask.
@@ -8,6 +8,7 @@
 #define PP_SIMULATE_SCENE_RAYS_H
 
 #include "model/base/error.h"
+#include "model/geometry/vec.h"
 #include "model/light/scene_description.h"
 
 struct pp_rays;
@@ -28,5 +29,13 @@ void pp_rays_destroy(struct pp_rays *rays); /* NULL is allowed */
  * either side, with its distance in units of direction's length; -1 if none. */
 int pp_rays_first(const struct pp_rays *rays, const float origin[3],
                   const float direction[3], float *distance);
+
+/* Where a ray from p starts: off the surface with normal n that it leaves by more than
+ * single precision can lose, so that it can't meet that surface again. */
+static inline struct pp_vec3 pp_rays_lift(struct pp_vec3 p, struct pp_vec3 n)
+{
+    double reach = fabs(p.x) + fabs(p.y) + fabs(p.z);
+    return pp_vec_along(p, 0x1p-20 + 0x1p-20 * reach, n);
+}
 
 #endif

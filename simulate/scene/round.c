@@ -1,12 +1,17 @@
-/* round.c - see round.h. */
+/* round.c - quadrics and rings met by rays, with their normals, boxes, areas and
+ * points. */
 #include "simulate/scene/round.h"
 
 #include <math.h>
 
 #include "simulate/sampling/lobe.h"
 
-/* The two roots of a t^2 + 2 b t + c = 0 in order; false if there are none. Written so
- * that neither loses its digits where b^2 is much greater than a c. */
+/* The two roots in order of
+ *
+ *     a t^2 + 2 b t + c = 0
+ *
+ * false if there are none. Written so that neither loses its digits where b^2 is much
+ * greater than a c. */
 static bool roots(double a, double b, double c, double t[2])
 {
     double inner = b * b - a * c;
@@ -30,7 +35,8 @@ static bool meet_sphere(const struct pp_shape *shape, struct pp_vec3 p,
     return roots(pp_vec_dot(u, u), pp_vec_dot(w, u), pp_vec_dot(w, w) - r * r, t);
 }
 
-/* A cone's axis: from its first end, unit, with its length and its radius' growth. */
+/* A cone's axis: its direction from the first end (unit), its length, and the radius
+ * that the cone gains along each metre. */
 struct axis {
     struct pp_vec3 along;
     double length_m, growth;
@@ -45,8 +51,10 @@ static struct axis axis_of(const struct pp_shape *cone)
                              / length};
 }
 
-/* With h the height along the axis d, k the growth and r the first radius, its points
- * have x^2 - h^2 = (r + k h)^2. */
+/* With x from the first end, h its part along the axis, k the growth and r the first
+ * radius, the cone's points have
+ *
+ *     x^2 - h^2 = (r + k h)^2 */
 static bool meet_cone(const struct pp_shape *shape, struct pp_vec3 p, struct pp_vec3 u,
                       double t[2])
 {
@@ -115,17 +123,16 @@ struct pp_vec3 pp_round_normal(const struct pp_shape *shape, struct pp_vec3 poin
         n = pp_vec_along(out, -axis.growth * pp_vec_length(out), axis.along);
     }
     double length = pp_vec_length(n);
-    if (!(length > 0.0)) /* a cone's very tip */
+    if (!(length > 0.0)) /* a cone's tip */
         return pp_vec(0.0, 0.0, 1.0);
     return pp_vec_scale(n, (shape->inward ? -1.0 : 1.0) / length);
 }
 
-static void stretch(struct pp_vec3 *low, struct pp_vec3 *high, struct pp_vec3 centre,
-                    struct pp_vec3 reach)
+static void add_disc(struct pp_bounds3 *bounds, struct pp_vec3 centre,
+                     struct pp_vec3 reach)
 {
-    struct pp_vec3 from = pp_vec_sub(centre, reach), to = pp_vec_add(centre, reach);
-    *low = pp_vec(fmin(low->x, from.x), fmin(low->y, from.y), fmin(low->z, from.z));
-    *high = pp_vec(fmax(high->x, to.x), fmax(high->y, to.y), fmax(high->z, to.z));
+    pp_bounds3_add(bounds, pp_vec_sub(centre, reach));
+    pp_bounds3_add(bounds, pp_vec_add(centre, reach));
 }
 
 /* How far a disc about the axis reaches along each coordinate. */
@@ -136,23 +143,22 @@ static struct pp_vec3 disc_reach(struct pp_vec3 axis, double radius)
                   radius * sqrt(fmax(0.0, 1.0 - axis.z * axis.z)));
 }
 
-void pp_round_box(const struct pp_shape *shape, struct pp_vec3 *low,
-                  struct pp_vec3 *high)
+struct pp_bounds3 pp_round_bounds(const struct pp_shape *shape)
 {
-    *low = pp_vec(INFINITY, INFINITY, INFINITY);
-    *high = pp_vec(-INFINITY, -INFINITY, -INFINITY);
+    struct pp_bounds3 bounds = pp_bounds3_empty();
     if (shape->kind == PP_SHAPE_SPHERE) {
         double r = shape->is.sphere.radius_m;
-        stretch(low, high, shape->is.sphere.centre, pp_vec(r, r, r));
+        add_disc(&bounds, shape->is.sphere.centre, pp_vec(r, r, r));
     } else if (shape->kind == PP_SHAPE_RING) {
-        stretch(low, high, shape->is.ring.centre,
-                disc_reach(shape->is.ring.axis, shape->is.ring.radii_m[1]));
+        add_disc(&bounds, shape->is.ring.centre,
+                 disc_reach(shape->is.ring.axis, shape->is.ring.radii_m[1]));
     } else {
         struct pp_vec3 axis = axis_of(shape).along;
         for (int i = 0; i < 2; i++)
-            stretch(low, high, shape->is.cone.ends[i],
-                    disc_reach(axis, shape->is.cone.radii_m[i]));
+            add_disc(&bounds, shape->is.cone.ends[i],
+                     disc_reach(axis, shape->is.cone.radii_m[i]));
     }
+    return bounds;
 }
 
 double pp_round_area(const struct pp_shape *shape)

@@ -1,37 +1,25 @@
-/* triangles.c - see triangles.h. */
+/* triangles.c - polygons cut into fans, or by the clipper where they are not convex. */
 #include "simulate/scene/triangles.h"
 
 #include <math.h>
 #include <stdbool.h>
 #include <stdlib.h>
 
+#include "model/base/array.h"
 #include "model/room/face_less_openings.h"
 #include "simulate/sampling/lobe.h"
-
-double pp_triangles_area(const struct pp_vec3 triangle[3])
-{
-    return pp_vec_length(pp_vec_cross(pp_vec_sub(triangle[1], triangle[0]),
-                                      pp_vec_sub(triangle[2], triangle[0])))
-           / 2.0;
-}
 
 static enum pp_status append(struct pp_triangles *list, struct pp_vec3 a,
                              struct pp_vec3 b, struct pp_vec3 c, int facet,
                              struct pp_error *err)
 {
-    if (list->count == list->capacity) {
-        int capacity = list->capacity ? 2 * list->capacity : 64;
-        void *corners =
-            realloc(list->corners, (size_t)capacity * sizeof *list->corners);
-        if (!corners)
-            return pp_fail_memory(err);
-        list->corners = corners;
-        int *facet_of = realloc(list->facet_of, (size_t)capacity * sizeof *facet_of);
-        if (!facet_of)
-            return pp_fail_memory(err);
-        list->facet_of = facet_of;
-        list->capacity = capacity;
-    }
+    enum pp_status status =
+        pp_array_append(&list->corners, list->count, sizeof *list->corners, err);
+    if (status == PP_OK)
+        status =
+            pp_array_append(&list->facet_of, list->count, sizeof *list->facet_of, err);
+    if (status != PP_OK)
+        return status;
     list->corners[list->count][0] = a;
     list->corners[list->count][1] = b;
     list->corners[list->count][2] = c;
@@ -39,7 +27,7 @@ static enum pp_status append(struct pp_triangles *list, struct pp_vec3 a,
     return PP_OK;
 }
 
-/* Does it turn left at every corner, once round in all? */
+/* Does the outline turn left at every corner, and once round in all? */
 static bool is_convex(const struct pp_polygon *polygon)
 {
     int n = polygon->count;
@@ -96,6 +84,19 @@ static enum pp_status triangulate(struct pp_triangles *list, struct pp_clipper *
     free(pieces);
     pp_region_clear(&region);
     return status;
+}
+
+float (*pp_triangles_single(const struct pp_vec3 (*corners)[3], int count))[3][3]
+{
+    float(*single)[3][3] = malloc(((size_t)count + 1) * sizeof *single);
+    for (int i = 0; single && i < count; i++)
+        for (int k = 0; k < 3; k++) {
+            struct pp_vec3 v = corners[i][k];
+            single[i][k][0] = (float)v.x;
+            single[i][k][1] = (float)v.y;
+            single[i][k][2] = (float)v.z;
+        }
+    return single;
 }
 
 void pp_triangles_clear(struct pp_triangles *list)

@@ -1,4 +1,6 @@
-/* triangles.h - plane figures cut into triangles. */
+/* triangles.h - surfaces, panes and the working plane cut into triangles, for the ray
+ * kernels and for sampling by area.
+ */
 #ifndef PP_SIMULATE_SCENE_TRIANGLES_H
 #define PP_SIMULATE_SCENE_TRIANGLES_H
 
@@ -8,7 +10,7 @@
 struct pp_triangles {
     struct pp_vec3 (*corners)[3];
     int *facet_of; /* of each triangle */
-    int count, capacity;
+    int count;
 };
 
 void pp_triangles_clear(struct pp_triangles *list); /* leaves the empty list */
@@ -34,6 +36,8 @@ enum pp_status pp_triangles_of_plane(struct pp_vec3 (**triangles)[3], int *count
                                      const struct pp_world *world,
                                      struct pp_vec3 centre, struct pp_error *err);
 
-double pp_triangles_area(const struct pp_vec3 triangle[3]);
+/* The corners in single precision, for the ray kernels; to be freed. NULL: no
+ * memory. */
+float (*pp_triangles_single(const struct pp_vec3 (*corners)[3], int count))[3][3];
 
 #endif

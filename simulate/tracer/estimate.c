@@ -1,18 +1,19 @@
-/* estimate.c - see estimate.h. */
+/* estimate.c - standard errors, bounds on light that was never found, and plans. */
 #include "simulate/tracer/estimate.h"
 
 #include <math.h>
 
 const double PP_LEAST_ERROR = 0.00002;
 
-/* The plan aims at this share of the error asked for: its variances are estimates. */
-static const double AIM = 0.92;
+/* The plan is for this share of the error asked for, since its variances are estimates.
+ * Chosen by trial. */
+static const double PLANNED_SHARE = 0.92;
 
 /* How the variance of a randomisation's mean falls with its paths, n to the minus
- * this; guessed on the safe side, the direct part's directions being smooth. */
+ * this: chosen on the safe side. */
 static const double FALL[PP_ESTIMATORS] = {1.5, 1.2, 1.05};
 
-/* What a path costs beside its rays, in rays. */
+/* The cost of a path beside its rays, in rays. Chosen by trial. */
 static const double PATH_COST = 1.0;
 
 double pp_estimate_student_factor(int count)
@@ -20,40 +21,40 @@ double pp_estimate_student_factor(int count)
     return sqrt((count - 1.0) / (count - 3.0));
 }
 
-/* Mean and variance of some figure of the begun items; returns how many there are. */
-struct item_spread {
+/* Mean and variance of some figure of the begun randomisations; returns how many there
+ * are. */
+struct randomisation_spread {
     double mean, variance;
     int count;
 };
 
-static struct item_spread spread_of(const struct pp_randomisation *items, int count,
-                                    double (*value)(const struct pp_randomisation *,
-                                                    int),
-                                    int which)
+static struct randomisation_spread spread_of(
+    const struct pp_randomisation *randomisations, int count,
+    double (*value)(const struct pp_randomisation *, int), int which)
 {
-    struct item_spread spread = {0.0, 0.0, 0};
+    struct randomisation_spread spread = {0.0, 0.0, 0};
     for (int i = 0; i < count; i++)
-        if (pp_randomisation_is_begun(&items[i])) {
-            spread.mean += value(&items[i], which);
+        if (pp_randomisation_is_begun(&randomisations[i])) {
+            spread.mean += value(&randomisations[i], which);
             spread.count++;
         }
     if (spread.count < 2)
         return spread;
     spread.mean /= spread.count;
     for (int i = 0; i < count; i++)
-        if (pp_randomisation_is_begun(&items[i])) {
-            double off = value(&items[i], which) - spread.mean;
+        if (pp_randomisation_is_begun(&randomisations[i])) {
+            double off = value(&randomisations[i], which) - spread.mean;
             spread.variance += off * off;
         }
     spread.variance /= spread.count - 1;
     return spread;
 }
 
-struct pp_reading pp_estimate(const struct pp_randomisation *items, int count,
+struct pp_reading pp_estimate(const struct pp_randomisation *randomisations, int count,
                               int component, const struct pp_component_bound *most)
 {
-    struct item_spread spread =
-        spread_of(items, count, pp_randomisation_value, component);
+    struct randomisation_spread spread =
+        spread_of(randomisations, count, pp_randomisation_value, component);
     if (spread.count < 4)
         return pp_reading_none("not sampled yet");
     struct pp_reading reading = {.value = spread.mean};
@@ -67,15 +68,16 @@ struct pp_reading pp_estimate(const struct pp_randomisation *items, int count,
         if (component == i || component == PP_DF)
             could += most->part[i];
     for (int i = 0; i < count; i++)
-        paths += items[i].done.of[component == PP_IRC ? PP_CORRECTION : PP_DIRECT];
+        paths +=
+            randomisations[i].done.of[component == PP_IRC ? PP_CORRECTION : PP_DIRECT];
     reading.std_error = could > 0.0 ? fmax(could, fabs(spread.mean)) / paths : 0.0;
     return reading;
 }
 
-/* ---- what could come at all ---- */
+/* ---- bounds ---- */
 
-/* About what an opening would bring if nothing stood before it: pi times the luminance
- * of an overcast horizon is 3/7 of Eh, and importance counts by that. */
+/* About the daylight factor by an opening if nothing stood before it: pi times the
+ * luminance of an overcast horizon is 3/7 of Eh, the unit of the importance. */
 static double share_of(const struct pp_ray_scene *scene, const struct pp_start *start,
                        const struct pp_pane *pane)
 {
@@ -87,8 +89,8 @@ static double share_of(const struct pp_ray_scene *scene, const struct pp_start *
                                                         start->normal, even));
 }
 
-/* Does the opening show the point a direction that rises (falls)? To be on the safe
- * side, of an opening partly below the point's own horizon all of it counts. */
+/* Does the point see the opening in a direction that rises (falls)? On the safe side:
+ * an opening partly behind the point's own plane counts whole. */
 static bool shows(const struct pp_start *start, const struct pp_pane *pane, bool rising)
 {
     const struct pp_target *target = &pane->target;
@@ -117,7 +119,7 @@ struct pp_component_bound pp_estimate_bound(const struct pp_ray_scene *scene,
         return most;
     }
     double area = 0.0;
-    bool skylines = scene->outside.far_count + scene->outside.near_count > 0;
+    bool skylines = scene->environment.far_count + scene->environment.near_count > 0;
     for (int i = 0; i < scene->pane_count; i++) {
         const struct pp_pane *pane = &scene->panes[i];
         double share = share_of(scene, start, pane);
@@ -134,11 +136,11 @@ struct pp_component_bound pp_estimate_bound(const struct pp_ray_scene *scene,
     return most;
 }
 
-/* ---- how many more ---- */
+/* ---- plans ---- */
 
-static double part_of(const struct pp_randomisation *item, int estimator)
+static double part_of(const struct pp_randomisation *randomisation, int estimator)
 {
-    return pp_randomisation_part(item, (enum pp_estimator)estimator);
+    return pp_randomisation_part(randomisation, (enum pp_estimator)estimator);
 }
 
 /* Variances of the estimators, with what one path costs. */
@@ -146,15 +148,15 @@ struct outlook {
     double variance[PP_ESTIMATORS], cost[PP_ESTIMATORS];
 };
 
-static struct outlook look(const struct pp_randomisation *items, int count)
+static struct outlook look(const struct pp_randomisation *randomisations, int count)
 {
     struct outlook outlook;
     for (int k = 0; k < PP_ESTIMATORS; k++) {
-        outlook.variance[k] = spread_of(items, count, part_of, k).variance;
+        outlook.variance[k] = spread_of(randomisations, count, part_of, k).variance;
         double rays = 0.0, paths = 0.0;
         for (int i = 0; i < count; i++) {
-            rays += (double)items[i].rays[k];
-            paths += items[i].done.of[k];
+            rays += (double)randomisations[i].rays[k];
+            paths += randomisations[i].done.of[k];
         }
         outlook.cost[k] = rays / paths + PATH_COST;
     }
@@ -200,14 +202,15 @@ static int most_rewarding(const struct outlook *outlook, struct pp_counts counts
     return best;
 }
 
-struct pp_plan pp_estimate_plan(const struct pp_randomisation *items, int count,
-                                double error, struct pp_counts least)
+struct pp_plan pp_estimate_plan(const struct pp_randomisation *randomisations,
+                                int count, double error, struct pp_counts least)
 {
-    struct outlook outlook = look(items, count);
-    struct pp_counts counts = items[0].done;
+    struct outlook outlook = look(randomisations, count);
+    struct pp_counts counts = randomisations[0].done;
     /* The variance that one of so few randomisations may have. */
-    double aim = AIM * error / pp_estimate_student_factor(PP_RANDOMISATIONS);
-    double allowed = aim * aim * PP_RANDOMISATIONS;
+    double planned =
+        PLANNED_SHARE * error / pp_estimate_student_factor(PP_RANDOMISATIONS);
+    double allowed = planned * planned * PP_RANDOMISATIONS;
 
     for (int k = 0; k < PP_ESTIMATORS; k++)
         while (counts.of[k] < least.of[k])
@@ -220,11 +223,11 @@ struct pp_plan pp_estimate_plan(const struct pp_randomisation *items, int count,
         double more = fmax(1.0, variance / allowed);
         int next = variance > allowed ? most_rewarding(&outlook, counts) : -1;
         if (more <= 2.0 || next < 0) {
-            int randomisations = (int)ceil(PP_RANDOMISATIONS * fmin(more, 1000.0));
-            double cost = randomisations * total_cost(&outlook, counts);
+            int wanted = (int)ceil(PP_RANDOMISATIONS * fmin(more, 1000.0));
+            double cost = wanted * total_cost(&outlook, counts);
             if (cost < cheapest) {
                 cheapest = cost;
-                plan = (struct pp_plan){counts, randomisations};
+                plan = (struct pp_plan){counts, wanted};
             }
         }
         if (next < 0)

@@ -1,26 +1,28 @@
-/* tracer.c - see tracer.h.
+/* tracer.c - the tracer's points, and the stages and passes of its work.
  *
- * Work goes by stages. To reach an error, a pilot of a few paths at every point shows
- * how variable it is and is thrown away; what it asks for is then run with fresh seeds,
- * so that no value was ever chosen for its error. Where the outcome falls short all the
+ * To reach an error, a pilot of a few paths at every point shows how variable the point
+ * is and is thrown away; the paths that it asks for are then run with fresh seeds, so
+ * that no value was ever chosen for its error. Where the outcome falls short all the
  * same, randomisations are added. By the caller's clock, rounds double the paths.
  *
- * A stage goes by passes: every item that is not done gets a step, in any order and by
- * any thread. An item's sum is its own, and what is read is added up in index order.
- */
+ * A stage goes by passes: every randomisation that is not done gets a step, in any
+ * order and by any thread. Its sum is its own, and readings are added up in index
+ * order. */
 #include "simulate/tracer/tracer.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "model/base/array.h"
 #include "model/base/clock.h"
-#include "simulate/tracer/estimate.h"
 #include "simulate/sampling/hash.h"
 #include "simulate/sampling/processors.h"
+#include "simulate/tracer/estimate.h"
+#include "simulate/tracer/radiosity_solve.h"
 
 enum {
-    STEP = 1024, /* most paths of an item at a time */
+    STEP = 1024, /* most paths of a randomisation at a time */
     FIRST_BATCH = 64,
     MOST_BATCH = 8192
 };
@@ -36,13 +38,13 @@ struct traced_point {
     struct pp_start start;
     struct pp_component_bound most;
     uint64_t seed;
-    struct pp_counts counts; /* wanted of each item */
-    struct pp_randomisation *pilot, *items;
-    int item_count;
+    struct pp_counts counts; /* wanted of each randomisation */
+    struct pp_randomisation *pilot, *randomisations;
+    int randomisation_count;
 };
 
 struct tracer_unit {
-    int point, item;
+    int point, randomisation;
 };
 
 struct pp_tracer {
@@ -50,7 +52,7 @@ struct pp_tracer {
     int threads;
     struct pp_sobol sobol;
     struct pp_ray_scene *scene;
-    struct pp_radiosity *guess;
+    struct pp_radiosity *radiosity;
     struct traced_point *points; /* the receivers, then the average if it is wanted */
     int point_count, receiver_count;
 
@@ -79,16 +81,10 @@ static uint64_t seed_of_room(uint64_t seed, const struct pp_world *world)
     return pp_hash(seed, 0);
 }
 
-/* A point's numbers are its own: they hang on where it is, not on which others there
- * are. */
+/* Random numbers depend on where a receiver is, not on which others there are. */
 static uint64_t seed_of_receiver(uint64_t seed, const struct pp_receiver *receiver)
 {
-    const double part[6] = {receiver->position.x, receiver->position.y,
-                            receiver->position.z, receiver->normal.x,
-                            receiver->normal.y,   receiver->normal.z};
-    for (int i = 0; i < 6; i++)
-        seed = pp_hash_double(seed, part[i]);
-    return seed;
+    return pp_hash_vec(pp_hash_vec(seed, receiver->position), receiver->normal);
 }
 
 static void make_points(struct pp_tracer *tracer, const struct pp_receiver *receivers,
@@ -109,14 +105,16 @@ static void make_points(struct pp_tracer *tracer, const struct pp_receiver *rece
     }
 }
 
-/* `count` fresh items in *items; those that are there stay. */
-static enum pp_status make_items(struct pp_randomisation **items, int there, int count,
-                                 uint64_t seed, struct pp_error *err)
+/* `count` fresh randomisations in *randomisations; those that are there stay. */
+static enum pp_status make_randomisations(struct pp_randomisation **randomisations,
+                                          int there, int count, uint64_t seed,
+                                          struct pp_error *err)
 {
-    struct pp_randomisation *more = realloc(*items, (size_t)count * sizeof *more);
+    struct pp_randomisation *more =
+        realloc(*randomisations, (size_t)count * sizeof *more);
     if (!more)
         return pp_fail_memory(err);
-    *items = more;
+    *randomisations = more;
     for (int i = there; i < count; i++)
         more[i] = (struct pp_randomisation){.seed = pp_hash(seed, (uint64_t)i)};
     return PP_OK;
@@ -127,21 +125,21 @@ static uint64_t stage_seed(const struct traced_point *point, enum stage stage)
     return pp_hash(point->seed, (uint64_t)stage);
 }
 
-/* Where the work begins, by what it goes. */
+/* The first stage: the pilot where an error is wanted, else the paths themselves. */
 static enum pp_status begin(struct pp_tracer *tracer, struct pp_error *err)
 {
     tracer->stage = goes_by_error(tracer) ? PILOT : FINAL;
     enum pp_status status = PP_OK;
     for (int i = 0; status == PP_OK && i < tracer->point_count; i++) {
         struct traced_point *point = &tracer->points[i];
-        point->item_count = PP_RANDOMISATIONS;
+        point->randomisation_count = PP_RANDOMISATIONS;
         point->counts = PILOT_COUNTS;
         if (tracer->options.samples > 0)
             point->counts = all_of((uint32_t)tracer->options.samples);
-        struct pp_randomisation **items =
-            tracer->stage == PILOT ? &point->pilot : &point->items;
-        status = make_items(items, 0, point->item_count,
-                            stage_seed(point, tracer->stage), err);
+        struct pp_randomisation **randomisations =
+            tracer->stage == PILOT ? &point->pilot : &point->randomisations;
+        status = make_randomisations(randomisations, 0, point->randomisation_count,
+                                     stage_seed(point, tracer->stage), err);
     }
     return status;
 }
@@ -186,8 +184,8 @@ enum pp_status pp_tracer_create(struct pp_tracer **result, const struct pp_world
     status = pp_ray_scene_create(&tracer->scene, world, err);
     if (status == PP_OK)
         status =
-            pp_radiosity_create(&tracer->guess, tracer->scene, world, &tracer->sobol,
-                                pp_hash(seed, 1), tracer->threads, err);
+            pp_radiosity_solve(&tracer->radiosity, tracer->scene, world, &tracer->sobol,
+                               pp_hash(seed, 1), tracer->threads, err);
     if (status == PP_OK) {
         bool average = options->average && tracer->scene->plane_count > 0;
         tracer->point_count = receiver_count + average;
@@ -213,21 +211,21 @@ void pp_tracer_destroy(struct pp_tracer *tracer)
         return;
     for (int i = 0; tracer->points && i < tracer->point_count; i++) {
         free(tracer->points[i].pilot);
-        free(tracer->points[i].items);
+        free(tracer->points[i].randomisations);
     }
     free(tracer->points);
     free(tracer->units);
-    pp_radiosity_destroy(tracer->guess);
+    pp_radiosity_destroy(tracer->radiosity);
     pp_ray_scene_destroy(tracer->scene);
     free(tracer);
 }
 
 /* ---- stages ---- */
 
-static struct pp_randomisation *items_of(const struct pp_tracer *tracer,
-                                         struct traced_point *point)
+static struct pp_randomisation *randomisations_of(const struct pp_tracer *tracer,
+                                                  struct traced_point *point)
 {
-    return tracer->stage == PILOT ? point->pilot : point->items;
+    return tracer->stage == PILOT ? point->pilot : point->randomisations;
 }
 
 static double wanted_error(const struct pp_tracer *tracer, double daylight_factor)
@@ -235,20 +233,21 @@ static double wanted_error(const struct pp_tracer *tracer, double daylight_facto
     return fmax(tracer->options.error * fabs(daylight_factor), PP_LEAST_ERROR);
 }
 
-/* From the pilot of each point to what it needs. */
+/* The paths that each point needs, planned from its pilot. */
 static enum pp_status plan_final(struct pp_tracer *tracer, struct pp_error *err)
 {
     for (int i = 0; i < tracer->point_count; i++) {
         struct traced_point *point = &tracer->points[i];
         struct pp_reading df =
-            pp_estimate(point->pilot, point->item_count, PP_DF, &point->most);
+            pp_estimate(point->pilot, point->randomisation_count, PP_DF, &point->most);
         struct pp_plan plan =
-            pp_estimate_plan(point->pilot, point->item_count,
+            pp_estimate_plan(point->pilot, point->randomisation_count,
                              wanted_error(tracer, df.value), LEAST_COUNTS);
         point->counts = plan.counts;
-        point->item_count = plan.randomisations;
-        enum pp_status status = make_items(&point->items, 0, plan.randomisations,
-                                           stage_seed(point, FINAL), err);
+        point->randomisation_count = plan.randomisations;
+        enum pp_status status =
+            make_randomisations(&point->randomisations, 0, plan.randomisations,
+                                stage_seed(point, FINAL), err);
         if (status != PP_OK)
             return status;
     }
@@ -262,18 +261,18 @@ static enum pp_status top_up(struct pp_tracer *tracer, struct pp_error *err)
     tracer->stage = FINISHED;
     for (int i = 0; i < tracer->point_count; i++) {
         struct traced_point *point = &tracer->points[i];
-        struct pp_reading df =
-            pp_estimate(point->items, point->item_count, PP_DF, &point->most);
+        struct pp_reading df = pp_estimate(
+            point->randomisations, point->randomisation_count, PP_DF, &point->most);
         double ratio = df.std_error / wanted_error(tracer, df.value);
         if (!(ratio > 1.0))
             continue;
-        int there = point->item_count;
+        int there = point->randomisation_count;
         int count = (int)ceil(there * fmin(ratio * ratio, 4.0)) + 2;
-        enum pp_status status =
-            make_items(&point->items, there, count, stage_seed(point, FINAL), err);
+        enum pp_status status = make_randomisations(
+            &point->randomisations, there, count, stage_seed(point, FINAL), err);
         if (status != PP_OK)
             return status;
-        point->item_count = count;
+        point->randomisation_count = count;
         tracer->stage = FINAL;
     }
     return PP_OK;
@@ -284,10 +283,10 @@ static void go_on(struct pp_tracer *tracer)
 {
     for (int i = 0; i < tracer->point_count; i++) {
         struct traced_point *point = &tracer->points[i];
-        struct pp_reading df =
-            pp_estimate(point->items, point->item_count, PP_DF, &point->most);
+        struct pp_reading df = pp_estimate(
+            point->randomisations, point->randomisation_count, PP_DF, &point->most);
         struct pp_plan plan =
-            pp_estimate_plan(point->items, point->item_count,
+            pp_estimate_plan(point->randomisations, point->randomisation_count,
                              fmax(df.std_error * 0.7, 1e-12), point->counts);
         point->counts = plan.counts;
     }
@@ -308,33 +307,32 @@ static enum pp_status end_stage(struct pp_tracer *tracer, struct pp_error *err)
 
 /* ---- passes ---- */
 
-static double cost_to_do(const struct pp_randomisation *item, struct pp_counts wanted)
+static double cost_to_do(const struct pp_randomisation *randomisation,
+                         struct pp_counts wanted)
 {
     double cost = 0.0;
     for (int k = 0; k < PP_ESTIMATORS; k++)
-        if (wanted.of[k] > item->done.of[k])
-            cost += wanted.of[k] - item->done.of[k];
+        if (wanted.of[k] > randomisation->done.of[k])
+            cost += wanted.of[k] - randomisation->done.of[k];
     return cost;
 }
 
-/* Lists what is left to do in this stage; nothing: unit_count 0. */
+/* Lists the randomisations that are not done in this stage; none: unit_count 0. */
 static enum pp_status list_units(struct pp_tracer *tracer, struct pp_error *err)
 {
     tracer->unit_count = tracer->next_unit = 0;
     for (int i = 0; i < tracer->point_count; i++) {
         struct traced_point *point = &tracer->points[i];
-        const struct pp_randomisation *items = items_of(tracer, point);
-        if (tracer->unit_count + point->item_count > tracer->unit_capacity) {
-            int capacity = 2 * (tracer->unit_count + point->item_count);
-            struct tracer_unit *units =
-                realloc(tracer->units, (size_t)capacity * sizeof *units);
-            if (!units)
-                return pp_fail_memory(err);
-            tracer->units = units;
-            tracer->unit_capacity = capacity;
-        }
-        for (int k = 0; k < point->item_count; k++)
-            if (!pp_randomisation_is_done(&items[k], point->counts))
+        const struct pp_randomisation *randomisations =
+            randomisations_of(tracer, point);
+        enum pp_status status =
+            pp_array_reserve(&tracer->units, &tracer->unit_capacity,
+                             tracer->unit_count + point->randomisation_count,
+                             sizeof *tracer->units, err);
+        if (status != PP_OK)
+            return status;
+        for (int k = 0; k < point->randomisation_count; k++)
+            if (!pp_randomisation_is_done(&randomisations[k], point->counts))
                 tracer->units[tracer->unit_count++] = (struct tracer_unit){i, k};
     }
     return PP_OK;
@@ -345,14 +343,15 @@ static void run_batch(struct pp_tracer *tracer, int first, int end)
 #pragma omp parallel num_threads(tracer->threads)
     {
         struct pp_path_state state = {.scene = tracer->scene,
-                                      .guess = tracer->guess,
+                                      .radiosity = tracer->radiosity,
                                       .every_ray = tracer->options.every_ray};
 #pragma omp for schedule(dynamic, 1)
         for (int i = first; i < end; i++) {
             struct tracer_unit unit = tracer->units[i];
             struct traced_point *point = &tracer->points[unit.point];
-            pp_randomisation_run(&items_of(tracer, point)[unit.item], &state,
-                                 &tracer->sobol, &point->start, point->counts, STEP);
+            pp_randomisation_run(&randomisations_of(tracer, point)[unit.randomisation],
+                                 &state, &tracer->sobol, &point->start, point->counts,
+                                 STEP);
         }
     }
 }
@@ -394,7 +393,7 @@ enum pp_status pp_tracer_advance(struct pp_tracer *tracer, double seconds,
     return PP_OK;
 }
 
-/* ---- looking ---- */
+/* ---- readings ---- */
 
 bool pp_tracer_done(const struct pp_tracer *tracer)
 {
@@ -410,11 +409,12 @@ double pp_tracer_progress(const struct pp_tracer *tracer)
     double wanted = 0.0, to_do = 0.0;
     for (int i = 0; i < tracer->point_count; i++) {
         struct traced_point *point = &tracer->points[i];
-        const struct pp_randomisation *items = items_of(tracer, point);
-        for (int k = 0; k < point->item_count; k++) {
+        const struct pp_randomisation *randomisations =
+            randomisations_of(tracer, point);
+        for (int k = 0; k < point->randomisation_count; k++) {
             struct pp_randomisation nothing = {.seed = 0};
             wanted += cost_to_do(&nothing, point->counts);
-            to_do += cost_to_do(&items[k], point->counts);
+            to_do += cost_to_do(&randomisations[k], point->counts);
         }
     }
     double share = wanted > 0.0 ? 1.0 - to_do / wanted : 1.0;
@@ -426,8 +426,9 @@ double pp_tracer_progress(const struct pp_tracer *tracer)
 static struct pp_reading reading_of(const struct traced_point *point, int component)
 {
     struct pp_reading reading = pp_reading_none("not sampled yet");
-    if (point->items)
-        reading = pp_estimate(point->items, point->item_count, component, &point->most);
+    if (point->randomisations)
+        reading = pp_estimate(point->randomisations, point->randomisation_count,
+                              component, &point->most);
     if (isnan(reading.value) && point->pilot)
         reading = pp_estimate(point->pilot, PP_RANDOMISATIONS, component, &point->most);
     return reading;
@@ -460,8 +461,8 @@ struct pp_tracer_work pp_tracer_work(const struct pp_tracer *tracer)
     struct pp_tracer_work work = {0, 0, 0};
     for (int i = 0; i < tracer->point_count; i++) {
         const struct traced_point *point = &tracer->points[i];
-        const struct pp_randomisation *lists[2] = {point->pilot, point->items};
-        const int counts[2] = {PP_RANDOMISATIONS, point->item_count};
+        const struct pp_randomisation *lists[2] = {point->pilot, point->randomisations};
+        const int counts[2] = {PP_RANDOMISATIONS, point->randomisation_count};
         for (int list = 0; list < 2; list++)
             for (int k = 0; lists[list] && k < counts[list]; k++)
                 for (int e = 0; e < PP_ESTIMATORS; e++) {

@@ -32,7 +32,7 @@ struct pp_tracer_options {
 
 struct pp_tracer;
 
-/* Copies what it needs of receivers; world must live as long as the tracer. */
+/* Copies the receivers; world must live as long as the tracer. */
 enum pp_status pp_tracer_create(struct pp_tracer **tracer, const struct pp_world *world,
                                 const struct pp_receiver *receivers, int receiver_count,
                                 const struct pp_tracer_options *options,
@@ -43,19 +43,19 @@ enum pp_status pp_tracer_advance(struct pp_tracer *tracer, double seconds,
                                  struct pp_error *err);
 bool pp_tracer_done(const struct pp_tracer *tracer);
 
-/* How far it is, 0 to 1, by the work that it now thinks it has to do. */
+/* The share of the work that is done, 0 to 1, by the present plan. */
 double pp_tracer_progress(const struct pp_tracer *tracer);
 
 /* The largest standard error over daylight factor of any point so far; NAN before there
  * is any. */
 double pp_tracer_error(const struct pp_tracer *tracer);
 
-/* What is known so far of receiver `index`, or of the average over the working plane
+/* The readings so far of receiver `index`, or of the average over the working plane
  * for index -1: readings[PP_SC] ... readings[PP_DF]. */
 void pp_tracer_read(const struct pp_tracer *tracer, int index,
                     struct pp_reading readings[PP_COMPONENT_COUNT]);
 
-/* What has been done so far. A leak is a ray that left the room through a crack between
+/* The work done so far. A leak is a ray that left the room between the edges of two
  * surfaces and was given up. */
 struct pp_tracer_work {
     long long paths, rays, leaks;

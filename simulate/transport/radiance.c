@@ -1,33 +1,24 @@
-/* radiance.c - see radiance.h. */
+/* radiance.c - where paths begin: at an eye, or at a sensor. */
 #include "simulate/transport/radiance.h"
 
-#include "simulate/transport/light_path.h"
 #include "simulate/sampling/lobe.h"
-
-struct pp_radiance_options pp_radiance_defaults(void)
-{
-    return (struct pp_radiance_options){.sources = true,
-                                        .windows = true,
-                                        .stored = true,
-                                        .source_size = 0.2,
-                                        .source_most = 64,
-                                        .bounces = -1,
-                                        .least = 0.3};
-}
+#include "simulate/transport/light_path.h"
+#include "simulate/transport/light_sources.h"
+#include "simulate/transport/light_windows.h"
 
 static struct pp_rgb along(struct pp_radiance_state *state,
                            const struct pp_light_ray *ray,
-                           enum pp_directly_sampled aimed, struct pp_light_hit *hit)
+                           enum pp_directly_sampled sampled, struct pp_light_hit *hit)
 {
     struct pp_light_path path = {.ray = *ray,
-                                 .weight = pp_rgb_grey(1.0),
+                                 .throughput = pp_rgb_grey(1.0),
                                  .least = state->options.least,
-                                 .aimed = aimed,
-                                 .aimed_in = ray->space,
+                                 .sampled = sampled,
+                                 .sampled_in = ray->space,
                                  .mirror_path = -1,
-                                 .depth = aimed == PP_DIRECTLY_SAMPLED_ALL,
+                                 .depth = sampled == PP_DIRECTLY_SAMPLED_ALL,
                                  .vertex = 1,
-                                 .many = aimed == PP_DIRECTLY_SAMPLED_NONE};
+                                 .split = sampled == PP_DIRECTLY_SAMPLED_NONE};
     path.ray.from = pp_vec_sub(ray->from, state->scene->centre);
     struct pp_rgb radiance = pp_light_path_follow(state, &path, hit);
     if (hit)
@@ -54,13 +45,14 @@ struct pp_irradiance pp_radiance_direct(struct pp_radiance_state *state,
                                         enum pp_space space)
 {
     struct pp_irradiance e = {.rest = pp_rgb_grey(0.0)};
-    struct pp_lobes lobes = {.n = normal};
+    struct pp_lobes lobes = {.frame = {.z = normal}};
     lobes.share[PP_LOBE_DIFFUSE] = pp_rgb_grey(PP_PI);
     struct pp_shading_point shading = {.point = pp_vec_sub(point, state->scene->centre),
                                        .normal = normal,
                                        .space = space,
                                        .lobes = &lobes,
-                                       .many = true};
+                                       .split = true,
+                                       .follow_outside = pp_light_path_follow_from};
     e.sources = pp_light_sources_next_event(state, &shading);
     pp_light_windows_next_event(state, &shading, &e);
     return e;

@@ -1,28 +1,29 @@
-/* sensors.c - see sensors.h.
+/* sensors.c - randomisations of each sensor point, planned and run in passes.
  *
  * Work goes by passes: every randomisation of every point that wants more paths gets
  * them, in steps, in any order and by any thread; its sum is its own. Between passes,
- * by one thread, each point's spread says how many it is to have in the next.
- */
+ * by one thread, each point's spread says how many it is to have in the next. */
 #include "simulate/transport/sensors.h"
 
 #include <math.h>
 #include <stdlib.h>
 
 #include "model/base/clock.h"
-#include "simulate/tracer/estimate.h"
 #include "simulate/sampling/hash.h"
 #include "simulate/sampling/processors.h"
+#include "simulate/scene/unsampled.h"
+#include "simulate/tracer/estimate.h"
 #include "simulate/transport/radiance.h"
 
 enum {
     RANDOMISATIONS = 32,
     FIRST_PATHS = 64,
-    MOST_PATHS = 1 << 26,   /* of a randomisation */
-    CHASED_PATHS = 1 << 11, /* with so many, what chance may have missed is only said */
-    MOST_GROWTH = 16,       /* of a point's paths, from one pass to the next */
-    STEP = 256,             /* most paths at a time */
-    BATCH = 64              /* steps between looks at the clock */
+    MOST_PATHS = 1 << 26, /* of a randomisation */
+    BOUND_PATHS =
+        1 << 11,      /* from this many on, the bound of unsampled.h asks for no more */
+    MOST_GROWTH = 16, /* of a point's paths, from one pass to the next */
+    STEP = 256,       /* most paths at a time */
+    BATCH = 64        /* steps between looks at the clock */
 };
 
 static const double OPEN_SKY_SHARE = 0.00002;
@@ -34,14 +35,14 @@ struct sensor_randomisation {
 };
 
 struct sensor_state {
-    struct sensor_randomisation items[RANDOMISATIONS];
+    struct sensor_randomisation randomisations[RANDOMISATIONS];
     enum pp_space space;
     long wanted; /* paths of each */
     bool done;
 };
 
 struct sensor_unit {
-    int point, item;
+    int point, randomisation;
 };
 
 struct pp_sensors {
@@ -79,15 +80,16 @@ static struct pp_sensor_reading read(const struct pp_sensors *sensors, int index
     int count = 0;
     long paths = 0;
     for (int i = 0; i < RANDOMISATIONS; i++) {
-        const struct sensor_randomisation *item = &point->items[i];
-        if (item->paths == 0)
+        const struct sensor_randomisation *randomisation = &point->randomisations[i];
+        if (randomisation->paths == 0)
             continue;
-        struct pp_rgb mean = pp_rgb_scale(item->sum, 1.0 / (double)item->paths);
+        struct pp_rgb mean =
+            pp_rgb_scale(randomisation->sum, 1.0 / (double)randomisation->paths);
         values[0][count] = mean.r;
         values[1][count] = mean.g;
         values[2][count] = mean.b;
         values[3][count++] = pp_rgb_luminance(mean);
-        paths += item->paths;
+        paths += randomisation->paths;
     }
     for (int k = 0; k < 4; k++) {
         means[k] = errors[k] = NAN;
@@ -100,10 +102,10 @@ static struct pp_sensor_reading read(const struct pp_sensors *sensors, int index
             errors[k] = fmax(means[k], sensors->options.horizontal) / (double)paths;
     }
     if (with_unsampled && count >= 4) {
-        struct pp_rgb missed =
+        struct pp_rgb bound =
             pp_unsampled_bound(sensors->scene, sensors->list[index].position,
                                sensors->options.by_chance, paths);
-        const double of[] = {missed.r, missed.g, missed.b, pp_rgb_luminance(missed)};
+        const double of[] = {bound.r, bound.g, bound.b, pp_rgb_luminance(bound)};
         for (int k = 0; k < 4; k++)
             errors[k] = fmax(errors[k], of[k]);
     }
@@ -139,13 +141,13 @@ static double largest_value(const struct pp_sensors *sensors)
     return largest;
 }
 
-/* How many paths the point is to have: a power of two, or no more. */
+/* Sets how many paths the point is to have: more by a power of two, or no more. */
 static void plan_point(struct pp_sensors *sensors, int index, double largest)
 {
     const struct pp_sensors_options *options = &sensors->options;
     struct sensor_state *point = &sensors->points[index];
     struct pp_sensor_reading reading =
-        read(sensors, index, point->wanted < CHASED_PATHS);
+        read(sensors, index, point->wanted < BOUND_PATHS);
     double goal = fmax(options->error * fmax(reading.grey, LARGEST_SHARE * largest),
                        OPEN_SKY_SHARE * options->horizontal);
     if (options->error <= 0.0)
@@ -190,7 +192,7 @@ double pp_sensors_progress(const struct pp_sensors *sensors)
     double done = 0.0, all = 0.0;
     for (int i = 0; i < sensors->count; i++)
         for (int k = 0; k < RANDOMISATIONS; k++) {
-            done += (double)sensors->points[i].items[k].paths;
+            done += (double)sensors->points[i].randomisations[k].paths;
             all += (double)sensors->points[i].wanted;
         }
     return all > 0.0 ? done / all : 1.0;
@@ -202,22 +204,22 @@ double pp_sensors_progress(const struct pp_sensors *sensors)
 static void step(struct pp_sensors *sensors, struct sensor_unit unit)
 {
     struct sensor_state *point = &sensors->points[unit.point];
-    struct sensor_randomisation *item = &point->items[unit.item];
+    struct sensor_randomisation *randomisation =
+        &point->randomisations[unit.randomisation];
     const struct pp_sensor *sensor = &sensors->list[unit.point];
     struct pp_radiance_state state = {.scene = sensors->scene,
-                                      .options = pp_radiance_defaults()};
+                                      .options = pp_radiance_options_defaults()};
     state.options.sources = !sensors->options.by_chance;
     uint64_t seed = pp_hash(pp_hash(sensors->options.seed, (uint64_t)unit.point),
-                            (uint64_t)unit.item);
+                            (uint64_t)unit.randomisation);
     pp_sobol_sequence_init(&state.sequence, &sensors->sobol, seed);
-    long end = item->paths + STEP < point->wanted ? item->paths + STEP : point->wanted;
-    for (; item->paths < end; item->paths++) {
-        state.index = (uint32_t)item->paths;
+    long end = randomisation->paths + STEP < point->wanted ? randomisation->paths + STEP
+                                                           : point->wanted;
+    for (; randomisation->paths < end; randomisation->paths++) {
+        state.index = (uint32_t)randomisation->paths;
         struct pp_irradiance e = pp_radiance_irradiance(&state, sensor->position,
                                                         sensor->normal, point->space);
-        struct pp_rgb sum =
-            pp_rgb_add(pp_rgb_add(e.sources, e.rest), pp_rgb_add(e.sky, e.outside));
-        item->sum = pp_rgb_add(item->sum, sum);
+        randomisation->sum = pp_rgb_add(randomisation->sum, pp_irradiance_sum(&e));
     }
 }
 
@@ -227,7 +229,8 @@ static void leave_out_done(struct pp_sensors *sensors)
     int kept = 0;
     for (int i = 0; i < sensors->unit_count; i++) {
         const struct sensor_state *point = &sensors->points[sensors->units[i].point];
-        if (point->items[sensors->units[i].item].paths < point->wanted)
+        if (point->randomisations[sensors->units[i].randomisation].paths
+            < point->wanted)
             sensors->units[kept++] = sensors->units[i];
     }
     sensors->next_unit = 0;

@@ -5,15 +5,15 @@
  * points, options and seed alone, to the bit, whatever the number of threads and the
  * slices.
  *
- * Each point has 32 independent randomisations; their paths are doubled, or more by
- * what their spread asks for, until the standard error of the luminance-weighted
+ * Each point has 32 independent randomisations; their paths are doubled, or more if
+ * their spread asks for more, until the standard error of the luminance-weighted
  * irradiance is down to the largest of
  *
  *     error x value,  error x 0.001 of the largest value,  0.00002 of the open sky
  *
- * What all paths may have missed of light that only chance finds (a small glow, a lamp in
- * a curved mirror: pp_unsampled_bound) is part of the stated error, and paths are
- * added for its sake up to 65536 a point.
+ * A bound on the light that all paths may have missed because rays must find it (a
+ * small glow, a lamp in a curved mirror: unsampled.h) is part of the stated error, and
+ * paths are added for its sake up to 65536 a point.
  */
 #ifndef PP_SIMULATE_TRANSPORT_SENSORS_H
 #define PP_SIMULATE_TRANSPORT_SENSORS_H
@@ -36,7 +36,8 @@ struct pp_sensors_options {
     uint64_t seed;
     int threads;       /* 0: as many as the machine has processors */
     double horizontal; /* irradiance of the open level ground; 0: there is none */
-    bool by_chance; /* concentrated sources are not aimed at, but found as all else */
+    bool by_chance;    /* rays have to find concentrated sources: no next-event
+                     * estimation */
 };
 
 struct pp_sensor_reading {
@@ -58,7 +59,7 @@ void pp_sensors_destroy(struct pp_sensors *sensors); /* NULL is allowed */
 void pp_sensors_advance(struct pp_sensors *sensors, double seconds);
 bool pp_sensors_done(const struct pp_sensors *sensors);
 
-/* How far it is, 0 to 1, by the work that it now thinks it has to do; and the largest
+/* The share of the work that is done, 0 to 1, by the present plan; and the largest
  * standard error over value so far, NAN before there is any. */
 double pp_sensors_progress(const struct pp_sensors *sensors);
 double pp_sensors_error(const struct pp_sensors *sensors);

@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include "model/base/read_file.h"
+#include "simulate/cache/cache_file.h"
 
 enum { MOST_BYTES = 1 << 30 };
 

@@ -2,7 +2,11 @@
  */
 #include <stdlib.h>
 
+#include "simulate/cache/cache_file.h"
+#include "simulate/cache/cache_grow.h"
 #include "simulate/cache/cached_points.h"
+#include "simulate/scene/light_scene_of_world.h"
+#include "simulate/transport/window_store.h"
 #include "studies/engines/cache_records.h"
 #include "studies/engines/engine.h"
 

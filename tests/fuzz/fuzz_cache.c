@@ -9,6 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "simulate/cache/cache_file.h"
 #include "simulate/sampling/hash.h"
 #include "simulate/cache/irradiance_cache.h"
 #include "tests/fuzz/floor_scene.h"
@@ -16,7 +17,7 @@
 
 static struct pp_irradiance_cache *empty_cache(void)
 {
-    struct pp_radiance_options light = pp_radiance_defaults();
+    struct pp_radiance_options light = pp_radiance_options_defaults();
     struct pp_cache_options options = pp_irradiance_cache_defaults();
     struct pp_irradiance_cache *cache = NULL;
     options.threads = 1;

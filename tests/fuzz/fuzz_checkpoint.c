@@ -9,8 +9,10 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "simulate/render/checkpoint.h"
 #include "simulate/sampling/hash.h"
 #include "simulate/render/render.h"
+#include "simulate/scene/light_scene_of_description.h"
 #include "tests/fuzz/floor_scene.h"
 #include "tests/fuzz/must.h"
 
@@ -24,7 +26,7 @@ static struct pp_render *fresh_render(void)
     struct pp_render_options options = {.width = 17,
                                         .height = 18,
                                         .samples = 1,
-                                        .light = pp_radiance_defaults(),
+                                        .light = pp_radiance_options_defaults(),
                                         .threads = 1};
     struct pp_render *render = NULL;
     must(pp_camera_set(&options.camera, PP_VIEW_PARALLEL, pp_vec(1.0, 1.0, 1.0),

@@ -7,6 +7,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+#include "simulate/scene/light_scene_of_description.h"
 #include "formats/radiance/read/rad_read.h"
 #include "formats/radiance/write/rad_room.h"
 #include "formats/radiance/write/rad_write.h"

@@ -6,6 +6,8 @@
 #include <stdlib.h>
 
 #include "simulate/cache/cached_points.h"
+#include "simulate/scene/light_scene_of_world.h"
+#include "simulate/transport/window_store.h"
 #include "tests/lib/room_of.h"
 #include "tests/lib/traced.h"
 

@@ -3,6 +3,7 @@
 #include <stdlib.h>
 
 #include "simulate/cache/cache_parts.h"
+#include "simulate/cache/cache_smooth.h"
 #include "simulate/sampling/hash.h"
 #include "tests/lib/near.h"
 
@@ -29,7 +30,8 @@ static double random_of(uint64_t i)
     return 2.0 * (double)(pp_hash(i, 5) >> 11) * 0x1p-53 - 1.0;
 }
 
-/* At the edge of its ellipse light may bend away by a tenth of the noise. */
+/* At the edge of its ellipse light may depart from its tangent by a tenth of the
+ * noise. */
 static struct pp_cache_entry record_at(double x, double y, double value, double along_x)
 {
     struct pp_cache_entry entry = {

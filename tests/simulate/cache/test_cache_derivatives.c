@@ -4,8 +4,10 @@
 
 #include <stdlib.h>
 
+#include "simulate/cache/cache_grow.h"
 #include "simulate/cache/cache_record.h"
 #include "simulate/cache/irradiance_cache.h"
+#include "simulate/scene/light_scene_of_description.h"
 #include "tests/lib/near.h"
 
 enum { SIDE = 128 };
@@ -35,8 +37,8 @@ static double irradiance_at(double x, double y)
 }
 
 /* The same on a surface that leans by an angle to an azimuth, all of the patch being
- * over its horizon: the scene is turned about it, and Lambert's formula is for a floor.
- */
+ * over its horizon: the scene is turned about it, and Lambert's formula is for a
+ * floor. */
 static double irradiance_leaning(double x, double y, double azimuth, double lean)
 {
     double sum = 0.0, c = cos(azimuth), s = sin(azimuth);
@@ -119,7 +121,7 @@ static void a_hemisphere_knows_how_a_patchs_light_changes(void **state)
     struct pp_cache_hemisphere h = {.side = SIDE, .corners = corners, .cells = cells};
     struct pp_cache_place place = {{0.1, 0.2, 0.0}, {0.0, 0.0, 1.0}, PP_ANYWHERE};
     struct pp_radiance_state path_state = {.scene = scene,
-                                           .options = pp_radiance_defaults()};
+                                           .options = pp_radiance_options_defaults()};
     struct pp_irradiance_change change;
     pp_sobol_init(&sobol);
     pp_sobol_sequence_init(&path_state.sequence, &sobol, 5);
@@ -132,7 +134,7 @@ static void a_hemisphere_knows_how_a_patchs_light_changes(void **state)
     double aa = (irradiance_at(x + d, y) - 2 * e + irradiance_at(x - d, y)) / (d * d);
     double bb = (irradiance_at(x, y + d) - 2 * e + irradiance_at(x, y - d)) / (d * d);
     /* The frame about +z is x, y. */
-    assert_near(h.a.x, 1.0, 1e-12);
+    assert_near(h.frame.x.x, 1.0, 1e-12);
     assert_near(h.irradiance.g, e, 2e-3 * e);
     assert_near(change.along[1][0], along, 0.02 * fabs(along));
     assert_near(change.along[1][1], across, 0.02 * fabs(along));
@@ -157,7 +159,7 @@ static void a_record_is_read_by_a_leaning_surface(void **state)
 {
     (void)state;
     struct pp_light_scene *scene = patch_over_floor();
-    struct pp_radiance_options light = pp_radiance_defaults();
+    struct pp_radiance_options light = pp_radiance_options_defaults();
     struct pp_cache_options options = pp_irradiance_cache_defaults();
     options.divisions = SIDE * SIDE;
     options.supersamples = 0;
@@ -193,7 +195,7 @@ static void beside_a_record_the_error_is_of_second_order(void **state)
 {
     (void)state;
     struct pp_light_scene *scene = patch_over_floor();
-    struct pp_radiance_options light = pp_radiance_defaults();
+    struct pp_radiance_options light = pp_radiance_options_defaults();
     struct pp_cache_options options = pp_irradiance_cache_defaults();
     options.divisions = 256 * 256;
     options.supersamples = 0;

@@ -1,10 +1,15 @@
 /* test_irradiance_cache.c - what the cache says of furnaces and rooms, its order, and
  * its files. */
+#include "simulate/cache/cache_file.h"
+#include "simulate/cache/cache_grow.h"
 #include "simulate/cache/irradiance_cache.h"
 
 #include "simulate/cache/cache_hemisphere.h"
 #include "simulate/cache/cached_points.h"
 #include "simulate/sampling/hash.h"
+#include "simulate/scene/light_scene_of_description.h"
+#include "simulate/scene/light_scene_of_world.h"
+#include "simulate/transport/window_store.h"
 #include "tests/lib/sampled_light.h"
 #include "tests/lib/room_of.h"
 #include "tests/lib/traced.h"
@@ -481,7 +486,7 @@ static void bounces_are_counted_from_the_point_on(void **state)
     struct pp_light_scene *scene = scene_of(world);
     struct pp_window_store *store = NULL;
     assert_int_equal(pp_window_store_create(&store, scene, 1, 1, NULL), PP_OK);
-    struct pp_radiance_options light = pp_radiance_defaults();
+    struct pp_radiance_options light = pp_radiance_options_defaults();
     light.bounces = 1;
     struct pp_reading(*one)[4] = cached(world, &options, &wanted);
     for (int i = 0; i < n; i++) {

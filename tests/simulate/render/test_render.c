@@ -1,8 +1,14 @@
 /* test_render.c - pictures against what is known of the light in them. */
+#include "simulate/cache/cache_file.h"
+#include "simulate/cache/cache_grow.h"
+#include "simulate/render/checkpoint.h"
+#include "simulate/render/overture.h"
 #include "simulate/render/render.h"
 
 #include "simulate/cache/cache_parts.h"
 #include "simulate/render/default_view.h"
+#include "simulate/render/render_cache.h"
+#include "simulate/scene/light_scene_of_world.h"
 #include "tests/lib/sampled_light.h"
 #include "tests/lib/room_of.h"
 #include "tests/lib/traced.h"
@@ -37,7 +43,7 @@ static struct pp_render_options looking(enum pp_view_kind kind, struct pp_vec3 e
     struct pp_render_options options = {.width = side,
                                         .height = side,
                                         .samples = samples,
-                                        .light = pp_radiance_defaults(),
+                                        .light = pp_radiance_options_defaults(),
                                         .seed = 3,
                                         .threads = 1};
     options.light.source_most = 4;
@@ -113,8 +119,8 @@ static void a_fisheyes_mean_is_the_illuminance(void **state)
     struct pp_render_options options =
         looking(PP_VIEW_HEMISPHERICAL, point, up, PP_PI, 64, 16);
     struct pp_render *render = rendered(scene.light, &options);
-    struct pp_test_mean known =
-        pp_test_irradiance(scene.light, NULL, pp_radiance_defaults(), point, up, 256);
+    struct pp_test_mean known = pp_test_irradiance(
+        scene.light, NULL, pp_radiance_options_defaults(), point, up, 256);
     assert_true(known.error < 0.003 * known.value.g);
     assert_relative(4.0 * mean_of(render), known.value.g, 0.012);
     pp_render_destroy(render);
@@ -166,7 +172,7 @@ static void a_plan_of_daylight_factors_has_those_of_receivers(void **state)
     options.irradiance = true;
     struct pp_render *render = rendered(scene.light, &options);
     struct pp_test_mean known =
-        pp_test_irradiance(scene.light, NULL, pp_radiance_defaults(),
+        pp_test_irradiance(scene.light, NULL, pp_radiance_options_defaults(),
                            pp_vec(1.4, 2.2, 0.0), pp_vec(0.0, 0.0, 1.0), 256);
     assert_relative(mean_of(render), known.value.g, 0.015);
     assert_int_equal(pp_render_tags(render)[5], 0); /* the floor is the first face */
@@ -272,7 +278,7 @@ static void assert_same_pictures(const struct pp_render *a, const struct pp_rend
                         sizeof(int) * (size_t)(p->width * p->height));
 }
 
-static void a_picture_does_not_hang_on_threads(void **state)
+static void a_picture_does_not_depend_on_threads(void **state)
 {
     (void)state;
     struct scene scene = scene_of(DEEP);
@@ -295,7 +301,7 @@ static void a_picture_does_not_hang_on_threads(void **state)
 
 /* ---- the overture ---- */
 
-/* A cache grown for the picture in parts of so many pixels. */
+/* A cache grown for the picture in parts of a given number of pixels. */
 static struct pp_irradiance_cache *grown(const struct scene *scene,
                                          const struct pp_render_options *options,
                                          int part_pixels, int threads, double slice_s)
@@ -352,8 +358,8 @@ static void every_pixel_is_read_between_records(void **state)
                 assert_true(pp_irradiance_cache_value(
                     caches[which], hit.point, hit.normal, hit.space, 0, &value));
         }
-    assert_true(caches[0]->layers[0].request_space >= WIDE * HIGH * 3 / 4);
-    assert_true(caches[1]->layers[0].request_space <= 1024);
+    assert_true(caches[0]->layers[0].request_capacity >= WIDE * HIGH * 3 / 4);
+    assert_true(caches[1]->layers[0].request_capacity <= 1024);
 
     char *bytes[2];
     size_t lengths[2];
@@ -623,8 +629,8 @@ static double free_m(const struct scene *scene, struct pp_vec3 eye, double angle
     return pp_light_scene_first(scene->light, &ray, &hit) ? hit.distance_m : INFINITY;
 }
 
-/* From behind the corner of the L its wall would fill a third of the picture 3 m away.
- */
+/* From behind the corner of the L its wall would fill a third of the picture 3 m
+ * away. */
 static void the_default_view_does_not_look_round_a_corner(void **state)
 {
     (void)state;
@@ -671,7 +677,7 @@ int main(void)
         cmocka_unit_test(decorations_dim_a_picture_of_daylight_factors),
         cmocka_unit_test(glass_has_no_daylight_factor),
         cmocka_unit_test(a_cut_room_ends_at_its_walls),
-        cmocka_unit_test(a_picture_does_not_hang_on_threads),
+        cmocka_unit_test(a_picture_does_not_depend_on_threads),
         cmocka_unit_test(every_pixel_is_read_between_records),
         cmocka_unit_test(a_picture_taken_up_again_is_the_same),
         cmocka_unit_test(a_picture_through_a_cache_is_taken_up_with_it),

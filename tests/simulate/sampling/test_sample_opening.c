@@ -60,20 +60,22 @@ static void sample_sums(const struct pp_target *target, struct pp_vec3 from,
 {
     struct pp_sobol_sequence sequence;
     pp_sobol_sequence_init(&sequence, &sobol, 161803);
-    struct pp_polygon_sampler aim;
-    pp_sample_polygon_init(&aim, target, from, n,
+    struct pp_polygon_sampler sampler;
+    pp_sample_polygon_init(&sampler, target, from, n,
                            (struct pp_brightness){.ground = 0.2});
     *solid = *facing = 0.0;
     for (uint32_t i = 0; i < UINT32_C(1) << m; i++) {
         double u[2];
         pp_sobol_sequence_draw(&sequence, i, 0, 2, u);
-        struct pp_direction_sample aimed = pp_sample_polygon_draw(&aim, u[0], u[1]);
-        *solid += aimed.per_density / (1 << m);
-        double c = pp_vec_dot(aimed.direction, n);
-        *facing += aimed.per_density * (c > 0.0 ? c : 0.0) / (1 << m);
-        assert_near(pp_vec_length(aimed.direction), 1.0, 1e-9);
-        assert_near(pp_vec_dot(pp_vec_sub(aimed.point, target->middle), target->normal),
-                    0.0, 1e-9 * aimed.distance_m);
+        struct pp_direction_sample sample =
+            pp_sample_polygon_draw(&sampler, u[0], u[1]);
+        *solid += sample.per_density / (1 << m);
+        double c = pp_vec_dot(sample.direction, n);
+        *facing += sample.per_density * (c > 0.0 ? c : 0.0) / (1 << m);
+        assert_near(pp_vec_length(sample.direction), 1.0, 1e-9);
+        assert_near(
+            pp_vec_dot(pp_vec_sub(sample.point, target->middle), target->normal), 0.0,
+            1e-9 * sample.distance_m);
     }
 }
 
@@ -145,17 +147,18 @@ static void density_is_right_in_every_part_of_a_rectangle(void **state)
         double part[5][5] = {{0.0}};
         struct pp_sobol_sequence sequence;
         pp_sobol_sequence_init(&sequence, &sobol, 42);
-        struct pp_polygon_sampler aim;
-        pp_sample_polygon_init(&aim, &target, p, up,
+        struct pp_polygon_sampler sampler;
+        pp_sample_polygon_init(&sampler, &target, p, up,
                                (struct pp_brightness){.ground = 0.2});
         enum { N = 1 << 20 };
         for (uint32_t i = 0; i < N; i++) {
             double u[2];
             pp_sobol_sequence_draw(&sequence, i, 0, 2, u);
-            struct pp_direction_sample aimed = pp_sample_polygon_draw(&aim, u[0], u[1]);
-            int column = (int)((aimed.point.x - 0.2) / 2.6 * 5.0);
-            int row = (int)((aimed.point.z - 0.9) / 1.4 * 5.0);
-            part[row < 5 ? row : 4][column < 5 ? column : 4] += aimed.per_density / N;
+            struct pp_direction_sample sample =
+                pp_sample_polygon_draw(&sampler, u[0], u[1]);
+            int column = (int)((sample.point.x - 0.2) / 2.6 * 5.0);
+            int row = (int)((sample.point.z - 0.9) / 1.4 * 5.0);
+            part[row < 5 ? row : 4][column < 5 ? column : 4] += sample.per_density / N;
         }
         for (int row = 0; row < 5; row++)
             for (int column = 0; column < 5; column++) {

@@ -33,8 +33,8 @@ static void a_gloss_lies_along_its_grain(void **state)
     metal.grain = pp_vec(0.0, 2.0, 1.0);
     struct pp_vec3 eye = towards(52.0, 100.0);
     struct pp_lobes lobes = lobes_of(&metal, eye);
-    assert_near(lobes.a.y, 1.0, 1e-12);
-    assert_near(lobes.b.x, -1.0, 1e-12);
+    assert_near(lobes.frame.x.y, 1.0, 1e-12);
+    assert_near(lobes.frame.y.x, -1.0, 1e-12);
     assert_true(pp_rgb_is_black(lobes.share[PP_LOBE_DIFFUSE]));
 
     struct pp_vec3 o = towards(47.0, 275.0);
@@ -82,8 +82,8 @@ static void glass_shares_light_out_as_its_law_says(void **state)
         assert_near(sum.r, 1.0, 1e-12);
         assert_true(sum.g < 0.95 && sum.b < sum.g);
     }
-    /* At normal incidence rho = (0.52/2.52)^2, tau = (1 - rho)^2 t / (1 - rho^2 t^2).
-     */
+    /* At normal incidence rho = (0.52/2.52)^2, tau = (1 - rho)^2 t / (1 - rho^2
+     * t^2). */
     double rho = 0.52 / 2.52 * (0.52 / 2.52);
     struct pp_lobes lobes = lobes_of(&pane, up);
     assert_near(lobes.share[PP_LOBE_STRAIGHT].g,

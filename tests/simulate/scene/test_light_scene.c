@@ -1,6 +1,8 @@
 /* test_light_scene.c - what rays meet in scenes of any shapes. */
 #include "simulate/scene/light_scene.h"
 
+#include "simulate/scene/light_scene_of_description.h"
+#include "simulate/scene/light_scene_of_world.h"
 #include "tests/lib/room_of.h"
 
 static const double huge_far = 1e4;
@@ -287,10 +289,9 @@ static void a_room_is_met_by_its_surfaces_names(void **state)
     assert_true(look(scene, pp_vec(1.4, -3.0, 0.2), pp_vec(0.0, 1.0, 0.0), &hit));
     assert_string_equal(pp_light_scene_material(scene, hit.material)->name,
                         "south (outside)");
-    struct pp_vec3 low, high;
-    pp_light_scene_bounds(scene, true, &low, &high);
-    assert_at(low, 0.0, 0.0, 0.0, 0.0);
-    assert_at(high, 3.1, 4.3, 2.6, 0.0);
+    struct pp_bounds3 room = pp_light_scene_bounds(scene, true);
+    assert_at(room.low, 0.0, 0.0, 0.0, 0.0);
+    assert_at(room.high, 3.1, 4.3, 2.6, 0.0);
     pp_light_scene_destroy(scene);
     pp_world_destroy(world);
 }

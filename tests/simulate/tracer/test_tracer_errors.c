@@ -1,4 +1,4 @@
-/* test_tracer_errors.c - standard errors are true, and answers hang on nothing else
+/* test_tracer_errors.c - standard errors are true, and answers depend on nothing else
  * than room, point and seed. */
 #include "tests/lib/random_rooms.h"
 
@@ -87,7 +87,7 @@ static void the_average_is_that_of_the_whole_plane(void **state)
     pp_world_destroy(world);
 }
 
-/* ---- what answers hang on ---- */
+/* ---- what answers depend on ---- */
 
 static void threads_change_nothing(void **state)
 {
@@ -153,7 +153,7 @@ static void rays_left_out_change_nothing(void **state)
     pp_world_destroy(world);
 }
 
-static void a_point_does_not_hang_on_the_others(void **state)
+static void a_point_does_not_depend_on_the_others(void **state)
 {
     (void)state;
     struct pp_world *world = pp_test_world(GLAZED_ROOM);
@@ -261,7 +261,7 @@ int main(void)
         cmocka_unit_test(threads_change_nothing),
         cmocka_unit_test(slices_change_nothing),
         cmocka_unit_test(rays_left_out_change_nothing),
-        cmocka_unit_test(a_point_does_not_hang_on_the_others),
+        cmocka_unit_test(a_point_does_not_depend_on_the_others),
         cmocka_unit_test(another_seed_is_another_sample),
         cmocka_unit_test(by_the_clock_errors_fall_for_as_long_as_one_likes),
         cmocka_unit_test(options_out_of_range_are_refused),

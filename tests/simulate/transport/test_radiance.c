@@ -1,4 +1,6 @@
 /* test_radiance.c - light along rays and on surfaces against what is known on paper. */
+#include "simulate/scene/light_scene_of_description.h"
+#include "simulate/scene/unsampled.h"
 #include "tests/lib/sampled_light.h"
 
 static const struct pp_vec3 up = {0.0, 0.0, 1.0};
@@ -82,8 +84,9 @@ static struct pp_test_mean under(const struct pp_pattern *pattern,
                                  struct pp_vec3 normal)
 {
     struct pp_light_scene *scene = under_sky(pattern);
-    struct pp_test_mean mean = pp_test_irradiance(scene, NULL, pp_radiance_defaults(),
-                                                  pp_vec(1.3, 2.7, 0.4), normal, 1024);
+    struct pp_test_mean mean =
+        pp_test_irradiance(scene, NULL, pp_radiance_options_defaults(),
+                           pp_vec(1.3, 2.7, 0.4), normal, 1024);
     pp_light_scene_destroy(scene);
     return mean;
 }
@@ -116,8 +119,8 @@ static void of_two_domes_the_smaller_one_is_seen(void **state)
     add_dome(&scene, bright, up, half);
     add_dome(&scene, dim, up, PP_PI / 2.0);
     struct pp_light_scene *made = built(&scene);
-    struct pp_test_mean mean = pp_test_irradiance(made, NULL, pp_radiance_defaults(),
-                                                  pp_vec(0.0, 0.0, 0.0), up, 2048);
+    struct pp_test_mean mean = pp_test_irradiance(
+        made, NULL, pp_radiance_options_defaults(), pp_vec(0.0, 0.0, 0.0), up, 2048);
     assert_lit(mean, PP_PI * (1.0 + 4.0 * sin(half) * sin(half)), 2e-3);
     pp_light_scene_destroy(made);
 }
@@ -143,8 +146,8 @@ static struct pp_light_scene *under_square(struct pp_material material, double a
     return built(&scene);
 }
 
-/* E = pi L F whether it is aimed at or found; aimed at with a hundredth of the rays the
- * error is smaller still. */
+/* E = pi L F whether it is sampled directly or found; sampled directly with a hundredth
+ * of the rays the error is smaller still. */
 static void a_square_lamp_gives_its_form_factor_as_light_and_as_glow(void **state)
 {
     (void)state;
@@ -154,15 +157,15 @@ static void a_square_lamp_gives_its_form_factor_as_light_and_as_glow(void **stat
     struct pp_light_scene *light = under_square(pp_material_light(colour), a, h);
     struct pp_light_scene *glow = under_square(pp_material_glow(colour), a, h);
     struct pp_vec3 point = {0.0, 0.0, 0.0};
-    struct pp_radiance_options one = pp_radiance_defaults();
+    struct pp_radiance_options one = pp_radiance_options_defaults();
     one.source_size = 0.0;
-    struct pp_test_mean aimed = pp_test_irradiance(light, NULL, one, point, up, 16);
+    struct pp_test_mean sampled = pp_test_irradiance(light, NULL, one, point, up, 16);
     struct pp_test_mean found = pp_test_irradiance(glow, NULL, one, point, up, 4096);
-    assert_near(aimed.value.g, expected, 4.0 * aimed.error);
+    assert_near(sampled.value.g, expected, 4.0 * sampled.error);
     assert_near(found.value.g, expected, 4.0 * found.error);
-    assert_relative(aimed.value.r, 1.5 * aimed.value.g, 1e-12);
-    assert_true(aimed.error < found.error);
-    assert_true(aimed.rays * 100 < found.rays);
+    assert_relative(sampled.value.r, 1.5 * sampled.value.g, 1e-12);
+    assert_true(sampled.error < found.error);
+    assert_true(sampled.rays * 100 < found.rays);
     /* Switched off, a light is found like a glow: the same paths, the same numbers. */
     one.sources = false;
     struct pp_test_mean off = pp_test_irradiance(light, NULL, one, point, up, 4096);
@@ -177,23 +180,23 @@ static void the_back_of_a_lamp_is_dark(void **state)
     struct pp_light_scene *scene =
         under_square(pp_material_light(pp_rgb_grey(7.0)), 0.4, -1.1);
     struct pp_test_mean mean =
-        pp_test_irradiance(scene, NULL, pp_radiance_defaults(), pp_vec(0.0, 0.0, 0.0),
-                           pp_vec(0.0, 0.0, -1.0), 16);
+        pp_test_irradiance(scene, NULL, pp_radiance_options_defaults(),
+                           pp_vec(0.0, 0.0, 0.0), pp_vec(0.0, 0.0, -1.0), 16);
     assert_near(mean.value.g, 0.0, 0.0);
-    assert_near(pp_test_radiance(scene, pp_radiance_defaults(), pp_vec(0.0, 0.0, 0.0),
-                                 pp_vec(0.0, 0.0, -1.0), 1)
+    assert_near(pp_test_radiance(scene, pp_radiance_options_defaults(),
+                                 pp_vec(0.0, 0.0, 0.0), pp_vec(0.0, 0.0, -1.0), 1)
                     .value.g,
                 0.0, 0.0);
-    assert_near(
-        pp_test_radiance(scene, pp_radiance_defaults(), pp_vec(0.0, 0.0, -2.0), up, 1)
-            .value.g,
-        7.0, 0.0);
+    assert_near(pp_test_radiance(scene, pp_radiance_options_defaults(),
+                                 pp_vec(0.0, 0.0, -2.0), up, 1)
+                    .value.g,
+                7.0, 0.0);
     pp_light_scene_destroy(scene);
 }
 
 /* A sheet that is a lamp in front and a black one behind, under a gloss that looks at
- * its back: nothing is aimed at there, and what would be behind the list of emitters is
- * not looked for (a read out of bounds, which sanitizers see). */
+ * its back: nothing is sampled directly there, and what would be behind the list of
+ * emitters is not looked for (a read out of bounds, which sanitizers see). */
 static void a_lamp_that_is_black_behind_is_one_emitter(void **state)
 {
     (void)state;
@@ -209,10 +212,11 @@ static void a_lamp_that_is_black_behind_is_one_emitter(void **state)
     struct pp_light_scene *made = built(&scene);
     struct pp_vec3 o = {0.0, 0.0, 0.0};
     assert_near(
-        pp_test_irradiance(made, NULL, pp_radiance_defaults(), o, up, 64).value.g, 0.0,
-        0.0);
+        pp_test_irradiance(made, NULL, pp_radiance_options_defaults(), o, up, 64)
+            .value.g,
+        0.0, 0.0);
     /* The front's form factor, from 1 m. */
-    assert_lit(pp_test_irradiance(made, NULL, pp_radiance_defaults(),
+    assert_lit(pp_test_irradiance(made, NULL, pp_radiance_options_defaults(),
                                   pp_vec(0.0, 0.0, -2.0), up, 64),
                PP_PI * square_factor(1.0, 1.0), 0.01);
     pp_light_scene_destroy(made);
@@ -231,8 +235,8 @@ static struct pp_test_mean furnace(struct pp_material material, double reflectan
     material.radiance = pp_rgb_grey(1.0 - reflectance);
     add_box(&scene, add(&scene, material), 1.7, 2.3, 1.1);
     struct pp_light_scene *made = built(&scene);
-    struct pp_test_mean mean =
-        pp_test_radiance(made, pp_radiance_defaults(), pp_vec(0.6, 0.9, 0.4), to, 64);
+    struct pp_test_mean mean = pp_test_radiance(made, pp_radiance_options_defaults(),
+                                                pp_vec(0.6, 0.9, 0.4), to, 64);
     pp_light_scene_destroy(made);
     return mean;
 }
@@ -283,13 +287,13 @@ static struct pp_light_scene *under_lamp(struct pp_shape lamp,
     return built(&scene);
 }
 
-static struct pp_test_mean lit_by(struct pp_shape lamp, struct pp_vec3 normal, bool aim,
-                                  uint32_t paths)
+static struct pp_test_mean lit_by(struct pp_shape lamp, struct pp_vec3 normal,
+                                  bool direct, uint32_t paths)
 {
     struct pp_light_scene *scene =
         under_lamp(lamp, pp_material_light(pp_rgb_grey(1.0)));
-    struct pp_radiance_options options = pp_radiance_defaults();
-    options.sources = aim;
+    struct pp_radiance_options options = pp_radiance_options_defaults();
+    options.sources = direct;
     struct pp_test_mean mean = pp_test_irradiance(
         scene, NULL, options, pp_vec(0.0, 0.0, 0.0), pp_vec_unit(normal), paths);
     pp_light_scene_destroy(scene);
@@ -333,17 +337,18 @@ static void a_ring_shines_as_one_disc_less_another(void **state)
     assert_lit(lit_by(ring, up, false, 1024), expected, 5e-3);
 }
 
-/* No closed form at hand: aimed at and found, two routes to one number. */
+/* No closed form at hand: sampled directly and found, two routes to one number. */
 static void a_cone_shines_the_same_aimed_at_and_found(void **state)
 {
     (void)state;
     struct pp_shape cone = {
         .kind = PP_SHAPE_CONE,
         .is.cone = {{pp_vec(0.3, -0.8, 1.0), pp_vec(0.5, 0.9, 1.6)}, {0.2, 0.45}}};
-    struct pp_test_mean aimed = lit_by(cone, up, true, 256);
+    struct pp_test_mean sampled = lit_by(cone, up, true, 256);
     struct pp_test_mean found = lit_by(cone, up, false, 8192);
-    assert_near(aimed.value.g, found.value.g, 4.0 * hypot(aimed.error, found.error));
-    assert_true(found.error < 2e-3 && aimed.value.g > 0.3);
+    assert_near(sampled.value.g, found.value.g,
+                4.0 * hypot(sampled.error, found.error));
+    assert_true(found.error < 2e-3 && sampled.value.g > 0.3);
 }
 
 /* A cone of directions about w gives pi L sin^2(half) cos(w, n). */
@@ -366,8 +371,7 @@ static void the_sun_gives_its_solid_angle(void **state)
 
 /* A brushed sheet under a square lamp, seen at a slant: whether its gloss takes the
  * lamp by aiming (a small one) or by its own directions (a large one), it is the same
- * light.
- */
+ * light. */
 static void a_gloss_shows_the_same_lamp_aimed_at_and_found(void **state)
 {
     (void)state;
@@ -384,15 +388,15 @@ static void a_gloss_shows_the_same_lamp_aimed_at_and_found(void **state)
                       pp_vec(0.7 - a, -a, 1.1), pp_vec(0.0, 2.0 * a, 0.0),
                       pp_vec(2.0 * a, 0.0, 0.0));
         struct pp_light_scene *made = built(&scene);
-        struct pp_radiance_options options = pp_radiance_defaults();
+        struct pp_radiance_options options = pp_radiance_options_defaults();
         struct pp_vec3 eye = {-0.9, 0.1, 1.3}, at = {0.9, -0.1, -1.3};
-        struct pp_test_mean aimed = pp_test_radiance(made, options, eye, at, 256);
+        struct pp_test_mean sampled = pp_test_radiance(made, options, eye, at, 256);
         options.sources = false;
         struct pp_test_mean found = pp_test_radiance(made, options, eye, at, 8192);
-        assert_near(aimed.value.g, found.value.g,
-                    4.0 * hypot(aimed.error, found.error));
+        assert_near(sampled.value.g, found.value.g,
+                    4.0 * hypot(sampled.error, found.error));
         assert_true(found.error < 0.03 * found.value.g);
-        assert_true(i == 1 || aimed.error < found.error);
+        assert_true(i == 1 || sampled.error < found.error);
         pp_light_scene_destroy(made);
     }
 }
@@ -435,10 +439,10 @@ static void a_mirror_gives_as_much_as_a_lamp_behind_it(void **state)
     for (int mirrors = 1; mirrors <= 2; mirrors++) {
         struct pp_light_scene *by = by_mirrors(mirrors, false, mirror);
         struct pp_light_scene *lamps = by_mirrors(mirrors, true, mirror);
-        struct pp_test_mean mean =
-            pp_test_irradiance(by, NULL, pp_radiance_defaults(), point, tilted, 256);
-        struct pp_test_mean expected =
-            pp_test_irradiance(lamps, NULL, pp_radiance_defaults(), point, tilted, 256);
+        struct pp_test_mean mean = pp_test_irradiance(
+            by, NULL, pp_radiance_options_defaults(), point, tilted, 256);
+        struct pp_test_mean expected = pp_test_irradiance(
+            lamps, NULL, pp_radiance_options_defaults(), point, tilted, 256);
         assert_relative(mean.value.g, expected.value.g, 1e-3);
         assert_true(mean.error < 5e-4 * mean.value.g);
         pp_light_scene_destroy(by);
@@ -460,7 +464,7 @@ static void the_sun_is_aimed_at_in_a_mirror(void **state)
                   pp_vec(-5.0, 5.0, -5.0), pp_vec(10.0, 0.0, 0.0),
                   pp_vec(0.0, 0.0, 10.0));
     struct pp_light_scene *made = built(&scene);
-    assert_lit(pp_test_irradiance(made, NULL, pp_radiance_defaults(),
+    assert_lit(pp_test_irradiance(made, NULL, pp_radiance_options_defaults(),
                                   pp_vec(0.0, 0.0, 0.0), up, 64),
                1.8 * 1e5 * PP_PI * sin(half) * sin(half) * sun.z, 1e-3);
     assert_near(pp_unsampled_bound(made, pp_vec(0.0, 0.0, 0.0), false, 64).g, 0.0, 0.0);
@@ -468,7 +472,7 @@ static void the_sun_is_aimed_at_in_a_mirror(void **state)
 }
 
 /* A glossy floor between a pane of glass and a shiny wall, which mirrors and scatters:
- * by chance and aimed at, no light is counted twice and none is lost. */
+ * by chance and sampled directly, no light is counted twice and none is lost. */
 static void mirrors_show_the_same_lamp_aimed_at_and_found(void **state)
 {
     (void)state;
@@ -487,16 +491,17 @@ static void mirrors_show_the_same_lamp_aimed_at_and_found(void **state)
                   pp_vec(-0.4, -0.4, 1.9), pp_vec(0.0, 0.8, 0.0),
                   pp_vec(0.8, 0.0, 0.0));
     struct pp_light_scene *made = built(&scene);
-    struct pp_radiance_options options = pp_radiance_defaults();
+    struct pp_radiance_options options = pp_radiance_options_defaults();
     struct pp_vec3 point = {0.2, 0.3, 0.7};
     struct pp_vec3 to = pp_vec_unit(pp_vec(0.7, 0.2, 0.1));
-    struct pp_test_mean aimed =
+    struct pp_test_mean sampled =
         pp_test_irradiance(made, NULL, options, point, to, 1024);
     options.sources = false;
     struct pp_test_mean found =
         pp_test_irradiance(made, NULL, options, point, to, 8192);
-    assert_near(aimed.value.g, found.value.g, 4.0 * hypot(aimed.error, found.error));
-    assert_true(aimed.error < 0.5 * found.error);
+    assert_near(sampled.value.g, found.value.g,
+                4.0 * hypot(sampled.error, found.error));
+    assert_true(sampled.error < 0.5 * found.error);
     assert_true(found.error < 0.01 * found.value.g);
     pp_light_scene_destroy(made);
 }
@@ -515,7 +520,7 @@ static void what_mirrors_may_hide_is_known(void **state)
                     0.8 * 0.8 * 0.8 * solid, 1e-9);
     assert_relative(pp_unsampled_bound(corner, point, false, 1000000).g, PP_PI / 1e6,
                     1e-9);
-    /* The lamp itself, where it is not aimed at. */
+    /* The lamp itself, where it is not sampled directly. */
     assert_relative(pp_unsampled_bound(corner, point, true, 10).g, solid, 1e-9);
     pp_light_scene_destroy(corner);
 
@@ -557,13 +562,13 @@ static void a_lamp_shines_through_glass(void **state)
                   pp_vec(2.0 * a, 0.0, 0.0));
     struct pp_light_scene *made = built(&scene);
     /* The lamp is 0.01 wide, so all incidence is normal to 1e-4 of cos. */
-    struct pp_test_mean mean = pp_test_irradiance(made, NULL, pp_radiance_defaults(),
-                                                  pp_vec(0.0, 0.0, 0.0), up, 16);
+    struct pp_test_mean mean = pp_test_irradiance(
+        made, NULL, pp_radiance_options_defaults(), pp_vec(0.0, 0.0, 0.0), up, 16);
     double expected = 4.0 * a * a / (h * h);
     assert_relative(mean.value.r, expected * pane.glass[0].normal, 1e-3);
     assert_relative(mean.value.b, expected * pane.glass[2].normal, 1e-3);
-    struct pp_test_mean seen =
-        pp_test_radiance(made, pp_radiance_defaults(), pp_vec(0.0, 0.0, 0.0), up, 4096);
+    struct pp_test_mean seen = pp_test_radiance(made, pp_radiance_options_defaults(),
+                                                pp_vec(0.0, 0.0, 0.0), up, 4096);
     assert_lit(seen,
                pp_rgb_luminance(pp_rgb(pane.glass[0].normal, pane.glass[1].normal,
                                        pane.glass[2].normal)),
@@ -583,7 +588,7 @@ static void assert_in_equilibrium(struct pp_material trans)
     add_box(&scene, add(&scene, trans), 1.7, 2.3, 1.1);
     add_dome(&scene, add(&scene, pp_material_glow(pp_rgb_grey(1.0))), up, PP_PI);
     struct pp_light_scene *made = built(&scene);
-    struct pp_radiance_options options = pp_radiance_defaults();
+    struct pp_radiance_options options = pp_radiance_options_defaults();
     const struct pp_vec3 from[] = {{0.6, 0.9, 0.4}, {0.6, 0.9, 4.4}, {-3.0, 0.2, 1.3}};
     const struct pp_vec3 to[] = {
         {0.3, 0.5, -0.4}, {0.03, 0.05, -1.0}, {4.0, 0.6, -0.2}};
@@ -613,7 +618,7 @@ static void a_box_of_lossless_glass_is_not_to_be_seen(void **state)
     const double tilts[] = {1.0, 45.0, 80.0, 87.0, 89.0, 89.9, 89.999};
     for (int i = 0; i < 7; i++) {
         double t = tilts[i] * PP_RAD;
-        assert_lit(pp_test_radiance(made, pp_radiance_defaults(),
+        assert_lit(pp_test_radiance(made, pp_radiance_options_defaults(),
                                     pp_vec(-0.9, 1.1, 1.1 + 2.0 / tan(t)),
                                     pp_vec(sin(t), 0.02 * sin(t), -cos(t)), 64),
                    1.0, 1e-3);
@@ -643,10 +648,10 @@ static void the_sun_shows_in_mirrors(void **state)
     /* Mirrored in the floor and in the wall the sun's direction has both turned. */
     struct pp_vec3 to = {-sun.x, sun.y, -sun.z};
     struct pp_test_mean mean =
-        pp_test_radiance(made, pp_radiance_defaults(), eye, to, 4);
+        pp_test_radiance(made, pp_radiance_options_defaults(), eye, to, 4);
     assert_relative(mean.value.g, 0.9 * 0.8 * (1e6 + 3.0), 1e-9);
     to.y += 0.02; /* 1.4 degrees aside */
-    mean = pp_test_radiance(made, pp_radiance_defaults(), eye, to, 4);
+    mean = pp_test_radiance(made, pp_radiance_options_defaults(), eye, to, 4);
     assert_relative(mean.value.g, 0.9 * 0.8 * 3.0, 1e-9);
     pp_light_scene_destroy(made);
 }
@@ -663,17 +668,19 @@ static void an_unseen_lamp_lights_but_does_not_show(void **state)
     struct pp_light_scene *scene = under_square(air, a, h);
     struct pp_vec3 o = {0.0, 0.0, 0.0};
     double expected = 3.0 * PP_PI * square_factor(a, h);
-    assert_lit(pp_test_irradiance(scene, NULL, pp_radiance_defaults(), o, up, 64),
-               expected, 0.01);
-    assert_near(pp_test_radiance(scene, pp_radiance_defaults(), o, up, 1).value.g, 0.0,
-                0.0);
+    assert_lit(
+        pp_test_irradiance(scene, NULL, pp_radiance_options_defaults(), o, up, 64),
+        expected, 0.01);
+    assert_near(
+        pp_test_radiance(scene, pp_radiance_options_defaults(), o, up, 1).value.g, 0.0,
+        0.0);
     pp_light_scene_destroy(scene);
 }
 
 /* ---- bounces, and what is had from elsewhere ---- */
 
-/* After n reflections of 1 - rho: (1 - rho)(1 + rho + ... + rho^n) = 1 - rho^(n + 1).
- */
+/* After n reflections of 1 - rho: (1 - rho)(1 + rho + ... + rho^n) = 1 - rho^(n +
+ * 1). */
 static void bounces_can_be_limited(void **state)
 {
     (void)state;
@@ -684,7 +691,7 @@ static void bounces_can_be_limited(void **state)
     grey.radiance = pp_rgb_grey(0.4);
     add_box(&scene, add(&scene, grey), 1.7, 2.3, 1.1);
     struct pp_light_scene *made = built(&scene);
-    struct pp_radiance_options options = pp_radiance_defaults();
+    struct pp_radiance_options options = pp_radiance_options_defaults();
     struct pp_vec3 from = {0.6, 0.9, 0.4};
     for (options.bounces = 0; options.bounces < 5; options.bounces++) {
         assert_lit(pp_test_radiance(made, options, from, pp_vec(0.3, 0.5, -0.4), 256),
@@ -712,7 +719,8 @@ static bool two(void *store, const struct pp_light_hit *hit, struct pp_vec3 norm
     return true;
 }
 
-/* A plane under a lamp: what is aimed at is added to what is had from elsewhere. */
+/* A plane under a lamp: what is sampled directly is added to what is had from
+ * elsewhere. */
 static void inter_reflection_may_be_had_from_elsewhere(void **state)
 {
     (void)state;
@@ -728,7 +736,7 @@ static void inter_reflection_may_be_had_from_elsewhere(void **state)
     struct pp_sobol *sobol = malloc(sizeof *sobol);
     pp_sobol_init(sobol);
     struct pp_radiance_state path_state = {
-        .scene = made, .options = pp_radiance_defaults(), .ambient = &ambient};
+        .scene = made, .options = pp_radiance_options_defaults(), .ambient = &ambient};
     pp_sobol_sequence_init(&path_state.sequence, sobol, 1);
     struct pp_light_ray down = {.from = pp_vec(0.3, 0.2, 2.0),
                                 .to = pp_vec(0.0, 0.0, -1.0)};
@@ -767,7 +775,7 @@ static void many_lamps_give_as_much_as_one_of_their_size(void **state)
                           pp_vec(0.0, 1.0 / side, 0.0), pp_vec(1.0 / side, 0.0, 0.0));
         struct pp_light_scene *made = built(&scene);
         struct pp_test_mean mean =
-            pp_test_irradiance(made, NULL, pp_radiance_defaults(),
+            pp_test_irradiance(made, NULL, pp_radiance_options_defaults(),
                                pp_vec(0.9, 1.1, 0.8), pp_vec(0.0, 0.0, 1.0), 256);
         assert_true(mean.error < 0.003 * mean.value.g);
         seen[many] = mean.value.g;

@@ -1,5 +1,7 @@
 /* test_room_light.c - light in rooms, against the tracer and against itself. */
 #include "simulate/sampling/hash.h"
+#include "simulate/scene/light_scene_of_world.h"
+#include "simulate/transport/window_store.h"
 #include "tests/lib/sampled_light.h"
 #include "tests/lib/room_of.h"
 #include "tests/lib/traced.h"
@@ -28,7 +30,7 @@ static void assert_as_traced(const char *xml, double slack)
     for (int i = 0; i < world->receiver_count; i++) {
         struct pp_reading df = traced[i][PP_DF];
         for (int stored = 0; stored < 2; stored++) {
-            struct pp_radiance_options how = pp_radiance_defaults();
+            struct pp_radiance_options how = pp_radiance_options_defaults();
             how.source_size = 0.5;
             struct pp_test_mean mean = pp_test_irradiance(
                 scene, stored ? store : NULL, how, world->receivers[i].position,
@@ -68,8 +70,8 @@ static void so_has_one_with_things_close_outside(void **state)
 }
 
 /* A bright wall half a metre before the window: what it throws back into the room comes
- * out again, and so on. Windows are aimed at on the first way out only; the store's
- * patches may cost 1 % of the light right beside the window. */
+ * out again, and so on. Windows are sampled directly on the first way out only; the
+ * store's patches may cost 1 % of the light right beside the window. */
 static void so_has_one_with_a_wall_right_before_its_window(void **state)
 {
     (void)state;
@@ -115,7 +117,7 @@ static void sky_and_outside_are_told_apart(void **state)
     struct pp_sobol *sobol = malloc(sizeof *sobol);
     pp_sobol_init(sobol);
     struct pp_radiance_state path_state = {.scene = scene,
-                                           .options = pp_radiance_defaults()};
+                                           .options = pp_radiance_options_defaults()};
     pp_sobol_sequence_init(&path_state.sequence, sobol, 5);
     double sky = 0.0, outside = 0.0;
     enum { PATHS = 512 };
@@ -142,22 +144,25 @@ static void windows_aimed_at_save_time_not_light(void **state)
     (void)state;
     struct pp_world *world = pp_test_world(DEEP "</room>");
     struct pp_light_scene *scene = scene_of(world);
-    struct pp_radiance_options options = pp_radiance_defaults();
+    struct pp_radiance_options options = pp_radiance_options_defaults();
     struct pp_vec3 back = {1.5, 7.0, 0.85}, up = {0.0, 0.0, 1.0};
-    struct pp_test_mean aimed = pp_test_irradiance(scene, NULL, options, back, up, 256);
+    struct pp_test_mean sampled =
+        pp_test_irradiance(scene, NULL, options, back, up, 256);
     options.windows = false;
     struct pp_test_mean found =
         pp_test_irradiance(scene, NULL, options, back, up, 1024);
-    assert_near(aimed.value.g, found.value.g, 4.0 * hypot(aimed.error, found.error));
+    assert_near(sampled.value.g, found.value.g,
+                4.0 * hypot(sampled.error, found.error));
     /* Rays to the same error go with its square. */
-    double rays = (double)aimed.rays * aimed.error * aimed.error;
+    double rays = (double)sampled.rays * sampled.error * sampled.error;
     assert_true((double)found.rays * found.error * found.error > 2.0 * rays);
     pp_light_scene_destroy(scene);
     pp_world_destroy(world);
 }
 
 /* Of a wall before one window, part is lit through the room and its other window.
- * Windows aren't aimed at from there, so what it finds through both of them counts. */
+ * Windows aren't sampled directly from there, so what it finds through both of them
+ * counts. */
 static void light_through_two_windows_falls_on_what_stands_outside(void **state)
 {
     (void)state;
@@ -170,19 +175,21 @@ static void light_through_two_windows_falls_on_what_stands_outside(void **state)
         "<block x='-9' y='-3' width='21' depth='2' height='12' reflectance='0.8'/>"
         "</room>");
     struct pp_light_scene *scene = scene_of(world);
-    struct pp_radiance_options options = pp_radiance_defaults();
+    struct pp_radiance_options options = pp_radiance_options_defaults();
     struct pp_vec3 eye = {1.5, 1.0, 1.5}, south = {0.0, -1.0, 0.0};
-    struct pp_test_mean aimed = pp_test_radiance(scene, options, eye, south, 1024);
+    struct pp_test_mean sampled = pp_test_radiance(scene, options, eye, south, 1024);
     options.windows = false;
     struct pp_test_mean found = pp_test_radiance(scene, options, eye, south, 1024);
-    assert_near(aimed.value.g, found.value.g, 4.0 * hypot(aimed.error, found.error));
-    assert_true(hypot(aimed.error, found.error) < 0.01 * found.value.g);
+    assert_near(sampled.value.g, found.value.g,
+                4.0 * hypot(sampled.error, found.error));
+    assert_true(hypot(sampled.error, found.error) < 0.01 * found.value.g);
     pp_light_scene_destroy(scene);
     pp_world_destroy(world);
 }
 
 /* A room in equilibrium with a white sky and ground, whose surfaces give off what they
- * don't reflect, whatever their gloss, the window being aimed at or found: all is 1. */
+ * don't reflect, whatever their gloss, the window being sampled directly or found: all
+ * is 1. */
 static void a_room_in_equilibrium_shows_one_everywhere(void **state)
 {
     (void)state;
@@ -197,7 +204,7 @@ static void a_room_in_equilibrium_shows_one_everywhere(void **state)
     for (int i = 0; i < world->surface_count; i++)
         world->surfaces[i].exitance = 1.0 - world->surfaces[i].front;
     struct pp_light_scene *scene = scene_of(world);
-    struct pp_radiance_options options = pp_radiance_defaults();
+    struct pp_radiance_options options = pp_radiance_options_defaults();
     const struct pp_vec3 looks[] = {{0.1, 0.2, 1.0},   {0.3, -1.0, 0.1},
                                     {-0.4, 0.3, -0.6}, {0.0, -1.0, -0.2},
                                     {1.0, -0.3, 0.1},  {-1.0, -0.4, -0.1}};
@@ -209,7 +216,7 @@ static void a_room_in_equilibrium_shows_one_everywhere(void **state)
     pp_world_destroy(world);
 }
 
-/* Not one ray slips out by the edges, though all rays are aimed at them. */
+/* Not one ray slips out by the edges, though all rays go to them. */
 static void no_light_leaks_in_by_the_edges(void **state)
 {
     (void)state;
@@ -247,7 +254,7 @@ static void light_goes_on_from_the_edges(void **state)
     struct pp_sobol *sobol = malloc(sizeof *sobol);
     pp_sobol_init(sobol);
     struct pp_radiance_state path_state = {.scene = scene,
-                                           .options = pp_radiance_defaults()};
+                                           .options = pp_radiance_options_defaults()};
     pp_sobol_sequence_init(&path_state.sequence, sobol, 7);
     for (path_state.index = 0; path_state.index < 3000; path_state.index++) {
         struct pp_vec3 eye = {1.5, 8.0, 1.6}, at = {0.001 * path_state.index, 0.0, 0.0};
@@ -274,7 +281,7 @@ static struct pp_irradiance straight_in(const char *xml, bool stored,
     pp_sobol_init(sobol);
     assert_int_equal(pp_window_store_create(&store, scene, 1, 1, NULL), PP_OK);
     struct pp_radiance_state path_state = {.scene = scene,
-                                           .options = pp_radiance_defaults(),
+                                           .options = pp_radiance_options_defaults(),
                                            .store = stored ? store : NULL};
     struct pp_irradiance sum = {.rest = pp_rgb_grey(0.0)};
     enum { PATHS = 1024 };
@@ -332,7 +339,7 @@ static void things_at_the_window_are_not_stored(void **state)
 }
 
 /* The store is worked out the same by any number of threads. */
-static void the_store_does_not_hang_on_threads(void **state)
+static void the_store_does_not_depend_on_threads(void **state)
 {
     (void)state;
     struct pp_world *world = pp_test_world(
@@ -343,7 +350,7 @@ static void the_store_does_not_hang_on_threads(void **state)
         struct pp_window_store *store;
         assert_int_equal(pp_window_store_create(&store, scene, 9, 1 + 2 * i, NULL),
                          PP_OK);
-        seen[i] = pp_test_irradiance(scene, store, pp_radiance_defaults(),
+        seen[i] = pp_test_irradiance(scene, store, pp_radiance_options_defaults(),
                                      pp_vec(1.2, 2.3, 0.7), pp_vec(0.0, 0.0, 1.0), 8)
                       .value.g;
         pp_window_store_destroy(store);
@@ -368,7 +375,7 @@ int main(void)
         cmocka_unit_test(light_goes_on_from_the_edges),
         cmocka_unit_test(a_diffusing_pane_is_lit_from_point_to_point),
         cmocka_unit_test(things_at_the_window_are_not_stored),
-        cmocka_unit_test(the_store_does_not_hang_on_threads),
+        cmocka_unit_test(the_store_does_not_depend_on_threads),
     };
     return cmocka_run_group_tests_name("room_light", tests, NULL, NULL);
 }

@@ -1,0 +1,30 @@
+/* cache_file.h - a cache's records as a file.
+ *
+ * All little-endian, 8 bytes each but the first 16:
+ *
+ *     "pepperpot cache\n", version, the scene's hash, the options' hash,
+ *     number of records of depth 0, of depth 1,
+ *     each record: 38 + PP_CACHE_SECTORS doubles (cache_file.c has their order),
+ *     a checksum of all that stands before it
+ *
+ * The radii are those after neighbours have limited each other, values and gradients
+ * those before smoothing (cache_smooth.h): that is done when a file is read as it is
+ * when a cache is grown, and the same sums are formed in the same order.
+ */
+#ifndef PP_SIMULATE_CACHE_CACHE_FILE_H
+#define PP_SIMULATE_CACHE_CACHE_FILE_H
+
+#include "simulate/cache/irradiance_cache.h"
+
+/* The records as a file has them; *bytes is the caller's to free. */
+enum pp_status pp_cache_file_pack(const struct pp_irradiance_cache *cache, char **bytes,
+                                  size_t *length, struct pp_error *err);
+
+/* Gives a cache that has no records those of a file; `title` is what messages call it.
+ * PP_BAD_INPUT, and the cache is as before, if the file is cut off, damaged, of another
+ * version, or of another scene or other options. */
+enum pp_status pp_cache_file_unpack(struct pp_irradiance_cache *cache,
+                                    const char *bytes, size_t length, const char *title,
+                                    struct pp_error *err);
+
+#endif

@@ -1,0 +1,57 @@
+/* cache_layer.h - the records of one depth, and the requests for them. Inside simulate/
+ * only.
+ *
+ * Depth 0 has the records of surfaces that are seen, depth 1 those of surfaces that
+ * light these.
+ */
+#ifndef PP_SIMULATE_CACHE_CACHE_LAYER_H
+#define PP_SIMULATE_CACHE_CACHE_LAYER_H
+
+#include "simulate/cache/cache_octree.h"
+#include "simulate/cache/cache_record.h"
+
+/* A place whose irradiance is wanted. */
+struct pp_cache_request {
+    struct pp_cache_place place;
+    float
+        guess_m; /* the radius expected of a record there; below 0: records cover it */
+};
+
+struct pp_cache_layer {
+    struct pp_cache_record_settings settings;
+    struct pp_vec3 *corners; /* of the settings' hemispheres */
+    struct pp_cache_entry *entries;
+    int entry_count, entry_capacity;
+    struct pp_cache_octree tree;
+
+    struct pp_cache_request *requests; /* those not yet met begin at `next` */
+    int request_count, request_capacity, next;
+    int *open; /* of the chunk of requests that begins at `next`: those not covered */
+    int open_count;
+    bool again; /* have records come in since the first request was looked at? */
+};
+
+/* Fits an entry in: limits its radii and its neighbours' by each other's [KBPZ06], and
+ * puts it in the tree. */
+enum pp_status pp_cache_layer_add(struct pp_cache_layer *layer,
+                                  const struct pp_cache_entry *entry,
+                                  struct pp_error *err);
+
+/* Puts an entry in as it is. */
+enum pp_status pp_cache_layer_put(struct pp_cache_layer *layer,
+                                  const struct pp_cache_entry *entry,
+                                  struct pp_error *err);
+
+/* The tree made anew from the radii as they are now, so that a cache that was read from
+ * a file adds in the same order. */
+enum pp_status pp_cache_layer_rebuild_tree(struct pp_cache_layer *layer,
+                                           struct pp_error *err);
+
+/* Weighted mean of the records whose ellipses hold the place. Where there are none:
+ * false, and *guess_m (may be NULL) is the smaller radius of the nearest record by its
+ * own measure, or 0. */
+bool pp_cache_layer_read(const struct pp_cache_layer *layer,
+                         const struct pp_cache_place *place, struct pp_rgb *value,
+                         double *guess_m);
+
+#endif

@@ -1,0 +1,57 @@
+/* little_endian.h - numbers as bytes of a file, least significant first, on any
+ * machine.
+ */
+#ifndef PP_SIMULATE_CACHE_LITTLE_ENDIAN_H
+#define PP_SIMULATE_CACHE_LITTLE_ENDIAN_H
+
+#include <stdint.h>
+#include <string.h>
+
+/* Writes or reads the lowest 1 to 8 bytes of a number at *at, which moves behind
+ * them. */
+static inline void pp_little_endian_put(unsigned char **at, uint64_t value, int bytes)
+{
+    for (int i = 0; i < bytes; i++)
+        *(*at)++ = (unsigned char)(value >> 8 * i);
+}
+
+static inline uint64_t pp_little_endian_take(const unsigned char **at, int bytes)
+{
+    uint64_t value = 0;
+    for (int i = 0; i < bytes; i++)
+        value |= (uint64_t) * (*at)++ << 8 * i;
+    return value;
+}
+
+/* The same of a double by its 8 bytes, and of a float by its 4. */
+static inline void pp_little_endian_put_double(unsigned char **at, double value)
+{
+    uint64_t bits;
+    memcpy(&bits, &value, sizeof bits);
+    pp_little_endian_put(at, bits, 8);
+}
+
+static inline double pp_little_endian_take_double(const unsigned char **at)
+{
+    uint64_t bits = pp_little_endian_take(at, 8);
+    double value;
+    memcpy(&value, &bits, sizeof value);
+    return value;
+}
+
+static inline void pp_little_endian_put_float(unsigned char **at, float value)
+{
+    uint32_t bits;
+    memcpy(&bits, &value, sizeof bits);
+    pp_little_endian_put(at, bits, 4);
+}
+
+static inline float pp_little_endian_take_float(const unsigned char **at)
+{
+    uint32_t bits = (uint32_t)pp_little_endian_take(at, 4);
+    float value;
+    memcpy(&value, &bits, sizeof value);
+    return value;
+}
+
+#endif

@@ -1,0 +1,17 @@
+/* render_cache.h - the records of an irradiance cache that a picture was made with. */
+#ifndef PP_SIMULATE_RENDER_RENDER_CACHE_H
+#define PP_SIMULATE_RENDER_RENDER_CACHE_H
+
+#include "simulate/render/render.h"
+
+/* A number that depends on all records of a cache, for ambient_hash. */
+uint64_t pp_render_cache_hash(const struct pp_irradiance_cache *cache);
+
+/* Where in the picture, in pixels, the records of depth 0 are seen: not through glass.
+ * *xy is the caller's to free. */
+enum pp_status pp_render_cache_positions(const struct pp_render *render,
+                                         const struct pp_irradiance_cache *cache,
+                                         double (**xy)[2], int *count,
+                                         struct pp_error *err);
+
+#endif

@@ -1,0 +1,19 @@
+/* light_scene_of_world.h - a light scene made from a room's world. */
+#ifndef PP_SIMULATE_SCENE_LIGHT_SCENE_OF_WORLD_H
+#define PP_SIMULATE_SCENE_LIGHT_SCENE_OF_WORLD_H
+
+#include "model/room/world.h"
+#include "simulate/scene/light_scene.h"
+
+/* world must live as long as the scene. Shapes have the index of their surface as tag,
+ * panes the number of the world's surfaces plus their opening's index. */
+enum pp_status pp_light_scene_of_world(struct pp_light_scene **scene,
+                                       const struct pp_world *world,
+                                       struct pp_error *err);
+
+/* The same with every finish diffuse, as the tracer and the hand methods have it. */
+enum pp_status pp_light_scene_of_world_matt(struct pp_light_scene **scene,
+                                            const struct pp_world *world,
+                                            struct pp_error *err);
+
+#endif

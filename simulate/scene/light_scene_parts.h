@@ -1,0 +1,73 @@
+/* light_scene_parts.h - the data of a light scene. Inside simulate/ only. */
+#ifndef PP_SIMULATE_SCENE_LIGHT_SCENE_PARTS_H
+#define PP_SIMULATE_SCENE_LIGHT_SCENE_PARTS_H
+
+#include "model/light/scene_description.h"
+#include "simulate/sampling/gloss.h"
+#include "simulate/scene/emitters.h"
+#include "simulate/scene/mirrors.h"
+#include "simulate/scene/ray_scene.h"
+#include "simulate/scene/rays.h"
+
+/* A piece of surface that has one plane or one curve. */
+struct pp_light_part {
+    struct pp_vec3 normal; /* of the front of a plane part, unit */
+    double offset_m;       /* normal . x of its points, from the centre */
+    double area_m2;        /* of a plane part of a description */
+    int material[2];       /* of front and back */
+    int tag;
+    int round;              /* which of the round shapes; -1: plane */
+    int window;             /* whose pane; -1: none */
+    int emitter[2];         /* of front and back; -1: not a concentrated emitter */
+    int mirror;             /* in whose plane it mirrors; -1: none */
+    unsigned char space[2]; /* enum pp_space of rays that leave front and back */
+    bool envelope;          /* of a room: its back is not seen from inside */
+    bool back_emits;
+};
+
+struct pp_light_scene {
+    struct pp_vec3 centre;        /* points below are measured from there */
+    const struct pp_world *world; /* NULL: of a description; not owned */
+    struct pp_ray_scene *room;    /* of a world: its rays, windows, environment */
+    bool matt;                    /* of a world: its finishes without their gloss */
+
+    struct pp_material *materials;
+    int material_count;
+    struct pp_gloss *glosses;
+    int gloss_count;
+    int *gloss_of_material; /* -1: it has none, or is a mirror */
+    struct pp_pattern *patterns;
+    int pattern_count;
+    struct pp_light_part *parts;
+    int part_count;
+    int *part_of_triangle; /* by triangle, then by round shape */
+    int triangle_count;
+    struct pp_shape *rounds;
+    int round_count;
+    struct pp_rays *rays; /* of a world: the room's */
+
+    struct pp_emitter *emitters;
+    int emitter_count;
+    struct pp_vec3 (*emitter_triangles)[3];
+    int emitter_triangle_count, emitter_triangle_capacity;
+    struct pp_distant *distants;
+    int distant_count;
+    struct pp_mirror *mirrors;
+    int mirror_count;
+    struct pp_mirror_path *mirror_paths;
+    int mirror_path_count;
+    double unsampled_share; /* the greatest reflectance of parts outside mirror paths */
+    struct pp_rgb glow; /* the brightest of its extended emitters that has a place */
+
+    struct pp_bounds3 bounds; /* of all that has a place, in the scene's coordinates */
+    uint64_t hash;
+};
+
+/* Where a ray runs that leaves the front or back of a part. */
+static inline enum pp_space pp_light_scene_parts_space(
+    const struct pp_light_scene *scene, int part, bool back)
+{
+    return (enum pp_space)scene->parts[part].space[back];
+}
+
+#endif

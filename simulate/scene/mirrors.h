@@ -1,0 +1,48 @@
+/* mirrors.h - plane mirrors, by which next-event estimation samples emitters too.
+ *
+ * As Radiance does for its `mirror` [WS98], but for any surface that mirrors:
+ * directions to the emitter are sampled from the image of the shading point behind the
+ * mirror, and unfolded again. Curved mirrors, the lesser planes of many and third
+ * reflections are left to rays that find the emitter; the light that these may miss is
+ * part of the stated error (unsampled.h).
+ */
+#ifndef PP_SIMULATE_SCENE_MIRRORS_H
+#define PP_SIMULATE_SCENE_MIRRORS_H
+
+#include "simulate/scene/light_scene.h"
+
+/* A plane in which some part mirrors. */
+struct pp_mirror {
+    struct pp_vec3 normal; /* unit, of either side */
+    double offset_m;
+    double share; /* the greatest reflectance of its parts at normal incidence */
+};
+
+/* Mirrors one after the other on the way from a point to an emitter. Numbers of mirror
+ * paths below may be -1: the path without a mirror. */
+enum { PP_MIRROR_PATH_MOST = 2 };
+struct pp_mirror_path {
+    int mirrors[PP_MIRROR_PATH_MOST]; /* -1 behind the last */
+    double share;                     /* the product of theirs */
+};
+
+/* Finds the scene's mirrors and mirror paths, once all its parts and emitters are
+ * there. */
+enum pp_status pp_mirrors_find(struct pp_light_scene *scene, struct pp_error *err);
+
+/* The mirror path with that mirror behind its last; -1: there is none. */
+int pp_mirrors_path_extend(const struct pp_light_scene *scene, int mirror_path,
+                           int mirror);
+
+/* The images of a point and of a direction behind the last mirror. */
+struct pp_vec3 pp_mirrors_path_point(const struct pp_light_scene *scene,
+                                     int mirror_path, struct pp_vec3 p);
+struct pp_vec3 pp_mirrors_path_direction(const struct pp_light_scene *scene,
+                                         int mirror_path, struct pp_vec3 u);
+
+/* The direction in which light that leaves the last mirror along u has left the
+ * point. */
+struct pp_vec3 pp_mirrors_path_unfold(const struct pp_light_scene *scene,
+                                      int mirror_path, struct pp_vec3 u);
+
+#endif

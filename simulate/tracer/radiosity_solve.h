@@ -1,0 +1,18 @@
+/* radiosity_solve.h - the radiosity solution of a room worked out. */
+#ifndef PP_SIMULATE_TRACER_RADIOSITY_SOLVE_H
+#define PP_SIMULATE_TRACER_RADIOSITY_SOLVE_H
+
+#include "model/base/error.h"
+#include "model/room/world.h"
+#include "simulate/sampling/sobol.h"
+#include "simulate/tracer/radiosity.h"
+
+/* On success *radiosity is the caller's; NULL where the room has so many surfaces that
+ * a solution would not pay. */
+enum pp_status pp_radiosity_solve(struct pp_radiosity **radiosity,
+                                  const struct pp_ray_scene *scene,
+                                  const struct pp_world *world,
+                                  const struct pp_sobol *sobol, uint64_t seed,
+                                  int threads, struct pp_error *err);
+
+#endif

@@ -1,0 +1,23 @@
+/* light_sources.h - next-event estimation of concentrated emitters. Inside simulate/
+ * only.
+ *
+ * An emitter is connected to the shading point straight, through whatever is clear, and
+ * by plane mirrors (scene/mirrors.h). At the first surface of a path every connection
+ * is sampled, in several strata if the emitter looks large; at later ones, and where
+ * there are too many, one connection is chosen at random by its importance.
+ */
+#ifndef PP_SIMULATE_TRANSPORT_LIGHT_SOURCES_H
+#define PP_SIMULATE_TRANSPORT_LIGHT_SOURCES_H
+
+#include "simulate/transport/path_vertex.h"
+
+/* One sample of the light that the shading point sends on to the eye, from all
+ * concentrated emitters. */
+struct pp_rgb pp_light_sources_next_event(struct pp_radiance_state *state,
+                                          const struct pp_shading_point *shading);
+
+/* Has the emitter been sampled directly from where the path's ray starts? */
+bool pp_light_sources_directly_sampled(const struct pp_radiance_state *state,
+                                       const struct pp_light_path *path, int emitter);
+
+#endif

@@ -1,0 +1,96 @@
+/* radiance_state.c - the rays of a path: counted, and shadow rays through clear
+ * surfaces and by plane mirrors. */
+#include "simulate/transport/radiance_state.h"
+
+#include <math.h>
+
+#include "simulate/sampling/scatter.h"
+#include "simulate/scene/light_scene_parts.h"
+
+/* Clear surfaces that a shadow ray passes, at most. */
+enum { MOST_PANES = 64 };
+
+enum pp_meeting pp_radiance_state_meet(struct pp_radiance_state *state,
+                                       const struct pp_light_ray *ray,
+                                       struct pp_light_hit *hit)
+{
+    state->rays++;
+    enum pp_meeting meeting = pp_light_scene_meet(state->scene, ray, hit);
+    state->leaks += meeting == PP_MEETS_LEAK;
+    return meeting;
+}
+
+/* The ray goes on behind the surface that it has met; false where nothing passes. */
+static bool pass(const struct pp_light_scene *scene, struct pp_light_ray *ray,
+                 const struct pp_light_hit *hit, struct pp_rgb *through)
+{
+    *through = pp_rgb_times(
+        *through, pp_scatter_regular_transmittance(&scene->materials[hit->material],
+                                                   -pp_vec_dot(hit->normal, ray->to)));
+    ray->from = hit->point;
+    ray->off = pp_vec_scale(hit->normal, -1.0);
+    ray->space = pp_light_scene_parts_space(scene, hit->part, !hit->back);
+    return !pp_rgb_is_black(*through);
+}
+
+bool pp_radiance_state_unoccluded(struct pp_radiance_state *state,
+                                  struct pp_light_ray ray, int part, double distance_m,
+                                  struct pp_rgb *through)
+{
+    const struct pp_light_scene *scene = state->scene;
+    double gone = 0.0;
+    for (int i = 0; i < MOST_PANES; i++) {
+        struct pp_light_hit hit;
+        enum pp_meeting meeting = pp_radiance_state_meet(state, &ray, &hit);
+        if (meeting == PP_MEETS_ENVIRONMENT)
+            return part < 0 && isinf(hit.distance_m);
+        if (meeting == PP_MEETS_LEAK)
+            return false;
+        gone += hit.distance_m;
+        if (hit.part == part && fabs(gone - distance_m) < 1e-4 * distance_m + 1e-5)
+            return true;
+        if (!pass(scene, &ray, &hit, through))
+            return false;
+    }
+    return false;
+}
+
+/* The ray is reflected by the surface that it has met; false where that does not
+ * mirror. */
+static bool reflect(const struct pp_light_scene *scene, struct pp_light_ray *ray,
+                    const struct pp_light_hit *hit, struct pp_rgb *through)
+{
+    double cosine = -pp_vec_dot(hit->normal, ray->to);
+    if (pp_light_scene_gloss(scene, hit->material))
+        return false;
+    *through = pp_rgb_times(*through, pp_scatter_specular_reflectance(
+                                          &scene->materials[hit->material], cosine));
+    ray->from = hit->point;
+    ray->off = hit->normal;
+    ray->to = pp_vec_along(ray->to, 2.0 * cosine, hit->normal);
+    ray->space = hit->space;
+    return !pp_rgb_is_black(*through);
+}
+
+bool pp_radiance_state_reach_mirror(struct pp_radiance_state *state,
+                                    struct pp_light_ray *ray, int index, double *left_m,
+                                    struct pp_rgb *through)
+{
+    const struct pp_light_scene *scene = state->scene;
+    const struct pp_mirror *mirror = &scene->mirrors[index];
+    double t = (mirror->offset_m - pp_vec_dot(mirror->normal, ray->from))
+               / pp_vec_dot(mirror->normal, ray->to);
+    if (!(t > 0.0 && t < *left_m))
+        return false;
+    for (int i = 0; i < MOST_PANES; i++) {
+        struct pp_light_hit hit;
+        if (pp_radiance_state_meet(state, ray, &hit) != PP_MEETS_PART)
+            return false;
+        *left_m -= hit.distance_m;
+        if (scene->parts[hit.part].mirror == index)
+            return reflect(scene, ray, &hit, through);
+        if (!pass(scene, ray, &hit, through))
+            return false;
+    }
+    return false;
+}
