@@ -21,8 +21,8 @@ const struct pp_chart_kind *pp_chart_kind_find(const char *name)
     return NULL;
 }
 
-bool pp_chart_kind_landscape(const struct pp_world *world)
+bool pp_chart_kind_landscape(const struct pp_chart_kind *kind,
+                             const struct pp_world *world)
 {
-    (void)world;
-    return true;
+    return kind->landscape || (kind->landscape_for && kind->landscape_for(world));
 }

@@ -56,9 +56,9 @@ struct pp_chart_kind {
     bool from_point;     /* and is drawn from one point of a room */
     bool outside;        /* of the light outside: can do without a room */
 
-    /* Does it look better on a sheet that lies on its side for this room (NULL: for a
-     * blank)? NULL: never. */
-    bool (*landscape)(const struct pp_world *world);
+    bool landscape; /* its sheet always lies on its side */
+    bool (*landscape_for)(const struct pp_world *world); /* or does so for some rooms;
+                                                          * NULL: for none */
 
     /* Computes what the chart shows of the room (NULL: a blank) and draws it; the room's
      * points may change. *finished becomes false where the simulation was stopped. */
@@ -77,7 +77,9 @@ const struct pp_chart_kind *pp_chart_kind_at(int index);
 /* The kind of that name, or NULL. */
 const struct pp_chart_kind *pp_chart_kind_find(const char *name);
 
-/* For kinds whose sheet always lies on its side. */
-bool pp_chart_kind_landscape(const struct pp_world *world);
+/* Does the kind look better on a sheet that lies on its side for this room (NULL: for a
+ * blank)? */
+bool pp_chart_kind_landscape(const struct pp_chart_kind *kind,
+                             const struct pp_world *world);
 
 #endif

@@ -39,6 +39,6 @@ const struct pp_chart_kind pp_draw_availability = {
     .name = "availability",
     .summary = "how often the sky gives how much light in working hours, and inside",
     .outside = true,
-    .landscape = pp_chart_kind_landscape,
+    .landscape = true,
     .draw = draw,
 };

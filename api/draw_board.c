@@ -127,7 +127,7 @@ const struct pp_chart_kind pp_draw_waldram = {
     .summary = "Waldram diagram, blank or with a room's windows",
     .board = true,
     .from_point = true,
-    .landscape = pp_chart_kind_landscape,
+    .landscape = true,
     .draw = draw_waldram,
 };
 
@@ -136,7 +136,7 @@ const struct pp_chart_kind pp_draw_pepper_pot = {
     .summary = "pepper-pot diagram, blank or with a room's windows",
     .board = true,
     .from_point = true,
-    .landscape = pp_chart_kind_landscape,
+    .landscape = true,
     .draw = draw_pepper_pot,
 };
 

@@ -73,6 +73,6 @@ static enum pp_status draw(struct pp_canvas *canvas, struct pp_study_room *room,
 const struct pp_chart_kind pp_draw_plan = {
     .name = "plan",
     .summary = "daylight factor contours and no-sky line, on the plan",
-    .landscape = pp_plan_chart_landscape,
+    .landscape_for = pp_plan_chart_landscape,
     .draw = draw,
 };

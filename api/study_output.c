@@ -79,8 +79,8 @@ static enum pp_status draw(const struct pp_chart_kind *kind, struct pp_study_roo
         .format = request->format,
         .paper = request->paper,
         .landscape = request->orientation == PP_LANDSCAPE
-                     || (request->orientation == PP_AS_FITS && kind->landscape
-                         && kind->landscape(world)),
+                     || (request->orientation == PP_AS_FITS
+                         && pp_chart_kind_landscape(kind, world)),
         .dpi = request->dpi,
         .title = world && world->name ? world->name : kind->name,
         .description = kind->summary};

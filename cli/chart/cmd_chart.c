@@ -185,15 +185,15 @@ static enum pp_status draw(struct chart_task *drawing, FILE *out, struct pp_erro
     else
         snprintf(description, sizeof description, "%s; sky: %s", drawing->kind->summary,
                  pp_sky_name(world ? &world->sky : &options->wish.board.sky));
-    const struct pp_sheet sheet = {.format = drawing->format,
-                                   .paper = options->paper,
-                                   .landscape = options->orientation == PP_LANDSCAPE
-                                                || (options->orientation == PP_AS_FITS
-                                                    && drawing->kind->landscape
-                                                    && drawing->kind->landscape(world)),
-                                   .dpi = options->dpi,
-                                   .title = world ? world->name : drawing->kind->name,
-                                   .description = description};
+    const struct pp_sheet sheet = {
+        .format = drawing->format,
+        .paper = options->paper,
+        .landscape = options->orientation == PP_LANDSCAPE
+                     || (options->orientation == PP_AS_FITS
+                         && pp_chart_kind_landscape(drawing->kind, world)),
+        .dpi = options->dpi,
+        .title = world ? world->name : drawing->kind->name,
+        .description = description};
     struct pp_canvas *canvas;
     enum pp_status status = pp_canvas_create(&canvas, &sheet, err);
     if (status != PP_OK)

@@ -108,6 +108,15 @@ wrong_calls() {
     ' "$scratch/places" "$scratch/gives" "$scratch/wants"
 }
 
+# Headers that include one another, and files whose functions call one another's, in a
+# circle: tsort says of either that there is a loop.
+circles() {
+    grep '\.h .*\.h$' "$scratch/includes" | tsort 2>&1 >/dev/null
+    awk 'NR == FNR { defined[$2] = $1; next }
+        $2 in defined && defined[$2] != $1 { print $1, defined[$2] }
+    ' "$scratch/gives" "$scratch/wants" | sort -u | tsort 2>&1 >/dev/null
+}
+
 # Lines "FILE uses NAME" for names that match a pattern in the library's objects.
 library_uses() {
     grep -v '^cli/' "$scratch/wants" |
@@ -160,6 +169,7 @@ check "there are arrows to hold" test -s "$scratch/includes" -a -s "$scratch/giv
 check "every include follows the arrows" nothing "$(wrong_includes)"
 check "every call between the folders follows the arrows" nothing "$(wrong_calls)"
 check "what is inside a folder is included there only" nothing "$(wrong_guests)"
+check "no files include or call one another in a circle" nothing "$(circles)"
 check "the library neither prints nor exits nor looks at its surroundings" \
     nothing "$(uses_forbidden)"
 check "one file at most knows GEOS" one_file_at_most geos_c.h
