@@ -9,7 +9,7 @@
 #include <unistd.h>
 
 #include "bench/bench.h"
-#include "formats/radiance/rad_read.h"
+#include "formats/radiance/read/rad_read.h"
 #include "simulate/scene/light_scene.h"
 
 enum { ACROSS = 1000, RUNS = 3 };

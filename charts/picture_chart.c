@@ -190,7 +190,7 @@ static void draw_bar(const struct picture_drawing *drawing, struct pp_box bar)
     enum { STEPS = 256 };
     cairo_t *cr = drawing->cr;
     struct pp_raster raster;
-    if (pp_raster_create(&raster, 1, STEPS, NULL) != PP_OK)
+    if (pp_raster_init(&raster, 1, STEPS, NULL) != PP_OK)
         return;
     for (int i = 0; i < STEPS; i++)
         pp_false_colour((STEPS - 1 - i + 0.5) / STEPS, pp_raster_at(&raster, 0, i));
@@ -242,8 +242,8 @@ static void draw_scale(const struct picture_drawing *drawing)
             continue;
         char words[48], figure[32];
         level_words(figure, sizeof figure, levels[i]);
-        bool less = i == 0 && sheet->beyond[0];
-        bool more = i == count - 1 && sheet->beyond[1];
+        bool less = i == 0 && sheet->off_scale[0];
+        bool more = i == count - 1 && sheet->off_scale[1];
         snprintf(words, sizeof words, "%s%s", less ? "≤ " : more ? "≥ " : "", figure);
         pp_lettering_draw(cr, style, &text, bar.x + bar.width + 1.8 * style->scale, y,
                           words);

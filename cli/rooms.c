@@ -8,6 +8,8 @@
 #include "model/base/array.h"
 #include "model/base/text.h"
 #include "model/room/building.h"
+#include "model/room/room.h"
+#include "model/room/position.h"
 
 /* What goes from file to file while all are read. */
 struct loading {

@@ -3,7 +3,7 @@
 #define PP_CLI_RADIANCE_PRINT_SENSORS_H
 
 #include "reports/format.h"
-#include "formats/radiance/rad_read.h"
+#include "formats/radiance/read/rad_read.h"
 #include "simulate/transport/sensors.h"
 
 struct pp_imported {

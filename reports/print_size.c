@@ -169,7 +169,7 @@ static enum pp_status element_of(char **element,
                                  struct pp_text_edit edit, struct pp_error *err)
 {
     edit.opening += result->file_opening;
-    return pp_edit_text_element(element, result->file_text, result->file_length, &edit,
+    return pp_room_text_element(element, result->file_text, result->file_length, &edit,
                                 err);
 }
 

@@ -1,6 +1,7 @@
 /* section_line.c - finds the line of a section in a room and puts points on it.
  */
 #include "studies/section_line.h"
+#include "model/room/position.h"
 
 #include <math.h>
 #include <stdlib.h>

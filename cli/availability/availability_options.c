@@ -106,8 +106,8 @@ static enum pp_status read_summer(const char *text, void *place, struct pp_error
     } else if (text[length] == '-' && length < sizeof from) {
         memcpy(from, text, length);
         from[length] = '\0';
-        good = pp_epw_header_parse_month_day(from, &choice.time.from)
-               && pp_epw_header_parse_month_day(text + length + 1, &choice.time.to);
+        good = pp_month_day_parse(from, &choice.time.from)
+               && pp_month_day_parse(text + length + 1, &choice.time.to);
     }
     if (!good)
         return pp_fail(

@@ -4,10 +4,9 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "model/light/glazings.h"
 #include "model/base/text.h"
-#include "model/room/building.h"
-#include "model/room/room_parts.h"
+#include "model/light/glazings.h"
+#include "model/room/sky_words.h"
 
 static enum pp_status read_either(const char *text, const char *yes, const char *no,
                                   void *place, struct pp_error *err)
@@ -89,20 +88,11 @@ static enum pp_status set_sky(struct pp_sky *sky, const char *words,
     *sky = pp_sky_overcast();
     if (!words)
         return PP_OK;
-    struct pp_room room = {.sky = {.sun_altitude_rad = NAN, .sun_bearing_rad = NAN}};
+    struct pp_sky_part part = pp_sky_words_default();
     struct pp_error why = {0};
-    if (pp_room_set_sky(&room, words, &why) != PP_OK)
+    if (pp_sky_words_parse(&part, words, &why) != PP_OK)
         return pp_fail(err, PP_BAD_INPUT, "--sky: %s", why.message);
-    if (room.sky.kind == PP_SKY_UNIFORM)
-        *sky = pp_sky_uniform();
-    if (room.sky.kind != PP_SKY_ISO)
-        return PP_OK;
-    double altitude =
-        isnan(room.sky.sun_altitude_rad) ? PP_PI / 2.0 : room.sky.sun_altitude_rad;
-    double bearing = isnan(room.sky.sun_bearing_rad) ? 0.0 : room.sky.sun_bearing_rad;
-    struct pp_vec3 sun = {cos(altitude) * sin(bearing), cos(altitude) * cos(bearing),
-                          sin(altitude)};
-    return pp_sky_iso(sky, room.sky.iso, sun, err);
+    return pp_sky_words_sky(sky, &part, 0.0, err);
 }
 
 /* A protractor by glazing, slope and sky, where one of them was said. */

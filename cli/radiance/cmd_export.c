@@ -8,7 +8,7 @@
 #include "cli/rooms.h"
 #include "reports/format.h"
 #include "model/base/read_file.h"
-#include "formats/radiance/rad_room.h"
+#include "formats/radiance/write/rad_room.h"
 
 /* Of the open level ground, where nothing else is asked for. */
 static const double DEFAULT_LUX = 10000.0;

@@ -6,8 +6,10 @@
 #include <string.h>
 
 #include "formats/radiance/rad_functions.h"
-#include "formats/radiance/rad_room.h"
-#include "formats/radiance/rad_write.h"
+#include "formats/radiance/write/rad_room.h"
+#include "formats/radiance/write/rad_write.h"
+#include "formats/radiance/write/rad_numbers.h"
+#include "formats/radiance/write/rad_write_materials.h"
 
 static const char materials_name[] = "materials.rad";
 static const char points_name[] = "points.pts";
@@ -78,7 +80,7 @@ static enum pp_status add_points(struct pp_output_directory *directory,
                                    at->normal.x,   at->normal.y,   at->normal.z};
         for (int k = 0; k < 6; k++) {
             char text[32];
-            pp_rad_write_number_text(numbers[k], text);
+            pp_rad_numbers_text(numbers[k], text);
             fprintf(out, "%s%s", k ? " " : "", text);
         }
         fputc('\n', out);
@@ -121,8 +123,8 @@ static enum pp_status add_script(struct pp_output_directory *directory,
     if (status != PP_OK)
         return status;
     char irradiance[32], lux[32];
-    pp_rad_write_number_text(external_lux / PP_RADIANCE_EFFICACY, irradiance);
-    pp_rad_write_number_text(external_lux, lux);
+    pp_rad_numbers_text(external_lux / PP_RADIANCE_EFFICACY, irradiance);
+    pp_rad_numbers_text(external_lux, lux);
     fputs("#!/bin/sh\n"
           "# Daylight factors (%) at the points of points.pts, by Radiance's rtrace:\n"
           "# lines \"x y z factor\". Options of rtrace may be given instead of those "
@@ -165,7 +167,7 @@ enum pp_status pp_radiance_export(struct pp_output_directory *directory,
                                   double external_lux, bool gloss, struct pp_error *err)
 {
     struct pp_rad_room rad;
-    enum pp_status status = pp_rad_room_create(
+    enum pp_status status = pp_rad_room_init(
         &rad, room->world, external_lux / PP_RADIANCE_EFFICACY, gloss, err);
     if (status != PP_OK)
         return status;

@@ -79,8 +79,8 @@ static void look_beyond(struct pp_picture_sheet *sheet,
     for (int y = 0; y < picture->height; y++)
         for (int x = 0; x < picture->width; x++) {
             double value = unit * pp_rgb_luminance(pp_picture_rgb(picture, x, y));
-            sheet->beyond[0] |= value < sheet->scale.low * 0.999;
-            sheet->beyond[1] |= value > sheet->scale.high * 1.001;
+            sheet->off_scale[0] |= value < sheet->scale.low * 0.999;
+            sheet->off_scale[1] |= value > sheet->scale.high * 1.001;
         }
 }
 

@@ -4,6 +4,7 @@
 #include <stdio.h>
 
 #include "simulate/render/default_view.h"
+#include "model/room/position.h"
 
 enum { LONG_SIDE = 640, SHORT_SIDE = 480, FISHEYE_SIDE = 512 };
 

@@ -74,7 +74,7 @@ static enum pp_status without_gaps(struct pp_picture *copy,
                                    struct pp_error *err)
 {
     enum pp_status status =
-        pp_picture_create(copy, picture->width, picture->height, err);
+        pp_picture_init(copy, picture->width, picture->height, err);
     if (status != PP_OK)
         return status;
     size_t count = 3 * (size_t)picture->width * (size_t)picture->height;

@@ -47,7 +47,7 @@ static enum pp_status write_file(const struct pp_size_results *results,
     size_t length;
     struct pp_output output = {0};
     enum pp_status status =
-        reached ? pp_edit_text(&text, &length, results->list[0].file_text,
+        reached ? pp_room_text_edit(&text, &length, results->list[0].file_text,
                                results->list[0].file_length, edits, count, err)
                 : pp_fail(err, PP_BAD_INPUT,
                           "the target is not reached, so %s is not written", path);

@@ -1,13 +1,14 @@
+/* epw.c - see epw.h. */
 #include "formats/epw/epw.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "formats/epw/epw_parts.h"
+#include "formats/epw/epw_records.h"
 #include "model/base/read_file.h"
 
-/* Reads what a copy of the file's bytes, with a NUL behind, holds. */
+/* Reads header and records from a copy of the file's bytes, with a NUL behind. */
 static enum pp_status fill(struct pp_epw *epw, char *bytes, size_t length,
                            struct pp_mistakes *mistakes, struct pp_error *err)
 {

@@ -15,27 +15,23 @@
 #include <stdbool.h>
 #include <stddef.h>
 
+#include "formats/epw/month_day.h"
 #include "model/base/error.h"
 #include "model/base/mistakes.h"
 
-/* A day of any year; month 0: none. */
-struct pp_month_day {
-    int month, day; /* from 1 */
-};
-
 enum { PP_WEEKDAY_UNKNOWN = -1 };
 
-/* NAN is what the file marks as missing, or leaves empty. */
+/* One record; NAN stands where the file marks a value as missing or leaves it empty. */
 struct pp_epw_record {
     int year; /* of a typical year: that in which it was measured */
     struct pp_month_day date;
     int weekday;         /* 0 Monday to 6 Sunday, or PP_WEEKDAY_UNKNOWN */
-    double start_h;      /* of its time, local standard, 0 to 24 */
+    double start_h;      /* when it begins, local standard time, 0 to 24 */
     double dew_point_c;  /* degrees Celsius */
     double global_w_m2;  /* irradiance of a level plane */
-    double direct_w_m2;  /* of a plane square to the sun, by the sun alone */
-    double diffuse_w_m2; /* of a level plane, by the sky alone */
-    double diffuse_lx;   /* illuminance of a level plane by the sky alone */
+    double direct_w_m2;  /* irradiance of a plane square to the sun, by the sun only */
+    double diffuse_w_m2; /* irradiance of a level plane, by the sky only */
+    double diffuse_lx;   /* illuminance of a level plane, by the sky only */
 };
 
 struct pp_epw {
@@ -44,7 +40,7 @@ struct pp_epw {
     double time_zone_h;                         /* ahead of UT */
     double record_h;                            /* duration of a record: 1, 0.5, ... */
     struct pp_month_day summer_from, summer_to; /* first and last day of summer time */
-    char summer_words[40]; /* what the file has there, where that is no date */
+    char summer_words[40]; /* the file's own words for it, where they are no dates */
     int summer_line;
     int record_count;
     struct pp_epw_record *records; /* in the file's order; owned */
@@ -62,17 +58,7 @@ enum pp_status pp_epw_parse(struct pp_epw **epw, const char *bytes, size_t lengt
 
 void pp_epw_destroy(struct pp_epw *epw); /* NULL is allowed */
 
-/* "3/26", "03/26": a day that some year has. */
-bool pp_epw_header_parse_month_day(const char *text, struct pp_month_day *date);
-
-/* "26 March". Returns text. */
-const char *pp_epw_header_month_day_words(char *text, size_t room,
-                                          struct pp_month_day date);
-
-/* Days of a month, 1 to 12; 29 of February. */
-int pp_epw_header_days_of_month(int month);
-
-/* Does the file's data cover a whole year, give or take what is missing? */
+/* Do the records cover a whole year, to within half a record? */
 bool pp_epw_covers_a_year(const struct pp_epw *epw);
 
 #endif

@@ -1,14 +1,15 @@
-/* epw_header.c - where and when a weather file is of: see epw_parts.h. */
+/* epw_header.c - see epw_header.h. */
+#include "formats/epw/epw_header.h"
+
 #include <ctype.h>
 #include <stdio.h>
 #include <string.h>
 #include <strings.h>
 
-#include "formats/epw/epw_parts.h"
 #include "model/base/text.h"
 #include "model/geometry/vec.h"
 
-/* What reading the header needs at each line. */
+/* The state of reading the header. */
 struct header_reader {
     struct pp_epw *epw;
     struct pp_epw_header *header;
@@ -21,23 +22,6 @@ struct header_reader {
 
 static const char *const weekdays[] = {"Monday", "Tuesday",  "Wednesday", "Thursday",
                                        "Friday", "Saturday", "Sunday"};
-static const char *const months[] = {"January",   "February", "March",    "April",
-                                     "May",       "June",     "July",     "August",
-                                     "September", "October",  "November", "December"};
-
-int pp_epw_header_days_of_month(int month)
-{
-    static const int days[] = {31, 29, 31, 30, 31, 30, 31, 31, 30, 31, 30, 31};
-    return days[month - 1];
-}
-
-const char *pp_epw_header_month_day_words(char *text, size_t room,
-                                          struct pp_month_day date)
-{
-    snprintf(text, room, "%d %s", date.day, months[date.month - 1]);
-    return text;
-}
-
 /* The field of that index, "" where there is none. */
 static const char *field(const struct header_reader *r, int index)
 {
@@ -86,52 +70,6 @@ static bool is_leading_number(const char *text)
            || (text[0] == '-' && isdigit((unsigned char)text[1]));
 }
 
-/* Up to three numbers with / between them. Returns how many, 0 for anything else. */
-static int split_date(const char *text, int parts[3])
-{
-    int count = 0;
-    for (const char *p = text; count < 3;) {
-        int used = 0;
-        while (*p == ' ')
-            p++;
-        if (sscanf(p, "%4d%n", &parts[count], &used) != 1 || parts[count] < 0)
-            return 0;
-        count++;
-        p += used;
-        while (*p == ' ')
-            p++;
-        if (*p == '\0')
-            return count;
-        if (*p++ != '/')
-            return 0;
-    }
-    return 0;
-}
-
-/* "M/D", "M/D/YEAR" or "YEAR/M/D"; *year is 0 where there is none. */
-static bool parse_date(const char *text, struct pp_month_day *date, int *year)
-{
-    int parts[3];
-    int count = split_date(text, parts);
-    if (count < 2)
-        return false;
-    bool year_first = count == 3 && parts[0] > 31;
-    *date = (struct pp_month_day){parts[year_first], parts[year_first + 1]};
-    *year = count < 3 ? 0 : year_first ? parts[0] : parts[2];
-    return date->month >= 1 && date->month <= 12 && date->day >= 1
-           && date->day <= pp_epw_header_days_of_month(date->month);
-}
-
-bool pp_epw_header_parse_month_day(const char *text, struct pp_month_day *date)
-{
-    struct pp_month_day read;
-    int year;
-    if (!parse_date(text, &read, &year) || year != 0)
-        return false;
-    *date = read;
-    return true;
-}
-
 /* Summer time and the leap year; the holidays behind them say nothing of light. */
 static void read_holidays(struct header_reader *r)
 {
@@ -153,8 +91,8 @@ static void read_holidays(struct header_reader *r)
     epw->summer_line = r->line;
     if (none)
         return;
-    if (!pp_epw_header_parse_month_day(from, &epw->summer_from)
-        || !pp_epw_header_parse_month_day(to, &epw->summer_to)) {
+    if (!pp_month_day_parse(from, &epw->summer_from)
+        || !pp_month_day_parse(to, &epw->summer_to)) {
         char first[64];
         epw->summer_from = epw->summer_to = (struct pp_month_day){0, 0};
         snprintf(epw->summer_words, sizeof epw->summer_words, "%.18s to %.17s",
@@ -179,11 +117,6 @@ static int read_weekday(struct header_reader *r, const char *text)
     return PP_WEEKDAY_UNKNOWN;
 }
 
-static bool is_before(struct pp_month_day a, struct pp_month_day b)
-{
-    return a.month < b.month || (a.month == b.month && a.day < b.day);
-}
-
 static void read_period(struct header_reader *r, int index)
 {
     struct pp_epw_period *period = &r->header->periods[index];
@@ -191,8 +124,8 @@ static void read_period(struct header_reader *r, int index)
     char a[64], b[64];
     int first = 0, last = 0;
     period->weekday = read_weekday(r, field(r, 4 + 4 * index));
-    if (!parse_date(from, &period->from, &first)
-        || !parse_date(to, &period->to, &last)) {
+    if (!pp_month_day_parse_dated(from, &period->from, &first)
+        || !pp_month_day_parse_dated(to, &period->to, &last)) {
         pp_mistakes_add(r->mistakes, r->line,
                         "data period %d is from \"%s\" to \"%s\"; expected two days as "
                         "MONTH/DAY",
@@ -201,7 +134,7 @@ static void read_period(struct header_reader *r, int index)
         return;
     }
     if (first > 0 && last > 0)
-        period->years = last - first - is_before(period->to, period->from);
+        period->years = last - first - pp_month_day_is_before(period->to, period->from);
     if (period->years < 0 || period->years > 200)
         pp_mistakes_add(r->mistakes, r->line,
                         "data period %d ends before it starts, or 200 years later",
@@ -241,24 +174,24 @@ static void read_periods(struct header_reader *r)
         read_period(r, i);
 }
 
-static void pass_over(struct header_reader *r)
+static void ignore(struct header_reader *r)
 {
     (void)r;
 }
 
-/* The lines there are; what matters of a line is its name and fields. */
+/* The names of header lines, and how each is read. */
 static const struct header_line {
     const char *name;
     void (*read)(struct header_reader *r);
 } header_lines[] = {
     {"LOCATION", read_location},
-    {"DESIGN CONDITIONS", pass_over},
-    {"TYPICAL/EXTREME PERIODS", pass_over},
-    {"GROUND TEMPERATURES", pass_over},
+    {"DESIGN CONDITIONS", ignore},
+    {"TYPICAL/EXTREME PERIODS", ignore},
+    {"GROUND TEMPERATURES", ignore},
     {"HOLIDAYS/DAYLIGHT SAVINGS", read_holidays},
     {"HOLIDAYS/DAYLIGHT SAVING", read_holidays},
-    {"COMMENTS 1", pass_over},
-    {"COMMENTS 2", pass_over},
+    {"COMMENTS 1", ignore},
+    {"COMMENTS 2", ignore},
     {"DATA PERIODS", read_periods},
 };
 enum { HEADER_LINES = sizeof header_lines / sizeof header_lines[0] };

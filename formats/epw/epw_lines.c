@@ -1,8 +1,8 @@
-/* epw_lines.c - from a weather file's bytes to lines and fields: see epw_parts.h. */
+/* epw_lines.c - see epw_lines.h. */
+#include "formats/epw/epw_lines.h"
+
 #include <stdlib.h>
 #include <string.h>
-
-#include "formats/epw/epw_parts.h"
 
 static bool starts(const char *bytes, size_t length, const char *with)
 {
@@ -54,7 +54,7 @@ bool pp_epw_lines_check_bytes(const char *bytes, size_t length,
     return !blank;
 }
 
-/* White space, and what DOS wrote behind the last line. */
+/* White space, and the Ctrl-Z that DOS wrote behind the last line. */
 static bool is_white(char c)
 {
     return c == ' ' || c == '\t' || c == '\x1A';
@@ -78,8 +78,8 @@ char *pp_epw_lines_next(struct pp_epw_lines *lines)
     return NULL;
 }
 
-/* The end of the field at p: its comma or NUL; a comma in quotes that the field starts
- * with is not meant. */
+/* The end of the field at p: its comma or NUL. Where the field starts with a quote,
+ * commas up to the closing one belong to it. */
 static char *field_end(char *p)
 {
     char *start = p + strspn(p, " \t");
@@ -116,7 +116,7 @@ int pp_epw_lines_split(char *line, char *fields[], int most)
     }
 }
 
-/* Is all of it UTF-8? Overlong forms and surrogates, which no place is named by, are
+/* Is the text UTF-8? Overlong forms and surrogates, which no place is named by, are
  * left to whoever prints it. */
 static bool is_utf8(const char *text)
 {

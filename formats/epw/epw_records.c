@@ -1,12 +1,12 @@
-/* epw_records.c - the records of a weather file, in their order: see epw_parts.h. */
-#include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
+/* epw_records.c - see epw_records.h. */
+#include "formats/epw/epw_records.h"
 
-#include "formats/epw/epw_parts.h"
+#include <math.h>
+
+#include "model/base/array.h"
 #include "model/base/text.h"
 
-/* Where the records have got to, and what comes next. */
+/* How far the records have been read, and which record is due next. */
 struct record_reader {
     struct pp_epw *epw;
     const struct pp_epw_header *header;
@@ -15,15 +15,15 @@ struct record_reader {
     char *fields[PP_EPW_FIELDS_MOST];
 
     int period; /* index; period_count: after the last */
-    bool begun; /* any record of it? */
+    bool begun; /* has any record of it been read? */
     int years_left;
-    struct pp_month_day date; /* of the record to come */
+    struct pp_month_day date; /* of the record that is due */
     int weekday;
-    int hour;   /* 1 to 24 */
-    int sub;    /* of the hour, from 0 */
-    int minute; /* of the record before in this hour; -1: none */
-    int room;   /* for records */
-    bool lost;  /* out of order: what follows can't be judged */
+    int hour;          /* 1 to 24 */
+    int sub;           /* of the hour, from 0 */
+    int minute;        /* of the record before in this hour; -1: none */
+    int space;         /* records that there is memory for */
+    bool out_of_order; /* the records that follow can't be judged */
 };
 
 static void start_period(struct record_reader *r)
@@ -40,20 +40,15 @@ static void start_period(struct record_reader *r)
     r->weekday = period->weekday;
 }
 
-static bool same_day(struct pp_month_day a, struct pp_month_day b)
-{
-    return a.month == b.month && a.day == b.day;
-}
-
 /* The day after, 29 February after the 28th. */
 static struct pp_month_day day_after(struct pp_month_day date)
 {
-    if (date.day < pp_epw_header_days_of_month(date.month))
+    if (date.day < pp_month_day_days_of_month(date.month))
         return (struct pp_month_day){date.month, date.day + 1};
     return (struct pp_month_day){date.month % 12 + 1, 1};
 }
 
-/* To the record after the one just read. */
+/* Goes on to the record after the one just read. */
 static void step_on(struct record_reader *r)
 {
     r->begun = true;
@@ -64,7 +59,7 @@ static void step_on(struct record_reader *r)
     if (++r->hour <= 24)
         return;
     r->hour = 1;
-    bool ends = same_day(r->date, r->header->periods[r->period].to);
+    bool ends = pp_month_day_same(r->date, r->header->periods[r->period].to);
     if (ends && r->years_left-- == 0) {
         r->period++;
         start_period(r);
@@ -97,21 +92,21 @@ static bool read_whole(struct record_reader *r, int index, const char *name, int
     return false;
 }
 
-/* Says what stands where another record should, and gives up. */
-static bool lose(struct record_reader *r, struct pp_month_day date, int hour)
+/* Notes which record stands where another is due, and gives up. */
+static bool fail_order(struct record_reader *r, struct pp_month_day date, int hour)
 {
     char found[32], wanted[32];
-    r->lost = true;
+    r->out_of_order = true;
     pp_mistakes_add(
         r->mistakes, r->line,
         "a record of %s, hour %d; expected %s, hour %d: records are missing or "
         "out of order",
-        pp_epw_header_month_day_words(found, sizeof found, date), hour,
-        pp_epw_header_month_day_words(wanted, sizeof wanted, r->date), r->hour);
+        pp_month_day_words(found, sizeof found, date), hour,
+        pp_month_day_words(wanted, sizeof wanted, r->date), r->hour);
     return false;
 }
 
-/* Says that no record was due any more, and gives up. */
+/* Notes a record behind the last data period, and gives up. */
 static bool is_after_last(struct record_reader *r)
 {
     if (r->period < r->header->period_count)
@@ -119,17 +114,18 @@ static bool is_after_last(struct record_reader *r)
     pp_mistakes_add(r->mistakes, r->line,
                     "a record after the last data period of line %d",
                     r->header->periods_line);
-    r->lost = true;
+    r->out_of_order = true;
     return true;
 }
 
-/* 29 February is there in leap years, and in files that say so. */
+/* Where 29 February is due: leap years have its records, and so have files that say so
+ * (by their header). Where the file has none, 1 March is due instead. */
 static bool settle_leap_day(struct record_reader *r, struct pp_month_day found,
                             int year)
 {
     enum pp_epw_leap leap = r->header->leap;
-    bool due = same_day(r->date, (struct pp_month_day){2, 29});
-    bool there = same_day(found, (struct pp_month_day){2, 29});
+    bool due = pp_month_day_same(r->date, (struct pp_month_day){2, 29});
+    bool there = pp_month_day_same(found, (struct pp_month_day){2, 29});
     if (!due || r->hour != 1 || r->sub != 0)
         return true;
     if (there && leap == PP_LEAP_NO && !is_leap(year)) {
@@ -138,7 +134,7 @@ static bool settle_leap_day(struct record_reader *r, struct pp_month_day found,
             "a record of 29 February %d; but %d is no leap year, and line %d says "
             "that there is none",
             year, year, r->header->leap_line);
-        r->lost = true;
+        r->out_of_order = true;
         return false;
     }
     if (!there && leap == PP_LEAP_YES) {
@@ -147,15 +143,15 @@ static bool settle_leap_day(struct record_reader *r, struct pp_month_day found,
             "no record of 29 February before this one; but line %d says that the "
             "year is a leap year",
             r->header->leap_line);
-        r->lost = true;
+        r->out_of_order = true;
         return false;
     }
     if (there)
         return true;
     r->date = (struct pp_month_day){3, 1};
-    bool ends =
-        r->begun && r->years_left == 0
-        && same_day(r->header->periods[r->period].to, (struct pp_month_day){2, 29});
+    bool ends = r->begun && r->years_left == 0
+                && pp_month_day_same(r->header->periods[r->period].to,
+                                     (struct pp_month_day){2, 29});
     if (!ends)
         return true;
     r->period++;
@@ -177,7 +173,7 @@ static bool check_minute(struct record_reader *r, int minute)
                     "minute %d (field 5) after minute %d of the same hour; expected %d "
                     "records an hour in order",
                     minute, r->minute, r->header->records_an_hour);
-    r->lost = true;
+    r->out_of_order = true;
     return false;
 }
 
@@ -187,17 +183,17 @@ static bool read_time(struct record_reader *r, struct pp_epw_record *record)
     int month, day, hour, minute;
     if (!read_whole(r, 0, "the year", 1800, 2200, &record->year)
         || !read_whole(r, 1, "the month", 1, 12, &month)
-        || !read_whole(r, 2, "the day", 1, pp_epw_header_days_of_month(month), &day)
+        || !read_whole(r, 2, "the day", 1, pp_month_day_days_of_month(month), &day)
         || !read_whole(r, 3, "the hour", 1, 24, &hour)
         || !read_whole(r, 4, "the minute", 0, 60, &minute)) {
-        r->lost = true;
+        r->out_of_order = true;
         return false;
     }
     record->date = (struct pp_month_day){month, day};
     if (!settle_leap_day(r, record->date, record->year))
         return false;
-    if (!same_day(record->date, r->date) || hour != r->hour)
-        return lose(r, record->date, hour);
+    if (!pp_month_day_same(record->date, r->date) || hour != r->hour)
+        return fail_order(r, record->date, hour);
     record->weekday = r->weekday;
     record->start_h = r->hour - 1 + r->sub * r->epw->record_h;
     return check_minute(r, minute);
@@ -249,20 +245,16 @@ static bool read_record(struct record_reader *r, char *text)
             "a record of %d field%s; expected 35, at least %d, up to diffuse "
             "illuminance",
             count, count == 1 ? "" : "s", FIELDS_NEEDED);
-        r->lost = true;
+        r->out_of_order = true;
         return true;
     }
     if (is_after_last(r))
         return true;
     struct pp_epw *epw = r->epw;
-    if (epw->record_count == r->room) {
-        r->room = r->room ? 2 * r->room : 8784;
-        struct pp_epw_record *grown =
-            realloc(epw->records, (size_t)r->room * sizeof *grown);
-        if (!grown)
-            return false;
-        epw->records = grown;
-    }
+    if (pp_array_reserve(&epw->records, &r->space, epw->record_count + 1,
+                         sizeof *epw->records, NULL)
+        != PP_OK)
+        return false;
     struct pp_epw_record *record = &epw->records[epw->record_count];
     if (!read_time(r, record))
         return true;
@@ -280,8 +272,8 @@ static void check_end(struct record_reader *r)
     if (r->period == r->header->period_count)
         return;
     /* A period up to 29 February may do without it. */
-    bool leap_end = same_day(r->date, leap_day) && r->hour == 1 && r->sub == 0
-                    && same_day(r->header->periods[r->period].to, leap_day)
+    bool leap_end = pp_month_day_same(r->date, leap_day) && r->hour == 1 && r->sub == 0
+                    && pp_month_day_same(r->header->periods[r->period].to, leap_day)
                     && r->header->leap != PP_LEAP_YES;
     if (leap_end && r->begun && r->period == r->header->period_count - 1
         && r->years_left == 0)
@@ -290,8 +282,8 @@ static void check_end(struct record_reader *r)
         r->mistakes, r->line,
         "the file ends here; expected a record of %s, hour %d: it is cut off, or "
         "data period %d of line %d ends sooner than that line says",
-        pp_epw_header_month_day_words(wanted, sizeof wanted, r->date), r->hour,
-        r->period + 1, r->header->periods_line);
+        pp_month_day_words(wanted, sizeof wanted, r->date), r->hour, r->period + 1,
+        r->header->periods_line);
 }
 
 enum pp_status pp_epw_records_read(struct pp_epw *epw,
@@ -308,7 +300,7 @@ enum pp_status pp_epw_records_read(struct pp_epw *epw,
         if (!read_record(&r, record))
             return pp_fail_memory(err);
         mistakes->truncated |= mistakes->count - before >= PP_EPW_MISTAKES_MOST;
-        if (r.lost || mistakes->truncated)
+        if (r.out_of_order || mistakes->truncated)
             return PP_OK;
     }
     r.line = lines->line;

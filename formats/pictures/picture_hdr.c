@@ -29,7 +29,7 @@ static void to_rgbe(unsigned char rgbe[4], const float rgb[3])
     memset(rgbe, 0, 4);
     if (mantissa == 0.0 || exponent < -127)
         return;
-    if (exponent > 127) { /* 2^127 and above: as bright as can be said */
+    if (exponent > 127) { /* 2^127 and above: the brightest pixel there is */
         memset(rgbe, 255, 4);
         return;
     }
@@ -58,7 +58,7 @@ static int run_at(const unsigned char *row, int at, int width)
     return run;
 }
 
-/* One channel of a row: runs, and what stands between them as it is. */
+/* One channel of a row: runs of equal bytes, and the bytes between them as they are. */
 static void write_channel(FILE *out, const unsigned char *row, int width)
 {
     for (int at = 0; at < width;) {
@@ -134,8 +134,8 @@ struct input {
     int line; /* that was read last, from 1 */
 };
 
-/* The next line without its end; false where the input ends before or it is too long.
- */
+/* The next line without its end; false where the input ends before or it is too
+ * long. */
 static bool read_line(struct input *in, char line[LINE_MOST])
 {
     size_t left = in->length - in->at;
@@ -153,7 +153,7 @@ static bool read_line(struct input *in, char line[LINE_MOST])
     return true;
 }
 
-/* What stands behind the word and its "=", or NULL if the line begins otherwise. */
+/* The text behind the word and its "=", or NULL if the line begins otherwise. */
 static const char *behind(const char *line, const char *word)
 {
     size_t length = strlen(word);
@@ -309,7 +309,7 @@ enum pp_status pp_picture_hdr_read(struct pp_picture *picture,
             pp_fail(err, PP_BAD_INPUT, "the picture is cut off: %zu bytes for %d rows",
                     length - in.at, size[0]);
     if (status == PP_OK)
-        status = pp_picture_create(picture, size[1], size[0], err);
+        status = pp_picture_init(picture, size[1], size[0], err);
     if (status != PP_OK)
         return status;
 

@@ -18,18 +18,19 @@ enum { PP_HDR_VIEW_SIZE = 512 };
 
 /* What the header says besides the size. */
 struct pp_hdr_notes {
-    double exposure;             /* what the radiances have been multiplied by; 0: 1 */
+    double exposure; /* factor that the radiances have been multiplied by; 0: 1 */
     char view[PP_HDR_VIEW_SIZE]; /* the options behind VIEW=, e.g. "-vtv -vp 1 2 3";
                                   * empty: none */
-    char quantity[16]; /* what the pixels are where they are no radiances: "df"; behind
+    char quantity[16]; /* of the pixels, where they are no radiances: "df"; behind
                         * QUANTITY=, which other programs pass over; empty: not said */
     const char
-        *software; /* of pp_picture_hdr_write: who made it; NULL: not said; not owned */
+        *software; /* the program that made it, for pp_picture_hdr_write; NULL: not
+                           * said; not owned */
 };
 
 /* Writes the picture, in run lengths where its width allows. A pixel that is no finite
- * number is written black, a negative channel as 0. What the stream makes of it is
- * PP_SYSTEM. */
+ * number is written black, a negative channel as 0. PP_SYSTEM where the stream
+ * has failed. */
 enum pp_status pp_picture_hdr_write(FILE *out, const struct pp_picture *picture,
                                     const struct pp_hdr_notes *notes,
                                     struct pp_error *err);

@@ -1,3 +1,4 @@
+/* picture_pfm.c - see picture_pfm.h. */
 #include "formats/pictures/picture_pfm.h"
 
 #include <stdint.h>

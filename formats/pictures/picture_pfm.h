@@ -6,8 +6,8 @@
 
 #include "model/pictures/picture.h"
 
-/* Three floats a pixel, least significant byte first, rows from the bottom. What the
- * stream makes of it is PP_SYSTEM. */
+/* Three floats a pixel, least significant byte first, rows from the bottom.
+ * PP_SYSTEM where the stream has failed. */
 enum pp_status pp_picture_pfm_write(FILE *out, const struct pp_picture *picture,
                                     struct pp_error *err);
 

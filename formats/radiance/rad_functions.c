@@ -1,11 +1,13 @@
-/* rad_functions.c - see rad_functions.h: the text, and reading what is said by it. */
+/* rad_functions.c - see rad_functions.h: the text of pepperpot.cal, and reading the
+ * primitives that use its functions. */
 #include "formats/radiance/rad_functions.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
 
-#include "formats/radiance/rad_reader.h"
+#include "formats/radiance/read/rad_reader.h"
+#include "formats/radiance/read/rad_sky.h"
 
 static const char cal[] =
     "{\n"
@@ -64,16 +66,6 @@ const char *pp_rad_functions_cal_text(void)
     return cal;
 }
 
-static enum pp_status define(struct pp_rad_reader *reader,
-                             const struct pp_rad_primitive *primitive,
-                             struct pp_rad_meaning meaning, struct pp_error *err)
-{
-    return pp_rad_names_define(&reader->names, primitive->name.text,
-                               primitive->name.length, meaning)
-               ? PP_OK
-               : pp_fail_memory(err);
-}
-
 /* ---- two sides ---- */
 
 static enum pp_status side_of(const struct pp_rad_reader *reader,
@@ -82,7 +74,7 @@ static enum pp_status side_of(const struct pp_rad_reader *reader,
 {
     struct pp_rad_word word = primitive->strings[which];
     struct pp_rad_meaning meaning;
-    int shown = (int)(word.length < 60 ? word.length : 60);
+    int shown = pp_rad_words_shown(word);
     if (!pp_rad_names_find(&reader->names, word.text, word.length, &meaning))
         return pp_rad_words_fail(primitive->words, word.line, err,
                                  "there is no material \"%.*s\"", shown, word.text);
@@ -116,7 +108,10 @@ static enum pp_status take_sides(struct pp_rad_reader *reader,
     enum pp_status status = side_of(reader, primitive, 0, &meaning.index, err);
     if (status == PP_OK)
         status = side_of(reader, primitive, 1, &meaning.back, err);
-    return status == PP_OK ? define(reader, primitive, meaning, err) : status;
+    if (status != PP_OK)
+        return status;
+    return pp_rad_names_define(&reader->names, primitive->name.text,
+                               primitive->name.length, meaning, err);
 }
 
 /* ---- glazings ---- */
@@ -156,10 +151,7 @@ static enum pp_status add_pane(struct pp_rad_reader *reader,
     struct pp_error said;
     enum pp_status status =
         pp_scene_description_add_material(reader->scene, &pane, index, &said);
-    if (status == PP_BAD_INPUT)
-        return pp_rad_words_fail(primitive->words, primitive->line, err, "%.600s",
-                                 said.message);
-    return status == PP_OK ? PP_OK : pp_fail(err, status, "%s", said.message);
+    return pp_rad_words_locate(primitive->words, primitive->line, status, &said, err);
 }
 
 static enum pp_status take_pane(struct pp_rad_reader *reader,
@@ -195,7 +187,10 @@ static enum pp_status take_pane(struct pp_rad_reader *reader,
         add_pane(reader, primitive, &glass, n, false, &meaning.index, err);
     if (status == PP_OK && sides)
         status = add_pane(reader, primitive, &glass, n + 3, true, &meaning.back, err);
-    return status == PP_OK ? define(reader, primitive, meaning, err) : status;
+    if (status != PP_OK)
+        return status;
+    return pp_rad_names_define(&reader->names, primitive->name.text,
+                               primitive->name.length, meaning, err);
 }
 
 /* ---- skies ---- */
@@ -222,20 +217,19 @@ static enum pp_status sky_of(const struct pp_rad_primitive *primitive,
             status = pp_fail(&said, PP_BAD_INPUT,
                              "a sky of type %g with %g where its table has %g", n[1],
                              n[2 + i], is[i]);
-    return status == PP_OK ? PP_OK
-                           : pp_rad_words_fail(primitive->words, primitive->line, err,
-                                               "%.600s", said.message);
+    return pp_rad_words_locate(primitive->words, primitive->line, status, &said, err);
 }
 
 static enum pp_status take_sky(struct pp_rad_reader *reader,
                                const struct pp_rad_primitive *primitive,
-                               const struct pp_rad_context *way, struct pp_error *err)
+                               const struct pp_rad_context *context,
+                               struct pp_error *err)
 {
     const double *n = primitive->numbers;
     int count = primitive->number_count;
     int skylines = (count - PP_RAD_SKY_NUMBERS) / PP_RAD_SKYLINE_NUMBERS;
     struct pp_vec3 up =
-        pp_rad_transform_direction(&way->transform, pp_vec(0.0, 0.0, 1.0));
+        pp_rad_transform_direction(&context->transform, pp_vec(0.0, 0.0, 1.0));
     if (primitive->string_count != 2 || primitive->modifier.kind != PP_RAD_VOID
         || count < PP_RAD_SKY_NUMBERS
         || count != PP_RAD_SKY_NUMBERS + skylines * PP_RAD_SKYLINE_NUMBERS
@@ -248,7 +242,7 @@ static enum pp_status take_sky(struct pp_rad_reader *reader,
     enum pp_status status = sky_of(primitive, &pattern.sky, err);
     if (status != PP_OK)
         return status;
-    pattern.sky.sun = pp_rad_transform_direction(&way->transform, pattern.sky.sun);
+    pattern.sky.sun = pp_rad_transform_direction(&context->transform, pattern.sky.sun);
     for (int i = 0; i < skylines; i++) {
         const double *of = n + PP_RAD_SKY_NUMBERS + i * PP_RAD_SKYLINE_NUMBERS;
         struct pp_vec3 outward = pp_vec(of[0], of[1], 0.0);
@@ -259,17 +253,14 @@ static enum pp_status take_sky(struct pp_rad_reader *reader,
                 "a skyline that can't be; expected a direction of "
                 "length 1, a slope above 0, a radiance of 0 or more");
         pattern.skylines[pattern.skyline_count++] = (struct pp_pattern_skyline){
-            pp_rad_transform_direction(&way->transform, outward), of[2], of[3]};
+            pp_rad_transform_direction(&context->transform, outward), of[2], of[3]};
     }
-    struct pp_rad_meaning meaning = {PP_RAD_PATTERN, 0, -1};
-    status =
-        pp_scene_description_add_pattern(reader->scene, &pattern, &meaning.index, err);
-    return status == PP_OK ? define(reader, primitive, meaning, err) : status;
+    return pp_rad_sky_define(reader, primitive, &pattern, err);
 }
 
 enum pp_status pp_rad_functions_read(struct pp_rad_reader *reader,
                                      const struct pp_rad_primitive *primitive,
-                                     const struct pp_rad_context *way, bool *taken,
+                                     const struct pp_rad_context *context, bool *taken,
                                      struct pp_error *err)
 {
     *taken = true;
@@ -280,7 +271,7 @@ enum pp_status pp_rad_functions_read(struct pp_rad_reader *reader,
     if (pp_rad_words_is(primitive->type, "brightfunc") && primitive->string_count >= 2
         && pp_rad_words_is(primitive->strings[0], "pp_sky")
         && pp_rad_words_is(primitive->strings[1], PP_RAD_CAL_NAME))
-        return take_sky(reader, primitive, way, err);
+        return take_sky(reader, primitive, context, err);
     *taken = false;
     return PP_OK;
 }

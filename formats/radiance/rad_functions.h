@@ -1,5 +1,5 @@
-/* rad_functions.h - what Radiance's own materials can't say of a room, as functions
- * that it works out: the text of "pepperpot.cal".
+/* rad_functions.h - "pepperpot.cal": functions for the skies and glazings of a room
+ * that Radiance has no material or pattern for, which it evaluates itself.
  *
  *     pp_sky       skies without gensky's fade into the ground at the horizon, and
  *                  skylines so far away that they are the same from every point
@@ -18,7 +18,18 @@
 #define PP_RAD_CAL_NAME "pepperpot.cal"
 #define PP_RAD_SIDES "if(Rdot,1,0)"
 
+/* The text of "pepperpot.cal". */
 const char *pp_rad_functions_cal_text(void);
+
+/* Reads a primitive that uses these functions, as pepperpot writes it; *taken is false
+ * if it is another type or function. Inside the reader only (rad_reader.h). */
+struct pp_rad_reader;
+struct pp_rad_primitive;
+struct pp_rad_context;
+enum pp_status pp_rad_functions_read(struct pp_rad_reader *reader,
+                                     const struct pp_rad_primitive *primitive,
+                                     const struct pp_rad_context *context, bool *taken,
+                                     struct pp_error *err);
 
 /* The numbers behind pp_sky: horizontal irradiance, type (0 uniform, 1 to 15 of ISO
  * 15469, 16 overcast), its normalisation and parameters a to e, direction to the sun;

@@ -1,3 +1,5 @@
+/* rad_names.c - see rad_names.h. Open addressing with linear probing, half full at
+ * most. */
 #include "formats/radiance/rad_names.h"
 
 #include <stdint.h>
@@ -49,16 +51,17 @@ static bool make_room(struct pp_rad_names *names)
     return true;
 }
 
-bool pp_rad_names_define(struct pp_rad_names *names, const char *text, size_t length,
-                         struct pp_rad_meaning meaning)
+enum pp_status pp_rad_names_define(struct pp_rad_names *names, const char *text,
+                                   size_t length, struct pp_rad_meaning meaning,
+                                   struct pp_error *err)
 {
     if (!make_room(names))
-        return false;
+        return pp_fail_memory(err);
     struct pp_rad_name *name = place_of(names, text, length);
     if (!name->text) {
         char *copy = malloc(length + 1);
         if (!copy)
-            return false;
+            return pp_fail_memory(err);
         memcpy(copy, text, length);
         copy[length] = '\0';
         name->text = copy;
@@ -66,7 +69,7 @@ bool pp_rad_names_define(struct pp_rad_names *names, const char *text, size_t le
         names->count++;
     }
     name->meaning = meaning;
-    return true;
+    return PP_OK;
 }
 
 bool pp_rad_names_find(const struct pp_rad_names *names, const char *text,

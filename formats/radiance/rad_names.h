@@ -1,11 +1,16 @@
-/* rad_names.h - what the names in a Radiance scene stand for. A later definition of a
- * name takes the place of an earlier one from there on. A name may be any bytes; to
- * define or to find one takes the same time however many there are. */
+/* rad_names.h - the names in a Radiance scene, each with its material or pattern.
+ *
+ * A later definition of a name takes the place of an earlier one from there on. A name
+ * may be any bytes. It is a hash table: to define or to find a name takes the same time
+ * however many there are.
+ */
 #ifndef PP_FORMATS_RADIANCE_RAD_NAMES_H
 #define PP_FORMATS_RADIANCE_RAD_NAMES_H
 
 #include <stdbool.h>
 #include <stddef.h>
+
+#include "model/base/error.h"
 
 enum pp_rad_kind { PP_RAD_VOID, PP_RAD_MATERIAL, PP_RAD_PATTERN };
 
@@ -20,9 +25,10 @@ struct pp_rad_names {
     size_t count, room;
 };
 
-/* The name as it is from now on; false: memory is out. */
-bool pp_rad_names_define(struct pp_rad_names *names, const char *text, size_t length,
-                         struct pp_rad_meaning meaning);
+/* Gives the name this meaning from now on; fails only when memory is out. */
+enum pp_status pp_rad_names_define(struct pp_rad_names *names, const char *text,
+                                   size_t length, struct pp_rad_meaning meaning,
+                                   struct pp_error *err);
 
 /* False: there is no such name. "void" is always there. */
 bool pp_rad_names_find(const struct pp_rad_names *names, const char *text,

@@ -1,5 +1,5 @@
-/* array.c - see array.h. Memory grows to powers of two, so that filling a list of n items
- * copies less than 2 n of them. */
+/* array.c - see array.h. Memory grows to powers of two, so that filling a list of n
+ * items copies less than 2 n of them. */
 #include "model/base/array.h"
 
 #include <limits.h>

@@ -6,6 +6,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "model/base/array.h"
+
 void pp_mistakes_init(struct pp_mistakes *mistakes, const char *file)
 {
     *mistakes = (struct pp_mistakes){0};
@@ -51,22 +53,16 @@ void pp_mistakes_add(struct pp_mistakes *mistakes, int line, const char *format,
         return;
     }
 
-    /* Room for a power of two of them, from eight. */
-    int count = mistakes->count;
-    if (count == 0 || (count >= 8 && (count & (count - 1)) == 0)) {
-        size_t room = count ? 2 * (size_t)count : 8;
-        struct pp_input_mistake *list = realloc(mistakes->list, room * sizeof *list);
-        if (!list) {
-            mistakes->truncated = true;
-            free(text);
-            return;
-        }
-        mistakes->list = list;
+    if (pp_array_append(&mistakes->list, mistakes->count, sizeof *mistakes->list, NULL)
+        != PP_OK) {
+        mistakes->truncated = true;
+        free(text);
+        return;
     }
     mistakes->list[mistakes->count++] = (struct pp_input_mistake){line, text};
 }
 
-/* By insertion: a thousand at most, mostly in order, and it is stable. */
+/* By insertion, which is stable; there are a thousand at most, mostly in order. */
 void pp_mistakes_sort(struct pp_mistakes *mistakes)
 {
     for (int i = 1; i < mistakes->count; i++) {

@@ -1,5 +1,5 @@
-/* mistakes.h - all that is wrong with an input file, gathered before anything is said.
- */
+/* mistakes.h - all that is wrong with an input file, gathered before any of it is
+ * printed. */
 #ifndef PP_MODEL_BASE_MISTAKES_H
 #define PP_MODEL_BASE_MISTAKES_H
 
@@ -14,7 +14,7 @@ struct pp_mistakes {
     char *file; /* as the user named it */
     struct pp_input_mistake *list;
     int count;
-    bool truncated; /* more than PP_MISTAKES_MOST, or memory was out */
+    bool truncated; /* more than PP_MISTAKES_MOST of them, or memory was out */
 };
 
 enum { PP_MISTAKES_MOST = 1000 };
@@ -29,7 +29,7 @@ const char *pp_mistakes_text(const struct pp_mistakes *mistakes, int index);
 void pp_mistakes_init(struct pp_mistakes *mistakes, const char *file);
 void pp_mistakes_clear(struct pp_mistakes *mistakes);
 
-/* Notes one; the same text on the same line is noted once. */
+/* Notes a mistake; the same text on the same line is noted once. */
 void pp_mistakes_add(struct pp_mistakes *mistakes, int line, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 

@@ -1,3 +1,4 @@
+/* read_file.c - see read_file.h. */
 #include "model/base/read_file.h"
 
 #include <errno.h>

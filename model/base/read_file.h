@@ -7,9 +7,9 @@
 #include "model/base/error.h"
 
 /* Reads the file; path "-" is standard input. On success *bytes is the caller's to
- * free, *length of them, and never more than one above `most`: that tells that the file
- * is larger. PP_BAD_INPUT where there is no such file, or a directory; PP_INTERRUPTED
- * by a signal; PP_SYSTEM for all else. */
+ * free; *length is their number, at most `most` + 1, which says that the file is larger
+ * than `most`. PP_BAD_INPUT where there is no such file, or a directory; PP_INTERRUPTED
+ * by a signal; PP_SYSTEM for other failures. */
 enum pp_status pp_read_file(char **bytes, size_t *length, const char *path, size_t most,
                             struct pp_error *err);
 

@@ -1,3 +1,4 @@
+/* text.c - see text.h. */
 #include "model/base/text.h"
 
 #include <limits.h>
@@ -110,6 +111,32 @@ const char *pp_text_list_names(char *text, size_t size, const char *const *names
     return text;
 }
 
+void pp_text_append_nearest(char *text, size_t room, const char *typed,
+                            const char *const *names, int count)
+{
+    const char *nearest = pp_text_nearest(typed, names, count);
+    if (nearest)
+        pp_text_append(text, room, "; did you mean \"%s\"?", nearest);
+}
+
+enum pp_status pp_text_unknown(struct pp_error *err, const char *typed,
+                               const char *const *names, int count,
+                               const char *otherwise, const char *format, ...)
+{
+    char message[sizeof err->message] = "", expected[512];
+    va_list arguments;
+    va_start(arguments, format);
+    pp_text_append_v(message, sizeof message, format, arguments);
+    va_end(arguments);
+    const char *nearest = pp_text_nearest(typed, names, count);
+    if (nearest)
+        return pp_fail(err, PP_BAD_INPUT, "%s; did you mean %s?", message, nearest);
+    if (otherwise)
+        return pp_fail(err, PP_BAD_INPUT, "%s%s", message, otherwise);
+    return pp_fail(err, PP_BAD_INPUT, "%s; expected %s", message,
+                   pp_text_list_names(expected, sizeof expected, names, count));
+}
+
 /* Bytes of the UTF-8 letter at p, never past its terminating NUL. */
 static size_t letter_bytes(const char *p)
 {
@@ -185,9 +212,9 @@ static const char *decimal_end(const char *p)
     return exponent_digits > 0 ? p : NULL;
 }
 
-/* Where digits, without the point, are a whole number below 2^53 and the power of ten is
- * at most 22, both are doubles exactly, so that one multiplication or division rounds as
- * it should: the same double as strtod's. False where that does not hold. */
+/* Where digits, without the point, are a whole number below 2^53 and the power of ten
+ * is at most 22, both are doubles exactly, so that one multiplication or division
+ * rounds as it should: the same double as strtod's. False where that does not hold. */
 static bool small_decimal(const char *p, const char *end, double *value)
 {
     static const double powers[] = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,

@@ -1,4 +1,5 @@
-/* text.h - text put together piece by piece, in a place of fixed size. */
+/* text.h - text put together piece by piece in an array of fixed size; names that
+ * somebody mistyped; and numbers as people write them, whatever the locale. */
 #ifndef PP_MODEL_BASE_TEXT_H
 #define PP_MODEL_BASE_TEXT_H
 
@@ -6,20 +7,19 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-/* Adds to the end of `text`, of `room` bytes with its terminating NUL, as printf would;
- * what has no room is cut off. No argument may lie in `text`. */
+#include "model/base/error.h"
+
+/* Adds to the end of `text`, an array of `room` bytes, as printf would; text that has
+ * no room is cut off. No argument may lie in `text`. */
 void pp_text_append(char *text, size_t room, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 void pp_text_append_v(char *text, size_t room, const char *format, va_list arguments)
     __attribute__((format(printf, 3, 0)));
 
-/* Adds `count` names (count < 0: up to a NULL) as "a, b and c", where `last` is " and
- * ".
- */
+/* Adds `count` names (count < 0: up to a NULL) as "a, b and c", where `last` is
+ * " and ". */
 void pp_text_append_list(char *text, size_t room, const char *const *names, int count,
                          const char *last);
-
-/* text.h - what somebody who mistyped a name may have meant. */
 
 /* Letters to insert, leave out, change or swap with their neighbour to turn a into b,
  * capitals aside; names longer than 64 bytes are far from everything. */
@@ -29,6 +29,20 @@ int pp_text_edit_distance(const char *a, const char *b);
  * of several as near: at most one letter differs, or a third of the longer's letters;
  * else the first that contains it ("oak": "oak-floor"). NULL where none is like it. */
 const char *pp_text_nearest(const char *typed, const char *const *names, int count);
+
+/* Adds `; did you mean "nearest"?` where a name is like what was typed, else
+ * nothing. */
+void pp_text_append_nearest(char *text, size_t room, const char *typed,
+                            const char *const *names, int count);
+
+/* Fails with PP_BAD_INPUT because `typed` is none of the names. The message begins as
+ * `format` and its arguments say ("there is no chart \"paln\"") and goes on with
+ * "; did you mean plan?" where a name is like it, else with `otherwise`, or with
+ * "; expected a, b or c" where otherwise is NULL. */
+enum pp_status pp_text_unknown(struct pp_error *err, const char *typed,
+                               const char *const *names, int count,
+                               const char *otherwise, const char *format, ...)
+    __attribute__((format(printf, 6, 7)));
 
 /* Writes the names as "a, b or c" to text, cut to its size. Returns text. */
 const char *pp_text_list_names(char *text, size_t size, const char *const *names,
@@ -41,12 +55,10 @@ bool pp_text_is_plain(const char *text);
  * to some 40 letters with "..." behind. Returns text. */
 const char *pp_text_excerpt(char *text, size_t size, const char *written);
 
-/* text.h - numbers as people write them, whatever the locale. */
-
 /* Reads the whole of text as one decimal number with a point ("2.6", "-.5", "1e-3"),
  * white space around it allowed. False, and *value untouched, for anything else: an
- * empty text, a comma, a unit behind, hexadecimal, inf, nan, or too large for a double.
- */
+ * empty text, a comma, a unit behind, hexadecimal, inf, nan, or too large for a
+ * double. */
 bool pp_text_parse_number(const char *text, double *value);
 
 #endif

@@ -10,17 +10,17 @@ struct pp_area_moments pp_area_moments_empty(void)
         .left = INFINITY, .right = -INFINITY, .low = INFINITY, .high = -INFINITY};
 }
 
-void pp_area_moments_add_edge(struct pp_area_moments *extent, const double a[2],
+void pp_area_moments_add_edge(struct pp_area_moments *moments, const double a[2],
                               const double b[2])
 {
     double cross = a[0] * b[1] - a[1] * b[0];
-    extent->area += cross / 2.0;
-    extent->x_moment += cross * (a[0] + b[0]) / 6.0;
-    extent->z_moment += cross * (a[1] + b[1]) / 6.0;
-    extent->left = fmin(extent->left, fmin(a[0], b[0]));
-    extent->right = fmax(extent->right, fmax(a[0], b[0]));
-    extent->low = fmin(extent->low, fmin(a[1], b[1]));
-    extent->high = fmax(extent->high, fmax(a[1], b[1]));
+    moments->area += cross / 2.0;
+    moments->x_moment += cross * (a[0] + b[0]) / 6.0;
+    moments->z_moment += cross * (a[1] + b[1]) / 6.0;
+    moments->left = fmin(moments->left, fmin(a[0], b[0]));
+    moments->right = fmax(moments->right, fmax(a[0], b[0]));
+    moments->low = fmin(moments->low, fmin(a[1], b[1]));
+    moments->high = fmax(moments->high, fmax(a[1], b[1]));
 }
 
 /* Is b the tip of a spike, where the line runs to and back? */
@@ -32,7 +32,8 @@ static bool is_spike(const double a[2], const double b[2], const double c[2])
     return dot <= 0.0 && fabs(cross) <= 1e-9 * fabs(dot);
 }
 
-/* Takes spikes off a ring: overlays leave them, and they have no area but an extent. */
+/* Takes spikes off a ring, which overlays leave: they have no area, but enlarge the
+ * bounding box. */
 static void take_spikes_off(struct pp_ring *ring)
 {
     for (int i = 0, passed = 0; passed < ring->count && ring->count > 2; i++) {
@@ -52,7 +53,7 @@ static void take_spikes_off(struct pp_ring *ring)
 
 struct pp_area_moments pp_area_moments_above_horizon(struct pp_region *region)
 {
-    struct pp_area_moments extent = pp_area_moments_empty();
+    struct pp_area_moments moments = pp_area_moments_empty();
     for (int r = 0; r < region->count; r++) {
         take_spikes_off(region->rings + r);
         for (int i = 0; i < region->rings[r].count; i++) {
@@ -66,10 +67,10 @@ struct pp_area_moments pp_area_moments_above_horizon(struct pp_region *region)
                 under[0] = p[0] + (q[0] - p[0]) * p[1] / (p[1] - q[1]);
                 under[1] = 0.0;
             }
-            pp_area_moments_add_edge(&extent, a, b);
+            pp_area_moments_add_edge(&moments, a, b);
         }
     }
-    return extent;
+    return moments;
 }
 
 /* Cuts a polygon of the drawing by one side: keeps sign * p[axis] <= sign * limit.
@@ -110,8 +111,8 @@ struct pp_area_moments pp_area_moments_in_box(double (*points)[2], double (*spar
         points = spare;
         spare = swap;
     }
-    struct pp_area_moments extent = pp_area_moments_empty();
+    struct pp_area_moments moments = pp_area_moments_empty();
     for (int i = 0; i < count; i++)
-        pp_area_moments_add_edge(&extent, points[i], points[(i + 1) % count]);
-    return extent;
+        pp_area_moments_add_edge(&moments, points[i], points[(i + 1) % count]);
+    return moments;
 }

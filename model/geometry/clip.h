@@ -4,7 +4,7 @@
 
 #include "model/geometry/vec.h"
 
-/* What lies of a convex polygon where normal.v > offset [SH74]. Returns how many
+/* The part of a convex polygon where normal.v > offset [SH74]. Returns how many
  * vertices are left, 0 if nothing; out has room for count + 1 and is not `in`. Where an
  * edge is cut depends neither on its direction nor on the plane's, so that polygons
  * which share an edge, and the two parts of one polygon, share the cut to the bit. */

@@ -1,8 +1,11 @@
+/* curve.c - see curve.h. */
 #include "model/geometry/curve.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+
+#include "model/base/array.h"
 
 void pp_curve_list_clear(struct pp_curve_list *curves)
 {
@@ -22,15 +25,13 @@ void pp_curve_add_point(struct pp_curve *curve, const double xy[2])
 enum pp_status pp_curve_list_add(struct pp_curve_list *curves, struct pp_curve curve,
                                  struct pp_error *err)
 {
-    struct pp_curve *list =
-        realloc(curves->list, (size_t)(curves->count + 1) * sizeof *list);
-    if (!list) {
+    enum pp_status status =
+        pp_array_append(&curves->list, curves->count, sizeof *curves->list, err);
+    if (status == PP_OK)
+        curves->list[curves->count++] = curve;
+    else
         free(curve.xy);
-        return pp_fail_memory(err);
-    }
-    curves->list = list;
-    list[curves->count++] = curve;
-    return PP_OK;
+    return status;
 }
 
 double pp_curve_length(const struct pp_curve *curve)

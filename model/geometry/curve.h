@@ -1,5 +1,4 @@
-/* curve.h - lines in a plane on which something has one value: contours.
- */
+/* curve.h - lines in a plane on which a function has one value: contours. */
 #ifndef PP_MODEL_GEOMETRY_CURVE_H
 #define PP_MODEL_GEOMETRY_CURVE_H
 

@@ -15,7 +15,8 @@
 #include "model/geometry/vec.h"
 
 /* Plane, simple, counter-clockwise seen against its normal (the normal points to the
- * eye). Faces of an envelope may be 1 mm uneven: neighbours share corners to the bit. */
+ * eye). Faces of an envelope may be 1 mm uneven: neighbours share corners to the
+ * bit. */
 struct pp_polygon {
     int count;
     struct pp_vec3 *vertices;

@@ -1,7 +1,8 @@
 /* polygons_cross.c - see polygons_cross.h.
  *
- * Each polygon is cut by the other's plane, once moved a little to one side and once to
- * the other; what the four cuts have in common along the line is where both go through.
+ * Each polygon is cut by the other's plane, moved a little to one side and then to the
+ * other. Along the line of both planes, the polygons go through each other on the
+ * stretches that the four cuts have in common.
  */
 #include "model/geometry/polygons_cross.h"
 
@@ -43,7 +44,8 @@ static void cut(struct stretches *cuts, const struct pp_polygon *polygon,
     cuts->count = count / 2;
 }
 
-/* What a and b have in common, to `both` with room for all of either. */
+/* The stretches that a and b have in common, to `both`, which has room for all of
+ * either. */
 static void intersect(struct stretches *both, const struct stretches *a,
                       const struct stretches *b)
 {

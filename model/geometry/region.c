@@ -18,7 +18,7 @@ struct pp_clipper {
     char said[256]; /* GEOS's own words on the last failure */
 };
 
-static void listen(const char *message, void *clipper)
+static void keep_message(const char *message, void *clipper)
 {
     snprintf(((struct pp_clipper *)clipper)->said,
              sizeof((struct pp_clipper *)clipper)->said, "%s", message);
@@ -36,7 +36,7 @@ enum pp_status pp_region_clipper_create(struct pp_clipper **clipper,
         *clipper = NULL;
         return pp_fail_memory(err);
     }
-    GEOSContext_setErrorMessageHandler_r((*clipper)->geos, listen, *clipper);
+    GEOSContext_setErrorMessageHandler_r((*clipper)->geos, keep_message, *clipper);
     return PP_OK;
 }
 
@@ -109,10 +109,10 @@ static GEOSGeometry *geos_polygon(GEOSContextHandle_t geos,
     return polygon;
 }
 
-static double ring_area(const double (*xy)[2], int count)
+double pp_region_ring_area(const double (*xy)[2], int count)
 {
-    /* From the first point, so that a small ring far from the origin keeps its digits.
-     */
+    /* From the first point, so that a small ring far from the origin keeps its
+     * digits. */
     double twice = 0.0;
     for (int i = 1; i + 1 < count; i++)
         twice += (xy[i][0] - xy[0][0]) * (xy[i + 1][1] - xy[0][1])
@@ -136,8 +136,8 @@ static GEOSGeometry *geos_polygons(GEOSContextHandle_t geos,
         for (int from = 0, to; whole && from < region->count; from = to) {
             to = from + 1;
             while (to < region->count
-                   && ring_area((const double(*)[2])region->rings[to].xy,
-                                region->rings[to].count)
+                   && pp_region_ring_area((const double(*)[2])region->rings[to].xy,
+                                          region->rings[to].count)
                           < 0.0)
                 to++;
             list[polygons] = geos_polygon(geos, region, from, to);
@@ -204,7 +204,7 @@ static bool append_ring(const struct pp_clipper *clipper, struct pp_region *regi
         return false;
     for (int i = 0; i < count; i++)
         GEOSCoordSeq_getXY_r(geos, points, (unsigned)i, &xy[i][0], &xy[i][1]);
-    double area = ring_area((const double(*)[2])xy, count);
+    double area = pp_region_ring_area((const double(*)[2])xy, count);
     if (fabs(area) <= clipper->grid * perimeter((const double(*)[2])xy, count)) {
         free(xy);
         return true;
@@ -272,7 +272,7 @@ static enum pp_status region_from(struct pp_clipper *clipper, struct pp_region *
 bool pp_region_ring_is_simple(struct pp_clipper *clipper, const double (*xy)[2],
                               int count)
 {
-    if (count < 3 || ring_area(xy, count) == 0.0)
+    if (count < 3 || pp_region_ring_area(xy, count) == 0.0)
         return false;
     GEOSGeometry *ring = geos_ring(clipper->geos, xy, count);
     if (!ring)
@@ -288,7 +288,7 @@ bool pp_region_ring_is_simple(struct pp_clipper *clipper, const double (*xy)[2],
 static enum pp_status simple_ring(struct pp_region *region, const double (*xy)[2],
                                   int count, struct pp_error *err)
 {
-    double area = ring_area(xy, count);
+    double area = pp_region_ring_area(xy, count);
     region->rings = calloc(1, sizeof *region->rings);
     double(*points)[2] = malloc((size_t)count * sizeof *points);
     if (!region->rings || !points) {
@@ -307,7 +307,7 @@ enum pp_status pp_region_of_ring(struct pp_clipper *clipper, struct pp_region *r
                                  const double (*xy)[2], int count, struct pp_error *err)
 {
     *region = (struct pp_region){0};
-    if (count < 3 || ring_area(xy, count) == 0.0)
+    if (count < 3 || pp_region_ring_area(xy, count) == 0.0)
         return PP_OK;
     if (!pp_region_ring_is_simple(clipper, xy, count))
         return pp_fail(err, PP_BAD_INPUT, "the outline meets or crosses itself");
@@ -411,9 +411,19 @@ double pp_region_area(const struct pp_region *region)
 {
     double area = 0.0;
     for (int i = 0; i < region->count; i++)
-        area +=
-            ring_area((const double(*)[2])region->rings[i].xy, region->rings[i].count);
+        area += pp_region_ring_area((const double(*)[2])region->rings[i].xy,
+                                    region->rings[i].count);
     return area;
+}
+
+struct pp_bounds2 pp_region_bounds(const struct pp_region *region)
+{
+    struct pp_bounds2 bounds = pp_bounds2_empty();
+    for (int r = 0; r < region->count; r++)
+        for (int i = 0; i < region->rings[r].count; i++)
+            pp_bounds2_add(&bounds, region->rings[r].xy[i][0],
+                           region->rings[r].xy[i][1]);
+    return bounds;
 }
 
 bool pp_region_contains(const struct pp_region *region, double x, double y)

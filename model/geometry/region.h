@@ -1,7 +1,7 @@
 /* region.h - plane figures with holes, their union, difference and intersection.
  *
- * The only door to GEOS. Coordinates are plain pairs; what plane they lie in is the
- * caller's affair (the working plane, an opening's own plane).
+ * Overlays are GEOS's, which no other file knows. Coordinates are plain pairs in
+ * whatever plane the caller means (the working plane, an opening's own plane).
  */
 #ifndef PP_MODEL_GEOMETRY_REGION_H
 #define PP_MODEL_GEOMETRY_REGION_H
@@ -9,6 +9,7 @@
 #include <stdbool.h>
 
 #include "model/base/error.h"
+#include "model/geometry/bounds.h"
 
 /* A closed line without its first point repeated. */
 struct pp_ring {
@@ -24,7 +25,8 @@ struct pp_region {
     struct pp_ring *rings;
 };
 
-/* A GEOS context. One a thread; the functions below change nothing else. */
+/* Holds a GEOS context: one for each thread. The functions below change nothing
+ * else. */
 struct pp_clipper;
 enum pp_status pp_region_clipper_create(struct pp_clipper **clipper,
                                         struct pp_error *err);
@@ -32,9 +34,8 @@ void pp_region_clipper_destroy(struct pp_clipper *clipper); /* NULL is allowed *
 
 /* From now on unions, intersections and differences round coordinates to multiples of
  * `grid` (greater than 0), which makes them proof against edges that all but coincide
- * (snap rounding). 2^-50 of the largest
- * coordinate is fine enough to cost no accuracy. 0,
- * as at first: no rounding. */
+ * (snap rounding). 2^-50 of the largest coordinate is fine enough to cost no accuracy.
+ * 0, as at first: no rounding. */
 void pp_region_clipper_set_grid(struct pp_clipper *clipper, double grid);
 
 /* The figure of one ring, in either direction; fewer than three points or no area give
@@ -43,8 +44,9 @@ enum pp_status pp_region_of_ring(struct pp_clipper *clipper, struct pp_region *r
                                  const double (*xy)[2], int count,
                                  struct pp_error *err);
 /* The figure of any closed line, by crossings: a point is in it where a ray from there
- * crosses the line an odd number of times. What the line runs there and back, such as
- * the seam between a rim and a hole, bounds nothing; a hole may run either way round. */
+ * crosses the line an odd number of times. Where the line runs there and back, as along
+ * the bridge from a rim to a hole, it bounds nothing; a hole may run either way
+ * round. */
 enum pp_status pp_region_by_crossings(struct pp_clipper *clipper,
                                       struct pp_region *region, const double (*xy)[2],
                                       int count, struct pp_error *err);
@@ -72,11 +74,22 @@ enum pp_status pp_region_triangulate(struct pp_clipper *clipper,
                                      const struct pp_region *region,
                                      struct pp_error *err);
 
-/* Does the ring meet itself or have no area? */
+/* Has the ring an area, and does it nowhere meet itself? */
 bool pp_region_ring_is_simple(struct pp_clipper *clipper, const double (*xy)[2],
                               int count);
 
+/* Twice the area of the triangle a, b, c: above 0 where it turns to the left. */
+static inline double pp_region_turn(const double a[2], const double b[2],
+                                    const double c[2])
+{
+    return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
+}
+
+/* Area of a ring, negative where it runs clockwise. */
+double pp_region_ring_area(const double (*xy)[2], int count);
+
 double pp_region_area(const struct pp_region *region);
+struct pp_bounds2 pp_region_bounds(const struct pp_region *region);
 bool pp_region_contains(const struct pp_region *region, double x, double y);
 /* Distance from a point to the nearest edge; INFINITY for the empty figure. */
 double pp_region_edge_distance(const struct pp_region *region, double x, double y);

@@ -19,7 +19,7 @@ struct pp_glass {
     int panes;      /* 0: no glass at all, an unglazed opening */
     double n;       /* refractive index of a pane */
     double kl;      /* absorption coefficient times thickness of a pane */
-    double scale;   /* of the stack's own transmittance */
+    double scale;   /* factor of the stack's own transmittance */
     bool diffusing; /* Lambertian; then normal and diffuse are the same */
     double normal;  /* transmittance at normal incidence */
     double diffuse; /* transmittance of uniformly diffuse light */

@@ -1,6 +1,6 @@
 /* rgb.h - a colour of light or of a reflectance, by value: three channels, linear.
  *
- * What the eye makes of it is the luminance-weighted mean of the lighting field's own
+ * Its grey value is the luminance-weighted mean of the lighting field's own
  * red, green and blue [WS98]:
  *
  *     grey = 0.265 r + 0.670 g + 0.065 b

@@ -5,9 +5,11 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "model/base/array.h"
 #include "model/geometry/polygon.h"
 
-/* How far out of its plane a corner of a polygon may be, over the polygon's size. */
+/* How far out of its plane a corner of a polygon may be, over the polygon's size:
+ * chosen, not measured. */
 static const double MOST_UNEVEN = 1e-3;
 
 void pp_scene_description_init(struct pp_scene_description *scene)
@@ -24,28 +26,18 @@ void pp_scene_description_clear(struct pp_scene_description *scene)
     pp_scene_description_init(scene);
 }
 
-/* Room for `more` beyond count in a list of things of this size. */
-static enum pp_status grow(void **list, int count, int *space, int more, size_t size,
+/* Room for `more` items beyond count. */
+static enum pp_status grow(void *list, int count, int *space, int more, size_t size,
                            struct pp_error *err)
 {
-    if (more <= *space - count)
-        return PP_OK;
     if (more > INT_MAX / 2 - count)
         return pp_fail(err, PP_BAD_INPUT, "the scene has more than %d parts of a kind",
                        INT_MAX / 2);
-    int wanted = *space > INT_MAX / 3 ? INT_MAX / 2 : *space + *space / 2 + 16;
-    if (wanted < count + more)
-        wanted = count + more;
-    void *grown = realloc(*list, (size_t)wanted * size);
-    if (!grown)
-        return pp_fail_memory(err);
-    *list = grown;
-    *space = wanted;
-    return PP_OK;
+    return pp_array_reserve(list, space, count + more, size, err);
 }
 
 #define GROW(scene, list, what, more, err)                                             \
-    grow((void **)&(scene)->list, (scene)->what##_count, &(scene)->what##_space, more, \
+    grow(&(scene)->list, (scene)->what##_count, &(scene)->what##_space, more,          \
          sizeof *(scene)->list, err)
 
 enum pp_status pp_scene_description_add_material(struct pp_scene_description *scene,
@@ -104,7 +96,8 @@ static enum pp_status append(struct pp_scene_description *scene,
     return PP_OK;
 }
 
-/* Copies the corners behind the scene's vertices without repeated ones; how many. */
+/* Copies the corners behind the scene's vertices without repeated ones; returns how
+ * many are left. */
 static int copy_corners(struct pp_scene_description *scene,
                         const struct pp_vec3 *corners, int count)
 {
@@ -226,8 +219,16 @@ enum pp_status pp_scene_description_add_shape(struct pp_scene_description *scene
 
 /* ---- patterns ---- */
 
-/* skybright.cal's names: gamma from the sun, zt the sun's and eta the direction's angle
- * from the zenith. */
+/* The skies of skybright.cal [WS98], in its names: gamma is the angle from the sun, zt
+ * that of the sun and eta that of the direction from the zenith.
+ *
+ *     clear         Lz (0.91 + 10 exp(-3 gamma) + 0.45 cos^2 gamma)
+ *                      (1 - exp(-0.32 / cos eta)) / norm
+ *     overcast      Lz (1 + 2 cos eta) / 3
+ *     intermediate  Lz ((1.35 sin(5.631 - 3.59 eta) + 3.12) sin(4.396 - 2.6 zt)
+ *                       + 6.37 - eta) / 2.326
+ *                      exp(-0.563 gamma ((2.629 - eta) (1.562 - zt) + 0.812)) / norm
+ */
 static double gensky_sky(const struct pp_pattern *pattern, struct pp_vec3 u)
 {
     double cosgamma = fmax(-1.0, fmin(1.0, pp_vec_dot(u, pattern->sun)));
@@ -262,8 +263,8 @@ double pp_scene_description_pattern_value(const struct pp_pattern *pattern,
                 return pattern->skylines[i].radiance;
         return pattern->factor * pp_sky_luminance(&pattern->sky, u);
     }
-    /* Their mean, weighted by tenth powers: of ground a half at the horizon, a tenth at
-     * 6 degrees, 3e-4 at 30. */
+    /* The mean of sky and ground, weighted by tenth powers: the ground's share is a
+     * half at the horizon, a tenth at 6 degrees, 3e-4 at 30. */
     double above = pow(u.z + 1.01, 10.0), below = 1.0 / above;
     double value =
         (above * gensky_sky(pattern, u) + below * pattern->ground) / (above + below);

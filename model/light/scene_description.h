@@ -1,10 +1,10 @@
 /* scene_description.h - a scene as plain lists: shapes, materials, patterns of light.
  *
- * What an import fills and simulate/scene/light_scene.h is made from. Lengths are in metres
- * (or in whatever unit the receivers have), radiances in whatever unit is wanted of the
- * results: what comes out has the unit of what went in.
+ * An import (formats/radiance) fills the lists; simulate/scene/light_scene.h is made
+ * from them. Lengths are in metres (or in the unit of the receivers), radiances in any
+ * unit, which the results then have.
  *
- * Lists are grown by the functions below, which say at once what is wrong with a shape.
+ * Lists are grown by the functions below, which check each shape as it comes.
  */
 #ifndef PP_MODEL_LIGHT_SCENE_DESCRIPTION_H
 #define PP_MODEL_LIGHT_SCENE_DESCRIPTION_H
@@ -15,7 +15,7 @@
 #include "model/geometry/vec.h"
 
 enum pp_shape_kind {
-    PP_SHAPE_POLYGON, /* plane, by crossings: a hole is joined by a seam (region.h) */
+    PP_SHAPE_POLYGON, /* plane, by crossings: a hole is joined by a bridge (region.h) */
     PP_SHAPE_SPHERE,
     PP_SHAPE_CONE,    /* open at both ends; a cylinder where both radii are equal */
     PP_SHAPE_RING,    /* a disc, or a disc with a round hole */
@@ -29,7 +29,7 @@ struct pp_shape {
     int material;
     int back_material; /* of the other side; -1: the same, but giving off light only
                         * where the material does from both sides */
-    int tag;           /* whatever the caller likes: it comes back with every hit */
+    int tag;           /* the caller's own: it comes back with every hit */
     bool inward;       /* sphere, cone: their front is inside (bubble, cup, tube) */
     union {
         struct {
@@ -56,7 +56,7 @@ struct pp_shape {
 
 /* Factors of a distant source's radiance by direction. */
 enum pp_pattern_kind {
-    PP_PATTERN_SKY,    /* factor times pp_sky_luminance: what factor is Eh of */
+    PP_PATTERN_SKY,    /* factor times pp_sky_luminance; the factor is the sky's Eh */
     PP_PATTERN_GENSKY, /* the formulae that Radiance's skies are written with [WS98] */
 };
 
@@ -81,12 +81,13 @@ struct pp_pattern {
     enum pp_pattern_kind kind;
     double factor;     /* of PP_PATTERN_SKY */
     struct pp_sky sky; /* of PP_PATTERN_SKY */
-    int skyline_count; /* of PP_PATTERN_SKY: the first one met is seen */
+    int skyline_count; /* of PP_PATTERN_SKY; where several hide a direction, the first
+                        * in the list is seen */
     struct pp_pattern_skyline skylines[PP_PATTERN_SKYLINES_MOST];
 
     enum pp_gensky_kind type; /* the rest of PP_PATTERN_GENSKY */
     double zenith, ground;    /* radiances of zenith and ground */
-    double norm;              /* that clear and intermediate skies are divided by */
+    double norm;              /* divisor of clear and intermediate skies */
     struct pp_vec3 sun;       /* towards it, unit */
 };
 
@@ -109,8 +110,8 @@ struct pp_scene_description {
 void pp_scene_description_init(struct pp_scene_description *scene);
 void pp_scene_description_clear(struct pp_scene_description *scene);
 
-/* Each copies what it is given and says where it is in its list (index may be NULL). A
- * material is checked as pp_material_check does. */
+/* Adds a copy to its list; *index is its place there (index may be NULL). Materials are
+ * checked by pp_material_check. */
 enum pp_status pp_scene_description_add_material(struct pp_scene_description *scene,
                                                  const struct pp_material *material,
                                                  int *index, struct pp_error *err);
@@ -126,7 +127,7 @@ enum pp_status pp_scene_description_add_polygon(struct pp_scene_description *sce
                                                 int count, int material, int *index,
                                                 struct pp_error *err);
 
-/* Any other shape; directions are made unit, ends and radii are looked at. */
+/* Any other shape; directions are made unit, ends and radii are checked. */
 enum pp_status pp_scene_description_add_shape(struct pp_scene_description *scene,
                                               const struct pp_shape *shape, int *index,
                                               struct pp_error *err);

@@ -1,13 +1,16 @@
-/* scene_horizontal.c - see scene_horizontal.h. */
+/* scene_horizontal.c - see scene_horizontal.h. Midpoint sums over the hemisphere, in
+ * z^2 and azimuth, which weight all directions alike on a level plane:
+ *
+ *     E = pi / (rings turns) sum L(u),   u.z^2 = (i + 1/2) / rings
+ */
 #include "model/light/scene_horizontal.h"
 
 #include <math.h>
 #include <stddef.h>
 
-/* Midpoints in z^2, of equal weight for a level plane, and in azimuth. */
 enum { RINGS = 400, TURNS = 720 };
 
-/* Distant sources that are looked at; a scene has two. */
+/* Distant sources that are summed; a scene usually has two. */
 enum { SOURCES_MOST = 256 };
 
 static bool is_sky(const struct pp_scene_description *scene,
@@ -17,7 +20,7 @@ static bool is_sky(const struct pp_scene_description *scene,
            && scene->materials[shape->material].emits == PP_EMITS_EXTENDED;
 }
 
-/* The sky alone: what is looked at in every direction. */
+/* The distant sources that are skies. */
 struct sources {
     const struct pp_scene_description *scene;
     int list[SOURCES_MOST];
@@ -33,7 +36,7 @@ static struct sources sources_of(const struct pp_scene_description *scene)
     return sources;
 }
 
-/* The one of the smallest angle that u lies in; NULL: none. */
+/* The source of the smallest angle that u lies in; NULL: none. */
 static const struct pp_shape *seen_in(const struct sources *sources, struct pp_vec3 u)
 {
     const struct pp_shape *found = NULL;
@@ -77,7 +80,8 @@ static struct pp_rgb quadrature(const struct sources *sources)
     return pp_rgb_scale(sum, PP_PI / ((double)RINGS * TURNS));
 }
 
-/* Is all of the sky one that says itself what it gives? */
+/* The material of the sky where it is one whole hemisphere of PP_PATTERN_SKY, whose Eh
+ * is its factor; else NULL. */
 static const struct pp_material *known_sky(const struct pp_scene_description *scene)
 {
     const struct pp_shape *whole = NULL;

@@ -1,4 +1,4 @@
-/* scene_horizontal.h - what a scene's sky gives the open level ground. */
+/* scene_horizontal.h - horizontal irradiance of the open ground by a scene's sky. */
 #ifndef PP_MODEL_LIGHT_SCENE_HORIZONTAL_H
 #define PP_MODEL_LIGHT_SCENE_HORIZONTAL_H
 

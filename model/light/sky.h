@@ -1,7 +1,7 @@
 /* sky.h - the luminance of the sky, as the methods and the simulation see it.
  *
  * A sky is normalised by its own unobstructed horizontal illuminance Eh, so that
- * what a receiver gets from it is a daylight factor without further division:
+ * the illuminance of a receiver is a daylight factor without further division:
  *
  *     overcast   L = Lz (1 + 2 sin altitude)/3,  Eh = 7 pi Lz / 9       [MS42]
  *     uniform    L = Lz,                         Eh = pi Lz

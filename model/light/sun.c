@@ -1,3 +1,19 @@
+/* sun.c - see sun.h. The steps are the almanac's: the sun's longitude on the ecliptic,
+ * its right ascension and declination, and by sidereal time its hour angle and its
+ * place above the horizon [MIC88]:
+ *
+ *     L  = 280.460 + 0.9856474 n                    mean longitude (degrees)
+ *     g  = 357.528 + 0.9856003 n                    mean anomaly
+ *     l  = L + 1.915 sin g + 0.020 sin 2g           ecliptic longitude
+ *     ep = 23.439 - 0.0000004 n                     obliquity of the ecliptic
+ *
+ *     tan ra  = cos ep sin l / cos l
+ *     sin dec = sin ep sin l
+ *
+ *     sin altitude = sin dec sin latitude + cos dec cos latitude cos ha
+ *
+ * n is in days since noon of 1 January 2000; ha is the hour angle.
+ */
 #include "model/light/sun.h"
 
 #include <math.h>
@@ -14,7 +30,7 @@ double pp_sun_days_since_2000(int year, int month, int day, double hour_ut)
     return days - FIRST_JANUARY_2000 + (hour_ut - 12.0) / 24.0;
 }
 
-/* Into 0 ... whole. */
+/* The value less whole turns: 0 to `whole`. */
 static double wrapped(double value, double whole)
 {
     return value - whole * floor(value / whole);

@@ -1,3 +1,4 @@
+/* camera.c - see camera.h. */
 #include "model/pictures/camera.h"
 
 #include <math.h>
@@ -64,7 +65,7 @@ enum pp_status pp_camera_set(struct pp_camera *camera, enum pp_view_kind kind,
     return PP_OK;
 }
 
-/* What half the picture is worth in the plane that it is drawn on. */
+/* Half the picture's extent on the plane or dome that the view is projected on. */
 static double half_extent(enum pp_view_kind kind, double size)
 {
     switch (kind) {

@@ -5,9 +5,10 @@
  *
  *     perspective    right angles stay right about the middle; sizes are angles
  *     parallel       all rays one way: a plan, an elevation, a section; sizes in metres
- *     hemispherical  what falls on a plane square to the view: equal areas weigh
- * equally in its illuminance (the sine of the angle from the middle) angular distance
- * from the middle as the angle (fisheye)
+ *     hemispherical  as it falls on a plane square to the view: equal areas of the
+ *                    picture weigh equally in its illuminance (the sine of the angle
+ *                    from the middle)
+ *     angular        distance from the middle goes as the angle (fisheye)
  */
 #ifndef PP_MODEL_PICTURES_CAMERA_H
 #define PP_MODEL_PICTURES_CAMERA_H
@@ -25,7 +26,7 @@ enum pp_view_kind {
     PP_VIEW_ANGULAR,
 };
 
-/* Set by pp_camera_set; only read. */
+/* Filled by pp_camera_set, and only read from then on. */
 struct pp_camera {
     enum pp_view_kind kind;
     struct pp_vec3 eye;
@@ -35,7 +36,7 @@ struct pp_camera {
 
 /* `up` need not be square to `toward`, only not along it; neither need be unit. Sizes:
  * perspective less than pi, hemispherical up to pi, angular up to 2 pi, all above 0.
- * What makes no sense is PP_BAD_INPUT. */
+ * PP_BAD_INPUT for views that make no sense. */
 enum pp_status pp_camera_set(struct pp_camera *camera, enum pp_view_kind kind,
                              struct pp_vec3 eye, struct pp_vec3 toward,
                              struct pp_vec3 up, double across, double down,

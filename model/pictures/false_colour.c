@@ -1,3 +1,4 @@
+/* false_colour.c - see false_colour.h. */
 #include "model/pictures/false_colour.h"
 
 #include <math.h>
@@ -6,7 +7,8 @@
 
 #include "model/geometry/vec.h"
 
-/* Shares of the pixels that the scale need not reach. */
+/* Share of the pixels, at either end, that the scale leaves out: chosen, not
+ * measured. */
 static const double left_out = 0.005;
 
 enum { DECADES_MOST = 4 };
@@ -144,7 +146,7 @@ enum pp_status pp_false_colour_raster(struct pp_raster *raster,
                                       struct pp_error *err)
 {
     enum pp_status status =
-        pp_raster_create(raster, picture->width, picture->height, err);
+        pp_raster_init(raster, picture->width, picture->height, err);
     for (int y = 0; status == PP_OK && y < picture->height; y++)
         for (int x = 0; x < picture->width; x++) {
             double value = unit * pp_rgb_luminance(pp_picture_rgb(picture, x, y));

@@ -21,7 +21,7 @@ struct pp_false_colour_scale {
 /* A scale for the picture, whose luminances times `unit` are the values: rounded
  * outwards to 1, 2, 5 and their decades from what all but the darkest and lightest
  * half per cent of the pixels have; over four decades at most; from 0 where it is
- * linear. Black and what is no number do not count. */
+ * linear. Pixels that are black or no number do not count. */
 enum pp_status pp_false_colour_scale_fit(struct pp_false_colour_scale *scale,
                                          const struct pp_picture *picture, double unit,
                                          bool logarithmic, struct pp_error *err);
@@ -33,14 +33,14 @@ enum { PP_FALSE_COLOUR_LEVELS_MOST = 40 };
 int pp_false_colour_scale_levels(const struct pp_false_colour_scale *scale,
                                  double levels[PP_FALSE_COLOUR_LEVELS_MOST]);
 
-/* Where on the scale a value is, 0 to 1; what lies beyond is at its end. */
+/* Where on the scale a value is, 0 to 1; values off the scale are at its end. */
 double pp_false_colour_scale_at(const struct pp_false_colour_scale *scale,
                                 double value);
 
 /* sRGB of a place on the scale, 0 to 1. */
 void pp_false_colour(double at, unsigned char rgb[3]);
 
-/* The picture in the scale's colours; what is no number is white. */
+/* The picture in the scale's colours; pixels that are no number are white. */
 enum pp_status pp_false_colour_raster(struct pp_raster *raster,
                                       const struct pp_picture *picture, double unit,
                                       const struct pp_false_colour_scale *scale,

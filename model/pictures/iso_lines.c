@@ -5,22 +5,23 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Without tags: neighbours that differ by more than this factor show two things. */
+/* Without tags: neighbours whose values differ by more than this, in natural
+ * logarithms, show two surfaces. Chosen by trial. */
 static const double edge_log = 0.3;
 
-struct field {
+struct log_picture {
     int width, height;
-    double *logs; /* of the values; -INFINITY: nothing there */
+    double *logs; /* of the values; -INFINITY: a pixel without a value */
     const int *tags;
 };
 
-static size_t at(const struct field *field, int x, int y)
+static size_t at(const struct log_picture *field, int x, int y)
 {
     return (size_t)y * (size_t)field->width + (size_t)x;
 }
 
-/* Do two pixels show the same thing? */
-static bool alike(const struct field *field, size_t a, size_t b)
+/* Do two pixels show the same surface? */
+static bool alike(const struct log_picture *field, size_t a, size_t b)
 {
     if (!isfinite(field->logs[a]) || !isfinite(field->logs[b]))
         return false;
@@ -32,7 +33,7 @@ static bool alike(const struct field *field, size_t a, size_t b)
 /* ---- smoothing ---- */
 
 /* Along rows (step 1) or columns (step: the width), from field->logs to out. */
-static void smooth_along(const struct field *field, double *out, bool rows,
+static void smooth_along(const struct log_picture *field, double *out, bool rows,
                          double deviation)
 {
     int reach = (int)ceil(3.0 * deviation);
@@ -62,9 +63,9 @@ static void smooth_along(const struct field *field, double *out, bool rows,
         }
 }
 
-/* Does a pixel show something else than one of those about it? Then its value is a
- * mixture. */
-static bool is_mixed(const struct field *field, int x, int y)
+/* Does a pixel show another surface than one of the pixels round it? Then its value may
+ * be a mixture of both. */
+static bool is_mixed(const struct log_picture *field, int x, int y)
 {
     for (int j = y > 0 ? y - 1 : y; j <= y + 1 && j < field->height; j++)
         for (int i = x > 0 ? x - 1 : x; i <= x + 1 && i < field->width; i++)
@@ -73,13 +74,13 @@ static bool is_mixed(const struct field *field, int x, int y)
     return false;
 }
 
-static enum pp_status make_field(struct field *field, const struct pp_picture *picture,
-                                 const int *tags, double unit, double smooth,
-                                 struct pp_error *err)
+static enum pp_status make_field(struct log_picture *field,
+                                 const struct pp_picture *picture, const int *tags,
+                                 double unit, double smooth, struct pp_error *err)
 {
     size_t pixels = (size_t)picture->width * (size_t)picture->height;
-    *field = (struct field){picture->width, picture->height,
-                            malloc(pixels * sizeof(double)), tags};
+    *field = (struct log_picture){picture->width, picture->height,
+                                  malloc(pixels * sizeof(double)), tags};
     double *other = malloc(pixels * sizeof *other);
     if (!field->logs || !other) {
         free(field->logs);
@@ -110,7 +111,7 @@ static enum pp_status make_field(struct field *field, const struct pp_picture *p
  * 2 i + 1 (below it). A line runs through a square from one edge to another, with what
  * is brighter on its left; next[] leads from each edge to the one after. */
 struct squares {
-    const struct field *field;
+    const struct log_picture *field;
     double level; /* logarithm */
     int *next;    /* -1: none */
     bool *entered;
@@ -126,7 +127,7 @@ static void link_edges(struct squares *squares, int from, int to)
 /* One square, whose upper left pixel is x, y. Corners run clockwise as seen. */
 static void cross_square(struct squares *squares, int x, int y)
 {
-    const struct field *field = squares->field;
+    const struct log_picture *field = squares->field;
     const size_t corner[4] = {at(field, x, y), at(field, x + 1, y),
                               at(field, x + 1, y + 1), at(field, x, y + 1)};
     for (int i = 1; i < 4; i++)
@@ -164,7 +165,7 @@ static void cross_square(struct squares *squares, int x, int y)
 
 static void place_of_edge(const struct squares *squares, int edge, double xy[2])
 {
-    const struct field *field = squares->field;
+    const struct log_picture *field = squares->field;
     int pixel = edge / 2, x = pixel % field->width, y = pixel / field->width;
     bool below = edge % 2;
     double a = field->logs[pixel];
@@ -211,7 +212,7 @@ static enum pp_status take_line(struct squares *squares, int start, double short
 static enum pp_status trace(struct squares *squares, double shortest,
                             struct pp_curve_list *lines, struct pp_error *err)
 {
-    const struct field *field = squares->field;
+    const struct log_picture *field = squares->field;
     int edges = 2 * field->width * field->height;
     for (int i = 0; i < edges; i++) {
         squares->next[i] = -1;
@@ -235,7 +236,7 @@ enum pp_status pp_iso_lines(struct pp_curve_list *lines,
                             double unit, const double *levels, int count, double smooth,
                             double shortest, struct pp_error *err)
 {
-    struct field field;
+    struct log_picture field;
     enum pp_status status = make_field(&field, picture, tags, unit, smooth, err);
     if (status != PP_OK)
         return status;

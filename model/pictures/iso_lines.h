@@ -1,9 +1,9 @@
 /* iso_lines.h - lines of equal value in a picture, within each of the surfaces shown.
  *
- * The picture is smoothed a little within each surface first, so that what noise it has
- * does not tear the lines; where two surfaces meet lines end, as they do in the room,
- * and pixels that show something of both are left out.
- * Where the surfaces are not known, an edge is where neighbours differ by much.
+ * The picture is smoothed a little within each surface first, so that its noise does
+ * not tear the lines; where two surfaces meet lines end, as they do in the room, and
+ * pixels that show something of both are left out. Where the surfaces are not known, an
+ * edge is taken to be where neighbours differ by much.
  */
 #ifndef PP_MODEL_PICTURES_ISO_LINES_H
 #define PP_MODEL_PICTURES_ISO_LINES_H

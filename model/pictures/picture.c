@@ -1,9 +1,10 @@
+/* picture.c - see picture.h. */
 #include "model/pictures/picture.h"
 
 #include <stdlib.h>
 
-enum pp_status pp_picture_create(struct pp_picture *picture, int width, int height,
-                                 struct pp_error *err)
+enum pp_status pp_picture_init(struct pp_picture *picture, int width, int height,
+                               struct pp_error *err)
 {
     *picture = (struct pp_picture){0};
     if (width < 1 || height < 1 || width > PP_PICTURE_SIDE_MOST

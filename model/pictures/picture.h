@@ -17,8 +17,8 @@ struct pp_picture {
 };
 
 /* A black picture; PP_BAD_INPUT where it would be larger than the limits or empty. */
-enum pp_status pp_picture_create(struct pp_picture *picture, int width, int height,
-                                 struct pp_error *err);
+enum pp_status pp_picture_init(struct pp_picture *picture, int width, int height,
+                               struct pp_error *err);
 void pp_picture_clear(struct pp_picture *picture);
 
 static inline float *pp_picture_at(const struct pp_picture *picture, int x, int y)

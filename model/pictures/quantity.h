@@ -1,5 +1,4 @@
-/* quantity.h - what the numbers of a picture are, and in which unit people read them.
- */
+/* quantity.h - the quantities that pixels may hold, and the units they are read in. */
 #ifndef PP_MODEL_PICTURES_QUANTITY_H
 #define PP_MODEL_PICTURES_QUANTITY_H
 
@@ -8,8 +7,8 @@
 
 enum pp_quantity {
     PP_LUMINANCE,       /* pixels are radiances, W/sr/m2; read in cd/m2 */
-    PP_ILLUMINANCE,     /* irradiances of what is seen, W/m2; read in lx */
-    PP_DAYLIGHT_FACTOR, /* of what is seen, fractions; read in per cent */
+    PP_ILLUMINANCE,     /* irradiances of the surface seen, W/m2; read in lx */
+    PP_DAYLIGHT_FACTOR, /* of the surface seen, fractions; read in per cent */
     PP_QUANTITY_COUNT,
 };
 

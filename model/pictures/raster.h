@@ -5,7 +5,7 @@
 #include "model/pictures/picture.h"
 #include "model/pictures/tone.h"
 
-/* Of its sides: what cairo can draw. */
+/* Limit of both sides: that of cairo's images. */
 enum { PP_RASTER_SIDE_MOST = 32767 };
 
 struct pp_raster {
@@ -14,8 +14,8 @@ struct pp_raster {
 };
 
 /* A black one, of a picture's size. */
-enum pp_status pp_raster_create(struct pp_raster *raster, int width, int height,
-                                struct pp_error *err);
+enum pp_status pp_raster_init(struct pp_raster *raster, int width, int height,
+                              struct pp_error *err);
 void pp_raster_clear(struct pp_raster *raster);
 
 /* The picture as `tone` shows it. */

@@ -1,4 +1,10 @@
-/* tone.c - see tone.h. */
+/* tone.c - see tone.h. The curve is the histogram adjustment of [LRP97]:
+ *
+ *     log Ld = log Ld_min + (log Ld_max - log Ld_min) P(log Lw)
+ *
+ * P is the cumulated histogram of the scene's luminances Lw, trimmed until the slope of
+ * the curve nowhere exceeds its ceiling.
+ */
 #include "model/pictures/tone.h"
 
 #include <math.h>
@@ -6,11 +12,12 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Trimming the histogram ends when it takes less than this share of what is left of it:
- * of the whole, as in [LRP97], it is half of what is left where little is. */
+/* Trimming the histogram ends when it takes less than this share of what is left of the
+ * histogram. [LRP97] have the same share of the whole, which can be half of what is
+ * left where little is. */
 static const double tolerance = 0.025;
 
-/* Of the histogram, what is put evenly over its bins. */
+/* Share of the histogram that is spread evenly over its bins: chosen by trial. */
 static const double spread = 0.01;
 
 double pp_tone_threshold(double luminance)
@@ -29,7 +36,7 @@ double pp_tone_threshold(double luminance)
     return pow(10.0, t);
 }
 
-/* ---- what the eye adapts to ---- */
+/* ---- adaptation ---- */
 
 /* Natural logarithms of the mean luminances of squares of a degree; those that are
  * black are left out. */
@@ -38,10 +45,10 @@ struct adaptation_fields {
     int count;
 };
 
-static enum pp_status see_fields(struct adaptation_fields *fields,
-                                 const struct pp_picture *picture,
-                                 const struct pp_tone_options *options,
-                                 struct pp_error *err)
+static enum pp_status average_fields(struct adaptation_fields *fields,
+                                     const struct pp_picture *picture,
+                                     const struct pp_tone_options *options,
+                                     struct pp_error *err)
 {
     int side = (int)fmin(fmax(options->degree_pixels, 1.0), 4096.0);
     int across = (picture->width + side - 1) / side;
@@ -79,10 +86,11 @@ static double display_log(double below, double all)
     return log(PP_TONE_DISPLAY_LEAST) + display_range * below / all;
 }
 
-/* Cuts the histogram down to where the curve shows no more contrast than there is in
- * the scene, nor than the eye sees in it: the lower of [LRP97]'s two ceilings. That of
- * the eye alone lets dark parts of the display, where it sees less, have more contrast
- * than the scene has. Returns how much was cut, with *total what is left. */
+/* Cuts the histogram down to the ceiling at which the curve shows no more contrast than
+ * the scene has, nor than the eye sees in it: the lower of the two ceilings of [LRP97].
+ * The eye's ceiling alone would let dark parts of the display, where the eye sees less,
+ * have more contrast than the scene. Returns how much was cut; *total is how much is
+ * left. */
 static double trim(double bins[PP_TONE_BINS], const struct pp_tone *tone, double *total)
 {
     double below = 0.0, cut = 0.0, all = *total;
@@ -115,7 +123,7 @@ static void make_curve(struct pp_tone *tone, const struct adaptation_fields *fie
         low = fmin(low, fields->logs[i]);
         high = fmax(high, fields->logs[i]);
     }
-    /* Below a ten thousandth of a cd/m2 all is night. */
+    /* Luminances below a ten thousandth of a cd/m2 are taken for that. */
     low = fmax(low, log(1e-4));
     if (!(high > low + 1e-6)) {
         show_linearly(tone, exp(high) / PP_TONE_MIDDLE);
@@ -135,8 +143,9 @@ static void make_curve(struct pp_tone *tone, const struct adaptation_fields *fie
         bins[bin < PP_TONE_BINS ? bin : PP_TONE_BINS - 1] += 1.0;
         total += 1.0;
     }
-    /* A hundredth of all evenly over the bins: what no contrast is left for goes into
-     * the gap between a room and its window, where nothing shows it. */
+    /* A hundredth of all spread evenly over the bins, so that trimmed contrast can go
+     * into the gap between the luminances of a room and its window, where it shows
+     * nowhere. */
     double all = total + spread * total;
     for (int i = 0; i < PP_TONE_BINS; i++)
         bins[i] += spread * total / PP_TONE_BINS;
@@ -164,7 +173,7 @@ enum pp_status pp_tone_prepare(struct pp_tone *tone, const struct pp_picture *pi
     if (options->way == PP_TONE_BY_HAND)
         return PP_OK;
     struct adaptation_fields fields;
-    enum pp_status status = see_fields(&fields, picture, options, err);
+    enum pp_status status = average_fields(&fields, picture, options, err);
     if (status != PP_OK)
         return status;
     tone->white = 1.0;

@@ -1,9 +1,9 @@
-/* tone.h - from the light in a picture to what a screen or paper can show of it.
+/* tone.h - tone mapping: from the light in a picture to the light of a screen or paper.
  *
- * Three ways to choose: an exposure by hand; one from the picture, which makes its
- * geometric mean a middle grey; or the curve of [LRP97], which spreads contrast over
- * the brightnesses that occur but never shows more of it than there is, nor than an eye
- * that is adapted to the scene would see: what looks alike there looks alike here.
+ * Three ways: an exposure set by hand; one by the picture, which makes its geometric
+ * mean a middle grey; or the curve of [LRP97], which spreads contrast over the
+ * luminances that occur but shows no more of it than there is, nor than an eye adapted
+ * to the scene would see: surfaces that look alike there look alike in the picture.
  *
  * Luminances are cd/m2, from the picture's grey (rgb.h) times `unit`.
  */
@@ -14,19 +14,20 @@
 
 enum pp_tone_way { PP_TONE_BY_HAND, PP_TONE_AUTOMATIC, PP_TONE_HUMAN };
 
-/* The luminances of black and white of what the picture is shown on, cd/m2. */
+/* Luminances of the display's black and white, cd/m2. */
 #define PP_TONE_DISPLAY_LEAST 1.0
 #define PP_TONE_DISPLAY_MOST 100.0
 
-/* What the geometric mean becomes of white: middle grey. */
+/* Middle grey, which the geometric mean becomes, over white. */
 #define PP_TONE_MIDDLE 0.18
 
 struct pp_tone_options {
     enum pp_tone_way way;
-    double white;         /* by hand: the luminance that is shown white, above 0 */
-    double unit;          /* luminance of a grey of 1 */
-    double degree_pixels; /* human: pixels to one degree of view, the width of what the
-                           * eye adapts to; at least 1 */
+    double white; /* by hand: the luminance that is shown white, above 0 */
+    double unit;  /* luminance of a grey of 1 */
+    double
+        degree_pixels; /* human: pixels to one degree of view, the width of the fields
+                           * that the eye adapts to; at least 1 */
 };
 
 enum { PP_TONE_BINS = 100 };
@@ -45,9 +46,10 @@ enum pp_status pp_tone_prepare(struct pp_tone *tone, const struct pp_picture *pi
                                const struct pp_tone_options *options,
                                struct pp_error *err);
 
-/* What is shown of a luminance (cd/m2), of the display's white: 0 to 1 and, of the
- * first two ways, above. Grows with the luminance. The display's black is not taken off
- * the curve: on one that gives off less, the contrast of dark parts would grow. */
+/* The display's luminance for a luminance of the scene (cd/m2), over the display's
+ * white: 0 to 1, and above in the first two ways. It grows with the luminance. The
+ * display's black is not taken off the curve: on one that gives off less, the contrast
+ * of dark parts would grow. */
 double pp_tone_shown(const struct pp_tone *tone, double luminance);
 
 /* A pixel in sRGB [IEC61966]. */

@@ -1,3 +1,4 @@
+/* availability_sheet.c - see availability_sheet.h. */
 #include "model/results/availability_sheet.h"
 
 #include <stdlib.h>

@@ -1,7 +1,7 @@
-/* availability_sheet.h - how often daylight does, for whoever prints or draws it.
+/* availability_sheet.h - how often daylight suffices, as it is printed and drawn.
  *
- * studies/climate/availability.h fills it; charts/availability_chart.h draws it. Illuminances
- * are in lx, shares of the working hours 0 to 1.
+ * studies/climate/availability.h fills it; charts/availability_chart.h draws it.
+ * Illuminances are in lx, shares of the working hours 0 to 1.
  */
 #ifndef PP_MODEL_RESULTS_AVAILABILITY_SHEET_H
 #define PP_MODEL_RESULTS_AVAILABILITY_SHEET_H
@@ -26,8 +26,8 @@ struct pp_availability_period {
     double *lx, *share; /* falling illuminance, share of the hours that have as much;
                          * owned */
     double light;       /* share of the hours that have any */
-    double half_lx;     /* what there is in half of the hours, or more */
-    double most_lx;     /* in 85 of 100 */
+    double half_lx;     /* illuminance in half of the hours, or more */
+    double most_lx;     /* illuminance in 85 of 100 hours, or more */
 };
 
 /* Places beside the receivers, which have their index. */

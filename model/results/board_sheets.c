@@ -1,3 +1,4 @@
+/* board_sheets.c - see board_sheets.h. */
 #include "model/results/board_sheets.h"
 
 #include <math.h>
@@ -34,15 +35,13 @@ bool pp_board_sheets_windows_hidden(const struct pp_board_window *windows, int c
 void pp_board_sheets_window_extent(const struct pp_board_window *window, double low[2],
                                    double high[2])
 {
-    for (int p = 0; p < window->count; p++)
-        for (int r = 0; r < window->pieces[p].outline.count; r++) {
-            const struct pp_ring *ring = &window->pieces[p].outline.rings[r];
-            for (int i = 0; i < ring->count; i++)
-                for (int k = 0; k < 2; k++) {
-                    low[k] = fmin(low[k], ring->xy[i][k]);
-                    high[k] = fmax(high[k], ring->xy[i][k]);
-                }
+    for (int p = 0; p < window->count; p++) {
+        struct pp_bounds2 bounds = pp_region_bounds(&window->pieces[p].outline);
+        for (int k = 0; k < 2; k++) {
+            low[k] = fmin(low[k], bounds.low[k]);
+            high[k] = fmax(high[k], bounds.high[k]);
         }
+    }
 }
 
 void pp_board_sheets_windows_destroy(struct pp_board_window *windows, int count)

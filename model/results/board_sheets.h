@@ -1,5 +1,5 @@
-/* board_sheets.h - what sheets of the drawing board show: the windows seen from a point,
- * and what is counted of them, on Waldram's and on the pepper-pot diagram. */
+/* board_sheets.h - the data of the drawing board's sheets, Waldram's diagram and the
+ * pepper-pot: the windows seen from a point, and what was counted of them. */
 #ifndef PP_MODEL_RESULTS_BOARD_SHEETS_H
 #define PP_MODEL_RESULTS_BOARD_SHEETS_H
 
@@ -9,9 +9,7 @@
 #include "model/geometry/region.h"
 #include "model/light/sky.h"
 
-/* board_sheets.h - the windows on a diagram of the drawing board, and what was counted
- * of them.
- */
+/* ---- windows on a diagram ---- */
 
 /* A square as it was counted. */
 struct pp_counted_square {
@@ -19,34 +17,35 @@ struct pp_counted_square {
     int tenths;      /* 0 to 10 */
 };
 
-/* A piece of a window: sky, or something that hides it. */
+/* A piece of a window through which one sees sky, or an obstruction. */
 struct pp_board_piece {
     struct pp_region outline; /* in the diagram's own coordinates */
-    bool hidden;
-    double factor;  /* luminance factor of what hides it; 1 for the sky */
-    double counted; /* squares or dots within */
+    bool hidden;              /* by an obstruction? */
+    double factor;            /* luminance factor of the obstruction; 1 for the sky */
+    double counted;           /* squares or dots within */
     int square_count;
     struct pp_counted_square *squares; /* each of them; NULL of dots */
 };
 
 struct pp_board_window {
-    int line;             /* of the room file */
-    double distance_m;    /* from the point to its plane */
-    double allowance;     /* for its glass, frame and dirt */
-    double sky, external; /* what it gives, fractions of Eh, allowance included */
-    int count;            /* 0: the point sees nothing of it */
+    int line;          /* of the room file */
+    double distance_m; /* from the point to its plane */
+    double allowance;  /* for its glass, frame and dirt */
+    double sky,
+        external; /* illuminance through it, fractions of Eh, allowance included */
+    int count;    /* 0: the point sees nothing of it */
     struct pp_board_piece *pieces;
 };
 
-/* Works out what the window gives of what was counted; worth: of a square or dot, a
- * fraction of Eh. */
+/* Sets the window's sky and external by its counted squares or dots; `worth` is that of
+ * one, a fraction of Eh. */
 void pp_board_sheets_window_sum(struct pp_board_window *window, double worth);
 
-/* Adds what the windows give to *sky and *external. */
+/* Adds the windows' sky and external to *sky and *external. */
 void pp_board_sheets_windows_add(const struct pp_board_window *windows, int count,
                                  double *sky, double *external);
 
-/* Does anything hide a piece of them? */
+/* Does an obstruction hide a piece of any of them? */
 bool pp_board_sheets_windows_hidden(const struct pp_board_window *windows, int count);
 
 /* The rectangle around all pieces, joined to the one given. */
@@ -55,13 +54,12 @@ void pp_board_sheets_window_extent(const struct pp_board_window *window, double 
 
 void pp_board_sheets_windows_destroy(struct pp_board_window *windows, int count);
 
-/* board_sheets.h - what is to be seen on a sheet of Waldram's diagram, for whoever
- * draws it.
+/* ---- Waldram's diagram ----
  *
  * All lengths on the diagram are in its squares, x from azimuth 0 (the direction square
  * to the window), positive to the right, y from the horizon up. A method fills it
- * (methods/waldram/waldram_sheet_fill.h); a chart draws it (charts/drawing_board/waldram_chart.h).
- */
+ * (methods/waldram/waldram_sheet_fill.h); a chart draws it
+ * (charts/drawing_board/waldram_chart.h). */
 
 /* One diagram, with the windows that face one way. */
 struct pp_waldram_panel {
@@ -93,14 +91,12 @@ struct pp_waldram_sheet {
 
 void pp_board_sheets_waldram_clear(struct pp_waldram_sheet *sheet);
 
-/* board_sheets.h - what is to be seen on a sheet of the pepper-pot diagram, for
- * whoever draws it.
+/* ---- the pepper-pot diagram ----
  *
  * Places are in the window's plane at unit distance from the eye: (a, b) is seen a to
  * the right, b up, 1 ahead; on paper they are multiplied by the viewing distance. A
  * method fills it (methods/pepper_pot/pepper_pot_sheet_fill.h); a chart draws it
- * (charts/drawing_board/pepper_pot_chart.h).
- */
+ * (charts/drawing_board/pepper_pot_chart.h). */
 
 struct pp_pepper_pot_dot {
     double a, b;

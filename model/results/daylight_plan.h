@@ -1,4 +1,4 @@
-/* daylight_plan.h - what a plan of a room's daylight shows, for whoever draws it.
+/* daylight_plan.h - the data of a plan of a room's daylight.
  *
  * Everything lies in the working plane, in metres of the room's own x and y. A method
  * fills it (methods/daylight_curves.h); a chart draws it (charts/room/plan_chart.h).
@@ -13,10 +13,10 @@ struct pp_daylight_plan {
     struct pp_curve_list
         contours;                /* levels are daylight factors, fractions; ascending */
     struct pp_curve_list no_sky; /* the no-sky line: sky can be seen from its left */
-    struct pp_curve_list dark; /* closed outlines of what sees no sky at all: outer ones
-                                * counter-clockwise, holes clockwise */
-    double lowest, highest;    /* daylight factor over the plane, fractions */
-    double lowest_xy[2], highest_xy[2]; /* and where */
+    struct pp_curve_list dark;   /* closed outlines of the parts that see no sky at all:
+                                * outer ones counter-clockwise, holes clockwise */
+    double lowest, highest;      /* daylight factor over the plane, fractions */
+    double lowest_xy[2], highest_xy[2]; /* where these are */
     double sky_share;                   /* of the plane's area that sees some sky */
 };
 

@@ -1,3 +1,4 @@
+/* nomogram_sheet.c - see nomogram_sheet.h. */
 #include "model/results/nomogram_sheet.h"
 
 #include <stdlib.h>

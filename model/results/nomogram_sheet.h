@@ -1,18 +1,18 @@
 /* nomogram_sheet.h - the stems of a nomogram, how much a mark on them stands out, and a
- * sheet of one: its stems, or what it reads of a room. */
+ * sheet of one: its stems, with the readings of a room if it has one. */
 #ifndef PP_MODEL_RESULTS_NOMOGRAM_SHEET_H
 #define PP_MODEL_RESULTS_NOMOGRAM_SHEET_H
 
 #include <stdbool.h>
 
-/* nomogram_sheet.h - how much a mark of a scale stands out. */
-
+/* How much a mark of a scale stands out. */
 enum pp_mark_rank { PP_MARK_FINE, PP_MARK_MIDDLE, PP_MARK_LABELLED };
 
-/* nomogram_sheet.h - a chart of upright scales on which a straight-edge does a sum.
+/* ---- the nomogram ----
  *
- * A stem is a scale on an upright line. Places on the sheet are fractions of its width
- * and of the scales' height, x from the left, y from the bottom. A method sets them out
+ * A nomogram is a chart of upright scales on which a straight-edge does a sum. A stem
+ * is a scale on an upright line. Places on the sheet are fractions of its width and of
+ * the scales' height, x from the left, y from the bottom. A method sets them out
  * (methods/nomogram/nomogram_scale.h), where the derivation stands; a chart draws them.
  */
 
@@ -68,8 +68,7 @@ struct pp_nomogram_reading {
     double minimum;               /* the same of the minimum, by II; else NAN */
 };
 
-/* nomogram_sheet.h - a nomogram's scales with their marks, and what is read on it of a
- * room, for whoever draws it. */
+/* ---- the sheet: scales with their marks, and the readings of a room ---- */
 
 struct pp_nomogram_mark {
     double y;      /* of the scales' height, from the bottom */
@@ -99,7 +98,7 @@ struct pp_nomogram_sheet {
     int window_count;
     struct pp_nomogram_window *windows; /* owned */
     int left_out;       /* openings of the room that the nomogram is not made for */
-    double decorations; /* D: what their deterioration leaves, of all windows */
+    double decorations; /* D: share that their deterioration leaves, of all windows */
     double component;   /* average of all windows, allowances settled */
     double minimum;     /* of II: the least of all windows; else NAN */
 };

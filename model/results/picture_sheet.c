@@ -1,3 +1,4 @@
+/* picture_sheet.c - see picture_sheet.h. */
 #include "model/results/picture_sheet.h"
 
 #include <stdlib.h>

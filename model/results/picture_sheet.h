@@ -1,4 +1,5 @@
-/* picture_sheet.h - what a sheet with a picture on it shows, for whoever draws it. */
+/* picture_sheet.h - the data of a sheet with a picture on it
+ * (charts/picture_chart.h). */
 #ifndef PP_MODEL_RESULTS_PICTURE_SHEET_H
 #define PP_MODEL_RESULTS_PICTURE_SHEET_H
 
@@ -14,7 +15,7 @@ struct pp_picture_word {
 
 struct pp_picture_sheet {
     const char *title;  /* not owned; NULL: none */
-    char subtitle[512]; /* what it shows, from where, under which sky */
+    char subtitle[512]; /* the quantity, the view, the sky */
     char foot[512];     /* notes */
 
     struct pp_raster raster;
@@ -25,9 +26,9 @@ struct pp_picture_sheet {
 
     bool scaled; /* in false colours: with a scale beside */
     struct pp_false_colour_scale scale;
-    bool beyond[2];   /* are there darker, lighter pixels than the scale has? */
-    const char *unit; /* of the scale; not owned */
-    int level_count;  /* that have lines */
+    bool off_scale[2]; /* are there darker, lighter pixels than the scale has? */
+    const char *unit;  /* of the scale; not owned */
+    int level_count;   /* that have lines */
     double levels[PP_FALSE_COLOUR_LEVELS_MOST];
     struct pp_curve_list lines; /* in pixels, levels in the unit */
 

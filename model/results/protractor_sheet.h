@@ -1,5 +1,4 @@
-/* protractor_sheet.h - a protractor's scales and what is read off them, for whoever
- * draws them.
+/* protractor_sheet.h - a protractor's scales, and the readings of a room on them.
  *
  * Angles of the section are altitudes, from 0 on the horizon in front of the opening
  * over pi/2 at the zenith to pi behind. Angles of the plan are from the normal to the
@@ -15,7 +14,7 @@
 /* One rectangle of an opening, read step by step. */
 struct pp_protractor_reading {
     bool hidden;          /* an obstruction, or sky? */
-    double factor;        /* luminance factor of what is seen, 1 for the sky */
+    double factor;        /* luminance factor of sky (1) or obstruction */
     double edge_rad[2];   /* section altitudes of the lower and upper edge */
     double share[2];      /* primary scale there */
     double initial;       /* their difference: of an endless opening */
@@ -26,7 +25,7 @@ struct pp_protractor_reading {
     double component;     /* initial x width_factor x factor */
 };
 
-/* What a point reads of one opening. */
+/* The readings of one opening from one point. */
 struct pp_protractor_readings {
     int count;
     struct pp_protractor_reading *list; /* owned */
@@ -39,14 +38,14 @@ struct pp_protractor_readings {
 
 void pp_protractor_sheet_readings_clear(struct pp_protractor_readings *readings);
 
-/* On the primary scale. */
+/* A mark on the primary scale. */
 struct pp_protractor_mark {
     double angle_rad;
     double share; /* a fraction, a multiple of 0.1 % */
     enum pp_mark_rank rank;
 };
 
-/* On the auxiliary: the line of one correction factor over average altitudes that are
+/* A line on the auxiliary scale: one correction factor over average altitudes that are
  * PP_PROTRACTOR_LINE_STEP_RAD apart. */
 struct pp_protractor_line {
     double factor;

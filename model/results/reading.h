@@ -1,4 +1,4 @@
-/* reading.h - what one method says of one component, at a point or of the room. */
+/* reading.h - one method's value of one component, at a point or of the room. */
 #ifndef PP_MODEL_RESULTS_READING_H
 #define PP_MODEL_RESULTS_READING_H
 

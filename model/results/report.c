@@ -6,6 +6,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "model/base/array.h"
+
 struct pp_column *pp_report_add(struct pp_report *report, enum pp_component component,
                                 const char *name, bool for_points)
 {
@@ -17,14 +19,14 @@ struct pp_column *pp_report_add(struct pp_report *report, enum pp_component comp
         for (int i = 0; i < report->receiver_count; i++)
             points[i] = pp_reading_none("not computed");
     }
-    struct pp_column *columns =
-        realloc(report->columns, ((size_t)report->column_count + 1) * sizeof *columns);
-    if (!columns) {
+    if (pp_array_append(&report->columns, report->column_count, sizeof *report->columns,
+                        NULL)
+        != PP_OK) {
         free(points);
         return NULL;
     }
-    report->columns = columns;
 
+    struct pp_column *columns = report->columns;
     int at = report->column_count;
     while (at > 0 && columns[at - 1].component > component)
         at--;
@@ -62,27 +64,25 @@ const char *pp_report_say(struct pp_report *report, const char *format, ...)
             free(sentence);
             return report->sentences[i];
         }
-    char **sentences = realloc(report->sentences, ((size_t)report->sentence_count + 1)
-                                                      * sizeof *sentences);
-    if (!sentences) {
+    if (pp_array_append(&report->sentences, report->sentence_count, sizeof sentence,
+                        NULL)
+        != PP_OK) {
         free(sentence);
         return NULL;
     }
-    report->sentences = sentences;
-    sentences[report->sentence_count++] = sentence;
+    report->sentences[report->sentence_count++] = sentence;
     return sentence;
 }
 
 struct pp_steps *pp_report_steps(struct pp_report *report)
 {
-    struct pp_steps **grown =
-        realloc(report->steps, ((size_t)report->steps_count + 1) * sizeof *grown);
-    if (!grown)
+    if (pp_array_append(&report->steps, report->steps_count, sizeof *report->steps,
+                        NULL)
+        != PP_OK)
         return NULL;
-    report->steps = grown;
     struct pp_steps *steps = calloc(1, sizeof *steps);
     if (steps)
-        grown[report->steps_count++] = steps;
+        report->steps[report->steps_count++] = steps;
     return steps;
 }
 

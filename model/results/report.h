@@ -1,4 +1,4 @@
-/* report.h - all that was found out about one room, for whoever prints or draws it.
+/* report.h - all results of one room, as they are printed and drawn.
  *
  * A column is one entry of the results: a component by a method ("exact"), by a pair
  * ("exact+bre"), or by the simulation ("traced").
@@ -16,11 +16,9 @@ struct pp_column {
     enum pp_component component;
     char name[48];
     struct pp_reading average; /* over the whole working plane */
-    bool
-        of_all_surfaces; /* an average over the room's surfaces: not to be compared with
-                           * those over its working plane */
-    struct pp_reading
-        *points; /* one for each receiver; NULL: speaks for the room only */
+    bool of_all_surfaces; /* the average is over the room's surfaces: not to be compared
+                                * with those over its working plane */
+    struct pp_reading *points; /* one for each receiver; NULL: of the room only */
 };
 
 struct pp_method_options; /* methods/method.h */
@@ -32,11 +30,11 @@ struct pp_report {
     int receiver_count;
     struct pp_column *columns; /* in order of component, then as asked for */
     int column_count;
-    bool finished;    /* false: interrupted, what is there is good */
+    bool finished;    /* false: interrupted; the columns so far are good */
     bool explain;     /* are the methods to set down their steps? */
-    char **sentences; /* what readings' why points to, where it is not static */
+    char **sentences; /* that readings' why points to, where it is not static */
     int sentence_count;
-    struct pp_steps **steps; /* what readings' steps point to */
+    struct pp_steps **steps; /* that readings' steps point to */
     int steps_count;
 };
 
@@ -59,7 +57,7 @@ const char *pp_report_say(struct pp_report *report, const char *format, ...)
  * out. */
 struct pp_steps *pp_report_steps(struct pp_report *report);
 
-/* Frees the columns, sentences and steps; what else is in the report stays. */
+/* Frees the columns, sentences and steps; the rest of the report stays. */
 void pp_report_clear(struct pp_report *report);
 
 #endif

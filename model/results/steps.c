@@ -1,27 +1,24 @@
 /* steps.c - see steps.h. */
 #include "model/results/steps.h"
-#include "model/base/text.h"
 
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "model/base/array.h"
+#include "model/base/text.h"
+
 /* One more step at the end of the list; NULL where there is no list or no memory. */
 static struct pp_calculation_step *next(struct pp_steps *steps)
 {
     if (!steps)
         return NULL;
-    if (steps->count == steps->capacity) {
-        int capacity = steps->capacity ? 2 * steps->capacity : 16;
-        struct pp_calculation_step *list =
-            realloc(steps->list, (size_t)capacity * sizeof *list);
-        if (!list) {
-            steps->failed = true;
-            return NULL;
-        }
-        steps->list = list;
-        steps->capacity = capacity;
+    if (pp_array_reserve(&steps->list, &steps->capacity, steps->count + 1,
+                         sizeof *steps->list, NULL)
+        != PP_OK) {
+        steps->failed = true;
+        return NULL;
     }
     struct pp_calculation_step *step = &steps->list[steps->count++];
     *step = (struct pp_calculation_step){.line = steps->line};
@@ -69,7 +66,7 @@ void pp_steps_add_worked(struct pp_steps *steps, enum pp_step_unit unit, double 
     va_end(args);
 }
 
-/* Of long sums a line holds a part, which the next line goes on from. */
+/* A sum too long for one line is added up over several, each going on from the last. */
 void pp_steps_add_sum(struct pp_steps *steps, int first, int count, const char *symbol,
                       const char *what)
 {

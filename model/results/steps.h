@@ -1,5 +1,5 @@
-/* steps.h - a calculation as it would be set out on paper: what was read or put in, and
- * what was worked out of it by which formula, in order, with its unit.
+/* steps.h - a calculation as it would be set out on paper: the figures that were read
+ * or put in, and those worked out of them, each with its formula and unit, in order.
  *
  * A formula is written in the figures as they are printed: per cent, degrees, metres.
  * It holds numbers, the symbols of steps before it (the latest of a name counts), + - *
@@ -28,17 +28,17 @@ enum pp_step_unit {
 struct pp_calculation_step {
     char what[96];     /* "window on line 12: altitude of the head" */
     char symbol[16];   /* "R_fw"; empty: has no name */
-    char formula[160]; /* what it was worked out by; empty: read or put in */
+    char formula[160]; /* by which it was worked out; empty: read or put in */
     double value;
     enum pp_step_unit unit;
-    int line; /* of the opening in the room file that it belongs to; 0: to no one */
+    int line; /* of the opening in the room file that it belongs to; 0: to none */
 };
 
 struct pp_steps {
     struct pp_calculation_step *list;
     int count, capacity;
-    int line; /* what further steps belong to; set by whoever goes from one opening to
-               * the next */
+    int line; /* of the opening that further steps belong to, as in a step; set by the
+               * caller */
     bool failed; /* memory ran out: the list is not whole */
 };
 

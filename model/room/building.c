@@ -1,15 +1,13 @@
-/* building.c - the room file's door to the world: see building.h. */
+/* building.c - see building.h. */
 #include "model/room/building.h"
 
-#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "model/base/read_file.h"
-#include "model/base/text.h"
 #include "model/room/read/read_elements.h"
-#include "model/room/read/room_schema.h"
 #include "model/room/read/xml.h"
+#include "model/room/room_parts.h"
 
 enum pp_status pp_building_parse(struct pp_building **building, const char *bytes,
                                  size_t length, struct pp_mistakes *mistakes,
@@ -36,7 +34,8 @@ enum pp_status pp_building_parse(struct pp_building **building, const char *byte
     pp_xml_clear(&xml);
     pp_mistakes_sort(mistakes);
 
-    /* Of a file that breaks off, no room can be judged: what it lacks may follow. */
+    /* No room of a file that breaks off can be judged: its missing parts may have
+     * followed. */
     if (whole)
         *building = made;
     else
@@ -69,7 +68,7 @@ void pp_building_destroy(struct pp_building *building)
     if (!building)
         return;
     for (int i = 0; i < building->room_count; i++)
-        pp_room_clear(&building->rooms[i]);
+        pp_room_parts_clear(&building->rooms[i]);
     free(building->rooms);
     free(building->name);
     free(building->text);
@@ -95,63 +94,4 @@ int pp_building_room_count(const struct pp_building *building)
 struct pp_room *pp_building_room(struct pp_building *building, int index)
 {
     return &building->rooms[index];
-}
-
-/* The sun of "TYPE,ALTITUDE,BEARING", behind the first comma. */
-static bool read_sun(const char *text, double *altitude_deg, double *bearing_deg)
-{
-    char copy[128];
-    size_t length = strlen(text);
-    if (length >= sizeof copy)
-        return false;
-    memcpy(copy, text, length + 1);
-    char *comma = strchr(copy, ',');
-    if (!comma)
-        return false;
-    *comma = '\0';
-    return pp_text_parse_number(copy, altitude_deg)
-           && pp_text_parse_number(comma + 1, bearing_deg) && *altitude_deg >= 0.0
-           && *altitude_deg <= 90.0 && fabs(*bearing_deg) <= 360.0;
-}
-
-enum pp_status pp_room_set_sky(struct pp_room *room, const char *spec,
-                               struct pp_error *err)
-{
-    char type[16], shown[64];
-    const char *comma = strchr(spec, ',');
-    size_t length = comma ? (size_t)(comma - spec) : strlen(spec);
-    int index = 0;
-    if (length < sizeof type) {
-        memcpy(type, spec, length);
-        type[length] = '\0';
-        while (pp_sky_words[index] && strcmp(pp_sky_words[index], type) != 0)
-            index++;
-    }
-    if (length >= sizeof type || !pp_sky_words[index])
-        return pp_fail(err, PP_BAD_INPUT,
-                       "there is no sky \"%s\"; expected overcast, uniform or iso-1 to "
-                       "iso-15",
-                       pp_text_excerpt(shown, sizeof shown, spec));
-
-    struct pp_sky_part sky = room->sky;
-    double altitude_deg, bearing_deg;
-    if (comma && !read_sun(comma + 1, &altitude_deg, &bearing_deg))
-        return pp_fail(err, PP_BAD_INPUT,
-                       "the sky \"%s\" has no sun that could stand there; expected "
-                       "TYPE,ALTITUDE,BEARING, with 0 to 90 and -360 to 360 degrees",
-                       pp_text_excerpt(shown, sizeof shown, spec));
-    if (comma) {
-        sky.sun_altitude_rad = altitude_deg * PP_RAD;
-        sky.sun_bearing_rad = bearing_deg * PP_RAD;
-    }
-    sky.kind = index == 0 ? PP_SKY_OVERCAST : index == 1 ? PP_SKY_UNIFORM : PP_SKY_ISO;
-    sky.iso = index > 1 ? index - 1 : 0;
-    if (sky.kind == PP_SKY_ISO && pp_sky_iso_has_sun(sky.iso)
-        && (isnan(sky.sun_altitude_rad) || isnan(sky.sun_bearing_rad)))
-        return pp_fail(err, PP_BAD_INPUT,
-                       "the sky %s needs to know where the sun stands, and the room "
-                       "file does not say; expected %s,ALTITUDE,BEARING in degrees",
-                       type, type);
-    room->sky = sky;
-    return PP_OK;
 }

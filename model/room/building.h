@@ -1,4 +1,5 @@
-/* building.h - the room file, as it is read: from bytes to rooms, from rooms to worlds. */
+/* building.h - a room file, read: a room, or a building of several. world.h goes on
+ * from its rooms to their worlds. */
 #ifndef PP_MODEL_ROOM_BUILDING_H
 #define PP_MODEL_ROOM_BUILDING_H
 
@@ -6,7 +7,6 @@
 
 #include "model/base/error.h"
 #include "model/base/mistakes.h"
-#include "model/light/sky.h"
 #include "model/room/world.h"
 
 /* One room as the file describes it: names, lengths and lines, nothing resolved. */
@@ -15,8 +15,8 @@ struct pp_room;
 /* What one file holds: one room, or a building of several. */
 struct pp_building;
 
-/* Reads a room file; path "-" is standard input. Whatever is wrong with the file's form
- * or values goes to mistakes (PP_BAD_INPUT); a file that can't be read at all is
+/* Reads a room file; path "-" is standard input. Mistakes in the file's form or
+ * values go to mistakes (PP_BAD_INPUT); a file that can't be read at all is
  * PP_SYSTEM (or PP_BAD_INPUT where it does not exist). *building is made even when
  * there are mistakes, as far as the file could be understood, so that pp_world_create
  * can find the rest of them; NULL where nothing could be. */
@@ -36,16 +36,5 @@ struct pp_room *pp_building_room(struct pp_building *building, int index);
 
 /* The file's own text, as it was read; not owned. */
 const char *pp_building_text(const struct pp_building *building, size_t *length);
-
-/* Puts another sky in place of the file's. `spec` is a type as in the file, with
- * ",SUN-ALTITUDE,SUN-BEARING" in degrees behind it where that type needs a sun and the
- * file gives none ("iso-12,30,180"). */
-enum pp_status pp_room_set_sky(struct pp_room *room, const char *spec,
-                               struct pp_error *err);
-
-/* Resolves a room; what does not make sense goes to mistakes (PP_BAD_INPUT, no world).
- */
-enum pp_status pp_world_create(struct pp_world **world, const struct pp_room *room,
-                               struct pp_mistakes *mistakes, struct pp_error *err);
 
 #endif

@@ -9,25 +9,25 @@
 struct pp_face_frame {
     const struct pp_surface *face; /* not owned */
     struct pp_vec3 origin, along, up;
-    double (*xy)[2];
+    double (*xy)[2]; /* the outline */
     int count;
-    double low[2], high[2]; /* its extent */
+    struct pp_bounds2 bounds; /* of xy */
     bool convex;
 };
 
-enum pp_status pp_face_frame_init(struct pp_face_frame *sheet,
+enum pp_status pp_face_frame_init(struct pp_face_frame *frame,
                                   const struct pp_surface *face, struct pp_error *err);
-void pp_face_frame_clear(struct pp_face_frame *sheet);
+void pp_face_frame_clear(struct pp_face_frame *frame);
 
 /* The point in space. */
-struct pp_vec3 pp_face_frame_point(const struct pp_face_frame *sheet, double x,
+struct pp_vec3 pp_face_frame_point(const struct pp_face_frame *frame, double x,
                                    double y);
 
-/* Moves vertices of the ring that stick out by no more than the tolerance (m) on to
- * the sheet's edge. What then still sticks out: *out_m is how far the farthest vertex
- * does, at `where`; *out_m2 the area, where no vertex does but the ring still reaches
- * over a recess. Both 0: the ring lies within. */
-enum pp_status pp_face_frame_fit(const struct pp_face_frame *sheet,
+/* Moves vertices of the ring that stick out by no more than the tolerance (m) on to the
+ * frame's edge. Then *out_m is how far the farthest vertex still sticks out, at
+ * `where`; *out_m2 is the area that does, where no vertex does but the ring still
+ * reaches over a recess. Both 0: the ring lies within. */
+enum pp_status pp_face_frame_fit(const struct pp_face_frame *frame,
                                  struct pp_clipper *clipper, double (*xy)[2], int count,
                                  double tolerance, double *out_m, struct pp_vec3 *where,
                                  double *out_m2, struct pp_error *err);

@@ -1,6 +1,5 @@
-/* face_less_openings.h - a polygon in coordinates of its own plane, less the openings in it,
- * as the clipper takes it; and the way back into the room, to the bit.
- */
+/* face_less_openings.h - a polygon in coordinates of its own plane, less the openings
+ * in it, for the clipper; and the way back into the room, to the bit. */
 #ifndef PP_MODEL_ROOM_FACE_LESS_OPENINGS_H
 #define PP_MODEL_ROOM_FACE_LESS_OPENINGS_H
 
@@ -15,7 +14,7 @@ struct pp_face_axes {
 
 /* The polygon as a region, by crossings (region.h), without the world's openings in
  * `face` (-1: none are cut, and the world may be NULL). Whatever is returned, the
- * region is the caller's. */
+ * region is the caller's to clear. */
 enum pp_status pp_face_less_openings(struct pp_region *region,
                                      struct pp_clipper *clipper,
                                      const struct pp_face_axes *axes,

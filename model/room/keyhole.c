@@ -1,7 +1,7 @@
 /* keyhole.c - see keyhole.h.
  *
- * Of the holes not yet joined, the one is taken whose corner lies nearest to a corner
- * of the outline so far with nothing in between: that pair is the seam.
+ * Of the holes not yet joined, the next is that whose corner lies nearest to a corner
+ * of the outline so far with no edge in between: that pair of corners is the bridge.
  */
 #include "model/room/keyhole.h"
 
@@ -23,18 +23,12 @@ static struct pp_face_axes axes_of(const struct pp_polygon *face)
     return axes;
 }
 
-/* ---- seams ---- */
+/* ---- bridges ---- */
 
 struct closed_line {
     point *xy;
     int count;
 };
-
-/* Twice the area of the triangle: above 0 where c lies left of a to b. */
-static double turn(const double *a, const double *b, const double *c)
-{
-    return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
-}
 
 static bool same(const double *a, const double *b)
 {
@@ -47,10 +41,10 @@ static bool opens(const struct closed_line *line, int at, const double *p)
     const double *before = line->xy[(at + line->count - 1) % line->count];
     const double *here = line->xy[at];
     const double *behind = line->xy[(at + 1) % line->count];
-    bool left_of_in = turn(before, here, p) > 0.0;
-    bool left_of_out = turn(here, behind, p) > 0.0;
-    return turn(before, here, behind) > 0.0 ? left_of_in && left_of_out
-                                            : left_of_in || left_of_out;
+    bool left_of_in = pp_region_turn(before, here, p) > 0.0;
+    bool left_of_out = pp_region_turn(here, behind, p) > 0.0;
+    return pp_region_turn(before, here, behind) > 0.0 ? left_of_in && left_of_out
+                                                      : left_of_in || left_of_out;
 }
 
 /* Do the pieces a to b and c to d meet, other than at a or b? */
@@ -58,8 +52,8 @@ static bool meet(const double *a, const double *b, const double *c, const double
 {
     if (same(c, a) || same(c, b) || same(d, a) || same(d, b))
         return false;
-    double c_side = turn(a, b, c), d_side = turn(a, b, d);
-    double a_side = turn(c, d, a), b_side = turn(c, d, b);
+    double c_side = pp_region_turn(a, b, c), d_side = pp_region_turn(a, b, d);
+    double a_side = pp_region_turn(c, d, a), b_side = pp_region_turn(c, d, b);
     if (c_side == 0.0 && d_side == 0.0) { /* on one line: do they overlap? */
         int k = fabs(b[0] - a[0]) < fabs(b[1] - a[1]);
         return fmin(c[k], d[k]) <= fmax(a[k], b[k])
@@ -77,13 +71,14 @@ static bool blocked(const struct closed_line *line, const double *a, const doubl
 }
 
 struct keyhole_bridge {
-    int rim, hole, corner; /* corner `rim` of the outline, corner of which hole */
+    int rim;          /* corner of the outline */
+    int hole, corner; /* which hole, and which of its corners */
     double length;
 };
 
-/* The shortest that nothing blocks; of rim -1 where there is none. */
-static struct keyhole_bridge find_seam(const struct closed_line *outline,
-                                       const struct closed_line *holes, int count)
+/* The shortest bridge that no edge blocks; rim is -1 where there is none. */
+static struct keyhole_bridge find_bridge(const struct closed_line *outline,
+                                         const struct closed_line *holes, int count)
 {
     struct keyhole_bridge best = {-1, -1, -1, INFINITY};
     for (int h = 0; h < count; h++)
@@ -103,30 +98,31 @@ static struct keyhole_bridge find_seam(const struct closed_line *outline,
     return best;
 }
 
-/* The outline along the seam, round the hole, and back. There is room. */
-static void sew(struct closed_line *outline, const struct closed_line *hole,
-                struct keyhole_bridge seam)
+/* Takes the outline along the bridge, round the hole, and back. There is room for
+ * it. */
+static void join_hole(struct closed_line *outline, const struct closed_line *hole,
+                      struct keyhole_bridge bridge)
 {
-    int more = hole->count + 2, behind = outline->count - seam.rim;
-    memmove(outline->xy + seam.rim + more, outline->xy + seam.rim,
+    int more = hole->count + 2, behind = outline->count - bridge.rim;
+    memmove(outline->xy + bridge.rim + more, outline->xy + bridge.rim,
             (size_t)behind * sizeof *outline->xy);
-    point *to = outline->xy + seam.rim;
+    point *to = outline->xy + bridge.rim;
     memcpy(to[0], to[more], sizeof *to);
     for (int i = 0; i <= hole->count; i++)
-        memcpy(to[1 + i], hole->xy[(seam.corner + i) % hole->count], sizeof *to);
+        memcpy(to[1 + i], hole->xy[(bridge.corner + i) % hole->count], sizeof *to);
     outline->count += more;
 }
 
-static enum pp_status sew_all(struct closed_line *outline, struct closed_line *holes,
-                              int count, struct pp_error *err)
+static enum pp_status join_holes(struct closed_line *outline, struct closed_line *holes,
+                                 int count, struct pp_error *err)
 {
     while (count > 0) {
-        struct keyhole_bridge seam = find_seam(outline, holes, count);
-        if (seam.rim < 0)
+        struct keyhole_bridge bridge = find_bridge(outline, holes, count);
+        if (bridge.rim < 0)
             return pp_fail(err, PP_BAD_INPUT,
                            "a wall's openings can't be joined to its rim");
-        sew(outline, &holes[seam.hole], seam);
-        holes[seam.hole] = holes[--count];
+        join_hole(outline, &holes[bridge.hole], bridge);
+        holes[bridge.hole] = holes[--count];
     }
     return PP_OK;
 }
@@ -152,7 +148,7 @@ static enum pp_status add_outline(struct pp_keyhole_outlines *cut,
         memcpy(outline.xy, rings[0].xy, (size_t)rings[0].count * sizeof(point));
         for (int i = 1; i < count; i++)
             holes[i - 1] = (struct closed_line){rings[i].xy, rings[i].count};
-        status = sew_all(&outline, holes, count - 1, err);
+        status = join_holes(&outline, holes, count - 1, err);
     }
     if (status == PP_OK) {
         for (int i = 0; i < outline.count; i++)
@@ -167,12 +163,9 @@ static enum pp_status add_outline(struct pp_keyhole_outlines *cut,
     return status;
 }
 
-static double signed_area(const struct pp_ring *ring)
+static bool is_hole(const struct pp_ring *ring)
 {
-    double sum = 0.0;
-    for (int i = 2; i < ring->count; i++)
-        sum += turn(ring->xy[0], ring->xy[i - 1], ring->xy[i]);
-    return sum;
+    return pp_region_ring_area((const double(*)[2])ring->xy, ring->count) < 0.0;
 }
 
 static enum pp_status add_whole(struct pp_keyhole_outlines *cut,
@@ -212,7 +205,7 @@ enum pp_status pp_keyhole_outlines_init(struct pp_keyhole_outlines *cut,
         status = add_whole(cut, outline, err);
     for (int i = 0, next; i < region.count && status == PP_OK; i = next) {
         next = i + 1;
-        while (next < region.count && signed_area(&region.rings[next]) < 0.0)
+        while (next < region.count && is_hole(&region.rings[next]))
             next++;
         status = add_outline(cut, &axes, region.rings + i, next - i, world, face, err);
     }

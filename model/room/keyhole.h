@@ -1,7 +1,6 @@
 /* keyhole.h - a wall less its windows as outlines without holes: each hole is joined to
- * the rim by a seam, along which the outline runs there and back, as Radiance's
- * polygons have them.
- */
+ * the rim by a bridge, along which the outline runs there and back, as Radiance's
+ * polygons have them. */
 #ifndef PP_MODEL_ROOM_KEYHOLE_H
 #define PP_MODEL_ROOM_KEYHOLE_H
 

@@ -1,15 +1,16 @@
-/* position.c - is a point in the room, and can one measure there?
+/* position.c - see position.h.
  *
  * A line straight up from a point in the room meets one ceiling more than floors. Which
  * faces it meets is decided in plan, half-open at their edges: as neighbours share the
  * ends of an edge to the bit, the line meets one of the two, never both or none, and
  * upright faces not at all.
  */
+#include "model/room/position.h"
+
 #include <stddef.h>
 
 #include "model/geometry/polygon.h"
 #include "model/geometry/tolerance.h"
-#include "model/room/world.h"
 
 /* Does the line through (x, y) pass through the face, seen in plan? */
 static bool is_over_or_under(const struct pp_polygon *face, struct pp_vec3 point)
@@ -83,7 +84,7 @@ static bool is_in_block(const struct pp_block *block, struct pp_vec3 point)
            && from.z < block->height_m + PP_TOUCH_M;
 }
 
-/* What to say of a point on a surface of that role. */
+/* What is wrong with a receiver on a surface of that role. */
 static const char *fault_on_surface(enum pp_role role)
 {
     switch (role) {
@@ -103,7 +104,7 @@ static const char *fault_on_surface(enum pp_role role)
     return "lies in a surface";
 }
 
-/* Does a receiver on that surface measure what falls on it from the room? */
+/* Does a receiver on that surface measure the light that falls on it from the room? */
 static bool lies_on(const struct pp_surface *surface, struct pp_vec3 normal)
 {
     bool envelope = surface->role == PP_FLOOR || surface->role == PP_WALL
@@ -136,4 +137,20 @@ const char *pp_position_receiver_fault(const struct pp_world *world,
     if (!on_face && !pp_position_in_room(world, position))
         return "lies outside the room";
     return NULL;
+}
+
+enum pp_status pp_position_place_receiver(const struct pp_world *world, double x,
+                                          double y, double z,
+                                          struct pp_receiver *receiver,
+                                          struct pp_error *err)
+{
+    if (isnan(z))
+        z = world->working_plane_m;
+    *receiver = (struct pp_receiver){.position = pp_vec(x, y, z),
+                                     .normal = pp_vec(0.0, 0.0, 1.0)};
+    const char *fault =
+        pp_position_receiver_fault(world, receiver->position, receiver->normal);
+    if (fault)
+        return pp_fail(err, PP_BAD_INPUT, "the point (%g, %g, %g) %s", x, y, z, fault);
+    return PP_OK;
 }

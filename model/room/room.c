@@ -5,8 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "model/base/array.h"
 #include "model/room/room_parts.h"
-#include "model/room/read/read_elements.h"
 
 /* ---- Copies ---- */
 
@@ -53,8 +53,8 @@ static void copy_plan(struct pp_plan_part *plan, bool *good)
     }
 }
 
-/* Puts copies in place of all that the room points to. What comes after memory was out
- * is empty, so that the room can be cleared. */
+/* Puts copies in place of all that the room points to. Parts that are reached after
+ * memory was out are empty, so that the room can be cleared. */
 static void copy_parts(struct pp_room *room, bool *good)
 {
     copy_text(&room->name, good);
@@ -96,7 +96,7 @@ enum pp_status pp_room_copy(struct pp_room **copy, const struct pp_room *room,
 void pp_room_destroy(struct pp_room *room)
 {
     if (room)
-        pp_room_clear(room);
+        pp_room_parts_clear(room);
     free(room);
 }
 
@@ -150,14 +150,14 @@ enum pp_status pp_room_repeat_opening(struct pp_room *room, int index,
                                       struct pp_error *err)
 {
     int count = room->opening_count;
-    struct pp_opening_part *grown =
-        realloc(room->openings, ((size_t)count + 1) * sizeof *grown);
-    if (!grown)
-        return pp_fail_memory(err);
-    room->openings = grown;
+    int space = count;
+    enum pp_status status = pp_array_reserve(&room->openings, &space, count + 1,
+                                             sizeof *room->openings, err);
+    if (status != PP_OK)
+        return status;
     bool good = true;
-    struct pp_opening_part *added = &grown[count];
-    *added = grown[index];
+    struct pp_opening_part *added = &room->openings[count];
+    *added = room->openings[index];
     copy_text(&added->wall, &good);
     copy_vertices(&added->vertices, &good);
     put_place(added, place);
@@ -180,8 +180,7 @@ void pp_room_remove_opening(struct pp_room *room, int index)
 {
     struct pp_opening_part *part = &room->openings[index];
     free(part->wall);
-    free(part->vertices.list);
-    free(part->vertices.lines);
+    pp_room_parts_clear_vertices(&part->vertices);
     int behind = --room->opening_count - index;
     memmove(part, part + 1, (size_t)behind * sizeof *part);
 }
@@ -201,7 +200,13 @@ void pp_room_set_maintenance(struct pp_room *room, int index, double maintenance
     room->openings[index].glazing.maintenance = maintenance;
 }
 
-/* ---- The room itself, and what stands outside ---- */
+/* ---- The room itself, and its surroundings ---- */
+
+enum pp_status pp_room_set_sky(struct pp_room *room, const char *spec,
+                               struct pp_error *err)
+{
+    return pp_sky_words_parse(&room->sky, spec, err);
+}
 
 void pp_room_lighten(struct pp_room *room, enum pp_role role, double reflectance)
 {
@@ -233,7 +238,7 @@ void pp_room_clear_surroundings(struct pp_room *room, const struct pp_world *wor
         free(room->skylines[i].wall);
     room->skyline_count = room->block_count = 0;
 
-    /* The world has the loose surfaces in the file's order. */
+    /* The world has the free-standing surfaces in the file's order. */
     int kept = 0, index = 0;
     for (int i = 0; i < world->surface_count && index < room->surface_count; i++) {
         if (world->surfaces[i].role != PP_FREE_SURFACE)
@@ -242,8 +247,7 @@ void pp_room_clear_surroundings(struct pp_room *room, const struct pp_world *wor
         if (world->surfaces[i].inside) {
             room->surfaces[kept++] = *part;
         } else {
-            free(part->vertices.list);
-            free(part->vertices.lines);
+            pp_room_parts_clear_vertices(&part->vertices);
         }
     }
     room->surface_count = kept;

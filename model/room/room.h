@@ -1,7 +1,6 @@
-/* room.h - a room as it might be: a copy of what the file says, and changes to
- * it. Nothing is checked here: pp_world_create says whether the changed room makes
- * sense, as it does of a file's.
- */
+/* room.h - a room as its file describes it, to be copied and changed. Nothing is
+ * checked here: pp_world_create finds the mistakes of a changed room, as those of a
+ * file's. */
 #ifndef PP_MODEL_ROOM_ROOM_H
 #define PP_MODEL_ROOM_ROOM_H
 
@@ -11,7 +10,7 @@
 #include "model/light/glass.h"
 #include "model/room/building.h"
 
-/* A room of its own, equal to the given one. */
+/* A copy, which is the caller's. */
 enum pp_status pp_room_copy(struct pp_room **copy, const struct pp_room *room,
                             struct pp_error *err);
 void pp_room_destroy(struct pp_room *room); /* of copies only; NULL is allowed */
@@ -49,12 +48,17 @@ enum pp_status pp_room_repeat_opening(struct pp_room *room, int index,
 enum pp_status pp_room_set_wall(struct pp_room *room, int index, const char *wall,
                                 struct pp_error *err);
 
-/* Leaves one out; those behind it move up. */
+/* Removes an opening; those behind it move up. */
 void pp_room_remove_opening(struct pp_room *room, int index);
 
 void pp_room_set_glass(struct pp_room *room, int index, struct pp_glass glass);
 void pp_room_set_frame_factor(struct pp_room *room, int index, double frame_factor);
 void pp_room_set_maintenance(struct pp_room *room, int index, double maintenance);
+
+/* Puts another sky in place of the room's, in the words of pp_sky_words_parse
+ * (sky_words.h): "iso-12,30,180". */
+enum pp_status pp_room_set_sky(struct pp_room *room, const char *spec,
+                               struct pp_error *err);
 
 /* Gives all faces of that role (PP_FLOOR, PP_WALL or PP_CEILING) that are darker this
  * reflectance. */
@@ -63,8 +67,8 @@ void pp_room_lighten(struct pp_room *room, enum pp_role role, double reflectance
 /* The height of a plan's ceiling (m); false of an envelope, which stays as it is. */
 bool pp_room_set_height(struct pp_room *room, double height_m);
 
-/* Takes away skylines, blocks and the surfaces that stand outside in `world`, which is
- * the room's. */
+/* Removes skylines, blocks and the surfaces that stand outside in `world`, which is the
+ * room's. */
 void pp_room_clear_surroundings(struct pp_room *room, const struct pp_world *world);
 
 /* Does the room make sense? Fails only where the machine does. */

@@ -1,5 +1,5 @@
-/* room_parts.h - a room as its file describes it: what the reader fills and the
- * resolver (world.c) reads.
+/* room_parts.h - a room as its file describes it, part by part: the reader (read/)
+ * fills it, and world.c resolves it. Inside model/room/ only.
  *
  * Angles are radians, everything else is as in the file. Every part has the line of its
  * element. A number that the file left out and that has no default is NAN; a string is
@@ -15,7 +15,7 @@
 #include <stdbool.h>
 
 #include "model/room/room.h"
-#include "model/light/sky.h"
+#include "model/room/sky_words.h"
 #include "model/geometry/vec.h"
 #include "model/room/world.h"
 
@@ -25,13 +25,6 @@ struct pp_site_part {
     enum pp_work
         work; /* where not given: clean, but dirty in industrial surroundings */
     double ground_reflectance, ground_level_m;
-    int line;
-};
-
-struct pp_sky_part {
-    enum pp_sky_kind kind;
-    int iso;
-    double sun_altitude_rad, sun_bearing_rad; /* NAN where not given */
     int line;
 };
 
@@ -45,8 +38,8 @@ struct pp_face_part {
     enum pp_role role;
     char *name;
     double reflectance;             /* NAN: the finishes' */
-    const struct pp_finish *finish; /* by which it was given; NULL: a number; likewise
-                                     * below */
+    const struct pp_finish *finish; /* by which the reflectance was given; NULL: by a
+                                     * number; likewise below */
     struct pp_vertices vertices;
     int line;
 };
@@ -112,8 +105,7 @@ struct pp_receiver_part {
     int line;
 };
 
-/* pp_room_clear (read_elements.c) frees what this points to, pp_room_copy (room.c)
- * copies it. */
+/* All that it points to is its own: see pp_room_parts_clear, and pp_room_copy. */
 struct pp_room {
     char *name; /* NULL where not given */
     double north_rad;
@@ -139,5 +131,10 @@ struct pp_room {
     int receiver_count;
     int line;
 };
+
+/* Frees all that the room points to, not the room. */
+void pp_room_parts_clear(struct pp_room *room);
+void pp_room_parts_clear_plan(struct pp_plan_part *plan);
+void pp_room_parts_clear_vertices(struct pp_vertices *vertices);
 
 #endif

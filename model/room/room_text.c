@@ -1,6 +1,6 @@
 /* room_text.c - see room_text.h.
  *
- * The text is well-formed XML without DOCTYPE, so that what lies between "<" and ">" is
+ * The text is well-formed XML without DOCTYPE, so that between "<" and ">" there is
  * a tag, a comment, a processing instruction or CDATA, and a ">" in a tag stands in
  * quotes or ends it.
  */
@@ -182,9 +182,10 @@ static void put_edited(FILE *out, const char *text, struct span element,
     }
 }
 
-enum pp_status pp_edit_text(char **changed, size_t *changed_length, const char *text,
-                            size_t length, const struct pp_text_edit *edits,
-                            int edit_count, struct pp_error *err)
+enum pp_status pp_room_text_edit(char **changed, size_t *changed_length,
+                                 const char *text, size_t length,
+                                 const struct pp_text_edit *edits, int edit_count,
+                                 struct pp_error *err)
 {
     *changed = NULL;
     FILE *out = open_memstream(changed, changed_length);
@@ -214,7 +215,7 @@ enum pp_status pp_edit_text(char **changed, size_t *changed_length, const char *
     return pp_fail_memory(err);
 }
 
-enum pp_status pp_edit_text_element(char **element, const char *text, size_t length,
+enum pp_status pp_room_text_element(char **element, const char *text, size_t length,
                                     const struct pp_text_edit *edit,
                                     struct pp_error *err)
 {

@@ -1,6 +1,5 @@
-/* room_text.h - the text of a room file with some of its windows changed: everything
- * else, comments and blanks too, stays byte for byte.
- */
+/* room_text.h - the text of a room file with some of its windows changed; all else
+ * stays byte for byte, comments and blanks included. */
 #ifndef PP_MODEL_ROOM_ROOM_TEXT_H
 #define PP_MODEL_ROOM_ROOM_TEXT_H
 
@@ -10,9 +9,9 @@
 #include "model/room/room.h"
 
 enum pp_text_edit_kind {
-    PP_TEXT_SET,   /* its place becomes this one */
-    PP_TEXT_ADD,   /* one like it, in this place, behind it */
-    PP_TEXT_REMOVE /* it is left out */
+    PP_TEXT_SET,   /* the opening moves to the place given */
+    PP_TEXT_ADD,   /* another opening like it, in that place, comes behind it */
+    PP_TEXT_REMOVE /* the opening is left out */
 };
 
 /* One edit of the opening-th window, rooflight or opening of the file, from 0, whatever
@@ -23,15 +22,17 @@ struct pp_text_edit {
     struct pp_opening_place place;
 };
 
-/* The text, which pp_building_parse has found no mistake in, with the edits made, in
- * order of their openings. *changed is the caller's, *changed_length bytes and a 0. */
-enum pp_status pp_edit_text(char **changed, size_t *changed_length, const char *text,
-                            size_t length, const struct pp_text_edit *edits,
-                            int edit_count, struct pp_error *err);
+/* The text, in which pp_building_parse has found no mistake, with the edits made; they
+ * are in order of their openings. *changed is the caller's, *changed_length bytes and a
+ * 0. */
+enum pp_status pp_room_text_edit(char **changed, size_t *changed_length,
+                                 const char *text, size_t length,
+                                 const struct pp_text_edit *edits, int edit_count,
+                                 struct pp_error *err);
 
 /* The opening's own element as the edit (of PP_TEXT_SET or PP_TEXT_ADD) has it, from
  * "<" to ">"; the caller's. */
-enum pp_status pp_edit_text_element(char **element, const char *text, size_t length,
+enum pp_status pp_room_text_element(char **element, const char *text, size_t length,
                                     const struct pp_text_edit *edit,
                                     struct pp_error *err);
 

@@ -42,8 +42,8 @@ struct pp_material pp_surface_materials_of(const struct pp_world *world, int ind
         material.emits = PP_EMITS_EXTENDED;
         material.radiance = pp_rgb_grey(surface->exitance / PP_PI);
     }
-    bool skin = index < world->face_count || surface->role == PP_REVEAL;
-    name(&material, name_of(surface), !front && skin);
+    bool envelope = index < world->face_count || surface->role == PP_REVEAL;
+    name(&material, name_of(surface), !front && envelope);
     return material;
 }
 
@@ -116,7 +116,7 @@ struct pp_material_key pp_surface_materials_key(const struct pp_material *m)
 bool pp_surface_materials_same(const struct pp_material *a, const struct pp_material *b)
 {
     if (a->diffuse.r != b->diffuse.r || strcmp(a->name, b->name) != 0)
-        return false; /* as most are that differ */
+        return false; /* two comparisons tell most materials that differ */
     struct pp_material_key keys[2] = {pp_surface_materials_key(a),
                                       pp_surface_materials_key(b)};
     return memcmp(&keys[0], &keys[1], sizeof keys[0]) == 0;

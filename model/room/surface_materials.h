@@ -1,4 +1,4 @@
-/* surface_materials.h - what the surfaces and panes of a world do with light. */
+/* surface_materials.h - the materials of a world's surfaces and panes. */
 #ifndef PP_MODEL_ROOM_SURFACE_MATERIALS_H
 #define PP_MODEL_ROOM_SURFACE_MATERIALS_H
 
@@ -7,23 +7,24 @@
 #include "model/light/material.h"
 #include "model/room/world.h"
 
-/* Of the side that the surface's normal points to, or of the other one. Named after the
- * surface: "floor", "ceiling", a wall's name, "reveal", "surface", "block"; backs of a
- * room's own skin with " (outside)" behind. What it gives off is over Eh. */
+/* The material of the side that the surface's normal points to, or of the other one. It
+ * is named after the surface: "floor", "ceiling", a wall's name, "reveal", "surface",
+ * "block"; backs of the envelope and of reveals have " (outside)" behind. Its emission
+ * is over Eh. */
 struct pp_material pp_surface_materials_of(const struct pp_world *world, int surface,
                                            bool front);
 
-/* The same matt and grey, as hand methods and daylight factors have it. */
+/* The same, but matt and grey, as hand methods and daylight factors have it. */
 struct pp_material pp_surface_materials_matt(const struct pp_world *world, int surface,
                                              bool front);
 
-/* Of an opening's pane, "glazing", from inside or outside: glass, frame, dirt,
- * curtains. */
+/* The material of an opening's pane seen from inside or outside, with its frame, dirt
+ * and curtains; named "glazing". */
 struct pp_material pp_surface_materials_pane(const struct pp_world *world, int opening,
                                              bool inside);
 
-/* All that a material is, name and all: keys that are the same to the byte are of
- * materials that are the same. -0 counts as 0. */
+/* All fields of a material, its name included: materials are the same where their keys
+ * are the same to the byte. -0 counts as 0. */
 enum { PP_MATERIAL_KEY_NUMBERS = 39 };
 struct pp_material_key {
     char name[PP_MATERIAL_NAME_SIZE];

@@ -1,11 +1,22 @@
-/* world.c - from a room to its world, step by step, and the end of a world. */
+/* world.c - see world.h: from a room to its world, step by step (build/). */
 #include "model/room/world.h"
 
 #include <stdlib.h>
 #include <string.h>
 
-#include "model/room/corrections.h"
+#include "model/room/build/blocks.h"
+#include "model/room/build/corners.h"
+#include "model/room/build/envelope.h"
+#include "model/room/build/free_surfaces.h"
+#include "model/room/build/place_openings.h"
+#include "model/room/build/receivers.h"
 #include "model/room/build/resolve.h"
+#include "model/room/build/reveals.h"
+#include "model/room/build/skylines.h"
+#include "model/room/build/watertight.h"
+#include "model/room/build/working_plane.h"
+#include "model/room/corrections.h"
+#include "model/room/sky_words.h"
 
 void pp_world_destroy(struct pp_world *world)
 {
@@ -29,43 +40,11 @@ void pp_world_destroy(struct pp_world *world)
     free(world);
 }
 
-/* Where a bearing points to in the room's own axes: clockwise from true north, and +y
- * lies at north_rad. */
-static struct pp_vec3 direction_of(double bearing_rad, double altitude_rad,
-                                   double north_rad)
-{
-    double turn = bearing_rad - north_rad, c = cos(altitude_rad);
-    return pp_vec(c * sin(turn), c * cos(turn), sin(altitude_rad));
-}
-
 static void resolve_sky(struct pp_resolver *r)
 {
     const struct pp_sky_part *part = &r->room->sky;
-    struct pp_world *world = r->world;
     struct pp_error fault = {0};
-    struct pp_vec3 sun = {0.0, 0.0, 1.0};
-    switch (part->kind) {
-    case PP_SKY_OVERCAST:
-        world->sky = pp_sky_overcast();
-        return;
-    case PP_SKY_UNIFORM:
-        world->sky = pp_sky_uniform();
-        return;
-    case PP_SKY_ISO:
-        break;
-    }
-    if (pp_sky_iso_has_sun(part->iso)) {
-        if (isnan(part->sun_altitude_rad) || isnan(part->sun_bearing_rad)) {
-            pp_mistakes_add(r->mistakes, part->line,
-                            "sky: iso-%d needs to know where the sun stands; expected "
-                            "sun-altitude and sun-bearing",
-                            part->iso);
-            return;
-        }
-        sun = direction_of(part->sun_bearing_rad, part->sun_altitude_rad,
-                           r->room->north_rad);
-    }
-    if (pp_sky_iso(&world->sky, part->iso, sun, &fault) != PP_OK)
+    if (pp_sky_words_sky(&r->world->sky, part, r->room->north_rad, &fault) != PP_OK)
         pp_mistakes_add(r->mistakes, part->line, "sky: %s", fault.message);
 }
 
@@ -93,8 +72,9 @@ static enum pp_status resolve_site(struct pp_resolver *r, struct pp_error *err)
     return PP_OK;
 }
 
-/* Faces are compared with each other and with all that is near them, corner by corner;
- * a room of more pairs than this would take many seconds. */
+/* Faces are compared with each other and with all that is near them, corner by corner.
+ * A room of more pairs than this would take many seconds: 40,000 windows in one wall
+ * took minutes, and are refused in 0.1 s. */
 static const double corner_pairs_most = 3e8;
 
 static bool is_comparable(struct pp_resolver *r)
@@ -153,7 +133,7 @@ enum pp_status pp_world_create(struct pp_world **world, const struct pp_room *ro
     struct pp_resolver r = {.room = room, .world = made, .mistakes = mistakes};
     struct pp_error fault = {0};
     enum pp_status status = resolve(&r, &fault);
-    /* What a step could not settle by itself, polygons that GEOS gives up on, say. */
+    /* For example polygons that GEOS can't overlay. */
     if (status == PP_BAD_INPUT)
         pp_mistakes_add(mistakes, room->line, "room: %s", fault.message);
     else if (status != PP_OK)

@@ -1,4 +1,4 @@
-/* world.h - a room and what stands round it, resolved once, for all who compute.
+/* world.h - a room and its surroundings, resolved once, for all calculations.
  *
  * Nothing here has to be looked up by name or worked out a second time: polygons in
  * metres, fractions, radians, the room's own x, y, z (floor at z = 0, z up). The hand
@@ -11,11 +11,12 @@
 #include <stdbool.h>
 
 #include "model/base/error.h"
-#include "model/light/glass.h"
+#include "model/base/mistakes.h"
 #include "model/geometry/polygon.h"
 #include "model/geometry/region.h"
-#include "model/light/sky.h"
 #include "model/geometry/vec.h"
+#include "model/light/glass.h"
+#include "model/light/sky.h"
 
 enum pp_role {
     PP_FLOOR,        /* of the room's own envelope */
@@ -30,16 +31,17 @@ enum pp_role {
  * openings name it. */
 struct pp_surface {
     struct pp_polygon outline; /* envelope and reveals: normal into the room;
-                                * blocks: outwards; loose: as the file turns it */
+                                * blocks: outwards; free-standing: as in the file */
     enum pp_role role;
-    bool inside;      /* does it stand in the room (envelope, reveal, loose inside)? */
+    bool inside;      /* does it stand in the room (envelope, reveal, free-standing)? */
     const char *name; /* the wall's, or NULL */
     double front,
         back;        /* reflectance of the side the normal points to, and the other */
-    double exitance; /* given off by each side by itself, over Eh */
+    double exitance; /* emitted by each side by itself, over Eh */
     const struct pp_finish *finish; /* named in the file: of the front, and of both
-                                     * sides of what is loose or a block; NULL: grey and
-                                     * without gloss. front says how much it reflects */
+                                     * sides of blocks and free-standing surfaces; NULL:
+                                     * grey and without gloss. The reflectance is that
+                                     * of `front` anyhow */
     int owner;                      /* reveal: its opening; block: its block; else -1 */
     int line;                       /* in the room file; 0 where none */
 };
@@ -64,7 +66,7 @@ struct pp_opening {
     int line;
 };
 
-/* One endless obstruction parallel to a wall, as from the ground up. */
+/* One endless obstruction parallel to a wall, from the ground up. */
 struct pp_skyline {
     int face;          /* its wall; outline.normal points away from the skyline */
     double angle_rad;  /* above the horizontal from the middle of the wall's openings */
@@ -102,8 +104,8 @@ struct pp_world {
     double latitude_rad, longitude_rad; /* NAN where the file has none */
     enum pp_surroundings surroundings;
     enum pp_work work;
-    double decorations; /* share of the internally reflected component that their
-                         * deterioration leaves, 1: they are as new */
+    double decorations; /* share of the internally reflected component that the
+                         * deterioration of decorations leaves; 1: they are as new */
 
     struct pp_sky sky;
     double ground_reflectance;
@@ -125,32 +127,13 @@ struct pp_world {
     int receiver_count;
 };
 
+/* A room as its file describes it (building.h). */
+struct pp_room;
+
+/* Resolves a room. Mistakes in what it describes go to mistakes (PP_BAD_INPUT, and no
+ * world). */
+enum pp_status pp_world_create(struct pp_world **world, const struct pp_room *room,
+                               struct pp_mistakes *mistakes, struct pp_error *err);
 void pp_world_destroy(struct pp_world *world); /* NULL is allowed */
-
-/* Does a point lie within the room's envelope? Of one on it to the bit, either. */
-bool pp_position_in_room(const struct pp_world *world, struct pp_vec3 point);
-
-/* Is the point in a face or any other surface of the world, by a tenth of a millimetre?
- */
-bool pp_position_in_surface(const struct pp_world *world, struct pp_vec3 point);
-
-/* The room's section by the level plane at z (m), as world->plane is that of the working
- * plane; empty where the room does not reach. The region is the caller's. */
-enum pp_status pp_working_plane_section(struct pp_region *region,
-                                        const struct pp_world *world, double z,
-                                        struct pp_error *err);
-
-/* What is wrong with a receiver at this position with that unit normal, as the end of a
- * sentence ("lies outside the room", "lies in an opening"), or NULL if nothing is. On a
- * floor, wall or ceiling one may measure what falls on it: facing straight into the
- * room. */
-const char *pp_position_receiver_fault(const struct pp_world *world,
-                                       struct pp_vec3 position, struct pp_vec3 normal);
-
-/* A receiver that faces up at (x, y, z), z NAN: on the working plane, as the command
- * line asks for one; PP_BAD_INPUT where one can't measure there. */
-enum pp_status pp_receivers_place(const struct pp_world *world, double x, double y,
-                                  double z, struct pp_receiver *receiver,
-                                  struct pp_error *err);
 
 #endif

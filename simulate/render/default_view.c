@@ -1,5 +1,6 @@
 /* default_view.c - see default_view.h. */
 #include "simulate/render/default_view.h"
+#include "model/room/position.h"
 
 #include <math.h>
 

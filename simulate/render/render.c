@@ -233,7 +233,7 @@ enum pp_status pp_render_create(struct pp_render **render_out,
     pp_sobol_init(&render->sobol);
     render->eye_space = pp_light_scene_space(scene, options->camera.eye);
 
-    status = pp_picture_create(&render->picture, options->width, options->height, err);
+    status = pp_picture_init(&render->picture, options->width, options->height, err);
     if (status != PP_OK) {
         pp_render_destroy(render);
         return status;

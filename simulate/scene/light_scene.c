@@ -5,6 +5,7 @@
 
 #include "simulate/scene/light_parts.h"
 #include "simulate/scene/round.h"
+#include "model/room/position.h"
 
 void pp_light_scene_destroy(struct pp_light_scene *scene)
 {

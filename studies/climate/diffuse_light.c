@@ -161,7 +161,7 @@ enum pp_status pp_diffuse_light_overcast(struct pp_diffuse_light *light,
         }
         bool month_ends =
             date.day
-            == (date.month == 2 ? 28 : pp_epw_header_days_of_month(date.month));
+            == (date.month == 2 ? 28 : pp_month_day_days_of_month(date.month));
         date.day = month_ends ? 1 : date.day + 1;
         date.month += month_ends;
     }

@@ -136,8 +136,8 @@ static void say_calendar(struct pp_year_light *outside,
     if (summer.from.month)
         snprintf(outside->calendar, sizeof outside->calendar,
                  "%s; standard time, an hour ahead from %s to %s", days,
-                 pp_epw_header_month_day_words(from, sizeof from, summer.from),
-                 pp_epw_header_month_day_words(to, sizeof to, summer.to));
+                 pp_month_day_words(from, sizeof from, summer.from),
+                 pp_month_day_words(to, sizeof to, summer.to));
     else
         snprintf(outside->calendar, sizeof outside->calendar,
                  "%s; standard time all year", days);

@@ -6,6 +6,7 @@
 
 #include "model/geometry/bounds.h"
 #include "model/geometry/tolerance.h"
+#include "model/room/position.h"
 
 double pp_en17037_grid_spacing(double width_m, double depth_m)
 {

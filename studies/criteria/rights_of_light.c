@@ -19,6 +19,7 @@
 #include "model/geometry/contour/contour.h"
 #include "methods/daylight_curves.h"
 #include "methods/exact/direct.h"
+#include "model/room/section.h"
 
 #define SKY_FACTOR 0.002
 #define SHARE_WANTED 0.5
@@ -92,7 +93,7 @@ static enum pp_status find_area(struct adequately_lit_area *area,
     legal.sky = pp_sky_uniform();
     legal.working_plane_m = floor_z + PLANE_M;
     enum pp_status status =
-        pp_working_plane_section(&legal.plane, world, legal.working_plane_m, err);
+        pp_section_at(&legal.plane, world, legal.working_plane_m, err);
     if (status != PP_OK)
         return status;
     status = measure(area, &legal, err);

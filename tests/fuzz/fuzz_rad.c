@@ -13,8 +13,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "formats/radiance/rad_read.h"
-#include "formats/radiance/rad_write.h"
+#include "formats/radiance/read/rad_read.h"
+#include "formats/radiance/write/rad_write.h"
+#include "formats/radiance/write/rad_write_materials.h"
 #include "tests/fuzz/must.h"
 
 enum pp_status __wrap_pp_file_bytes(char **bytes, size_t *length, const char *path,

@@ -7,12 +7,13 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "formats/radiance/rad_read.h"
-#include "formats/radiance/rad_room.h"
-#include "formats/radiance/rad_write.h"
+#include "formats/radiance/read/rad_read.h"
+#include "formats/radiance/write/rad_room.h"
+#include "formats/radiance/write/rad_write.h"
 #include "simulate/transport/sensors.h"
 #include "tests/lib/room_of.h"
 #include "tests/lib/traced.h"
+#include "formats/radiance/write/rad_write_materials.h"
 
 /* Of all rooms. */
 struct pp_test_beside {
@@ -37,7 +38,7 @@ static inline void pp_test_sense(const struct pp_world *world, double error,
     struct pp_rad_summary summary;
     struct pp_light_scene *scene;
     struct pp_error err = {0};
-    assert_int_equal(pp_rad_room_create(&room, world, 1.0, false, &err), PP_OK);
+    assert_int_equal(pp_rad_room_init(&room, world, 1.0, false, &err), PP_OK);
     assert_int_equal(pp_rad_write_create(&writer, &room.scene, &err), PP_OK);
     char *text = NULL;
     size_t length = 0;

@@ -1,12 +1,17 @@
+/* contour.c - see contour.h: the crossings of a level (level_crossing.h) joined to
+ * curves, and these with the figure's edge to outlines. */
 #include "model/geometry/contour/contour.h"
 
+#include <float.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "model/geometry/contour/field.h"
+#include "model/base/array.h"
+#include "model/geometry/contour/level_crossing.h"
 
-/* Could the level cross the triangle, or come near it? */
+/* Could the level cross the triangle, or come near it? Between the corners the function
+ * may go on by half of what they differ. */
 static bool is_near(const struct pp_field *field, int triangle)
 {
     const int *t = field->mesh.triangles[triangle];
@@ -19,7 +24,8 @@ static bool is_near(const struct pp_field *field, int triangle)
     return low - more <= field->level && field->level <= high + more;
 }
 
-/* Halves triangles near the level down to three quarters of the coarse size. */
+/* Halves triangles near the level down to three quarters of the coarse size, which was
+ * chosen by trial. */
 static enum pp_status halve_near(struct pp_field *field, struct pp_error *err)
 {
     bool changed = true;
@@ -50,8 +56,8 @@ static enum pp_status find_crossings(struct pp_field *field, double level,
     if (status != PP_OK)
         return status;
     int had = field->end_room;
-    status = pp_field_reserve((void **)&field->ends, &field->end_room,
-                              field->mesh.edge_count, sizeof *field->ends, err);
+    status = pp_array_reserve(&field->ends, &field->end_room, field->mesh.edge_count,
+                              sizeof *field->ends, err);
     if (status != PP_OK)
         return status;
     memset(field->ends + had, 0, (size_t)(field->end_room - had) * sizeof *field->ends);
@@ -90,8 +96,9 @@ static enum pp_status join(struct pp_field *field, int first, struct pp_curve *c
     return PP_OK;
 }
 
-enum pp_status pp_contour_trace(struct pp_field *field, double level,
-                                struct pp_curve_list *curves, struct pp_error *err)
+/* All curves of the level, open ones first, however short. */
+static enum pp_status trace(struct pp_field *field, double level,
+                            struct pp_curve_list *curves, struct pp_error *err)
 {
     enum pp_status status = find_crossings(field, level, err);
     for (int pass = 0; pass < 2; pass++)
@@ -112,7 +119,7 @@ enum pp_status pp_contour_curves(struct pp_field *field, double level,
                                  struct pp_curve_list *curves, struct pp_error *err)
 {
     struct pp_curve_list all = {0};
-    enum pp_status status = pp_contour_trace(field, level, &all, err);
+    enum pp_status status = trace(field, level, &all, err);
     for (int i = 0; i < all.count; i++) {
         struct pp_curve *curve = &all.list[i];
         if (status != PP_OK || curve->count < (curve->closed ? 3 : 2)
@@ -122,5 +129,186 @@ enum pp_status pp_contour_curves(struct pp_field *field, double level,
         curve->xy = 0;
     }
     pp_curve_list_clear(&all);
+    return status;
+}
+
+/* ---- outlines ---- */
+
+/* Where on the figure's edge a curve begins or ends. */
+struct boundary_end {
+    int ring;
+    double along; /* the ring, from its first point: segment number + share of it */
+    int curve;
+    bool taken;
+};
+
+/* The place on the figure's edge that is nearest to a point. */
+static void find_landing(const struct pp_region *region, const double xy[2],
+                         struct boundary_end *landing)
+{
+    double nearest = INFINITY;
+    for (int r = 0; r < region->count; r++)
+        for (int i = 0; i < region->rings[r].count; i++) {
+            const double *a = region->rings[r].xy[i];
+            const double *b = region->rings[r].xy[(i + 1) % region->rings[r].count];
+            double dx = b[0] - a[0], dy = b[1] - a[1];
+            double share = ((xy[0] - a[0]) * dx + (xy[1] - a[1]) * dy)
+                           / fmax(dx * dx + dy * dy, DBL_MIN);
+            share = fmin(fmax(share, 0.0), 1.0);
+            double off = hypot(a[0] + share * dx - xy[0], a[1] + share * dy - xy[1]);
+            if (off < nearest) {
+                nearest = off;
+                landing->ring = r;
+                landing->along = i + share;
+            }
+        }
+}
+
+static int compare_landings(const void *a, const void *b)
+{
+    const struct boundary_end *p = a, *q = b;
+    if (p->ring != q->ring)
+        return p->ring - q->ring;
+    if (p->along != q->along)
+        return p->along < q->along ? -1 : 1;
+    return p->curve - q->curve;
+}
+
+/* The first landing at or after a place on a ring, which is closed; -1: none on it. */
+static int next_landing(const struct boundary_end *landings, int count, int ring,
+                        double along)
+{
+    int round = -1;
+    for (int i = 0; i < count; i++) {
+        if (landings[i].ring != ring)
+            continue;
+        if (landings[i].along >= along)
+            return i;
+        if (round < 0)
+            round = i;
+    }
+    return round;
+}
+
+/* Adds a ring's points from one place on it to another, in its direction. */
+static enum pp_status add_arc(struct pp_curve *outline, int *room,
+                              const struct pp_ring *ring, double from, double to,
+                              struct pp_error *err)
+{
+    int first = (int)floor(from) + 1, last = (int)floor(to);
+    if (to < from)
+        last += ring->count;
+    for (int i = first; i <= last; i++) {
+        enum pp_status status = pp_array_reserve(&outline->xy, room, outline->count + 1,
+                                                 sizeof *outline->xy, err);
+        if (status != PP_OK)
+            return status;
+        pp_curve_add_point(outline, ring->xy[i % ring->count]);
+    }
+    return PP_OK;
+}
+
+/* Adds a curve's points from its end to its beginning: lower values on the left. */
+static enum pp_status add_backwards(struct pp_curve *outline, int *room,
+                                    const struct pp_curve *curve, struct pp_error *err)
+{
+    for (int i = curve->count - 1; i >= 0; i--) {
+        enum pp_status status = pp_array_reserve(&outline->xy, room, outline->count + 1,
+                                                 sizeof *outline->xy, err);
+        if (status != PP_OK)
+            return status;
+        pp_curve_add_point(outline, curve->xy[i]);
+    }
+    return PP_OK;
+}
+
+/* One outline: along curves backwards, and from where a curve meets the figure's edge
+ * along that edge to the next curve. `ends` are the curves' ends (where they begin,
+ * backwards), sorted; `first` is the end to begin at. */
+static enum pp_status trace_outline(const struct pp_field *field,
+                                    const struct pp_curve_list *curves,
+                                    struct boundary_end *ends, int end_count, int first,
+                                    struct pp_curve_list *outlines,
+                                    struct pp_error *err)
+{
+    struct pp_curve outline = {.level = field->level, .closed = true};
+    int room = 0;
+    enum pp_status status = PP_OK;
+    for (int i = first; i >= 0 && !ends[i].taken && status == PP_OK;) {
+        ends[i].taken = true;
+        const struct pp_curve *curve = &curves->list[ends[i].curve];
+        status = add_backwards(&outline, &room, curve, err);
+        struct boundary_end landed = {0};
+        find_landing(&field->region, curve->xy[0], &landed);
+        i = next_landing(ends, end_count, landed.ring, landed.along);
+        if (i >= 0 && status == PP_OK)
+            status = add_arc(&outline, &room, &field->region.rings[landed.ring],
+                             landed.along, ends[i].along, err);
+    }
+    if (status != PP_OK || outline.count < 3) {
+        free(outline.xy);
+        return status;
+    }
+    return pp_curve_list_add(outlines, outline, err);
+}
+
+static enum pp_status add_whole(struct pp_curve_list *outlines, double level,
+                                const double (*xy)[2], int count, bool backwards,
+                                struct pp_error *err)
+{
+    struct pp_curve outline = {.level = level, .closed = true, .count = count};
+    if (count < 3)
+        return PP_OK;
+    outline.xy = malloc((size_t)count * sizeof *outline.xy);
+    if (!outline.xy)
+        return pp_fail_memory(err);
+    for (int i = 0; i < count; i++)
+        memcpy(outline.xy[i], xy[backwards ? count - 1 - i : i], sizeof(double[2]));
+    return pp_curve_list_add(outlines, outline, err);
+}
+
+enum pp_status pp_contour_below(struct pp_field *field, double level,
+                                struct pp_curve_list *outlines, struct pp_error *err)
+{
+    struct pp_curve_list curves = {0};
+    enum pp_status status = trace(field, level, &curves, err);
+    struct boundary_end *ends = calloc((size_t)curves.count + 1, sizeof *ends);
+    if (!ends && status == PP_OK)
+        status = pp_fail_memory(err);
+
+    /* Closed curves are outlines by themselves; of open ones, gather the ends. */
+    int end_count = 0;
+    for (int i = 0; i < curves.count && status == PP_OK; i++) {
+        const struct pp_curve *curve = &curves.list[i];
+        if (curve->closed) {
+            status = add_whole(outlines, level, (const double(*)[2])curve->xy,
+                               curve->count, true, err);
+        } else {
+            ends[end_count].curve = i;
+            find_landing(&field->region, curve->xy[curve->count - 1],
+                         &ends[end_count++]);
+        }
+    }
+    if (end_count)
+        qsort(ends, (size_t)end_count, sizeof *ends, compare_landings);
+    for (int i = 0; i < end_count && status == PP_OK; i++)
+        if (!ends[i].taken)
+            status = trace_outline(field, &curves, ends, end_count, i, outlines, err);
+
+    /* Edges of the figure that no curve meets are outlines where they are low. */
+    for (int r = 0; r < field->region.count && status == PP_OK; r++) {
+        const struct pp_ring *ring = &field->region.rings[r];
+        bool met = false;
+        for (int i = 0; i < end_count; i++)
+            met = met || ends[i].ring == r;
+        double value = 0.0;
+        if (!met)
+            status = pp_field_evaluate(field, ring->xy[0], &value, err);
+        if (!met && status == PP_OK && !(value > level))
+            status = add_whole(outlines, level, (const double(*)[2])ring->xy,
+                               ring->count, false, err);
+    }
+    free(ends);
+    pp_curve_list_clear(&curves);
     return status;
 }

@@ -1,14 +1,25 @@
-/* field.h - what the files of contour.h share: a field's insides.
+/* field.h - a function sampled over a plane figure, at the nodes of a mesh that covers
+ * it.
+ *
+ * The mesh keeps to the figure's edges. The function is evaluated inside the figure and
+ * on its edge, nowhere else, and never twice at a node. Triangles are at most 1/24 of
+ * the figure's diagonal long, and along the figure's edge a quarter of that; contour.h
+ * halves those near a level.
  */
 #ifndef PP_MODEL_GEOMETRY_CONTOUR_FIELD_H
 #define PP_MODEL_GEOMETRY_CONTOUR_FIELD_H
 
 #include <stddef.h>
 
-#include "model/geometry/contour/contour.h"
+#include "model/base/error.h"
 #include "model/geometry/contour/mesh.h"
+#include "model/geometry/region.h"
 
-/* A piece of a curve across one triangle, from edge to edge, higher values on its
+/* *value at (x, y); must be finite. A failure ends the work and is handed on. */
+typedef enum pp_status (*pp_field_function)(void *context, double x, double y,
+                                            double *value, struct pp_error *err);
+
+/* A part of a curve across one triangle, from edge to edge, higher values on its
  * left. */
 struct pp_crossing {
     int from, to;     /* edges */
@@ -16,12 +27,14 @@ struct pp_crossing {
     bool used;
 };
 
-struct pp_curve_end { /* where curves leave and enter, of one edge */
-    int stamp;        /* of the level that the rest is about */
+/* Where a curve of the level crosses one edge of the mesh. */
+struct pp_curve_end {
+    int stamp; /* of the level that the rest is about */
     double xy[2];
     int leaving, arriving; /* the crossing that begins, that ends here; -1: none */
 };
 
+/* Fields are for the files of contour/ only. */
 struct pp_field {
     struct pp_mesh mesh;
     struct pp_region region; /* a copy */
@@ -32,7 +45,7 @@ struct pp_field {
     int value_count, value_room;
     long evaluations;
 
-    /* Of the level in work. */
+    /* Of the level whose curves are being traced. */
     double level;
     int stamp;
     struct pp_curve_end *ends; /* by edge */
@@ -43,22 +56,25 @@ struct pp_field {
     int between_count, between_room;
 };
 
-/* Room for one more than count in a list that grows by doubling. */
-enum pp_status pp_field_reserve(void **list, int *room, int count, size_t size,
-                                struct pp_error *err);
+/* Evaluates at the nodes of the first triangles. Lengths are in the figure's unit;
+ * tolerance > 0. region is copied as far as needed; context is not owned and must live
+ * as long as the field. The empty figure is refused. */
+enum pp_status pp_field_create(struct pp_field **field, const struct pp_region *region,
+                               pp_field_function function, void *context,
+                               double tolerance, struct pp_error *err);
+void pp_field_destroy(struct pp_field *field); /* NULL is allowed */
+
+/* Lowest and highest value at any node so far, and where. */
+void pp_field_range(const struct pp_field *field, double *lowest, double lowest_xy[2],
+                    double *highest, double highest_xy[2]);
+
+/* How often the function was evaluated. */
+long pp_field_evaluations(const struct pp_field *field);
 
 enum pp_status pp_field_evaluate(struct pp_field *field, const double xy[2],
                                  double *value, struct pp_error *err);
 
 /* Evaluates at the nodes that are new. */
 enum pp_status pp_field_fill(struct pp_field *field, struct pp_error *err);
-
-/* Follows field.level across one triangle, if it crosses it, and notes the crossing. */
-enum pp_status pp_level_crossing_follow(struct pp_field *field, int triangle,
-                                        struct pp_error *err);
-
-/* All curves of the level, open ones first, the least of them too. */
-enum pp_status pp_contour_trace(struct pp_field *field, double level,
-                                struct pp_curve_list *curves, struct pp_error *err);
 
 #endif

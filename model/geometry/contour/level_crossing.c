@@ -1,15 +1,18 @@
-#include "model/geometry/contour/field.h"
+/* level_crossing.c - see level_crossing.h. */
+#include "model/geometry/contour/level_crossing.h"
 
 #include <math.h>
 #include <string.h>
 
-/* How often a chord between two crossings is halved at most. */
+#include "model/base/array.h"
+
+/* How often a chord between two crossings is halved at most. Chosen by trial. */
 enum { DEEPEST = 10 };
 
 /* The place between a and b, on different sides of the level by ga and gb (value less
- * level; higher is > 0), to within the tolerance. Brent's zeroin [BRE73]: secant
- * or inverse quadratic steps, halving where they don't help; it ends by a bracket, so
- * that it holds for steps too. */
+ * level; higher is > 0), to within the tolerance. Brent's zeroin [BRE73]: secant or
+ * inverse quadratic steps, bisection where they don't help. It ends with a bracket, so
+ * that it finds where a function jumps, too. */
 static enum pp_status find_level(struct pp_field *field, const double a_xy[2],
                                  double ga, const double b_xy[2], double gb,
                                  double found[2], struct pp_error *err)
@@ -71,8 +74,8 @@ static enum pp_status find_level(struct pp_field *field, const double a_xy[2],
     return PP_OK;
 }
 
-/* A triangle that the level crosses: its corner A stands alone on its side. The curve
- * runs from edge AB to edge AC and is met by each ray from A to a place on BC. */
+/* A triangle that the level crosses: its corner A is the only one on its side. The
+ * curve runs from edge AB to edge AC and is met by each ray from A to a place on BC. */
 struct fan {
     const double *a, *b, *c;
     bool a_high;
@@ -98,8 +101,8 @@ static double chord_on_ray(const struct fan *fan, const double r[2], const doubl
 
 /* The curve's place on the ray from A to r, near `guess` (a share of the ray, where the
  * chord is); *strays tells whether that is further from the chord than the tolerance.
- * Looks at the chord, a tolerance beside it, then ever further until the level lies
- * between. */
+ * Evaluates on the chord, a tolerance beside it, then ever further away until the level
+ * lies between. */
 static enum pp_status find_on_ray(struct pp_field *field, const struct fan *fan,
                                   const double r[2], double guess, double found[2],
                                   bool *strays, struct pp_error *err)
@@ -115,11 +118,12 @@ static enum pp_status find_on_ray(struct pp_field *field, const struct fan *fan,
     if (status != PP_OK)
         return status;
     bool near_high = near_value > field->level;
-    double way = near_high == fan->a_high ? 1.0 : -1.0; /* away from A, or towards it */
+    double sign =
+        near_high == fan->a_high ? 1.0 : -1.0; /* away from A, or towards it */
 
     double share = guess, step = field->tolerance / length;
     for (;;) {
-        share = fmin(fmax(guess + way * step, 0.0), 1.0);
+        share = fmin(fmax(guess + sign * step, 0.0), 1.0);
         between_of(fan->a, r, share, far);
         status = pp_field_evaluate(field, far, &far_value, err);
         if (status != PP_OK)
@@ -128,7 +132,7 @@ static enum pp_status find_on_ray(struct pp_field *field, const struct fan *fan,
             break;
         if (share <= 0.0 || share >= 1.0)
             return PP_OK; /* no level on this ray after all: keep to the chord */
-        /* A little beyond where a straight line would put the level. */
+        /* A little further than where a straight line would put the level. */
         double rise = (far_value - near_value) / (step - near_step);
         double reach = 1.2 * (field->level - far_value) / rise;
         *strays = true;
@@ -147,15 +151,15 @@ static enum pp_status add_between(struct pp_field *field, const double xy[2],
                                   struct pp_error *err)
 {
     enum pp_status status =
-        pp_field_reserve((void **)&field->between, &field->between_room,
-                         field->between_count, sizeof *field->between, err);
+        pp_array_reserve(&field->between, &field->between_room,
+                         field->between_count + 1, sizeof *field->between, err);
     if (status == PP_OK)
         memcpy(field->between[field->between_count++], xy, sizeof(double[2]));
     return status;
 }
 
-/* Puts the points in that the curve needs between p, on the ray to BC at p_share, and
- * q, at q_share. */
+/* Adds the points that the curve needs between p, on the ray to BC at p_share, and q,
+ * at q_share. */
 static enum pp_status follow(struct pp_field *field, const struct fan *fan,
                              const double p[2], double p_share, const double q[2],
                              double q_share, int depth, struct pp_error *err)
@@ -201,14 +205,14 @@ enum pp_status pp_level_crossing_follow(struct pp_field *field, int triangle,
         high[i] = field->values[t[i]] > field->level;
     if (high[0] == high[1] && high[1] == high[2])
         return PP_OK;
-    int alone = high[1] == high[2] ? 0 : high[2] == high[0] ? 1 : 2;
-    int a = t[alone], b = t[(alone + 1) % 3], c = t[(alone + 2) % 3];
+    int apex = high[1] == high[2] ? 0 : high[2] == high[0] ? 1 : 2;
+    int a = t[apex], b = t[(apex + 1) % 3], c = t[(apex + 2) % 3];
 
     /* Higher values are on the left: from AB to AC where A is high. */
     int from = pp_mesh_edge(&field->mesh, a, b), to = pp_mesh_edge(&field->mesh, a, c);
     struct fan fan = {field->mesh.nodes[a], field->mesh.nodes[b], field->mesh.nodes[c],
-                      high[alone]};
-    if (!high[alone]) {
+                      high[apex]};
+    if (!high[apex]) {
         int other = from;
         from = to;
         to = other;
@@ -219,8 +223,9 @@ enum pp_status pp_level_crossing_follow(struct pp_field *field, int triangle,
     if (status == PP_OK)
         status = end_on_edge(field, to, err);
     if (status == PP_OK)
-        status = pp_field_reserve((void **)&field->crossings, &field->crossing_room,
-                                  field->crossing_count, sizeof *field->crossings, err);
+        status =
+            pp_array_reserve(&field->crossings, &field->crossing_room,
+                             field->crossing_count + 1, sizeof *field->crossings, err);
     if (status != PP_OK)
         return status;
     int first = field->between_count;

@@ -1,3 +1,4 @@
+/* mesh.c - see mesh.h. */
 #include "model/geometry/contour/mesh.h"
 
 #include <assert.h>
@@ -5,17 +6,12 @@
 #include <stdbool.h>
 #include <stdlib.h>
 
-static bool grow(void **list, int *room, int count, size_t size)
+#include "model/base/array.h"
+
+/* Room for one item more than `count`. */
+static bool reserve(void *list, int *room, int count, size_t size)
 {
-    if (count < *room)
-        return true;
-    int more = *room ? 2 * *room : 256;
-    void *larger = realloc(*list, (size_t)more * size);
-    if (!larger)
-        return false;
-    *list = larger;
-    *room = more;
-    return true;
+    return pp_array_reserve(list, room, count + 1, size, NULL) == PP_OK;
 }
 
 void pp_mesh_clear(struct pp_mesh *mesh)
@@ -74,8 +70,8 @@ static int need_edge(struct pp_mesh *mesh, int a, int b)
     if (edge >= 0)
         return edge;
     if (!grow_table(mesh)
-        || !grow((void **)&mesh->edges, &mesh->edge_room, mesh->edge_count,
-                 sizeof *mesh->edges))
+        || !reserve(&mesh->edges, &mesh->edge_room, mesh->edge_count,
+                    sizeof *mesh->edges))
         return -1;
     int low = a < b ? a : b, high = a < b ? b : a;
     unsigned slot = slot_of(mesh, low, high);
@@ -103,8 +99,7 @@ static int need_node(struct pp_mesh *mesh, const double xy[2])
     for (int i = 0; i < mesh->node_count; i++)
         if (mesh->nodes[i][0] == xy[0] && mesh->nodes[i][1] == xy[1])
             return i;
-    if (!grow((void **)&mesh->nodes, &mesh->node_room, mesh->node_count,
-              sizeof *mesh->nodes))
+    if (!reserve(&mesh->nodes, &mesh->node_room, mesh->node_count, sizeof *mesh->nodes))
         return -1;
     mesh->nodes[mesh->node_count][0] = xy[0];
     mesh->nodes[mesh->node_count][1] = xy[1];
@@ -113,8 +108,8 @@ static int need_node(struct pp_mesh *mesh, const double xy[2])
 
 static bool add_triangle(struct pp_mesh *mesh, int a, int b, int c)
 {
-    if (!grow((void **)&mesh->triangles, &mesh->triangle_room, mesh->triangle_count,
-              sizeof *mesh->triangles))
+    if (!reserve(&mesh->triangles, &mesh->triangle_room, mesh->triangle_count,
+                 sizeof *mesh->triangles))
         return false;
     int new = mesh->triangle_count++;
     mesh->triangles[new][0] = a;
@@ -140,8 +135,8 @@ static bool add_first(struct pp_mesh *mesh, const double corners[3][2])
     return true;
 }
 
-enum pp_status pp_mesh_create(struct pp_mesh *mesh, const struct pp_region *region,
-                              struct pp_error *err)
+enum pp_status pp_mesh_init(struct pp_mesh *mesh, const struct pp_region *region,
+                            struct pp_error *err)
 {
     *mesh = (struct pp_mesh){0};
     struct pp_clipper *clipper;
@@ -242,8 +237,8 @@ enum pp_status pp_mesh_halve(struct pp_mesh *mesh, int triangle, struct pp_error
         }
 
         int a = mesh->edges[edge].a, b = mesh->edges[edge].b;
-        if (!grow((void **)&mesh->nodes, &mesh->node_room, mesh->node_count,
-                  sizeof *mesh->nodes))
+        if (!reserve(&mesh->nodes, &mesh->node_room, mesh->node_count,
+                     sizeof *mesh->nodes))
             return pp_fail_memory(err);
         int m = mesh->node_count++;
         for (int k = 0; k < 2; k++)

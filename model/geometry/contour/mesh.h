@@ -30,10 +30,10 @@ struct pp_mesh {
     int table_room;
 };
 
-/* Covers the region with its constrained Delaunay triangles. The mesh is cleared on
+/* Makes a mesh of the region's constrained Delaunay triangles; it is empty on
  * failure. */
-enum pp_status pp_mesh_create(struct pp_mesh *mesh, const struct pp_region *region,
-                              struct pp_error *err);
+enum pp_status pp_mesh_init(struct pp_mesh *mesh, const struct pp_region *region,
+                            struct pp_error *err);
 void pp_mesh_clear(struct pp_mesh *mesh);
 
 /* Halves a triangle, and as many others as that takes. The first half keeps its number;

@@ -1,9 +1,11 @@
-/* blocks.c - buildings outside: boxes that stand clear of the room. */
+/* blocks.c - see blocks.h. */
+#include "model/room/build/blocks.h"
+
 #include <stdlib.h>
 #include <string.h>
 
-#include "model/room/build/resolve.h"
 #include "model/geometry/tolerance.h"
+#include "model/room/position.h"
 
 /* A box's own axes: unit, right-handed, w up. */
 struct block_box {
@@ -49,8 +51,8 @@ static int clip(struct pp_vec3 *cut, const struct pp_vec3 *polygon, int count,
     return cut_count;
 }
 
-/* The polygon's area within the box, which is made smaller all round by what may
- * touch (m2). */
+/* The polygon's area (m2) within the box less PP_ROUNDING_M all round: a polygon that
+ * touches the box has none. */
 static enum pp_status area_in_box(double *area_m2, const struct block_box *box,
                                   const struct pp_polygon *polygon,
                                   struct pp_error *err)
@@ -194,7 +196,7 @@ enum pp_status pp_build_blocks(struct pp_resolver *r, struct pp_error *err)
             continue;
         struct block_box box = box_of(block);
         bool clear = true;
-        if (r->closed && check_clear(&clear, r, block, &box, err) != PP_OK)
+        if (r->watertight && check_clear(&clear, r, block, &box, err) != PP_OK)
             return PP_SYSTEM;
         if (!clear)
             continue;

@@ -1,10 +1,10 @@
-/* corners.c - the envelope's corners: points nearer than PP_SAME_M are one, and become
- * equal to the bit, so that later steps can follow edges from face to face.
- */
+/* corners.c - see corners.h. Points are hashed by the cube of space that they are
+ * in. */
+#include "model/room/build/corners.h"
+
 #include <stdint.h>
 #include <stdlib.h>
 
-#include "model/room/build/resolve.h"
 #include "model/geometry/tolerance.h"
 
 /* Points by the cube of space they are in, to find near ones without looking at all. */

@@ -1,14 +1,15 @@
-/* envelope.c - from the plan, or the faces of an envelope, to the room's own surfaces.
- */
+/* envelope.c - see envelope.h. */
+#include "model/room/build/envelope.h"
+
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "model/base/text.h"
-#include "model/room/build/resolve.h"
 #include "model/geometry/tolerance.h"
+#include "model/room/build/outline.h"
 
-/* The outer sides of walls and roof. */
+/* Reflectance of the outer sides of walls and roof: assumed. */
 static const double outer_reflectance = 0.2;
 
 static enum pp_status name_wall(struct pp_resolver *r, const char *name, int face,
@@ -36,7 +37,7 @@ struct face_finish {
 };
 
 /* A wall's own if the file gives one, else that of all walls. */
-static struct face_finish wall_coat(const struct pp_room *room, const char *name)
+static struct face_finish finish_of_wall(const struct pp_room *room, const char *name)
 {
     for (int i = 0; i < room->finish_count; i++)
         if (room->finishes[i].wall && name && strcmp(room->finishes[i].wall, name) == 0)
@@ -45,23 +46,23 @@ static struct face_finish wall_coat(const struct pp_room *room, const char *name
     return (struct face_finish){room->walls, room->walls_finish};
 }
 
-/* That of a face of the role. */
-static struct face_finish coat_of(const struct pp_room *room, enum pp_role role,
-                                  const char *name)
+/* The finish of a face of the role. */
+static struct face_finish finish_of_role(const struct pp_room *room, enum pp_role role,
+                                         const char *name)
 {
     if (role == PP_WALL)
-        return wall_coat(room, name);
+        return finish_of_wall(room, name);
     if (role == PP_FLOOR)
         return (struct face_finish){room->floor, room->floor_finish};
     return (struct face_finish){room->ceiling, room->ceiling_finish};
 }
 
-static struct face_finish face_coat(const struct pp_room *room,
-                                    const struct pp_face_part *face)
+static struct face_finish finish_of_face(const struct pp_room *room,
+                                         const struct pp_face_part *face)
 {
     if (!isnan(face->reflectance))
         return (struct face_finish){face->reflectance, face->finish};
-    return coat_of(room, face->role, face->name);
+    return finish_of_role(room, face->role, face->name);
 }
 
 /* Notes a wall whose name there is already. */
@@ -82,16 +83,16 @@ static bool is_second_wall(struct pp_resolver *r, const struct pp_face_part *wal
 }
 
 static enum pp_status add_face(struct pp_resolver *r, enum pp_role role,
-                               const char *name, struct face_finish coat, int line,
+                               const char *name, struct face_finish finish, int line,
                                const struct pp_vec3 *vertices, int count,
                                struct pp_error *err)
 {
     struct pp_surface face = {.role = role,
                               .inside = true,
                               .name = name,
-                              .front = coat.reflectance,
+                              .front = finish.reflectance,
                               .back = outer_reflectance,
-                              .finish = coat.finish,
+                              .finish = finish.finish,
                               .owner = -1,
                               .line = line};
     return pp_resolve_add_face(r, face, vertices, count, err);
@@ -110,15 +111,16 @@ static enum pp_status raise_plan(struct pp_resolver *r, const struct pp_vec3 *ri
     if (!level)
         return pp_fail_memory(err);
 
-    enum pp_status status = add_face(r, PP_FLOOR, NULL, coat_of(room, PP_FLOOR, NULL),
-                                     line, ring, count, err);
+    enum pp_status status =
+        add_face(r, PP_FLOOR, NULL, finish_of_role(room, PP_FLOOR, NULL), line, ring,
+                 count, err);
     for (int i = 0; i < count; i++) {
         struct pp_vec3 corner = ring[count - 1 - i];
         level[i] = pp_vec(corner.x, corner.y, height_m);
     }
     if (status == PP_OK)
-        status = add_face(r, PP_CEILING, NULL, coat_of(room, PP_CEILING, NULL), line,
-                          level, count, err);
+        status = add_face(r, PP_CEILING, NULL, finish_of_role(room, PP_CEILING, NULL),
+                          line, level, count, err);
     free(level);
 
     for (int i = 0; i < count && status == PP_OK; i++) {
@@ -127,8 +129,8 @@ static enum pp_status raise_plan(struct pp_resolver *r, const struct pp_vec3 *ri
         struct pp_vec3 wall[4] = {left, right, pp_vec(right.x, right.y, height_m),
                                   pp_vec(left.x, left.y, height_m)};
         int named = turned ? (2 * count - 2 - i) % count : i;
-        status = add_face(r, PP_WALL, r->walls[named], wall_coat(room, r->walls[named]),
-                          line, wall, 4, err);
+        status = add_face(r, PP_WALL, r->walls[named],
+                          finish_of_wall(room, r->walls[named]), line, wall, 4, err);
         r->wall_faces[named] = r->world->surface_count - 1;
     }
     return status;
@@ -215,7 +217,7 @@ static enum pp_status resolve_faces(struct pp_resolver *r, struct pp_error *err)
                                              &part->vertices);
         r->faces_missing |= !good;
         if (good) {
-            if (add_face(r, part->role, part->name, face_coat(r->room, part),
+            if (add_face(r, part->role, part->name, finish_of_face(r->room, part),
                          part->line, part->vertices.list, part->vertices.count, err)
                 != PP_OK)
                 return PP_SYSTEM;

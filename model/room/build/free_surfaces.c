@@ -1,16 +1,19 @@
-/* free_surfaces.c - opaque polygons inside the room or outside it, but not through its walls.
+/* free_surfaces.c - see free_surfaces.h.
  *
  * A surface may touch the room's faces, or lie in one like a picture on a wall; then it
  * is set off into the room.
  */
+#include "model/room/build/free_surfaces.h"
+
 #include <stdlib.h>
 #include <string.h>
 
 #include "model/geometry/polygons_cross.h"
-#include "model/room/build/resolve.h"
 #include "model/geometry/tolerance.h"
+#include "model/room/position.h"
+#include "model/room/build/outline.h"
 
-/* How much of it was seen where. */
+/* On which sides of the envelope points of a surface were found, and one of each. */
 struct sides_seen {
     bool inside, outside;
     struct pp_vec3 inside_at, outside_at;
@@ -38,7 +41,8 @@ static void look(struct sides_seen *seen, const struct pp_world *world,
     }
 }
 
-/* Looks at vertices, middles of edges, and middles of the triangles it falls into. */
+/* Looks at the surface's vertices, the middles of its edges, and the middles of its
+ * triangles. */
 static enum pp_status look_over(struct sides_seen *seen, struct pp_resolver *r,
                                 const struct pp_polygon *polygon, struct pp_error *err)
 {
@@ -165,7 +169,7 @@ static enum pp_status resolve_surface(struct pp_resolver *r,
         pp_polygon_clear(&surface.outline);
         return status;
     }
-    /* One that lies in the envelope all over is the inside's. */
+    /* A surface all of which lies in the envelope counts as inside. */
     surface.inside = seen.inside || !seen.outside;
     flatten_and_set_off(r->world, &surface.outline, surface.inside);
     return pp_resolve_add_surface(r, &surface, err);
@@ -177,7 +181,8 @@ enum pp_status pp_build_free_surfaces(struct pp_resolver *r, struct pp_error *er
     for (int i = 0; i < room->surface_count; i++) {
         const struct pp_surface_part *part = &room->surfaces[i];
         if (!pp_build_outline_is_good(r, "surface", part->line, &part->vertices)
-            || !r->closed || !isfinite(part->reflectance) || !isfinite(part->exitance))
+            || !r->watertight || !isfinite(part->reflectance)
+            || !isfinite(part->exitance))
             continue;
         enum pp_status status = resolve_surface(r, part, err);
         if (status != PP_OK)

@@ -1,7 +1,8 @@
-/* outline.c - is a polygon of the room file a good one by itself? See resolve.h. */
+/* outline.c - see outline.h. */
+#include "model/room/build/outline.h"
+
 #include <stdlib.h>
 
-#include "model/room/build/resolve.h"
 #include "model/geometry/tolerance.h"
 
 static bool is_unread(const struct pp_vertices *vertices)
@@ -33,12 +34,6 @@ static bool has_repeated(struct pp_resolver *r, const char *what,
     return repeated;
 }
 
-/* Twice the area of the triangle a, b, c, positive where it turns to the left. */
-static double turn(const double a[2], const double b[2], const double c[2])
-{
-    return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
-}
-
 static double distance_to_segment(const double p[2], const double a[2],
                                   const double b[2])
 {
@@ -54,8 +49,8 @@ static bool segments_meet(const double a[2], const double b[2], const double c[2
         if (fmin(a[k], b[k]) > fmax(c[k], d[k]) + PP_SAME_M
             || fmin(c[k], d[k]) > fmax(a[k], b[k]) + PP_SAME_M)
             return false;
-    bool ab_parts = (turn(a, b, c) > 0.0) != (turn(a, b, d) > 0.0);
-    bool cd_parts = (turn(c, d, a) > 0.0) != (turn(c, d, b) > 0.0);
+    bool ab_parts = (pp_region_turn(a, b, c) > 0.0) != (pp_region_turn(a, b, d) > 0.0);
+    bool cd_parts = (pp_region_turn(c, d, a) > 0.0) != (pp_region_turn(c, d, b) > 0.0);
     return (ab_parts && cd_parts) || distance_to_segment(a, c, d) < PP_SAME_M
            || distance_to_segment(b, c, d) < PP_SAME_M
            || distance_to_segment(c, a, b) < PP_SAME_M

@@ -1,30 +1,30 @@
-/* place_openings.c - windows, rooflights and glazed polygons into the faces they are
- * cut from.
- */
+/* place_openings.c - see place_openings.h. */
+#include "model/room/build/place_openings.h"
+
 #include <stdlib.h>
 
 #include "model/room/corrections.h"
-#include "model/room/opening_outline.h"
-#include "model/room/build/resolve.h"
+#include "model/room/build/opening_outline.h"
 #include "model/room/face_frame.h"
 #include "model/geometry/tolerance.h"
+#include "model/room/build/outline.h"
 
-/* Notes what of the ring sticks out of its face; by no more than the tolerance it is
- * moved in. */
+/* Moves vertices of the ring that stick out of its face by no more than the tolerance
+ * on to the face's edge, and notes where it sticks out by more. */
 static enum pp_status fit_in_face(bool *fits, struct pp_resolver *r,
                                   const struct pp_opening_part *part,
-                                  const struct pp_face_frame *sheet, double (*xy)[2],
+                                  const struct pp_face_frame *frame, double (*xy)[2],
                                   int count, double tolerance, struct pp_error *err)
 {
     char words[96];
     double out_m = 0.0, out_m2 = 0.0;
     struct pp_vec3 where;
-    enum pp_status status = pp_face_frame_fit(sheet, r->clipper, xy, count, tolerance,
+    enum pp_status status = pp_face_frame_fit(frame, r->clipper, xy, count, tolerance,
                                               &out_m, &where, &out_m2, err);
     if (status != PP_OK)
         return status;
-    pp_opening_outline_face_words(words, sizeof words, sheet->face);
-    /* What is thinner than the tolerance may be nothing once moved in. */
+    pp_opening_outline_face_words(words, sizeof words, frame->face);
+    /* A ring thinner than the tolerance may have no area once moved in. */
     bool whole = pp_region_ring_is_simple(r->clipper, (const double(*)[2])xy, count);
     if (out_m > 0.0)
         pp_mistakes_add(
@@ -61,21 +61,21 @@ static bool is_upright_rectangle(const double (*xy)[2], int count, const double 
 
 static enum pp_status add_opening(struct pp_resolver *r,
                                   const struct pp_opening_part *part,
-                                  const struct pp_face_frame *sheet,
+                                  const struct pp_face_frame *frame,
                                   const double (*xy)[2], int count,
                                   struct pp_error *err)
 {
     struct pp_world *world = r->world;
-    struct pp_opening opening = {.face = (int)(sheet->face - world->surfaces),
-                                 .along = sheet->along,
-                                 .up = sheet->up,
+    struct pp_opening opening = {.face = (int)(frame->face - world->surfaces),
+                                 .along = frame->along,
+                                 .up = frame->up,
                                  .glass = part->glazing.glass,
                                  .frame_factor = part->glazing.frame_factor,
                                  .maintenance = part->glazing.maintenance,
                                  .curtains = part->glazing.curtains,
                                  .reveal_m = part->glazing.reveal_m,
                                  .line = part->line};
-    struct pp_vec3 normal = sheet->face->outline.normal;
+    struct pp_vec3 normal = frame->face->outline.normal;
     opening.slope_rad = atan2(hypot(normal.x, normal.y), -normal.z);
     if (isnan(opening.maintenance))
         opening.maintenance = pp_corrections_maintenance(
@@ -84,21 +84,18 @@ static enum pp_status add_opening(struct pp_resolver *r,
     struct pp_vec3 *vertices = malloc(count * sizeof *vertices);
     if (!vertices)
         return pp_fail_memory(err);
-    double low[2] = {INFINITY, INFINITY}, high[2] = {-INFINITY, -INFINITY};
+    struct pp_bounds2 bounds = pp_bounds2_empty();
     double low_z = INFINITY, high_z = -INFINITY;
     for (int i = 0; i < count; i++) {
-        vertices[i] = pp_face_frame_point(sheet, xy[i][0], xy[i][1]);
+        vertices[i] = pp_face_frame_point(frame, xy[i][0], xy[i][1]);
         low_z = fmin(low_z, vertices[i].z);
         high_z = fmax(high_z, vertices[i].z);
-        for (int k = 0; k < 2; k++) {
-            low[k] = fmin(low[k], xy[i][k]);
-            high[k] = fmax(high[k], xy[i][k]);
-        }
+        pp_bounds2_add(&bounds, xy[i][0], xy[i][1]);
     }
-    opening.width_m = high[0] - low[0];
-    opening.height_m = high[1] - low[1];
+    opening.width_m = bounds.high[0] - bounds.low[0];
+    opening.height_m = bounds.high[1] - bounds.low[1];
     opening.middle_z_m = 0.5 * (low_z + high_z);
-    opening.rectangle = is_upright_rectangle(xy, count, low, high);
+    opening.rectangle = is_upright_rectangle(xy, count, bounds.low, bounds.high);
 
     enum pp_status status = pp_polygon_of(&opening.inner, vertices, count, err);
     if (status == PP_OK) {
@@ -120,12 +117,12 @@ static enum pp_status add_opening(struct pp_resolver *r,
 
 static enum pp_status check_overlaps(bool *free_of_others, struct pp_resolver *r,
                                      const struct pp_opening_part *part,
-                                     const struct pp_face_frame *sheet,
+                                     const struct pp_face_frame *frame,
                                      const double (*xy)[2], int count,
                                      struct pp_error *err)
 {
     const struct pp_world *world = r->world;
-    int face = (int)(sheet->face - world->surfaces);
+    int face = (int)(frame->face - world->surfaces);
     *free_of_others = true;
     for (int i = 0; i < world->opening_count; i++) {
         const struct pp_opening *other = &world->openings[i];
@@ -135,8 +132,8 @@ static enum pp_status check_overlaps(bool *free_of_others, struct pp_resolver *r
         double(*other_xy)[2] = malloc(other_count * sizeof *other_xy);
         if (!other_xy)
             return pp_fail_memory(err);
-        pp_polygon_flatten(other->inner.vertices, other_count, sheet->origin,
-                           sheet->along, sheet->up, other_xy);
+        pp_polygon_flatten(other->inner.vertices, other_count, frame->origin,
+                           frame->along, frame->up, other_xy);
         double area_m2 = 0.0;
         enum pp_status status = pp_face_frame_rings_overlap(
             r->clipper, xy, count, (const double(*)[2])other_xy, other_count, &area_m2,
@@ -189,22 +186,22 @@ static bool is_large_enough(struct pp_resolver *r, const struct pp_opening_part 
 
 static enum pp_status place_in(struct pp_resolver *r,
                                const struct pp_opening_part *part,
-                               const struct pp_face_frame *sheet, struct pp_error *err)
+                               const struct pp_face_frame *frame, struct pp_error *err)
 {
     int count = part->kind == PP_OPENING ? part->vertices.count : 4;
     double tolerance = part->kind == PP_OPENING ? PP_SAME_M : PP_ROUNDING_M;
     double(*xy)[2] = malloc(count * sizeof *xy);
     if (!xy)
         return pp_fail_memory(err);
-    bool good = pp_opening_outline(r, part, sheet, xy);
+    bool good = pp_opening_outline(r, part, frame, xy);
     enum pp_status status = PP_OK;
     if (good)
-        status = fit_in_face(&good, r, part, sheet, xy, count, tolerance, err);
+        status = fit_in_face(&good, r, part, frame, xy, count, tolerance, err);
     if (status == PP_OK && good)
         status =
-            check_overlaps(&good, r, part, sheet, (const double(*)[2])xy, count, err);
+            check_overlaps(&good, r, part, frame, (const double(*)[2])xy, count, err);
     if (status == PP_OK && good)
-        status = add_opening(r, part, sheet, (const double(*)[2])xy, count, err);
+        status = add_opening(r, part, frame, (const double(*)[2])xy, count, err);
     free(xy);
     return status;
 }
@@ -220,11 +217,11 @@ static enum pp_status place(struct pp_resolver *r, const struct pp_opening_part 
     int face = pp_opening_outline_face(r, part);
     if (face < 0)
         return PP_OK;
-    struct pp_face_frame sheet;
-    enum pp_status status = pp_face_frame_init(&sheet, &r->world->surfaces[face], err);
+    struct pp_face_frame frame;
+    enum pp_status status = pp_face_frame_init(&frame, &r->world->surfaces[face], err);
     if (status == PP_OK)
-        status = place_in(r, part, &sheet, err);
-    pp_face_frame_clear(&sheet);
+        status = place_in(r, part, &frame, err);
+    pp_face_frame_clear(&frame);
     return status;
 }
 

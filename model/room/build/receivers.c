@@ -1,18 +1,22 @@
-/* receivers.c - where light is measured: points, lines and grids.
+/* receivers.c - see receivers.h.
  *
  * A grid covers the working plane inside its margin: the extent of the plane less the
  * margin all round, in equal cells no larger than the spacing; a cell counts if its
  * centre lies in the plane and no nearer to its edge than the margin.
  */
+#include "model/room/build/receivers.h"
+
 #include <stdlib.h>
 
-#include "model/room/build/resolve.h"
+#include "model/base/array.h"
 #include "model/geometry/tolerance.h"
+#include "model/room/position.h"
 
-/* Of the default grid, in both. */
+/* Spacing and margin of the default grid. */
 static const double default_spacing_m = 0.5;
 
-/* Of a room, in all; and every one is compared with every surface. */
+/* Receivers of a room, in all; and comparisons, since each receiver is compared with
+ * each surface. */
 enum { RECEIVERS_MOST = 100000 };
 static const double comparisons_most = 1e8;
 
@@ -24,36 +28,17 @@ struct receiver_list {
 static enum pp_status add(struct receiver_list *list, struct pp_receiver receiver,
                           struct pp_error *err)
 {
-    if (list->count == list->space) {
-        int space = list->space ? 2 * list->space : 64;
-        struct pp_receiver *grown = realloc(list->items, space * sizeof *grown);
-        if (!grown)
-            return pp_fail_memory(err);
-        list->items = grown;
-        list->space = space;
-    }
+    enum pp_status status = pp_array_reserve(&list->items, &list->space,
+                                             list->count + 1, sizeof *list->items, err);
+    if (status != PP_OK)
+        return status;
     list->items[list->count++] = receiver;
     return PP_OK;
 }
 
-enum pp_status pp_receivers_place(const struct pp_world *world, double x, double y,
-                                  double z, struct pp_receiver *receiver,
-                                  struct pp_error *err)
-{
-    if (isnan(z))
-        z = world->working_plane_m;
-    *receiver = (struct pp_receiver){.position = pp_vec(x, y, z),
-                                     .normal = pp_vec(0.0, 0.0, 1.0)};
-    const char *fault =
-        pp_position_receiver_fault(world, receiver->position, receiver->normal);
-    if (fault)
-        return pp_fail(err, PP_BAD_INPUT, "the point (%g, %g, %g) %s", x, y, z, fault);
-    return PP_OK;
-}
-
-/* Notes a part of so many points that the room would have too many. */
-static bool is_too_much(struct pp_resolver *r, const struct receiver_list *list,
-                        const struct pp_receiver_part *part, double count)
+/* Notes a part by whose points the room would have too many. */
+static bool has_too_many(struct pp_resolver *r, const struct receiver_list *list,
+                         const struct pp_receiver_part *part, double count)
 {
     static const char *const kinds[] = {"point", "line", "grid"};
     double most =
@@ -75,14 +60,14 @@ static bool is_too_much(struct pp_resolver *r, const struct receiver_list *list,
     return true;
 }
 
-/* Notes, once for the part, those of its points where one can't measure. */
+/* Notes, once for the part, its points where light can't be measured. */
 static void check_places(struct pp_resolver *r, const char *what, int line,
                          const struct pp_receiver *receivers, int count)
 {
     int bad = 0;
     const char *first_fault = NULL;
     struct pp_vec3 first = {0};
-    for (int i = 0; i < count && r->closed; i++) {
+    for (int i = 0; i < count && r->watertight; i++) {
         const char *fault = pp_position_receiver_fault(r->world, receivers[i].position,
                                                        receivers[i].normal);
         if (fault && bad++ == 0) {
@@ -114,7 +99,7 @@ static enum pp_status resolve_point(struct pp_resolver *r, struct receiver_list 
                         "point: its normal is 0; expected a direction");
         return PP_OK;
     }
-    if (is_too_much(r, list, part, 1.0))
+    if (has_too_many(r, list, part, 1.0))
         return PP_OK;
     double z = isnan(part->z) ? r->room->working_plane_m : part->z;
     struct pp_receiver receiver = {.position = pp_vec(part->x, part->y, z),
@@ -137,7 +122,7 @@ static enum pp_status resolve_line(struct pp_resolver *r, struct receiver_list *
                         hypot(dx, dy));
         return PP_OK;
     }
-    if (is_too_much(r, list, part, part->points))
+    if (has_too_many(r, list, part, part->points))
         return PP_OK;
     int first = list->count;
     for (int i = 0; i < part->points; i++) {
@@ -156,19 +141,7 @@ static enum pp_status resolve_line(struct pp_resolver *r, struct receiver_list *
     return PP_OK;
 }
 
-static void plane_extent(const struct pp_region *plane, double low[2], double high[2])
-{
-    for (int k = 0; k < 2; k++)
-        low[k] = INFINITY, high[k] = -INFINITY;
-    for (int i = 0; i < plane->count; i++)
-        for (int j = 0; j < plane->rings[i].count; j++)
-            for (int k = 0; k < 2; k++) {
-                low[k] = fmin(low[k], plane->rings[i].xy[j][k]);
-                high[k] = fmax(high[k], plane->rings[i].xy[j][k]);
-            }
-}
-
-/* How many cells each way; returns how many in all, 0 where the margin leaves none. */
+/* Numbers of cells each way; returns that of all, 0 where the margin leaves none. */
 static double count_cells(const double low[2], const double high[2],
                           const struct pp_receiver_part *grid, double cells[2])
 {
@@ -182,7 +155,7 @@ static double count_cells(const double low[2], const double high[2],
     return cells[0] * cells[1];
 }
 
-static enum pp_status lay_grid(struct pp_resolver *r, struct receiver_list *list,
+static enum pp_status add_grid(struct pp_resolver *r, struct receiver_list *list,
                                const double low[2], const double high[2],
                                const double cells[2], double margin_m, int line,
                                struct pp_error *err)
@@ -218,14 +191,15 @@ static enum pp_status resolve_grid(struct pp_resolver *r, struct receiver_list *
     const struct pp_region *plane = &r->world->plane;
     if (plane->count == 0 || !isfinite(part->spacing_m) || !isfinite(part->margin_m))
         return PP_OK;
-    double low[2], high[2], cells[2];
+    struct pp_bounds2 bounds = pp_region_bounds(plane);
+    const double *low = bounds.low, *high = bounds.high;
+    double cells[2];
     int first = list->count;
-    plane_extent(plane, low, high);
     double count = count_cells(low, high, part, cells);
-    if (is_too_much(r, list, part, count))
+    if (has_too_many(r, list, part, count))
         return PP_OK;
     if (count > 0.0
-        && lay_grid(r, list, low, high, cells, part->margin_m, part->line, err)
+        && add_grid(r, list, low, high, cells, part->margin_m, part->line, err)
                != PP_OK)
         return PP_SYSTEM;
     if (list->count == first && part->line > 0)
@@ -238,18 +212,20 @@ static enum pp_status resolve_grid(struct pp_resolver *r, struct receiver_list *
     return PP_OK;
 }
 
-/* A place well inside the plane, for a room too small for the default grid: the point
- * of a fine mesh that is farthest from the edges. */
+/* Adds a receiver well inside the plane, for a room too small for the default grid: at
+ * the point of a fine mesh that is farthest from the edges. */
 static enum pp_status add_inmost(struct pp_resolver *r, struct receiver_list *list,
                                  struct pp_error *err)
 {
     enum { MESH = 33 }; /* odd: it has the middle */
     const struct pp_world *world = r->world;
-    double low[2], high[2], farthest = 0.0;
-    plane_extent(&world->plane, low, high);
+    struct pp_bounds2 bounds = pp_region_bounds(&world->plane);
+    const double *low = bounds.low, *high = bounds.high;
+    double farthest = 0.0;
     struct pp_receiver best = {.normal = pp_vec(0.0, 0.0, 1.0)};
     for (int k = 0; k < MESH * MESH; k++) {
-        /* From the middle outwards, so that it is taken of several as far. */
+        /* From the middle outwards, so that of several points as far the middle is
+         * taken. */
         int i = (k % MESH + MESH / 2) % MESH, j = (k / MESH + MESH / 2) % MESH;
         double x = low[0] + (i + 0.5) / MESH * (high[0] - low[0]);
         double y = low[1] + (j + 0.5) / MESH * (high[1] - low[1]);

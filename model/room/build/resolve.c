@@ -1,11 +1,11 @@
-/* resolve.c - what the steps of resolving a room share; see resolve.h. */
+/* resolve.c - see resolve.h. */
 #include "model/room/build/resolve.h"
 
 #include <stdlib.h>
 #include <string.h>
 
+#include "model/base/array.h"
 #include "model/base/text.h"
-#include "model/geometry/tolerance.h"
 
 int pp_resolve_wall_index(struct pp_resolver *r, const char *name, const char *what,
                           int line)
@@ -15,18 +15,18 @@ int pp_resolve_wall_index(struct pp_resolver *r, const char *name, const char *w
     for (int i = 0; i < r->wall_count; i++)
         if (strcmp(r->walls[i], name) == 0)
             return i;
-    /* Of a room without a plan that is said already; and enough is enough. */
+    /* A room without a plan has its mistake noted already; and thousands of unknown
+     * names are not worth noting. */
     if (r->wall_count == 0 || r->unknown_walls++ > PP_MISTAKES_MOST)
         return -1;
 
-    char typed[64], names[256];
+    char typed[64], names[256], question[256] = "";
     const char *const *walls = (const char *const *)r->walls;
-    const char *nearest = pp_text_nearest(name, walls, r->wall_count);
-    pp_text_excerpt(typed, sizeof typed, name);
-    pp_text_list_names(names, sizeof names, walls, r->wall_count);
-    pp_mistakes_add(r->mistakes, line, "%s: there is no wall \"%s\"; expected %s%s%s%s",
-                    what, typed, names, nearest ? "; did you mean \"" : "",
-                    nearest ? nearest : "", nearest ? "\"?" : "");
+    pp_text_append_nearest(question, sizeof question, name, walls, r->wall_count);
+    pp_mistakes_add(r->mistakes, line, "%s: there is no wall \"%s\"; expected %s%s",
+                    what, pp_text_excerpt(typed, sizeof typed, name),
+                    pp_text_list_names(names, sizeof names, walls, r->wall_count),
+                    question);
     return -1;
 }
 
@@ -43,16 +43,10 @@ enum pp_status pp_resolve_add_surface(struct pp_resolver *r, struct pp_surface *
     char *name = surface->name ? strdup(surface->name) : NULL;
     bool named = !surface->name == !name;
     surface->name = name;
-    if (named && world->surface_count == r->surface_space) {
-        int space = r->surface_space ? 2 * r->surface_space : 16;
-        struct pp_surface *grown =
-            realloc(world->surfaces, space * sizeof *world->surfaces);
-        if (grown) {
-            world->surfaces = grown;
-            r->surface_space = space;
-        }
-    }
-    if (!named || world->surface_count == r->surface_space) {
+    if (!named
+        || pp_array_reserve(&world->surfaces, &r->surface_space,
+                            world->surface_count + 1, sizeof *world->surfaces, NULL)
+               != PP_OK) {
         free(name);
         pp_polygon_clear(&surface->outline);
         return pp_fail_memory(err);

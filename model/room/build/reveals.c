@@ -1,11 +1,13 @@
-/* reveals.c - the depth of openings: its sides, and what the glass may not stand in. */
-#include "model/room/build/resolve.h"
+/* reveals.c - see reveals.h. */
+#include "model/room/build/reveals.h"
 
-/* Deeper than any wall; more is a slip of the keyboard. */
+#include "model/room/position.h"
+
+/* Deeper than any wall: more is taken for a slip of the keyboard. */
 static const double reveal_most_m = 10.0;
 
-/* The sides of the opening's depth: one on each edge of its outline, facing the void
- * within. */
+/* The sides of the opening's depth: one on each edge of its outline, facing
+ * inwards. */
 static enum pp_status add_reveals(struct pp_resolver *r, int index,
                                   struct pp_error *err)
 {
@@ -37,7 +39,7 @@ static void check_reveal(struct pp_resolver *r, const struct pp_opening *opening
         pp_mistakes_add(r->mistakes, opening->line,
                         "reveal: is %g m deep; expected %g m at most",
                         opening->reveal_m, reveal_most_m);
-    if (!r->closed)
+    if (!r->watertight)
         return;
     for (int i = 0; i <= opening->outer.count; i++) {
         struct pp_vec3 point = i < opening->outer.count

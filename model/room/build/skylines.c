@@ -1,7 +1,8 @@
-/* skylines.c - endless obstructions parallel to a wall. */
+/* skylines.c - see skylines.h. */
+#include "model/room/build/skylines.h"
+
 #include <stdlib.h>
 
-#include "model/room/build/resolve.h"
 #include "model/geometry/tolerance.h"
 
 static void take_heights(const struct pp_polygon *polygon, double *low, double *high)
@@ -25,8 +26,9 @@ static double middle_of_openings(const struct pp_world *world, int face)
     return 0.5 * (low + high);
 }
 
-/* How far the room and its openings' depths reach beyond the wall (m), 0 if not. */
-static double reach_beyond(const struct pp_world *world, int face, struct pp_vec3 out)
+/* How far the room and its openings' depths reach outside the wall's plane (m), 0 if
+ * they do not. */
+static double reach_outside(const struct pp_world *world, int face, struct pp_vec3 out)
 {
     struct pp_vec3 wall = world->surfaces[face].outline.vertices[0];
     double reach = 0.0;
@@ -67,7 +69,7 @@ static bool is_good(struct pp_resolver *r, const struct pp_skyline_part *part, i
         return false;
     }
     struct pp_vec3 out = pp_vec(-n.x / level, -n.y / level, 0.0);
-    double reach = reach_beyond(world, face, out);
+    double reach = reach_outside(world, face, out);
     if (part->distance_m < reach + PP_SAME_M) {
         pp_mistakes_add(
             r->mistakes, part->line,

@@ -1,4 +1,4 @@
-/* watertight.c - do the faces of an envelope close the room?
+/* watertight.c - see watertight.h.
  *
  * They do if every edge belongs to two faces that run along it in opposite directions.
  * With all normals into the room, the volume
@@ -9,10 +9,11 @@
  * to neighbour; it is turned round, so that whatever else is wrong with the room is
  * found as well.
  */
+#include "model/room/build/watertight.h"
+
 #include <stdlib.h>
 
 #include "model/geometry/polygons_cross.h"
-#include "model/room/build/resolve.h"
 #include "model/geometry/tolerance.h"
 
 struct envelope_edge {
@@ -22,13 +23,13 @@ struct envelope_edge {
     struct pp_vec3 from, to;
 };
 
-/* What is known of each face while its neighbours are visited. */
+/* The state of a face while its neighbours are visited. */
 struct face_visit {
     int part;       /* number of the connected part it belongs to; -1: not visited */
     bool turned;    /* does it turn the other way than the first of its part? */
     int first;      /* its edges in the list of neighbours */
-    int loose;      /* edges that it shares with none */
-    int loose_edge; /* the first of them */
+    int open_edges; /* edges that it shares with no other face */
+    int first_open; /* the first of them */
 };
 
 struct watertight_check {
@@ -37,7 +38,7 @@ struct watertight_check {
     int edge_count;
     struct face_visit *faces;
     int *neighbours; /* across the face's edges; -1: none */
-    bool *same_way;  /* and does that run along the edge in the same direction? */
+    bool *same_way;  /* does the neighbour run along the edge in the same direction? */
     int part_count;
 };
 
@@ -89,7 +90,7 @@ static void join(struct watertight_check *c, const struct envelope_edge *a,
 static void match_edges(struct pp_resolver *r, struct watertight_check *c)
 {
     const struct pp_surface *faces = r->world->surfaces;
-    r->closed = true;
+    r->watertight = true;
     for (int i = 0, end; i < c->edge_count; i = end) {
         const struct envelope_edge *edge = &c->edges[i];
         for (end = i + 1; end < c->edge_count && c->edges[end].low == edge->low
@@ -100,10 +101,10 @@ static void match_edges(struct pp_resolver *r, struct watertight_check *c)
             join(c, &edge[1], &edge[0]);
             continue;
         }
-        r->closed = false;
+        r->watertight = false;
         if (end - i == 1) {
-            if (c->faces[edge->face].loose++ == 0)
-                c->faces[edge->face].loose_edge = i;
+            if (c->faces[edge->face].open_edges++ == 0)
+                c->faces[edge->face].first_open = i;
             continue;
         }
         pp_mistakes_add(
@@ -114,20 +115,20 @@ static void match_edges(struct pp_resolver *r, struct watertight_check *c)
             edge->to.z, end - i, faces[edge->face].line);
     }
     for (int i = 0; i < r->world->face_count; i++) {
-        if (c->faces[i].loose == 0)
+        if (c->faces[i].open_edges == 0)
             continue;
-        const struct envelope_edge *edge = &c->edges[c->faces[i].loose_edge];
+        const struct envelope_edge *edge = &c->edges[c->faces[i].first_open];
         pp_mistakes_add(
             r->mistakes, faces[i].line,
             "face: the envelope does not close at %d of its edges, such as that "
             "from (%g, %g, %g) to (%g, %g, %g); expected every edge to be shared "
             "by two faces, corner to corner",
-            c->faces[i].loose, edge->from.x, edge->from.y, edge->from.z, edge->to.x,
-            edge->to.y, edge->to.z);
+            c->faces[i].open_edges, edge->from.x, edge->from.y, edge->from.z,
+            edge->to.x, edge->to.y, edge->to.z);
     }
 }
 
-/* Visits the faces that hang together with the first, in waves. */
+/* Visits the faces that are connected with the first, breadth first. */
 static void visit_part(const struct pp_resolver *r, struct watertight_check *c,
                        int first, int *queue)
 {
@@ -160,7 +161,7 @@ static void turn_round(struct pp_polygon *outline, int *corners)
     }
 }
 
-/* Of the part of that number, -1: of all. */
+/* Volume within the faces of that part; -1: of all faces. */
 static double volume_m3(const struct pp_world *world, const struct watertight_check *c,
                         int part)
 {
@@ -176,8 +177,8 @@ static double volume_m3(const struct pp_world *world, const struct watertight_ch
     return sum / 3.0;
 }
 
-/* Turns those faces round that are so in the smaller number of each part, then all of
- * them if the room is inside out, and notes those that are not as they were. */
+/* In each part, turns the faces round that differ from the majority; then all faces, if
+ * the room is inside out; and notes those that have been turned. */
 static void turn_faces(struct pp_resolver *r, struct watertight_check *c,
                        int *turned_in_part)
 {
@@ -231,7 +232,7 @@ static enum pp_status check_closing(struct pp_resolver *r, struct watertight_che
     struct pp_world *world = r->world;
     list_edges(r, c);
     match_edges(r, c);
-    if (!r->closed)
+    if (!r->watertight)
         return PP_OK;
     int *queue = calloc(world->face_count, sizeof *queue);
     if (!queue)
@@ -247,8 +248,7 @@ static enum pp_status check_closing(struct pp_resolver *r, struct watertight_che
     return PP_OK;
 }
 
-/* Faces that go through each other: all pairs that are near, but those of a plan, which
- * can't. */
+/* Notes faces of an envelope that go through each other. */
 static enum pp_status check_crossings(struct pp_resolver *r, struct pp_error *err)
 {
     const struct pp_world *world = r->world;
@@ -262,7 +262,7 @@ static enum pp_status check_crossings(struct pp_resolver *r, struct pp_error *er
                 return PP_SYSTEM;
             if (!cross)
                 continue;
-            r->closed = false;
+            r->watertight = false;
             pp_mistakes_add(
                 r->mistakes, world->surfaces[i].line,
                 "face: goes through that of line %d at (%g, %g, %g); expected "
@@ -295,7 +295,7 @@ enum pp_status pp_build_watertight(struct pp_resolver *r, struct pp_error *err)
     free(c.faces);
     free(c.neighbours);
     free(c.same_way);
-    if (status == PP_OK && r->closed && r->room->plan.envelope)
+    if (status == PP_OK && r->watertight && r->room->plan.envelope)
         status = check_crossings(r, err);
     return status;
 }

@@ -1,13 +1,13 @@
-/* element_form.c - elements read by the table of room_schema.h, and told what is wrong. */
-#include "model/room/read/room_schema.h"
+/* element_form.c - see element_form.h. */
+#include "model/room/read/element_form.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
 
+#include "model/base/text.h"
 #include "model/light/finishes.h"
 #include "model/light/glazings.h"
-#include "model/base/text.h"
 
 enum { NAMES_MOST = 64, SENTENCE = 1024 };
 
@@ -53,18 +53,18 @@ static bool read_number(double *value, const struct value_place *at)
     return true;
 }
 
-/* An unknown name: what it may have meant, and all that there are. */
+/* Notes an unknown name, with the nearest name and all that there are. */
 static bool unknown(const struct value_place *at, const char *const *names, int count)
 {
-    char more[SENTENCE], list[SENTENCE];
-    const char *meant = pp_text_nearest(at->text, names, count);
-    snprintf(more, sizeof more, "%s%s%s (%s)", meant ? "; did you mean \"" : "",
-             meant ? meant : "", meant ? "\"?" : "",
-             pp_text_list_names(list, sizeof list, names, count));
+    char more[SENTENCE] = "", list[SENTENCE];
+    pp_text_append_nearest(more, sizeof more, at->text, names, count);
+    pp_text_append(more, sizeof more, " (%s)",
+                   pp_text_list_names(list, sizeof list, names, count));
     return wrong(at, more);
 }
 
-/* A number in range, or what is wrong with it, where the text is meant for one. */
+/* Is the text meant for a number? Then *good tells whether it is one in range; if not,
+ * that is noted. */
 static bool is_meant_for_number(double *value, bool *good, const struct value_place *at)
 {
     if (pp_text_parse_number(at->text, value)) {
@@ -135,10 +135,9 @@ static bool read_choice(int *index, const struct value_place *at)
     for (*index = 0; words[*index]; ++*index)
         if (strcmp(words[*index], at->text) == 0)
             return true;
-    const char *meant = words[1] ? pp_text_nearest(at->text, words, -1) : NULL;
     char more[64] = "";
-    if (meant)
-        snprintf(more, sizeof more, "; did you mean \"%s\"?", meant);
+    if (words[1]) /* where there is a choice */
+        pp_text_append_nearest(more, sizeof more, at->text, words, -1);
     return wrong(at, more);
 }
 
@@ -314,7 +313,8 @@ static bool attributes_known(const struct pp_element_rule *rule,
     return good;
 }
 
-/* Did an attribute that is not known mean this one? Then it is not missing too. */
+/* Is this attribute the nearest to one that is not known? Then it is not noted as
+ * missing, too. */
 static bool is_misspelt(const struct pp_element_rule *rule,
                         const struct pp_xml_element *element, const char *name)
 {
@@ -344,7 +344,7 @@ bool pp_element_form_fill(void *form, const struct pp_element_rule *rule,
             good = read_value(field, &at) && good;
         } else if (row->required) {
             good = false;
-            /* A tag that breaks off may have been about to say it. */
+            /* In a tag that breaks off it may be what is missing. */
             if (!element->ended || is_misspelt(rule, element, row->name))
                 continue;
             pp_mistakes_add(mistakes, element->line, "%s: %s is missing; expected %s",
@@ -409,7 +409,7 @@ bool pp_element_form_check_children(const struct pp_element_rule *rule,
                                     const struct pp_xml_element *element,
                                     struct pp_mistakes *mistakes)
 {
-    /* Of an element that breaks off, who knows what follows and what is its own; and an
+    /* An element that breaks off may lack children that the file would have had; and an
      * unknown child may be meant for one that is missing. */
     bool known = !element->ended || children_known(rule, element, mistakes);
     bool good = known;

@@ -1,11 +1,14 @@
 /* read_elements.c - see read_elements.h. */
 #include "model/room/read/read_elements.h"
 
-#include <stdlib.h>
 #include <string.h>
 
 #include "model/base/text.h"
+#include "model/room/read/element_form.h"
+#include "model/room/read/read_opening.h"
+#include "model/room/read/read_shape.h"
 #include "model/room/read/reader.h"
+#include "model/room/sky_words.h"
 
 static void read_site(struct pp_reader *r, struct pp_site_part *site,
                       const struct pp_xml_element *e)
@@ -30,10 +33,13 @@ static void read_sky(struct pp_reader *r, struct pp_sky_part *sky,
     struct pp_sky_form form;
     if (!pp_reader_fill_form(r, &form, &pp_rule_sky, e))
         return;
-    int iso = form.type > 1 ? form.type - 1 : 0;
+    struct pp_sky_part part = {.sun_altitude_rad = form.sun_altitude_rad,
+                               .sun_bearing_rad = form.sun_bearing_rad,
+                               .line = e->line};
+    pp_sky_words_set_type(&part, form.type);
     bool altitude = !isnan(form.sun_altitude_rad),
          bearing = !isnan(form.sun_bearing_rad);
-    if (iso > 0 && pp_sky_iso_has_sun(iso) && !(altitude && bearing)) {
+    if (part.iso > 0 && pp_sky_iso_has_sun(part.iso) && !(altitude && bearing)) {
         pp_mistakes_add(r->mistakes, e->line,
                         "sky: %s needs to know where the sun stands; %s missing",
                         pp_sky_words[form.type],
@@ -42,13 +48,7 @@ static void read_sky(struct pp_reader *r, struct pp_sky_part *sky,
                                   : "sun-altitude and sun-bearing are");
         return;
     }
-    *sky = (struct pp_sky_part){.kind = form.type == 0   ? PP_SKY_OVERCAST
-                                        : form.type == 1 ? PP_SKY_UNIFORM
-                                                         : PP_SKY_ISO,
-                                .iso = iso,
-                                .sun_altitude_rad = form.sun_altitude_rad,
-                                .sun_bearing_rad = form.sun_bearing_rad,
-                                .line = e->line};
+    *sky = part;
 }
 
 static void read_finishes(struct pp_reader *r, struct pp_room *room,
@@ -109,12 +109,12 @@ static void read_block(struct pp_reader *r, struct pp_room *room,
 static void read_surface(struct pp_reader *r, struct pp_room *room,
                          const struct pp_xml_element *e)
 {
-    struct pp_loose_form form;
+    struct pp_surface_form form;
     struct pp_surface_part part = {.line = e->line};
     bool good = pp_reader_fill_form(r, &form, &pp_rule_surface, e);
     good = pp_reader_add_vertices(r, &part.vertices, &pp_rule_vertex, e) && good;
     if (!good || !PP_READER_RESERVE(r, room->surfaces, room->surface_count)) {
-        pp_reader_vertices_clear(&part.vertices);
+        pp_room_parts_clear_vertices(&part.vertices);
         return;
     }
     part.reflectance = form.finish.reflectance;
@@ -133,8 +133,8 @@ static void read_working_plane(struct pp_reader *r, struct pp_room *room,
     room->working_plane_line = e->line;
 }
 
-/* Fills in the normal, (0, 0, 1) if none is given; false where it is given in part or
- * is none. */
+/* Fills in the normal, (0, 0, 1) if none is given; false where only a part of it is
+ * given, or it is 0. */
 static bool normal_of(struct pp_reader *r, struct pp_vec3 *normal,
                       const struct pp_receiver_form *form,
                       const struct pp_xml_element *e)
@@ -226,10 +226,9 @@ static void read_child(struct pp_reader *r, struct pp_room *room,
         read_receiver(r, room, e, PP_GRID, &pp_rule_grid);
 }
 
+/* Of rooms without a <site>. */
 static const struct pp_site_part plain_site = {
     .latitude_rad = NAN, .longitude_rad = NAN, .ground_reflectance = 0.2};
-static const struct pp_sky_part plain_sky = {
-    .kind = PP_SKY_OVERCAST, .sun_altitude_rad = NAN, .sun_bearing_rad = NAN};
 
 static void read_room(struct pp_reader *r, struct pp_room *room,
                       const struct pp_xml_element *e, bool root)
@@ -261,10 +260,10 @@ static void read_building(struct pp_reader *r, struct pp_building *building,
 {
     struct pp_building_form form = {0};
     struct pp_site_part site = plain_site;
-    struct pp_sky_part sky = plain_sky;
+    struct pp_sky_part sky = pp_sky_words_default();
     pp_reader_fill_form(r, &form, &pp_rule_building, e);
     building->name = pp_reader_copy_text(r, form.name);
-    /* What stands for all rooms may come behind them. */
+    /* Site and sky of all rooms may stand behind the rooms. */
     for (const struct pp_xml_element *c = e->child; c && !pp_reader_should_stop(r);
          c = c->next)
         if (pp_element_form_matches(c, &pp_rule_site))
@@ -293,7 +292,8 @@ enum pp_status pp_read_elements(struct pp_building *building, const struct pp_xm
         read_building(&r, building, root);
     } else if (pp_element_form_matches(root, &pp_rule_room)) {
         if (PP_READER_RESERVE(&r, building->rooms, building->room_count)) {
-            building->rooms[0] = (struct pp_room){.site = plain_site, .sky = plain_sky};
+            building->rooms[0] =
+                (struct pp_room){.site = plain_site, .sky = pp_sky_words_default()};
             building->room_count = 1;
             read_room(&r, building->rooms, root, true);
         }
@@ -304,27 +304,4 @@ enum pp_status pp_read_elements(struct pp_building *building, const struct pp_xm
                         pp_text_excerpt(shown, sizeof shown, root->name));
     }
     return r.out_of_memory ? pp_fail_memory(err) : PP_OK;
-}
-
-void pp_room_clear(struct pp_room *room)
-{
-    free(room->name);
-    pp_read_shape_clear_plan(&room->plan);
-    for (int i = 0; i < room->finish_count; i++)
-        free(room->finishes[i].wall);
-    for (int i = 0; i < room->opening_count; i++) {
-        free(room->openings[i].wall);
-        pp_reader_vertices_clear(&room->openings[i].vertices);
-    }
-    for (int i = 0; i < room->skyline_count; i++)
-        free(room->skylines[i].wall);
-    for (int i = 0; i < room->surface_count; i++)
-        pp_reader_vertices_clear(&room->surfaces[i].vertices);
-    free(room->finishes);
-    free(room->openings);
-    free(room->skylines);
-    free(room->blocks);
-    free(room->surfaces);
-    free(room->receivers);
-    *room = (struct pp_room){0};
 }

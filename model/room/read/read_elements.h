@@ -1,4 +1,5 @@
-/* read_elements.h - from the elements of a room file to the parts of its rooms. */
+/* read_elements.h - from the elements of a room file to the parts of its rooms. Inside
+ * model/room/ only. */
 #ifndef PP_MODEL_ROOM_READ_READ_ELEMENTS_H
 #define PP_MODEL_ROOM_READ_READ_ELEMENTS_H
 
@@ -7,7 +8,7 @@
 #include "model/room/room_parts.h"
 #include "model/room/read/xml.h"
 
-/* What one file holds. */
+/* The contents of one file. */
 struct pp_building {
     char *name; /* NULL: a lone room, or not given */
     struct pp_room *rooms;
@@ -17,11 +18,8 @@ struct pp_building {
 };
 
 /* Fills building, which is empty, from the file's elements. PP_OK also where there are
- * mistakes; fails when memory is out. What building holds is to be cleared anyway. */
+ * mistakes; fails when memory is out. Either way the caller destroys the building. */
 enum pp_status pp_read_elements(struct pp_building *building, const struct pp_xml *xml,
                                 struct pp_mistakes *mistakes, struct pp_error *err);
-
-/* Frees what the room holds, not the room. */
-void pp_room_clear(struct pp_room *room);
 
 #endif

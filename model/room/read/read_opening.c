@@ -1,5 +1,5 @@
-/* read_opening.c - windows, rooflights and openings, as the file has them. */
-#include "model/room/read/reader.h"
+/* read_opening.c - see read_opening.h. */
+#include "model/room/read/read_opening.h"
 
 #include <string.h>
 
@@ -9,7 +9,7 @@ static struct pp_glass named_glass(struct pp_reader *r, const char *name)
 {
     const struct pp_glazing *glazing = pp_glazings_find(name);
     if (!glazing)
-        return pp_glass_none(); /* the form has let through no other name */
+        return pp_glass_none(); /* only "none" is left: the form has checked the name */
     size_t index = (size_t)(glazing - pp_glazings_at(0));
     if (index >= PP_READER_GLASSES)
         return pp_glazings_glass(glazing);
@@ -26,7 +26,7 @@ static bool has(const struct pp_xml_element *e, const char *name)
     return false;
 }
 
-/* Is the glass said in one way? Whether well or not is not asked. */
+/* Is the glass given in one way only, right or wrong? */
 static bool said_once(struct pp_reader *r, const struct pp_xml_element *e)
 {
     if (!has(e, "glazing") || !has(e, "transmittance"))
@@ -81,7 +81,7 @@ void pp_read_opening(struct pp_reader *r, struct pp_room *room,
         good = pp_reader_add_vertices(r, &part.vertices, &pp_rule_vertex, e) && good;
     good = good && glass_of(r, &part.glazing.glass, &form, e);
     if (!good || !PP_READER_RESERVE(r, room->openings, room->opening_count)) {
-        pp_reader_vertices_clear(&part.vertices);
+        pp_room_parts_clear_vertices(&part.vertices);
         return;
     }
     part.glazing.frame_factor = form.frame_factor;

@@ -1,10 +1,11 @@
-/* read_shape.c - the plan or the envelope of a room, as the file has it. */
-#include "model/room/read/reader.h"
+/* read_shape.c - see read_shape.h. */
+#include "model/room/read/read_shape.h"
 
 #include <stdlib.h>
 #include <string.h>
 
 #include "model/base/text.h"
+#include "model/room/read/element_form.h"
 
 /* What is wrong with the way a plan's outline is given, or NULL. */
 static const char *plan_fault(const struct pp_plan_form *form, int vertices)
@@ -38,7 +39,7 @@ void pp_read_shape_plan(struct pp_reader *r, struct pp_room *room,
         good = !fault;
     }
     if (!good || room->plan.line) {
-        pp_read_shape_clear_plan(&plan);
+        pp_room_parts_clear_plan(&plan);
         return;
     }
     plan.rectangle = plan.vertices.count == 0;
@@ -46,17 +47,6 @@ void pp_read_shape_plan(struct pp_reader *r, struct pp_room *room,
     plan.depth_m = form.depth_m;
     plan.height_m = form.height_m;
     room->plan = plan;
-}
-
-void pp_read_shape_clear_plan(struct pp_plan_part *plan)
-{
-    pp_reader_vertices_clear(&plan->vertices);
-    for (int i = 0; i < plan->face_count; i++) {
-        free(plan->faces[i].name);
-        pp_reader_vertices_clear(&plan->faces[i].vertices);
-    }
-    free(plan->faces);
-    *plan = (struct pp_plan_part){0};
 }
 
 static bool read_face(struct pp_reader *r, struct pp_plan_part *plan,
@@ -77,7 +67,7 @@ static bool read_face(struct pp_reader *r, struct pp_plan_part *plan,
         return true;
     }
     free(face.name);
-    pp_reader_vertices_clear(&face.vertices);
+    pp_room_parts_clear_vertices(&face.vertices);
     return false;
 }
 
@@ -95,7 +85,7 @@ void pp_read_shape_envelope(struct pp_reader *r, struct pp_room *room,
         if (pp_element_form_matches(c, &pp_rule_face))
             good = read_face(r, &plan, c) && good;
     if (!good || room->plan.line)
-        pp_read_shape_clear_plan(&plan);
+        pp_room_parts_clear_plan(&plan);
     else
         room->plan = plan;
 }
@@ -119,7 +109,7 @@ void pp_read_shape_check(struct pp_reader *r, const struct pp_xml_element *e)
     static const char *const shapes[] = {"plan", "envelope", NULL};
     for (const struct pp_xml_element *c = e->child; c && !outline; c = c->next)
         if (pp_text_nearest(c->name, shapes, -1))
-            outline = c; /* misspelt: it has been said */
+            outline = c; /* misspelt: that has been noted */
     if (!outline && e->ended)
         pp_mistakes_add(r->mistakes, e->line,
                         "room: it has no shape; expected a <plan> or an <envelope>");

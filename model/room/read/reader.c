@@ -1,22 +1,22 @@
 /* reader.c - see reader.h. */
 #include "model/room/read/reader.h"
 
-#include <stdlib.h>
 #include <string.h>
+
+#include "model/base/array.h"
+#include "model/room/read/element_form.h"
 
 bool pp_reader_should_stop(const struct pp_reader *r)
 {
     return r->out_of_memory || r->bad_elements > PP_MISTAKES_MOST;
 }
 
-void *pp_reader_grow_list(struct pp_reader *r, void *list, int count, size_t size)
+bool pp_reader_reserve(struct pp_reader *r, void *list, int count, size_t size)
 {
-    if (count > 0 && (count & (count - 1)) != 0)
-        return list;
-    void *moved = realloc(list, size * (count > 0 ? 2 * (size_t)count : 1));
-    if (!moved)
-        r->out_of_memory = true;
-    return moved;
+    if (pp_array_append(list, count, size, NULL) == PP_OK)
+        return true;
+    r->out_of_memory = true;
+    return false;
 }
 
 char *pp_reader_copy_text(struct pp_reader *r, const char *text)
@@ -37,13 +37,6 @@ bool pp_reader_fill_form(struct pp_reader *r, void *form,
     good = pp_element_form_check_children(rule, element, r->mistakes) && good;
     r->bad_elements += !good;
     return good && element->ended;
-}
-
-void pp_reader_vertices_clear(struct pp_vertices *vertices)
-{
-    free(vertices->list);
-    free(vertices->lines);
-    *vertices = (struct pp_vertices){0};
 }
 
 bool pp_reader_add_vertices(struct pp_reader *r, struct pp_vertices *vertices,

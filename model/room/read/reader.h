@@ -1,7 +1,8 @@
-/* reader.h - what the readers of a room file's elements share. Inside model/room/ only.
+/* reader.h - the state that the readers of a room file's elements share. Inside
+ * model/room/ only.
  *
- * Each reader takes one element to its place in the room, notes what is wrong with it,
- * and leaves out what has a mistake in it.
+ * Each reader reads one element into its place in the room, notes its mistakes, and
+ * leaves it out if it has any.
  */
 #ifndef PP_MODEL_ROOM_READ_READER_H
 #define PP_MODEL_ROOM_READ_READER_H
@@ -17,30 +18,28 @@ struct pp_reader {
     struct pp_mistakes *mistakes;
     int bad_elements;
     bool out_of_memory;
-    void *moved; /* PP_READER_RESERVE's */
 
-    /* The table's glazings, once met (panes > 0): each takes an integral. */
+    /* The table's glazings that have been asked for (panes > 0), so that each is
+     * integrated once. */
     struct pp_glass glasses[PP_READER_GLASSES];
 };
 
-/* Nothing more to be gained by reading on? */
+/* Has the reader met enough mistakes, or is memory out? */
 bool pp_reader_should_stop(const struct pp_reader *r);
 
-/* The list with room for one more behind its `count`, moved if need be; NULL when
- * memory is out. */
-void *pp_reader_grow_list(struct pp_reader *r, void *list, int count, size_t size);
+/* Room for one item more than `count` in a list that has grown so only (its address is
+ * `list`); false when memory is out. */
+bool pp_reader_reserve(struct pp_reader *r, void *list, int count, size_t size);
 
-/* Makes sure that the list can take one more; false when memory is out. */
 #define PP_READER_RESERVE(r, list, count)                                              \
-    ((r)->moved = pp_reader_grow_list(r, list, count, sizeof *(list)),                 \
-     (r)->moved ? ((list) = (r)->moved, true) : false)
+    pp_reader_reserve(r, &(list), count, sizeof *(list))
 
 /* A copy that is the caller's; NULL for NULL, and when memory is out. */
 char *pp_reader_copy_text(struct pp_reader *r, const char *text);
 
-/* Attributes into form, and the children's names and numbers checked. False where
- * there is a mistake, or where the file breaks off within the element: then there is
- * nothing more to be said of it. */
+/* Fills form from the element's attributes, and checks the names and numbers of its
+ * children. False where there is a mistake, or where the file breaks off within the
+ * element, of which nothing more is said then. */
 bool pp_reader_fill_form(struct pp_reader *r, void *form,
                          const struct pp_element_rule *rule,
                          const struct pp_xml_element *element);
@@ -49,20 +48,5 @@ bool pp_reader_fill_form(struct pp_reader *r, void *form,
 bool pp_reader_add_vertices(struct pp_reader *r, struct pp_vertices *vertices,
                             const struct pp_element_rule *rule,
                             const struct pp_xml_element *parent);
-void pp_reader_vertices_clear(struct pp_vertices *vertices);
-
-/* read_shape.c */
-void pp_read_shape_plan(struct pp_reader *r, struct pp_room *room,
-                        const struct pp_xml_element *e);
-void pp_read_shape_envelope(struct pp_reader *r, struct pp_room *room,
-                            const struct pp_xml_element *e);
-/* Notes where the room `e` has both plan and envelope, or neither. */
-void pp_read_shape_check(struct pp_reader *r, const struct pp_xml_element *e);
-void pp_read_shape_clear_plan(struct pp_plan_part *plan);
-
-/* read_opening.c */
-void pp_read_opening(struct pp_reader *r, struct pp_room *room,
-                     const struct pp_xml_element *e, enum pp_opening_kind kind,
-                     const struct pp_element_rule *rule);
 
 #endif

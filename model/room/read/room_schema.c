@@ -1,10 +1,10 @@
-/* room_schema.c - see room_schema.h: the table. What to do with it is in element_form.c.
- */
+/* room_schema.c - see room_schema.h: the table. element_form.c reads elements by it. */
 #include "model/room/read/room_schema.h"
 
 #include <math.h>
 
 #include "model/geometry/vec.h"
+#include "model/room/sky_words.h"
 
 /* Kinds of value */
 
@@ -97,10 +97,6 @@ static const struct pp_value_kind surroundings = {
 static const char *const works[] = {"clean", "dirty", NULL};
 static const struct pp_value_kind work = {
     .reading = PP_VALUE_CHOICE, .expected = "\"clean\" or \"dirty\"", .words = works};
-const char *const pp_sky_words[] = {"overcast", "uniform", "iso-1",  "iso-2",  "iso-3",
-                                    "iso-4",    "iso-5",   "iso-6",  "iso-7",  "iso-8",
-                                    "iso-9",    "iso-10",  "iso-11", "iso-12", "iso-13",
-                                    "iso-14",   "iso-15",  NULL};
 static const struct pp_value_kind sky_type = {
     .reading = PP_VALUE_CHOICE,
     .expected = "\"overcast\", \"uniform\" or \"iso-1\" to \"iso-15\"",
@@ -232,8 +228,8 @@ static const struct pp_attribute_rule block_rows[] = {
 LEAF(block, "block", block_rows);
 
 static const struct pp_attribute_rule surface_rows[] = {
-    {"reflectance", &reflectance, OR(0.2), IN(loose, finish)},
-    {"exitance", &fraction, OR(0), IN(loose, exitance)},
+    {"reflectance", &reflectance, OR(0.2), IN(surface, finish)},
+    {"exitance", &fraction, OR(0), IN(surface, exitance)},
 };
 RULE(surface, "surface", surface_rows, polygon);
 

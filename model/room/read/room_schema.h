@@ -1,8 +1,9 @@
 /* room_schema.h - the elements of a room file, their attributes and what each may be.
+ * Inside model/room/ only.
  *
- * One row an attribute: its name, what kind of value it takes, whether it must be
- * there, what stands for it if not, and where in the element's form the value goes.
- * A form is the element as its attributes have it, before it becomes a part of a room.
+ * One row an attribute: its name, the kind of its value, whether it is required, its
+ * value if it is left out, and where in the element's form the value goes. A form is
+ * the element as its attributes have it, before it becomes a part of a room.
  */
 #ifndef PP_MODEL_ROOM_READ_ROOM_SCHEMA_H
 #define PP_MODEL_ROOM_READ_ROOM_SCHEMA_H
@@ -34,7 +35,7 @@ struct pp_value_kind {
     double least, most;       /* of numbers, both allowed but: */
     bool above_least;         /* least itself is not */
     bool below_most;          /* most itself is not */
-    double unit;              /* what a number is multiplied by when stored; 0: 1 */
+    double unit;              /* factor by which a number is stored; 0: 1 */
     const char *const *words; /* of a choice; ends with NULL */
     const struct pp_named_factors *factors;
 };
@@ -63,7 +64,7 @@ struct pp_element_rule {
     int child_count;
 };
 
-/* What a value or a polygon may be at most. */
+/* Limits of values and polygons. */
 #define PP_ROOM_LENGTH_MOST_M 1e5   /* any coordinate or length, either sign */
 #define PP_ROOM_LENGTH_LEAST_M 1e-3 /* where it must be greater than 0 */
 enum { PP_ROOM_POINTS_MOST = 100000, PP_ROOM_VERTICES_MOST = 1000 };
@@ -141,7 +142,7 @@ struct pp_block_form {
     struct pp_finish_value finish;
 };
 
-struct pp_loose_form { /* a <surface> */
+struct pp_surface_form {
     struct pp_finish_value finish;
     double exitance;
 };
@@ -163,24 +164,5 @@ extern const struct pp_element_rule pp_rule_building, pp_rule_room, pp_rule_site
     pp_rule_vertex, pp_rule_finishes, pp_rule_finish, pp_rule_window, pp_rule_rooflight,
     pp_rule_opening, pp_rule_skyline, pp_rule_block, pp_rule_surface,
     pp_rule_working_plane, pp_rule_point, pp_rule_line, pp_rule_grid;
-
-/* The words of <sky type="...">, in the order of pp_sky_form.type. */
-extern const char *const pp_sky_words[];
-
-/* Fills the element's form from its attributes, defaults where they are left out, and
- * notes what is wrong with them. False where anything is. */
-bool pp_element_form_fill(void *form, const struct pp_element_rule *rule,
-                          const struct pp_xml_element *element,
-                          struct pp_mistakes *mistakes);
-
-/* Notes children that the element can't have, has too often or too few times. False
- * where there are any. */
-bool pp_element_form_check_children(const struct pp_element_rule *rule,
-                                    const struct pp_xml_element *element,
-                                    struct pp_mistakes *mistakes);
-
-/* Is the child an element by that rule? */
-bool pp_element_form_matches(const struct pp_xml_element *element,
-                             const struct pp_element_rule *rule);
 
 #endif

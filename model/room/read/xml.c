@@ -57,7 +57,7 @@ void pp_xml_clear(struct pp_xml *xml)
     *xml = (struct pp_xml){0};
 }
 
-/* What the parser's callbacks share. */
+/* The state that the parser's callbacks share. */
 struct xml_builder {
     struct pp_xml *xml;
     xmlParserCtxtPtr parser;
@@ -73,7 +73,7 @@ struct xml_builder {
     size_t counted; /* bytes[0 .. counted) hold line - 1 line ends */
     int line;
 
-    bool stopped; /* a limit was passed or the file broken: said already */
+    bool stopped; /* a limit was passed or the file is broken, which has been noted */
     bool out_of_memory;
     bool text_noted;      /* since the last tag */
     bool bad_namespace;   /* of the element that comes */
@@ -356,8 +356,8 @@ enum pp_status pp_xml_parse(struct pp_xml *xml, const char *bytes, size_t length
                                    .cdataBlock = on_text,
                                    .serror = on_error};
     parser->_private = &b;
-    /* NOENT: else &amp; arrives as &#38;. A DOCTYPE stops the parser, so that a file can
-     * declare no entities of its own. */
+    /* NOENT: else &amp; arrives as &#38;. A DOCTYPE stops the parser, so that a file
+     * can declare no entities of its own. */
     xmlDocPtr none = xmlCtxtReadMemory(parser, bytes, (int)length, NULL, NULL,
                                        XML_PARSE_NONET | XML_PARSE_NOENT);
     xmlFreeDoc(none);

@@ -1,11 +1,12 @@
-/* xml.h - an XML file as a small tree of elements with their lines.
+/* xml.h - an XML file as a small tree of elements with their lines. Inside model/room/
+ * only.
  *
  * Only what a room file needs: elements and attributes. A DOCTYPE, namespaces, any
  * encoding but UTF-8, NUL bytes and text between the elements are mistakes; comments
  * and processing instructions are passed over. Nothing outside the bytes given is ever
  * read, and no entity is expanded but the five that XML itself has.
  *
- * Limits, so that a hostile file is refused in bounded time and memory:
+ * The limits below make sure that a hostile file is refused in bounded time and memory.
  */
 #ifndef PP_MODEL_ROOM_READ_XML_H
 #define PP_MODEL_ROOM_READ_XML_H

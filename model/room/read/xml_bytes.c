@@ -17,7 +17,7 @@ static int line_of(const char *bytes, const char *at)
 }
 
 /* The bytes of the well-formed UTF-8 letter at p, or 0: surrogates, overlong forms and
- * what lies above U+10FFFF are none. */
+ * numbers above U+10FFFF are none. */
 static size_t utf8_letter(const unsigned char *p, const unsigned char *end)
 {
     static const uint32_t least[] = {0, 0, 0x80, 0x800, 0x10000};

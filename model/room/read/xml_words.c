@@ -6,7 +6,7 @@
 
 #include "model/base/text.h"
 
-/* Errors that one sentence says all of. */
+/* Errors that have one sentence each, whatever the file. */
 static const struct {
     int code;
     const char *sentence;
@@ -52,7 +52,7 @@ static const struct {
      "something stands behind the end of the room; a file holds one room or building"},
 };
 
-/* Errors that are but the end of the file, in the middle of a tag. */
+/* Errors that the end of the file in the middle of a tag may cause. */
 static bool breaks_off(int code)
 {
     switch (code) {

@@ -1,4 +1,5 @@
-/* xml_words.h - what the XML parser complains of, in words for people. */
+/* xml_words.h - the XML parser's errors in words for people. Inside model/room/
+ * only. */
 #ifndef PP_MODEL_ROOM_READ_XML_WORDS_H
 #define PP_MODEL_ROOM_READ_XML_WORDS_H
 
@@ -15,8 +16,8 @@ struct pp_xml_place {
     const struct pp_xml_element *open; /* the innermost not ended there, or NULL */
 };
 
-/* Writes one sentence on the error to text. Returns where in the bytes its cause is to
- * be looked for: what has no end is named by its beginning. */
+/* Writes one sentence on the error to text. Returns the place of its cause in the
+ * bytes: of a quotation, comment or tag without an end, its beginning. */
 size_t pp_xml_words_sentence(char *text, size_t size, const xmlError *error,
                              const struct pp_xml_place *place);
 

@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <unistd.h>
 
-#include "formats/radiance/rad_read.h"
+#include "formats/radiance/read/rad_read.h"
 
 static enum pp_status parse(struct pp_scene_description *scene,
                             struct pp_rad_summary *summary, const char *text,

@@ -6,12 +6,14 @@
 #include <stdlib.h>
 
 #include "formats/radiance/rad_functions.h"
-#include "formats/radiance/rad_read.h"
-#include "formats/radiance/rad_room.h"
-#include "formats/radiance/rad_write.h"
+#include "formats/radiance/read/rad_read.h"
+#include "formats/radiance/write/rad_room.h"
+#include "formats/radiance/write/rad_write.h"
 #include "model/room/building.h"
 #include "model/room/keyhole.h"
 #include "tests/lib/near.h"
+#include "formats/radiance/write/rad_numbers.h"
+#include "formats/radiance/write/rad_write_materials.h"
 
 static char *text_of(const struct pp_scene_description *scene, size_t *length)
 {
@@ -161,7 +163,7 @@ static void assert_room_comes_back(const struct pp_world *world)
     for (int gloss = 0; gloss < 2; gloss++) {
         struct pp_rad_room room;
         struct pp_error err = {0};
-        if (pp_rad_room_create(&room, world, 55.9, gloss, &err) != PP_OK)
+        if (pp_rad_room_init(&room, world, 55.9, gloss, &err) != PP_OK)
             fail_msg("%s", err.message);
         assert_same_scene(&room.scene);
         pp_rad_room_clear(&room);
@@ -293,7 +295,7 @@ static void a_far_skyline_is_part_of_the_sky(void **state)
                       "<skyline wall='south' angle='25' reflectance='0.4'/>"
                       "<skyline wall='east' angle='11' reflectance='0.2'/></room>");
     struct pp_rad_room room;
-    assert_int_equal(pp_rad_room_create(&room, world, 70.0, true, NULL), PP_OK);
+    assert_int_equal(pp_rad_room_init(&room, world, 70.0, true, NULL), PP_OK);
     const struct pp_pattern *pattern = &room.scene.patterns[0];
     assert_int_equal(pattern->skyline_count, 2);
     /* 0.4 (0.396177 + 0.3/2) 70 / pi: the vertical sky component's known maximum */
@@ -317,7 +319,7 @@ static void assert_refused(const char *inside, const char *why)
     struct pp_world *world = pp_test_world(xml);
     struct pp_rad_room room;
     struct pp_error err = {0};
-    assert_int_equal(pp_rad_room_create(&room, world, 50.0, true, &err), PP_BAD_INPUT);
+    assert_int_equal(pp_rad_room_init(&room, world, 50.0, true, &err), PP_BAD_INPUT);
     if (!strstr(err.message, why) || !strstr(err.message, "line 2"))
         fail_msg("\"%s\" says nothing of %s", err.message, why);
     pp_world_destroy(world);
@@ -431,11 +433,11 @@ static void numbers_come_back_to_the_bit(void **state)
         0.1, 1.0 / 3.0, 1e22, -2.5e-7, 123456789.123456789, 5e-324, 1.7999999999999998};
     for (size_t i = 0; i < sizeof numbers / sizeof *numbers; i++) {
         char text[32];
-        pp_rad_write_number_text(numbers[i], text);
+        pp_rad_numbers_text(numbers[i], text);
         assert_true(strtod(text, NULL) == numbers[i]);
     }
     char text[32];
-    pp_rad_write_number_text(0.1, text);
+    pp_rad_numbers_text(0.1, text);
     assert_string_equal(text, "0.1");
 }
 

@@ -8,7 +8,7 @@ static struct pp_picture picture_of(int width, int height,
                                     double value(double x, double y))
 {
     struct pp_picture picture;
-    assert_int_equal(pp_picture_create(&picture, width, height, NULL), PP_OK);
+    assert_int_equal(pp_picture_init(&picture, width, height, NULL), PP_OK);
     for (int y = 0; y < height; y++)
         for (int x = 0; x < width; x++)
             for (int i = 0; i < 3; i++)

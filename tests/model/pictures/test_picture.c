@@ -69,7 +69,7 @@ static void a_pixel_keeps_to_half_a_per_cent_of_its_brightest_channel(void **sta
         struct pp_picture picture, back;
         struct pp_hdr_notes notes;
         struct pp_error err = {0};
-        assert_int_equal(pp_picture_create(&picture, widths[i], 11, NULL), PP_OK);
+        assert_int_equal(pp_picture_init(&picture, widths[i], 11, NULL), PP_OK);
         paint(&picture);
         struct file file = hdr_of(&picture, NULL);
         if (read_hdr(&back, &notes, file.bytes, file.length, &err) != PP_OK)
@@ -97,7 +97,7 @@ static void the_bytes_are_those_of_the_format(void **state)
 {
     (void)state;
     struct pp_picture picture;
-    assert_int_equal(pp_picture_create(&picture, 9, 2, NULL), PP_OK);
+    assert_int_equal(pp_picture_init(&picture, 9, 2, NULL), PP_OK);
     for (int i = 0; i < 27; i++)
         picture.rgb[i] = 1.0f;
     float *second = pp_picture_at(&picture, 4, 1);
@@ -150,7 +150,7 @@ static void what_is_no_light_is_black_and_what_is_too_much_is_as_bright_as_can_b
                                    {1e-44f, 0.0f, 0.0f},   {3e38f, 1.0f, 1.0f}};
     struct pp_picture picture, back;
     struct pp_hdr_notes notes;
-    assert_int_equal(pp_picture_create(&picture, 6, 1, NULL), PP_OK);
+    assert_int_equal(pp_picture_init(&picture, 6, 1, NULL), PP_OK);
     memcpy(picture.rgb, odd, sizeof odd);
     struct file file = hdr_of(&picture, NULL);
     assert_int_equal(read_hdr(&back, &notes, file.bytes, file.length, NULL), PP_OK);
@@ -246,7 +246,7 @@ static void a_file_that_is_cut_off_anywhere_is_refused(void **state)
     (void)state;
     struct pp_picture picture, back;
     struct pp_hdr_notes notes = {.view = "-vth"};
-    assert_int_equal(pp_picture_create(&picture, 61, 7, NULL), PP_OK);
+    assert_int_equal(pp_picture_init(&picture, 61, 7, NULL), PP_OK);
     paint(&picture);
     struct file file = hdr_of(&picture, &notes);
     for (size_t length = 0; length < file.length; length++) {
@@ -263,7 +263,7 @@ static void float_maps_are_numbers_from_the_bottom_up(void **state)
 {
     (void)state;
     struct pp_picture picture;
-    assert_int_equal(pp_picture_create(&picture, 1, 2, NULL), PP_OK);
+    assert_int_equal(pp_picture_init(&picture, 1, 2, NULL), PP_OK);
     static const float rgb[] = {1.0f, 0.5f, -2.0f, 0.0f, 1e-40f, 0.15625f};
     memcpy(picture.rgb, rgb, sizeof rgb);
     struct file file;
@@ -292,7 +292,7 @@ static void a_full_disk_is_said(void **state)
     FILE *full = fopen("/dev/full", "w");
     if (!full)
         skip();
-    assert_int_equal(pp_picture_create(&picture, 300, 200, NULL), PP_OK);
+    assert_int_equal(pp_picture_init(&picture, 300, 200, NULL), PP_OK);
     paint(&picture);
     assert_int_equal(pp_picture_hdr_write(full, &picture, NULL, &err), PP_SYSTEM);
     assert_int_equal(pp_picture_pfm_write(full, &picture, &err), PP_SYSTEM);

@@ -7,7 +7,7 @@
 static struct pp_picture row_of(const double *luminances, int count)
 {
     struct pp_picture picture;
-    assert_int_equal(pp_picture_create(&picture, count, 1, NULL), PP_OK);
+    assert_int_equal(pp_picture_init(&picture, count, 1, NULL), PP_OK);
     for (int i = 0; i < 3 * count; i++)
         picture.rgb[i] = (float)luminances[i / 3];
     return picture;

@@ -24,7 +24,8 @@ static char *edited(const struct pp_text_edit *edits, int count)
     size_t length;
     struct pp_error err;
     assert_int_equal(
-        pp_edit_text(&changed, &length, file, strlen(file), edits, count, &err), PP_OK);
+        pp_room_text_edit(&changed, &length, file, strlen(file), edits, count, &err),
+        PP_OK);
     assert_int_equal(length, strlen(changed));
     return changed;
 }
@@ -126,7 +127,7 @@ static void an_element_is_given_by_itself(void **state)
     const struct pp_text_edit edit = {PP_TEXT_SET, 2, {1, 1, 0.75, 1}};
     char *element;
     struct pp_error err;
-    assert_int_equal(pp_edit_text_element(&element, file, strlen(file), &edit, &err),
+    assert_int_equal(pp_room_text_element(&element, file, strlen(file), &edit, &err),
                      PP_OK);
     assert_string_equal(
         element, "<window wall='north' left='1' sill='0.75' width='1' height='1' >");

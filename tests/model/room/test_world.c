@@ -3,6 +3,7 @@
 
 #include "model/geometry/polygon.h"
 #include "tests/lib/room_of.h"
+#include "model/room/position.h"
 
 static const struct pp_surface *face_named(const struct pp_world *world,
                                            const char *name)

@@ -3,6 +3,7 @@
 
 #include "tests/lib/room_of.h"
 #include "tests/lib/traced.h"
+#include "model/room/position.h"
 
 static const struct pp_vec3 zenith = {0.0, 0.0, 1.0};
 

@@ -9,6 +9,7 @@
 #include "studies/criteria/en17037_grid.h"
 #include "tests/lib/room_of.h"
 #include "tests/lib/traced.h"
+#include "model/room/section.h"
 
 static struct pp_world *world_of(const char *body)
 {
@@ -307,7 +308,7 @@ static void a_section_at_the_working_plane_is_the_plane(void **state)
     static const double heights[] = {0.85, 0.1, 2.5, -1.0, 3.0};
     static const double areas[] = {28.0, 28.0, 28.0, 0.0, 0.0};
     for (int i = 0; i < 5; i++) {
-        assert_int_equal(pp_working_plane_section(&section, world, heights[i], NULL),
+        assert_int_equal(pp_section_at(&section, world, heights[i], NULL),
                          PP_OK);
         assert_near(pp_region_area(&section), areas[i], 1e-12);
         pp_region_clear(&section);

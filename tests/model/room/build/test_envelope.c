@@ -6,6 +6,7 @@
 #include "model/geometry/polygon.h"
 #include "model/room/world.h"
 #include "tests/lib/room_of.h"
+#include "model/room/position.h"
 
 /* Text that grows. */
 struct text {

@@ -2,6 +2,7 @@
 #include "model/geometry/polygon.h"
 #include "model/room/world.h"
 #include "tests/lib/room_of.h"
+#include "model/room/position.h"
 
 #define ELL                                                                            \
     "<plan height=\"2.6\"><vertex x=\"0\" y=\"0\"/><vertex x=\"6\" y=\"0\"/>"          \
@@ -217,10 +218,11 @@ static void a_place_is_refused_for_what_is_there(void **state)
 
     struct pp_receiver receiver;
     struct pp_error err = {0};
-    assert_int_equal(pp_receivers_place(world, 1.5, 1.0, NAN, &receiver, &err), PP_OK);
+    assert_int_equal(pp_position_place_receiver(world, 1.5, 1.0, NAN, &receiver, &err),
+                     PP_OK);
     assert_near(receiver.position.z, 0.85, 0.0);
     assert_near(receiver.normal.z, 1.0, 0.0);
-    assert_int_equal(pp_receivers_place(world, 1.5, 4.5, NAN, &receiver, &err),
+    assert_int_equal(pp_position_place_receiver(world, 1.5, 4.5, NAN, &receiver, &err),
                      PP_BAD_INPUT);
     assert_string_equal(err.message,
                         "the point (1.5, 4.5, 0.85) lies outside the room");

@@ -9,6 +9,7 @@
 
 #include "model/room/world.h"
 #include "tests/lib/room_of.h"
+#include "model/room/position.h"
 
 #define PLAN "<plan width=\"4.3\" depth=\"6.1\" height=\"2.9\"/>\n"
 #define ROOM(parts) "<room version=\"1\">\n" PLAN parts "</room>"

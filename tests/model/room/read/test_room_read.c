@@ -6,6 +6,7 @@
 
 #include "model/room/room_parts.h"
 #include "tests/lib/near.h"
+#include "model/room/room.h"
 
 static struct pp_building *read_good(const char *xml)
 {

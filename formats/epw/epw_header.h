@@ -1,0 +1,36 @@
+/* epw_header.h - the header lines of a weather file: its place, its data periods, leap
+ * year and summer time. Inside formats/epw/ only. */
+#ifndef PP_FORMATS_EPW_EPW_HEADER_H
+#define PP_FORMATS_EPW_EPW_HEADER_H
+
+#include "formats/epw/epw.h"
+#include "formats/epw/epw_lines.h"
+
+enum { PP_EPW_PERIODS_MOST = 100 };
+
+/* One data period. */
+struct pp_epw_period {
+    struct pp_month_day from, to;
+    int years;   /* how often `to` is passed before the end: 0 of one year */
+    int weekday; /* of its first day */
+};
+
+enum pp_epw_leap { PP_LEAP_UNSAID, PP_LEAP_NO, PP_LEAP_YES };
+
+/* What the records are read by. */
+struct pp_epw_header {
+    enum pp_epw_leap leap;
+    int leap_line;
+    int records_an_hour;
+    int period_count, periods_line;
+    struct pp_epw_period periods[PP_EPW_PERIODS_MOST];
+};
+
+/* Reads header lines into epw and header up to the first record, which is *record
+ * (NULL: the file ends before it). False where there is a mistake, or memory is out
+ * (err). */
+bool pp_epw_header_read(struct pp_epw *epw, struct pp_epw_header *header,
+                        struct pp_epw_lines *lines, char **record,
+                        struct pp_mistakes *mistakes, struct pp_error *err);
+
+#endif

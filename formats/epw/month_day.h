@@ -1,0 +1,30 @@
+/* month_day.h - a day of any year, and how weather files and people write it. */
+#ifndef PP_FORMATS_EPW_MONTH_DAY_H
+#define PP_FORMATS_EPW_MONTH_DAY_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+/* Month 0: no day. */
+struct pp_month_day {
+    int month, day; /* from 1 */
+};
+
+/* Reads "3/26" or "03/26", a day that some year has. */
+bool pp_month_day_parse(const char *text, struct pp_month_day *date);
+
+/* Reads "M/D", "M/D/YEAR" or "YEAR/M/D"; *year is 0 where there is none. */
+bool pp_month_day_parse_dated(const char *text, struct pp_month_day *date, int *year);
+
+/* "26 March". Returns text. */
+const char *pp_month_day_words(char *text, size_t room, struct pp_month_day date);
+
+/* Days of a month, 1 to 12; 29 of February. */
+int pp_month_day_days_of_month(int month);
+
+bool pp_month_day_same(struct pp_month_day a, struct pp_month_day b);
+
+/* Does a come before b in the year? */
+bool pp_month_day_is_before(struct pp_month_day a, struct pp_month_day b);
+
+#endif

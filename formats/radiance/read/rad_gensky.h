@@ -1,0 +1,24 @@
+/* rad_gensky.h - Radiance's sky generator: sky and sun by the options of gensky
+ * [WS98]. */
+#ifndef PP_FORMATS_RADIANCE_READ_RAD_GENSKY_H
+#define PP_FORMATS_RADIANCE_READ_RAD_GENSKY_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "model/light/scene_description.h"
+
+struct pp_gensky {
+    struct pp_pattern pattern;
+    bool has_sun;
+    double sun_radiance; /* of a disc of half a degree, W/sr/m2 */
+};
+
+/* words[0] is "gensky": "gensky month day hour" or "gensky -ang altitude azimuth", and
+ * options. Figures are rounded as gensky prints them, so that the scene is the one that
+ * its output would make. False, with a sentence in `wrong`, for words that it does not
+ * know. */
+bool pp_rad_gensky_evaluate(struct pp_gensky *sky, char *const *words, int count,
+                            char *wrong, size_t room);
+
+#endif

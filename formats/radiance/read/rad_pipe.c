@@ -1,0 +1,59 @@
+/* rad_pipe.c - see rad_pipe.h. */
+#include "formats/radiance/read/rad_pipe.h"
+
+#include <string.h>
+
+enum pp_status pp_rad_pipe_fail(const struct pp_rad_pipe *pipe, struct pp_error *err,
+                                const char *what, const char *word)
+{
+    return pp_rad_words_fail(pipe->words, pipe->line, err, "%s%.60s", what, word);
+}
+
+/* A pipe, or the end of the line, ends the command of the words from `begin` on. */
+static enum pp_status end_command(struct pp_rad_pipe *pipe, int begin, int count,
+                                  struct pp_error *err)
+{
+    if (count == begin)
+        return pp_rad_pipe_fail(pipe, err,
+                                "expected a command: gensky, genbox or xform", "");
+    if (pipe->command_count == PP_RAD_PIPE_COMMANDS_MOST)
+        return pp_rad_pipe_fail(pipe, err, "more than 100 commands in one line", "");
+    pipe->commands[pipe->command_count++] =
+        (struct pp_rad_command){pipe->list + begin, count - begin};
+    return PP_OK;
+}
+
+enum pp_status pp_rad_pipe_split(struct pp_rad_pipe *pipe, char *text,
+                                 struct pp_error *err)
+{
+    int count = 0, begin = 0;
+    for (char *at = text;;) {
+        at += strspn(at, " ");
+        bool ended = *at == '\0';
+        if (ended || *at == '|') {
+            enum pp_status status = end_command(pipe, begin, count, err);
+            if (ended || status != PP_OK)
+                return status;
+            begin = count;
+            *at++ = '\0'; /* of the word right before it too */
+            continue;
+        }
+        if (count == PP_RAD_PIPE_WORDS_MOST)
+            return pp_rad_pipe_fail(pipe, err, "a command of more than 1000 words", "");
+        char quote = *at == '\'' || *at == '"' ? *at++ : '\0';
+        pipe->list[count++] = at;
+        at += quote ? strcspn(at, (char[]){quote, '\0'})
+                    : strcspn(at, " |'\"`$;&<>()*?\\");
+        if (quote && *at == '\0')
+            return pp_rad_pipe_fail(
+                pipe, err, "a quote that is not closed: ", pipe->list[count - 1]);
+        if (quote)
+            *at++ = '\0';
+        if (!strchr(" |", *at)) /* strchr finds the end of the text too */
+            return pp_rad_pipe_fail(
+                pipe, err, "expected words with blanks between, or in quotes; not ",
+                at);
+        if (*at == ' ')
+            *at++ = '\0';
+    }
+}

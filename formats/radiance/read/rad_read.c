@@ -1,0 +1,218 @@
+/* rad_read.c - see rad_read.h: files, their primitives, and their lines that begin with
+ * "!", whose commands are worked out here and never executed.
+ *
+ * Of the commands that a line pipes together the last is evaluated. An xform without a
+ * file has the command before it evaluated, once for each copy that it makes, with the
+ * copy's transform in the context; an xform with files has those read so.
+ */
+#include "formats/radiance/read/rad_read.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "formats/radiance/read/rad_genbox.h"
+#include "formats/radiance/read/rad_primitive.h"
+#include "formats/radiance/read/rad_reader.h"
+#include "formats/radiance/read/rad_sky.h"
+#include "formats/radiance/read/rad_xform.h"
+#include "model/base/read_file.h"
+
+static enum pp_status read_scene_file(struct pp_rad_reader *reader, const char *path,
+                                      const struct pp_rad_context *context,
+                                      struct pp_error *err);
+static enum pp_status run_command(struct pp_rad_reader *reader,
+                                  const struct pp_rad_pipe *pipe, int which,
+                                  const struct pp_rad_context *context,
+                                  struct pp_error *err);
+
+/* ---- commands ---- */
+
+static enum pp_status read_files(struct pp_rad_reader *reader,
+                                 const struct pp_rad_pipe *pipe,
+                                 const struct pp_rad_xform *xform,
+                                 struct pp_rad_context context, struct pp_error *err)
+{
+    enum pp_status status = PP_OK;
+    context.depth++;
+    for (int i = 0; i < xform->file_count && status == PP_OK; i++) {
+        if (context.depth > PP_RAD_DEPTH_MOST)
+            return pp_rad_pipe_fail(
+                pipe, err, "files within files within files: does one name itself? ",
+                xform->files[i]);
+        status = read_scene_file(reader, xform->files[i], &context, err);
+        if (status == PP_OK && reader->bytes > PP_RAD_BYTES_MOST)
+            return pp_rad_pipe_fail(
+                pipe, err,
+                "more than 4 GiB of files are read, by this xform and those before it",
+                "");
+    }
+    return status;
+}
+
+/* The context of one copy, within that of the command. */
+static struct pp_rad_context context_of(const struct pp_rad_xform *xform, long copy,
+                                        const struct pp_rad_context *context)
+{
+    struct pp_rad_transform own = pp_rad_xform_copy(xform, copy);
+    struct pp_rad_context next = *context;
+    next.transform = pp_rad_transform_compose(&context->transform, &own);
+    next.inverted = context->inverted != xform->inverted;
+    if (!context->replaced && xform->replaced) {
+        next.replaced = true;
+        next.modifier = xform->modifier;
+    }
+    return next;
+}
+
+static enum pp_status run_xform(struct pp_rad_reader *reader,
+                                const struct pp_rad_pipe *pipe, int which,
+                                const struct pp_rad_context *context,
+                                struct pp_error *err)
+{
+    struct pp_rad_xform xform;
+    enum pp_status status =
+        pp_rad_xform_read(&xform, &reader->names, pipe, &pipe->commands[which], err);
+    if (status != PP_OK)
+        return status;
+    if (xform.file_count == 0 && which == 0)
+        return pp_rad_pipe_fail(pipe, err,
+                                "xform has nothing to transform; expected a file", "");
+    double copies = pp_rad_xform_copies(&xform);
+    if (copies > (double)(PP_RAD_COPIES_MOST - reader->copies))
+        return pp_rad_words_fail(
+            pipe->words, pipe->line, err,
+            "more than %d copies, by this xform and those before it",
+            PP_RAD_COPIES_MOST);
+    reader->copies += (long)copies;
+    pp_rad_xform_fold(&xform);
+    for (long copy = 0; copy < (long)copies && status == PP_OK; copy++) {
+        struct pp_rad_context next = context_of(&xform, copy, context);
+        if (!isfinite(pp_vec_length(next.transform.move))
+            || !(next.transform.scale > 1e-12) || !(next.transform.scale < 1e12))
+            return pp_rad_pipe_fail(pipe, err, "copies that leave all bounds", "");
+        status = xform.file_count > 0
+                     ? read_files(reader, pipe, &xform, next, err)
+                     : run_command(reader, pipe, which - 1, &next, err);
+    }
+    return status;
+}
+
+/* Adds to the scene the primitives that command `which` of the pipe would print. */
+static enum pp_status run_command(struct pp_rad_reader *reader,
+                                  const struct pp_rad_pipe *pipe, int which,
+                                  const struct pp_rad_context *context,
+                                  struct pp_error *err)
+{
+    const struct pp_rad_command *command = &pipe->commands[which];
+    const char *name = command->words[0];
+    if (strcmp(name, "xform") == 0)
+        return run_xform(reader, pipe, which, context, err);
+    if (which > 0)
+        return pp_rad_pipe_fail(pipe, err, "only xform can stand behind a pipe, not ",
+                                name);
+    if (strcmp(name, "genbox") == 0)
+        return pp_rad_genbox(reader, pipe, command, context, err);
+    if (strcmp(name, "gensky") == 0)
+        return pp_rad_sky_generate(reader, pipe, command, context, err);
+    return pp_rad_pipe_fail(
+        pipe, err,
+        "nothing is executed here; of commands, gensky, genbox and xform are worked "
+        "out, not ",
+        name);
+}
+
+static enum pp_status run_line(struct pp_rad_reader *reader,
+                               const struct pp_rad_words *words, char *text, int line,
+                               const struct pp_rad_context *context,
+                               struct pp_error *err)
+{
+    struct pp_rad_pipe *pipe = calloc(1, sizeof *pipe);
+    if (!pipe)
+        return pp_fail_memory(err);
+    pipe->words = words;
+    pipe->line = line;
+    enum pp_status status = pp_rad_pipe_split(pipe, text, err);
+    if (status == PP_OK)
+        status = run_command(reader, pipe, pipe->command_count - 1, context, err);
+    free(pipe);
+    return status;
+}
+
+/* ---- files ---- */
+
+static enum pp_status read_words(struct pp_rad_reader *reader,
+                                 struct pp_rad_words *words,
+                                 const struct pp_rad_context *context,
+                                 struct pp_error *err)
+{
+    enum pp_status status = PP_OK;
+    for (bool ended = false; !ended && status == PP_OK;) {
+        char *command;
+        int line;
+        status = pp_rad_words_next_command(words, &command, &line, err);
+        if (status == PP_OK && command)
+            status = run_line(reader, words, command, line, context, err);
+        else if (status == PP_OK)
+            status = pp_rad_primitive_read(reader, words, context, &ended, err);
+        free(command);
+    }
+    return status;
+}
+
+static enum pp_status read_scene_file(struct pp_rad_reader *reader, const char *path,
+                                      const struct pp_rad_context *context,
+                                      struct pp_error *err)
+{
+    char *bytes;
+    size_t length;
+    enum pp_status status = pp_read_file(&bytes, &length, path, PP_RAD_BYTES_MOST, err);
+    if (status != PP_OK)
+        return status;
+    struct pp_rad_words words = {pp_read_file_title(path), bytes, length, 0, 1};
+    reader->bytes += length;
+    status = length > PP_RAD_BYTES_MOST
+                 ? pp_fail(err, PP_BAD_INPUT, "%s: larger than 4 GiB", words.file)
+                 : read_words(reader, &words, context, err);
+    free(bytes);
+    return status;
+}
+
+static enum pp_status finish(struct pp_rad_reader *reader, enum pp_status status)
+{
+    pp_rad_names_clear(&reader->names);
+    free(reader->strings);
+    free(reader->numbers);
+    free(reader->corners);
+    if (status != PP_OK)
+        pp_scene_description_clear(reader->scene);
+    return status;
+}
+
+/* Outside all xforms. */
+static const struct pp_rad_context identity = {
+    .transform = {.rows = {{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}},
+                  .scale = 1.0}};
+
+enum pp_status pp_rad_read(struct pp_scene_description *scene,
+                           struct pp_rad_summary *summary, const char *const *paths,
+                           int count, struct pp_error *err)
+{
+    struct pp_rad_reader reader = {.scene = scene, .summary = summary};
+    pp_scene_description_init(scene);
+    *summary = (struct pp_rad_summary){0};
+    enum pp_status status = PP_OK;
+    for (int i = 0; i < count && status == PP_OK; i++)
+        status = read_scene_file(&reader, paths[i], &identity, err);
+    return finish(&reader, status);
+}
+
+enum pp_status pp_rad_read_bytes(struct pp_scene_description *scene,
+                                 struct pp_rad_summary *summary, const char *bytes,
+                                 size_t length, const char *file, struct pp_error *err)
+{
+    struct pp_rad_reader reader = {.scene = scene, .summary = summary};
+    struct pp_rad_words words = {file, bytes, length, 0, 1};
+    pp_scene_description_init(scene);
+    *summary = (struct pp_rad_summary){0};
+    return finish(&reader, read_words(&reader, &words, &identity, err));
+}

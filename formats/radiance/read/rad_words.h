@@ -1,0 +1,63 @@
+/* rad_words.h - a Radiance scene file as words, one after the other.
+ *
+ * Words stand between white space; "#" begins a comment to the end of its line; a line
+ * that begins with "!" is a command. Nothing is copied: words are found as they are
+ * asked for, so that a file of any size needs no more memory than itself.
+ */
+#ifndef PP_FORMATS_RADIANCE_READ_RAD_WORDS_H
+#define PP_FORMATS_RADIANCE_READ_RAD_WORDS_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "model/base/error.h"
+
+struct pp_rad_words {
+    const char *file; /* as messages call it; not owned */
+    const char *bytes;
+    size_t length, at;
+    int line; /* that the next word is looked for on, from 1 */
+};
+
+struct pp_rad_word {
+    const char *text; /* not ended by a 0 */
+    size_t length;    /* 0: the file has ended */
+    int line;
+};
+
+enum { PP_RAD_WORD_MOST = 4096 };
+
+/* The next word; a word of more than PP_RAD_WORD_MOST characters, or with control
+ * characters in it, is PP_BAD_INPUT. */
+enum pp_status pp_rad_words_next(struct pp_rad_words *words, struct pp_rad_word *word,
+                                 struct pp_error *err);
+
+/* If the next word begins with "!": the rest of its line behind that, lines that end in
+ * a backslash joined (a blank in place of both). *command is NULL if it does not, else
+ * the caller's to free. */
+enum pp_status pp_rad_words_next_command(struct pp_rad_words *words, char **command,
+                                         int *line, struct pp_error *err);
+
+/* Fails with "FILE:LINE: " before the sentence. */
+enum pp_status pp_rad_words_fail(const struct pp_rad_words *words, int line,
+                                 struct pp_error *err, const char *format, ...)
+    __attribute__((format(printf, 4, 5)));
+
+/* What another part of the program says of the primitive on that line: PP_BAD_INPUT
+ * with the file and line before its sentence, any other status as it is. */
+enum pp_status pp_rad_words_locate(const struct pp_rad_words *words, int line,
+                                   enum pp_status status, const struct pp_error *said,
+                                   struct pp_error *err);
+
+/* How much of the word a message shows: characters, for "%.*s". */
+static inline int pp_rad_words_shown(struct pp_rad_word word)
+{
+    return (int)(word.length < 60 ? word.length : 60);
+}
+
+bool pp_rad_words_is(struct pp_rad_word word, const char *text);
+
+/* The whole word as a number; false for anything else ("1,5", "nan", "0x1"). */
+bool pp_rad_words_number(struct pp_rad_word word, double *value);
+
+#endif

@@ -1,0 +1,295 @@
+/* rad_room.c - see rad_room.h. */
+#include "formats/radiance/write/rad_room.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "formats/radiance/rad_names.h"
+#include "model/room/keyhole.h"
+#include "model/room/surface_materials.h"
+
+/* A near skyline is endless; its polygon reaches this far to either side, over its
+ * distance: what is left out lies within half a degree of the skyline's own direction,
+ * and no higher than that. */
+static const double WIDE = 100.0;
+/* Between the polygons of its two sides. */
+static const double THICK_M = 0.01;
+
+struct rad_room_builder {
+    struct pp_scene_description *scene;
+    const struct pp_world *world;
+    double horizontal;
+    bool gloss;
+    struct pp_rad_names known; /* the scene's materials, by their keys */
+    struct pp_error *err;
+};
+
+/* The material's number in the scene: a new one, or that of one like it. */
+static enum pp_status number_of(struct rad_room_builder *b,
+                                const struct pp_material *material, int *index)
+{
+    struct pp_material_key key = pp_surface_materials_key(material);
+    struct pp_rad_meaning known = {PP_RAD_MATERIAL, -1, -1};
+    enum pp_status status = PP_OK;
+    if (!pp_rad_names_find(&b->known, (const char *)&key, sizeof key, &known)) {
+        status =
+            pp_scene_description_add_material(b->scene, material, &known.index, b->err);
+        if (status == PP_OK)
+            status = pp_rad_names_define(&b->known, (const char *)&key, sizeof key,
+                                         known, b->err);
+    }
+    *index = known.index;
+    return status;
+}
+
+/* Both sides; *back is -1 where they are the same but for their names. */
+static enum pp_status sides_of(struct rad_room_builder *b,
+                               const struct pp_material *front, struct pp_material back,
+                               int *front_index, int *back_index)
+{
+    struct pp_material renamed = back;
+    memcpy(renamed.name, front->name, sizeof renamed.name);
+    *back_index = -1;
+    enum pp_status status = number_of(b, front, front_index);
+    if (status == PP_OK && !pp_surface_materials_same(front, &renamed))
+        status = number_of(b, &back, back_index);
+    return status;
+}
+
+static enum pp_status add_polygon(struct rad_room_builder *b,
+                                  const struct pp_vec3 *corners, int count, int front,
+                                  int back)
+{
+    int index;
+    enum pp_status status = pp_scene_description_add_polygon(b->scene, corners, count,
+                                                             front, &index, b->err);
+    if (status == PP_OK)
+        b->scene->shapes[index].back_material = back;
+    return status;
+}
+
+/* ---- surfaces ---- */
+
+static struct pp_material side_of(const struct rad_room_builder *b, int which,
+                                  bool front)
+{
+    return b->gloss ? pp_surface_materials_of(b->world, which, front)
+                    : pp_surface_materials_matt(b->world, which, front);
+}
+
+static enum pp_status add_surface(struct rad_room_builder *b, int which)
+{
+    const struct pp_surface *surface = &b->world->surfaces[which];
+    if (surface->exitance > 0.0)
+        return pp_fail(b->err, PP_BAD_INPUT,
+                       "line %d: a surface that gives off light by itself; Radiance "
+                       "has none that reflects as well",
+                       surface->line);
+    struct pp_material front = side_of(b, which, true);
+    struct pp_material behind = side_of(b, which, false);
+    int material, back;
+    enum pp_status status = sides_of(b, &front, behind, &material, &back);
+    if (status != PP_OK || which >= b->world->face_count)
+        return status != PP_OK ? status
+                               : add_polygon(b, surface->outline.vertices,
+                                             surface->outline.count, material, back);
+    struct pp_keyhole_outlines cut;
+    status = pp_keyhole_outlines_init(&cut, b->world, which, b->err);
+    if (status != PP_OK)
+        return status;
+    for (int i = 0; i < cut.count && status == PP_OK; i++)
+        status = add_polygon(b, cut.outlines[i].corners, cut.outlines[i].count,
+                             material, back);
+    pp_keyhole_outlines_clear(&cut);
+    return status;
+}
+
+static enum pp_status add_surfaces(struct rad_room_builder *b, bool inside)
+{
+    enum pp_status status = PP_OK;
+    for (int i = 0; i < b->world->surface_count && status == PP_OK; i++)
+        if (b->world->surfaces[i].inside == inside)
+            status = add_surface(b, i);
+    return status;
+}
+
+static enum pp_status add_panes(struct rad_room_builder *b)
+{
+    enum pp_status status = PP_OK;
+    for (int i = 0; i < b->world->opening_count && status == PP_OK; i++) {
+        const struct pp_opening *opening = &b->world->openings[i];
+        struct pp_material in = pp_surface_materials_pane(b->world, i, true);
+        struct pp_material out = pp_surface_materials_pane(b->world, i, false);
+        if (in.kind == PP_MATERIAL_GLASS && in.glass[0].panes == 0
+            && in.clear_share == 1.0 && in.dirt == 1.0)
+            continue; /* nothing but air */
+        int front, back;
+        status = sides_of(b, &in, out, &front, &back);
+        if (status == PP_OK)
+            status = add_polygon(b, opening->outer.vertices, opening->outer.count,
+                                 front, back);
+    }
+    return status;
+}
+
+/* ---- skylines ---- */
+
+static struct pp_vec3 outward_of(const struct pp_world *world,
+                                 const struct pp_skyline *skyline)
+{
+    struct pp_vec3 n = world->surfaces[skyline->face].outline.normal;
+    return pp_vec_unit(pp_vec(-n.x, -n.y, 0.0));
+}
+
+/* Radiance of the skyline's side with that normal, lit by the open sky and the
+ * ground. */
+static double radiance_of(const struct rad_room_builder *b,
+                          const struct pp_skyline *skyline, struct pp_vec3 normal)
+{
+    return b->horizontal / PP_PI * skyline->reflectance
+           * (pp_sky_on_plane(&b->world->sky, normal)
+              + b->world->ground_reflectance / 2.0);
+}
+
+static enum pp_status add_side(struct rad_room_builder *b,
+                               const struct pp_skyline *skyline, struct pp_vec3 middle,
+                               struct pp_vec3 normal)
+{
+    struct pp_material glow =
+        pp_material_glow(pp_rgb_grey(radiance_of(b, skyline, normal)));
+    snprintf(glow.name, sizeof glow.name, "skyline");
+    int material;
+    enum pp_status status = number_of(b, &glow, &material);
+    /* Counter-clockwise seen against the normal: right, then up. */
+    struct pp_vec3 right = pp_vec_cross(pp_vec(0.0, 0.0, 1.0), normal);
+    double half = WIDE * skyline->distance_m;
+    struct pp_vec3 left_end = pp_vec_along(middle, -half, right);
+    struct pp_vec3 right_end = pp_vec_along(middle, half, right);
+    struct pp_vec3 corners[4] = {left_end, right_end, right_end, left_end};
+    for (int i = 0; i < 4; i++)
+        corners[i].z = i < 2 ? b->world->ground_level_m : skyline->head_z_m;
+    return status == PP_OK ? add_polygon(b, corners, 4, material, -1) : status;
+}
+
+static enum pp_status add_skyline(struct rad_room_builder *b,
+                                  const struct pp_skyline *skyline)
+{
+    const struct pp_world *world = b->world;
+    if (isinf(skyline->distance_m)
+        || !(skyline->head_z_m > world->ground_level_m + 1e-6))
+        return PP_OK;
+    struct pp_vec3 outward = outward_of(world, skyline);
+    const struct pp_polygon *wall = &world->surfaces[skyline->face].outline;
+    struct pp_vec3 on = pp_vec_along(wall->vertices[0], skyline->distance_m, outward);
+    for (int i = 0; i < world->face_count; i++)
+        for (int k = 0; k < world->surfaces[i].outline.count; k++)
+            if (pp_vec_dot(outward,
+                           pp_vec_sub(world->surfaces[i].outline.vertices[k], on))
+                > -THICK_M)
+                return pp_fail(
+                    b->err, PP_BAD_INPUT,
+                    "line %d: a skyline that runs through the room; expected "
+                    "it beyond every wall",
+                    skyline->line);
+    enum pp_status status = add_side(b, skyline, on, pp_vec_scale(outward, -1.0));
+    return status == PP_OK
+               ? add_side(b, skyline, pp_vec_along(on, THICK_M, outward), outward)
+               : status;
+}
+
+/* ---- sky and ground ---- */
+
+static enum pp_status pattern_of(struct rad_room_builder *b, struct pp_pattern *pattern)
+{
+    *pattern = (struct pp_pattern){
+        .kind = PP_PATTERN_SKY, .factor = b->horizontal, .sky = b->world->sky};
+    for (int i = 0; i < b->world->skyline_count; i++) {
+        const struct pp_skyline *skyline = &b->world->skylines[i];
+        double slope = tan(skyline->angle_rad);
+        if (!isinf(skyline->distance_m) || !(slope > 0.0))
+            continue;
+        if (pattern->skyline_count == PP_PATTERN_SKYLINES_MOST)
+            return pp_fail(b->err, PP_BAD_INPUT,
+                           "line %d: more than %d skylines without a distance",
+                           skyline->line, PP_PATTERN_SKYLINES_MOST);
+        struct pp_vec3 outward = outward_of(b->world, skyline);
+        pattern->skylines[pattern->skyline_count++] = (struct pp_pattern_skyline){
+            outward, slope, radiance_of(b, skyline, pp_vec_scale(outward, -1.0))};
+    }
+    return PP_OK;
+}
+
+static enum pp_status add_half(struct rad_room_builder *b, const char *name,
+                               struct pp_material glow, double z)
+{
+    const struct pp_shape half = {.kind = PP_SHAPE_DISTANT,
+                                  .back_material = -1,
+                                  .is.distant = {pp_vec(0.0, 0.0, z), PP_PI / 2.0}};
+    struct pp_shape shape = half;
+    snprintf(glow.name, sizeof glow.name, "%s", name);
+    enum pp_status status = number_of(b, &glow, &shape.material);
+    return status == PP_OK
+               ? pp_scene_description_add_shape(b->scene, &shape, NULL, b->err)
+               : status;
+}
+
+static enum pp_status add_sky(struct rad_room_builder *b)
+{
+    struct pp_pattern pattern;
+    struct pp_material sky = pp_material_glow(pp_rgb_grey(1.0));
+    struct pp_material ground = pp_material_glow(
+        pp_rgb_grey(b->world->ground_reflectance * b->horizontal / PP_PI));
+    enum pp_status status = pattern_of(b, &pattern);
+    if (status == PP_OK)
+        status =
+            pp_scene_description_add_pattern(b->scene, &pattern, &sky.pattern, b->err);
+    if (status == PP_OK)
+        status = add_half(b, "sky", sky, 1.0);
+    return status == PP_OK ? add_half(b, "ground", ground, -1.0) : status;
+}
+
+enum pp_status pp_rad_room_init(struct pp_rad_room *room, const struct pp_world *world,
+                                double horizontal, bool gloss, struct pp_error *err)
+{
+    *room = (struct pp_rad_room){0};
+    pp_scene_description_init(&room->scene);
+    struct rad_room_builder b = {.scene = &room->scene,
+                                 .world = world,
+                                 .horizontal = horizontal,
+                                 .gloss = gloss,
+                                 .err = err};
+    enum pp_status status = add_surfaces(&b, true);
+    room->first[PP_RAD_GLAZING] = room->scene.shape_count;
+    if (status == PP_OK)
+        status = add_panes(&b);
+    room->first[PP_RAD_OUTSIDE] = room->scene.shape_count;
+    if (status == PP_OK)
+        status = add_surfaces(&b, false);
+    for (int i = 0; i < world->skyline_count && status == PP_OK; i++)
+        status = add_skyline(&b, &world->skylines[i]);
+    room->first[PP_RAD_SKY] = room->scene.shape_count;
+    if (status == PP_OK)
+        status = add_sky(&b);
+    room->first[PP_RAD_GROUPS] = room->scene.shape_count;
+    pp_rad_names_clear(&b.known);
+    if (status != PP_OK)
+        pp_rad_room_clear(room);
+    return status;
+}
+
+bool pp_rad_room_has_gloss(const struct pp_world *world)
+{
+    for (int i = 0; i < 2 * world->surface_count; i++) {
+        struct pp_material full = pp_surface_materials_of(world, i / 2, i % 2);
+        struct pp_material matt = pp_surface_materials_matt(world, i / 2, i % 2);
+        if (!pp_surface_materials_same(&full, &matt))
+            return true;
+    }
+    return false;
+}
+
+void pp_rad_room_clear(struct pp_rad_room *room)
+{
+    pp_scene_description_clear(&room->scene);
+}

@@ -1,0 +1,10 @@
+/* blocks.h - the step that adds buildings outside: boxes that stand clear of the
+ * room. Inside model/room/ only. */
+#ifndef PP_MODEL_ROOM_BUILD_BLOCKS_H
+#define PP_MODEL_ROOM_BUILD_BLOCKS_H
+
+#include "model/room/build/resolve.h"
+
+enum pp_status pp_build_blocks(struct pp_resolver *r, struct pp_error *err);
+
+#endif

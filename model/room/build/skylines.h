@@ -1,0 +1,10 @@
+/* skylines.h - the step that adds endless obstructions parallel to a wall. Inside
+ * model/room/ only. */
+#ifndef PP_MODEL_ROOM_BUILD_SKYLINES_H
+#define PP_MODEL_ROOM_BUILD_SKYLINES_H
+
+#include "model/room/build/resolve.h"
+
+enum pp_status pp_build_skylines(struct pp_resolver *r, struct pp_error *err);
+
+#endif

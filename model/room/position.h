@@ -1,0 +1,30 @@
+/* position.h - is a point in the room, and can light be measured there? */
+#ifndef PP_MODEL_ROOM_POSITION_H
+#define PP_MODEL_ROOM_POSITION_H
+
+#include <stdbool.h>
+
+#include "model/room/world.h"
+
+/* Does a point lie within the room's envelope? For a point exactly on it
+ * the answer may be either. */
+bool pp_position_in_room(const struct pp_world *world, struct pp_vec3 point);
+
+/* Is the point in a face or any other surface of the world, to a tenth of a
+ * millimetre? */
+bool pp_position_in_surface(const struct pp_world *world, struct pp_vec3 point);
+
+/* What is wrong with a receiver at this position with that unit normal, as the end of a
+ * sentence ("lies outside the room", "lies in an opening"), or NULL if nothing is. A
+ * receiver may lie on floor, walls and ceiling if it faces straight into the room. */
+const char *pp_position_receiver_fault(const struct pp_world *world,
+                                       struct pp_vec3 position, struct pp_vec3 normal);
+
+/* A receiver that faces up at (x, y, z), z NAN: on the working plane; PP_BAD_INPUT
+ * where light can't be measured there. */
+enum pp_status pp_position_place_receiver(const struct pp_world *world, double x,
+                                          double y, double z,
+                                          struct pp_receiver *receiver,
+                                          struct pp_error *err);
+
+#endif

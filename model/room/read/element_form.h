@@ -1,0 +1,24 @@
+/* element_form.h - elements read and checked by the table of room_schema.h. Inside
+ * model/room/ only. */
+#ifndef PP_MODEL_ROOM_READ_ELEMENT_FORM_H
+#define PP_MODEL_ROOM_READ_ELEMENT_FORM_H
+
+#include "model/room/read/room_schema.h"
+
+/* Fills the element's form from its attributes, defaults where they are left out, and
+ * notes what is wrong with them. False where anything is. */
+bool pp_element_form_fill(void *form, const struct pp_element_rule *rule,
+                          const struct pp_xml_element *element,
+                          struct pp_mistakes *mistakes);
+
+/* Notes children that the element can't have, has too often or too few times. False
+ * where there are any. */
+bool pp_element_form_check_children(const struct pp_element_rule *rule,
+                                    const struct pp_xml_element *element,
+                                    struct pp_mistakes *mistakes);
+
+/* Is the element one by that rule? */
+bool pp_element_form_matches(const struct pp_xml_element *element,
+                             const struct pp_element_rule *rule);
+
+#endif

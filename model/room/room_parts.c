@@ -1,0 +1,45 @@
+/* room_parts.c - see room_parts.h. */
+#include "model/room/room_parts.h"
+
+#include <stdlib.h>
+
+void pp_room_parts_clear_vertices(struct pp_vertices *vertices)
+{
+    free(vertices->list);
+    free(vertices->lines);
+    *vertices = (struct pp_vertices){0};
+}
+
+void pp_room_parts_clear_plan(struct pp_plan_part *plan)
+{
+    pp_room_parts_clear_vertices(&plan->vertices);
+    for (int i = 0; i < plan->face_count; i++) {
+        free(plan->faces[i].name);
+        pp_room_parts_clear_vertices(&plan->faces[i].vertices);
+    }
+    free(plan->faces);
+    *plan = (struct pp_plan_part){0};
+}
+
+void pp_room_parts_clear(struct pp_room *room)
+{
+    free(room->name);
+    pp_room_parts_clear_plan(&room->plan);
+    for (int i = 0; i < room->finish_count; i++)
+        free(room->finishes[i].wall);
+    for (int i = 0; i < room->opening_count; i++) {
+        free(room->openings[i].wall);
+        pp_room_parts_clear_vertices(&room->openings[i].vertices);
+    }
+    for (int i = 0; i < room->skyline_count; i++)
+        free(room->skylines[i].wall);
+    for (int i = 0; i < room->surface_count; i++)
+        pp_room_parts_clear_vertices(&room->surfaces[i].vertices);
+    free(room->finishes);
+    free(room->openings);
+    free(room->skylines);
+    free(room->blocks);
+    free(room->surfaces);
+    free(room->receivers);
+    *room = (struct pp_room){0};
+}

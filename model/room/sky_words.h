@@ -1,0 +1,37 @@
+/* sky_words.h - a sky in words, as a room file's <sky> and the command line's --sky
+ * have it: "overcast", "uniform", "iso-1" to "iso-15", and where the sun stands. */
+#ifndef PP_MODEL_ROOM_SKY_WORDS_H
+#define PP_MODEL_ROOM_SKY_WORDS_H
+
+#include "model/base/error.h"
+#include "model/light/sky.h"
+
+/* What the words say, before it becomes a sky. */
+struct pp_sky_part {
+    enum pp_sky_kind kind;
+    int iso;
+    double sun_altitude_rad, sun_bearing_rad; /* NAN where not given */
+    int line;                                 /* of the room file; 0: none */
+};
+
+/* The words for types, ended by NULL; their places are pp_sky_words_set_type's. */
+extern const char *const pp_sky_words[];
+
+/* An overcast sky, and nothing said of the sun. */
+struct pp_sky_part pp_sky_words_default(void);
+
+/* Gives the part the type of that index among pp_sky_words. */
+void pp_sky_words_set_type(struct pp_sky_part *part, int index);
+
+/* Reads "TYPE" or "TYPE,SUN-ALTITUDE,SUN-BEARING", in degrees ("iso-12,30,180").
+ * Without a sun the part keeps its own; PP_BAD_INPUT where a type needs the sun and
+ * neither has one, and the part stays as it was. */
+enum pp_status pp_sky_words_parse(struct pp_sky_part *part, const char *spec,
+                                  struct pp_error *err);
+
+/* The sky itself, in the axes of a room whose +y points to the bearing north_rad.
+ * PP_BAD_INPUT where it needs a sun that is not given. */
+enum pp_status pp_sky_words_sky(struct pp_sky *sky, const struct pp_sky_part *part,
+                                double north_rad, struct pp_error *err);
+
+#endif
