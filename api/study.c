@@ -6,6 +6,8 @@
 
 #include "methods/evaluate.h"
 #include "model/room/building.h"
+#include "model/room/position.h"
+#include "model/room/room.h"
 #include "model/room/world.h"
 #include "studies/criteria/en17037_grid.h"
 

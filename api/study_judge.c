@@ -75,7 +75,7 @@ static enum pp_status write_file(char **file, struct pp_size_room_result *result
     size_t length;
     for (int i = 0; i < result->edit_count; i++)
         result->edits[i].opening += result->file_opening;
-    return pp_edit_text(file, &length, result->file_text, result->file_length,
+    return pp_room_text_edit(file, &length, result->file_text, result->file_length,
                         result->edits, result->edit_count, err);
 }
 

@@ -1,3 +1,5 @@
+/* message.c - prints messages to standard error, each with the program's name in
+ * front. */
 #include "cli/message.h"
 
 #include <stdarg.h>

@@ -1,3 +1,5 @@
+/* options.c - finds options in their tables, reads their values, and lays out the
+ * help. */
 #include "cli/options.h"
 
 #include <errno.h>

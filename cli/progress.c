@@ -1,3 +1,4 @@
+/* progress.c - draws the progress bar, with the time left, over itself. */
 #include "cli/progress.h"
 
 #include <math.h>

@@ -1,9 +1,12 @@
-#include "reports/print.h"
+/* df_json.c - builds the JSON object of one room: its points, the average, and the readings
+ * of every method there. */
+#include "reports/df_json.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "reports/format.h"
 #include "reports/json.h"
 #include "methods/method.h"
 #include "model/light/sky.h"

@@ -1,3 +1,4 @@
+/* json.c - adds numbers, texts and lists to objects of json-c, and prints them. */
 #include "reports/json.h"
 
 #include <math.h>

@@ -1,4 +1,5 @@
-/* print.c - see print.h: what was assumed of a room, and words wrapped. */
+/* print.c - writes the sentences on a room's assumptions, and wraps words to a
+ * width. */
 #include "reports/print.h"
 
 #include <math.h>

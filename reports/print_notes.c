@@ -1,3 +1,5 @@
+/* print_notes.c - gathers the reasons of missing values, each once, with its
+ * columns. */
 #include "reports/print_notes.h"
 
 #include <math.h>

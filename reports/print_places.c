@@ -1,3 +1,5 @@
+/* print_places.c - finds which coordinates change from point to point, and names
+ * them. */
 #include "reports/print_places.h"
 
 #include <math.h>

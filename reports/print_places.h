@@ -1,6 +1,6 @@
 /* print_places.h - where the points of a report lie, for its table. */
-#ifndef PP_CLI_PRINT_PRINT_PLACES_H
-#define PP_CLI_PRINT_PRINT_PLACES_H
+#ifndef PP_REPORTS_PRINT_PLACES_H
+#define PP_REPORTS_PRINT_PLACES_H
 
 #include <stdbool.h>
 #include <stdio.h>

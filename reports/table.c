@@ -1,3 +1,4 @@
+/* table.c - measures columns, breaks headings, and prints panels that fit the line. */
 #include "reports/table.h"
 
 #include <stdlib.h>

@@ -1,4 +1,5 @@
-/* assess - what a room's daylight has to reach, and whether it does. */
+/* cmd_assess.c - the command assess: what a room's daylight has to reach, and
+ * whether it does. */
 #include <stdlib.h>
 #include <string.h>
 
@@ -12,6 +13,7 @@
 #include "cli/output.h"
 #include "cli/rooms.h"
 #include "cli/watch.h"
+#include "reports/assess_json.h"
 #include "reports/assess_text.h"
 #include "studies/criteria/capitals.h"
 #include "model/base/text.h"

@@ -1,4 +1,5 @@
-/* availability - in how many of the working hours daylight gives an illuminance. */
+/* cmd_availability.c - the command availability: in how many of the working hours
+ * daylight gives an illuminance. */
 #include <stdlib.h>
 #include <string.h>
 
@@ -12,6 +13,8 @@
 #include "cli/interrupt.h"
 #include "cli/message.h"
 #include "cli/output.h"
+#include "reports/availability_json.h"
+#include "reports/availability_csv.h"
 #include "reports/availability_text.h"
 #include "methods/evaluate.h"
 #include "methods/selection.h"
@@ -68,7 +71,7 @@ static enum pp_status print(const struct availability_run *run, FILE *out,
     case PP_FORMAT_JSON:
         return pp_availability_json(&run->results, out, err);
     case PP_FORMAT_CSV:
-        return pp_availability_text_csv(&run->results, out, err);
+        return pp_availability_csv(&run->results, out, err);
     case PP_FORMAT_TEXT:
         break;
     }

@@ -1,4 +1,5 @@
-/* df - daylight factors at the reference points, and their average. */
+/* cmd_df.c - the command df: daylight factors at the reference points, and their
+ * average. */
 #include <stdlib.h>
 #include <string.h>
 
@@ -13,7 +14,9 @@
 #include "cli/rooms.h"
 #include "cli/terminal.h"
 #include "cli/watch.h"
-#include "reports/print.h"
+#include "reports/df_text.h"
+#include "reports/df_json.h"
+#include "reports/df_csv.h"
 #include "methods/evaluate.h"
 #include "methods/selection.h"
 #include "methods/method.h"

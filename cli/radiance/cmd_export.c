@@ -1,4 +1,4 @@
-/* export - a room in another program's format. */
+/* cmd_export.c - the command export: a room in another program's format. */
 #include <stdlib.h>
 #include <string.h>
 

@@ -1,4 +1,5 @@
-/* import - another program's scene, and what sensors in it say. */
+/* cmd_import.c - the command import: another program's scene, and the readings of
+ * sensors in it. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -9,7 +10,7 @@
 #include "cli/interrupt.h"
 #include "cli/message.h"
 #include "cli/output.h"
-#include "reports/print_sensors.h"
+#include "reports/import_report.h"
 #include "cli/progress.h"
 #include "cli/room_options.h"
 #include "cli/radiance/sensor_points.h"
@@ -169,7 +170,7 @@ static enum pp_exit run(void *values, char **files, int file_count)
                           : pp_fail_memory(&err);
     }
     if (status == PP_OK)
-        status = pp_print_sensors(&imported, options->format,
+        status = pp_import_report(&imported, options->format,
                                   pp_terminal_width(room_options->output),
                                   pp_terminal_utf8(), output.stream, &err);
     status = pp_output_close(&output, status, &err);

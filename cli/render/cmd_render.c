@@ -1,4 +1,4 @@
-/* render - a picture of a room's light. */
+/* cmd_render.c - the command render: a picture of a room's light. */
 #include "cli/command.h"
 #include "cli/render/make_picture.h"
 #include "cli/message.h"

@@ -1,3 +1,5 @@
+/* render_choice.c - reads the options of the command render and checks them against
+ * one another. */
 #include "cli/render/render_choice.h"
 
 #include <math.h>

@@ -1,4 +1,4 @@
-/* size - the window that just reaches a target. */
+/* cmd_size.c - the command size: the window that just reaches a target. */
 #include <omp.h>
 #include <stdlib.h>
 #include <string.h>
@@ -8,7 +8,7 @@
 #include "cli/interrupt.h"
 #include "cli/message.h"
 #include "cli/output.h"
-#include "reports/print_size.h"
+#include "reports/size_report.h"
 #include "cli/rooms.h"
 #include "cli/format_option.h"
 #include "cli/watch.h"
@@ -102,9 +102,9 @@ static enum pp_exit size_rooms(struct pp_size_results *results,
     if (status == PP_OK)
         status = compute(results, rooms, &err);
     if (status == PP_OK && options->format == PP_FORMAT_JSON)
-        status = pp_print_size_json(results, output.stream, &err);
+        status = pp_size_report_json(results, output.stream, &err);
     else if (status == PP_OK)
-        status = pp_print_size(results, pp_terminal_width(path), pp_terminal_utf8(),
+        status = pp_size_report(results, pp_terminal_width(path), pp_terminal_utf8(),
                                output.stream, &err);
     status = pp_output_close(&output, status, &err);
     if (status == PP_OK && options->write)

@@ -1,3 +1,5 @@
+/* against_radiance.c - exports each room, runs Radiance's script on it, and prints
+ * both results. */
 #include "cli/validate/against_radiance.h"
 
 #include <errno.h>

@@ -1,4 +1,5 @@
-/* validate - formulae against simulation, and the program against analytic answers. */
+/* cmd_validate.c - the command validate: formulae against simulation, and the
+ * program against analytic answers. */
 #include <stdlib.h>
 #include <string.h>
 
@@ -11,7 +12,8 @@
 #include "cli/interrupt.h"
 #include "cli/message.h"
 #include "cli/output.h"
-#include "reports/print_validate.h"
+#include "reports/df_result.h"
+#include "reports/validate_report.h"
 #include "cli/rooms.h"
 #include "methods/evaluate.h"
 #include "methods/selection.h"
@@ -30,11 +32,11 @@ static enum pp_status print_known(const struct pp_self_test_cases *known,
                                   struct pp_error *err)
 {
     if (format == PP_FORMAT_JSON)
-        return pp_print_validate_self_test_json(known, out, err);
+        return pp_validate_report_self_test_json(known, out, err);
     if (format == PP_FORMAT_CSV)
-        pp_print_validate_self_test_csv(known, out);
+        pp_validate_report_self_test_csv(known, out);
     else
-        pp_print_validate_self_test(known, pp_terminal_width(path), out);
+        pp_validate_report_self_test(known, pp_terminal_width(path), out);
     return PP_OK;
 }
 
@@ -96,11 +98,11 @@ static enum pp_status print(const struct pp_validation *validation,
                             struct pp_error *err)
 {
     if (format == PP_FORMAT_JSON)
-        return pp_print_validate_rooms_json(validation, out, err);
+        return pp_validate_report_rooms_json(validation, out, err);
     if (format == PP_FORMAT_CSV)
-        pp_print_validate_rooms_csv(validation, out);
+        pp_validate_report_rooms_csv(validation, out);
     else
-        pp_print_validate_rooms(validation, pp_terminal_width(path), out);
+        pp_validate_report_rooms(validation, pp_terminal_width(path), out);
     return PP_OK;
 }
 

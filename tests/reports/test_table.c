@@ -1,4 +1,4 @@
-/* The layout of a table of results in lines of a given width. */
+/* test_table.c - the layout of a table of results in lines of a given width. */
 #include "tests/lib/near.h"
 
 #include <stdio.h>

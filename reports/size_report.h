@@ -1,6 +1,6 @@
-/* print_size.h - the window that reaches a target, as text for people and as JSON. */
-#ifndef PP_CLI_SIZE_PRINT_SIZE_H
-#define PP_CLI_SIZE_PRINT_SIZE_H
+/* size_report.h - the window that reaches a target, as text for people and as JSON. */
+#ifndef PP_REPORTS_SIZE_REPORT_H
+#define PP_REPORTS_SIZE_REPORT_H
 
 #include <stdbool.h>
 #include <stdio.h>
@@ -15,9 +15,9 @@ struct pp_size_results {
     const struct pp_size_wish *wish; /* not owned */
 };
 
-enum pp_status pp_print_size(const struct pp_size_results *results, int width,
+enum pp_status pp_size_report(const struct pp_size_results *results, int width,
                              bool utf8, FILE *out, struct pp_error *err);
-enum pp_status pp_print_size_json(const struct pp_size_results *results, FILE *out,
+enum pp_status pp_size_report_json(const struct pp_size_results *results, FILE *out,
                                   struct pp_error *err);
 
 #endif

@@ -1,4 +1,6 @@
-#include "reports/print_size.h"
+/* size_report.c - prints the windows found, as text and as JSON of format pepperpot-
+ * size-1. */
+#include "reports/size_report.h"
 
 #include <math.h>
 #include <stdarg.h>
@@ -256,7 +258,7 @@ static enum pp_status print_room(const struct pp_size_room_result *result,
     return print_elements(result, out, err);
 }
 
-enum pp_status pp_print_size(const struct pp_size_results *results, int width,
+enum pp_status pp_size_report(const struct pp_size_results *results, int width,
                              bool utf8, FILE *out, struct pp_error *err)
 {
     enum pp_status status = PP_OK;
@@ -357,7 +359,7 @@ static struct json_object *room(const void *all, int index)
     return pp_json_whole(object, good);
 }
 
-enum pp_status pp_print_size_json(const struct pp_size_results *results, FILE *out,
+enum pp_status pp_size_report_json(const struct pp_size_results *results, FILE *out,
                                   struct pp_error *err)
 {
     return pp_json_print_rooms(out, room, results, results->count, results->several,

@@ -1,4 +1,5 @@
-#include "reports/print_sensors.h"
+/* import_report.c - prints an imported scene and its sensors as text, JSON or CSV. */
+#include "reports/import_report.h"
 
 #include <math.h>
 #include <string.h>
@@ -324,7 +325,7 @@ static void print_csv(const struct pp_imported *imported, FILE *out)
     }
 }
 
-enum pp_status pp_print_sensors(const struct pp_imported *imported,
+enum pp_status pp_import_report(const struct pp_imported *imported,
                                 enum pp_format format, int width, bool utf8, FILE *out,
                                 struct pp_error *err)
 {
