@@ -159,9 +159,10 @@ static void mistakes_have_lines(void **state)
     assert_int_equal(open_text(&opened,
                                "<room version='1'>\n"
                                "<plan width='3' depth='4' height='2.7'/>\n"
-                               "<window wall='soth' left='0.2' sill='0.9' width='2.6'"
+                               "<window wall='south' left='0.2' sill='0.9' width='5'"
                                " height='1.4'/>\n"
-                               "<windo/>\n"
+                               "<window wall='north' left='0.2' sill='0.9' width='1'"
+                               " height='3'/>\n"
                                "</room>\n",
                                &err),
                      PP_BAD_INPUT);
@@ -169,7 +170,7 @@ static void mistakes_have_lines(void **state)
     assert_int_equal(pp_mistakes_count(opened.mistakes), 2);
     assert_int_equal(pp_mistakes_line(opened.mistakes, 0), 3);
     assert_int_equal(pp_mistakes_line(opened.mistakes, 1), 4);
-    assert_non_null(strstr(pp_mistakes_text(opened.mistakes, 0), "soth"));
+    assert_non_null(strstr(pp_mistakes_text(opened.mistakes, 0), "south"));
     close_room(&opened);
 }
 
