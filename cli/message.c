@@ -5,7 +5,7 @@
 #include <stdarg.h>
 #include <stdio.h>
 
-#include "reports/format.h"
+#include "reports/parts/format.h"
 
 static void put_line(const char *before, const char *message)
 {

@@ -3,7 +3,7 @@
 
 #include <math.h>
 
-#include "reports/json.h"
+#include "reports/parts/json.h"
 #include "reports/gains_report.h"
 
 static const struct {

@@ -6,9 +6,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "reports/print.h"
+#include "reports/parts/print.h"
 #include "reports/gains_report.h"
-#include "reports/format.h"
+#include "reports/parts/format.h"
 #include "model/base/text.h"
 
 enum { CELL = 40, COLUMNS = 6, INDENT = 4, GAP = 2, NOTE_INDENT = 6 };

@@ -4,7 +4,7 @@
 
 #include <math.h>
 
-#include "reports/format.h"
+#include "reports/parts/format.h"
 
 static void put_row(const struct pp_availability_result *result,
                     const struct pp_availability_row *row, int period, FILE *out)
@@ -36,7 +36,7 @@ static void put_row(const struct pp_availability_result *result,
 }
 
 enum pp_status pp_availability_csv(const struct pp_availability_results *results,
-                                        FILE *out, struct pp_error *err)
+                                   FILE *out, struct pp_error *err)
 {
     (void)err;
     fputs("file,room,place,x,y,z,method,df_percent,df_std_error_percent,illuminance_lx,"

@@ -5,7 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "reports/json.h"
+#include "reports/parts/json.h"
 #include "model/light/sky.h"
 
 static const char *const origins[] = {

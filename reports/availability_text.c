@@ -4,10 +4,10 @@
 #include <math.h>
 #include <string.h>
 
-#include "reports/format.h"
-#include "reports/print.h"
-#include "reports/print_places.h"
-#include "reports/table.h"
+#include "reports/parts/format.h"
+#include "reports/parts/print.h"
+#include "reports/parts/print_places.h"
+#include "reports/parts/table.h"
 
 /* ---- the light outside ---- */
 

@@ -3,7 +3,7 @@
 
 #include <math.h>
 
-#include "reports/format.h"
+#include "reports/parts/format.h"
 
 /* One reading; receiver NULL: of the average. With external_lux over 0 a field more:
  * what a daylight factor makes of so many lux outside. */

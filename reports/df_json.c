@@ -6,8 +6,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "reports/format.h"
-#include "reports/json.h"
+#include "reports/parts/format.h"
+#include "reports/parts/json.h"
 #include "methods/method.h"
 #include "model/light/sky.h"
 

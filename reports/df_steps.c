@@ -10,8 +10,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "reports/format.h"
-#include "reports/print.h"
+#include "reports/parts/format.h"
+#include "reports/parts/print.h"
 #include "methods/method.h"
 #include "model/geometry/vec.h"
 #include "model/base/text.h"

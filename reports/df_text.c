@@ -6,11 +6,11 @@
 #include <string.h>
 
 #include "reports/df_steps.h"
-#include "reports/print.h"
-#include "reports/print_notes.h"
-#include "reports/print_places.h"
-#include "reports/table.h"
-#include "reports/format.h"
+#include "reports/parts/print.h"
+#include "reports/parts/print_notes.h"
+#include "reports/parts/print_places.h"
+#include "reports/parts/table.h"
+#include "reports/parts/format.h"
 #include "model/base/text.h"
 
 struct titles {

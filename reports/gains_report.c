@@ -4,9 +4,9 @@
 #include <math.h>
 #include <string.h>
 
-#include "reports/json.h"
-#include "reports/print.h"
-#include "reports/format.h"
+#include "reports/parts/json.h"
+#include "reports/parts/print.h"
+#include "reports/parts/format.h"
 
 enum { INDENT = 4, FIGURES = 30, SENTENCE = 256 };
 

@@ -4,10 +4,10 @@
 #include <math.h>
 #include <string.h>
 
-#include "reports/format.h"
-#include "reports/json.h"
-#include "reports/print.h"
-#include "reports/table.h"
+#include "reports/parts/format.h"
+#include "reports/parts/json.h"
+#include "reports/parts/print.h"
+#include "reports/parts/table.h"
 #include "model/base/read_file.h"
 
 /* Lux of an irradiance; and daylight factor in per cent, NAN where there is no sky. */

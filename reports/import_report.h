@@ -2,7 +2,7 @@
 #ifndef PP_REPORTS_IMPORT_REPORT_H
 #define PP_REPORTS_IMPORT_REPORT_H
 
-#include "reports/format.h"
+#include "reports/parts/format.h"
 #include "formats/radiance/read/rad_read.h"
 #include "simulate/transport/sensors.h"
 

@@ -7,9 +7,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "reports/json.h"
-#include "reports/print.h"
-#include "reports/format.h"
+#include "reports/parts/json.h"
+#include "reports/parts/print.h"
+#include "reports/parts/format.h"
 #include "model/base/text.h"
 
 enum { LABEL = 15, TEXT_BYTES = 640 };
@@ -259,7 +259,7 @@ static enum pp_status print_room(const struct pp_size_room_result *result,
 }
 
 enum pp_status pp_size_report(const struct pp_size_results *results, int width,
-                             bool utf8, FILE *out, struct pp_error *err)
+                              bool utf8, FILE *out, struct pp_error *err)
 {
     enum pp_status status = PP_OK;
     for (int i = 0; i < results->count && status == PP_OK; i++) {
@@ -360,7 +360,7 @@ static struct json_object *room(const void *all, int index)
 }
 
 enum pp_status pp_size_report_json(const struct pp_size_results *results, FILE *out,
-                                  struct pp_error *err)
+                                   struct pp_error *err)
 {
     return pp_json_print_rooms(out, room, results, results->count, results->several,
                                err);

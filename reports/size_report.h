@@ -16,8 +16,8 @@ struct pp_size_results {
 };
 
 enum pp_status pp_size_report(const struct pp_size_results *results, int width,
-                             bool utf8, FILE *out, struct pp_error *err);
+                              bool utf8, FILE *out, struct pp_error *err);
 enum pp_status pp_size_report_json(const struct pp_size_results *results, FILE *out,
-                                  struct pp_error *err);
+                                   struct pp_error *err);
 
 #endif

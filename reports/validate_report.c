@@ -6,9 +6,9 @@
 #include <string.h>
 
 #include "reports/df_result.h"
-#include "reports/print.h"
-#include "reports/format.h"
-#include "reports/json.h"
+#include "reports/parts/print.h"
+#include "reports/parts/format.h"
+#include "reports/parts/json.h"
 
 static const char *const titles[PP_COMPONENT_COUNT] = {
     [PP_SC] = "sky component",
@@ -28,7 +28,7 @@ static void put(FILE *out, int width, const char *format, double value)
 /* ---- known answers ---- */
 
 void pp_validate_report_self_test(const struct pp_self_test_cases *known, int width,
-                                 FILE *out)
+                                  FILE *out)
 {
     int wrong = 0;
     fputs("The program against answers known on paper; shares of the open sky\n\n"
@@ -74,7 +74,7 @@ static struct json_object *known_object(const struct pp_self_test_case *one)
 }
 
 enum pp_status pp_validate_report_self_test_json(const struct pp_self_test_cases *known,
-                                                FILE *out, struct pp_error *err)
+                                                 FILE *out, struct pp_error *err)
 {
     struct json_object *object = json_object_new_object();
     struct json_object *answers = json_object_new_array();
@@ -264,7 +264,7 @@ static void print_overall(const struct pp_validation *validation, FILE *out)
 }
 
 void pp_validate_report_rooms(const struct pp_validation *validation, int width,
-                             FILE *out)
+                              FILE *out)
 {
     const struct pp_results *results = validation->results;
     for (int i = 0; i < results->count; i++) {
@@ -362,7 +362,7 @@ static struct json_object *overall_object(const struct pp_overall *one)
 }
 
 enum pp_status pp_validate_report_rooms_json(const struct pp_validation *validation,
-                                            FILE *out, struct pp_error *err)
+                                             FILE *out, struct pp_error *err)
 {
     const struct pp_results *results = validation->results;
     struct json_object *object = json_object_new_object();

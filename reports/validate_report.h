@@ -10,10 +10,11 @@
 
 /* Answers beside what is expected. */
 void pp_validate_report_self_test(const struct pp_self_test_cases *known, int width,
-                                 FILE *out);
+                                  FILE *out);
 enum pp_status pp_validate_report_self_test_json(const struct pp_self_test_cases *known,
-                                                FILE *out, struct pp_error *err);
-void pp_validate_report_self_test_csv(const struct pp_self_test_cases *known, FILE *out);
+                                                 FILE *out, struct pp_error *err);
+void pp_validate_report_self_test_csv(const struct pp_self_test_cases *known,
+                                      FILE *out);
 
 /* Rooms, each with its comparisons, and all of them together. */
 struct pp_validation {
@@ -25,9 +26,9 @@ struct pp_validation {
 };
 
 void pp_validate_report_rooms(const struct pp_validation *validation, int width,
-                             FILE *out);
+                              FILE *out);
 enum pp_status pp_validate_report_rooms_json(const struct pp_validation *validation,
-                                            FILE *out, struct pp_error *err);
+                                             FILE *out, struct pp_error *err);
 void pp_validate_report_rooms_csv(const struct pp_validation *validation, FILE *out);
 
 #endif

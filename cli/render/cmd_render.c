@@ -4,6 +4,7 @@
 #include "cli/message.h"
 #include "cli/output.h"
 #include "cli/render/render_choice.h"
+#include "cli/render/render_options.h"
 #include "cli/rooms.h"
 #include "cli/render/show_picture.h"
 

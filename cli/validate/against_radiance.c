@@ -9,13 +9,13 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "reports/format.h"
+#include "reports/parts/format.h"
 #include "studies/study_report.h"
 #include "cli/interrupt.h"
-#include "reports/json.h"
+#include "reports/parts/json.h"
 #include "cli/message.h"
 #include "cli/job.h"
-#include "reports/print.h"
+#include "reports/parts/print.h"
 #include "cli/radiance/radiance_export.h"
 #include "model/base/read_file.h"
 #include "model/base/text.h"

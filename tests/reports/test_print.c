@@ -6,6 +6,8 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+#include "reports/df_csv.h"
+#include "reports/df_json.h"
 #include "reports/df_text.h"
 
 enum { POINTS = 3 };

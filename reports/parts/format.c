@@ -1,5 +1,5 @@
 /* format.c - quotes fields of CSV, and tells valid UTF-8 from other bytes. */
-#include "reports/format.h"
+#include "reports/parts/format.h"
 
 #include <math.h>
 #include <stdint.h>

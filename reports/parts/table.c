@@ -1,10 +1,10 @@
 /* table.c - measures columns, breaks headings, and prints panels that fit the line. */
-#include "reports/table.h"
+#include "reports/parts/table.h"
 
 #include <stdlib.h>
 #include <string.h>
 
-#include "reports/format.h"
+#include "reports/parts/format.h"
 
 enum {
     INDENT = 2,

@@ -1,8 +1,8 @@
 /* print.h - the parts that all reports for people share: the title of a room, the facts
  * assumed of it, and wrapped sentences. As text.
  */
-#ifndef PP_REPORTS_PRINT_H
-#define PP_REPORTS_PRINT_H
+#ifndef PP_REPORTS_PARTS_PRINT_H
+#define PP_REPORTS_PARTS_PRINT_H
 
 #include <stdio.h>
 

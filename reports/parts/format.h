@@ -1,7 +1,7 @@
 /* format.h - words and figures as reports write them: names of components, fields of CSV,
  * and the width of text in UTF-8. */
-#ifndef PP_REPORTS_FORMAT_H
-#define PP_REPORTS_FORMAT_H
+#ifndef PP_REPORTS_PARTS_FORMAT_H
+#define PP_REPORTS_PARTS_FORMAT_H
 
 #include <stdbool.h>
 #include <stdio.h>

@@ -4,7 +4,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "reports/table.h"
+#include "reports/parts/table.h"
 
 static void add(struct pp_table *table, const char *group, const char *heading,
                 const char *cell)
