@@ -5,7 +5,9 @@
 
 #include "api/chart_kind.h"
 #include "api/study.h"
-#include "reports/print.h"
+#include "reports/df_text.h"
+#include "reports/df_json.h"
+#include "reports/df_csv.h"
 
 enum { REPORT_COLUMNS = 80 };
 

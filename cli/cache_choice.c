@@ -1,4 +1,5 @@
-/* cache_choice.c - see cache_choice.h. */
+/* cache_choice.c - reads the options of the irradiance cache, and opens and writes
+ * its records file. */
 #include "cli/cache_choice.h"
 
 #include <errno.h>

@@ -1,7 +1,7 @@
 /* cache_choice.h - the words for the irradiance cache, the same wherever it is used.
  */
-#ifndef PP_CLI_RENDER_CACHE_CHOICE_H
-#define PP_CLI_RENDER_CACHE_CHOICE_H
+#ifndef PP_CLI_CACHE_CHOICE_H
+#define PP_CLI_CACHE_CHOICE_H
 
 #include "cli/options.h"
 #include "simulate/cache/irradiance_cache.h"

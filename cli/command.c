@@ -1,4 +1,4 @@
-/* command.c - how every command begins and ends: see command.h. */
+/* command.c - runs any command: its options, its check, its work, its end. */
 #include "cli/command.h"
 
 #include <stdlib.h>

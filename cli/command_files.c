@@ -1,3 +1,5 @@
+/* command_files.c - tells by device and inode whether two files that are named are
+ * one. */
 #include "cli/command_files.h"
 
 #include <libgen.h>

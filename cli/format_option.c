@@ -1,4 +1,4 @@
-/* format_option.c - see format_option.h. */
+/* format_option.c - reads text, json or csv. */
 #include "cli/format_option.h"
 
 #include <string.h>

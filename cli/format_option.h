@@ -3,7 +3,7 @@
 #define PP_CLI_FORMAT_OPTION_H
 
 #include "cli/options.h"
-#include "reports/format.h"
+#include "reports/parts/format.h"
 
 /* Lists for struct pp_option_group, with an enum pp_format as values. */
 extern const struct pp_option pp_format_option[];       /* text, json or csv */

@@ -1,3 +1,5 @@
+/* interrupt.c - notes SIGINT and SIGTERM in a flag; a second signal ends the
+ * process. */
 #include "cli/interrupt.h"
 
 #include <signal.h>

@@ -1,3 +1,4 @@
+/* lumen_option.c - loads the coefficient file of --lumen-table. */
 #include "cli/lumen_option.h"
 
 #include "cli/message.h"

@@ -1,4 +1,5 @@
-/* pepperpot - daylight factors by hand and by ray. */
+/* main.c - pepperpot, daylight factors by hand and by ray: the list of commands, and
+ * what the program does before and after one. */
 #include "config.h"
 
 #include <errno.h>

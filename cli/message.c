@@ -1,9 +1,11 @@
+/* message.c - prints messages to standard error, each with the program's name in
+ * front. */
 #include "cli/message.h"
 
 #include <stdarg.h>
 #include <stdio.h>
 
-#include "reports/format.h"
+#include "reports/parts/format.h"
 
 static void put_line(const char *before, const char *message)
 {

@@ -1,3 +1,5 @@
+/* options.c - finds options in their tables, reads their values, and lays out the
+ * help. */
 #include "cli/options.h"
 
 #include <errno.h>
@@ -5,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "reports/format.h"
+#include "reports/parts/format.h"
 #include "model/base/text.h"
 
 enum { HELP_WIDTH = 80, HELP_INDENT = 24, MOST_OPTIONS = 64 };

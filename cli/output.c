@@ -1,3 +1,4 @@
+/* output.c - writes a file beside the one named and renames it. */
 #include "cli/output.h"
 
 #include <errno.h>

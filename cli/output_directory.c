@@ -1,3 +1,4 @@
+/* output_directory.c - writes a directory beside the one named and renames it. */
 #include "cli/output_directory.h"
 
 #include <dirent.h>

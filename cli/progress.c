@@ -1,3 +1,4 @@
+/* progress.c - draws the progress bar, with the time left, over itself. */
 #include "cli/progress.h"
 
 #include <math.h>
@@ -6,7 +7,7 @@
 #include <sys/ioctl.h>
 #include <unistd.h>
 
-#include "reports/format.h"
+#include "reports/parts/format.h"
 #include "model/base/clock.h"
 
 /* Columns that the bar, and the label, take at most; the bar at least. */

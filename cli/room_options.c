@@ -1,3 +1,5 @@
+/* room_options.c - the tables of options that every command on a room has, and their
+ * check. */
 #include "cli/room_options.h"
 
 #include <math.h>

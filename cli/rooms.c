@@ -1,3 +1,4 @@
+/* rooms.c - reads room files, resolves their rooms and places the points. */
 #include "cli/rooms.h"
 
 #include <math.h>

@@ -1,4 +1,4 @@
-/* terminal.c - see terminal.h. */
+/* terminal.c - asks the terminal for its width and the locale for its encoding. */
 #include "cli/terminal.h"
 
 #include <langinfo.h>

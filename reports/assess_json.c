@@ -1,9 +1,10 @@
-/* Assessments as JSON, "pepperpot-assess-1". */
+/* assess_json.c - builds the JSON object of one assessed room, criterion by criterion. */
+#include "reports/assess_json.h"
+
 #include <math.h>
 
-#include "reports/assess_text.h"
-#include "reports/json.h"
-#include "reports/print_gains.h"
+#include "reports/parts/json.h"
+#include "reports/gains_report.h"
 
 static const struct {
     const char *unit;
@@ -114,7 +115,7 @@ static struct json_object *room_object(const void *everything, int index)
     if (good)
         good = add_criteria(object, assessment, options->external_lux);
     if (good && assessment->has_gains)
-        good = pp_print_gains_json(object, &assessment->gains);
+        good = pp_gains_report_json(object, &assessment->gains);
     return pp_json_whole(object, good);
 }
 

@@ -1,13 +1,14 @@
-/* Assessments as text: a row a finding, its verdict at the end of it, and what there is
- * to add below. */
+/* assess_text.c - lays out assessments: a row a finding with its verdict at the end, and
+ * notes below the row. */
+#include "reports/assess_text.h"
+
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "reports/assess_text.h"
-#include "reports/print.h"
-#include "reports/print_gains.h"
-#include "reports/format.h"
+#include "reports/parts/print.h"
+#include "reports/gains_report.h"
+#include "reports/parts/format.h"
 #include "model/base/text.h"
 
 enum { CELL = 40, COLUMNS = 6, INDENT = 4, GAP = 2, NOTE_INDENT = 6 };
@@ -276,7 +277,7 @@ static void print_room(const struct pp_assessment *assessment,
         print_simulation(assessment, options, &layout, out);
     print_sum(assessment, out);
     if (assessment->has_gains)
-        pp_print_gains(&assessment->gains, layout.width, out);
+        pp_gains_report(&assessment->gains, layout.width, out);
 }
 
 enum pp_status pp_assess_text(const struct pp_assessments *assessments, int width,

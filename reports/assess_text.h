@@ -1,4 +1,4 @@
-/* assess_text.h - rooms held against the criteria, as text for people and as JSON. */
+/* assess_text.h - rooms held against the criteria, as text for people. */
 #ifndef PP_REPORTS_ASSESS_TEXT_H
 #define PP_REPORTS_ASSESS_TEXT_H
 
@@ -17,10 +17,6 @@ struct pp_assessments {
 /* As text `width` columns wide (60 or more). */
 enum pp_status pp_assess_text(const struct pp_assessments *assessments, int width,
                               bool utf8, FILE *out, struct pp_error *err);
-
-/* One object a room ("pepperpot-assess-1"), an array of them if there are several. */
-enum pp_status pp_assess_json(const struct pp_assessments *assessments, FILE *out,
-                              struct pp_error *err);
 
 /* "met", "not met", "undecided", "not judged"; NULL for what is only stated. */
 const char *pp_assess_text_verdict(enum pp_verdict verdict);

@@ -1,10 +1,11 @@
-/* availability_json.c - see availability_text.h. */
+/* availability_json.c - builds the JSON object of one room. */
+#include "reports/availability_json.h"
+
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
 
-#include "reports/json.h"
-#include "reports/availability_text.h"
+#include "reports/parts/json.h"
 #include "model/light/sky.h"
 
 static const char *const origins[] = {

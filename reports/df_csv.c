@@ -1,10 +1,9 @@
-#include "reports/print.h"
+/* df_csv.c - puts one reading on each line of a CSV. */
+#include "reports/df_csv.h"
 
 #include <math.h>
 
-#include "reports/format.h"
-
-const char *const pp_component_names[PP_COMPONENT_COUNT] = {"sc", "erc", "irc", "df"};
+#include "reports/parts/format.h"
 
 /* One reading; receiver NULL: of the average. With external_lux over 0 a field more:
  * what a daylight factor makes of so many lux outside. */

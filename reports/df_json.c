@@ -1,10 +1,13 @@
-#include "reports/print.h"
+/* df_json.c - builds the JSON object of one room: its points, the average, and the readings
+ * of every method there. */
+#include "reports/df_json.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "reports/json.h"
+#include "reports/parts/format.h"
+#include "reports/parts/json.h"
 #include "methods/method.h"
 #include "model/light/sky.h"
 

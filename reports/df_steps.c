@@ -1,16 +1,17 @@
-/* Calculations set out as on paper: a formula on a line of its own, under it what it
- * gives; figures that were read or put in on one line each, the value on the right.
+/* df_steps.c - calculations set out as on paper: a formula on a line of its own, its value
+ * below; figures that were read or put in on one line each, the value on the right.
  *
  * Values have so many digits that whoever recomputes a formula from the printed figures
  * gets what is printed below it, to within their rounding. */
-#include "reports/print.h"
+#include "reports/df_steps.h"
 
 #include <ctype.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "reports/format.h"
+#include "reports/parts/format.h"
+#include "reports/parts/print.h"
 #include "methods/method.h"
 #include "model/geometry/vec.h"
 #include "model/base/text.h"

@@ -1,12 +1,16 @@
-#include "reports/print.h"
+/* df_text.c - fills the table of daylight factors and prints what goes above and below it. */
+#include "reports/df_text.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "reports/print_notes.h"
-#include "reports/print_places.h"
-#include "reports/format.h"
+#include "reports/df_steps.h"
+#include "reports/parts/print.h"
+#include "reports/parts/print_notes.h"
+#include "reports/parts/print_places.h"
+#include "reports/parts/table.h"
+#include "reports/parts/format.h"
 #include "model/base/text.h"
 
 struct titles {

@@ -1,4 +1,5 @@
-/* simulation.c - see simulation.h: any engine of the list, advanced slice by slice. */
+/* simulation.c - runs any engine of the list, advanced slice by slice, and adds its
+ * columns to the report. */
 #include "studies/simulation.h"
 
 #include <math.h>

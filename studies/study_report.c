@@ -1,4 +1,5 @@
-/* study_report.c - see study_report.h. */
+/* study_report.c - begins a report with the methods' columns, and adds the
+ * simulation's under a watch. */
 #include "studies/study_report.h"
 
 #include <omp.h>

@@ -1,4 +1,4 @@
-/* study_room.c - see study_room.h: who owns the points. */
+/* study_room.c - takes over a room's world and points, and frees both. */
 #include "studies/study_room.h"
 
 #include <stdlib.h>

@@ -1,4 +1,5 @@
-/* assess - what a room's daylight has to reach, and whether it does. */
+/* cmd_assess.c - the command assess: what a room's daylight has to reach, and
+ * whether it does. */
 #include <stdlib.h>
 #include <string.h>
 
@@ -9,9 +10,10 @@
 #include "studies/study_report.h"
 #include "cli/interrupt.h"
 #include "cli/message.h"
-#include "cli/output.h"
+#include "cli/job.h"
 #include "cli/rooms.h"
 #include "cli/watch.h"
+#include "reports/assess_json.h"
 #include "reports/assess_text.h"
 #include "studies/criteria/capitals.h"
 #include "model/base/text.h"
@@ -61,57 +63,60 @@ static void help_on_criteria(FILE *out)
         pp_options_help_word(criterion->name, criterion->summary, out);
 }
 
-static enum pp_status assess(struct pp_assessments *all, const struct pp_rooms *rooms,
-                             const struct pp_rooms *before,
-                             const struct pp_assess_options *options,
-                             struct pp_error *err)
+struct assess_run {
+    const struct assess_options *options;
+    const struct pp_rooms *rooms, *before;
+    struct pp_assessments all;
+};
+
+static enum pp_status compute(void *data, struct pp_error *err)
 {
+    struct assess_run *run = data;
+    struct pp_assessments *all = &run->all;
+    const struct pp_rooms *rooms = run->rooms, *before = run->before;
+    const struct pp_study_options *study = &run->options->room.study;
+    const struct pp_assess_options wanted = {.study = study,
+                                             .criteria = run->options->criteria,
+                                             .place = run->options->place,
+                                             .median_lux = run->options->median_lux,
+                                             .of_weather =
+                                                 run->options->weather != NULL};
     enum pp_status status = PP_OK;
+    all->list = calloc((size_t)rooms->count + 1, sizeof *all->list);
+    if (!all->list)
+        return pp_fail_memory(err);
     for (int i = 0; i < rooms->count && status == PP_OK; i++)
         status =
             pp_assessment_begin(&all->list[all->count++], &rooms->list[i], rooms->count,
-                                before->list, before->count, options, err);
-    if (status == PP_OK && options->study->simulate)
+                                before->list, before->count, &wanted, err);
+    if (status == PP_OK && study->simulate)
         pp_interrupt_watch();
     for (int i = 0; i < all->count && status == PP_OK; i++) {
         struct pp_assessment *one = &all->list[i];
-        if (options->study->simulate && one->has_factors)
-            status = pp_study_report_traced(&one->report, options->study,
-                                            &one->by_clock, err);
+        if (study->simulate && one->has_factors)
+            status = pp_study_report_traced(&one->report, study, &one->by_clock, err);
         if (status == PP_OK)
-            status = pp_assessment_judge(one, options, err);
+            status = pp_assessment_judge(one, &wanted, err);
     }
     return status;
 }
 
-static enum pp_exit assess_and_print(struct pp_assessments *all,
-                                     const struct pp_rooms *rooms,
-                                     const struct pp_rooms *before,
-                                     const struct assess_options *options)
+static enum pp_status print(const void *data, FILE *out, struct pp_error *err)
 {
-    const char *path = options->room.output;
-    const struct pp_assess_options wanted = {.study = &options->room.study,
-                                             .criteria = options->criteria,
-                                             .place = options->place,
-                                             .median_lux = options->median_lux,
-                                             .of_weather = options->weather != NULL};
-    struct pp_error err = {0};
-    struct pp_output output;
-    enum pp_status status = pp_output_open(&output, path, &err);
-    if (status == PP_OK)
-        status = assess(all, rooms, before, &wanted, &err);
-    if (status == PP_OK && options->format == PP_FORMAT_JSON)
-        status = pp_assess_json(all, output.stream, &err);
-    else if (status == PP_OK)
-        status = pp_assess_text(all, pp_terminal_width(path), pp_terminal_utf8(),
-                                output.stream, &err);
-    status = pp_output_close(&output, status, &err);
-    if (status != PP_OK)
-        return pp_message_error(&err);
-    for (int i = 0; i < all->count; i++)
-        if (!all->list[i].report.finished)
-            return pp_message_unfinished();
-    return PP_EXIT_DONE;
+    const struct assess_run *run = data;
+    return run->options->format == PP_FORMAT_JSON
+               ? pp_assess_json(&run->all, out, err)
+               : pp_assess_text(&run->all, pp_terminal_width(run->options->room.output),
+                                pp_terminal_utf8(), out, err);
+}
+
+static bool is_finished(const void *data)
+{
+    const struct assess_run *run = data;
+    for (int i = 0; i < run->all.count; i++)
+        if (!run->all.list[i].report.finished)
+            return false;
+    return true;
 }
 
 static enum pp_exit run_on(struct assess_options *options, const struct pp_rooms *rooms,
@@ -119,22 +124,17 @@ static enum pp_exit run_on(struct assess_options *options, const struct pp_rooms
 {
     struct pp_terminal_watch watch;
     options->room.study.watch = pp_watch_of_terminal(&watch, options->room.quiet);
-    struct pp_assessments all = {
-        .several = rooms->several,
-        .more_than_one_file = rooms->more_than_one_file,
-        .options = &options->room.study,
-        .list = calloc((size_t)rooms->count + 1, sizeof *all.list)};
-    struct pp_error err;
-    enum pp_exit exit_status;
-    if (all.list) {
-        exit_status = assess_and_print(&all, rooms, before, options);
-    } else {
-        pp_fail_memory(&err);
-        exit_status = pp_message_error(&err);
-    }
-    for (int i = 0; i < all.count; i++)
-        pp_assessment_clear(&all.list[i]);
-    free(all.list);
+    struct assess_run run = {.options = options,
+                             .rooms = rooms,
+                             .before = before,
+                             .all = {.several = rooms->several,
+                                     .more_than_one_file = rooms->more_than_one_file,
+                                     .options = &options->room.study}};
+    enum pp_exit exit_status = pp_job_run(
+        &(struct pp_job){options->room.output, compute, print, is_finished, &run});
+    for (int i = 0; i < run.all.count; i++)
+        pp_assessment_clear(&run.all.list[i]);
+    free(run.all.list);
     return exit_status;
 }
 
@@ -170,7 +170,6 @@ static enum pp_status check_place(const struct assess_options *options,
                                   struct pp_error *err)
 {
     const char *names[64];
-    char known[512];
     int count = 0;
     if (options->weather && (options->place || options->median_lux > 0.0))
         return pp_fail(err, PP_BAD_INPUT,
@@ -184,17 +183,9 @@ static enum pp_status check_place(const struct assess_options *options,
                    : PP_OK;
     for (; count < 64 && count < pp_capitals_count(); count++)
         names[count] = pp_capitals_at(count)->name;
-    const char *guess = pp_text_nearest(options->place, names, count);
-    return guess
-               ? pp_fail(err, PP_BAD_INPUT,
-                         "--place: \"%.100s\" is not in the standard's table; did you "
-                         "mean %s?",
-                         options->place, guess)
-               : pp_fail(err, PP_BAD_INPUT,
-                         "--place: \"%.100s\" is not in the standard's table; "
-                         "expected %s",
-                         options->place,
-                         pp_text_list_names(known, sizeof known, names, count));
+    return pp_text_unknown(err, options->place, names, count, NULL,
+                           "--place: \"%.100s\" is not in the standard's table",
+                           options->place);
 }
 
 static enum pp_status check(void *values, char **files, int file_count,

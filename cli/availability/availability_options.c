@@ -1,3 +1,5 @@
+/* availability_options.c - reads working hours, days, summer time and illuminances,
+ * and loads the weather file. */
 #include "cli/availability/availability_options.h"
 
 #include <ctype.h>

@@ -1,4 +1,5 @@
-/* availability - in how many of the working hours daylight gives an illuminance. */
+/* cmd_availability.c - the command availability: in how many of the working hours
+ * daylight gives an illuminance. */
 #include <stdlib.h>
 #include <string.h>
 
@@ -11,7 +12,9 @@
 #include "studies/study_report.h"
 #include "cli/interrupt.h"
 #include "cli/message.h"
-#include "cli/output.h"
+#include "cli/job.h"
+#include "reports/availability_json.h"
+#include "reports/availability_csv.h"
 #include "reports/availability_text.h"
 #include "methods/evaluate.h"
 #include "methods/selection.h"
@@ -35,6 +38,7 @@ struct availability_options {
 /* What a run holds. `outside` is the rooms' light, one each. */
 struct availability_run {
     struct availability_options *options;
+    const struct pp_rooms *rooms;
     struct pp_availability_results results;
     struct pp_year_light *outside;
 };
@@ -61,14 +65,32 @@ static enum pp_status compute_room(struct availability_run *run,
     return pp_availability_fill(&result->sheet, &question, &result->report, err);
 }
 
-static enum pp_status print(const struct availability_run *run, FILE *out,
-                            struct pp_error *err)
+static enum pp_status compute(void *data, struct pp_error *err)
 {
+    struct availability_run *run = data;
+    const struct pp_rooms *rooms = run->rooms;
+    enum pp_status status = PP_OK;
+    run->results.list = calloc((size_t)rooms->count, sizeof *run->results.list);
+    run->outside = calloc((size_t)rooms->count, sizeof *run->outside);
+    if (!run->results.list || !run->outside)
+        return pp_fail_memory(err);
+    if (run->results.options->simulate)
+        pp_interrupt_watch();
+    for (int i = 0; i < rooms->count && status == PP_OK; i++) {
+        run->results.count = i + 1;
+        status = compute_room(run, &rooms->list[i], i, err);
+    }
+    return status;
+}
+
+static enum pp_status print(const void *data, FILE *out, struct pp_error *err)
+{
+    const struct availability_run *run = data;
     switch (run->options->format) {
     case PP_FORMAT_JSON:
         return pp_availability_json(&run->results, out, err);
     case PP_FORMAT_CSV:
-        return pp_availability_text_csv(&run->results, out, err);
+        return pp_availability_csv(&run->results, out, err);
     case PP_FORMAT_TEXT:
         break;
     }
@@ -77,58 +99,39 @@ static enum pp_status print(const struct availability_run *run, FILE *out,
                                 pp_terminal_utf8(), out, err);
 }
 
-static enum pp_exit compute_and_print(struct availability_run *run,
-                                      const struct pp_rooms *rooms)
+static bool is_finished(const void *data)
 {
-    struct pp_error err = {0};
-    struct pp_output output;
-    if (run->results.options->simulate)
-        pp_interrupt_watch();
-    enum pp_status status = pp_output_open(&output, run->options->room.output, &err);
-    for (int i = 0; i < rooms->count && status == PP_OK; i++) {
-        run->results.count = i + 1;
-        status = compute_room(run, &rooms->list[i], i, &err);
-    }
-    if (status == PP_OK)
-        status = print(run, output.stream, &err);
-    status = pp_output_close(&output, status, &err);
-    if (status != PP_OK)
-        return pp_message_error(&err);
+    const struct availability_run *run = data;
     for (int i = 0; i < run->results.count; i++)
         if (!run->results.list[i].report.finished)
-            return pp_message_unfinished();
-    return PP_EXIT_DONE;
+            return false;
+    return true;
 }
 
-static enum pp_exit run_on(struct availability_run *run, const struct pp_rooms *rooms)
+static enum pp_exit run_on(struct availability_options *options,
+                           const struct pp_rooms *rooms)
 {
-    struct pp_error err;
-    enum pp_exit result;
-    run->results.several = rooms->several;
-    run->results.more_than_one_file = rooms->more_than_one_file;
-    run->results.options = &run->options->room.study;
-    run->results.list = calloc((size_t)rooms->count, sizeof *run->results.list);
-    run->outside = calloc((size_t)rooms->count, sizeof *run->outside);
-    if (run->results.list && run->outside) {
-        result = compute_and_print(run, rooms);
-    } else {
-        pp_fail_memory(&err);
-        result = pp_message_error(&err);
+    struct availability_run run = {
+        .options = options,
+        .rooms = rooms,
+        .results = {.several = rooms->several,
+                    .more_than_one_file = rooms->more_than_one_file,
+                    .options = &options->room.study}};
+    enum pp_exit exit_status = pp_job_run(
+        &(struct pp_job){options->room.output, compute, print, is_finished, &run});
+    for (int i = 0; i < run.results.count; i++) {
+        pp_availability_sheet_clear(&run.results.list[i].sheet);
+        pp_report_clear(&run.results.list[i].report);
+        pp_year_light_clear(&run.outside[i]);
     }
-    for (int i = 0; i < run->results.count; i++) {
-        pp_availability_sheet_clear(&run->results.list[i].sheet);
-        pp_report_clear(&run->results.list[i].report);
-        pp_year_light_clear(&run->outside[i]);
-    }
-    free(run->results.list);
-    free(run->outside);
-    return result;
+    free(run.results.list);
+    free(run.outside);
+    return exit_status;
 }
 
 static enum pp_exit run(void *values, char **files, int file_count)
 {
     struct availability_options *options = values;
-    struct availability_run all = {.options = options};
     struct pp_terminal_watch watch;
     struct pp_rooms rooms;
     options->room.study.watch = pp_watch_of_terminal(&watch, options->room.quiet);
@@ -138,7 +141,7 @@ static enum pp_exit run(void *values, char **files, int file_count)
             pp_rooms_load(&rooms, "availability", files, file_count, &options->room);
     if (result != PP_EXIT_DONE)
         return result;
-    result = run_on(&all, &rooms);
+    result = run_on(options, &rooms);
     pp_rooms_clear(&rooms);
     return result;
 }

@@ -1,3 +1,5 @@
+/* board_options.c - reads and checks the options of drawing-board charts: glazing,
+ * slope, sky, receiver. */
 #include "cli/chart/board_options.h"
 
 #include <math.h>

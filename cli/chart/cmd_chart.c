@@ -1,4 +1,5 @@
-/* chart - draws one chart of each room to a PDF, SVG or PNG. */
+/* cmd_chart.c - the command chart: draws one chart of each room to a PDF, SVG or
+ * PNG. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

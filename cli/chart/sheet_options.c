@@ -1,3 +1,4 @@
+/* sheet_options.c - reads paper, orientation and resolution. */
 #include "cli/chart/sheet_options.h"
 
 #include <string.h>

@@ -1,4 +1,5 @@
-/* df - daylight factors at the reference points, and their average. */
+/* cmd_df.c - the command df: daylight factors at the reference points, and their
+ * average. */
 #include <stdlib.h>
 #include <string.h>
 
@@ -9,11 +10,13 @@
 #include "cli/interrupt.h"
 #include "cli/lumen_option.h"
 #include "cli/message.h"
-#include "cli/output.h"
+#include "cli/job.h"
 #include "cli/rooms.h"
 #include "cli/terminal.h"
 #include "cli/watch.h"
-#include "reports/print.h"
+#include "reports/df_text.h"
+#include "reports/df_json.h"
+#include "reports/df_csv.h"
 #include "methods/evaluate.h"
 #include "methods/selection.h"
 #include "methods/method.h"
@@ -78,13 +81,23 @@ static enum pp_status simulate(struct pp_result *result,
     return status;
 }
 
+struct df_run {
+    const struct df_options *options;
+    const struct pp_rooms *rooms;
+    struct pp_results results;
+};
+
 /* Hand methods of all rooms first: they take milliseconds, and are there whatever
  * happens to the simulation. */
-static enum pp_status compute(struct pp_results *results, const struct pp_rooms *rooms,
-                              const struct pp_engine_choice *engine,
-                              struct pp_error *err)
+static enum pp_status compute(void *data, struct pp_error *err)
 {
+    struct df_run *run = data;
+    struct pp_results *results = &run->results;
+    const struct pp_rooms *rooms = run->rooms;
     enum pp_status status = PP_OK;
+    results->list = calloc((size_t)rooms->count + 1, sizeof *results->list);
+    if (!results->list)
+        return pp_fail_memory(err);
     for (int i = 0; i < rooms->count && status == PP_OK; i++) {
         struct pp_result *result = &results->list[results->count++];
         result->file = rooms->list[i].file;
@@ -95,43 +108,33 @@ static enum pp_status compute(struct pp_results *results, const struct pp_rooms 
         pp_interrupt_watch();
     for (int i = 0; i < results->count && results->options->simulate; i++)
         if (status == PP_OK)
-            status = simulate(&results->list[i], results->options, engine, err);
+            status = simulate(&results->list[i], results->options,
+                              &run->options->engine, err);
     return status;
 }
 
-static enum pp_status print(const struct pp_results *results, enum pp_format format,
-                            const char *path, FILE *out, struct pp_error *err)
+static enum pp_status print(const void *data, FILE *out, struct pp_error *err)
 {
-    switch (format) {
+    const struct df_run *run = data;
+    switch (run->options->format) {
     case PP_FORMAT_JSON:
-        return pp_df_json(results, out, err);
+        return pp_df_json(&run->results, out, err);
     case PP_FORMAT_CSV:
-        return pp_df_csv(results, out, err);
+        return pp_df_csv(&run->results, out, err);
     case PP_FORMAT_TEXT:
         break;
     }
-    return pp_df_text(results, pp_terminal_width(path), pp_terminal_utf8(), out, err);
+    return pp_df_text(&run->results, pp_terminal_width(run->options->room.output),
+                      pp_terminal_utf8(), out, err);
 }
 
-static enum pp_exit compute_and_print(struct pp_results *results,
-                                      const struct pp_rooms *rooms,
-                                      const struct df_options *options)
+static bool is_finished(const void *data)
 {
-    const char *path = options->room.output;
-    struct pp_error err = {0};
-    struct pp_output output;
-    enum pp_status status = pp_output_open(&output, path, &err);
-    if (status == PP_OK)
-        status = compute(results, rooms, &options->engine, &err);
-    if (status == PP_OK)
-        status = print(results, options->format, path, output.stream, &err);
-    status = pp_output_close(&output, status, &err);
-    if (status != PP_OK)
-        return pp_message_error(&err);
-    for (int i = 0; i < results->count; i++)
-        if (!results->list[i].report.finished)
-            return pp_message_unfinished();
-    return PP_EXIT_DONE;
+    const struct df_run *run = data;
+    for (int i = 0; i < run->results.count; i++)
+        if (!run->results.list[i].report.finished)
+            return false;
+    return true;
 }
 
 /* A sum is set out for one point a room; a cache file has the records of one room. */
@@ -157,22 +160,16 @@ static enum pp_exit run_on(struct df_options *options, const struct pp_rooms *ro
 {
     struct pp_terminal_watch watch;
     options->room.study.watch = pp_watch_of_terminal(&watch, options->room.quiet);
-    struct pp_results results = {
-        .several = rooms->several,
-        .more_than_one_file = rooms->more_than_one_file,
-        .options = &options->room.study,
-        .list = calloc((size_t)rooms->count + 1, sizeof *results.list)};
-    struct pp_error err;
-    enum pp_exit exit_status;
-    if (results.list) {
-        exit_status = compute_and_print(&results, rooms, options);
-    } else {
-        pp_fail_memory(&err);
-        exit_status = pp_message_error(&err);
-    }
-    for (int i = 0; i < results.count; i++)
-        pp_report_clear(&results.list[i].report);
-    free(results.list);
+    struct df_run run = {.options = options,
+                         .rooms = rooms,
+                         .results = {.several = rooms->several,
+                                     .more_than_one_file = rooms->more_than_one_file,
+                                     .options = &options->room.study}};
+    enum pp_exit exit_status = pp_job_run(
+        &(struct pp_job){options->room.output, compute, print, is_finished, &run});
+    for (int i = 0; i < run.results.count; i++)
+        pp_report_clear(&run.results.list[i].report);
+    free(run.results.list);
     return exit_status;
 }
 

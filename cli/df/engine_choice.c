@@ -1,4 +1,5 @@
-/* engine_choice.c - see engine_choice.h. */
+/* engine_choice.c - reads the list of engines and checks the options that belong to
+ * one of them. */
 #include "cli/df/engine_choice.h"
 
 #include <string.h>

@@ -1,4 +1,4 @@
-/* export - a room in another program's format. */
+/* cmd_export.c - the command export: a room in another program's format. */
 #include <stdlib.h>
 #include <string.h>
 
@@ -6,7 +6,7 @@
 #include "cli/message.h"
 #include "cli/radiance/radiance_export.h"
 #include "cli/rooms.h"
-#include "reports/format.h"
+#include "reports/parts/format.h"
 #include "model/base/read_file.h"
 #include "formats/radiance/write/rad_room.h"
 

@@ -1,4 +1,5 @@
-/* import - another program's scene, and what sensors in it say. */
+/* cmd_import.c - the command import: another program's scene, and the readings of
+ * sensors in it. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -8,8 +9,8 @@
 #include "cli/format_option.h"
 #include "cli/interrupt.h"
 #include "cli/message.h"
-#include "cli/output.h"
-#include "reports/print_sensors.h"
+#include "cli/job.h"
+#include "reports/import_report.h"
 #include "cli/progress.h"
 #include "cli/room_options.h"
 #include "cli/radiance/sensor_points.h"
@@ -124,64 +125,73 @@ static enum pp_status simulate(struct pp_imported *imported,
 
 /* ---- the command ---- */
 
-static enum pp_status read_all(struct pp_imported *imported,
-                               struct pp_scene_description *scene,
-                               struct pp_sensor **points,
-                               const struct import_options *options,
-                               struct pp_error *err)
+struct import_run {
+    const struct import_options *options;
+    struct pp_imported imported;
+    struct pp_scene_description scene;
+    struct pp_sensor *points;
+    struct pp_sensor_reading *readings;
+};
+
+static enum pp_status read_all(struct import_run *run, struct pp_error *err)
 {
+    struct pp_imported *imported = &run->imported;
     enum pp_status status = PP_OK;
-    if (options->points_file)
-        status =
-            pp_sensor_points_read(points, &imported->count, options->points_file, err);
-    imported->points = *points;
+    if (run->options->points_file)
+        status = pp_sensor_points_read(&run->points, &imported->count,
+                                       run->options->points_file, err);
+    imported->points = run->points;
     if (status == PP_OK)
-        status =
-            pp_rad_read(scene, &imported->summary, (const char *const *)imported->files,
-                        imported->file_count, err);
+        status = pp_rad_read(&run->scene, &imported->summary,
+                             (const char *const *)imported->files, imported->file_count,
+                             err);
     if (status != PP_OK)
         return status;
-    imported->scene = scene;
-    imported->horizontal = pp_scene_horizontal(scene);
+    imported->scene = &run->scene;
+    imported->horizontal = pp_scene_horizontal(&run->scene);
     return PP_OK;
+}
+
+static enum pp_status compute(void *data, struct pp_error *err)
+{
+    struct import_run *run = data;
+    enum pp_status status = read_all(run, err);
+    if (status != PP_OK || !run->points)
+        return status;
+    run->readings = calloc((size_t)run->imported.count + 1, sizeof *run->readings);
+    return run->readings ? simulate(&run->imported, run->readings, &run->options->room,
+                                    run->options->by_chance, err)
+                         : pp_fail_memory(err);
+}
+
+static enum pp_status print(const void *data, FILE *out, struct pp_error *err)
+{
+    const struct import_run *run = data;
+    return pp_import_report(&run->imported, run->options->format,
+                            pp_terminal_width(run->options->room.output),
+                            pp_terminal_utf8(), out, err);
+}
+
+static bool is_finished(const void *data)
+{
+    const struct import_run *run = data;
+    return !run->imported.readings || run->imported.finished;
 }
 
 static enum pp_exit run(void *values, char **files, int file_count)
 {
-    struct import_options *options = values;
-    const struct pp_room_options *room_options = &options->room;
-    struct pp_imported imported = {.files = files,
-                                   .file_count = file_count,
-                                   .summarised =
-                                       options->summary || !options->points_file};
-    struct pp_scene_description scene;
-    struct pp_sensor *points = NULL;
-    struct pp_sensor_reading *readings = NULL;
-    struct pp_error err = {0};
-    struct pp_output output;
-    pp_scene_description_init(&scene);
-    enum pp_status status = pp_output_open(&output, room_options->output, &err);
-    if (status == PP_OK)
-        status = read_all(&imported, &scene, &points, options, &err);
-    if (status == PP_OK && points) {
-        readings = calloc((size_t)imported.count + 1, sizeof *readings);
-        status = readings ? simulate(&imported, readings, room_options,
-                                     options->by_chance, &err)
-                          : pp_fail_memory(&err);
-    }
-    if (status == PP_OK)
-        status = pp_print_sensors(&imported, options->format,
-                                  pp_terminal_width(room_options->output),
-                                  pp_terminal_utf8(), output.stream, &err);
-    status = pp_output_close(&output, status, &err);
-    enum pp_exit exit_status = PP_EXIT_DONE;
-    if (status != PP_OK)
-        exit_status = pp_message_error(&err);
-    else if (imported.readings && !imported.finished)
-        exit_status = pp_message_unfinished();
-    pp_scene_description_clear(&scene);
-    free(points);
-    free(readings);
+    const struct import_options *options = values;
+    struct import_run run = {
+        .options = options,
+        .imported = {.files = files,
+                     .file_count = file_count,
+                     .summarised = options->summary || !options->points_file}};
+    pp_scene_description_init(&run.scene);
+    enum pp_exit exit_status = pp_job_run(
+        &(struct pp_job){options->room.output, compute, print, is_finished, &run});
+    pp_scene_description_clear(&run.scene);
+    free(run.points);
+    free(run.readings);
     return exit_status;
 }
 

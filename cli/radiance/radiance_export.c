@@ -1,3 +1,5 @@
+/* radiance_export.c - puts together the files of an export: scene, materials,
+ * points, script. */
 #include "cli/radiance/radiance_export.h"
 
 #include "config.h"

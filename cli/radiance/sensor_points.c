@@ -1,3 +1,4 @@
+/* sensor_points.c - reads sensor points, a line each. */
 #include "cli/radiance/sensor_points.h"
 
 #include <math.h>

@@ -1,9 +1,10 @@
-/* render - a picture of a room's light. */
+/* cmd_render.c - the command render: a picture of a room's light. */
 #include "cli/command.h"
 #include "cli/render/make_picture.h"
 #include "cli/message.h"
 #include "cli/output.h"
 #include "cli/render/render_choice.h"
+#include "cli/render/render_options.h"
 #include "cli/rooms.h"
 #include "cli/render/show_picture.h"
 

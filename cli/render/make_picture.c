@@ -1,3 +1,5 @@
+/* make_picture.c - renders slice by slice, keeps checkpoints, and stops at an
+ * interrupt. */
 #include "cli/render/make_picture.h"
 
 #include <errno.h>

@@ -1,3 +1,5 @@
+/* picture_words.c - writes the sentences below a picture, and chooses levels of its
+ * false colours. */
 #include "cli/render/picture_words.h"
 
 #include <math.h>

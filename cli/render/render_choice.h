@@ -95,11 +95,6 @@ struct pp_render_choice {
 struct pp_render_choice pp_render_choice_default(void);
 void pp_render_choice_clear(struct pp_render_choice *choice);
 
-/* Lists for struct pp_option_group, with a struct pp_render_choice as values. */
-extern const struct pp_option pp_render_view_options[];
-extern const struct pp_option pp_render_picture_options[];
-extern const struct pp_option pp_render_shown_options[];
-
 enum pp_picture_format {
     PP_PICTURE_HDR,
     PP_PICTURE_PFM,

@@ -1,3 +1,5 @@
+/* render_view.c - places the camera: the default view of the room, changed by the
+ * options. */
 #include "cli/render/render_view.h"
 
 #include <math.h>

@@ -1,3 +1,4 @@
+/* show_picture.c - writes a picture as PFM, HDR or PNG, or drawn on a sheet. */
 #include "cli/render/show_picture.h"
 
 #include <math.h>

@@ -1,4 +1,4 @@
-/* size - the window that just reaches a target. */
+/* cmd_size.c - the command size: the window that just reaches a target. */
 #include <omp.h>
 #include <stdlib.h>
 #include <string.h>
@@ -7,8 +7,9 @@
 #include "cli/command.h"
 #include "cli/interrupt.h"
 #include "cli/message.h"
+#include "cli/job.h"
 #include "cli/output.h"
-#include "reports/print_size.h"
+#include "reports/size_report.h"
 #include "cli/rooms.h"
 #include "cli/format_option.h"
 #include "cli/watch.h"
@@ -62,12 +63,23 @@ static enum pp_status write_file(const struct pp_size_results *results,
     return status;
 }
 
+struct size_run {
+    const struct pp_size_options *options;
+    const struct pp_rooms *rooms;
+    struct pp_size_results results;
+};
+
 /* All rooms. Of several, one that has no window says so, and those that lack the very
  * window that is asked for (--line, --wall) are left out; it is an error where no room
  * has any. */
-static enum pp_status compute(struct pp_size_results *results,
-                              const struct pp_rooms *rooms, struct pp_error *err)
+static enum pp_status compute(void *data, struct pp_error *err)
 {
+    struct size_run *run = data;
+    struct pp_size_results *results = &run->results;
+    const struct pp_rooms *rooms = run->rooms;
+    results->list = calloc((size_t)rooms->count, sizeof *results->list);
+    if (!results->list)
+        return pp_fail_memory(err);
     bool of_one_window = results->wish->line > 0 || results->wish->wall;
     int sized = 0;
     for (int i = 0; i < rooms->count; i++) {
@@ -87,29 +99,30 @@ static enum pp_status compute(struct pp_size_results *results,
     return PP_OK;
 }
 
-static enum pp_exit size_rooms(struct pp_size_results *results,
-                               const struct pp_rooms *rooms,
-                               const struct pp_size_options *options)
+static enum pp_status print(const void *data, FILE *out, struct pp_error *err)
 {
-    const char *path = options->room.output;
+    const struct size_run *run = data;
+    return run->options->format == PP_FORMAT_JSON
+               ? pp_size_report_json(&run->results, out, err)
+               : pp_size_report(&run->results,
+                                pp_terminal_width(run->options->room.output),
+                                pp_terminal_utf8(), out, err);
+}
+
+static enum pp_exit size_rooms(struct size_run *run)
+{
+    const struct pp_size_options *options = run->options;
     struct pp_error err = {0};
-    struct pp_output output;
     if (options->room.study.threads > 0)
         omp_set_num_threads(options->room.study.threads);
     if (options->room.study.simulate)
         pp_interrupt_watch();
-    enum pp_status status = pp_output_open(&output, path, &err);
-    if (status == PP_OK)
-        status = compute(results, rooms, &err);
-    if (status == PP_OK && options->format == PP_FORMAT_JSON)
-        status = pp_print_size_json(results, output.stream, &err);
-    else if (status == PP_OK)
-        status = pp_print_size(results, pp_terminal_width(path), pp_terminal_utf8(),
-                               output.stream, &err);
-    status = pp_output_close(&output, status, &err);
-    if (status == PP_OK && options->write)
-        status = write_file(results, options->write, &err);
-    return status == PP_OK ? PP_EXIT_DONE : pp_message_error(&err);
+    enum pp_exit exit_status =
+        pp_job_run(&(struct pp_job){options->room.output, compute, print, NULL, run});
+    if (exit_status == PP_EXIT_DONE && options->write
+        && write_file(&run->results, options->write, &err) != PP_OK)
+        return pp_message_error(&err);
+    return exit_status;
 }
 
 static enum pp_exit run(void *values, char **files, int file_count)
@@ -122,20 +135,15 @@ static enum pp_exit run(void *values, char **files, int file_count)
         pp_rooms_load(&rooms, "size", files, file_count, &options->room);
     if (exit_status != PP_EXIT_DONE)
         return exit_status;
-    struct pp_size_results results = {.several = rooms.several,
-                                      .more_than_one_file = rooms.more_than_one_file,
-                                      .wish = &options->wish};
-    results.list = calloc((size_t)rooms.count, sizeof *results.list);
-    if (results.list) {
-        exit_status = size_rooms(&results, &rooms, options);
-    } else {
-        struct pp_error err;
-        pp_fail_memory(&err);
-        exit_status = pp_message_error(&err);
-    }
-    for (int i = 0; i < results.count; i++)
-        pp_size_room_result_clear(&results.list[i]);
-    free(results.list);
+    struct size_run size = {.options = options,
+                            .rooms = &rooms,
+                            .results = {.several = rooms.several,
+                                        .more_than_one_file = rooms.more_than_one_file,
+                                        .wish = &options->wish}};
+    exit_status = size_rooms(&size);
+    for (int i = 0; i < size.results.count; i++)
+        pp_size_room_result_clear(&size.results.list[i]);
+    free(size.results.list);
     pp_rooms_clear(&rooms);
     return exit_status;
 }

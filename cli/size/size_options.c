@@ -1,3 +1,4 @@
+/* size_options.c - reads the options of the command size. */
 #include "cli/size/size_options.h"
 
 #include <string.h>

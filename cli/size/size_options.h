@@ -5,7 +5,7 @@
 #include <stdbool.h>
 
 #include "cli/room_options.h"
-#include "reports/format.h"
+#include "reports/parts/format.h"
 #include "studies/sizing/size_room.h"
 
 struct pp_size_options {

@@ -1,3 +1,5 @@
+/* against_radiance.c - exports each room, runs Radiance's script on it, and prints
+ * both results. */
 #include "cli/validate/against_radiance.h"
 
 #include <errno.h>
@@ -7,13 +9,13 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "reports/format.h"
+#include "reports/parts/format.h"
 #include "studies/study_report.h"
 #include "cli/interrupt.h"
-#include "reports/json.h"
+#include "reports/parts/json.h"
 #include "cli/message.h"
-#include "cli/output.h"
-#include "reports/print.h"
+#include "cli/job.h"
+#include "reports/parts/print.h"
 #include "cli/radiance/radiance_export.h"
 #include "model/base/read_file.h"
 #include "model/base/text.h"
@@ -316,6 +318,33 @@ static enum pp_status compare_room(struct beside **list,
     return status == PP_OK ? ask_radiance(*list, room, err) : status;
 }
 
+struct against_run {
+    const struct pp_room_options *options;
+    enum pp_format format;
+    const struct pp_rooms *rooms;
+    struct beside **lists; /* one a room */
+};
+
+static enum pp_status compare_rooms(void *data, struct pp_error *err)
+{
+    struct against_run *run = data;
+    const struct pp_rooms *rooms = run->rooms;
+    enum pp_status status = PP_OK;
+    run->lists = calloc((size_t)rooms->count + 1, sizeof *run->lists);
+    if (!run->lists)
+        return pp_fail_memory(err);
+    pp_interrupt_watch();
+    for (int i = 0; i < rooms->count && status == PP_OK; i++)
+        status = compare_room(&run->lists[i], &rooms->list[i], run->options, err);
+    return status;
+}
+
+static enum pp_status print_rooms(const void *data, FILE *out, struct pp_error *err)
+{
+    const struct against_run *run = data;
+    return print(run->rooms, run->lists, run->format, out, err);
+}
+
 enum pp_exit pp_against_radiance(const struct pp_rooms *rooms,
                                  const struct pp_room_options *options,
                                  enum pp_format format)
@@ -326,20 +355,11 @@ enum pp_exit pp_against_radiance(const struct pp_rooms *rooms,
             "on PATH: nothing was compared");
         return PP_EXIT_MACHINE;
     }
-    struct pp_error err = {0};
-    struct pp_output output;
-    struct beside **lists = calloc((size_t)rooms->count + 1, sizeof *lists);
-    enum pp_status status = pp_output_open(&output, options->output, &err);
-    if (status == PP_OK && !lists)
-        status = pp_fail_memory(&err);
-    pp_interrupt_watch();
-    for (int i = 0; i < rooms->count && status == PP_OK; i++)
-        status = compare_room(&lists[i], &rooms->list[i], options, &err);
-    if (status == PP_OK)
-        status = print(rooms, lists, format, output.stream, &err);
-    status = pp_output_close(&output, status, &err);
-    for (int i = 0; lists && i < rooms->count; i++)
-        free(lists[i]);
-    free(lists);
-    return status == PP_OK ? PP_EXIT_DONE : pp_message_error(&err);
+    struct against_run run = {.options = options, .format = format, .rooms = rooms};
+    enum pp_exit exit_status = pp_job_run(
+        &(struct pp_job){options->output, compare_rooms, print_rooms, NULL, &run});
+    for (int i = 0; run.lists && i < rooms->count; i++)
+        free(run.lists[i]);
+    free(run.lists);
+    return exit_status;
 }

@@ -4,7 +4,7 @@
 #define PP_CLI_VALIDATE_AGAINST_RADIANCE_H
 
 #include "cli/exit_status.h"
-#include "reports/format.h"
+#include "reports/parts/format.h"
 #include "cli/rooms.h"
 
 /* Traces, runs and prints. Where oconv or rtrace is not on PATH that is said, and

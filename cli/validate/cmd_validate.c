@@ -1,4 +1,5 @@
-/* validate - formulae against simulation, and the program against analytic answers. */
+/* cmd_validate.c - the command validate: formulae against simulation, and the
+ * program against analytic answers. */
 #include <stdlib.h>
 #include <string.h>
 
@@ -10,8 +11,9 @@
 #include "studies/study_report.h"
 #include "cli/interrupt.h"
 #include "cli/message.h"
-#include "cli/output.h"
-#include "reports/print_validate.h"
+#include "cli/job.h"
+#include "reports/df_result.h"
+#include "reports/validate_report.h"
 #include "cli/rooms.h"
 #include "methods/evaluate.h"
 #include "methods/selection.h"
@@ -25,50 +27,70 @@ static const char about[] =
 
 /* ---- known answers ---- */
 
-static enum pp_status print_known(const struct pp_self_test_cases *known,
-                                  enum pp_format format, const char *path, FILE *out,
-                                  struct pp_error *err)
+struct self_test_run {
+    const struct pp_room_options *options;
+    enum pp_format format;
+    struct pp_self_test_cases known;
+};
+
+static enum pp_status run_self_test(void *data, struct pp_error *err)
 {
-    if (format == PP_FORMAT_JSON)
-        return pp_print_validate_self_test_json(known, out, err);
-    if (format == PP_FORMAT_CSV)
-        pp_print_validate_self_test_csv(known, out);
+    struct self_test_run *run = data;
+    const struct pp_study_options *study = &run->options->study;
+    return pp_self_test_run(&run->known, study->seed, study->threads, err);
+}
+
+static enum pp_status print_self_test(const void *data, FILE *out, struct pp_error *err)
+{
+    const struct self_test_run *run = data;
+    if (run->format == PP_FORMAT_JSON)
+        return pp_validate_report_self_test_json(&run->known, out, err);
+    if (run->format == PP_FORMAT_CSV)
+        pp_validate_report_self_test_csv(&run->known, out);
     else
-        pp_print_validate_self_test(known, pp_terminal_width(path), out);
+        pp_validate_report_self_test(&run->known,
+                                     pp_terminal_width(run->options->output), out);
     return PP_OK;
 }
 
-static enum pp_exit answer(const struct pp_room_options *options, enum pp_format format)
+static enum pp_exit self_test(const struct pp_room_options *options,
+                              enum pp_format format)
 {
-    struct pp_self_test_cases known;
-    struct pp_error err = {0};
-    struct pp_output output;
-    enum pp_status status = pp_output_open(&output, options->output, &err);
-    if (status == PP_OK)
-        status =
-            pp_self_test_run(&known, options->study.seed, options->study.threads, &err);
-    if (status == PP_OK)
-        status = print_known(&known, format, options->output, output.stream, &err);
-    status = pp_output_close(&output, status, &err);
-    if (status != PP_OK)
-        return pp_message_error(&err);
-    for (int i = 0; i < known.count; i++)
-        if (!pp_self_test_passes(&known.list[i])) {
+    struct self_test_run run = {.options = options, .format = format};
+    enum pp_exit exit_status = pp_job_run(
+        &(struct pp_job){options->output, run_self_test, print_self_test, NULL, &run});
+    for (int i = 0; exit_status == PP_EXIT_DONE && i < run.known.count; i++)
+        if (!pp_self_test_passes(&run.known.list[i])) {
             pp_message("not all answers are right; this build is not to be trusted");
             return PP_EXIT_MACHINE;
         }
-    return PP_EXIT_DONE;
+    return exit_status;
 }
 
 /* ---- rooms ---- */
 
-/* Reports of all rooms, hand methods first, and how far they are from the simulation.
- */
-static enum pp_status compute(struct pp_validation *validation,
-                              struct pp_results *results, const struct pp_rooms *rooms,
-                              struct pp_error *err)
+struct comparison_run {
+    const struct pp_room_options *options;
+    enum pp_format format;
+    const struct pp_rooms *rooms;
+    struct pp_results results;
+    struct pp_validation validation;
+};
+
+/* Reports of all rooms, hand methods first, and how far they are from the simulation. */
+static enum pp_status compute(void *data, struct pp_error *err)
 {
+    struct comparison_run *run = data;
+    struct pp_results *results = &run->results;
+    struct pp_validation *validation = &run->validation;
+    const struct pp_rooms *rooms = run->rooms;
+    size_t count = (size_t)rooms->count + 1;
     enum pp_status status = PP_OK;
+    results->list = calloc(count, sizeof *results->list);
+    validation->rooms = calloc(count, sizeof *validation->rooms);
+    validation->counts = calloc(count, sizeof *validation->counts);
+    if (!results->list || !validation->rooms || !validation->counts)
+        return pp_fail_memory(err);
     for (int i = 0; i < rooms->count && status == PP_OK; i++) {
         struct pp_result *result = &results->list[results->count++];
         result->file = rooms->list[i].file;
@@ -91,38 +113,26 @@ static enum pp_status compute(struct pp_validation *validation,
     return status;
 }
 
-static enum pp_status print(const struct pp_validation *validation,
-                            enum pp_format format, const char *path, FILE *out,
-                            struct pp_error *err)
+static enum pp_status print(const void *data, FILE *out, struct pp_error *err)
 {
-    if (format == PP_FORMAT_JSON)
-        return pp_print_validate_rooms_json(validation, out, err);
-    if (format == PP_FORMAT_CSV)
-        pp_print_validate_rooms_csv(validation, out);
+    const struct comparison_run *run = data;
+    if (run->format == PP_FORMAT_JSON)
+        return pp_validate_report_rooms_json(&run->validation, out, err);
+    if (run->format == PP_FORMAT_CSV)
+        pp_validate_report_rooms_csv(&run->validation, out);
     else
-        pp_print_validate_rooms(validation, pp_terminal_width(path), out);
+        pp_validate_report_rooms(&run->validation,
+                                 pp_terminal_width(run->options->output), out);
     return PP_OK;
 }
 
-static enum pp_exit compute_and_print(struct pp_validation *validation,
-                                      struct pp_results *results,
-                                      const struct pp_rooms *rooms,
-                                      enum pp_format format, const char *path)
+static bool is_finished(const void *data)
 {
-    struct pp_error err = {0};
-    struct pp_output output;
-    enum pp_status status = pp_output_open(&output, path, &err);
-    if (status == PP_OK)
-        status = compute(validation, results, rooms, &err);
-    if (status == PP_OK)
-        status = print(validation, format, path, output.stream, &err);
-    status = pp_output_close(&output, status, &err);
-    if (status != PP_OK)
-        return pp_message_error(&err);
-    for (int i = 0; i < results->count; i++)
-        if (!results->list[i].report.finished)
-            return pp_message_unfinished();
-    return PP_EXIT_DONE;
+    const struct comparison_run *run = data;
+    for (int i = 0; i < run->results.count; i++)
+        if (!run->results.list[i].report.finished)
+            return false;
+    return true;
 }
 
 static enum pp_exit compare(const struct pp_room_options *options,
@@ -133,31 +143,24 @@ static enum pp_exit compare(const struct pp_room_options *options,
         pp_rooms_load(&rooms, "validate", files, file_count, options);
     if (exit_status != PP_EXIT_DONE)
         return exit_status;
-    size_t count = (size_t)rooms.count + 1;
-    struct pp_results results = {.list = calloc(count, sizeof *results.list),
-                                 .several = rooms.several,
-                                 .more_than_one_file = rooms.more_than_one_file,
-                                 .options = &options->study};
-    struct pp_validation validation = {.results = &results,
-                                       .rooms = calloc(count, sizeof *validation.rooms),
-                                       .counts =
-                                           calloc(count, sizeof *validation.counts)};
-    if (results.list && validation.rooms && validation.counts) {
-        exit_status =
-            compute_and_print(&validation, &results, &rooms, format, options->output);
-    } else {
-        struct pp_error err;
-        pp_fail_memory(&err);
-        exit_status = pp_message_error(&err);
+    struct comparison_run run = {
+        .options = options,
+        .format = format,
+        .rooms = &rooms,
+        .results = {.several = rooms.several,
+                    .more_than_one_file = rooms.more_than_one_file,
+                    .options = &options->study}};
+    run.validation.results = &run.results;
+    exit_status = pp_job_run(
+        &(struct pp_job){options->output, compute, print, is_finished, &run});
+    for (int i = 0; i < run.results.count; i++) {
+        pp_report_clear(&run.results.list[i].report);
+        free(run.validation.rooms[i]);
     }
-    for (int i = 0; i < results.count; i++) {
-        pp_report_clear(&results.list[i].report);
-        free(validation.rooms[i]);
-    }
-    free(validation.rooms);
-    free(validation.counts);
-    free(validation.overall);
-    free(results.list);
+    free(run.validation.rooms);
+    free(run.validation.counts);
+    free(run.validation.overall);
+    free(run.results.list);
     pp_rooms_clear(&rooms);
     return exit_status;
 }
@@ -264,7 +267,7 @@ static enum pp_exit run(void *values, char **files, int file_count)
         return compare_with_radiance(&options->room, options->format, files,
                                      file_count);
     return file_count == 0
-               ? answer(&options->room, options->format)
+               ? self_test(&options->room, options->format)
                : compare(&options->room, options->format, files, file_count);
 }
 

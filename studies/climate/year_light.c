@@ -1,4 +1,5 @@
-/* year_light.c - see year_light.h. */
+/* year_light.c - reads the light outside from a weather file or computes it for a
+ * latitude, and writes the sentences on both. */
 #include "studies/climate/year_light.h"
 
 #include <math.h>

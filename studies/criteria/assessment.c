@@ -1,4 +1,5 @@
-/* assessment.c - see assessment.h. */
+/* assessment.c - chooses criteria, computes the factors they need, and runs them in
+ * turn. */
 #include "studies/criteria/assessment.h"
 
 #include <stdio.h>

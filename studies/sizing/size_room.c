@@ -1,4 +1,5 @@
-/* size_room.c - see size_room.h. */
+/* size_room.c - chooses method and openings, searches the size, and sets down the
+ * edits to the room file. */
 #include "studies/sizing/size_room.h"
 
 #include <stdio.h>

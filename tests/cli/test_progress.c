@@ -6,7 +6,7 @@
 #include <stdlib.h>
 
 #include "cli/progress.h"
-#include "reports/format.h"
+#include "reports/parts/format.h"
 
 /* The line as printed; to be freed. */
 static char *line_of(const char *label, double done, double error, double left_s,

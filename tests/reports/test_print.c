@@ -1,11 +1,14 @@
-/* A report printed as JSON, CSV and text: all hold the same numbers, in per cent. */
+/* test_print.c - a report printed as JSON, CSV and text: all hold the same numbers,
+ * in per cent. */
 #include "tests/lib/near.h"
 
 #include <json.h>
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "reports/print.h"
+#include "reports/df_csv.h"
+#include "reports/df_json.h"
+#include "reports/df_text.h"
 
 enum { POINTS = 3 };
 

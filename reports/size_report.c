@@ -1,13 +1,15 @@
-#include "reports/print_size.h"
+/* size_report.c - prints the windows found, as text and as JSON of format pepperpot-
+ * size-1. */
+#include "reports/size_report.h"
 
 #include <math.h>
 #include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "reports/json.h"
-#include "reports/print.h"
-#include "reports/format.h"
+#include "reports/parts/json.h"
+#include "reports/parts/print.h"
+#include "reports/parts/format.h"
 #include "model/base/text.h"
 
 enum { LABEL = 15, TEXT_BYTES = 640 };
@@ -256,8 +258,8 @@ static enum pp_status print_room(const struct pp_size_room_result *result,
     return print_elements(result, out, err);
 }
 
-enum pp_status pp_print_size(const struct pp_size_results *results, int width,
-                             bool utf8, FILE *out, struct pp_error *err)
+enum pp_status pp_size_report(const struct pp_size_results *results, int width,
+                              bool utf8, FILE *out, struct pp_error *err)
 {
     enum pp_status status = PP_OK;
     for (int i = 0; i < results->count && status == PP_OK; i++) {
@@ -357,8 +359,8 @@ static struct json_object *room(const void *all, int index)
     return pp_json_whole(object, good);
 }
 
-enum pp_status pp_print_size_json(const struct pp_size_results *results, FILE *out,
-                                  struct pp_error *err)
+enum pp_status pp_size_report_json(const struct pp_size_results *results, FILE *out,
+                                   struct pp_error *err)
 {
     return pp_json_print_rooms(out, room, results, results->count, results->several,
                                err);

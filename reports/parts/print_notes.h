@@ -1,6 +1,6 @@
 /* print_notes.h - what the table of a report leaves unsaid: why values are missing. */
-#ifndef PP_CLI_PRINT_PRINT_NOTES_H
-#define PP_CLI_PRINT_PRINT_NOTES_H
+#ifndef PP_REPORTS_PARTS_PRINT_NOTES_H
+#define PP_REPORTS_PARTS_PRINT_NOTES_H
 
 #include <stdbool.h>
 #include <stdio.h>

@@ -1,8 +1,8 @@
 /* table.h - a table of text for people: columns in groups, as wide as they need to be,
  * side by side as far as the line goes and then in a further panel below.
  */
-#ifndef PP_CLI_PRINT_TABLE_H
-#define PP_CLI_PRINT_TABLE_H
+#ifndef PP_REPORTS_PARTS_TABLE_H
+#define PP_REPORTS_PARTS_TABLE_H
 
 #include <stdbool.h>
 #include <stdio.h>

@@ -1,11 +1,13 @@
-/* format.c - see format.h. */
-#include "reports/format.h"
+/* format.c - quotes fields of CSV, and tells valid UTF-8 from other bytes. */
+#include "reports/parts/format.h"
 
 #include <math.h>
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 #include <wchar.h>
+
+const char *const pp_component_names[PP_COMPONENT_COUNT] = {"sc", "erc", "irc", "df"};
 
 void pp_format_csv_field(const char *text, FILE *out)
 {

@@ -1,8 +1,8 @@
-/* print_sensors.h - an imported scene, and what its sensors say. */
-#ifndef PP_CLI_RADIANCE_PRINT_SENSORS_H
-#define PP_CLI_RADIANCE_PRINT_SENSORS_H
+/* import_report.h - an imported scene, and what its sensors say. */
+#ifndef PP_REPORTS_IMPORT_REPORT_H
+#define PP_REPORTS_IMPORT_REPORT_H
 
-#include "reports/format.h"
+#include "reports/parts/format.h"
 #include "formats/radiance/read/rad_read.h"
 #include "simulate/transport/sensors.h"
 
@@ -23,7 +23,7 @@ struct pp_imported {
 /* The efficacy that lux are worked out with, lm/W [WS98]. */
 #define PP_IMPORT_EFFICACY 179.0
 
-enum pp_status pp_print_sensors(const struct pp_imported *imported,
+enum pp_status pp_import_report(const struct pp_imported *imported,
                                 enum pp_format format, int width, bool utf8, FILE *out,
                                 struct pp_error *err);
 

@@ -1,9 +1,11 @@
-#include "reports/print_places.h"
+/* print_places.c - finds which coordinates change from point to point, and names
+ * them. */
+#include "reports/parts/print_places.h"
 
 #include <math.h>
 #include <string.h>
 
-#include "reports/print.h"
+#include "reports/parts/print.h"
 #include "model/base/text.h"
 
 /* The inside face of the wall that all windows are in, or NULL. */

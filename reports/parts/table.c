@@ -1,9 +1,10 @@
-#include "reports/table.h"
+/* table.c - measures columns, breaks headings, and prints panels that fit the line. */
+#include "reports/parts/table.h"
 
 #include <stdlib.h>
 #include <string.h>
 
-#include "reports/format.h"
+#include "reports/parts/format.h"
 
 enum {
     INDENT = 2,

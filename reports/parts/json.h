@@ -3,8 +3,8 @@
  * Each adds to an object and answers false when memory is out; a chain of && then is
  * the object.
  */
-#ifndef PP_CLI_PRINT_JSON_H
-#define PP_CLI_PRINT_JSON_H
+#ifndef PP_REPORTS_PARTS_JSON_H
+#define PP_REPORTS_PARTS_JSON_H
 
 #include <json.h>
 #include <stdbool.h>

@@ -1,11 +1,14 @@
-/* format.h - how figures are written: the formats of results, fields of CSV, and the
- * width of text in UTF-8. */
-#ifndef PP_CLI_PRINT_FORMAT_H
-#define PP_CLI_PRINT_FORMAT_H
+/* format.h - words and figures as reports write them: names of components, fields of CSV,
+ * and the width of text in UTF-8. */
+#ifndef PP_REPORTS_PARTS_FORMAT_H
+#define PP_REPORTS_PARTS_FORMAT_H
 
 #include <stdbool.h>
 #include <stdio.h>
 #include "pepperpot.h"
+
+/* The names of components in JSON and CSV: "sc", "erc", "irc", "df". */
+extern const char *const pp_component_names[PP_COMPONENT_COUNT];
 
 /* The fields that every CSV is put together with [RFC4180]. */
 

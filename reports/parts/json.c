@@ -1,4 +1,5 @@
-#include "reports/json.h"
+/* json.c - adds numbers, texts and lists to objects of json-c, and prints them. */
+#include "reports/parts/json.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -6,7 +7,7 @@
 #include <string.h>
 
 #include "studies/study_options.h"
-#include "reports/format.h"
+#include "reports/parts/format.h"
 
 bool pp_json_add(struct json_object *object, const char *key, struct json_object *value)
 {

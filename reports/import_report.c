@@ -1,12 +1,13 @@
-#include "reports/print_sensors.h"
+/* import_report.c - prints an imported scene and its sensors as text, JSON or CSV. */
+#include "reports/import_report.h"
 
 #include <math.h>
 #include <string.h>
 
-#include "reports/format.h"
-#include "reports/json.h"
-#include "reports/print.h"
-#include "reports/table.h"
+#include "reports/parts/format.h"
+#include "reports/parts/json.h"
+#include "reports/parts/print.h"
+#include "reports/parts/table.h"
 #include "model/base/read_file.h"
 
 /* Lux of an irradiance; and daylight factor in per cent, NAN where there is no sky. */
@@ -324,7 +325,7 @@ static void print_csv(const struct pp_imported *imported, FILE *out)
     }
 }
 
-enum pp_status pp_print_sensors(const struct pp_imported *imported,
+enum pp_status pp_import_report(const struct pp_imported *imported,
                                 enum pp_format format, int width, bool utf8, FILE *out,
                                 struct pp_error *err)
 {

@@ -1,11 +1,12 @@
-#include "reports/print_gains.h"
+/* gains_report.c - prints a room's gains as text and as a JSON object. */
+#include "reports/gains_report.h"
 
 #include <math.h>
 #include <string.h>
 
-#include "reports/json.h"
-#include "reports/print.h"
-#include "reports/format.h"
+#include "reports/parts/json.h"
+#include "reports/parts/print.h"
+#include "reports/parts/format.h"
 
 enum { INDENT = 4, FIGURES = 30, SENTENCE = 256 };
 
@@ -68,7 +69,7 @@ static void print_kind(const struct pp_gains *gains, bool of_design, int width,
             print_gain(&gains->list[i], gains, width, out);
 }
 
-void pp_print_gains(const struct pp_gains *gains, int width, FILE *out)
+void pp_gains_report(const struct pp_gains *gains, int width, FILE *out)
 {
     char sentence[SENTENCE];
     if (!gains->method)
@@ -126,7 +127,7 @@ static bool add_changes(struct json_object *object, const struct pp_gains *gains
     return true;
 }
 
-bool pp_print_gains_json(struct json_object *object, const struct pp_gains *gains)
+bool pp_gains_report_json(struct json_object *object, const struct pp_gains *gains)
 {
     char sentence[SENTENCE];
     struct json_object *own = json_object_new_object();

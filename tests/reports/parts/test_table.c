@@ -1,10 +1,10 @@
-/* The layout of a table of results in lines of a given width. */
+/* test_table.c - the layout of a table of results in lines of a given width. */
 #include "tests/lib/near.h"
 
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "reports/table.h"
+#include "reports/parts/table.h"
 
 static void add(struct pp_table *table, const char *group, const char *heading,
                 const char *cell)

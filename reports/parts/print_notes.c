@@ -1,10 +1,12 @@
-#include "reports/print_notes.h"
+/* print_notes.c - gathers the reasons of missing values, each once, with its
+ * columns. */
+#include "reports/parts/print_notes.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "reports/print.h"
+#include "reports/parts/print.h"
 #include "methods/method.h"
 #include "model/base/text.h"
 

@@ -1,12 +1,13 @@
-/* print.c - see print.h: what was assumed of a room, and words wrapped. */
-#include "reports/print.h"
+/* print.c - writes the sentences on a room's assumptions, and wraps words to a
+ * width. */
+#include "reports/parts/print.h"
 
 #include <math.h>
 #include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "reports/format.h"
+#include "reports/parts/format.h"
 #include "model/base/text.h"
 
 enum { LABEL = 15, TEXT_BYTES = 512 };

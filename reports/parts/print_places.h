@@ -1,11 +1,11 @@
 /* print_places.h - where the points of a report lie, for its table. */
-#ifndef PP_CLI_PRINT_PRINT_PLACES_H
-#define PP_CLI_PRINT_PRINT_PLACES_H
+#ifndef PP_REPORTS_PARTS_PRINT_PLACES_H
+#define PP_REPORTS_PARTS_PRINT_PLACES_H
 
 #include <stdbool.h>
 #include <stdio.h>
 
-#include "reports/table.h"
+#include "reports/parts/table.h"
 #include "model/results/report.h"
 
 /* Adds the key columns: the coordinates that change from point to point, and for points

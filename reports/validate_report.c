@@ -1,11 +1,14 @@
-/* print_validate.c - see print_validate.h. */
-#include "reports/print_validate.h"
+/* validate_report.c - prints known answers and comparisons of rooms, each as text,
+ * JSON and CSV. */
+#include "reports/validate_report.h"
 
 #include <math.h>
 #include <string.h>
 
-#include "reports/format.h"
-#include "reports/json.h"
+#include "reports/df_result.h"
+#include "reports/parts/print.h"
+#include "reports/parts/format.h"
+#include "reports/parts/json.h"
 
 static const char *const titles[PP_COMPONENT_COUNT] = {
     [PP_SC] = "sky component",
@@ -24,8 +27,8 @@ static void put(FILE *out, int width, const char *format, double value)
 
 /* ---- known answers ---- */
 
-void pp_print_validate_self_test(const struct pp_self_test_cases *known, int width,
-                                 FILE *out)
+void pp_validate_report_self_test(const struct pp_self_test_cases *known, int width,
+                                  FILE *out)
 {
     int wrong = 0;
     fputs("The program against answers known on paper; shares of the open sky\n\n"
@@ -70,8 +73,8 @@ static struct json_object *known_object(const struct pp_self_test_case *one)
     return pp_json_whole(object, good);
 }
 
-enum pp_status pp_print_validate_self_test_json(const struct pp_self_test_cases *known,
-                                                FILE *out, struct pp_error *err)
+enum pp_status pp_validate_report_self_test_json(const struct pp_self_test_cases *known,
+                                                 FILE *out, struct pp_error *err)
 {
     struct json_object *object = json_object_new_object();
     struct json_object *answers = json_object_new_array();
@@ -82,7 +85,7 @@ enum pp_status pp_print_validate_self_test_json(const struct pp_self_test_cases 
     return pp_json_print(out, pp_json_whole(object, good), err);
 }
 
-void pp_print_validate_self_test_csv(const struct pp_self_test_cases *known, FILE *out)
+void pp_validate_report_self_test_csv(const struct pp_self_test_cases *known, FILE *out)
 {
     fputs("what,by,answer,expected,difference,tolerance,std_error,right\r\n", out);
     for (int i = 0; i < known->count; i++) {
@@ -260,8 +263,8 @@ static void print_overall(const struct pp_validation *validation, FILE *out)
     }
 }
 
-void pp_print_validate_rooms(const struct pp_validation *validation, int width,
-                             FILE *out)
+void pp_validate_report_rooms(const struct pp_validation *validation, int width,
+                              FILE *out)
 {
     const struct pp_results *results = validation->results;
     for (int i = 0; i < results->count; i++) {
@@ -358,8 +361,8 @@ static struct json_object *overall_object(const struct pp_overall *one)
     return pp_json_whole(object, good);
 }
 
-enum pp_status pp_print_validate_rooms_json(const struct pp_validation *validation,
-                                            FILE *out, struct pp_error *err)
+enum pp_status pp_validate_report_rooms_json(const struct pp_validation *validation,
+                                             FILE *out, struct pp_error *err)
 {
     const struct pp_results *results = validation->results;
     struct json_object *object = json_object_new_object();
@@ -376,7 +379,7 @@ enum pp_status pp_print_validate_rooms_json(const struct pp_validation *validati
     return pp_json_print(out, pp_json_whole(object, good), err);
 }
 
-void pp_print_validate_rooms_csv(const struct pp_validation *validation, FILE *out)
+void pp_validate_report_rooms_csv(const struct pp_validation *validation, FILE *out)
 {
     fputs("file,room,component,method,average_percent,traced_average_percent,"
           "traced_average_se_percent,points,traced_percent,bias_percent,"

@@ -1,0 +1,26 @@
+/* job.h - the course of a command that computes something and prints it: the output is
+ * opened first, so that hours of work are not lost to a wrong path, and closed last.
+ */
+#ifndef PP_CLI_JOB_H
+#define PP_CLI_JOB_H
+
+#include <stdbool.h>
+#include <stdio.h>
+
+#include "cli/exit_status.h"
+#include "model/base/error.h"
+
+struct pp_job {
+    const char *output; /* path of what is printed; NULL or "-": standard output */
+    enum pp_status (*compute)(void *data, struct pp_error *err);
+    enum pp_status (*print)(const void *data, FILE *out, struct pp_error *err);
+    bool (*is_finished)(const void *data); /* was the simulation not interrupted? NULL:
+                                            * the command has none */
+    void *data;                            /* the command's own */
+};
+
+/* Opens the output, computes, prints and closes the output, as far as all goes well; says
+ * what went wrong, or that the results are of an unfinished simulation. */
+enum pp_exit pp_job_run(const struct pp_job *job);
+
+#endif

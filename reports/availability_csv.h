@@ -1,0 +1,13 @@
+/* availability_csv.h - how often daylight does, as CSV. */
+#ifndef PP_REPORTS_AVAILABILITY_CSV_H
+#define PP_REPORTS_AVAILABILITY_CSV_H
+
+#include <stdio.h>
+
+#include "reports/availability_result.h"
+
+/* One line a place, method, illuminance and period, as [RFC4180] has it. */
+enum pp_status pp_availability_csv(const struct pp_availability_results *results,
+                                   FILE *out, struct pp_error *err);
+
+#endif

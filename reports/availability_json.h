@@ -1,0 +1,15 @@
+/* availability_json.h - how often daylight does, as JSON of format
+ * pepperpot-availability-1. */
+#ifndef PP_REPORTS_AVAILABILITY_JSON_H
+#define PP_REPORTS_AVAILABILITY_JSON_H
+
+#include <stdio.h>
+
+#include "reports/availability_result.h"
+
+/* One object a room, of format pepperpot-availability-1; an array of them if there are
+ * several. */
+enum pp_status pp_availability_json(const struct pp_availability_results *results,
+                                    FILE *out, struct pp_error *err);
+
+#endif

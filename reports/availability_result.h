@@ -1,0 +1,28 @@
+/* availability_result.h - how often daylight does in rooms, with what the run has to add: the
+ * input of the availability reports. */
+#ifndef PP_REPORTS_AVAILABILITY_RESULT_H
+#define PP_REPORTS_AVAILABILITY_RESULT_H
+
+#include <stdbool.h>
+
+#include "model/results/availability_sheet.h"
+#include "model/results/report.h"
+#include "studies/study_options.h"
+
+/* One room's sheet. */
+struct pp_availability_result {
+    struct pp_report report;
+    struct pp_availability_sheet sheet;
+    const char *file; /* as typed; not owned */
+    bool by_clock;    /* the simulation was stopped by --time */
+};
+
+struct pp_availability_results {
+    struct pp_availability_result *list;
+    int count;
+    bool several; /* as a list, even if there is only one */
+    bool more_than_one_file;
+    const struct pp_study_options *options; /* not owned */
+};
+
+#endif

@@ -1,0 +1,15 @@
+/* df_csv.h - daylight factors of rooms, as CSV. */
+#ifndef PP_REPORTS_DF_CSV_H
+#define PP_REPORTS_DF_CSV_H
+
+#include <stdio.h>
+
+#include "reports/df_result.h"
+
+/* One line a value, with a line of names at the top [RFC4180]; lines end with CR LF. Per
+ * cent of the unobstructed horizontal illuminance, in ten significant digits; a value that
+ * is missing is an empty field. */
+enum pp_status pp_df_csv(const struct pp_results *results, FILE *out,
+                         struct pp_error *err);
+
+#endif

@@ -1,0 +1,14 @@
+/* df_json.h - daylight factors of rooms, as JSON of format pepperpot-df-1. */
+#ifndef PP_REPORTS_DF_JSON_H
+#define PP_REPORTS_DF_JSON_H
+
+#include <stdio.h>
+
+#include "reports/df_result.h"
+
+/* One object a room, an array of them if there are several. Per cent of the unobstructed
+ * horizontal illuminance, in ten significant digits. */
+enum pp_status pp_df_json(const struct pp_results *results, FILE *out,
+                          struct pp_error *err);
+
+#endif

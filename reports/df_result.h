@@ -1,0 +1,28 @@
+/* df_result.h - reports of rooms, with what the run that made them has to add: the input of
+ * the df and validate reports.
+ */
+#ifndef PP_REPORTS_DF_RESULT_H
+#define PP_REPORTS_DF_RESULT_H
+
+#include <stdbool.h>
+
+#include "model/results/report.h"
+#include "studies/study_options.h"
+
+/* One room's report. */
+struct pp_result {
+    struct pp_report report;
+    const char *file; /* as typed; not owned */
+    bool by_clock;    /* the simulation was stopped by --time, so that another run gives
+                       * other digits */
+};
+
+struct pp_results {
+    struct pp_result *list;
+    int count;
+    bool several; /* printed as a list, even if there is only one */
+    bool more_than_one_file;
+    const struct pp_study_options *options; /* not owned */
+};
+
+#endif

@@ -1,0 +1,22 @@
+/* print.h - the parts that all reports for people share: the title of a room, the facts
+ * assumed of it, and wrapped sentences. As text.
+ */
+#ifndef PP_REPORTS_PARTS_PRINT_H
+#define PP_REPORTS_PARTS_PRINT_H
+
+#include <stdio.h>
+
+#include "model/room/world.h"
+
+/* The room's name and its file, on a line. */
+void pp_print_title(const struct pp_world *world, const char *file, FILE *out);
+
+/* The assumptions on the room (sky, working plane, surfaces, glass), one a line; the first
+ * part of a report. */
+void pp_print_assumed(const struct pp_world *world, int width, FILE *out);
+
+/* Words of text from column `column` on, wrapped at `width`; further lines are indented
+ * by `indent`. Ends the line. */
+void pp_print_wrapped(const char *text, int column, int indent, int width, FILE *out);
+
+#endif

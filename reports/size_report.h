@@ -1,0 +1,23 @@
+/* size_report.h - the window that reaches a target, as text for people and as JSON. */
+#ifndef PP_REPORTS_SIZE_REPORT_H
+#define PP_REPORTS_SIZE_REPORT_H
+
+#include <stdbool.h>
+#include <stdio.h>
+
+#include "studies/sizing/size_room.h"
+
+struct pp_size_results {
+    struct pp_size_room_result *list;
+    int count;
+    bool several; /* as a list, even if there is only one */
+    bool more_than_one_file;
+    const struct pp_size_wish *wish; /* not owned */
+};
+
+enum pp_status pp_size_report(const struct pp_size_results *results, int width,
+                              bool utf8, FILE *out, struct pp_error *err);
+enum pp_status pp_size_report_json(const struct pp_size_results *results, FILE *out,
+                                   struct pp_error *err);
+
+#endif

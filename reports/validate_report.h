@@ -1,0 +1,34 @@
+/* validate_report.h - what `validate` found, as text, JSON and CSV. */
+#ifndef PP_REPORTS_VALIDATE_REPORT_H
+#define PP_REPORTS_VALIDATE_REPORT_H
+
+#include <stdio.h>
+
+#include "studies/validation/comparison.h"
+#include "studies/validation/self_test.h"
+#include "reports/df_result.h"
+
+/* Answers beside what is expected. */
+void pp_validate_report_self_test(const struct pp_self_test_cases *known, int width,
+                                  FILE *out);
+enum pp_status pp_validate_report_self_test_json(const struct pp_self_test_cases *known,
+                                                 FILE *out, struct pp_error *err);
+void pp_validate_report_self_test_csv(const struct pp_self_test_cases *known,
+                                      FILE *out);
+
+/* Rooms, each with its comparisons, and all of them together. */
+struct pp_validation {
+    const struct pp_results *results;
+    struct pp_comparison **rooms; /* one list a result */
+    int *counts;
+    struct pp_overall *overall;
+    int overall_count;
+};
+
+void pp_validate_report_rooms(const struct pp_validation *validation, int width,
+                              FILE *out);
+enum pp_status pp_validate_report_rooms_json(const struct pp_validation *validation,
+                                             FILE *out, struct pp_error *err);
+void pp_validate_report_rooms_csv(const struct pp_validation *validation, FILE *out);
+
+#endif
