@@ -77,42 +77,7 @@ bool pp_path_ray_pass_opening(const struct pp_ray_scene *scene, struct pp_path_r
     return true;
 }
 
-bool pp_path_ray_is_leak(const struct pp_ray_scene *scene,
-                         const struct pp_path_ray *ray, const struct pp_contact *met)
-{
-    if (met->facet < 0)
-        return ray->inside;
-    const struct pp_facet *facet = &scene->facets[met->facet];
-    return scene->has_room && (facet->envelope || facet->opening >= 0)
-           && (met->side == PP_FRONT) != ray->inside;
-}
-
 /* ---- outside ---- */
-
-void pp_path_ray_add_sky(const struct pp_ray_scene *scene,
-                         const struct pp_path_ray *ray, struct pp_light *light)
-{
-    bool is_sky;
-    double value = pp_environment_light(&scene->environment, ray->to, &is_sky);
-    int component = ray->component != PP_PATH_RAY_UNSORTED ? ray->component
-                    : is_sky                               ? PP_SC
-                                                           : PP_ERC;
-    light->part[component] += ray->throughput * value;
-}
-
-bool pp_path_ray_add_near_skyline(const struct pp_ray_scene *scene,
-                                  const struct pp_path_ray *ray,
-                                  const struct pp_contact *met, struct pp_light *light)
-{
-    double exitance = 0.0;
-    double distance =
-        pp_environment_near_skyline(&scene->environment, ray->from, ray->to, &exitance);
-    if (isinf(distance) || (met->facet >= 0 && met->distance_m < distance))
-        return false;
-    light->part[ray->component == PP_PATH_RAY_UNSORTED ? PP_ERC : ray->component] +=
-        ray->throughput * exitance;
-    return true;
-}
 
 void pp_path_ray_leave_surface(const struct pp_facet *facet, struct pp_path_ray *ray,
                                const struct pp_contact *met, struct pp_light *light)

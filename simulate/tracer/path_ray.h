@@ -6,9 +6,11 @@
 #ifndef PP_SIMULATE_TRACER_PATH_RAY_H
 #define PP_SIMULATE_TRACER_PATH_RAY_H
 
+#include <math.h>
 #include <stdbool.h>
 #include <stdint.h>
 
+#include "model/results/reading.h"
 #include "simulate/sampling/lobe.h"
 #include "simulate/sampling/sobol.h"
 #include "simulate/scene/ray_scene.h"
@@ -114,8 +116,16 @@ static inline struct pp_contact pp_path_ray_first(struct pp_path_state *state,
 
 /* Has the ray met the wrong side of the room's envelope: has it leaked between the
  * edges of two surfaces? */
-bool pp_path_ray_is_leak(const struct pp_ray_scene *scene,
-                         const struct pp_path_ray *ray, const struct pp_contact *met);
+static inline bool pp_path_ray_is_leak(const struct pp_ray_scene *scene,
+                                       const struct pp_path_ray *ray,
+                                       const struct pp_contact *met)
+{
+    if (met->facet < 0)
+        return ray->inside;
+    const struct pp_facet *facet = &scene->facets[met->facet];
+    return scene->has_room && (facet->envelope || facet->opening >= 0)
+           && (met->side == PP_FRONT) != ray->inside;
+}
 
 /* The transmittance of an opening for the cosine of the angle of incidence, with its
  * frame, dirt and curtains. */
@@ -136,13 +146,35 @@ bool pp_path_ray_pass_opening(const struct pp_ray_scene *scene, struct pp_path_r
 void pp_path_ray_leave_surface(const struct pp_facet *facet, struct pp_path_ray *ray,
                                const struct pp_contact *met, struct pp_light *light);
 
-/* The light of sky, ground and far skylines; and of a near skyline that stands before
- * the surface that was met (false if none does). */
-void pp_path_ray_add_sky(const struct pp_ray_scene *scene,
-                         const struct pp_path_ray *ray, struct pp_light *light);
-bool pp_path_ray_add_near_skyline(const struct pp_ray_scene *scene,
-                                  const struct pp_path_ray *ray,
-                                  const struct pp_contact *met, struct pp_light *light);
+/* Adds the light of sky, ground or a far skyline, where the ray meets no surface. */
+static inline void pp_path_ray_add_sky(const struct pp_ray_scene *scene,
+                                       const struct pp_path_ray *ray,
+                                       struct pp_light *light)
+{
+    bool is_sky;
+    double value = pp_environment_light(&scene->environment, ray->to, &is_sky);
+    int component = ray->component != PP_PATH_RAY_UNSORTED ? ray->component
+                    : is_sky                               ? PP_SC
+                                                           : PP_ERC;
+    light->part[component] += ray->throughput * value;
+}
+
+/* Adds the light of a near skyline that stands before the surface that was met; false
+ * if none does. */
+static inline bool pp_path_ray_add_near_skyline(const struct pp_ray_scene *scene,
+                                                const struct pp_path_ray *ray,
+                                                const struct pp_contact *met,
+                                                struct pp_light *light)
+{
+    double exitance = 0.0;
+    double distance =
+        pp_environment_near_skyline(&scene->environment, ray->from, ray->to, &exitance);
+    if (isinf(distance) || (met->facet >= 0 && met->distance_m < distance))
+        return false;
+    light->part[ray->component == PP_PATH_RAY_UNSORTED ? PP_ERC : ray->component] +=
+        ray->throughput * exitance;
+    return true;
+}
 
 /* Follows a ray to its end without next-event estimation, in and out of the room. */
 void pp_path_ray_follow(struct pp_path_state *state, struct pp_path_ray ray, int vertex,
