@@ -3,6 +3,7 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "methods/evaluate.h"
 #include "model/room/building.h"
@@ -30,6 +31,27 @@ static void forget_results(struct pp_study *study)
     study->has_assessment = false;
 }
 
+/* The building's room as it is, with another sky, resolved. */
+static enum pp_status resolve(struct pp_study *study, struct pp_building *building,
+                              int index, const char *sky, struct pp_mistakes *mistakes,
+                              struct pp_error *err)
+{
+    struct pp_world *world = NULL;
+    study->file = strdup(mistakes->file);
+    enum pp_status status = study->file ? PP_OK : pp_fail_memory(err);
+    if (status == PP_OK)
+        status =
+            pp_room_copy(&study->description, pp_building_room(building, index), err);
+    if (status == PP_OK && sky)
+        status = pp_room_set_sky(study->description, sky, err);
+    if (status == PP_OK)
+        status = pp_world_create(&world, study->description, mistakes, err);
+    if (status == PP_OK)
+        pp_study_room_init(&study->room, study->file, building, index,
+                           study->description, world);
+    return status;
+}
+
 enum pp_status pp_study_create(struct pp_study **study, struct pp_building *building,
                                int index, const char *sky, struct pp_mistakes *mistakes,
                                struct pp_error *err)
@@ -37,20 +59,14 @@ enum pp_status pp_study_create(struct pp_study **study, struct pp_building *buil
     *study = NULL;
     if (!building || index < 0 || index >= pp_building_room_count(building))
         return pp_fail(err, PP_BAD_INPUT, "there is no room %d", index);
-    struct pp_room *room = pp_building_room(building, index);
-    struct pp_world *world = NULL;
-    enum pp_status status = sky ? pp_room_set_sky(room, sky, err) : PP_OK;
-    if (status == PP_OK)
-        status = pp_world_create(&world, room, mistakes, err);
-    if (status != PP_OK)
-        return status;
     struct pp_study *made = calloc(1, sizeof *made);
-    if (!made) {
-        pp_world_destroy(world);
+    if (!made)
         return pp_fail_memory(err);
+    enum pp_status status = resolve(made, building, index, sky, mistakes, err);
+    if (status != PP_OK) {
+        pp_study_destroy(made);
+        return status;
     }
-    pp_study_room_init(&made->room, mistakes->file, building, room, world);
-    made->description = room;
     made->options = PP_STUDY_OPTIONS_NONE;
     pp_study_begin_report(made);
     *study = made;
@@ -63,6 +79,8 @@ void pp_study_destroy(struct pp_study *study)
         return;
     forget_results(study);
     pp_study_room_clear(&study->room);
+    pp_room_destroy(study->description);
+    free(study->file);
     free(study);
 }
 

@@ -9,7 +9,8 @@
 
 struct pp_study {
     struct pp_study_room room;
-    struct pp_room *description;     /* the building's room, with the study's sky */
+    char *file;                      /* its name for people */
+    struct pp_room *description;     /* a copy of the building's room, with the sky */
     struct pp_study_options options; /* of what was last asked for */
     struct pp_report report;
     struct pp_simulation *simulation; /* NULL: none was asked for */

@@ -20,7 +20,7 @@ struct loading {
 };
 
 static enum pp_exit add_world(struct loading *loading, const char *file,
-                              struct pp_building *building, const struct pp_room *room,
+                              struct pp_building *building, int index,
                               struct pp_world *world)
 {
     struct pp_rooms *rooms = loading->rooms;
@@ -30,7 +30,8 @@ static enum pp_exit add_world(struct loading *loading, const char *file,
         pp_world_destroy(world);
         return pp_message_error(&err);
     }
-    pp_study_room_init(&rooms->list[rooms->count++], file, building, room, world);
+    pp_study_room_init(&rooms->list[rooms->count++], file, building, index,
+                       pp_building_room(building, index), world);
     return PP_EXIT_DONE;
 }
 
@@ -55,7 +56,7 @@ static enum pp_exit resolve_room(struct loading *loading, const char *file,
         return PP_EXIT_DONE; /* they are said with those of the rest of the file */
     if (status != PP_OK)
         return pp_message_error(&err);
-    return add_world(loading, file, building, room, world);
+    return add_world(loading, file, building, index, world);
 }
 
 /* Hands the building over to the rooms, as theirs; NULL is none. */

@@ -4,11 +4,12 @@
 #include <stdlib.h>
 
 void pp_study_room_init(struct pp_study_room *room, const char *file,
-                        struct pp_building *building, const struct pp_room *description,
-                        struct pp_world *world)
+                        struct pp_building *building, int index,
+                        const struct pp_room *description, struct pp_world *world)
 {
     *room = (struct pp_study_room){.file = file,
                                    .building = building,
+                                   .index = index,
                                    .room = description,
                                    .world = world,
                                    .receivers = world->receivers,

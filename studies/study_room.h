@@ -12,15 +12,17 @@ struct pp_study_room {
     const struct pp_room
         *room; /* as the file has it, with the options' sky; not owned */
     struct pp_building *building; /* that the room is part of; not owned */
+    int index;                    /* of the room in its building */
     struct pp_world *world;
     struct pp_receiver *receivers; /* the world's own, or others in their place */
     int receiver_count;
 };
 
-/* Takes over world, with its own receivers as the points. */
+/* Takes over world, with its own receivers as the points. description: room `index` of
+ * the building, or a changed copy of it. */
 void pp_study_room_init(struct pp_study_room *room, const char *file,
-                        struct pp_building *building, const struct pp_room *description,
-                        struct pp_world *world);
+                        struct pp_building *building, int index,
+                        const struct pp_room *description, struct pp_world *world);
 
 /* Other points in place of those there are; takes over the list (malloc). */
 void pp_study_room_set_points(struct pp_study_room *room, struct pp_receiver *receivers,

@@ -170,15 +170,10 @@ static enum pp_status set_down_edits(struct pp_size_room_result *result,
 static void find_text(struct pp_size_room_result *result)
 {
     struct pp_building *building = result->room->building;
-    int openings = 0;
-    for (int i = 0; i < pp_building_room_count(building); i++) {
-        const struct pp_room *room = pp_building_room(building, i);
-        if (room == result->room->room) {
-            result->file_text = pp_building_text(building, &result->file_length);
-            result->file_opening = openings;
-        }
-        openings += pp_room_opening_count(room);
-    }
+    result->file_text = pp_building_text(building, &result->file_length);
+    result->file_opening = 0;
+    for (int i = 0; i < result->room->index; i++)
+        result->file_opening += pp_room_opening_count(pp_building_room(building, i));
 }
 
 /* ---- The room ---- */
