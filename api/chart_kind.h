@@ -43,7 +43,7 @@ struct pp_board_options {
 };
 
 /* What a chart shows where there is a choice. */
-struct pp_chart_wish {
+struct pp_chart_choice {
     bool logarithmic;                    /* section: daylight factors */
     struct pp_board_options board;       /* of kinds worked at the drawing board */
     struct pp_year_options availability; /* of those of the light outside */
@@ -64,7 +64,7 @@ struct pp_chart_kind {
      * points may change. *finished becomes false where the simulation was stopped. */
     enum pp_status (*draw)(struct pp_canvas *canvas, struct pp_study_room *room,
                            const struct pp_study_options *study,
-                           const struct pp_chart_wish *wish, bool *finished,
+                           const struct pp_chart_choice *choice, bool *finished,
                            struct pp_error *err);
 };
 

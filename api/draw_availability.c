@@ -7,14 +7,14 @@
 
 static enum pp_status draw(struct pp_canvas *canvas, struct pp_study_room *room,
                            const struct pp_study_options *study,
-                           const struct pp_chart_wish *wish, bool *finished,
+                           const struct pp_chart_choice *choice, bool *finished,
                            struct pp_error *err)
 {
     struct pp_report report = {0};
     struct pp_year_light outside;
     struct pp_availability_sheet sheet = {0};
     bool by_clock = false;
-    enum pp_status status = pp_year_light_of_room(&outside, &wish->availability,
+    enum pp_status status = pp_year_light_of_room(&outside, &choice->availability,
                                                   room ? room->world : NULL, err);
     if (status == PP_OK && room)
         status = pp_study_report_methods(&report, room, study, err);
@@ -22,7 +22,7 @@ static enum pp_status draw(struct pp_canvas *canvas, struct pp_study_room *room,
         status = pp_study_report_traced(&report, study, &by_clock, err);
     if (status == PP_OK) {
         struct pp_availability_question question =
-            pp_year_light_question(&wish->availability, &outside);
+            pp_year_light_question(&choice->availability, &outside);
         status = pp_availability_fill(&sheet, &question, room ? &report : NULL, err);
     }
     if (status == PP_OK)

@@ -14,10 +14,10 @@
 
 static enum pp_status draw_waldram(struct pp_canvas *canvas, struct pp_study_room *room,
                                    const struct pp_study_options *study,
-                                   const struct pp_chart_wish *wish, bool *finished,
+                                   const struct pp_chart_choice *choice, bool *finished,
                                    struct pp_error *err)
 {
-    const struct pp_board_options *options = &wish->board;
+    const struct pp_board_options *options = &choice->board;
     (void)study;
     (void)finished;
     struct pp_waldram_sheet sheet;
@@ -34,10 +34,10 @@ static enum pp_status draw_waldram(struct pp_canvas *canvas, struct pp_study_roo
 static enum pp_status draw_pepper_pot(struct pp_canvas *canvas,
                                       struct pp_study_room *room,
                                       const struct pp_study_options *study,
-                                      const struct pp_chart_wish *wish, bool *finished,
-                                      struct pp_error *err)
+                                      const struct pp_chart_choice *choice,
+                                      bool *finished, struct pp_error *err)
 {
-    const struct pp_board_options *options = &wish->board;
+    const struct pp_board_options *options = &choice->board;
     (void)study;
     (void)finished;
     double worth = options->fine ? PP_PEPPER_POT_FINE_WORTH : PP_PEPPER_POT_WORTH;
@@ -71,10 +71,10 @@ static enum pp_status choose_protractor(struct pp_protractor *protractor,
 static enum pp_status draw_protractor(struct pp_canvas *canvas,
                                       struct pp_study_room *room,
                                       const struct pp_study_options *study,
-                                      const struct pp_chart_wish *wish, bool *finished,
-                                      struct pp_error *err)
+                                      const struct pp_chart_choice *choice,
+                                      bool *finished, struct pp_error *err)
 {
-    const struct pp_board_options *options = &wish->board;
+    const struct pp_board_options *options = &choice->board;
     (void)study;
     (void)finished;
     double arc_mm = pp_protractor_chart_arc_mm(canvas, room != NULL);
@@ -102,10 +102,10 @@ static enum pp_status draw_protractor(struct pp_canvas *canvas,
 static enum pp_status draw_nomogram(struct pp_canvas *canvas,
                                     struct pp_study_room *room,
                                     const struct pp_study_options *study,
-                                    const struct pp_chart_wish *wish, bool *finished,
-                                    struct pp_error *err)
+                                    const struct pp_chart_choice *choice,
+                                    bool *finished, struct pp_error *err)
 {
-    const struct pp_board_options *options = &wish->board;
+    const struct pp_board_options *options = &choice->board;
     (void)study;
     (void)finished;
     const struct pp_nomogram_spacing spacing = {pp_nomogram_chart_height_mm(canvas),

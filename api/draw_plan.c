@@ -54,12 +54,12 @@ static enum pp_status draw_report(struct pp_canvas *canvas,
 
 static enum pp_status draw(struct pp_canvas *canvas, struct pp_study_room *room,
                            const struct pp_study_options *study,
-                           const struct pp_chart_wish *wish, bool *finished,
+                           const struct pp_chart_choice *choice, bool *finished,
                            struct pp_error *err)
 {
     struct pp_report report;
     bool by_clock = false;
-    (void)wish;
+    (void)choice;
     enum pp_status status = pp_study_report_methods(&report, room, study, err);
     if (status == PP_OK && study->simulate)
         status = pp_study_report_traced(&report, study, &by_clock, err);

@@ -7,7 +7,7 @@
 
 static enum pp_status draw(struct pp_canvas *canvas, struct pp_study_room *room,
                            const struct pp_study_options *study,
-                           const struct pp_chart_wish *wish, bool *finished,
+                           const struct pp_chart_choice *choice, bool *finished,
                            struct pp_error *err)
 {
     struct pp_report report = {.finished = true};
@@ -22,7 +22,7 @@ static enum pp_status draw(struct pp_canvas *canvas, struct pp_study_room *room,
     if (status == PP_OK && study->simulate)
         status = pp_study_report_traced(&report, study, &by_clock, err);
     const struct pp_section_chart chart = {.report = &report,
-                                           .logarithmic = wish->logarithmic};
+                                           .logarithmic = choice->logarithmic};
     if (status == PP_OK)
         status = pp_section_chart_draw(canvas, &chart, err);
     *finished &= report.finished;

@@ -91,10 +91,10 @@ enum pp_status pp_study_size(const struct pp_study *study, double target,
         return pp_fail(err, PP_BAD_INPUT,
                        "the target is %g; expected a fraction above 0, to 1", target);
     struct pp_study_options options = PP_STUDY_OPTIONS_NONE;
-    const struct pp_size_wish wish = {
+    const struct pp_size_request request = {
         .study = &options, .target = target, .by = method, .change = change};
     struct pp_size_room_result result;
-    enum pp_status status = pp_size_room(&result, &study->room, &wish, err);
+    enum pp_status status = pp_size_room(&result, &study->room, &request, err);
     if (status == PP_OK) {
         found->verdict = result.answer.verdict;
         found->now = result.answer.now.value;

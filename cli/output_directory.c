@@ -10,6 +10,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "model/base/array.h"
+
 static enum pp_status fail_path(struct pp_error *err, const char *path, int number)
 {
     return pp_fail(err, PP_SYSTEM, "%s can't be written: %s", path, strerror(number));
@@ -124,13 +126,11 @@ enum pp_status pp_output_directory_add(struct pp_output_directory *directory,
                                        const char *path, bool runs, FILE **stream,
                                        struct pp_error *err)
 {
-    size_t count = (size_t)directory->count + 1;
-    struct pp_output_directory_file *files =
-        realloc(directory->files, count * sizeof *files);
-    if (!files)
-        return pp_fail_memory(err);
-    directory->files = files;
-    struct pp_output_directory_file *file = &files[directory->count];
+    if (pp_array_append(&directory->files, directory->count, sizeof *directory->files,
+                        err)
+        != PP_OK)
+        return PP_SYSTEM;
+    struct pp_output_directory_file *file = &directory->files[directory->count];
     *file = (struct pp_output_directory_file){.path = strdup(path), .runs = runs};
     if (!file->path)
         return pp_fail_memory(err);

@@ -42,7 +42,7 @@ static void say_left(char *text, size_t room, double seconds)
                  fmin(seconds / 3600.0, 99999.0));
 }
 
-/* As much of the label as takes so many columns; returns how many it took. */
+/* Prints the label, cut to a number of columns; returns how many columns it took. */
 static int put_label(FILE *out, const char *label, int columns)
 {
     char start[4 * LABEL + 1];

@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "model/base/text.h"
+#include "model/base/array.h"
 
 const struct pp_room_options pp_room_options_none = {.study.seed = 1};
 
@@ -42,11 +43,9 @@ static enum pp_status read_points(const char *text, void *place, struct pp_error
         struct pp_vec3 point;
         if (!read_point(text, length, &point))
             break;
-        struct pp_vec3 *grown =
-            realloc(points->list, ((size_t)points->count + 1) * sizeof *grown);
-        if (!grown)
-            return pp_fail_memory(err);
-        points->list = grown;
+        if (pp_array_append(&points->list, points->count, sizeof *points->list, err)
+            != PP_OK)
+            return PP_SYSTEM;
         points->list[points->count++] = point;
         text += length;
     }

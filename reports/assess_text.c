@@ -140,7 +140,7 @@ static void lay_out(struct layout *layout, const struct pp_finding_list *finding
 
 /* ---- rows ---- */
 
-/* Bytes of the text that go on a line of so many columns, without the blank behind. */
+/* Bytes of the text that fit a line of `columns`, without the blank behind them. */
 static int fitting(const char *text, int columns)
 {
     int length = 0, fits = 0, used = 0;

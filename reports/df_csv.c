@@ -6,7 +6,7 @@
 #include "reports/parts/format.h"
 
 /* One reading; receiver NULL: of the average. With external_lux over 0 a field more:
- * what a daylight factor makes of so many lux outside. */
+ * the illuminance of the daylight factor under external_lux. */
 static void put_line(const struct pp_result *result, const struct pp_column *column,
                      const struct pp_receiver *receiver,
                      const struct pp_reading *reading, double external_lux, FILE *out)

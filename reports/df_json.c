@@ -58,7 +58,7 @@ static bool add_contents(struct json_object *object, const char *name)
 }
 
 /* { "value": 1.25, "se": 0.01 } or { "value": null, "why": "..." }; name is the
- * column's. With external_lux over 0, what the value makes of so many lux outside. */
+ * column's. With external_lux over 0, the illuminance that is its share. */
 static struct json_object *entry(const struct pp_reading *reading, const char *name,
                                  double external_lux)
 {

@@ -1,8 +1,8 @@
 /* df_steps.c - calculations set out as on paper: a formula on a line of its own, its value
  * below; figures that were read or put in on one line each, the value on the right.
  *
- * Values have so many digits that whoever recomputes a formula from the printed figures
- * gets what is printed below it, to within their rounding. */
+ * Values have enough digits that a formula recomputed from the printed figures gives the
+ * printed value, to within their rounding. */
 #include "reports/df_steps.h"
 
 #include <ctype.h>
@@ -24,7 +24,7 @@ enum {
     VALUE_WIDTH = 11,
     UNIT_WIDTH = 4,
     LINE_MOST = 100,
-    DIGITS = 4 /* at least so many significant ones, */
+    DIGITS = 4 /* significant digits at least, */
 };
 /* what is less than this is printed as a bare 0 */
 static const double least = 1e-7;

@@ -118,7 +118,7 @@ static bool add_distances(struct pp_table *table, const struct pp_report *report
     return true;
 }
 
-/* What a daylight factor makes of so many lux outside. */
+/* Illuminances: daylight factors times the external illuminance. */
 static bool add_illuminances(struct pp_table *table, const struct pp_report *report,
                              const struct pp_column *column, const char *title,
                              double external_lux)

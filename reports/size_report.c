@@ -221,8 +221,8 @@ static enum pp_status print_elements(const struct pp_size_room_result *result,
 }
 
 static enum pp_status print_room(const struct pp_size_room_result *result,
-                                 const struct pp_size_wish *wish, int width, bool utf8,
-                                 FILE *out, struct pp_error *err)
+                                 const struct pp_size_request *request, int width,
+                                 bool utf8, FILE *out, struct pp_error *err)
 {
     const struct pp_size_answer *answer = &result->answer;
     char text[TEXT_BYTES] = "";
@@ -230,8 +230,8 @@ static enum pp_status print_room(const struct pp_size_room_result *result,
                                           [PP_GIVES_INTERNAL] =
                                               "internally reflected component ",
                                           [PP_GIVES_WHOLE] = ""};
-    append_per_cent(text, wish->target);
-    int points = wish->study->points.count;
+    append_per_cent(text, request->target);
+    int points = request->study->points.count;
     pp_text_append(text, TEXT_BYTES, " %s%s, by %s",
                    of_what[pp_size_room_gives(result->method)],
                    points == 0   ? "on average over the working plane"
@@ -245,8 +245,8 @@ static enum pp_status print_room(const struct pp_size_room_result *result,
         put_fact("as it is", text, width, out);
     }
     text[0] = '\0';
-    append_answer(text, result, wish->change, utf8);
-    put_fact(pp_size_room_change_words[wish->change], text, width, out);
+    append_answer(text, result, request->change, utf8);
+    put_fact(pp_size_room_change_words[request->change], text, width, out);
     if (isfinite(result->traced.value)) {
         text[0] = '\0';
         append_reading(text, &result->traced, utf8);
@@ -268,7 +268,7 @@ enum pp_status pp_size_report(const struct pp_size_results *results, int width,
             fputc('\n', out);
         pp_print_title(result->room->world, result->room->file, out);
         fputc('\n', out);
-        status = print_room(result, results->wish, width, utf8, out, err);
+        status = print_room(result, results->request, width, utf8, out, err);
     }
     return status;
 }
@@ -333,21 +333,21 @@ static struct json_object *room(const void *all, int index)
 {
     const struct pp_size_results *results = all;
     const struct pp_size_room_result *result = &results->list[index];
-    const struct pp_size_wish *wish = results->wish;
+    const struct pp_size_request *request = results->request;
     const struct pp_size_answer *answer = &result->answer;
     char text[TEXT_BYTES] = "";
-    append_answer(text, result, wish->change, true);
+    append_answer(text, result, request->change, true);
     bool reached = answer->verdict == PP_SIZE_REACHED;
     struct json_object *object = json_object_new_object();
     bool good = object && pp_json_text(object, "format", "pepperpot-size-1");
     if (good && results->more_than_one_file)
         good = pp_json_text(object, "file", result->room->file);
     good = good && pp_json_text(object, "room", result->room->world->name)
-           && pp_json_number(object, "target", 100.0 * wish->target)
+           && pp_json_number(object, "target", 100.0 * request->target)
            && pp_json_text(object, "of",
-                           wish->study->points.count > 0 ? "points" : "average")
+                           request->study->points.count > 0 ? "points" : "average")
            && pp_json_text(object, "method", result->method)
-           && pp_json_text(object, "change", pp_size_room_change_words[wish->change])
+           && pp_json_text(object, "change", pp_size_room_change_words[request->change])
            && pp_json_add(object, "reached", json_object_new_boolean(reached))
            && pp_json_text(object, reached ? "answer" : "why", text)
            && add_reading(object, "now", &answer->now)

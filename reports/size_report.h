@@ -12,7 +12,7 @@ struct pp_size_results {
     int count;
     bool several; /* as a list, even if there is only one */
     bool more_than_one_file;
-    const struct pp_size_wish *wish; /* not owned */
+    const struct pp_size_request *request; /* not owned */
 };
 
 enum pp_status pp_size_report(const struct pp_size_results *results, int width,

@@ -14,7 +14,7 @@ struct pp_point_list {
     int count;
 };
 
-/* Whoever looks on while a simulation works: a progress bar, a wish to stop. All NULL:
+/* Callbacks of a caller who watches a simulation: a progress bar, a request to stop. All NULL:
  * nobody. Called from one thread, between two slices of work. */
 struct pp_watch {
     void (*begin)(void *data, const char *name); /* of the room */

@@ -34,7 +34,7 @@ struct chart_sheet_options {
     enum pp_orientation orientation;
     double dpi; /* 0: the canvas's own choice */
     bool list;
-    struct pp_chart_wish wish;
+    struct pp_chart_choice choice;
 };
 
 #define PLACE(member) offsetof(struct chart_sheet_options, member)
@@ -52,11 +52,11 @@ static const struct pp_option sheet_options[] = {
     {"dpi", 0, "N", "Dots per inch of a PNG, 20 to 1200 (default 200).",
      pp_sheet_options_read_dpi, PLACE(dpi)},
     {"log", 0, NULL, "Section: daylight factors on a logarithmic scale.", NULL,
-     PLACE(wish.logarithmic)},
+     PLACE(choice.logarithmic)},
     {0},
 };
 
-#define BOARD(member) PLACE(wish.board.member)
+#define BOARD(member) PLACE(choice.board.member)
 
 static const struct pp_option board_options[] = {
     {"glazed", 0, "yes|no",
@@ -80,10 +80,10 @@ static const struct pp_option board_options[] = {
      pp_options_read_text, BOARD(glazing)},
     {"slope", 0, "DEG",
      "Blank protractor: slope of the glass, 0 horizontal to 90 vertical (default).",
-     pp_board_options_read_slope, PLACE(wish.board)},
+     pp_board_options_read_slope, PLACE(choice.board)},
     {"which", 0, "NAME",
      "Nomogram: average (default) or minimum, for windows, or rooflight.",
-     pp_board_options_read_nomogram, PLACE(wish.board)},
+     pp_board_options_read_nomogram, PLACE(choice.board)},
     {0},
 };
 
@@ -114,17 +114,11 @@ static const struct pp_chart_kind *find_kind(const char *typed, struct pp_error 
     if (kind)
         return kind;
     const char *names[32];
-    char known[256];
     int count = 0;
     for (; count < 32 && (kind = pp_chart_kind_at(count)) != NULL; count++)
         names[count] = kind->name;
-    const char *guess = pp_text_nearest(typed, names, count);
-    if (guess)
-        pp_fail(err, PP_BAD_INPUT, "there is no chart \"%.100s\"; did you mean %s?",
-                typed, guess);
-    else
-        pp_fail(err, PP_BAD_INPUT, "there is no chart \"%.100s\"; expected %s", typed,
-                pp_text_list_names(known, sizeof known, names, count));
+    pp_text_unknown(err, typed, names, count, NULL, "there is no chart \"%.100s\"",
+                    typed);
     return NULL;
 }
 
@@ -164,14 +158,14 @@ static enum pp_status draw_rooms(struct chart_task *drawing, struct pp_canvas *c
     enum pp_status status = PP_OK;
     if (drawing->count == 0)
         return drawing->kind->draw(canvas, NULL, &drawing->room_options->study,
-                                   &drawing->options->wish, &drawing->finished, err);
+                                   &drawing->options->choice, &drawing->finished, err);
     for (int i = 0; i < drawing->count && status == PP_OK; i++) {
         if (i > 0)
             status = pp_canvas_next_sheet(canvas, err);
         if (status == PP_OK)
             status = drawing->kind->draw(
                 canvas, &drawing->rooms[i], &drawing->room_options->study,
-                &drawing->options->wish, &drawing->finished, err);
+                &drawing->options->choice, &drawing->finished, err);
     }
     return status;
 }
@@ -185,7 +179,7 @@ static enum pp_status draw(struct chart_task *drawing, FILE *out, struct pp_erro
         snprintf(description, sizeof description, "%s", drawing->kind->summary);
     else
         snprintf(description, sizeof description, "%s; sky: %s", drawing->kind->summary,
-                 pp_sky_name(world ? &world->sky : &options->wish.board.sky));
+                 pp_sky_name(world ? &world->sky : &options->choice.board.sky));
     const struct pp_sheet sheet = {
         .format = drawing->format,
         .paper = options->paper,
@@ -366,8 +360,8 @@ struct chart_command {
 static const struct pp_option_group groups[] = {
     {"The sheet", sheet_options, PLACE(chart)},
     {"Diagrams of the drawing board", board_options, PLACE(chart)},
-    {"Availability", pp_light_options, PLACE(chart.wish.availability)},
-    {"Availability", pp_illuminance_options, PLACE(chart.wish.availability)},
+    {"Availability", pp_light_options, PLACE(chart.choice.availability)},
+    {"Availability", pp_illuminance_options, PLACE(chart.choice.availability)},
     PP_ROOM_CHOICE_GROUPS("What is computed", PLACE(room)),
     PP_ROOM_SIMULATION_GROUPS(PLACE(room)),
     {"Output", pp_room_output_options, PLACE(room)},
@@ -378,7 +372,8 @@ static void init(void *values)
 {
     *(struct chart_command *)values = (struct chart_command){
         .room = pp_room_options_none,
-        .chart = {.paper = PP_PAPER_A4, .wish.availability = pp_year_options_default}};
+        .chart = {.paper = PP_PAPER_A4,
+                  .choice.availability = pp_year_options_default}};
 }
 
 static enum pp_status check(void *values, char **words, int word_count,
@@ -400,12 +395,12 @@ static enum pp_status check(void *values, char **words, int word_count,
                        "expected a room file, or - for standard input");
     enum pp_status status = pp_room_options_settle(options, err);
     if (status == PP_OK)
-        status = check_light(&chart->wish.availability, options, kind, words + 1,
+        status = check_light(&chart->choice.availability, options, kind, words + 1,
                              word_count - 1, err);
     if (status == PP_OK && options->study.methods)
         status = pp_selection_check(options->study.methods, err);
     if (status == PP_OK && kind->board)
-        status = pp_board_options_check(&chart->wish.board, options, kind,
+        status = pp_board_options_check(&chart->choice.board, options, kind,
                                         word_count == 1, err);
     return status;
 }
@@ -423,7 +418,7 @@ static enum pp_exit run(void *values, char **words, int word_count)
     }
     command->room.study.watch = pp_watch_of_terminal(&watch, command->room.quiet);
     enum pp_exit exit_status =
-        pp_availability_options_load(&command->chart.wish.availability);
+        pp_availability_options_load(&command->chart.choice.availability);
     return exit_status == PP_EXIT_DONE
                ? run_on(command->kind, &command->room, &command->chart, words + 1,
                         word_count - 1)
@@ -433,7 +428,7 @@ static enum pp_exit run(void *values, char **words, int word_count)
 static void clear(void *values)
 {
     struct chart_command *command = values;
-    pp_availability_options_clear(&command->chart.wish.availability);
+    pp_availability_options_clear(&command->chart.choice.availability);
     pp_room_options_clear(&command->room);
 }
 

@@ -7,6 +7,7 @@
 
 #include "model/base/read_file.h"
 #include "model/base/text.h"
+#include "model/base/array.h"
 
 static const size_t FILE_MOST = (size_t)64 << 20;
 enum { POINTS_MOST = 100000 };
@@ -46,14 +47,8 @@ static enum pp_status take_line(struct pp_sensor **list, int *count, int *space,
     if (*count == POINTS_MOST)
         return pp_fail(err, PP_BAD_INPUT, "%.200s:%d: more than %d points", file, line,
                        POINTS_MOST);
-    if (*count == *space) {
-        int wanted = *space ? 2 * *space : 256;
-        struct pp_sensor *grown = realloc(*list, (size_t)wanted * sizeof *grown);
-        if (!grown)
-            return pp_fail_memory(err);
-        *list = grown;
-        *space = wanted;
-    }
+    if (pp_array_reserve(list, space, *count + 1, sizeof **list, err) != PP_OK)
+        return PP_SYSTEM;
     (*list)[(*count)++] = (struct pp_sensor){pp_vec(n[0], n[1], n[2]),
                                              pp_vec_scale(normal, 1.0 / length), line};
     return PP_OK;

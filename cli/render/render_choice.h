@@ -55,11 +55,11 @@ struct pp_paper_choice {
     enum pp_paper is;
 };
 
-/* How light through windows is hunted. */
+/* How light through windows is sampled. */
 enum pp_window_light {
-    PP_WINDOWS_STORED, /* aimed at; what surfaces outside send in is worked out once */
-    PP_WINDOWS_AIMED,  /* aimed at, and followed along each path */
-    PP_WINDOWS_CHANCE, /* found by the rays that spread */
+    PP_WINDOWS_STORED, /* next-event estimation; light from surfaces outside is stored once */
+    PP_WINDOWS_AIMED,  /* next-event estimation along each path */
+    PP_WINDOWS_CHANCE, /* BRDF sampling alone */
 };
 
 struct pp_render_choice {
@@ -103,8 +103,8 @@ enum pp_picture_format {
     PP_PICTURE_SVG,
 };
 
-/* Do the options make sense together, with so many room files (an illuminance outside of
- * 0: not said)? Settles the samples and what is of the cache. */
+/* Do the options make sense together, with `file_count` room files (an illuminance outside of
+ * 0: not said)? Settles the samples and the options of the cache. */
 enum pp_status pp_render_choice_check(struct pp_render_choice *choice,
                                       const struct pp_room_options *options,
                                       int file_count, struct pp_error *err);

@@ -80,13 +80,13 @@ static enum pp_status compute(void *data, struct pp_error *err)
     results->list = calloc((size_t)rooms->count, sizeof *results->list);
     if (!results->list)
         return pp_fail_memory(err);
-    bool of_one_window = results->wish->line > 0 || results->wish->wall;
+    bool of_one_window = results->request->line > 0 || results->request->wall;
     int sized = 0;
     for (int i = 0; i < rooms->count; i++) {
         struct pp_size_room_result *result = &results->list[results->count++];
         struct pp_error fault = {0};
         enum pp_status status =
-            pp_size_room(result, &rooms->list[i], results->wish, &fault);
+            pp_size_room(result, &rooms->list[i], results->request, &fault);
         sized += status == PP_OK;
         bool none = sized == 0 && i + 1 == rooms->count;
         if (status != PP_OK && (status != PP_BAD_INPUT || none))
@@ -139,7 +139,7 @@ static enum pp_exit run(void *values, char **files, int file_count)
                             .rooms = &rooms,
                             .results = {.several = rooms.several,
                                         .more_than_one_file = rooms.more_than_one_file,
-                                        .wish = &options->wish}};
+                                        .request = &options->request}};
     exit_status = size_rooms(&size);
     for (int i = 0; i < size.results.count; i++)
         pp_size_room_result_clear(&size.results.list[i]);

@@ -20,19 +20,19 @@ static enum pp_status read_change(const char *text, void *place, struct pp_error
 
 const struct pp_option pp_size_task_options[] = {
     {"target", 't', "DF%", "The daylight factor to reach: 2% or 2.",
-     pp_options_read_per_cent, PLACE(wish.target)},
+     pp_options_read_per_cent, PLACE(request.target)},
     {"by", 'b', "METHOD",
      "The method that it is worked out by: a method, a pair, or \"traced\" for the "
      "simulation (default exact+bre, or exact+split-flux where that does not cover "
      "the room).",
-     pp_options_read_text, PLACE(wish.by)},
+     pp_options_read_text, PLACE(request.by)},
     {"change", 'c', "WHAT",
      "What may change: width (default), height, head, sill, or the number of windows.",
-     read_change, PLACE(wish.change)},
+     read_change, PLACE(request.change)},
     {"wall", 0, "NAME", "Change the windows in that wall only.", pp_options_read_text,
-     PLACE(wish.wall)},
+     PLACE(request.wall)},
     {"window", 0, "LINE", "Change the window on that line of the room file only.",
-     pp_options_read_count, PLACE(wish.line)},
+     pp_options_read_count, PLACE(request.line)},
     {0},
 };
 
@@ -58,16 +58,17 @@ static enum pp_status check_method(const char *by, struct pp_error *err)
 enum pp_status pp_size_options_settle(struct pp_size_options *options,
                                       struct pp_error *err)
 {
-    if (!(options->wish.target > 0.0))
+    if (!(options->request.target > 0.0))
         return pp_fail(err, PP_BAD_INPUT,
                        "expected --target, the daylight factor to reach, such as "
                        "--target 2%%");
-    options->wish.traced = options->wish.by && strcmp(options->wish.by, "traced") == 0;
-    options->wish.study = &options->room.study;
-    if (options->wish.traced)
+    options->request.traced =
+        options->request.by && strcmp(options->request.by, "traced") == 0;
+    options->request.study = &options->room.study;
+    if (options->request.traced)
         options->room.study.simulate = true;
     enum pp_status status = pp_room_options_settle(&options->room, err);
-    if (status == PP_OK && options->wish.by && !options->wish.traced)
-        status = check_method(options->wish.by, err);
+    if (status == PP_OK && options->request.by && !options->request.traced)
+        status = check_method(options->request.by, err);
     return status;
 }

@@ -10,8 +10,8 @@
 
 struct pp_size_options {
     struct pp_room_options room;
-    struct pp_size_wish wish; /* its study is set by pp_size_options_settle */
-    const char *write;        /* where the changed room file goes; NULL: nowhere */
+    struct pp_size_request request; /* its study is set by pp_size_options_settle */
+    const char *write; /* where the changed room file goes; NULL: nowhere */
     enum pp_format format;
 };
 

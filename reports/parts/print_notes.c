@@ -9,6 +9,7 @@
 #include "reports/parts/print.h"
 #include "methods/method.h"
 #include "model/base/text.h"
+#include "model/base/array.h"
 
 const struct pp_reading *pp_print_notes_reading(const struct pp_report *report,
                                                 const struct pp_column *column, int row)
@@ -55,12 +56,10 @@ static bool add_reason(struct reasons *reasons, const char *why)
     for (int i = 0; i < reasons->count; i++)
         if (reasons->list[i] == why || strcmp(reasons->list[i], why) == 0)
             return true;
-    const char **grown =
-        realloc(reasons->list, ((size_t)reasons->count + 1) * sizeof *grown);
-    if (!grown)
+    if (pp_array_append(&reasons->list, reasons->count, sizeof *reasons->list, NULL)
+        != PP_OK)
         return false;
-    reasons->list = grown;
-    grown[reasons->count++] = why;
+    reasons->list[reasons->count++] = why;
     return true;
 }
 

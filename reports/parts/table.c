@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "reports/parts/format.h"
+#include "model/base/array.h"
 
 enum {
     INDENT = 2,
@@ -30,12 +31,11 @@ void pp_table_clear(struct pp_table *table)
 struct pp_table_column *pp_table_add(struct pp_table *table, const char *group,
                                      const char *group_short, const char *heading)
 {
-    struct pp_table_column *grown =
-        realloc(table->columns, ((size_t)table->column_count + 1) * sizeof *grown);
-    if (!grown)
+    if (pp_array_append(&table->columns, table->column_count, sizeof *table->columns,
+                        NULL)
+        != PP_OK)
         return NULL;
-    table->columns = grown;
-    struct pp_table_column *column = &grown[table->column_count];
+    struct pp_table_column *column = &table->columns[table->column_count];
     *column = (struct pp_table_column){.group = group, .group_short = group_short};
     snprintf(column->heading, sizeof column->heading, "%s", heading);
     column->cells = calloc((size_t)table->row_count + 1, sizeof *column->cells);

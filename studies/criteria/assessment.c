@@ -23,21 +23,14 @@ enum pp_status pp_assessment_choose(bool chosen[PP_CRITERIA_MOST], const char *l
         chosen[count] = !list;
     }
     while (list) {
-        char word[64], known[512];
+        char word[64];
         snprintf(word, sizeof word, "%.*s", (int)strcspn(list, ","), list);
         int i = 0;
         while (i < count && strcmp(names[i], word) != 0)
             i++;
-        if (i == count) {
-            const char *guess = pp_text_nearest(word, names, count);
-            return guess
-                       ? pp_fail(err, PP_BAD_INPUT,
-                                 "there is no criterion \"%s\"; did you mean %s?", word,
-                                 guess)
-                       : pp_fail(err, PP_BAD_INPUT,
-                                 "there is no criterion \"%s\"; expected %s", word,
-                                 pp_text_list_names(known, sizeof known, names, count));
-        }
+        if (i == count)
+            return pp_text_unknown(err, word, names, count, NULL,
+                                   "there is no criterion \"%s\"", word);
         chosen[i] = true;
         list = strchr(list, ',');
         list = list ? list + 1 : NULL;

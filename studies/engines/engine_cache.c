@@ -1,4 +1,4 @@
-/* engine_cache.c - points lit through an irradiance cache (simulate/cache) as an engine.
+/* engine_cache.c - daylight factors at points through an irradiance cache (simulate/cache) as an engine.
  */
 #include <stdlib.h>
 

@@ -15,7 +15,7 @@ const char *const pp_size_room_change_words[] = {"width", "height", "head",
 
 /* What a value of a room is worked out from. */
 struct valuation {
-    const struct pp_size_wish *wish;
+    const struct pp_size_request *request;
     const struct pp_study_room *room;
     struct pp_room_value by_hand;
 };
@@ -57,7 +57,7 @@ static enum pp_status trace(struct valuation *valuation, const struct pp_world *
                                .finished = true};
     bool by_clock = false;
     enum pp_status status =
-        pp_study_report_traced(&report, valuation->wish->study, &by_clock, err);
+        pp_study_report_traced(&report, valuation->request->study, &by_clock, err);
     if (status == PP_OK && !report.finished)
         status = pp_fail(err, PP_INTERRUPTED, "interrupted before a size was found");
     if (status == PP_OK) {
@@ -77,43 +77,45 @@ static enum pp_status value_of(void *data, const struct pp_world *world,
                                struct pp_reading *reading, struct pp_error *err)
 {
     struct valuation *valuation = data;
-    return valuation->wish->traced
+    return valuation->request->traced
                ? trace(valuation, world, reading, err)
                : pp_room_value(&valuation->by_hand, world, reading, err);
 }
 
 /* Is the opening one of those that may change? */
-static bool is_chosen(const struct pp_size_wish *wish,
+static bool is_chosen(const struct pp_size_request *request,
                       const struct pp_room_opening *opening, enum pp_opening_kind kind)
 {
-    if (wish->line > 0)
-        return opening->line == wish->line;
+    if (request->line > 0)
+        return opening->line == request->line;
     return opening->kind == kind
-           && (!wish->wall || strcmp(opening->wall, wish->wall) == 0);
+           && (!request->wall || strcmp(opening->wall, request->wall) == 0);
 }
 
 /* The indices of the openings that change: the windows, or the rooflights where there
  * are no windows. Fails where there are none. */
-static enum pp_status choose(int *openings, int *count, const struct pp_size_wish *wish,
+static enum pp_status choose(int *openings, int *count,
+                             const struct pp_size_request *request,
                              const struct pp_room *room, struct pp_error *err)
 {
     int all = pp_room_opening_count(room), windows = 0;
     for (int i = 0; i < all; i++)
         windows += pp_room_opening_at(room, i).kind == PP_WINDOW;
-    enum pp_opening_kind kind = windows > 0 || wish->wall ? PP_WINDOW : PP_ROOFLIGHT;
+    enum pp_opening_kind kind = windows > 0 || request->wall ? PP_WINDOW : PP_ROOFLIGHT;
     *count = 0;
     for (int i = 0; i < all; i++) {
         struct pp_room_opening opening = pp_room_opening_at(room, i);
-        if (is_chosen(wish, &opening, kind))
+        if (is_chosen(request, &opening, kind))
             openings[(*count)++] = i;
     }
     if (*count > 0)
         return PP_OK;
-    if (wish->line > 0)
-        return pp_fail(err, PP_BAD_INPUT, "there is no window on line %ld", wish->line);
-    if (wish->wall)
+    if (request->line > 0)
+        return pp_fail(err, PP_BAD_INPUT, "there is no window on line %ld",
+                       request->line);
+    if (request->wall)
         return pp_fail(err, PP_BAD_INPUT, "there is no window in a wall \"%.200s\"",
-                       wish->wall);
+                       request->wall);
     return pp_fail(err, PP_BAD_INPUT,
                    "there is no window or rooflight to change%s; expected one to begin "
                    "with, of any size",
@@ -184,8 +186,8 @@ static enum pp_status choose_method(struct valuation *valuation, struct pp_error
     static const char *const usual[] = {"exact+bre", "exact+split-flux"};
     struct pp_reading reading = pp_reading_none(NULL);
     enum pp_status status = PP_OK;
-    valuation->by_hand.method = valuation->wish->by;
-    for (int i = 0; i < 2 && !valuation->wish->by && status == PP_OK; i++) {
+    valuation->by_hand.method = valuation->request->by;
+    for (int i = 0; i < 2 && !valuation->request->by && status == PP_OK; i++) {
         valuation->by_hand.method = usual[i];
         status =
             pp_room_value(&valuation->by_hand, valuation->room->world, &reading, err);
@@ -214,11 +216,11 @@ static enum pp_status check_by_simulation(struct pp_size_room_result *result,
 
 enum pp_status pp_size_room(struct pp_size_room_result *result,
                             const struct pp_study_room *room,
-                            const struct pp_size_wish *wish, struct pp_error *err)
+                            const struct pp_size_request *request, struct pp_error *err)
 {
-    bool points = wish->study->points.count > 0;
+    bool points = request->study->points.count > 0;
     struct valuation valuation = {
-        .wish = wish,
+        .request = request,
         .room = room,
         .by_hand = {.points = points ? room->receivers : NULL,
                     .point_count = points ? room->receiver_count : 0}};
@@ -230,16 +232,16 @@ enum pp_status pp_size_room(struct pp_size_room_result *result,
     if (!openings)
         return pp_fail_memory(err);
     struct pp_size_task task = {.room = room->room,
-                                .change = wish->change,
+                                .change = request->change,
                                 .openings = openings,
-                                .target = wish->target,
+                                .target = request->target,
                                 .value = value_of,
                                 .data = &valuation};
     enum pp_status status = choose_method(&valuation, err);
     if (status == PP_OK) {
         result->method = valuation.by_hand.method;
         task.by_counts = is_by_counts(result->method);
-        status = choose(openings, &task.opening_count, wish, room->room, err);
+        status = choose(openings, &task.opening_count, request, room->room, err);
     }
     if (status == PP_OK)
         status = pp_size_find(&result->answer, &task, err);
@@ -250,7 +252,7 @@ enum pp_status pp_size_room(struct pp_size_room_result *result,
         snprintf(result->text, sizeof result->text, "%s", valuation.by_hand.why);
         result->why = result->text;
     }
-    if (status == PP_OK && wish->study->simulate && !wish->traced
+    if (status == PP_OK && request->study->simulate && !request->traced
         && result->answer.room)
         status = check_by_simulation(result, &valuation, err);
     return status;

@@ -12,7 +12,7 @@
 #include "studies/sizing/window_sizes.h"
 
 /* What is wanted. */
-struct pp_size_wish {
+struct pp_size_request {
     const struct pp_study_options *study; /* of points and simulation; not owned */
     double target;                        /* a fraction; 0: not given */
     const char *by; /* a method, a pair, or "traced"; NULL: what covers the room */
@@ -44,7 +44,8 @@ struct pp_size_room_result {
  * window. The result is to be cleared in any case. */
 enum pp_status pp_size_room(struct pp_size_room_result *result,
                             const struct pp_study_room *room,
-                            const struct pp_size_wish *wish, struct pp_error *err);
+                            const struct pp_size_request *request,
+                            struct pp_error *err);
 
 /* Makes it the result of a room that can't be sized, and why. */
 void pp_size_room_result_refuse(struct pp_size_room_result *result, const char *why);
