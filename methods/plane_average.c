@@ -5,6 +5,8 @@
 #include <cubature.h>
 #include <stdlib.h>
 
+#include "model/geometry/clipper.h"
+
 /* A piece of the plane: points origin + s a + t b. A triangle has s from 0 to 1 and t
  * from 0 to s. A piece of a rectangle has s = g(u) and t = g(v), with u and v from low
  * to low + wide and g the grading below; s and t from 0 to 1 are the whole rectangle.
@@ -85,10 +87,11 @@ static enum pp_status cut_figure(struct plane_pieces *pieces,
 {
     struct pp_clipper *clipper = NULL;
     double(*triangles)[3][2] = NULL;
-    enum pp_status status = pp_region_clipper_create(&clipper, err);
+    enum pp_status status = pp_clipper_create(&clipper, err);
     if (status == PP_OK)
-        status = pp_region_triangulate(clipper, &triangles, &pieces->count, plane, err);
-    pp_region_clipper_destroy(clipper);
+        status =
+            pp_clipper_triangulate(clipper, &triangles, &pieces->count, plane, err);
+    pp_clipper_destroy(clipper);
     if (status != PP_OK)
         return status;
     pieces->list = malloc(((size_t)pieces->count + 1) * sizeof *pieces->list);

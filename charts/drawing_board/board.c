@@ -14,14 +14,15 @@ enum { SUMS_MOST = 8 };
 /* Of white, in what hides the sky. */
 static const double hidden_grey = 0.72;
 
-void pp_board_path(cairo_t *cr, const struct pp_board_map *map,
-                   const struct pp_region *region)
+/* Adds the outline of a region to the path. */
+static void trace_region(cairo_t *cr, const struct pp_board_map *map,
+                         const struct pp_region *region)
 {
     for (int r = 0; r < region->count; r++) {
         const struct pp_ring *ring = &region->rings[r];
         for (int i = 0; i < ring->count; i++) {
-            double x = map->x0 + map->mm * ring->xy[i][0];
-            double y = map->y0 - map->mm * ring->xy[i][1];
+            double x = pp_board_x(map, ring->xy[i][0]);
+            double y = pp_board_y(map, ring->xy[i][1]);
             if (i == 0)
                 cairo_move_to(cr, x, y);
             else
@@ -61,18 +62,23 @@ static void fill_path(cairo_t *cr, const struct pp_style *style, bool hidden,
     cairo_restore(cr);
 }
 
-void pp_board_fill(cairo_t *cr, const struct pp_style *style,
-                   const struct pp_board_map *map, const struct pp_region *region,
-                   bool hidden, struct pp_box within)
+void pp_board_tints(cairo_t *cr, const struct pp_style *style,
+                    const struct pp_board_map *map,
+                    const struct pp_board_window *windows, int count,
+                    struct pp_box within)
 {
-    pp_board_path(cr, map, region);
-    fill_path(cr, style, hidden, within);
+    for (int w = 0; w < count; w++)
+        for (int p = 0; p < windows[w].count; p++) {
+            const struct pp_board_piece *piece = &windows[w].pieces[p];
+            trace_region(cr, map, &piece->outline);
+            fill_path(cr, style, piece->hidden, within);
+        }
 }
 
 void pp_board_outline(cairo_t *cr, const struct pp_style *style,
                       const struct pp_board_map *map, const struct pp_region *region)
 {
-    pp_board_path(cr, map, region);
+    trace_region(cr, map, region);
     pp_style_line(cr, style->medium, PP_INK);
     cairo_set_line_join(cr, CAIRO_LINE_JOIN_ROUND);
     cairo_stroke(cr);
@@ -108,6 +114,15 @@ const char *pp_board_letter(int index)
                                           "J", "K", "L", "M", "N", "O", "P", "Q", "R",
                                           "S", "T", "U", "V", "W", "X", "Y", "Z"};
     return letters[index % 26];
+}
+
+void pp_board_panel_words(char *words, size_t room, const char *wall, bool glazed)
+{
+    *words = 0;
+    if (wall)
+        pp_page_say(words, room, "Wall %s:", wall);
+    pp_page_say(words, room, "%s,",
+                glazed ? "with clear single glass" : "without glass");
 }
 
 /* "12", "12.3". */

@@ -14,17 +14,24 @@ struct pp_board_map {
     double x0, y0, mm;
 };
 
-/* Adds the outline of a region to the path. */
-void pp_board_path(cairo_t *cr, const struct pp_board_map *map,
-                   const struct pp_region *region);
+static inline double pp_board_x(const struct pp_board_map *map, double x)
+{
+    return map->x0 + map->mm * x;
+}
 
-/* Tints a region as sky or, darker and hatched, as obstruction; `within` bounds the
- * hatching, mm on paper. */
-void pp_board_fill(cairo_t *cr, const struct pp_style *style,
-                   const struct pp_board_map *map, const struct pp_region *region,
-                   bool hidden, struct pp_box within);
+static inline double pp_board_y(const struct pp_board_map *map, double y)
+{
+    return map->y0 - map->mm * y;
+}
 
-/* Draws its outline. */
+/* Tints what is seen in windows as sky or, darker and hatched, as obstruction; `within`
+ * bounds the hatching, mm on paper. */
+void pp_board_tints(cairo_t *cr, const struct pp_style *style,
+                    const struct pp_board_map *map,
+                    const struct pp_board_window *windows, int count,
+                    struct pp_box within);
+
+/* Draws the outline of a region. */
 void pp_board_outline(cairo_t *cr, const struct pp_style *style,
                       const struct pp_board_map *map, const struct pp_region *region);
 
@@ -32,6 +39,9 @@ void pp_board_outline(cairo_t *cr, const struct pp_style *style,
  * `drawn`. Returns the box. */
 struct pp_box pp_board_tint_keys(cairo_t *cr, const struct pp_style *style, double x,
                                  double y, bool hidden_too, bool drawn);
+
+/* Begins the words above a panel: its wall (NULL: not named) and its glass. */
+void pp_board_panel_words(char *words, size_t room, const char *wall, bool glazed);
 
 /* The sums below a diagram: each of the first few windows' with letter and line, the
  * number of the others, and the sum of all. */

@@ -7,6 +7,7 @@
 
 #include "model/base/array.h"
 #include "model/geometry/clip.h"
+#include "model/geometry/clipper.h"
 
 /* Coordinates in the view's plane that agree to this share of its extent count as
  * equal: some roundings of a double. */
@@ -166,12 +167,12 @@ static enum pp_status triangles_of(int (**triangles)[3], int *count,
     for (int i = 0; flat && i < outline->count; i++)
         flatten(flat[i], outline->vertices[i], outline->normal);
     if (status == PP_OK)
-        status = pp_region_clipper_create(&clipper, err);
+        status = pp_clipper_create(&clipper, err);
     if (status == PP_OK)
-        status = pp_region_of_ring(clipper, &region, (const double(*)[2])flat,
-                                   outline->count, err);
+        status = pp_clipper_of_ring(clipper, &region, (const double(*)[2])flat,
+                                    outline->count, err);
     if (status == PP_OK)
-        status = pp_region_triangulate(clipper, &found, count, &region, err);
+        status = pp_clipper_triangulate(clipper, &found, count, &region, err);
     if (status == PP_OK) {
         *triangles = malloc((size_t)(*count + 1) * sizeof **triangles);
         if (!*triangles)
@@ -188,7 +189,7 @@ static enum pp_status triangles_of(int (**triangles)[3], int *count,
     free(found);
     free(flat);
     pp_region_clear(&region);
-    pp_region_clipper_destroy(clipper);
+    pp_clipper_destroy(clipper);
     return status;
 }
 

@@ -41,7 +41,7 @@ enum pp_status pp_overlay_union(struct pp_clipper *clipper, struct pp_region *wh
     if (status == PP_OK)
         status = pieces->count == 1
                      ? pp_region_copy(whole, &regions[0], err)
-                     : pp_region_union(clipper, whole, regions, pieces->count, err);
+                     : pp_clipper_union(clipper, whole, regions, pieces->count, err);
     free(regions);
     free(rings);
     return status;
@@ -109,7 +109,7 @@ static enum pp_status seen_part(struct pp_clipper *clipper, struct pp_region *se
     if (status == PP_OK && nearer.count > 0)
         status = pp_overlay_union(clipper, &taken, &nearer, err);
     if (status == PP_OK)
-        status = pp_region_difference(clipper, seen, &whole, &taken, err);
+        status = pp_clipper_difference(clipper, seen, &whole, &taken, err);
     pp_region_clear(&taken);
     pp_region_clear(&whole);
     pp_occluders_clear(&nearer);
@@ -131,7 +131,7 @@ enum pp_status pp_overlay_seen(struct pp_clipper *clipper, struct pp_region *see
                 found++;
         }
     if (status == PP_OK)
-        status = pp_region_union(clipper, seen, parts, found, err);
+        status = pp_clipper_union(clipper, seen, parts, found, err);
     for (int i = 0; i < found; i++)
         pp_region_clear(&parts[i]);
     free(parts);

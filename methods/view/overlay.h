@@ -5,6 +5,7 @@
 #include <stdbool.h>
 
 #include "methods/view/occluders.h"
+#include "model/geometry/clipper.h"
 #include "model/geometry/region.h"
 
 /* The union of the pieces. Clockwise pieces are turned counter-clockwise. */

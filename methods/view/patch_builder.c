@@ -15,7 +15,7 @@ void pp_patch_builder_clear(struct pp_patch_builder *builder)
     pp_occluders_clear(&builder->inside);
     pp_occluders_clear(&builder->outside);
     pp_region_clear(&builder->open);
-    pp_region_clipper_destroy(builder->clipper);
+    pp_clipper_destroy(builder->clipper);
 }
 
 /* Subtracts the occluders inside from builder->open. */
@@ -27,7 +27,7 @@ static enum pp_status subtract_inside(struct pp_patch_builder *builder,
         pp_overlay_union(builder->clipper, &taken, &builder->inside, err);
     if (status == PP_OK)
         status =
-            pp_region_difference(builder->clipper, &left, &builder->open, &taken, err);
+            pp_clipper_difference(builder->clipper, &left, &builder->open, &taken, err);
     pp_region_clear(&taken);
     if (status == PP_OK) {
         pp_region_clear(&builder->open);
@@ -70,7 +70,7 @@ static enum pp_status cover(struct pp_patch_builder *builder, struct pp_region *
     enum pp_status status =
         pp_overlay_union(builder->clipper, all, &builder->outside, err);
     if (status == PP_OK)
-        status = pp_region_difference(builder->clipper, sky, &builder->open, all, err);
+        status = pp_clipper_difference(builder->clipper, sky, &builder->open, all, err);
     return status;
 }
 
@@ -104,9 +104,9 @@ static enum pp_status divide_same_light(struct pp_visible *visible,
                                         struct pp_error *err)
 {
     struct pp_region all, sky;
-    pp_region_clipper_set_grid(builder->clipper, 0.0);
+    pp_clipper_set_grid(builder->clipper, 0.0);
     enum pp_status status = cover(builder, &all, &sky, NULL);
-    pp_region_clipper_set_grid(builder->clipper, builder->grid);
+    pp_clipper_set_grid(builder->clipper, builder->grid);
     if (status != PP_OK || !adds_up(builder, &all, &sky)) {
         pp_region_clear(&all);
         pp_region_clear(&sky);
@@ -148,8 +148,8 @@ static enum pp_status divide(struct pp_visible *visible,
         status = pp_overlay_seen(builder->clipper, &light, &builder->outside, i,
                                  builder->scene.view->distance_m, err);
         if (status == PP_OK)
-            status = pp_region_intersection(builder->clipper, &within, &light,
-                                            &builder->open, err);
+            status = pp_clipper_intersection(builder->clipper, &within, &light,
+                                             &builder->open, err);
         if (status == PP_OK)
             add_patch(visible, &within, &outside->list[i]);
         pp_region_clear(&light);
@@ -229,10 +229,10 @@ enum pp_status pp_patch_builder_fill(struct pp_visible *visible,
     }
 
     if (!builder->clipper)
-        status = pp_region_clipper_create(&builder->clipper, err);
+        status = pp_clipper_create(&builder->clipper, err);
     builder->grid = grid_of(scene);
     if (status == PP_OK)
-        pp_region_clipper_set_grid(builder->clipper, builder->grid);
+        pp_clipper_set_grid(builder->clipper, builder->grid);
     if (status == PP_OK && by_ring) {
         struct pp_region ring = {1, &visible->ring};
         status = pp_region_copy(&builder->open, &ring, err);

@@ -6,6 +6,7 @@
 
 #include "methods/view/occluders.h"
 #include "methods/view/visible.h"
+#include "model/geometry/clipper.h"
 
 /* scene and, for an outline that is no rectangle, clipper and open are set before; all
  * else is zero. */

@@ -64,10 +64,10 @@ static enum pp_status open_by_overlay(struct pp_patch_builder *builder,
         return pp_fail_memory(err);
     struct pp_region inner = {0}, outer = {0};
     project(xy, &opening->inner, view, view->distance_m);
-    enum pp_status status = pp_region_clipper_create(&builder->clipper, err);
+    enum pp_status status = pp_clipper_create(&builder->clipper, err);
     if (status == PP_OK)
-        status = pp_region_of_ring(builder->clipper, &inner, (const double(*)[2])xy,
-                                   count, err);
+        status = pp_clipper_of_ring(builder->clipper, &inner, (const double(*)[2])xy,
+                                    count, err);
     if (status == PP_OK && !(opening->reveal_m > 0.0)) {
         builder->open = inner;
         free(xy);
@@ -75,12 +75,12 @@ static enum pp_status open_by_overlay(struct pp_patch_builder *builder,
     }
     if (status == PP_OK) {
         project(xy, &opening->outer, view, view->distance_m + opening->reveal_m);
-        status = pp_region_of_ring(builder->clipper, &outer, (const double(*)[2])xy,
-                                   count, err);
+        status = pp_clipper_of_ring(builder->clipper, &outer, (const double(*)[2])xy,
+                                    count, err);
     }
     if (status == PP_OK)
-        status = pp_region_intersection(builder->clipper, &builder->open, &inner,
-                                        &outer, err);
+        status = pp_clipper_intersection(builder->clipper, &builder->open, &inner,
+                                         &outer, err);
     free(xy);
     pp_region_clear(&inner);
     pp_region_clear(&outer);

@@ -53,12 +53,12 @@ static enum pp_status area_outside(double *area_m2, struct pp_clipper *clipper,
                                    struct pp_error *err)
 {
     struct pp_region ring = {0}, face = {0}, outside = {0};
-    enum pp_status status = pp_region_of_ring(clipper, &ring, xy, count, err);
+    enum pp_status status = pp_clipper_of_ring(clipper, &ring, xy, count, err);
     if (status == PP_OK)
-        status = pp_region_of_ring(clipper, &face, (const double(*)[2])frame->xy,
-                                   frame->count, err);
+        status = pp_clipper_of_ring(clipper, &face, (const double(*)[2])frame->xy,
+                                    frame->count, err);
     if (status == PP_OK)
-        status = pp_region_difference(clipper, &outside, &ring, &face, err);
+        status = pp_clipper_difference(clipper, &outside, &ring, &face, err);
     *area_m2 = pp_region_area(&outside);
     pp_region_clear(&ring);
     pp_region_clear(&face);
@@ -124,11 +124,11 @@ enum pp_status pp_face_frame_rings_overlap(struct pp_clipper *clipper,
     if (!bounds_overlap(bounds_of(a, a_count), bounds_of(b, b_count)))
         return PP_OK;
     struct pp_region first = {0}, second = {0}, both = {0};
-    enum pp_status status = pp_region_of_ring(clipper, &first, a, a_count, err);
+    enum pp_status status = pp_clipper_of_ring(clipper, &first, a, a_count, err);
     if (status == PP_OK)
-        status = pp_region_of_ring(clipper, &second, b, b_count, err);
+        status = pp_clipper_of_ring(clipper, &second, b, b_count, err);
     if (status == PP_OK)
-        status = pp_region_intersection(clipper, &both, &first, &second, err);
+        status = pp_clipper_intersection(clipper, &both, &first, &second, err);
     *area_m2 = pp_region_area(&both);
     pp_region_clear(&first);
     pp_region_clear(&second);

@@ -2,7 +2,7 @@
 #ifndef PP_MODEL_ROOM_FACE_FRAME_H
 #define PP_MODEL_ROOM_FACE_FRAME_H
 
-#include "model/geometry/region.h"
+#include "model/geometry/clipper.h"
 #include "model/room/world.h"
 
 /* A face's outline in its own axes, measured from its first vertex. */

@@ -20,7 +20,7 @@ static enum pp_status region_of(struct pp_region *region, struct pp_clipper *cli
         xy[i][0] = pp_vec_dot(v, axes->a);
         xy[i][1] = pp_vec_dot(v, axes->b);
     }
-    enum pp_status status = pp_region_by_crossings(
+    enum pp_status status = pp_clipper_by_crossings(
         clipper, region, (const double(*)[2])xy, polygon->count, err);
     free(xy);
     return status;
@@ -34,7 +34,7 @@ static enum pp_status cut(struct pp_region *region, struct pp_clipper *clipper,
     struct pp_region gap = {0, NULL}, rest = {0, NULL};
     enum pp_status status = region_of(&gap, clipper, axes, hole, err);
     if (status == PP_OK)
-        status = pp_region_difference(clipper, &rest, region, &gap, err);
+        status = pp_clipper_difference(clipper, &rest, region, &gap, err);
     pp_region_clear(&gap);
     if (status == PP_OK) {
         pp_region_clear(region);

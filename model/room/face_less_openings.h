@@ -4,6 +4,7 @@
 #define PP_MODEL_ROOM_FACE_LESS_OPENINGS_H
 
 #include "model/base/error.h"
+#include "model/geometry/clipper.h"
 #include "model/geometry/region.h"
 #include "model/room/world.h"
 

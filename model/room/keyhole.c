@@ -194,7 +194,7 @@ enum pp_status pp_keyhole_outlines_init(struct pp_keyhole_outlines *cut,
     *cut = (struct pp_keyhole_outlines){0};
     enum pp_status status = PP_OK;
     if (!whole)
-        status = pp_region_clipper_create(&clipper, err);
+        status = pp_clipper_create(&clipper, err);
     if (!whole && status == PP_OK)
         status =
             pp_face_less_openings(&region, clipper, &axes, outline, world, face, err);
@@ -210,7 +210,7 @@ enum pp_status pp_keyhole_outlines_init(struct pp_keyhole_outlines *cut,
         status = add_outline(cut, &axes, region.rings + i, next - i, world, face, err);
     }
     pp_region_clear(&region);
-    pp_region_clipper_destroy(clipper);
+    pp_clipper_destroy(clipper);
     if (status != PP_OK)
         pp_keyhole_outlines_clear(cut);
     return status;

@@ -110,11 +110,11 @@ static enum pp_status resolve(struct pp_resolver *r, struct pp_error *err)
         pp_build_watertight,    pp_build_place_openings, pp_build_reveals,
         pp_build_blocks,        pp_build_skylines,       pp_build_free_surfaces,
         pp_build_working_plane, pp_build_receivers};
-    enum pp_status status = pp_region_clipper_create(&r->clipper, err);
+    enum pp_status status = pp_clipper_create(&r->clipper, err);
     for (size_t i = 0; i < sizeof steps / sizeof *steps && status == PP_OK; i++)
         status = steps[i](r, err);
 
-    pp_region_clipper_destroy(r->clipper);
+    pp_clipper_destroy(r->clipper);
     for (int i = 0; i < r->wall_count; i++)
         free(r->walls[i]);
     free(r->walls);

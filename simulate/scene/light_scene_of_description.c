@@ -196,7 +196,7 @@ static enum pp_status build(struct light_scene_builder *b, struct pp_error *err)
         return status;
     status = pp_light_scene_add_glosses(scene, err);
     if (status == PP_OK)
-        status = pp_region_clipper_create(&b->clipper, err);
+        status = pp_clipper_create(&b->clipper, err);
     measure(scene, from);
     for (int i = 0; status == PP_OK && i < from->shape_count; i++)
         if (is_polygon(&from->shapes[i]))
@@ -227,7 +227,7 @@ enum pp_status pp_light_scene_of_description(struct pp_light_scene **result,
     struct light_scene_builder b = {.scene = scene, .from = from};
     enum pp_status status = build(&b, err);
     pp_triangles_clear(&b.triangles);
-    pp_region_clipper_destroy(b.clipper);
+    pp_clipper_destroy(b.clipper);
     free(b.corners);
     if (status != PP_OK) {
         pp_light_scene_destroy(scene);

@@ -167,7 +167,7 @@ static enum pp_status make_triangles(struct pp_ray_scene *scene,
 {
     struct pp_triangles list = {.facet_of = NULL};
     struct pp_clipper *clipper = NULL;
-    enum pp_status status = pp_region_clipper_create(&clipper, err);
+    enum pp_status status = pp_clipper_create(&clipper, err);
     for (int i = 0; status == PP_OK && i < world->surface_count; i++)
         status = pp_triangles_of_surface(&list, clipper, world, i, scene->centre, err);
     int first_glass = list.count;
@@ -177,7 +177,7 @@ static enum pp_status make_triangles(struct pp_ray_scene *scene,
     if (status == PP_OK)
         status = pp_triangles_of_plane(&scene->plane, &scene->plane_count, clipper,
                                        world, scene->centre, err);
-    pp_region_clipper_destroy(clipper);
+    pp_clipper_destroy(clipper);
     scene->triangles = list.corners;
     scene->facet_of_triangle = list.facet_of;
     scene->triangle_count = list.count;

@@ -72,7 +72,7 @@ static enum pp_status triangulate(struct pp_triangles *list, struct pp_clipper *
     enum pp_status status =
         pp_face_less_openings(&region, clipper, &axes, polygon, world, face, err);
     if (status == PP_OK)
-        status = pp_region_triangulate(clipper, &pieces, &count, &region, err);
+        status = pp_clipper_triangulate(clipper, &pieces, &count, &region, err);
     for (int i = 0; status == PP_OK && i < count; i++) {
         struct pp_vec3 corner[3];
         for (int k = 0; k < 3; k++)
@@ -142,7 +142,7 @@ enum pp_status pp_triangles_of_plane(struct pp_vec3 (**triangles)[3], int *count
     if (world->plane.count == 0)
         return PP_OK;
     enum pp_status status =
-        pp_region_triangulate(clipper, &pieces, count, &world->plane, err);
+        pp_clipper_triangulate(clipper, &pieces, count, &world->plane, err);
     if (status != PP_OK)
         return status;
     *triangles = malloc(sizeof **triangles * (size_t)(*count + 1));

@@ -5,6 +5,7 @@
 #define PP_SIMULATE_SCENE_TRIANGLES_H
 
 #include "model/base/error.h"
+#include "model/geometry/clipper.h"
 #include "model/room/world.h"
 
 struct pp_triangles {
@@ -23,7 +24,7 @@ enum pp_status pp_triangles_of_surface(struct pp_triangles *list,
                                        const struct pp_world *world, int surface,
                                        struct pp_vec3 centre, struct pp_error *err);
 
-/* The same of any polygon, by crossings where it meets or crosses itself (region.h):
+/* The same of any polygon, by crossings where it meets or crosses itself (clipper.h):
  * what they enclose may be nothing. */
 enum pp_status pp_triangles_of_polygon(struct pp_triangles *list,
                                        struct pp_clipper *clipper,

@@ -7,6 +7,7 @@
 #include <stdlib.h>
 
 #include "model/base/array.h"
+#include "model/geometry/clipper.h"
 
 /* Room for one item more than `count`. */
 static bool reserve(void *list, int *room, int count, size_t size)
@@ -140,17 +141,17 @@ enum pp_status pp_mesh_init(struct pp_mesh *mesh, const struct pp_region *region
 {
     *mesh = (struct pp_mesh){0};
     struct pp_clipper *clipper;
-    enum pp_status status = pp_region_clipper_create(&clipper, err);
+    enum pp_status status = pp_clipper_create(&clipper, err);
     if (status != PP_OK)
         return status;
     double(*corners)[3][2] = 0;
     int count = 0;
-    status = pp_region_triangulate(clipper, &corners, &count, region, err);
+    status = pp_clipper_triangulate(clipper, &corners, &count, region, err);
     for (int i = 0; i < count && status == PP_OK; i++)
         if (!add_first(mesh, (const double(*)[2])corners[i]))
             status = pp_fail_memory(err);
     free(corners);
-    pp_region_clipper_destroy(clipper);
+    pp_clipper_destroy(clipper);
     if (status != PP_OK)
         pp_mesh_clear(mesh);
     return status;

@@ -56,10 +56,10 @@ static enum pp_status look_over(struct sides_seen *seen, struct pp_resolver *r,
     pp_polygon_flatten(polygon->vertices, count, origin, along, up, xy);
     struct pp_region region = {0};
     enum pp_status status =
-        pp_region_of_ring(r->clipper, &region, (const double(*)[2])xy, count, err);
+        pp_clipper_of_ring(r->clipper, &region, (const double(*)[2])xy, count, err);
     if (status == PP_OK)
-        status = pp_region_triangulate(r->clipper, &triangles, &triangle_count, &region,
-                                       err);
+        status = pp_clipper_triangulate(r->clipper, &triangles, &triangle_count,
+                                        &region, err);
 
     for (int i = 0; i < count; i++) {
         struct pp_vec3 p = polygon->vertices[i];

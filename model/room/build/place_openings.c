@@ -25,7 +25,7 @@ static enum pp_status fit_in_face(bool *fits, struct pp_resolver *r,
         return status;
     pp_opening_outline_face_words(words, sizeof words, frame->face);
     /* A ring thinner than the tolerance may have no area once moved in. */
-    bool whole = pp_region_ring_is_simple(r->clipper, (const double(*)[2])xy, count);
+    bool whole = pp_clipper_ring_is_simple(r->clipper, (const double(*)[2])xy, count);
     if (out_m > 0.0)
         pp_mistakes_add(
             r->mistakes, part->line,

@@ -13,6 +13,7 @@
 
 #include "model/base/error.h"
 #include "model/base/mistakes.h"
+#include "model/geometry/clipper.h"
 #include "model/geometry/polygon.h"
 #include "model/room/building.h"
 #include "model/room/room_parts.h"

@@ -3,6 +3,7 @@
 
 #include <stdlib.h>
 
+#include "model/geometry/clipper.h"
 #include "model/geometry/region.h"
 
 /* Coordinates of a few metres: areas are right to some units in the last place. */
@@ -13,13 +14,13 @@ static struct pp_clipper *clipper;
 static int set_up(void **state)
 {
     (void)state;
-    return pp_region_clipper_create(&clipper, NULL) == PP_OK ? 0 : -1;
+    return pp_clipper_create(&clipper, NULL) == PP_OK ? 0 : -1;
 }
 
 static int tear_down(void **state)
 {
     (void)state;
-    pp_region_clipper_destroy(clipper);
+    pp_clipper_destroy(clipper);
     return 0;
 }
 
@@ -27,7 +28,7 @@ static struct pp_region rectangle(double x0, double y0, double x1, double y1)
 {
     const double xy[4][2] = {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}};
     struct pp_region region;
-    assert_int_equal(pp_region_of_ring(clipper, &region, xy, 4, NULL), PP_OK);
+    assert_int_equal(pp_clipper_of_ring(clipper, &region, xy, 4, NULL), PP_OK);
     return region;
 }
 
@@ -36,7 +37,7 @@ static void a_clockwise_ring_is_turned_round(void **state)
     (void)state;
     const double xy[4][2] = {{1.3, 0.7}, {1.3, 2.9}, {4.6, 2.9}, {4.6, 0.7}};
     struct pp_region region;
-    assert_int_equal(pp_region_of_ring(clipper, &region, xy, 4, NULL), PP_OK);
+    assert_int_equal(pp_clipper_of_ring(clipper, &region, xy, 4, NULL), PP_OK);
     assert_near(pp_region_area(&region), 3.3 * 2.2, ROUNDING);
     pp_region_clear(&region);
     assert_int_equal(region.count, 0);
@@ -47,9 +48,9 @@ static void a_line_and_two_points_have_no_figure(void **state)
     (void)state;
     const double xy[3][2] = {{0.0, 0.0}, {1.5, 1.5}, {3.0, 3.0}};
     struct pp_region region;
-    assert_int_equal(pp_region_of_ring(clipper, &region, xy, 3, NULL), PP_OK);
+    assert_int_equal(pp_clipper_of_ring(clipper, &region, xy, 3, NULL), PP_OK);
     assert_int_equal(region.count, 0);
-    assert_int_equal(pp_region_of_ring(clipper, &region, xy, 2, NULL), PP_OK);
+    assert_int_equal(pp_clipper_of_ring(clipper, &region, xy, 2, NULL), PP_OK);
     assert_int_equal(region.count, 0);
 }
 
@@ -61,17 +62,17 @@ static void a_bow_tie_is_refused(void **state)
         {0.0, 0.0}, {2.1, 0.0}, {3.4, 0.0}, {2.1, 0.0}, {0.9, 1.3}};
     struct pp_region region;
     struct pp_error err;
-    assert_int_equal(pp_region_of_ring(clipper, &region, bow, 4, &err), PP_BAD_INPUT);
+    assert_int_equal(pp_clipper_of_ring(clipper, &region, bow, 4, &err), PP_BAD_INPUT);
     assert_int_equal(region.count, 0);
-    assert_false(pp_region_ring_is_simple(clipper, bow, 4));
-    assert_false(pp_region_ring_is_simple(clipper, spike, 5));
+    assert_false(pp_clipper_ring_is_simple(clipper, bow, 4));
+    assert_false(pp_clipper_ring_is_simple(clipper, spike, 5));
 }
 
 static double area_by_crossings(const double (*xy)[2], int count)
 {
     struct pp_region region;
     struct pp_error err;
-    if (pp_region_by_crossings(clipper, &region, xy, count, &err) != PP_OK)
+    if (pp_clipper_by_crossings(clipper, &region, xy, count, &err) != PP_OK)
         fail_msg("%s", err.message);
     double area = pp_region_area(&region);
     pp_region_clear(&region);
@@ -111,7 +112,8 @@ static void a_hole_runs_clockwise_and_takes_its_area(void **state)
     struct pp_region wall = rectangle(0.0, 0.0, 5.3, 2.7);
     struct pp_region window = rectangle(1.1, 0.9, 3.4, 2.2);
     struct pp_region rest;
-    assert_int_equal(pp_region_difference(clipper, &rest, &wall, &window, NULL), PP_OK);
+    assert_int_equal(pp_clipper_difference(clipper, &rest, &wall, &window, NULL),
+                     PP_OK);
     assert_int_equal(rest.count, 2);
     assert_near(pp_region_area(&rest), 5.3 * 2.7 - 2.3 * 1.3, ROUNDING);
     assert_true(pp_region_contains(&rest, 0.4, 1.3));
@@ -124,9 +126,9 @@ static void a_hole_runs_clockwise_and_takes_its_area(void **state)
     struct pp_region both[2], whole, none;
     both[0] = rest;
     both[1] = window;
-    assert_int_equal(pp_region_union(clipper, &whole, both, 2, NULL), PP_OK);
+    assert_int_equal(pp_clipper_union(clipper, &whole, both, 2, NULL), PP_OK);
     assert_near(pp_region_area(&whole), 5.3 * 2.7, ROUNDING);
-    assert_int_equal(pp_region_intersection(clipper, &none, &rest, &window, NULL),
+    assert_int_equal(pp_clipper_intersection(clipper, &none, &rest, &window, NULL),
                      PP_OK);
     assert_int_equal(none.count, 0);
     pp_region_clear(&whole);
@@ -143,15 +145,15 @@ static void two_windows_with_holes_keep_each_its_own(void **state)
     struct pp_region band = rectangle(0.5, 1.0, 1.5, 2.0),
                      band2 = rectangle(4.5, 1.0, 5.5, 2.0);
     struct pp_region holes[2] = {band, band2}, walls, cut, left;
-    assert_int_equal(pp_region_union(clipper, &walls, parts, 2, NULL), PP_OK);
-    assert_int_equal(pp_region_union(clipper, &cut, holes, 2, NULL), PP_OK);
-    assert_int_equal(pp_region_difference(clipper, &left, &walls, &cut, NULL), PP_OK);
+    assert_int_equal(pp_clipper_union(clipper, &walls, parts, 2, NULL), PP_OK);
+    assert_int_equal(pp_clipper_union(clipper, &cut, holes, 2, NULL), PP_OK);
+    assert_int_equal(pp_clipper_difference(clipper, &left, &walls, &cut, NULL), PP_OK);
     assert_int_equal(left.count, 4);
     assert_near(pp_region_area(&left), 2.0 * (6.0 - 1.0), ROUNDING);
     struct pp_region copy;
     assert_int_equal(pp_region_copy(&copy, &left, NULL), PP_OK);
     struct pp_region again;
-    assert_int_equal(pp_region_intersection(clipper, &again, &copy, &parts[1], NULL),
+    assert_int_equal(pp_clipper_intersection(clipper, &again, &copy, &parts[1], NULL),
                      PP_OK);
     assert_near(pp_region_area(&again), 5.0, ROUNDING);
     pp_region_clear(&again);
@@ -170,7 +172,7 @@ static void figures_that_only_touch_share_nothing(void **state)
     (void)state;
     struct pp_region a = rectangle(0.0, 0.0, 1.7, 2.3);
     struct pp_region b = rectangle(1.7, 0.4, 3.1, 1.9), shared;
-    assert_int_equal(pp_region_intersection(clipper, &shared, &a, &b, NULL), PP_OK);
+    assert_int_equal(pp_clipper_intersection(clipper, &shared, &a, &b, NULL), PP_OK);
     assert_int_equal(shared.count, 0);
     pp_region_clear(&a);
     pp_region_clear(&b);
@@ -181,10 +183,11 @@ static void triangles_cover_an_outline_with_a_hole(void **state)
     (void)state;
     struct pp_region wall = rectangle(0.0, 0.0, 5.3, 2.7);
     struct pp_region window = rectangle(1.1, 0.9, 3.4, 2.2), rest;
-    assert_int_equal(pp_region_difference(clipper, &rest, &wall, &window, NULL), PP_OK);
+    assert_int_equal(pp_clipper_difference(clipper, &rest, &wall, &window, NULL),
+                     PP_OK);
     double(*triangles)[3][2], area = 0.0;
     int count;
-    assert_int_equal(pp_region_triangulate(clipper, &triangles, &count, &rest, NULL),
+    assert_int_equal(pp_clipper_triangulate(clipper, &triangles, &count, &rest, NULL),
                      PP_OK);
     assert_int_equal(count, 8);
     for (int i = 0; i < count; i++) {
@@ -208,13 +211,13 @@ static void the_union_of_nothing_is_empty(void **state)
 {
     (void)state;
     struct pp_region none;
-    assert_int_equal(pp_region_union(clipper, &none, NULL, 0, NULL), PP_OK);
+    assert_int_equal(pp_clipper_union(clipper, &none, NULL, 0, NULL), PP_OK);
     assert_int_equal(none.count, 0);
     assert_near(pp_region_area(&none), 0.0, 0.0);
     assert_true(isinf(pp_region_edge_distance(&none, 0.3, 0.4)));
     double(*triangles)[3][2];
     int count;
-    assert_int_equal(pp_region_triangulate(clipper, &triangles, &count, &none, NULL),
+    assert_int_equal(pp_clipper_triangulate(clipper, &triangles, &count, &none, NULL),
                      PP_OK);
     assert_int_equal(count, 0);
     free(triangles);

@@ -2,6 +2,7 @@
 #include <stdlib.h>
 
 #include "model/geometry/contour/contour.h"
+#include "model/geometry/clipper.h"
 #include "tests/lib/near.h"
 
 #define TOLERANCE 1e-3
@@ -14,9 +15,9 @@ static struct pp_region region_of(const double (*xy)[2], int count)
 {
     struct pp_clipper *clipper;
     struct pp_region region;
-    assert_int_equal(pp_region_clipper_create(&clipper, 0), PP_OK);
-    assert_int_equal(pp_region_of_ring(clipper, &region, xy, count, 0), PP_OK);
-    pp_region_clipper_destroy(clipper);
+    assert_int_equal(pp_clipper_create(&clipper, 0), PP_OK);
+    assert_int_equal(pp_clipper_of_ring(clipper, &region, xy, count, 0), PP_OK);
+    pp_clipper_destroy(clipper);
     return region;
 }
 
@@ -26,9 +27,9 @@ static struct pp_region with_hole(const double (*xy)[2], int count,
 {
     struct pp_clipper *clipper;
     struct pp_region whole = region_of(xy, count), less = region_of(hole, 4), region;
-    assert_int_equal(pp_region_clipper_create(&clipper, 0), PP_OK);
-    assert_int_equal(pp_region_difference(clipper, &region, &whole, &less, 0), PP_OK);
-    pp_region_clipper_destroy(clipper);
+    assert_int_equal(pp_clipper_create(&clipper, 0), PP_OK);
+    assert_int_equal(pp_clipper_difference(clipper, &region, &whole, &less, 0), PP_OK);
+    pp_clipper_destroy(clipper);
     pp_region_clear(&whole);
     pp_region_clear(&less);
     return region;

@@ -1,0 +1,36 @@
+/* pepper_pot_plot.h - one panel of a pepper-pot diagram on paper.
+ *
+ * The eye stands at the viewing distance v (mm) before the paper, at the height of the
+ * horizon. A length of l metres in an upright plane d metres away is drawn with
+ *
+ *     v l / d                                                        (mm)
+ */
+#ifndef PP_CHARTS_DRAWING_BOARD_PEPPER_POT_PLOT_H
+#define PP_CHARTS_DRAWING_BOARD_PEPPER_POT_PLOT_H
+
+#include "charts/sheet/lettering.h"
+#include "charts/sheet/style.h"
+#include "model/geometry/bounds.h"
+#include "model/results/board_sheets.h"
+
+struct pp_pepper_pot_drawing {
+    cairo_t *cr;
+    struct pp_style style;
+    const struct pp_pepper_pot_sheet *sheet;
+    double viewing; /* distance from the eye to the paper, mm */
+};
+
+/* The extent of a panel's windows and the point straight ahead, by the distance of their
+ * plane; of what lies below the horizon only the uppermost part. */
+struct pp_bounds2 pp_pepper_pot_plot_extent(const struct pp_pepper_pot_panel *panel);
+
+/* The panel's frame in a room that holds its scales and words too. */
+struct pp_box pp_pepper_pot_plot_frame(const struct pp_pepper_pot_drawing *drawing,
+                                       struct pp_box room);
+
+/* Draws a panel of the sheet; `first` is the number of its first window. */
+void pp_pepper_pot_plot_draw(const struct pp_pepper_pot_drawing *drawing,
+                             const struct pp_pepper_pot_panel *panel, int first,
+                             struct pp_box room);
+
+#endif
