@@ -8,6 +8,7 @@
 static const struct pp_number_format *const formats[] = {
     &pp_number_format_hdr,
     &pp_number_format_pfm,
+    &pp_number_format_npy,
     NULL,
 };
 
