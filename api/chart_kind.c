@@ -4,9 +4,8 @@
 #include <string.h>
 
 static const struct pp_chart_kind *const kinds[] = {
-    &pp_draw_section,      &pp_draw_plan,       &pp_draw_waldram,
-    &pp_draw_pepper_pot,   &pp_draw_protractor, &pp_draw_nomogram,
-    &pp_draw_availability, &pp_draw_sky,        NULL,
+    &pp_draw_section,    &pp_draw_plan,     &pp_draw_waldram,      &pp_draw_pepper_pot,
+    &pp_draw_protractor, &pp_draw_nomogram, &pp_draw_availability, NULL,
 };
 
 const struct pp_chart_kind *pp_chart_kind_at(int index)

@@ -7,7 +7,6 @@
 /* clang-format off */
 const struct pp_method *const pp_methods[] = {
     &pp_method_exact,
-    &pp_method_sky_factor,
     &pp_method_brs_table,
     &pp_method_waldram,
     &pp_method_pepper_pot,

@@ -8,7 +8,6 @@
 static const struct pp_number_format *const formats[] = {
     &pp_number_format_hdr,
     &pp_number_format_pfm,
-    &pp_number_format_npy,
     NULL,
 };
 

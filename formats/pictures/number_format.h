@@ -32,6 +32,5 @@ const struct pp_number_format *pp_number_format_find(const char *ending);
 
 extern const struct pp_number_format pp_number_format_hdr;
 extern const struct pp_number_format pp_number_format_pfm;
-extern const struct pp_number_format pp_number_format_npy;
 
 #endif

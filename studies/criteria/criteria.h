@@ -11,7 +11,6 @@ extern const struct pp_criterion pp_criterion_obstruction;
 extern const struct pp_criterion pp_criterion_no_sky_line;
 extern const struct pp_criterion pp_criterion_sky_line;
 extern const struct pp_criterion pp_criterion_limiting_depth;
-extern const struct pp_criterion pp_criterion_depth_rule;
 extern const struct pp_criterion pp_criterion_glazing_ratio;
 extern const struct pp_criterion pp_criterion_average;
 extern const struct pp_criterion pp_criterion_uniformity;

@@ -54,7 +54,7 @@ struct pp_engine {
     void (*destroy)(void *run); /* NULL is allowed */
 };
 
-extern const struct pp_engine pp_engine_path, pp_engine_cache, pp_engine_exact;
+extern const struct pp_engine pp_engine_path, pp_engine_cache;
 
 const struct pp_engine *pp_engine_at(int index);          /* NULL behind the last */
 const struct pp_engine *pp_engine_find(const char *name); /* NULL: there is none */
