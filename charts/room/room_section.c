@@ -55,7 +55,7 @@ static bool middle_of_openings(const struct pp_room_section *section, int face,
 
 /* The steepest line of sight from the window's middle, outwards in the section plane, to
  * the head of a cut obstruction or a skyline. It is drawn, and nothing is computed from
- * it: the obstruction angle of the methods is methods/visible_angle.h's. */
+ * it: the obstruction angle of the methods is methods/reflected/obstruction.h's. */
 static struct window_obstruction sight_of(const struct pp_room_section *section,
                                           bool near)
 {

@@ -5,10 +5,12 @@
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
-#include <strings.h>
 
 #include "model/base/text.h"
 #include "model/pictures/raster.h"
+
+/* Of a sentence that names the formats. */
+enum { ENDINGS_SIZE = 128 };
 
 struct pp_render_choice pp_render_choice_default(void)
 {
@@ -20,44 +22,28 @@ void pp_render_choice_clear(struct pp_render_choice *choice)
     pp_cache_choice_clear(&choice->cache);
 }
 
-static enum pp_status format_of(enum pp_picture_format *format, const char *typed,
-                                const char *path, struct pp_error *err)
-{
-    static const struct {
-        const char *ending;
-        enum pp_picture_format format;
-    } formats[] = {{".hdr", PP_PICTURE_HDR}, {".pic", PP_PICTURE_HDR},
-                   {".pfm", PP_PICTURE_PFM}, {".png", PP_PICTURE_PNG},
-                   {".pdf", PP_PICTURE_PDF}, {".svg", PP_PICTURE_SVG}};
-    size_t length = strlen(path);
-    for (size_t i = 0; i < sizeof formats / sizeof formats[0]; i++) {
-        const char *ending = formats[i].ending;
-        if (typed ? strcmp(typed, ending + 1) == 0
-                  : length >= 4 && strcasecmp(path + length - 4, ending) == 0) {
-            *format = formats[i].format;
-            return PP_OK;
-        }
-    }
-    return pp_fail(err, PP_BAD_INPUT,
-                   "what kind of file \"%.200s\" is can't be told from its name; "
-                   "expected one that ends in .hdr, .pfm, .png, .pdf or .svg, or "
-                   "--format",
-                   path);
-}
-
-enum pp_status pp_render_choice_format(enum pp_picture_format *format,
+enum pp_status pp_render_choice_format(struct pp_picture_format *format,
                                        const struct pp_render_choice *choice,
                                        const char *path, struct pp_error *err)
 {
-    return format_of(format, choice->format, path ? path : "-", err);
+    char endings[ENDINGS_SIZE];
+    path = path ? path : "-";
+    if (choice->format ? pp_picture_format_named(format, choice->format)
+                       : pp_picture_format_of(format, path))
+        return PP_OK;
+    return pp_fail(err, PP_BAD_INPUT,
+                   "what kind of file \"%.200s\" is can't be told from its name; "
+                   "expected one that ends in %s, or --format",
+                   path, pp_picture_format_list(endings, sizeof endings, ".", false));
 }
 
 bool pp_render_choice_on_sheet(const struct pp_render_choice *choice,
-                               enum pp_picture_format format)
+                               const struct pp_picture_format *format)
 {
-    return format == PP_PICTURE_PDF || format == PP_PICTURE_SVG
-           || (format == PP_PICTURE_PNG
-               && (choice->false_colour || choice->grid || choice->records));
+    if (format->numbers)
+        return false;
+    return format->shown != PP_CHART_PNG || choice->false_colour || choice->grid
+           || choice->records;
 }
 
 /* An option that says how a room's picture is made; NULL: none is there. */
@@ -94,7 +80,8 @@ static const char *making_said(const struct pp_render_choice *choice,
 
 /* What is of a sheet needs one; dots, one as PNG. */
 static enum pp_status check_sheet(const struct pp_render_choice *choice,
-                                  enum pp_picture_format format, struct pp_error *err)
+                                  const struct pp_picture_format *format,
+                                  struct pp_error *err)
 {
     const char *of_sheet = choice->paper.said                  ? "--paper"
                            : choice->orientation != PP_AS_FITS ? "--orientation"
@@ -105,7 +92,7 @@ static enum pp_status check_sheet(const struct pp_render_choice *choice,
                        "%s is of a sheet; expected -o FILE.pdf or FILE.svg, or "
                        "--false-colour, --grid or --records",
                        of_sheet);
-    if (choice->dpi > 0.0 && format != PP_PICTURE_PNG)
+    if (choice->dpi > 0.0 && format->shown != PP_CHART_PNG)
         return pp_fail(err, PP_BAD_INPUT,
                        "--dpi is of a sheet as PNG; a PDF and an SVG have no dots");
     return PP_OK;
@@ -119,10 +106,13 @@ static enum pp_status check_size(const struct pp_render_choice *choice, bool sho
     if (!shown
         || (size->width <= PP_RASTER_SIDE_MOST && size->height <= PP_RASTER_SIDE_MOST))
         return PP_OK;
+    char endings[ENDINGS_SIZE];
     return pp_fail(err, PP_BAD_INPUT,
-                   "a picture of %d x %d pixels can be kept, as .hdr or .pfm, but not "
-                   "shown; expected up to %d each way",
-                   size->width, size->height, PP_RASTER_SIDE_MOST);
+                   "a picture of %d x %d pixels can be kept, as %s, but not shown; "
+                   "expected up to %d each way",
+                   size->width, size->height,
+                   pp_picture_format_list(endings, sizeof endings, ".", true),
+                   PP_RASTER_SIDE_MOST);
 }
 
 static enum pp_status check_view(const struct pp_render_choice *choice,
@@ -156,6 +146,7 @@ enum pp_status pp_render_choice_check(struct pp_render_choice *choice,
                                       const struct pp_room_options *options,
                                       int file_count, struct pp_error *err)
 {
+    char endings[ENDINGS_SIZE];
     if (choice->from_picture && file_count > 0)
         return pp_fail(err, PP_BAD_INPUT,
                        "--from-picture shows a picture instead of a room; expected one "
@@ -170,15 +161,14 @@ enum pp_status pp_render_choice_check(struct pp_render_choice *choice,
         return pp_fail(err, PP_BAD_INPUT,
                        "expected one room file, or - for standard input");
     if (!options->output && !choice->format)
-        return pp_fail(err, PP_BAD_INPUT,
-                       "expected -o FILE.hdr, FILE.pfm, FILE.png, FILE.pdf or "
-                       "FILE.svg");
-    enum pp_picture_format format;
+        return pp_fail(err, PP_BAD_INPUT, "expected -o %s",
+                       pp_picture_format_list(endings, sizeof endings, "FILE.", false));
+    struct pp_picture_format format;
     enum pp_status status =
         pp_render_choice_format(&format, choice, options->output, err);
     if (status != PP_OK)
         return status;
-    bool shown = format != PP_PICTURE_HDR && format != PP_PICTURE_PFM;
+    bool shown = !format.numbers;
     if ((choice->false_colour || choice->grid || choice->records) && !shown)
         return pp_fail(err, PP_BAD_INPUT,
                        "%s drawn, not kept; expected -o FILE.png, FILE.pdf or FILE.svg",
@@ -224,7 +214,7 @@ enum pp_status pp_render_choice_check(struct pp_render_choice *choice,
         choice->samples = 16;
     status = check_view(choice, err);
     if (status == PP_OK)
-        status = check_sheet(choice, format, err);
+        status = check_sheet(choice, &format, err);
     if (status == PP_OK)
         status = check_size(choice, shown, err);
     return status == PP_OK ? pp_cache_choice_settle(&choice->cache, err) : status;

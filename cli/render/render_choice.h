@@ -8,7 +8,7 @@
 #include "cli/cache_choice.h"
 #include "cli/room_options.h"
 #include "cli/chart/sheet_options.h"
-#include "formats/pictures/picture_hdr.h"
+#include "cli/render/picture_format.h"
 #include "model/pictures/quantity.h"
 #include "model/pictures/tone.h"
 #include "simulate/render/render.h"
@@ -95,27 +95,19 @@ struct pp_render_choice {
 struct pp_render_choice pp_render_choice_default(void);
 void pp_render_choice_clear(struct pp_render_choice *choice);
 
-enum pp_picture_format {
-    PP_PICTURE_HDR,
-    PP_PICTURE_PFM,
-    PP_PICTURE_PNG,
-    PP_PICTURE_PDF,
-    PP_PICTURE_SVG,
-};
-
-/* Do the options make sense together, with `file_count` room files (an illuminance outside of
- * 0: not said)? Settles the samples and the options of the cache. */
+/* Do the options make sense together, with `file_count` room files (an illuminance
+ * outside of 0: not said)? Settles the samples and the options of the cache. */
 enum pp_status pp_render_choice_check(struct pp_render_choice *choice,
                                       const struct pp_room_options *options,
                                       int file_count, struct pp_error *err);
 
 /* By --format, or by the ending of the output's name (NULL: standard output). */
-enum pp_status pp_render_choice_format(enum pp_picture_format *format,
+enum pp_status pp_render_choice_format(struct pp_picture_format *format,
                                        const struct pp_render_choice *choice,
                                        const char *path, struct pp_error *err);
 
 /* Is it laid out on a sheet, or shown pixel for pixel? */
 bool pp_render_choice_on_sheet(const struct pp_render_choice *choice,
-                               enum pp_picture_format format);
+                               const struct pp_picture_format *format);
 
 #endif

@@ -240,9 +240,11 @@ static enum pp_status read_ends(const char *text, void *place, struct pp_error *
 static enum pp_status read_picture_format(const char *text, void *place,
                                           struct pp_error *err)
 {
-    static const char *const words[] = {"hdr", "pfm", "png", "pdf", "svg", NULL};
-    if (which_word(text, words) < 0)
-        return pp_fail(err, PP_BAD_INPUT, "hdr, pfm, png, pdf or svg");
+    struct pp_picture_format format;
+    char names[128];
+    if (!pp_picture_format_named(&format, text))
+        return pp_fail(err, PP_BAD_INPUT, "%s",
+                       pp_picture_format_list(names, sizeof names, "", false));
     *(const char **)place = text;
     return PP_OK;
 }

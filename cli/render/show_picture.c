@@ -1,4 +1,4 @@
-/* show_picture.c - writes a picture as PFM, HDR or PNG, or drawn on a sheet. */
+/* show_picture.c - writes a picture as numbers, as PNG, or drawn on a sheet. */
 #include "cli/render/show_picture.h"
 
 #include <math.h>
@@ -11,7 +11,6 @@
 #include "config.h"
 #include "model/base/read_file.h"
 #include "formats/pictures/picture_hdr.h"
-#include "formats/pictures/picture_pfm.h"
 #include "model/pictures/raster.h"
 #include "studies/pictures/view_grid.h"
 
@@ -69,34 +68,9 @@ enum pp_status pp_show_picture_read(struct pp_shown_picture *shown,
 
 /* ---- into one ---- */
 
-/* A copy where what is no number is black, as other programs expect. */
-static enum pp_status without_gaps(struct pp_picture *copy,
-                                   const struct pp_picture *picture,
-                                   struct pp_error *err)
-{
-    enum pp_status status = pp_picture_init(copy, picture->width, picture->height, err);
-    if (status != PP_OK)
-        return status;
-    size_t count = 3 * (size_t)picture->width * (size_t)picture->height;
-    for (size_t i = 0; i < count; i++)
-        copy->rgb[i] = isfinite(picture->rgb[i]) ? picture->rgb[i] : 0.0f;
-    return PP_OK;
-}
-
-static enum pp_status write_pfm(FILE *out, const struct pp_shown_picture *shown,
-                                struct pp_error *err)
-{
-    struct pp_picture whole;
-    enum pp_status status = without_gaps(&whole, &shown->picture, err);
-    if (status != PP_OK)
-        return status;
-    status = pp_picture_pfm_write(out, &whole, err);
-    pp_picture_clear(&whole);
-    return status;
-}
-
-static enum pp_status write_hdr(FILE *out, const struct pp_shown_picture *shown,
-                                struct pp_error *err)
+static enum pp_status write_numbers(FILE *out, const struct pp_shown_picture *shown,
+                                    const struct pp_number_format *format,
+                                    struct pp_error *err)
 {
     struct pp_hdr_notes notes = {.exposure = 1.0,
                                  .software = PACKAGE_NAME " " PACKAGE_VERSION};
@@ -104,7 +78,7 @@ static enum pp_status write_hdr(FILE *out, const struct pp_shown_picture *shown,
     if (shown->quantity != PP_LUMINANCE)
         snprintf(notes.quantity, sizeof notes.quantity, "%s",
                  pp_quantity_words(shown->quantity).name);
-    return pp_picture_hdr_write(out, &shown->picture, &notes, err);
+    return format->write(out, &shown->picture, &notes, err);
 }
 
 static enum pp_status tone_raster(struct pp_raster *raster,
@@ -189,7 +163,7 @@ static enum pp_status draw_sheet(FILE *out, const struct pp_picture_sheet *sheet
 
 static enum pp_status write_sheet(FILE *out, const struct pp_shown_picture *shown,
                                   const struct pp_render_choice *choice,
-                                  enum pp_picture_format format, struct pp_error *err)
+                                  enum pp_chart_format format, struct pp_error *err)
 {
     struct pp_picture_sheet sheet = {0};
     pp_picture_words(&sheet, shown, choice);
@@ -198,9 +172,7 @@ static enum pp_status write_sheet(FILE *out, const struct pp_shown_picture *show
         status = pp_view_grid(&sheet, &shown->camera, shown->world, err);
     if (status == PP_OK)
         status = lay_marks(&sheet, shown, err);
-    struct pp_sheet paper = {.format = format == PP_PICTURE_PDF   ? PP_CHART_PDF
-                                       : format == PP_PICTURE_SVG ? PP_CHART_SVG
-                                                                  : PP_CHART_PNG,
+    struct pp_sheet paper = {.format = format,
                              .paper = choice->paper.is,
                              .landscape = choice->orientation == PP_LANDSCAPE
                                           || (choice->orientation == PP_AS_FITS
@@ -218,21 +190,13 @@ enum pp_status pp_show_picture(const struct pp_shown_picture *shown,
                                const struct pp_render_choice *choice, const char *path,
                                FILE *out, struct pp_error *err)
 {
-    enum pp_picture_format format;
+    struct pp_picture_format format;
     enum pp_status status = pp_render_choice_format(&format, choice, path, err);
     if (status != PP_OK)
         return status;
-    if (pp_render_choice_on_sheet(choice, format))
-        return write_sheet(out, shown, choice, format, err);
-    switch (format) {
-    case PP_PICTURE_HDR:
-        return write_hdr(out, shown, err);
-    case PP_PICTURE_PFM:
-        return write_pfm(out, shown, err);
-    case PP_PICTURE_PNG:
-    case PP_PICTURE_PDF:
-    case PP_PICTURE_SVG:
-        break;
-    }
+    if (pp_render_choice_on_sheet(choice, &format))
+        return write_sheet(out, shown, choice, format.shown, err);
+    if (format.numbers)
+        return write_numbers(out, shown, format.numbers, err);
     return write_png(out, shown, choice, err);
 }
