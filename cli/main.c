@@ -45,13 +45,11 @@ static enum pp_exit fail_unknown(const char *word)
 {
     const char *names[COMMAND_COUNT];
     list_names(names);
-    const char *guess = pp_text_nearest(word, names, COMMAND_COUNT);
-    if (guess)
-        pp_message("there is no %s \"%s\"; did you mean %s?",
-                   word[0] == '-' ? "option" : "command", word, guess);
-    else
-        pp_message("there is no %s \"%s\"", word[0] == '-' ? "option" : "command",
-                   word);
+    char question[128];
+    pp_text_did_you_mean(question, sizeof question, "",
+                         pp_text_nearest(word, names, COMMAND_COUNT), "");
+    pp_message("there is no %s \"%s\"%s%s", word[0] == '-' ? "option" : "command", word,
+               question[0] ? "; " : "", question);
     fputs("Try: pepperpot --help\n", stderr);
     return PP_EXIT_USAGE;
 }

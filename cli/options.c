@@ -94,11 +94,11 @@ static enum pp_status fail_unknown(const struct pp_command_line *line, const cha
 
     char typed[64];
     snprintf(typed, sizeof typed, "%.*s", (int)length, word);
-    const char *guess = pp_text_nearest(typed, names, count);
-    if (guess)
-        return pp_fail(err, PP_BAD_INPUT, "there is no option --%s; did you mean --%s?",
-                       typed, guess);
-    return pp_fail(err, PP_BAD_INPUT, "there is no option --%s", typed);
+    char question[128];
+    pp_text_did_you_mean(question, sizeof question, "--",
+                         pp_text_nearest(typed, names, count), "");
+    return pp_fail(err, PP_BAD_INPUT, "there is no option --%s%s%s", typed,
+                   question[0] ? "; " : "", question);
 }
 
 static enum pp_status set(struct found found, const char *shown, const char *value,
@@ -140,11 +140,11 @@ static enum pp_status read_option(const struct pp_command_line *line, char **wor
     if (!found.option && is_long)
         return fail_unknown(line, name, length, err);
     const char *short_word = nearest_short(line, word);
+    char question[128];
     if (!found.option && short_word)
-        return pp_fail(err, PP_BAD_INPUT,
-                       "there is no option %.40s; did you mean %s, with its value as "
-                       "the next word?",
-                       word, short_word);
+        return pp_fail(err, PP_BAD_INPUT, "there is no option %.40s; %s", word,
+                       pp_text_did_you_mean(question, sizeof question, "", short_word,
+                                            ", with its value as the next word"));
     if (!found.option)
         return pp_fail(err, PP_BAD_INPUT, "there is no option %.*s",
                        1 + pp_format_utf8_length(word + 1), word);

@@ -144,11 +144,12 @@ static enum pp_exit say_no_such_room(const struct pp_rooms *rooms, const char *w
     for (int i = 0; i < rooms->count; i++)
         if (rooms->list[i].world->name)
             names[count++] = rooms->list[i].world->name;
-    char known[512];
-    const char *guess = pp_text_nearest(wanted, names, count);
-    if (guess)
-        pp_fail(&err, PP_BAD_INPUT,
-                "no room is named \"%.200s\"; did you mean \"%.200s\"?", wanted, guess);
+    char known[512], question[512];
+    pp_text_did_you_mean(question, sizeof question, "\"",
+                         pp_text_nearest(wanted, names, count), "\"");
+    if (question[0])
+        pp_fail(&err, PP_BAD_INPUT, "no room is named \"%.200s\"; %s", wanted,
+                question);
     else
         pp_fail(&err, PP_BAD_INPUT, "no room is named \"%.200s\"; expected %s", wanted,
                 pp_text_list_names(known, sizeof known, names, count));

@@ -34,15 +34,16 @@ static enum pp_status unknown(const char *name, struct pp_error *err)
         names[count] = pp_methods[count]->name;
     names[count++] = "default";
     names[count++] = "all";
-    char written[64], known[512];
+    char written[64], known[512], question[128];
     pp_text_excerpt(written, sizeof written, name);
     pp_text_list_names(known, sizeof known, names, count);
-    const char *nearest = pp_text_nearest(name, names, count);
-    if (nearest)
+    pp_text_did_you_mean(question, sizeof question, "\"",
+                         pp_text_nearest(name, names, count), "\"");
+    if (question[0])
         return pp_fail(err, PP_BAD_INPUT,
-                       "\"%s\" is no method (did you mean \"%s\"?); expected %s, or "
-                       "a pair such as exact+bre",
-                       written, nearest, known);
+                       "\"%s\" is no method (%s); expected %s, or a pair such as "
+                       "exact+bre",
+                       written, question, known);
     return pp_fail(err, PP_BAD_INPUT,
                    "\"%s\" is no method; expected %s, or a pair such as exact+bre",
                    written, known);

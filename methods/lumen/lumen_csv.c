@@ -120,12 +120,13 @@ static bool has_column(const struct reader *reader, enum column kind)
 
 static void unknown_column(struct reader *reader, const char *text)
 {
-    char written[64];
+    char written[64], question[128];
     pp_text_excerpt(written, sizeof written, text);
-    const char *nearest = pp_text_nearest(text, column_names, WIDTH);
-    if (nearest)
-        pp_mistakes_add(reader->mistakes, reader->number,
-                        "\"%s\" is no column (did you mean \"%s\"?)", written, nearest);
+    pp_text_did_you_mean(question, sizeof question, "\"",
+                         pp_text_nearest(text, column_names, WIDTH), "\"");
+    if (question[0])
+        pp_mistakes_add(reader->mistakes, reader->number, "\"%s\" is no column (%s)",
+                        written, question);
     else
         pp_mistakes_add(
             reader->mistakes, reader->number,

@@ -111,26 +111,38 @@ const char *pp_text_list_names(char *text, size_t size, const char *const *names
     return text;
 }
 
+const char *pp_text_did_you_mean(char *text, size_t room, const char *before,
+                                 const char *name, const char *after)
+{
+    text[0] = '\0';
+    if (name)
+        snprintf(text, room, "did you mean %s%s%s?", before, name, after);
+    return text;
+}
+
 void pp_text_append_nearest(char *text, size_t room, const char *typed,
                             const char *const *names, int count)
 {
-    const char *nearest = pp_text_nearest(typed, names, count);
-    if (nearest)
-        pp_text_append(text, room, "; did you mean \"%s\"?", nearest);
+    char question[512];
+    pp_text_did_you_mean(question, sizeof question, "\"",
+                         pp_text_nearest(typed, names, count), "\"");
+    if (question[0])
+        pp_text_append(text, room, "; %s", question);
 }
 
 enum pp_status pp_text_unknown(struct pp_error *err, const char *typed,
                                const char *const *names, int count,
                                const char *otherwise, const char *format, ...)
 {
-    char message[sizeof err->message] = "", expected[512];
+    char message[sizeof err->message] = "", expected[512], question[512];
     va_list arguments;
     va_start(arguments, format);
     pp_text_append_v(message, sizeof message, format, arguments);
     va_end(arguments);
-    const char *nearest = pp_text_nearest(typed, names, count);
-    if (nearest)
-        return pp_fail(err, PP_BAD_INPUT, "%s; did you mean %s?", message, nearest);
+    pp_text_did_you_mean(question, sizeof question, "",
+                         pp_text_nearest(typed, names, count), "");
+    if (question[0])
+        return pp_fail(err, PP_BAD_INPUT, "%s; %s", message, question);
     if (otherwise)
         return pp_fail(err, PP_BAD_INPUT, "%s%s", message, otherwise);
     return pp_fail(err, PP_BAD_INPUT, "%s; expected %s", message,

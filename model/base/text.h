@@ -30,6 +30,11 @@ int pp_text_edit_distance(const char *a, const char *b);
  * else the first that contains it ("oak": "oak-floor"). NULL where none is like it. */
 const char *pp_text_nearest(const char *typed, const char *const *names, int count);
 
+/* "did you mean NAME?" with NAME between `before` and `after`, which may hold more than
+ * quotes; empty where name is NULL. The words stand in the program once: here. */
+const char *pp_text_did_you_mean(char *text, size_t room, const char *before,
+                                 const char *name, const char *after);
+
 /* Adds `; did you mean "nearest"?` where a name is like what was typed, else
  * nothing. */
 void pp_text_append_nearest(char *text, size_t room, const char *typed,

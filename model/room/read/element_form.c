@@ -269,13 +269,13 @@ static void note_unknown(struct pp_mistakes *mistakes, int line, const char *wha
                          const char *name, const char *within, const char *const *names,
                          int count)
 {
-    char shown[160], list[SENTENCE];
+    char shown[160], list[SENTENCE], question[160];
     const char *meant = pp_text_nearest(name, names, count);
+    pp_text_did_you_mean(question, sizeof question, "\"", meant, "\"");
     pp_text_list_names(list, sizeof list, names, count);
-    pp_mistakes_add(mistakes, line, "%s: %s \"%s\" is not known; %s%s%s%s%s", within,
-                    what, pp_text_excerpt(shown, sizeof shown, name),
-                    meant ? "did you mean \"" : "", meant ? meant : "",
-                    meant ? "\"? (" : "expected ", count > 0 ? list : "none",
+    pp_mistakes_add(mistakes, line, "%s: %s \"%s\" is not known; %s%s%s%s", within,
+                    what, pp_text_excerpt(shown, sizeof shown, name), question,
+                    meant ? " (" : "expected ", count > 0 ? list : "none",
                     meant ? ")" : "");
 }
 

@@ -64,6 +64,13 @@ static void an_unknown_name_is_answered_with_the_nearest_or_with_all(void **stat
     assert_int_equal(pp_text_unknown(NULL, "wind", names, 3, "", "no loss"),
                      PP_BAD_INPUT);
 
+    char question[64];
+    assert_string_equal(
+        pp_text_did_you_mean(question, sizeof question, "--", "glass", ", twice"),
+        "did you mean --glass, twice?");
+    assert_string_equal(pp_text_did_you_mean(question, sizeof question, "", NULL, "x"),
+                        "");
+
     char text[64] = "no loss";
     pp_text_append_nearest(text, sizeof text, "wind", names, 3);
     assert_string_equal(text, "no loss");
