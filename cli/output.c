@@ -216,3 +216,9 @@ enum pp_status pp_output_close(struct pp_output *output, enum pp_status status,
     pp_output_clear(output);
     return status;
 }
+
+enum pp_status pp_output_put(void *stream, const unsigned char *bytes, size_t length,
+                             struct pp_error *err)
+{
+    return fwrite(bytes, 1, length, stream) == length ? PP_OK : pp_fail_memory(err);
+}

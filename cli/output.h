@@ -32,6 +32,10 @@ enum pp_status pp_output_commit(struct pp_output *output, struct pp_error *err);
 /* Closes the output and leaves everything as it was. May follow a commit. */
 void pp_output_clear(struct pp_output *output);
 
+/* A writer for pp_canvas_write (charts/sheet/canvas.h): stream is a FILE *. */
+enum pp_status pp_output_put(void *stream, const unsigned char *bytes, size_t length,
+                             struct pp_error *err);
+
 /* The end of all work on an output: commits it where the work is good (`status`), else
  * abandons it. Returns what came of both. */
 enum pp_status pp_output_close(struct pp_output *output, enum pp_status status,

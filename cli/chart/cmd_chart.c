@@ -193,14 +193,9 @@ static enum pp_status draw(struct chart_task *drawing, FILE *out, struct pp_erro
     enum pp_status status = pp_canvas_create(&canvas, &sheet, err);
     if (status != PP_OK)
         return status;
-
-    const unsigned char *bytes;
-    size_t length;
     status = draw_rooms(drawing, canvas, err);
     if (status == PP_OK)
-        status = pp_canvas_finish(canvas, &bytes, &length, err);
-    if (status == PP_OK && fwrite(bytes, 1, length, out) != length)
-        status = pp_fail_memory(err);
+        status = pp_canvas_write(canvas, pp_output_put, out, err);
     pp_canvas_destroy(canvas);
     return status;
 }

@@ -7,6 +7,7 @@
 
 #include "charts/picture_chart.h"
 #include "charts/picture_png.h"
+#include "cli/output.h"
 #include "cli/render/picture_words.h"
 #include "config.h"
 #include "model/base/read_file.h"
@@ -150,13 +151,9 @@ static enum pp_status draw_sheet(FILE *out, const struct pp_picture_sheet *sheet
     enum pp_status status = pp_canvas_create(&canvas, paper, err);
     if (status != PP_OK)
         return status;
-    const unsigned char *bytes;
-    size_t length;
     status = pp_picture_chart_draw(canvas, sheet, err);
     if (status == PP_OK)
-        status = pp_canvas_finish(canvas, &bytes, &length, err);
-    if (status == PP_OK && fwrite(bytes, 1, length, out) != length)
-        status = pp_fail_memory(err);
+        status = pp_canvas_write(canvas, pp_output_put, out, err);
     pp_canvas_destroy(canvas);
     return status;
 }

@@ -224,14 +224,6 @@ void pp_room_lighten(struct pp_room *room, enum pp_role role, double reflectance
     }
 }
 
-bool pp_room_set_height(struct pp_room *room, double height_m)
-{
-    if (room->plan.envelope)
-        return false;
-    room->plan.height_m = height_m;
-    return true;
-}
-
 void pp_room_clear_surroundings(struct pp_room *room, const struct pp_world *world)
 {
     for (int i = 0; i < room->skyline_count; i++)

@@ -64,9 +64,6 @@ enum pp_status pp_room_set_sky(struct pp_room *room, const char *spec,
  * reflectance. */
 void pp_room_lighten(struct pp_room *room, enum pp_role role, double reflectance);
 
-/* The height of a plan's ceiling (m); false of an envelope, which stays as it is. */
-bool pp_room_set_height(struct pp_room *room, double height_m);
-
 /* Removes skylines, blocks and the surfaces that stand outside in `world`, which is the
  * room's. */
 void pp_room_clear_surroundings(struct pp_room *room, const struct pp_world *world);
