@@ -123,6 +123,11 @@ enum pp_status pp_study_create(struct pp_study **study, struct pp_building *buil
                                struct pp_error *err);
 void pp_study_destroy(struct pp_study *study);
 
+/* Another sky, as above, NULL for the file's. What was found out before is forgotten;
+ * the points stay, and what a simulation has built of the room's geometry. */
+enum pp_status pp_study_set_sky(struct pp_study *study, const char *sky,
+                                struct pp_error *err);
+
 /* The room's name; NULL where the file gives none. */
 const char *pp_study_name(const struct pp_study *study);
 

@@ -10,6 +10,8 @@
 
 #include <stdbool.h>
 
+#include "charts/room/plan_chart.h"
+#include "charts/room/section_chart.h"
 #include "charts/sheet/canvas.h"
 #include "model/light/glass.h"
 #include "model/light/sky.h"
@@ -44,7 +46,8 @@ struct pp_board_options {
 
 /* What a chart shows where there is a choice. */
 struct pp_chart_choice {
-    bool logarithmic;                    /* section: daylight factors */
+    enum pp_section_scale scale;         /* section: of the daylight factors */
+    enum pp_plan_fill fill;              /* plan: between the contours */
     struct pp_board_options board;       /* of kinds worked at the drawing board */
     struct pp_year_options availability; /* of those of the light outside */
 };
@@ -59,6 +62,10 @@ struct pp_chart_kind {
     bool landscape; /* its sheet always lies on its side */
     bool (*landscape_for)(const struct pp_world *world); /* or does so for some rooms;
                                                           * NULL: for none */
+
+    /* Can it draw these methods (NULL: its own choice), or with simulate the simulation?
+     * PP_BAD_INPUT says what it can. NULL function: it can. */
+    enum pp_status (*check)(const char *methods, bool simulate, struct pp_error *err);
 
     /* Computes what the chart shows of the room (NULL: a blank) and draws it; the room's
      * points may change. *finished becomes false where the simulation was stopped. */

@@ -1,9 +1,65 @@
 /* draw_section.c - the daylight factors along a line of points, over the room's section.
  * A room without such a line gets one of its own (studies/section_line.h). */
+#include <math.h>
+#include <string.h>
+
 #include "api/chart_kind.h"
 #include "charts/room/section_chart.h"
+#include "methods/reflected/obstruction.h"
+#include "model/base/text.h"
 #include "studies/section_line.h"
 #include "studies/study_report.h"
+
+enum { NOTE_BYTES = 512 };
+
+/* A section of nothing is refused, with the reason. */
+static enum pp_status check_values(const struct pp_report *report, struct pp_error *err)
+{
+    const char *why = "the methods asked for give a part of the daylight factor only; "
+                      "expected a pair, such as exact+bre";
+    for (int i = 0; i < report->column_count; i++) {
+        const struct pp_column *column = &report->columns[i];
+        if (column->component != PP_DF)
+            continue;
+        if (isfinite(column->average.value))
+            return PP_OK;
+        for (int k = 0; k < report->receiver_count && column->points; k++)
+            if (isfinite(column->points[k].value))
+                return PP_OK;
+        why = column->average.why ? column->average.why : why;
+    }
+    return pp_fail(err, PP_BAD_INPUT, "%s: there is no daylight factor to draw: %s",
+                   report->world->name, why);
+}
+
+/* The obstruction angle that the formulae take, where something stands outside: that of
+ * the endless skyline which leaves the window the same sky. The line of sight in the
+ * section may be another. */
+static enum pp_status say_obstructions(char note[NOTE_BYTES],
+                                       const struct pp_world *world,
+                                       struct pp_error *err)
+{
+    int said = 0;
+    note[0] = '\0';
+    for (int i = 0; i < world->opening_count; i++) {
+        double angle_rad;
+        enum pp_status status =
+            pp_obstruction_angle(&angle_rad, world, &world->openings[i], err);
+        if (status != PP_OK)
+            return status;
+        if (angle_rad < 0.05 * PP_RAD)
+            continue;
+        pp_text_append(note, NOTE_BYTES, "%sline %d %.1f\u00b0",
+                       said++ ? ", "
+                              : "Obstruction angle of the formulae (of the endless "
+                                "skyline that leaves the opening the same sky), by the "
+                                "opening\u2019s line in the file: ",
+                       world->openings[i].line, angle_rad / PP_RAD);
+    }
+    if (said)
+        pp_text_append(note, NOTE_BYTES, ".");
+    return PP_OK;
+}
 
 static enum pp_status draw(struct pp_canvas *canvas, struct pp_study_room *room,
                            const struct pp_study_options *study,
@@ -13,6 +69,8 @@ static enum pp_status draw(struct pp_canvas *canvas, struct pp_study_room *room,
     struct pp_report report = {.finished = true};
     bool by_clock = false;
     enum pp_status status = PP_OK;
+    char obstructions[NOTE_BYTES], stand_in[NOTE_BYTES] = "";
+    const char *notes[] = {stand_in, obstructions};
     if (study->points.count == 0
         && !pp_section_line_is_straight(room->receivers, room->receiver_count))
         status = pp_section_line(room, err);
@@ -21,8 +79,14 @@ static enum pp_status draw(struct pp_canvas *canvas, struct pp_study_room *room,
     status = pp_study_report_methods(&report, room, study, err);
     if (status == PP_OK && study->simulate)
         status = pp_study_report_traced(&report, study, &by_clock, err);
-    const struct pp_section_chart chart = {.report = &report,
-                                           .logarithmic = choice->logarithmic};
+    if (status == PP_OK)
+        status = check_values(&report, err);
+    if (status == PP_OK)
+        status = say_obstructions(obstructions, room->world, err);
+    if (report.stand_in)
+        pp_text_append(stand_in, sizeof stand_in, "%s.", report.stand_in);
+    const struct pp_section_chart chart = {
+        .report = &report, .scale = choice->scale, .notes = notes, .note_count = 2};
     if (status == PP_OK)
         status = pp_section_chart_draw(canvas, &chart, err);
     *finished &= report.finished;

@@ -9,6 +9,7 @@
 #include "model/room/building.h"
 #include "model/room/position.h"
 #include "model/room/room.h"
+#include "simulate/scene/light_scene_of_world.h"
 #include "studies/criteria/en17037_grid.h"
 
 void pp_study_begin_report(struct pp_study *study)
@@ -78,6 +79,7 @@ void pp_study_destroy(struct pp_study *study)
     if (!study)
         return;
     forget_results(study);
+    pp_light_scene_destroy(study->scene);
     pp_study_room_clear(&study->room);
     pp_room_destroy(study->description);
     free(study->file);
@@ -87,6 +89,26 @@ void pp_study_destroy(struct pp_study *study)
 const char *pp_study_name(const struct pp_study *study)
 {
     return study->room.world->name;
+}
+
+enum pp_status pp_study_set_sky(struct pp_study *study, const char *sky,
+                                struct pp_error *err)
+{
+    const struct pp_study_room *room = &study->room;
+    struct pp_room *changed = NULL;
+    enum pp_status status =
+        pp_room_copy(&changed, pp_building_room(room->building, room->index), err);
+    if (status == PP_OK && sky)
+        status = pp_room_set_sky(changed, sky, err);
+    if (status == PP_OK)
+        status = pp_world_set_sky(room->world, changed, err);
+    if (status == PP_OK) {
+        pp_room_take_sky(study->description, changed);
+        forget_results(study);
+        pp_study_begin_report(study);
+    }
+    pp_room_destroy(changed);
+    return status;
 }
 
 /* Takes over the list. */
@@ -192,8 +214,12 @@ enum pp_status pp_study_simulate(struct pp_study *study,
                                               .threads = wanted->threads,
                                               .cache = pp_irradiance_cache_defaults()};
     struct pp_simulation *simulation;
-    enum pp_status status =
-        pp_simulation_create(&simulation, engine, &study->report, &options, err);
+    enum pp_status status = PP_OK;
+    if (!study->scene)
+        status = pp_light_scene_of_world_matt(&study->scene, study->room.world, err);
+    if (status == PP_OK)
+        status = pp_simulation_create_in(&simulation, engine, study->scene,
+                                         &study->report, &options, err);
     if (status != PP_OK)
         return status;
     pp_simulation_destroy(study->simulation);

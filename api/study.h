@@ -13,6 +13,7 @@ struct pp_study {
     struct pp_room *description;     /* a copy of the building's room, with the sky */
     struct pp_study_options options; /* of what was last asked for */
     struct pp_report report;
+    struct pp_light_scene *scene;     /* of the world; NULL: not needed yet */
     struct pp_simulation *simulation; /* NULL: none was asked for */
     bool on_grid;                     /* are the points those of EN 17037's grid? */
     struct pp_assessment assessment;

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "api/chart_kind.h"
+#include "api/chart_sheet.h"
 #include "api/study.h"
 #include "reports/df_text.h"
 #include "reports/df_json.h"
@@ -72,9 +73,10 @@ static enum pp_status draw(const struct pp_chart_kind *kind, struct pp_study_roo
                            size_t *length, struct pp_error *err)
 {
     const struct pp_world *world = room ? room->world : NULL;
-    const struct pp_chart_choice choice = {.logarithmic = request->logarithmic,
-                                           .board = {.sky = pp_sky_overcast()},
-                                           .availability = pp_year_options_default};
+    const struct pp_chart_choice choice = {
+        .scale = request->logarithmic ? PP_SCALE_LOG : PP_SCALE_AS_FITS,
+        .board = {.sky = pp_sky_overcast()},
+        .availability = pp_year_options_default};
     struct pp_study_options options = PP_STUDY_OPTIONS_NONE;
     options.methods = request->methods;
     const struct pp_sheet sheet = {
@@ -92,7 +94,7 @@ static enum pp_status draw(const struct pp_chart_kind *kind, struct pp_study_roo
     enum pp_status status = pp_canvas_create(&canvas, &sheet, err);
     if (status != PP_OK)
         return status;
-    status = kind->draw(canvas, room, &options, &choice, &finished, err);
+    status = pp_chart_sheet_draw(kind, canvas, room, &options, &choice, &finished, err);
     if (status == PP_OK)
         status = pp_canvas_finish(canvas, &drawn, length, err);
     if (status == PP_OK) {

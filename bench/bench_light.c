@@ -4,6 +4,7 @@
 
 #include "bench/bench.h"
 #include "simulate/sampling/hash.h"
+#include "simulate/scene/environment.h"
 #include "simulate/scene/light_scene_of_description.h"
 #include "simulate/scene/light_scene_of_world.h"
 #include "simulate/transport/radiance.h"
@@ -17,6 +18,7 @@ struct outcome {
 };
 
 static struct outcome measure(const struct pp_light_scene *scene,
+                              const struct pp_environment *environment,
                               const struct pp_window_store *store,
                               struct pp_radiance_options options, struct pp_vec3 point,
                               uint32_t paths)
@@ -27,8 +29,10 @@ static struct outcome measure(const struct pp_light_scene *scene,
     double sum = 0.0, squares = 0.0, start = processor_s();
     struct outcome outcome = {.rays = 0.0};
     for (uint64_t seed = 0; seed < SEEDS; seed++) {
-        struct pp_radiance_state path_state = {
-            .scene = scene, .store = store, .options = options};
+        struct pp_radiance_state path_state = {.scene = scene,
+                                               .environment = environment,
+                                               .store = store,
+                                               .options = options};
         pp_sobol_sequence_init(&path_state.sequence, &sobol, pp_hash(seed, 3));
         double value = 0.0;
         for (path_state.index = 0; path_state.index < paths; path_state.index++) {
@@ -67,7 +71,7 @@ static struct pp_light_scene *lamp(struct pp_material material)
 
 static void light_and_glow(void)
 {
-    struct pp_radiance_options options = pp_radiance_options_defaults();
+    struct pp_radiance_options options = pp_radiance_state_defaults();
     options.source_size = 0.0;
     struct pp_vec3 under = {0.0, 0.0, 0.0};
     struct pp_light_scene *light = lamp(pp_material_light(pp_rgb_grey(1.0)));
@@ -80,13 +84,13 @@ static void light_and_glow(void)
     for (uint32_t paths = 4; paths <= 65536; paths *= 4) {
         /* By next-event estimation a path has two rays: one to the lamp, one round
          * about. */
-        struct outcome a = measure(light, NULL, options, under, paths / 2);
-        struct outcome b = measure(glow, NULL, options, under, paths);
+        struct outcome a = measure(light, NULL, NULL, options, under, paths / 2);
+        struct outcome b = measure(glow, NULL, NULL, options, under, paths);
         printf("  %8.0f  %12.6f %8.4f%%  %12.6f %8.4f%%\n", b.rays, a.value,
                100.0 * a.error, b.value, 100.0 * b.error);
     }
-    struct outcome few = measure(light, NULL, options, under, 32);
-    struct outcome many = measure(glow, NULL, options, under, 65536);
+    struct outcome few = measure(light, NULL, NULL, options, under, 32);
+    struct outcome many = measure(glow, NULL, NULL, options, under, 65536);
     printf("  light with %.0f rays: %.4f %%; glow with %.0f: %.4f %%: %.2f %% of the "
            "rays, %.2f of the error\n",
            few.rays, 100.0 * few.error, many.rays, 100.0 * many.error,
@@ -106,24 +110,27 @@ static double cost(const struct outcome *outcome)
 static void openings(const char *name, const char *xml)
 {
     struct pp_world *world = world_of(xml);
+    const struct pp_outside_light light = pp_world_light(world);
     struct pp_light_scene *scene;
+    struct pp_environment *environment;
     struct pp_window_store *store;
     struct pp_error err;
     must(pp_light_scene_of_world(&scene, world, &err), &err);
+    must(pp_light_scene_under(&environment, scene, &light, &err), &err);
     double start = processor_s(), log_sum = 0.0;
-    must(pp_window_store_create(&store, scene, 1, 1, &err), &err);
+    must(pp_window_store_create(&store, scene, environment, 1, 1, &err), &err);
     printf("%s (store: %.3f s)\n", name, processor_s() - start);
     printf("  %5s  %-19s %-19s %-19s  saves\n", "y", "aimed at, stored", "followed",
            "found by chance");
-    struct pp_radiance_options options = pp_radiance_options_defaults();
+    struct pp_radiance_options options = pp_radiance_state_defaults();
     options.source_size = 0.5;
     for (int i = 0; i < world->receiver_count; i++) {
         struct pp_vec3 p = world->receivers[i].position;
         options.windows = true;
-        struct outcome stored = measure(scene, store, options, p, 1024);
-        struct outcome sampled = measure(scene, NULL, options, p, 1024);
+        struct outcome stored = measure(scene, environment, store, options, p, 1024);
+        struct outcome sampled = measure(scene, environment, NULL, options, p, 1024);
         options.windows = false;
-        struct outcome found = measure(scene, NULL, options, p, 4096);
+        struct outcome found = measure(scene, environment, NULL, options, p, 4096);
         printf("  %5.2f  %6.3f%% %5.2f%% %4.1fms %6.3f%% %5.2f%% %4.1fms %6.3f%% "
                "%5.2f%% %4.1fms %5.1f times\n",
                p.y, 100.0 * stored.value, 100.0 * stored.error, 1e3 * stored.seconds,
@@ -135,6 +142,7 @@ static void openings(const char *name, const char *xml)
     printf("  in the mean (geometric) time to equal error is %.1f times less\n",
            exp(log_sum / world->receiver_count));
     pp_window_store_destroy(store);
+    pp_environment_destroy(environment);
     pp_light_scene_destroy(scene);
     pp_world_destroy(world);
 }

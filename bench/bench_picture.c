@@ -9,6 +9,7 @@
 #include "simulate/render/overture.h"
 #include "simulate/sampling/hash.h"
 #include "simulate/render/render.h"
+#include "simulate/scene/environment.h"
 #include "simulate/scene/light_scene_of_world.h"
 #include "simulate/transport/window_store.h"
 
@@ -30,7 +31,7 @@ static struct pp_render_options picture_of(const struct pp_light_scene *scene,
     struct pp_render_options options = {.width = SIDE,
                                         .height = SIDE,
                                         .samples = SAMPLES,
-                                        .light = pp_radiance_options_defaults(),
+                                        .light = pp_radiance_state_defaults(),
                                         .threads = THREADS};
     pp_default_view(&from, scene, world, PP_ROOM_VIEW_PERSPECTIVE);
     must(pp_camera_set(&options.camera, PP_VIEW_PERSPECTIVE, from.eye, from.toward,
@@ -40,6 +41,7 @@ static struct pp_render_options picture_of(const struct pp_light_scene *scene,
 }
 
 static struct pp_irradiance_cache *grown(const struct pp_light_scene *scene,
+                                         const struct pp_environment *environment,
                                          const struct pp_render_options *options)
 {
     struct pp_cache_options wanted = pp_irradiance_cache_defaults();
@@ -48,8 +50,8 @@ static struct pp_irradiance_cache *grown(const struct pp_light_scene *scene,
     struct pp_error err;
     wanted.bounces = BOUNCES;
     wanted.threads = THREADS;
-    must(pp_irradiance_cache_create(&cache, scene, options->store, &options->light,
-                                    &wanted, &err),
+    must(pp_irradiance_cache_create(&cache, scene, environment, options->store,
+                                    &options->light, &wanted, &err),
          &err);
     must(pp_overture_create(&overture, cache, scene, options, 0, &err), &err);
     while (!pp_overture_done(overture))
@@ -60,13 +62,16 @@ static struct pp_irradiance_cache *grown(const struct pp_light_scene *scene,
 
 /* Luminance of one pixel, by paths alone. */
 static double by_paths(const struct pp_light_scene *scene,
+                       const struct pp_environment *environment,
                        const struct pp_render_options *options, int x, int y,
                        uint64_t seed)
 {
     static struct pp_sobol sobol;
     pp_sobol_init(&sobol);
-    struct pp_radiance_state path_state = {
-        .scene = scene, .store = options->store, .options = options->light};
+    struct pp_radiance_state path_state = {.scene = scene,
+                                           .environment = environment,
+                                           .store = options->store,
+                                           .options = options->light};
     path_state.options.bounces = BOUNCES;
     path_state.options.source_most = 1;
     pp_sobol_sequence_init(&path_state.sequence, &sobol,
@@ -88,6 +93,7 @@ static double by_paths(const struct pp_light_scene *scene,
  * from two independent references has none of their own noise in its mean. */
 static double error_of(const struct pp_picture *picture,
                        const struct pp_light_scene *scene,
+                       const struct pp_environment *environment,
                        const struct pp_render_options *options)
 {
     double sum = 0.0;
@@ -96,8 +102,8 @@ static double error_of(const struct pp_picture *picture,
         for (int x = EVERY / 2; x < SIDE; x += EVERY, count++) {
             const float *rgb = pp_picture_at(picture, x, y);
             double found = pp_rgb_luminance(pp_rgb(rgb[0], rgb[1], rgb[2]));
-            double a = by_paths(scene, options, x, y, 11);
-            double b = by_paths(scene, options, x, y, 12);
+            double a = by_paths(scene, environment, options, x, y, 11);
+            double b = by_paths(scene, environment, options, x, y, 12);
             sum += (found - a) * (found - b) / (0.25 * (a + b) * (a + b));
         }
     return sqrt(fmax(sum / count, 0.0));
@@ -110,22 +116,25 @@ int main(void)
                  "<finishes floor='0.2' walls='0.5' ceiling='0.7'/>"
                  "<window wall='south' left='0.2' sill='0.8' width='2.6' height='1.5' "
                  "glazing='clear-single'/></room>");
+    const struct pp_outside_light light = pp_world_light(world);
     struct pp_light_scene *scene;
+    struct pp_environment *environment;
     struct pp_window_store *store;
     struct pp_render *render;
     struct pp_error err;
     double start = pp_clock_s(), spent = processor_s();
     must(pp_light_scene_of_world(&scene, world, &err), &err);
-    must(pp_window_store_create(&store, scene, 0, THREADS, &err), &err);
+    must(pp_light_scene_under(&environment, scene, &light, &err), &err);
+    must(pp_window_store_create(&store, scene, environment, 0, THREADS, &err), &err);
     struct pp_render_options options = picture_of(scene, world);
     options.store = store;
-    struct pp_irradiance_cache *cache = grown(scene, &options);
+    struct pp_irradiance_cache *cache = grown(scene, environment, &options);
     double growing = pp_clock_s() - start;
     options.ambient = pp_irradiance_cache_ambient(cache);
     options.light.source_most = 1;
-    must(pp_render_create(&render, scene, &options, &err), &err);
+    must(pp_render_create(&render, scene, environment, &options, &err), &err);
     while (!pp_render_done(render))
-        pp_render_advance(render, 1.0);
+        must(pp_render_advance(render, 1.0, &err), &err);
     start = pp_clock_s() - start;
     spent = processor_s() - spent;
 
@@ -136,10 +145,11 @@ int main(void)
            "time\n",
            pp_irradiance_cache_count(cache), growing, start, spent);
     printf("  off a converged picture by %.2f %% RMS (wanted: 2)\n",
-           100.0 * error_of(pp_render_picture(render), scene, &options));
+           100.0 * error_of(pp_render_picture(render), scene, environment, &options));
     pp_render_destroy(render);
     pp_irradiance_cache_destroy(cache);
     pp_window_store_destroy(store);
+    pp_environment_destroy(environment);
     pp_light_scene_destroy(scene);
     pp_world_destroy(world);
     return 0;

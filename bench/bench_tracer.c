@@ -6,8 +6,10 @@
 
 #include "bench/bench.h"
 #include "simulate/sampling/hash.h"
+#include "simulate/scene/light_scene_of_world.h"
+#include "simulate/scene/light_scene_parts.h"
 #include "simulate/tracer/radiosity_solve.h"
-#include "simulate/tracer/randomisation.h"
+#include "simulate/tracer/path.h"
 #include "simulate/tracer/tracer.h"
 
 /* Daylight factors of all receivers (and the average behind them); seconds taken. */
@@ -16,11 +18,16 @@ static double trace(const struct pp_world *world, double error, int threads,
 {
     struct pp_tracer_options options = {
         .error = error, .seed = seed, .threads = threads, .average = true};
+    const struct pp_outside_light light = pp_world_light(world);
+    struct pp_light_scene *scene;
+    struct pp_environment *environment;
     struct pp_tracer *tracer;
     struct pp_error err;
     double start = processor_s();
-    must(pp_tracer_create(&tracer, world, world->receivers, world->receiver_count,
-                          &options, &err),
+    must(pp_light_scene_of_world_matt(&scene, world, &err), &err);
+    must(pp_light_scene_under(&environment, scene, &light, &err), &err);
+    must(pp_tracer_create(&tracer, scene, environment, world->receivers,
+                          world->receiver_count, &options, &err),
          &err);
     while (!pp_tracer_done(tracer))
         must(pp_tracer_advance(tracer, 10.0, &err), &err);
@@ -32,6 +39,8 @@ static double trace(const struct pp_world *world, double error, int threads,
     }
     *work = pp_tracer_work(tracer);
     pp_tracer_destroy(tracer);
+    pp_environment_destroy(environment);
+    pp_light_scene_destroy(scene);
     return taken;
 }
 
@@ -72,23 +81,36 @@ static void bench_room(const char *name, const char *xml)
 /* 32 randomisations of `paths` paths of each kind at all receivers, with rays logged
  * where there is a log. */
 static void run_randomisations(const struct pp_world *world,
-                               const struct pp_ray_scene *scene,
+                               const struct pp_light_scene *scene,
+                               const struct pp_environment *environment,
                                const struct pp_radiosity *radiosity,
                                const struct pp_sobol *sobol, uint32_t paths,
                                bool every_ray, struct pp_path_state *path_state,
                                struct pp_ray_log *log)
 {
-    *path_state = (struct pp_path_state){
-        .scene = scene, .radiosity = radiosity, .every_ray = every_ray, .log = log};
-    struct pp_counts counts = {{paths, paths, paths / 4}};
+    *path_state = pp_path_state(scene, environment, radiosity);
+    path_state->light.every_ray = every_ray;
+    path_state->light.log = log;
     for (int i = 0; i < world->receiver_count; i++)
         for (uint64_t k = 0; k < 32; k++) {
             struct pp_start start = {
                 .position = pp_vec_sub(world->receivers[i].position, scene->centre),
                 .normal = world->receivers[i].normal};
-            struct pp_randomisation randomisation = {.seed = pp_hash(k, (uint64_t)i)};
-            pp_randomisation_run(&randomisation, path_state, sobol, &start, counts,
-                                 paths);
+            struct pp_light light = {{0.0, 0.0, 0.0}};
+            uint32_t *index = &path_state->light.index;
+            for (int estimator = 0; estimator < 3; estimator++) {
+                uint32_t end = estimator == 2 ? paths / 4 : paths;
+                pp_sobol_sequence_init(
+                    &path_state->light.sequence, sobol,
+                    pp_hash(pp_hash(k, (uint64_t)i), (uint64_t)estimator));
+                for (*index = 0; *index < end; ++*index)
+                    if (estimator == 0)
+                        pp_path_direct(path_state, &start, &light);
+                    else if (estimator == 1)
+                        pp_path_gather(path_state, &start);
+                    else
+                        pp_path_correction(path_state, &start);
+            }
         }
 }
 
@@ -96,25 +118,28 @@ static void bench_rays(const char *name, const struct pp_world *world, uint32_t 
                        bool every_ray)
 {
     struct pp_error err;
-    struct pp_ray_scene *scene;
+    const struct pp_outside_light light = pp_world_light(world);
+    struct pp_light_scene *scene;
+    struct pp_environment *environment;
     struct pp_radiosity *radiosity;
     static struct pp_sobol sobol;
     pp_sobol_init(&sobol);
-    must(pp_ray_scene_create(&scene, world, &err), &err);
-    must(pp_radiosity_solve(&radiosity, scene, world, &sobol, 1, 1, &err), &err);
+    must(pp_light_scene_of_world_matt(&scene, world, &err), &err);
+    must(pp_light_scene_under(&environment, scene, &light, &err), &err);
+    must(pp_radiosity_solve(&radiosity, scene, environment, &sobol, 1, 1, &err), &err);
     struct pp_path_state path_state;
-    run_randomisations(world, scene, radiosity, &sobol, paths, every_ray, &path_state,
-                       NULL);
-    struct pp_ray_log log = {NULL, 0, path_state.rays};
-    log.rays = malloc(sizeof *log.rays * (size_t)path_state.rays);
-    float(*bare)[6] = malloc(sizeof *bare * (size_t)path_state.rays);
+    run_randomisations(world, scene, environment, radiosity, &sobol, paths, every_ray,
+                       &path_state, NULL);
+    struct pp_ray_log log = {NULL, 0, path_state.light.rays};
+    log.rays = malloc(sizeof *log.rays * (size_t)path_state.light.rays);
+    float(*bare)[6] = malloc(sizeof *bare * (size_t)path_state.light.rays);
     if (!log.rays || !bare)
         exit(3);
-    run_randomisations(world, scene, radiosity, &sobol, paths, every_ray, &path_state,
-                       &log);
+    run_randomisations(world, scene, environment, radiosity, &sobol, paths, every_ray,
+                       &path_state, &log);
     for (long i = 0; i < log.count; i++) {
-        struct pp_vec3 p = pp_vec_along(log.rays[i].point, 1e-5, log.rays[i].normal);
-        struct pp_vec3 u = log.rays[i].direction;
+        struct pp_vec3 p = pp_vec_along(log.rays[i].from, 1e-5, log.rays[i].off);
+        struct pp_vec3 u = log.rays[i].to;
         const double six[6] = {p.x, p.y, p.z, u.x, u.y, u.z};
         for (int k = 0; k < 6; k++)
             bare[i][k] = (float)six[k];
@@ -123,8 +148,8 @@ static void bench_rays(const char *name, const struct pp_world *world, uint32_t 
     long hits = 0;
     for (int repeat = 0; repeat < 3; repeat++) {
         double start = processor_s();
-        run_randomisations(world, scene, radiosity, &sobol, paths, every_ray,
-                           &path_state, NULL);
+        run_randomisations(world, scene, environment, radiosity, &sobol, paths,
+                           every_ray, &path_state, NULL);
         traced = fmin(traced, processor_s() - start);
         start = processor_s();
         for (long i = 0; i < log.count; i++) {
@@ -143,7 +168,8 @@ static void bench_rays(const char *name, const struct pp_world *world, uint32_t 
     free(bare);
     free(log.rays);
     pp_radiosity_destroy(radiosity);
-    pp_ray_scene_destroy(scene);
+    pp_environment_destroy(environment);
+    pp_light_scene_destroy(scene);
 }
 
 /* The world with a million small triangles in the air of its room. */

@@ -10,6 +10,7 @@
 #include "bench/bench.h"
 #include "model/room/building.h"
 #include "simulate/sampling/hash.h"
+#include "simulate/scene/environment.h"
 #include "simulate/scene/light_scene_of_description.h"
 #include "simulate/scene/light_scene_of_world.h"
 #include "simulate/transport/radiance.h"
@@ -60,7 +61,8 @@ static unsigned shown(double value)
 }
 
 static void draw(const char *folder, const char *name,
-                 const struct pp_light_scene *scene, const struct view *view,
+                 const struct pp_light_scene *scene,
+                 const struct pp_environment *environment, const struct view *view,
                  struct pp_radiance_options options, uint32_t paths)
 {
     static struct pp_sobol sobol;
@@ -69,7 +71,8 @@ static void draw(const char *folder, const char *name,
         cairo_image_surface_create(CAIRO_FORMAT_RGB24, WIDE, HIGH);
     unsigned char *bytes = cairo_image_surface_get_data(surface);
     int stride = cairo_image_surface_get_stride(surface);
-    struct pp_radiance_state path_state = {.scene = scene, .options = options};
+    struct pp_radiance_state path_state = {
+        .scene = scene, .environment = environment, .options = options};
     for (int y = 0; y < HIGH; y++)
         for (int x = 0; x < WIDE; x++) {
             struct pp_rgb c = pp_rgb_scale(
@@ -149,13 +152,13 @@ static struct pp_light_scene *lamp_room(struct pp_material lamp)
 static void lamp_pictures(const char *folder)
 {
     struct view view = view_of(pp_vec(3.2, 0.2, 1.5), pp_vec(1.5, 3.0, 1.0), 0.75, 1.3);
-    struct pp_radiance_options options = pp_radiance_options_defaults();
+    struct pp_radiance_options options = pp_radiance_state_defaults();
     options.source_size = 0.0;
     struct pp_light_scene *light = lamp_room(pp_material_light(pp_rgb_grey(30.0)));
-    draw(folder, "lamp-light", light, &view, options, 64);
+    draw(folder, "lamp-light", light, NULL, &view, options, 64);
     pp_light_scene_destroy(light);
     struct pp_light_scene *glow = lamp_room(pp_material_glow(pp_rgb_grey(30.0)));
-    draw(folder, "lamp-glow", glow, &view, options, 100);
+    draw(folder, "lamp-glow", glow, NULL, &view, options, 100);
     pp_light_scene_destroy(glow);
 }
 
@@ -174,16 +177,20 @@ static struct pp_world *deep_room(void)
 static void window_pictures(const char *folder)
 {
     struct pp_world *world = deep_room();
+    const struct pp_outside_light light = pp_world_light(world);
     struct pp_light_scene *scene;
+    struct pp_environment *environment;
     struct pp_error err;
     must(pp_light_scene_of_world(&scene, world, &err), &err);
+    must(pp_light_scene_under(&environment, scene, &light, &err), &err);
     struct view view =
         view_of(pp_vec(1.3, 8.6, 1.6), pp_vec(1.6, 0.0, 1.15), 0.62, 22.0);
-    struct pp_radiance_options options = pp_radiance_options_defaults();
+    struct pp_radiance_options options = pp_radiance_state_defaults();
     options.source_size = 0.0;
-    draw(folder, "window-aimed-at", scene, &view, options, 64);
+    draw(folder, "window-aimed-at", scene, environment, &view, options, 64);
     options.windows = false;
-    draw(folder, "window-by-chance", scene, &view, options, 160);
+    draw(folder, "window-by-chance", scene, environment, &view, options, 160);
+    pp_environment_destroy(environment);
     pp_light_scene_destroy(scene);
     pp_world_destroy(world);
 }

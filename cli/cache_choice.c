@@ -174,6 +174,7 @@ void pp_cache_choice_clear(struct pp_cache_choice *words)
 enum pp_status pp_cache_choice_open(struct pp_irradiance_cache **cache,
                                     const struct pp_cache_choice *words,
                                     const struct pp_light_scene *scene,
+                                    const struct pp_environment *environment,
                                     const struct pp_window_store *store,
                                     const struct pp_radiance_options *light,
                                     uint64_t seed, int threads, struct pp_error *err)
@@ -181,8 +182,8 @@ enum pp_status pp_cache_choice_open(struct pp_irradiance_cache **cache,
     struct pp_cache_options options = words->options;
     options.seed = seed;
     options.threads = threads;
-    return pp_cache_records_open(cache, words->file, scene, store, light, &options,
-                                 err);
+    return pp_cache_records_open(cache, words->file, scene, environment, store, light,
+                                 &options, err);
 }
 
 enum pp_status pp_cache_choice_write(const struct pp_cache_choice *words,

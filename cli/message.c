@@ -4,6 +4,7 @@
 
 #include <stdarg.h>
 #include <stdio.h>
+#include <string.h>
 
 #include "reports/parts/format.h"
 
@@ -12,6 +13,17 @@ static void put_line(const char *before, const char *message)
     fputs(before, stderr);
     pp_format_utf8_put(stderr, message);
     fputc('\n', stderr);
+}
+
+/* Lines that are set in under a message show a place in what was typed. */
+static void put_lines(const char *message)
+{
+    char line[sizeof((struct pp_error *)0)->message];
+    for (const char *next; (next = strstr(message, "\n  ")); message = next + 1) {
+        snprintf(line, sizeof line, "%.*s", (int)(next - message), message);
+        put_line("", line);
+    }
+    put_line("", message);
 }
 
 enum pp_exit pp_message_error(const struct pp_error *err)
@@ -23,7 +35,7 @@ enum pp_exit pp_message_error(const struct pp_error *err)
 enum pp_exit pp_message_usage(const char *command, const struct pp_error *err)
 {
     fprintf(stderr, "pepperpot %s: ", command);
-    put_line("", err->message);
+    put_lines(err->message);
     fprintf(stderr, "Try: pepperpot %s --help\n", command);
     return PP_EXIT_USAGE;
 }

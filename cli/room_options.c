@@ -100,6 +100,13 @@ const struct pp_option pp_room_simulate_option[] = {
     {0},
 };
 
+const struct pp_option pp_room_by_hand_options[] = {
+    {"by-hand", 0, NULL, "Do without the simulation.", NULL, PLACE(by_hand)},
+    {"simulate", 's', NULL, "Trace light paths: what is done without the option, too.",
+     NULL, PLACE(study.simulate)},
+    {0},
+};
+
 const struct pp_option pp_room_stop_options[] = {
     {"error", 0, "E%",
      "Stop when the standard error of the daylight factor is down "
@@ -138,13 +145,33 @@ const struct pp_option pp_room_output_options[] = {
     {0},
 };
 
+/* The first of the options that tell when a simulation stops; NULL: none was given. */
+static const char *stop_option(const struct pp_study_options *study)
+{
+    return study->error > 0.0     ? "--error"
+           : study->samples > 0   ? "--samples"
+           : study->seconds > 0.0 ? "--time"
+                                  : NULL;
+}
+
+enum pp_status pp_room_options_settle_by_hand(struct pp_room_options *options,
+                                              struct pp_error *err)
+{
+    const char *of_simulation =
+        options->study.simulate ? "--simulate" : stop_option(&options->study);
+    if (options->by_hand && of_simulation)
+        return pp_fail(err, PP_BAD_INPUT,
+                       "--by-hand does without the simulation, and %s is about it; "
+                       "expected one of them",
+                       of_simulation);
+    options->study.simulate = !options->by_hand;
+    return PP_OK;
+}
+
 enum pp_status pp_room_options_settle(struct pp_room_options *options,
                                       struct pp_error *err)
 {
-    const char *needs_simulate = options->study.error > 0.0     ? "--error"
-                                 : options->study.samples > 0   ? "--samples"
-                                 : options->study.seconds > 0.0 ? "--time"
-                                                                : NULL;
+    const char *needs_simulate = stop_option(&options->study);
     if (needs_simulate && !options->study.simulate)
         return pp_fail(err, PP_BAD_INPUT,
                        "%s says when the simulation stops; it needs --simulate",

@@ -13,6 +13,7 @@ struct pp_room_options {
     const char *room;   /* only the rooms of that name; NULL: all */
     const char *output; /* NULL: standard output */
     bool quiet;
+    bool by_hand; /* not simulated, by a command that does by default */
 };
 
 /* Nothing asked for: seed 1, all else empty. */
@@ -24,6 +25,8 @@ extern const struct pp_option pp_room_points_option[];
 extern const struct pp_option pp_room_sky_options[]; /* sky, room */
 extern const struct pp_option pp_room_external_option[];
 extern const struct pp_option pp_room_simulate_option[];
+/* Of commands that simulate by default: simulate, and by-hand in its place. */
+extern const struct pp_option pp_room_by_hand_options[];
 extern const struct pp_option pp_room_stop_options[];   /* error, samples, time */
 extern const struct pp_option pp_room_seed_options[];   /* seed, threads */
 extern const struct pp_option pp_room_output_options[]; /* output, quiet */
@@ -44,8 +47,16 @@ extern const struct pp_option pp_room_output_options[]; /* output, quiet */
     {                                                                                  \
         "Simulation", pp_room_seed_options, at                                         \
     }
+#define PP_ROOM_BY_HAND_GROUPS(at)                                                     \
+    {"Simulation", pp_room_by_hand_options, at}, PP_ROOM_STOP_GROUPS(at)
 #define PP_ROOM_SIMULATION_GROUPS(at)                                                  \
     {"Simulation", pp_room_simulate_option, at}, PP_ROOM_STOP_GROUPS(at)
+
+/* Of a command that simulates by default: settles what --simulate and --by-hand make of
+ * each other and of the options that tell when a simulation stops. Before
+ * pp_room_options_settle. */
+enum pp_status pp_room_options_settle_by_hand(struct pp_room_options *options,
+                                              struct pp_error *err);
 
 /* Do the options make sense together? PP_BAD_INPUT if not. A simulation without an end
  * gets an error of 1 %. */

@@ -39,6 +39,8 @@ _pepperpot()
         mapfile -t COMPREPLY < <(compgen -W 'aimed chance' -- "$word")
     elif [ "$command" = render ] && [ "$previous" = --filter ]; then
         mapfile -t COMPREPLY < <(compgen -W 'box gauss' -- "$word")
+    elif [ "$command" = chart ] && [ "$previous" = --fill ]; then
+        mapfile -t COMPREPLY < <(compgen -W 'none colour grey' -- "$word")
     elif [ "$previous" = --paper ]; then
         mapfile -t COMPREPLY < <(compgen -W 'a5 a4 a3 a2' -- "$word")
     elif [ "$previous" = --methods ] || [ "$previous" = -m ]; then

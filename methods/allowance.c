@@ -17,27 +17,42 @@ double pp_allowance_reflected_glass(const struct pp_opening *opening)
     return PP_ALLOWANCE_CLEAR_DIFFUSE * glass_type(&opening->glass);
 }
 
+static const struct pp_formula_quantity of_the_opening[] = {
+    {"a", PP_UNIT_SQUARE_METRE, "area of the opening"},
+    {"B", PP_UNIT_NUMBER, "frame factor: area of glass over area of the opening"},
+    {0},
+};
+
+#define NET_GLASS                                                                      \
+    .sum = "a B", .unit = PP_UNIT_SQUARE_METRE, .source = "BRE310",                    \
+    .what = "net area of glass", .quantities = of_the_opening, .fixed = true
+
+const struct pp_formula pp_allowance_glass_W = {.symbol = "W", NET_GLASS};
+const struct pp_formula pp_allowance_glass_Ag = {.symbol = "Ag", NET_GLASS};
+
 double pp_allowance_net_glass_m2(const struct pp_opening *opening)
 {
-    return opening->inner.area_m2 * opening->frame_factor;
+    const double values[] = {opening->inner.area_m2, opening->frame_factor};
+    return pp_formula_value(&pp_allowance_glass_W, values);
 }
 
-void pp_allowance_net_glass_step(struct pp_steps *steps,
-                                 const struct pp_opening *opening, const char *symbol)
+double pp_allowance_net_glass(struct pp_worksheet *sheet,
+                              const struct pp_formula *formula,
+                              const struct pp_opening *opening)
 {
-    double B = opening->frame_factor;
+    double a = opening->inner.area_m2, B = opening->frame_factor;
     int line = opening->line;
     if (B == 1.0) {
-        pp_steps_add_named(steps, PP_UNIT_SQUARE_METRE, opening->inner.area_m2, symbol,
-                           "opening on line %d: net area of glass, all of it", line);
-        return;
+        pp_worksheet_put(sheet, PP_UNIT_SQUARE_METRE, a, formula->symbol,
+                         "opening on line %d: net area of glass, all of it", line);
+        return a;
     }
-    pp_steps_add_named(steps, PP_UNIT_SQUARE_METRE, opening->inner.area_m2, "a",
-                       "opening on line %d: area", line);
-    pp_steps_add_named(steps, PP_UNIT_NUMBER, B, "B",
-                       "opening on line %d: frame factor", line);
-    pp_steps_add_worked(steps, PP_UNIT_SQUARE_METRE, pp_allowance_net_glass_m2(opening),
-                        symbol, "a B", "opening on line %d: net area of glass", line);
+    pp_worksheet_put(sheet, PP_UNIT_SQUARE_METRE, a, "a", "opening on line %d: area",
+                     line);
+    pp_worksheet_put(sheet, PP_UNIT_NUMBER, B, "B", "opening on line %d: frame factor",
+                     line);
+    return pp_worksheet_work(sheet, formula, "opening on line %d: net area of glass",
+                             line);
 }
 
 /* ---- corrections ---- */

@@ -21,7 +21,7 @@
 
 #include <stddef.h>
 
-#include "model/results/steps.h"
+#include "model/results/worksheet.h"
 #include "model/room/world.h"
 
 /* Diffuse transmittance of clear single glass in the formulae of the internally
@@ -54,15 +54,20 @@ void pp_allowance_steps(struct pp_steps *steps, unsigned allowances,
  * or dirt". */
 void pp_allowance_words(char *text, size_t room, unsigned allowances);
 
-/* The diffuse transmittance in the formulae of the internally reflected component:
- * 0.85 G, 1 for an unglazed opening. */
+/* The diffuse transmittance by the scale on which clear single glass has 0.85: 0.85 G, 1
+ * for an unglazed opening. */
 double pp_allowance_reflected_glass(const struct pp_opening *opening);
 
-/* Net glass area W of an opening (m2): opening area times frame factor. */
+/* Net glass area of an opening (m2), for whoever needs no steps. */
 double pp_allowance_net_glass_m2(const struct pp_opening *opening);
 
-/* Records the net glass area under `symbol`. steps may be NULL. */
-void pp_allowance_net_glass_step(struct pp_steps *steps,
-                                 const struct pp_opening *opening, const char *symbol);
+/* The same as a formula, under the two symbols that it has in print. */
+extern const struct pp_formula pp_allowance_glass_W, pp_allowance_glass_Ag;
+
+/* Puts down the opening's area and frame, works out the net glass area by one of these,
+ * and returns it (m2). */
+double pp_allowance_net_glass(struct pp_worksheet *sheet,
+                              const struct pp_formula *formula,
+                              const struct pp_opening *opening);
 
 #endif

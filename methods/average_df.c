@@ -1,88 +1,120 @@
 /* average_df.c - the average daylight factor in one formula, in its two forms.
  *
- * `average-df`, over the working plane:
+ * `average-df` is over the working plane [CL84]; `average-df-lynes`, the older form it
+ * grew out of, over all surfaces of the room [LYNES79]. theta is the angle of visible sky
+ * in section (reflected/sky_angle.h). In the newer form glass below the working plane
+ * counts with the floor's reflectance rho_f: its light reaches the plane by way of the
+ * floor.
  *
- *     DF = T W theta M / (A (1 - R^2))   per cent                          [CL84]
- *
- * `average-df-lynes`, the older form it grew out of, over all surfaces of the room:
- *
- *     DF = T W theta / (2 A (1 - R))     per cent                        [LYNES79]
- *
- *   T      diffuse transmittance of the glass, 1 for an unglazed opening
- *   W      net glass area (m2): opening area times frame factor
- *   theta  angle of visible sky (degrees): in the vertical section through the middle
- *          of the opening, in the plane of the wall's inside, from the obstruction
- *          angle alpha (reflected/obstruction.h) up to the head of the reveal
- *   M      maintenance factor
- *   A      area of all inside surfaces, openings included (m2)
- *   R      their area-weighted mean reflectance, openings with 0.1
- *
- * The two are averages over different surfaces and not to be compared: before dirt, the
- * older one is (1 + R)/2 of the other. For vertical openings under the CIE overcast
- * sky. Several openings add up, with the common A and R. Both contain the opening's
+ * The two are averages over different surfaces and not to be compared: before dirt and
+ * without glass below the working plane, the older one is (1 + R)/2 of the other. Under
+ * the CIE overcast sky; the newer form for glass of any slope, the older for vertical
+ * one. Several openings add up, with the common A and R. Both contain the opening's
  * glass and, through W, the frame; `average-df` contains dirt too. Neither is meant for
  * obstructions that one section angle does not describe; reflected/obstruction.h says
  * how blocks become such an angle.
  */
+#include <stddef.h>
+
 #include "methods/reflected/interior.h"
-#include "methods/reflected/obstruction.h"
+#include "methods/reflected/sky_angle.h"
 #include "methods/method.h"
 #include "methods/refusals.h"
 
-struct terms {
-    double T, W, M;
-    double head_rad; /* altitude of the reveal's head: 90 degrees without a reveal */
-    double alpha_rad, theta_rad;
-    struct pp_interior all; /* A and R */
+static const struct pp_formula_quantity of_W[] = {
+    {"a_u", PP_UNIT_SQUARE_METRE, "area of the opening above the working plane"},
+    {"a_l", PP_UNIT_SQUARE_METRE, "area of the opening below it"},
+    {"rho_f", PP_UNIT_NUMBER, "reflectance of the floor"},
+    {"B", PP_UNIT_NUMBER, "frame factor"},
+    {0},
 };
 
-static enum pp_status find_terms(struct terms *terms, const struct pp_world *world,
-                                 const struct pp_opening *opening, struct pp_error *err)
-{
-    terms->T = opening->glass.diffuse;
-    terms->W = pp_allowance_net_glass_m2(opening);
-    terms->M = opening->maintenance;
-    terms->all = pp_interior_all(world);
-    enum pp_status status =
-        pp_obstruction_angle(&terms->alpha_rad, world, opening, err);
-    terms->head_rad = atan2(opening->height_m / 2.0, opening->reveal_m);
-    terms->theta_rad = fmax(terms->head_rad - terms->alpha_rad, 0.0);
-    return status;
-}
+static const struct pp_formula glass_that_counts = {
+    .symbol = "W",
+    .sum = "(a_u + rho_f a_l) B",
+    .unit = PP_UNIT_SQUARE_METRE,
+    .what = "net area of glass, that below the working plane by way of the floor",
+    .quantities = of_W,
+};
 
-static void add_angle_steps(struct pp_steps *steps, const struct terms *terms,
-                            const struct pp_opening *opening)
+#define QUANTITIES                                                                     \
+    {"T", PP_UNIT_NUMBER,                                                              \
+     "diffuse transmittance of the glass, 1 for an unglazed opening"},                 \
+        {"W", PP_UNIT_SQUARE_METRE,                                                    \
+         "net area of glass: opening area times frame factor"},                        \
+        {"theta_h", PP_UNIT_ANGLE, "upper limit of the sky in section"},               \
+        {"alpha", PP_UNIT_ANGLE, "angle of the obstruction outside"},                  \
+        {"theta", PP_UNIT_ANGLE, "angle of visible sky"}, PP_INTERIOR_QUANTITIES
+
+static const struct pp_formula_quantity of_average[] = {
+    QUANTITIES, {"M", PP_UNIT_NUMBER, "maintenance: what dirt leaves"}, {0}};
+static const struct pp_formula_quantity of_lynes[] = {QUANTITIES, {0}};
+
+static const struct pp_formula average = {
+    .symbol = "df",
+    .sum = "T W theta M / (A (1 - R^2))",
+    .unit = PP_UNIT_SHARE,
+    .source = "CL84",
+    .what = "average daylight factor over the working plane",
+    .quantities = of_average,
+};
+
+static const struct pp_formula average_of_surfaces = {
+    .symbol = "df",
+    .sum = "T W theta / (2 A (1 - R))",
+    .unit = PP_UNIT_SHARE,
+    .source = "LYNES79",
+    .what = "average daylight factor over all surfaces",
+    .quantities = of_lynes,
+};
+
+static const struct pp_formula *const formulae[] = {
+    &pp_allowance_glass_W,         &glass_that_counts, PP_SKY_ANGLE_FORMULAE,
+    PP_SKY_ANGLE_SLOPING_FORMULAE, &average,           NULL};
+static const struct pp_formula *const formulae_of_lynes[] = {
+    &pp_allowance_glass_W, PP_SKY_ANGLE_FORMULAE, &average_of_surfaces, NULL};
+
+/* W where a part of the opening lies below the working plane. */
+static void put_low_glass(struct pp_worksheet *sheet, const struct pp_world *world,
+                          const struct pp_opening *opening, double low_m2)
 {
     int line = opening->line;
-    if (opening->reveal_m > 0.0) {
-        pp_steps_add_named(steps, PP_UNIT_METRE, opening->height_m, "h",
-                           "opening on line %d: height", line);
-        pp_steps_add_named(steps, PP_UNIT_METRE, opening->reveal_m, "d",
-                           "opening on line %d: depth of the reveal", line);
-        pp_steps_add_worked(steps, PP_UNIT_ANGLE, terms->head_rad, "theta_h",
-                            "atan(h / 2 / d)", "altitude of the reveal's head");
-    } else {
-        pp_steps_add_named(steps, PP_UNIT_ANGLE, terms->head_rad, "theta_h",
-                           "opening on line %d: up to the zenith", line);
-    }
-    pp_steps_add_named(steps, PP_UNIT_ANGLE, terms->alpha_rad, "alpha",
-                       "opening on line %d: angle of the obstruction", line);
-    pp_steps_add_worked(steps, PP_UNIT_ANGLE, terms->theta_rad, "theta",
-                        "max(theta_h - alpha, 0)", "angle of visible sky");
+    pp_worksheet_put(sheet, PP_UNIT_SQUARE_METRE, opening->inner.area_m2 - low_m2,
+                     "a_u", "opening on line %d: area above the working plane", line);
+    pp_worksheet_put(sheet, PP_UNIT_SQUARE_METRE, low_m2, "a_l",
+                     "opening on line %d: area below it", line);
+    pp_worksheet_put(sheet, PP_UNIT_NUMBER,
+                     pp_interior_role(world, PP_FLOOR).reflectance, "rho_f",
+                     "reflectance of the floor, by which that part counts");
+    pp_worksheet_put(sheet, PP_UNIT_NUMBER, opening->frame_factor, "B",
+                     "opening on line %d: frame factor", line);
+    pp_worksheet_work(sheet, &glass_that_counts,
+                      "opening on line %d: net area of glass that counts", line);
 }
 
-static void add_term_steps(struct pp_steps *steps, const struct terms *terms,
-                           const struct pp_opening *opening, bool with_dirt)
+/* newer_form: with dirt, and with less of the glass below the working plane. */
+static enum pp_status put_terms(struct pp_worksheet *sheet,
+                                const struct pp_world *world,
+                                const struct pp_opening *opening, bool newer_form,
+                                struct pp_error *err)
 {
+    struct pp_interior all = pp_interior_all(world);
+    double low_m2 = pp_interior_area_below(&opening->inner, world->working_plane_m);
     int line = opening->line;
-    pp_steps_add_named(steps, PP_UNIT_NUMBER, terms->T, "T",
-                       "opening on line %d: diffuse transmittance", line);
-    pp_allowance_net_glass_step(steps, opening, "W");
-    add_angle_steps(steps, terms, opening);
-    if (with_dirt)
-        pp_steps_add_named(steps, PP_UNIT_NUMBER, terms->M, "M",
-                           "opening on line %d: maintenance", line);
-    pp_interior_steps(steps, &terms->all);
+    pp_worksheet_put(sheet, PP_UNIT_NUMBER, opening->glass.diffuse, "T",
+                     "opening on line %d: diffuse transmittance", line);
+    if (newer_form && low_m2 > 0.0)
+        put_low_glass(sheet, world, opening, low_m2);
+    else
+        pp_allowance_net_glass(sheet, &pp_allowance_glass_W, opening);
+    enum pp_status status = pp_sky_angle(sheet, world, opening, err);
+    if (status != PP_OK)
+        return status;
+    if (newer_form)
+        pp_worksheet_put(sheet, PP_UNIT_NUMBER, opening->maintenance, "M",
+                         "opening on line %d: maintenance", line);
+    pp_interior_put(sheet, &all);
+    return PP_OK;
 }
 
 static enum pp_status evaluate(const struct pp_world *world,
@@ -91,18 +123,12 @@ static enum pp_status evaluate(const struct pp_world *world,
                                struct pp_part *part, struct pp_error *err)
 {
     (void)receiver, (void)tools;
-    struct terms terms;
-    enum pp_status status = find_terms(&terms, world, opening, err);
-    if (status != PP_OK)
-        return status;
-    double T = terms.T, W = terms.W, theta_deg = terms.theta_rad / PP_RAD;
-    double M = terms.M, A = terms.all.area_m2, R = terms.all.reflectance;
-    part->value = T * W * theta_deg * M / (A * (1.0 - R * R)) / 100.0;
-    add_term_steps(part->steps, &terms, opening, true);
-    pp_steps_add_worked(part->steps, PP_UNIT_SHARE, part->value, "df",
-                        "T W theta M / (A (1 - R^2))",
-                        "opening on line %d: average daylight factor", opening->line);
-    return PP_OK;
+    enum pp_status status = put_terms(&part->sheet, world, opening, true, err);
+    if (status == PP_OK)
+        part->value = pp_worksheet_work(&part->sheet, &average,
+                                        "opening on line %d: average daylight factor",
+                                        opening->line);
+    return status;
 }
 
 static enum pp_status evaluate_lynes(const struct pp_world *world,
@@ -112,29 +138,24 @@ static enum pp_status evaluate_lynes(const struct pp_world *world,
                                      struct pp_error *err)
 {
     (void)receiver, (void)tools;
-    struct terms terms;
-    enum pp_status status = find_terms(&terms, world, opening, err);
-    if (status != PP_OK)
-        return status;
-    double T = terms.T, W = terms.W, theta_deg = terms.theta_rad / PP_RAD;
-    double A = terms.all.area_m2, R = terms.all.reflectance;
-    part->value = T * W * theta_deg / (2.0 * A * (1.0 - R)) / 100.0;
-    add_term_steps(part->steps, &terms, opening, false);
-    pp_steps_add_worked(part->steps, PP_UNIT_SHARE, part->value, "df",
-                        "T W theta / (2 A (1 - R))",
-                        "opening on line %d: average over all surfaces", opening->line);
-    return PP_OK;
+    enum pp_status status = put_terms(&part->sheet, world, opening, false, err);
+    if (status == PP_OK)
+        part->value = pp_worksheet_work(&part->sheet, &average_of_surfaces,
+                                        "opening on line %d: average over all surfaces",
+                                        opening->line);
+    return status;
 }
 
 const struct pp_method pp_method_average_df = {
     .name = "average-df",
     .summary = "average daylight factor over the working plane in one formula",
     .source = "CL84",
+    .formulae = formulae,
     .gives = PP_GIVES_WHOLE,
+    .own_ground = 0.1, /* theta/2 per cent is 45 %: 39.6 % of sky, and ground */
     .speaks_for = PP_FOR_ROOM,
     .allowances = PP_ALLOWS_OWN_GLASS | PP_ALLOWS_FRAME | PP_ALLOWS_DIRT,
     .refuses_room = pp_refusals_formula_room,
-    .refuses = pp_refusals_sloping_opening,
     .evaluate = evaluate,
 };
 
@@ -142,7 +163,9 @@ const struct pp_method pp_method_average_df_lynes = {
     .name = "average-df-lynes",
     .summary = "average daylight factor over all surfaces, the older form",
     .source = "LYNES79",
+    .formulae = formulae_of_lynes,
     .gives = PP_GIVES_WHOLE,
+    .own_ground = 0.1,
     .speaks_for = PP_FOR_ROOM,
     .of_all_surfaces = true,
     .allowances = PP_ALLOWS_OWN_GLASS | PP_ALLOWS_FRAME,

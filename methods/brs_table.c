@@ -76,92 +76,133 @@ double pp_brs_table_read(double h_over_d, double w_over_d)
     return (low_value + t * (high_value - low_value)) / 100.0;
 }
 
-/* Sky component from the normal to x/d: positive to the right, negative to the left. */
-static double signed_read(double h_over_d, double x_over_d)
-{
-    return copysign(pp_brs_table_read(h_over_d, fabs(x_over_d)), x_over_d);
-}
+/* ---- the sum ---- */
 
-/* Sky component of a rectangle: its head less its sill. */
-static double read_rectangle(const struct pp_elevation_part *part)
-{
-    double head =
-        signed_read(part->high, part->right) - signed_read(part->high, part->left);
-    double sill =
-        signed_read(part->low, part->right) - signed_read(part->low, part->left);
-    return head - sill;
-}
-
-/* ---- steps ---- */
-
-/* Symbols, formulae and words for the steps of an edge. */
-struct edge_names {
-    const char *height, *left, *right, *sum;
-    const char *added, *left_less, *right_less; /* formulae */
-    const char *what;
+/* An edge of a rectangle: what it is called, and its sums by the side of the jambs. */
+struct edge {
+    const char *height, *left, *right, *what;
+    struct pp_formula added, left_less, right_less;
 };
 
-static const struct edge_names upper = {
-    "h",         "T_hl", "T_hr", "H", "T_hl# + T_hr#", "T_hl# - T_hr#", "T_hr# - T_hl#",
-    "upper edge"};
-static const struct edge_names lower = {
-    "s",         "T_sl", "T_sr", "S", "T_sl# + T_sr#", "T_sl# - T_sr#", "T_sr# - T_sl#",
-    "lower edge"};
+#define BRS(left, right, what_of, quantities_of, is_fixed)                             \
+    {                                                                                  \
+        .symbol = left, .sum = right, .unit = PP_UNIT_SHARE, .source = "HLG58",        \
+        .what = what_of, .quantities = quantities_of, .fixed = is_fixed                \
+    }
 
-/* Records the readings at one edge: both sides of the normal added, else the wider less
+static const struct pp_formula_quantity of_upper[] = {
+    {"h", PP_UNIT_NUMBER, "upper edge over distance"},
+    {"T_hl", PP_UNIT_SHARE, "table there, to the left jamb"},
+    {"T_hr", PP_UNIT_SHARE, "table there, to the right jamb"},
+    {0},
+};
+static const struct pp_formula_quantity of_lower[] = {
+    {"s", PP_UNIT_NUMBER, "lower edge over distance"},
+    {"T_sl", PP_UNIT_SHARE, "table there, to the left jamb"},
+    {"T_sr", PP_UNIT_SHARE, "table there, to the right jamb"},
+    {0},
+};
+
+static const char both_sides[] = "jambs on both sides of the normal",
+                  to_the_left[] = "both jambs to the left of the normal",
+                  to_the_right[] = "both jambs to the right of the normal";
+
+static const struct edge upper = {
+    "h",
+    "T_hl",
+    "T_hr",
+    "upper edge",
+    BRS("H", "T_hl + T_hr", both_sides, of_upper, true),
+    BRS("H", "T_hl - T_hr", to_the_left, of_upper, true),
+    BRS("H", "T_hr - T_hl", to_the_right, of_upper, true)};
+static const struct edge lower = {
+    "s",
+    "T_sl",
+    "T_sr",
+    "lower edge",
+    BRS("S", "T_sl + T_sr", both_sides, of_lower, true),
+    BRS("S", "T_sl - T_sr", to_the_left, of_lower, true),
+    BRS("S", "T_sr - T_sl", to_the_right, of_lower, true)};
+
+static const struct pp_formula_quantity of_rectangle[] = {
+    {"H", PP_UNIT_SHARE, "sum at the upper edge"},
+    {"S", PP_UNIT_SHARE, "sum at the lower edge; 0 at the point's height"},
+    {0},
+};
+static const struct pp_formula_quantity of_hidden[] = {
+    {"e", PP_UNIT_SHARE, "equivalent sky component of the obstruction"},
+    {"f", PP_UNIT_NUMBER, "luminance factor of the obstruction"},
+    {0},
+};
+
+static const char in_words[] = "sky component",
+                  equivalent[] = "equivalent sky component of the obstruction",
+                  external[] = "externally reflected component";
+
+static const struct pp_formula sky_raised =
+    BRS("sc", "H - S", "sky component", of_rectangle, false);
+static const struct pp_formula sky_level = BRS(
+    "sc", "H", "sky component, lower edge at the point's height", of_rectangle, false);
+static const struct pp_formula equivalent_raised =
+    BRS("e", "H - S", equivalent, of_rectangle, false);
+static const struct pp_formula equivalent_level =
+    BRS("e", "H", "the same, lower edge at the point's height", of_rectangle, false);
+static const struct pp_formula reflected =
+    BRS("erc", "f e", external, of_hidden, false);
+
+static const struct pp_formula *const formulae[] = {
+    &upper.added,       &upper.left_less,  &upper.right_less, &lower.added,
+    &lower.left_less,   &lower.right_less, &sky_raised,       &sky_level,
+    &equivalent_raised, &equivalent_level, &reflected,        NULL};
+
+/* Works out an edge: the readings on both sides of the normal added, else the wider less
  * the narrower. */
-static void add_edge_steps(struct pp_part_steps *terms, const struct edge_names *edge,
-                           double h_over_d, const struct pp_elevation_part *part)
+static void work_edge(struct pp_worksheet *sheet, const struct edge *edge,
+                      double h_over_d, const struct pp_elevation_part *part)
 {
-    struct pp_steps *steps = terms->steps;
-    pp_steps_add_named(steps, PP_UNIT_NUMBER, h_over_d,
-                       pp_part_steps_symbol(terms, edge->height).text,
-                       "%s over distance, h/d", edge->what);
-    pp_steps_add_named(steps, PP_UNIT_SHARE,
-                       pp_brs_table_read(h_over_d, fabs(part->left)),
-                       pp_part_steps_symbol(terms, edge->left).text,
-                       "table at that h/d and w/d %.3f", fabs(part->left));
-    pp_steps_add_named(steps, PP_UNIT_SHARE,
-                       pp_brs_table_read(h_over_d, fabs(part->right)),
-                       pp_part_steps_symbol(terms, edge->right).text,
-                       "table at that h/d and w/d %.3f", fabs(part->right));
-    double sum = signed_read(h_over_d, part->right) - signed_read(h_over_d, part->left);
-    pp_part_steps_figure(terms, PP_UNIT_SHARE, sum, edge->sum,
-                         part->left < 0.0 && part->right > 0.0 ? edge->added
-                         : part->right > 0.0                   ? edge->right_less
-                                                               : edge->left_less,
-                         part->left < 0.0 && part->right > 0.0
-                             ? "both sides of the normal added"
-                             : "the wider less the narrower");
+    double left = fabs(part->left), right = fabs(part->right);
+    bool both = part->left < 0.0 && part->right > 0.0;
+    pp_worksheet_put(sheet, PP_UNIT_NUMBER, h_over_d, edge->height,
+                     "%s over distance, h/d", edge->what);
+    pp_worksheet_put(sheet, PP_UNIT_SHARE, pp_brs_table_read(h_over_d, left),
+                     edge->left, "table at that h/d and w/d %.3f", left);
+    pp_worksheet_put(sheet, PP_UNIT_SHARE, pp_brs_table_read(h_over_d, right),
+                     edge->right, "table at that h/d and w/d %.3f", right);
+    pp_worksheet_work(sheet,
+                      both                ? &edge->added
+                      : part->right > 0.0 ? &edge->right_less
+                                          : &edge->left_less,
+                      both ? "both sides of the normal added"
+                           : "the wider less the narrower");
 }
 
-/* Records a rectangle: upper edge less lower edge, whose reading is 0 at the point's
- * height. */
-static void add_rectangle_steps(struct pp_part_steps *terms,
-                                const struct pp_elevation_part *part)
+/* Adds a rectangle of sky or of an obstruction: upper edge less lower edge, whose reading
+ * is 0 at the point's height. */
+static void work_rectangle(struct pp_part_steps *terms, struct pp_part *sum,
+                           const struct pp_elevation_part *part)
 {
-    bool hidden = !isnan(part->reflectance);
-    double share = read_rectangle(part);
+    struct pp_worksheet *sheet = terms->sheet;
+    bool hidden = !isnan(part->reflectance), raised = part->low > 0.0;
     pp_part_steps_next(terms);
-    pp_steps_add(terms->steps, PP_UNIT_NUMBER, part->left,
-                 "%s: left jamb over distance, w/d, right is positive",
-                 hidden ? "obstruction" : "sky");
-    pp_steps_add(terms->steps, PP_UNIT_NUMBER, part->right, "right jamb");
-    add_edge_steps(terms, &upper, part->high, part);
-    bool raised = part->low > 0.0;
+    pp_worksheet_note(sheet, PP_UNIT_NUMBER, part->left,
+                      "%s: left jamb over distance, w/d, right is positive",
+                      hidden ? "obstruction" : "sky");
+    pp_worksheet_note(sheet, PP_UNIT_NUMBER, part->right, "right jamb");
+    work_edge(sheet, &upper, part->high, part);
     if (raised)
-        add_edge_steps(terms, &lower, part->low, part);
+        work_edge(sheet, &lower, part->low, part);
+    else
+        pp_worksheet_know(sheet, PP_UNIT_SHARE, 0.0, "S");
     if (!hidden) {
-        pp_part_steps_component(terms, false, share, raised ? "H# - S#" : "H#",
-                                "sky component");
+        sum->sky += pp_part_steps_work(terms, false, raised ? &sky_raised : &sky_level,
+                                       in_words);
         return;
     }
-    pp_part_steps_figure(terms, PP_UNIT_SHARE, share, "e", raised ? "H# - S#" : "H#",
-                         "equivalent sky component of the obstruction");
-    pp_part_steps_read(terms, PP_UNIT_NUMBER, part->reflectance, "f",
-                       "luminance factor of the obstruction");
-    pp_part_steps_component(terms, true, part->reflectance * share, "f# e#",
-                            "externally reflected component");
+    pp_worksheet_work(sheet, raised ? &equivalent_raised : &equivalent_level, "%s",
+                      equivalent);
+    pp_worksheet_put(sheet, PP_UNIT_NUMBER, part->reflectance, "f",
+                     "luminance factor of the obstruction");
+    sum->external += pp_part_steps_work(terms, true, &reflected, external);
 }
 
 /* ---- the method ---- */
@@ -194,25 +235,17 @@ static enum pp_status evaluate(const struct pp_world *world,
         pp_elevation_init(&elevation, world, opening, receiver->position, err);
     if (status != PP_OK)
         return status;
-    double sky = 0.0, external = 0.0;
-    pp_steps_add(part->steps, PP_UNIT_METRE,
-                 pp_vec_dot(pp_vec_sub(receiver->position, opening->inner.vertices[0]),
-                            opening->inner.normal),
-                 "distance d of the point from the opening's plane");
-    struct pp_part_steps terms = pp_part_steps_begin(part->steps, elevation.count);
-    for (int i = 0; i < elevation.count; i++) {
-        const struct pp_elevation_part *seen = elevation.parts + i;
-        double equivalent_sky = read_rectangle(seen);
-        if (isnan(seen->reflectance))
-            sky += equivalent_sky;
-        else
-            external += seen->reflectance * equivalent_sky;
-        if (part->steps)
-            add_rectangle_steps(&terms, seen);
-    }
+    pp_worksheet_note(
+        &part->sheet, PP_UNIT_METRE,
+        pp_vec_dot(pp_vec_sub(receiver->position, opening->inner.vertices[0]),
+                   opening->inner.normal),
+        "distance d of the point from the opening's plane");
+    struct pp_part_steps terms = pp_part_steps_on(&part->sheet, elevation.count);
+    for (int i = 0; i < elevation.count; i++)
+        work_rectangle(&terms, part, elevation.parts + i);
     pp_part_steps_end(&terms);
-    part->sky = fmax(sky, 0.0);
-    part->external = fmax(external, 0.0);
+    part->sky = fmax(part->sky, 0.0);
+    part->external = fmax(part->external, 0.0);
     pp_elevation_clear(&elevation);
     return PP_OK;
 }
@@ -221,6 +254,7 @@ const struct pp_method pp_method_brs_table = {
     .name = "brs-table",
     .summary = "direct component by the BRS simplified daylight table",
     .source = "HLG58",
+    .formulae = formulae,
     .gives = PP_GIVES_DIRECT,
     .speaks_for = PP_FOR_POINT,
     .allowances = PP_ALLOWS_CLEAR_GLASS,

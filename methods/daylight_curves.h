@@ -6,18 +6,21 @@
  * which no sky is seen directly, whatever the sky's luminance and the glass.
  *
  * Curves are accurate to a millimetre, or to 1/5000 of the plane's diagonal where that
- * is more; they begin and end on the plane's edge or are closed. Nearer to a wall than
- * 20 mm or 1/500 of that diagonal, the daylight factor is taken as at that distance.
+ * is more; they begin and end on the plane's edge or are closed. Nearer to an
+ * upright opening than 20 mm or 1/500 of that diagonal, the daylight factor is taken as at
+ * that distance, nearer to a wall than 1 mm as there.
  * The daylight factor is evaluated by fixed rules, to a relative error of 1e-5, or some
- * 1e-4 close to a pane, where the gradient is so steep that this moves the curve by
- * less than a millimetre.
+ * 1e-4 close to a pane.
  */
 #ifndef PP_METHODS_DAYLIGHT_CURVES_H
 #define PP_METHODS_DAYLIGHT_CURVES_H
 
 #include "model/results/daylight_plan.h"
 #include "model/base/error.h"
+#include "model/geometry/contour/field.h"
 #include "model/room/world.h"
+
+struct pp_method; /* methods/method.h */
 
 /* Fills plan (to be cleared by the caller; empty on failure).
  *
@@ -29,6 +32,23 @@ enum pp_status pp_daylight_curves(struct pp_daylight_plan *plan,
                                   const struct pp_world *world, double irc,
                                   const char *irc_name, const double *levels,
                                   int level_count, struct pp_error *err);
+
+/* The same with the direct component by any method that speaks for a point and does not
+ * count (squares, dots); the plan's name is "direct+irc_name". Without irc_name, the figures
+ * are the direct component only. A method that does not cover the room is PP_BAD_INPUT, with
+ * the reason. */
+enum pp_status pp_daylight_curves_by(struct pp_daylight_plan *plan,
+                                     const struct pp_world *world,
+                                     const struct pp_method *direct, double irc,
+                                     const char *irc_name, const double *levels,
+                                     int level_count, struct pp_error *err);
+
+/* Contours of any daylight factor over the working plane, as above, and the no-sky line.
+ * `errors` gives its standard error, for the bands; NULL: none. Both take the context. */
+enum pp_status pp_daylight_curves_of(struct pp_daylight_plan *plan,
+                                     const struct pp_world *world, const char *name,
+                                     pp_field_function values, pp_field_function errors,
+                                     void *context, struct pp_error *err);
 
 /* The no-sky line alone: no_sky, dark and sky_share of the plan, which is to be cleared
  * by the caller; empty on failure. */

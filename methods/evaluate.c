@@ -2,20 +2,26 @@
  * (symbol by symbol for the steps), adds up, and enters the readings in the report. */
 #include "methods/evaluate.h"
 
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "methods/component_steps.h"
+#include "methods/pair.h"
 #include "methods/plane_average.h"
 #include "methods/selection.h"
+#include "methods/variant.h"
+#include "methods/usual_pair.h"
 
-/* One method on one world. */
+/* One method on one world, as published or with a variant of a formula. */
 struct method_run {
     const struct pp_method *method;
+    const char *name; /* of its columns */
+    bool varied;      /* by a variant */
     const struct pp_world *world;
     double *factors; /* product of the missing corrections, one for each opening */
     void *tools;     /* made by the method; NULL for a room that it refuses */
-    bool roughly;    /* by evaluate_roughly, for an average */
+    struct pp_formulary *formulary;
+    bool roughly; /* by evaluate_roughly, for an average */
 };
 
 /* The components by a method over all openings, corrected, or why there are none. */
@@ -23,6 +29,7 @@ struct answer {
     struct pp_part part;
     const char *why;                  /* not owned; NULL: part is valid */
     const struct pp_opening *opening; /* the subject of why; NULL: the room */
+    int column;                       /* of why in a variant's text, from 1; 0: none */
     struct pp_steps *steps;           /* where the sum is recorded; may be NULL */
 };
 
@@ -34,26 +41,37 @@ static double decorations_of(const struct method_run *run)
 }
 
 static enum pp_status run_init(struct method_run *run, const struct pp_method *method,
+                               const struct pp_variant *variant,
                                const struct pp_report *report, struct pp_error *err)
 {
     static const struct pp_method_options no_options;
     const struct pp_world *world = report->world;
-    *run = (struct method_run){.method = method, .world = world};
+    *run = (struct method_run){.method = method,
+                               .name = variant ? variant->name : method->name,
+                               .varied = variant,
+                               .world = world};
+    enum pp_status status = pp_formulary_create(
+        &run->formulary, method->formulae, variant ? &variant->formula : NULL, err);
+    if (status != PP_OK)
+        return status;
     run->factors = malloc(((size_t)world->opening_count + 1) * sizeof(double));
-    if (!run->factors)
+    if (!run->factors) {
+        pp_formulary_destroy(run->formulary);
         return pp_fail_memory(err);
+    }
     for (int i = 0; i < world->opening_count; i++)
         run->factors[i] = pp_allowance_factor(method->allowances, world->openings + i)
                           * decorations_of(run);
     bool refused = method->refuses_room && method->refuses_room(world, NULL);
-    enum pp_status status = PP_OK;
     if (method->prepare && !refused)
         status = method->prepare(&run->tools, world, err);
     if (method->prepare_with_options && !refused)
         status = method->prepare_with_options(
             &run->tools, world, report->options ? report->options : &no_options, err);
-    if (status != PP_OK)
+    if (status != PP_OK) {
+        pp_formulary_destroy(run->formulary);
         free(run->factors);
+    }
     return status;
 }
 
@@ -61,105 +79,21 @@ static void run_clear(struct method_run *run)
 {
     if (run->method->destroy_tools)
         run->method->destroy_tools(run->tools);
+    pp_formulary_destroy(run->formulary);
     free(run->factors);
 }
 
-static const char *const component_names[PP_COMPONENT_COUNT] = {
-    [PP_SC] = "sky component",
-    [PP_ERC] = "externally reflected component",
-    [PP_IRC] = "internally reflected component",
-    [PP_DF] = "daylight factor",
-};
-
-/* Symbols in formulae: of one opening by the method itself, and with all
- * corrections. */
-static const char *const own_symbols[PP_COMPONENT_COUNT] = {"sc", "erc", "irc", "df"};
-static const char *const symbols[PP_COMPONENT_COUNT] = {"SC", "ERC", "IRC", "DF"};
-
-/* The component in a method's part.sky or part.value. */
-static enum pp_component component_of(const struct pp_method *method)
+/* Adds the components of one opening times its corrections, which it returns. */
+static struct pp_part add_part(struct pp_part *sum, const struct pp_part *part,
+                               double factor)
 {
-    static const enum pp_component given_by[] = {
-        [PP_GIVES_DIRECT] = PP_SC,
-        [PP_GIVES_INTERNAL] = PP_IRC,
-        [PP_GIVES_WHOLE] = PP_DF,
-    };
-    return given_by[method->gives];
-}
-
-/* The value of a component in a part. */
-static double figure(const struct pp_part *part, enum pp_component component)
-{
-    return component == PP_SC    ? part->sky
-           : component == PP_ERC ? part->external
-                                 : part->value;
-}
-
-/* The components that the steps list, at most two: the externally reflected component
- * is left out where it is 0 and the method has recorded none. */
-static int components_of(enum pp_component list[2], const struct pp_method *method,
-                         const struct pp_part *part, const struct pp_steps *steps,
-                         int first)
-{
-    list[0] = component_of(method);
-    list[1] = PP_ERC;
-    bool reflects =
-        part->external != 0.0 || pp_steps_find(steps, first, own_symbols[PP_ERC]);
-    return list[0] == PP_SC && reflects ? 2 : 1;
-}
-
-/* Records the corrections of one opening and the corrected components, behind the
- * method's own steps, which begin with step `first`. */
-static void add_opening_steps(struct answer *answer, const struct method_run *run,
-                              int index, const struct pp_part *part,
-                              const struct pp_part *corrected, int first)
-{
-    struct pp_steps *steps = answer->steps;
-    const struct pp_opening *opening = &run->world->openings[index];
-    enum pp_component components[2];
-    int count = components_of(components, run->method, part, steps, first);
-    for (int i = 0; i < count; i++)
-        if (!pp_steps_find(steps, first, own_symbols[components[i]]))
-            pp_steps_add_named(steps, PP_UNIT_SHARE, figure(part, components[i]),
-                               own_symbols[components[i]], "%s, as read",
-                               component_names[components[i]]);
-    char product[64];
-    pp_allowance_steps(steps, run->method->allowances, opening, product,
-                       sizeof product);
-    double D = decorations_of(run);
-    if (D != 1.0) {
-        pp_steps_add_named(steps, PP_UNIT_NUMBER, D, "D",
-                           "decorations: what their deterioration leaves");
-        strncat(product, " D", sizeof product - strlen(product) - 1);
-    }
-    for (int i = 0; i < count; i++) {
-        char symbol[16], formula[96];
-        bool single = run->world->opening_count == 1;
-        snprintf(symbol, sizeof symbol, single ? "%s" : "%s_%d", symbols[components[i]],
-                 index + 1);
-        snprintf(formula, sizeof formula, "%s%s", own_symbols[components[i]], product);
-        pp_steps_add_worked(steps, PP_UNIT_SHARE, figure(corrected, components[i]),
-                            symbol, formula, "%s", component_names[components[i]]);
-    }
-}
-
-/* Records the sums over the openings, where there is not just one. */
-static void add_sum_steps(const struct answer *answer, const struct method_run *run)
-{
-    enum pp_component components[2];
-    int count = components_of(components, run->method, &answer->part, answer->steps, 0);
-    answer->steps->line = 0;
-    for (int i = 0; i < count; i++)
-        pp_steps_add_sum(answer->steps, 0, run->world->opening_count,
-                         symbols[components[i]], component_names[components[i]]);
-}
-
-/* The components of one opening times its corrections. */
-static struct pp_part corrected_part(const struct pp_part *part, double factor)
-{
-    return (struct pp_part){.sky = factor * part->sky,
-                            .external = factor * part->external,
-                            .value = factor * part->value};
+    const struct pp_part own = {.sky = factor * part->sky,
+                                .external = factor * part->external,
+                                .value = factor * part->value};
+    sum->sky += own.sky;
+    sum->external += own.external;
+    sum->value += own.value;
+    return own;
 }
 
 /* Adds up the components of all openings by the method. */
@@ -169,9 +103,10 @@ static enum pp_status add_openings(const struct method_run *run,
 {
     const struct pp_method *method = run->method;
     const struct pp_world *world = run->world;
-    bool roughly = run->roughly && method->evaluate_roughly;
+    bool roughly = run->roughly && method->evaluate_roughly, used = false;
     for (int i = 0; i < world->opening_count; i++) {
-        struct pp_part part = {.steps = answer->steps};
+        struct pp_part part = {
+            .sheet = {.steps = answer->steps, .formulary = run->formulary}};
         int first = 0;
         if (answer->steps) {
             first = answer->steps->count;
@@ -186,14 +121,39 @@ static enum pp_status add_openings(const struct method_run *run,
             answer->opening = world->openings + i;
             return PP_OK;
         }
-        const struct pp_part own = corrected_part(&part, run->factors[i]);
-        answer->part.sky += own.sky;
-        answer->part.external += own.external;
-        answer->part.value += own.value;
+        if (part.sheet.fault.what) {
+            answer->why = part.sheet.fault.what;
+            answer->column = part.sheet.fault.column + 1;
+            answer->opening = world->openings + i;
+            return PP_OK;
+        }
+        used |= part.sheet.varied;
+        const struct pp_part own = add_part(&answer->part, &part, run->factors[i]);
         if (answer->steps)
-            add_opening_steps(answer, run, i, &part, &own, first);
+            pp_component_steps_add(answer->steps, method, world, i, &part, &own,
+                                   decorations_of(run), first);
     }
+    /* A point may see nothing of the openings; a room has all of them. */
+    if (run->varied && !used && method->speaks_for != PP_FOR_POINT
+        && world->opening_count > 0)
+        answer->why = "the room has no opening that its formula is for";
     return PP_OK;
+}
+
+/* Sets down why the method does not cover the room or one of its openings; false: it
+ * does. */
+static bool refuse(const struct method_run *run, const struct pp_receiver *receiver,
+                   struct answer *answer)
+{
+    const struct pp_method *method = run->method;
+    const struct pp_world *world = run->world;
+    if (method->refuses_room)
+        answer->why = method->refuses_room(world, receiver);
+    for (int i = 0; i < world->opening_count && method->refuses && !answer->why; i++) {
+        answer->why = method->refuses(world, world->openings + i, receiver);
+        answer->opening = answer->why ? world->openings + i : NULL;
+    }
+    return answer->why != NULL;
 }
 
 /* The method's sum over the openings for a receiver (NULL: for the room), or why there
@@ -202,36 +162,25 @@ static enum pp_status sum_openings(const struct method_run *run,
                                    const struct pp_receiver *receiver,
                                    struct answer *answer, struct pp_error *err)
 {
-    const struct pp_method *method = run->method;
     const struct pp_world *world = run->world;
     *answer = (struct answer){.steps = answer->steps};
-    if (method->refuses_room)
-        answer->why = method->refuses_room(world, receiver);
-    if (answer->why)
+    if (refuse(run, receiver, answer))
         return PP_OK;
-    for (int i = 0; i < world->opening_count && method->refuses; i++) {
-        answer->why = method->refuses(world, world->openings + i, receiver);
-        answer->opening = world->openings + i;
-        if (answer->why)
-            return PP_OK;
-    }
-    answer->opening = NULL;
     enum pp_status status = add_openings(run, receiver, answer, err);
     if (status != PP_OK || answer->why || !answer->steps)
         return status;
     if (world->opening_count != 1)
-        add_sum_steps(answer, run);
+        pp_component_steps_add_sums(answer->steps, run->method, world, &answer->part);
     return answer->steps->failed ? pp_fail_memory(err) : PP_OK;
 }
 
 /* One component of an answer as a reading; the report keeps the text of its why. */
 static enum pp_status to_reading(struct pp_reading *reading, struct pp_report *report,
-                                 const struct pp_method *method,
-                                 const struct answer *answer,
+                                 const char *name, const struct answer *answer,
                                  enum pp_component component, struct pp_error *err)
 {
     if (!answer->why) {
-        *reading = pp_reading_of(figure(&answer->part, component));
+        *reading = pp_reading_of(pp_component_steps_figure(&answer->part, component));
         /* Both direct components have one list of steps, which stands with the
          * first. */
         if (component != PP_ERC)
@@ -239,10 +188,14 @@ static enum pp_status to_reading(struct pp_reading *reading, struct pp_report *r
         return PP_OK;
     }
     const char *why =
-        answer->opening
-            ? pp_report_say(report, "%s: the opening on line %d %s", method->name,
-                            answer->opening->line, answer->why)
-            : pp_report_say(report, "%s: %s", method->name, answer->why);
+        answer->column
+            ? pp_report_say(report,
+                            "%s: for the opening on line %d the formula %s, in column "
+                            "%d",
+                            name, answer->opening->line, answer->why, answer->column)
+        : answer->opening ? pp_report_say(report, "%s: the opening on line %d %s", name,
+                                          answer->opening->line, answer->why)
+                          : pp_report_say(report, "%s: %s", name, answer->why);
     *reading = pp_reading_none(why);
     return why ? PP_OK : pp_fail_memory(err);
 }
@@ -250,9 +203,17 @@ static enum pp_status to_reading(struct pp_reading *reading, struct pp_report *r
 /* The context of the integrand over the working plane. */
 struct plane_sum {
     const struct method_run *run;
-    struct answer refusal; /* of any point: the reason is the same at all points */
+    struct answer refusal; /* of the first opening, and column, that has one */
     bool failed;
 };
+
+/* Which of two reasons is said, whatever the order of the points. */
+static bool comes_before(const struct answer *a, const struct answer *b)
+{
+    if (!b->why || a->opening != b->opening)
+        return !b->why || a->opening < b->opening;
+    return a->column < b->column;
+}
 
 static bool plane_sum_at(void *data, const struct pp_receiver *receiver,
                          double values[PP_PLANE_VALUES])
@@ -264,7 +225,7 @@ static bool plane_sum_at(void *data, const struct pp_receiver *receiver,
 #pragma omp critical(pp_plane_sum)
         {
             sum->failed |= failed;
-            if (!failed)
+            if (!failed && comes_before(&answer, &sum->refusal))
                 sum->refusal = answer;
         }
         return false;
@@ -273,6 +234,32 @@ static bool plane_sum_at(void *data, const struct pp_receiver *receiver,
     values[0] = direct ? answer.part.sky : answer.part.value;
     values[1] = direct ? answer.part.external : 0.0;
     return true;
+}
+
+/* The sum over the openings of their averages by the method itself; *known is false
+ * where there is none for one of them. */
+static enum pp_status sum_averages(const struct method_run *run, struct answer *answer,
+                                   bool *known, struct pp_error *err)
+{
+    const struct pp_method *method = run->method;
+    const struct pp_world *world = run->world;
+    const struct pp_receiver receiver = {.position = {world->plane.rings[0].xy[0][0],
+                                                      world->plane.rings[0].xy[0][1],
+                                                      world->working_plane_m},
+                                         .normal = {0.0, 0.0, 1.0}};
+    *answer = (struct answer){0};
+    *known = true;
+    if (refuse(run, &receiver, answer))
+        return PP_OK;
+    for (int i = 0; i < world->opening_count && *known; i++) {
+        struct pp_part part = {0};
+        enum pp_status status =
+            method->average(world, world->openings + i, run->tools, &part, known, err);
+        if (status != PP_OK)
+            return status;
+        add_part(&answer->part, &part, run->factors[i]);
+    }
+    return PP_OK;
 }
 
 /* The average over the working plane by a method that speaks for a point. */
@@ -289,10 +276,16 @@ static enum pp_status average_of_points(const struct method_run *run,
         answer->why = "the room has no working plane at that height";
         return PP_OK;
     }
-    enum pp_status status = pp_plane_average(
-        mean, &stopped, run->world, plane_sum_at, &sum,
-        run->method->counts ? PP_AVERAGE_ERROR_COUNTS : PP_AVERAGE_ERROR,
-        PP_AVERAGE_POINTS, err);
+    if (run->method->average) {
+        bool known;
+        enum pp_status status = sum_averages(run, answer, &known, err);
+        if (status != PP_OK || known)
+            return status;
+        *answer = (struct answer){0};
+    }
+    enum pp_status status =
+        pp_plane_average(mean, &stopped, run->world, plane_sum_at, &sum,
+                         PP_AVERAGE_ERROR, PP_AVERAGE_POINTS, err);
     if (status != PP_OK)
         return status;
     if (sum.refusal.why) {
@@ -301,8 +294,7 @@ static enum pp_status average_of_points(const struct method_run *run,
     }
     if (stopped)
         return pp_fail(err, PP_SYSTEM,
-                       "%s could not be averaged over the working plane",
-                       run->method->name);
+                       "%s could not be averaged over the working plane", run->name);
     answer->part =
         (struct pp_part){.sky = mean[0], .external = mean[1], .value = mean[0]};
     return PP_OK;
@@ -347,25 +339,24 @@ static enum pp_status answer_all(const struct method_run *run,
 
 /* Adds the column of one component from the answers of a method. */
 static enum pp_status add_column(struct pp_report *report,
-                                 const struct pp_method *method,
+                                 const struct pp_method *method, const char *name,
                                  const struct answer *answers,
                                  enum pp_component component, struct pp_error *err)
 {
-    if (pp_report_find(report, component, method->name))
+    if (pp_report_find(report, component, name))
         return PP_OK;
     int count = report->receiver_count;
     bool whole_room =
         method->gives == PP_GIVES_WHOLE && method->speaks_for == PP_FOR_ROOM;
-    struct pp_column *column =
-        pp_report_add(report, component, method->name, !whole_room);
+    struct pp_column *column = pp_report_add(report, component, name, !whole_room);
     if (!column)
         return pp_fail_memory(err);
     column->of_all_surfaces = method->of_all_surfaces;
     enum pp_status status =
-        to_reading(&column->average, report, method, answers + count, component, err);
+        to_reading(&column->average, report, name, answers + count, component, err);
     for (int i = 0; i < count && column->points && status == PP_OK; i++)
         status =
-            to_reading(column->points + i, report, method, answers + i, component, err);
+            to_reading(column->points + i, report, name, answers + i, component, err);
     return status;
 }
 
@@ -386,14 +377,15 @@ static bool create_steps(struct answer *answers, struct pp_report *report,
 }
 
 static enum pp_status add_method(struct pp_report *report,
-                                 const struct pp_method *method, struct pp_error *err)
+                                 const struct pp_method *method,
+                                 const struct pp_variant *variant, struct pp_error *err)
 {
-    enum pp_component component = component_of(method);
-    if (pp_report_find(report, component, method->name))
+    enum pp_component component = pp_component_steps_given(method);
+    if (pp_report_find(report, component, variant ? variant->name : method->name))
         return PP_OK;
 
     struct method_run run;
-    enum pp_status status = run_init(&run, method, report, err);
+    enum pp_status status = run_init(&run, method, variant, report, err);
     if (status != PP_OK)
         return status;
     struct answer *answers =
@@ -403,76 +395,68 @@ static enum pp_status add_method(struct pp_report *report,
     if (status == PP_OK)
         status = answer_all(&run, report, answers, err);
     if (status == PP_OK)
-        status = add_column(report, method, answers, component, err);
+        status = add_column(report, method, run.name, answers, component, err);
     if (status == PP_OK && method->gives == PP_GIVES_DIRECT)
-        status = add_column(report, method, answers, PP_ERC, err);
+        status = add_column(report, method, run.name, answers, PP_ERC, err);
     free(answers);
     run_clear(&run);
     return status;
 }
 
-/* sc + erc + irc, or why there is no sum: the reason of the direct part comes first. */
-static struct pp_reading pair_of(struct pp_reading sc, struct pp_reading erc,
-                                 struct pp_reading irc)
+/* The columns of a method or pair, with a variant (NULL: as published) of one of them. */
+static enum pp_status add_choice(struct pp_report *report,
+                                 const struct pp_choice *choice,
+                                 const struct pp_variant *variant, struct pp_error *err)
 {
-    if (sc.why)
-        return sc;
-    return irc.why ? irc : pp_reading_of(sc.value + erc.value + irc.value);
+    const struct pp_method *method = choice->method, *internal = choice->internal;
+    bool of_internal = variant && variant->method == internal;
+    enum pp_status status =
+        add_method(report, method, of_internal ? NULL : variant, err);
+    if (status != PP_OK || !internal)
+        return status;
+    status = add_method(report, internal, of_internal ? variant : NULL, err);
+    return status == PP_OK
+               ? pp_pair_add(report,
+                             variant && !of_internal ? variant->name : method->name,
+                             of_internal ? variant->name : internal->name, err)
+               : status;
 }
 
-/* Records the reading of a column at a point. */
-static void add_column_step(struct pp_steps *steps, const struct pp_column *column,
-                            int point)
+/* The pair in place of the usual one, where that does not cover the room. */
+static enum pp_status stand_in(struct pp_report *report, struct pp_error *err)
 {
-    pp_steps_add_named(steps, PP_UNIT_SHARE, column->points[point].value,
-                       symbols[column->component], "%s by %s",
-                       component_names[column->component], column->name);
-}
-
-static enum pp_status add_pair(struct pp_report *report, const struct pp_method *direct,
-                               const struct pp_method *internal, struct pp_error *err)
-{
-    char name[sizeof report->columns->name];
-    snprintf(name, sizeof name, "%s+%s", direct->name, internal->name);
-    if (pp_report_find(report, PP_DF, name))
+    const struct pp_usual_pair pair =
+        pp_usual_pair(report->world, report->receivers, report->receiver_count);
+    if (!pair.instead)
         return PP_OK;
-    struct pp_column *df = pp_report_add(report, PP_DF, name, true);
-    if (!df)
-        return pp_fail_memory(err);
-    const struct pp_column *sc = pp_report_find(report, PP_SC, direct->name);
-    const struct pp_column *erc = pp_report_find(report, PP_ERC, direct->name);
-    const struct pp_column *irc = pp_report_find(report, PP_IRC, internal->name);
-    df->average = pair_of(sc->average, erc->average, irc->average);
-    for (int i = 0; i < report->receiver_count; i++) {
-        df->points[i] = pair_of(sc->points[i], erc->points[i], irc->points[i]);
-        if (!report->explain || df->points[i].why)
-            continue;
-        struct pp_steps *steps = pp_report_steps(report);
-        add_column_step(steps, sc, i);
-        add_column_step(steps, erc, i);
-        add_column_step(steps, irc, i);
-        pp_steps_add_worked(steps, PP_UNIT_SHARE, df->points[i].value, symbols[PP_DF],
-                            "SC + ERC + IRC", "%s", component_names[PP_DF]);
-        if (!steps || steps->failed)
-            return pp_fail_memory(err);
-        df->points[i].steps = steps;
-    }
-    return PP_OK;
+    report->stand_in =
+        pp_report_say(report, "%s stands in for %s, which does not cover this room",
+                      pair.name, pair.instead);
+    return report->stand_in ? pp_methods_evaluate(report, pair.name, err)
+                            : pp_fail_memory(err);
 }
 
 enum pp_status pp_methods_evaluate(struct pp_report *report, const char *selection,
                                    struct pp_error *err)
 {
+    static const struct pp_variant_list none;
+    const struct pp_variant_list *variants =
+        report->options && report->options->variants ? report->options->variants
+                                                     : &none;
     struct pp_selection parsed;
     enum pp_status status = pp_selection_parse(&parsed, selection, err);
+    for (int i = 0; i < variants->count && status == PP_OK; i++)
+        status = pp_selection_include(&parsed, variants->list[i].method, err);
     for (int i = 0; i < parsed.count && status == PP_OK; i++) {
-        struct pp_choice choice = parsed.choices[i];
-        status = add_method(report, choice.method, err);
-        if (status == PP_OK && choice.internal)
-            status = add_method(report, choice.internal, err);
-        if (status == PP_OK && choice.internal)
-            status = add_pair(report, choice.method, choice.internal, err);
+        const struct pp_choice *choice = &parsed.choices[i];
+        status = add_choice(report, choice, NULL, err);
+        for (int k = 0; k < variants->count && status == PP_OK; k++)
+            if (variants->list[k].method == choice->method
+                || variants->list[k].method == choice->internal)
+                status = add_choice(report, choice, &variants->list[k], err);
     }
+    if (status == PP_OK && parsed.usual)
+        status = stand_in(report, err);
     pp_selection_clear(&parsed);
     return status;
 }

@@ -13,10 +13,10 @@
  * average of the room stands for each point of the room.
  *
  * The average over the working plane of a method that speaks for a point is the mean
- * reading of receivers that face up, by adaptive cubature to a relative estimated error
- * of PP_AVERAGE_ERROR (PP_AVERAGE_ERROR_COUNTS for methods that count squares or dots),
- * with at most PP_AVERAGE_POINTS points. A method with an average of its own
- * (has_average) gives that one.
+ * reading of receivers that face up: an integral over directions where the method has
+ * one (pp_method.average), else by adaptive cubature to a relative estimated error of
+ * PP_AVERAGE_ERROR, with at most PP_AVERAGE_POINTS points. A method with an average of
+ * its own (has_average) gives that one.
  */
 #ifndef PP_METHODS_EVALUATE_H
 #define PP_METHODS_EVALUATE_H
@@ -25,7 +25,6 @@
 #include "model/results/report.h"
 
 #define PP_AVERAGE_ERROR 1e-3
-#define PP_AVERAGE_ERROR_COUNTS 1e-2
 enum { PP_AVERAGE_POINTS = 2000 };
 
 /* Adds the columns of a selection of methods (selection.h) to `report`, whose world,

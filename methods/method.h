@@ -13,7 +13,7 @@
 
 #include "methods/allowance.h"
 #include "model/results/reading.h"
-#include "model/results/steps.h"
+#include "model/results/worksheet.h"
 #include "model/room/world.h"
 
 enum pp_gives {
@@ -35,29 +35,38 @@ enum pp_speaks_for {
  * methods/evaluate.c adds a step of that name. pp_steps.line tells which opening the
  * steps belong to. */
 struct pp_part {
-    double sky;             /* of PP_GIVES_DIRECT */
-    double external;        /* of PP_GIVES_DIRECT */
-    double value;           /* of PP_GIVES_INTERNAL and PP_GIVES_WHOLE */
-    const char *why;        /* set instead of a value: why there is none, as the end of
+    double sky;      /* of PP_GIVES_DIRECT */
+    double external; /* of PP_GIVES_DIRECT */
+    double value;    /* of PP_GIVES_INTERNAL and PP_GIVES_WHOLE */
+    const char *why; /* set instead of a value: why there is none, as the end of
                              * a sentence that begins with "the opening on line 12";
                              * static, or valid as long as the tools */
-    struct pp_steps *steps; /* where intermediate results are recorded; may be NULL */
+    struct pp_worksheet
+        sheet; /* where figures are put down and formulae worked out; its
+                                * steps are where they are recorded, which may be NULL */
 };
 
 /* A user's choices that change the figures of a method; all zero: none. */
 struct pp_method_options {
     const struct pp_lumen_table *lumen_table; /* not owned; NULL: the program's own */
+    const struct pp_variant_list
+        *variants; /* not owned; NULL: no formula is replaced */
 };
 
 struct pp_method {
     const char *name;    /* as typed on the command line */
     const char *summary; /* one line, without a full stop */
     const char *source;  /* key in docs/SOURCES.md */
+    const struct pp_formula *const
+        *formulae; /* that evaluate works out, in their order;
+                                               * ends with NULL. NULL: none */
     enum pp_gives gives;
     enum pp_speaks_for speaks_for;
     bool of_all_surfaces; /* an average over the room's surfaces, not its working plane:
                            * not to be compared with one */
     unsigned allowances;  /* what its figures already contain, enum pp_allowance */
+    double own_ground;    /* reflectance of the ground that is built into its figures,
+                        * whatever the room's; 0: none is */
     bool counts;          /* counts squares or dots: readings are multiples of one */
     bool has_average; /* of PP_FOR_POINT: evaluate without a receiver gives the average
                        * over the working plane, in place of an integral over points */
@@ -95,7 +104,14 @@ struct pp_method {
                                const struct pp_receiver *receiver, const void *tools,
                                struct pp_part *part, struct pp_error *err);
 
-    /* The same faster, to a relative error of about 1e-4, for averages. May be NULL. */
+    /* The mean of the components of one opening over the working plane, for receivers
+     * that face up, in place of an integral over points; *known is false where there is
+     * none for this opening. May be NULL. */
+    enum pp_status (*average)(const struct pp_world *world,
+                              const struct pp_opening *opening, const void *tools,
+                              struct pp_part *part, bool *known, struct pp_error *err);
+
+    /* As evaluate, but faster, to a relative error of about 1e-4. May be NULL. */
     enum pp_status (*evaluate_roughly)(const struct pp_world *world,
                                        const struct pp_opening *opening,
                                        const struct pp_receiver *receiver,

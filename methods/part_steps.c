@@ -10,15 +10,28 @@ struct pp_part_steps pp_part_steps_begin(struct pp_steps *steps, int parts)
         .steps = steps, .first = steps ? steps->count : 0, .parts = parts};
 }
 
+struct pp_part_steps pp_part_steps_on(struct pp_worksheet *sheet, int parts)
+{
+    struct pp_part_steps terms = pp_part_steps_begin(sheet->steps, parts);
+    terms.sheet = sheet;
+    return terms;
+}
+
 void pp_part_steps_next(struct pp_part_steps *terms)
 {
     terms->number++;
+    if (terms->sheet)
+        terms->sheet->part = terms->parts == 1 ? 0 : terms->number;
 }
 
-struct pp_symbol pp_part_steps_symbol(const struct pp_part_steps *terms,
-                                      const char *name)
+struct symbol {
+    char text[16];
+};
+
+/* "n", or "n_2" where the opening has several parts. */
+static struct symbol numbered(const struct pp_part_steps *terms, const char *name)
 {
-    struct pp_symbol symbol;
+    struct symbol symbol;
     if (terms->parts == 1)
         snprintf(symbol.text, sizeof symbol.text, "%s", name);
     else
@@ -40,32 +53,51 @@ static void number(char *text, size_t room, const struct pp_part_steps *terms,
 void pp_part_steps_read(const struct pp_part_steps *terms, enum pp_step_unit unit,
                         double value, const char *name, const char *what)
 {
-    pp_steps_add_named(terms->steps, unit, value,
-                       pp_part_steps_symbol(terms, name).text, "%s", what);
+    if (terms->sheet)
+        pp_worksheet_put(terms->sheet, unit, value, name, "%s", what);
+    else
+        pp_steps_add_named(terms->steps, unit, value, numbered(terms, name).text, "%s",
+                           what);
 }
 
 void pp_part_steps_figure(struct pp_part_steps *terms, enum pp_step_unit unit,
                           double value, const char *name, const char *formula,
                           const char *what)
 {
-    char numbered[160];
-    number(numbered, sizeof numbered, terms, formula);
-    pp_steps_add_worked(terms->steps, unit, value,
-                        pp_part_steps_symbol(terms, name).text, numbered, "%s", what);
+    char text[160];
+    number(text, sizeof text, terms, formula);
+    pp_steps_add_worked(terms->steps, unit, value, numbered(terms, name).text, text,
+                        "%s", what);
+}
+
+/* Counts a component for the sums. */
+static void count(struct pp_part_steps *terms, bool hidden, double share)
+{
+    *(hidden ? &terms->hidden_count : &terms->sky_count) += 1;
+    if (!hidden)
+        terms->sky += share;
+}
+
+double pp_part_steps_work(struct pp_part_steps *terms, bool hidden,
+                          const struct pp_formula *formula, const char *what)
+{
+    double share = pp_worksheet_work(terms->sheet, formula, "%s", what);
+    count(terms, hidden, share);
+    return share;
 }
 
 void pp_part_steps_component(struct pp_part_steps *terms, bool hidden, double share,
                              const char *formula, const char *what)
 {
-    *(hidden ? &terms->hidden_count : &terms->sky_count) += 1;
-    if (!hidden)
-        terms->sky += share;
+    count(terms, hidden, share);
     pp_part_steps_figure(terms, PP_UNIT_SHARE, share, hidden ? "erc" : "sc", formula,
                          what);
 }
 
 void pp_part_steps_end(struct pp_part_steps *terms)
 {
+    if (terms->sheet)
+        terms->sheet->part = 0;
     if (!terms->steps)
         return;
     bool single = terms->parts == 1;

@@ -8,31 +8,30 @@
 
 #include <stdbool.h>
 
-#include "model/results/steps.h"
+#include "model/results/worksheet.h"
 
 struct pp_part_steps {
-    struct pp_steps *steps; /* NULL: no steps are recorded */
-    int first;              /* index of the opening's first step */
+    struct pp_steps *steps;     /* NULL: no steps are recorded */
+    struct pp_worksheet *sheet; /* NULL: figures are set down as steps only */
+    int first;                  /* index of the opening's first step */
     int parts;  /* of the opening; symbols of a single part have no number */
     int number; /* of the current part, from 1 */
     int sky_count, hidden_count; /* components recorded so far */
     double sky;                  /* sum of the sky components so far */
 };
 
-struct pp_symbol {
-    char text[16];
-};
-
-/* Before the first of `parts` parts. */
+/* Before the first of `parts` parts; on a sheet, or for steps alone. */
+struct pp_part_steps pp_part_steps_on(struct pp_worksheet *sheet, int parts);
 struct pp_part_steps pp_part_steps_begin(struct pp_steps *steps, int parts);
 
-/* Goes on to the next part. */
+/* Goes on to the next part, whose number stands behind what is put on the sheet from
+ * here on, where the opening has several parts. */
 void pp_part_steps_next(struct pp_part_steps *terms);
 
-/* The symbol of a quantity of the current part: "n", or "n_2" where the opening has
- * several parts. */
-struct pp_symbol pp_part_steps_symbol(const struct pp_part_steps *terms,
-                                      const char *name);
+/* Works out the sky component of the current part or, of a `hidden` part, the externally
+ * reflected component, by a formula of that symbol; returns it. */
+double pp_part_steps_work(struct pp_part_steps *terms, bool hidden,
+                          const struct pp_formula *formula, const char *what);
 
 /* Records a quantity that was read for the current part: from a scale, a table, a
  * count. */

@@ -110,6 +110,7 @@ static enum pp_status add_item(struct pp_selection *selection, char *item,
     if (strcmp(item, "all") == 0)
         return add_all(selection, err);
     if (strcmp(item, "default") == 0) {
+        selection->usual = true;
         char list[sizeof default_selection];
         memcpy(list, default_selection, sizeof list);
         return add_list(selection, list, err);
@@ -136,7 +137,7 @@ static enum pp_status add_list(struct pp_selection *selection, char *list,
 enum pp_status pp_selection_parse(struct pp_selection *selection, const char *text,
                                   struct pp_error *err)
 {
-    *selection = (struct pp_selection){0};
+    *selection = (struct pp_selection){.usual = !text};
     char *list = strdup(text ? text : default_selection);
     if (!list)
         return pp_fail_memory(err);
@@ -151,6 +152,25 @@ void pp_selection_clear(struct pp_selection *selection)
 {
     free(selection->choices);
     *selection = (struct pp_selection){0};
+}
+
+enum pp_status pp_selection_include(struct pp_selection *selection,
+                                    const struct pp_method *method,
+                                    struct pp_error *err)
+{
+    for (int i = 0; i < selection->count; i++)
+        if (selection->choices[i].method == method
+            || selection->choices[i].internal == method)
+            return PP_OK;
+    switch (method->gives) {
+    case PP_GIVES_DIRECT:
+        return add(selection, method, pp_method_find("bre"), err);
+    case PP_GIVES_INTERNAL:
+        return add(selection, pp_method_find("exact"), method, err);
+    case PP_GIVES_WHOLE:
+        break;
+    }
+    return add(selection, method, NULL, err);
 }
 
 enum pp_status pp_selection_check(const char *selection, struct pp_error *err)

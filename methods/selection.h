@@ -1,6 +1,7 @@
 /* selection.h - which methods a user asks for: a list separated by commas of
  *
- *     default   exact+bre, brs-table+bre, average-df; the same as NULL
+ *     default   exact+bre, brs-table+bre, average-df; the same as NULL. Where exact+bre does
+ *               not cover the room, the pair that stands in its place too (usual_pair.h)
  *     all       every direct method with bre, exact with every internal one, all whole
  *     A+B       direct component by A, internally reflected by B, and both components
  *     NAME      one method, with the components that it gives
@@ -20,6 +21,7 @@ struct pp_choice {
 struct pp_selection {
     int count;
     struct pp_choice *choices;
+    bool usual; /* is "default" among them? */
 };
 
 /* Reads a list of that form; NULL is the default. A wrong name or pair is PP_BAD_INPUT,
@@ -28,6 +30,11 @@ struct pp_selection {
 enum pp_status pp_selection_parse(struct pp_selection *selection, const char *text,
                                   struct pp_error *err);
 void pp_selection_clear(struct pp_selection *selection);
+
+/* Adds what `all` has of a method, unless the selection has the method already. */
+enum pp_status pp_selection_include(struct pp_selection *selection,
+                                    const struct pp_method *method,
+                                    struct pp_error *err);
 
 /* PP_OK where pp_selection_parse would accept the text, else its error. */
 enum pp_status pp_selection_check(const char *selection, struct pp_error *err);

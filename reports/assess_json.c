@@ -4,6 +4,7 @@
 #include <math.h>
 
 #include "reports/parts/json.h"
+#include "reports/parts/print_reliability.h"
 #include "reports/gains_report.h"
 
 static const struct {
@@ -46,6 +47,8 @@ static struct json_object *finding_object(const struct pp_finding *finding,
         good = pp_json_number(
             object, finding->verdict == PP_UNDECIDED ? "probability" : "confidence",
             finding->confidence);
+    if (good && finding->decided_by)
+        good = pp_json_text(object, "decided_by", finding->decided_by);
     if (good && finding->note[0])
         good = pp_json_text(object, finding->verdict == PP_NOT_JUDGED ? "why" : "note",
                             finding->note);
@@ -112,6 +115,10 @@ static struct json_object *room_object(const void *everything, int index)
         good = pp_json_simulation(object, options, assessment->by_clock);
     if (good && !assessment->report.finished)
         good = pp_json_add(object, "finished", json_object_new_boolean(false));
+    if (good && assessment->has_factors) {
+        struct pp_reliability reliability = pp_reliability_of(&assessment->report);
+        good = pp_print_reliability_json(object, &reliability);
+    }
     if (good)
         good = add_criteria(object, assessment, options->external_lux);
     if (good && assessment->has_gains)

@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "reports/parts/print.h"
+#include "reports/parts/print_reliability.h"
 #include "reports/gains_report.h"
 #include "reports/parts/format.h"
 #include "model/base/text.h"
@@ -56,33 +57,66 @@ static double scale_of(enum pp_figure kind)
                                                                : 1.0;
 }
 
+enum { DECIMALS_MORE = 4 }; /* at most, than a figure usually has */
+
+/* Decimals more than usual that figure and bound need so that, as printed, they are to
+ * each other as they are: 0.2963 is less than 0.3, 0.30 is not. */
+static int decimals_more(const struct pp_finding *finding, int decimals)
+{
+    double scale = scale_of(finding->kind);
+    double off = finding->figure - finding->wanted;
+    if (!isfinite(off) || fabs(off) <= 1e-9 * fabs(finding->wanted))
+        return 0;
+    for (int more = 0; more < DECIMALS_MORE; more++) {
+        char figure[CELL], wanted[CELL];
+        snprintf(figure, CELL, "%.*f", decimals + more, scale * finding->figure);
+        snprintf(wanted, CELL, "%.*g", 3 + more, scale * finding->wanted);
+        double shown = atof(figure) - atof(wanted);
+        if (off < 0.0 ? shown < 0.0 : shown > 0.0)
+            return more;
+    }
+    return DECIMALS_MORE;
+}
+
+/* Decimals of the figure; *significant digits of the bound. */
+static int decimals_of(const struct pp_finding *finding, int *significant)
+{
+    bool one = finding->kind == PP_FIGURE_ANGLE || finding->kind == PP_FIGURE_SHARE;
+    int more = decimals_more(finding, one ? 1 : 2);
+    *significant = 3 + more;
+    return (one ? 1 : 2) + more;
+}
+
 /* "3.16 +-0.02 %", the error rounded up to what can be shown. */
 static void write_figure(char cell[CELL], const struct pp_finding *finding, bool utf8)
 {
     double scale = scale_of(finding->kind);
-    int digits = finding->kind == PP_FIGURE_ANGLE   ? 1
-                 : finding->kind == PP_FIGURE_SHARE ? 1
-                                                    : 2;
+    int significant, decimals = decimals_of(finding, &significant);
     cell[0] = '\0';
     if (isnan(finding->figure))
         return;
-    pp_text_append(cell, CELL, "%.*f", digits, scale * finding->figure + 0.0);
-    if (isfinite(finding->std_error))
-        pp_text_append(cell, CELL, " %s%.2f", utf8 ? "\xc2\xb1" : "+-",
-                       ceil(100.0 * scale * finding->std_error - 1e-7) / 100.0 + 0.0);
+    pp_text_append(cell, CELL, "%.*f", decimals, scale * finding->figure + 0.0);
+    if (isfinite(finding->std_error)) {
+        int places = decimals > 2 ? decimals : 2;
+        double unit = pow(10.0, places);
+        pp_text_append(cell, CELL, " %s%.*f", utf8 ? "\xc2\xb1" : "+-", places,
+                       ceil(unit * scale * finding->std_error - 1e-7) / unit + 0.0);
+    }
     pp_text_append(cell, CELL, "%s", unit_of(finding->kind, utf8));
 }
 
 static void write_wanted(char cell[CELL], const struct pp_finding *finding, bool utf8)
 {
+    int significant;
+    decimals_of(finding, &significant);
     cell[0] = '\0';
     if (isnan(finding->figure) || isnan(finding->wanted))
         return;
     const char *sign = finding->at_most ? utf8 ? "\xe2\x89\xa4" : "<="
                        : utf8           ? "\xe2\x89\xa5"
                                         : ">=";
-    snprintf(cell, CELL, "%s %.3g%s", sign, scale_of(finding->kind) * finding->wanted,
-             unit_of(finding->kind, utf8));
+    snprintf(cell, CELL, "%s %.*g%s", sign, significant,
+             scale_of(finding->kind) * finding->wanted, unit_of(finding->kind, utf8));
 }
 
 /* Rounded so that only what is all but sure is called certain. */
@@ -140,13 +174,14 @@ static void lay_out(struct layout *layout, const struct pp_finding_list *finding
 
 /* ---- rows ---- */
 
-/* Bytes of the text that fit a line of `columns`, without the blank behind them. */
+/* Bytes of the text that fit a line of `columns`, without the blank behind them; a line
+ * does not break between a number and its %. */
 static int fitting(const char *text, int columns)
 {
     int length = 0, fits = 0, used = 0;
     while (text[length]) {
         int bytes = pp_format_utf8_length(text + length);
-        if (text[length] == ' ')
+        if (text[length] == ' ' && text[length + 1] != '%')
             fits = length;
         if (++used > columns)
             return fits ? fits : length;
@@ -224,6 +259,30 @@ static void print_answer(const struct pp_answer *answer, struct layout layout,
 
 /* ---- a room ---- */
 
+/* Is the finding one that another criterion decides, which was asked for too? */
+static bool is_left_to_another(const struct pp_assessment *assessment,
+                               const struct pp_finding *finding)
+{
+    for (int i = 0; i < assessment->answer_count && finding->decided_by; i++)
+        if (strcmp(assessment->answers[i].criterion->name, finding->decided_by) == 0)
+            return true;
+    return false;
+}
+
+/* How many findings have that verdict, those left to another criterion or all others. */
+static int count_verdicts(const struct pp_assessment *assessment,
+                          enum pp_verdict verdict, bool left)
+{
+    int count = 0;
+    for (int i = 0; i < assessment->answer_count; i++)
+        for (int k = 0; k < assessment->answers[i].findings.count; k++) {
+            const struct pp_finding *finding = &assessment->answers[i].findings.list[k];
+            count += finding->verdict == verdict
+                     && is_left_to_another(assessment, finding) == left;
+        }
+    return count;
+}
+
 static void print_sum(const struct pp_assessment *assessment, FILE *out)
 {
     static const enum pp_verdict verdicts[] = {PP_MET, PP_NOT_MET, PP_UNDECIDED,
@@ -231,16 +290,16 @@ static void print_sum(const struct pp_assessment *assessment, FILE *out)
     const char *before = "";
     fputs("\n  ", out);
     for (int v = 0; v < 4; v++) {
-        int count = 0;
-        for (int i = 0; i < assessment->answer_count; i++)
-            for (int k = 0; k < assessment->answers[i].findings.count; k++)
-                count += assessment->answers[i].findings.list[k].verdict == verdicts[v];
+        int count = count_verdicts(assessment, verdicts[v], false);
         if (count == 0)
             continue;
         fprintf(out, "%s%d %s", before, count, pp_assess_text_verdict(verdicts[v]));
         before = ", ";
     }
-    fputs(*before ? "\n" : "no verdicts\n", out);
+    int left = count_verdicts(assessment, PP_NOT_MET, true);
+    if (left > 0)
+        fprintf(out, "%s%d left to the vertical sky component", before, left);
+    fputs(*before || left > 0 ? "\n" : "no verdicts\n", out);
 }
 
 static void print_simulation(const struct pp_assessment *assessment,
@@ -275,6 +334,10 @@ static void print_room(const struct pp_assessment *assessment,
         print_answer(&assessment->answers[i], layout, out);
     if (options->simulate && assessment->has_factors)
         print_simulation(assessment, options, &layout, out);
+    if (!options->simulate && assessment->has_factors) {
+        struct pp_reliability reliability = pp_reliability_of(&assessment->report);
+        pp_print_reliability(&reliability, layout.width, out);
+    }
     print_sum(assessment, out);
     if (assessment->has_gains)
         pp_gains_report(&assessment->gains, layout.width, out);

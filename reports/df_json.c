@@ -8,26 +8,29 @@
 
 #include "reports/parts/format.h"
 #include "reports/parts/json.h"
+#include "methods/variant.h"
+#include "reports/parts/json_room.h"
+#include "reports/parts/print_reliability.h"
+#include "methods/variant.h"
+#include "reports/parts/json_room.h"
 #include "methods/method.h"
 #include "model/light/sky.h"
 
 /* As numbers and units are written outside: per cent and degrees. */
 static bool add_step(struct json_object *object, const struct pp_calculation_step *step)
 {
-    static const struct {
-        double scale;
-        const char *name;
-    } units[] = {
-        [PP_UNIT_SHARE] = {100.0, "%"},   [PP_UNIT_NUMBER] = {1.0, ""},
-        [PP_UNIT_COUNT] = {1.0, "count"}, [PP_UNIT_ANGLE] = {1.0 / PP_RAD, "degrees"},
-        [PP_UNIT_METRE] = {1.0, "m"},     [PP_UNIT_SQUARE_METRE] = {1.0, "m2"},
-        [PP_UNIT_LUX] = {1.0, "lx"},
+    static const char *const units[] = {
+        [PP_UNIT_SHARE] = "%",     [PP_UNIT_NUMBER] = "",
+        [PP_UNIT_COUNT] = "count", [PP_UNIT_ANGLE] = "degrees",
+        [PP_UNIT_METRE] = "m",     [PP_UNIT_SQUARE_METRE] = "m2",
+        [PP_UNIT_LUX] = "lx",
     };
     return pp_json_text(object, "step", step->what)
            && (!step->symbol[0] || pp_json_text(object, "symbol", step->symbol))
            && (!step->formula[0] || pp_json_text(object, "formula", step->formula))
-           && pp_json_number(object, "value", units[step->unit].scale * step->value)
-           && pp_json_text(object, "unit", units[step->unit].name)
+           && pp_json_number(object, "value",
+                             pp_steps_printed_unit(step->unit) * step->value)
+           && pp_json_text(object, "unit", units[step->unit])
            && (!step->line
                || pp_json_add(object, "opening", json_object_new_int(step->line)));
 }
@@ -130,6 +133,79 @@ static bool add_points(struct json_object *object, const struct pp_report *repor
     return good;
 }
 
+/* Adds "variants": [{ "column": "bre-variant", "method": "bre", "formula": "irc = ..." }].
+ */
+static bool add_variants(struct json_object *object,
+                         const struct pp_variant_list *variants)
+{
+    struct json_object *list = json_object_new_array();
+    bool good = pp_json_add(object, "variants", list);
+    for (int i = 0; i < variants->count && good; i++) {
+        const struct pp_variant *variant = &variants->list[i];
+        struct json_object *one = json_object_new_object();
+        char text[sizeof variant->formula + 8];
+        snprintf(text, sizeof text, "%s = %s", variant->formula.symbol,
+                 variant->formula.sum);
+        good = pp_json_append(list, one) && pp_json_text(one, "column", variant->name)
+               && pp_json_text(one, "method", variant->method->name)
+               && pp_json_text(one, "formula", text);
+    }
+    return good;
+}
+
+/* { "value": 1.25, "se": 0.01 } */
+static struct json_object *plane_entry(const struct pp_reading *reading)
+{
+    struct json_object *object = json_object_new_object();
+    bool good = object && pp_json_number(object, "value", 100.0 * reading->value);
+    if (good && isfinite(reading->std_error))
+        good = pp_json_number(object, "se", 100.0 * reading->std_error);
+    return pp_json_whole(object, good);
+}
+
+static struct json_object *plane_of(const struct pp_plane_reading *plane)
+{
+    struct json_object *object = json_object_new_object();
+    struct json_object *over = json_object_new_array();
+    bool good = object && pp_json_add(object, "minimum", plane_entry(&plane->minimum))
+                && pp_json_add(object, "median", plane_entry(&plane->median))
+                && pp_json_add(object, "mean", plane_entry(&plane->average))
+                && pp_json_number(object, "uniformity", plane->uniformity);
+    if (!good)
+        json_object_put(over);
+    else
+        good = pp_json_add(object, "over", over);
+    for (int i = 0; i < PP_PLANE_LEVELS && good; i++) {
+        struct json_object *share = json_object_new_object();
+        good = pp_json_append(over, share)
+               && pp_json_number(share, "level", 100.0 * pp_plane_levels[i])
+               && pp_json_number(share, "share", 100.0 * plane->over[i]);
+    }
+    if (good)
+        pp_json_on_one_line(object);
+    return pp_json_whole(object, good);
+}
+
+/* Adds "grid": what the daylight factors at the points of a grid say of the plane. */
+static bool add_grid(struct json_object *object, const struct pp_report *report)
+{
+    struct json_object *grid = json_object_new_object();
+    struct json_object *factors = json_object_new_object();
+    bool good = pp_json_add(object, "grid", grid);
+    if (!good)
+        json_object_put(factors);
+    else
+        good = pp_json_add(grid, "points", json_object_new_int(report->grid_points))
+               && pp_json_text(grid, "standard",
+                               report->grid_of_standard ? "EN 17037" : NULL)
+               && pp_json_add(grid, pp_component_names[PP_DF], factors);
+    for (int i = 0; i < report->column_count && good; i++)
+        if (report->columns[i].has_plane)
+            good = pp_json_add(factors, report->columns[i].name,
+                               plane_of(&report->columns[i].plane));
+    return good;
+}
+
 static struct json_object *room(const void *all, int index)
 {
     const struct pp_results *results = all;
@@ -142,6 +218,10 @@ static struct json_object *room(const void *all, int index)
     if (good)
         good = pp_json_text(object, "room", report->world->name)
                && pp_json_text(object, "sky", pp_sky_name(&report->world->sky));
+    if (good && results->options->method_options.variants)
+        good = add_variants(object, results->options->method_options.variants);
+    if (good && report->stand_in)
+        good = pp_json_text(object, "stand-in", report->stand_in);
     double lux = results->options->external_lux;
     if (good && lux > 0.0)
         good = pp_json_number(object, "external", lux);
@@ -149,11 +229,17 @@ static struct json_object *room(const void *all, int index)
         good = pp_json_simulation(object, results->options, result->by_clock);
     if (good && !report->finished)
         good = pp_json_add(object, "finished", json_object_new_boolean(false));
+    struct pp_reliability reliability = pp_reliability_of(report);
+    good = good && pp_print_reliability_json(object, &reliability);
     struct json_object *average = NULL;
     if (good)
         good = add_points(object, report, lux)
                && pp_json_add(object, "average", average = json_object_new_object())
                && add_readings(average, report, -1, lux);
+    if (good && report->grid_points > 0)
+        good = add_grid(object, report);
+    if (good)
+        good = pp_json_room_add(object, report->world);
     return pp_json_whole(object, good);
 }
 

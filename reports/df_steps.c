@@ -13,7 +13,6 @@
 #include "reports/parts/format.h"
 #include "reports/parts/print.h"
 #include "methods/method.h"
-#include "model/geometry/vec.h"
 #include "model/base/text.h"
 
 enum {
@@ -30,17 +29,16 @@ enum {
 static const double least = 1e-7;
 
 static const struct printed_unit {
-    double scale; /* from inside to print */
     int decimals;
     const char *plain, *utf8;
 } units[] = {
-    [PP_UNIT_SHARE] = {100.0, 4, " %", " %"},
-    [PP_UNIT_NUMBER] = {1.0, 4, "", ""},
-    [PP_UNIT_COUNT] = {1.0, 4, "", ""},
-    [PP_UNIT_ANGLE] = {1.0 / PP_RAD, 2, " deg", "\xc2\xb0"},
-    [PP_UNIT_METRE] = {1.0, 3, " m", " m"},
-    [PP_UNIT_SQUARE_METRE] = {1.0, 3, " m2", " m\xc2\xb2"},
-    [PP_UNIT_LUX] = {1.0, 1, " lx", " lx"},
+    [PP_UNIT_SHARE] = {4, " %", " %"},
+    [PP_UNIT_NUMBER] = {4, "", ""},
+    [PP_UNIT_COUNT] = {4, "", ""},
+    [PP_UNIT_ANGLE] = {2, " deg", "\xc2\xb0"},
+    [PP_UNIT_METRE] = {3, " m", " m"},
+    [PP_UNIT_SQUARE_METRE] = {3, " m2", " m\xc2\xb2"},
+    [PP_UNIT_LUX] = {1, " lx", " lx"},
 };
 
 /* Decimals that show DIGITS significant digits, and what a unit has at least; of what
@@ -62,7 +60,7 @@ static const char *write_value(char *text, size_t room,
                                const struct pp_calculation_step *step, bool utf8)
 {
     const struct printed_unit *unit = &units[step->unit];
-    double value = step->value * unit->scale;
+    double value = step->value * pp_steps_printed_unit(step->unit);
     int decimals = decimals_of(value, step);
     if (fabs(value) < least)
         value = 0.0; /* no minus before a zero */
@@ -112,7 +110,7 @@ static void print_formula(const struct pp_calculation_step *step, int width, boo
     words[0] = '\0';
     for (const char *at = whole; *at;) {
         int letters = (int)strcspn(at, " ");
-        char word[64];
+        char word[sizeof words];
         write_word(word, sizeof word, at, letters, utf8);
         pp_text_append(words, sizeof words, "%s ", word);
         at += letters + (at[letters] == ' ');

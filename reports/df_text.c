@@ -5,9 +5,12 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "reports/df_plane.h"
 #include "reports/df_steps.h"
+#include "reports/formula_list.h"
 #include "reports/parts/print.h"
 #include "reports/parts/print_notes.h"
+#include "reports/parts/print_reliability.h"
 #include "reports/parts/print_places.h"
 #include "reports/parts/table.h"
 #include "reports/parts/format.h"
@@ -134,6 +137,18 @@ static bool add_illuminances(struct pp_table *table, const struct pp_report *rep
     return true;
 }
 
+/* Has a column nothing but dashes to show where another method stands in for its own? */
+static bool is_stood_in_for(const struct pp_report *report,
+                            const struct pp_column *column)
+{
+    for (int row = 0; row <= report->receiver_count; row++) {
+        const struct pp_reading *reading = pp_print_notes_reading(report, column, row);
+        if (reading && isfinite(reading->value))
+            return false;
+    }
+    return report->stand_in != NULL;
+}
+
 /* lux_title: of the columns with illuminances; external_lux 0: none. */
 static bool fill_table(struct pp_table *table, const struct pp_report *report,
                        double external_lux, const char *lux_title, bool utf8)
@@ -141,10 +156,12 @@ static bool fill_table(struct pp_table *table, const struct pp_report *report,
     for (int i = 0; i < report->column_count; i++)
         if ((report->columns[i].component != PP_ERC
              || !pp_print_notes_is_zero(report, PP_ERC))
+            && !is_stood_in_for(report, &report->columns[i])
             && !add_values(table, report, &report->columns[i], utf8))
             return false;
     for (int i = 0; external_lux > 0.0 && i < report->column_count; i++)
         if (report->columns[i].component == PP_DF
+            && !is_stood_in_for(report, &report->columns[i])
             && !add_illuminances(table, report, &report->columns[i], lux_title,
                                  external_lux))
             return false;
@@ -152,6 +169,7 @@ static bool fill_table(struct pp_table *table, const struct pp_report *report,
     for (int i = 0; traced && i < report->column_count; i++) {
         const struct pp_column *column = &report->columns[i];
         if (column->component == PP_DF && column != traced && !column->of_all_surfaces
+            && !is_stood_in_for(report, column)
             && !add_distances(table, report, column, traced))
             return false;
     }
@@ -204,6 +222,50 @@ static void print_simulation(const struct pp_result *result,
 
 /* ---- a room ---- */
 
+/* The sentence above a table that has no points but the average. */
+static bool add_no_places(struct pp_table *table, const struct pp_report *report,
+                          FILE *out)
+{
+    fprintf(out, "  Daylight factors in per cent, lengths in m; points at z = %.2f\n",
+            report->receivers[0].position.z);
+    table->key_count = 1;
+    return pp_table_add(table, NULL, NULL, "       ") != NULL;
+}
+
+/* A grid's daylight factors are laid out like the plan, and of the components the averages
+ * are enough. */
+static enum pp_status print_table(const struct pp_report *report,
+                                  const struct pp_study_options *options, int width,
+                                  bool utf8, FILE *out, struct pp_error *err)
+{
+    char lux_title[48];
+    struct pp_lattice lattice;
+    struct pp_report shown = *report;
+    snprintf(lux_title, sizeof lux_title, "lux, of %g outside", options->external_lux);
+    enum pp_status status =
+        pp_lattice_find(&lattice, report->receivers, report->receiver_count, err);
+    if (status != PP_OK)
+        return status;
+    bool as_plan = lattice.columns > 0 && options->external_lux == 0.0;
+    if (as_plan)
+        shown.receiver_count = 0;
+    struct pp_table table;
+    pp_table_init(&table, shown.receiver_count + 1);
+    table.last_label = "average";
+    bool good = (as_plan ? add_no_places(&table, report, out)
+                         : pp_print_places(&table, &shown, width, out))
+                && fill_table(&table, &shown, options->external_lux, lux_title, utf8);
+    if (good) {
+        fputc('\n', out);
+        pp_table_print(&table, width, out);
+        if (as_plan)
+            pp_df_plane_tables(report, &lattice, width, out);
+    }
+    pp_table_clear(&table);
+    pp_lattice_clear(&lattice);
+    return good ? PP_OK : pp_fail_memory(err);
+}
+
 static enum pp_status print_room(const struct pp_result *result,
                                  const struct pp_study_options *options, int width,
                                  bool utf8, FILE *out, struct pp_error *err)
@@ -214,26 +276,21 @@ static enum pp_status print_room(const struct pp_result *result,
     pp_print_assumed(report->world, width, out);
     fputc('\n', out);
 
-    char lux_title[48];
-    snprintf(lux_title, sizeof lux_title, "lux, of %g outside", options->external_lux);
-    struct pp_table table;
-    pp_table_init(&table, report->receiver_count + 1);
-    table.last_label = "average";
-    bool good = pp_print_places(&table, report, width, out)
-                && fill_table(&table, report, options->external_lux, lux_title, utf8);
-    if (good) {
-        fputc('\n', out);
-        pp_table_print(&table, width, out);
-    }
-    pp_table_clear(&table);
-    if (!good)
-        return pp_fail_memory(err);
+    enum pp_status status = print_table(report, options, width, utf8, out, err);
+    if (status != PP_OK)
+        return status;
+    pp_df_plane_summary(report, width, utf8, out);
 
     if (pp_report_find(report, PP_DF, "traced")
         || pp_report_find(report, PP_DF, "cached"))
         print_simulation(result, options, utf8, width, out);
+    pp_formula_list_variants(options->method_options.variants, width, out);
     pp_df_steps(report, width, utf8, out);
-    return pp_print_notes(report, width, out) ? PP_OK : pp_fail_memory(err);
+    if (!pp_print_notes(report, width, out))
+        return pp_fail_memory(err);
+    struct pp_reliability reliability = pp_reliability_of(report);
+    pp_print_reliability(&reliability, width, out);
+    return PP_OK;
 }
 
 enum pp_status pp_df_text(const struct pp_results *results, int width, bool utf8,

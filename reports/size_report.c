@@ -9,6 +9,7 @@
 
 #include "reports/parts/json.h"
 #include "reports/parts/print.h"
+#include "reports/parts/print_reliability.h"
 #include "reports/parts/format.h"
 #include "model/base/text.h"
 
@@ -139,12 +140,13 @@ static void append_answer(char text[TEXT_BYTES],
         append_reading(text, &answer->reading, utf8);
         break;
     case PP_SIZE_OUT_OF_REACH:
-        if (result->edit_count == 0 && answer->is_largest) {
+        if (result->holds && result->edit_count == 0 && answer->is_largest) {
             pp_text_append(text, TEXT_BYTES,
                            "out of reach: there is no space for more");
             break;
         }
-        if (answer->reading.value <= answer->now.value * (1.0 + 1e-4)) {
+        if (result->holds
+            && answer->reading.value <= answer->now.value * (1.0 + 1e-4)) {
             pp_text_append(text, TEXT_BYTES, "out of reach: this change does not help");
             break;
         }
@@ -157,7 +159,9 @@ static void append_answer(char text[TEXT_BYTES],
         append_size(text, result, change);
         pp_text_append(text, TEXT_BYTES,
                        is_plural(result, change) ? ", give only " : ", gives only ");
-        append_reading(text, &answer->reading, utf8);
+        append_reading(text, result->holds ? &answer->reading : &result->traced, utf8);
+        if (!result->holds)
+            pp_text_append(text, TEXT_BYTES, " by simulation");
         break;
     case PP_SIZE_NO_VALUE:
         pp_text_append(text, TEXT_BYTES, "none: %s", result->why);
@@ -250,8 +254,18 @@ static enum pp_status print_room(const struct pp_size_room_result *result,
     if (isfinite(result->traced.value)) {
         text[0] = '\0';
         append_reading(text, &result->traced, utf8);
+        if (!result->holds && answer->verdict == PP_SIZE_OUT_OF_REACH)
+            pp_text_append(text, TEXT_BYTES, ", where %s has ", result->method);
+        if (!result->holds && answer->verdict == PP_SIZE_OUT_OF_REACH)
+            append_reading(text, &answer->reading, utf8);
+        else if (!result->holds)
+            pp_text_append(text, TEXT_BYTES,
+                           ": the target is not reached by simulation, and the answer "
+                           "does not hold; --by traced finds one that does");
         put_fact("traced", text, width, out);
     }
+    if (!request->traced)
+        pp_print_reliability(&result->reliability, width, out);
     if (answer->verdict != PP_SIZE_REACHED || result->edit_count == 0)
         return PP_OK;
     fputc('\n', out);
@@ -353,7 +367,10 @@ static struct json_object *room(const void *all, int index)
            && add_reading(object, "now", &answer->now)
            && add_reading(object, "sized", &answer->reading);
     if (good && isfinite(result->traced.value))
-        good = add_reading(object, "traced", &result->traced);
+        good = add_reading(object, "traced", &result->traced)
+               && pp_json_add(object, "holds", json_object_new_boolean(result->holds));
+    if (good && !request->traced)
+        good = pp_print_reliability_json(object, &result->reliability);
     if (good && answer->room)
         good = add_answer(object, result);
     return pp_json_whole(object, good);

@@ -6,14 +6,36 @@
 #include <stdlib.h>
 
 #include "model/base/clock.h"
+#include "simulate/scene/light_scene_of_world.h"
 
 /* Between two looks at the clock and by the watch. */
 static const double slice_s = 0.1;
 
 struct pp_simulation {
     const struct pp_engine *engine;
+    struct pp_light_scene *own; /* NULL: the scene is the caller's */
     void *run;
 };
+
+enum pp_status pp_simulation_create_in(struct pp_simulation **simulation,
+                                       const struct pp_engine *engine,
+                                       const struct pp_light_scene *scene,
+                                       const struct pp_report *report,
+                                       const struct pp_engine_options *options,
+                                       struct pp_error *err)
+{
+    struct pp_simulation *made = calloc(1, sizeof *made);
+    *simulation = NULL;
+    if (!made)
+        return pp_fail_memory(err);
+    made->engine = engine;
+    enum pp_status status = engine->create(&made->run, scene, report, options, err);
+    if (status == PP_OK)
+        *simulation = made;
+    else
+        free(made);
+    return status;
+}
 
 enum pp_status pp_simulation_create(struct pp_simulation **simulation,
                                     const struct pp_engine *engine,
@@ -21,16 +43,16 @@ enum pp_status pp_simulation_create(struct pp_simulation **simulation,
                                     const struct pp_engine_options *options,
                                     struct pp_error *err)
 {
-    struct pp_simulation *made = calloc(1, sizeof *made);
+    struct pp_light_scene *own;
     *simulation = NULL;
-    if (!made)
-        return pp_fail_memory(err);
-    made->engine = engine;
-    enum pp_status status = engine->create(&made->run, report, options, err);
+    enum pp_status status = pp_light_scene_of_world_matt(&own, report->world, err);
+    if (status != PP_OK)
+        return status;
+    status = pp_simulation_create_in(simulation, engine, own, report, options, err);
     if (status == PP_OK)
-        *simulation = made;
+        (*simulation)->own = own;
     else
-        free(made);
+        pp_light_scene_destroy(own);
     return status;
 }
 
@@ -39,6 +61,7 @@ void pp_simulation_destroy(struct pp_simulation *simulation)
     if (!simulation)
         return;
     simulation->engine->destroy(simulation->run);
+    pp_light_scene_destroy(simulation->own);
     free(simulation);
 }
 

@@ -7,7 +7,8 @@
  *         pp_simulation_advance(simulation, 0.1, err);
  *     pp_simulation_add_columns(simulation, &report, err);
  *
- * or leaves it to pp_simulation_run, which looks at the clock and at who watches.
+ * or leaves it to pp_simulation_run, which looks at the clock and at who watches. Who
+ * comes back with another sky keeps the scene.
  */
 #ifndef PP_STUDIES_SIMULATION_H
 #define PP_STUDIES_SIMULATION_H
@@ -23,6 +24,14 @@ enum pp_status pp_simulation_create(struct pp_simulation **simulation,
                                     const struct pp_report *report,
                                     const struct pp_engine_options *options,
                                     struct pp_error *err);
+
+/* The same in the matt scene of the report's world, which must outlive it, too. */
+enum pp_status pp_simulation_create_in(struct pp_simulation **simulation,
+                                       const struct pp_engine *engine,
+                                       const struct pp_light_scene *scene,
+                                       const struct pp_report *report,
+                                       const struct pp_engine_options *options,
+                                       struct pp_error *err);
 void pp_simulation_destroy(struct pp_simulation *simulation); /* NULL is allowed */
 
 /* Works for about `seconds` by the clock. */

@@ -2,9 +2,12 @@
  * simulation's under a watch. */
 #include "studies/study_report.h"
 
+#ifdef _OPENMP
 #include <omp.h>
+#endif
 
 #include "methods/evaluate.h"
+#include "studies/plane_figures.h"
 
 enum pp_status pp_study_report_methods(struct pp_report *report,
                                        const struct pp_study_room *room,
@@ -17,9 +20,36 @@ enum pp_status pp_study_report_methods(struct pp_report *report,
                                  .receiver_count = room->receiver_count,
                                  .finished = true,
                                  .explain = options->explain};
+#ifdef _OPENMP
     if (options->threads > 0)
         omp_set_num_threads(options->threads);
+#endif
     return pp_methods_evaluate(report, options->methods, err);
+}
+
+enum pp_status pp_study_report_with_plane(struct pp_report *report,
+                                          const struct pp_study_room *room,
+                                          const struct pp_study_options *options,
+                                          struct pp_error *err)
+{
+    if (options->explain)
+        return pp_study_report_methods(report, room, options, err);
+    struct pp_study_room wider = *room;
+    *report = (struct pp_report){.finished = true};
+    enum pp_status status =
+        pp_plane_figures_receivers(&wider.receivers, &wider.receiver_count, room, err);
+    if (status != PP_OK)
+        return status;
+    status = pp_study_report_methods(report, &wider, options, err);
+    report->more_receivers = wider.receivers;
+    return status;
+}
+
+enum pp_status pp_study_report_settle(struct pp_report *report,
+                                      const struct pp_study_room *room,
+                                      struct pp_error *err)
+{
+    return report->explain ? PP_OK : pp_plane_figures_fill(report, room, err);
 }
 
 enum pp_status pp_study_report_traced(struct pp_report *report,

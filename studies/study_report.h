@@ -17,6 +17,17 @@ enum pp_status pp_study_report_methods(struct pp_report *report,
                                        const struct pp_study_options *options,
                                        struct pp_error *err);
 
+/* The same, and at the points of a grid over the working plane (plane_figures.h), which
+ * are behind the room's own until pp_study_report_settle has summed them up. A report that
+ * is to explain has no grid. */
+enum pp_status pp_study_report_with_plane(struct pp_report *report,
+                                          const struct pp_study_room *room,
+                                          const struct pp_study_options *options,
+                                          struct pp_error *err);
+enum pp_status pp_study_report_settle(struct pp_report *report,
+                                      const struct pp_study_room *room,
+                                      struct pp_error *err);
+
 /* Adds the columns "traced" of all components, by light paths. A watch that stops it
  * leaves what there is so far, and report->finished is false. *by_clock: the time was
  * over before the simulation was done. */

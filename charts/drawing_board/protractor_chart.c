@@ -92,9 +92,9 @@ static void write_name(cairo_t *cr, const struct pp_style *style,
     char words[64] = "Daylight protractor";
     if (scale->number)
         snprintf(words, sizeof words, "Daylight protractor %d", scale->number);
-    y = write_line(cr, style, PP_TEXT_TITLE, true, x, y, width, words);
-    y = write_line(cr, style, PP_TEXT_HEAD, false, x, y, width, scale->sky);
-    y = write_line(cr, style, PP_TEXT_HEAD, false, x, y, width, scale->glass);
+    y = write_line(cr, style, PP_TEXT_HEAD, true, x, y, width, words);
+    y = write_line(cr, style, PP_TEXT_BODY, false, x, y, width, scale->sky);
+    y = write_line(cr, style, PP_TEXT_BODY, false, x, y, width, scale->glass);
     write_line(cr, style, PP_TEXT_SMALL, false, x, y + 1.5 * style->scale, width,
                "on the section: sky component, per cent");
 }
@@ -108,12 +108,9 @@ enum pp_status pp_protractor_chart_draw(struct pp_canvas *canvas,
     struct pp_style style = pp_page_style(canvas);
     const struct pp_protractor_scale *scale = &sheet->scale;
     double radius = pp_protractor_chart_radius_mm(canvas);
-    char foot[1200] = "", title[64] = "Daylight protractor", subtitle[256];
-    if (scale->number)
-        snprintf(title, sizeof title, "Daylight protractor %d", scale->number);
-    snprintf(subtitle, sizeof subtitle, "%s; %s", scale->sky, scale->glass);
+    char foot[1200] = "";
     say_foot(foot, sizeof foot, scale, radius);
-    const struct pp_page page = {.title = title, .subtitle = subtitle, .foot = foot};
+    const struct pp_page page = {.foot = foot}; /* the name is on the disc */
     struct pp_box box = pp_page_draw(canvas, &style, &page);
 
     double ruler = pp_board_ruler_height(&style);

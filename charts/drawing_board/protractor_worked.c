@@ -9,10 +9,11 @@
 
 #include "charts/sheet/page.h"
 #include "charts/drawing_board/protractor_disc.h"
+#include "charts/drawing_board/protractor_sums.h"
 #include "charts/room/room_plan.h"
 #include "charts/room/room_section.h"
 
-enum { SIGHTS_MOST = 12, SUMS_MOST = 5 };
+enum { SIGHTS_MOST = 12 };
 
 /* The protractor stands back behind the sight lines. */
 static const double disc_grey = 0.42;
@@ -43,13 +44,8 @@ struct protractor_drawing {
     struct pp_style style;
     const struct pp_protractor_sheet *sheet;
     double radius;
+    double least_scale; /* section and plan have one scale: 1 to that or smaller */
 };
-
-/* A reading as careful readers take it: to a hundredth of a per cent. */
-static void write_percent(char *text, size_t room, double fraction)
-{
-    snprintf(text, room, "%.2f\u00a0%%", 100.0 * fabs(fraction));
-}
 
 /* Notes a sight line, in order of angle; one that is there already is not noted twice.
  */
@@ -142,7 +138,7 @@ static void note_edges(struct sight_lines *sights,
                 .reach = mm_per_m * (sheet->read.distance_m + sheet->opening->reveal_m)
                          / fmax(sin(angle + sheet->read.slope_rad), 0.02)};
             char percent[32];
-            write_percent(percent, sizeof percent, reading->share[k]);
+            pp_protractor_sums_percent(percent, sizeof percent, reading->share[k]);
             snprintf(sight.words, sizeof sight.words, "%.1f\u00b0: %s", angle / PP_RAD,
                      percent);
             note(sights, sight);
@@ -150,8 +146,9 @@ static void note_edges(struct sight_lines *sights,
     }
 }
 
+/* With scale not NULL nothing is drawn: only what the section's would be is found. */
 static enum pp_status draw_section(const struct protractor_drawing *drawing,
-                                   struct pp_box box, double *height,
+                                   struct pp_box box, double *height, double *scale,
                                    struct pp_error *err)
 {
     const struct pp_protractor_sheet *sheet = drawing->sheet;
@@ -166,8 +163,11 @@ static enum pp_status draw_section(const struct protractor_drawing *drawing,
 
     struct pp_report report = {
         .world = sheet->world, .receivers = line, .receiver_count = 1};
-    struct pp_room_section section = {
-        .world = sheet->world, .cut = &cut, .report = &report, .no_sights = true};
+    struct pp_room_section section = {.world = sheet->world,
+                                      .cut = &cut,
+                                      .report = &report,
+                                      .least_scale = drawing->least_scale,
+                                      .no_sights = true};
     bool to_right =
         cut.along[0] * sheet->read.out.x + cut.along[1] * sheet->read.out.y > 0.0;
     double edge = drawing->radius + pp_protractor_disc_border(style);
@@ -189,11 +189,17 @@ static enum pp_status draw_section(const struct protractor_drawing *drawing,
                                      : fmax(edge + 2.0 - far, 4.0));
         top = fmax(top, edge + 0.25 * words - above);
     }
+    if (scale) {
+        *scale = 1000.0 / section.mm_per_m;
+        pp_section_cut_clear(&cut);
+        return PP_OK;
+    }
     double used = left + cut.length_m * section.mm_per_m + right;
     section.x = box.x + (box.width - used) / 2.0 + left;
     section.y = box.y + top;
     section.left_mm = left;
     section.right_mm = right;
+    section.head_mm = 3.0 * drawing->style.scale;
 
     struct pp_protractor_disc disc = {.scale = &sheet->scale,
                                       .x = pp_room_section_x(&section, s),
@@ -316,17 +322,22 @@ static void make_room(const struct protractor_drawing *drawing,
     }
 }
 
-static void draw_plan(const struct protractor_drawing *drawing, struct pp_box box)
+static void draw_plan(const struct protractor_drawing *drawing, struct pp_box box,
+                      double *scale)
 {
     const struct pp_protractor_sheet *sheet = drawing->sheet;
     const struct pp_style *style = &drawing->style;
-    struct pp_room_plan plan = {0};
+    struct pp_room_plan plan = {.least_scale = drawing->least_scale};
     double low[2] = {0.0, 0.0}, high[2] = {0.0, 0.0};
     box.height -= caption_mm(style);
     for (int round = 0; round < 4; round++) {
         pp_room_plan_fit(&plan, sheet->world, style, box.width - low[0] - high[0],
                          box.height - low[1] - high[1]);
         make_room(drawing, &plan, low, high);
+    }
+    if (scale) {
+        *scale = plan.scale;
+        return;
     }
     double width = (plan.extent.high[0] - plan.extent.low[0]) * plan.mm_per_m;
     double height = (plan.extent.high[1] - plan.extent.low[1]) * plan.mm_per_m;
@@ -347,71 +358,7 @@ static void draw_plan(const struct protractor_drawing *drawing, struct pp_box bo
     draw_sights(drawing, &disc, pp_protractor_disc_plan, &sights);
     char text[100];
     snprintf(text, sizeof text, "Plan 1:%g.", plan.scale);
-    write_caption(drawing, box.x, plan.y + low[1], box.width, text);
-}
-
-/* --- the sum -------------------------------------------------------------------------
- */
-
-static void say_reading(char *text, size_t room,
-                        const struct pp_protractor_reading *reading)
-{
-    char a[32], b[32], c[32], d[32];
-    write_percent(a, sizeof a, reading->share[1]);
-    write_percent(b, sizeof b, reading->share[0]);
-    write_percent(c, sizeof c, reading->initial);
-    write_percent(d, sizeof d, reading->component);
-    double left = reading->correction[0], right = reading->correction[1];
-    bool apart = left < 0.0 && right > 0.0;
-    double first = left < 0.0 ? fabs(left) : right;
-    double second = left < 0.0 ? fabs(right) : left;
-    pp_page_say(
-        text, room,
-        "%s: initial %s \u2212 %s = %s; average altitude %.1f\u00b0; correction "
-        "%.3f %s %.3f = %.3f;",
-        reading->hidden ? "Obstruction" : "Opening", a, b, c,
-        reading->average_rad / PP_RAD, first, apart ? "+" : "\u2212", second,
-        reading->width_factor);
-    char factor[32] = "";
-    if (reading->hidden)
-        snprintf(factor, sizeof factor, " \u00d7 %.3g", reading->factor);
-    pp_page_say(text, room, "%s \u00d7 %.3f%s = %s.", c, reading->width_factor, factor,
-                d);
-}
-
-/* Goes on behind what is in the text, on a line of its own. */
-static void new_line(char **text, size_t *room)
-{
-    size_t used = strlen(*text);
-    if (used + 2 > *room)
-        return;
-    memcpy(*text + used, "\n", 2);
-    *text += used + 1;
-    *room -= used + 1;
-}
-
-static void say_sum(char *text, size_t room, const struct pp_protractor_sheet *sheet)
-{
-    for (int i = 0; i < sheet->read.count && i < SUMS_MOST; i++) {
-        say_reading(text, room, &sheet->read.list[i]);
-        new_line(&text, &room);
-    }
-    if (sheet->read.count > SUMS_MOST)
-        pp_page_say(text, room, "Likewise %d further parts.",
-                    sheet->read.count - SUMS_MOST);
-    if (sheet->read.less_hidden)
-        pp_page_say(text, room,
-                    "The sky component is the opening's less the obstruction's.");
-    char sky[32], external[32];
-    if (sheet->allowance < 0.9995 || sheet->allowance > 1.0005)
-        pp_page_say(text, room,
-                    "Frame, dirt and glass other than clear single: \u00d7 "
-                    "%.3g.",
-                    sheet->allowance);
-    write_percent(sky, sizeof sky, sheet->allowance * sheet->read.sky);
-    write_percent(external, sizeof external, sheet->allowance * sheet->read.external);
-    pp_page_say(text, room, "Sky component %s, externally reflected component %s.", sky,
-                external);
+    write_caption(drawing, plan.x, plan.y + low[1], box.width, text);
 }
 
 static void draw_lower(const struct protractor_drawing *drawing, struct pp_box box)
@@ -419,7 +366,21 @@ static void draw_lower(const struct protractor_drawing *drawing, struct pp_box b
     if (drawing->sheet->scale.turned_down)
         draw_turned_down(drawing, box);
     else
-        draw_plan(drawing, box);
+        draw_plan(drawing, box, NULL);
+}
+
+/* The scale that both section and plan have room for, so that a distance in one is the same
+ * in the other. A plan that is turned down has its own. */
+static enum pp_status find_scale(struct protractor_drawing *drawing,
+                                 struct pp_box upper, struct pp_box lower,
+                                 struct pp_error *err)
+{
+    double section = 1.0, plan = 1.0, height;
+    enum pp_status status = draw_section(drawing, upper, &height, &section, err);
+    if (status == PP_OK && !drawing->sheet->scale.turned_down)
+        draw_plan(drawing, lower, &plan);
+    drawing->least_scale = fmax(section, plan);
+    return status;
 }
 
 static void say_subtitle(char *text, size_t room,
@@ -436,18 +397,20 @@ static void say_subtitle(char *text, size_t room,
         sheet->point.z, sheet->opening->line);
 }
 
-enum pp_status pp_protractor_worked_draw(struct pp_canvas *canvas,
-                                         const struct pp_protractor_sheet *sheet,
-                                         struct pp_error *err)
+/* A sheet with the readings that `sheet` has, of all that `sums` tells of. */
+static enum pp_status draw_one(struct pp_canvas *canvas,
+                               const struct pp_protractor_sheet *sheet,
+                               const struct pp_protractor_sums *sums,
+                               struct pp_error *err)
 {
     struct protractor_drawing drawing = {.cr = pp_canvas_cairo(canvas),
                                          .style = pp_page_style(canvas),
                                          .sheet = sheet,
                                          .radius =
                                              pp_protractor_worked_radius_mm(canvas)};
-    char subtitle[320], foot[300] = "", sum[2000] = "";
+    char subtitle[320], foot[300] = "", sum[2400] = "";
     say_subtitle(subtitle, sizeof subtitle, sheet);
-    say_sum(sum, sizeof sum, sheet);
+    pp_protractor_sums_say(sum, sizeof sum, sheet, sums);
     if (sheet->others)
         pp_page_say(
             foot, sizeof foot,
@@ -467,21 +430,46 @@ enum pp_status pp_protractor_worked_draw(struct pp_canvas *canvas,
                                               box.y + box.height, sum);
     double gap = 4.0 * drawing.style.scale, used;
     box.height -= written.height + gap;
-    if (box.width > box.height) {
-        struct pp_box half = box;
-        half.width = (box.width - gap) / 2.0;
-        enum pp_status status = draw_section(&drawing, half, &used, err);
-        half.x += half.width + gap;
-        if (status == PP_OK)
-            draw_lower(&drawing, half);
-        return status;
-    }
+    bool beside = box.width > box.height;
     struct pp_box part = box;
-    part.height = 0.5 * box.height;
-    enum pp_status status = draw_section(&drawing, part, &used, err);
-    part.y += used + gap;
-    part.height = box.height - used - gap;
+    if (beside)
+        part.width = (box.width - gap) / 2.0;
+    else
+        part.height = (box.height - gap) / 2.0;
+    enum pp_status status = find_scale(&drawing, part, part, err);
     if (status == PP_OK)
-        draw_lower(&drawing, part);
+        status = draw_section(&drawing, part, &used, NULL, err);
+    if (status != PP_OK)
+        return status;
+    if (beside) {
+        part.x += part.width + gap;
+    } else {
+        part.y += used + gap;
+        part.height = box.height - used - gap;
+    }
+    draw_lower(&drawing, part);
+    return PP_OK;
+}
+
+enum pp_status pp_protractor_worked_draw(struct pp_canvas *canvas,
+                                         const struct pp_protractor_sheet *sheet,
+                                         struct pp_error *err)
+{
+    bool pages = pp_canvas_has_sheets(canvas);
+    enum pp_status status = PP_OK;
+    struct pp_protractor_sums sums = {.all = sheet->read.count};
+    do {
+        struct pp_protractor_sheet part = *sheet;
+        int rest = sheet->read.count - sums.first;
+        part.read.list = sheet->read.list + sums.first;
+        part.read.count =
+            rest < PP_PROTRACTOR_SUMS_MOST ? rest : PP_PROTRACTOR_SUMS_MOST;
+        sums.last = !pages || rest <= PP_PROTRACTOR_SUMS_MOST;
+        if (sums.first > 0)
+            status = pp_canvas_next_sheet(canvas, err);
+        if (status == PP_OK)
+            status = draw_one(canvas, &part, &sums, err);
+        sums.first += PP_PROTRACTOR_SUMS_MOST;
+    } while (status == PP_OK && !sums.last);
     return status;
 }

@@ -9,6 +9,8 @@
 #include <string.h>
 
 #include "charts/room/contour_lines.h"
+#include "charts/room/plan_figures.h"
+#include "charts/room/plan_fill.h"
 #include "charts/sheet/legend.h"
 #include "charts/sheet/page.h"
 #include "charts/room/room_plan.h"
@@ -19,7 +21,8 @@ struct plan_drawing {
     const struct pp_plan_chart *chart;
     struct pp_room_plan plan;
     struct pp_labels *labels;
-    struct pp_key keys[4];
+    struct pp_key keys[8];
+    const char *quantity; /* "daylight factor" */
     int key_count;
 };
 
@@ -58,15 +61,21 @@ static void draw_no_sky_line(struct plan_drawing *drawing)
     cairo_stroke(drawing->cr);
 }
 
-/* Reference points, except those under figures or the no-sky line. */
-static void draw_receivers(struct plan_drawing *drawing)
+/* The places where a sampled figure is within one standard error of a level. */
+static void draw_bands(struct plan_drawing *drawing)
 {
-    const struct pp_report *report = drawing->chart->report;
-    for (int i = 0; report && i < report->receiver_count; i++) {
-        double x = pp_room_plan_x(&drawing->plan, report->receivers[i].position.x);
-        double y = pp_room_plan_y(&drawing->plan, report->receivers[i].position.y);
-        if (!pp_labels_is_near(drawing->labels, -1, x, y, 1.2 * drawing->style.scale))
-            pp_style_marker(drawing->cr, &drawing->style, PP_POINT_MARK, x, y);
+    const struct pp_curve_list *bands = &drawing->chart->plan->bands;
+    cairo_set_source_rgba(drawing->cr, 0.0, 0.0, 0.0, 0.16);
+    cairo_set_fill_rule(drawing->cr, CAIRO_FILL_RULE_EVEN_ODD);
+    const struct pp_curve_list *lines = &drawing->chart->plan->contours;
+    for (int k = 0; k < lines->count; k++) {
+        double level = lines->list[k].level;
+        if (k > 0 && lines->list[k - 1].level == level)
+            continue;
+        for (int i = 0; i < bands->count; i++)
+            if (bands->list[i].level == level)
+                pp_contour_lines_path(drawing->cr, &drawing->plan, &bands->list[i]);
+        cairo_fill(drawing->cr);
     }
 }
 
@@ -130,8 +139,8 @@ static void say_flat(struct plan_drawing *drawing)
     if (plan->highest > 0.0) {
         char percent[32];
         pp_style_percent(percent, sizeof percent, plan->highest);
-        snprintf(words, sizeof words,
-                 "No contours: the daylight factor is about %s everywhere.", percent);
+        snprintf(words, sizeof words, "No contours: the %s is about %s everywhere.",
+                 drawing->quantity, percent);
     } else {
         snprintf(words, sizeof words, "No contours: there is no daylight here.");
     }
@@ -162,41 +171,73 @@ static void add_key(struct plan_drawing *drawing, enum pp_legend_kind kind, int 
     snprintf(key->words, sizeof key->words, "%s", words);
 }
 
+/* Traced figures are not "by" a method. */
+static bool is_traced(const struct pp_daylight_plan *plan)
+{
+    return strcmp(plan->name, "traced") == 0;
+}
+
 static void gather_keys(struct plan_drawing *drawing)
 {
     const struct pp_daylight_plan *plan = drawing->chart->plan;
+    const struct pp_world *world = drawing->chart->world;
+    const struct pp_style *style = &drawing->style;
     char words[96];
     if (plan->contours.count) {
-        snprintf(words, sizeof words, "daylight factor by %s (%%)", plan->name);
-        add_key(drawing, PP_KEY_LINE, 0, drawing->style.thin / drawing->style.medium,
-                PP_INK, words);
+        snprintf(words, sizeof words, "%s%s%s (%%)", drawing->quantity,
+                 is_traced(plan) ? ", " : " by ", plan->name);
+        add_key(drawing, PP_KEY_LINE, 0, style->thin / style->medium, PP_INK, words);
     }
+    if (plan->bands.count)
+        add_key(drawing, PP_KEY_TINT, 0, 1.0, 0.84, "within one standard error of it");
+    bool tinted = drawing->chart->fill == PP_FILL_NONE;
+    snprintf(words, sizeof words, "no direct sky: %.0f\u00a0%% of the plane",
+             100.0 * (1.0 - plan->sky_share));
     if (plan->no_sky.count)
         add_key(drawing, PP_KEY_LINE, NO_SKY_LINE, 1.0, PP_INK, "no-sky line");
-    if (plan->dark.count) {
-        snprintf(words, sizeof words, "no direct sky: %.0f\u00a0%% of the plane",
-                 100.0 * (1.0 - plan->sky_share));
+    if (plan->dark.count && tinted)
         add_key(drawing, PP_KEY_TINT, 0, 1.0, PP_GREY_FILL, words);
+    if (pp_room_plan_has_overhead(world)) {
+        add_key(drawing, PP_KEY_LINE, 1, style->thin / style->medium, PP_GREY_LINE,
+                "glass above the plane");
+        drawing->keys[drawing->key_count - 1].curve.dashes[0] = 1.4;
+        drawing->keys[drawing->key_count - 1].curve.dashes[1] = 0.8;
     }
+    if (pp_room_plan_has_inside(world))
+        add_key(drawing, PP_KEY_LINE, 0, style->thick / style->medium, PP_INK,
+                "stands in the room");
     if (drawing->chart->report && drawing->chart->report->receiver_count) {
-        add_key(drawing, PP_KEY_MARKER, 0, 1.0, PP_INK, "reference points");
+        add_key(drawing, PP_KEY_MARKER, 0, 1.0, PP_INK,
+                drawing->chart->figures ? "reference points, with their figures"
+                                        : "reference points");
         drawing->keys[drawing->key_count - 1].curve.marker = PP_POINT_MARK;
     }
 }
 
-static void say_foot(const struct pp_plan_chart *chart, char *foot, size_t room)
+/* A share that is all but none is said as that. */
+static void say_percent(char *text, size_t room, double fraction)
 {
+    if (fraction < 1e-4)
+        snprintf(text, room, "under 0.01\u00a0%%");
+    else
+        pp_style_percent(text, room, fraction);
+}
+
+static void say_foot(const struct plan_drawing *drawing, char *foot, size_t room)
+{
+    const struct pp_plan_chart *chart = drawing->chart;
     const struct pp_daylight_plan *plan = chart->plan;
+    for (int i = 0; i < chart->note_count; i++)
+        pp_page_say(foot, room, "%s", chart->notes[i]);
     if (plan->highest > 0.0) {
         char low[32], high[32];
-        pp_style_percent(low, sizeof low, plan->lowest);
-        pp_style_percent(high, sizeof high, plan->highest);
-        pp_page_say(
-            foot, room,
-            "Highest daylight factor %s at x\u00a0%.2f, y\u00a0%.2f\u00a0m; lowest "
-            "%s at x\u00a0%.2f, y\u00a0%.2f\u00a0m.",
-            high, plan->highest_xy[0], plan->highest_xy[1], low, plan->lowest_xy[0],
-            plan->lowest_xy[1]);
+        say_percent(low, sizeof low, plan->lowest);
+        say_percent(high, sizeof high, plan->highest);
+        pp_page_say(foot, room,
+                    "Highest %s %s at x\u00a0%.2f, y\u00a0%.2f\u00a0m; lowest "
+                    "%s at x\u00a0%.2f, y\u00a0%.2f\u00a0m.",
+                    drawing->quantity, high, plan->highest_xy[0], plan->highest_xy[1],
+                    low, plan->lowest_xy[0], plan->lowest_xy[1]);
     }
     for (int i = 0; i < chart->world->skyline_count; i++) {
         const struct pp_skyline *skyline = &chart->world->skylines[i];
@@ -204,9 +245,14 @@ static void say_foot(const struct pp_plan_chart *chart, char *foot, size_t room)
         pp_page_say(foot, room, "Skyline of %.3g\u00b0 before wall %s.",
                     skyline->angle_rad / PP_RAD, wall ? wall : "of the window");
     }
+    if (plan->dark.count)
+        pp_page_say(foot, room, "From %.0f\u00a0%% of the plane no sky is seen.",
+                    100.0 * (1.0 - plan->sky_share));
     pp_page_assumptions(foot, room, chart->world);
-    for (int i = 0; i < chart->note_count; i++)
-        pp_page_say(foot, room, "%s", chart->notes[i]);
+    if (chart->report && !chart->report->finished)
+        pp_page_say(
+            foot, room,
+            "The run was interrupted: sampled values are what was there so far.");
 }
 
 /* Scale bar left, legend in the middle, north right, in a strip at the body's foot. */
@@ -255,36 +301,76 @@ static void place_plan(struct plan_drawing *drawing, struct pp_box room)
     drawing->labels->field = (struct pp_box){plan->x, plan->y - height, width, height};
 }
 
+/* Clipped to the plane. */
+static void draw_plane(struct plan_drawing *drawing)
+{
+    const struct pp_plan_chart *chart = drawing->chart;
+    cairo_save(drawing->cr);
+    pp_room_plan_path(drawing->cr, &drawing->plan);
+    cairo_clip(drawing->cr);
+    if (chart->fill == PP_FILL_NONE)
+        draw_dark(drawing);
+    pp_plan_fill_draw(drawing->cr, &drawing->plan, chart->plan, chart->fill);
+    draw_bands(drawing);
+    cairo_restore(drawing->cr);
+    draw_no_sky_line(drawing);
+    draw_contours(drawing);
+}
+
+/* What is said of the plane as a whole, from the top of the box on; returns its height. */
+static double draw_summary(struct plan_drawing *drawing, struct pp_box box, bool drawn)
+{
+    char text[1024] = "";
+    struct pp_lettering set = {.size = PP_TEXT_BODY, .width = box.width, .lines = 6};
+    pp_plan_figures_say(text, sizeof text, drawing->chart);
+    if (!text[0])
+        return 0.0;
+    return (drawn ? pp_lettering_draw : pp_lettering_measure)(
+               drawing->cr, &drawing->style, &set, box.x, box.y, text)
+               .height
+           + 3.0 * drawing->style.scale;
+}
+
 static void draw_sheet(struct plan_drawing *drawing, struct pp_canvas *canvas)
 {
     const struct pp_plan_chart *chart = drawing->chart;
     const struct pp_world *world = chart->world;
-    char sky[96], plane[32], subtitle[256], foot[4096] = "";
+    const struct pp_style *style = &drawing->style;
+    char sky[96], plane[32], subtitle[400], foot[4096] = "";
+    drawing->quantity = chart->plan->direct ? "direct component" : "daylight factor";
     pp_page_sky(sky, sizeof sky, world);
     pp_style_metres(plane, sizeof plane, world->working_plane_m);
     snprintf(subtitle, sizeof subtitle,
-             "Daylight factor on the working plane %s above the floor, %s", plane, sky);
-    say_foot(chart, foot, sizeof foot);
+             "%s%s%s on the working plane %s above the floor, %s",
+             chart->plan->direct
+                 ? "Direct component (from the sky and outside, not reflected inside)"
+                 : "Daylight factor",
+             is_traced(chart->plan) ? ", " : " by ", chart->plan->name, plane, sky);
+    say_foot(drawing, foot, sizeof foot);
     struct pp_page page = {world->name, subtitle, foot};
-    struct pp_box body = pp_page_draw(canvas, &drawing->style, &page);
+    struct pp_box body = pp_page_draw(canvas, style, &page);
 
     gather_keys(drawing);
-    double strip = strip_height(drawing), gap = 5.0 * drawing->style.scale;
-    place_plan(drawing,
-               (struct pp_box){body.x, body.y, body.width, body.height - strip - gap});
-    cairo_save(drawing->cr);
-    pp_room_plan_path(drawing->cr, &drawing->plan);
-    cairo_clip(drawing->cr);
-    draw_dark(drawing);
-    cairo_restore(drawing->cr);
-    draw_no_sky_line(drawing);
-    draw_contours(drawing);
-    draw_receivers(drawing);
+    bool filled = chart->fill != PP_FILL_NONE && chart->plan->contours.count;
+    double strip = strip_height(drawing), gap = 5.0 * style->scale;
+    double bar = filled ? pp_plan_fill_bar_mm(style) + 3.0 * style->scale : 0.0;
+    double summary = draw_summary(drawing, body, false);
+    place_plan(drawing, (struct pp_box){body.x, body.y, body.width,
+                                        body.height - strip - bar - summary - gap});
+    draw_plane(drawing);
+    pp_plan_figures_draw(drawing->cr, style, &drawing->plan, chart, drawing->labels);
     if (chart->plan->contours.count == 0)
         say_flat(drawing);
-    pp_room_plan_draw(drawing->cr, &drawing->style, &drawing->plan);
-    draw_strip(drawing, (struct pp_box){body.x, body.y + body.height - strip,
-                                        body.width, strip});
+    pp_room_plan_draw(drawing->cr, style, &drawing->plan);
+    struct pp_box below = {body.x, body.y + body.height - strip - bar - summary,
+                           body.width, strip};
+    draw_summary(drawing, below, true);
+    below.y += summary;
+    if (filled)
+        pp_plan_fill_bar(drawing->cr, style, chart->plan, chart->fill, below.x, below.y,
+                         below.width - 6.0 * style->scale);
+    below.y += bar;
+    draw_strip(drawing, below);
 }
 
 enum pp_status pp_plan_chart_draw(struct pp_canvas *canvas,

@@ -12,11 +12,22 @@
 #include "model/results/daylight_plan.h"
 #include "model/results/report.h"
 
+/* What stands between the contours. */
+enum pp_plan_fill {
+    PP_FILL_NONE,
+    PP_FILL_COLOUR, /* from dark blue to yellow, which stays in order in grey */
+    PP_FILL_GREY,   /* for printing in black: darker is less light */
+};
+
 struct pp_plan_chart {
     const struct pp_world *world;        /* not owned */
     const struct pp_daylight_plan *plan; /* not owned */
     const struct pp_report
-        *report;              /* its receivers are marked; NULL: none; not owned */
+        *report; /* its receivers are marked; NULL: none; not owned */
+    const struct pp_column
+        *figures; /* those of the plan at the receivers, and of the plane;
+                               * NULL: none; not owned */
+    enum pp_plan_fill fill;
     const char *const *notes; /* further sentences for the foot; not owned */
     int note_count;
 };

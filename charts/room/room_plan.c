@@ -30,10 +30,22 @@ double pp_room_plan_border(const struct pp_room_plan *plan,
            + 0.5 * style->scale;
 }
 
+double pp_room_plan_usual_scale(double least)
+{
+    static const struct {
+        double step, from; /* the least power of ten that the step is usual of */
+    } steps[] = {{1.0, 1}, {1.25, 100}, {2.0, 1}, {2.5, 10},
+                 {5.0, 1}, {7.5, 10},   {10.0, 1}};
+    double power = pow(10.0, floor(log10(fmax(least, 1.0))));
+    for (int i = 0; i < 7; i++)
+        if (power >= steps[i].from && steps[i].step * power >= least * (1.0 - 1e-9))
+            return steps[i].step * power;
+    return 10.0 * power;
+}
+
 void pp_room_plan_fit(struct pp_room_plan *plan, const struct pp_world *world,
                       const struct pp_style *style, double width_mm, double height_mm)
 {
-    static const double usual[] = {1, 2, 5, 10, 20, 25};
     plan->world = world;
     plan->extent = pp_bounds2_empty();
     for (int r = 0; r < world->plane.count; r++)
@@ -43,18 +55,17 @@ void pp_room_plan_fit(struct pp_room_plan *plan, const struct pp_world *world,
     if (world->plane.count == 0)
         plan->extent = (struct pp_bounds2){{0.0, 0.0}, {1.0, 1.0}};
 
-    /* 1, 2, 5, 10, 20, 25, 50, 100, 200, 250, 500 ... */
-    for (int i = 0;; i++) {
-        plan->scale =
-            i < 6 ? usual[i] : usual[2 + (i - 6) % 4] * pow(10.0, 1 + (i - 6) / 4);
+    /* Walls and reveals need more of the sheet the larger the scale: the room by itself
+     * first, then the next scales. */
+    plan->scale = fmax(plan->least_scale, 1.0);
+    for (int i = 0; i < 100; i++) {
+        plan->scale = pp_room_plan_usual_scale(plan->scale * (i ? 1.001 : 1.0));
         plan->mm_per_m = 1000.0 / plan->scale;
         double border = 2.0 * pp_room_plan_border(plan, style);
         if ((plan->extent.high[0] - plan->extent.low[0]) * plan->mm_per_m + border
                 <= width_mm
             && (plan->extent.high[1] - plan->extent.low[1]) * plan->mm_per_m + border
                    <= height_mm)
-            return;
-        if (plan->scale > 1e8)
             return;
     }
 }
@@ -165,14 +176,23 @@ static void draw_window(cairo_t *cr, const struct pp_style *style,
     cairo_stroke(cr);
 }
 
-/* Rooflights and sloping glass, over the cut: dashed. */
+/* Rooflights and sloping glass, over the cut: dashed. Upright glass over the plane's middle,
+ * a clerestory's, is one line from above, which is dashed once. */
 static void draw_overhead(cairo_t *cr, const struct pp_style *style,
                           const struct pp_room_plan *plan,
                           const struct pp_opening *opening)
 {
-    double dashes[] = {1.4 * style->scale, 0.8 * style->scale};
-    pp_style_line(cr, style->thin, PP_INK);
+    double dashes[] = {1.4 * style->scale, 0.8 * style->scale}, ends[2][2], out[2];
+    pp_style_line(cr, style->thin, PP_GREY_LINE);
     cairo_set_dash(cr, dashes, 2, 0.0);
+    if (opening->slope_rad >= 89.5 * PP_RAD) {
+        ends_of(plan, opening, ends, out);
+        cairo_set_line_width(cr, style->medium);
+        cairo_move_to(cr, ends[0][0], ends[0][1]);
+        cairo_line_to(cr, ends[1][0], ends[1][1]);
+        cairo_stroke(cr);
+        return;
+    }
     cairo_new_sub_path(cr);
     for (int i = 0; i < opening->inner.count; i++)
         cairo_line_to(cr, pp_room_plan_x(plan, opening->inner.vertices[i].x),
@@ -188,7 +208,7 @@ static void draw_inside(cairo_t *cr, const struct pp_style *style,
 {
     double height = plan->world->working_plane_m;
     int count = 0;
-    pp_style_line(cr, style->medium, PP_INK);
+    pp_style_line(cr, style->thick, PP_INK);
     for (int i = 0; i < outline->count; i++) {
         struct pp_vec3 a = outline->vertices[i];
         struct pp_vec3 b = outline->vertices[(i + 1) % outline->count];
@@ -204,13 +224,34 @@ static void draw_inside(cairo_t *cr, const struct pp_style *style,
     cairo_stroke(cr);
 }
 
-/* Does the opening stand over the plane's edge, and not in a monitor over its middle?
- */
-static bool is_in_wall(const struct pp_room_plan *plan,
-                       const struct pp_opening *opening)
+/* Is the opening in a wall that stands on the plane's edge, and not in a roof or in a monitor
+ * over the plane's middle? */
+static bool is_in_wall(const struct pp_world *world, const struct pp_opening *opening)
 {
     struct pp_vec3 corner = opening->inner.vertices[0];
-    return pp_region_edge_distance(&plan->world->plane, corner.x, corner.y) < 0.05;
+    return opening->slope_rad >= 75.0 * PP_RAD
+           && pp_region_edge_distance(&world->plane, corner.x, corner.y) < 0.05;
+}
+
+static bool stands_inside(const struct pp_surface *surface)
+{
+    return surface->inside && surface->role == PP_FREE_SURFACE;
+}
+
+bool pp_room_plan_has_overhead(const struct pp_world *world)
+{
+    for (int i = 0; i < world->opening_count; i++)
+        if (!is_in_wall(world, &world->openings[i]))
+            return true;
+    return false;
+}
+
+bool pp_room_plan_has_inside(const struct pp_world *world)
+{
+    for (int i = world->face_count; i < world->surface_count; i++)
+        if (stands_inside(&world->surfaces[i]))
+            return true;
+    return false;
 }
 
 void pp_room_plan_draw(cairo_t *cr, const struct pp_style *style,
@@ -219,13 +260,11 @@ void pp_room_plan_draw(cairo_t *cr, const struct pp_style *style,
     const struct pp_world *world = plan->world;
     draw_walls(cr, style, plan);
     for (int i = world->face_count; i < world->surface_count; i++)
-        if (world->surfaces[i].inside && world->surfaces[i].role == PP_FREE_SURFACE)
+        if (stands_inside(&world->surfaces[i]))
             draw_inside(cr, style, plan, &world->surfaces[i].outline);
-    for (int i = 0; i < world->opening_count; i++) {
-        const struct pp_opening *opening = &world->openings[i];
-        bool upright = opening->slope_rad >= 75.0 * PP_RAD && is_in_wall(plan, opening);
-        (upright ? draw_window : draw_overhead)(cr, style, plan, opening);
-    }
+    for (int i = 0; i < world->opening_count; i++)
+        (is_in_wall(world, &world->openings[i]) ? draw_window : draw_overhead)(
+            cr, style, plan, &world->openings[i]);
 }
 
 struct pp_box pp_room_plan_scale_bar(cairo_t *cr, const struct pp_style *style,

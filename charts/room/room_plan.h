@@ -16,6 +16,7 @@ struct pp_room_plan {
     const struct pp_world *world;
     struct pp_bounds2 extent; /* of the plane, m */
     double scale;             /* 50 for 1:50 */
+    double least_scale;       /* set by the caller: not larger than that; 0: any */
     double mm_per_m;
     double x, y; /* on paper, of the extent's low x and y */
 };
@@ -24,6 +25,10 @@ struct pp_room_plan {
  * width and height, its walls and reveals included; `style` gives their weight. */
 void pp_room_plan_fit(struct pp_room_plan *plan, const struct pp_world *world,
                       const struct pp_style *style, double width_mm, double height_mm);
+
+/* The usual scale (1:20, 25, 50, 75, 100, 125, 200, 250, 500, 750 ... as on scale rules)
+ * that is the largest not over 1:least. */
+double pp_room_plan_usual_scale(double least);
 
 /* How far walls and reveals reach out from the plane's extent on each side, mm. */
 double pp_room_plan_border(const struct pp_room_plan *plan,
@@ -39,6 +44,10 @@ void pp_room_plan_path(cairo_t *cr, const struct pp_room_plan *plan);
 /* Walls, openings, and surfaces that stand free in the room. */
 void pp_room_plan_draw(cairo_t *cr, const struct pp_style *style,
                        const struct pp_room_plan *plan);
+
+/* Has the plan openings above the cut, drawn dashed? Surfaces that stand in the room? */
+bool pp_room_plan_has_overhead(const struct pp_world *world);
+bool pp_room_plan_has_inside(const struct pp_world *world);
 
 /* A bar of a round length, 20 to 60 mm; x, y its upper left corner. Returns its box. */
 struct pp_box pp_room_plan_scale_bar(cairo_t *cr, const struct pp_style *style,

@@ -7,6 +7,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "charts/room/room_plan.h"
 #include "charts/sheet/page.h"
 #include "charts/sheet/lettering.h"
 #include "model/base/text.h"
@@ -127,17 +128,12 @@ static double caption_mm(const struct pp_style *style)
 void pp_room_section_fit(struct pp_room_section *section, const struct pp_style *style,
                          double length_mm, double height_mm)
 {
-    static const double steps[] = {1, 1.25, 1.5, 2, 2.5, 3, 4, 5, 6, 7.5, 8, 9};
     double low, high;
     heights_of(section->cut, &low, &high);
     double free_mm = fmax(height_mm - caption_mm(style), 5.0);
     double least = fmax(1000.0 * section->cut->length_m / length_mm,
                         1000.0 * (high - low) / free_mm);
-    double power = pow(10.0, floor(log10(least)));
-    double scale = 10.0 * power;
-    for (int i = 11; i >= 0; i--)
-        if (steps[i] * power >= least * (1.0 - 1e-9))
-            scale = steps[i] * power;
+    double scale = pp_room_plan_usual_scale(fmax(least, section->least_scale));
     section->mm_per_m = 1000.0 / scale;
     section->height_mm = section->mm_per_m * (high - low) + caption_mm(style);
 }
@@ -180,6 +176,56 @@ static void stroke_cuts(const struct section_drawing *drawing, enum pp_cut_kind 
     cairo_stroke(drawing->cr);
 }
 
+/* Is the opening seen edge-on in the section, such as glass in a slope that is cut beside
+ * it? Then its lowest and highest corner are the ends of what is seen. */
+static bool is_edge_on(const struct section_drawing *drawing,
+                       const struct pp_polygon *outline, double s[2], double z[2])
+{
+    const struct pp_section_cut *cut = drawing->section->cut;
+    double longest = -1.0, widest = 0.0;
+    for (int a = 0; a < outline->count; a++)
+        for (int b = a + 1; b < outline->count; b++) {
+            double sa = pp_section_cut_s(cut, outline->vertices[a]);
+            double sb = pp_section_cut_s(cut, outline->vertices[b]);
+            double za = outline->vertices[a].z, zb = outline->vertices[b].z;
+            if (hypot(sb - sa, zb - za) <= longest)
+                continue;
+            longest = hypot(sb - sa, zb - za);
+            s[0] = sa, s[1] = sb, z[0] = za, z[1] = zb;
+        }
+    for (int i = 0; i < outline->count && longest > 0.0; i++) {
+        double across =
+            (s[1] - s[0]) * (outline->vertices[i].z - z[0])
+            - (z[1] - z[0]) * (pp_section_cut_s(cut, outline->vertices[i]) - s[0]);
+        widest = fmax(widest, fabs(across) / longest);
+    }
+    return widest * drawing->section->mm_per_m < drawing->style->thick;
+}
+
+static bool is_cut(const struct pp_section_cut *cut, int opening)
+{
+    for (int k = 0; k < cut->count; k++)
+        if (cut->list[k].kind == PP_CUT_OPENING && cut->list[k].of == opening)
+            return true;
+    return false;
+}
+
+/* Glass beside the section that is seen edge-on: a dashed gap in the line of its face. */
+static void draw_edge_on(const struct section_drawing *drawing)
+{
+    const struct pp_world *world = drawing->section->world;
+    double dash = 0.9 * drawing->style->scale, s[2], z[2];
+    for (int i = 0; i < world->opening_count; i++) {
+        if (is_cut(drawing->section->cut, i)
+            || !is_edge_on(drawing, &world->openings[i].inner, s, z))
+            continue;
+        pp_style_line(drawing->cr, 0.55 * drawing->style->thick, 1.0);
+        cairo_set_dash(drawing->cr, &dash, 1, 0.0);
+        line(drawing, s, z);
+        cairo_stroke(drawing->cr);
+    }
+}
+
 /* Openings that the section plane does not cut, in elevation behind it. Returns how
  * many. */
 static int draw_openings_behind(const struct section_drawing *drawing)
@@ -191,11 +237,7 @@ static int draw_openings_behind(const struct section_drawing *drawing)
     double dash = 0.9 * drawing->style->scale;
     cairo_set_dash(drawing->cr, &dash, 1, 0.0);
     for (int i = 0; i < world->opening_count; i++) {
-        bool is_cut = false;
-        for (int k = 0; k < cut->count; k++)
-            is_cut =
-                is_cut || (cut->list[k].kind == PP_CUT_OPENING && cut->list[k].of == i);
-        if (is_cut)
+        if (is_cut(cut, i))
             continue;
         const struct pp_polygon *outline = &world->openings[i].inner;
         cairo_new_sub_path(drawing->cr);
@@ -303,7 +345,7 @@ static void draw_sight(const struct section_drawing *drawing, bool near)
     double x = at_s(drawing, sight.s), y = at_z(drawing, sight.z);
     double reach = (near ? section->left_mm : section->right_mm) - 1.0;
     /* As far as the strip and the section's top allow. */
-    double top = fmax(y - section->y + 2.0 * style->scale, 1.0);
+    double top = fmax(y - section->y + 0.8 * section->head_mm, 1.0);
     double run = fmin(reach, top / tan(sight.angle_rad));
     run =
         fmin(run, sight.distance_m > 0.0 ? sight.distance_m * section->mm_per_m : run);
@@ -326,7 +368,8 @@ static void draw_sight(const struct section_drawing *drawing, bool near)
     char words[64], far[32] = "";
     if (isfinite(sight.distance_m) && sight.distance_m > 0.0)
         pp_style_metres(far, sizeof far, sight.distance_m);
-    snprintf(words, sizeof words, "%.0f\u00b0%s%s", sight.angle_rad / PP_RAD,
+    snprintf(words, sizeof words, "%s %.0f\u00b0%s%s",
+             sight.skyline ? "skyline" : "line of sight", sight.angle_rad / PP_RAD,
              *far ? " at " : "", far);
     struct pp_lettering text = {
         .size = PP_TEXT_SMALL, .across = near ? 0.0 : 1.0, .down = 0.0};
@@ -378,8 +421,8 @@ void pp_room_section_draw(cairo_t *cr, const struct pp_style *style,
     cairo_save(cr);
     double left = section->x - section->left_mm;
     double right = at_s(&drawing, section->cut->length_m) + section->right_mm;
-    cairo_rectangle(cr, left, section->y - 3.0 * style->scale, right - left,
-                    section->height_mm + 3.0 * style->scale);
+    cairo_rectangle(cr, left, section->y - section->head_mm, right - left,
+                    section->height_mm + section->head_mm);
     cairo_clip(cr);
     int behind = draw_openings_behind(&drawing);
     draw_ground(&drawing);
@@ -388,6 +431,7 @@ void pp_room_section_draw(cairo_t *cr, const struct pp_style *style,
         draw_sight(&drawing, near);
     stroke_cuts(&drawing, PP_CUT_FACE, style->thick, PP_INK, CAIRO_LINE_CAP_SQUARE);
     stroke_cuts(&drawing, PP_CUT_INSIDE, style->medium, PP_INK, CAIRO_LINE_CAP_BUTT);
+    draw_edge_on(&drawing);
     draw_openings_cut(&drawing);
     draw_plane(&drawing);
     cairo_restore(cr);

@@ -12,15 +12,17 @@ struct pp_room_section {
     const struct pp_world *world;
     const struct pp_section_cut *cut;
     const struct pp_report *report; /* its receivers are marked */
+    double least_scale;             /* not larger than 1 to that; 0: any */
     bool no_sights;                 /* leave out the obstructions' angles */
 
     /* By pp_room_section_fit. */
-    double mm_per_m;  /* a round scale: 1:20, 1:25, 1:30, 1:40 ... */
+    double mm_per_m;  /* a usual scale: 1:20, 1:25, 1:50, 1:75 ... */
     double height_mm; /* of the drawing, its caption included */
 
     /* Set by the caller: x of the near wall's inside face, y of the top, and room for
      * what stands outside the near and the far wall. */
     double x, y, left_mm, right_mm;
+    double head_mm; /* and above it */
 };
 
 /* Is the window at the near or far end obstructed? */

@@ -14,6 +14,10 @@
 #include "charts/room/section_series.h"
 #include "charts/sheet/smooth.h"
 
+/* Values that span more than this are drawn on a logarithmic scale, or the low ones lie on
+ * the axis. */
+#define WIDE_RANGE 30.0
+
 /* The value in per cent, plus so many standard errors. */
 static double percent_of(const struct pp_reading *reading, double errors)
 {
@@ -72,7 +76,7 @@ static enum pp_status sort_points(struct pp_section_plot *plot, struct pp_error 
 }
 
 /* The axes along the lower and left side of the field. */
-static void lay_axes(struct pp_section_plot *plot, bool logarithmic)
+static void lay_axes(struct pp_section_plot *plot, enum pp_section_scale scale)
 {
     const struct pp_style *style = &plot->style;
     struct pp_box field = plot->field;
@@ -81,6 +85,8 @@ static void lay_axes(struct pp_section_plot *plot, bool logarithmic)
     double bottom = field.y + field.height, apart = 11.0 * style->scale;
     if (!(high > 0.0))
         high = 1.0;
+    bool logarithmic =
+        scale == PP_SCALE_LOG || (scale == PP_SCALE_AS_FITS && high > WIDE_RANGE * low);
     if (logarithmic && isfinite(low))
         plot->up =
             pp_axis_log(fmax(low, 1e-5 * high), high * 1.02, bottom, field.y, apart);
@@ -243,7 +249,8 @@ static void say_notes(struct pp_section_plot *plot,
 {
     pp_page_assumptions(plot->foot, sizeof plot->foot, chart->report->world);
     for (int i = 0; i < chart->note_count; i++)
-        pp_page_say(plot->foot, sizeof plot->foot, "%s", chart->notes[i]);
+        if (chart->notes[i][0])
+            pp_page_say(plot->foot, sizeof plot->foot, "%s", chart->notes[i]);
     if (!chart->report->finished)
         pp_page_say(plot->foot, sizeof plot->foot,
                     "The run was interrupted: sampled values are what was there so "
@@ -278,12 +285,24 @@ static void draw_sheet(struct pp_section_plot *plot, struct pp_canvas *canvas,
     if (pp_room_section_has_outside(&section, false))
         right = 24.0 * style->scale;
     double between = 17.0 * style->scale;
+    section.head_mm = 3.0 * style->scale;
+    if (pp_room_section_has_outside(&section, true)
+        || pp_room_section_has_outside(&section, false)) {
+        section.head_mm = 16.0 * style->scale;
+        between += 14.0 * style->scale;
+    }
     pp_room_section_fit(&section, style, body.width - left - right,
                         0.5 * (body.height - between));
     double width = plot->cut.length_m * section.mm_per_m;
+    /* What the scale leaves free across goes to what stands outside. */
+    double spare = fmax(body.width - left - right - width, 0.0);
+    if (pp_room_section_has_outside(&section, true))
+        left += spare;
+    else if (pp_room_section_has_outside(&section, false))
+        right += spare;
     double title = 5.5 * style->scale;
     double high = body.height - title - between - section.height_mm;
-    high = fmin(high, fmax(0.8 * width, 85.0 * style->scale));
+    high = fmin(high, fmax(1.2 * width, 85.0 * style->scale));
     plot->field = (struct pp_box){body.x + left, body.y + title, width, high};
 
     /* A narrow room leaves a strip beside the curves for a legend; a wide one has it in
@@ -295,7 +314,7 @@ static void draw_sheet(struct pp_section_plot *plot, struct pp_canvas *canvas,
         aside.width = fmin(62.0 * style->scale, 0.6 * width);
         aside.x = plot->field.x + width - aside.width;
     }
-    lay_axes(plot, chart->logarithmic);
+    lay_axes(plot, chart->scale);
     draw_plot(plot, aside);
     section.x = plot->field.x;
     section.y = plot->field.y + plot->field.height + between;

@@ -19,9 +19,15 @@
 #include "charts/sheet/canvas.h"
 #include "model/results/report.h"
 
+enum pp_section_scale {
+    PP_SCALE_AS_FITS, /* logarithmic where values span more than 30 : 1 */
+    PP_SCALE_LINEAR,  /* from 0 */
+    PP_SCALE_LOG,
+};
+
 struct pp_section_chart {
     const struct pp_report *report; /* with world; not owned */
-    bool logarithmic;               /* daylight factors; else linear from 0 */
+    enum pp_section_scale scale;    /* of the daylight factors */
     const char *const *notes;       /* further sentences for the foot; not owned */
     int note_count;
 };

@@ -71,7 +71,7 @@ static void name_series(struct pp_series *series)
 
 void pp_section_series_choose(struct pp_section_plot *plot)
 {
-    int lines = 0;
+    int lines = 0, sampled = 0;
     for (int i = 0; i < plot->report->column_count; i++) {
         const struct pp_column *column = &plot->report->columns[i];
         if (column->component != PP_DF)
@@ -90,9 +90,10 @@ void pp_section_series_choose(struct pp_section_plot *plot)
         account(plot, column, count, why);
         if (count == 0)
             continue;
-        series->look = series->kind == PP_SAMPLED
-                           ? (struct pp_curve_style){.marker = PP_CIRCLE}
-                           : pp_style_curve(lines++);
+        series->look =
+            series->kind == PP_SAMPLED
+                ? (struct pp_curve_style){.marker = sampled++ ? PP_DIAMOND : PP_CIRCLE}
+                : pp_style_curve(lines++);
         if (series->kind == PP_LEVEL)
             series->look.weight *= 0.6;
         plot->curve_count += series->kind == PP_CURVE;

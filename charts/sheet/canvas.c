@@ -4,6 +4,7 @@
 #include "charts/sheet/canvas.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <strings.h>
@@ -23,6 +24,7 @@
 struct pp_canvas {
     struct pp_sheet sheet; /* its texts are owned here */
     char *title, *description;
+    char imprint[160];
     double width_mm, height_mm, dpi;
     cairo_surface_t *surface;
     cairo_t *cr;
@@ -171,6 +173,21 @@ double pp_canvas_width_mm(const struct pp_canvas *canvas)
 double pp_canvas_height_mm(const struct pp_canvas *canvas)
 {
     return canvas->height_mm;
+}
+
+bool pp_canvas_has_sheets(const struct pp_canvas *canvas)
+{
+    return canvas->sheet.format == PP_CHART_PDF;
+}
+
+void pp_canvas_set_imprint(struct pp_canvas *canvas, const char *words)
+{
+    snprintf(canvas->imprint, sizeof canvas->imprint, "%s", words);
+}
+
+const char *pp_canvas_imprint(const struct pp_canvas *canvas)
+{
+    return canvas->imprint;
 }
 
 enum pp_status pp_canvas_next_sheet(struct pp_canvas *canvas, struct pp_error *err)

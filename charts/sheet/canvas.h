@@ -43,6 +43,14 @@ cairo_t *pp_canvas_cairo(struct pp_canvas *canvas);
 double pp_canvas_width_mm(const struct pp_canvas *canvas);
 double pp_canvas_height_mm(const struct pp_canvas *canvas);
 
+/* What stands small at the foot of the sheets from now on: where the drawing comes from;
+ * copied, cut at 160 bytes. None at first. */
+void pp_canvas_set_imprint(struct pp_canvas *canvas, const char *words);
+const char *pp_canvas_imprint(const struct pp_canvas *canvas);
+
+/* Can there be further sheets? */
+bool pp_canvas_has_sheets(const struct pp_canvas *canvas);
+
 /* A further sheet of the same size; of PDF only. */
 enum pp_status pp_canvas_next_sheet(struct pp_canvas *canvas, struct pp_error *err);
 

@@ -133,6 +133,16 @@ struct pp_box pp_page_draw(struct pp_canvas *canvas, const struct pp_style *styl
     double margin = style->margin;
     double width = pp_canvas_width_mm(canvas) - 2.0 * margin;
     double top = margin, bottom = pp_canvas_height_mm(canvas) - margin;
+    const char *imprint = pp_canvas_imprint(canvas);
+    if (*imprint) {
+        struct pp_lettering small = {.size = PP_TEXT_SMALL,
+                                     .grey = PP_GREY_LINE,
+                                     .across = 1.0,
+                                     .width = width,
+                                     .lines = 1};
+        pp_lettering_draw(cr, style, &small, margin + width,
+                          bottom + 0.5 * style->text[PP_TEXT_SMALL], imprint);
+    }
 
     if (page->title) {
         /* A long name is set smaller, in up to four lines. */

@@ -42,13 +42,14 @@ struct pp_curve_style pp_style_curve(int index)
         {4, {1.8, 0.8, 1.8, 2.2}, 0.7, 0},
         {2, {0.35, 1.0}, 1.2, 0},
     };
+    /* Circle and diamond are those of sampled points. */
     static const enum pp_marker markers[] = {
-        PP_DISC,   PP_CIRCLE, PP_FULL_SQUARE,   PP_TRIANGLE, PP_FULL_DIAMOND,
-        PP_SQUARE, PP_PLUS,   PP_FULL_TRIANGLE, PP_DIAMOND,
+        PP_DISC,         PP_CROSS,  PP_FULL_SQUARE, PP_TRIANGLE,
+        PP_FULL_DIAMOND, PP_SQUARE, PP_PLUS,
     };
-    /* 8 lines and 9 markers have no common factor: 72 different pairs. */
+    /* 8 lines and 7 markers have no common factor: 56 different pairs. */
     struct pp_curve_style style = lines[index % 8];
-    style.marker = markers[index % 9];
+    style.marker = markers[index % 7];
     return style;
 }
 

@@ -37,8 +37,9 @@ static const struct pp_option choice_options[] = {
      "The room as it was before something was built outside: sky and area lost.",
      pp_options_read_input, PLACE(before)},
     {"place", 0, "NAME",
-     "A capital of EN 17037's table, whose median illuminance is taken; by default the "
-     "one nearest to the room's site.",
+     "A capital of EN 17037's table, whose median illuminance is taken; by default "
+     "that "
+     "of the site's country, or else the one nearest to the site.",
      pp_options_read_text, PLACE(place)},
     {"median-diffuse", 0, "LUX",
      "The place's median diffuse illuminance itself, for EN 17037.",
@@ -52,8 +53,9 @@ static const struct pp_option choice_options[] = {
 
 static const char about[] =
     "Holds each room against the criteria of daylight design: its figures, what is "
-    "wanted of them, and the verdict; with --simulate they rest on traced light paths, "
-    "and each verdict has its probability. FILE is a room file; - is standard input.";
+    "wanted of them, and the verdict. Daylight factors are traced, and each verdict on "
+    "them has its probability; with --by-hand they are those of hand methods. FILE is "
+    "a room file; - is standard input.";
 
 static void help_on_criteria(FILE *out)
 {
@@ -61,6 +63,11 @@ static void help_on_criteria(FILE *out)
     const struct pp_criterion *criterion;
     for (int i = 0; (criterion = pp_criteria_at(i)) != NULL; i++)
         pp_options_help_word(criterion->name, criterion->summary, out);
+    fputs("\nAlso:", out);
+    for (int i = 0; (criterion = pp_criteria_at(i)) != NULL; i++)
+        if (criterion->alias)
+            fprintf(out, " %s (%s)", criterion->alias, criterion->name);
+    fputc('\n', out);
 }
 
 struct assess_run {
@@ -200,7 +207,9 @@ static enum pp_status check(void *values, char **files, int file_count,
         if (strcmp(options->before, "-") == 0 && strcmp(files[i], "-") == 0)
             return pp_fail(err, PP_BAD_INPUT,
                            "standard input can't be the room and the room before");
-    enum pp_status status = pp_room_options_settle(&options->room, err);
+    enum pp_status status = pp_room_options_settle_by_hand(&options->room, err);
+    if (status == PP_OK)
+        status = pp_room_options_settle(&options->room, err);
     if (status == PP_OK)
         status = check_place(options, err);
     if (status == PP_OK)
@@ -231,7 +240,7 @@ static void clear(void *values)
 static const struct pp_option_group groups[] = {
     {"What is judged", choice_options, 0},
     {"What is judged", pp_room_external_option, PLACE(room)},
-    PP_ROOM_SIMULATION_GROUPS(PLACE(room)),
+    PP_ROOM_BY_HAND_GROUPS(PLACE(room)),
     {"Output", pp_text_or_json_option, PLACE(format)},
     {"Output", pp_room_output_options, PLACE(room)},
     {0},

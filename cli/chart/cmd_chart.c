@@ -8,6 +8,7 @@
 #include "cli/command.h"
 #include "cli/watch.h"
 #include "api/chart_kind.h"
+#include "api/chart_sheet.h"
 #include "cli/availability/availability_options.h"
 #include "cli/chart/board_options.h"
 #include "cli/chart/sheet_options.h"
@@ -28,12 +29,24 @@ static enum pp_status read_format(const char *text, void *place, struct pp_error
     return PP_OK;
 }
 
+static enum pp_status read_fill(const char *text, void *place, struct pp_error *err)
+{
+    static const char *const names[] = {
+        [PP_FILL_NONE] = "none", [PP_FILL_COLOUR] = "colour", [PP_FILL_GREY] = "grey"};
+    for (int i = 0; i < 3; i++)
+        if (strcmp(text, names[i]) == 0) {
+            *(enum pp_plan_fill *)place = (enum pp_plan_fill)i;
+            return PP_OK;
+        }
+    return pp_fail(err, PP_BAD_INPUT, "none, colour or grey");
+}
+
 struct chart_sheet_options {
     const char *format; /* as typed; NULL: by the file's name */
     enum pp_paper paper;
     enum pp_orientation orientation;
     double dpi; /* 0: the canvas's own choice */
-    bool list;
+    bool list, logarithmic, linear;
     struct pp_chart_choice choice;
 };
 
@@ -51,8 +64,15 @@ static const struct pp_option sheet_options[] = {
      pp_sheet_options_read_orientation, PLACE(orientation)},
     {"dpi", 0, "N", "Dots per inch of a PNG, 20 to 1200 (default 200).",
      pp_sheet_options_read_dpi, PLACE(dpi)},
-    {"log", 0, NULL, "Section: daylight factors on a logarithmic scale.", NULL,
-     PLACE(choice.logarithmic)},
+    {"log", 0, NULL,
+     "Section: daylight factors on a logarithmic scale (default: where they span more "
+     "than 30 to 1).",
+     NULL, PLACE(logarithmic)},
+    {"linear", 0, NULL, "Section: on a linear scale.", NULL, PLACE(linear)},
+    {"fill", 0, "WAY",
+     "Plan: between the contours none (default), colour, or grey for printing in "
+     "black.",
+     read_fill, PLACE(choice.fill)},
     {0},
 };
 
@@ -157,15 +177,17 @@ static enum pp_status draw_rooms(struct chart_task *drawing, struct pp_canvas *c
 {
     enum pp_status status = PP_OK;
     if (drawing->count == 0)
-        return drawing->kind->draw(canvas, NULL, &drawing->room_options->study,
+        return pp_chart_sheet_draw(drawing->kind, canvas, NULL,
+                                   &drawing->room_options->study,
                                    &drawing->options->choice, &drawing->finished, err);
     for (int i = 0; i < drawing->count && status == PP_OK; i++) {
         if (i > 0)
             status = pp_canvas_next_sheet(canvas, err);
         if (status == PP_OK)
-            status = drawing->kind->draw(
-                canvas, &drawing->rooms[i], &drawing->room_options->study,
-                &drawing->options->choice, &drawing->finished, err);
+            status =
+                pp_chart_sheet_draw(drawing->kind, canvas, &drawing->rooms[i],
+                                    &drawing->room_options->study,
+                                    &drawing->options->choice, &drawing->finished, err);
     }
     return status;
 }
@@ -388,12 +410,19 @@ static enum pp_status check(void *values, char **words, int word_count,
     if (word_count == 1 && !kind->board && !kind->outside)
         return pp_fail(err, PP_BAD_INPUT,
                        "expected a room file, or - for standard input");
+    if (chart->logarithmic && chart->linear)
+        return pp_fail(err, PP_BAD_INPUT, "a scale is --log or --linear, not both");
+    chart->choice.scale = chart->logarithmic ? PP_SCALE_LOG
+                          : chart->linear    ? PP_SCALE_LINEAR
+                                             : PP_SCALE_AS_FITS;
     enum pp_status status = pp_room_options_settle(options, err);
     if (status == PP_OK)
         status = check_light(&chart->choice.availability, options, kind, words + 1,
                              word_count - 1, err);
     if (status == PP_OK && options->study.methods)
         status = pp_selection_check(options->study.methods, err);
+    if (status == PP_OK && kind->check)
+        status = kind->check(options->study.methods, options->study.simulate, err);
     if (status == PP_OK && kind->board)
         status = pp_board_options_check(&chart->choice.board, options, kind,
                                         word_count == 1, err);

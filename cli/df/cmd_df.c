@@ -6,6 +6,7 @@
 #include "cli/command.h"
 #include "cli/df/engine_choice.h"
 #include "cli/format_option.h"
+#include "cli/df/formula_option.h"
 #include "studies/study_report.h"
 #include "cli/interrupt.h"
 #include "cli/lumen_option.h"
@@ -17,6 +18,7 @@
 #include "reports/df_text.h"
 #include "reports/df_json.h"
 #include "reports/df_csv.h"
+#include "reports/formula_list.h"
 #include "methods/evaluate.h"
 #include "methods/selection.h"
 #include "methods/method.h"
@@ -24,8 +26,11 @@
 struct df_options {
     struct pp_room_options room;
     struct pp_lumen_files lumen_files;
+    struct pp_formula_words formulae;
+    bool list_formulae;
     struct pp_engine_choice engine;
     enum pp_format format;
+    bool array;
 };
 
 #define PLACE(member) offsetof(struct df_options, member)
@@ -35,6 +40,21 @@ static const struct pp_option explain_option[] = {
      "Set out how each figure comes about, step by step as on paper; of one point, "
      "in text or JSON.",
      NULL, PLACE(room.study.explain)},
+    {0},
+};
+
+static const struct pp_option list_option[] = {
+    {"list-formulas", 0, NULL,
+     "Print the formulae of all methods, with their sources and what they name, "
+     "instead "
+     "of computing anything.",
+     NULL, PLACE(list_formulae)},
+    {0},
+};
+
+static const struct pp_option array_option[] = {
+    {"array", 0, NULL, "JSON: an array of rooms, even if there is only one.", NULL,
+     PLACE(array)},
     {0},
 };
 
@@ -51,7 +71,10 @@ static void help_on_methods(FILE *out)
         pp_options_help_word(method->name, method->summary, out);
     pp_options_help_word("A+B", "direct component by A, internally reflected by B",
                          out);
-    pp_options_help_word("default", "exact+bre, brs-table+bre, average-df", out);
+    pp_options_help_word("default",
+                         "exact+bre, brs-table+bre, average-df; and where bre does not "
+                         "cover the room, exact+split-flux",
+                         out);
     pp_options_help_word("all",
                          "every direct method with bre, exact with every internally "
                          "reflected one, and every method that gives the whole",
@@ -101,8 +124,8 @@ static enum pp_status compute(void *data, struct pp_error *err)
     for (int i = 0; i < rooms->count && status == PP_OK; i++) {
         struct pp_result *result = &results->list[results->count++];
         result->file = rooms->list[i].file;
-        status = pp_study_report_methods(&result->report, &rooms->list[i],
-                                         results->options, err);
+        status = pp_study_report_with_plane(&result->report, &rooms->list[i],
+                                            results->options, err);
     }
     if (status == PP_OK && results->options->simulate)
         pp_interrupt_watch();
@@ -110,6 +133,8 @@ static enum pp_status compute(void *data, struct pp_error *err)
         if (status == PP_OK)
             status = simulate(&results->list[i], results->options,
                               &run->options->engine, err);
+    for (int i = 0; i < results->count && status == PP_OK; i++)
+        status = pp_study_report_settle(&results->list[i].report, &rooms->list[i], err);
     return status;
 }
 
@@ -162,7 +187,7 @@ static enum pp_exit run_on(struct df_options *options, const struct pp_rooms *ro
     options->room.study.watch = pp_watch_of_terminal(&watch, options->room.quiet);
     struct df_run run = {.options = options,
                          .rooms = rooms,
-                         .results = {.several = rooms->several,
+                         .results = {.several = rooms->several || options->array,
                                      .more_than_one_file = rooms->more_than_one_file,
                                      .options = &options->room.study}};
     enum pp_exit exit_status = pp_job_run(
@@ -173,12 +198,30 @@ static enum pp_exit run_on(struct df_options *options, const struct pp_rooms *ro
     return exit_status;
 }
 
+/* ---- the formulae ---- */
+
+static enum pp_status compute_nothing(void *data, struct pp_error *err)
+{
+    (void)data, (void)err;
+    return PP_OK;
+}
+
+static enum pp_status print_formulae(const void *data, FILE *out, struct pp_error *err)
+{
+    (void)data, (void)err;
+    pp_formula_list(out);
+    return PP_OK;
+}
+
 /* With the user's own tables for the lumen method, if he has any. */
 static enum pp_exit run(void *values, char **files, int file_count)
 {
     struct df_options *options = values;
     struct pp_lumen_table *table;
     struct pp_rooms rooms;
+    if (options->list_formulae)
+        return pp_job_run(&(struct pp_job){options->room.output, compute_nothing,
+                                           print_formulae, NULL, NULL});
     enum pp_exit exit_status = pp_lumen_option_load(&table, &options->lumen_files);
     if (exit_status != PP_EXIT_DONE)
         return exit_status;
@@ -202,15 +245,26 @@ static enum pp_status check(void *values, char **files, int file_count,
     struct df_options *options = values;
     struct pp_study_options *study = &options->room.study;
     (void)files;
+    if (options->list_formulae && file_count > 0)
+        return pp_fail(err, PP_BAD_INPUT,
+                       "--list-formulas is of no room; expected it without a file");
+    if (options->list_formulae)
+        return PP_OK;
     if (file_count == 0)
         return pp_fail(err, PP_BAD_INPUT,
                        "expected a room file, or - for standard input");
     if (study->explain && options->format == PP_FORMAT_CSV)
         return pp_fail(err, PP_BAD_INPUT,
                        "--explain has no place in CSV; expected --format text or json");
+    if (options->array && options->format != PP_FORMAT_JSON)
+        return pp_fail(err, PP_BAD_INPUT,
+                       "--array is a form of JSON; expected --format json with it");
     enum pp_status status = pp_room_options_settle(&options->room, err);
     if (status == PP_OK && study->methods)
         status = pp_selection_check(study->methods, err);
+    if (status == PP_OK)
+        status =
+            pp_formula_option_settle(&options->formulae, &study->method_options, err);
     return status == PP_OK
                ? pp_engine_choice_settle(&options->engine, study->simulate, err)
                : status;
@@ -226,6 +280,7 @@ static void clear(void *values)
 {
     struct df_options *options = values;
     pp_room_options_clear(&options->room);
+    pp_formula_option_clear(&options->formulae);
     pp_cache_choice_clear(&options->engine.cache);
 }
 
@@ -233,11 +288,14 @@ static const struct pp_option_group groups[] = {
     PP_ROOM_CHOICE_GROUPS("What is computed", PLACE(room)),
     {"What is computed", pp_lumen_option, PLACE(lumen_files)},
     {"What is computed", explain_option, 0},
+    {"What is computed", pp_formula_option, PLACE(formulae)},
+    {"What is computed", list_option, 0},
     {"What is computed", pp_room_external_option, PLACE(room)},
     PP_ROOM_SIMULATION_GROUPS(PLACE(room)),
     {"Simulation", pp_engine_options, PLACE(engine)},
     {"Irradiance cache", pp_cache_choice_options, PLACE(engine.cache)},
     {"Output", pp_format_option, PLACE(format)},
+    {"Output", array_option, 0},
     {"Output", pp_room_output_options, PLACE(room)},
     {0},
 };

@@ -65,13 +65,14 @@ static const struct pp_option import_options[] = {
 /* ---- simulation ---- */
 
 /* Until the sensors are done, the time is over, or somebody interrupts. */
-static void trace(struct pp_sensors *sensors, struct pp_imported *imported,
-                  const struct pp_room_options *options)
+static enum pp_status trace(struct pp_sensors *sensors, struct pp_imported *imported,
+                            const struct pp_room_options *options, struct pp_error *err)
 {
+    enum pp_status status = PP_OK;
     struct pp_progress progress;
     pp_progress_begin(&progress, "sensors", options->quiet);
     imported->finished = true;
-    while (!pp_sensors_done(sensors)) {
+    while (status == PP_OK && !pp_sensors_done(sensors)) {
         if (pp_interrupt_came()) {
             imported->finished = false;
             break;
@@ -83,13 +84,14 @@ static void trace(struct pp_sensors *sensors, struct pp_imported *imported,
                 break;
             slice = fmin(slice, options->study.seconds - spent);
         }
-        pp_sensors_advance(sensors, slice);
+        status = pp_sensors_advance(sensors, slice, err);
         double done = pp_sensors_progress(sensors);
         if (options->study.seconds > 0.0)
             done = fmax(done, spent / options->study.seconds);
         pp_progress_show(&progress, done, pp_sensors_error(sensors));
     }
     pp_progress_end(&progress);
+    return status;
 }
 
 static enum pp_status simulate(struct pp_imported *imported,
@@ -109,11 +111,11 @@ static enum pp_status simulate(struct pp_imported *imported,
         .horizontal = pp_rgb_luminance(imported->horizontal),
         .by_chance = by_chance};
     struct pp_sensors *sensors;
-    status = pp_sensors_create(&sensors, scene, imported->points, imported->count,
+    status = pp_sensors_create(&sensors, scene, NULL, imported->points, imported->count,
                                &wanted, err);
     if (status == PP_OK) {
         pp_interrupt_watch();
-        trace(sensors, imported, options);
+        status = trace(sensors, imported, options, err);
         for (int i = 0; i < imported->count; i++)
             readings[i] = pp_sensors_read(sensors, i);
         imported->readings = readings;

@@ -93,8 +93,8 @@ static enum pp_status fill_cache(struct pp_made_picture *made,
 {
     struct pp_overture *overture = NULL;
     enum pp_status status = pp_cache_choice_open(
-        &made->cache, &choice->cache, made->scene, made->store, &render->light,
-        options->study.seed, options->study.threads, err);
+        &made->cache, &choice->cache, made->scene, made->environment, made->store,
+        &render->light, options->study.seed, options->study.threads, err);
     if (status == PP_OK && choice->checkpoint
         && pp_irradiance_cache_count(made->cache) == 0)
         status = take_records(made->cache, choice->checkpoint, err);
@@ -123,7 +123,7 @@ static enum pp_status create(struct pp_made_picture *made, const struct pp_world
         .indoors = choice->view == PP_CHOOSE_PLAN || choice->view == PP_CHOOSE_SECTION,
         .filter = choice->filter,
         .samples = choice->samples,
-        .light = pp_radiance_options_defaults(),
+        .light = pp_radiance_state_defaults(),
         .seed = options->study.seed,
         .threads = options->study.threads,
     };
@@ -131,13 +131,17 @@ static enum pp_status create(struct pp_made_picture *made, const struct pp_world
     render.light.stored = choice->windows == PP_WINDOWS_STORED;
     if (choice->paths)
         render.light.bounces = choice->cache.options.bounces;
+    struct pp_outside_light outside = pp_world_light(world);
     enum pp_status status = pp_light_scene_of_world(&made->scene, world, err);
+    if (status == PP_OK)
+        status = pp_light_scene_under(&made->environment, made->scene, &outside, err);
     struct pp_picture_size size;
     if (status == PP_OK)
         status = pp_render_view(&render.camera, &size, choice, made->scene, world, err);
     if (status == PP_OK && render.light.stored)
-        status = pp_window_store_create(&made->store, made->scene, options->study.seed,
-                                        options->study.threads, err);
+        status =
+            pp_window_store_create(&made->store, made->scene, made->environment,
+                                   options->study.seed, options->study.threads, err);
     if (status != PP_OK)
         return status;
     render.width = size.width;
@@ -150,7 +154,8 @@ static enum pp_status create(struct pp_made_picture *made, const struct pp_world
         return status;
     render.light.source_most =
         choice->samples < DIRECTIONS ? DIRECTIONS / choice->samples : 1;
-    return pp_render_create(&made->render, made->scene, &render, err);
+    return pp_render_create(&made->render, made->scene, made->environment, &render,
+                            err);
 }
 
 /* ---- checkpoints ---- */
@@ -210,7 +215,7 @@ static enum pp_status work(struct pp_made_picture *made, const struct pp_world *
     pp_progress_begin(&progress, world->name ? world->name : "picture", quiet);
     pp_progress_resume(&progress, before);
     while (status == PP_OK && !pp_render_done(made->render)) {
-        pp_render_advance(made->render, slice_s);
+        status = pp_render_advance(made->render, slice_s, err);
         pp_progress_show(&progress, pp_render_progress(made->render), NAN);
         if (pp_interrupt_came() && !pp_render_done(made->render)) {
             pp_progress_end(&progress);
@@ -280,6 +285,7 @@ void pp_make_picture_clear(struct pp_made_picture *made)
     pp_irradiance_cache_destroy(made->cache);
     free(made->marks);
     pp_window_store_destroy(made->store);
+    pp_environment_destroy(made->environment);
     pp_light_scene_destroy(made->scene);
     *made = (struct pp_made_picture){0};
 }

@@ -1,5 +1,7 @@
 /* cmd_size.c - the command size: the window that just reaches a target. */
+#ifdef _OPENMP
 #include <omp.h>
+#endif
 #include <stdlib.h>
 #include <string.h>
 
@@ -19,8 +21,9 @@
 static const char about[] =
     "The window that just reaches a target: the smallest width, height, head, sill or "
     "number of windows with which the average daylight factor over the working plane "
-    "(with --points: the lowest of some points) is not below it. With --simulate the "
-    "answer is traced, too. FILE is a room file; - is standard input.";
+    "(with --points: the lowest of some points) is not below it. What a hand "
+    "method answers is checked by tracing light paths, but with --by-hand. FILE is a "
+    "room file; - is standard input.";
 
 /* The room file with all that was sized. */
 static enum pp_status write_file(const struct pp_size_results *results,
@@ -113,8 +116,10 @@ static enum pp_exit size_rooms(struct size_run *run)
 {
     const struct pp_size_options *options = run->options;
     struct pp_error err = {0};
+#ifdef _OPENMP
     if (options->room.study.threads > 0)
         omp_set_num_threads(options->room.study.threads);
+#endif
     if (options->room.study.simulate)
         pp_interrupt_watch();
     enum pp_exit exit_status =
@@ -155,7 +160,7 @@ static enum pp_exit run(void *values, char **files, int file_count)
 static const struct pp_option_group groups[] = {
     {"What is wanted", pp_size_task_options, 0},
     PP_ROOM_PLACE_GROUPS("What is wanted", PLACE(room)),
-    PP_ROOM_SIMULATION_GROUPS(PLACE(room)),
+    PP_ROOM_BY_HAND_GROUPS(PLACE(room)),
     {"Output", pp_text_or_json_option, PLACE(format)},
     {"Output", pp_size_write_option, 0},
     {"Output", pp_room_output_options, PLACE(room)},

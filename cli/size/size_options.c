@@ -65,9 +65,13 @@ enum pp_status pp_size_options_settle(struct pp_size_options *options,
     options->request.traced =
         options->request.by && strcmp(options->request.by, "traced") == 0;
     options->request.study = &options->room.study;
-    if (options->request.traced)
-        options->room.study.simulate = true;
-    enum pp_status status = pp_room_options_settle(&options->room, err);
+    if (options->request.traced && options->room.by_hand)
+        return pp_fail(err, PP_BAD_INPUT,
+                       "--by traced is the simulation, which --by-hand does without; "
+                       "expected one of them");
+    enum pp_status status = pp_room_options_settle_by_hand(&options->room, err);
+    if (status == PP_OK)
+        status = pp_room_options_settle(&options->room, err);
     if (status == PP_OK && options->request.by && !options->request.traced)
         status = check_method(options->request.by, err);
     return status;

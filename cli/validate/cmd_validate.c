@@ -8,6 +8,7 @@
 #include "cli/command.h"
 #include "cli/watch.h"
 #include "cli/format_option.h"
+#include "cli/df/formula_option.h"
 #include "studies/study_report.h"
 #include "cli/interrupt.h"
 #include "cli/message.h"
@@ -177,6 +178,7 @@ static enum pp_status read_program(const char *text, void *place, struct pp_erro
 
 struct validate_options {
     struct pp_room_options room;
+    struct pp_formula_words formulae;
     const char *against; /* the other program; NULL: none */
     enum pp_format format;
 };
@@ -211,6 +213,7 @@ static enum pp_exit compare_with_radiance(struct pp_room_options *options,
 
 static const struct pp_option_group groups[] = {
     PP_ROOM_CHOICE_GROUPS("What is compared", PLACE(room)),
+    {"What is compared", pp_formula_option, PLACE(formulae)},
     {"What is compared", against_option, 0},
     PP_ROOM_STOP_GROUPS(PLACE(room)),
     {"Output", pp_format_option, PLACE(format)},
@@ -229,14 +232,15 @@ static enum pp_status check(void *values, char **files, int file_count,
 {
     struct validate_options *options = values;
     struct pp_study_options *study = &options->room.study;
-    const char *of_rooms = study->methods            ? "--methods"
-                           : study->points.count > 0 ? "--points"
-                           : study->sky              ? "--sky"
-                           : options->room.room      ? "--room"
-                           : study->error > 0.0      ? "--error"
-                           : study->samples > 0      ? "--samples"
-                           : study->seconds > 0.0    ? "--time"
-                                                     : NULL;
+    const char *of_rooms = study->methods                ? "--methods"
+                           : options->formulae.count > 0 ? "--formula"
+                           : study->points.count > 0     ? "--points"
+                           : study->sky                  ? "--sky"
+                           : options->room.room          ? "--room"
+                           : study->error > 0.0          ? "--error"
+                           : study->samples > 0          ? "--samples"
+                           : study->seconds > 0.0        ? "--time"
+                                                         : NULL;
     (void)files;
     if (options->against && file_count == 0)
         return pp_fail(err, PP_BAD_INPUT,
@@ -246,6 +250,10 @@ static enum pp_status check(void *values, char **files, int file_count,
         return pp_fail(err, PP_BAD_INPUT,
                        "--against compares the simulation alone; expected it without "
                        "--methods");
+    if (options->against && options->formulae.count > 0)
+        return pp_fail(err, PP_BAD_INPUT,
+                       "--against compares the simulation alone; expected it without "
+                       "--formula");
     if (file_count == 0 && of_rooms)
         return pp_fail(err, PP_BAD_INPUT,
                        "%s is about a room; expected a room file, or - for standard "
@@ -255,7 +263,11 @@ static enum pp_status check(void *values, char **files, int file_count,
     if (!study->methods)
         study->methods = "all";
     enum pp_status status = pp_room_options_settle(&options->room, err);
-    return status == PP_OK ? pp_selection_check(study->methods, err) : status;
+    if (status == PP_OK)
+        status = pp_selection_check(study->methods, err);
+    return status == PP_OK ? pp_formula_option_settle(&options->formulae,
+                                                      &study->method_options, err)
+                           : status;
 }
 
 static enum pp_exit run(void *values, char **files, int file_count)
@@ -275,6 +287,7 @@ static void clear(void *values)
 {
     struct validate_options *options = values;
     pp_room_options_clear(&options->room);
+    pp_formula_option_clear(&options->formulae);
 }
 
 const struct pp_command pp_command_validate = {

@@ -8,6 +8,12 @@
 
 #include "formats/radiance/read/rad_reader.h"
 #include "formats/radiance/read/rad_sky.h"
+#include "model/light/graded_sky.h"
+
+/* The overcast sky's gradation as text. */
+#define TEXT(number) #number
+#define TEXT_OF(macro) TEXT(macro)
+#define OVERCAST TEXT_OF(PP_GRADED_SKY_OVERCAST)
 
 static const char cal[] =
     "{\n"
@@ -26,7 +32,7 @@ static const char cal[] =
     "pp_chi = acos(pp_cos_sun);\n"
     "pp_indicatrix = 1 + A6*(exp(A7*pp_chi) - exp(A7*PI/2)) + "
     "A8*pp_cos_sun*pp_cos_sun;\n"
-    "pp_relative = if(A2 - 15.5, (1 + 2*Dz)/3,\n"
+    "pp_relative = if(A2 - 15.5, (1 + " OVERCAST "*Dz)/(1 + " OVERCAST "),\n"
     "\t\tif(A2 - .5, pp_gradation*pp_indicatrix, 1));\n"
     "pp_beyond(k) = if(k + 2.5 - arg(0), A1*A3*pp_relative,\n"
     "\t\tif(arg(k+2)*(arg(k)*Dx + arg(k+1)*Dy) - Dz, arg(k+3), pp_beyond(k+4)));\n"

@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "methods/exact/beam_average.h"
 #include "methods/exact/direct_steps.h"
 #include "methods/exact/quadrature.h"
 
@@ -264,11 +265,31 @@ enum pp_status pp_direct_through(struct pp_direct *sum, const struct pp_world *w
 {
     struct pp_visible visible;
     enum pp_status status =
-        pp_visible_through(&visible, world, opening, receiver->position, err);
+        pp_visible_in_parts(&visible, world, opening, receiver->position, err);
     if (status != PP_OK)
         return status;
     status =
         pp_direct_add(sum, &visible, receiver->normal, glass, world, &world->sky, err);
     pp_visible_clear(&visible);
+    return status;
+}
+
+enum pp_status pp_direct_average(struct pp_direct *mean, const struct pp_world *world,
+                                 const struct pp_opening *opening,
+                                 const struct pp_glass *glass, struct pp_error *err)
+{
+    struct lights lights = {&world->sky, glass,
+                            pp_vec_scale(opening->inner.normal, -1.0)};
+    struct pp_beam_light light = {.sky = sky_through_glass,
+                                  .exitance = unity_through_glass,
+                                  .context = &lights,
+                                  .of_reflectance =
+                                      pp_visible_luminance_factor(&world->sky, 1.0),
+                                  .with_outside = true};
+    double values[2];
+    enum pp_status status =
+        pp_beam_average(values, world, opening, &light, PP_BEAM_AVERAGE_ERROR, err);
+    mean->sky = values[0];
+    mean->external = values[1];
     return status;
 }

@@ -44,6 +44,12 @@ enum pp_status pp_direct_through(struct pp_direct *sum, const struct pp_world *w
                                  const struct pp_receiver *receiver,
                                  const struct pp_glass *glass, struct pp_error *err);
 
+/* The means over the working plane, for a receiver that faces up, of the components
+ * that pp_direct_through gives at a point. */
+enum pp_status pp_direct_average(struct pp_direct *mean, const struct pp_world *world,
+                                 const struct pp_opening *opening,
+                                 const struct pp_glass *glass, struct pp_error *err);
+
 /* Moments of the part of a patch within `more` half-spaces, at most three. */
 enum pp_status pp_direct_moments(struct pp_moments *moments,
                                  const struct pp_visible *visible,

@@ -7,48 +7,59 @@
 #include "methods/exact/direct_steps.h"
 
 #include <math.h>
+#include <stdio.h>
 
-/* The formula of the sky component without glass. */
-static const char *closed_form(const struct pp_sky *sky)
+struct sum_text {
+    char text[80];
+};
+
+/* The formula of the sky component without glass: pi L(0)/Eh = 3/(3 + 2b). */
+static struct sum_text closed_form(const struct pp_sky *sky)
 {
-    return sky->kind == PP_SKY_UNIFORM ? "100 E_0# / 3.141592653590"
-                                       : "300 (E_0# + 2 E_1#) / (7 * 3.141592653590)";
+    double b = sky->gradation;
+    struct sum_text sum = {"100 E_0# / 3.141592653590"};
+    if (b != 0.0)
+        snprintf(sum.text, sizeof sum.text,
+                 "300 (E_0# + %g E_1#) / (%g * 3.141592653590)", b, 3.0 + 2.0 * b);
+    return sum;
 }
 
 /* Records the terms of the sky component; returns its formula, "" for an integral. */
-static const char *add_sky_terms(struct pp_part_steps *terms,
-                                 const struct pp_patch_figures *figures,
-                                 const struct pp_sky *sky)
+static struct sum_text add_sky_terms(struct pp_part_steps *terms,
+                                     const struct pp_patch_figures *figures,
+                                     const struct pp_sky *sky)
 {
     const struct pp_moments *moments = &figures->moments;
     pp_part_steps_read(terms, PP_UNIT_NUMBER, moments->omega, "omega",
                        figures->hidden ? "solid angle of the sky that is hidden, sr"
                                        : "solid angle of the sky that is seen, sr");
     if (!figures->closed_form)
-        return "";
+        return (struct sum_text){""};
     pp_part_steps_read(terms, PP_UNIT_NUMBER, moments->cosine, "E_0",
                        "its integral of the cosine at the receiver");
-    if (sky->kind != PP_SKY_UNIFORM)
+    if (sky->gradation != 0.0)
         pp_part_steps_read(terms, PP_UNIT_NUMBER, moments->cosine_sine, "E_1",
                            "the same, times the sine of the altitude");
     double bare = pp_solid_angle_sky_component(moments, sky);
+    struct sum_text sum = closed_form(sky);
     if (!figures->glazed || !(bare > 0.0))
-        return closed_form(sky);
-    pp_part_steps_figure(terms, PP_UNIT_SHARE, bare, "s", closed_form(sky),
+        return sum;
+    pp_part_steps_figure(terms, PP_UNIT_SHARE, bare, "s", sum.text,
                          "that sky without glass, in closed form");
     pp_part_steps_read(terms, PP_UNIT_NUMBER, figures->above / bare, "t",
                        "mean transmittance over it, by quadrature");
-    return "s# t#";
+    return (struct sum_text){"s# t#"};
 }
 
 static void add_sky_steps(struct pp_part_steps *terms,
                           const struct pp_patch_figures *figures,
                           const struct pp_sky *sky)
 {
-    const char *formula = add_sky_terms(terms, figures, sky);
-    pp_part_steps_component(terms, false, figures->above, formula,
-                            formula[0] ? "sky component"
-                                       : "sky component, an integral, by quadrature");
+    struct sum_text formula = add_sky_terms(terms, figures, sky);
+    pp_part_steps_component(terms, false, figures->above, formula.text,
+                            formula.text[0]
+                                ? "sky component"
+                                : "sky component, an integral, by quadrature");
     if (figures->below == 0.0)
         return;
     pp_part_steps_read(terms, PP_UNIT_SHARE, figures->below, "c",
@@ -63,10 +74,11 @@ static void add_hidden_steps(struct pp_part_steps *terms,
                              const struct pp_patch_figures *figures,
                              const struct pp_sky *sky)
 {
-    const char *formula = add_sky_terms(terms, figures, sky);
-    pp_part_steps_figure(terms, PP_UNIT_SHARE, figures->above, "e", formula,
-                         formula[0] ? "equivalent sky component of the obstruction"
-                                    : "its equivalent sky component, by quadrature");
+    struct sum_text formula = add_sky_terms(terms, figures, sky);
+    pp_part_steps_figure(terms, PP_UNIT_SHARE, figures->above, "e", formula.text,
+                         formula.text[0]
+                             ? "equivalent sky component of the obstruction"
+                             : "its equivalent sky component, by quadrature");
     bool below = figures->below != 0.0, own = figures->own != 0.0;
     if (below)
         pp_part_steps_read(terms, PP_UNIT_SHARE, figures->below, "b",

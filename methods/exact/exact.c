@@ -17,6 +17,7 @@
 
 #include <stdlib.h>
 
+#include "methods/exact/beam_average.h"
 #include "methods/exact/direct.h"
 #include "methods/exact/exterior.h"
 #include "methods/exact/diffusing_pane.h"
@@ -151,7 +152,7 @@ static enum pp_status direct_of(const struct pp_world *world,
                                 const void *tools, struct pp_part *part,
                                 struct pp_error *err)
 {
-    struct pp_direct sum = {.rough = rough, .steps = part->steps};
+    struct pp_direct sum = {.rough = rough, .steps = part->sheet.steps};
     enum pp_status status;
     if (opening->glass.diffusing)
         status = from_diffusing_pane(&sum, world, opening, receiver, tools, err);
@@ -180,6 +181,51 @@ static enum pp_status evaluate_roughly(const struct pp_world *world,
     return direct_of(world, opening, receiver, true, tools, part, err);
 }
 
+/* An evenly lit diffusing pane has one luminance in all directions. */
+static double unity(const void *context, struct pp_vec3 u)
+{
+    (void)context, (void)u;
+    return 1.0;
+}
+
+static enum pp_status average_of_even_pane(const struct pp_world *world,
+                                           const struct pp_opening *opening,
+                                           struct pp_part *part, struct pp_error *err)
+{
+    const struct pp_beam_light light = {.sky = unity};
+    struct pp_exterior_light outside;
+    double mean[2];
+    enum pp_status status = pp_exterior_light_on_plane(
+        &outside, world, &world->sky, opening->outer.vertices[0],
+        pp_vec_scale(opening->inner.normal, -1.0), opening->face, err);
+    if (status == PP_OK)
+        status =
+            pp_beam_average(mean, world, opening, &light, PP_BEAM_AVERAGE_ERROR, err);
+    if (status != PP_OK)
+        return status;
+    part->sky = opening->glass.diffuse / PP_PI * outside.sky * mean[0];
+    part->external = opening->glass.diffuse / PP_PI * outside.external * mean[0];
+    return PP_OK;
+}
+
+static enum pp_status average(const struct pp_world *world,
+                              const struct pp_opening *opening, const void *tools,
+                              struct pp_part *part, bool *known, struct pp_error *err)
+{
+    (void)tools;
+    *known = !opening->glass.diffusing || pp_exterior_is_uniform(world, opening);
+    if (!*known)
+        return PP_OK;
+    if (opening->glass.diffusing)
+        return average_of_even_pane(world, opening, part, err);
+    struct pp_direct mean = {0};
+    enum pp_status status =
+        pp_direct_average(&mean, world, opening, &opening->glass, err);
+    part->sky = mean.sky;
+    part->external = mean.external;
+    return status;
+}
+
 const struct pp_method pp_method_exact = {
     .name = "exact",
     .summary = "direct component by closed form or quadrature",
@@ -190,5 +236,6 @@ const struct pp_method pp_method_exact = {
     .prepare = prepare,
     .destroy_tools = destroy_tools,
     .evaluate = evaluate,
+    .average = average,
     .evaluate_roughly = evaluate_roughly,
 };

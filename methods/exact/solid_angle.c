@@ -214,8 +214,7 @@ bool pp_solid_angle_has_closed_form(const struct pp_sky *sky)
 double pp_solid_angle_sky_component(const struct pp_moments *moments,
                                     const struct pp_sky *sky)
 {
-    double relative = moments->cosine;
-    if (sky->kind == PP_SKY_OVERCAST)
-        relative = (moments->cosine + 2.0 * moments->cosine_sine) / 3.0;
-    return relative * sky->per_horizontal;
+    double b = sky->gradation;
+    return (moments->cosine + b * moments->cosine_sine) / (1.0 + b)
+           * sky->per_horizontal;
 }

@@ -12,8 +12,8 @@
  *                + sum (z.Gamma_i) n.(r_i sin Theta_i
  *                                     + (Gamma_i x r_i)(1 - cos Theta_i)) ]
  *
- * The overcast sky is (E0 + 2 E1)/3, the uniform one E0, times their luminance over
- * that of the zenith. Any polygon, convex or not, any tilt of it and of the receiver.
+ * A sky of gradation b (graded_sky.h) is (E0 + b E1)/(1 + b) times the luminance of its
+ * zenith. Any polygon, convex or not, any tilt of it and of the receiver.
  */
 #ifndef PP_METHODS_EXACT_SOLID_ANGLE_H
 #define PP_METHODS_EXACT_SOLID_ANGLE_H

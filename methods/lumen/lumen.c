@@ -1,31 +1,14 @@
-/* lumen.c - `lumen` and `lumen-one`: the lumen method, a daylight factor in one step.
+/* lumen.c - `lumen` and `lumen-one`: the lumen method, a daylight factor in one step [IES84].
  *
- * Light from the side, at five points and on average                       [IES84]:
- *
- *     E = tau (E_s CU_s + E_g CU_g)      lumen: sky and ground apart
- *     E = tau (E_s + E_g) CU             lumen-one: one coefficient
- *
- *   E_s   illuminance of the window from the open sky, over Eh
- *   E_g   the same from the ground: rho_g / 2
- *   tau   T R_a M: diffuse transmittance of the glass; its net area over that of the
- *         band as high as the window along the whole wall; light loss by dirt
- *   CU    coefficients of utilization, from tables (lumen_table.h) by depth and width
- * of the room in window heights, and reflectances; the one coefficient is (E_s CU_s +
- * 0.1 CU_g) / (E_s + 0.1), that of a ground of reflectance 0.2
+ * Light from the side, at five points and on average: `lumen` takes sky and ground apart,
+ * `lumen-one` with one coefficient, that of a ground of reflectance 0.2. Light from above
+ * on average only. Coefficients are from tables (lumen_table.h) by the room's reflectances
+ * and its depth and width in window heights, or its room cavity ratio.
  *
  * The table's window is all of a wall; windows spread along a wall are taken as that
  * window with their share of its area. A point's value depends on its depth from the
  * window alone, between the 10 and 90 % of the table. Windows in two opposite walls add
  * up.
- *
- * Light from above, on average only:
- *
- *     E = tau (A_s / A_w) E_h CU         tau = T N B M
- *
- *   A_s, A_w   areas of rooflight and working plane; B glass over opening area
- *   N     efficiency of the well; T and M as above
- *   E_h   illuminance on the rooflight, over Eh
- *   CU    by the room cavity ratio 5 h (L + W) / (L W) and reflectances
  *
  * lumen_scope.h has the rooms and openings that the method covers; there is no
  * extrapolation. tau contains glass, frame and dirt.
@@ -37,28 +20,131 @@
 #include "methods/lumen/lumen_scope.h"
 #include "methods/lumen/lumen_table.h"
 #include "methods/method.h"
+#include "methods/reflected/entering_light.h"
 #include "methods/reflected/obstruction.h"
 #include "methods/refusals.h"
-
-/* The ground reflectance in the one coefficient. */
-static const double one_ground = 0.2;
 
 /* A skyline higher than this is an obstruction (rad). */
 static const double free_below_rad = 1e-3;
 
-/* The terms of a window's or rooflight's sum that do not depend on the point. */
+/* ---- formulae ---- */
+
+#define OF_GLASS                                                                       \
+    {"A", PP_UNIT_SQUARE_METRE, "area of the opening"},                                \
+        {"B", PP_UNIT_NUMBER, "glass over opening area"},                              \
+        {"T", PP_UNIT_NUMBER, "diffuse transmittance of its glass"},                   \
+    {                                                                                  \
+        "M", PP_UNIT_NUMBER, "light loss by dirt"                                      \
+    }
+#define OF_WINDOW                                                                      \
+    {"H", PP_UNIT_METRE, "window height"},                                             \
+        {"W", PP_UNIT_METRE, "room along the window's wall"},                          \
+    {                                                                                  \
+        "D", PP_UNIT_METRE, "room away from it"                                        \
+    }
+#define OF_ENTERING                                                                    \
+    {"tau", PP_UNIT_NUMBER, "transmittance in all"},                                   \
+        {"E_s", PP_UNIT_SHARE, "on the window from the sky"},                          \
+        {"rho_g", PP_UNIT_NUMBER, "ground reflectance"},                               \
+        {"E_g", PP_UNIT_SHARE, "on the window from the ground"},                       \
+        {"CU_s", PP_UNIT_NUMBER, "coefficient for the sky, by its table"},             \
+    {                                                                                  \
+        "CU_g", PP_UNIT_NUMBER, "coefficient for the ground, by its table"             \
+    }
+#define OF_ROOFLIGHT                                                                   \
+    {"N", PP_UNIT_NUMBER, "efficiency of the well"},                                   \
+        {"L", PP_UNIT_METRE, "one side of the plan"},                                  \
+        {"W", PP_UNIT_METRE, "the other"},                                             \
+    {                                                                                  \
+        "h", PP_UNIT_METRE, "ceiling above the working plane"                          \
+    }
+
+static const struct pp_formula_quantity of_window[] = {OF_GLASS, OF_WINDOW, {0}};
+static const struct pp_formula_quantity of_transmittance[] = {
+    OF_GLASS, OF_WINDOW, {"R_a", PP_UNIT_NUMBER, "net glass over the band"}, {0}};
+static const struct pp_formula_quantity of_ground[] = {
+    {"rho_g", PP_UNIT_NUMBER, "ground reflectance"}, {0}};
+static const struct pp_formula_quantity of_two[] = {OF_ENTERING, {0}};
+static const struct pp_formula_quantity of_one[] = {
+    OF_ENTERING, {"CU", PP_UNIT_NUMBER, "one coefficient"}, {0}};
+static const struct pp_formula_quantity of_well[] = {
+    OF_GLASS, {"N", PP_UNIT_NUMBER, "what its well lets through"}, {0}};
+static const struct pp_formula_quantity of_cavity[] = {OF_ROOFLIGHT, {0}};
+static const struct pp_formula_quantity of_rooflight[] = {
+    OF_GLASS,
+    OF_ROOFLIGHT,
+    {"tau", PP_UNIT_NUMBER, "transmittance in all"},
+    {"RCR", PP_UNIT_NUMBER, "room cavity ratio"},
+    {"E_h", PP_UNIT_SHARE, "on the rooflight from the sky"},
+    {"CU", PP_UNIT_NUMBER, "coefficient, by its table"},
+    {0}};
+
+#define IES(left, right, what_of, of, quantities_of)                                   \
+    {                                                                                  \
+        .symbol = left, .sum = right, .unit = of, .source = "IES84", .what = what_of,  \
+        .quantities = quantities_of                                                    \
+    }
+
+static const struct pp_formula share_of_band =
+    IES("R_a", "A B / (W H)",
+        "net glass over the band as high as the window along the "
+        "whole wall",
+        PP_UNIT_NUMBER, of_window);
+static const struct pp_formula side_transmittance =
+    IES("tau", "T R_a M", "transmittance in all, of a window", PP_UNIT_NUMBER,
+        of_transmittance);
+static const struct pp_formula ground_light = IES(
+    "E_g", "100 rho_g / 2", "on the window from the ground", PP_UNIT_SHARE, of_ground);
+static const struct pp_formula depth_in_heights =
+    IES("", "D / H", "room depth over window height", PP_UNIT_NUMBER, of_window);
+static const struct pp_formula width_in_heights =
+    IES("", "W / H", "room width over window height", PP_UNIT_NUMBER, of_window);
+static const struct pp_formula side =
+    IES("df", "tau (E_s CU_s + E_g CU_g)", "daylight factor from a window",
+        PP_UNIT_SHARE, of_two);
+/* A ground of reflectance 0.2 gives the window 10 per cent. */
+static const struct pp_formula one_coefficient =
+    IES("CU", "(E_s CU_s + 10 CU_g) / (E_s + 10)",
+        "one coefficient, of a ground of 0.2", PP_UNIT_NUMBER, of_two);
+static const struct pp_formula side_by_one = IES(
+    "df", "tau (E_s + E_g) CU", "daylight factor from a window", PP_UNIT_SHARE, of_one);
+static const struct pp_formula top_transmittance = IES(
+    "tau", "T N B M", "transmittance in all, of a rooflight", PP_UNIT_NUMBER, of_well);
+static const struct pp_formula cavity_ratio = {.symbol = "RCR",
+                                               .sum = "5 h (L + W) / (L W)",
+                                               .unit = PP_UNIT_NUMBER,
+                                               .source = "IES84",
+                                               .what = "room cavity ratio",
+                                               .quantities = of_cavity,
+                                               .fixed = true};
+static const struct pp_formula top =
+    IES("df", "tau A / (L W) E_h CU", "average daylight factor from a rooflight",
+        PP_UNIT_SHARE, of_rooflight);
+
+static const struct pp_formula *const formulae[] = {
+    &share_of_band,     &side_transmittance, &ground_light, &side,
+    &top_transmittance, &cavity_ratio,       &top,          NULL};
+static const struct pp_formula *const formulae_of_one[] = {&share_of_band,
+                                                           &side_transmittance,
+                                                           &ground_light,
+                                                           &one_coefficient,
+                                                           &side_by_one,
+                                                           &top_transmittance,
+                                                           &cavity_ratio,
+                                                           &top,
+                                                           NULL};
+
+/* ---- what does not depend on the point ---- */
+
 struct reading {
     const char *why; /* static, or `text`; NULL: the opening is covered */
     char text[160];
-    double height_m;         /* of the window */
+    double height_m;         /* of the window; above the plane, of a rooflight's room */
     double width_m, depth_m; /* of the room */
-    double area_m2;
-    double T, R_a, M, tau;
-    double E_s, E_g;
+    double E_s, rho_g;
     double ceiling, walls;
     double cu_sky[PP_LUMEN_POSITIONS], cu_ground[PP_LUMEN_POSITIONS];
-    /* of rooflights: */
-    double rcr, well, plane_m2, E_h, cu_top;
+    double well, E_h, cu_top; /* of rooflights */
 };
 
 /* One for each opening. */
@@ -84,9 +170,7 @@ static enum pp_status read_window(struct reading *r, const struct pp_world *worl
     r->ceiling = pp_lumen_scope_ceiling_reflectance(world);
     r->walls = pp_lumen_scope_wall_reflectance(world, opening->face);
     r->E_s = pp_sky_on_plane(&world->sky, pp_vec_scale(opening->inner.normal, -1.0));
-    r->E_g = world->ground_reflectance / 2.0;
-    r->R_a = r->area_m2 * opening->frame_factor / (r->width_m * r->height_m);
-    r->tau = r->T * r->R_a * r->M;
+    r->rho_g = world->ground_reflectance;
 
     struct pp_lumen_query query = {
         .ev_over_eh = r->E_s,
@@ -117,17 +201,16 @@ static enum pp_status read_rooflight(struct reading *r, const struct pp_world *w
         return status;
     pp_lumen_scope_room_size(&r->width_m, &r->depth_m, world, opening);
     r->height_m = world->height_m - world->working_plane_m;
-    r->plane_m2 = r->width_m * r->depth_m;
     r->ceiling = pp_lumen_scope_ceiling_reflectance(world);
     r->walls = pp_lumen_scope_wall_reflectance(world, -1);
-    r->rcr = 5.0 * r->height_m * (r->width_m + r->depth_m) / r->plane_m2;
-    r->E_h = 1.0 - alpha_rad / (PP_PI / 2.0);
+    const double cavity[] = {NAN, r->width_m, r->depth_m, r->height_m};
+    const double C[] = {1.0, alpha_rad};
+    double rcr = pp_formula_value(&cavity_ratio, cavity);
+    r->E_h = pp_formula_value(&pp_entering_light_C, C);
     r->well = pp_lumen_cavity_well_efficiency(opening->width_m, opening->height_m,
                                               opening->reveal_m, r->ceiling);
-    r->R_a = opening->frame_factor;
-    r->tau = r->T * r->well * r->R_a * r->M;
-    r->cu_top = pp_lumen_table_top(table, r->rcr, r->ceiling, r->walls, r->text,
-                                   sizeof r->text);
+    r->cu_top =
+        pp_lumen_table_top(table, rcr, r->ceiling, r->walls, r->text, sizeof r->text);
     r->why = isnan(r->cu_top) ? r->text : NULL;
     return PP_OK;
 }
@@ -140,10 +223,7 @@ static enum pp_status read_openings(struct tools *tools, const struct pp_world *
     for (int i = 0; i < world->opening_count && status == PP_OK; i++) {
         const struct pp_opening *opening = &world->openings[i];
         struct reading *r = &tools->readings[i];
-        *r = (struct reading){.why = pp_lumen_scope_refuses_opening(world, opening),
-                              .area_m2 = opening->inner.area_m2,
-                              .T = opening->glass.diffuse,
-                              .M = opening->maintenance};
+        *r = (struct reading){.why = pp_lumen_scope_refuses_opening(world, opening)};
         if (r->why)
             continue;
         status = pp_lumen_scope_is_rooflight(opening)
@@ -183,16 +263,16 @@ static const char *refuses_room(const struct pp_world *world,
     return why ? why : pp_lumen_scope_refuses_room(world);
 }
 
-static void add_glass_steps(const struct reading *r, const struct pp_opening *opening,
-                            struct pp_steps *steps)
+static void put_glass(struct pp_worksheet *sheet, const struct pp_opening *opening)
 {
-    pp_steps_add_named(steps, PP_UNIT_SQUARE_METRE, r->area_m2, "A",
-                       "opening on line %d: area", opening->line);
-    pp_steps_add_named(steps, PP_UNIT_NUMBER, opening->frame_factor, "B",
-                       "glass over opening area");
-    pp_steps_add_named(steps, PP_UNIT_NUMBER, r->T, "T",
-                       "diffuse transmittance of its glass");
-    pp_steps_add_named(steps, PP_UNIT_NUMBER, r->M, "M", "light loss by dirt");
+    pp_worksheet_put(sheet, PP_UNIT_SQUARE_METRE, opening->inner.area_m2, "A",
+                     "opening on line %d: area", opening->line);
+    pp_worksheet_put(sheet, PP_UNIT_NUMBER, opening->frame_factor, "B",
+                     "glass over opening area");
+    pp_worksheet_put(sheet, PP_UNIT_NUMBER, opening->glass.diffuse, "T",
+                     "diffuse transmittance of its glass");
+    pp_worksheet_put(sheet, PP_UNIT_NUMBER, opening->maintenance, "M",
+                     "light loss by dirt");
 }
 
 /* The coefficient at a share of the depth; the average for NAN. */
@@ -201,87 +281,64 @@ static double coefficient(const double cu[PP_LUMEN_POSITIONS], double share)
     return isnan(share) ? cu[PP_LUMEN_AVERAGE] : pp_lumen_table_at_depth(cu, share);
 }
 
-static double window_value(const struct reading *r, const struct pp_opening *opening,
-                           double share, bool one, struct pp_steps *steps)
+/* What enters by a window. */
+static void put_window(struct pp_worksheet *sheet, const struct reading *r,
+                       const struct pp_opening *opening)
 {
-    double cu_s = coefficient(r->cu_sky, share),
-           cu_g = coefficient(r->cu_ground, share);
-    double cu_one =
-        (r->E_s * cu_s + one_ground / 2.0 * cu_g) / (r->E_s + one_ground / 2.0);
-    double value = one ? r->tau * (r->E_s + r->E_g) * cu_one
-                       : r->tau * (r->E_s * cu_s + r->E_g * cu_g);
-    if (!steps)
-        return value;
-    add_glass_steps(r, opening, steps);
-    pp_steps_add_named(steps, PP_UNIT_METRE, r->height_m, "H", "window height");
-    pp_steps_add_named(steps, PP_UNIT_METRE, r->width_m, "W",
-                       "room along the window's wall");
-    pp_steps_add_named(steps, PP_UNIT_METRE, r->depth_m, "D", "room away from it");
-    pp_steps_add_worked(steps, PP_UNIT_NUMBER, r->R_a, "R_a", "A B / (W H)",
-                        "net glass over the band along the wall");
-    pp_steps_add_worked(steps, PP_UNIT_NUMBER, r->tau, "tau", "T R_a M",
-                        "transmittance in all");
-    pp_steps_add_named(steps, PP_UNIT_SHARE, r->E_s, "E_s",
-                       "on the window from the sky");
-    pp_steps_add_named(steps, PP_UNIT_NUMBER, 2.0 * r->E_g, "rho_g",
-                       "ground reflectance");
-    pp_steps_add_worked(steps, PP_UNIT_SHARE, r->E_g, "E_g", "100 rho_g / 2",
-                        "on the window from the ground");
-    pp_steps_add_worked(steps, PP_UNIT_NUMBER, r->depth_m / r->height_m, "", "D / H",
-                        "room depth over window height");
-    pp_steps_add_worked(steps, PP_UNIT_NUMBER, r->width_m / r->height_m, "", "W / H",
-                        "room width over window height");
-    pp_steps_add_named(steps, PP_UNIT_NUMBER, r->ceiling, "", "ceiling reflectance");
-    pp_steps_add_named(steps, PP_UNIT_NUMBER, r->walls, "",
-                       "mean reflectance of the other walls");
+    put_glass(sheet, opening);
+    pp_worksheet_put(sheet, PP_UNIT_METRE, r->height_m, "H", "window height");
+    pp_worksheet_put(sheet, PP_UNIT_METRE, r->width_m, "W",
+                     "room along the window's wall");
+    pp_worksheet_put(sheet, PP_UNIT_METRE, r->depth_m, "D", "room away from it");
+    pp_worksheet_work(sheet, &share_of_band, "net glass over the band along the wall");
+    pp_worksheet_work(sheet, &side_transmittance, "transmittance in all");
+    pp_worksheet_put(sheet, PP_UNIT_SHARE, r->E_s, "E_s", "on the window from the sky");
+    pp_worksheet_put(sheet, PP_UNIT_NUMBER, r->rho_g, "rho_g", "ground reflectance");
+    pp_worksheet_work(sheet, &ground_light, "on the window from the ground");
+}
+
+static double window_value(const struct reading *r, const struct pp_opening *opening,
+                           double share, bool one, struct pp_worksheet *sheet)
+{
+    put_window(sheet, r, opening);
+    pp_worksheet_work(sheet, &depth_in_heights, "room depth over window height");
+    pp_worksheet_work(sheet, &width_in_heights, "room width over window height");
+    pp_worksheet_note(sheet, PP_UNIT_NUMBER, r->ceiling, "ceiling reflectance");
+    pp_worksheet_note(sheet, PP_UNIT_NUMBER, r->walls,
+                      "mean reflectance of the other walls");
     if (!isnan(share))
-        pp_steps_add_named(steps, PP_UNIT_NUMBER, share, "",
-                           "the point's distance from the wall over D");
-    pp_steps_add_named(steps, PP_UNIT_NUMBER, cu_s, "CU_s",
-                       "coefficient for the sky, by its table");
-    pp_steps_add_named(steps, PP_UNIT_NUMBER, cu_g, "CU_g",
-                       "coefficient for the ground, by its table");
-    if (one) {
-        pp_steps_add_worked(steps, PP_UNIT_NUMBER, cu_one, "CU",
-                            "(E_s CU_s + 10 CU_g) / (E_s + 10)",
-                            "one coefficient, of a ground of 0.2");
-        pp_steps_add_worked(steps, PP_UNIT_SHARE, value, "df", "tau (E_s + E_g) CU",
-                            "daylight factor from this window");
-    } else {
-        pp_steps_add_worked(steps, PP_UNIT_SHARE, value, "df",
-                            "tau (E_s CU_s + E_g CU_g)",
-                            "daylight factor from this window");
-    }
-    return value;
+        pp_worksheet_note(sheet, PP_UNIT_NUMBER, share,
+                          "the point's distance from the wall over D");
+    pp_worksheet_put(sheet, PP_UNIT_NUMBER, coefficient(r->cu_sky, share), "CU_s",
+                     "coefficient for the sky, by its table");
+    pp_worksheet_put(sheet, PP_UNIT_NUMBER, coefficient(r->cu_ground, share), "CU_g",
+                     "coefficient for the ground, by its table");
+    if (one)
+        pp_worksheet_work(sheet, &one_coefficient,
+                          "one coefficient, of a ground of 0.2");
+    return pp_worksheet_work(sheet, one ? &side_by_one : &side,
+                             "daylight factor from this window");
 }
 
 static double rooflight_value(const struct reading *r, const struct pp_opening *opening,
-                              struct pp_steps *steps)
+                              struct pp_worksheet *sheet)
 {
-    double value = r->tau * r->area_m2 / r->plane_m2 * r->E_h * r->cu_top;
-    if (!steps)
-        return value;
-    add_glass_steps(r, opening, steps);
-    pp_steps_add_named(steps, PP_UNIT_NUMBER, r->well, "N",
-                       "what its well lets through");
-    pp_steps_add_worked(steps, PP_UNIT_NUMBER, r->tau, "tau", "T N B M",
-                        "transmittance in all");
-    pp_steps_add_named(steps, PP_UNIT_METRE, r->width_m, "L", "one side of the plan");
-    pp_steps_add_named(steps, PP_UNIT_METRE, r->depth_m, "W", "the other");
-    pp_steps_add_named(steps, PP_UNIT_METRE, r->height_m, "h",
-                       "ceiling above the working plane");
-    pp_steps_add_worked(steps, PP_UNIT_NUMBER, r->rcr, "RCR", "5 h (L + W) / (L W)",
-                        "room cavity ratio");
-    pp_steps_add_named(steps, PP_UNIT_NUMBER, r->ceiling, "", "ceiling reflectance");
-    pp_steps_add_named(steps, PP_UNIT_NUMBER, r->walls, "",
-                       "mean reflectance of the walls");
-    pp_steps_add_named(steps, PP_UNIT_NUMBER, r->cu_top, "CU",
-                       "coefficient, by its table");
-    pp_steps_add_named(steps, PP_UNIT_SHARE, r->E_h, "E_h",
-                       "on the rooflight from the sky");
-    pp_steps_add_worked(steps, PP_UNIT_SHARE, value, "df", "tau A / (L W) E_h CU",
-                        "average daylight factor from this rooflight");
-    return value;
+    put_glass(sheet, opening);
+    pp_worksheet_put(sheet, PP_UNIT_NUMBER, r->well, "N", "what its well lets through");
+    pp_worksheet_work(sheet, &top_transmittance, "transmittance in all");
+    pp_worksheet_put(sheet, PP_UNIT_METRE, r->width_m, "L", "one side of the plan");
+    pp_worksheet_put(sheet, PP_UNIT_METRE, r->depth_m, "W", "the other");
+    pp_worksheet_put(sheet, PP_UNIT_METRE, r->height_m, "h",
+                     "ceiling above the working plane");
+    pp_worksheet_work(sheet, &cavity_ratio, "room cavity ratio");
+    pp_worksheet_note(sheet, PP_UNIT_NUMBER, r->ceiling, "ceiling reflectance");
+    pp_worksheet_note(sheet, PP_UNIT_NUMBER, r->walls, "mean reflectance of the walls");
+    pp_worksheet_put(sheet, PP_UNIT_NUMBER, r->cu_top, "CU",
+                     "coefficient, by its table");
+    pp_worksheet_put(sheet, PP_UNIT_SHARE, r->E_h, "E_h",
+                     "on the rooflight from the sky");
+    return pp_worksheet_work(sheet, &top,
+                             "average daylight factor from this rooflight");
 }
 
 /* The point's distance from the opening's wall over the room's depth; NAN for no
@@ -310,7 +367,7 @@ static enum pp_status evaluate_by(const struct pp_world *world,
             part->why = "lights the room from above, of which the method gives the "
                         "average only";
         else
-            part->value = rooflight_value(r, opening, part->steps);
+            part->value = rooflight_value(r, opening, &part->sheet);
         return PP_OK;
     }
     double share = share_of(r, opening, receiver);
@@ -319,7 +376,7 @@ static enum pp_status evaluate_by(const struct pp_world *world,
             "has this point nearer than a tenth of the room's depth, or farther "
             "than nine tenths, where the tables end";
     else
-        part->value = window_value(r, opening, share, one, part->steps);
+        part->value = window_value(r, opening, share, one, &part->sheet);
     return PP_OK;
 }
 
@@ -346,6 +403,7 @@ const struct pp_method pp_method_lumen = {
     .name = "lumen",
     .summary = "the lumen method, sky and ground apart",
     .source = "IES84",
+    .formulae = formulae,
     .gives = PP_GIVES_WHOLE,
     .speaks_for = PP_FOR_POINT,
     .allowances = PP_ALLOWS_OWN_GLASS | PP_ALLOWS_FRAME | PP_ALLOWS_DIRT,
@@ -360,6 +418,7 @@ const struct pp_method pp_method_lumen_one = {
     .name = "lumen-one",
     .summary = "the lumen method with one coefficient",
     .source = "IES84",
+    .formulae = formulae_of_one,
     .gives = PP_GIVES_WHOLE,
     .speaks_for = PP_FOR_POINT,
     .allowances = PP_ALLOWS_OWN_GLASS | PP_ALLOWS_FRAME | PP_ALLOWS_DIRT,

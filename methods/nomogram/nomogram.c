@@ -48,9 +48,10 @@ static const char *refuses_room(const struct pp_world *world,
 }
 
 /* Records the quantities that were put in, set on scales and read. */
-static void add_steps(struct pp_steps *steps, const struct pp_nomogram *nomogram,
+static void add_steps(struct pp_worksheet *sheet, const struct pp_nomogram *nomogram,
                       const struct pp_nomogram_reading *reading, int line)
 {
+    struct pp_steps *steps = sheet->steps;
     const double *value = reading->value;
     char shift[32] = "", formula[32];
     if (reading->tens)
@@ -58,12 +59,11 @@ static void add_steps(struct pp_steps *steps, const struct pp_nomogram *nomogram
                  pow(10.0, abs(reading->tens)));
     pp_steps_add_named(steps, PP_UNIT_NUMBER, nomogram->k, "k",
                        "rule of the chart: R_cw over R_fw");
-    pp_steps_add_named(steps, PP_UNIT_SQUARE_METRE, reading->glass_m2, "W",
-                       "opening on line %d: net area of glass", line);
-    pp_steps_add_named(steps, PP_UNIT_SQUARE_METRE, reading->inside_m2, "S",
-                       "area of all inside surfaces");
-    pp_steps_add_worked(steps, PP_UNIT_NUMBER, reading->ratio, "a", "W / S",
-                        "their ratio");
+    pp_worksheet_put(sheet, PP_UNIT_SQUARE_METRE, reading->glass_m2, "W",
+                     "opening on line %d: net area of glass", line);
+    pp_worksheet_put(sheet, PP_UNIT_SQUARE_METRE, reading->inside_m2, "S",
+                     "area of all inside surfaces");
+    pp_worksheet_work(sheet, &pp_nomogram_reading_ratio, "their ratio");
     pp_steps_add_named(steps, PP_UNIT_NUMBER, value[PP_STEM_A], "A",
                        "scale A, set to the ratio%s", shift);
     pp_steps_add_named(steps, PP_UNIT_NUMBER, value[PP_STEM_B], "B",
@@ -84,6 +84,8 @@ static void add_steps(struct pp_steps *steps, const struct pp_nomogram *nomogram
                             "and back");
 }
 
+static const struct pp_formula *const formulae[] = {&pp_nomogram_reading_ratio, NULL};
+
 static enum pp_status evaluate(const struct pp_world *world,
                                const struct pp_opening *opening,
                                const struct pp_receiver *receiver, const void *tools,
@@ -97,8 +99,8 @@ static enum pp_status evaluate(const struct pp_world *world,
     if (status != PP_OK)
         return status;
     part->value = reading.component;
-    if (part->steps)
-        add_steps(part->steps, nomogram, &reading, opening->line);
+    if (part->sheet.steps)
+        add_steps(&part->sheet, nomogram, &reading, opening->line);
     return PP_OK;
 }
 
@@ -106,7 +108,9 @@ const struct pp_method pp_method_nomogram = {
     .name = "nomogram",
     .summary = "average internally reflected component, read off a nomogram",
     .source = "GEEBELEN",
+    .formulae = formulae,
     .gives = PP_GIVES_INTERNAL,
+    .own_ground = 0.1, /* that of `bre` */
     .speaks_for = PP_FOR_ROOM,
     .allowances = PP_ALLOWS_CLEAR_GLASS | PP_ALLOWS_FRAME,
     .refuses_room = refuses_room,

@@ -10,6 +10,22 @@
 #include "methods/nomogram/nomogram_scale.h"
 #include "methods/reflected/obstruction.h"
 
+static const struct pp_formula_quantity of_ratio[] = {
+    {"W", PP_UNIT_SQUARE_METRE, "net area of glass"},
+    {"S", PP_UNIT_SQUARE_METRE, "area of all inside surfaces"},
+    {0},
+};
+
+const struct pp_formula pp_nomogram_reading_ratio = {
+    .symbol = "a",
+    .sum = "W / S",
+    .unit = PP_UNIT_NUMBER,
+    .source = "GEEBELEN",
+    .what = "net glass area over the area of all inside surfaces, which scale A has",
+    .quantities = of_ratio,
+    .fixed = true,
+};
+
 /* Reads a stem where the straight-edge crosses it, laid on the values of two others. */
 static void lay_edge(struct pp_nomogram_reading *reading,
                      const struct pp_nomogram *nomogram, int index)
@@ -64,7 +80,9 @@ enum pp_status pp_nomogram_reading_of_opening(struct pp_nomogram_reading *readin
         return status;
 
     double *value = reading->value;
-    reading->ratio = reading->glass_m2 / reading->inside_m2;
+    reading->ratio =
+        pp_formula_value(&pp_nomogram_reading_ratio,
+                         (const double[]){reading->glass_m2, reading->inside_m2});
     value[PP_STEM_A] = pp_nomogram_scale_read(
         nomogram, PP_STEM_A,
         shifted(&nomogram->stems[PP_STEM_A], reading->ratio, &reading->tens));

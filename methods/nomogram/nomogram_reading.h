@@ -2,8 +2,12 @@
 #ifndef PP_METHODS_NOMOGRAM_NOMOGRAM_READING_H
 #define PP_METHODS_NOMOGRAM_NOMOGRAM_READING_H
 
+#include "model/results/formula.h"
 #include "model/results/nomogram_sheet.h"
 #include "model/room/world.h"
+
+/* a = W / S, the ratio that is set on scale A. */
+extern const struct pp_formula pp_nomogram_reading_ratio;
 
 /* Why the room cannot be set on a nomogram: a static sentence, or NULL. */
 const char *pp_nomogram_reading_refuses_room(const struct pp_world *world);

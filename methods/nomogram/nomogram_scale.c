@@ -1,25 +1,25 @@
 /* nomogram_scale.c - the derivation of the nomograms' scales [GEEBELEN], and the
  * scales.
  *
- * THE FORMULA. For vertical glass the BRE formula [HLP54], [BRE310], per cent,
+ * THE FORMULA. For vertical glass the BRE formula (bre_terms.h), per cent,
  *
- *     IRC = 0.85 W / (A (1 - R)) (C R_fw + 5 R_cw)                            (1)
+ *     IRC = q W / (A (1 - R)) (C R_fw + g R_cw)                               (1)
  *
- * for top light the same with the sky's share C(beta) on glass of slope beta in place
- * of C, and the ground's 5 (1 - cos beta) in place of 5: for horizontal glass 100 and
- * 0. The formula has three reflectances, a scale has one. So a rule has to tie R_fw and
- * R_cw to R:
+ * with its constants q for clear glass and g for the ground; for top light the same with
+ * the sky's share C(beta) on glass of slope beta in place of C, and g (1 - cos beta) in
+ * place of g: for horizontal glass 100 and 0. The formula has three reflectances, a scale
+ * has one. So a rule has to tie R_fw and R_cw to R:
  *
  *     R_cw = k R_fw,   R = (R_fw + R_cw)/2  =>  R_fw = 2 R/(1 + k)            (2)
  *
  * the second because the parts above and below the middle of the window are about
  * equal. With (2) the formula is a product of functions of one quantity each,
  *
- *     IRC = K . W/A . R/(1 - R) . F,   K = 0.85 . 2/(1 + k) . (C0 + 5 k)      (3)
+ *     IRC = K . W/A . R/(1 - R) . F,   K = q . 2/(1 + k) . (C0 + g k)         (3)
  *
- *     side-lit  C0 = 39    F = (C(alpha) + 5 k)/(39 + 5 k)
- *     top-lit   C0 = 100   F = (C(beta) + 5 k (1 - cos beta))/100
- *               (without "+ 5 k" in K; F is then 1 for horizontal glass)
+ *     side-lit  C0 = C(0)  F = (C(alpha) + g k)/(C(0) + g k)
+ *     top-lit   C0 = 100   F = (C(beta) + g k (1 - cos beta))/100
+ *               (without "+ g k" in K; F is then 1 for horizontal glass)
  *
  *     minimum = IRC / f, with the published f by the walls' reflectance [BRE310]
  *
@@ -63,25 +63,34 @@
 #include "methods/reflected/irc_minimum.h"
 #include "methods/reflected/obstruction.h"
 #include "model/geometry/vec.h"
+#include "model/light/graded_sky.h"
 
 /* Ranges of the scales that are set. */
 static const double least_glass = 0.005, most_glass = 0.2;
 static const double most_obstruction_rad = 80.0 * PP_RAD;
 static const double darkest_walls = 0.2, lightest_walls = 0.8;
 
-/* C(beta) + 5 k (1 - cos beta) over 100, overcast sky. */
-static double slope_factor(double beta)
+/* The formula (1) for W = A, R = 0. */
+static double by_formula(double C, double R_fw, double R_cw)
 {
-    double c = cos(beta), s = sin(beta);
-    double C = 3.0 / 14.0 * (1.0 + c) + 4.0 / (7.0 * PP_PI) * (s + (PP_PI - beta) * c);
-    return C + PP_BRE_GROUND * PP_NOMOGRAM_K * (1.0 - c);
+    const struct pp_bre_terms terms = {
+        .W = 1.0, .all = {1.0, 0.0}, .R_fw = R_fw, .R_cw = R_cw, .C = C};
+    return pp_bre_terms_average(&terms);
 }
 
+/* F of glass at a slope, overcast sky. */
+static double slope_factor(double beta)
+{
+    double C = pp_graded_sky_on_plane(PP_GRADED_SKY_OVERCAST, beta);
+    return by_formula(C, 1.0, PP_NOMOGRAM_K * (1.0 - cos(beta)))
+           / by_formula(1.0, 1.0, 0.0);
+}
+
+/* F before an obstruction. */
 static double obstruction_factor(double alpha)
 {
-    double ground = PP_BRE_GROUND * PP_NOMOGRAM_K;
-    return (pp_obstruction_factor(alpha) + ground)
-           / (pp_obstruction_factor(0.0) + ground);
+    return by_formula(pp_obstruction_factor(alpha), 1.0, PP_NOMOGRAM_K)
+           / by_formula(pp_obstruction_factor(0.0), 1.0, PP_NOMOGRAM_K);
 }
 
 /* The factor of (3) that depends on a quantity. */
@@ -188,9 +197,9 @@ struct pp_nomogram pp_nomogram_scale_make(enum pp_nomogram_kind kind)
                   {PP_STEM_C, PP_STEM_D, PP_STEM_E},
                   {PP_STEM_E, PP_STEM_F, PP_STEM_G}},
     };
-    double open =
-        top ? 1.0 : pp_obstruction_factor(0.0) + PP_BRE_GROUND * PP_NOMOGRAM_K;
-    double K = PP_ALLOWANCE_CLEAR_DIFFUSE * nomogram.R_fw_R * open;
+    double R_fw = nomogram.R_fw_R, R_cw = PP_NOMOGRAM_K * nomogram.R_fw_R;
+    double K = top ? by_formula(1.0, R_fw, 0.0)
+                   : by_formula(pp_obstruction_factor(0.0), R_fw, R_cw);
 
     struct pp_nomogram_stem *stem = nomogram.stems;
     stem[PP_STEM_A] = whole_stem(PP_NOMOGRAM_GLASS, 0.0, least_glass, most_glass);

@@ -84,15 +84,14 @@ static const char *refuses(const struct pp_world *world,
 static void count_dots(struct pp_part *part, const struct pp_pepper_pot *pot,
                        const struct pp_window_drawing *drawing)
 {
-    pp_steps_add_named(part->steps, PP_UNIT_SHARE, pot->worth, "w",
-                       "a dot of the diagram is worth");
-    struct pp_part_steps terms = pp_part_steps_begin(part->steps, drawing->count);
+    pp_worksheet_put(&part->sheet, PP_UNIT_SHARE, pot->worth, "w",
+                     "a dot of the diagram is worth");
+    struct pp_part_steps terms = pp_part_steps_on(&part->sheet, drawing->count);
     for (int i = 0; i < drawing->count; i++) {
         const struct pp_drawn_part *drawn = &drawing->parts[i];
         int dots = pp_pepper_pot_dots_count(pot, &drawn->region);
-        double share = drawn->factor * dots * pot->worth;
-        *(drawn->hidden ? &part->external : &part->sky) += share;
-        pp_window_drawing_steps(&terms, drawn, dots, "dots", share);
+        *(drawn->hidden ? &part->external : &part->sky) +=
+            pp_window_drawing_work(&terms, drawn, dots, "dots");
     }
     pp_part_steps_end(&terms);
 }
@@ -125,22 +124,20 @@ static enum pp_status evaluate(const struct pp_world *world,
     return status;
 }
 
-/* The mean of many counts is the component itself: for averages over many points it is
- * taken by quadrature instead of dots. */
-static enum pp_status evaluate_roughly(const struct pp_world *world,
-                                       const struct pp_opening *opening,
-                                       const struct pp_receiver *receiver,
-                                       const void *tools, struct pp_part *part,
-                                       struct pp_error *err)
+/* The mean of many counts is the component itself, which an average over the plane
+ * takes instead of dots. */
+static enum pp_status average(const struct pp_world *world,
+                              const struct pp_opening *opening, const void *tools,
+                              struct pp_part *part, bool *known, struct pp_error *err)
 {
     const struct pepper_pot_diagrams *diagrams = tools;
     const struct pp_glass *glass =
         opening->glass.panes > 0 ? &diagrams->glazed->glass : &opening->glass;
-    struct pp_direct sum = {.rough = true};
-    enum pp_status status =
-        pp_direct_through(&sum, world, opening, receiver, glass, err);
-    part->sky = sum.sky;
-    part->external = sum.external;
+    struct pp_direct mean = {0};
+    *known = true;
+    enum pp_status status = pp_direct_average(&mean, world, opening, glass, err);
+    part->sky = mean.sky;
+    part->external = mean.external;
     return status;
 }
 
@@ -148,6 +145,7 @@ const struct pp_method pp_method_pepper_pot = {
     .name = "pepper-pot",
     .summary = "direct component by counting dots on a pepper-pot diagram",
     .source = "PLE54",
+    .formulae = pp_window_drawing_formulae,
     .gives = PP_GIVES_DIRECT,
     .speaks_for = PP_FOR_POINT,
     .allowances = PP_ALLOWS_CLEAR_GLASS | PP_ALLOWS_NO_GLASS,
@@ -157,5 +155,5 @@ const struct pp_method pp_method_pepper_pot = {
     .refuses_room = refuses_room,
     .refuses = refuses,
     .evaluate = evaluate,
-    .evaluate_roughly = evaluate_roughly,
+    .average = average,
 };

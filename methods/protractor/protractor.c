@@ -16,7 +16,6 @@
  * Protractors 1 to 8 contain clear single glass, at 90, 0, 30 and 60 degrees; 9 and 10
  * are for unglazed openings at any slope.
  */
-#include <stdio.h>
 #include <stdlib.h>
 
 #include "methods/method.h"
@@ -101,58 +100,64 @@ static const char *refuses(const struct pp_world *world,
     return NULL;
 }
 
-/* Records an angle and the reading of a scale at that angle. */
-static void add_pair_steps(const struct pp_part_steps *terms, double angle_rad,
-                           enum pp_step_unit unit, double read, const char *symbol,
-                           const char *what, const char *scale)
+/* Puts down an angle and the reading of a scale at that angle. */
+static void put_pair(struct pp_worksheet *sheet, double angle_rad,
+                     enum pp_step_unit unit, double read, const char *symbol,
+                     const char *what, const char *scale)
 {
-    pp_steps_add(terms->steps, PP_UNIT_ANGLE, angle_rad, "%s", what);
-    pp_steps_add_named(terms->steps, unit, read,
-                       pp_part_steps_symbol(terms, symbol).text, "%s", scale);
+    pp_worksheet_note(sheet, PP_UNIT_ANGLE, angle_rad, "%s", what);
+    pp_worksheet_put(sheet, unit, read, symbol, "%s", scale);
 }
 
 /* off_sky: the obstruction's equivalent sky component is subtracted from the sky's. */
-static void add_reading_steps(struct pp_part_steps *terms,
-                              const struct pp_protractor_reading *reading, bool off_sky)
+static void work_reading(struct pp_part_steps *terms, struct pp_part *sum,
+                         const struct pp_protractor_reading *reading, bool off_sky)
 {
+    struct pp_worksheet *sheet = terms->sheet;
+    bool hidden = reading->hidden;
     pp_part_steps_next(terms);
-    const char *of = reading->hidden ? "obstruction" : "opening";
-    char upper[48], lower[48];
-    snprintf(upper, sizeof upper, "%s, upper edge: altitude", of);
-    snprintf(lower, sizeof lower, "%s, lower edge: altitude", of);
-    add_pair_steps(terms, reading->edge_rad[1], PP_UNIT_SHARE, reading->share[1], "p_u",
-                   upper, "primary scale there");
-    add_pair_steps(terms, reading->edge_rad[0], PP_UNIT_SHARE, reading->share[0], "p_l",
-                   lower, "primary scale there");
-    pp_part_steps_figure(terms, PP_UNIT_SHARE, reading->initial, "i", "p_u# - p_l#",
-                         "initial component, of an endless opening");
-    pp_steps_add(terms->steps, PP_UNIT_ANGLE, reading->average_rad,
-                 "average altitude of both edges");
-    add_pair_steps(terms, reading->jamb_rad[0], PP_UNIT_NUMBER, reading->correction[0],
-                   "k_l", "left jamb from the normal, right is positive",
-                   "auxiliary scale there");
-    add_pair_steps(terms, reading->jamb_rad[1], PP_UNIT_NUMBER, reading->correction[1],
-                   "k_r", "right jamb from the normal", "auxiliary scale there");
-    pp_part_steps_figure(terms, PP_UNIT_NUMBER, reading->width_factor, "K",
-                         reading->correction[1] < reading->correction[0]
-                             ? "max(k_r# - k_l#, 0)"
-                             : "k_r# - k_l#",
-                         "correction factor for the width");
-    if (!reading->hidden) {
-        pp_part_steps_component(terms, false, reading->component, "i# K#",
-                                "sky component");
+    put_pair(sheet, reading->edge_rad[1], PP_UNIT_SHARE, reading->share[1], "p_u",
+             hidden ? "obstruction, upper edge: altitude"
+                    : "opening, upper edge: altitude",
+             "primary scale there");
+    put_pair(sheet, reading->edge_rad[0], PP_UNIT_SHARE, reading->share[0], "p_l",
+             hidden ? "obstruction, lower edge: altitude"
+                    : "opening, lower edge: altitude",
+             "primary scale there");
+    pp_worksheet_work(sheet, &pp_protractor_read_initial,
+                      "initial component, of an endless opening");
+    pp_worksheet_note(sheet, PP_UNIT_ANGLE, reading->average_rad,
+                      "average altitude of both edges");
+    put_pair(sheet, reading->jamb_rad[0], PP_UNIT_NUMBER, reading->correction[0], "k_l",
+             "left jamb from the normal, right is positive", "auxiliary scale there");
+    put_pair(sheet, reading->jamb_rad[1], PP_UNIT_NUMBER, reading->correction[1], "k_r",
+             "right jamb from the normal", "auxiliary scale there");
+    pp_worksheet_work(sheet,
+                      reading->correction[1] < reading->correction[0]
+                          ? &pp_protractor_read_no_width
+                          : &pp_protractor_read_width,
+                      "correction factor for the width");
+    if (!hidden) {
+        sum->sky +=
+            pp_part_steps_work(terms, false, &pp_protractor_read_sc, "sky component");
         return;
     }
-    pp_part_steps_figure(terms, PP_UNIT_SHARE, reading->initial * reading->width_factor,
-                         "e", "i# K#", "equivalent sky component of the obstruction");
-    pp_part_steps_read(terms, PP_UNIT_NUMBER, reading->factor, "f",
-                       "luminance factor of the obstruction");
-    pp_part_steps_component(terms, true, reading->component, "f# e#",
-                            "externally reflected component");
+    pp_worksheet_work(sheet, &pp_protractor_read_e,
+                      "equivalent sky component of the obstruction");
+    pp_worksheet_put(sheet, PP_UNIT_NUMBER, reading->factor, "f",
+                     "luminance factor of the obstruction");
+    sum->external += pp_part_steps_work(terms, true, &pp_protractor_read_erc,
+                                        "externally reflected component");
     if (off_sky)
-        pp_part_steps_component(terms, false, -reading->initial * reading->width_factor,
-                                "-e#", "taken off the sky component");
+        sum->sky += pp_part_steps_work(terms, false, &pp_protractor_read_less,
+                                       "taken off the sky component");
 }
+
+static const struct pp_formula *const formulae[] = {
+    &pp_protractor_read_initial,  &pp_protractor_read_width,
+    &pp_protractor_read_no_width, &pp_protractor_read_sc,
+    &pp_protractor_read_e,        &pp_protractor_read_erc,
+    &pp_protractor_read_less,     NULL};
 
 static enum pp_status evaluate(const struct pp_world *world,
                                const struct pp_opening *opening,
@@ -170,12 +175,11 @@ static enum pp_status evaluate(const struct pp_world *world,
                                 opening, receiver->position, err);
     if (status != PP_OK)
         return status;
-    part->sky = readings.sky;
-    part->external = readings.external;
-    struct pp_part_steps terms = pp_part_steps_begin(part->steps, readings.count);
+    struct pp_part_steps terms = pp_part_steps_on(&part->sheet, readings.count);
     for (int i = 0; i < readings.count; i++)
-        add_reading_steps(&terms, &readings.list[i], readings.less_hidden);
+        work_reading(&terms, part, &readings.list[i], readings.less_hidden);
     pp_part_steps_end(&terms);
+    part->sky = fmax(part->sky, 0.0);
     pp_protractor_sheet_readings_clear(&readings);
     return PP_OK;
 }
@@ -184,6 +188,7 @@ const struct pp_method pp_method_protractor = {
     .name = "protractor",
     .summary = "direct component by the BRS daylight protractors",
     .source = "BRE309",
+    .formulae = formulae,
     .gives = PP_GIVES_DIRECT,
     .speaks_for = PP_FOR_POINT,
     .allowances = PP_ALLOWS_CLEAR_GLASS | PP_ALLOWS_NO_GLASS,

@@ -88,6 +88,57 @@ static double section_altitude(double b, double slope)
     return fmax(atan2(up, forward), 0.0);
 }
 
+static const struct pp_formula_quantity of_primary[] = {
+    {"p_u", PP_UNIT_SHARE, "primary scale at the upper edge's altitude"},
+    {"p_l", PP_UNIT_SHARE, "the same at the lower edge's"},
+    {0},
+};
+static const struct pp_formula_quantity of_auxiliary[] = {
+    {"k_r", PP_UNIT_NUMBER, "auxiliary scale at the right jamb, right is positive"},
+    {"k_l", PP_UNIT_NUMBER, "the same at the left jamb"},
+    {0},
+};
+static const struct pp_formula_quantity of_component[] = {
+    {"i", PP_UNIT_SHARE, "initial component, of an endless opening"},
+    {"K", PP_UNIT_NUMBER, "correction factor for the width"},
+    {0},
+};
+static const struct pp_formula_quantity of_reflected[] = {
+    {"e", PP_UNIT_SHARE, "equivalent sky component of the obstruction"},
+    {"f", PP_UNIT_NUMBER, "luminance factor of the obstruction"},
+    {0},
+};
+
+#define BRS(left, right, of, what_of, quantities_of)                                   \
+    {                                                                                  \
+        .symbol = left, .sum = right, .unit = of, .source = "BRE309", .what = what_of, \
+        .quantities = quantities_of                                                    \
+    }
+
+const struct pp_formula pp_protractor_read_initial =
+    BRS("i", "p_u - p_l", PP_UNIT_SHARE, "initial component, of an endless opening",
+        of_primary);
+const struct pp_formula pp_protractor_read_width = BRS(
+    "K", "k_r - k_l", PP_UNIT_NUMBER, "correction factor for the width", of_auxiliary);
+const struct pp_formula pp_protractor_read_no_width =
+    BRS("K", "max(k_r - k_l, 0)", PP_UNIT_NUMBER, "the same where the scale has none",
+        of_auxiliary);
+const struct pp_formula pp_protractor_read_sc =
+    BRS("sc", "i K", PP_UNIT_SHARE, "sky component", of_component);
+const struct pp_formula pp_protractor_read_e =
+    BRS("e", "i K", PP_UNIT_SHARE, "equivalent sky component of the obstruction",
+        of_component);
+const struct pp_formula pp_protractor_read_erc =
+    BRS("erc", "f e", PP_UNIT_SHARE, "externally reflected component", of_reflected);
+const struct pp_formula pp_protractor_read_less = {
+    .symbol = "sc",
+    .sum = "-e",
+    .unit = PP_UNIT_SHARE,
+    .source = "BRE309",
+    .what = "what an obstruction before a sloping opening takes off the sky component",
+    .quantities = of_reflected,
+    .fixed = true};
+
 static void read_rectangle(struct pp_protractor_reading *reading,
                            const struct pp_protractor_dial *dial, double slope,
                            struct rectangle at)
@@ -98,7 +149,9 @@ static void read_rectangle(struct pp_protractor_reading *reading,
         reading->edge_rad[i] = section_altitude(b[i], slope);
         reading->share[i] = pp_protractor_dial_share(dial, reading->edge_rad[i]);
     }
-    reading->initial = reading->share[1] - reading->share[0];
+    reading->initial =
+        pp_formula_value(&pp_protractor_read_initial,
+                         (const double[]){reading->share[1], reading->share[0]});
     reading->average_rad = (reading->edge_rad[0] + reading->edge_rad[1]) / 2.0;
     for (int i = 0; i < 2; i++) {
         double nearer = turned_down ? sin(reading->average_rad + slope) : 1.0;
@@ -106,8 +159,16 @@ static void read_rectangle(struct pp_protractor_reading *reading,
         reading->correction[i] = pp_protractor_dial_factor(
             dial, reading->average_rad, reading->jamb_rad[i], turned_down);
     }
-    reading->width_factor = fmax(reading->correction[1] - reading->correction[0], 0.0);
-    reading->component = reading->initial * reading->width_factor * reading->factor;
+    reading->width_factor = pp_formula_value(
+        &pp_protractor_read_no_width,
+        (const double[]){reading->correction[1], reading->correction[0]});
+    double of_sky =
+        pp_formula_value(&pp_protractor_read_sc,
+                         (const double[]){reading->initial, reading->width_factor});
+    reading->component =
+        reading->hidden ? pp_formula_value(&pp_protractor_read_erc,
+                                           (const double[]){of_sky, reading->factor})
+                        : of_sky;
 }
 
 static enum pp_status read_upright(struct pp_protractor_readings *readings,

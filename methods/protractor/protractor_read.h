@@ -3,6 +3,7 @@
 #ifndef PP_METHODS_PROTRACTOR_PROTRACTOR_READ_H
 #define PP_METHODS_PROTRACTOR_PROTRACTOR_READ_H
 
+#include "model/results/formula.h"
 #include "methods/protractor/protractor_dial.h"
 #include "model/results/protractor_sheet.h"
 
@@ -23,5 +24,15 @@ enum pp_status pp_protractor_read(struct pp_protractor_readings *readings,
                                   const struct pp_world *world,
                                   const struct pp_opening *opening,
                                   struct pp_vec3 point, struct pp_error *err);
+
+/* The sums of a rectangle's readings [BRE309]. */
+extern const struct pp_formula pp_protractor_read_initial; /* i */
+extern const struct pp_formula pp_protractor_read_width;   /* K */
+extern const struct pp_formula
+    pp_protractor_read_no_width; /* K, where the scale puts the right jamb left */
+extern const struct pp_formula pp_protractor_read_sc, pp_protractor_read_e,
+    pp_protractor_read_erc;
+extern const struct pp_formula
+    pp_protractor_read_less; /* sc that an obstruction takes off */
 
 #endif

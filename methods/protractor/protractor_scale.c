@@ -6,6 +6,8 @@
 #include <math.h>
 #include <stddef.h>
 
+#include "model/light/graded_sky.h"
+
 enum { MOST_EVALUATIONS = 200000 };
 static const double relative_error = 1e-10;
 
@@ -126,12 +128,8 @@ double pp_protractor_scale_primary(const struct pp_protractor *protractor,
     double gamma = fmin(gamma_rad, pp_protractor_scale_range(protractor));
     if (!(gamma > 0.0))
         return 0.0;
-    if (closed_form(protractor)) {
-        if (protractor->sky.kind == PP_SKY_UNIFORM)
-            return (1.0 - cos(gamma)) / 2.0;
-        return 3.0 / 14.0 * (1.0 - cos(gamma))
-               + 4.0 / (7.0 * PP_PI) * (gamma - sin(gamma) * cos(gamma));
-    }
+    if (closed_form(protractor))
+        return pp_graded_sky_below_plane(protractor->sky.gradation, gamma);
     return between(protractor, 0.0, gamma);
 }
 
@@ -171,10 +169,9 @@ double pp_protractor_scale_auxiliary(const struct pp_protractor *protractor,
 {
     double theta = fmin(fabs(theta_rad), PP_PI / 2.0), share;
     if (closed_form(protractor)) {
-        /* Integrals of cos^2 theta and, for the overcast sky, 2 sin gamma cos^3. */
+        /* Integrals of cos^2 theta and b sin gamma cos^3 theta. */
         double s = sin(theta);
-        double brighter =
-            protractor->sky.kind == PP_SKY_OVERCAST ? 2.0 * sin(gamma_rad) : 0.0;
+        double brighter = protractor->sky.gradation * sin(gamma_rad);
         share =
             (theta / 2.0 + sin(2.0 * theta) / 4.0 + brighter * (s - s * s * s / 3.0))
             / (PP_PI / 4.0 + brighter * 2.0 / 3.0);

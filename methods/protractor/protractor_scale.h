@@ -16,10 +16,9 @@
  * auxiliary scale   CF(gamma, theta), the share of the strip at gamma that lies between
  *                   the section and theta, to one side: 1/2 for an endless window
  *
- * Without glass (protractors 9 and 10):
+ * Without glass (protractors 9 and 10), with p and q of graded_sky.h:
  *
- *     uniform   F = (1 - cos gamma)/2
- *     overcast  F = 3/14 (1 - cos gamma) + 4/(7 pi) (gamma - sin gamma cos gamma)
+ *     F = p (1 - cos gamma) + q (gamma - sin gamma cos gamma)
  *
  * The horizontal receiver lies at the protractor's centre. Fractions of Eh.
  */

@@ -1,11 +1,11 @@
-/* bre.c - `bre`: average internally reflected component, BRE inter-reflection formula
- * (bre_terms.h).
- *
- *     IRC = 0.85 W / (A (1 - R)) (C R_fw + 5 R_cw)   per cent   [HLP54], [BRE310]
+/* bre.c - `bre`: average internally reflected component, by the BRE inter-reflection
+ * formula [HLP54], [BRE310], which stands in bre_terms.h.
  *
  * For vertical openings under the CIE overcast sky. The formula contains clear single
  * glass and, through W, the frame; no dirt, no deterioration of decorations.
  */
+#include <stddef.h>
+
 #include "methods/reflected/bre_terms.h"
 #include "methods/method.h"
 #include "methods/refusals.h"
@@ -20,16 +20,20 @@ static enum pp_status evaluate(const struct pp_world *world,
     enum pp_status status = pp_bre_terms(&terms, world, opening, err);
     if (status != PP_OK)
         return status;
-    part->value = pp_bre_terms_average(&terms);
-    pp_bre_terms_steps(part->steps, &terms, opening, "irc");
+    part->value = pp_bre_terms_work(&part->sheet, &pp_bre_terms_irc, &terms, opening);
     return PP_OK;
 }
+
+static const struct pp_formula *const formulae[] = {&pp_allowance_glass_W,
+                                                    &pp_bre_terms_irc, NULL};
 
 const struct pp_method pp_method_bre = {
     .name = "bre",
     .summary = "average internally reflected component, BRE inter-reflection formula",
     .source = "BRE310",
+    .formulae = formulae,
     .gives = PP_GIVES_INTERNAL,
+    .own_ground = PP_BRE_GROUND_REFLECTANCE,
     .speaks_for = PP_FOR_ROOM,
     .allowances = PP_ALLOWS_CLEAR_GLASS | PP_ALLOWS_FRAME,
     .refuses_room = pp_refusals_formula_room,

@@ -1,11 +1,7 @@
 /* bre_min.c - `bre-min`: minimum internally reflected component in the room, from the
- * average by `bre`.
+ * average by `bre`, which is divided by a k for the walls [BRE310].
  *
- *     IRC_min = IRC_average / k                                             [BRE310]
- *
- *   k  1.8, 1.4, 1.3, 1.2 for walls of a mean reflectance of 0.2, 0.4, 0.6, 0.8
- *
- * k is published for these four; between them it is interpolated linearly, outside them
+ * k is published for walls of a mean reflectance of 0.2, 0.4, 0.6, 0.8; between them it is interpolated linearly, outside them
  * it is that of the nearer end, which gives too high a minimum for walls darker than
  * 0.2 and too low a one for lighter than 0.8: the more evenly light is spread, the
  * nearer the minimum is to the average. The mean is that of all walls without their
@@ -15,11 +11,32 @@
  * rooms with windows in one wall, at most twice as long as wide. For each point it is a
  * lower bound; it is no average. Scope and allowances are those of `bre`.
  */
+#include <stddef.h>
+
 #include "methods/reflected/bre_terms.h"
 #include "methods/reflected/interior.h"
 #include "methods/reflected/irc_minimum.h"
 #include "methods/method.h"
 #include "methods/refusals.h"
+
+static const struct pp_formula_quantity quantities[] = {
+    {"IRC_av", PP_UNIT_SHARE, "average internally reflected component"},
+    {"R_w", PP_UNIT_NUMBER, "mean reflectance of the walls"},
+    {"k", PP_UNIT_NUMBER, "average over minimum for such walls, from the table"},
+    {0},
+};
+
+static const struct pp_formula minimum = {
+    .symbol = "irc",
+    .sum = "IRC_av / k",
+    .unit = PP_UNIT_SHARE,
+    .source = "BRE310",
+    .what = "minimum internally reflected component",
+    .quantities = quantities,
+};
+
+static const struct pp_formula *const formulae[] = {
+    &pp_allowance_glass_W, &pp_bre_terms_IRC_av, &minimum, NULL};
 
 static enum pp_status evaluate(const struct pp_world *world,
                                const struct pp_opening *opening,
@@ -31,18 +48,15 @@ static enum pp_status evaluate(const struct pp_world *world,
     enum pp_status status = pp_bre_terms(&terms, world, opening, err);
     if (status != PP_OK)
         return status;
+    pp_bre_terms_work(&part->sheet, &pp_bre_terms_IRC_av, &terms, opening);
     double walls = pp_interior_role(world, PP_WALL).reflectance;
-    double k = pp_irc_minimum_average_ratio(walls);
-    part->value = pp_bre_terms_average(&terms) / k;
-
-    pp_bre_terms_steps(part->steps, &terms, opening, "IRC_av");
-    pp_steps_add_named(part->steps, PP_UNIT_NUMBER, walls, "R_w",
-                       "mean reflectance of the walls");
-    pp_steps_add_named(part->steps, PP_UNIT_NUMBER, k, "k",
-                       "average over minimum for such walls, from the table");
-    pp_steps_add_worked(part->steps, PP_UNIT_SHARE, part->value, "irc", "IRC_av / k",
-                        "opening on line %d: minimum internally reflected component",
-                        opening->line);
+    pp_worksheet_put(&part->sheet, PP_UNIT_NUMBER, walls, "R_w",
+                     "mean reflectance of the walls");
+    pp_worksheet_put(&part->sheet, PP_UNIT_NUMBER, pp_irc_minimum_average_ratio(walls),
+                     "k", "average over minimum for such walls, from the table");
+    part->value = pp_worksheet_work(
+        &part->sheet, &minimum,
+        "opening on line %d: minimum internally reflected component", opening->line);
     return PP_OK;
 }
 
@@ -50,7 +64,9 @@ const struct pp_method pp_method_bre_min = {
     .name = "bre-min",
     .summary = "minimum internally reflected component, by bre and published ratios",
     .source = "BRE310",
+    .formulae = formulae,
     .gives = PP_GIVES_INTERNAL,
+    .own_ground = PP_BRE_GROUND_REFLECTANCE,
     .speaks_for = PP_FOR_MINIMUM,
     .allowances = PP_ALLOWS_CLEAR_GLASS | PP_ALLOWS_FRAME,
     .refuses_room = pp_refusals_formula_room,

@@ -1,19 +1,10 @@
 /* bre_table.c - `bre-table`: minimum internally reflected component in the room, from
  * the published table (irc_minimum.h).
  *
- *     IRC = T k_F k_c k_o                                                   [BRE310]
- *
- *   T    the printed minimum, by net glass area over floor area and by the mean
- *        reflectances of floor and walls; for an obstruction of 20 degrees, a ceiling
- *        of 0.7 and a floor of 40 m2
- *   k_F  factor for the room's floor area
- *   k_c  factor for the room's ceiling reflectance
- *   k_o  factor for the opening's obstruction,
- *
- *            k_o = (C R_fw + 5 R_cw) / (31 R_fw + 5 R_cw),
- *
- *        the ratio by the formula of `bre` (bre_terms.h), where 31 is C of 20 degrees.
- *        Not of the source, which has no other angle.
+ * The printed minimum T is for an obstruction of 20 degrees, a ceiling of 0.7 and a floor
+ * of 40 m2; factors k_F and k_c [BRE310] make it another floor's and ceiling's, k_o
+ * another obstruction's. k_o is the ratio of two figures by the formula of `bre`
+ * (bre_terms.h) and not of the source, which has no other angle than that.
  *
  * The table is entered with the glass of all openings; each opening has its share by
  * area, with its own k_o. The table contains clear single glass and, as it goes by net
@@ -30,10 +21,61 @@
 #include "methods/reflected/interior.h"
 #include "methods/reflected/irc_minimum.h"
 #include "methods/method.h"
-#include "methods/reflected/obstruction.h"
 #include "methods/refusals.h"
 
-static const double printed_obstruction_rad = 20.0 * PP_RAD;
+static const struct pp_formula_quantity of_glass[] = {
+    {"W_all", PP_UNIT_SQUARE_METRE, "net area of glass of all openings"},
+    {"F", PP_UNIT_SQUARE_METRE, "area of the floor"},
+    {0},
+};
+
+static const struct pp_formula glass_over_floor = {
+    .symbol = "p",
+    .sum = "100 W_all / F",
+    .unit = PP_UNIT_NUMBER,
+    .source = "BRE310",
+    .what = "glass over floor, per cent",
+    .quantities = of_glass,
+    .fixed = true,
+};
+
+static const struct pp_formula_quantity of_obstruction[] = {PP_BRE_TERMS_OPENING, {0}};
+
+/* 31 is C of the table's 20 degrees. */
+static const struct pp_formula factor_for_obstruction = {
+    .symbol = "k_o",
+    .sum = "(C R_fw + " PP_BRE_TERMS_GROUND ") / (31 R_fw + " PP_BRE_TERMS_GROUND ")",
+    .unit = PP_UNIT_NUMBER,
+    .what = "factor for the obstruction; the table has 20 degrees",
+    .quantities = of_obstruction,
+};
+
+static const struct pp_formula_quantity of_minimum[] = {
+    {"T", PP_UNIT_SHARE,
+     "minimum by glass over floor, floor and walls, from the table"},
+    {"k_F", PP_UNIT_NUMBER, "factor for the size of the floor, from the table"},
+    {"k_c", PP_UNIT_NUMBER, "factor for the ceiling, from the table"},
+    {"k_o", PP_UNIT_NUMBER, "factor for the obstruction"},
+    {"W_all", PP_UNIT_SQUARE_METRE, "net area of glass of all openings"},
+    {"F", PP_UNIT_SQUARE_METRE, "area of the floor"},
+    {"R_f", PP_UNIT_NUMBER, "reflectance of the floor"},
+    {"R_w", PP_UNIT_NUMBER, "mean reflectance of the walls"},
+    {"R_c", PP_UNIT_NUMBER, "reflectance of the ceiling"},
+    PP_BRE_TERMS_OPENING,
+    {0},
+};
+
+static const struct pp_formula minimum = {
+    .symbol = "irc",
+    .sum = "T k_F k_c k_o W / W_all",
+    .unit = PP_UNIT_SHARE,
+    .source = "BRE310",
+    .what = "minimum internally reflected component, the opening's share by its glass",
+    .quantities = of_minimum,
+};
+
+static const struct pp_formula *const formulae[] = {
+    &glass_over_floor, &pp_allowance_glass_W, &factor_for_obstruction, &minimum, NULL};
 
 static struct pp_irc_minimum_entry entry_of(const struct pp_world *world)
 {
@@ -58,43 +100,27 @@ static const char *refuses_room(const struct pp_world *world,
     return pp_irc_minimum_lacks(&entry);
 }
 
-static void add_reading_steps(struct pp_steps *steps,
-                              const struct pp_irc_minimum_entry *entry,
-                              const struct pp_irc_minimum *read)
+static void put_reading(struct pp_worksheet *sheet,
+                        const struct pp_irc_minimum_entry *entry)
 {
-    pp_steps_add_named(steps, PP_UNIT_SQUARE_METRE, entry->glass_m2, "W_all",
-                       "net area of glass of all openings");
-    pp_steps_add_named(steps, PP_UNIT_SQUARE_METRE, entry->floor_m2, "F",
-                       "area of the floor");
-    pp_steps_add_worked(steps, PP_UNIT_NUMBER,
-                        100.0 * entry->glass_m2 / entry->floor_m2, "p", "100 W_all / F",
-                        "glass over floor, per cent");
-    pp_steps_add_named(steps, PP_UNIT_NUMBER, entry->floor, "R_f",
-                       "reflectance of the floor");
-    pp_steps_add_named(steps, PP_UNIT_NUMBER, entry->walls, "R_w",
-                       "mean reflectance of the walls");
-    pp_steps_add_named(steps, PP_UNIT_NUMBER, entry->ceiling, "R_c",
-                       "reflectance of the ceiling");
-    pp_steps_add_named(steps, PP_UNIT_SHARE, read->printed, "T",
-                       "minimum by p, R_f and R_w, from the table");
-    pp_steps_add_named(steps, PP_UNIT_NUMBER, read->floor_factor, "k_F",
-                       "factor for the size of the floor, from the table");
-    pp_steps_add_named(steps, PP_UNIT_NUMBER, read->ceiling_factor, "k_c",
-                       "factor for the ceiling, from the table");
-}
-
-static void add_opening_steps(struct pp_steps *steps, const struct pp_opening *opening,
-                              const struct pp_bre_terms *terms, double k_o,
-                              double value)
-{
-    pp_allowance_net_glass_step(steps, opening, "W");
-    pp_bre_terms_reflected_steps(steps, terms, opening);
-    pp_steps_add_worked(steps, PP_UNIT_NUMBER, k_o, "k_o",
-                        "(C R_fw + 5 R_cw) / (31 R_fw + 5 R_cw)",
-                        "factor for the obstruction; the table has 20 degrees");
-    pp_steps_add_worked(steps, PP_UNIT_SHARE, value, "irc", "T k_F k_c k_o W / W_all",
-                        "opening on line %d: minimum internally reflected component",
-                        opening->line);
+    struct pp_irc_minimum read = pp_irc_minimum_read(entry);
+    pp_worksheet_put(sheet, PP_UNIT_SQUARE_METRE, entry->glass_m2, "W_all",
+                     "net area of glass of all openings");
+    pp_worksheet_put(sheet, PP_UNIT_SQUARE_METRE, entry->floor_m2, "F",
+                     "area of the floor");
+    pp_worksheet_work(sheet, &glass_over_floor, "glass over floor, per cent");
+    pp_worksheet_put(sheet, PP_UNIT_NUMBER, entry->floor, "R_f",
+                     "reflectance of the floor");
+    pp_worksheet_put(sheet, PP_UNIT_NUMBER, entry->walls, "R_w",
+                     "mean reflectance of the walls");
+    pp_worksheet_put(sheet, PP_UNIT_NUMBER, entry->ceiling, "R_c",
+                     "reflectance of the ceiling");
+    pp_worksheet_put(sheet, PP_UNIT_SHARE, read.printed, "T",
+                     "minimum by p, R_f and R_w, from the table");
+    pp_worksheet_put(sheet, PP_UNIT_NUMBER, read.floor_factor, "k_F",
+                     "factor for the size of the floor, from the table");
+    pp_worksheet_put(sheet, PP_UNIT_NUMBER, read.ceiling_factor, "k_c",
+                     "factor for the ceiling, from the table");
 }
 
 static enum pp_status evaluate(const struct pp_world *world,
@@ -108,16 +134,17 @@ static enum pp_status evaluate(const struct pp_world *world,
     if (status != PP_OK)
         return status;
     struct pp_irc_minimum_entry entry = entry_of(world);
-    struct pp_irc_minimum read = pp_irc_minimum_read(&entry);
-    double as_printed =
-        pp_bre_terms_reflected(&terms, pp_obstruction_factor(printed_obstruction_rad));
-    if (terms.W <= 0.0 || as_printed <= 0.0)
+    if (terms.W <= 0.0 || (terms.R_fw <= 0.0 && terms.R_cw <= 0.0))
         return PP_OK; /* no glass, or only black surfaces are lit first */
-    double k_o = pp_bre_terms_reflected(&terms, terms.C) / as_printed;
-    part->value = read.printed * read.floor_factor * read.ceiling_factor * k_o * terms.W
-                  / entry.glass_m2;
-    add_reading_steps(part->steps, &entry, &read);
-    add_opening_steps(part->steps, opening, &terms, k_o, part->value);
+    struct pp_worksheet *sheet = &part->sheet;
+    put_reading(sheet, &entry);
+    pp_allowance_net_glass(sheet, &pp_allowance_glass_W, opening);
+    pp_bre_terms_put_reflected(sheet, &terms, opening);
+    pp_worksheet_work(sheet, &factor_for_obstruction,
+                      "factor for the obstruction; the table has 20 degrees");
+    part->value = pp_worksheet_work(
+        sheet, &minimum, "opening on line %d: minimum internally reflected component",
+        opening->line);
     return PP_OK;
 }
 
@@ -125,7 +152,9 @@ const struct pp_method pp_method_bre_table = {
     .name = "bre-table",
     .summary = "minimum internally reflected component, off the published table",
     .source = "BRE310",
+    .formulae = formulae,
     .gives = PP_GIVES_INTERNAL,
+    .own_ground = PP_BRE_GROUND_REFLECTANCE,
     .speaks_for = PP_FOR_MINIMUM,
     .allowances = PP_ALLOWS_CLEAR_GLASS | PP_ALLOWS_FRAME,
     .refuses_room = refuses_room,

@@ -1,8 +1,20 @@
-/* bre_terms.c - the terms of the BRE formula from the world, the formula, and its
- * steps. */
+/* bre_terms.c - the BRE formula as data, and its terms from the world. */
 #include "methods/reflected/bre_terms.h"
 
 #include "methods/reflected/obstruction.h"
+
+static const struct pp_formula_quantity terms_of_average[] = {
+    PP_BRE_TERMS_OPENING,
+    PP_INTERIOR_QUANTITIES,
+    {0},
+};
+
+#define AVERAGE                                                                        \
+    .sum = PP_BRE_TERMS_AVERAGE, .unit = PP_UNIT_SHARE, .source = "BRE310",            \
+    .what = "average internally reflected component", .quantities = terms_of_average
+
+const struct pp_formula pp_bre_terms_irc = {.symbol = "irc", AVERAGE};
+const struct pp_formula pp_bre_terms_IRC_av = {.symbol = "IRC_av", AVERAGE};
 
 enum pp_status pp_bre_terms(struct pp_bre_terms *terms, const struct pp_world *world,
                             const struct pp_opening *opening, struct pp_error *err)
@@ -21,41 +33,37 @@ enum pp_status pp_bre_terms(struct pp_bre_terms *terms, const struct pp_world *w
     return PP_OK;
 }
 
-double pp_bre_terms_reflected(const struct pp_bre_terms *terms, double C)
+void pp_bre_terms_put_reflected(struct pp_worksheet *sheet,
+                                const struct pp_bre_terms *terms,
+                                const struct pp_opening *opening)
 {
-    return C * terms->R_fw + PP_BRE_GROUND * terms->R_cw;
+    pp_worksheet_put(sheet, PP_UNIT_NUMBER, terms->R_fw, "R_fw",
+                     "reflectance of floor and walls below %.2f m, own wall left out",
+                     opening->middle_z_m);
+    pp_worksheet_put(sheet, PP_UNIT_NUMBER, terms->R_cw, "R_cw",
+                     "reflectance of ceiling and walls above, own wall left out");
+    pp_worksheet_put(sheet, PP_UNIT_ANGLE, terms->alpha_rad, "alpha",
+                     "opening on line %d: angle of the obstruction", opening->line);
+    pp_worksheet_put(sheet, PP_UNIT_SHARE, terms->C, "C",
+                     "factor of an obstruction of that angle, from the table");
+}
+
+double pp_bre_terms_work(struct pp_worksheet *sheet, const struct pp_formula *formula,
+                         const struct pp_bre_terms *terms,
+                         const struct pp_opening *opening)
+{
+    pp_allowance_net_glass(sheet, &pp_allowance_glass_W, opening);
+    pp_interior_put(sheet, &terms->all);
+    pp_bre_terms_put_reflected(sheet, terms, opening);
+    return pp_worksheet_work(
+        sheet, formula, "opening on line %d: average internally reflected component",
+        opening->line);
 }
 
 double pp_bre_terms_average(const struct pp_bre_terms *terms)
 {
-    double W = terms->W, A = terms->all.area_m2, R = terms->all.reflectance;
-    return PP_ALLOWANCE_CLEAR_DIFFUSE * W / (A * (1.0 - R))
-           * pp_bre_terms_reflected(terms, terms->C);
-}
-
-void pp_bre_terms_reflected_steps(struct pp_steps *steps,
-                                  const struct pp_bre_terms *terms,
-                                  const struct pp_opening *opening)
-{
-    pp_steps_add_named(steps, PP_UNIT_NUMBER, terms->R_fw, "R_fw",
-                       "reflectance of floor and walls below %.2f m, own wall left out",
-                       opening->middle_z_m);
-    pp_steps_add_named(steps, PP_UNIT_NUMBER, terms->R_cw, "R_cw",
-                       "reflectance of ceiling and walls above, own wall left out");
-    pp_steps_add_named(steps, PP_UNIT_ANGLE, terms->alpha_rad, "alpha",
-                       "opening on line %d: angle of the obstruction", opening->line);
-    pp_steps_add_named(steps, PP_UNIT_SHARE, terms->C, "C",
-                       "factor of an obstruction of that angle, from the table");
-}
-
-void pp_bre_terms_steps(struct pp_steps *steps, const struct pp_bre_terms *terms,
-                        const struct pp_opening *opening, const char *symbol)
-{
-    pp_allowance_net_glass_step(steps, opening, "W");
-    pp_interior_steps(steps, &terms->all);
-    pp_bre_terms_reflected_steps(steps, terms, opening);
-    pp_steps_add_worked(steps, PP_UNIT_SHARE, pp_bre_terms_average(terms), symbol,
-                        "0.85 W / (A (1 - R)) (C R_fw + 5 R_cw)",
-                        "opening on line %d: average internally reflected component",
-                        opening->line);
+    const double values[] = {
+        terms->W, terms->R_fw,        terms->R_cw,           terms->alpha_rad,
+        terms->C, terms->all.area_m2, terms->all.reflectance};
+    return pp_formula_value(&pp_bre_terms_irc, values);
 }

@@ -1,29 +1,44 @@
-/* bre_terms.h - the BRE inter-reflection formula and its terms for one opening.
+/* bre_terms.h - the BRE inter-reflection formula [HLP54], [BRE310] and its terms for one
+ * opening.
  *
- *     IRC = 0.85 W / (A (1 - R)) (C R_fw + 5 R_cw)   per cent   [HLP54], [BRE310]
- *
- *   W     net glass area (m2): opening area times frame factor
- *   A     area of all inside surfaces, openings included (m2)
- *   R     their area-weighted mean reflectance, openings with 0.1
- *   R_fw  mean reflectance of floor and walls below the middle of the opening's height
- *   R_cw  the same of ceiling and walls above it; both without the opening's own wall
- *   C     factor of the outside obstruction (per cent), obstruction.h
- *
- * As given in [GEEBELEN]. 5 per cent is the ground: reflectance 0.1, seen by half the
- * hemisphere. 0.85 is the diffuse transmittance of clear single glass. Several openings
- * add up, each with its own W, C, R_fw and R_cw and the common A and R; in R_fw and
- * R_cw the openings of the other walls count with 0.1.
+ * The formula stands here once: `bre` works it out, `bre-min` divides it, `bre-table` has
+ * its last factor, the nomograms have it on scales. As given in [GEEBELEN]. Several
+ * openings add up, each with its own W, C, R_fw and R_cw and the common A and R; in R_fw
+ * and R_cw the openings of the other walls count with 0.1.
  */
 #ifndef PP_METHODS_REFLECTED_BRE_TERMS_H
 #define PP_METHODS_REFLECTED_BRE_TERMS_H
 
 #include "methods/allowance.h"
 #include "methods/reflected/interior.h"
-#include "model/results/steps.h"
+#include "model/results/worksheet.h"
 #include "model/room/world.h"
 
-/* Illuminance of a vertical window from the ground, over Eh, in the formula. */
-#define PP_BRE_GROUND 0.05
+/* Per cent of Eh on a vertical window from the ground, of reflectance 0.1 and seen by
+ * half the hemisphere, after its reflection by ceiling and upper walls. */
+#define PP_BRE_TERMS_GROUND "5 R_cw"
+
+/* Per cent; 0.85 is the diffuse transmittance of clear single glass. */
+#define PP_BRE_TERMS_AVERAGE "0.85 W / (A (1 - R)) (C R_fw + " PP_BRE_TERMS_GROUND ")"
+
+/* The opening's: rows of a formula's list of quantities. */
+#define PP_BRE_TERMS_OPENING                                                           \
+    {"W", PP_UNIT_SQUARE_METRE, "net area of glass: opening area times frame factor"}, \
+        {"R_fw", PP_UNIT_NUMBER,                                                       \
+         "mean reflectance of floor and walls below the middle of the opening's "      \
+         "height, its own wall left out"},                                             \
+        {"R_cw", PP_UNIT_NUMBER,                                                       \
+         "the same of ceiling and walls above it, its own wall left out"},             \
+        {"alpha", PP_UNIT_ANGLE, "angle of the obstruction outside"},                  \
+    {                                                                                  \
+        "C", PP_UNIT_SHARE, "factor of an obstruction of that angle, from the table"   \
+    }
+
+extern const struct pp_formula pp_bre_terms_irc;    /* of `bre` */
+extern const struct pp_formula pp_bre_terms_IRC_av; /* the same in `bre-min` */
+
+/* And the reflectance of that ground. */
+#define PP_BRE_GROUND_REFLECTANCE 0.1
 
 struct pp_bre_terms {
     double W;               /* m2 */
@@ -37,20 +52,17 @@ struct pp_bre_terms {
 enum pp_status pp_bre_terms(struct pp_bre_terms *terms, const struct pp_world *world,
                             const struct pp_opening *opening, struct pp_error *err);
 
-/* The average internally reflected component by the formula, a fraction. */
+/* Puts down R_fw, R_cw, alpha and C. */
+void pp_bre_terms_put_reflected(struct pp_worksheet *sheet,
+                                const struct pp_bre_terms *terms,
+                                const struct pp_opening *opening);
+
+/* Puts down all terms, and works the average out by one of the formulae; a fraction. */
+double pp_bre_terms_work(struct pp_worksheet *sheet, const struct pp_formula *formula,
+                         const struct pp_bre_terms *terms,
+                         const struct pp_opening *opening);
+
+/* The average by these terms, a fraction, for whoever needs no steps. */
 double pp_bre_terms_average(const struct pp_bre_terms *terms);
-
-/* C R_fw + 5 R_cw as a fraction, for any factor C (a fraction): the light after its
- * first reflection, over Eh and the glass. */
-double pp_bre_terms_reflected(const struct pp_bre_terms *terms, double C);
-
-/* Records R_fw, R_cw and C. steps may be NULL. */
-void pp_bre_terms_reflected_steps(struct pp_steps *steps,
-                                  const struct pp_bre_terms *terms,
-                                  const struct pp_opening *opening);
-
-/* Records all terms, and the average under `symbol`. steps may be NULL. */
-void pp_bre_terms_steps(struct pp_steps *steps, const struct pp_bre_terms *terms,
-                        const struct pp_opening *opening, const char *symbol);
 
 #endif

@@ -1,53 +1,56 @@
 /* entering_light.h - the light that enters through an opening, and its division between
  * the upper and the lower part of the room, for `split-flux` and `sphere`.
  *
- *   C     illuminance of the glass from above the horizon, over Eh
- *   C_g   the same from the ground: rho_g (1 - cos beta)/2, rho_g/2 for vertical glass
- *   beta  slope of the glass, 0 horizontal
+ * The transmittance tau enters as it is: that of the pane for diffuse light, 0.827 for
+ * clear single glass and its stated one for a diffusing pane. The published 0.85 belongs
+ * to `bre`, whose factors were made with it.
  *
- * C of a vertical opening under the overcast sky is that of the BRE table
- * (obstruction.h). For other slopes and skies C is C_hv (1 - alpha/90), as printed in
- * [GEEBELEN], where 0.39 is replaced by the illuminance C_hv of glass of that slope
- * from the open sky, over Eh:
- *
- *     overcast   C_hv = 3/14 (1 + cos beta)
- *                     + 4/(7 pi) (sin beta + (pi - beta) cos beta)
- *     uniform    C_hv = (1 + cos beta)/2
+ * C is the illuminance of the glass from above the horizon, over Eh, C_g that from the
+ * ground. C of a vertical opening under the overcast sky is that of the BRE table
+ * (obstruction.h). For other slopes and skies it is printed in [GEEBELEN] with 0.39,
+ * which is replaced by the illuminance C_hv of glass of that slope from the open sky, over
+ * Eh (sky.h).
  *
  * Through clear glass, light from above the horizon falls on the lower part of the room
  * and light from the ground on the upper one. A diffusing pane sends the share u of all
- * its light up and the rest down: u = (1 - cos beta)/2, one half for vertical panes.
+ * its light up and the rest down, one half for vertical panes.
  */
 #ifndef PP_METHODS_REFLECTED_ENTERING_LIGHT_H
 #define PP_METHODS_REFLECTED_ENTERING_LIGHT_H
 
-#include <stdbool.h>
-
-#include "model/results/steps.h"
+#include "methods/allowance.h"
+#include "model/results/worksheet.h"
 #include "model/room/world.h"
 
-struct pp_entering_light {
-    double tau;       /* diffuse transmittance: 0.85 G, 1 for no glass */
-    double Ag;        /* net glass area, m2 */
-    double alpha_rad; /* of the obstruction */
-    double C_hv;      /* NAN where C is from the table */
-    double C, C_g;
-    double u;
-    bool diffusing;
-    double up,
-        down; /* illuminance of the glass, over Eh, by the light that falls on the
-                      * upper and on the lower part first; times tau Ag: a flux */
-    double rho_g, beta_rad;
-};
+/* Rows of a formula's list of quantities. */
+#define PP_ENTERING_LIGHT_QUANTITIES                                                   \
+    {"tau", PP_UNIT_NUMBER,                                                            \
+     "diffuse transmittance of the opening's own glass, 1 for no glass"},              \
+        {"Ag", PP_UNIT_SQUARE_METRE,                                                   \
+         "net area of glass: opening area times frame factor"},                        \
+        {"alpha", PP_UNIT_ANGLE, "angle of the obstruction outside"},                  \
+        {"C", PP_UNIT_SHARE, "on the glass from above the horizon"},                   \
+        {"rho_g", PP_UNIT_NUMBER, "reflectance of the ground"},                        \
+        {"beta", PP_UNIT_ANGLE, "slope of the glass, 0 horizontal"},                   \
+    {                                                                                  \
+        "C_g", PP_UNIT_SHARE, "on the glass from the ground"                           \
+    }
+#define PP_ENTERING_LIGHT_SHARE_UP                                                     \
+    {                                                                                  \
+        "u", PP_UNIT_NUMBER, "share of the diffusing pane's light that goes up"        \
+    }
 
-enum pp_status pp_entering_light(struct pp_entering_light *light,
+/* Rows of a method's list of formulae. */
+extern const struct pp_formula pp_entering_light_C, pp_entering_light_C_g,
+    pp_entering_light_u;
+#define PP_ENTERING_LIGHT_FORMULAE                                                     \
+    &pp_allowance_glass_Ag, &pp_entering_light_C, &pp_entering_light_C_g,              \
+        &pp_entering_light_u
+
+/* Puts all of that down; u for a diffusing pane only. */
+enum pp_status pp_entering_light(struct pp_worksheet *sheet,
                                  const struct pp_world *world,
                                  const struct pp_opening *opening,
                                  struct pp_error *err);
-
-/* Records all terms; u for a diffusing pane only. steps may be NULL. */
-void pp_entering_light_steps(struct pp_steps *steps,
-                             const struct pp_entering_light *light,
-                             const struct pp_opening *opening);
 
 #endif

@@ -122,12 +122,12 @@ struct pp_interior pp_interior_all(const struct pp_world *world)
     return split(world, INFINITY, -1, true).lower;
 }
 
-void pp_interior_steps(struct pp_steps *steps, const struct pp_interior *all)
+void pp_interior_put(struct pp_worksheet *sheet, const struct pp_interior *all)
 {
-    pp_steps_add_named(steps, PP_UNIT_SQUARE_METRE, all->area_m2, "A",
-                       "area of all inside surfaces, openings included");
-    pp_steps_add_named(steps, PP_UNIT_NUMBER, all->reflectance, "R",
-                       "their mean reflectance, openings with 0.1");
+    pp_worksheet_put(sheet, PP_UNIT_SQUARE_METRE, all->area_m2, "A",
+                     "area of all inside surfaces, openings included");
+    pp_worksheet_put(sheet, PP_UNIT_NUMBER, all->reflectance, "R",
+                     "their mean reflectance, openings with 0.1");
 }
 
 struct pp_interior pp_interior_role(const struct pp_world *world, enum pp_role role)

@@ -10,7 +10,7 @@
 #ifndef PP_METHODS_REFLECTED_INTERIOR_H
 #define PP_METHODS_REFLECTED_INTERIOR_H
 
-#include "model/results/steps.h"
+#include "model/results/worksheet.h"
 #include "model/room/world.h"
 
 /* Reflectance of an opening from inside, in mean reflectances [BRE310]. */
@@ -24,11 +24,18 @@ struct pp_interior {
 /* All inside surfaces, openings included: A and R. */
 struct pp_interior pp_interior_all(const struct pp_world *world);
 
-/* Records them as A and R. steps may be NULL. */
-void pp_interior_steps(struct pp_steps *steps, const struct pp_interior *all);
+/* Puts them down as A and R. */
+void pp_interior_put(struct pp_worksheet *sheet, const struct pp_interior *all);
 
 /* The faces of a role (floor, walls or ceiling) without their openings. */
 struct pp_interior pp_interior_role(const struct pp_world *world, enum pp_role role);
+
+/* Rows of a formula's list of quantities for A and R. */
+#define PP_INTERIOR_QUANTITIES                                                         \
+    {"A", PP_UNIT_SQUARE_METRE, "area of all inside surfaces, openings included"},     \
+    {                                                                                  \
+        "R", PP_UNIT_NUMBER, "their area-weighted mean reflectance, openings with 0.1" \
+    }
 
 struct pp_interior_parts {
     struct pp_interior lower, upper;

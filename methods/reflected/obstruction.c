@@ -4,6 +4,7 @@
 
 #include "methods/exact/exterior.h"
 #include "methods/interpolate.h"
+#include "model/light/graded_sky.h"
 
 /* obstruction (degrees), C (per cent) */
 static const double printed[][2] = {
@@ -15,25 +16,6 @@ enum { ROWS = sizeof printed / sizeof printed[0] };
 double pp_obstruction_factor(double angle_rad)
 {
     return pp_interpolate_linear(printed, ROWS, angle_rad / PP_RAD) / 100.0;
-}
-
-double pp_obstruction_angle_to_vsc(enum pp_sky_kind sky, double angle_rad)
-{
-    double s = sin(angle_rad);
-    if (sky == PP_SKY_UNIFORM)
-        return (1.0 - s) / 2.0;
-    return 3.0 / 14.0 * (1.0 - s) + 4.0 / (7.0 * PP_PI) * (1.0 - s * s);
-}
-
-double pp_obstruction_angle_from_vsc(enum pp_sky_kind sky, double share)
-{
-    double s = 1.0 - 2.0 * share;
-    if (sky != PP_SKY_UNIFORM) {
-        /* q s^2 + p s - (p + q - share) = 0 in s = sin alpha; the root in [0, 1]. */
-        double p = 3.0 / 14.0, q = 4.0 / (7.0 * PP_PI);
-        s = (sqrt(p * p + 4.0 * q * fmax(p + q - share, 0.0)) - p) / (2.0 * q);
-    }
-    return asin(fmin(fmax(s, 0.0), 1.0));
 }
 
 /* Does any of the vertices lie in front of the opening's plane, on the outer side? */
@@ -70,11 +52,8 @@ static double skyline_angle(const struct pp_world *world,
         const struct pp_skyline *skyline = world->skylines + i;
         if (skyline->face != opening->face)
             continue;
-        double own_rad = skyline->angle_rad;
-        if (isfinite(skyline->distance_m))
-            own_rad =
-                atan2(skyline->head_z_m - opening->middle_z_m, skyline->distance_m);
-        angle_rad = fmax(angle_rad, own_rad);
+        angle_rad =
+            fmax(angle_rad, pp_world_skyline_angle(skyline, opening->middle_z_m, 0.0));
     }
     return angle_rad;
 }
@@ -87,8 +66,7 @@ enum pp_status pp_obstruction_angle(double *angle_rad, const struct pp_world *wo
         *angle_rad = skyline_angle(world, opening);
         return PP_OK;
     }
-    bool uniform = world->sky.kind == PP_SKY_UNIFORM;
-    struct pp_sky sky = uniform ? pp_sky_uniform() : pp_sky_overcast();
+    struct pp_sky sky = pp_sky_graded(world->sky.gradation);
     struct pp_vec3 out = pp_vec_scale(opening->inner.normal, -1.0);
     struct pp_vec3 level = pp_vec(out.x, out.y, 0.0);
     bool horizontal = pp_vec_length(level) < 1e-6;
@@ -100,6 +78,6 @@ enum pp_status pp_obstruction_angle(double *angle_rad, const struct pp_world *wo
     if (status != PP_OK)
         return status;
     *angle_rad = horizontal ? PP_PI / 2.0 * fmin(fmax(1.0 - share, 0.0), 1.0)
-                            : pp_obstruction_angle_from_vsc(sky.kind, share);
+                            : pp_graded_sky_skyline(sky.gradation, share);
     return PP_OK;
 }

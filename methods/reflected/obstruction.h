@@ -3,28 +3,15 @@
  * angle.
  *
  * The formulae were made for an endless skyline parallel to the window, at the section
- * angle alpha (so that tan altitude = tan alpha cos azimuth). Before such a skyline a
- * vertical plane gets from the sky alone, as a fraction of Eh, by integration over the
- * strip of sky above the skyline,
- *
- *     overcast   VSC(alpha) = 3/14 (1 - sin alpha) + 4/(7 pi) cos^2 alpha
- *     uniform    VSC(alpha) = 1/2 (1 - sin alpha)
- *
- * Blocks and other obstructions become the endless skyline with the same VSC at the
- * opening's centre.
+ * angle alpha (so that tan altitude = tan alpha cos azimuth). Blocks and other
+ * obstructions become the endless skyline that leaves a vertical plane at the opening's
+ * centre the same light of the sky, VSC (graded_sky.h). ISO skies count as the overcast
+ * sky: the angle stands for a shape, whose VSC has no closed form under those skies.
  */
 #ifndef PP_METHODS_REFLECTED_OBSTRUCTION_H
 #define PP_METHODS_REFLECTED_OBSTRUCTION_H
 
 #include "model/room/world.h"
-
-/* VSC(alpha); angle 0 to pi/2. ISO skies count as the overcast sky: the angle stands
- * for a shape, whose VSC has no closed form under those skies. */
-double pp_obstruction_angle_to_vsc(enum pp_sky_kind sky, double angle_rad);
-
-/* The angle at which VSC is `share`, in closed form; 0 for any share above that of the
- * open sky, pi/2 for one below 0. */
-double pp_obstruction_angle_from_vsc(enum pp_sky_kind sky, double share);
 
 /* alpha of an opening (rad, 0 to pi/2): the angle of its own wall's skyline from the
  * middle of the opening's height; where blocks, free-standing surfaces outside or other

@@ -55,22 +55,28 @@ static struct pp_elevation_part equal_rectangle(const struct pp_area_moments *ex
                                       .high = low + scale * height};
 }
 
-/* Is the room convex and without free-standing surfaces, so that no opening is hidden
- * inside? */
-static bool is_convex_and_empty(const struct pp_world *world)
+/* Do the point and the whole opening lie on one side of each face, and does nothing
+ * stand in the room, so that the opening cannot be hidden inside? */
+static bool is_seen_whole(const struct opening_drawing *drawing)
 {
+    const struct pp_world *world = drawing->world;
+    const struct pp_polygon *opening = &drawing->opening->inner;
     for (int i = 0; i < world->surface_count; i++)
         if (world->surfaces[i].inside && world->surfaces[i].role == PP_FREE_SURFACE)
             return false;
     for (int i = 0; i < world->face_count; i++) {
         const struct pp_polygon *face = &world->surfaces[i].outline;
-        for (int k = 0; k < world->face_count; k++)
-            for (int v = 0; v < world->surfaces[k].outline.count; v++) {
-                struct pp_vec3 from = pp_vec_sub(world->surfaces[k].outline.vertices[v],
-                                                 face->vertices[0]);
-                if (pp_vec_dot(from, face->normal) < -1e-6)
-                    return false;
-            }
+        struct pp_vec3 origin = face->vertices[0];
+        double low = pp_vec_dot(pp_vec_sub(drawing->frame.point, origin), face->normal);
+        double high = low;
+        for (int v = 0; v < opening->count; v++) {
+            double depth =
+                pp_vec_dot(pp_vec_sub(opening->vertices[v], origin), face->normal);
+            low = fmin(low, depth);
+            high = fmax(high, depth);
+        }
+        if (low < -1e-6 && high > 1e-6)
+            return false;
     }
     return true;
 }
@@ -105,7 +111,7 @@ static bool is_empty(const struct pp_elevation_part *upright)
 /* Sets the visible part of the opening, as one rectangle, which may be empty. */
 static enum pp_status find_seen(struct opening_drawing *drawing, struct pp_error *err)
 {
-    if (drawing->opening->rectangle && is_convex_and_empty(drawing->world)) {
+    if (drawing->opening->rectangle && is_seen_whole(drawing)) {
         drawing->seen = through_rectangle(drawing->opening, &drawing->frame);
         return PP_OK;
     }
@@ -271,89 +277,163 @@ static enum pp_status add_surfaces(struct opening_drawing *drawing,
 static enum pp_status add_blocks(struct opening_drawing *drawing, struct pp_error *err)
 {
     const struct pp_world *world = drawing->world;
+    struct silhouette *silhouettes =
+        malloc(((size_t)world->block_count + 1) * sizeof *silhouettes);
+    if (!silhouettes)
+        return pp_fail_memory(err);
+    for (int b = 0; b < world->block_count; b++)
+        silhouettes[b] = no_silhouette();
     enum pp_status status = PP_OK;
-    for (int b = 0; b < world->block_count && status == PP_OK; b++) {
-        struct silhouette silhouette = no_silhouette();
-        for (int i = 0; i < world->surface_count && status == PP_OK; i++) {
-            const struct pp_surface *side = world->surfaces + i;
-            if (side->role == PP_BLOCK && side->owner == b
-                && faces(&side->outline, drawing->frame.point))
-                status = add_surface(&silhouette, drawing, &side->outline, err);
-        }
-        if (status == PP_OK)
+    for (int i = 0; i < world->surface_count && status == PP_OK; i++) {
+        const struct pp_surface *side = world->surfaces + i;
+        if (side->role == PP_BLOCK && faces(&side->outline, drawing->frame.point))
             status =
-                add_silhouette(drawing, &silhouette, world->blocks[b].reflectance, err);
+                add_surface(&silhouettes[side->owner], drawing, &side->outline, err);
     }
+    for (int b = 0; b < world->block_count && status == PP_OK; b++)
+        status =
+            add_silhouette(drawing, &silhouettes[b], world->blocks[b].reflectance, err);
+    free(silhouettes);
     return status;
 }
 
-/* The edges of the visible part and of all obstructions, in order, along one axis. */
-static int sorted_edges(double *edges, const struct opening_drawing *drawing,
-                        bool across)
+static int by_size(const void *a, const void *b)
+{
+    double x = *(const double *)a, y = *(const double *)b;
+    return (x > y) - (x < y);
+}
+
+/* The left and right edges of the visible part and of all obstructions, in order. */
+static int sorted_jambs(double *edges, const struct opening_drawing *drawing)
 {
     const struct pp_elevation_part *seen = &drawing->seen;
-    double first = across ? seen->left : seen->low;
-    double last = across ? seen->right : seen->high;
     int count = 0;
-    edges[count++] = first;
-    edges[count++] = last;
+    edges[count++] = seen->left;
+    edges[count++] = seen->right;
     for (int i = 0; i < drawing->obstructions.count; i++) {
         const struct pp_elevation_part *o = &drawing->obstructions.list[i].outline;
-        double both[2] = {across ? o->left : o->low, across ? o->right : o->high};
+        double both[2] = {o->left, o->right};
         for (int k = 0; k < 2; k++)
-            if (both[k] > first && both[k] < last)
+            if (both[k] > seen->left && both[k] < seen->right)
                 edges[count++] = both[k];
     }
-    for (int i = 1; i < count; i++)
-        for (int k = i; k > 0 && edges[k - 1] > edges[k]; k--) {
-            double swap = edges[k];
-            edges[k] = edges[k - 1];
-            edges[k - 1] = swap;
-        }
+    qsort(edges, (size_t)count, sizeof *edges, by_size);
     return count;
 }
 
-/* Reflectance of the nearest obstruction at a point of the drawing; NAN: sky. */
-static double reflectance_at(const struct opening_drawing *drawing, double x, double z)
+/* The obstructions that cross one upright strip, nearest first. */
+struct upright_strip {
+    double left, right;
+    int count;
+    const struct pp_elevation_part **crossing;
+    double *levels; /* lower and upper edges */
+};
+
+/* Reflectance of the nearest obstruction at a height; NAN: sky. */
+static double reflectance_at(const struct upright_strip *strip, double z)
 {
-    for (int i = 0; i < drawing->obstructions.count; i++) {
-        const struct pp_elevation_part *o = &drawing->obstructions.list[i].outline;
-        if (x > o->left && x < o->right && z > o->low && z < o->high)
-            return o->reflectance;
-    }
+    for (int i = 0; i < strip->count; i++)
+        if (z > strip->crossing[i]->low && z < strip->crossing[i]->high)
+            return strip->crossing[i]->reflectance;
     return NAN;
 }
 
-/* Cuts the visible part along all edges: each piece shows the sky or one
- * obstruction. */
+static bool same_light(double a, double b)
+{
+    return a == b || (isnan(a) && isnan(b));
+}
+
+/* Adds the parts of a strip, from below: one for each run of one light. */
+static enum pp_status add_strip(struct pp_elevation *elevation, int *capacity,
+                                const struct opening_drawing *drawing,
+                                struct upright_strip *strip, struct pp_error *err)
+{
+    const struct pp_elevation_part *seen = &drawing->seen;
+    double middle = (strip->left + strip->right) / 2.0;
+    int levels = 0, first = elevation->count;
+    strip->count = 0;
+    strip->levels[levels++] = seen->low;
+    strip->levels[levels++] = seen->high;
+    for (int i = 0; i < drawing->obstructions.count; i++) {
+        const struct pp_elevation_part *o = &drawing->obstructions.list[i].outline;
+        if (!(middle > o->left && middle < o->right))
+            continue;
+        strip->crossing[strip->count++] = o;
+        double both[2] = {o->low, o->high};
+        for (int k = 0; k < 2; k++)
+            if (both[k] > seen->low && both[k] < seen->high)
+                strip->levels[levels++] = both[k];
+    }
+    qsort(strip->levels, (size_t)levels, sizeof *strip->levels, by_size);
+    for (int i = 0; i + 1 < levels; i++) {
+        struct pp_elevation_part part = {strip->left, strip->right, strip->levels[i],
+                                         strip->levels[i + 1], NAN};
+        if (is_empty(&part))
+            continue;
+        part.reflectance = reflectance_at(strip, (part.low + part.high) / 2.0);
+        if (elevation->count > first
+            && same_light(elevation->parts[elevation->count - 1].reflectance,
+                          part.reflectance)) {
+            elevation->parts[elevation->count - 1].high = part.high;
+            continue;
+        }
+        enum pp_status status =
+            pp_array_reserve(&elevation->parts, capacity, elevation->count + 1,
+                             sizeof *elevation->parts, err);
+        if (status != PP_OK)
+            return status;
+        elevation->parts[elevation->count++] = part;
+    }
+    return PP_OK;
+}
+
+/* A strip of `count` parts from `now` on that continues the one from `before` on is
+ * joined to it. */
+static bool join(struct pp_elevation *elevation, int before, int now)
+{
+    int count = elevation->count - now;
+    struct pp_elevation_part *a = elevation->parts + before,
+                             *b = elevation->parts + now;
+    if (now - before != count)
+        return false;
+    for (int i = 0; i < count; i++)
+        if (a[i].low != b[i].low || a[i].high != b[i].high || a[i].right != b[i].left
+            || !same_light(a[i].reflectance, b[i].reflectance))
+            return false;
+    for (int i = 0; i < count; i++)
+        a[i].right = b[i].right;
+    elevation->count = now;
+    return true;
+}
+
+/* Divides the visible part by upright strips from jamb to jamb, and each strip by what
+ * it shows. */
 static enum pp_status divide(struct pp_elevation *elevation,
                              const struct opening_drawing *drawing,
                              struct pp_error *err)
 {
     size_t most = 2 * (size_t)drawing->obstructions.count + 2;
-    double *across = malloc(2 * most * sizeof *across);
-    struct pp_elevation_part *parts = malloc(most * most * sizeof *parts);
-    if (!across || !parts) {
-        free(across);
-        free(parts);
-        return pp_fail_memory(err);
+    double *edges = malloc(2 * most * sizeof *edges);
+    struct upright_strip strip = {.crossing = malloc(most * sizeof *strip.crossing)};
+    enum pp_status status = edges && strip.crossing ? PP_OK : pp_fail_memory(err);
+    int capacity = 0, before = 0, count = 0;
+    if (status == PP_OK) {
+        strip.levels = edges + most;
+        count = sorted_jambs(edges, drawing);
     }
-    int columns = sorted_edges(across, drawing, true) - 1;
-    double *up = across + most;
-    int rows = sorted_edges(up, drawing, false) - 1;
-    for (int i = 0; i < columns; i++)
-        for (int k = 0; k < rows; k++) {
-            struct pp_elevation_part part = {across[i], across[i + 1], up[k], up[k + 1],
-                                             NAN};
-            if (is_empty(&part))
-                continue;
-            part.reflectance = reflectance_at(drawing, (part.left + part.right) / 2.0,
-                                              (part.low + part.high) / 2.0);
-            parts[elevation->count++] = part;
-        }
-    elevation->parts = parts;
-    free(across);
-    return PP_OK;
+    for (int i = 0; i + 1 < count && status == PP_OK; i++) {
+        if (!(edges[i + 1] > edges[i]))
+            continue;
+        int now = elevation->count;
+        strip.left = edges[i];
+        strip.right = edges[i + 1];
+        status = add_strip(elevation, &capacity, drawing, &strip, err);
+        if (status == PP_OK && (now == before || !join(elevation, before, now)))
+            before = now;
+    }
+    free(edges);
+    free(strip.crossing);
+    return status;
 }
 
 enum pp_status pp_elevation_init(struct pp_elevation *elevation,
@@ -385,6 +465,8 @@ enum pp_status pp_elevation_init(struct pp_elevation *elevation,
     if (status == PP_OK)
         status = divide(elevation, &drawing, err);
     free(drawing.obstructions.list);
+    if (status != PP_OK)
+        pp_elevation_clear(elevation);
     return status;
 }
 

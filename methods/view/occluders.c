@@ -3,11 +3,9 @@
 #include "methods/view/occluders.h"
 
 #include <stdlib.h>
-#include <string.h>
 
 #include "model/base/array.h"
 #include "model/geometry/clip.h"
-#include "model/geometry/clipper.h"
 
 /* Coordinates in the view's plane that agree to this share of its extent count as
  * equal: some roundings of a double. */
@@ -125,93 +123,24 @@ static enum pp_status add_convex(struct pp_occluders *pieces,
     return status;
 }
 
-static bool is_convex(const struct pp_polygon *outline)
-{
-    const struct pp_vec3 *v = outline->vertices;
-    for (int i = 0; i < outline->count; i++) {
-        int next = (i + 1) % outline->count, after = (i + 2) % outline->count;
-        struct pp_vec3 turn =
-            pp_vec_cross(pp_vec_sub(v[next], v[i]), pp_vec_sub(v[after], v[next]));
-        if (pp_vec_dot(turn, outline->normal) < -1e-12 * outline->area_m2)
-            return false;
-    }
-    return true;
-}
-
-/* Coordinates of a vertex in its polygon's plane: the two axes along which the polygon
- * is largest, unchanged, so that the corners of triangles are found again exactly. */
-static void flatten(double xy[2], struct pp_vec3 v, struct pp_vec3 normal)
-{
-    struct pp_vec3 n = pp_vec(fabs(normal.x), fabs(normal.y), fabs(normal.z));
-    if (n.z >= n.x && n.z >= n.y)
-        xy[0] = v.x, xy[1] = v.y;
-    else if (n.x >= n.y)
-        xy[0] = v.y, xy[1] = v.z;
-    else
-        xy[0] = v.z, xy[1] = v.x;
-}
-
-/* Corners of the triangles of a polygon that is not convex: *triangles is *count times
- * three indices of its vertices, to be freed. */
-static enum pp_status triangles_of(int (**triangles)[3], int *count,
-                                   const struct pp_polygon *outline,
-                                   struct pp_error *err)
-{
-    *triangles = NULL;
-    *count = 0;
-    double(*flat)[2] = malloc((size_t)outline->count * sizeof *flat);
-    double(*found)[3][2] = NULL;
-    struct pp_clipper *clipper = NULL;
-    struct pp_region region = {0};
-    enum pp_status status = flat ? PP_OK : pp_fail_memory(err);
-    for (int i = 0; flat && i < outline->count; i++)
-        flatten(flat[i], outline->vertices[i], outline->normal);
-    if (status == PP_OK)
-        status = pp_clipper_create(&clipper, err);
-    if (status == PP_OK)
-        status = pp_clipper_of_ring(clipper, &region, (const double(*)[2])flat,
-                                    outline->count, err);
-    if (status == PP_OK)
-        status = pp_clipper_triangulate(clipper, &found, count, &region, err);
-    if (status == PP_OK) {
-        *triangles = malloc((size_t)(*count + 1) * sizeof **triangles);
-        if (!*triangles)
-            status = pp_fail_memory(err);
-    }
-    for (int t = 0; status == PP_OK && t < *count; t++)
-        for (int corner = 0; corner < 3; corner++) {
-            int i = 0;
-            while (i + 1 < outline->count
-                   && memcmp(flat[i], found[t][corner], sizeof *flat) != 0)
-                i++;
-            (*triangles)[t][corner] = i;
-        }
-    free(found);
-    free(flat);
-    pp_region_clear(&region);
-    pp_clipper_destroy(clipper);
-    return status;
-}
-
-/* Cuts any polygon, with corners in the view's axes, and adds the rest. */
-static enum pp_status add_polygon(struct pp_occluders *pieces,
+/* Cuts any surface, with corners in the view's axes, and adds the rest. */
+static enum pp_status add_surface(struct pp_occluders *pieces,
                                   const struct pp_occluder *like,
-                                  const struct pp_polygon *outline,
+                                  const struct pp_surface *surface,
                                   const struct pp_vec3 *corners,
                                   const struct sides *sides,
                                   const struct pp_occluders_scene *scene,
                                   struct pp_error *err)
 {
-    if (is_convex(outline))
-        return add_convex(pieces, like, corners, outline->count, sides, scene, err);
-    int(*triangles)[3], count;
-    enum pp_status status = triangles_of(&triangles, &count, outline, err);
-    for (int t = 0; status == PP_OK && t < count; t++) {
-        struct pp_vec3 three[3] = {corners[triangles[t][0]], corners[triangles[t][1]],
-                                   corners[triangles[t][2]]};
+    if (!surface->triangles)
+        return add_convex(pieces, like, corners, surface->outline.count, sides, scene,
+                          err);
+    enum pp_status status = PP_OK;
+    for (int t = 0; status == PP_OK && t < surface->triangle_count; t++) {
+        const int *of = surface->triangles[t];
+        struct pp_vec3 three[3] = {corners[of[0]], corners[of[1]], corners[of[2]]};
         status = add_convex(pieces, like, three, 3, sides, scene, err);
     }
-    free(triangles);
     return status;
 }
 
@@ -304,7 +233,7 @@ static enum pp_status collect_surface(struct pp_occluders *inside,
     double hair = 1e-9 * fmin(plane_m, 1.0);
     if (hides_inside) {
         struct sides sides = sides_of(scene, hair, plane_m);
-        status = add_polygon(inside, &like, outline, corners, &sides, scene, err);
+        status = add_surface(inside, &like, surface, corners, &sides, scene, err);
     }
     if (hides_outside && status == PP_OK) {
         double from = hair;
@@ -313,7 +242,7 @@ static enum pp_status collect_surface(struct pp_occluders *inside,
                        ? nearest - PP_OCCLUDERS_COPLANAR_M
                        : plane_m;
         struct sides sides = sides_of(scene, from, 2.0 * farthest);
-        status = add_polygon(outside, &like, outline, corners, &sides, scene, err);
+        status = add_surface(outside, &like, surface, corners, &sides, scene, err);
     }
     if (corners != stack)
         free(corners);

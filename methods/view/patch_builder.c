@@ -8,6 +8,7 @@
 
 #include <stdlib.h>
 
+#include "methods/view/convex_patches.h"
 #include "methods/view/overlay.h"
 
 void pp_patch_builder_clear(struct pp_patch_builder *builder)
@@ -228,7 +229,19 @@ enum pp_status pp_patch_builder_fill(struct pp_visible *visible,
         return PP_OK;
     }
 
-    if (!builder->clipper)
+    /* A skyline before an open part that is not convex is one occluder more. */
+    if (builder->in_parts && with_outside && builder->inside.count > 0)
+        overlay_outside = true;
+    for (int i = 0; overlay_outside && i < world->skyline_count && status == PP_OK; i++)
+        if (world->skylines[i].face == scene->face)
+            status = pp_occluders_add_skyline(&builder->outside, scene,
+                                              &world->skylines[i], err);
+    if (!with_outside)
+        pp_occluders_clear(&builder->outside);
+    if (status == PP_OK && builder->in_parts
+        && (overlay_outside || builder->inside.count > 0))
+        return pp_convex_patches_fill(visible, builder, err);
+    if (!builder->clipper && status == PP_OK)
         status = pp_clipper_create(&builder->clipper, err);
     builder->grid = grid_of(scene);
     if (status == PP_OK)
@@ -252,11 +265,5 @@ enum pp_status pp_patch_builder_fill(struct pp_visible *visible,
         builder->open = (struct pp_region){0};
         return PP_OK;
     }
-    for (int i = 0; i < world->skyline_count && status == PP_OK; i++)
-        if (world->skylines[i].face == scene->face)
-            status = pp_occluders_add_skyline(&builder->outside, scene,
-                                              &world->skylines[i], err);
-    if (status == PP_OK)
-        status = divide(visible, builder, err);
-    return status;
+    return divide(visible, builder, err);
 }

@@ -8,8 +8,8 @@
 #include "methods/view/visible.h"
 #include "model/geometry/clipper.h"
 
-/* scene and, for an outline that is no rectangle, clipper and open are set before; all
- * else is zero. */
+/* scene, in_parts and, for an outline that is no rectangle, clipper and open are set
+ * before; all else is zero. */
 struct pp_patch_builder {
     struct pp_occluders_scene scene;
     struct pp_occluders inside, outside;
@@ -17,6 +17,7 @@ struct pp_patch_builder {
     struct pp_region open;      /* the part that is not hidden inside */
     bool open_is_extent;        /* is it the whole rectangle from scene.low to high? */
     double grid;                /* on which regions are overlaid */
+    bool in_parts;              /* may patches come as convex rings that meet? */
 };
 
 /* Fills visible. The outline is builder->open or, where that is empty, the rectangle

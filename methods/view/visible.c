@@ -89,7 +89,7 @@ static enum pp_status open_by_overlay(struct pp_patch_builder *builder,
 
 static enum pp_status through(struct pp_visible *visible, const struct pp_world *world,
                               const struct pp_opening *opening, struct pp_vec3 eye,
-                              bool with_outside, struct pp_error *err)
+                              bool with_outside, bool in_parts, struct pp_error *err)
 {
     visible->patch_count = 0;
     visible->patches = NULL;
@@ -102,9 +102,11 @@ static enum pp_status through(struct pp_visible *visible, const struct pp_world 
     if (!(view->distance_m > PP_OCCLUDERS_COPLANAR_M))
         return PP_OK;
 
-    struct pp_patch_builder builder = {
-        .scene = {
-            .world = world, .view = view, .face = opening->face, .from_inside = true}};
+    struct pp_patch_builder builder = {.scene = {.world = world,
+                                                 .view = view,
+                                                 .face = opening->face,
+                                                 .from_inside = true},
+                                       .in_parts = in_parts};
     enum pp_status status = PP_OK;
     const double(*outline)[2] = (const double(*)[2])visible->corners;
     if (opening->rectangle) {
@@ -161,7 +163,15 @@ enum pp_status pp_visible_through(struct pp_visible *visible,
                                   const struct pp_opening *opening, struct pp_vec3 eye,
                                   struct pp_error *err)
 {
-    return through(visible, world, opening, eye, true, err);
+    return through(visible, world, opening, eye, true, false, err);
+}
+
+enum pp_status pp_visible_in_parts(struct pp_visible *visible,
+                                   const struct pp_world *world,
+                                   const struct pp_opening *opening, struct pp_vec3 eye,
+                                   struct pp_error *err)
+{
+    return through(visible, world, opening, eye, true, true, err);
 }
 
 enum pp_status pp_visible_opening(struct pp_visible *visible,
@@ -169,7 +179,7 @@ enum pp_status pp_visible_opening(struct pp_visible *visible,
                                   const struct pp_opening *opening, struct pp_vec3 eye,
                                   struct pp_error *err)
 {
-    return through(visible, world, opening, eye, false, err);
+    return through(visible, world, opening, eye, false, false, err);
 }
 
 enum pp_status pp_visible_open_part(struct pp_region *region,
@@ -179,9 +189,14 @@ enum pp_status pp_visible_open_part(struct pp_region *region,
 {
     struct pp_visible visible;
     *region = (struct pp_region){0};
-    enum pp_status status = pp_visible_opening(&visible, world, opening, position, err);
-    if (status != PP_OK || visible.patch_count == 0)
+    enum pp_status status =
+        through(&visible, world, opening, position, false, true, err);
+    if (status != PP_OK)
         return status;
+    if (visible.patch_count == 0) {
+        pp_visible_clear(&visible);
+        return PP_OK;
+    }
     status = pp_region_copy(region, &visible.patches[0].region, err);
     for (int r = 0; r < region->count; r++)
         for (int i = 0; i < region->rings[r].count; i++)
@@ -210,7 +225,8 @@ enum pp_status pp_visible_in_air(struct pp_visible *visible,
                   .face = face,
                   .from_inside = false,
                   .outline = (const double(*)[2])visible->corners,
-                  .outline_count = 4}};
+                  .outline_count = 4},
+        .in_parts = true};
     find_extent(&builder.scene);
     enum pp_status status = pp_patch_builder_fill(visible, &builder, true, err);
     pp_patch_builder_clear(&builder);

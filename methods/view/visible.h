@@ -51,7 +51,14 @@ enum pp_status pp_visible_through(struct pp_visible *visible,
                                   const struct pp_opening *opening, struct pp_vec3 eye,
                                   struct pp_error *err);
 
-/* The same without obstructions outside: one patch, the part of the opening that no
+/* The same, faster, for sums: a patch with obstructions outside comes as convex rings
+ * that meet, not as its outline. */
+enum pp_status pp_visible_in_parts(struct pp_visible *visible,
+                                   const struct pp_world *world,
+                                   const struct pp_opening *opening, struct pp_vec3 eye,
+                                   struct pp_error *err);
+
+/* As pp_visible_through, without obstructions outside: one patch, the part of the opening that no
  * occluder inside hides, or none. */
 enum pp_status pp_visible_opening(struct pp_visible *visible,
                                   const struct pp_world *world,
@@ -61,13 +68,14 @@ enum pp_status pp_visible_opening(struct pp_visible *visible,
 /* That patch as a region on the plane at unit distance: x along opening->along, y along
  * opening->up, from the foot of the perpendicular, over the distance from the face's
  * plane. Not cut at the position's horizon. Empty if the position lies behind the
- * opening or in its plane. The region is the caller's. */
+ * opening or in its plane. The region may come as convex rings
+ * that meet, and is the caller's. */
 enum pp_status pp_visible_open_part(struct pp_region *region,
                                     const struct pp_world *world,
                                     const struct pp_opening *opening,
                                     struct pp_vec3 position, struct pp_error *err);
 
-/* Through a rectangle in the air, low to high along the view's axes, from outside: all
+/* In parts, through a rectangle in the air, low to high along the view's axes, from outside: all
  * surfaces in front of the eye are obstructions, except the surface `face`, whose
  * skylines count; -1: no such surface. */
 enum pp_status pp_visible_in_air(struct pp_visible *visible,

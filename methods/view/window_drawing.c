@@ -123,20 +123,47 @@ void pp_window_drawing_clear(struct pp_window_drawing *drawing)
     drawing->count = 0;
 }
 
-void pp_window_drawing_steps(struct pp_part_steps *terms,
-                             const struct pp_drawn_part *part, double count,
-                             const char *things, double share)
+static const struct pp_formula_quantity quantities[] = {
+    {"n", PP_UNIT_COUNT, "squares or dots counted"},
+    {"w", PP_UNIT_SHARE, "what one of the diagram is worth"},
+    {0},
+};
+static const struct pp_formula_quantity of_hidden[] = {
+    {"n", PP_UNIT_COUNT, "squares or dots counted"},
+    {"w", PP_UNIT_SHARE, "what one of the diagram is worth"},
+    {"f", PP_UNIT_NUMBER, "luminance factor of the obstruction"},
+    {0},
+};
+
+/* No variants: an average is an integral in the place of many counts. */
+const struct pp_formula pp_window_drawing_sc = {.symbol = "sc",
+                                                .sum = "n w",
+                                                .unit = PP_UNIT_SHARE,
+                                                .what = "sky component",
+                                                .quantities = quantities,
+                                                .fixed = true};
+const struct pp_formula pp_window_drawing_erc = {.symbol = "erc",
+                                                 .sum = "f n w",
+                                                 .unit = PP_UNIT_SHARE,
+                                                 .what =
+                                                     "externally reflected component",
+                                                 .quantities = of_hidden,
+                                                 .fixed = true};
+
+const struct pp_formula *const pp_window_drawing_formulae[] = {
+    &pp_window_drawing_sc, &pp_window_drawing_erc, NULL};
+
+double pp_window_drawing_work(struct pp_part_steps *terms,
+                              const struct pp_drawn_part *part, double count,
+                              const char *things)
 {
     pp_part_steps_next(terms);
-    pp_steps_add_named(terms->steps, PP_UNIT_COUNT, count,
-                       pp_part_steps_symbol(terms, "n").text, "%s on %s", things,
-                       part->hidden ? "an obstruction" : "the sky");
-    if (!part->hidden) {
-        pp_part_steps_component(terms, false, share, "n# w", "sky component");
-        return;
-    }
-    pp_part_steps_read(terms, PP_UNIT_NUMBER, part->factor, "f",
-                       "luminance factor of the obstruction");
-    pp_part_steps_component(terms, true, share, "f# n# w",
-                            "externally reflected component");
+    pp_worksheet_put(terms->sheet, PP_UNIT_COUNT, count, "n", "%s on %s", things,
+                     part->hidden ? "an obstruction" : "the sky");
+    if (!part->hidden)
+        return pp_part_steps_work(terms, false, &pp_window_drawing_sc, "sky component");
+    pp_worksheet_put(terms->sheet, PP_UNIT_NUMBER, part->factor, "f",
+                     "luminance factor of the obstruction");
+    return pp_part_steps_work(terms, true, &pp_window_drawing_erc,
+                              "externally reflected component");
 }

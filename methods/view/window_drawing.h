@@ -41,10 +41,15 @@ enum pp_status pp_window_drawing_init(struct pp_window_drawing *drawing,
                                       struct pp_vec3 point, struct pp_error *err);
 void pp_window_drawing_clear(struct pp_window_drawing *drawing);
 
-/* Records the count on a part: `count` squares or dots (`things`), each of the worth
- * "w" of an earlier step, give `share`. */
-void pp_window_drawing_steps(struct pp_part_steps *terms,
-                             const struct pp_drawn_part *part, double count,
-                             const char *things, double share);
+/* Of the part's sky or externally reflected component: what was counted times what one
+ * is worth, which stands on the sheet as "w". */
+extern const struct pp_formula pp_window_drawing_sc, pp_window_drawing_erc;
+extern const struct pp_formula *const pp_window_drawing_formulae[]; /* both, and NULL */
+
+/* Puts down `count` squares or dots, "things", of the next part, and works its component
+ * out; returns it. */
+double pp_window_drawing_work(struct pp_part_steps *terms,
+                              const struct pp_drawn_part *part, double count,
+                              const char *things);
 
 #endif

@@ -13,8 +13,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "methods/exact/beam_average.h"
 #include "methods/exact/direct.h"
-#include "methods/exact/quadrature.h"
 #include "methods/method.h"
 #include "methods/refusals.h"
 #include "methods/view/visible.h"
@@ -80,9 +80,9 @@ static enum pp_status evaluate(const struct pp_world *world,
         pp_window_drawing_init(&drawing, world, opening, receiver->position, err);
     if (status != PP_OK)
         return status;
-    pp_steps_add_named(part->steps, PP_UNIT_SHARE, PP_WALDRAM_WORTH, "w",
-                       "a square of the diagram is worth");
-    struct pp_part_steps terms = pp_part_steps_begin(part->steps, drawing.count);
+    pp_worksheet_put(&part->sheet, PP_UNIT_SHARE, PP_WALDRAM_WORTH, "w",
+                     "a square of the diagram is worth");
+    struct pp_part_steps terms = pp_part_steps_on(&part->sheet, drawing.count);
     for (int i = 0; i < drawing.count && status == PP_OK; i++) {
         const struct pp_drawn_part *drawn = &drawing.parts[i];
         struct pp_waldram_count count;
@@ -90,9 +90,8 @@ static enum pp_status evaluate(const struct pp_world *world,
                                           &drawn->region, err);
         if (status != PP_OK)
             break;
-        double share = drawn->factor * count.squares * PP_WALDRAM_WORTH;
-        *(drawn->hidden ? &part->external : &part->sky) += share;
-        pp_window_drawing_steps(&terms, drawn, count.squares, "squares", share);
+        *(drawn->hidden ? &part->external : &part->sky) +=
+            pp_window_drawing_work(&terms, drawn, count.squares, "squares");
         pp_waldram_squares_clear(&count);
     }
     pp_part_steps_end(&terms);
@@ -121,63 +120,42 @@ static double charted_luminance(const void *context, struct pp_vec3 u)
            * pp_glass_transmittance(glass, ahead / level) / glass->normal;
 }
 
-/* The component through glass by quadrature, with the diagram's losses. */
-static enum pp_status integrate_glazed(const struct pp_world *world,
-                                       const struct pp_opening *opening,
-                                       const struct pp_receiver *receiver,
-                                       const struct pp_waldram *waldram,
-                                       struct pp_part *part, struct pp_error *err)
+/* The mean of many counts is the area: an average over the plane takes the area, with
+ * the diagram's losses, instead of squares. */
+static enum pp_status average(const struct pp_world *world,
+                              const struct pp_opening *opening, const void *tools,
+                              struct pp_part *part, bool *known, struct pp_error *err)
 {
-    struct pp_visible visible;
-    enum pp_status status =
-        pp_visible_through(&visible, world, opening, receiver->position, err);
-    if (status != PP_OK)
-        return status;
-    struct charted charted = {waldram, visible.view.along, visible.view.toward};
-    struct pp_integrand integrand = {charted_luminance, &charted, NULL};
-    for (int i = 0; i < visible.patch_count && status == PP_OK; i++) {
-        const struct pp_visible_patch *patch = &visible.patches[i];
-        struct pp_vec3 planes[3] = {receiver->normal};
-        struct pp_quadrature result;
-        memcpy(planes + 1, patch->half_spaces, sizeof patch->half_spaces);
-        status = pp_quadrature_over(&result, &visible.view, &patch->region, planes,
-                                    1 + patch->half_space_count, receiver->normal,
-                                    &integrand, PP_QUADRATURE_ROUGH, err);
-        if (patch->hidden)
-            part->external +=
-                pp_visible_luminance_factor(&world->sky, patch->reflectance)
-                * result.value;
-        else
-            part->sky += result.value;
-    }
-    pp_visible_clear(&visible);
-    return status;
-}
-
-/* The mean of many counts is the area: for averages over many points the area is taken,
- * by quadrature, instead of squares. */
-static enum pp_status evaluate_roughly(const struct pp_world *world,
-                                       const struct pp_opening *opening,
-                                       const struct pp_receiver *receiver,
-                                       const void *tools, struct pp_part *part,
-                                       struct pp_error *err)
-{
+    const struct waldram_diagrams *diagrams = tools;
+    *known = true;
     if (opening->glass.panes == 0) {
-        struct pp_direct sum = {.rough = true};
+        struct pp_direct mean = {0};
         enum pp_status plain =
-            pp_direct_through(&sum, world, opening, receiver, &opening->glass, err);
-        part->sky = sum.sky;
-        part->external = sum.external;
+            pp_direct_average(&mean, world, opening, &opening->glass, err);
+        part->sky = mean.sky;
+        part->external = mean.external;
         return plain;
     }
-    const struct waldram_diagrams *diagrams = tools;
-    return integrate_glazed(world, opening, receiver, &diagrams->glazed, part, err);
+    struct charted charted = {&diagrams->glazed, opening->along,
+                              pp_vec_scale(opening->inner.normal, -1.0)};
+    const struct pp_beam_light light = {
+        .sky = charted_luminance,
+        .context = &charted,
+        .of_reflectance = pp_visible_luminance_factor(&world->sky, 1.0),
+        .with_outside = true};
+    double mean[2];
+    enum pp_status status =
+        pp_beam_average(mean, world, opening, &light, PP_BEAM_AVERAGE_ERROR, err);
+    part->sky = mean[0];
+    part->external = mean[1];
+    return status;
 }
 
 const struct pp_method pp_method_waldram = {
     .name = "waldram",
     .summary = "direct component by counting squares on a Waldram diagram",
     .source = "WW23",
+    .formulae = pp_window_drawing_formulae,
     .gives = PP_GIVES_DIRECT,
     .speaks_for = PP_FOR_POINT,
     .allowances = PP_ALLOWS_CLEAR_GLASS | PP_ALLOWS_NO_GLASS,
@@ -187,5 +165,5 @@ const struct pp_method pp_method_waldram = {
     .refuses_room = refuses_room,
     .refuses = refuses,
     .evaluate = evaluate,
-    .evaluate_roughly = evaluate_roughly,
+    .average = average,
 };

@@ -6,6 +6,7 @@
 #include <stddef.h>
 
 #include "methods/interpolate.h"
+#include "model/light/graded_sky.h"
 
 enum { MOST_EVALUATIONS = 50000 };
 
@@ -65,12 +66,8 @@ double pp_waldram_scale_y(const struct pp_waldram *waldram, double altitude_rad)
 {
     if (!(altitude_rad > 0.0))
         return 0.0;
-    if (!waldram->glazed && waldram->sky.kind != PP_SKY_ISO) {
-        double s = sin(altitude_rad);
-        return waldram->sky.kind == PP_SKY_UNIFORM
-                   ? s * s / (2.0 * PP_PI)
-                   : s * s * (3.0 + 4.0 * s) / (14.0 * PP_PI);
-    }
+    if (!waldram->glazed && waldram->sky.kind != PP_SKY_ISO)
+        return pp_graded_sky_below_altitude(waldram->sky.gradation, sin(altitude_rad));
     return read_scale(waldram->y, altitude_rad);
 }
 

@@ -9,8 +9,7 @@
  * Without glass, with Y the integral of L sin gamma cos gamma from the horizon up:
  *
  *     X = phi
- *     Y = sin^2 gamma / (2 pi)                               uniform sky
- *     Y = (3 sin^2 gamma + 4 sin^3 gamma) / (14 pi)          overcast sky
+ *     Y = p sin^2 gamma / pi + q sin^3 gamma / 2             p, q of graded_sky.h
  *
  * With clear vertical glass the losses depend on cos i = cos gamma cos phi, which is no
  * product of a function of gamma and one of phi. The diagram takes the losses at

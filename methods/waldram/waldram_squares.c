@@ -248,7 +248,8 @@ enum pp_status pp_waldram_squares_count(struct pp_waldram_count *count,
 
     double carried = 0.0, *parts = malloc(rows * sizeof *parts);
     bool ok = parts != NULL;
-    for (int column = (int)floor(low / width); ok && column * width < high; column++) {
+    int first = low < high ? (int)floor(low / width) : 0; /* else nothing is visible */
+    for (int column = first; ok && column * width < high; column++) {
         memset(parts, 0, rows * sizeof *parts);
         for (int r = 0; ok && r < outline.count; r++)
             ok = add_column(parts, rows, &outline.rings[r], column * width, width,

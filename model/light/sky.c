@@ -4,23 +4,31 @@
 #include <cubature.h>
 #include <stddef.h>
 
+#include "model/light/graded_sky.h"
+
 static const double iso_parameters[][6] = {
 #include "tables/iso15469.inc"
 };
 
 enum { ISO_TYPES = sizeof iso_parameters / sizeof iso_parameters[0] };
 
+struct pp_sky pp_sky_graded(double b)
+{
+    return (struct pp_sky){.kind = b == PP_GRADED_SKY_UNIFORM ? PP_SKY_UNIFORM
+                                                              : PP_SKY_OVERCAST,
+                           .gradation = b,
+                           .sun = {0.0, 0.0, 1.0},
+                           .per_horizontal = pp_graded_sky_zenith(b)};
+}
+
 struct pp_sky pp_sky_overcast(void)
 {
-    return (struct pp_sky){.kind = PP_SKY_OVERCAST,
-                           .sun = {0.0, 0.0, 1.0},
-                           .per_horizontal = 9.0 / (7.0 * PP_PI)};
+    return pp_sky_graded(PP_GRADED_SKY_OVERCAST);
 }
 
 struct pp_sky pp_sky_uniform(void)
 {
-    return (struct pp_sky){
-        .kind = PP_SKY_UNIFORM, .sun = {0.0, 0.0, 1.0}, .per_horizontal = 1.0 / PP_PI};
+    return pp_sky_graded(PP_GRADED_SKY_UNIFORM);
 }
 
 bool pp_sky_iso_has_sun(int type)
@@ -36,10 +44,8 @@ bool pp_sky_has_azimuth(const struct pp_sky *sky)
 /* Luminance over that of the zenith; for ISO skies over 1 / (f(Zs) phi(0)) of it. */
 static double relative_luminance(const struct pp_sky *sky, struct pp_vec3 u)
 {
-    if (sky->kind == PP_SKY_OVERCAST)
-        return (1.0 + 2.0 * u.z) / 3.0;
-    if (sky->kind == PP_SKY_UNIFORM)
-        return 1.0;
+    if (sky->kind != PP_SKY_ISO)
+        return pp_graded_sky_luminance(sky->gradation, u.z);
     double gradation = 1.0;
     if (sky->a != 0.0)
         gradation += sky->a * exp(sky->b / u.z);
@@ -138,6 +144,7 @@ enum pp_status pp_sky_iso(struct pp_sky *sky, int type, struct pp_vec3 sun,
     *sky =
         (struct pp_sky){.kind = PP_SKY_ISO,
                         .iso = type,
+                        .gradation = PP_GRADED_SKY_OVERCAST,
                         .sun = pp_sky_iso_has_sun(type) ? sun : pp_vec(0.0, 0.0, 1.0),
                         .a = row[1],
                         .b = row[2],
@@ -151,17 +158,9 @@ enum pp_status pp_sky_iso(struct pp_sky *sky, int type, struct pp_vec3 sun,
 
 double pp_sky_on_plane(const struct pp_sky *sky, struct pp_vec3 n)
 {
-    double beta = atan2(hypot(n.x, n.y), n.z);
-    switch (sky->kind) {
-    case PP_SKY_OVERCAST:
-        return 3.0 / 14.0 * (1.0 + cos(beta))
-               + 4.0 / (7.0 * PP_PI) * (sin(beta) + (PP_PI - beta) * cos(beta));
-    case PP_SKY_UNIFORM:
-        return (1.0 + cos(beta)) / 2.0;
-    case PP_SKY_ISO:
-        break;
-    }
-    return quadrature_on_plane(sky, n);
+    if (sky->kind == PP_SKY_ISO)
+        return quadrature_on_plane(sky, n);
+    return pp_graded_sky_on_plane(sky->gradation, atan2(hypot(n.x, n.y), n.z));
 }
 
 const char *pp_sky_name(const struct pp_sky *sky)

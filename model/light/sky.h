@@ -1,10 +1,11 @@
-/* sky.h - the luminance of the sky, as the methods and the simulation see it.
+/* sky.h - the luminance of the sky, as the methods and the simulation see it: graded
+ * skies (overcast, uniform: graded_sky.h) and those of ISO 15469.
  *
  * A sky is normalised by its own unobstructed horizontal illuminance Eh, so that
  * the illuminance of a receiver is a daylight factor without further division:
  *
- *     overcast   L = Lz (1 + 2 sin altitude)/3,  Eh = 7 pi Lz / 9       [MS42]
- *     uniform    L = Lz,                         Eh = pi Lz
+ *     graded     L = Lz (1 + b sin altitude)/(1 + b)                    [MS42]
+ *                overcast b = 2, uniform b = 0
  *     ISO 15469  L = Lz f(chi) phi(Z) / (f(Zs) phi(0)),                 [ISO15469]
  *                f(chi) = 1 + c (exp(d chi) - exp(d pi/2)) + e cos^2 chi
  *                phi(Z) = 1 + a exp(b / cos Z),  phi(pi/2) = 1
@@ -25,13 +26,20 @@ enum pp_sky_kind { PP_SKY_OVERCAST, PP_SKY_UNIFORM, PP_SKY_ISO };
 struct pp_sky {
     enum pp_sky_kind kind;
     int iso;              /* 1 to 15 for PP_SKY_ISO, else 0 */
+    double gradation;     /* b of graded_sky.h; of an ISO sky that of the overcast one,
+                           * which stands in for it where an obstruction becomes an
+                           * angle and where light is only guessed */
     struct pp_vec3 sun;   /* towards the sun, unit length; zenith where there is none */
     double a, b, c, d, e; /* ISO 15469, zero elsewhere */
-    double per_horizontal; /* the relative luminance times this is L / Eh (1/sr) */
+    double per_horizontal; /* L / Eh (1/sr) where the relative luminance is 1 */
 };
 
 struct pp_sky pp_sky_overcast(void);
 struct pp_sky pp_sky_uniform(void);
+
+/* A graded sky: uniform for b = 0, and any other is taken for an overcast one. Rooms
+ * have the two above; others show that nothing assumes their b. */
+struct pp_sky pp_sky_graded(double b);
 
 /* ISO 15469 sky of type 1 to 15 with the sun in direction sun (unit, above the
  * horizon; not looked at by types that have no sun). Fails on any other type and on
@@ -50,7 +58,7 @@ bool pp_sky_has_azimuth(const struct pp_sky *sky);
 double pp_sky_luminance(const struct pp_sky *sky, struct pp_vec3 u);
 
 /* Illuminance of a plane with normal n (unit, any tilt) from the unobstructed sky,
- * as a fraction of Eh. Closed form for overcast and uniform, else to 1e-9. */
+ * as a fraction of Eh. Closed form for graded skies, else to 1e-9. */
 double pp_sky_on_plane(const struct pp_sky *sky, struct pp_vec3 n);
 
 /* "overcast", "uniform", "iso-1" ... "iso-15". */

@@ -8,6 +8,8 @@
 
 #include "model/base/array.h"
 
+const double pp_plane_levels[PP_PLANE_LEVELS] = {0.01, 0.02, 0.05};
+
 struct pp_column *pp_report_add(struct pp_report *report, enum pp_component component,
                                 const char *name, bool for_points)
 {
@@ -99,10 +101,13 @@ void pp_report_clear(struct pp_report *report)
         free(report->steps[i]);
     }
     free(report->steps);
+    free(report->more_receivers);
+    report->more_receivers = NULL;
     report->columns = NULL;
     report->column_count = 0;
     report->sentences = NULL;
     report->sentence_count = 0;
+    report->stand_in = NULL;
     report->steps = NULL;
     report->steps_count = 0;
 }

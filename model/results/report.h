@@ -12,13 +12,26 @@
 #include "model/results/steps.h"
 #include "model/room/world.h"
 
+/* The levels (fractions) whose share of the plane is told. */
+enum { PP_PLANE_LEVELS = 3 };
+extern const double pp_plane_levels[PP_PLANE_LEVELS];
+
+/* Of the points of a grid over the working plane; NAN where there is none. */
+struct pp_plane_reading {
+    struct pp_reading minimum, median, average;
+    double uniformity;            /* minimum over average */
+    double over[PP_PLANE_LEVELS]; /* share of the points that reach each level */
+};
+
 struct pp_column {
     enum pp_component component;
     char name[48];
     struct pp_reading average; /* over the whole working plane */
     bool of_all_surfaces; /* the average is over the room's surfaces: not to be compared
                                 * with those over its working plane */
-    struct pp_reading *points; /* one for each receiver; NULL: of the room only */
+    bool has_plane;       /* a daylight factor at every point of the grid? */
+    struct pp_plane_reading plane; /* then what it says of the plane */
+    struct pp_reading *points;     /* one for each receiver; NULL: of the room only */
 };
 
 struct pp_method_options; /* methods/method.h */
@@ -27,12 +40,18 @@ struct pp_report {
     const struct pp_world *world;            /* not owned */
     const struct pp_method_options *options; /* not owned; NULL: nothing asked for */
     const struct pp_receiver *receivers;     /* not owned */
+    struct pp_receiver *more_receivers; /* list that is freed with the report; NULL:
+                                              * none */
     int receiver_count;
+    int grid_points;       /* that the columns' `plane` speaks of; 0: there is none */
+    bool grid_of_standard; /* EN 17037's, not the receivers themselves */
     struct pp_column *columns; /* in order of component, then as asked for */
     int column_count;
-    bool finished;    /* false: interrupted; the columns so far are good */
-    bool explain;     /* are the methods to set down their steps? */
-    char **sentences; /* that readings' why points to, where it is not static */
+    bool finished;        /* false: interrupted; the columns so far are good */
+    bool explain;         /* are the methods to set down their steps? */
+    const char *stand_in; /* the usual methods do not cover the room: what stands in for
+                           * them; NULL: they do. Kept with the sentences */
+    char **sentences;     /* that readings' why points to, where it is not static */
     int sentence_count;
     struct pp_steps **steps; /* that readings' steps point to */
     int steps_count;

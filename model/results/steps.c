@@ -8,6 +8,12 @@
 
 #include "model/base/array.h"
 #include "model/base/text.h"
+#include "model/geometry/vec.h"
+
+double pp_steps_printed_unit(enum pp_step_unit unit)
+{
+    return unit == PP_UNIT_SHARE ? 100.0 : unit == PP_UNIT_ANGLE ? 1.0 / PP_RAD : 1.0;
+}
 
 /* One more step at the end of the list; NULL where there is no list or no memory. */
 static struct pp_calculation_step *next(struct pp_steps *steps)
@@ -25,9 +31,9 @@ static struct pp_calculation_step *next(struct pp_steps *steps)
     return step;
 }
 
-static void fill(struct pp_steps *steps, enum pp_step_unit unit, double value,
-                 const char *symbol, const char *formula, const char *what,
-                 va_list args)
+void pp_steps_add_v(struct pp_steps *steps, enum pp_step_unit unit, double value,
+                    const char *symbol, const char *formula, const char *what,
+                    va_list args)
 {
     struct pp_calculation_step *step = next(steps);
     if (!step)
@@ -39,21 +45,12 @@ static void fill(struct pp_steps *steps, enum pp_step_unit unit, double value,
     vsnprintf(step->what, sizeof step->what, what, args);
 }
 
-void pp_steps_add(struct pp_steps *steps, enum pp_step_unit unit, double value,
-                  const char *what, ...)
-{
-    va_list args;
-    va_start(args, what);
-    fill(steps, unit, value, "", "", what, args);
-    va_end(args);
-}
-
 void pp_steps_add_named(struct pp_steps *steps, enum pp_step_unit unit, double value,
                         const char *symbol, const char *what, ...)
 {
     va_list args;
     va_start(args, what);
-    fill(steps, unit, value, symbol, "", what, args);
+    pp_steps_add_v(steps, unit, value, symbol, "", what, args);
     va_end(args);
 }
 
@@ -62,7 +59,7 @@ void pp_steps_add_worked(struct pp_steps *steps, enum pp_step_unit unit, double 
 {
     va_list args;
     va_start(args, what);
-    fill(steps, unit, value, symbol, formula, what, args);
+    pp_steps_add_v(steps, unit, value, symbol, formula, what, args);
     va_end(args);
 }
 
@@ -70,10 +67,10 @@ void pp_steps_add_worked(struct pp_steps *steps, enum pp_step_unit unit, double 
 void pp_steps_add_sum(struct pp_steps *steps, int first, int count, const char *symbol,
                       const char *what)
 {
-    enum { LONGEST_TERM = 32 };
+    enum { LINE_MOST = 160, LONGEST_TERM = 32 };
     if (!steps)
         return;
-    char formula[sizeof steps->list->formula] = "";
+    char formula[LINE_MOST] = "";
     double sum = 0.0;
     for (int i = 1; i <= count; i++) {
         char name[32];

@@ -1,18 +1,15 @@
 /* steps.h - a calculation as it would be set out on paper: the figures that were read
  * or put in, and those worked out of them, each with its formula and unit, in order.
  *
- * A formula is written in the figures as they are printed: per cent, degrees, metres.
- * It holds numbers, the symbols of steps before it (the latest of a name counts), + - *
- * / ^, parentheses, and sqrt, exp, log, sin, cos, tan, atan (of degrees, to degrees),
- * min, max, sum. Factors may stand side by side: "0.85 W / (A (1 - R)) (C R_fw + 5
- * R_cw)"; products and quotients are worked from left to right. A symbol is a letter
- * with letters, digits, _ and ' behind it, and is no function's name. Whoever
- * recomputes a step from the printed figures gets its printed value, give or take their
- * rounding; a test does so.
+ * A formula is written in the figures as they are printed: per cent, degrees, metres,
+ * in the language of expression.h, with the symbols of steps before it (the latest of a
+ * name counts). Whoever recomputes a step from the printed figures gets its printed
+ * value, give or take their rounding; a test does so.
  */
 #ifndef PP_MODEL_RESULTS_STEPS_H
 #define PP_MODEL_RESULTS_STEPS_H
 
+#include <stdarg.h>
 #include <stdbool.h>
 
 enum pp_step_unit {
@@ -25,10 +22,13 @@ enum pp_step_unit {
     PP_UNIT_LUX,
 };
 
+/* What a value is multiplied by for print: 100 for per cent, 1/PP_RAD for degrees. */
+double pp_steps_printed_unit(enum pp_step_unit unit);
+
 struct pp_calculation_step {
     char what[96];     /* "window on line 12: altitude of the head" */
     char symbol[16];   /* "R_fw"; empty: has no name */
-    char formula[160]; /* by which it was worked out; empty: read or put in */
+    char formula[640]; /* by which it was worked out; empty: read or put in */
     double value;
     enum pp_step_unit unit;
     int line; /* of the opening in the room file that it belongs to; 0: to none */
@@ -42,11 +42,8 @@ struct pp_steps {
     bool failed; /* memory ran out: the list is not whole */
 };
 
-/* Sets down one step; steps may be NULL, then nothing is done. */
-void pp_steps_add(struct pp_steps *steps, enum pp_step_unit unit, double value,
-                  const char *what, ...) __attribute__((format(printf, 4, 5)));
-
-/* The same of a figure that formulae further on name by its symbol. */
+/* Sets down one step, of a figure that formulae further on name by its symbol; steps may
+ * be NULL, then nothing is done. */
 void pp_steps_add_named(struct pp_steps *steps, enum pp_step_unit unit, double value,
                         const char *symbol, const char *what, ...)
     __attribute__((format(printf, 5, 6)));
@@ -55,6 +52,11 @@ void pp_steps_add_named(struct pp_steps *steps, enum pp_step_unit unit, double v
 void pp_steps_add_worked(struct pp_steps *steps, enum pp_step_unit unit, double value,
                          const char *symbol, const char *formula, const char *what, ...)
     __attribute__((format(printf, 6, 7)));
+
+/* The common form of the three. */
+void pp_steps_add_v(struct pp_steps *steps, enum pp_step_unit unit, double value,
+                    const char *symbol, const char *formula, const char *what,
+                    va_list args) __attribute__((format(printf, 6, 0)));
 
 /* Sets down a sum of shares: symbol = symbol_1 + symbol_2 + ..., on as many lines as it
  * takes, of the terms up to `count` that there are from step `first` on; 0 of none. */

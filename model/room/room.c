@@ -208,6 +208,11 @@ enum pp_status pp_room_set_sky(struct pp_room *room, const char *spec,
     return pp_sky_words_parse(&room->sky, spec, err);
 }
 
+void pp_room_take_sky(struct pp_room *room, const struct pp_room *other)
+{
+    room->sky = other->sky;
+}
+
 void pp_room_lighten(struct pp_room *room, enum pp_role role, double reflectance)
 {
     double *shared = role == PP_FLOOR  ? &room->floor

@@ -60,6 +60,9 @@ void pp_room_set_maintenance(struct pp_room *room, int index, double maintenance
 enum pp_status pp_room_set_sky(struct pp_room *room, const char *spec,
                                struct pp_error *err);
 
+/* Puts the other room's sky in place of the room's. */
+void pp_room_take_sky(struct pp_room *room, const struct pp_room *other);
+
 /* Gives all faces of that role (PP_FLOOR, PP_WALL or PP_CEILING) that are darker this
  * reflectance. */
 void pp_room_lighten(struct pp_room *room, enum pp_role role, double reflectance);

@@ -21,6 +21,7 @@
 
 struct pp_site_part {
     double latitude_rad, longitude_rad; /* NAN where not given */
+    char country[3];                    /* two letters; empty where not given */
     enum pp_surroundings surroundings;  /* rural where not given */
     enum pp_work
         work; /* where not given: clean, but dirty in industrial surroundings */

@@ -2,7 +2,10 @@
 #include "model/room/surface_materials.h"
 
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
+
+#include "model/base/array.h"
 
 static const char *name_of(const struct pp_surface *surface)
 {
@@ -120,4 +123,57 @@ bool pp_surface_materials_same(const struct pp_material *a, const struct pp_mate
     struct pp_material_key keys[2] = {pp_surface_materials_key(a),
                                       pp_surface_materials_key(b)};
     return memcmp(&keys[0], &keys[1], sizeof keys[0]) == 0;
+}
+
+/* A new material is compared with this many of the last: a world of a million surfaces
+ * has few materials, and neighbours mostly share theirs. */
+enum { LOOKED_BACK = 64 };
+
+static enum pp_status find(struct pp_surface_materials *materials,
+                           const struct pp_material *material, int *index,
+                           struct pp_error *err)
+{
+    int last = materials->count - LOOKED_BACK;
+    for (*index = materials->count - 1; *index >= 0 && *index >= last; --*index)
+        if (pp_surface_materials_same(&materials->list[*index], material))
+            return PP_OK;
+    *index = materials->count;
+    enum pp_status status = pp_array_append(&materials->list, materials->count,
+                                            sizeof *materials->list, err);
+    if (status == PP_OK)
+        materials->list[materials->count++] = *material;
+    return status;
+}
+
+static struct pp_material side_of(const struct pp_world *world, int index, bool front,
+                                  bool matt)
+{
+    if (index >= world->surface_count)
+        return pp_surface_materials_pane(world, index - world->surface_count, front);
+    return matt ? pp_surface_materials_matt(world, index, front)
+                : pp_surface_materials_of(world, index, front);
+}
+
+enum pp_status pp_surface_materials_init(struct pp_surface_materials *materials,
+                                         const struct pp_world *world, bool matt,
+                                         struct pp_error *err)
+{
+    int count = world->surface_count + world->opening_count;
+    *materials = (struct pp_surface_materials){
+        .sides = malloc(((size_t)count + 1) * sizeof *materials->sides)};
+    enum pp_status status = materials->sides ? PP_OK : pp_fail_memory(err);
+    for (int i = 0; status == PP_OK && i < 2 * count; i++) {
+        struct pp_material side = side_of(world, i / 2, i % 2 == 0, matt);
+        status = find(materials, &side, &materials->sides[i / 2][i % 2], err);
+    }
+    if (status != PP_OK)
+        pp_surface_materials_clear(materials);
+    return status;
+}
+
+void pp_surface_materials_clear(struct pp_surface_materials *materials)
+{
+    free(materials->list);
+    free(materials->sides);
+    *materials = (struct pp_surface_materials){.count = 0};
 }

@@ -36,4 +36,18 @@ struct pp_material_key pp_surface_materials_key(const struct pp_material *materi
 bool pp_surface_materials_same(const struct pp_material *a,
                                const struct pp_material *b);
 
+/* All materials of a world, and which of them each surface has. */
+struct pp_surface_materials {
+    struct pp_material *list;
+    int count;
+    int (*sides)[2]; /* front and back, by surface, then by opening's pane */
+};
+
+/* Materials that are the same are one of the list, as a rule; with `matt` those of
+ * surfaces are matt and grey. */
+enum pp_status pp_surface_materials_init(struct pp_surface_materials *materials,
+                                         const struct pp_world *world, bool matt,
+                                         struct pp_error *err);
+void pp_surface_materials_clear(struct pp_surface_materials *materials);
+
 #endif

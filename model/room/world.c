@@ -1,9 +1,11 @@
 /* world.c - see world.h: from a room to its world, step by step (build/). */
 #include "model/room/world.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "model/geometry/convex_parts.h"
 #include "model/room/build/blocks.h"
 #include "model/room/build/corners.h"
 #include "model/room/build/envelope.h"
@@ -24,6 +26,7 @@ void pp_world_destroy(struct pp_world *world)
         return;
     for (int i = 0; i < world->surface_count; i++) {
         pp_polygon_clear(&world->surfaces[i].outline);
+        free(world->surfaces[i].triangles);
         free((char *)world->surfaces[i].name);
     }
     for (int i = 0; i < world->opening_count; i++) {
@@ -40,12 +43,26 @@ void pp_world_destroy(struct pp_world *world)
     free(world);
 }
 
+struct pp_outside_light pp_world_light(const struct pp_world *world)
+{
+    return (struct pp_outside_light){world->sky, world->ground_reflectance};
+}
+
+enum pp_status pp_world_set_sky(struct pp_world *world, const struct pp_room *room,
+                                struct pp_error *err)
+{
+    struct pp_sky sky;
+    enum pp_status status = pp_sky_words_sky(&sky, &room->sky, room->north_rad, err);
+    if (status == PP_OK)
+        world->sky = sky;
+    return status;
+}
+
 static void resolve_sky(struct pp_resolver *r)
 {
-    const struct pp_sky_part *part = &r->room->sky;
     struct pp_error fault = {0};
-    if (pp_sky_words_sky(&r->world->sky, part, r->room->north_rad, &fault) != PP_OK)
-        pp_mistakes_add(r->mistakes, part->line, "sky: %s", fault.message);
+    if (pp_world_set_sky(r->world, r->room, &fault) != PP_OK)
+        pp_mistakes_add(r->mistakes, r->room->sky.line, "sky: %s", fault.message);
 }
 
 static enum pp_status resolve_site(struct pp_resolver *r, struct pp_error *err)
@@ -55,6 +72,7 @@ static enum pp_status resolve_site(struct pp_resolver *r, struct pp_error *err)
     world->north_rad = room->north_rad;
     world->latitude_rad = room->site.latitude_rad;
     world->longitude_rad = room->site.longitude_rad;
+    memcpy(world->country, room->site.country, sizeof world->country);
     world->surroundings = room->site.surroundings;
     world->work = room->site.work;
     world->decorations =
@@ -101,6 +119,17 @@ static bool is_comparable(struct pp_resolver *r)
     return false;
 }
 
+static enum pp_status find_triangles(struct pp_resolver *r, struct pp_error *err)
+{
+    enum pp_status status = PP_OK;
+    for (int i = 0; i < r->world->surface_count && status == PP_OK; i++) {
+        struct pp_surface *surface = &r->world->surfaces[i];
+        status = pp_convex_parts_triangles(
+            &surface->triangles, &surface->triangle_count, &surface->outline, err);
+    }
+    return status;
+}
+
 static enum pp_status resolve(struct pp_resolver *r, struct pp_error *err)
 {
     if (!is_comparable(r))
@@ -109,7 +138,7 @@ static enum pp_status resolve(struct pp_resolver *r, struct pp_error *err)
         resolve_site,           pp_build_envelope,       pp_build_corners,
         pp_build_watertight,    pp_build_place_openings, pp_build_reveals,
         pp_build_blocks,        pp_build_skylines,       pp_build_free_surfaces,
-        pp_build_working_plane, pp_build_receivers};
+        pp_build_working_plane, pp_build_receivers,      find_triangles};
     enum pp_status status = pp_clipper_create(&r->clipper, err);
     for (size_t i = 0; i < sizeof steps / sizeof *steps && status == PP_OK; i++)
         status = steps[i](r, err);
@@ -121,6 +150,14 @@ static enum pp_status resolve(struct pp_resolver *r, struct pp_error *err)
     free(r->wall_faces);
     free(r->corners);
     return status;
+}
+
+double pp_world_skyline_angle(const struct pp_skyline *skyline, double z_m,
+                              double behind_m)
+{
+    if (isinf(skyline->distance_m))
+        return skyline->angle_rad;
+    return atan2(skyline->head_z_m - z_m, skyline->distance_m + behind_m);
 }
 
 enum pp_status pp_world_create(struct pp_world **world, const struct pp_room *room,

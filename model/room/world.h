@@ -3,7 +3,7 @@
  * Nothing here has to be looked up by name or worked out a second time: polygons in
  * metres, fractions, radians, the room's own x, y, z (floor at z = 0, z up). The hand
  * methods, the tracer, the charts and the exports read only this; a world is never
- * changed once made. Everything in it is owned by it.
+ * changed once made, but for its sky. Everything in it is owned by it.
  */
 #ifndef PP_MODEL_ROOM_WORLD_H
 #define PP_MODEL_ROOM_WORLD_H
@@ -16,7 +16,7 @@
 #include "model/geometry/region.h"
 #include "model/geometry/vec.h"
 #include "model/light/glass.h"
-#include "model/light/sky.h"
+#include "model/light/outside_light.h"
 
 enum pp_role {
     PP_FLOOR,        /* of the room's own envelope */
@@ -32,6 +32,9 @@ enum pp_role {
 struct pp_surface {
     struct pp_polygon outline; /* envelope and reveals: normal into the room;
                                 * blocks: outwards; free-standing: as in the file */
+    int (*triangles)
+        [3]; /* that cover the outline, by its vertices; NULL: it is convex */
+    int triangle_count;
     enum pp_role role;
     bool inside;      /* does it stand in the room (envelope, reveal, free-standing)? */
     const char *name; /* the wall's, or NULL */
@@ -78,6 +81,11 @@ struct pp_skyline {
     int line;
 };
 
+/* Altitude of its upper edge (rad), in the section square to its wall, from a point at
+ * height z_m that lies `behind_m` behind the wall's plane (negative: before it). */
+double pp_world_skyline_angle(const struct pp_skyline *skyline, double z_m,
+                              double behind_m);
+
 /* A box outside; its sides stand among the surfaces too. */
 struct pp_block {
     struct pp_vec3 corner; /* lower corner */
@@ -102,6 +110,7 @@ struct pp_world {
     char *name;
     double north_rad;                   /* bearing of +y, clockwise from true north */
     double latitude_rad, longitude_rad; /* NAN where the file has none */
+    char country[3];                    /* two letters; empty where the file has none */
     enum pp_surroundings surroundings;
     enum pp_work work;
     double decorations; /* share of the internally reflected component that the
@@ -127,8 +136,16 @@ struct pp_world {
     int receiver_count;
 };
 
+/* The light from outside that the room's file has. */
+struct pp_outside_light pp_world_light(const struct pp_world *world);
+
 /* A room as its file describes it (building.h). */
 struct pp_room;
+
+/* Puts the sky of a room like the world's own in place of the world's, and changes
+ * nothing else. */
+enum pp_status pp_world_set_sky(struct pp_world *world, const struct pp_room *room,
+                                struct pp_error *err);
 
 /* Resolves a room. Mistakes in what it describes go to mistakes (PP_BAD_INPUT, and no
  * world). */

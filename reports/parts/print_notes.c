@@ -216,8 +216,14 @@ bool pp_print_notes(const struct pp_report *report, int width, FILE *out)
     }
     bool nothing_outside = pp_print_notes_is_zero(report, PP_ERC);
     bool undecorated = leaves_decorations(report);
-    if (reasons.count > 0 || nothing_outside || undecorated)
+    if (report->stand_in || reasons.count > 0 || nothing_outside || undecorated)
         fputc('\n', out);
+    if (report->stand_in) {
+        char sentence[256];
+        snprintf(sentence, sizeof sentence, "%s.", report->stand_in);
+        fputs("  - ", out);
+        pp_print_wrapped(sentence, 4, 4, width, out);
+    }
     if (nothing_outside)
         fputs("  - The externally reflected component is 0 everywhere.\n", out);
     for (int i = 0; i < reasons.count; i++)

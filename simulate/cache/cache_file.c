@@ -10,12 +10,13 @@
 #include "simulate/cache/little_endian.h"
 #include "simulate/sampling/hash.h"
 #include "simulate/sampling/lobe.h"
+#include "simulate/scene/environment.h"
 
 enum {
-    VERSION = 2,
+    VERSION = 3,
     WORD = 8,
     NUMBERS = 38 + PP_CACHE_SECTORS,
-    HEAD = 16 + 5 * WORD,
+    HEAD = 16 + 6 * WORD,
     ENTRY = NUMBERS * WORD
 };
 
@@ -113,6 +114,12 @@ static bool take_entry(const unsigned char **at, struct pp_cache_entry *entry)
     return true;
 }
 
+/* Of the light from outside; a description's is part of its scene. */
+static uint64_t hash_of_light(const struct pp_irradiance_cache *cache)
+{
+    return cache->environment ? pp_environment_hash(cache->environment) : 0;
+}
+
 enum pp_status pp_cache_file_pack(const struct pp_irradiance_cache *cache, char **bytes,
                                   size_t *length, struct pp_error *err)
 {
@@ -124,6 +131,7 @@ enum pp_status pp_cache_file_pack(const struct pp_irradiance_cache *cache, char 
     at += 16;
     pp_little_endian_put(&at, VERSION, WORD);
     pp_little_endian_put(&at, pp_light_scene_hash(cache->scene), WORD);
+    pp_little_endian_put(&at, hash_of_light(cache), WORD);
     pp_little_endian_put(&at, pp_irradiance_cache_hash_options(cache), WORD);
     for (int i = 0; i < PP_CACHE_DEPTHS; i++)
         pp_little_endian_put(&at, (uint64_t)cache->layers[i].entry_count, WORD);
@@ -156,6 +164,7 @@ static enum pp_status check(const struct pp_irradiance_cache *cache,
                        "%s is a cache of version %llu; expected version %d", title,
                        (unsigned long long)version, VERSION);
     uint64_t scene = pp_little_endian_take(&at, WORD),
+             light = pp_little_endian_take(&at, WORD),
              options = pp_little_endian_take(&at, WORD), total = 0;
     for (int i = 0; i < PP_CACHE_DEPTHS; i++) {
         counts[i] = pp_little_endian_take(&at, WORD);
@@ -174,6 +183,11 @@ static enum pp_status check(const struct pp_irradiance_cache *cache,
         return pp_fail(err, PP_BAD_INPUT,
                        "%s is the cache of another room; expected one of this room, or "
                        "the name of a new file",
+                       title);
+    if (light != hash_of_light(cache))
+        return pp_fail(err, PP_BAD_INPUT,
+                       "%s was made under another sky or ground; expected a cache made "
+                       "under this light, or the name of a new file",
                        title);
     if (options != pp_irradiance_cache_hash_options(cache))
         return pp_fail(err, PP_BAD_INPUT,

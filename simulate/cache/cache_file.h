@@ -2,7 +2,7 @@
  *
  * All little-endian, 8 bytes each but the first 16:
  *
- *     "pepperpot cache\n", version, the scene's hash, the options' hash,
+ *     "pepperpot cache\n", version, the scene's hash, the light's, the options',
  *     number of records of depth 0, of depth 1,
  *     each record: 38 + PP_CACHE_SECTORS doubles (cache_file.c has their order),
  *     a checksum of all that stands before it
@@ -22,7 +22,7 @@ enum pp_status pp_cache_file_pack(const struct pp_irradiance_cache *cache, char 
 
 /* Gives a cache that has no records those of a file; `title` is what messages call it.
  * PP_BAD_INPUT, and the cache is as before, if the file is cut off, damaged, of another
- * version, or of another scene or other options. */
+ * version, or of another scene, another light or other options. */
 enum pp_status pp_cache_file_unpack(struct pp_irradiance_cache *cache,
                                     const char *bytes, size_t length, const char *title,
                                     struct pp_error *err);

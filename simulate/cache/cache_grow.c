@@ -94,8 +94,10 @@ static bool record_request(void *store, const struct pp_light_hit *hit,
 static struct pp_radiance_state state_of(const struct pp_irradiance_cache *cache,
                                          uint64_t seed)
 {
-    struct pp_radiance_state state = {
-        .scene = cache->scene, .options = cache->light, .store = cache->store};
+    struct pp_radiance_state state = {.scene = cache->scene,
+                                      .environment = cache->environment,
+                                      .options = cache->light,
+                                      .store = cache->store};
     pp_sobol_sequence_init(&state.sequence, &cache->sobol, seed);
     return state;
 }

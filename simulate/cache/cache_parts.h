@@ -10,8 +10,9 @@ enum {
 };
 
 struct pp_irradiance_cache {
-    const struct pp_light_scene *scene;  /* not owned */
-    const struct pp_window_store *store; /* not owned; may be NULL */
+    const struct pp_light_scene *scene;       /* not owned */
+    const struct pp_environment *environment; /* not owned; NULL: of a description */
+    const struct pp_window_store *store;      /* not owned; may be NULL */
     struct pp_radiance_options light;
     struct pp_cache_options options;
     bool *left_out; /* by material */

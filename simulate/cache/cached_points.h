@@ -32,7 +32,8 @@ struct pp_cached_options {
 struct pp_cached_points;
 
 /* Copies what it needs of receivers; scene (of a world), store (may be NULL) and cache
- * must live as long as the points. Makes its requests to the cache. */
+ * must live as long as the points. The light is that of the cache. Makes its requests
+ * to the cache. */
 enum pp_status pp_cached_points_create(
     struct pp_cached_points **points, const struct pp_light_scene *scene,
     const struct pp_window_store *store, struct pp_irradiance_cache *cache,

@@ -194,6 +194,7 @@ static enum pp_status make(struct pp_irradiance_cache *cache, struct pp_error *e
 
 enum pp_status pp_irradiance_cache_create(struct pp_irradiance_cache **result,
                                           const struct pp_light_scene *scene,
+                                          const struct pp_environment *environment,
                                           const struct pp_window_store *store,
                                           const struct pp_radiance_options *light,
                                           const struct pp_cache_options *options,
@@ -207,6 +208,7 @@ enum pp_status pp_irradiance_cache_create(struct pp_irradiance_cache **result,
     if (!cache)
         return pp_fail_memory(err);
     cache->scene = scene;
+    cache->environment = environment;
     cache->store = store;
     cache->light = *light;
     cache->light.bounces = -1;

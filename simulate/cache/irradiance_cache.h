@@ -11,7 +11,7 @@
  * The caller requests what it will look at, then lets the cache grow (cache_grow.h),
  * then reads it:
  *
- *     pp_irradiance_cache_create(&cache, scene, store, &light, &options, err);
+ *     pp_irradiance_cache_create(&cache, scene, environment, store, &light, &options, err);
  *     pp_cache_grow_request_rays(cache, rays, ray_count, err);
  *     while (!pp_cache_grow_done(cache))
  *         pp_cache_grow(cache, 0.1, err);
@@ -58,10 +58,12 @@ enum pp_status pp_irradiance_cache_check_options(const struct pp_cache_options *
 
 struct pp_irradiance_cache;
 
-/* scene and store (may be NULL) must live as long as the cache. Of `light`, `bounces`
+/* scene, environment (of a world; NULL: of a description) and store (may be NULL) must
+ * live as long as the cache. Of `light`, `bounces`
  * is not looked at: options->bounces counts. Checks options. */
 enum pp_status pp_irradiance_cache_create(struct pp_irradiance_cache **cache,
                                           const struct pp_light_scene *scene,
+                                          const struct pp_environment *environment,
                                           const struct pp_window_store *store,
                                           const struct pp_radiance_options *light,
                                           const struct pp_cache_options *options,

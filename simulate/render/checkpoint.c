@@ -8,14 +8,16 @@
 #include "simulate/cache/little_endian.h"
 #include "simulate/render/render_parts.h"
 #include "simulate/sampling/hash.h"
+#include "simulate/scene/environment.h"
 
 static const char magic[8] = {'P', 'P', 'R', 'E', 'N', 'D', 'E', 'R'};
 
 enum {
-    VERSION = 2,
+    VERSION = 3,
     HEAD = 8 + 4 + 8 + 3 * 4 + 2 * 8,
     TAIL = 8 + 8, /* the cache's length, the last number */
-    PIXEL = 16
+    PIXEL = 16,
+    ERRORS = 12
 };
 
 /* ---- what it is a checkpoint of ---- */
@@ -36,6 +38,8 @@ uint64_t pp_checkpoint_hash(const struct pp_render *render)
     const struct pp_render_options *options = &render->options;
     const struct pp_camera *camera = &options->camera;
     uint64_t hash = pp_hash(VERSION, pp_light_scene_hash(render->scene));
+    if (render->environment)
+        hash = pp_hash(hash, pp_environment_hash(render->environment));
     hash = pp_hash(hash, camera->kind);
     hash = pp_hash_vec(hash, camera->eye);
     hash = pp_hash_vec(hash, camera->toward);
@@ -50,6 +54,7 @@ uint64_t pp_checkpoint_hash(const struct pp_render *render)
     hash = pp_hash(hash, options->indoors);
     hash = pp_hash(hash, options->filter);
     hash = pp_hash(hash, (uint64_t)options->samples);
+    hash = pp_hash(hash, (uint64_t)options->randomisations);
     hash = hash_light(hash, &options->light);
     hash = pp_hash(hash, options->store != NULL);
     hash = pp_hash(hash, options->ambient != NULL);
@@ -82,7 +87,8 @@ static size_t size_of(const struct pp_render *render, const unsigned char *done)
     size_t pixels = 0;
     for (int i = 0; i < render->tile_count; i++)
         pixels += done[i] ? tile_pixels(render, i) : 0;
-    return HEAD + (size_t)render->tile_count + PIXEL * pixels + TAIL;
+    size_t each = PIXEL + (render->errors.rgb ? ERRORS : 0);
+    return HEAD + (size_t)render->tile_count + each * pixels + TAIL;
 }
 
 /* ---- writing ---- */
@@ -98,6 +104,8 @@ static void put_tile(unsigned char **at, const struct pp_render *render, int til
             int tag =
                 render->tags[(size_t)y * (size_t)render->picture.width + (size_t)x];
             pp_little_endian_put(at, (uint32_t)tag, 4);
+            for (int i = 0; render->errors.rgb && i < 3; i++)
+                pp_little_endian_put_float(at, pp_picture_at(&render->errors, x, y)[i]);
         }
 }
 
@@ -105,6 +113,7 @@ static void put_tile(unsigned char **at, const struct pp_render *render, int til
 static void put_all(unsigned char *bytes, size_t size, const struct pp_render *render,
                     const char *cache, size_t kept)
 {
+    struct pp_render_work work = pp_render_work(render);
     unsigned char *at = bytes;
     memcpy(at, magic, sizeof magic);
     at += sizeof magic;
@@ -113,8 +122,8 @@ static void put_all(unsigned char *bytes, size_t size, const struct pp_render *r
     pp_little_endian_put(&at, (uint64_t)render->picture.width, 4);
     pp_little_endian_put(&at, (uint64_t)render->picture.height, 4);
     pp_little_endian_put(&at, (uint64_t)render->tile_count, 4);
-    pp_little_endian_put(&at, (uint64_t)render->work.rays, 8);
-    pp_little_endian_put(&at, (uint64_t)render->work.leaks, 8);
+    pp_little_endian_put(&at, (uint64_t)work.rays, 8);
+    pp_little_endian_put(&at, (uint64_t)work.leaks, 8);
     memcpy(at, render->tile_done, (size_t)render->tile_count);
     at += render->tile_count;
     for (int i = 0; i < render->tile_count; i++)
@@ -216,6 +225,9 @@ static void take_tile_pixels(const unsigned char **at, struct pp_render *render,
                 rgb[i] = pp_little_endian_take_float(at);
             render->tags[(size_t)y * (size_t)render->picture.width + (size_t)x] =
                 (int32_t)(uint32_t)pp_little_endian_take(at, 4);
+            for (int i = 0; render->errors.rgb && i < 3; i++)
+                pp_picture_at(&render->errors, x, y)[i] =
+                    pp_little_endian_take_float(at);
         }
 }
 
@@ -248,6 +260,6 @@ enum pp_status pp_checkpoint_resume(struct pp_render *render,
         take_tile_pixels(&at, render, i);
         render->done_count++;
     }
-    render->work = (struct pp_render_work){work[0], work[1]};
+    render->resumed = (struct pp_render_work){work[0], work[1]};
     return PP_OK;
 }

@@ -3,12 +3,13 @@
  * Least significant byte first:
  *
  *     8 bytes   "PPRENDER"
- *     u32       version, 2
+ *     u32       version, 3
  *     u64       a hash of the scene and all options
  *     u32 x 3   width, height, count of tiles
  *     i64 x 2   rays, leaks so far
  *     u8 each   tile: 1 done, 0 not
- *     the done tiles' pixels: three floats and a tag of four bytes each
+ *     the done tiles' pixels: three floats and a tag of four bytes each; behind them,
+ *                where errors are wanted, three floats
  *     the cache that the picture is read from, as cache_file.h has it; none: nothing
  *     u64       how many bytes those are
  *     u64       a hash of all bytes before

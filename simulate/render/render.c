@@ -1,10 +1,11 @@
-/* render.c - pixels, tiles and threads of a picture. */
+/* render.c - the pixels of a tile as a sampler, and the tiles of a picture. */
 #include "simulate/render/render.h"
 
 #include <math.h>
 #include <stdlib.h>
 
 #include "model/base/clock.h"
+#include "simulate/estimate/planner.h"
 #include "simulate/render/render_parts.h"
 #include "simulate/sampling/hash.h"
 #include "simulate/sampling/processors.h"
@@ -60,8 +61,7 @@ bool pp_render_camera_ray(const struct pp_render *render, const double place[2],
 
 double pp_render_decorations(const struct pp_render *render)
 {
-    const struct pp_ray_scene *room = render->scene->room;
-    return render->options.irradiance && room ? room->decorations : 1.0;
+    return render->options.irradiance ? render->scene->decorations : 1.0;
 }
 
 /* Irradiance of the surface that the ray meets; false: glass, or nothing. */
@@ -93,33 +93,121 @@ static bool irradiance_seen(const struct pp_render *render,
     return true;
 }
 
-static struct pp_rgb pixel(const struct pp_render *render,
-                           struct pp_radiance_state *state, int x, int y)
+/* ---- the sampler: the pixels of a tile, row by row ---- */
+
+/* The sums of a randomisation, and the values; the last is the luminance. */
+enum { RED, GREEN, BLUE, SEEN };
+enum { GREY = 3, VALUES };
+
+static void place_of(const struct pp_render *render, int point, int *x, int *y)
 {
-    const struct pp_render_options *options = &render->options;
-    uint64_t number = (uint64_t)y * (uint64_t)options->width + (uint64_t)x;
-    pp_sobol_sequence_init(&state->sequence, &render->sobol,
-                           pp_hash(options->seed, number));
-    struct pp_rgb sum = pp_rgb_grey(0.0);
-    int seen = 0;
-    for (int i = 0; i < options->samples; i++) {
+    const struct pp_render_tile *tile = &render->tile;
+    *x = tile->x0 + point % (tile->x1 - tile->x0);
+    *y = tile->y0 + point / (tile->x1 - tile->x0);
+}
+
+static void begin(const void *client, void *state)
+{
+    const struct pp_render_options *options =
+        &((const struct pp_render *)client)->options;
+    *(struct pp_radiance_state *)state = (struct pp_radiance_state){
+        .scene = ((const struct pp_render *)client)->scene,
+        .environment = ((const struct pp_render *)client)->environment,
+        .options = options->light,
+        .store = options->store,
+        .ambient = options->ambient};
+}
+
+static uint64_t seed_of(const void *client, int point)
+{
+    const struct pp_render *render = client;
+    int x, y;
+    place_of(render, point, &x, &y);
+    return pp_hash(render->options.seed,
+                   (uint64_t)y * (uint64_t)render->options.width + (uint64_t)x);
+}
+
+static void follow(const void *client, void *state, const struct pp_path_range *range,
+                   struct pp_randomisation *randomisation)
+{
+    const struct pp_render *render = client;
+    struct pp_radiance_state *radiance = state;
+    long rays = radiance->rays, leaks = radiance->leaks;
+    int x, y;
+    place_of(render, range->point, &x, &y);
+    radiance->sequence = range->sequence;
+    for (uint32_t i = range->first; i < range->end; i++) {
         double place[2];
         struct pp_light_ray ray;
         struct pp_rgb value;
-        state->index = (uint32_t)i;
-        place_sample(render, state, x, y, place);
+        radiance->index = i;
+        place_sample(render, radiance, x, y, place);
         if (!pp_render_camera_ray(render, place, &ray))
             continue;
-        if (!options->irradiance)
-            value = pp_radiance_along(state, &ray, NULL);
-        else if (!irradiance_seen(render, state, &ray, &value))
+        if (!render->options.irradiance)
+            value = pp_radiance_along(radiance, &ray, NULL);
+        else if (!irradiance_seen(render, radiance, &ray, &value))
             continue;
-        sum = pp_rgb_add(sum, value);
-        seen++;
+        randomisation->sums[RED] += value.r;
+        randomisation->sums[GREEN] += value.g;
+        randomisation->sums[BLUE] += value.b;
+        randomisation->sums[SEEN] += 1.0;
     }
-    if (seen == 0 || (options->irradiance && 2 * seen < options->samples))
-        return pp_rgb_grey(NAN);
-    return pp_rgb_scale(sum, 1.0 / (options->irradiance ? seen : options->samples));
+    randomisation->rays[0] += radiance->rays - rays;
+    randomisation->leaks += radiance->leaks - leaks;
+}
+
+static double value_of(const void *client, int point,
+                       const struct pp_randomisation *randomisation, int value)
+{
+    (void)client, (void)point;
+    const double *sums = randomisation->sums;
+    double sum = value == GREY
+                     ? pp_rgb_luminance(pp_rgb(sums[RED], sums[GREEN], sums[BLUE]))
+                     : sums[value];
+    return sum / randomisation->done.of[0];
+}
+
+static const struct pp_sampler sampler = {
+    .estimators = 1,
+    .values = VALUES,
+    .fall = {1.2},
+    .state_size = sizeof(struct pp_radiance_state),
+    .begin = begin,
+    .seed = seed_of,
+    .follow = follow,
+    .value = value_of,
+};
+
+/* The share of the pixel's paths that show something. */
+static double share_seen(const struct pp_render *render, int point)
+{
+    struct pp_sampled sampled = pp_planner_sampled(render->planner, point);
+    double seen = 0.0;
+    for (int i = 0; i < sampled.count; i++)
+        seen += sampled.randomisations[i].sums[SEEN];
+    return seen / render->options.samples;
+}
+
+/* Irradiances are means over the part of the pixel that has one. */
+static void read_pixel(struct pp_render *render, int point)
+{
+    int x, y;
+    place_of(render, point, &x, &y);
+    double share = share_seen(render, point), least = 0.0, scale = 1.0;
+    if (render->options.irradiance) {
+        least = 0.5;
+        scale = 1.0 / share;
+    }
+    for (int i = RED; i <= BLUE; i++) {
+        struct pp_reading reading = pp_planner_read(render->planner, point, i);
+        bool shows = share > 0.0 && share >= least;
+        pp_picture_at(&render->picture, x, y)[i] =
+            shows ? (float)(scale * reading.value) : NAN;
+        if (render->errors.rgb)
+            pp_picture_at(&render->errors, x, y)[i] =
+                shows ? (float)(scale * reading.std_error) : NAN;
+    }
 }
 
 static int tag_of_pixel(const struct pp_render *render, int x, int y)
@@ -145,60 +233,42 @@ struct pp_render_tile pp_render_tile(const struct pp_render *render, int tile)
                                    y1 < options->height ? y1 : options->height};
 }
 
-static void draw_tile(struct pp_render *render, struct pp_radiance_state *state,
-                      int tile)
+/* Paths of (pixel, randomisation) by any thread, then what the pixels show. */
+static enum pp_status draw_tile(struct pp_render *render, int tile,
+                                struct pp_error *err)
 {
-    struct pp_render_tile box = pp_render_tile(render, tile);
-    for (int y = box.y0; y < box.y1; y++)
-        for (int x = box.x0; x < box.x1; x++) {
-            struct pp_rgb value = pixel(render, state, x, y);
-            float *at = pp_picture_at(&render->picture, x, y);
-            at[0] = (float)value.r;
-            at[1] = (float)value.g;
-            at[2] = (float)value.b;
-            render->tags[(size_t)y * (size_t)render->options.width + (size_t)x] =
-                tag_of_pixel(render, x, y);
-        }
-}
-
-/* The first tile from *next on that is not done, and *next behind it; -1: none. */
-static int take_tile(const struct pp_render *render, int *next)
-{
-    while (*next < render->tile_count && render->tile_done[*next])
-        ++*next;
-    return *next < render->tile_count ? (*next)++ : -1;
-}
-
-void pp_render_advance(struct pp_render *render, double seconds)
-{
-    const struct pp_render_options *options = &render->options;
-    double end = pp_clock_s() + seconds;
-    int next = 0;
-#pragma omp parallel num_threads(options->threads)
-    {
-        struct pp_radiance_state state = {.scene = render->scene,
-                                          .options = options->light,
-                                          .store = options->store,
-                                          .ambient = options->ambient};
-        do {
-            int tile;
-#pragma omp critical(pp_render_tiles)
-            tile = take_tile(render, &next);
-            if (tile < 0)
-                break;
-            draw_tile(render, &state, tile);
-#pragma omp critical(pp_render_tiles)
-            {
-                render->tile_done[tile] = 1;
-                render->done_count++;
-            }
-        } while (pp_clock_s() < end);
-#pragma omp critical(pp_render_tiles)
-        {
-            render->work.rays += state.rays;
-            render->work.leaks += state.leaks;
-        }
+    struct pp_render_tile box = render->tile = pp_render_tile(render, tile);
+    int count = (box.x1 - box.x0) * (box.y1 - box.y0);
+    pp_planner_restart(render->planner, count);
+    enum pp_status status = pp_planner_advance(render->planner, INFINITY, err);
+    if (status != PP_OK)
+        return status;
+#pragma omp parallel for num_threads(render->options.threads)
+    for (int i = 0; i < count; i++) {
+        int x, y;
+        place_of(render, i, &x, &y);
+        read_pixel(render, i);
+        render->tags[(size_t)y * (size_t)render->options.width + (size_t)x] =
+            tag_of_pixel(render, x, y);
     }
+    render->tile_done[tile] = 1;
+    render->done_count++;
+    return PP_OK;
+}
+
+enum pp_status pp_render_advance(struct pp_render *render, double seconds,
+                                 struct pp_error *err)
+{
+    double end = pp_clock_s() + seconds;
+    enum pp_status status = PP_OK;
+    for (int tile = 0; status == PP_OK && tile < render->tile_count; tile++) {
+        if (render->tile_done[tile])
+            continue;
+        status = draw_tile(render, tile, err);
+        if (pp_clock_s() >= end)
+            break;
+    }
+    return status;
 }
 
 /* ---- from the beginning to the end ---- */
@@ -209,11 +279,18 @@ static enum pp_status check(const struct pp_render_options *options,
     if (options->samples < 1 || options->samples > PP_RENDER_SAMPLES_MOST)
         return pp_fail(err, PP_BAD_INPUT, "%d samples a pixel; expected 1 to %d",
                        options->samples, PP_RENDER_SAMPLES_MOST);
+    int count = options->randomisations;
+    if (count != 0 && (count < 4 || count > options->samples || (count & (count - 1))))
+        return pp_fail(err, PP_BAD_INPUT,
+                       "%d randomisations of %d samples a pixel; expected a power of "
+                       "two from 4 to the samples, or none",
+                       count, options->samples);
     return PP_OK;
 }
 
 enum pp_status pp_render_create(struct pp_render **render_out,
                                 const struct pp_light_scene *scene,
+                                const struct pp_environment *environment,
                                 const struct pp_render_options *options,
                                 struct pp_error *err)
 {
@@ -225,6 +302,7 @@ enum pp_status pp_render_create(struct pp_render **render_out,
     if (!render)
         return pp_fail_memory(err);
     render->scene = scene;
+    render->environment = environment;
     render->options = *options;
     int samples = 1;
     while (samples < options->samples)
@@ -232,10 +310,20 @@ enum pp_status pp_render_create(struct pp_render **render_out,
     render->options.samples = samples;
     if (options->threads == 0)
         render->options.threads = pp_processors();
-    pp_sobol_init(&render->sobol);
     render->eye_space = pp_light_scene_space(scene, options->camera.eye);
 
-    status = pp_picture_init(&render->picture, options->width, options->height, err);
+    const struct pp_planner_options planned = {
+        .samples = samples / (options->randomisations + !options->randomisations),
+        .randomisations = options->randomisations + !options->randomisations,
+        .threads = render->options.threads};
+    render->tile = (struct pp_render_tile){0, 0, PP_RENDER_TILE, PP_RENDER_TILE};
+    status = pp_planner_create(&render->planner, &sampler, render,
+                               PP_RENDER_TILE * PP_RENDER_TILE, &planned, err);
+    if (status == PP_OK)
+        status =
+            pp_picture_init(&render->picture, options->width, options->height, err);
+    if (status == PP_OK && options->randomisations > 0)
+        status = pp_picture_init(&render->errors, options->width, options->height, err);
     if (status != PP_OK) {
         pp_render_destroy(render);
         return status;
@@ -258,7 +346,9 @@ void pp_render_destroy(struct pp_render *render)
 {
     if (!render)
         return;
+    pp_planner_destroy(render->planner);
     pp_picture_clear(&render->picture);
+    pp_picture_clear(&render->errors);
     free(render->tags);
     free(render->tile_done);
     free(render);
@@ -285,6 +375,11 @@ void pp_render_take_picture(struct pp_render *render, struct pp_picture *picture
     render->picture = (struct pp_picture){0};
 }
 
+const struct pp_picture *pp_render_errors(const struct pp_render *render)
+{
+    return render->errors.rgb ? &render->errors : NULL;
+}
+
 const int *pp_render_tags(const struct pp_render *render)
 {
     return render->tags;
@@ -292,5 +387,7 @@ const int *pp_render_tags(const struct pp_render *render)
 
 struct pp_render_work pp_render_work(const struct pp_render *render)
 {
-    return render->work;
+    struct pp_path_work work = pp_planner_work(render->planner);
+    return (struct pp_render_work){render->resumed.rays + work.rays,
+                                   render->resumed.leaks + work.leaks};
 }

@@ -34,7 +34,10 @@ struct pp_render_options {
                         * world with its allowance for decorations, as the tracer's */
     bool indoors;      /* of a parallel view: only from where it cuts the room */
     enum pp_pixel_filter filter;
-    int samples; /* a pixel; the next power of two is taken */
+    int samples;        /* a pixel; the next power of two is taken */
+    int randomisations; /* independent ones that share the samples, a power of two from 4
+                         * on, so that each pixel has a standard error; 0: a single one,
+                         * which has the least noise and states none */
     struct pp_radiance_options light;
     const struct pp_window_store *store; /* not owned; NULL: none */
     const struct pp_ambient *ambient;    /* not owned; NULL: none */
@@ -45,15 +48,18 @@ struct pp_render_options {
 
 struct pp_render;
 
-/* scene, store and ambient must live as long as the render. */
+/* scene, environment (of a world; NULL: of a description), store and ambient must live
+ * as long as the render. */
 enum pp_status pp_render_create(struct pp_render **render,
                                 const struct pp_light_scene *scene,
+                                const struct pp_environment *environment,
                                 const struct pp_render_options *options,
                                 struct pp_error *err);
 void pp_render_destroy(struct pp_render *render); /* NULL is allowed */
 
-/* Works for about `seconds` (by the clock; at least one tile a thread). */
-void pp_render_advance(struct pp_render *render, double seconds);
+/* Works for about `seconds` (by the clock; at least one tile). */
+enum pp_status pp_render_advance(struct pp_render *render, double seconds,
+                                 struct pp_error *err);
 bool pp_render_done(const struct pp_render *render);
 
 /* Share of the tiles that are done. */
@@ -64,6 +70,10 @@ double pp_render_progress(const struct pp_render *render);
  * cut, and, of irradiances, where most of it shows glass or sky. Of a pixel on the
  * circle's edge the part outside is black. */
 const struct pp_picture *pp_render_picture(const struct pp_render *render);
+
+/* The standard errors of its pixels, by channel; NULL where there are none. What a cache
+ * has wrong is not in them. */
+const struct pp_picture *pp_render_errors(const struct pp_render *render);
 
 /* The picture to keep, once it is done: *picture is the caller's to clear, and the
  * render's own is empty. */

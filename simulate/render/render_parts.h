@@ -2,21 +2,24 @@
 #ifndef PP_SIMULATE_RENDER_RENDER_PARTS_H
 #define PP_SIMULATE_RENDER_RENDER_PARTS_H
 
+#include "simulate/estimate/planner.h"
 #include "simulate/render/render.h"
 
 enum { PP_RENDER_TILE = 16 }; /* pixels along its side */
 
 struct pp_render {
     const struct pp_light_scene *scene;
+    const struct pp_environment *environment; /* NULL: of a description */
     struct pp_render_options options; /* samples: a power of two; threads: 1 or more */
-    struct pp_sobol sobol;
-    enum pp_space eye_space; /* of all rays but those of a parallel view */
-    struct pp_picture picture;
+    struct pp_planner *planner;
+    struct pp_render_tile tile;        /* at hand */
+    enum pp_space eye_space;           /* of all rays but those of a parallel view */
+    struct pp_picture picture, errors; /* errors: empty where none are wanted */
     int *tags;
     int tiles_across, tile_count;
     unsigned char *tile_done; /* 1: it is */
     int done_count;
-    struct pp_render_work work;
+    struct pp_render_work resumed; /* the work behind a checkpoint */
 };
 
 #endif

@@ -98,16 +98,24 @@ double pp_gloss_scale(const struct pp_gloss *gloss, struct pp_vec3 direction)
 
 /* ---- the lobe ---- */
 
-double pp_gloss_value(const struct pp_gloss *gloss, struct pp_vec3 i, struct pp_vec3 o)
+/* f before it is scaled; the slope of h goes to *p and *q. */
+static double ward(const struct pp_gloss *gloss, struct pp_vec3 i, struct pp_vec3 o,
+                   double *p, double *q)
 {
     struct pp_vec3 h = pp_vec_add(i, o);
     if (!(h.z > 0.0))
         return 0.0;
     double along = gloss->along, across = gloss->across;
-    double p = h.x / (along * h.z), q = h.y / (across * h.z);
-    double ward = exp(-(p * p + q * q)) / (PP_PI * along * across) * pp_vec_dot(h, h)
-                  / (h.z * h.z * h.z * h.z);
-    return ward * pp_gloss_scale(gloss, i) * pp_gloss_scale(gloss, o);
+    *p = h.x / (along * h.z);
+    *q = h.y / (across * h.z);
+    return exp(-(*p * *p + *q * *q)) / (PP_PI * along * across) * pp_vec_dot(h, h)
+           / (h.z * h.z * h.z * h.z);
+}
+
+double pp_gloss_value(const struct pp_gloss *gloss, struct pp_vec3 i, struct pp_vec3 o)
+{
+    double p, q, f = ward(gloss, i, o, &p, &q);
+    return f > 0.0 ? f * pp_gloss_scale(gloss, i) * pp_gloss_scale(gloss, o) : 0.0;
 }
 
 /* The direction into which a facet of slope (a_x p, a_y q) mirrors i, and its weight in
@@ -138,6 +146,16 @@ double pp_gloss_sample(const struct pp_gloss *gloss, struct pp_vec3 i, double u,
     if (!(weight > 0.0))
         return 0.0;
     return weight * pp_gloss_scale(gloss, i) * pp_gloss_scale(gloss, *o);
+}
+
+double pp_gloss_pdf(const struct pp_gloss *gloss, struct pp_vec3 i, struct pp_vec3 o)
+{
+    double p, q, f = ward(gloss, i, o, &p, &q);
+    struct pp_vec3 opposite;
+    if (!(f > 0.0))
+        return 0.0;
+    bool alone = !(mirrored(gloss, i, -p, -q, &opposite) > 0.0);
+    return f * (i.z + o.z) / 2.0 * (alone ? 2.0 : 1.0);
 }
 
 /* ---- the scale ---- */

@@ -63,4 +63,7 @@ double pp_gloss_value(const struct pp_gloss *gloss, struct pp_vec3 i, struct pp_
 double pp_gloss_sample(const struct pp_gloss *gloss, struct pp_vec3 i, double u,
                        double v, struct pp_vec3 *o);
 
+/* The density with which pp_gloss_sample gives that direction, per steradian. */
+double pp_gloss_pdf(const struct pp_gloss *gloss, struct pp_vec3 i, struct pp_vec3 o);
+
 #endif

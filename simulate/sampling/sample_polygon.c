@@ -63,9 +63,9 @@ static double receiver_weight(struct pp_vec3 v, double length, struct pp_vec3 n,
     double facing = pp_vec_dot(n, v) / length;
     if (!(facing > 0.0))
         return 0.0;
-    if (brightness.even)
-        return facing;
-    return facing * (v.z > 0.0 ? 1.0 + 2.0 * v.z / length : brightness.ground);
+    return facing
+           * (v.z > 0.0 ? 1.0 + brightness.gradation * v.z / length
+                        : brightness.ground);
 }
 
 double pp_sample_polygon_importance(const struct pp_target *target, struct pp_vec3 from,
@@ -348,4 +348,74 @@ struct pp_direction_sample pp_sample_polygon_draw(
     if (sampler->target->rectangle)
         return rectangle_sample(sampler, u, v);
     return triangle_sample(sampler, u, v);
+}
+
+/* ---- densities ---- */
+
+static double rectangle_pdf(const struct pp_polygon_sampler *sampler,
+                            const struct pp_direction_sample *at)
+{
+    const struct pp_target *target = sampler->target;
+    const double(*w)[2] = sampler->corner_weight;
+    struct pp_vec3 in = pp_vec_sub(at->point, target->corner);
+    double x = max2(0.0, min2(target->width_m, pp_vec_dot(in, target->along)));
+    double y = max2(0.0, min2(target->height_m, pp_vec_dot(in, target->up)));
+    double u = x / target->width_m, v = y / target->height_m;
+    double size = target->area_m2 * per_area(sampler, at);
+    if (!sampler->by_area) {
+        /* The shares of the solid angle to the left and, there, below. */
+        double z2 = sampler->distance_m * sampler->distance_m;
+        x += sampler->x0;
+        y += sampler->y0;
+        double n = x / sqrt(x * x + z2), d2 = x * x + z2;
+        double h0 = sampler->y0 / sqrt(d2 + sampler->y0 * sampler->y0);
+        double h1 = sampler->y1 / sqrt(d2 + sampler->y1 * sampler->y1);
+        size = sampler->solid;
+        u = (acos(-sampler->b0 * n) + acos(-n * sampler->b1) - sampler->k) / size;
+        v = (y / sqrt(d2 + y * y) - h0) / (h1 - h0);
+    }
+    double left = w[0][0] + v * (w[1][0] - w[0][0]);
+    double right = w[0][1] + v * (w[1][1] - w[0][1]);
+    return (left + u * (right - left)) / size;
+}
+
+/* Is the point of its plane in the triangle, but for rounding? */
+static bool in_triangle(const struct pp_vec3 t[3], struct pp_vec3 p)
+{
+    double sum = 0.0;
+    for (int k = 0; k < 3; k++) {
+        const struct pp_vec3 corner[3] = {t[k], t[(k + 1) % 3], p};
+        sum += pp_triangle_area(corner);
+    }
+    return sum < pp_triangle_area(t) * (1.0 + 1e-9);
+}
+
+static double triangle_pdf(const struct pp_polygon_sampler *sampler,
+                           const struct pp_direction_sample *at)
+{
+    const struct pp_target *target = sampler->target;
+    if (sampler->by_area)
+        return 1.0 / (target->area_m2 * per_area(sampler, at));
+    for (int i = 0; i < target->triangle_count; i++)
+        if (in_triangle(target->triangles[i], at->point)) {
+            double size = triangle_of_target(sampler, i);
+            if (size > SMALL_TRIANGLE_SR)
+                break;
+            return size / sampler->solid
+                   / (pp_triangle_area(target->triangles[i]) * per_area(sampler, at));
+        }
+    return 1.0 / sampler->solid;
+}
+
+double pp_sample_polygon_pdf(const struct pp_polygon_sampler *sampler,
+                             struct pp_vec3 direction)
+{
+    double toward = -pp_vec_dot(direction, sampler->target->normal);
+    if (!(toward > 0.0))
+        return 0.0;
+    struct pp_direction_sample at = {.direction = direction,
+                                     .distance_m = sampler->distance_m / toward};
+    at.point = pp_vec_along(sampler->from, at.distance_m, direction);
+    return sampler->target->rectangle ? rectangle_pdf(sampler, &at)
+                                      : triangle_pdf(sampler, &at);
 }

@@ -30,11 +30,10 @@ struct pp_target {
     int triangle_count;
 };
 
-/* A guess of the luminance outside the openings, over that of the horizon: 1 at the
- * horizon, 3 at the zenith, `ground` below. */
+/* A guess of the luminance outside the openings, over that of the horizon. */
 struct pp_brightness {
-    double ground;
-    bool even; /* the same in all directions: a lamp */
+    double ground;    /* below the horizon */
+    double gradation; /* above it 1 + gradation sin altitude */
 };
 
 /* A target as seen from one point of a surface. */
@@ -71,5 +70,10 @@ struct pp_direction_sample {
 };
 struct pp_direction_sample pp_sample_polygon_draw(
     const struct pp_polygon_sampler *sampler, double u, double v);
+
+/* The density with which pp_sample_polygon_draw gives a direction to the target, per
+ * steradian; 0 for one that does not meet its front. */
+double pp_sample_polygon_pdf(const struct pp_polygon_sampler *sampler,
+                             struct pp_vec3 direction);
 
 #endif

@@ -86,11 +86,6 @@ void pp_scatter_init(struct pp_lobes *lobes, const struct pp_material *material,
     }
 }
 
-double pp_scatter_gloss_width(const struct pp_lobes *lobes)
-{
-    return lobes->gloss ? sqrt(lobes->gloss->along * lobes->gloss->across) : 0.0;
-}
-
 static struct pp_vec3 mirrored(struct pp_vec3 v, struct pp_vec3 n)
 {
     return pp_vec_along(v, -2.0 * pp_vec_dot(v, n), n);
@@ -106,6 +101,13 @@ struct pp_rgb pp_scatter_gloss_brdf(const struct pp_lobes *lobes, struct pp_vec3
     o.z = fabs(o.z);
     return pp_rgb_scale(
         share, pp_gloss_value(lobes->gloss, pp_frame_in(&lobes->frame, lobes->eye), o));
+}
+
+double pp_scatter_gloss_pdf(const struct pp_lobes *lobes, struct pp_vec3 o)
+{
+    o = pp_frame_in(&lobes->frame, o);
+    o.z = fabs(o.z);
+    return pp_gloss_pdf(lobes->gloss, pp_frame_in(&lobes->frame, lobes->eye), o);
 }
 
 static bool sample_gloss(const struct pp_lobes *lobes, bool through, double u, double v,

@@ -49,9 +49,9 @@ struct pp_rgb pp_scatter_specular_reflectance(const struct pp_material *material
  * 1/sr. */
 struct pp_rgb pp_scatter_gloss_brdf(const struct pp_lobes *lobes, struct pp_vec3 o);
 
-/* The width of the gloss' lobe in radians: the geometric mean of its two
- * roughnesses. */
-double pp_scatter_gloss_width(const struct pp_lobes *lobes);
+/* The density with which pp_scatter_sample gives direction o (unit, any side) to the
+ * gloss of that side, per steradian. */
+double pp_scatter_gloss_pdf(const struct pp_lobes *lobes, struct pp_vec3 o);
 
 /* A direction of that lobe by two numbers in (0, 1), and the factor by which its share
  * is then multiplied: BRDF times cosine over density and share. False where the

@@ -16,7 +16,8 @@ static const struct joe_kuo joe_kuo[PP_SOBOL_DIMENSIONS - 1] = {
     {3, 2, {1, 1, 1}}, {4, 1, {1, 1, 3, 3}},
 };
 
-uint32_t pp_sobol_reverse_bits(uint32_t x)
+/* Within the file, so that the compiler may inline them. */
+static uint32_t reverse_bits(uint32_t x)
 {
     x = (x >> 1 & UINT32_C(0x55555555)) | (x & UINT32_C(0x55555555)) << 1;
     x = (x >> 2 & UINT32_C(0x33333333)) | (x & UINT32_C(0x33333333)) << 2;
@@ -24,7 +25,7 @@ uint32_t pp_sobol_reverse_bits(uint32_t x)
     return __builtin_bswap32(x);
 }
 
-uint32_t pp_sobol_owen_scramble_reversed(uint32_t reversed, uint32_t seed)
+static uint32_t owen_scramble_reversed(uint32_t reversed, uint32_t seed)
 {
     uint32_t x = reversed;
     x ^= x * UINT32_C(0x3d20adea);
@@ -33,6 +34,11 @@ uint32_t pp_sobol_owen_scramble_reversed(uint32_t reversed, uint32_t seed)
     x ^= x * UINT32_C(0x05526c56);
     x ^= x * UINT32_C(0x53a22864);
     return x;
+}
+
+uint32_t pp_sobol_owen_scramble_reversed(uint32_t reversed, uint32_t seed)
+{
+    return owen_scramble_reversed(reversed, seed);
 }
 
 /* The 32 direction numbers of a dimension, the first binary digit highest. */
@@ -65,7 +71,7 @@ void pp_sobol_init(struct pp_sobol *sobol)
                 for (int bit = 0; bit < 8; bit++)
                     if (value >> bit & 1)
                         sum ^= v[31 - (8 * byte + bit)];
-                sobol->table[dimension][byte][value] = pp_sobol_reverse_bits(sum);
+                sobol->table[dimension][byte][value] = reverse_bits(sum);
             }
     }
 }
@@ -98,13 +104,12 @@ void pp_sobol_sequence_draw(const struct pp_sobol_sequence *sequence, uint32_t i
     else
         vertex_seeds(sequence->seed, vertex, count, deep);
 
-    uint32_t i =
-        pp_sobol_owen_scramble_reversed(pp_sobol_reverse_bits(index), seeds[0]);
+    uint32_t i = owen_scramble_reversed(reverse_bits(index), seeds[0]);
     for (int k = 0; k < count; k++) {
         const uint32_t(*table)[256] = sequence->sobol->table[k];
         uint32_t x = table[0][i & 255] ^ table[1][i >> 8 & 255]
                      ^ table[2][i >> 16 & 255] ^ table[3][i >> 24];
-        x = pp_sobol_reverse_bits(pp_sobol_owen_scramble_reversed(x, seeds[k + 1]));
+        x = reverse_bits(owen_scramble_reversed(x, seeds[k + 1]));
         u[k] = (x + 0.5) * 0x1p-32;
     }
 }

@@ -14,7 +14,7 @@
 
 enum {
     PP_SOBOL_DIMENSIONS = 6,
-    PP_SOBOL_KEPT = 6, /* vertices whose seeds are worked out once */
+    PP_SOBOL_KEPT = 12, /* vertices whose seeds are worked out once */
 };
 
 /* The sequence itself: for each dimension and each byte of the index (both with their
@@ -44,7 +44,5 @@ void pp_sobol_sequence_draw(const struct pp_sobol_sequence *sequence, uint32_t i
 /* The scramble alone: a number whose bits are reversed (the first binary digit lowest);
  * digit k of the result depends on digits 0 to k only. */
 uint32_t pp_sobol_owen_scramble_reversed(uint32_t reversed, uint32_t seed);
-
-uint32_t pp_sobol_reverse_bits(uint32_t x);
 
 #endif

@@ -228,7 +228,7 @@ bool pp_emitters_sampler_init(struct pp_emitter_sampler *sampler,
         if (!pp_sample_polygon_in_sight(&emitter->target, from, n))
             return false;
         pp_sample_polygon_init(&sampler->plane, &emitter->target, from, n,
-                               (struct pp_brightness){.even = true});
+                               (struct pp_brightness){.ground = 1.0});
         return true;
     case PP_EMITTER_SPHERE:
         return init_sphere(sampler, n);
@@ -241,11 +241,12 @@ bool pp_emitters_sampler_init(struct pp_emitter_sampler *sampler,
     }
 }
 
-static bool sample_by_area(const struct pp_emitter_sampler *sampler, double u, double v,
-                           struct pp_direction_sample *sample)
+/* A sample of a round emitter, at a point that was drawn by area. */
+static bool sample_at(const struct pp_emitter_sampler *sampler, struct pp_vec3 point,
+                      struct pp_direction_sample *sample)
 {
     const struct pp_emitter *emitter = sampler->emitter;
-    sample->point = pp_round_point(&emitter->round, u, v);
+    sample->point = point;
     struct pp_vec3 to = pp_vec_sub(sample->point, sampler->from);
     double square = pp_vec_dot(to, to);
     sample->distance_m = sqrt(square);
@@ -265,7 +266,8 @@ bool pp_emitters_sample(const struct pp_emitter_sampler *sampler, double u, doub
         *sample = pp_sample_polygon_draw(&sampler->plane, u, v);
         return true;
     case PP_EMITTER_ROUND:
-        return sample_by_area(sampler, u, v, sample);
+        return sample_at(sampler, pp_round_point(&sampler->emitter->round, u, v),
+                         sample);
     default:
         break;
     }
@@ -277,6 +279,24 @@ bool pp_emitters_sample(const struct pp_emitter_sampler *sampler, double u, doub
                           1e-9, INFINITY, &sample->distance_m))
         return false; /* a grazing ray, at the rim */
     return true;
+}
+
+double pp_emitters_pdf(const struct pp_emitter_sampler *sampler,
+                       struct pp_vec3 direction)
+{
+    const struct pp_emitter *emitter = sampler->emitter;
+    struct pp_direction_sample sample;
+    double distance;
+    if (emitter->shape == PP_EMITTER_PLANE)
+        return pp_sample_polygon_pdf(&sampler->plane, direction);
+    if (emitter->shape != PP_EMITTER_ROUND)
+        return 1.0 / (2.0 * PP_PI * sampler->fall);
+    if (!pp_round_meet(&emitter->round, sampler->from, direction, 1e-9, INFINITY,
+                       &distance)
+        || !sample_at(sampler, pp_vec_along(sampler->from, distance, direction),
+                      &sample))
+        return 0.0;
+    return 1.0 / sample.per_density;
 }
 
 double pp_emitters_angular_size(const struct pp_emitter *emitter,

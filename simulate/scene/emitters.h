@@ -78,6 +78,11 @@ bool pp_emitters_sampler_init(struct pp_emitter_sampler *sampler,
 bool pp_emitters_sample(const struct pp_emitter_sampler *sampler, double u, double v,
                         struct pp_direction_sample *sample);
 
+/* The density with which pp_emitters_sample gives a direction that meets the emitter,
+ * per steradian. */
+double pp_emitters_pdf(const struct pp_emitter_sampler *sampler,
+                       struct pp_vec3 direction);
+
 /* A guess of the light that an emitter brings to a point, for choosing one of several;
  * not 0 where it brings any. */
 double pp_emitters_importance(const struct pp_emitter *emitter,

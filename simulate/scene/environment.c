@@ -1,92 +1,99 @@
-/* environment.c - the world's skylines as half planes that give off light. */
+/* environment.c - the exitance of a scene's skylines, and the light in a direction. */
 #include "simulate/scene/environment.h"
 
 #include <math.h>
 #include <stdlib.h>
 
-/* The horizontal outward direction of the wall that a skyline is parallel to. */
-static struct pp_vec3 outward_of(const struct pp_world *world,
-                                 const struct pp_skyline *skyline)
+#include "model/light/graded_sky.h"
+#include "simulate/sampling/hash.h"
+
+/* That of an overcast sky, and of the ground, over its horizon. */
+static struct pp_brightness brightness_of(const struct pp_outside_light *light)
 {
-    struct pp_vec3 n = world->surfaces[skyline->face].outline.normal;
-    return pp_vec_unit(pp_vec(-n.x, -n.y, 0.0));
+    double b = PP_GRADED_SKY_OVERCAST;
+    return (struct pp_brightness){.ground = pp_outside_light_ground(light)
+                                            / pp_graded_sky_horizon(b),
+                                  .gradation = b};
 }
 
-static double exitance_of(const struct pp_world *world, double reflectance,
-                          struct pp_vec3 normal)
+static void light_skylines(struct pp_environment *environment)
 {
-    return reflectance
-           * (pp_sky_on_plane(&world->sky, normal) + world->ground_reflectance / 2.0);
-}
-
-static void add_skyline(struct pp_environment *environment,
-                        const struct pp_world *world, const struct pp_skyline *skyline,
-                        struct pp_vec3 centre)
-{
-    struct pp_vec3 outward = outward_of(world, skyline);
-    double facing =
-        exitance_of(world, skyline->reflectance, pp_vec_scale(outward, -1.0));
-    if (isinf(skyline->distance_m)) {
-        environment->far_skylines[environment->far_count++] =
-            (struct pp_far_skyline){outward, tan(skyline->angle_rad), facing};
-        return;
+    const struct pp_scene_skylines *skylines = environment->skylines;
+    const struct pp_outside_light *light = &environment->light;
+    for (int i = 0; i < skylines->far_count; i++) {
+        const struct pp_far_skyline *far = &skylines->far[i];
+        environment->far_exitance[i] = pp_outside_light_exitance(
+            light, far->reflectance, pp_vec_scale(far->outward, -1.0));
     }
-    struct pp_vec3 on_wall =
-        pp_vec_sub(world->surfaces[skyline->face].outline.vertices[0], centre);
-    environment->near_skylines[environment->near_count++] = (struct pp_near_skyline){
-        .outward = outward,
-        .offset_m = pp_vec_dot(outward, on_wall) + skyline->distance_m,
-        .head_m = skyline->head_z_m - centre.z,
-        .exitance = {facing, exitance_of(world, skyline->reflectance, outward)}};
+    for (int i = 0; i < skylines->near_count; i++) {
+        const struct pp_near_skyline *near = &skylines->near[i];
+        for (int side = 0; side < 2; side++)
+            environment->near_exitance[i][side] = pp_outside_light_exitance(
+                light, near->reflectance,
+                side ? near->outward : pp_vec_scale(near->outward, -1.0));
+    }
 }
 
-enum pp_status pp_environment_init(struct pp_environment *environment,
-                                   const struct pp_world *world, struct pp_vec3 centre,
-                                   struct pp_error *err)
+enum pp_status pp_environment_create(struct pp_environment **result,
+                                     const struct pp_scene_skylines *skylines,
+                                     const struct pp_outside_light *light,
+                                     struct pp_error *err)
 {
-    *environment =
-        (struct pp_environment){.sky = world->sky,
-                                .ground_reflectance = world->ground_reflectance,
-                                .ground_level_m = world->ground_level_m - centre.z};
-    size_t count = (size_t)world->skyline_count;
-    if (count == 0)
-        return PP_OK;
-    environment->far_skylines = calloc(count, sizeof *environment->far_skylines);
-    environment->near_skylines = calloc(count, sizeof *environment->near_skylines);
-    if (!environment->far_skylines || !environment->near_skylines) {
-        pp_environment_clear(environment);
+    *result = NULL;
+    struct pp_environment *environment = calloc(1, sizeof *environment);
+    if (!environment)
+        return pp_fail_memory(err);
+    environment->light = *light;
+    environment->skylines = skylines;
+    environment->brightness = brightness_of(light);
+    environment->far_exitance =
+        calloc((size_t)skylines->far_count + 1, sizeof *environment->far_exitance);
+    environment->near_exitance =
+        calloc((size_t)skylines->near_count + 1, sizeof *environment->near_exitance);
+    if (!environment->far_exitance || !environment->near_exitance) {
+        pp_environment_destroy(environment);
         return pp_fail_memory(err);
     }
-    for (size_t i = 0; i < count; i++)
-        add_skyline(environment, world, &world->skylines[i], centre);
+    light_skylines(environment);
+    *result = environment;
     return PP_OK;
 }
 
-void pp_environment_clear(struct pp_environment *environment)
+void pp_environment_destroy(struct pp_environment *environment)
 {
-    free(environment->far_skylines);
-    free(environment->near_skylines);
-    environment->far_skylines = NULL;
-    environment->near_skylines = NULL;
-    environment->far_count = environment->near_count = 0;
+    if (!environment)
+        return;
+    free(environment->far_exitance);
+    free(environment->near_exitance);
+    free(environment);
+}
+
+uint64_t pp_environment_hash(const struct pp_environment *environment)
+{
+    const struct pp_sky *sky = &environment->light.sky;
+    const double numbers[] = {sky->kind,
+                              sky->iso,
+                              sky->a,
+                              sky->b,
+                              sky->c,
+                              sky->d,
+                              sky->e,
+                              sky->per_horizontal,
+                              pp_outside_light_ground(&environment->light)};
+    uint64_t hash = pp_hash_vec(0, sky->sun);
+    for (size_t i = 0; i < sizeof numbers / sizeof *numbers; i++)
+        hash = pp_hash_double(hash, numbers[i]);
+    return hash;
 }
 
 double pp_environment_near_skyline(const struct pp_environment *environment,
                                    struct pp_vec3 p, struct pp_vec3 u, double *exitance)
 {
-    double nearest = INFINITY;
-    for (int i = 0; i < environment->near_count; i++) {
-        const struct pp_near_skyline *skyline = &environment->near_skylines[i];
-        double approach = pp_vec_dot(u, skyline->outward);
-        double t = (skyline->offset_m - pp_vec_dot(p, skyline->outward)) / approach;
-        double z = p.z + t * u.z;
-        if (!(t > 1e-6) || t >= nearest || z >= skyline->head_m
-            || (z < environment->ground_level_m && u.z < 0.0))
-            continue;
-        nearest = t;
-        *exitance = skyline->exitance[approach < 0.0];
-    }
-    return nearest;
+    int met, side;
+    double distance = pp_scene_skylines_near(environment->skylines, p, u, &met, &side);
+    if (!isinf(distance))
+        *exitance = environment->near_exitance[met][side];
+    return distance;
 }
 
 double pp_environment_light(const struct pp_environment *environment, struct pp_vec3 u,
@@ -94,12 +101,10 @@ double pp_environment_light(const struct pp_environment *environment, struct pp_
 {
     *is_sky = false;
     if (!(u.z > 0.0))
-        return environment->ground_reflectance;
-    for (int i = 0; i < environment->far_count; i++) {
-        const struct pp_far_skyline *skyline = &environment->far_skylines[i];
-        if (u.z < skyline->slope * pp_vec_dot(u, skyline->outward))
-            return skyline->exitance;
-    }
+        return pp_outside_light_ground(&environment->light);
+    int far = pp_scene_skylines_far(environment->skylines, u);
+    if (far >= 0)
+        return environment->far_exitance[far];
     *is_sky = true;
-    return PP_PI * pp_sky_luminance(&environment->sky, u);
+    return PP_PI * pp_sky_luminance(&environment->light.sky, u);
 }

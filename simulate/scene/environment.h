@@ -1,59 +1,48 @@
 /* environment.h - the light of a ray that leaves the scene: sky, ground, skylines.
  *
+ * A light from outside (model/light/outside_light.h) worked out for one scene. It is an
+ * argument of all that integrates: a second one on the same scene costs some
+ * microseconds, and nothing of the scene is built again.
+ *
  * Light is given as pi times luminance over the horizontal illuminance Eh of the open
  * sky, so that the mean over a cosine lobe is an illuminance over Eh.
  *
  * The ground is an endless diffuse plane under the open sky, never shadowed: rho below
- * the horizon. A skyline is an endless vertical face that gives off
+ * the horizon. A skyline (scene_skylines.h) gives off
  *
  *     rho (Ev + rho_ground / 2)
  *
- * where Ev is the open sky's illuminance on it. Without a distance it hides the
- * directions u with
- *
- *     0 < u.z < tan(angle) (u.o)
- *
- * o the outward horizontal of its wall: the limit of a face ever farther away and
- * higher. With a distance it stands on the ground at that distance from its wall and is
- * met at a point, from either side. Its light is the same by convention: the room's own
- * building does not shadow it.
+ * where Ev is the open sky's illuminance on it, by convention: the room's own building
+ * does not shadow it.
  */
 #ifndef PP_SIMULATE_SCENE_ENVIRONMENT_H
 #define PP_SIMULATE_SCENE_ENVIRONMENT_H
 
 #include <stdbool.h>
+#include <stdint.h>
 
 #include "model/base/error.h"
-#include "model/room/world.h"
-
-struct pp_far_skyline {
-    struct pp_vec3 outward; /* horizontal, unit: towards it */
-    double slope;           /* tangent of its angle */
-    double exitance;
-};
-
-struct pp_near_skyline {
-    struct pp_vec3 outward;
-    double offset_m;    /* outward . x of its points */
-    double head_m;      /* z of its upper edge */
-    double exitance[2]; /* of the side towards its wall, and the other */
-};
+#include "model/light/outside_light.h"
+#include "simulate/sampling/sample_polygon.h"
+#include "simulate/scene/scene_skylines.h"
 
 struct pp_environment {
-    struct pp_sky sky;
-    double ground_reflectance;
-    double ground_level_m;
-    struct pp_far_skyline *far_skylines;
-    int far_count;
-    struct pp_near_skyline *near_skylines;
-    int near_count;
+    struct pp_outside_light light;
+    const struct pp_scene_skylines *skylines; /* the scene's; not owned */
+    double *far_exitance;
+    double (*near_exitance)[2];      /* of the side towards its wall, and the other */
+    struct pp_brightness brightness; /* a guess of that outside the openings */
 };
 
-/* Lengths and points are measured from `centre`. */
-enum pp_status pp_environment_init(struct pp_environment *environment,
-                                   const struct pp_world *world, struct pp_vec3 centre,
-                                   struct pp_error *err);
-void pp_environment_clear(struct pp_environment *environment);
+/* skylines: of the scene that the light falls on; they must live as long. */
+enum pp_status pp_environment_create(struct pp_environment **environment,
+                                     const struct pp_scene_skylines *skylines,
+                                     const struct pp_outside_light *light,
+                                     struct pp_error *err);
+void pp_environment_destroy(struct pp_environment *environment); /* NULL is allowed */
+
+/* A number that depends on the light alone, by which caches know theirs again. */
+uint64_t pp_environment_hash(const struct pp_environment *environment);
 
 /* The distance at which the ray from p along u (unit) meets a near skyline, with its
  * exitance; INFINITY if it meets none. */

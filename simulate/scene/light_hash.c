@@ -2,17 +2,13 @@
  * structs hold anything. */
 #include "simulate/scene/light_hash.h"
 
+#include "model/room/surface_materials.h"
 #include "simulate/sampling/hash.h"
 #include "simulate/scene/light_scene_parts.h"
 
 static uint64_t stir(uint64_t hash, double value)
 {
     return pp_hash_double(hash, value);
-}
-
-static uint64_t stir_rgb(uint64_t hash, struct pp_rgb c)
-{
-    return stir(stir(stir(hash, c.r), c.g), c.b);
 }
 
 static uint64_t stir_sky(uint64_t hash, const struct pp_sky *sky)
@@ -23,22 +19,14 @@ static uint64_t stir_sky(uint64_t hash, const struct pp_sky *sky)
     return stir(stir(stir(hash, sky->d), sky->e), sky->per_horizontal);
 }
 
-static uint64_t stir_material(uint64_t hash, const struct pp_material *m)
+static uint64_t stir_material(uint64_t hash, const struct pp_material *material)
 {
-    for (const char *c = m->name; *c; c++)
+    struct pp_material_key key = pp_surface_materials_key(material);
+    for (const char *c = key.name; *c; c++)
         hash = pp_hash(hash, (unsigned char)*c);
-    hash = stir(stir_rgb(stir_rgb(hash, m->diffuse), m->gloss), m->kind);
-    hash = stir(stir(hash, m->roughness[0]), m->roughness[1]);
-    hash = pp_hash_vec(hash, m->grain);
-    hash = stir_rgb(stir_rgb(hash, m->through_diffuse), m->through_gloss);
-    for (int i = 0; i < 3; i++) {
-        hash = stir(stir(hash, m->glass[i].panes), m->glass[i].n);
-        hash = stir(stir(hash, m->glass[i].kl), m->glass[i].scale);
-        hash = stir(hash, m->glass[i].diffuse);
-    }
-    hash = stir(stir(hash, m->clear_share), m->dirt);
-    hash = stir(stir_rgb(hash, m->radiance), m->emits);
-    return stir(stir(stir(hash, m->emits_both_sides), m->unseen), m->pattern);
+    for (int i = 0; i < PP_MATERIAL_KEY_NUMBERS; i++)
+        hash = stir(hash, key.numbers[i]);
+    return hash;
 }
 
 static uint64_t stir_pattern(uint64_t hash, const struct pp_pattern *p)
@@ -79,21 +67,19 @@ static uint64_t stir_round(uint64_t hash, const struct pp_shape *shape)
     }
 }
 
-static uint64_t stir_environment(uint64_t hash,
-                                 const struct pp_environment *environment)
+static uint64_t stir_skylines(uint64_t hash, const struct pp_scene_skylines *skylines)
 {
-    hash = stir_sky(hash, &environment->sky);
-    hash =
-        stir(stir(hash, environment->ground_reflectance), environment->ground_level_m);
-    for (int i = 0; i < environment->far_count; i++) {
-        const struct pp_far_skyline *far = &environment->far_skylines[i];
-        hash = stir(stir(pp_hash_vec(hash, far->outward), far->slope), far->exitance);
+    hash = stir(hash, skylines->ground_level_m);
+    for (int i = 0; i < skylines->far_count; i++) {
+        const struct pp_far_skyline *far = &skylines->far[i];
+        hash =
+            stir(stir(pp_hash_vec(hash, far->outward), far->slope), far->reflectance);
     }
-    for (int i = 0; i < environment->near_count; i++) {
-        const struct pp_near_skyline *near = &environment->near_skylines[i];
+    for (int i = 0; i < skylines->near_count; i++) {
+        const struct pp_near_skyline *near = &skylines->near[i];
         hash =
             stir(stir(pp_hash_vec(hash, near->outward), near->offset_m), near->head_m);
-        hash = stir(stir(hash, near->exitance[0]), near->exitance[1]);
+        hash = stir(hash, near->reflectance);
     }
     return hash;
 }
@@ -109,11 +95,8 @@ void pp_light_hash_scene(struct pp_light_scene *scene, const float (*triangles)[
         hash = stir_part(hash, &scene->parts[i]);
     for (int i = 0; i < scene->triangle_count; i++)
         for (int k = 0; k < 3; k++)
-            hash =
-                triangles
-                    ? pp_hash_vec(hash, pp_vec(triangles[i][k][0], triangles[i][k][1],
-                                               triangles[i][k][2]))
-                    : pp_hash_vec(hash, scene->room->triangles[i][k]);
+            hash = pp_hash_vec(hash, pp_vec(triangles[i][k][0], triangles[i][k][1],
+                                            triangles[i][k][2]));
     for (int i = 0; i < scene->round_count; i++)
         hash = stir_round(hash, &scene->rounds[i]);
     for (int i = 0; i < scene->distant_count; i++) {
@@ -121,6 +104,5 @@ void pp_light_hash_scene(struct pp_light_scene *scene, const float (*triangles)[
         hash = stir(pp_hash_vec(hash, distant->direction), distant->cos_half);
         hash = stir(hash, distant->material);
     }
-    scene->hash =
-        scene->room ? stir_environment(hash, &scene->room->environment) : hash;
+    scene->hash = scene->world ? stir_skylines(hash, &scene->skylines) : hash;
 }

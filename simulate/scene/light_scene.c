@@ -4,8 +4,11 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "model/base/array.h"
+#include "simulate/scene/environment.h"
+#include "simulate/scene/light_hash.h"
 #include "simulate/scene/light_scene_parts.h"
 #include "simulate/scene/round.h"
 #include "model/room/position.h"
@@ -14,9 +17,11 @@ void pp_light_scene_destroy(struct pp_light_scene *scene)
 {
     if (!scene)
         return;
-    if (!scene->room)
-        pp_rays_destroy(scene->rays);
-    pp_ray_scene_destroy(scene->room);
+    pp_rays_destroy(scene->rays);
+    pp_scene_skylines_clear(&scene->skylines);
+    free(scene->panes);
+    free(scene->pane_triangles);
+    free(scene->plane);
     free(scene->materials);
     free(scene->glosses);
     free(scene->gloss_of_material);
@@ -29,13 +34,15 @@ void pp_light_scene_destroy(struct pp_light_scene *scene)
     free(scene->distants);
     free(scene->mirrors);
     free(scene->mirror_paths);
+    free(scene->reflectors);
+    free(scene->reflections);
     free(scene);
 }
 
 enum pp_space pp_light_scene_space(const struct pp_light_scene *scene,
                                    struct pp_vec3 point)
 {
-    if (!scene->world || scene->world->face_count == 0)
+    if (!scene->has_room)
         return PP_ANYWHERE;
     /* In the depth of a reveal a point is outside the envelope and still may see in. */
     return pp_position_in_room(scene->world, point) ? PP_INDOORS : PP_ANYWHERE;
@@ -57,9 +64,17 @@ uint64_t pp_light_scene_hash(const struct pp_light_scene *scene)
     return scene->hash;
 }
 
+enum pp_status pp_light_scene_under(struct pp_environment **environment,
+                                    const struct pp_light_scene *scene,
+                                    const struct pp_outside_light *light,
+                                    struct pp_error *err)
+{
+    return pp_environment_create(environment, &scene->skylines, light, err);
+}
+
 struct pp_bounds3 pp_light_scene_bounds(const struct pp_light_scene *scene, bool room)
 {
-    if (!room || !scene->world || scene->world->face_count == 0)
+    if (!room || !scene->has_room)
         return scene->bounds;
     struct pp_bounds3 bounds = pp_bounds3_empty();
     for (int i = 0; i < scene->world->face_count; i++) {
@@ -113,6 +128,13 @@ enum pp_status pp_light_scene_add_glosses(struct pp_light_scene *scene,
             status = find_gloss(scene, scene->materials[i].roughness,
                                 &scene->gloss_of_material[i], err);
     }
+    for (int i = 0; i < scene->part_count; i++)
+        for (int side = 0; side < 2; side++) {
+            const struct pp_material *material =
+                &scene->materials[scene->parts[i].material[side]];
+            scene->parts[i].matt[side] = material->kind == PP_MATERIAL_OPAQUE
+                                         && pp_rgb_is_black(material->gloss);
+        }
     return status;
 }
 
@@ -124,6 +146,33 @@ const struct pp_gloss *pp_light_scene_gloss(const struct pp_light_scene *scene,
 }
 
 /* ---- rays ---- */
+
+enum pp_status pp_light_scene_add_rays(struct pp_light_scene *scene,
+                                       const struct pp_triangles *triangles,
+                                       struct pp_error *err)
+{
+    size_t count = (size_t)triangles->count;
+    float(*single)[3][3] = pp_triangles_single(
+        (const struct pp_vec3(*)[3])triangles->corners, triangles->count);
+    scene->part_of_triangle =
+        malloc((count + (size_t)scene->round_count + 1) * sizeof(int));
+    scene->triangle_count = triangles->count;
+    enum pp_status status =
+        single && scene->part_of_triangle ? PP_OK : pp_fail_memory(err);
+    if (status == PP_OK) {
+        if (count > 0)
+            memcpy(scene->part_of_triangle, triangles->facet_of, count * sizeof(int));
+        for (int i = 0; i < scene->part_count; i++)
+            if (scene->parts[i].round >= 0)
+                scene->part_of_triangle[count + (size_t)scene->parts[i].round] = i;
+        pp_light_hash_scene(scene, (const float(*)[3][3])single);
+        status =
+            pp_rays_create(&scene->rays, (const float(*)[3][3])single, triangles->count,
+                           scene->rounds, scene->round_count, err);
+    }
+    free(single);
+    return status;
+}
 
 /* Puts the hit on the part itself, in double precision. */
 static void refine(const struct pp_light_scene *scene, const struct pp_light_part *part,
@@ -158,15 +207,15 @@ enum pp_meeting pp_light_scene_meet(const struct pp_light_scene *scene,
     float direction[3] = {(float)ray->to.x, (float)ray->to.y, (float)ray->to.z};
     float distance;
     int index = pp_rays_first(scene->rays, origin, direction, &distance);
-    *hit = (struct pp_light_hit){.part = -1, .distance_m = INFINITY};
     bool indoors = ray->space == PP_INDOORS;
-    if (index >= 0)
-        hit->distance_m = distance;
+    hit->part = -1;
+    hit->distance_m = index >= 0 ? (double)distance : INFINITY;
 
     /* A skyline with a distance may stand before it. */
-    if (scene->room && !indoors && scene->room->environment.near_count > 0) {
-        double exitance, near = pp_environment_near_skyline(
-                             &scene->room->environment, ray->from, ray->to, &exitance);
+    if (!indoors && scene->skylines.near_count > 0) {
+        int met, side;
+        double near =
+            pp_scene_skylines_near(&scene->skylines, ray->from, ray->to, &met, &side);
         if (near < hit->distance_m) {
             hit->distance_m = near;
             return PP_MEETS_ENVIRONMENT;
@@ -180,7 +229,7 @@ enum pp_meeting pp_light_scene_meet(const struct pp_light_scene *scene,
     refine(scene, part, ray, start, hit);
     hit->tag = part->tag;
     hit->material = part->material[hit->back];
-    hit->space = part->space[hit->back];
+    hit->space = (enum pp_space)part->space[hit->back];
     bool wrong = ray->space != PP_ANYWHERE && hit->back == indoors;
     return part->envelope && wrong ? PP_MEETS_LEAK : PP_MEETS_PART;
 }
@@ -190,6 +239,7 @@ bool pp_light_scene_first(const struct pp_light_scene *scene,
 {
     struct pp_light_ray moved = *ray;
     moved.from = pp_vec_sub(ray->from, scene->centre);
+    *hit = (struct pp_light_hit){.part = -1};
     enum pp_meeting meeting = pp_light_scene_meet(scene, &moved, hit);
     hit->point = pp_vec_add(hit->point, scene->centre);
     return meeting == PP_MEETS_PART;
@@ -227,19 +277,19 @@ static int distant_in(const struct pp_light_scene *scene, struct pp_vec3 u)
 }
 
 struct pp_rgb pp_light_scene_environment(const struct pp_light_scene *scene,
+                                         const struct pp_environment *environment,
                                          const struct pp_light_ray *ray, double near_m,
                                          bool *is_sky)
 {
     bool sky = false;
     double light = 0.0; /* pi L, as environment.h has it */
-    if (scene->room && isfinite(near_m))
-        pp_environment_near_skyline(&scene->room->environment, ray->from, ray->to,
-                                    &light);
-    else if (scene->room)
-        light = pp_environment_light(&scene->room->environment, ray->to, &sky);
+    if (scene->world && isfinite(near_m))
+        pp_environment_near_skyline(environment, ray->from, ray->to, &light);
+    else if (scene->world)
+        light = pp_environment_light(environment, ray->to, &sky);
     if (is_sky)
         *is_sky = sky;
-    if (scene->room)
+    if (scene->world)
         return pp_rgb_grey(light / PP_PI);
 
     int distant = distant_in(scene, ray->to);

@@ -1,7 +1,8 @@
 /* light_scene.h - any scene as light sees it: shapes, materials, sky and lamps.
  *
  * Made from a room's world (light_scene_of_world.h) or from a description
- * (light_scene_of_description.h). Once made it is only read: any number of threads may
+ * (light_scene_of_description.h), whose distant sources are part of the scene; a
+ * world's light from outside is not (environment.h). Once made it is only read: any number of threads may
  * ask. Points and directions are the scene's own; the shift and rounding for the ray
  * kernels stay within.
  *
@@ -18,8 +19,11 @@
 #include "model/geometry/bounds.h"
 #include "model/light/material.h"
 
-struct pp_light_scene;
+struct pp_environment;
 struct pp_gloss;
+struct pp_light_scene;
+struct pp_outside_light;
+struct pp_triangles;
 
 void pp_light_scene_destroy(struct pp_light_scene *scene); /* NULL is allowed */
 
@@ -69,7 +73,15 @@ const struct pp_material *pp_light_scene_material(const struct pp_light_scene *s
  * that round the room alone. All zero where there is nothing. */
 struct pp_bounds3 pp_light_scene_bounds(const struct pp_light_scene *scene, bool room);
 
-/* A number that depends on every shape, material and light of the scene. */
+/* The light from outside, worked out for the scene of a world, which must live as
+ * long. */
+enum pp_status pp_light_scene_under(struct pp_environment **environment,
+                                    const struct pp_light_scene *scene,
+                                    const struct pp_outside_light *light,
+                                    struct pp_error *err);
+
+/* A number that depends on every shape and material of the scene, and on a
+ * description's lights. */
 uint64_t pp_light_scene_hash(const struct pp_light_scene *scene);
 
 /* ---- for the other files of simulate/: points are measured from the scene's centre
@@ -83,14 +95,16 @@ enum pp_meeting {
 };
 
 /* The ray's first meeting. hit->distance_m is its distance in any case, INFINITY for
- * the sky and the like. */
+ * the sky and the like, hit->part -1 where it meets nothing; all else is of a part. */
 enum pp_meeting pp_light_scene_meet(const struct pp_light_scene *scene,
                                     const struct pp_light_ray *ray,
                                     struct pp_light_hit *hit);
 
-/* The light of the environment, without concentrated sources; near_m: the distance from
- * `meet` (a skyline stands there if that is finite). *is_sky may be NULL. */
+/* The light of the environment (of a world; NULL: of a description), without
+ * concentrated sources; near_m: the distance from `meet` (a skyline stands there if
+ * that is finite). *is_sky may be NULL. */
 struct pp_rgb pp_light_scene_environment(const struct pp_light_scene *scene,
+                                         const struct pp_environment *environment,
                                          const struct pp_light_ray *ray, double near_m,
                                          bool *is_sky);
 
@@ -98,7 +112,14 @@ struct pp_rgb pp_light_scene_environment(const struct pp_light_scene *scene,
 struct pp_rgb pp_light_scene_distant_radiance(const struct pp_light_scene *scene, int i,
                                               struct pp_vec3 u);
 
-/* Once all materials are there: works out the glosses that they have. */
+/* Once all parts are there: the structure for the ray kernels, from the triangles of
+ * the parts by number and the scene's round shapes. The scene's hash too. */
+enum pp_status pp_light_scene_add_rays(struct pp_light_scene *scene,
+                                       const struct pp_triangles *triangles,
+                                       struct pp_error *err);
+
+/* Once all materials and parts are there: works out the glosses that they have, and
+ * which parts are matt. */
 enum pp_status pp_light_scene_add_glosses(struct pp_light_scene *scene,
                                           struct pp_error *err);
 

@@ -6,7 +6,7 @@
 #include <string.h>
 
 #include "model/geometry/polygon.h"
-#include "simulate/scene/light_hash.h"
+#include "simulate/sampling/lobe.h"
 #include "simulate/scene/light_scene_parts.h"
 #include "simulate/scene/round.h"
 #include "simulate/scene/triangles.h"
@@ -19,7 +19,6 @@ struct light_scene_builder {
     struct pp_clipper *clipper;
     struct pp_triangles triangles; /* of all polygons */
     struct pp_vec3 *corners;       /* of one polygon, measured from the centre */
-    size_t rounds;                 /* how many there are */
 };
 
 static bool is_polygon(const struct pp_shape *shape)
@@ -63,12 +62,12 @@ static enum pp_status allocate(struct light_scene_builder *b, struct pp_error *e
 {
     struct pp_light_scene *scene = b->scene;
     const struct pp_scene_description *from = b->from;
-    size_t parts = 0, distants = 0;
+    size_t parts = 0, rounds = 0, distants = 0;
     int most_corners = 0;
     for (int i = 0; i < from->shape_count; i++) {
         const struct pp_shape *shape = &from->shapes[i];
         parts += shape->kind != PP_SHAPE_DISTANT;
-        b->rounds += !is_polygon(shape) && shape->kind != PP_SHAPE_DISTANT;
+        rounds += !is_polygon(shape) && shape->kind != PP_SHAPE_DISTANT;
         distants += shape->kind == PP_SHAPE_DISTANT;
         if (is_polygon(shape) && shape->is.polygon.count > most_corners)
             most_corners = shape->is.polygon.count;
@@ -77,7 +76,7 @@ static enum pp_status allocate(struct light_scene_builder *b, struct pp_error *e
         calloc((size_t)from->material_count + 1, sizeof *scene->materials);
     scene->patterns = calloc((size_t)from->pattern_count + 1, sizeof *scene->patterns);
     scene->parts = calloc(parts + 1, sizeof *scene->parts);
-    scene->rounds = calloc(b->rounds + 1, sizeof *scene->rounds);
+    scene->rounds = calloc(rounds + 1, sizeof *scene->rounds);
     scene->distants = calloc(distants + 1, sizeof *scene->distants);
     b->corners = malloc(((size_t)most_corners + 1) * sizeof *b->corners);
     if (!scene->materials || !scene->patterns || !scene->parts || !scene->rounds
@@ -106,6 +105,7 @@ static struct pp_light_part part_of(const struct pp_light_scene *scene,
         .window = -1,
         .emitter = {-1, -1},
         .mirror = -1,
+        .reflector = {-1, -1},
         .space = {PP_ANYWHERE, PP_ANYWHERE},
         .back_emits = own_back || scene->materials[shape->material].emits_both_sides};
 }
@@ -123,6 +123,7 @@ static enum pp_status add_polygon(struct light_scene_builder *b,
             pp_vec_sub(b->from->vertices[shape->is.polygon.first + k], scene->centre);
     struct pp_vec3 area = pp_polygon_area_vector(b->corners, count);
     part->normal = pp_vec_unit(area);
+    pp_lobe_frame(part->normal, &part->a, &part->b);
     part->area_m2 = pp_vec_length(area);
     for (int k = 0; k < count; k++)
         offset += pp_vec_dot(part->normal, b->corners[k]);
@@ -140,7 +141,6 @@ static enum pp_status add_polygon(struct light_scene_builder *b,
         (const struct pp_vec3(*)[3])b->triangles.corners + first, cut, err);
 }
 
-/* Round shapes follow the last triangle, so that all polygons come before. */
 static enum pp_status add_round(struct light_scene_builder *b,
                                 const struct pp_shape *shape, struct pp_error *err)
 {
@@ -148,43 +148,9 @@ static enum pp_status add_round(struct light_scene_builder *b,
     int index = scene->part_count++, round = scene->round_count++;
     scene->rounds[round] = *shape;
     pp_round_shift(&scene->rounds[round], scene->centre);
-    scene->part_of_triangle[scene->triangle_count + round] = index;
     scene->parts[index] = part_of(scene, shape);
     scene->parts[index].round = round;
     return pp_emitters_add_part(scene, index, NULL, 0, NULL, 0, err);
-}
-
-/* Which part each triangle belongs to, with space for the round shapes behind. */
-static enum pp_status count_triangles(struct light_scene_builder *b,
-                                      struct pp_error *err)
-{
-    struct pp_light_scene *scene = b->scene;
-    size_t count = (size_t)b->triangles.count;
-    scene->part_of_triangle =
-        calloc(count + b->rounds + 1, sizeof *scene->part_of_triangle);
-    if (!scene->part_of_triangle)
-        return pp_fail_memory(err);
-    if (count > 0)
-        memcpy(scene->part_of_triangle, b->triangles.facet_of,
-               count * sizeof *scene->part_of_triangle);
-    scene->triangle_count = b->triangles.count;
-    return PP_OK;
-}
-
-static enum pp_status make_rays(struct light_scene_builder *b, struct pp_error *err)
-{
-    struct pp_light_scene *scene = b->scene;
-    int count = scene->triangle_count;
-    float(*single)[3][3] =
-        pp_triangles_single((const struct pp_vec3(*)[3])b->triangles.corners, count);
-    if (!single)
-        return pp_fail_memory(err);
-    pp_light_hash_scene(scene, (const float(*)[3][3])single);
-    enum pp_status status =
-        pp_rays_create_with(&scene->rays, (const float(*)[3][3])single, count,
-                            scene->rounds, scene->round_count, err);
-    free(single);
-    return status;
 }
 
 static enum pp_status build(struct light_scene_builder *b, struct pp_error *err)
@@ -194,26 +160,26 @@ static enum pp_status build(struct light_scene_builder *b, struct pp_error *err)
     enum pp_status status = allocate(b, err);
     if (status != PP_OK)
         return status;
-    status = pp_light_scene_add_glosses(scene, err);
-    if (status == PP_OK)
-        status = pp_clipper_create(&b->clipper, err);
+    status = pp_clipper_create(&b->clipper, err);
     measure(scene, from);
     for (int i = 0; status == PP_OK && i < from->shape_count; i++)
         if (is_polygon(&from->shapes[i]))
             status = add_polygon(b, &from->shapes[i], err);
-    if (status == PP_OK)
-        status = count_triangles(b, err);
-    for (int i = 0; status == PP_OK && i < from->shape_count; i++)
-        if (from->shapes[i].kind == PP_SHAPE_DISTANT)
+        else if (from->shapes[i].kind == PP_SHAPE_DISTANT)
             status = pp_emitters_add_distant(scene, &from->shapes[i], err);
-        else if (!is_polygon(&from->shapes[i]))
+        else
             status = add_round(b, &from->shapes[i], err);
+    if (status == PP_OK)
+        status = pp_light_scene_add_glosses(scene, err);
     if (status != PP_OK)
         return status;
     pp_emitters_link_triangles(scene);
     pp_unsampled_find_glow(scene);
     status = pp_mirrors_find(scene, err);
-    return status == PP_OK ? make_rays(b, err) : status;
+    if (status == PP_OK)
+        status = pp_reflectors_find(scene, err);
+    return status == PP_OK ? pp_light_scene_add_rays(scene, &b->triangles, err)
+                           : status;
 }
 
 enum pp_status pp_light_scene_of_description(struct pp_light_scene **result,
@@ -224,6 +190,7 @@ enum pp_status pp_light_scene_of_description(struct pp_light_scene **result,
     struct pp_light_scene *scene = calloc(1, sizeof *scene);
     if (!scene)
         return pp_fail_memory(err);
+    scene->decorations = 1.0;
     struct light_scene_builder b = {.scene = scene, .from = from};
     enum pp_status status = build(&b, err);
     pp_triangles_clear(&b.triangles);

@@ -1,110 +1,136 @@
-/* light_scene_of_world.c - the parts of a world's surfaces and panes: the facets of the
- * tracer's scene, with materials. */
+/* light_scene_of_world.c - the parts of a world's surfaces and panes, with their
+ * materials and triangles. */
 #include "simulate/scene/light_scene_of_world.h"
 
+#include <math.h>
 #include <stdlib.h>
 
 #include "model/room/surface_materials.h"
-#include "simulate/scene/light_hash.h"
+#include "simulate/sampling/lobe.h"
+#include "simulate/sampling/triangle.h"
 #include "simulate/scene/light_scene_parts.h"
 
-/* A new material is compared with this many of the last: a world of a million surfaces
- * has few materials, and neighbours mostly share theirs. */
-enum { LOOKED_BACK = 64 };
-
-/* The material's number among the scene's; the list is long enough for one more. */
-static int number_of(struct pp_light_scene *scene, struct pp_material material)
-{
-    int last = scene->material_count - LOOKED_BACK;
-    for (int i = scene->material_count - 1; i >= 0 && i >= last; i--)
-        if (pp_surface_materials_same(&scene->materials[i], &material))
-            return i;
-    scene->materials[scene->material_count] = material;
-    return scene->material_count++;
-}
-
-static struct pp_material material_of(const struct pp_light_scene *scene, int index,
-                                      bool front)
-{
-    return scene->matt ? pp_surface_materials_matt(scene->world, index, front)
-                       : pp_surface_materials_of(scene->world, index, front);
-}
-
-static struct pp_light_part part_of(struct pp_light_scene *scene, int index)
-{
-    const struct pp_surface *surface = &scene->world->surfaces[index];
-    const struct pp_facet *facet = &scene->room->facets[index];
-    int space = surface->inside ? PP_INDOORS : PP_OUTDOORS;
-    return (struct pp_light_part){
-        .normal = facet->normal,
-        .offset_m = facet->offset_m,
-        .material = {number_of(scene, material_of(scene, index, true)),
-                     number_of(scene, material_of(scene, index, false))},
-        .tag = index,
-        .round = -1,
-        .window = -1,
-        .emitter = {-1, -1},
-        .mirror = -1,
-        .space = {(unsigned char)space,
-                  (unsigned char)(facet->envelope ? PP_OUTDOORS : space)},
-        .envelope = facet->envelope,
-        .back_emits = true};
-}
-
-static struct pp_light_part pane_of(struct pp_light_scene *scene, int window)
-{
-    int index = scene->world->surface_count + window;
-    const struct pp_facet *facet = &scene->room->facets[index];
-    struct pp_material in = pp_surface_materials_pane(scene->world, window, true);
-    struct pp_material out = pp_surface_materials_pane(scene->world, window, false);
-    return (struct pp_light_part){
-        .normal = facet->normal,
-        .offset_m = facet->offset_m,
-        .material = {number_of(scene, in), number_of(scene, out)},
-        .tag = index,
-        .round = -1,
-        .window = window,
-        .emitter = {-1, -1},
-        .mirror = -1,
-        .space = {PP_INDOORS, PP_OUTDOORS},
-        .envelope = true};
-}
-
-static void add_to_bounds(struct pp_bounds3 *bounds, const struct pp_polygon *outline)
-{
-    for (int i = 0; i < outline->count; i++)
-        pp_bounds3_add(bounds, outline->vertices[i]);
-}
-
-static enum pp_status build(struct pp_light_scene *scene, struct pp_error *err)
+/* The middle of the room's box, or of everything's where there is no room. */
+static void measure(struct pp_light_scene *scene)
 {
     const struct pp_world *world = scene->world;
-    enum pp_status status = pp_ray_scene_create(&scene->room, world, err);
-    if (status != PP_OK)
-        return status;
-    const struct pp_ray_scene *room = scene->room;
-    size_t facets = (size_t)room->facet_count, triangles = (size_t)room->triangle_count;
-    scene->centre = room->centre;
-    scene->rays = room->rays;
-    scene->parts = calloc(facets + 1, sizeof *scene->parts);
-    scene->materials = calloc(2 * facets + 1, sizeof *scene->materials);
-    scene->part_of_triangle = calloc(triangles + 1, sizeof *scene->part_of_triangle);
-    if (!scene->parts || !scene->materials || !scene->part_of_triangle)
-        return pp_fail_memory(err);
-    for (size_t i = 0; i < triangles; i++)
-        scene->part_of_triangle[i] = room->facet_of_triangle[i];
-    scene->triangle_count = room->triangle_count;
+    struct pp_bounds3 room = pp_bounds3_empty();
     scene->bounds = pp_bounds3_empty();
-    for (int i = 0; i < world->surface_count; i++) {
-        scene->parts[scene->part_count++] = part_of(scene, i);
-        add_to_bounds(&scene->bounds, &world->surfaces[i].outline);
-    }
-    for (int i = 0; i < world->opening_count; i++)
-        scene->parts[scene->part_count++] = pane_of(scene, i);
-    if (world->surface_count == 0)
+    for (int i = 0; i < world->surface_count; i++)
+        for (int k = 0; k < world->surfaces[i].outline.count; k++) {
+            pp_bounds3_add(&scene->bounds, world->surfaces[i].outline.vertices[k]);
+            if (i < world->face_count || !scene->has_room)
+                pp_bounds3_add(&room, world->surfaces[i].outline.vertices[k]);
+        }
+    if (world->surface_count == 0) {
         scene->bounds = (struct pp_bounds3){.low = {0.0, 0.0, 0.0}};
-    pp_light_hash_scene(scene, NULL);
-    return pp_light_scene_add_glosses(scene, err);
+        return;
+    }
+    scene->centre = pp_vec_scale(pp_vec_add(room.low, room.high), 0.5);
+    struct pp_vec3 half = pp_vec_scale(pp_vec_sub(room.high, room.low), 0.5);
+    scene->size_m = fmax(half.x, fmax(half.y, half.z));
+}
+
+static struct pp_light_part part_of(const struct pp_light_scene *scene, int index,
+                                    const struct pp_polygon *outline,
+                                    const int material[2])
+{
+    struct pp_light_part part = {.normal = outline->normal,
+                                 .material = {material[0], material[1]},
+                                 .tag = index,
+                                 .round = -1,
+                                 .window = -1,
+                                 .emitter = {-1, -1},
+                                 .mirror = -1,
+                                 .reflector = {-1, -1}};
+    part.offset_m =
+        pp_vec_dot(outline->normal, pp_vec_sub(outline->vertices[0], scene->centre));
+    pp_lobe_frame(part.normal, &part.a, &part.b);
+    return part;
+}
+
+static void make_parts(struct pp_light_scene *scene, const int (*sides)[2])
+{
+    const struct pp_world *world = scene->world;
+    for (int i = 0; i < world->surface_count; i++) {
+        const struct pp_surface *surface = &world->surfaces[i];
+        unsigned char space = surface->inside ? PP_INDOORS : PP_OUTDOORS;
+        struct pp_light_part part = part_of(scene, i, &surface->outline, sides[i]);
+        part.envelope = i < world->face_count || surface->role == PP_REVEAL;
+        part.space[0] = space;
+        part.space[1] = part.envelope ? PP_OUTDOORS : space;
+        part.back_emits = true;
+        scene->parts[scene->part_count++] = part;
+        scene->most_exitance = fmax(scene->most_exitance, surface->exitance);
+        scene->reflects |=
+            surface->front > 0.0 || (!part.envelope && surface->back > 0.0);
+    }
+    for (int i = 0; i < world->opening_count; i++) {
+        const struct pp_opening *opening = &world->openings[i];
+        int index = scene->part_count++;
+        struct pp_light_part part =
+            part_of(scene, index, &opening->outer, sides[index]);
+        part.window = i;
+        part.space[0] = PP_INDOORS;
+        part.space[1] = PP_OUTDOORS;
+        part.envelope = true;
+        scene->parts[index] = part;
+        scene->reflects |=
+            opening->glass.panes > 0 || world->surfaces[opening->face].front > 0.0;
+    }
+}
+
+static enum pp_status add_triangles(struct pp_light_scene *scene,
+                                    struct pp_triangles *list, struct pp_error *err)
+{
+    const struct pp_world *world = scene->world;
+    struct pp_clipper *clipper = NULL;
+    enum pp_status status = pp_clipper_create(&clipper, err);
+    for (int i = 0; status == PP_OK && i < world->surface_count; i++)
+        status = pp_triangles_of_surface(list, clipper, world, i, scene->centre, err);
+    int first_pane = list->count;
+    for (int i = 0; status == PP_OK && i < world->opening_count; i++)
+        status = pp_triangles_of_polygon(list, clipper, &world->openings[i].outer,
+                                         world->surface_count + i, scene->centre, err);
+    if (status == PP_OK)
+        status = pp_triangles_of_plane(&scene->plane, &scene->plane_count, clipper,
+                                       world, scene->centre, err);
+    pp_clipper_destroy(clipper);
+    for (int i = 0; i < scene->plane_count; i++)
+        scene->plane_area_m2 += pp_triangle_area(scene->plane[i]);
+    if (status == PP_OK)
+        status = pp_openings_find(scene, list, first_pane, err);
+    return status == PP_OK ? pp_light_scene_add_rays(scene, list, err) : status;
+}
+
+static enum pp_status build(struct pp_light_scene *scene, bool matt,
+                            struct pp_error *err)
+{
+    const struct pp_world *world = scene->world;
+    struct pp_surface_materials materials;
+    struct pp_triangles list = {.facet_of = NULL};
+    scene->has_room = world->face_count > 0;
+    scene->decorations = world->decorations;
+    measure(scene);
+    scene->parts =
+        calloc((size_t)world->surface_count + (size_t)world->opening_count + 1,
+               sizeof *scene->parts);
+    if (!scene->parts)
+        return pp_fail_memory(err);
+    enum pp_status status = pp_surface_materials_init(&materials, world, matt, err);
+    if (status == PP_OK) {
+        make_parts(scene, (const int(*)[2])materials.sides);
+        scene->materials = materials.list;
+        scene->material_count = materials.count;
+        free(materials.sides);
+        status = pp_light_scene_add_glosses(scene, err);
+    }
+    if (status == PP_OK)
+        status = pp_scene_skylines_init(&scene->skylines, world, scene->centre, err);
+    if (status == PP_OK)
+        status = add_triangles(scene, &list, err);
+    pp_triangles_clear(&list);
+    return status;
 }
 
 static enum pp_status make(struct pp_light_scene **result, const struct pp_world *world,
@@ -115,8 +141,7 @@ static enum pp_status make(struct pp_light_scene **result, const struct pp_world
     if (!scene)
         return pp_fail_memory(err);
     scene->world = world;
-    scene->matt = matt;
-    enum pp_status status = build(scene, err);
+    enum pp_status status = build(scene, matt, err);
     if (status != PP_OK) {
         pp_light_scene_destroy(scene);
         return status;
@@ -137,4 +162,17 @@ enum pp_status pp_light_scene_of_world_matt(struct pp_light_scene **scene,
                                             struct pp_error *err)
 {
     return make(scene, world, true, err);
+}
+
+struct pp_vec3 pp_light_scene_of_world_plane_point(const struct pp_light_scene *scene,
+                                                   double u, double v)
+{
+    double left = u * scene->plane_area_m2;
+    int i = 0;
+    double area = pp_triangle_area(scene->plane[0]);
+    while (left > area && i < scene->plane_count - 1) {
+        left -= area;
+        area = pp_triangle_area(scene->plane[++i]);
+    }
+    return pp_triangle_point(scene->plane[i], fmin(left / area, 1.0), v);
 }

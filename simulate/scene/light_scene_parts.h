@@ -6,12 +6,15 @@
 #include "simulate/sampling/gloss.h"
 #include "simulate/scene/emitters.h"
 #include "simulate/scene/mirrors.h"
-#include "simulate/scene/ray_scene.h"
+#include "simulate/scene/openings.h"
 #include "simulate/scene/rays.h"
+#include "simulate/scene/reflectors.h"
+#include "simulate/scene/scene_skylines.h"
 
 /* A piece of surface that has one plane or one curve. */
 struct pp_light_part {
     struct pp_vec3 normal; /* of the front of a plane part, unit */
+    struct pp_vec3 a, b;   /* of a plane part: a right-handed frame with the normal */
     double offset_m;       /* normal . x of its points, from the centre */
     double area_m2;        /* of a plane part of a description */
     int material[2];       /* of front and back */
@@ -20,16 +23,31 @@ struct pp_light_part {
     int window;             /* whose pane; -1: none */
     int emitter[2];         /* of front and back; -1: not a concentrated emitter */
     int mirror;             /* in whose plane it mirrors; -1: none */
+    int reflector[2];       /* of front and back; -1: none */
     unsigned char space[2]; /* enum pp_space of rays that leave front and back */
     bool envelope;          /* of a room: its back is not seen from inside */
     bool back_emits;
+    bool matt[2]; /* are front and back opaque and diffuse alone? */
 };
 
 struct pp_light_scene {
-    struct pp_vec3 centre;        /* points below are measured from there */
+    struct pp_vec3 centre; /* points below are measured from there */
+
+    /* Of a world. */
     const struct pp_world *world; /* NULL: of a description; not owned */
-    struct pp_ray_scene *room;    /* of a world: its rays, windows, environment */
-    bool matt;                    /* of a world: its finishes without their gloss */
+    bool has_room;                /* else every point is outside */
+    double size_m;                /* greatest coordinate of the room */
+    struct pp_pane *panes;
+    int pane_count;
+    struct pp_vec3 (*pane_triangles)[3];
+    struct pp_vec3 (*plane)[3]; /* the working plane's triangles */
+    int plane_count;
+    double plane_area_m2;
+    struct pp_scene_skylines skylines;
+    double decorations;   /* allowance on what is reflected inside, no matter of paths;
+                         * 1: of a description too */
+    double most_exitance; /* the greatest of any surface's own */
+    bool reflects;        /* does any surface that the room sees? */
 
     struct pp_material *materials;
     int material_count;
@@ -44,7 +62,7 @@ struct pp_light_scene {
     int triangle_count;
     struct pp_shape *rounds;
     int round_count;
-    struct pp_rays *rays; /* of a world: the room's */
+    struct pp_rays *rays;
 
     struct pp_emitter *emitters;
     int emitter_count;
@@ -56,6 +74,10 @@ struct pp_light_scene {
     int mirror_count;
     struct pp_mirror_path *mirror_paths;
     int mirror_path_count;
+    struct pp_reflector *reflectors;
+    int reflector_count;
+    struct pp_reflection *reflections; /* by reflector, then by emitter */
+    int reflection_count;
     double unsampled_share; /* the greatest reflectance of parts outside mirror paths */
     struct pp_rgb glow; /* the brightest of its extended emitters that has a place */
 

@@ -126,15 +126,8 @@ static enum pp_status attach_rounds(struct pp_rays *rays, const struct pp_shape 
 }
 
 enum pp_status pp_rays_create(struct pp_rays **result, const float (*triangles)[3][3],
-                              int count, struct pp_error *err)
-{
-    return pp_rays_create_with(result, triangles, count, NULL, 0, err);
-}
-
-enum pp_status pp_rays_create_with(struct pp_rays **result,
-                                   const float (*triangles)[3][3], int count,
-                                   const struct pp_shape *rounds, int round_count,
-                                   struct pp_error *err)
+                              int count, const struct pp_shape *rounds, int round_count,
+                              struct pp_error *err)
 {
     *result = NULL;
     struct pp_rays *rays = calloc(1, sizeof *rays);

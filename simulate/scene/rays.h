@@ -13,16 +13,11 @@
 
 struct pp_rays;
 
-/* Copies the triangles; none at all is allowed. */
+/* Copies triangles and round shapes (round.h); none of either is allowed. Round shapes
+ * are met exactly; their indices follow those of the triangles. */
 enum pp_status pp_rays_create(struct pp_rays **rays, const float (*triangles)[3][3],
-                              int count, struct pp_error *err);
-
-/* The same with round shapes (round.h), which are met exactly; their indices follow
- * those of the triangles. */
-enum pp_status pp_rays_create_with(struct pp_rays **rays,
-                                   const float (*triangles)[3][3], int count,
-                                   const struct pp_shape *rounds, int round_count,
-                                   struct pp_error *err);
+                              int count, const struct pp_shape *rounds, int round_count,
+                              struct pp_error *err);
 void pp_rays_destroy(struct pp_rays *rays); /* NULL is allowed */
 
 /* The index of the first triangle that the ray from origin along direction meets, from

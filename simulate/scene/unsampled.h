@@ -1,6 +1,8 @@
-/* unsampled.h - an upper bound on the irradiance that paths may have missed.
+/* unsampled.h - upper bounds on the light that paths may have missed.
  *
- * Next-event estimation misses no emitter. Light that rays must find by their own
+ * Next-event estimation misses no emitter and no opening that it samples, unless it
+ * finds nothing at all: then it may have looked past a slit, and one path among all
+ * might have brought the light of all openings. Light that rays must find by their own
  * directions may be missed by all of them without leaving a trace in their spread: a
  * small extended emitter, or a lamp in a curved mirror. The bound is one path's worth
  * of the brightest of such emitters, or all that there can be of their light if that is
@@ -9,18 +11,55 @@
 #ifndef PP_SIMULATE_SCENE_UNSAMPLED_H
 #define PP_SIMULATE_SCENE_UNSAMPLED_H
 
+#include "simulate/scene/emitters.h"
 #include "simulate/scene/light_scene.h"
 
 /* Finds the scene's brightest extended emitter that has a place, once all its parts are
  * there. */
 void pp_unsampled_find_glow(struct pp_light_scene *scene);
 
-/* The bound at a point after that many paths. Counted are extended emitters (but for
- * skies with a pattern), and concentrated ones by the reflections by which next-event
- * estimation does not sample them, curved mirrors taken for plane ones; with
- * `by_chance`, where there is no next-event estimation, concentrated emitters
- * altogether. */
-struct pp_rgb pp_unsampled_bound(const struct pp_light_scene *scene,
-                                 struct pp_vec3 point, bool by_chance, long paths);
+/* The share of an emitter's light that may go by reflections which next-event estimation
+ * does not sample. A distant emitter's is looked for by 4,096 of its rays, over the whole
+ * scene: where none of them is reflected so, the share is one ray's. Once the scene is
+ * made. */
+double pp_unsampled_probe(const struct pp_light_scene *scene,
+                          const struct pp_emitter *emitter);
+
+/* Irradiances at a point of a scene: what only chance finds, and the radiance of the
+ * brightest emitter among that; and all light of emitters and sky, if nothing stood
+ * before them. What only chance finds are extended emitters (but for skies with a
+ * pattern), and concentrated ones by the reflections by which next-event estimation
+ * does not sample them, curved mirrors taken for plane ones; with `by_chance`, where
+ * there is no next-event estimation, concentrated emitters altogether. shares: each
+ * emitter's by pp_unsampled_probe. */
+struct pp_unsampled {
+    struct pp_rgb by_chance, brightest, all;
+};
+
+struct pp_unsampled pp_unsampled_at(const struct pp_light_scene *scene,
+                                    struct pp_vec3 point, bool by_chance,
+                                    const double *shares);
+
+/* The bound after so many paths; found: have they brought any light that differs from
+ * randomisation to randomisation? Else even what was aimed at may have been missed. */
+struct pp_rgb pp_unsampled_bound(const struct pp_unsampled *unsampled, bool found,
+                                 double paths);
+
+/* Each component of the daylight factor at a point of a room (PP_SC to PP_IRC), roughly
+ * and on the safe side, if nothing stood before the openings; 0: no light path exists.
+ * position: in the scene's coordinates; NULL: anywhere on the working plane. */
+struct pp_room_bound {
+    double part[3];
+};
+
+struct pp_room_bound pp_unsampled_of_room(const struct pp_light_scene *scene,
+                                          const struct pp_vec3 *position,
+                                          struct pp_vec3 normal);
+
+/* The bound on a component, or on their sum, after so many paths of straight and of
+ * reflected light: of those components that no path has found. Bit i of `found` is set
+ * where component i was. */
+double pp_unsampled_of_component(const struct pp_room_bound *most, int component,
+                                 unsigned found, double straight, double reflected);
 
 #endif

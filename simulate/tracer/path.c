@@ -2,18 +2,22 @@
  * variate, and its correction. */
 #include "simulate/tracer/path.h"
 
-#include <math.h>
 #include <stddef.h>
 
 #include "model/results/reading.h"
-#include "simulate/tracer/path_openings.h"
+#include "simulate/sampling/lobe.h"
+#include "simulate/scene/light_scene_of_world.h"
+#include "simulate/transport/light_path.h"
 
 enum {
     /* Directions from each surface met, where the control variate leaves a small
      * difference of two large numbers. Measured in two rooms: half and twice as many
      * lose 10 to 40 % of the efficiency, one of each two thirds. */
     OPENINGS = 4,
-    LOBES = 8
+    LOBES = 8,
+    /* A path ends here where nothing ever absorbs: in an enclosure that reflects all.
+     * With a reflectance of 0.99 one path in 10^70 comes so far. */
+    MOST_BOUNCES = 1 << 14
 };
 
 /* Chance of a path to go on, for each unit of throughput, where the control variate
@@ -21,187 +25,210 @@ enum {
  * good. */
 static const double GOING_ON = 0.7;
 
-/* The point, and the random numbers that the path begins with: direction (2) and
- * choice. */
-static struct pp_vec3 begin(const struct pp_path_state *state,
-                            const struct pp_start *start, double u[3])
+struct pp_path_state pp_path_state(const struct pp_light_scene *scene,
+                                   const struct pp_environment *environment,
+                                   const struct pp_radiosity *radiosity)
 {
-    double draw[5];
-    pp_sobol_sequence_draw(&state->sequence, state->index, 0, start->anywhere ? 5 : 3,
-                           draw);
-    u[0] = draw[0];
-    u[1] = draw[1];
-    u[2] = draw[2];
-    if (!start->anywhere)
-        return start->position;
-    u[2] = draw[4];
-    return pp_ray_scene_plane_point(state->scene, draw[2], draw[3]);
+    return (struct pp_path_state){.light = {.scene = scene,
+                                            .environment = environment,
+                                            .options = pp_radiance_state_defaults()},
+                                  .radiosity = radiosity};
 }
 
-static struct pp_path_ray lobe_ray(struct pp_vec3 p, struct pp_vec3 n,
-                                   const double u[2], bool inside)
+/* The point, where the random numbers of `vertex` begin with two for a direction. */
+static struct pp_vec3 begin(const struct pp_path_state *state,
+                            const struct pp_start *start, int vertex, double u[2])
 {
-    struct pp_vec3 a, b;
-    pp_lobe_frame(n, &a, &b);
-    return (struct pp_path_ray){.from = p,
-                                .normal = n,
-                                .to = pp_lobe_sample_in_frame(a, b, n, u[0], u[1]),
-                                .throughput = 1.0,
-                                .inside = inside,
-                                .component = inside ? PP_IRC : PP_PATH_RAY_UNSORTED};
+    double draw[5]; /* direction (2), choice of an opening, place on the plane (2) */
+    pp_sobol_sequence_draw(&state->light.sequence, state->light.index, vertex,
+                           start->anywhere ? 5 : 2, draw);
+    u[0] = draw[0];
+    u[1] = draw[1];
+    return start->anywhere ? pp_light_scene_of_world_plane_point(state->light.scene,
+                                                                 draw[3], draw[4])
+                           : start->position;
+}
+
+/* A ray of the point's cosine lobe. */
+static struct pp_light_ray lobe_ray(const struct pp_path_state *state,
+                                    const struct pp_start *start)
+{
+    double u[2];
+    struct pp_vec3 a, b, from = begin(state, start, 0, u);
+    pp_lobe_frame(start->normal, &a, &b);
+    return (struct pp_light_ray){
+        from, start->normal, pp_lobe_sample_in_frame(a, b, start->normal, u[0], u[1]),
+        state->light.scene->has_room ? PP_INDOORS : PP_ANYWHERE};
+}
+
+static struct pp_light_path path_of(const struct pp_path_state *state,
+                                    const struct pp_light_ray *ray, int vertex)
+{
+    return (struct pp_light_path){.ray = *ray,
+                                  .throughput = pp_rgb_grey(1.0),
+                                  .least = state->light.options.least,
+                                  .sampled = PP_DIRECTLY_SAMPLED_ALL,
+                                  .sampled_in = ray->space,
+                                  .mirror_path = -1,
+                                  .vertex = vertex};
+}
+
+struct pp_irradiance pp_path_by_openings(struct pp_path_state *state,
+                                         struct pp_vec3 point, struct pp_vec3 normal,
+                                         int vertex, uint32_t directions)
+{
+    struct pp_irradiance e = {.rest = pp_rgb_grey(0.0)};
+    struct pp_shading_point shading = {.point = point,
+                                       .normal = normal,
+                                       .space = PP_INDOORS,
+                                       .diffuse = pp_rgb_grey(PP_PI),
+                                       .vertex = vertex,
+                                       .directions = directions};
+    pp_light_path_windows(&state->light, &shading, &e);
+    return e;
 }
 
 void pp_path_direct(struct pp_path_state *state, const struct pp_start *start,
                     struct pp_light *light)
 {
-    double u[3];
-    struct pp_vec3 p = begin(state, start, u);
-    if (state->scene->has_room)
-        pp_path_openings(state, p, start->normal, u, 0, 1.0, PP_PATH_RAY_UNSORTED,
-                         light);
-    else
-        pp_path_ray_follow(state, lobe_ray(p, start->normal, u, false), 1, light);
+    if (state->light.scene->has_room) {
+        double u[2];
+        struct pp_vec3 point = begin(state, start, PP_DRAW_WINDOWS, u);
+        struct pp_irradiance e = pp_path_by_openings(state, point, start->normal, 0, 1);
+        light->part[PP_SC] += e.sky.g;
+        light->part[PP_ERC] += e.outside.g;
+        light->part[PP_IRC] += e.rest.g;
+        return;
+    }
+    struct pp_light_ray ray = lobe_ray(state, start);
+    struct pp_light_path path = path_of(state, &ray, 1);
+    double value = PP_PI * pp_light_path_follow(&state->light, &path, NULL).g;
+    light->part[path.first_met == PP_MET_SKY ? PP_SC : PP_ERC] += value;
+}
+
+static double radiosity_at(const struct pp_path_state *state,
+                           const struct pp_light_hit *met)
+{
+    return state->radiosity ? pp_radiosity_at(state->radiosity, state->light.scene, met)
+                            : 0.0;
 }
 
 double pp_path_gather(struct pp_path_state *state, const struct pp_start *start)
 {
-    double u[3];
-    struct pp_vec3 p = begin(state, start, u);
-    if (!state->radiosity)
+    struct pp_light_ray ray = lobe_ray(state, start);
+    struct pp_light_hit met;
+    if (!state->radiosity
+        || pp_radiance_state_meet(&state->light, &ray, &met) != PP_MEETS_PART)
         return 0.0;
-    struct pp_path_ray ray = lobe_ray(p, start->normal, u, true);
-    struct pp_contact met = pp_path_ray_first(state, ray.from, ray.normal, ray.to);
-    return pp_radiosity_at(state->radiosity, state->scene, &met);
+    return radiosity_at(state, &met);
 }
 
-/* Follows a ray in the room until it meets a surface, past glass and frames; false if
- * the path ends before. Light that comes in on the way is added. */
-static bool to_surface(struct pp_path_state *state, struct pp_path_ray *ray, int vertex,
-                       struct pp_contact *met, bool *at_once, struct pp_light *light)
+/* A path on its way to a surface of the room. */
+struct path_arm {
+    struct pp_light_ray ray;
+    double throughput;
+    struct pp_light_hit met;
+    bool at_once; /* has it come there without meeting an opening? */
+};
+
+/* Follows the ray until it meets a surface of the room, past glass and frames; false if
+ * the path ends before. Light that comes in on the way is added to *sum. */
+static bool to_surface(struct pp_path_state *state, struct path_arm *arm, int vertex,
+                       double *sum)
 {
-    const struct pp_ray_scene *scene = state->scene;
-    double least = PP_PATH_RAY_LEAST_SHARE * ray->throughput;
-    bool count_through = false;
-    *at_once = true;
-    for (;; vertex++) {
-        *met = pp_path_ray_first(state, ray->from, ray->normal, ray->to);
-        if (pp_path_ray_is_leak(scene, ray, met)) {
-            state->leaks++;
-            return false;
-        }
-        if (scene->facets[met->facet].opening < 0)
-            return true;
-        *at_once = false;
-        double u[6]; /* direction (2), event, place in an opening (2), choice */
-        enum pp_opening_event event;
-        pp_sobol_sequence_draw(&state->sequence, state->index, vertex, 6, u);
-        if (!pp_path_ray_pass_opening(scene, ray, met, count_through, u, &event))
-            return false;
-        if (event == PP_OPENING_TRANSMITS) {
-            pp_path_ray_follow(state, *ray, vertex + PP_PATH_RAY_OUTSIDE_STEP / 2,
-                               light);
-            return false;
-        }
-        if (event == PP_OPENING_SCATTERS)
-            pp_path_openings(state, ray->from, ray->normal, &u[3], vertex,
-                             ray->throughput, PP_IRC, light);
-        count_through = event == PP_OPENING_MIRRORS;
-        double roulette;
-        pp_sobol_sequence_draw(&state->sequence, state->index,
-                               vertex + PP_PATH_RAY_OUTSIDE_STEP / 4, 1, &roulette);
-        if (!pp_path_ray_survives(ray, ray->throughput / least, roulette))
-            return false;
+    struct pp_radiance_state *light = &state->light;
+    const struct pp_light_part *parts = light->scene->parts;
+    enum pp_meeting meeting = pp_radiance_state_meet(light, &arm->ray, &arm->met);
+    arm->at_once = true;
+    if (meeting == PP_MEETS_PART && parts[arm->met.part].window < 0)
+        return true;
+    struct pp_light_path path = path_of(state, &arm->ray, vertex);
+    struct pp_rgb found = pp_rgb_grey(0.0);
+    bool goes = true, there = false;
+    arm->at_once = false;
+    while (goes && !there) {
+        goes = pp_light_path_arrive(light, &path, meeting, &arm->met, &found);
+        if (goes)
+            meeting = pp_radiance_state_meet(light, &path.ray, &arm->met);
+        there = goes && path.ray.space == PP_INDOORS && meeting == PP_MEETS_PART
+                && parts[arm->met.part].window < 0;
     }
+    *sum += arm->throughput * PP_PI * found.g;
+    arm->throughput *= path.throughput.g;
+    arm->ray = path.ray;
+    return there;
 }
 
-static double radiosity_at(const struct pp_path_state *state,
-                           const struct pp_contact *met)
+/* E + K G of a surface, over several directions; one of these goes on as *arm with the
+ * whole throughput; false if that ends before. */
+static bool bounce(struct pp_path_state *state, struct path_arm *arm, int vertex,
+                   uint32_t openings, uint32_t lobes, double *sum)
 {
-    return state->radiosity ? pp_radiosity_at(state->radiosity, state->scene, met)
-                            : 0.0;
-}
-
-/* E + K G of a surface, over several directions; one of these goes on as *ray with the
- * whole throughput, to *met; false if that ends before. */
-static bool bounce(struct pp_path_state *state, struct pp_path_ray *ray, int vertex,
-                   uint32_t openings, uint32_t lobes, struct pp_contact *met,
-                   struct pp_light *light)
-{
-    const struct pp_facet *facet = &state->scene->facets[met->facet];
-    struct pp_path_ray from = *ray;
-    enum pp_facet_side side = met->side;
-    uint32_t path = state->index;
-    for (uint32_t i = 0; i < openings; i++) {
-        double u[3];
-        state->index = path * openings + i;
-        pp_sobol_sequence_draw(&state->sequence, state->index, vertex, 3, u);
-        pp_path_openings(state, from.from, from.normal, u, vertex,
-                         from.throughput / openings, PP_IRC, light);
-    }
+    struct pp_radiance_state *light = &state->light;
+    const struct pp_light_part *part = &light->scene->parts[arm->met.part];
+    const struct pp_vec3 normal = arm->met.normal;
+    const double throughput = arm->throughput;
+    struct pp_vec3 from = pp_path_vertex_drawn_back(arm->met.point, arm->ray.to);
+    struct pp_irradiance e = pp_path_by_openings(state, from, normal, vertex, openings);
+    *sum += throughput * pp_irradiance_sum(&e).g;
     bool reached = false;
+    uint32_t index = light->index;
     for (uint32_t i = 0; i < lobes; i++) {
         double u[2];
-        state->index = path * lobes + i;
-        pp_sobol_sequence_draw(&state->sequence, state->index, vertex + 1, 2, u);
-        struct pp_path_ray arm = from;
-        struct pp_contact end;
-        bool at_once;
-        arm.throughput /= lobes;
-        arm.to = pp_path_ray_lobe(facet, side, u[0], u[1]);
-        if (!to_surface(state, &arm, PP_PATH_RAY_OUTSIDE_STEP * (vertex + 2), &end,
-                        &at_once, light))
+        light->index = index * lobes + i;
+        pp_sobol_sequence_draw(&light->sequence, light->index, vertex * PP_DRAWS, 2, u);
+        struct path_arm other = {.throughput = throughput / lobes};
+        struct path_arm *to = i == 0 ? arm : &other;
+        to->throughput = throughput / lobes;
+        to->ray = (struct pp_light_ray){
+            from, normal, pp_lobe_sample_in_frame(part->a, part->b, normal, u[0], u[1]),
+            PP_INDOORS};
+        if (!to_surface(state, to, pp_path_vertex_branch(vertex, PP_DRAWS), sum))
             continue;
-        light->part[PP_IRC] += arm.throughput * radiosity_at(state, &end);
-        if (i == 0) {
-            reached = true;
-            *met = end;
-            *ray = arm;
-            ray->throughput *= lobes;
-        }
+        *sum += to->throughput * radiosity_at(state, &to->met);
+        reached |= i == 0;
     }
-    state->index = path;
+    arm->throughput *= lobes;
+    light->index = index;
     return reached;
 }
 
-/* Follows a path in the room from the start to its end. */
-static void correct(struct pp_path_state *state, const struct pp_start *start,
-                    struct pp_light *light)
+/* Does the path go on? */
+static bool survives(const struct pp_path_state *state, struct path_arm *arm,
+                     int vertex)
 {
-    double u[3];
-    struct pp_vec3 p = begin(state, start, u);
-    struct pp_path_ray ray = lobe_ray(p, start->normal, u, true);
-    struct pp_contact met;
-    bool at_once;
-    if (!to_surface(state, &ray, PP_PATH_RAY_OUTSIDE_STEP, &met, &at_once, light))
-        return;
-    if (!at_once) /* else the gathering has G there */
-        light->part[PP_IRC] += ray.throughput * radiosity_at(state, &met);
-    for (int vertex = 1; vertex < 3 * PP_PATH_RAY_MOST_BOUNCES; vertex += 3) {
-        double chance = 1.0, roulette = 0.0;
-        if (vertex > 1) {
-            pp_sobol_sequence_draw(&state->sequence, state->index, vertex + 2, 1,
-                                   &roulette);
-            chance = state->radiosity ? GOING_ON * ray.throughput
-                                      : ray.throughput / PP_PATH_RAY_LEAST_SHARE;
-        }
-        if (!pp_path_ray_survives(&ray, chance, roulette))
-            return;
-        const struct pp_facet *facet = &state->scene->facets[met.facet];
-        light->part[PP_IRC] -= ray.throughput * radiosity_at(state, &met);
-        pp_path_ray_leave_surface(facet, &ray, &met, light);
-        if (!(ray.throughput > 0.0))
-            return;
-        bool many = state->radiosity != NULL;
-        if (!bounce(state, &ray, vertex, many ? OPENINGS : 1, many ? LOBES : 1, &met,
-                    light))
-            return;
-    }
+    const struct pp_radiance_state *light = &state->light;
+    double u, chance = state->radiosity ? GOING_ON * arm->throughput
+                                        : arm->throughput / light->options.least;
+    if (vertex == 1 || chance >= 1.0)
+        return true;
+    pp_sobol_sequence_draw(&light->sequence, light->index,
+                           vertex * PP_DRAWS + PP_DRAW_SOURCES, 1, &u);
+    arm->throughput /= chance;
+    return u < chance;
 }
 
 double pp_path_correction(struct pp_path_state *state, const struct pp_start *start)
 {
-    struct pp_light light = {{0.0, 0.0, 0.0}};
-    if (state->scene->has_room)
-        correct(state, start, &light);
-    return light.part[PP_IRC];
+    const struct pp_light_scene *scene = state->light.scene;
+    double sum = 0.0;
+    struct path_arm arm = {.ray = lobe_ray(state, start), .throughput = 1.0};
+    if (!scene->has_room
+        || !to_surface(state, &arm, pp_path_vertex_branch(0, PP_DRAWS), &sum))
+        return sum;
+    if (!arm.at_once) /* else the gathering has G there */
+        sum += arm.throughput * radiosity_at(state, &arm.met);
+    bool many = state->radiosity != NULL;
+    for (int vertex = 1; vertex < MOST_BOUNCES && survives(state, &arm, vertex);
+         vertex++) {
+        const struct pp_material *material = &scene->materials[arm.met.material];
+        sum += arm.throughput
+               * (PP_PI * material->radiance.g - radiosity_at(state, &arm.met));
+        arm.throughput *= material->diffuse.g;
+        if (!(arm.throughput > 0.0)
+            || !bounce(state, &arm, vertex, many ? OPENINGS : 1, many ? LOBES : 1,
+                       &sum))
+            break;
+    }
+    return sum;
 }

@@ -21,19 +21,37 @@
  * Their sum is unbiased whatever G; a good G leaves a correction of little variance.
  * Without G the correction is plain path tracing.
  *
- * Indoors, every diffuse surface gets the light of the openings by next-event
- * estimation; a ray of the cosine lobe that reaches an opening counts nothing for light
- * that comes in by it, and is reflected by glass and frame. After a reflection in glass
- * such light does count. Outside, and where light comes back in by another opening,
- * paths are followed without next-event estimation.
+ * Paths are those of the light transport (transport/light_path.h), in the scene of a
+ * world with every finish diffuse: indoors, every surface gets the light of the openings
+ * by next-event estimation; a ray of the cosine lobe that reaches an opening counts
+ * nothing for light that comes in by it, and is reflected by glass and frame.
  *
  * All light is over Eh.
  */
 #ifndef PP_SIMULATE_TRACER_PATH_H
 #define PP_SIMULATE_TRACER_PATH_H
 
-#include "simulate/tracer/path_ray.h"
 #include "simulate/tracer/radiosity.h"
+#include "simulate/transport/irradiance.h"
+#include "simulate/transport/radiance_state.h"
+
+/* Light by what the point first sees: PP_SC, PP_ERC, PP_IRC of
+ * model/results/reading.h. */
+struct pp_light {
+    double part[3];
+};
+
+/* What a thread needs to follow paths. */
+struct pp_path_state {
+    struct pp_radiance_state light;
+    const struct pp_radiosity
+        *radiosity; /* the control variate; not owned; NULL: none */
+};
+
+/* For paths in that scene and light; the sequence is still to be set. */
+struct pp_path_state pp_path_state(const struct pp_light_scene *scene,
+                                   const struct pp_environment *environment,
+                                   const struct pp_radiosity *radiosity);
 
 /* Where paths start: at a point, or anywhere on the working plane. */
 struct pp_start {
@@ -42,8 +60,15 @@ struct pp_start {
     struct pp_vec3 normal;
 };
 
-/* One sample each, of path `state->index`. Direct light is added to `light`; gathered
- * light and correction are internally reflected, and 0 where there is no room. */
+/* The irradiance by the openings at a point indoors, of that many directions with the
+ * random numbers of a vertex: straight from the sky, from outside, and by way of
+ * another opening from the room itself (`rest`). */
+struct pp_irradiance pp_path_by_openings(struct pp_path_state *state,
+                                         struct pp_vec3 point, struct pp_vec3 normal,
+                                         int vertex, uint32_t directions);
+
+/* One sample each. Direct light is added to `light`; gathered
+ * light and correction are internally reflected, and 0 where there is no room. state->light.index says which path. */
 void pp_path_direct(struct pp_path_state *state, const struct pp_start *start,
                     struct pp_light *light);
 double pp_path_gather(struct pp_path_state *state, const struct pp_start *start);

@@ -3,6 +3,8 @@
 
 #include <stdlib.h>
 
+#include "simulate/scene/light_scene_parts.h"
+
 void pp_radiosity_destroy(struct pp_radiosity *radiosity)
 {
     if (!radiosity)
@@ -23,20 +25,17 @@ static double within(double x, int count, int *patch)
 }
 
 double pp_radiosity_at(const struct pp_radiosity *radiosity,
-                       const struct pp_ray_scene *scene,
-                       const struct pp_contact *contact)
+                       const struct pp_light_scene *scene,
+                       const struct pp_light_hit *hit)
 {
-    if (contact->facet < 0)
-        return 0.0;
-    const struct pp_radiosity_grid *grid =
-        &radiosity->grids[contact->facet][contact->side];
+    const struct pp_radiosity_grid *grid = &radiosity->grids[hit->part][hit->back];
     if (grid->first < 0)
         return 0.0;
-    const struct pp_facet *facet = &scene->facets[contact->facet];
+    const struct pp_light_part *part = &scene->parts[hit->part];
     int column, row;
-    double s = within((pp_vec_dot(contact->point, facet->a) - grid->a0) * grid->per_a,
+    double s = within((pp_vec_dot(hit->point, part->a) - grid->a0) * grid->per_a,
                       grid->columns, &column);
-    double t = within((pp_vec_dot(contact->point, facet->b) - grid->b0) * grid->per_b,
+    double t = within((pp_vec_dot(hit->point, part->b) - grid->b0) * grid->per_b,
                       grid->rows, &row);
     int right = column + 1 < grid->columns, above = row + 1 < grid->rows;
     const double *low = &radiosity->values[grid->first + row * grid->columns + column];
@@ -47,18 +46,15 @@ double pp_radiosity_at(const struct pp_radiosity *radiosity,
 }
 
 int pp_radiosity_nearest(const struct pp_radiosity *radiosity,
-                         const struct pp_ray_scene *scene,
-                         const struct pp_contact *contact)
+                         const struct pp_light_scene *scene,
+                         const struct pp_light_hit *hit)
 {
-    if (contact->facet < 0)
-        return -1;
-    const struct pp_radiosity_grid *grid =
-        &radiosity->grids[contact->facet][contact->side];
+    const struct pp_radiosity_grid *grid = &radiosity->grids[hit->part][hit->back];
     if (grid->first < 0)
         return -1;
-    const struct pp_facet *facet = &scene->facets[contact->facet];
-    double a = (pp_vec_dot(contact->point, facet->a) - grid->a0) * grid->per_a + 0.5;
-    double b = (pp_vec_dot(contact->point, facet->b) - grid->b0) * grid->per_b + 0.5;
+    const struct pp_light_part *part = &scene->parts[hit->part];
+    double a = (pp_vec_dot(hit->point, part->a) - grid->a0) * grid->per_a + 0.5;
+    double b = (pp_vec_dot(hit->point, part->b) - grid->b0) * grid->per_b + 0.5;
     int column = a < 0.0 ? 0 : a < grid->columns ? (int)a : grid->columns - 1;
     int row = b < 0.0 ? 0 : b < grid->rows ? (int)b : grid->rows - 1;
     return grid->first + row * grid->columns + column;

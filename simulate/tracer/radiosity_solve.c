@@ -6,10 +6,10 @@
 #include <stdlib.h>
 
 #include "model/geometry/bounds.h"
-#include "model/results/reading.h"
 #include "simulate/sampling/hash.h"
 #include "simulate/sampling/lobe.h"
-#include "simulate/tracer/path_openings.h"
+#include "simulate/scene/light_scene_parts.h"
+#include "simulate/tracer/path.h"
 
 enum {
     /* Chosen by trial: */
@@ -24,37 +24,39 @@ enum {
 /* A patch while the exchange is worked out. */
 struct radiosity_patch {
     struct pp_vec3 point;
-    int facet;
-    enum pp_facet_side side;
-    bool in_figure;         /* is the centre in the facet's outline? */
+    int part;
+    bool back;
+    bool in_figure;         /* is the centre in the surface's outline? */
     double own;             /* exitance without exchange: M + rho E */
     int seen[LOBE_SAMPLES]; /* patches that its rays meet; -1: none */
 };
 
-static bool in_polygon(const struct pp_polygon *polygon, const struct pp_facet *facet,
-                       struct pp_vec3 centre, double a, double b)
+static bool in_polygon(const struct pp_polygon *polygon,
+                       const struct pp_light_part *part, struct pp_vec3 centre,
+                       double a, double b)
 {
     bool odd = false;
     for (int i = 0; i < polygon->count; i++) {
         struct pp_vec3 p = pp_vec_sub(polygon->vertices[i], centre);
         struct pp_vec3 q =
             pp_vec_sub(polygon->vertices[(i + 1) % polygon->count], centre);
-        double pa = pp_vec_dot(p, facet->a), pb = pp_vec_dot(p, facet->b);
-        double qa = pp_vec_dot(q, facet->a), qb = pp_vec_dot(q, facet->b);
+        double pa = pp_vec_dot(p, part->a), pb = pp_vec_dot(p, part->b);
+        double qa = pp_vec_dot(q, part->a), qb = pp_vec_dot(q, part->b);
         if ((pb > b) != (qb > b) && a < pa + (b - pb) / (qb - pb) * (qa - pa))
             odd = !odd;
     }
     return odd;
 }
 
-/* The rectangle round the outline along the facet's a and b. */
+/* The rectangle round the outline along the part's a and b. */
 static struct pp_bounds2 bounds_of(const struct pp_polygon *polygon,
-                                   const struct pp_facet *facet, struct pp_vec3 centre)
+                                   const struct pp_light_part *part,
+                                   struct pp_vec3 centre)
 {
     struct pp_bounds2 bounds = pp_bounds2_empty();
     for (int i = 0; i < polygon->count; i++) {
         struct pp_vec3 v = pp_vec_sub(polygon->vertices[i], centre);
-        pp_bounds2_add(&bounds, pp_vec_dot(v, facet->a), pp_vec_dot(v, facet->b));
+        pp_bounds2_add(&bounds, pp_vec_dot(v, part->a), pp_vec_dot(v, part->b));
     }
     return bounds;
 }
@@ -65,14 +67,14 @@ static int patches_along(double length, double patch)
     return count < 1.0 ? 1 : count > MOST_ALONG ? MOST_ALONG : (int)count;
 }
 
-static bool has_side(const struct pp_facet *facet, const struct pp_surface *surface,
-                     enum pp_facet_side side)
+static bool has_side(const struct pp_light_part *part, const struct pp_surface *surface,
+                     int side)
 {
-    return surface->inside && (side == PP_FRONT || !facet->envelope);
+    return surface->inside && (side == 0 || !part->envelope);
 }
 
 /* Grids for all sides that the room sees; returns how many patches they have. */
-static int lay_out(struct pp_radiosity *radiosity, const struct pp_ray_scene *scene,
+static int lay_out(struct pp_radiosity *radiosity, const struct pp_light_scene *scene,
                    const struct pp_world *world)
 {
     double area = 0.0;
@@ -81,15 +83,15 @@ static int lay_out(struct pp_radiosity *radiosity, const struct pp_ray_scene *sc
             area += world->surfaces[i].outline.area_m2;
     double size = sqrt(area / PATCHES);
     int count = 0;
-    for (int i = 0; i < scene->facet_count; i++)
+    for (int i = 0; i < scene->part_count; i++)
         for (int side = 0; side < 2; side++) {
             struct pp_radiosity_grid *grid = &radiosity->grids[i][side];
-            const struct pp_facet *facet = &scene->facets[i];
+            const struct pp_light_part *part = &scene->parts[i];
             grid->first = -1;
-            if (facet->opening >= 0 || !has_side(facet, &world->surfaces[i], side))
+            if (part->window >= 0 || !has_side(part, &world->surfaces[i], side))
                 continue;
             struct pp_bounds2 box =
-                bounds_of(&world->surfaces[i].outline, facet, scene->centre);
+                bounds_of(&world->surfaces[i].outline, part, scene->centre);
             double width = box.high[0] - box.low[0], height = box.high[1] - box.low[1];
             grid->columns = patches_along(width, size);
             grid->rows = patches_along(height, size);
@@ -105,62 +107,69 @@ static int lay_out(struct pp_radiosity *radiosity, const struct pp_ray_scene *sc
 
 static void place_patches(struct radiosity_patch *patches,
                           const struct pp_radiosity *radiosity,
-                          const struct pp_ray_scene *scene,
+                          const struct pp_light_scene *scene,
                           const struct pp_world *world)
 {
     for (int i = 0; i < world->surface_count; i++)
         for (int side = 0; side < 2; side++) {
             const struct pp_radiosity_grid *grid = &radiosity->grids[i][side];
-            const struct pp_facet *facet = &scene->facets[i];
+            const struct pp_light_part *part = &scene->parts[i];
             for (int k = 0; grid->first >= 0 && k < grid->columns * grid->rows; k++) {
                 double a = grid->a0 + k % grid->columns / grid->per_a;
                 double b = grid->b0 + k / grid->columns / grid->per_b;
                 struct radiosity_patch *patch = &patches[grid->first + k];
-                patch->facet = i;
-                patch->side = side;
+                patch->part = i;
+                patch->back = side == 1;
                 patch->in_figure =
-                    in_polygon(&world->surfaces[i].outline, facet, scene->centre, a, b);
+                    in_polygon(&world->surfaces[i].outline, part, scene->centre, a, b);
                 patch->point = pp_vec_along(
-                    pp_vec_along(pp_vec_scale(facet->normal, facet->offset_m), a,
-                                 facet->a),
-                    b, facet->b);
+                    pp_vec_along(pp_vec_scale(part->normal, part->offset_m), a,
+                                 part->a),
+                    b, part->b);
             }
         }
+}
+
+static const struct pp_material *material_of(const struct pp_light_scene *scene,
+                                             const struct radiosity_patch *patch)
+{
+    return &scene->materials[scene->parts[patch->part].material[patch->back]];
 }
 
 /* The irradiance of the patch by the openings, and the patches that its rays meet. */
 static void light_patch(struct radiosity_patch *patch,
                         const struct pp_radiosity *radiosity,
-                        const struct pp_ray_scene *scene, const struct pp_sobol *sobol,
-                        uint64_t seed)
+                        const struct pp_light_scene *scene,
+                        const struct pp_environment *environment,
+                        const struct pp_sobol *sobol, uint64_t seed)
 {
-    struct pp_path_state state = {.scene = scene};
-    pp_sobol_sequence_init(&state.sequence, sobol, seed);
-    const struct pp_facet *facet = &scene->facets[patch->facet];
-    struct pp_vec3 n =
-        patch->side == PP_FRONT ? facet->normal : pp_vec_scale(facet->normal, -1.0);
-    struct pp_light light = {{0.0, 0.0, 0.0}};
-    for (uint32_t i = 0; i < OPENING_SAMPLES; i++) {
-        double u[3];
-        state.index = i;
-        pp_sobol_sequence_draw(&state.sequence, i, 0, 3, u);
-        pp_path_openings(&state, patch->point, n, u, 0, 1.0 / OPENING_SAMPLES, PP_IRC,
-                         &light);
-    }
-    patch->own = facet->exitance + facet->reflectance[patch->side] * light.part[PP_IRC];
+    struct pp_path_state state = pp_path_state(scene, environment, NULL);
+    pp_sobol_sequence_init(&state.light.sequence, sobol, seed);
+    const struct pp_light_part *part = &scene->parts[patch->part];
+    const struct pp_material *material = material_of(scene, patch);
+    struct pp_vec3 n = patch->back ? pp_vec_scale(part->normal, -1.0) : part->normal;
+    struct pp_irradiance e =
+        pp_path_by_openings(&state, patch->point, n, 0, OPENING_SAMPLES);
+    patch->own =
+        PP_PI * material->radiance.g + material->diffuse.g * pp_irradiance_sum(&e).g;
     for (uint32_t i = 0; i < LOBE_SAMPLES; i++) {
         double u[2];
-        pp_sobol_sequence_draw(&state.sequence, i, 1, 2, u);
-        struct pp_vec3 to = pp_lobe_sample_in_frame(facet->a, facet->b, n, u[0], u[1]);
-        struct pp_contact met = pp_path_ray_first(&state, patch->point, n, to);
-        patch->seen[i] = pp_radiosity_nearest(radiosity, scene, &met);
+        struct pp_light_hit met;
+        pp_sobol_sequence_draw(&state.light.sequence, i, 1, 2, u);
+        const struct pp_light_ray ray = {
+            patch->point, n, pp_lobe_sample_in_frame(part->a, part->b, n, u[0], u[1]),
+            PP_INDOORS};
+        enum pp_meeting meeting = pp_radiance_state_meet(&state.light, &ray, &met);
+        patch->seen[i] = meeting == PP_MEETS_PART
+                             ? pp_radiosity_nearest(radiosity, scene, &met)
+                             : -1;
     }
 }
 
 /* Gauss-Seidel iteration: each patch gathers from those that its rays meet, in turn,
  * until the solution changes by less than 1e-4. */
 static void exchange(double *values, const struct radiosity_patch *patches, int count,
-                     const struct pp_ray_scene *scene)
+                     const struct pp_light_scene *scene)
 {
     for (int i = 0; i < count; i++)
         values[i] = patches[i].own;
@@ -172,8 +181,7 @@ static void exchange(double *values, const struct radiosity_patch *patches, int 
             for (int k = 0; k < LOBE_SAMPLES; k++)
                 if (patches[i].seen[k] >= 0)
                     sum += values[patches[i].seen[k]];
-            double reflectance =
-                scene->facets[patches[i].facet].reflectance[patches[i].side];
+            double reflectance = material_of(scene, &patches[i])->diffuse.g;
             double value = patches[i].own + reflectance * sum / LOBE_SAMPLES;
             change += fabs(value - values[i]);
             total += value;
@@ -201,16 +209,18 @@ static void fill_beside(struct pp_radiosity *radiosity,
 }
 
 static void work_out(struct pp_radiosity *radiosity, struct radiosity_patch *patches,
-                     const struct pp_ray_scene *scene, const struct pp_world *world,
+                     const struct pp_light_scene *scene,
+                     const struct pp_environment *environment,
                      const struct pp_sobol *sobol, uint64_t seed, int threads)
 {
+    const struct pp_world *world = scene->world;
     int count = radiosity->count;
     (void)threads;
     place_patches(patches, radiosity, scene, world);
 #pragma omp parallel for num_threads(threads) schedule(dynamic, 16)
     for (int i = 0; i < count; i++)
         if (patches[i].in_figure)
-            light_patch(&patches[i], radiosity, scene, sobol,
+            light_patch(&patches[i], radiosity, scene, environment, sobol,
                         pp_hash(seed, (uint64_t)i));
         else
             for (int k = 0; k < LOBE_SAMPLES; k++)
@@ -223,11 +233,12 @@ static void work_out(struct pp_radiosity *radiosity, struct radiosity_patch *pat
 }
 
 enum pp_status pp_radiosity_solve(struct pp_radiosity **result,
-                                  const struct pp_ray_scene *scene,
-                                  const struct pp_world *world,
+                                  const struct pp_light_scene *scene,
+                                  const struct pp_environment *environment,
                                   const struct pp_sobol *sobol, uint64_t seed,
                                   int threads, struct pp_error *err)
 {
+    const struct pp_world *world = scene->world;
     *result = NULL;
     int surfaces = 0;
     for (int i = 0; i < world->surface_count; i++)
@@ -238,7 +249,7 @@ enum pp_status pp_radiosity_solve(struct pp_radiosity **result,
     struct pp_radiosity *radiosity = calloc(1, sizeof *radiosity);
     if (!radiosity)
         return pp_fail_memory(err);
-    radiosity->grids = calloc((size_t)scene->facet_count, sizeof *radiosity->grids);
+    radiosity->grids = calloc((size_t)scene->part_count, sizeof *radiosity->grids);
     struct radiosity_patch *patches = NULL;
     if (radiosity->grids) {
         radiosity->count = lay_out(radiosity, scene, world);
@@ -250,7 +261,7 @@ enum pp_status pp_radiosity_solve(struct pp_radiosity **result,
         pp_radiosity_destroy(radiosity);
         return pp_fail_memory(err);
     }
-    work_out(radiosity, patches, scene, world, sobol, seed, threads);
+    work_out(radiosity, patches, scene, environment, sobol, seed, threads);
     free(patches);
     *result = radiosity;
     return PP_OK;

@@ -3,15 +3,15 @@
 #define PP_SIMULATE_TRACER_RADIOSITY_SOLVE_H
 
 #include "model/base/error.h"
-#include "model/room/world.h"
 #include "simulate/sampling/sobol.h"
+#include "simulate/scene/environment.h"
 #include "simulate/tracer/radiosity.h"
 
 /* On success *radiosity is the caller's; NULL where the room has so many surfaces that
  * a solution would not pay. */
 enum pp_status pp_radiosity_solve(struct pp_radiosity **radiosity,
-                                  const struct pp_ray_scene *scene,
-                                  const struct pp_world *world,
+                                  const struct pp_light_scene *scene,
+                                  const struct pp_environment *environment,
                                   const struct pp_sobol *sobol, uint64_t seed,
                                   int threads, struct pp_error *err);
 

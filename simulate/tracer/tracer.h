@@ -6,7 +6,7 @@
  *     while (!pp_tracer_done(tracer))
  *         if (pp_tracer_advance(tracer, 0.1, err) != PP_OK) ...
  *
- * With --error or --samples the answer depends on world, receivers and seed alone, to
+ * With --error or --samples the answer depends on world, light, receivers and seed alone, to
  * the bit, whatever the number of threads and the length of the slices.
  */
 #ifndef PP_SIMULATE_TRACER_TRACER_H
@@ -17,7 +17,8 @@
 
 #include "model/base/error.h"
 #include "model/results/reading.h"
-#include "model/room/world.h"
+#include "simulate/scene/environment.h"
+#include "simulate/scene/light_scene_of_world.h"
 
 struct pp_tracer_options {
     double
@@ -32,8 +33,11 @@ struct pp_tracer_options {
 
 struct pp_tracer;
 
-/* Copies the receivers; world must live as long as the tracer. */
-enum pp_status pp_tracer_create(struct pp_tracer **tracer, const struct pp_world *world,
+/* Copies the receivers; the scene and the light that falls on it must live as long as
+ * the tracer. */
+enum pp_status pp_tracer_create(struct pp_tracer **tracer,
+                                const struct pp_light_scene *scene,
+                                const struct pp_environment *environment,
                                 const struct pp_receiver *receivers, int receiver_count,
                                 const struct pp_tracer_options *options,
                                 struct pp_error *err);

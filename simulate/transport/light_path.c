@@ -4,8 +4,11 @@
 
 #include <math.h>
 
+#include "simulate/sampling/lobe.h"
+#include "simulate/scene/environment.h"
 #include "simulate/transport/light_sources.h"
 #include "simulate/transport/light_windows.h"
+#include "simulate/transport/window_store.h"
 
 enum {
     /* A path ends here where nothing ever absorbs. */
@@ -36,73 +39,132 @@ struct pp_rgb pp_light_path_follow(struct pp_radiance_state *state,
     return total;
 }
 
-struct pp_rgb pp_light_path_follow_from(struct pp_radiance_state *state,
-                                        struct pp_light_path *path,
-                                        enum pp_meeting meeting,
-                                        const struct pp_light_hit *hit)
-{
-    struct pp_rgb total = pp_rgb_grey(0.0);
-    if (pp_light_path_arrive(state, path, meeting, hit, &total))
-        total = pp_rgb_add(total, pp_light_path_follow(state, path, NULL));
-    return total;
-}
-
 /* ---- light at a surface ---- */
 
-/* Next-event estimation on each side of the surface that sends light on to the eye. */
+/* The light that comes to a window along the ray, which leaves it to the outside: known
+ * beforehand where nothing stands there, else read from the store, else that of a
+ * path. */
+static struct pp_rgb light_outside(struct pp_radiance_state *state,
+                                   const struct pp_shading_point *shading,
+                                   const struct pp_window_sample *sample,
+                                   enum pp_first_met *first_met)
+{
+    const struct pp_light_scene *scene = state->scene;
+    const struct pp_light_ray *ray = &sample->ray;
+    const struct pp_pane *pane = &scene->panes[sample->window];
+    struct pp_rgb radiance = pp_rgb_grey(0.0);
+    struct pp_light_hit hit;
+    enum pp_meeting meeting;
+    bool is_sky;
+    *first_met = PP_MET_OUTSIDE;
+    if (pane->unobstructed) {
+        double exitance;
+        if (state->every_ray)
+            pp_radiance_state_meet(state, ray, &hit);
+        meeting = PP_MEETS_ENVIRONMENT;
+        hit.distance_m = pp_environment_near_skyline(state->environment, ray->from,
+                                                     ray->to, &exitance);
+    } else {
+        meeting = pp_radiance_state_meet(state, ray, &hit);
+    }
+    if (meeting == PP_MEETS_ENVIRONMENT) {
+        radiance = pp_light_scene_environment(scene, state->environment, ray,
+                                              hit.distance_m, &is_sky);
+        *first_met = is_sky ? PP_MET_SKY : PP_MET_OUTSIDE;
+        return radiance;
+    }
+    if (meeting == PP_MEETS_LEAK
+        || (state->options.stored && state->store
+            && pp_window_table_radiance(&state->store->tables[sample->window],
+                                        &pane->target, ray->from, ray->to,
+                                        hit.distance_m, &radiance)))
+        return radiance;
+    struct pp_light_path path = pp_light_path_outside(
+        state, ray, pp_light_windows_vertex(shading, sample->window), shading->depth);
+    if (pp_light_path_arrive(state, &path, meeting, &hit, &radiance))
+        radiance = pp_rgb_add(radiance, pp_light_path_follow(state, &path, NULL));
+    *first_met = path.first_met;
+    return radiance;
+}
+
+void pp_light_path_windows(struct pp_radiance_state *state,
+                           const struct pp_shading_point *shading,
+                           struct pp_irradiance *sum)
+{
+    struct pp_window_sampling sampling;
+    struct pp_window_sample sample;
+    pp_light_windows_begin(state, shading, &sampling);
+    while (pp_light_windows_next(state, &sampling, &sample)) {
+        enum pp_first_met first_met;
+        struct pp_rgb light = light_outside(state, shading, &sample, &first_met);
+        struct pp_rgb *part = first_met == PP_MET_SKY      ? &sum->sky
+                              : first_met == PP_MET_INSIDE ? &sum->rest
+                                                           : &sum->outside;
+        *part = pp_rgb_add(*part, pp_rgb_times(sample.weight, light));
+    }
+}
+
+/* Next-event estimation at one side of a surface. */
 static struct pp_rgb direct_light(struct pp_radiance_state *state,
-                                  const struct pp_lobes *lobes,
-                                  const struct pp_light_hit *hit,
+                                  const struct pp_shading_point *shading,
                                   const struct pp_light_path *path)
 {
     struct pp_irradiance sum = {.rest = pp_rgb_grey(0.0)};
+    sum.sources = pp_light_sources_next_event(state, shading);
+    if (!path->from_window)
+        pp_light_path_windows(state, shading, &sum);
+    return pp_irradiance_sum(&sum);
+}
+
+/* The same at each side of it that sends light on to the eye. */
+static struct pp_rgb direct_light_of_lobes(struct pp_radiance_state *state,
+                                           const struct pp_lobes *lobes,
+                                           const struct pp_light_hit *hit,
+                                           const struct pp_light_path *path)
+{
+    struct pp_rgb sum = pp_rgb_grey(0.0);
     for (int side = 0; side < 2; side++) {
         const struct pp_rgb *share = lobes->share;
-        if (pp_rgb_is_black(share[side ? PP_LOBE_THROUGH_DIFFUSE : PP_LOBE_DIFFUSE])
-            && pp_rgb_is_black(share[side ? PP_LOBE_THROUGH_GLOSS : PP_LOBE_GLOSS]))
-            continue;
         struct pp_shading_point shading = {
             .point = hit->point,
             .normal = side ? pp_vec_scale(lobes->frame.z, -1.0) : lobes->frame.z,
             .space =
                 side ? pp_light_scene_parts_space(state->scene, hit->part, !hit->back)
                      : hit->space,
+            .diffuse = share[side ? PP_LOBE_THROUGH_DIFFUSE : PP_LOBE_DIFFUSE],
             .lobes = lobes,
             .vertex = side ? pp_path_vertex_branch(path->vertex, 0) : path->vertex,
             .depth = path->depth,
             .split = path->split,
-            .follow_outside = pp_light_path_follow_from};
-        sum.sources =
-            pp_rgb_add(sum.sources, pp_light_sources_next_event(state, &shading));
-        if (!path->from_window)
-            pp_light_windows_next_event(state, &shading, &sum);
-    }
-    return pp_irradiance_sum(&sum);
-}
-
-/* Diffuse inter-reflection from elsewhere (a cache), as far as that has it; a lobe that
- * it has is black from then on. */
-static struct pp_rgb ambient_reflected(const struct pp_radiance_state *state,
-                                       struct pp_lobes *lobes,
-                                       const struct pp_light_hit *hit,
-                                       const struct pp_light_path *path)
-{
-    struct pp_rgb sum = pp_rgb_grey(0.0), value;
-    struct pp_light_hit there = *hit;
-    there.point = pp_vec_add(hit->point, state->scene->centre);
-    for (int side = 0; side < 2; side++) {
-        struct pp_rgb *share =
-            &lobes->share[side ? PP_LOBE_THROUGH_DIFFUSE : PP_LOBE_DIFFUSE];
-        struct pp_vec3 normal =
-            side ? pp_vec_scale(lobes->frame.z, -1.0) : lobes->frame.z;
-        if (pp_rgb_is_black(*share)
-            || !state->ambient->irradiance(state->ambient->store, &there, normal,
-                                           path->depth, &value))
-            continue;
-        sum = pp_rgb_along(sum, 1.0 / PP_PI, pp_rgb_times(*share, value));
-        *share = pp_rgb_grey(0.0);
+            .arrival = side ? NULL : &path->here_arrival};
+        if (!pp_rgb_is_black(shading.diffuse)
+            || !pp_rgb_is_black(share[side ? PP_LOBE_THROUGH_GLOSS : PP_LOBE_GLOSS]))
+            sum = pp_rgb_add(sum, direct_light(state, &shading, path));
     }
     return sum;
+}
+
+/* What one side of a surface reflects of diffuse inter-reflection, *share of it, where
+ * that is known from elsewhere (a cache): *share is black from then on, as it is after
+ * the last diffuse reflection that is wanted. */
+static struct pp_rgb ambient_reflected(const struct pp_radiance_state *state,
+                                       const struct pp_light_hit *hit,
+                                       struct pp_vec3 normal, int depth,
+                                       struct pp_rgb *share)
+{
+    struct pp_rgb value = pp_rgb_grey(0.0);
+    bool last = state->options.bounces >= 0 && depth >= state->options.bounces;
+    if (pp_rgb_is_black(*share) || (!last && !state->ambient))
+        return value;
+    struct pp_light_hit there = *hit;
+    there.point = pp_vec_add(hit->point, state->scene->centre);
+    if (!last
+        && !state->ambient->irradiance(state->ambient->store, &there, normal, depth,
+                                       &value))
+        return value;
+    value = pp_rgb_scale(pp_rgb_times(*share, value), 1.0 / PP_PI);
+    *share = pp_rgb_grey(0.0);
+    return value;
 }
 
 /* The surface's own emission along the path, unless it was sampled directly; false
@@ -118,28 +180,52 @@ static bool add_emission(const struct pp_radiance_state *state,
     if (material->unseen && path->sampled == PP_DIRECTLY_SAMPLED_NONE)
         return true;
     int emitter = part->emitter[hit->back];
-    if (emitter < 0 || !pp_light_sources_directly_sampled(state, path, emitter))
-        *total = pp_rgb_add(*total, pp_rgb_times(path->throughput, material->radiance));
+    double weight = emitter < 0 ? 1.0 : pp_light_sources_weight(state, path, emitter);
+    *total = pp_rgb_along(*total, weight,
+                          pp_rgb_times(path->throughput, material->radiance));
     return !material->unseen;
 }
 
 /* The environment's light, with the distant sources that were not sampled directly. */
 static void add_environment(const struct pp_radiance_state *state,
-                            const struct pp_light_path *path, double near_m,
+                            struct pp_light_path *path, double near_m,
                             struct pp_rgb *total)
 {
     const struct pp_light_scene *scene = state->scene;
-    struct pp_rgb light = pp_light_scene_environment(scene, &path->ray, near_m, NULL);
-    for (int i = 0; i < scene->distant_count; i++)
-        if (scene->distants[i].emitter >= 0
-            && !pp_light_sources_directly_sampled(state, path,
-                                                  scene->distants[i].emitter))
-            light = pp_rgb_add(light,
-                               pp_light_scene_distant_radiance(scene, i, path->ray.to));
+    bool is_sky;
+    struct pp_rgb light = pp_light_scene_environment(scene, state->environment,
+                                                     &path->ray, near_m, &is_sky);
+    if (path->first_met == PP_MET_NOTHING)
+        path->first_met = is_sky ? PP_MET_SKY : PP_MET_OUTSIDE;
+    for (int i = 0; i < scene->distant_count; i++) {
+        struct pp_rgb of = pp_rgb_grey(0.0);
+        if (scene->distants[i].emitter >= 0)
+            of = pp_light_scene_distant_radiance(scene, i, path->ray.to);
+        if (!pp_rgb_is_black(of))
+            light = pp_rgb_along(
+                light, pp_light_sources_weight(state, path, scene->distants[i].emitter),
+                of);
+    }
     *total = pp_rgb_add(*total, pp_rgb_times(path->throughput, light));
 }
 
 /* ---- on from a surface ---- */
+
+static void note_met(struct pp_light_path *path, enum pp_space space)
+{
+    if (path->first_met == PP_MET_NOTHING)
+        path->first_met = space == PP_INDOORS ? PP_MET_INSIDE : PP_MET_OUTSIDE;
+}
+
+/* Russian roulette by the share of the throughput that is left: does the path go on? */
+static bool survives(struct pp_light_path *path, double least, double u)
+{
+    double chance = pp_rgb_most(path->throughput) / least;
+    if (chance >= 1.0)
+        return true;
+    path->throughput = pp_rgb_scale(path->throughput, 1.0 / chance);
+    return u < chance;
+}
 
 /* One of the lobes with a probability in proportion to its share; PP_LOBE_COUNT: all
  * are black. The throughput is multiplied by the share over the probability. */
@@ -172,17 +258,23 @@ static void note_sampled(const struct pp_radiance_state *state,
                          struct pp_light_path *path, const struct pp_lobes *lobes,
                          enum pp_lobe lobe, const struct pp_light_hit *hit)
 {
-    if (lobe != PP_LOBE_STRAIGHT)
+    if (lobe != PP_LOBE_STRAIGHT || path->ray.space == PP_OUTDOORS)
         path->sampled_in = path->ray.space;
-    if (lobe == PP_LOBE_DIFFUSE || lobe == PP_LOBE_THROUGH_DIFFUSE) {
+    path->from_diffuse = lobe == PP_LOBE_DIFFUSE || lobe == PP_LOBE_THROUGH_DIFFUSE;
+    if (path->from_diffuse) {
         path->sampled = PP_DIRECTLY_SAMPLED_ALL;
         path->mirror_path = -1;
         path->depth++;
     } else if (lobe == PP_LOBE_GLOSS || lobe == PP_LOBE_THROUGH_GLOSS) {
-        path->sampled = PP_DIRECTLY_SAMPLED_SMALL;
+        path->sampled = PP_DIRECTLY_SAMPLED_GLOSS;
         path->mirror_path = -1;
         path->gloss_point = hit->point;
-        path->gloss_size = PP_DIRECTLY_SAMPLED_WIDTHS * pp_scatter_gloss_width(lobes);
+        path->gloss_normal = path->ray.off;
+        path->gloss_split = path->here_split;
+        path->arrival = path->here_arrival;
+        if (lobe == PP_LOBE_THROUGH_GLOSS)
+            path->arrival.reflector = -1;
+        path->gloss_pdf = pp_scatter_gloss_pdf(lobes, path->ray.to);
     } else if (lobe == PP_LOBE_MIRROR) {
         path->mirror_path = pp_mirrors_path_extend(
             state->scene, path->mirror_path, state->scene->parts[hit->part].mirror);
@@ -203,6 +295,8 @@ static bool leave_by(const struct pp_radiance_state *state, struct pp_light_path
     path->throughput = pp_rgb_scale(path->throughput, factor);
     bool through = lobe == PP_LOBE_THROUGH_DIFFUSE || lobe == PP_LOBE_THROUGH_GLOSS
                    || lobe == PP_LOBE_STRAIGHT;
+    if (!through)
+        note_met(path, hit->space);
     path->ray.from = hit->point;
     path->ray.off = through ? pp_vec_scale(lobes->frame.z, -1.0) : lobes->frame.z;
     path->ray.space =
@@ -224,12 +318,7 @@ static bool go_on(struct pp_radiance_state *state, struct pp_light_path *path,
     if (lobe == PP_LOBE_COUNT || !leave_by(state, path, lobes, lobe, hit, u[0], u[1]))
         return false;
     bool diffuse = lobe == PP_LOBE_DIFFUSE || lobe == PP_LOBE_THROUGH_DIFFUSE;
-    double least = diffuse ? path->least : LEAST_GLOSS * path->least;
-    double chance = pp_rgb_most(path->throughput) / least;
-    if (chance >= 1.0)
-        return true;
-    path->throughput = pp_rgb_scale(path->throughput, 1.0 / chance);
-    return u[3] < chance;
+    return survives(path, diffuse ? path->least : LEAST_GLOSS * path->least, u[3]);
 }
 
 /* The light of one of the lobes, by a path of its own. */
@@ -278,32 +367,104 @@ static bool scatters(const struct pp_lobes *lobes)
     return false;
 }
 
-/* The point that was met, back along the ray by half of what lifts rays off their
- * surface (rays.h): in a corner, to the bit, it would lie in the other surface too, and
- * a ray that starts there might be on the wrong side of that. */
-static struct pp_light_hit drawn_back(const struct pp_light_hit *hit, struct pp_vec3 to)
-{
-    struct pp_light_hit back = *hit;
-    double reach = fabs(hit->point.x) + fabs(hit->point.y) + fabs(hit->point.z);
-    back.point = pp_vec_along(hit->point, -0x1p-21 - 0x1p-21 * reach, to);
-    return back;
-}
-
 /* The material's lobes towards the eye, without those whose light was sampled
  * directly. */
-static void lobes_of(const struct pp_radiance_state *state,
-                     const struct pp_light_path *path, const struct pp_light_hit *hit,
-                     struct pp_lobes *lobes)
+static void lobes_of(struct pp_radiance_state *state, const struct pp_light_path *path,
+                     const struct pp_light_hit *hit, struct pp_lobes *lobes)
 {
     const struct pp_light_scene *scene = state->scene;
     pp_scatter_init(lobes, &scene->materials[hit->material],
                     pp_light_scene_gloss(scene, hit->material), hit->normal,
                     pp_vec_scale(path->ray.to, -1.0));
     int window = scene->parts[hit->part].window;
-    if (window >= 0 && !hit->back
-        && pp_light_windows_directly_sampled(state, path, window))
-        lobes->share[PP_LOBE_STRAIGHT] = lobes->share[PP_LOBE_THROUGH_DIFFUSE] =
-            pp_rgb_grey(0.0);
+    if (window < 0 || hit->back)
+        return;
+    double weight = pp_light_windows_weight(state, path, window);
+    lobes->share[PP_LOBE_STRAIGHT] =
+        pp_rgb_scale(lobes->share[PP_LOBE_STRAIGHT], weight);
+    lobes->share[PP_LOBE_THROUGH_DIFFUSE] =
+        pp_rgb_scale(lobes->share[PP_LOBE_THROUGH_DIFFUSE], weight);
+}
+
+/* An opaque, diffuse surface: the usual one, with one lobe. */
+static bool scatter_matt(struct pp_radiance_state *state, struct pp_light_path *path,
+                         const struct pp_light_hit *hit, struct pp_rgb *total)
+{
+    const struct pp_light_part *part = &state->scene->parts[hit->part];
+    struct pp_rgb albedo = state->scene->materials[hit->material].diffuse;
+    struct pp_shading_point shading = {
+        .point = pp_path_vertex_drawn_back(hit->point, path->ray.to),
+        .normal = hit->normal,
+        .space = hit->space,
+        .diffuse = albedo,
+        .vertex = path->vertex,
+        .depth = path->depth,
+        .split = path->split};
+    note_met(path, hit->space);
+    if (pp_rgb_is_black(albedo))
+        return false;
+    struct pp_rgb here = direct_light(state, &shading, path);
+    here = pp_rgb_add(here,
+                      ambient_reflected(state, hit, hit->normal, path->depth, &albedo));
+    *total = pp_rgb_add(*total, pp_rgb_times(path->throughput, here));
+    path->throughput = pp_rgb_times(path->throughput, albedo);
+    if (pp_rgb_is_black(albedo))
+        return false;
+    double u[4]; /* direction (2), none, Russian roulette */
+    struct pp_vec3 a = part->a, b = part->b;
+    if (part->round >= 0)
+        pp_lobe_frame(hit->normal, &a, &b);
+    pp_sobol_sequence_draw(&state->sequence, state->index, path->vertex * PP_DRAWS, 4,
+                           u);
+    path->ray = (struct pp_light_ray){
+        shading.point, hit->normal,
+        pp_lobe_sample_in_frame(a, b, hit->normal, u[0], u[1]), hit->space};
+    path->sampled = PP_DIRECTLY_SAMPLED_ALL;
+    path->sampled_in = hit->space;
+    path->from_diffuse = true;
+    path->mirror_path = -1;
+    path->depth++;
+    path->split = false;
+    return survives(path, path->least, u[3]);
+}
+
+/* How a ray has come to a reflector, for light that was sampled by way of it. */
+static struct pp_arrival arrival_of(const struct pp_radiance_state *state,
+                                    const struct pp_light_path *path,
+                                    const struct pp_light_hit *hit)
+{
+    int reflector = state->scene->parts[hit->part].reflector[hit->back];
+    if (!path->from_diffuse || reflector < 0 || !state->options.sources)
+        return (struct pp_arrival){.reflector = -1};
+    return (struct pp_arrival){reflector, path->ray.from, path->ray.to,
+                               pp_vec_dot(path->ray.off, path->ray.to) / PP_PI};
+}
+
+/* Any other surface. */
+static bool scatter(struct pp_radiance_state *state, struct pp_light_path *path,
+                    const struct pp_light_hit *hit, struct pp_rgb *total)
+{
+    struct pp_lobes lobes;
+    lobes_of(state, path, hit, &lobes);
+    path->here_arrival = arrival_of(state, path, hit);
+    struct pp_light_hit from = *hit;
+    from.point = pp_path_vertex_drawn_back(hit->point, path->ray.to);
+    struct pp_rgb here = direct_light_of_lobes(state, &lobes, &from, path);
+    /* Behind clear glass it is still the first surface that scatters. */
+    bool first = path->split && path->bounces <= FIRST_FEW;
+    path->here_split = path->split;
+    path->split = path->split && !scatters(&lobes);
+    for (int side = 0; side < 2; side++)
+        here = pp_rgb_add(
+            here, ambient_reflected(
+                      state, hit, side ? pp_vec_scale(hit->normal, -1.0) : hit->normal,
+                      path->depth,
+                      &lobes.share[side ? PP_LOBE_THROUGH_DIFFUSE : PP_LOBE_DIFFUSE]));
+    *total = pp_rgb_add(*total, pp_rgb_times(path->throughput, here));
+    if (first)
+        *total =
+            pp_rgb_add(*total, follow_gloss_and_mirror(state, path, &lobes, &from));
+    return go_on(state, path, &lobes, &from);
 }
 
 bool pp_light_path_arrive(struct pp_radiance_state *state, struct pp_light_path *path,
@@ -315,25 +476,9 @@ bool pp_light_path_arrive(struct pp_radiance_state *state, struct pp_light_path 
     if (meeting != PP_MEETS_PART || path->bounces++ > MOST_BOUNCES
         || !add_emission(state, path, hit, total))
         return false;
-
-    struct pp_lobes lobes;
-    lobes_of(state, path, hit, &lobes);
-    struct pp_light_hit from = drawn_back(hit, path->ray.to);
-    struct pp_rgb here = direct_light(state, &lobes, &from, path);
-    /* Behind clear glass it is still the first surface that scatters. */
-    bool first = path->split && path->bounces <= FIRST_FEW;
-    path->split = path->split && !scatters(&lobes);
-    int most = state->options.bounces;
-    if (most >= 0 && path->depth >= most)
-        lobes.share[PP_LOBE_DIFFUSE] = lobes.share[PP_LOBE_THROUGH_DIFFUSE] =
-            pp_rgb_grey(0.0);
-    else if (state->ambient)
-        here = pp_rgb_add(here, ambient_reflected(state, &lobes, hit, path));
-    *total = pp_rgb_add(*total, pp_rgb_times(path->throughput, here));
-    if (first)
-        *total =
-            pp_rgb_add(*total, follow_gloss_and_mirror(state, path, &lobes, &from));
-    bool goes = go_on(state, path, &lobes, &from);
+    bool matt = state->scene->parts[hit->part].matt[hit->back];
+    bool goes =
+        matt ? scatter_matt(state, path, hit, total) : scatter(state, path, hit, total);
     path->vertex++;
     return goes;
 }

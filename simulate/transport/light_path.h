@@ -4,13 +4,14 @@
  * Paths run backwards, from the eye or a sensor. At each surface that scatters, light
  * of concentrated emitters and windows is added by next-event estimation
  * (light_sources.h, light_windows.h); then the path goes on by one of the material's
- * lobes. Light is counted by one of the two ways, never by both: if the path's own ray
- * comes to an emitter or a window that was sampled directly from where the ray starts,
- * it counts nothing. No weights of multiple importance sampling are needed.
+ * lobes. If its own ray comes to an emitter or a window that was sampled directly from
+ * where the ray starts, that light counts nothing after a diffuse lobe, and after a gloss
+ * by the weights of multiple importance sampling.
  */
 #ifndef PP_SIMULATE_TRANSPORT_LIGHT_PATH_H
 #define PP_SIMULATE_TRANSPORT_LIGHT_PATH_H
 
+#include "simulate/transport/irradiance.h"
 #include "simulate/transport/path_vertex.h"
 #include "simulate/transport/radiance_state.h"
 
@@ -25,10 +26,26 @@ struct pp_rgb pp_light_path_follow(struct pp_radiance_state *state,
                                    struct pp_light_path *path,
                                    struct pp_light_hit *first);
 
-/* Follows a path whose ray has met `hit` already. */
-struct pp_rgb pp_light_path_follow_from(struct pp_radiance_state *state,
-                                        struct pp_light_path *path,
-                                        enum pp_meeting meeting,
-                                        const struct pp_light_hit *hit);
+/* A path that goes on outside from a window that was sampled directly. */
+static inline struct pp_light_path pp_light_path_outside(
+    const struct pp_radiance_state *state, const struct pp_light_ray *ray, int vertex,
+    int depth)
+{
+    return (struct pp_light_path){.ray = *ray,
+                                  .throughput = pp_rgb_grey(1.0),
+                                  .least = state->options.least,
+                                  .sampled = PP_DIRECTLY_SAMPLED_ALL,
+                                  .sampled_in = PP_OUTDOORS,
+                                  .mirror_path = -1,
+                                  .depth = depth,
+                                  .vertex = vertex,
+                                  .from_window = true};
+}
+
+/* One sample of the light that the shading point sends on to the eye from all windows,
+ * added to sky, outside or, where an opening leads back into the room, rest of *sum. */
+void pp_light_path_windows(struct pp_radiance_state *state,
+                           const struct pp_shading_point *shading,
+                           struct pp_irradiance *sum);
 
 #endif

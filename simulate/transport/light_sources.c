@@ -13,20 +13,6 @@ enum {
     MOST_MIRRORED = 8,
 };
 
-bool pp_light_sources_directly_sampled(const struct pp_radiance_state *state,
-                                       const struct pp_light_path *path, int emitter)
-{
-    if (!state->options.sources || path->sampled == PP_DIRECTLY_SAMPLED_NONE)
-        return false;
-    if (path->sampled == PP_DIRECTLY_SAMPLED_ALL)
-        return true;
-    struct pp_vec3 from =
-        pp_mirrors_path_point(state->scene, path->mirror_path, path->gloss_point);
-    return pp_emitters_angular_size(&state->scene->emitters[emitter], state->scene,
-                                    from)
-           < path->gloss_size;
-}
-
 /* How light gets from an emitter to the shading point: straight (mirror_path -1), or by
  * mirrors. */
 struct connection {
@@ -55,6 +41,64 @@ static struct connection connection_of(const struct pp_light_scene *scene,
     return connection;
 }
 
+/* The connections that are sampled with one: the straight ones, or those by mirrors. */
+struct connection_group {
+    int first, end, most;
+};
+
+static struct connection_group group_of(const struct pp_light_scene *scene,
+                                        bool straight)
+{
+    int count = scene->emitter_count;
+    if (straight)
+        return (struct connection_group){0, count, MOST_EMITTERS};
+    return (struct connection_group){count, count * (1 + scene->mirror_path_count),
+                                     MOST_MIRRORED};
+}
+
+/* All of them at the first surface if they are not too many, else one at random. */
+static bool samples_all(struct connection_group group, bool split)
+{
+    int count = group.end - group.first;
+    return count <= 1 || (split && count <= group.most);
+}
+
+/* How many directions go to an emitter by a connection; on the average, where one is
+ * chosen. */
+static double samples_of(const struct pp_radiance_state *state, bool split,
+                         const struct connection *connection)
+{
+    struct connection_group group = group_of(state->scene, connection->mirror_path < 0);
+    if (!samples_all(group, split))
+        return 1.0 / (group.end - group.first);
+    return pp_path_vertex_direction_count(state, split, connection->angular_size);
+}
+
+double pp_light_sources_weight(const struct pp_radiance_state *state,
+                               const struct pp_light_path *path, int emitter)
+{
+    const struct pp_light_scene *scene = state->scene;
+    if (!state->options.sources || path->sampled == PP_DIRECTLY_SAMPLED_NONE)
+        return 1.0;
+    if (path->sampled == PP_DIRECTLY_SAMPLED_ALL)
+        return 0.0;
+    const struct pp_shading_point shading = {.point = path->gloss_point,
+                                             .normal = path->gloss_normal};
+    struct connection connection = connection_of(
+        scene, &shading, emitter + (path->mirror_path + 1) * scene->emitter_count);
+    struct pp_emitter_sampler sampler;
+    if (!pp_emitters_sampler_init(&sampler, scene, connection.emitter, connection.from,
+                                  connection.n))
+        return 1.0;
+    double share = path->mirror_path < 0
+                       ? pp_path_vertex_arrival_weight(scene, &path->arrival, emitter)
+                       : 1.0;
+    return share
+           * pp_path_vertex_mis(path->gloss_pdf,
+                                samples_of(state, path->gloss_split, &connection)
+                                    * pp_emitters_pdf(&sampler, path->ray.to));
+}
+
 /* Light from one direction to an emitter: BRDF, cosine and visibility times radiance,
  * over the direction's density. */
 static struct pp_rgb light_from(struct pp_radiance_state *state,
@@ -70,7 +114,13 @@ static struct pp_rgb light_from(struct pp_radiance_state *state,
     double cosine = pp_vec_dot(shading->normal, to), left = sample->distance_m;
     if (!(cosine > 0.0))
         return none;
-    struct pp_rgb f = pp_path_vertex_brdf(shading, to, connection->angular_size);
+    double share = 1.0;
+    if (shading->arrival && connection->mirror_path < 0)
+        share = pp_path_vertex_arrival_weight(scene, shading->arrival,
+                                              (int)(emitter - scene->emitters));
+    struct pp_rgb f = pp_path_vertex_brdf(
+        shading, to,
+        samples_of(state, shading->split, connection) / sample->per_density, share);
     if (pp_rgb_is_black(f))
         return none;
     struct pp_light_ray ray = pp_path_vertex_shadow_ray(shading, to);
@@ -101,7 +151,7 @@ static struct pp_rgb sample_connection(struct pp_radiance_state *state,
                                   connection.from, connection.n))
         return sum;
     uint32_t count =
-        pp_path_vertex_direction_count(state, shading, connection.angular_size);
+        pp_path_vertex_direction_count(state, shading->split, connection.angular_size);
     for (uint32_t i = 0; i < count; i++) {
         double u[2];
         struct pp_direction_sample sample;
@@ -137,16 +187,17 @@ static double importance_of(const void *of, int index)
                                     connection.n);
 }
 
-/* The connections from `first` to `end`: all of them at the first surface if they are
- * no more than `most`, else one at random. */
+/* Those of the group. */
 static struct pp_rgb sample_connections(struct pp_radiance_state *state,
                                         const struct pp_shading_point *shading,
-                                        int first, int end, int most, int vertex)
+                                        bool straight, int vertex)
 {
     struct pp_rgb sum = pp_rgb_grey(0.0);
-    if (end - first <= 1 || (shading->split && end - first <= most)) {
-        for (int i = first; i < end; i++) {
-            int own = i == first ? vertex : pp_path_vertex_branch(vertex, i - first);
+    struct connection_group group = group_of(state->scene, straight);
+    if (samples_all(group, shading->split)) {
+        for (int i = group.first; i < group.end; i++) {
+            int own = i == group.first ? vertex
+                                       : pp_path_vertex_branch(vertex, i - group.first);
             sum = pp_rgb_add(sum, sample_connection(state, shading, i, own));
         }
         return sum;
@@ -154,25 +205,67 @@ static struct pp_rgb sample_connections(struct pp_radiance_state *state,
     double u, probability;
     pp_sobol_sequence_draw(&state->sequence, state->index,
                            pp_path_vertex_branch(vertex, 0), 1, &u);
-    struct connections connections = {state->scene, shading, first};
-    int chosen = pp_choose(importance_of, &connections, end - first, u, &probability);
+    struct connections connections = {state->scene, shading, group.first};
+    int chosen = pp_choose(importance_of, &connections, group.end - group.first, u,
+                           &probability);
     if (chosen < 0)
         return sum;
-    return pp_rgb_scale(sample_connection(state, shading, first + chosen, vertex),
+    return pp_rgb_scale(sample_connection(state, shading, group.first + chosen, vertex),
                         1.0 / probability);
+}
+
+/* Light of one emitter by one reflector (reflectors.h), at a diffuse side. */
+static struct pp_rgb sample_reflection(struct pp_radiance_state *state,
+                                       const struct pp_shading_point *shading)
+{
+    const struct pp_light_scene *scene = state->scene;
+    struct pp_rgb none = pp_rgb_grey(0.0);
+    int most = state->options.bounces;
+    if (scene->reflection_count == 0 || pp_rgb_is_black(shading->diffuse)
+        || (most >= 0 && shading->depth >= most))
+        return none;
+    double u[3];
+    int vertex =
+        pp_path_vertex_branch(shading->vertex * PP_DRAWS + PP_DRAW_SOURCES, -2);
+    pp_sobol_sequence_draw(&state->sequence, state->index, vertex, 3, u);
+    int index = pp_reflectors_choose(scene, u[2]);
+    const struct pp_reflection *reflection = &scene->reflections[index];
+    struct pp_light_ray ray = pp_path_vertex_shadow_ray(shading, shading->normal);
+    struct pp_light_hit hit;
+    if (!pp_reflectors_sample(scene, index, shading->point, u[0], u[1], &ray.to))
+        return none;
+    double cosine = pp_vec_dot(shading->normal, ray.to);
+    if (!(cosine > 0.0) || pp_radiance_state_meet(state, &ray, &hit) != PP_MEETS_PART
+        || scene->parts[hit.part].reflector[hit.back] != reflection->reflector)
+        return none;
+    struct pp_lobes lobes;
+    pp_scatter_init(&lobes, &scene->materials[hit.material],
+                    pp_light_scene_gloss(scene, hit.material), hit.normal,
+                    pp_vec_scale(ray.to, -1.0));
+    const struct pp_shading_point there = {
+        .point = pp_path_vertex_drawn_back(hit.point, ray.to),
+        .normal = hit.normal,
+        .space = hit.space,
+        .diffuse = none,
+        .lobes = &lobes,
+        .vertex = vertex,
+        .whole_gloss = true};
+    struct pp_rgb light = sample_connection(state, &there, reflection->emitter,
+                                            pp_path_vertex_branch(vertex, 0));
+    double pdf = pp_reflectors_pdf(scene, index, shading->point, ray.to);
+    double weight = pp_path_vertex_mis(pdf, cosine / PP_PI);
+    return pp_rgb_scale(pp_rgb_times(light, shading->diffuse),
+                        weight * cosine / (PP_PI * pdf));
 }
 
 struct pp_rgb pp_light_sources_next_event(struct pp_radiance_state *state,
                                           const struct pp_shading_point *shading)
 {
-    int count = state->scene->emitter_count;
-    if (!state->options.sources || count == 0)
+    if (!state->options.sources || state->scene->emitter_count == 0)
         return pp_rgb_grey(0.0);
     int vertex = shading->vertex * PP_DRAWS + PP_DRAW_SOURCES;
-    struct pp_rgb straight =
-        sample_connections(state, shading, 0, count, MOST_EMITTERS, vertex);
-    struct pp_rgb mirrored = sample_connections(
-        state, shading, count, count * (1 + state->scene->mirror_path_count),
-        MOST_MIRRORED, pp_path_vertex_branch(vertex, -1));
-    return pp_rgb_add(straight, mirrored);
+    struct pp_rgb sum = sample_connections(state, shading, true, vertex);
+    sum = pp_rgb_add(sum, sample_connections(state, shading, false,
+                                             pp_path_vertex_branch(vertex, -1)));
+    return pp_rgb_add(sum, sample_reflection(state, shading));
 }

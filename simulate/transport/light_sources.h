@@ -16,8 +16,9 @@
 struct pp_rgb pp_light_sources_next_event(struct pp_radiance_state *state,
                                           const struct pp_shading_point *shading);
 
-/* Has the emitter been sampled directly from where the path's ray starts? */
-bool pp_light_sources_directly_sampled(const struct pp_radiance_state *state,
-                                       const struct pp_light_path *path, int emitter);
+/* The weight of light that the path's own ray has found at the emitter: 0 where
+ * next-event estimation has it, 1 where it has nothing of it. */
+double pp_light_sources_weight(const struct pp_radiance_state *state,
+                               const struct pp_light_path *path, int emitter);
 
 #endif

@@ -1,182 +1,209 @@
-/* light_windows.c - direct light of windows: directions to the panes, and the light
- * outside in those directions. */
+/* light_windows.c - directions to the panes, and what light along them is worth at the
+ * shading point. */
 #include "simulate/transport/light_windows.h"
 
 #include <math.h>
 
 #include "simulate/sampling/lobe.h"
-#include "simulate/transport/window_store.h"
+#include "simulate/scene/environment.h"
 
-static double angular_size(const struct pp_light_scene *scene, int window,
-                           struct pp_vec3 from)
+/* Up to this many windows are all sampled. One of them at random was most of a path's
+ * noise: all of them have a quarter less in the example studio. */
+enum { FEW_WINDOWS = 4 };
+
+int pp_light_windows_vertex(const struct pp_shading_point *shading, int window)
 {
-    const struct pp_target *target = &scene->room->panes[window].target;
-    struct pp_vec3 to = pp_vec_sub(target->middle, from);
-    return sqrt(target->area_m2 / pp_vec_dot(to, to));
+    return pp_path_vertex_branch(pp_path_vertex_branch(shading->vertex, PP_DRAW_PANES),
+                                 window);
 }
 
-bool pp_light_windows_directly_sampled(const struct pp_radiance_state *state,
-                                       const struct pp_light_path *path, int window)
+/* Was the sampler made for this target, point and normal? */
+static bool is_made_for(const struct pp_polygon_sampler *sampler,
+                        const struct pp_target *target,
+                        const struct pp_shading_point *shading)
+{
+    return sampler->target == target && sampler->from.x == shading->point.x
+           && sampler->from.y == shading->point.y && sampler->from.z == shading->point.z
+           && sampler->facing.x == shading->normal.x
+           && sampler->facing.y == shading->normal.y
+           && sampler->facing.z == shading->normal.z;
+}
+
+/* NULL where the window is out of sight. */
+static const struct pp_polygon_sampler *sampler_of(
+    struct pp_radiance_state *state, const struct pp_shading_point *shading, int window)
+{
+    const struct pp_target *target = &state->scene->panes[window].target;
+    struct pp_polygon_sampler *sampler = &state->samplers[window % PP_KEPT_SAMPLERS];
+    if (is_made_for(sampler, target, shading))
+        return sampler;
+    if (!pp_sample_polygon_in_sight(target, shading->point, shading->normal))
+        return NULL;
+    pp_sample_polygon_init(sampler, target, shading->point, shading->normal,
+                           state->environment->brightness);
+    return sampler;
+}
+
+static bool samples_all(const struct pp_light_scene *scene, bool split)
+{
+    return split || scene->pane_count <= FEW_WINDOWS;
+}
+
+/* How many directions go to a window; on the average, where one window is chosen. */
+static double samples_of(const struct pp_radiance_state *state, bool split, int window,
+                         struct pp_vec3 point)
+{
+    const struct pp_light_scene *scene = state->scene;
+    if (!samples_all(scene, split))
+        return 1.0 / scene->pane_count;
+    return pp_path_vertex_direction_count(
+        state, split, pp_openings_angular_size(&scene->panes[window], point));
+}
+
+double pp_light_windows_weight(struct pp_radiance_state *state,
+                               const struct pp_light_path *path, int window)
 {
     if (!state->options.windows || path->from_window || path->sampled_in == PP_OUTDOORS
         || path->sampled == PP_DIRECTLY_SAMPLED_NONE || path->mirror_path >= 0)
-        return false;
+        return 1.0;
     if (path->sampled == PP_DIRECTLY_SAMPLED_ALL)
-        return true;
-    return angular_size(state->scene, window, path->gloss_point) < path->gloss_size;
+        return 0.0;
+    struct pp_shading_point shading = {.point = path->gloss_point,
+                                       .normal = path->gloss_normal};
+    const struct pp_polygon_sampler *sampler = sampler_of(state, &shading, window);
+    if (!sampler)
+        return 1.0;
+    return pp_path_vertex_mis(
+        path->gloss_pdf, samples_of(state, path->gloss_split, window, shading.point)
+                             * pp_sample_polygon_pdf(sampler, path->ray.to));
 }
 
-/* The light that comes to the window along the ray, which leaves it to the outside:
- * known beforehand where nothing stands there, else read from the store, else that of a
- * path. */
-static struct pp_rgb light_outside(struct pp_radiance_state *state,
-                                   const struct pp_shading_point *shading,
-                                   const struct pp_light_ray *ray, int window,
-                                   int vertex, bool *is_sky)
+/* The ray that leaves the window where the direction meets it, its weight multiplied by
+ * the transmittance. Behind a diffusing pane the direction is another one. */
+static void leave(struct pp_radiance_state *state,
+                  const struct pp_shading_point *shading,
+                  const struct pp_direction_sample *to, struct pp_window_sample *sample)
 {
-    const struct pp_light_scene *scene = state->scene;
-    *is_sky = false;
-    if (scene->room->panes[window].unobstructed) {
-        double exitance, near = pp_environment_near_skyline(
-                             &scene->room->environment, ray->from, ray->to, &exitance);
-        return pp_light_scene_environment(scene, ray, near, is_sky);
-    }
-    struct pp_light_hit hit;
-    enum pp_meeting meeting = pp_radiance_state_meet(state, ray, &hit);
-    if (meeting == PP_MEETS_ENVIRONMENT)
-        return pp_light_scene_environment(scene, ray, hit.distance_m, is_sky);
-    struct pp_rgb radiance = pp_rgb_grey(0.0);
-    if (meeting == PP_MEETS_LEAK)
-        return radiance;
-    if (state->options.stored && state->store
-        && pp_window_table_radiance(&state->store->tables[window],
-                                    &scene->room->panes[window].target, ray->from,
-                                    ray->to, hit.distance_m, &radiance))
-        return radiance;
-    struct pp_light_path path =
-        pp_path_vertex_outside(state, ray, vertex, shading->depth);
-    return shading->follow_outside(state, &path, meeting, &hit);
-}
-
-/* Up to this many windows are all sampled. One of them at random was most of a path's
- * noise: all of them have a quarter less in the
- * example studio. */
-enum { FEW_WINDOWS = 4 };
-
-/* The light that a diffusing pane gives off to the room at a point, by one direction
- * from outside. */
-static struct pp_rgb light_of_pane(struct pp_radiance_state *state,
-                                   const struct pp_shading_point *shading, int window,
-                                   struct pp_vec3 point, int vertex,
-                                   struct pp_rgb transmittance, bool *is_sky)
-{
-    const struct pp_facet *facet =
-        &state->scene->room->facets[state->scene->room->panes[window].facet];
-    struct pp_vec3 out = pp_vec_scale(facet->normal, -1.0);
-    double u[2];
-    pp_sobol_sequence_draw(&state->sequence, state->index, vertex, 2, u);
-    struct pp_light_ray ray = {
-        point, out, pp_lobe_sample_in_frame(facet->a, facet->b, out, u[0], u[1]),
-        PP_OUTDOORS};
-    return pp_rgb_times(transmittance,
-                        light_outside(state, shading, &ray, window,
-                                      pp_path_vertex_branch(vertex, 1), is_sky));
-}
-
-/* The radiance of the pane towards the shading point; *is_sky: it is the sky's. */
-static struct pp_rgb pane_radiance(struct pp_radiance_state *state,
-                                   const struct pp_shading_point *shading, int window,
-                                   const struct pp_direction_sample *sample,
-                                   bool *is_sky)
-{
-    const struct pp_light_scene *scene = state->scene;
-    const struct pp_light_part *part = &scene->parts[scene->room->panes[window].facet];
-    const struct pp_material *material = &scene->materials[part->material[0]];
-    int vertex = pp_path_vertex_branch(
-        pp_path_vertex_branch(shading->vertex, PP_DRAW_PANES), window);
-    if (material->kind == PP_MATERIAL_TRANSLUCENT)
-        return light_of_pane(state, shading, window, sample->point, vertex,
-                             material->through_diffuse, is_sky);
-    struct pp_light_ray ray = {sample->point, pp_vec_scale(part->normal, -1.0),
-                               sample->direction, PP_OUTDOORS};
-    double cosine = -pp_vec_dot(part->normal, sample->direction);
-    return pp_rgb_times(pp_scatter_regular_transmittance(material, cosine),
-                        light_outside(state, shading, &ray, window, vertex, is_sky));
-}
-
-/* Light from one direction to a window; *is_sky: it is the sky's. */
-static struct pp_rgb light_from(struct pp_radiance_state *state,
-                                const struct pp_shading_point *shading, int window,
-                                double size, const struct pp_direction_sample *sample,
-                                bool *is_sky)
-{
-    const struct pp_pane *pane = &state->scene->room->panes[window];
-    struct pp_rgb none = pp_rgb_grey(0.0), through = pp_rgb_grey(1.0);
-    *is_sky = false;
-    double cosine = pp_vec_dot(shading->normal, sample->direction);
-    if (!(cosine > 0.0))
-        return none;
-    struct pp_rgb f = pp_path_vertex_brdf(shading, sample->direction, size);
-    bool open = pane->seen_by_all && shading->space == PP_INDOORS;
-    if (pp_rgb_is_black(f)
-        || (!open
-            && !pp_radiance_state_unoccluded(
-                state, pp_path_vertex_shadow_ray(shading, sample->direction),
-                pane->facet, sample->distance_m, &through)))
-        return none;
-    f = pp_rgb_scale(pp_rgb_times(f, through), cosine * sample->per_density);
-    return pp_rgb_times(f, pane_radiance(state, shading, window, sample, is_sky));
-}
-
-static void sample_window(struct pp_radiance_state *state,
-                          const struct pp_shading_point *shading, int window,
-                          int vertex, double weight, struct pp_irradiance *sum)
-{
-    const struct pp_light_scene *scene = state->scene;
-    const struct pp_target *target = &scene->room->panes[window].target;
-    if (!pp_sample_polygon_in_sight(target, shading->point, shading->normal))
-        return;
-    struct pp_polygon_sampler sampler;
-    pp_sample_polygon_init(&sampler, target, shading->point, shading->normal,
-                           scene->room->brightness);
-    double size = angular_size(scene, window, shading->point);
-    uint32_t index = state->index;
-    uint32_t count = pp_path_vertex_direction_count(state, shading, size);
-    for (uint32_t i = 0; i < count; i++) {
+    const struct pp_light_part *part =
+        &state->scene->parts[state->scene->panes[sample->window].part];
+    const struct pp_material *material = &state->scene->materials[part->material[0]];
+    struct pp_vec3 out = pp_vec_scale(part->normal, -1.0);
+    struct pp_rgb transmittance = material->through_diffuse;
+    sample->ray = (struct pp_light_ray){to->point, out, to->direction, PP_OUTDOORS};
+    if (material->kind == PP_MATERIAL_TRANSLUCENT) {
         double u[2];
-        bool is_sky;
-        state->index = index * count + i;
-        pp_sobol_sequence_draw(&state->sequence, state->index, vertex, 2, u);
-        struct pp_direction_sample sample =
-            pp_sample_polygon_draw(&sampler, u[0], u[1]);
-        struct pp_rgb light =
-            light_from(state, shading, window, size, &sample, &is_sky);
-        struct pp_rgb *part = is_sky ? &sum->sky : &sum->outside;
-        *part = pp_rgb_along(*part, weight / count, light);
+        pp_sobol_sequence_draw(&state->sequence, state->index,
+                               pp_light_windows_vertex(shading, sample->window), 2, u);
+        sample->ray.to = pp_lobe_sample_in_frame(part->a, part->b, out, u[0], u[1]);
+    } else {
+        transmittance =
+            pp_scatter_regular_transmittance(material, pp_vec_dot(out, to->direction));
     }
-    state->index = index;
+    sample->weight = pp_rgb_times(sample->weight, transmittance);
 }
 
-void pp_light_windows_next_event(struct pp_radiance_state *state,
-                                 const struct pp_shading_point *shading,
-                                 struct pp_irradiance *sum)
+/* Is the pane what a ray comes to first? Behind another pane it is not: what comes in by
+ * that has been sampled with it, all the way. */
+static bool meets_pane(struct pp_radiance_state *state,
+                       const struct pp_shading_point *shading, struct pp_vec3 to,
+                       const struct pp_pane *pane)
 {
-    const struct pp_light_scene *scene = state->scene;
-    if (!state->options.windows || !scene->room || scene->room->pane_count == 0
-        || shading->space == PP_OUTDOORS)
-        return;
-    int vertex = shading->vertex * PP_DRAWS + PP_DRAW_WINDOWS;
-    if (scene->room->pane_count <= FEW_WINDOWS || shading->split) {
-        for (int i = 0; i < scene->room->pane_count; i++)
-            sample_window(state, shading, i,
-                          i == 0 ? vertex : pp_path_vertex_branch(vertex, i), 1.0, sum);
-        return;
+    struct pp_light_ray ray = pp_path_vertex_shadow_ray(shading, to);
+    struct pp_light_hit hit;
+    return pp_radiance_state_meet(state, &ray, &hit) == PP_MEETS_PART
+           && hit.part == pane->part;
+}
+
+/* One direction to a window, `weight` times; false where no light comes along it. */
+static bool sample_window(struct pp_radiance_state *state,
+                          const struct pp_window_sampling *sampling, double weight,
+                          const double u[2], struct pp_window_sample *sample)
+{
+    const struct pp_shading_point *shading = sampling->shading;
+    const struct pp_polygon_sampler *sampler =
+        sampler_of(state, shading, sample->window);
+    if (!sampler)
+        return false;
+    struct pp_direction_sample to = pp_sample_polygon_draw(sampler, u[0], u[1]);
+    double cosine = pp_vec_dot(shading->normal, to.direction);
+    if (!(cosine > 0.0))
+        return false;
+    const struct pp_pane *pane = &state->scene->panes[sample->window];
+    double samples = sampling->count;
+    if (shading->lobes)
+        samples = samples_of(state, shading->split, sample->window, shading->point);
+    struct pp_rgb f =
+        pp_path_vertex_brdf(shading, to.direction, samples / to.per_density, 1.0);
+    if (pp_rgb_is_black(f))
+        return false;
+    bool open = pane->seen_by_all && shading->space == PP_INDOORS;
+    if ((!open || state->every_ray) && !meets_pane(state, shading, to.direction, pane)
+        && !open)
+        return false;
+    sample->weight = pp_rgb_scale(f, weight * cosine * to.per_density);
+    leave(state, shading, &to, sample);
+    return !pp_rgb_is_black(sample->weight);
+}
+
+void pp_light_windows_begin(struct pp_radiance_state *state,
+                            const struct pp_shading_point *shading,
+                            struct pp_window_sampling *sampling)
+{
+    int count = state->scene->pane_count;
+    bool none = !state->options.windows || shading->space == PP_OUTDOORS || count == 0;
+    sampling->shading = shading;
+    sampling->all =
+        shading->directions == 0 && samples_all(state->scene, shading->split);
+    sampling->window = -1;
+    sampling->end = none ? 0 : sampling->all ? count : 1;
+    sampling->direction = sampling->count = 0;
+    sampling->index = state->index;
+}
+
+/* Goes on to the next window; false where there is none. */
+static bool next_window(struct pp_radiance_state *state,
+                        struct pp_window_sampling *sampling)
+{
+    const struct pp_shading_point *shading = sampling->shading;
+    if (++sampling->window >= sampling->end) {
+        state->index = sampling->index;
+        return false;
     }
-    double u, probability;
-    pp_sobol_sequence_draw(&state->sequence, state->index,
-                           pp_path_vertex_branch(vertex, 0), 1, &u);
-    int chosen = pp_ray_scene_choose_pane(scene->room, shading->point, shading->normal,
-                                          u, &probability);
-    if (chosen >= 0)
-        sample_window(state, shading, chosen, vertex, 1.0 / probability, sum);
+    sampling->direction = 0;
+    sampling->count = shading->directions > 0 ? shading->directions : 1;
+    if (sampling->all)
+        sampling->count = pp_path_vertex_direction_count(
+            state, shading->split,
+            pp_openings_angular_size(&state->scene->panes[sampling->window],
+                                     shading->point));
+    return true;
+}
+
+bool pp_light_windows_next(struct pp_radiance_state *state,
+                           struct pp_window_sampling *sampling,
+                           struct pp_window_sample *sample)
+{
+    const struct pp_shading_point *shading = sampling->shading;
+    for (;;) {
+        if (sampling->direction == sampling->count && !next_window(state, sampling))
+            return false;
+        int vertex = shading->vertex * PP_DRAWS + PP_DRAW_WINDOWS;
+        double u[3], probability = 1.0; /* place in the window (2), choice of it */
+        state->index = sampling->index * sampling->count + sampling->direction++;
+        sample->window = sampling->window;
+        if (sampling->all && sampling->window > 0)
+            vertex = pp_path_vertex_branch(vertex, sampling->window);
+        pp_sobol_sequence_draw(&state->sequence, state->index, vertex,
+                               sampling->all ? 2 : 3, u);
+        if (!sampling->all) {
+            sample->window =
+                pp_openings_choose(state->scene, state->environment->brightness,
+                                   shading->point, shading->normal, u[2], &probability);
+            if (sample->window < 0)
+                continue;
+        }
+        if (sample_window(state, sampling, 1.0 / (probability * sampling->count), u,
+                          sample))
+            return true;
+    }
 }

@@ -1,21 +1,50 @@
 /* light_windows.h - next-event estimation of a room's openings: directions to a pane
  * are sampled as to a lamp, whose radiance is the light that sky, ground and whatever
  * stands outside send through it. Inside simulate/ only.
+ *
+ * Of up to four openings, and at the first surface of a path, all are sampled; of more,
+ * one that is chosen by its importance. The light outside is for light_path.c to find:
+ *
+ *     pp_light_windows_begin(state, &shading, &sampling);
+ *     while (pp_light_windows_next(state, &sampling, &sample))
+ *         ... sample.weight times the light that comes along sample.ray ...
  */
 #ifndef PP_SIMULATE_TRANSPORT_LIGHT_WINDOWS_H
 #define PP_SIMULATE_TRANSPORT_LIGHT_WINDOWS_H
 
-#include "simulate/transport/irradiance.h"
 #include "simulate/transport/path_vertex.h"
 
-/* One sample of the light that the shading point sends on to the eye from all windows,
- * added to sky and outside of *sum. */
-void pp_light_windows_next_event(struct pp_radiance_state *state,
-                                 const struct pp_shading_point *shading,
-                                 struct pp_irradiance *sum);
+/* A direction to a window. */
+struct pp_window_sample {
+    int window;
+    struct pp_light_ray ray; /* leaves it to the outside */
+    struct pp_rgb weight;    /* BRDF, cosine and transmittance over density */
+};
 
-/* Has the window been sampled directly from where the path's ray starts? */
-bool pp_light_windows_directly_sampled(const struct pp_radiance_state *state,
-                                       const struct pp_light_path *path, int window);
+/* The directions to all windows that are sampled at one shading point. */
+struct pp_window_sampling {
+    const struct pp_shading_point *shading; /* not owned */
+    bool all;                               /* windows one by one; else one of them */
+    int window, end;                        /* the one in turn */
+    uint32_t direction, count;              /* the one in turn, of that window's */
+    uint32_t index; /* the path's own, which `state` has again at the end */
+};
+
+void pp_light_windows_begin(struct pp_radiance_state *state,
+                            const struct pp_shading_point *shading,
+                            struct pp_window_sampling *sampling);
+
+/* False at the end. While it is true state->index is the direction's own. */
+bool pp_light_windows_next(struct pp_radiance_state *state,
+                           struct pp_window_sampling *sampling,
+                           struct pp_window_sample *sample);
+
+/* The vertex for the random numbers of what follows behind a window. */
+int pp_light_windows_vertex(const struct pp_shading_point *shading, int window);
+
+/* The weight of light that the path's own ray has found at the window, by its inside: 0
+ * where next-event estimation has it, 1 where it has nothing of it. */
+double pp_light_windows_weight(struct pp_radiance_state *state,
+                               const struct pp_light_path *path, int window);
 
 #endif

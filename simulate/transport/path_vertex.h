@@ -26,19 +26,49 @@ static inline int pp_path_vertex_branch(int vertex, int kind)
     return (int)(mixed >> 4) + 64;
 }
 
-/* Which emitters and windows have been sampled directly from where a ray starts. If the
- * ray itself comes to one of these, it counts nothing. */
+/* By which of a surface's lobes a path's ray has left it, for light that next-event
+ * estimation has sampled from there too: emitters and windows. A diffuse lobe leaves
+ * that light to next-event estimation; between this and a gloss, multiple importance
+ * sampling divides it [VG95]. */
 enum pp_directly_sampled {
     PP_DIRECTLY_SAMPLED_NONE,  /* the ray comes from the eye, or from a mirror by which
-                                * emitters are not sampled */
-    PP_DIRECTLY_SAMPLED_SMALL, /* from a gloss: those that look small to it */
-    PP_DIRECTLY_SAMPLED_ALL,   /* from a diffuse surface */
+                                * emitters are not sampled: all is the ray's */
+    PP_DIRECTLY_SAMPLED_GLOSS, /* from a gloss: by weights */
+    PP_DIRECTLY_SAMPLED_ALL,   /* from a diffuse surface: nothing is the ray's */
 };
 
-/* A gloss samples directly what looks smaller than this many of its roughnesses a: then
- * no direct sample is worth more than a ray of the lobe that finds the source, which is
- * (3 a)^2 / (4 pi a^2) of the source at most where it is seen straight. */
-#define PP_DIRECTLY_SAMPLED_WIDTHS 3.0
+/* The weight of a sample among two estimators of the same light, by the densities (per
+ * steradian, times the number of samples) of its direction in its own and in the other:
+ * the power heuristic of [VG95]. */
+static inline double pp_path_vertex_mis(double own, double other)
+{
+    return own > 0.0 ? 1.0 / (1.0 + other / own * (other / own)) : 0.0;
+}
+
+/* What a path has first met: the daylight component that its light belongs to, where
+ * the path has come through an opening. */
+enum pp_first_met { PP_MET_NOTHING, PP_MET_SKY, PP_MET_OUTSIDE, PP_MET_INSIDE };
+
+/* A ray of a diffuse lobe that has come to a glossy reflector straight: which, from
+ * where, in which direction and with which density. */
+struct pp_arrival {
+    int reflector; /* -1: none */
+    struct pp_vec3 from, to;
+    double pdf;
+};
+
+/* The share that the ray keeps of an emitter's light by that gloss, where the diffuse
+ * surface has sampled that light too (reflectors.h). */
+static inline double pp_path_vertex_arrival_weight(const struct pp_light_scene *scene,
+                                                   const struct pp_arrival *arrival,
+                                                   int emitter)
+{
+    int reflection = pp_reflectors_reflection(scene, arrival->reflector, emitter);
+    if (reflection < 0)
+        return 1.0;
+    return pp_path_vertex_mis(
+        arrival->pdf, pp_reflectors_pdf(scene, reflection, arrival->from, arrival->to));
+}
 
 /* The state of a path on its way to the next surface. */
 struct pp_light_path {
@@ -46,58 +76,64 @@ struct pp_light_path {
     struct pp_rgb throughput;
     double least; /* Russian roulette where the throughput is below */
     enum pp_directly_sampled sampled;
-    enum pp_space sampled_in;   /* where the surface is that sampled directly: outdoors
+    enum pp_space sampled_in; /* where the surface is that sampled directly: outdoors
                                  * windows are not */
-    int mirror_path;            /* of mirrors met since then; -1: none */
-    struct pp_vec3 gloss_point; /* of PP_DIRECTLY_SAMPLED_SMALL: the surface's point, */
-    double gloss_size;          /* and the angular size that is small to it */
-    int depth;                  /* diffuse reflections so far */
-    int vertex;                 /* of the random numbers */
-    int bounces;                /* surfaces met */
+    int mirror_path;          /* of mirrors met since then; -1: none */
+    struct pp_vec3 gloss_point, gloss_normal; /* of PP_DIRECTLY_SAMPLED_GLOSS: the
+                                               * surface's, */
+    double gloss_pdf; /* the density of the ray's direction in the lobe, */
+    bool gloss_split; /* and whether many directions were taken there; */
+    bool here_split;  /* the same of the surface at hand */
+    bool
+        from_diffuse; /* has the ray come from a diffuse lobe straight? from and off are
+                        * its surface's */
+    struct pp_arrival arrival, here_arrival; /* at the surface of
+                                              * PP_DIRECTLY_SAMPLED_GLOSS, and at the
+                                              * one at hand */
+    int depth;                               /* diffuse reflections so far */
+    int vertex;                              /* of the random numbers */
+    int bounces;                             /* surfaces met */
     bool split;       /* take many directions at the next surface that scatters: the
                        * first of the path */
     bool from_window; /* begun at a window that was sampled directly: the path finds
                        * windows by its own rays from then on. Would it sample them
                        * directly, each sample might begin another path outside, without
                        * end */
+    enum pp_first_met first_met; /* so far: panes that it passes do not count */
 };
 
-/* A path that goes on outside from a window that was sampled directly. */
-static inline struct pp_light_path pp_path_vertex_outside(
-    const struct pp_radiance_state *state, const struct pp_light_ray *ray, int vertex,
-    int depth)
-{
-    return (struct pp_light_path){.ray = *ray,
-                                  .throughput = pp_rgb_grey(1.0),
-                                  .least = state->options.least,
-                                  .sampled = PP_DIRECTLY_SAMPLED_ALL,
-                                  .sampled_in = PP_OUTDOORS,
-                                  .mirror_path = -1,
-                                  .depth = depth,
-                                  .vertex = vertex,
-                                  .from_window = true};
-}
-
-/* One side of a surface whose direct light is wanted.
- *
- * Next-event estimation at a window needs the light outside it, which is that of a
- * path. light_windows.c gets the function that follows the path (light_path.c's) by
- * this pointer, so that neither file calls the other. */
+/* One side of a surface whose direct light is wanted. */
 struct pp_shading_point {
     struct pp_vec3 point, normal; /* normal: of that side */
     enum pp_space space;
-    const struct pp_lobes *lobes;
-    int vertex, depth; /* as the path's that has come here */
+    struct pp_rgb diffuse;        /* albedo of that side's diffuse lobe */
+    const struct pp_lobes *lobes; /* for the gloss; NULL: there is none; not owned */
+    int vertex, depth;            /* as the path's that has come here */
     bool split;
-    struct pp_rgb (*follow_outside)(struct pp_radiance_state *state,
-                                    struct pp_light_path *path, enum pp_meeting meeting,
-                                    const struct pp_light_hit *hit);
+    bool whole_gloss; /* no light is left to rays of the gloss */
+    const struct pp_arrival
+        *arrival;        /* by which the gloss is seen; NULL: another way */
+    uint32_t directions; /* to windows, each to one that is chosen by its importance; 0:
+                          * by light_windows.h's own rule */
 };
 
-/* The BRDF (or BTDF) between the eye and direction o, 1/sr: the diffuse part, and the
- * gloss where a source of that angular size looks small to it. */
-struct pp_rgb pp_path_vertex_brdf(const struct pp_shading_point *shading,
-                                  struct pp_vec3 o, double angular_size);
+/* The BRDF (or BTDF) between the eye and direction o, 1/sr, for a sample of next-event
+ * estimation of that density: the diffuse part, and the gloss by its weight times
+ * `gloss_share`. */
+static inline struct pp_rgb pp_path_vertex_brdf(const struct pp_shading_point *shading,
+                                                struct pp_vec3 o, double density,
+                                                double gloss_share)
+{
+    struct pp_rgb f = pp_rgb_scale(shading->diffuse, 1.0 / PP_PI);
+    if (!shading->lobes || !shading->lobes->gloss)
+        return f;
+    double weight =
+        shading->whole_gloss
+            ? 1.0
+            : pp_path_vertex_mis(density, pp_scatter_gloss_pdf(shading->lobes, o));
+    return pp_rgb_along(f, gloss_share * weight,
+                        pp_scatter_gloss_brdf(shading->lobes, o));
+}
 
 static inline struct pp_light_ray pp_path_vertex_shadow_ray(
     const struct pp_shading_point *shading, struct pp_vec3 to)
@@ -109,8 +145,27 @@ static inline struct pp_light_ray pp_path_vertex_shadow_ray(
  * or window of that angular size: the power of two, at most options.source_most, that
  * makes a stratum look smaller than options.source_size; 1 where the path is not
  * split. */
-uint32_t pp_path_vertex_direction_count(const struct pp_radiance_state *state,
-                                        const struct pp_shading_point *shading,
-                                        double angular_size);
+static inline uint32_t pp_path_vertex_direction_count(
+    const struct pp_radiance_state *state, bool split, double angular_size)
+{
+    double size = state->options.source_size;
+    uint32_t count = 1, most = (uint32_t)state->options.source_most;
+    if (!split || !(size > 0.0))
+        return count;
+    double wanted = angular_size / size * (angular_size / size);
+    while ((double)count < wanted && 2 * count <= most)
+        count *= 2;
+    return count;
+}
+
+/* The point at which a ray has met a surface, back along the ray by half of what lifts
+ * rays off their surface (rays.h): in a corner, to the bit, it would lie in the other
+ * surface too, and a ray that starts there might be on the wrong side of that. */
+static inline struct pp_vec3 pp_path_vertex_drawn_back(struct pp_vec3 point,
+                                                       struct pp_vec3 to)
+{
+    double reach = fabs(point.x) + fabs(point.y) + fabs(point.z);
+    return pp_vec_along(point, -0x1p-21 - 0x1p-21 * reach, to);
+}
 
 #endif

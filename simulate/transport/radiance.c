@@ -4,7 +4,6 @@
 #include "simulate/sampling/lobe.h"
 #include "simulate/transport/light_path.h"
 #include "simulate/transport/light_sources.h"
-#include "simulate/transport/light_windows.h"
 
 static struct pp_rgb along(struct pp_radiance_state *state,
                            const struct pp_light_ray *ray,
@@ -15,6 +14,7 @@ static struct pp_rgb along(struct pp_radiance_state *state,
                                  .least = state->options.least,
                                  .sampled = sampled,
                                  .sampled_in = ray->space,
+                                 .from_diffuse = sampled == PP_DIRECTLY_SAMPLED_ALL,
                                  .mirror_path = -1,
                                  .depth = sampled == PP_DIRECTLY_SAMPLED_ALL,
                                  .vertex = 1,
@@ -45,16 +45,13 @@ struct pp_irradiance pp_radiance_direct(struct pp_radiance_state *state,
                                         enum pp_space space)
 {
     struct pp_irradiance e = {.rest = pp_rgb_grey(0.0)};
-    struct pp_lobes lobes = {.frame = {.z = normal}};
-    lobes.share[PP_LOBE_DIFFUSE] = pp_rgb_grey(PP_PI);
     struct pp_shading_point shading = {.point = pp_vec_sub(point, state->scene->centre),
                                        .normal = normal,
                                        .space = space,
-                                       .lobes = &lobes,
-                                       .split = true,
-                                       .follow_outside = pp_light_path_follow_from};
+                                       .diffuse = pp_rgb_grey(PP_PI),
+                                       .split = true};
     e.sources = pp_light_sources_next_event(state, &shading);
-    pp_light_windows_next_event(state, &shading, &e);
+    pp_light_path_windows(state, &shading, &e);
     return e;
 }
 
@@ -71,6 +68,6 @@ struct pp_irradiance pp_radiance_irradiance(struct pp_radiance_state *state,
     pp_lobe_frame(normal, &a, &b);
     struct pp_light_ray ray = {
         point, normal, pp_lobe_sample_in_frame(a, b, normal, u[0], u[1]), space};
-    e.rest = pp_rgb_scale(pp_radiance_indirect(state, &ray, NULL), PP_PI);
+    e.rest = pp_rgb_along(e.rest, PP_PI, pp_radiance_indirect(state, &ray, NULL));
     return e;
 }

@@ -10,11 +10,24 @@
 /* Clear surfaces that a shadow ray passes, at most. */
 enum { MOST_PANES = 64 };
 
+struct pp_radiance_options pp_radiance_state_defaults(void)
+{
+    return (struct pp_radiance_options){.sources = true,
+                                        .windows = true,
+                                        .stored = true,
+                                        .source_size = 0.2,
+                                        .source_most = 64,
+                                        .bounces = -1,
+                                        .least = 0.3};
+}
+
 enum pp_meeting pp_radiance_state_meet(struct pp_radiance_state *state,
                                        const struct pp_light_ray *ray,
                                        struct pp_light_hit *hit)
 {
     state->rays++;
+    if (state->log && state->log->count < state->log->capacity)
+        state->log->rays[state->log->count++] = *ray;
     enum pp_meeting meeting = pp_light_scene_meet(state->scene, ray, hit);
     state->leaks += meeting == PP_MEETS_LEAK;
     return meeting;

@@ -7,9 +7,31 @@
 #include <stdint.h>
 
 #include "model/light/rgb.h"
+#include "simulate/sampling/sample_polygon.h"
 #include "simulate/sampling/sobol.h"
 #include "simulate/scene/light_scene.h"
-#include "simulate/transport/radiance_options.h"
+
+/* Which estimators the light transport uses, and when paths end. */
+struct pp_radiance_options {
+    bool sources;       /* next-event estimation of concentrated emitters */
+    bool windows;       /* next-event estimation of openings */
+    bool stored;        /* the radiance of surfaces outside is read from a window store
+                   * (window_store.h) instead of being traced along each path */
+    double source_size; /* the angular size (size over distance) to which a source or
+                         * window is stratified at a path's first scattering surface; 0:
+                         * one direction a source */
+    int source_most;    /* directions to one source or window, at most; for n paths a
+                         * pixel about 64/n is enough */
+    int bounces;        /* diffuse reflections of a path, at most; -1: no limit but
+                         * Russian roulette, which has no bias */
+    double least;       /* Russian roulette begins where the throughput falls below
+                         * this; after gloss, mirror and clear glass below a tenth of
+                         * it; greater than 0 */
+};
+
+/* All estimators on, no limit of bounces, unbiased but for `stored`: size 0.2, at most
+ * 64 directions, roulette below 0.3. */
+struct pp_radiance_options pp_radiance_state_defaults(void);
 
 /* Indirect irradiance of diffuse surfaces from elsewhere (a cache).
  *
@@ -25,19 +47,35 @@ struct pp_ambient {
     void *store; /* not owned */
 };
 
+struct pp_environment;
 struct pp_window_store;
+
+/* Rays for measuring how fast they could be at best; see bench/. */
+struct pp_ray_log {
+    struct pp_light_ray *rays;
+    long count, capacity; /* no more are logged when it is full */
+};
+
+/* Samplers of openings that are kept from one shading point to the next: often it is
+ * the same. */
+enum { PP_KEPT_SAMPLERS = 4 };
 
 /* A thread's own. Fill the first part, then draw. */
 struct pp_radiance_state {
-    const struct pp_light_scene *scene; /* not owned */
+    const struct pp_light_scene *scene;       /* not owned */
+    const struct pp_environment *environment; /* of a world; not owned; NULL: of a
+                                               * description */
     struct pp_radiance_options options;
     const struct pp_window_store *store; /* not owned; NULL: as if not `stored` */
     const struct pp_ambient *ambient;    /* not owned; NULL: none */
     struct pp_sobol_sequence sequence;   /* the randomisation */
     uint32_t index;                      /* which path of it */
+    bool every_ray;         /* trace also where the answer is known beforehand */
+    struct pp_ray_log *log; /* not owned; NULL: none */
 
     long rays;  /* traced so far */
     long leaks; /* of them, lost between the edges of two surfaces */
+    struct pp_polygon_sampler samplers[PP_KEPT_SAMPLERS];
 };
 
 /* pp_light_scene_meet, with the ray counted. */

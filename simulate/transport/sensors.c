@@ -1,268 +1,120 @@
-/* sensors.c - randomisations of each sensor point, planned and run in passes.
- *
- * Work goes by passes: every randomisation of every point that wants more paths gets
- * them, in steps, in any order and by any thread; its sum is its own. Between passes,
- * by one thread, each point's spread says how many it is to have in the next. */
+/* sensors.c - sensor points as a sampler of irradiance. */
 #include "simulate/transport/sensors.h"
 
 #include <math.h>
 #include <stdlib.h>
 
-#include "model/base/clock.h"
+#include "simulate/estimate/planner.h"
 #include "simulate/sampling/hash.h"
-#include "simulate/sampling/processors.h"
+#include "simulate/scene/light_scene_parts.h"
 #include "simulate/scene/unsampled.h"
-#include "simulate/tracer/estimate.h"
 #include "simulate/transport/radiance.h"
 
-enum {
-    RANDOMISATIONS = 32,
-    FIRST_PATHS = 64,
-    MOST_PATHS = 1 << 26, /* of a randomisation */
-    BOUND_PATHS =
-        1 << 11,      /* from this many on, the bound of unsampled.h asks for no more */
-    MOST_GROWTH = 16, /* of a point's paths, from one pass to the next */
-    STEP = 256,       /* most paths at a time */
-    BATCH = 64        /* steps between looks at the clock */
-};
+/* The values; the last is the luminance-weighted one. */
+enum { RED, GREEN, BLUE, GREY, VALUES };
 
 static const double OPEN_SKY_SHARE = 0.00002;
 static const double LARGEST_SHARE = 0.001;
 
-struct sensor_randomisation {
-    struct pp_rgb sum;
-    long paths;
-};
-
-struct sensor_state {
-    struct sensor_randomisation randomisations[RANDOMISATIONS];
+struct sensor_point {
+    struct pp_vec3 position, normal;
     enum pp_space space;
-    long wanted; /* paths of each */
-    bool done;
-};
-
-struct sensor_unit {
-    int point, randomisation;
+    uint64_t seed;
+    struct pp_unsampled unsampled;
 };
 
 struct pp_sensors {
-    const struct pp_light_scene *scene; /* not owned */
-    const struct pp_sensor *list;       /* not owned */
+    const struct pp_light_scene *scene;       /* not owned */
+    const struct pp_environment *environment; /* not owned */
+    struct sensor_point *points;
     int count;
-    struct pp_sensors_options options;
-    struct pp_sobol sobol;
-    struct sensor_state *points;
-    struct sensor_unit *units; /* of this pass */
-    int unit_count, next_unit;
+    bool by_chance;
+    struct pp_planner *planner;
 };
 
-/* ---- reading ---- */
+/* ---- the sampler ---- */
 
-/* Mean over the randomisations, and its standard error: s / sqrt(R), widened by the
- * spread of Student's t, as estimate.h has it. */
-static double mean_of(const double *values, int count, double *error)
+static void begin(const void *client, void *state)
 {
-    double sum = 0.0, off = 0.0;
-    for (int i = 0; i < count; i++)
-        sum += values[i];
-    double mean = sum / count;
-    for (int i = 0; i < count; i++)
-        off += (values[i] - mean) * (values[i] - mean);
-    *error = sqrt(off / (count - 1) / count) * pp_estimate_student_factor(count);
-    return mean;
+    const struct pp_sensors *sensors = client;
+    struct pp_radiance_state *radiance = state;
+    *radiance = (struct pp_radiance_state){.scene = sensors->scene,
+                                           .environment = sensors->environment,
+                                           .options = pp_radiance_state_defaults()};
+    radiance->options.sources = !sensors->by_chance;
 }
 
-static struct pp_sensor_reading read(const struct pp_sensors *sensors, int index,
-                                     bool with_unsampled)
+static uint64_t seed_of(const void *client, int point)
 {
-    const struct sensor_state *point = &sensors->points[index];
-    double values[4][RANDOMISATIONS], means[4], errors[4];
-    int count = 0;
-    long paths = 0;
-    for (int i = 0; i < RANDOMISATIONS; i++) {
-        const struct sensor_randomisation *randomisation = &point->randomisations[i];
-        if (randomisation->paths == 0)
-            continue;
-        struct pp_rgb mean =
-            pp_rgb_scale(randomisation->sum, 1.0 / (double)randomisation->paths);
-        values[0][count] = mean.r;
-        values[1][count] = mean.g;
-        values[2][count] = mean.b;
-        values[3][count++] = pp_rgb_luminance(mean);
-        paths += randomisation->paths;
+    return ((const struct pp_sensors *)client)->points[point].seed;
+}
+
+static void follow(const void *client, void *state, const struct pp_path_range *range,
+                   struct pp_randomisation *randomisation)
+{
+    const struct pp_sensors *sensors = client;
+    const struct sensor_point *point = &sensors->points[range->point];
+    struct pp_radiance_state *radiance = state;
+    long rays = radiance->rays, leaks = radiance->leaks;
+    radiance->sequence = range->sequence;
+    for (uint32_t i = range->first; i < range->end; i++) {
+        radiance->index = i;
+        struct pp_irradiance e = pp_radiance_irradiance(radiance, point->position,
+                                                        point->normal, point->space);
+        struct pp_rgb sum = pp_irradiance_sum(&e);
+        randomisation->sums[RED] += sum.r;
+        randomisation->sums[GREEN] += sum.g;
+        randomisation->sums[BLUE] += sum.b;
     }
-    for (int k = 0; k < 4; k++) {
-        means[k] = errors[k] = NAN;
-        if (count < 4)
-            continue;
-        means[k] = mean_of(values[k], count, &errors[k]);
-        /* Where all agree but for rounding, one path of all might still have brought as
-         * much. */
-        if (!(errors[k] > 1e-12 * means[k]))
-            errors[k] = fmax(means[k], sensors->options.horizontal) / (double)paths;
-    }
-    if (with_unsampled && count >= 4) {
-        struct pp_rgb bound =
-            pp_unsampled_bound(sensors->scene, sensors->list[index].position,
-                               sensors->options.by_chance, paths);
-        const double of[] = {bound.r, bound.g, bound.b, pp_rgb_luminance(bound)};
-        for (int k = 0; k < 4; k++)
-            errors[k] = fmax(errors[k], of[k]);
-    }
-    return (struct pp_sensor_reading){.irradiance = {means[0], means[1], means[2]},
-                                      .std_error = {errors[0], errors[1], errors[2]},
-                                      .grey = means[3],
-                                      .grey_error = errors[3]};
+    randomisation->rays[0] += radiance->rays - rays;
+    randomisation->leaks += radiance->leaks - leaks;
 }
 
-struct pp_sensor_reading pp_sensors_read(const struct pp_sensors *sensors, int index)
+static double of_channel(struct pp_rgb light, int value)
 {
-    return read(sensors, index, true);
+    return value == RED     ? light.r
+           : value == GREEN ? light.g
+           : value == BLUE  ? light.b
+                            : pp_rgb_luminance(light);
 }
 
-double pp_sensors_error(const struct pp_sensors *sensors)
+static double value_of(const void *client, int point,
+                       const struct pp_randomisation *randomisation, int value)
 {
-    double worst = NAN;
-    for (int i = 0; i < sensors->count; i++) {
-        struct pp_sensor_reading reading = pp_sensors_read(sensors, i);
-        if (reading.grey > 0.0)
-            worst = fmax(worst, reading.grey_error / reading.grey);
-    }
-    return worst;
+    (void)client, (void)point;
+    const double *sums = randomisation->sums;
+    return of_channel(pp_rgb(sums[RED], sums[GREEN], sums[BLUE]), value)
+           / randomisation->done.of[0];
 }
 
-/* ---- planning ---- */
-
-static double largest_value(const struct pp_sensors *sensors)
+static double bound_of(const void *client, int point, int value, unsigned found,
+                       const double *paths)
 {
-    double largest = 0.0;
-    for (int i = 0; i < sensors->count; i++)
-        largest = fmax(largest, pp_sensors_read(sensors, i).grey);
-    return largest;
+    const struct pp_sensors *sensors = client;
+    return of_channel(pp_unsampled_bound(&sensors->points[point].unsampled,
+                                         found >> value & 1, paths[0]),
+                      value);
 }
 
-/* Sets how many paths the point is to have: more by a power of two, or no more. */
-static void plan_point(struct pp_sensors *sensors, int index, double largest)
-{
-    const struct pp_sensors_options *options = &sensors->options;
-    struct sensor_state *point = &sensors->points[index];
-    struct pp_sensor_reading reading =
-        read(sensors, index, point->wanted < BOUND_PATHS);
-    double goal = fmax(options->error * fmax(reading.grey, LARGEST_SHARE * largest),
-                       OPEN_SKY_SHARE * options->horizontal);
-    if (options->error <= 0.0)
-        goal = 0.0; /* the caller's clock says when to stop */
-    point->done = reading.grey_error <= goal || point->wanted >= MOST_PATHS;
-    if (point->done)
-        return;
-    double growth = 2.0;
-    if (goal > 0.0)
-        growth = reading.grey_error / goal * (reading.grey_error / goal);
-    long times = 2;
-    while (times < MOST_GROWTH && (double)times < growth)
-        times *= 2;
-    point->wanted *= times;
-}
+static const struct pp_sampler sampler = {
+    .estimators = 1,
+    .values = VALUES,
+    .fall = {1.1}, /* on the safe side */
+    .pilot = {{32}},
+    .least = {{64}},
+    .state_size = sizeof(struct pp_radiance_state),
+    .begin = begin,
+    .seed = seed_of,
+    .follow = follow,
+    .value = value_of,
+    .bound = bound_of,
+};
 
-/* The next pass; none where all is done. */
-static void plan(struct pp_sensors *sensors)
-{
-    bool first = sensors->unit_count == 0;
-    double largest = first ? 0.0 : largest_value(sensors);
-    for (int i = 0; i < sensors->count && !first; i++) {
-        struct sensor_state *point = &sensors->points[i];
-        if (sensors->options.samples > 0)
-            point->done = true;
-        if (!point->done)
-            plan_point(sensors, i, largest);
-    }
-    sensors->unit_count = sensors->next_unit = 0;
-    for (int i = 0; i < sensors->count; i++)
-        for (int k = 0; k < RANDOMISATIONS && !sensors->points[i].done; k++)
-            sensors->units[sensors->unit_count++] = (struct sensor_unit){i, k};
-}
-
-bool pp_sensors_done(const struct pp_sensors *sensors)
-{
-    return sensors->unit_count == 0;
-}
-
-double pp_sensors_progress(const struct pp_sensors *sensors)
-{
-    double done = 0.0, all = 0.0;
-    for (int i = 0; i < sensors->count; i++)
-        for (int k = 0; k < RANDOMISATIONS; k++) {
-            done += (double)sensors->points[i].randomisations[k].paths;
-            all += (double)sensors->points[i].wanted;
-        }
-    return all > 0.0 ? done / all : 1.0;
-}
-
-/* ---- working ---- */
-
-/* Up to STEP more paths of one randomisation. */
-static void step(struct pp_sensors *sensors, struct sensor_unit unit)
-{
-    struct sensor_state *point = &sensors->points[unit.point];
-    struct sensor_randomisation *randomisation =
-        &point->randomisations[unit.randomisation];
-    const struct pp_sensor *sensor = &sensors->list[unit.point];
-    struct pp_radiance_state state = {.scene = sensors->scene,
-                                      .options = pp_radiance_options_defaults()};
-    state.options.sources = !sensors->options.by_chance;
-    uint64_t seed = pp_hash(pp_hash(sensors->options.seed, (uint64_t)unit.point),
-                            (uint64_t)unit.randomisation);
-    pp_sobol_sequence_init(&state.sequence, &sensors->sobol, seed);
-    long end = randomisation->paths + STEP < point->wanted ? randomisation->paths + STEP
-                                                           : point->wanted;
-    for (; randomisation->paths < end; randomisation->paths++) {
-        state.index = (uint32_t)randomisation->paths;
-        struct pp_irradiance e = pp_radiance_irradiance(&state, sensor->position,
-                                                        sensor->normal, point->space);
-        randomisation->sum = pp_rgb_add(randomisation->sum, pp_irradiance_sum(&e));
-    }
-}
-
-/* The units that still want paths, in their order. */
-static void leave_out_done(struct pp_sensors *sensors)
-{
-    int kept = 0;
-    for (int i = 0; i < sensors->unit_count; i++) {
-        const struct sensor_state *point = &sensors->points[sensors->units[i].point];
-        if (point->randomisations[sensors->units[i].randomisation].paths
-            < point->wanted)
-            sensors->units[kept++] = sensors->units[i];
-    }
-    sensors->next_unit = 0;
-    sensors->unit_count = kept;
-}
-
-void pp_sensors_advance(struct pp_sensors *sensors, double seconds)
-{
-    double until = pp_clock_s() + seconds;
-    int threads =
-        sensors->options.threads > 0 ? sensors->options.threads : pp_processors();
-    do {
-        int left = sensors->unit_count - sensors->next_unit;
-        int count = left < BATCH ? left : BATCH;
-        const struct sensor_unit *units = sensors->units + sensors->next_unit;
-#pragma omp parallel for schedule(dynamic) num_threads(threads)
-        for (int i = 0; i < count; i++)
-            step(sensors, units[i]);
-        sensors->next_unit += count;
-        if (sensors->next_unit < sensors->unit_count)
-            continue;
-        int all = sensors->unit_count;
-        leave_out_done(sensors);
-        if (sensors->unit_count == 0) {
-            sensors->unit_count = all; /* a pass is over */
-            plan(sensors);
-        }
-    } while (sensors->unit_count > 0 && pp_clock_s() < until);
-}
+/* ---- the caller's loop ---- */
 
 enum pp_status pp_sensors_create(struct pp_sensors **result,
                                  const struct pp_light_scene *scene,
+                                 const struct pp_environment *environment,
                                  const struct pp_sensor *list, int count,
                                  const struct pp_sensors_options *options,
                                  struct pp_error *err)
@@ -272,23 +124,37 @@ enum pp_status pp_sensors_create(struct pp_sensors **result,
     if (!sensors)
         return pp_fail_memory(err);
     sensors->scene = scene;
-    sensors->list = list;
+    sensors->environment = environment;
     sensors->count = count;
-    sensors->options = *options;
-    pp_sobol_init(&sensors->sobol);
+    sensors->by_chance = options->by_chance;
     sensors->points = calloc((size_t)count + 1, sizeof *sensors->points);
-    sensors->units = calloc((size_t)count * RANDOMISATIONS + 1, sizeof *sensors->units);
-    if (!sensors->points || !sensors->units) {
+    double *shares = calloc((size_t)scene->emitter_count + 1, sizeof *shares);
+    enum pp_status status = sensors->points && shares ? PP_OK : pp_fail_memory(err);
+    for (int i = 0; status == PP_OK && i < scene->emitter_count; i++)
+        shares[i] = pp_unsampled_probe(scene, &scene->emitters[i]);
+    for (int i = 0; status == PP_OK && i < count; i++) {
+        struct pp_vec3 position = list[i].position, normal = list[i].normal;
+        sensors->points[i] = (struct sensor_point){
+            .position = position,
+            .normal = normal,
+            .space = pp_light_scene_space(scene, position),
+            .seed = pp_hash_vec(pp_hash_vec(options->seed, position), normal),
+            .unsampled = pp_unsampled_at(scene, position, options->by_chance, shares)};
+    }
+    free(shares);
+    const struct pp_planner_options planned = {.error = options->error,
+                                               .least_error =
+                                                   OPEN_SKY_SHARE * options->horizontal,
+                                               .least_share = LARGEST_SHARE,
+                                               .samples = options->samples,
+                                               .threads = options->threads};
+    if (status == PP_OK)
+        status = pp_planner_create(&sensors->planner, &sampler, sensors, count,
+                                   &planned, err);
+    if (status != PP_OK) {
         pp_sensors_destroy(sensors);
-        return pp_fail_memory(err);
+        return status;
     }
-    for (int i = 0; i < count; i++) {
-        sensors->points[i].space = pp_light_scene_space(scene, list[i].position);
-        sensors->points[i].wanted = FIRST_PATHS;
-        if (options->samples > 0)
-            sensors->points[i].wanted = options->samples;
-    }
-    plan(sensors);
     *result = sensors;
     return PP_OK;
 }
@@ -297,7 +163,40 @@ void pp_sensors_destroy(struct pp_sensors *sensors)
 {
     if (!sensors)
         return;
+    pp_planner_destroy(sensors->planner);
     free(sensors->points);
-    free(sensors->units);
     free(sensors);
+}
+
+enum pp_status pp_sensors_advance(struct pp_sensors *sensors, double seconds,
+                                  struct pp_error *err)
+{
+    return pp_planner_advance(sensors->planner, seconds, err);
+}
+
+bool pp_sensors_done(const struct pp_sensors *sensors)
+{
+    return pp_planner_done(sensors->planner);
+}
+
+double pp_sensors_progress(const struct pp_sensors *sensors)
+{
+    return pp_planner_progress(sensors->planner);
+}
+
+double pp_sensors_error(const struct pp_sensors *sensors)
+{
+    return pp_planner_error(sensors->planner);
+}
+
+struct pp_sensor_reading pp_sensors_read(const struct pp_sensors *sensors, int index)
+{
+    struct pp_reading of[VALUES];
+    for (int i = 0; i < VALUES; i++)
+        of[i] = pp_planner_read(sensors->planner, index, i);
+    return (struct pp_sensor_reading){
+        .irradiance = {of[RED].value, of[GREEN].value, of[BLUE].value},
+        .std_error = {of[RED].std_error, of[GREEN].std_error, of[BLUE].std_error},
+        .grey = of[GREY].value,
+        .grey_error = of[GREY].std_error};
 }

@@ -5,15 +5,14 @@
  * points, options and seed alone, to the bit, whatever the number of threads and the
  * slices.
  *
- * Each point has 32 independent randomisations; their paths are doubled, or more if
- * their spread asks for more, until the standard error of the luminance-weighted
- * irradiance is down to the largest of
+ * The planner of simulate/estimate plans each point for a standard error of the
+ * luminance-weighted irradiance of the largest of
  *
  *     error x value,  error x 0.001 of the largest value,  0.00002 of the open sky
  *
- * A bound on the light that all paths may have missed because rays must find it (a
- * small glow, a lamp in a curved mirror: unsampled.h) is part of the stated error, and
- * paths are added for its sake up to 65536 a point.
+ * Random numbers depend on where a point is, not on its place in the list. A bound on
+ * the light that all paths may have missed because rays must find it (a small glow, a
+ * lamp in a curved mirror: unsampled.h) is part of the stated error.
  */
 #ifndef PP_SIMULATE_TRANSPORT_SENSORS_H
 #define PP_SIMULATE_TRANSPORT_SENSORS_H
@@ -47,16 +46,19 @@ struct pp_sensor_reading {
 
 struct pp_sensors;
 
-/* scene and list must live as long as the sensors. */
+/* scene and environment (of a world; NULL: of a description) must live as long as the
+ * sensors. */
 enum pp_status pp_sensors_create(struct pp_sensors **sensors,
                                  const struct pp_light_scene *scene,
+                                 const struct pp_environment *environment,
                                  const struct pp_sensor *list, int count,
                                  const struct pp_sensors_options *options,
                                  struct pp_error *err);
 void pp_sensors_destroy(struct pp_sensors *sensors); /* NULL is allowed */
 
 /* Works for about `seconds` (by the clock; at least one batch of work). */
-void pp_sensors_advance(struct pp_sensors *sensors, double seconds);
+enum pp_status pp_sensors_advance(struct pp_sensors *sensors, double seconds,
+                                  struct pp_error *err);
 bool pp_sensors_done(const struct pp_sensors *sensors);
 
 /* The share of the work that is done, 0 to 1, by the present plan; and the largest

@@ -19,7 +19,7 @@ enum {
 
 static const struct pp_target *target_of(const struct pp_light_scene *scene, int window)
 {
-    return &scene->room->panes[window].target;
+    return &scene->panes[window].target;
 }
 
 /* The distance of the nearest surface before the opening; INFINITY where none is
@@ -54,12 +54,14 @@ static bool outside_radiance(struct pp_radiance_state *state,
                              double *distance_m)
 {
     struct pp_light_hit hit;
-    struct pp_light_path path = pp_path_vertex_outside(state, ray, 1, 0);
+    struct pp_light_path path = pp_light_path_outside(state, ray, 1, 0);
     enum pp_meeting meeting = pp_radiance_state_meet(state, ray, &hit);
     *distance_m = hit.distance_m;
     if (meeting != PP_MEETS_PART)
         return false;
-    *radiance = pp_light_path_follow_from(state, &path, meeting, &hit);
+    *radiance = pp_rgb_grey(0.0);
+    if (pp_light_path_arrive(state, &path, meeting, &hit, radiance))
+        *radiance = pp_rgb_add(*radiance, pp_light_path_follow(state, &path, NULL));
     return true;
 }
 
@@ -111,10 +113,12 @@ static void fill_patch(struct pp_window_table *table, struct pp_radiance_state *
 }
 
 static void fill(struct pp_window_store *store, const struct pp_light_scene *scene,
-                 const struct pp_sobol *sobol, uint64_t seed, int window, int patch)
+                 const struct pp_environment *environment, const struct pp_sobol *sobol,
+                 uint64_t seed, int window, int patch)
 {
     struct pp_radiance_state state = {.scene = scene,
-                                      .options = pp_radiance_options_defaults()};
+                                      .environment = environment,
+                                      .options = pp_radiance_state_defaults()};
     pp_sobol_sequence_init(&state.sequence, sobol,
                            pp_hash(pp_hash(seed, (uint64_t)window), (uint64_t)patch));
     fill_patch(&store->tables[window], &state, window, patch, store->samples);
@@ -133,6 +137,7 @@ static uint32_t samples_of(const struct pp_window_store *store)
 }
 
 static void fill_all(struct pp_window_store *store, const struct pp_light_scene *scene,
+                     const struct pp_environment *environment,
                      const struct pp_sobol *sobol, uint64_t seed, int threads)
 {
     (void)threads;
@@ -141,7 +146,7 @@ static void fill_all(struct pp_window_store *store, const struct pp_light_scene 
         int patches = table->radiance ? table->columns * table->rows : 0;
 #pragma omp parallel for num_threads(threads) schedule(dynamic, 1)
         for (int k = 0; k < patches; k++)
-            fill(store, scene, sobol, seed, i, k);
+            fill(store, scene, environment, sobol, seed, i, k);
     }
 }
 
@@ -153,7 +158,7 @@ static enum pp_status lay_out(struct pp_window_store *store,
     enum pp_status status = PP_OK;
     for (int i = 0; status == PP_OK && i < store->count; i++) {
         double near =
-            scene->room->panes[i].unobstructed
+            scene->panes[i].unobstructed
                 ? INFINITY
                 : nearest(scene, i, sobol, pp_hash(seed, (uint64_t)-1 - (uint64_t)i));
         status =
@@ -163,11 +168,12 @@ static enum pp_status lay_out(struct pp_window_store *store,
 }
 
 enum pp_status pp_window_store_create(struct pp_window_store **result,
-                                      const struct pp_light_scene *scene, uint64_t seed,
-                                      int threads, struct pp_error *err)
+                                      const struct pp_light_scene *scene,
+                                      const struct pp_environment *environment,
+                                      uint64_t seed, int threads, struct pp_error *err)
 {
     *result = NULL;
-    if (!scene->room || scene->room->pane_count == 0)
+    if (scene->pane_count == 0)
         return PP_OK;
     if (threads <= 0)
         threads = pp_processors();
@@ -176,7 +182,7 @@ enum pp_status pp_window_store_create(struct pp_window_store **result,
     enum pp_status status = store && sobol ? PP_OK : pp_fail_memory(err);
     if (status == PP_OK) {
         pp_sobol_init(sobol);
-        store->count = scene->room->pane_count;
+        store->count = scene->pane_count;
         store->tables = calloc((size_t)store->count, sizeof *store->tables);
         status = store->tables ? PP_OK : pp_fail_memory(err);
     }
@@ -184,7 +190,7 @@ enum pp_status pp_window_store_create(struct pp_window_store **result,
         status = lay_out(store, scene, sobol, seed, err);
     if (status == PP_OK) {
         store->samples = samples_of(store);
-        fill_all(store, scene, sobol, seed, threads);
+        fill_all(store, scene, environment, sobol, seed, threads);
     }
     free(sobol);
     if (status != PP_OK) {

@@ -1,4 +1,5 @@
-/* window_store.h - the radiance outside each opening of a room, worked out once.
+/* window_store.h - the radiance outside each opening of a room, worked out once for a
+ * light from outside.
  *
  * Paths that leave by a window then need no more than one ray outside: whether that
  * meets a surface is still traced, so that silhouettes stay sharp, but the surface's
@@ -10,6 +11,7 @@
 #include <stdint.h>
 
 #include "model/base/error.h"
+#include "simulate/scene/environment.h"
 #include "simulate/scene/light_scene.h"
 #include "simulate/transport/window_table.h"
 
@@ -19,11 +21,13 @@ struct pp_window_store {
     uint32_t samples; /* paths of each bin */
 };
 
-/* NULL where there is nothing to work out. The same for any number of threads (0: as
+/* environment: as of struct pp_radiance_state. NULL where there is nothing to work
+ * out. The same for any number of threads (0: as
  * many as the machine has processors). */
 enum pp_status pp_window_store_create(struct pp_window_store **store,
-                                      const struct pp_light_scene *scene, uint64_t seed,
-                                      int threads, struct pp_error *err);
+                                      const struct pp_light_scene *scene,
+                                      const struct pp_environment *environment,
+                                      uint64_t seed, int threads, struct pp_error *err);
 void pp_window_store_destroy(struct pp_window_store *store); /* NULL is allowed */
 
 #endif

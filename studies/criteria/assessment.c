@@ -26,7 +26,7 @@ enum pp_status pp_assessment_choose(bool chosen[PP_CRITERIA_MOST], const char *l
         char word[64];
         snprintf(word, sizeof word, "%.*s", (int)strcspn(list, ","), list);
         int i = 0;
-        while (i < count && strcmp(names[i], word) != 0)
+        while (i < count && !pp_criteria_is_called(pp_criteria_at(i), word))
             i++;
         if (i == count)
             return pp_text_unknown(err, word, names, count, NULL,
@@ -77,7 +77,8 @@ static void find_median(struct pp_median *median, const struct pp_world *world,
         median->lux = capital->median_lux;
         snprintf(median->how, sizeof median->how, "%s, as chosen", capital->name);
     } else {
-        *median = pp_capitals_median(world->latitude_rad, world->longitude_rad);
+        *median = pp_capitals_median(world->latitude_rad, world->longitude_rad,
+                                     world->country);
     }
 }
 

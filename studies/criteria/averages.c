@@ -82,13 +82,14 @@ static enum pp_status evaluate_uniformity(const struct pp_inquiry *inquiry,
         pp_finding_of(PP_FIGURE_RATIO, share.level / mean, wanted, false, what);
     if (isfinite(share.probability))
         pp_finding_sampled(&finding, share.std_error / mean, share.probability);
-    pp_finding_note(&finding, "minimum %.2f %%, average %.2f %% on %d points",
+    pp_finding_note(&finding, "minimum %.4g %%, average %.4g %% on %d points",
                     100.0 * share.level, 100.0 * mean, count);
     return pp_finding_list_add(findings, &finding, err);
 }
 
 const struct pp_criterion pp_criterion_average = {
     .name = "average",
+    .alias = "adf",
     .title = "Average daylight factor in dwellings",
     .source = "BS8206",
     .summary = "1 % in bedrooms, 1.5 % in living rooms, 2 % in kitchens",

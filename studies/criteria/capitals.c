@@ -6,6 +6,7 @@
 #include <math.h>
 #include <stdbool.h>
 #include <stdio.h>
+#include <string.h>
 #include <strings.h>
 
 #include "model/geometry/vec.h"
@@ -38,6 +39,14 @@ const struct pp_capital *pp_capitals_find(const char *name)
     return NULL;
 }
 
+const struct pp_capital *pp_capitals_of_country(const char *country)
+{
+    for (int i = 0; i < pp_capitals_count(); i++)
+        if (strcmp(capitals[i].country, country) == 0)
+            return &capitals[i];
+    return NULL;
+}
+
 static struct pp_vec3 towards(double latitude_rad, double longitude_rad)
 {
     return pp_vec(cos(latitude_rad) * cos(longitude_rad),
@@ -54,9 +63,19 @@ static double distance_km(const struct pp_capital *capital, double latitude_rad,
     return 2.0 * earth_km * asin(fmin(pp_vec_length(pp_vec_sub(a, b)) / 2.0, 1.0));
 }
 
-struct pp_median pp_capitals_median(double latitude_rad, double longitude_rad)
+struct pp_median pp_capitals_median(double latitude_rad, double longitude_rad,
+                                    const char *country)
 {
     struct pp_median median = {.lux = NAN};
+    const struct pp_capital *own = pp_capitals_of_country(country);
+    if (own) {
+        median.lux = own->median_lux;
+        snprintf(median.how, sizeof median.how, "%s, the capital of %s%s", own->name,
+                 own->country, own->recalled_only ? " (from memory alone)" : "");
+        return median;
+    }
+    const char *warning = country[0] ? "the table has none for its country"
+                                     : "site has no country, which decides";
     if (isnan(latitude_rad)) {
         snprintf(median.how, sizeof median.how,
                  "the room file gives no latitude; --place NAME or --median-diffuse "
@@ -84,10 +103,11 @@ struct pp_median pp_capitals_median(double latitude_rad, double longitude_rad)
     }
     median.lux = nearest->median_lux;
     if (known)
-        snprintf(median.how, sizeof median.how, "%s, the nearest capital, %.0f km away",
-                 nearest->name, least);
+        snprintf(median.how, sizeof median.how,
+                 "%s, the nearest capital, %.0f km away; %s", nearest->name, least,
+                 warning);
     else
-        snprintf(median.how, sizeof median.how, "%s, the capital nearest in latitude",
-                 nearest->name);
+        snprintf(median.how, sizeof median.how,
+                 "%s, the capital nearest in latitude; %s", nearest->name, warning);
     return median;
 }

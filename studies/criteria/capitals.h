@@ -4,6 +4,8 @@
 #ifndef PP_STUDIES_CRITERIA_CAPITALS_H
 #define PP_STUDIES_CRITERIA_CAPITALS_H
 
+#include <stdbool.h>
+
 /* The diffuse horizontal illuminance that a site has in half of the year's daylight
  * hours, E_v,d,med of [EN17037]. */
 struct pp_median {
@@ -18,6 +20,8 @@ struct pp_capital {
     double latitude_deg, longitude_deg;
     double median_lux;
     double target_300_percent; /* as printed: 300 lx over median_lux */
+    const char *country;       /* two letters */
+    bool recalled_only;        /* by memory alone: no second list was at hand */
 };
 
 int pp_capitals_count(void);
@@ -26,10 +30,15 @@ const struct pp_capital *pp_capitals_at(int index);
 /* The capital of that name, upper and lower case alike; NULL where there is none. */
 const struct pp_capital *pp_capitals_find(const char *name);
 
-/* The median illuminance of a site: that of the nearest capital by great circle, if it
- * is within 1000 km; for a site without longitude that of the capital whose latitude is
+/* The capital of a country, by its two letters; NULL: the table has none. */
+const struct pp_capital *pp_capitals_of_country(const char *country);
+
+/* The median illuminance of a site: that of its country's capital, as the table goes by
+ * nation. Where country is empty or has no capital in the table, that of the nearest
+ * capital by great circle, and `how` warns of it, if it is within 1000 km; for a site without longitude that of the capital whose latitude is
  * nearest, if it is within 2.5 degrees. Angles in radians, NAN where not known. lux is
  * NAN where no capital is near, and `how` says why. */
-struct pp_median pp_capitals_median(double latitude_rad, double longitude_rad);
+struct pp_median pp_capitals_median(double latitude_rad, double longitude_rad,
+                                    const char *country);
 
 #endif

@@ -22,6 +22,9 @@ extern const struct pp_criterion pp_criterion_rights_of_light;
  * one past the last. */
 const struct pp_criterion *pp_criteria_at(int index);
 
+/* Is that the criterion's name or its short one? */
+bool pp_criteria_is_called(const struct pp_criterion *criterion, const char *name);
+
 /* The criterion of that name, or NULL. */
 const struct pp_criterion *pp_criteria_find(const char *name);
 

@@ -31,8 +31,9 @@ struct pp_inquiry {
 };
 
 struct pp_criterion {
-    const char *name;    /* as typed on the command line, and in JSON */
-    const char *title;   /* for people */
+    const char *name;  /* as typed on the command line, and in JSON */
+    const char *alias; /* its short name in the field, which is good as well; or NULL */
+    const char *title; /* for people */
     const char *source;  /* keys in docs/SOURCES.md, with ", " between */
     const char *summary; /* one line for the help, without a full stop */
     bool needs_before;   /* is evaluated only where there is a room before */

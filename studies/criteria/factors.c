@@ -5,9 +5,9 @@
 #include <stddef.h>
 
 #include "methods/evaluate.h"
+#include "methods/usual_pair.h"
 
 static const char traced[] = "traced", formula[] = "average-df";
-static const char *const pairs[] = {"exact+bre", "exact+split-flux"};
 static const char no_method[] =
     "no hand method gives its daylight factors; --simulate does";
 
@@ -20,12 +20,9 @@ static bool gives_average(const struct pp_report *report, const char *name)
 enum pp_status pp_factors_by_hand(struct pp_report *report, struct pp_error *err)
 {
     enum pp_status status = pp_methods_evaluate(report, formula, err);
-    for (int i = 0; i < 2 && status == PP_OK; i++) {
-        status = pp_methods_evaluate(report, pairs[i], err);
-        if (gives_average(report, pairs[i]))
-            break;
-    }
-    return status;
+    return status == PP_OK ? pp_methods_evaluate(
+               report, pp_usual_pair(report->world, NULL, 0).name, err)
+                           : status;
 }
 
 const char *pp_factors_refuse(const struct pp_inquiry *inquiry)
@@ -70,11 +67,10 @@ const struct pp_column *pp_factors_of_grid(const struct pp_inquiry *inquiry,
             set_basis(findings, traced);
         return *why ? NULL : column;
     }
-    for (int i = 0; i < 2; i++) {
-        column = pp_report_find(report, PP_DF, pairs[i]);
-        if (!column || missing(column, report->receiver_count))
-            continue;
-        set_basis(findings, pairs[i]);
+    const char *pair = pp_usual_pair(report->world, NULL, 0).name;
+    column = pp_report_find(report, PP_DF, pair);
+    if (column && !missing(column, report->receiver_count)) {
+        set_basis(findings, pair);
         return column;
     }
     *why = no_method;
@@ -85,10 +81,11 @@ const struct pp_reading *pp_factors_average(const struct pp_inquiry *inquiry,
                                             struct pp_finding_list *findings,
                                             const char **why)
 {
-    const char *const names[] = {traced, formula, pairs[0], pairs[1]};
     const struct pp_report *report = inquiry->factors;
+    const char *const names[] = {traced, formula,
+                                 pp_usual_pair(report->world, NULL, 0).name};
     *why = pp_factors_refuse(inquiry);
-    for (int i = 0; i < 4 && !*why; i++) {
+    for (int i = 0; i < 3 && !*why; i++) {
         if (!gives_average(report, names[i]))
             continue;
         set_basis(findings, names[i]);

@@ -9,6 +9,7 @@
  */
 #include <math.h>
 
+#include "methods/allowance.h"
 #include "studies/criteria/criteria.h"
 
 #define GLASS_WANTED 0.08
@@ -25,7 +26,7 @@ static enum pp_status evaluate(const struct pp_inquiry *inquiry,
     for (int i = 0; i < world->opening_count; i++) {
         const struct pp_opening *opening = &world->openings[i];
         opening_m2 += opening->inner.area_m2;
-        glass_m2 += opening->inner.area_m2 * opening->frame_factor;
+        glass_m2 += pp_allowance_net_glass_m2(opening);
     }
     struct pp_finding glass =
         pp_finding_of(PP_FIGURE_SHARE, glass_m2 / floor_m2, GLASS_WANTED, false,

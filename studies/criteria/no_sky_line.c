@@ -112,6 +112,7 @@ static enum pp_status evaluate_rule(const struct pp_inquiry *inquiry,
 
 const struct pp_criterion pp_criterion_no_sky_line = {
     .name = "no-sky-line",
+    .alias = "nsl",
     .title = "No-sky line",
     .source = "BR209",
     .summary = "the area beyond it; 0.8 of what saw sky before still does (--before)",

@@ -104,12 +104,7 @@ double pp_section_angle(const struct pp_world *world, const struct pp_opening *o
         const struct pp_skyline *skyline = &world->skylines[i];
         if (skyline->face != opening->face)
             continue;
-        struct pp_vec3 wall = world->surfaces[skyline->face].outline.vertices[0];
-        double away =
-            skyline->distance_m - pp_vec_dot(pp_vec_sub(section.eye, wall), out);
-        highest = fmax(highest, isinf(skyline->distance_m)
-                                    ? skyline->angle_rad
-                                    : atan2(skyline->head_z_m - section.eye.z, away));
+        highest = fmax(highest, pp_world_skyline_angle(skyline, section.eye.z, 0.0));
     }
     for (int i = 0; i < world->surface_count; i++) {
         const struct pp_surface *surface = &world->surfaces[i];

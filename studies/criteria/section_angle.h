@@ -9,6 +9,8 @@
  * section through the middle of an opening's outside, square to its wall. Obstructions
  * are skylines of that wall, blocks, free-standing surfaces and other parts of the
  * building, overhangs over the window too; obstructions beside the section do not count.
+ * The angle that a room file gives a skyline is that from the outside, whatever the
+ * depth of the reveal: [BR209] measures it there.
  * The opening must be upright. */
 double pp_section_angle(const struct pp_world *world, const struct pp_opening *opening);
 

@@ -146,6 +146,11 @@ static enum pp_status find_angle(struct pp_finding *finding,
     (void)err;
     double angle = pp_section_angle(inquiry->world, &inquiry->world->openings[opening]);
     *finding = pp_finding_of(PP_FIGURE_ANGLE, angle, ANGLE_WANTED, true, "%s", what);
+    if (finding->verdict == PP_NOT_MET) {
+        finding->decided_by = pp_criterion_vertical_sky.name;
+        pp_finding_note(finding, "no failure by itself: the vertical sky component "
+                                 "decides");
+    }
     return PP_OK;
 }
 
@@ -158,6 +163,7 @@ static enum pp_status evaluate_angle(const struct pp_inquiry *inquiry,
 
 const struct pp_criterion pp_criterion_vertical_sky = {
     .name = "vertical-sky",
+    .alias = "vsc",
     .title = "Vertical sky component",
     .source = "BR209",
     .summary = "27 % at the middle of each window's outside",

@@ -4,14 +4,12 @@
 
 #include "simulate/cache/irradiance_cache.h"
 
-/* The cache for a scene, with the records of `file` if there is one of that name; NULL:
- * without. A file that is none of this scene's is PP_BAD_INPUT. */
-enum pp_status pp_cache_records_open(struct pp_irradiance_cache **cache,
-                                     const char *file,
-                                     const struct pp_light_scene *scene,
-                                     const struct pp_window_store *store,
-                                     const struct pp_radiance_options *light,
-                                     const struct pp_cache_options *options,
-                                     struct pp_error *err);
+/* The cache for a scene under a light, with the records of `file` if there is one of that name; NULL:
+ * without. A file of another scene or light is PP_BAD_INPUT. */
+enum pp_status pp_cache_records_open(
+    struct pp_irradiance_cache **cache, const char *file,
+    const struct pp_light_scene *scene, const struct pp_environment *environment,
+    const struct pp_window_store *store, const struct pp_radiance_options *light,
+    const struct pp_cache_options *options, struct pp_error *err);
 
 #endif

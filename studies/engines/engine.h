@@ -1,8 +1,9 @@
 /* engine.h - what simulates: the list of engines, each a file that puts one of
  * simulate/'s solvers behind the same few functions.
  *
- * The caller holds the loop (studies/simulation.h): create, advance until done, read,
- * destroy. A new engine is a file like engine_path.c, and a line in engine.c.
+ * The scene is without light from outside: made once of a world, it serves any number of
+ * runs of any engine, under one sky after another. The caller holds the loop
+ * (studies/simulation.h): create, advance until done, read, destroy. A new engine is a file like engine_path.c, and a line in engine.c.
  */
 #ifndef PP_STUDIES_ENGINES_ENGINE_H
 #define PP_STUDIES_ENGINES_ENGINE_H
@@ -33,9 +34,11 @@ struct pp_engine {
     const char *column; /* of its results: "traced" */
     const char *summary;
 
-    /* At the report's receivers and over its working plane. *run is made on success
-     * only; world and receivers must outlive it. */
-    enum pp_status (*create)(void **run, const struct pp_report *report,
+    /* At the report's receivers and over its working plane, under its world's sky, in
+     * the world's matt scene. *run is made on success only; scene and receivers must
+     * outlive it. */
+    enum pp_status (*create)(void **run, const struct pp_light_scene *scene,
+                             const struct pp_report *report,
                              const struct pp_engine_options *options,
                              struct pp_error *err);
     enum pp_status (*advance)(void *run, double seconds, struct pp_error *err);

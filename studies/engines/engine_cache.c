@@ -10,9 +10,9 @@
 #include "studies/engines/cache_records.h"
 #include "studies/engines/engine.h"
 
-/* The scene and all that stands on it, in the order in which they are made. */
+/* All that stands on the scene, in the order in which it is made. */
 struct cache_run {
-    struct pp_light_scene *scene;
+    struct pp_environment *environment;
     struct pp_window_store *store;
     struct pp_irradiance_cache *cache;
     struct pp_cached_points *points;
@@ -26,14 +26,16 @@ static void destroy(void *data)
     pp_cached_points_destroy(run->points);
     pp_irradiance_cache_destroy(run->cache);
     pp_window_store_destroy(run->store);
-    pp_light_scene_destroy(run->scene);
+    pp_environment_destroy(run->environment);
     free(run);
 }
 
-static enum pp_status make(struct cache_run *run, const struct pp_report *report,
+static enum pp_status make(struct cache_run *run, const struct pp_light_scene *scene,
+                           const struct pp_report *report,
                            const struct pp_engine_options *options,
                            struct pp_error *err)
 {
+    const struct pp_outside_light outside = pp_world_light(report->world);
     const struct pp_radiance_options light = pp_cached_points_light();
     const struct pp_cached_options wanted = {.error = options->error,
                                              .samples = options->samples,
@@ -45,28 +47,30 @@ static enum pp_status make(struct cache_run *run, const struct pp_report *report
     records.seed = options->seed;
     records.threads = options->threads;
     enum pp_status status =
-        pp_light_scene_of_world_matt(&run->scene, report->world, err);
+        pp_light_scene_under(&run->environment, scene, &outside, err);
     if (status == PP_OK)
-        status = pp_window_store_create(&run->store, run->scene, options->seed,
-                                        options->threads, err);
+        status = pp_window_store_create(&run->store, scene, run->environment,
+                                        options->seed, options->threads, err);
     if (status == PP_OK)
-        status = pp_cache_records_open(&run->cache, options->cache_file, run->scene,
-                                       run->store, &light, &records, err);
+        status =
+            pp_cache_records_open(&run->cache, options->cache_file, scene,
+                                  run->environment, run->store, &light, &records, err);
     if (status == PP_OK)
-        status = pp_cached_points_create(&run->points, run->scene, run->store,
-                                         run->cache, report->receivers,
-                                         report->receiver_count, &wanted, err);
+        status = pp_cached_points_create(&run->points, scene, run->store, run->cache,
+                                         report->receivers, report->receiver_count,
+                                         &wanted, err);
     return status;
 }
 
-static enum pp_status create(void **data, const struct pp_report *report,
+static enum pp_status create(void **data, const struct pp_light_scene *scene,
+                             const struct pp_report *report,
                              const struct pp_engine_options *options,
                              struct pp_error *err)
 {
     struct cache_run *run = calloc(1, sizeof *run);
     if (!run)
         return pp_fail_memory(err);
-    enum pp_status status = make(run, report, options, err);
+    enum pp_status status = make(run, scene, report, options, err);
     if (status != PP_OK) {
         destroy(run);
         run = NULL;

@@ -1,52 +1,90 @@
 /* engine_path.c - the unbiased path tracer of simulate/tracer as an engine. */
-#include "studies/engines/engine.h"
-#include "simulate/tracer/tracer.h"
+#include <stdlib.h>
 
-static enum pp_status create(void **run, const struct pp_report *report,
-                             const struct pp_engine_options *options,
-                             struct pp_error *err)
+#include "simulate/tracer/tracer.h"
+#include "studies/engines/engine.h"
+
+/* The light on the scene, and the tracer. */
+struct path_run {
+    struct pp_environment *environment;
+    struct pp_tracer *tracer;
+};
+
+static void destroy(void *data)
 {
+    struct path_run *run = data;
+    if (!run)
+        return;
+    pp_tracer_destroy(run->tracer);
+    pp_environment_destroy(run->environment);
+    free(run);
+}
+
+static enum pp_status make(struct path_run *run, const struct pp_light_scene *scene,
+                           const struct pp_report *report,
+                           const struct pp_engine_options *options,
+                           struct pp_error *err)
+{
+    const struct pp_outside_light light = pp_world_light(report->world);
     const struct pp_tracer_options wanted = {.error = options->error,
                                              .samples = options->samples,
                                              .seed = options->seed,
                                              .threads = options->threads,
                                              .average = true};
-    struct pp_tracer *tracer = NULL;
-    enum pp_status status = pp_tracer_create(&tracer, report->world, report->receivers,
-                                             report->receiver_count, &wanted, err);
-    *run = tracer;
+    enum pp_status status = pp_light_scene_under(&run->environment, scene, &light, err);
+    if (status == PP_OK)
+        status =
+            pp_tracer_create(&run->tracer, scene, run->environment, report->receivers,
+                             report->receiver_count, &wanted, err);
     return status;
 }
 
-static enum pp_status advance(void *run, double seconds, struct pp_error *err)
+static enum pp_status create(void **data, const struct pp_light_scene *scene,
+                             const struct pp_report *report,
+                             const struct pp_engine_options *options,
+                             struct pp_error *err)
 {
-    return pp_tracer_advance(run, seconds, err);
+    struct path_run *run = calloc(1, sizeof *run);
+    if (!run)
+        return pp_fail_memory(err);
+    enum pp_status status = make(run, scene, report, options, err);
+    if (status != PP_OK) {
+        destroy(run);
+        run = NULL;
+    }
+    *data = run;
+    return status;
 }
 
-static bool done(const void *run)
+static enum pp_status advance(void *data, double seconds, struct pp_error *err)
 {
-    return pp_tracer_done(run);
+    struct path_run *run = data;
+    return pp_tracer_advance(run->tracer, seconds, err);
 }
 
-static double progress(const void *run)
+static bool done(const void *data)
 {
-    return pp_tracer_progress(run);
+    const struct path_run *run = data;
+    return pp_tracer_done(run->tracer);
 }
 
-static double error(const void *run)
+static double progress(const void *data)
 {
-    return pp_tracer_error(run);
+    const struct path_run *run = data;
+    return pp_tracer_progress(run->tracer);
 }
 
-static void read(const void *run, int index,
+static double error(const void *data)
+{
+    const struct path_run *run = data;
+    return pp_tracer_error(run->tracer);
+}
+
+static void read(const void *data, int index,
                  struct pp_reading readings[PP_COMPONENT_COUNT])
 {
-    pp_tracer_read(run, index, readings);
-}
-
-static void destroy(void *run)
-{
-    pp_tracer_destroy(run);
+    const struct path_run *run = data;
+    pp_tracer_read(run->tracer, index, readings);
 }
 
 const struct pp_engine pp_engine_path = {

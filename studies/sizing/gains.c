@@ -10,9 +10,8 @@
 #include "studies/sizing/gain_changes.h"
 #include "studies/criteria/en17037_grid.h"
 #include "methods/evaluate.h"
+#include "methods/usual_pair.h"
 #include "model/base/text.h"
-
-static const char *const methods[] = {"exact+bre", "exact+split-flux"};
 
 /* A change that raises the average by a smaller share than this is left out; chosen, not
  * measured. */
@@ -90,12 +89,10 @@ enum pp_status pp_gains_find(struct pp_gains *gains, const struct pp_room *room,
                              const struct pp_world *world, struct pp_error *err)
 {
     *gains = (struct pp_gains){.now = {NAN, NAN}};
-    enum pp_status status = PP_OK;
-    for (int i = 0; i < 2 && status == PP_OK && !gains->method; i++) {
-        status = evaluate(&gains->now, world, methods[i], err);
-        if (isfinite(gains->now.average))
-            gains->method = methods[i];
-    }
+    const char *pair = pp_usual_pair(world, NULL, 0).name;
+    enum pp_status status = evaluate(&gains->now, world, pair, err);
+    if (isfinite(gains->now.average))
+        gains->method = pair;
     for (int i = 0; pp_gain_kinds[i].make && gains->method && status == PP_OK; i++)
         status = try_change(gains, &pp_gain_kinds[i], room, world, err);
     return status;

@@ -271,6 +271,9 @@ enum pp_status pp_size_find(struct pp_size_answer *answer,
     } else if (status == PP_OK) {
         answer->is_largest = found.step == pp_window_sizes_count(search.sizes) - 1;
         status = pp_window_sizes_room(&answer->room, search.sizes, found.step, err);
+        if (status == PP_OK)
+            status = pp_window_sizes_room(&answer->largest_room, search.sizes,
+                                          pp_window_sizes_count(search.sizes) - 1, err);
     }
     pp_window_sizes_destroy(search.sizes);
     if (status != PP_OK)
@@ -281,5 +284,6 @@ enum pp_status pp_size_find(struct pp_size_answer *answer,
 void pp_size_answer_clear(struct pp_size_answer *answer)
 {
     pp_room_destroy(answer->room);
-    answer->room = NULL;
+    pp_room_destroy(answer->largest_room);
+    answer->room = answer->largest_room = NULL;
 }

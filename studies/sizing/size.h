@@ -42,8 +42,10 @@ struct pp_size_answer {
     struct pp_reading largest;  /* of the largest size */
     struct pp_reading reading;  /* of the size given */
     struct pp_room *room;       /* at the size given, owned; NULL: there is no value */
-    bool is_largest;            /* the size given is the largest */
-    int evaluations;            /* number of sizes that were evaluated */
+    struct pp_room
+        *largest_room; /* at the largest size, owned; NULL: there is no value */
+    bool is_largest;   /* the size given is the largest */
+    int evaluations;   /* number of sizes that were evaluated */
 };
 
 /* On success the answer is to be cleared by the caller. */

@@ -6,7 +6,9 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "methods/evaluate.h"
 #include "methods/method.h"
+#include "methods/usual_pair.h"
 #include "studies/room_value.h"
 #include "studies/study_report.h"
 
@@ -180,38 +182,85 @@ static void find_text(struct pp_size_room_result *result)
 
 /* ---- The room ---- */
 
-/* The method asked for, or else the first of the usual ones that covers the room. */
-static enum pp_status choose_method(struct valuation *valuation, struct pp_error *err)
+/* Can the method's average of the room as it is be relied on? */
+static enum pp_status find_reliability(struct pp_size_room_result *result,
+                                       const struct valuation *valuation,
+                                       struct pp_error *err)
 {
-    static const char *const usual[] = {"exact+bre", "exact+split-flux"};
-    struct pp_reading reading = pp_reading_none(NULL);
-    enum pp_status status = PP_OK;
-    valuation->by_hand.method = valuation->request->by;
-    for (int i = 0; i < 2 && !valuation->request->by && status == PP_OK; i++) {
-        valuation->by_hand.method = usual[i];
-        status =
-            pp_room_value(&valuation->by_hand, valuation->room->world, &reading, err);
-        if (!reading.why)
-            break;
-    }
+    struct pp_report report = {.world = valuation->room->world, .finished = true};
+    enum pp_status status =
+        pp_methods_evaluate(&report, valuation->by_hand.method, err);
+    if (status == PP_OK)
+        result->reliability = pp_reliability_of(&report);
+    pp_report_clear(&report);
     return status;
 }
 
-/* The simulated check of an answer. */
-static enum pp_status check_by_simulation(struct pp_size_room_result *result,
-                                          struct valuation *valuation,
-                                          struct pp_error *err)
+/* The method asked for, or else the usual pair of the room. */
+static void choose_method(struct valuation *valuation)
+{
+    struct pp_room_value *by_hand = &valuation->by_hand;
+    by_hand->method = valuation->request->by;
+    if (!by_hand->method)
+        by_hand->method =
+            pp_usual_pair(valuation->room->world, by_hand->points, by_hand->point_count)
+                .name;
+}
+
+/* Traces the room, and has its value by hand, where by_hand is not NULL, too. */
+static enum pp_status trace_room(struct pp_reading *reading, struct pp_reading *by_hand,
+                                 const struct pp_room *room,
+                                 struct valuation *valuation, struct pp_error *err)
 {
     struct pp_world *world = NULL;
     struct pp_mistakes mistakes;
     pp_mistakes_init(&mistakes, "the sized room");
-    enum pp_status status =
-        pp_world_create(&world, result->answer.room, &mistakes, err);
+    enum pp_status status = pp_world_create(&world, room, &mistakes, err);
     if (status == PP_OK)
-        status = trace(valuation, world, &result->traced, err);
+        status = trace(valuation, world, reading, err);
+    if (status == PP_OK && by_hand)
+        status = pp_room_value(&valuation->by_hand, world, by_hand, err);
     pp_world_destroy(world);
     pp_mistakes_clear(&mistakes);
     return status;
+}
+
+/* Below the target, by more than the noise? */
+static bool falls_short(const struct pp_reading *traced, double target)
+{
+    double noise = traced->std_error > 0.0 ? 2.0 * traced->std_error : 0.0;
+    return traced->value + noise < target;
+}
+
+/* The simulated check of an answer. Where it does not hold, the largest size is traced
+ * too: a target that not even that reaches is out of reach, and the largest size becomes
+ * the answer. */
+static enum pp_status check_by_simulation(struct pp_size_room_result *result,
+                                          struct valuation *valuation,
+                                          struct pp_error *err)
+{
+    struct pp_size_answer *answer = &result->answer;
+    double target = valuation->request->target;
+    enum pp_status status =
+        trace_room(&result->traced, NULL, answer->room, valuation, err);
+    if (status != PP_OK || answer->verdict == PP_SIZE_OUT_OF_REACH)
+        return status;
+    result->holds = !falls_short(&result->traced, target);
+    if (result->holds)
+        return PP_OK;
+    struct pp_reading most = result->traced, by_hand = answer->reading;
+    if (!answer->is_largest)
+        status = trace_room(&most, &by_hand, answer->largest_room, valuation, err);
+    if (status != PP_OK || !falls_short(&most, target))
+        return status;
+    struct pp_room *largest = answer->largest_room;
+    answer->largest_room = answer->room;
+    answer->room = largest;
+    answer->verdict = PP_SIZE_OUT_OF_REACH;
+    answer->is_largest = true;
+    answer->reading = by_hand;
+    result->traced = most;
+    return PP_OK;
 }
 
 enum pp_status pp_size_room(struct pp_size_room_result *result,
@@ -224,8 +273,8 @@ enum pp_status pp_size_room(struct pp_size_room_result *result,
         .room = room,
         .by_hand = {.points = points ? room->receivers : NULL,
                     .point_count = points ? room->receiver_count : 0}};
-    *result =
-        (struct pp_size_room_result){.room = room, .traced = pp_reading_none(NULL)};
+    *result = (struct pp_size_room_result){
+        .room = room, .traced = pp_reading_none(NULL), .holds = true};
     find_text(result);
     int all = pp_room_opening_count(room->room);
     int *openings = malloc(((size_t)all + 1) * sizeof *openings);
@@ -237,14 +286,18 @@ enum pp_status pp_size_room(struct pp_size_room_result *result,
                                 .target = request->target,
                                 .value = value_of,
                                 .data = &valuation};
-    enum pp_status status = choose_method(&valuation, err);
-    if (status == PP_OK) {
-        result->method = valuation.by_hand.method;
-        task.by_counts = is_by_counts(result->method);
-        status = choose(openings, &task.opening_count, request, room->room, err);
-    }
+    choose_method(&valuation);
+    result->method = valuation.by_hand.method;
+    task.by_counts = is_by_counts(result->method);
+    enum pp_status status =
+        choose(openings, &task.opening_count, request, room->room, err);
+    if (status == PP_OK && !request->traced)
+        status = find_reliability(result, &valuation, err);
     if (status == PP_OK)
         status = pp_size_find(&result->answer, &task, err);
+    if (status == PP_OK && request->study->simulate && !request->traced
+        && result->answer.room)
+        status = check_by_simulation(result, &valuation, err);
     if (status == PP_OK && result->answer.room)
         status = set_down_edits(result, openings, task.opening_count, err);
     free(openings);
@@ -252,9 +305,6 @@ enum pp_status pp_size_room(struct pp_size_room_result *result,
         snprintf(result->text, sizeof result->text, "%s", valuation.by_hand.why);
         result->why = result->text;
     }
-    if (status == PP_OK && request->study->simulate && !request->traced
-        && result->answer.room)
-        status = check_by_simulation(result, &valuation, err);
     return status;
 }
 

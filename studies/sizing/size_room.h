@@ -5,6 +5,7 @@
 #define PP_STUDIES_SIZING_SIZE_ROOM_H
 
 #include "studies/study_room.h"
+#include "studies/reliability.h"
 #include "studies/sizing/size.h"
 #include "methods/method.h"
 #include "model/room/room_text.h"
@@ -37,7 +38,12 @@ struct pp_size_room_result {
     int file_opening; /* how many openings the file has before the room's first */
     const char *why;  /* there is no value; not owned */
     struct pp_reading traced; /* of the room sized; NAN where nothing was traced */
-    char text[512];           /* what why points to */
+    bool
+        holds; /* false: the traced value of the size found by hand is below the target,
+                 * by more than two standard errors; where that of the largest size is
+                 * too, the target is out of reach, and that size is the answer */
+    struct pp_reliability reliability; /* of the room as it is, by hand */
+    char text[512];                    /* what why points to */
 };
 
 /* Sizes a room. PP_BAD_INPUT where it has no such

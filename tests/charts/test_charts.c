@@ -73,11 +73,11 @@ static struct pp_canvas *canvas_of(enum pp_chart_format format, enum pp_paper pa
     return canvas;
 }
 
-static char *section(const struct pp_report *report, bool logarithmic,
+static char *section(const struct pp_report *report, enum pp_section_scale scale,
                      enum pp_chart_format format, size_t *length)
 {
     static const char *const notes[] = {"Clear single glass."};
-    struct pp_section_chart chart = {report, logarithmic, notes, 1};
+    struct pp_section_chart chart = {report, scale, notes, 1};
     struct pp_error err;
     struct pp_canvas *canvas =
         canvas_of(format, PP_PAPER_A4, pp_section_chart_landscape(&chart));
@@ -270,8 +270,8 @@ static void a_report_without_values_says_so_on_the_chart(void **state)
         for (int i = 0; i < report.receiver_count; i++)
             report.columns[c].points[i] = pp_reading_none("no reason");
     report.columns[3].average = pp_reading_none(0);
-    for (int logarithmic = 0; logarithmic < 2; logarithmic++) {
-        pdf = section(&report, logarithmic, PP_CHART_PDF, &length);
+    for (int scale = PP_SCALE_AS_FITS; scale <= PP_SCALE_LOG; scale++) {
+        pdf = section(&report, scale, PP_CHART_PDF, &length);
         assert_says(pdf, length, sayings);
     }
     pp_report_clear(&report);
@@ -289,9 +289,9 @@ static void zeros_infinities_and_extremes_are_drawn_without_a_fault(void **state
         for (int i = 0; i < report.receiver_count; i++)
             report.columns[0].points[i].value = values[v];
         report.columns[2].points[4].std_error = v == 6 ? 1e300 : 10.0;
-        for (int logarithmic = 0; logarithmic < 2; logarithmic++) {
+        for (int scale = PP_SCALE_AS_FITS; scale <= PP_SCALE_LOG; scale++) {
             size_t length;
-            free(section(&report, logarithmic, PP_CHART_SVG, &length));
+            free(section(&report, scale, PP_CHART_SVG, &length));
             assert_true(length > 1000);
         }
         pp_report_clear(&report);
@@ -343,7 +343,7 @@ static char *plan_chart(const struct pp_world *world,
                         size_t *length)
 {
     struct pp_report report = report_of(world);
-    struct pp_plan_chart chart = {world, plan, &report, 0, 0};
+    struct pp_plan_chart chart = {.world = world, .plan = plan, .report = &report};
     struct pp_canvas *canvas = canvas_of(format, paper, pp_plan_chart_landscape(world));
     assert_int_equal(pp_plan_chart_draw(canvas, &chart, 0), PP_OK);
     return finish(canvas, length);
@@ -356,7 +356,7 @@ static void a_plan_is_to_the_scale_that_it_states(void **state)
         enum pp_paper paper;
         const char *scale;
         double mm; /* of the no-sky line of 2 m */
-    } rows[] = {{PP_PAPER_A5, "1:100", 20.0},
+    } rows[] = {{PP_PAPER_A5, "1:75", 2000.0 / 75.0},
                 {PP_PAPER_A4, "1:50", 40.0},
                 {PP_PAPER_A2, "1:20", 100.0}};
     struct pp_world *world = world_of("Plan", ROOM LINE);
@@ -413,7 +413,7 @@ static void small_rooms_and_halls_find_a_usual_scale(void **state)
         const char *plan;
         double scale;
     } rows[] = {{"<plan width=\"1\" depth=\"1.2\" height=\"2\"/>", 10},
-                {"<plan width=\"100\" depth=\"60\" height=\"9\"/>", 1000},
+                {"<plan width=\"100\" depth=\"60\" height=\"9\"/>", 750},
                 {"<plan width=\"17\" depth=\"11\" height=\"3\"/>", 100}};
     struct pp_style style = pp_style_for(210.0);
     for (int i = 0; i < 3; i++) {

@@ -7,7 +7,7 @@ export LC_ALL
 
 for example in "$examples"/*.xml; do
     name=$(basename "$example")
-    check "$name is assessed" gives assess "$example"
+    check "$name is assessed" gives assess --by-hand "$example"
     check "$name is tidy in 80 columns" nothing "$(untidy)"
 done
 check "simulated, with illuminances, too" \
@@ -24,9 +24,19 @@ check "in UTF-8 it fits too" sh -c "
         grep -vF '$examples/' | LC_ALL=C.UTF-8 sed -n '/^.\{81\}/p' |
         grep -c . | grep -qx 0"
 
-check "verdicts do not make the status" shows "not met" assess "$deep"
-check "without simulation it says so" \
-    grep -q "by exact+bre, not simulated" "$scratch/out"
+check "verdicts do not make the status" shows "not met" assess --error 4% "$deep"
+check "it simulates unless told otherwise" grep -q "^  By simulation" "$scratch/out"
+cp "$scratch/out" "$scratch/simulated"
+check "--simulate says the same" sh -c "
+    '$pepperpot' assess --simulate --error 4% '$deep' | cmp - '$scratch/simulated'"
+check "by hand it says so" shows "by exact+bre, not simulated" assess --by-hand "$deep"
+check "100 lx over 95 % is met by hand" \
+    grep -qE "100 lx over.* +met\$" "$scratch/out"
+check "and is not by simulation" grep -qE "100 lx over.* not met: certain" "$scratch/simulated"
+check "--by-hand and --simulate do not go together" refuses 2 "--by-hand" \
+    assess --by-hand --simulate "$deep"
+check "nor --by-hand and what ends a simulation" refuses 2 "--time" \
+    assess --by-hand --time 1s "$deep"
 check "standard input is a room" sh -c \
     "'$pepperpot' assess - <'$deep' | grep -q '(standard input)'"
 check "one criterion by itself" shows "Limiting depth" assess -c limiting-depth "$deep"
@@ -34,7 +44,32 @@ check "is by itself" nothing "$(grep -i 'glazing over floor' "$scratch/out")"
 check "one room of a building" shows "Kitchen" \
     assess --room Kitchen "$examples/building.xml"
 check "and no other" nothing "$(grep Bedroom "$scratch/out")"
+check "criteria have their short names too" shows "Vertical sky component" \
+    assess -c vsc,nsl,adf "$deep"
+check "one of which is the no-sky line" grep -q "^  No-sky line" "$scratch/out"
+check "and one the average" grep -q "^  Average daylight factor" "$scratch/out"
+check "of a name that is none they are told" refuses 2 'no criterion "vsk"' assess -c vsk "$deep"
+# 3.6 m x tan 26 before a window 1.2 m wide, far enough under 27 % of sky.
+cat >"$scratch/near.xml" <<EOF
+<room version="1"><plan width="3" depth="4" height="2.5"/>
+<window wall="south" left="1" sill="0.9" width="1.2" height="1.2"/>
+<skyline wall="south" angle="26"/></room>
+EOF
+check "what the 25 degree rule leaves to the vertical sky component is no failure" \
+    shows "1 not met, 1 left to the vertical sky component" \
+    assess -c obstruction,vsc "$scratch/near.xml"
+check "by itself it is one" shows "1 not met" assess -c obstruction "$scratch/near.xml"
+check "in JSON it says which decides" shows '"decided_by": "vertical-sky"' \
+    assess -c obstruction --format json "$scratch/near.xml"
 check "another capital" shows "12100 lx" assess --place stockholm "$deep"
+sed 's/<site /<site country="IT" /' "$deep" >"$scratch/italy.xml"
+check "a nation's capital" shows "19200 lx: Rome" \
+    assess --by-hand "$scratch/italy.xml"
+check "without a country the nearest, with a warning" sh -c "
+    '$pepperpot' assess --by-hand '$deep' | tr -s ' \n' ' ' | grep -q 'site has no country'"
+sed 's/<site /<site country="it" /' "$deep" >"$scratch/small.xml"
+check "a country in small letters is refused" refuses 1 "expected two capital letters" \
+    assess "$scratch/small.xml"
 check "an illuminance of one's own" shows "9999 lx: as given" \
     assess --median-diffuse 9999 "$deep"
 "$pepperpot" assess --format json "$deep" -o "$scratch/out.json"
@@ -91,7 +126,6 @@ for lux in 0 -5 1e9 bright nan; do
     check "no median of $lux" refuses 2 "1 to 200000 lx" \
         assess --median-diffuse=$lux "$deep"
 done
-check "--error needs a simulation" refuses 2 "--simulate" assess --error 1% "$deep"
 check "criteria that judge by no daylight factor have none simulated" gives \
     assess --simulate --criteria glazing-ratio,vertical-sky "$deep"
 check "and say nothing of it" nothing "$(grep simulation "$scratch/out")"

@@ -37,6 +37,8 @@ check "to the byte" same "$scratch/one" "$scratch/out"
 
 check "another accuracy is refused" \
     refuses 1 "was made with other options" df $few -aa 0.2 --cache "$kept" "$deep"
+check "another sky is refused" refuses 1 "was made under another sky or ground" \
+    df $few --sky uniform --cache "$kept" "$deep"
 check "another room is refused" refuses 1 "is the cache of another room" \
     df $few --cache "$kept" "$examples/office.xml"
 head -c 3000 "$scratch/first" >"$kept"

@@ -44,6 +44,50 @@ for example in "$examples"/*.xml; do
         check "$kind of $(basename "$example")" test $status -eq 0
     done
 done
+
+# What a plan shows is in its title, and nothing else is drawn under it.
+sums= again=
+for methods in exact exact+bre exact+split-flux brs-table brs-table+bre protractor+bre; do
+    check "a plan by $methods" quietly chart plan -m $methods -o "$scratch/m.svg" "$deep"
+    sums="$sums $(cksum <"$scratch/m.svg" | tr ' ' -)"
+done
+check "differs from those by others" \
+    test "$(printf '%s\n' $sums | sort -u | wc -l)" -eq 6
+check "a plan has one figure" \
+    refuses 2 "expected one method or pair" chart plan -m all -o x.svg "$deep"
+check "no average of the room" refuses 2 "pair" chart plan -m average-df -o x.svg "$deep"
+check "no internally reflected component" \
+    refuses 2 "pair" chart plan -m bre -o x.svg "$deep"
+check "no counts" refuses 2 "steps" chart plan -m pepper-pot+bre -o x.svg "$deep"
+check "not a method's and traced" \
+    refuses 2 "not both" chart plan -s -m exact+bre -o x.svg "$deep"
+check "none that does not cover the room" \
+    refuses 1 "--simulate" chart plan -m exact+bre -o x.svg "$examples/studio.xml"
+check "a fill is one of three" refuses 2 "grey" chart plan --fill red -o x.svg "$deep"
+for fill in none colour grey; do
+    check "fill $fill" quietly chart plan --fill $fill -o "$scratch/$fill.svg" "$deep"
+done
+differ() {
+    ! cmp -s "$1" "$2"
+}
+check "colours are drawn" differ "$scratch/none.svg" "$scratch/colour.svg"
+check "and greys" differ "$scratch/colour.svg" "$scratch/grey.svg"
+for seed in 1 1 2; do
+    check "a traced plan" quietly chart plan --simulate --error 20% --seed $seed \
+        -o "$scratch/traced$seed$again.svg" "$examples/office.xml"
+    again=again
+done
+check "is the same with the same seed" \
+    same "$scratch/traced1.svg" "$scratch/traced1again.svg"
+check "and another with another" \
+    differ "$scratch/traced1.svg" "$scratch/traced2again.svg"
+check "a section of nothing is refused" \
+    refuses 1 "no daylight factor" chart section -m exact+bre -o x.svg "$examples/studio.xml"
+check "and one of a part" refuses 1 "pair" chart section -m bre -o x.svg "$deep"
+check "a scale is one" refuses 2 "not both" chart section --log --linear -o x.svg "$deep"
+check "the section has its own pair too" quietly chart section -o "$scratch/s.svg" \
+    "$examples/studio.xml"
+
 for kind in waldram pepper-pot; do
     for format in pdf svg png; do
         file="$scratch/a $kind.$format"

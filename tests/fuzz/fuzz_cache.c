@@ -17,11 +17,12 @@
 
 static struct pp_irradiance_cache *empty_cache(void)
 {
-    struct pp_radiance_options light = pp_radiance_options_defaults();
+    struct pp_radiance_options light = pp_radiance_state_defaults();
     struct pp_cache_options options = pp_irradiance_cache_defaults();
     struct pp_irradiance_cache *cache = NULL;
     options.threads = 1;
-    must(pp_irradiance_cache_create(&cache, floor_scene(), NULL, &light, &options, NULL)
+    must(pp_irradiance_cache_create(&cache, floor_scene(), NULL, NULL, &light, &options,
+                                    NULL)
          == PP_OK);
     return cache;
 }
@@ -36,9 +37,9 @@ static uint64_t word_at(const unsigned char *at)
 
 static void put_right(char *bytes, size_t length, const char *head)
 {
-    if (length < 64 || length % 8 != 0)
+    if (length < 72 || length % 8 != 0)
         return;
-    memcpy(bytes, head, 40);
+    memcpy(bytes, head, 48); /* to the end of the hashes */
     uint64_t sum = length - 8;
     for (size_t i = 0; i + 8 < length; i += 8)
         sum = pp_hash(sum, word_at((unsigned char *)bytes + i));

@@ -26,13 +26,13 @@ static struct pp_render *fresh_render(void)
     struct pp_render_options options = {.width = 17,
                                         .height = 18,
                                         .samples = 1,
-                                        .light = pp_radiance_options_defaults(),
+                                        .light = pp_radiance_state_defaults(),
                                         .threads = 1};
     struct pp_render *render = NULL;
     must(pp_camera_set(&options.camera, PP_VIEW_PARALLEL, pp_vec(1.0, 1.0, 1.0),
                        pp_vec(0.0, 0.0, -1.0), pp_vec(0.0, 1.0, 0.0), 1.0, 1.0, NULL)
          == PP_OK);
-    must(pp_render_create(&render, floor_scene(), &options, NULL) == PP_OK);
+    must(pp_render_create(&render, floor_scene(), NULL, &options, NULL) == PP_OK);
     return render;
 }
 
@@ -81,7 +81,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *given, size_t length)
         must(own_length + kept == length);
         must(kept > 0 || memcmp(own, bytes, length) == 0);
         free(own);
-        pp_render_advance(render, 10.0);
+        pp_render_advance(render, 10.0, NULL);
         must(pp_render_done(render));
     } else {
         must(err.message[0] != '\0' && pp_render_progress(render) == 0.0);

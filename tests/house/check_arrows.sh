@@ -21,10 +21,11 @@ model/results       model/base model/geometry model/light model/room model/pictu
 formats             model
 methods             model
 simulate/sampling   model
+simulate/estimate   model simulate/sampling
 simulate/scene      model simulate/sampling
-simulate/tracer     model simulate/sampling simulate/scene
-simulate/transport  model simulate/sampling simulate/scene simulate/tracer
-simulate/cache      model simulate/sampling simulate/scene simulate/transport
+simulate/tracer     model simulate/sampling simulate/estimate simulate/scene simulate/transport
+simulate/transport  model simulate/sampling simulate/estimate simulate/scene
+simulate/cache      model simulate/sampling simulate/estimate simulate/scene simulate/transport
 simulate/render     model simulate
 studies             model formats methods simulate
 charts              model

@@ -2,7 +2,7 @@
 # The documents are about this program: every cited work is listed and every listed one
 # cited; every element, attribute, glazing and finish of room files, every method,
 # command, option and chart stands in the manual, every option in the man page; every
-# folder of the sources in ARCHITECTURE.md.
+# folder of the sources in ARCHITECTURE.md; and no formula of the overcast sky stands twice.
 build=$(pwd)
 . "$srcdir/tests/lib/tap.sh"
 
@@ -23,7 +23,7 @@ folders="model formats methods simulate studies charts reports api cli"
     grep -o "$key" "$scratch/text"
     grep -oF -f "$scratch/listed" "$scratch/text"
     # A method names its source without brackets.
-    find methods -name '*.c' -exec sed -n 's/^ *\.source = "\(.*\)",/[\1]/p' {} +
+    find methods -name '*.c' -exec sed -n 's/^ *\.source = "\([^",]*\)[,"].*/[\1]/p' {} +
 } | LC_ALL=C sort -u >"$scratch/cited"
 
 check "every cited work is listed" \
@@ -90,6 +90,54 @@ reference() {
     ${AWK:-awk} -f docs/reference.awk pepperpot.h | cmp - docs/reference.md
 }
 check "docs/reference.md is what make reference makes of pepperpot.h" reference
+formulae() {
+    "$program" df --list-formulas | ${AWK:-awk} -f docs/formulae.awk - docs/manual.md |
+        cmp - docs/manual.md
+}
+check "the manual's formulae are those that the program works out (make formulae)" formulae
+"$program" df --list-formulas | sed -n 's/^\([a-z][a-z-]*\)  \[.*/\1/p' >"$scratch/with_formulae"
+check "the program lists formulae" test -s "$scratch/with_formulae"
+sed -n 's/^<!-- formulae of \(.*\) -->/\1/p' docs/manual.md | sort >"$scratch/shown"
+# Counting and reading scales is told in words.
+check "every method's are in the manual" nothing "$(grep -vx -e waldram -e pepper-pot \
+    -e protractor -e nomogram "$scratch/with_formulae" | sort | comm -3 - "$scratch/shown")"
+where() {
+    sh docs/where.sh | cmp - docs/where.md
+}
+check "docs/where.md is what make where makes of the sources" where
+
+# A number of a published formula stands once, so that program, --explain and manual change
+# with it: whole formulae in C, comments aside, have no other place for it.
+once() {
+    found=$(grep -rnF --include='*.[ch]' -- "$1" methods | grep -v '^[^:]*:[0-9]*: \*')
+    [ "$(printf '%s\n' "$found" | grep -c .)" -eq 1 ] || printf '%s: %s\n' "$1" "$found"
+}
+check "each constant of the BRE formula stands once" \
+    nothing "$(once '"5 R_cw"'; once '0.85 W'; once '31 R_fw')"
+check "and nowhere as a number of C" nothing "$(grep -rnE '\b0\.05\b|\b5\.0 \*' methods/reflected \
+    methods/nomogram --include='*.[ch]' | grep -v '^[^:]*:[0-9]*: \*')"
+check "equations 9, 12 and 15 of [GEEBELEN] stand once" nothing "$(
+    once '(rho_u C_g / A_u + rho_u rho_l C / A_l)'
+    once '(u rho_u / A_u + (1 - u) rho_u rho_l / '
+    once '(rho_u C_g + rho_l C)')"
+
 check "every folder of the sources is in ARCHITECTURE.md" \
     nothing "$(find $folders -type d | sed 's|.*/||; s|$|/|' | not_in ARCHITECTURE.md)"
+
+# The overcast sky's gradation stands in graded_sky.h. Code that has a number made of it
+# (1 + 2 sin, 3/7, 3/14, 4/(7 pi), 7/9), comments apart, has it a second time. What is
+# looked for is how such numbers have been written; that closed forms follow the gradation
+# however they are written is what tests/methods/test_gradation.c shows. Radiance's own
+# skies are Radiance's.
+repeated='7(\.0)? *\* *(PP_PI|3\.14)|14(\.0)? *\* *PP_PI|/ *14(\.0)?([^0-9.]|$)'
+repeated="$repeated|(3|7|9)(\\.0)? */ *(3|7|9)\\.0"
+repeated="$repeated|1(\\.0)? *\\+ *2(\\.0)? *\\* *(Dz|sin|[a-z]+\\.z|s )"
+repeats() {
+    grep -rlE --include='*.[ch]' "$repeated" $folders | LC_ALL=C sort | while read -r file; do
+        case $file in */graded_sky.[ch] | */scene_description.c | */rad_gensky.c) continue ;; esac
+        sed -e ':a' -e 's|/\*.*\*/||' -e '\|/\*|{N' -e 'ba' -e '}' "$file" |
+            grep -E "$repeated" | sed "s|^|$file: |"
+    done
+}
+check "the overcast sky's gradation is in one place" nothing "$(repeats)"
 tap_done

@@ -47,10 +47,10 @@ tables() {
             --format $format "$1"
         said "$2.explain-all-$format" df -m all --explain --points 1.4,1.5 --quiet \
             --format $format "$1"
-        said "$2.assess-$format" assess --quiet --format $format "$1"
+        said "$2.assess-$format" assess --quiet --by-hand --format $format "$1"
         said "$2.assess-traced-$format" assess $few --simulate --format $format "$1"
-        said "$2.size-$format" size --target 2.5% --quiet --format $format "$1"
-        said "$2.size-head-$format" size --target 2% --change head --by average-df --quiet \
+        said "$2.size-$format" size --target 2.5% --by-hand --quiet --format $format "$1"
+        said "$2.size-head-$format" size --target 2% --change head --by average-df --by-hand --quiet \
             --format $format -w "$2.sized-$format.xml" "$1"
     done
     said "$2.cache" df --simulate --engine path,cache -ad 128 -as 32 $few "$1"

@@ -64,10 +64,10 @@ static inline void pp_test_sense(const struct pp_world *world, double error,
     const struct pp_sensors_options options = {
         .error = error, .seed = 1, .threads = 1, .horizontal = 1.0};
     struct pp_sensors *sensors;
-    assert_int_equal(pp_sensors_create(&sensors, scene, list, count, &options, &err),
-                     PP_OK);
+    assert_int_equal(
+        pp_sensors_create(&sensors, scene, NULL, list, count, &options, &err), PP_OK);
     while (!pp_sensors_done(sensors))
-        pp_sensors_advance(sensors, 1.0);
+        assert_int_equal(pp_sensors_advance(sensors, 1.0, &err), PP_OK);
     for (int i = 0; i < count; i++)
         readings[i] = pp_sensors_read(sensors, i);
     pp_sensors_destroy(sensors);

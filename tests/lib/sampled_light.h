@@ -6,10 +6,22 @@
 
 #include <stdlib.h>
 
+#include "model/room/world.h"
+#include "simulate/scene/environment.h"
 #include "simulate/transport/radiance.h"
 #include "tests/lib/near.h"
 
 enum { PP_TEST_SEEDS = 32 };
+
+/* The light that a room's file has, on a scene of its world. */
+static inline struct pp_environment *pp_test_light_of(
+    const struct pp_light_scene *scene, const struct pp_world *world)
+{
+    struct pp_outside_light light = pp_world_light(world);
+    struct pp_environment *environment = NULL;
+    assert_int_equal(pp_light_scene_under(&environment, scene, &light, NULL), PP_OK);
+    return environment;
+}
 
 /* A mean over independent sequences, and its standard error. */
 struct pp_test_mean {
@@ -38,11 +50,11 @@ static inline struct pp_rgb pp_test_all_of(struct pp_irradiance e)
     return pp_rgb_add(pp_rgb_add(e.sources, e.sky), pp_rgb_add(e.outside, e.rest));
 }
 
-/* Irradiance by `paths` paths in each of the sequences. */
+/* Irradiance by `paths` paths in each of the sequences; environment: of a world. */
 static inline struct pp_test_mean pp_test_irradiance(
-    const struct pp_light_scene *scene, const struct pp_window_store *store,
-    struct pp_radiance_options options, struct pp_vec3 point, struct pp_vec3 normal,
-    uint32_t paths)
+    const struct pp_light_scene *scene, const struct pp_environment *environment,
+    const struct pp_window_store *store, struct pp_radiance_options options,
+    struct pp_vec3 point, struct pp_vec3 normal, uint32_t paths)
 {
     struct pp_rgb values[PP_TEST_SEEDS];
     struct pp_sobol *sobol = malloc(sizeof *sobol);
@@ -51,8 +63,10 @@ static inline struct pp_test_mean pp_test_irradiance(
     enum pp_space space = pp_light_scene_space(scene, point);
     long rays = 0;
     for (int seed = 0; seed < PP_TEST_SEEDS; seed++) {
-        struct pp_radiance_state path_state = {
-            .scene = scene, .options = options, .store = store};
+        struct pp_radiance_state path_state = {.scene = scene,
+                                               .environment = environment,
+                                               .options = options,
+                                               .store = store};
         pp_sobol_sequence_init(&path_state.sequence, sobol, (uint64_t)seed + 77);
         values[seed] = pp_rgb_grey(0.0);
         for (uint32_t i = 0; i < paths; i++) {
@@ -70,10 +84,10 @@ static inline struct pp_test_mean pp_test_irradiance(
 }
 
 /* Radiance along a ray, by `paths` paths in each of the sequences. */
-static inline struct pp_test_mean pp_test_radiance(const struct pp_light_scene *scene,
-                                                   struct pp_radiance_options options,
-                                                   struct pp_vec3 from,
-                                                   struct pp_vec3 to, uint32_t paths)
+static inline struct pp_test_mean pp_test_radiance(
+    const struct pp_light_scene *scene, const struct pp_environment *environment,
+    struct pp_radiance_options options, struct pp_vec3 from, struct pp_vec3 to,
+    uint32_t paths)
 {
     struct pp_rgb values[PP_TEST_SEEDS];
     struct pp_sobol *sobol = malloc(sizeof *sobol);
@@ -83,7 +97,8 @@ static inline struct pp_test_mean pp_test_radiance(const struct pp_light_scene *
                                .to = pp_vec_unit(to),
                                .space = pp_light_scene_space(scene, from)};
     for (int seed = 0; seed < PP_TEST_SEEDS; seed++) {
-        struct pp_radiance_state path_state = {.scene = scene, .options = options};
+        struct pp_radiance_state path_state = {
+            .scene = scene, .environment = environment, .options = options};
         pp_sobol_sequence_init(&path_state.sequence, sobol, (uint64_t)seed + 77);
         values[seed] = pp_rgb_grey(0.0);
         for (uint32_t i = 0; i < paths; i++) {

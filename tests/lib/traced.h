@@ -4,6 +4,7 @@
 
 #include <stdlib.h>
 
+#include "simulate/scene/light_scene_parts.h"
 #include "simulate/tracer/tracer.h"
 #include "tests/lib/near.h"
 
@@ -13,15 +14,35 @@ static inline struct pp_receiver pp_test_receiver(double x, double y, double z,
     return (struct pp_receiver){{x, y, z}, pp_vec_unit(pp_vec(nx, ny, nz)), 0};
 }
 
+static inline struct pp_light_scene *pp_test_matt_scene(const struct pp_world *world)
+{
+    struct pp_light_scene *scene = NULL;
+    assert_int_equal(pp_light_scene_of_world_matt(&scene, world, NULL), PP_OK);
+    return scene;
+}
+
+/* The light that the room's file has, on a scene of its world. */
+static inline struct pp_environment *pp_test_light_on(
+    const struct pp_light_scene *scene)
+{
+    struct pp_outside_light light = pp_world_light(scene->world);
+    struct pp_environment *environment = NULL;
+    assert_int_equal(pp_light_scene_under(&environment, scene, &light, NULL), PP_OK);
+    return environment;
+}
+
 /* The readings of `count` receivers, all four components, and behind them those of the
  * average where options ask for it. The caller frees them. */
 static inline struct pp_reading (*pp_test_trace(
     const struct pp_world *world, const struct pp_receiver *receivers, int count,
     const struct pp_tracer_options *options, struct pp_tracer_work *work))[4]
 {
+    struct pp_light_scene *scene = pp_test_matt_scene(world);
+    struct pp_environment *environment = pp_test_light_on(scene);
     struct pp_tracer *tracer = NULL;
     struct pp_error err = {0};
-    if (pp_tracer_create(&tracer, world, receivers, count, options, &err) != PP_OK)
+    if (pp_tracer_create(&tracer, scene, environment, receivers, count, options, &err)
+        != PP_OK)
         fail_msg("no tracer: %s", err.message);
     while (!pp_tracer_done(tracer))
         assert_int_equal(pp_tracer_advance(tracer, 1.0, &err), PP_OK);
@@ -33,6 +54,8 @@ static inline struct pp_reading (*pp_test_trace(
     if (work)
         *work = pp_tracer_work(tracer);
     pp_tracer_destroy(tracer);
+    pp_environment_destroy(environment);
+    pp_light_scene_destroy(scene);
     return readings;
 }
 

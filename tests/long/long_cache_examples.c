@@ -14,17 +14,21 @@
 static void read_all(const struct pp_world *world, struct pp_reading (*readings)[4])
 {
     struct pp_light_scene *scene = NULL;
+    struct pp_environment *environment = NULL;
     struct pp_window_store *store = NULL;
     struct pp_irradiance_cache *cache = NULL;
     struct pp_cached_points *points = NULL;
+    const struct pp_outside_light outside = pp_world_light(world);
     const struct pp_radiance_options light = pp_cached_points_light();
     const struct pp_cache_options options = pp_irradiance_cache_defaults();
     const struct pp_cached_options wanted = {.error = 0.002, .seed = 1};
     assert_int_equal(pp_light_scene_of_world_matt(&scene, world, NULL), PP_OK);
-    assert_int_equal(pp_window_store_create(&store, scene, 1, 0, NULL), PP_OK);
-    assert_int_equal(
-        pp_irradiance_cache_create(&cache, scene, store, &light, &options, NULL),
-        PP_OK);
+    assert_int_equal(pp_light_scene_under(&environment, scene, &outside, NULL), PP_OK);
+    assert_int_equal(pp_window_store_create(&store, scene, environment, 1, 0, NULL),
+                     PP_OK);
+    assert_int_equal(pp_irradiance_cache_create(&cache, scene, environment, store,
+                                                &light, &options, NULL),
+                     PP_OK);
     assert_int_equal(pp_cached_points_create(&points, scene, store, cache,
                                              world->receivers, world->receiver_count,
                                              &wanted, NULL),
@@ -36,6 +40,7 @@ static void read_all(const struct pp_world *world, struct pp_reading (*readings)
     pp_cached_points_destroy(points);
     pp_irradiance_cache_destroy(cache);
     pp_window_store_destroy(store);
+    pp_environment_destroy(environment);
     pp_light_scene_destroy(scene);
 }
 

@@ -26,6 +26,14 @@ struct box_method_symbols {
     double tau, Ag, A, R, A_u, A_l, rho_u, rho_l, rho_g, C;
 };
 
+/* Glass that lets through 0.85 of diffuse light, the figure printed for clear single. */
+static inline struct pp_glass box_method_printed_glass(void)
+{
+    struct pp_glass glass = pp_glass_clear_single();
+    glass.diffuse = 0.85;
+    return glass;
+}
+
 /* Builds a room without round numbers. C is the printed one of 34 degrees. */
 static inline struct box_method_symbols box_method_awkward_room(struct box_room *box,
                                                                 struct pp_glass glass)
@@ -43,7 +51,7 @@ static inline struct box_method_symbols box_method_awkward_room(struct box_room 
     double upper_walls = round * (h - middle) - glass_m2 / 2;
     double lower_walls = round * middle - glass_m2 / 2;
     struct box_method_symbols s = {.Ag = glass_m2 * 0.83, .rho_g = 0.17, .C = 0.23};
-    s.tau = 0.85 * glass.diffuse / pp_glass_clear_single().diffuse;
+    s.tau = glass.diffuse;
     s.A = 2 * w * d + round * h;
     s.R = (w * d * (floor + ceiling) + (round * h - glass_m2) * walls + glass_m2 * 0.1)
           / s.A;

@@ -74,7 +74,67 @@ static void older_form_is_over_all_surfaces(void **state)
     assert_int_equal(pp_method_average_df_lynes.allowances & PP_ALLOWS_DIRT, 0);
 }
 
-static void other_skies_and_slopes_are_refused(void **state)
+/* Room 4 x 6 x 3 m, window 3.6 x 1.5 m, its sill 0.4 m below the working plane at 0.85
+ * m: 1.1 m of its height count in full, 0.4 m by the floor's 0.2, in all 1.1 + 0.08 of
+ * 1.5. On a black floor the low part counts for nothing. */
+static void glass_below_the_working_plane_counts_by_way_of_the_floor(void **state)
+{
+    (void)state;
+    for (double floor = 0.0; floor < 1.0; floor += 0.2) {
+        struct box_room box;
+        box_room_build(&box, 4.0, 6.0, 3.0, floor, 0.5, 0.7);
+        box.world.working_plane_m = 0.45;
+        box_room_south(&box, 0.2, 0.45, 3.6, 1.5)->frame_factor = 0.71;
+        double above = average_df_of(&box, 0);
+        double older = box_method_value(&pp_method_average_df_lynes, &box, 0);
+        box.world.working_plane_m = 0.85;
+        assert_relative(average_df_of(&box, 0), (1.1 + 0.4 * floor) / 1.5 * above,
+                        1e-13);
+        assert_relative(box_method_value(&pp_method_average_df_lynes, &box, 0), older,
+                        1e-14);
+    }
+}
+
+/* By hand, 4 x 6 x 3 m, a level pane of 1.1 x 0.7 m, T 0.68: R = (24 * 0.2 + 60 * 0.5
+ * + 23.23 * 0.7 + 0.077) / 108 = 0.473639, DF = 0.68 * 0.77 * 180 / (108 (1 - R^2))
+ * = 1.12500 %. */
+static void level_glass_sees_180_degrees_of_sky(void **state)
+{
+    (void)state;
+    struct box_room box;
+    box_room_build(&box, 4.0, 6.0, 3.0, 0.2, 0.5, 0.7);
+    struct pp_opening *pane =
+        box_room_open(&box, BOX_CEILING, pp_vec(1.0, 2.4, 3.0), 1.1, 0.7);
+    pane->glass = pp_glass_diffusing(0.68);
+    double R = (24.0 * 0.2 + 60.0 * 0.5 + 23.23 * 0.7 + 0.77 * 0.1) / 108.0;
+    double whole = 0.68 * 0.77 * 1.8 / (108.0 * (1.0 - R * R));
+    assert_relative(average_df_of(&box, 0), whole, 1e-13);
+    /* between the sides of a well as deep as half its width, 2 x 45 degrees */
+    box_room_reveal(&box, 0, pane->height_m / 2.0);
+    R = pp_interior_all(&box.world).reflectance;
+    double A = pp_interior_all(&box.world).area_m2;
+    assert_relative(average_df_of(&box, 0), 0.68 * 0.77 * 0.9 / (A * (1.0 - R * R)),
+                    1e-12);
+}
+
+/* Only the angle changes with the slope of one pane: 180 degrees less the slope. */
+static void sloping_glass_sees_180_degrees_less_its_slope(void **state)
+{
+    (void)state;
+    struct box_room box;
+    box_room_build(&box, 4.0, 6.0, 3.0, 0.2, 0.5, 0.7);
+    struct pp_opening *pane =
+        box_room_open(&box, BOX_CEILING, pp_vec(1.0, 2.4, 3.0), 1.1, 0.7);
+    double level = average_df_of(&box, 0);
+    for (double deg = 13.0; deg < 170.0; deg += 31.0) {
+        double beta = deg * PP_RAD;
+        pane->inner.normal = pane->outer.normal = pp_vec(0, -sin(beta), -cos(beta));
+        pane->slope_rad = beta;
+        assert_relative(average_df_of(&box, 0), (180.0 - deg) / 180.0 * level, 1e-12);
+    }
+}
+
+static void other_skies_are_refused_and_by_the_older_form_slopes(void **state)
 {
     (void)state;
     struct box_room box;
@@ -83,7 +143,7 @@ static void other_skies_and_slopes_are_refused(void **state)
     assert_non_null(pp_method_average_df.refuses_room(&box.world, NULL));
     struct pp_opening *rooflight =
         box_room_open(&box, BOX_CEILING, pp_vec(1.0, 2.4, 3.0), 1.1, 0.7);
-    assert_non_null(pp_method_average_df.refuses(&box.world, rooflight, NULL));
+    assert_non_null(pp_method_average_df_lynes.refuses(&box.world, rooflight, NULL));
 }
 
 int main(void)
@@ -93,7 +153,10 @@ int main(void)
         cmocka_unit_test(proportional_to_glass_frame_dirt_and_angle),
         cmocka_unit_test(reveal_cuts_the_angle_from_above),
         cmocka_unit_test(older_form_is_over_all_surfaces),
-        cmocka_unit_test(other_skies_and_slopes_are_refused),
+        cmocka_unit_test(glass_below_the_working_plane_counts_by_way_of_the_floor),
+        cmocka_unit_test(level_glass_sees_180_degrees_of_sky),
+        cmocka_unit_test(sloping_glass_sees_180_degrees_less_its_slope),
+        cmocka_unit_test(other_skies_are_refused_and_by_the_older_form_slopes),
     };
     return cmocka_run_group_tests_name("average daylight factor", tests, NULL, NULL);
 }

@@ -3,9 +3,9 @@
 
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
-#include "formats/radiance/rad_names.h"
 #include "model/room/keyhole.h"
 #include "model/room/surface_materials.h"
 
@@ -20,41 +20,45 @@ struct rad_room_builder {
     struct pp_scene_description *scene;
     const struct pp_world *world;
     double horizontal;
-    bool gloss;
-    struct pp_rad_names known; /* the scene's materials, by their keys */
+    struct pp_surface_materials materials;
+    int *described; /* a material's number in the scene; -1: not there yet */
     struct pp_error *err;
 };
 
-/* The material's number in the scene: a new one, or that of one like it. */
-static enum pp_status number_of(struct rad_room_builder *b,
-                                const struct pp_material *material, int *index)
+static enum pp_status describe(struct rad_room_builder *b, int material, int *index)
 {
-    struct pp_material_key key = pp_surface_materials_key(material);
-    struct pp_rad_meaning known = {PP_RAD_MATERIAL, -1, -1};
     enum pp_status status = PP_OK;
-    if (!pp_rad_names_find(&b->known, (const char *)&key, sizeof key, &known)) {
-        status =
-            pp_scene_description_add_material(b->scene, material, &known.index, b->err);
-        if (status == PP_OK)
-            status = pp_rad_names_define(&b->known, (const char *)&key, sizeof key,
-                                         known, b->err);
-    }
-    *index = known.index;
+    if (b->described[material] < 0)
+        status = pp_scene_description_add_material(
+            b->scene, &b->materials.list[material], &b->described[material], b->err);
+    *index = b->described[material];
     return status;
 }
 
-/* Both sides; *back is -1 where they are the same but for their names. */
-static enum pp_status sides_of(struct rad_room_builder *b,
-                               const struct pp_material *front, struct pp_material back,
-                               int *front_index, int *back_index)
+/* Both sides of a surface or pane; *back is -1 where they are the same but for their
+ * names. */
+static enum pp_status sides_of(struct rad_room_builder *b, int which, int *front,
+                               int *back)
 {
-    struct pp_material renamed = back;
-    memcpy(renamed.name, front->name, sizeof renamed.name);
-    *back_index = -1;
-    enum pp_status status = number_of(b, front, front_index);
-    if (status == PP_OK && !pp_surface_materials_same(front, &renamed))
-        status = number_of(b, &back, back_index);
+    const int *sides = b->materials.sides[which];
+    struct pp_material renamed = b->materials.list[sides[1]];
+    memcpy(renamed.name, b->materials.list[sides[0]].name, sizeof renamed.name);
+    *back = -1;
+    enum pp_status status = describe(b, sides[0], front);
+    if (status == PP_OK
+        && !pp_surface_materials_same(&b->materials.list[sides[0]], &renamed))
+        status = describe(b, sides[1], back);
     return status;
+}
+
+/* The number in the scene of what glows: a new one, or that of one like it. */
+static enum pp_status glow_of(struct rad_room_builder *b,
+                              const struct pp_material *glow, int *index)
+{
+    for (*index = 0; *index < b->scene->material_count; ++*index)
+        if (pp_surface_materials_same(&b->scene->materials[*index], glow))
+            return PP_OK;
+    return pp_scene_description_add_material(b->scene, glow, index, b->err);
 }
 
 static enum pp_status add_polygon(struct rad_room_builder *b,
@@ -71,13 +75,6 @@ static enum pp_status add_polygon(struct rad_room_builder *b,
 
 /* ---- surfaces ---- */
 
-static struct pp_material side_of(const struct rad_room_builder *b, int which,
-                                  bool front)
-{
-    return b->gloss ? pp_surface_materials_of(b->world, which, front)
-                    : pp_surface_materials_matt(b->world, which, front);
-}
-
 static enum pp_status add_surface(struct rad_room_builder *b, int which)
 {
     const struct pp_surface *surface = &b->world->surfaces[which];
@@ -86,10 +83,8 @@ static enum pp_status add_surface(struct rad_room_builder *b, int which)
                        "line %d: a surface that gives off light by itself; Radiance "
                        "has none that reflects as well",
                        surface->line);
-    struct pp_material front = side_of(b, which, true);
-    struct pp_material behind = side_of(b, which, false);
     int material, back;
-    enum pp_status status = sides_of(b, &front, behind, &material, &back);
+    enum pp_status status = sides_of(b, which, &material, &back);
     if (status != PP_OK || which >= b->world->face_count)
         return status != PP_OK ? status
                                : add_polygon(b, surface->outline.vertices,
@@ -119,13 +114,12 @@ static enum pp_status add_panes(struct rad_room_builder *b)
     enum pp_status status = PP_OK;
     for (int i = 0; i < b->world->opening_count && status == PP_OK; i++) {
         const struct pp_opening *opening = &b->world->openings[i];
-        struct pp_material in = pp_surface_materials_pane(b->world, i, true);
-        struct pp_material out = pp_surface_materials_pane(b->world, i, false);
-        if (in.kind == PP_MATERIAL_GLASS && in.glass[0].panes == 0
-            && in.clear_share == 1.0 && in.dirt == 1.0)
+        int front, back, pane = b->world->surface_count + i;
+        const struct pp_material *in = &b->materials.list[b->materials.sides[pane][0]];
+        if (in->kind == PP_MATERIAL_GLASS && in->glass[0].panes == 0
+            && in->clear_share == 1.0 && in->dirt == 1.0)
             continue; /* nothing but air */
-        int front, back;
-        status = sides_of(b, &in, out, &front, &back);
+        status = sides_of(b, pane, &front, &back);
         if (status == PP_OK)
             status = add_polygon(b, opening->outer.vertices, opening->outer.count,
                                  front, back);
@@ -160,7 +154,7 @@ static enum pp_status add_side(struct rad_room_builder *b,
         pp_material_glow(pp_rgb_grey(radiance_of(b, skyline, normal)));
     snprintf(glow.name, sizeof glow.name, "skyline");
     int material;
-    enum pp_status status = number_of(b, &glow, &material);
+    enum pp_status status = glow_of(b, &glow, &material);
     /* Counter-clockwise seen against the normal: right, then up. */
     struct pp_vec3 right = pp_vec_cross(pp_vec(0.0, 0.0, 1.0), normal);
     double half = WIDE * skyline->distance_m;
@@ -228,7 +222,7 @@ static enum pp_status add_half(struct rad_room_builder *b, const char *name,
                                   .is.distant = {pp_vec(0.0, 0.0, z), PP_PI / 2.0}};
     struct pp_shape shape = half;
     snprintf(glow.name, sizeof glow.name, "%s", name);
-    enum pp_status status = number_of(b, &glow, &shape.material);
+    enum pp_status status = glow_of(b, &glow, &shape.material);
     return status == PP_OK
                ? pp_scene_description_add_shape(b->scene, &shape, NULL, b->err)
                : status;
@@ -254,12 +248,16 @@ enum pp_status pp_rad_room_init(struct pp_rad_room *room, const struct pp_world 
 {
     *room = (struct pp_rad_room){0};
     pp_scene_description_init(&room->scene);
-    struct rad_room_builder b = {.scene = &room->scene,
-                                 .world = world,
-                                 .horizontal = horizontal,
-                                 .gloss = gloss,
-                                 .err = err};
-    enum pp_status status = add_surfaces(&b, true);
+    struct rad_room_builder b = {
+        .scene = &room->scene, .world = world, .horizontal = horizontal, .err = err};
+    enum pp_status status = pp_surface_materials_init(&b.materials, world, !gloss, err);
+    b.described = malloc(((size_t)b.materials.count + 1) * sizeof *b.described);
+    if (status == PP_OK && !b.described)
+        status = pp_fail_memory(err);
+    for (int i = 0; status == PP_OK && i < b.materials.count; i++)
+        b.described[i] = -1;
+    if (status == PP_OK)
+        status = add_surfaces(&b, true);
     room->first[PP_RAD_GLAZING] = room->scene.shape_count;
     if (status == PP_OK)
         status = add_panes(&b);
@@ -272,7 +270,8 @@ enum pp_status pp_rad_room_init(struct pp_rad_room *room, const struct pp_world 
     if (status == PP_OK)
         status = add_sky(&b);
     room->first[PP_RAD_GROUPS] = room->scene.shape_count;
-    pp_rad_names_clear(&b.known);
+    pp_surface_materials_clear(&b.materials);
+    free(b.described);
     if (status != PP_OK)
         pp_rad_room_clear(room);
     return status;

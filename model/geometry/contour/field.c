@@ -131,6 +131,25 @@ void pp_field_range(const struct pp_field *field, double *lowest, double lowest_
     memcpy(highest_xy, field->mesh.nodes[high], sizeof(double[2]));
 }
 
+double pp_field_share_below(const struct pp_field *field, double level)
+{
+    double below = 0.0, all = 0.0;
+    for (int t = 0; t < field->mesh.triangle_count; t++) {
+        const int *corner = field->mesh.triangles[t];
+        const double *a = field->mesh.nodes[corner[0]];
+        const double *b = field->mesh.nodes[corner[1]];
+        const double *c = field->mesh.nodes[corner[2]];
+        double area =
+            0.5 * fabs((b[0] - a[0]) * (c[1] - a[1]) - (c[0] - a[0]) * (b[1] - a[1]));
+        double mean = (field->values[corner[0]] + field->values[corner[1]]
+                       + field->values[corner[2]])
+                      / 3.0;
+        all += area;
+        below += mean < level ? area : 0.0;
+    }
+    return all > 0.0 ? below / all : 0.0;
+}
+
 long pp_field_evaluations(const struct pp_field *field)
 {
     return field->evaluations;

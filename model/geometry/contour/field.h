@@ -68,6 +68,10 @@ void pp_field_destroy(struct pp_field *field); /* NULL is allowed */
 void pp_field_range(const struct pp_field *field, double *lowest, double lowest_xy[2],
                     double *highest, double highest_xy[2]);
 
+/* The share of the figure's area where the function is below the level, by the mean of
+ * each triangle's corners: for a choice of levels, not for results. */
+double pp_field_share_below(const struct pp_field *field, double level);
+
 /* How often the function was evaluated. */
 long pp_field_evaluations(const struct pp_field *field);
 

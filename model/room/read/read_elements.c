@@ -1,6 +1,7 @@
 /* read_elements.c - see read_elements.h. */
 #include "model/room/read/read_elements.h"
 
+#include <stdio.h>
 #include <string.h>
 
 #include "model/base/text.h"
@@ -16,6 +17,16 @@ static void read_site(struct pp_reader *r, struct pp_site_part *site,
     struct pp_site_form form;
     if (!pp_reader_fill_form(r, &form, &pp_rule_site, e))
         return;
+    if (form.country
+        && (strlen(form.country) != 2
+            || strspn(form.country, "ABCDEFGHIJKLMNOPQRSTUVWXYZ") != 2)) {
+        pp_mistakes_add(
+            r->mistakes, e->line,
+            "site: country is \"%.40s\"; expected two capital letters, such "
+            "as \"GB\"",
+            form.country);
+        return;
+    }
     enum pp_work by_place = form.surroundings == PP_INDUSTRIAL ? PP_DIRTY : PP_CLEAN;
     *site = (struct pp_site_part){
         .latitude_rad = form.latitude_rad,
@@ -25,6 +36,8 @@ static void read_site(struct pp_reader *r, struct pp_site_part *site,
         .ground_reflectance = form.ground.reflectance,
         .ground_level_m = form.ground_level_m,
         .line = e->line};
+    snprintf(site->country, sizeof site->country, "%s",
+             form.country ? form.country : "");
 }
 
 static void read_sky(struct pp_reader *r, struct pp_sky_part *sky,

@@ -94,6 +94,8 @@ static const struct pp_value_kind surroundings = {
     .reading = PP_VALUE_CHOICE,
     .expected = "\"rural\", \"urban\" or \"industrial\"",
     .words = places};
+static const struct pp_value_kind country = {
+    .reading = PP_VALUE_NAME, .expected = "two capital letters, such as \"GB\""};
 static const char *const works[] = {"clean", "dirty", NULL};
 static const struct pp_value_kind work = {
     .reading = PP_VALUE_CHOICE, .expected = "\"clean\" or \"dirty\"", .words = works};
@@ -118,6 +120,7 @@ static const struct pp_value_kind sky_type = {
 static const struct pp_attribute_rule site_rows[] = {
     {"latitude", &latitude, OR(NAN), IN(site, latitude_rad)},
     {"longitude", &longitude, OR(NAN), IN(site, longitude_rad)},
+    {"country", &country, OR(NAN), IN(site, country)},
     {"surroundings", &surroundings, OR(0), IN(site, surroundings)},
     {"work", &work, OR(-1), IN(site, work)},
     {"ground-reflectance", &reflectance, OR(0.2), IN(site, ground)},

@@ -89,8 +89,9 @@ struct pp_room_form {
 struct pp_site_form {
     double latitude_rad, longitude_rad, ground_level_m;
     struct pp_finish_value ground;
-    int surroundings; /* enum pp_surroundings */
-    int work;         /* enum pp_work, -1: not given */
+    const char *country; /* NULL: not given */
+    int surroundings;    /* enum pp_surroundings */
+    int work;            /* enum pp_work, -1: not given */
 };
 
 struct pp_sky_form {

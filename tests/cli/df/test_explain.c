@@ -12,7 +12,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "tests/lib/formula.h"
+#include "tests/lib/interval_formula.h"
 
 /* ---- runs of the program ---- */
 

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 
 #include "methods/method.h"
+#include "model/geometry/convex_parts.h"
 #include "tests/lib/meridians.h"
 
 #ifndef SCENES
@@ -167,6 +168,10 @@ static void deal_plate(struct scene *scene, struct dice *dice)
             in_plane(middle, a, size * share[0], b, size * share[1]);
     }
     surface->outline = polygon_of(surface->outline.vertices, count);
+    assert_int_equal(pp_convex_parts_triangles(&surface->triangles,
+                                               &surface->triangle_count,
+                                               &surface->outline, NULL),
+                     PP_OK);
     if (one_in(dice, 4))
         surface->front = between(dice, 0.0, 0.9);
     if (one_in(dice, 6))
@@ -301,6 +306,8 @@ static bool compare(int seed, double *worst)
             pp_sky_name(&scene.world.sky), glazed ? "glazed" : "unglazed", part.sky,
             sums.sky, part.external, sums.external);
     *worst = fmax(*worst, fmax(sky, external));
+    for (int i = 0; i < scene.world.surface_count; i++)
+        free(scene.surfaces[i].triangles);
     return sums.sky > 0.0 || sums.external > 0.0;
 }
 

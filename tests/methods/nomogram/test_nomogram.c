@@ -179,7 +179,7 @@ static double nomogram_of(const struct pp_world *world, int index,
                           struct pp_steps *steps)
 {
     const struct pp_method *method = &pp_method_nomogram;
-    struct pp_part part = {.steps = steps};
+    struct pp_part part = {.sheet = {.steps = steps}};
     void *tools;
     assert_null(method->refuses_room(world, NULL));
     assert_null(method->refuses(world, &world->openings[index], NULL));

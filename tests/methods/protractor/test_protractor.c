@@ -26,7 +26,7 @@ static struct pp_part read_with(const void *tools, const struct pp_method *metho
                                 double z, struct pp_steps *steps)
 {
     struct pp_receiver receiver = facing_up(x, y, z);
-    struct pp_part part = {.steps = steps};
+    struct pp_part part = {.sheet = {.steps = steps}};
     const struct pp_opening *opening = &world->openings[0];
     assert_null(method->refuses_room ? method->refuses_room(world, &receiver) : NULL);
     assert_null(method->refuses ? method->refuses(world, opening, &receiver) : NULL);

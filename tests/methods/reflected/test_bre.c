@@ -1,6 +1,7 @@
 /* test_bre.c - the BRE inter-reflection formula and its factor C. */
 #include "methods/method.h"
 #include "methods/reflected/obstruction.h"
+#include "model/light/graded_sky.h"
 
 #include <stdio.h>
 
@@ -70,9 +71,9 @@ static void factor_is_as_printed_at_every_angle(void **state)
 static void factor_is_the_sky_and_a_tenth_of_what_is_hidden(void **state)
 {
     (void)state;
-    double open = pp_obstruction_angle_to_vsc(PP_SKY_OVERCAST, 0.0);
+    double b = PP_GRADED_SKY_OVERCAST, open = pp_graded_sky_over_skyline(b, 0.0);
     for (int i = 0; i < 9; i++) {
-        double vsc = pp_obstruction_angle_to_vsc(PP_SKY_OVERCAST, 10.0 * i * PP_RAD);
+        double vsc = pp_graded_sky_over_skyline(b, 10.0 * i * PP_RAD);
         assert_near(pp_obstruction_factor(10.0 * i * PP_RAD), vsc + 0.1 * (open - vsc),
                     0.013);
     }
@@ -109,51 +110,6 @@ static void a_near_skyline_is_steeper_from_lower_down(void **state)
     assert_int_equal(pp_obstruction_angle(&from_high, &box.world, high, NULL), PP_OK);
     assert_near(from_low, atan((rise + 1.0) / 6.0), 1e-15);
     assert_near(from_high, atan((rise - 1.0) / 6.0), 1e-15);
-}
-
-/* Against a plain sum over the sky above the skyline's drooping edge. */
-static void vertical_sky_component_above_an_endless_skyline(void **state)
-{
-    (void)state;
-    struct pp_sky skies[2] = {pp_sky_overcast(), pp_sky_uniform()};
-    for (int s = 0; s < 2; s++)
-        for (int deg = 0; deg < 90; deg += 17) {
-            double sum = 0.0, step = 0.25 * PP_RAD;
-            for (double azimuth = step / 2 - PP_PI / 2; azimuth < PP_PI / 2;
-                 azimuth += step) {
-                double edge = atan(tan(deg * PP_RAD) * cos(azimuth));
-                double rise = (PP_PI / 2 - edge) / 400;
-                for (int i = 0; i < 400; i++) {
-                    double altitude = edge + (i + 0.5) * rise, c = cos(altitude);
-                    struct pp_vec3 u =
-                        pp_vec(c * cos(azimuth), c * sin(azimuth), sin(altitude));
-                    sum += pp_sky_luminance(&skies[s], u) * u.x * c * rise * step;
-                }
-            }
-            /* midpoint sums: the step squared */
-            assert_near(pp_obstruction_angle_to_vsc(skies[s].kind, deg * PP_RAD), sum,
-                        1e-5);
-        }
-    assert_near(pp_obstruction_angle_to_vsc(PP_SKY_OVERCAST, 0.0), 0.396177, 5e-7);
-    assert_near(pp_obstruction_angle_to_vsc(PP_SKY_OVERCAST, 25 * PP_RAD), 0.2731,
-                5e-5);
-    assert_near(pp_obstruction_angle_to_vsc(PP_SKY_UNIFORM, 25 * PP_RAD), 0.2887, 5e-5);
-}
-
-static void angle_and_vertical_sky_component_are_each_others_inverse(void **state)
-{
-    (void)state;
-    enum pp_sky_kind skies[2] = {PP_SKY_OVERCAST, PP_SKY_UNIFORM};
-    for (int s = 0; s < 2; s++) {
-        for (double deg = 0.5; deg < 85.0; deg += 3.7)
-            /* asin loses digits towards 90 degrees */
-            assert_near(
-                pp_obstruction_angle_from_vsc(
-                    skies[s], pp_obstruction_angle_to_vsc(skies[s], deg * PP_RAD)),
-                deg * PP_RAD, 1e-13);
-        assert_near(pp_obstruction_angle_from_vsc(skies[s], 0.6), 0.0, 0.0);
-        assert_near(pp_obstruction_angle_from_vsc(skies[s], 0.0), PP_PI / 2, 1e-7);
-    }
 }
 
 static double angle_in(const char *outside)
@@ -226,8 +182,6 @@ int main(void)
         cmocka_unit_test(factor_is_the_sky_and_a_tenth_of_what_is_hidden),
         cmocka_unit_test(light_falls_as_the_skyline_rises),
         cmocka_unit_test(a_near_skyline_is_steeper_from_lower_down),
-        cmocka_unit_test(vertical_sky_component_above_an_endless_skyline),
-        cmocka_unit_test(angle_and_vertical_sky_component_are_each_others_inverse),
         cmocka_unit_test(an_endless_block_has_its_own_angle),
         cmocka_unit_test(a_narrow_block_counts_less_and_two_count_more_than_one),
         cmocka_unit_test(other_skies_slopes_and_receivers_are_refused),

@@ -3,11 +3,11 @@
 #include "methods/evaluate.h"
 #include "methods/method.h"
 #include "model/room/corrections.h"
-#include "simulate/tracer/tracer.h"
 
 #include "tests/lib/near.h"
 
 #include "tests/lib/room_of.h"
+#include "tests/lib/traced.h"
 
 static void dirt_goes_by_place_work_and_slope(void **state)
 {
@@ -174,13 +174,10 @@ static void each_correction_counts_once_in_every_method(void **state)
 static void trace(const struct pp_world *world, struct pp_reading readings[4])
 {
     const struct pp_tracer_options options = {.samples = 256, .seed = 5, .threads = 1};
-    struct pp_tracer *tracer;
-    assert_int_equal(
-        pp_tracer_create(&tracer, world, world->receivers, 1, &options, NULL), PP_OK);
-    while (!pp_tracer_done(tracer))
-        assert_int_equal(pp_tracer_advance(tracer, 1.0, NULL), PP_OK);
-    pp_tracer_read(tracer, 0, readings);
-    pp_tracer_destroy(tracer);
+    struct pp_reading(*traced)[4] =
+        pp_test_trace(world, world->receivers, 1, &options, NULL);
+    memcpy(readings, traced[0], sizeof traced[0]);
+    free(traced);
 }
 
 /* The same paths, read with the allowance: equal but for rounding. */

@@ -14,7 +14,7 @@ static void worked_room_has_1_2962_per_cent(void **state)
     (void)state;
     struct box_room box;
     box_room_build(&box, 4.0, 6.0, 3.0, 0.2, 0.5, 0.7);
-    box_room_south(&box, 0.2, 0.9, 3.6, 1.5);
+    box_room_south(&box, 0.2, 0.9, 3.6, 1.5)->glass = box_method_printed_glass();
     box.world.ground_reflectance = 0.1;
     assert_near(100.0 * split_flux_of(&box, 0), 1.2962, 5e-5); /* as printed */
 }
@@ -43,6 +43,25 @@ static void diffusing_window_is_the_published_equation_12(void **state)
     assert_relative(split_flux_of(&box, 0), published, 1e-12);
 }
 
+/* Room 4 x 6 x 3 m, reflectances 0.2, 0.5, 0.7; a diffusing pane of 0.6, 3.0 x 1.6 m from
+ * 0.9 m up, its middle at 1.7 m; a 20 degree skyline (C = 31 %), ground 0.3. By hand:
+ *
+ *     A_u = 24 + 20 * 1.3 - 2.4 = 47.6   rho_u = (24 * 0.7 + 23.6 * 0.5) / 47.6 = 0.60084
+ *     A_l = 24 + 20 * 1.7 - 2.4 = 55.6   rho_l = (24 * 0.2 + 31.6 * 0.5) / 55.6 = 0.37050
+ *     IRC = 0.6 * 4.8 / (1 - 0.22261) * (15 + 31) / 2
+ *           * (0.60084 / 47.6 + 0.22261 / 55.6) = 1.41672 % */
+static void a_stated_diffuse_transmittance_enters_as_it_is(void **state)
+{
+    (void)state;
+    struct box_room box;
+    box_room_build(&box, 4.0, 6.0, 3.0, 0.2, 0.5, 0.7);
+    struct pp_opening *window = box_room_south(&box, 0.5, 0.9, 3.0, 1.6);
+    window->glass = pp_glass_diffusing(0.6);
+    box.world.ground_reflectance = 0.3;
+    box_room_skyline(&box, 20.0 * PP_RAD, 1.7, INFINITY);
+    assert_near(100.0 * split_flux_of(&box, 0), 1.41672, 5e-6);
+}
+
 /* In an integrating sphere of the same area and reflectance
  * IRC = tau Ag rho C / (A (1 - rho)). With all light on the lower of two equal halves
  * the split flux has 2 rho/(1 + rho) of that: what comes back from above. */
@@ -53,7 +72,8 @@ static void one_colour_and_equal_halves_give_2rho_over_1_plus_rho_of_a_sphere(
     for (double rho = 0.1; rho < 0.95; rho += 0.21) {
         struct box_room box;
         box_room_build(&box, 3.3, 4.9, 2.6, rho, rho, rho);
-        box_room_south(&box, 0.7, 0.8, 1.7, 1.0); /* its middle is the room's */
+        box_room_south(&box, 0.7, 0.8, 1.7, 1.0)->glass = /* its middle is the room's */
+            box_method_printed_glass();
         box.world.ground_reflectance = 0.0;
         struct pp_interior_parts parts = pp_interior_split(&box.world, 1.3);
         double A = parts.lower.area_m2 + parts.upper.area_m2;
@@ -135,6 +155,7 @@ int main(void)
         cmocka_unit_test(worked_room_has_1_2962_per_cent),
         cmocka_unit_test(clear_window_is_the_published_equation_9),
         cmocka_unit_test(diffusing_window_is_the_published_equation_12),
+        cmocka_unit_test(a_stated_diffuse_transmittance_enters_as_it_is),
         cmocka_unit_test(
             one_colour_and_equal_halves_give_2rho_over_1_plus_rho_of_a_sphere),
         cmocka_unit_test(rooflight_lights_the_floor_with_the_whole_sky),

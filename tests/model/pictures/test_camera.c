@@ -101,6 +101,23 @@ static void a_fisheye_shows_a_circle(void **state)
     assert_true(to.z < 0.0);
 }
 
+/* Of less than a hemisphere the edge is half the angle off, and the way there goes by
+ * the sine. */
+static void a_narrow_fisheye_keeps_to_its_angle(void **state)
+{
+    (void)state;
+    struct pp_camera camera;
+    struct pp_vec3 from, to;
+    assert_int_equal(pp_camera_set(&camera, PP_VIEW_HEMISPHERICAL, pp_vec(0, 0, 0),
+                                   pp_vec(0, 0, 1), pp_vec(0, 1, 0), 80.0 * PP_RAD,
+                                   80.0 * PP_RAD, NULL),
+                     PP_OK);
+    assert_true(pp_camera_ray(&camera, 0.5, 0.0, &from, &to));
+    assert_vec(to, 0.0, sin(40.0 * PP_RAD), cos(40.0 * PP_RAD));
+    assert_true(pp_camera_ray(&camera, 0.5, 0.25, &from, &to));
+    assert_near(to.y, 0.5 * sin(40.0 * PP_RAD), 1e-12);
+}
+
 static void the_options_give_the_view_again(void **state)
 {
     (void)state;
@@ -167,6 +184,7 @@ int main(void)
         cmocka_unit_test(a_fisheye_shows_a_circle),
         cmocka_unit_test(the_options_give_the_view_again),
         cmocka_unit_test(a_view_that_shows_nothing_is_refused),
+        cmocka_unit_test(a_narrow_fisheye_keeps_to_its_angle),
     };
     return cmocka_run_group_tests_name("camera", tests, NULL, NULL);
 }

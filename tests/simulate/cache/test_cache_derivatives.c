@@ -121,7 +121,7 @@ static void a_hemisphere_knows_how_a_patchs_light_changes(void **state)
     struct pp_cache_hemisphere h = {.side = SIDE, .corners = corners, .cells = cells};
     struct pp_cache_place place = {{0.1, 0.2, 0.0}, {0.0, 0.0, 1.0}, PP_ANYWHERE};
     struct pp_radiance_state path_state = {.scene = scene,
-                                           .options = pp_radiance_options_defaults()};
+                                           .options = pp_radiance_state_defaults()};
     struct pp_irradiance_change change;
     pp_sobol_init(&sobol);
     pp_sobol_sequence_init(&path_state.sequence, &sobol, 5);
@@ -159,14 +159,15 @@ static void a_record_is_read_by_a_leaning_surface(void **state)
 {
     (void)state;
     struct pp_light_scene *scene = patch_over_floor();
-    struct pp_radiance_options light = pp_radiance_options_defaults();
+    struct pp_radiance_options light = pp_radiance_state_defaults();
     struct pp_cache_options options = pp_irradiance_cache_defaults();
     options.divisions = SIDE * SIDE;
     options.supersamples = 0;
     struct pp_irradiance_cache *cache = NULL;
     const struct pp_vec3 at = {0.1, 0.2, 0.0}, up = {0.0, 0.0, 1.0};
     assert_int_equal(
-        pp_irradiance_cache_create(&cache, scene, NULL, &light, &options, NULL), PP_OK);
+        pp_irradiance_cache_create(&cache, scene, NULL, NULL, &light, &options, NULL),
+        PP_OK);
     assert_int_equal(pp_cache_grow_request_point(cache, at, up, PP_ANYWHERE, NULL),
                      PP_OK);
     while (!pp_cache_grow_done(cache))
@@ -195,7 +196,7 @@ static void beside_a_record_the_error_is_of_second_order(void **state)
 {
     (void)state;
     struct pp_light_scene *scene = patch_over_floor();
-    struct pp_radiance_options light = pp_radiance_options_defaults();
+    struct pp_radiance_options light = pp_radiance_state_defaults();
     struct pp_cache_options options = pp_irradiance_cache_defaults();
     options.divisions = 256 * 256;
     options.supersamples = 0;
@@ -203,7 +204,8 @@ static void beside_a_record_the_error_is_of_second_order(void **state)
     struct pp_error err = {0};
     const struct pp_vec3 at = {0.75, 0.1, 0.0}, up = {0.0, 0.0, 1.0};
     assert_int_equal(
-        pp_irradiance_cache_create(&cache, scene, NULL, &light, &options, &err), PP_OK);
+        pp_irradiance_cache_create(&cache, scene, NULL, NULL, &light, &options, &err),
+        PP_OK);
     assert_int_equal(pp_cache_grow_request_point(cache, at, up, PP_ANYWHERE, &err),
                      PP_OK);
     while (!pp_cache_grow_done(cache))

@@ -200,6 +200,39 @@ static void roughnesses_go_with_their_axes(void **state)
 }
 
 /* Rough in one direction only, it is no mirror yet. */
+/* Over the hemisphere by quadrature, where the lobe is wide enough for one: the density
+ * of directions is 1 in all but for those of slopes whose both facets mirror light down,
+ * and it is that of the samples, each of which is worth f' cos o over it. */
+static void densities_are_those_of_the_directions_drawn(void **state)
+{
+    (void)state;
+    const double rough[][2] = {{0.2, 0.2}, {0.5, 0.5}, {0.15, 0.4}};
+    const double tilts[] = {0.0, 33.0, 71.0, 85.0};
+    enum { SIDE = 1200, DRAWN = 60 };
+    for (int r = 0; r < 3; r++)
+        for (int t = 0; t < 4; t++) {
+            struct pp_gloss *gloss = gloss_of(rough[r][0], rough[r][1]);
+            struct pp_vec3 i = towards(tilts[t], 29.0), o;
+            double sum = 0.0, lost = 0.0;
+            for (int k = 0; k < SIDE; k++)
+                for (int m = 0; m < SIDE; m++) {
+                    double tilt = (k + 0.5) / SIDE * 90.0, sine = sin(tilt * PP_RAD);
+                    o = towards(tilt, (m + 0.5) / SIDE * 360.0);
+                    sum += pp_gloss_pdf(gloss, i, o) * sine * PP_PI / 2.0 / SIDE * 2.0
+                           * PP_PI / SIDE;
+                }
+            for (int k = 0; k < DRAWN * DRAWN; k++) {
+                double weight = pp_gloss_sample(gloss, i, (k / DRAWN + 0.5) / DRAWN,
+                                                (k % DRAWN + 0.5) / DRAWN, &o);
+                lost += (weight > 0.0 ? 0.0 : 1.0) / (DRAWN * DRAWN);
+                if (weight > 0.0)
+                    assert_relative(pp_gloss_pdf(gloss, i, o) * weight,
+                                    pp_gloss_value(gloss, i, o) * o.z, 1e-6);
+            }
+            assert_near(sum, 1.0 - lost, 0.003);
+        }
+}
+
 static void a_gloss_is_a_mirror_where_both_roughnesses_vanish(void **state)
 {
     (void)state;
@@ -220,6 +253,7 @@ int main(void)
         cmocka_unit_test(directions_are_drawn_as_the_lobe_is_shaped),
         cmocka_unit_test(slopes_spread_by_the_roughness_of_their_direction),
         cmocka_unit_test(roughnesses_go_with_their_axes),
+        cmocka_unit_test(densities_are_those_of_the_directions_drawn),
         cmocka_unit_test(a_gloss_is_a_mirror_where_both_roughnesses_vanish),
     };
     return cmocka_run_group_tests_name("gloss", tests, NULL, NULL);

@@ -62,7 +62,7 @@ static void sample_sums(const struct pp_target *target, struct pp_vec3 from,
     pp_sobol_sequence_init(&sequence, &sobol, 161803);
     struct pp_polygon_sampler sampler;
     pp_sample_polygon_init(&sampler, target, from, n,
-                           (struct pp_brightness){.ground = 0.2});
+                           (struct pp_brightness){.ground = 0.2, .gradation = 2.0});
     *solid = *facing = 0.0;
     for (uint32_t i = 0; i < UINT32_C(1) << m; i++) {
         double u[2];
@@ -73,6 +73,10 @@ static void sample_sums(const struct pp_target *target, struct pp_vec3 from,
         double c = pp_vec_dot(sample.direction, n);
         *facing += sample.per_density * (c > 0.0 ? c : 0.0) / (1 << m);
         assert_near(pp_vec_length(sample.direction), 1.0, 1e-9);
+        /* The density is told for a given direction too, to rounding at grazing ones. */
+        assert_relative(pp_sample_polygon_pdf(&sampler, sample.direction)
+                            * sample.per_density,
+                        1.0, 1e-5);
         assert_near(
             pp_vec_dot(pp_vec_sub(sample.point, target->middle), target->normal), 0.0,
             1e-9 * sample.distance_m);
@@ -149,7 +153,7 @@ static void density_is_right_in_every_part_of_a_rectangle(void **state)
         pp_sobol_sequence_init(&sequence, &sobol, 42);
         struct pp_polygon_sampler sampler;
         pp_sample_polygon_init(&sampler, &target, p, up,
-                               (struct pp_brightness){.ground = 0.2});
+                               (struct pp_brightness){.ground = 0.2, .gradation = 2.0});
         enum { N = 1 << 20 };
         for (uint32_t i = 0; i < N; i++) {
             double u[2];

@@ -12,7 +12,7 @@ static void the_nearer_of_two_is_met_from_either_side(void **state)
 {
     (void)state;
     struct pp_rays *rays;
-    assert_int_equal(pp_rays_create(&rays, triangles, 2, NULL), PP_OK);
+    assert_int_equal(pp_rays_create(&rays, triangles, 2, NULL, 0, NULL), PP_OK);
     float from[3] = {0.0f, -1.0f, 0.0f}, to[3] = {0.0f, 1.0f, 0.0f}, t;
     assert_int_equal(pp_rays_first(rays, from, to, &t), 0);
     assert_near(t, 3.0, 1e-6);
@@ -31,7 +31,7 @@ static void no_triangles_stop_no_ray(void **state)
 {
     (void)state;
     struct pp_rays *rays;
-    assert_int_equal(pp_rays_create(&rays, NULL, 0, NULL), PP_OK);
+    assert_int_equal(pp_rays_create(&rays, NULL, 0, NULL, 0, NULL), PP_OK);
     float from[3] = {0.0f, 0.0f, 0.0f}, to[3] = {0.0f, 1.0f, 0.0f}, t;
     assert_int_equal(pp_rays_first(rays, from, to, &t), -1);
     pp_rays_destroy(rays);

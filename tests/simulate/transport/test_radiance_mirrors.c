@@ -1,8 +1,21 @@
 /* test_radiance_mirrors.c - lamps and the sun in mirrors: what they give, and what
  * of it is left to chance. */
+#include "simulate/scene/light_scene_parts.h"
 #include "simulate/scene/unsampled.h"
 #include "tests/lib/light_scenes.h"
 #include "tests/lib/sampled_light.h"
+
+/* The bound on what so many paths that have found light may have missed. */
+static struct pp_rgb bound_at(const struct pp_light_scene *scene, struct pp_vec3 point,
+                              bool by_chance, double paths)
+{
+    double shares[8];
+    assert_true(scene->emitter_count <= 8);
+    for (int i = 0; i < scene->emitter_count; i++)
+        shares[i] = pp_unsampled_probe(scene, &scene->emitters[i]);
+    struct pp_unsampled unsampled = pp_unsampled_at(scene, point, by_chance, shares);
+    return pp_unsampled_bound(&unsampled, true, paths);
+}
 
 static const struct pp_vec3 up = {0.0, 0.0, 1.0};
 
@@ -44,9 +57,9 @@ static void a_mirror_gives_as_much_as_a_lamp_behind_it(void **state)
         struct pp_light_scene *by = by_mirrors(mirrors, false, mirror);
         struct pp_light_scene *lamps = by_mirrors(mirrors, true, mirror);
         struct pp_test_mean mean = pp_test_irradiance(
-            by, NULL, pp_radiance_options_defaults(), point, tilted, 256);
+            by, NULL, NULL, pp_radiance_state_defaults(), point, tilted, 256);
         struct pp_test_mean expected = pp_test_irradiance(
-            lamps, NULL, pp_radiance_options_defaults(), point, tilted, 256);
+            lamps, NULL, NULL, pp_radiance_state_defaults(), point, tilted, 256);
         assert_relative(mean.value.g, expected.value.g, 1e-3);
         assert_true(mean.error < 5e-4 * mean.value.g);
         pp_light_scene_destroy(by);
@@ -69,10 +82,10 @@ static void the_sun_is_aimed_at_in_a_mirror(void **state)
         &scene, pp_test_material(&scene, pp_material_mirror(pp_rgb_grey(0.8))),
         pp_vec(-5.0, 5.0, -5.0), pp_vec(10.0, 0.0, 0.0), pp_vec(0.0, 0.0, 10.0));
     struct pp_light_scene *made = pp_test_built(&scene);
-    assert_lit(pp_test_irradiance(made, NULL, pp_radiance_options_defaults(),
+    assert_lit(pp_test_irradiance(made, NULL, NULL, pp_radiance_state_defaults(),
                                   pp_vec(0.0, 0.0, 0.0), up, 64),
                1.8 * 1e5 * PP_PI * sin(half) * sin(half) * sun.z, 1e-3);
-    assert_near(pp_unsampled_bound(made, pp_vec(0.0, 0.0, 0.0), false, 64).g, 0.0, 0.0);
+    assert_near(bound_at(made, pp_vec(0.0, 0.0, 0.0), false, 64).g, 0.0, 0.0);
     pp_light_scene_destroy(made);
 }
 
@@ -99,10 +112,10 @@ static void the_sun_shows_in_mirrors(void **state)
     /* Mirrored in the floor and in the wall the sun's direction has both turned. */
     struct pp_vec3 to = {-sun.x, sun.y, -sun.z};
     struct pp_test_mean mean =
-        pp_test_radiance(made, pp_radiance_options_defaults(), eye, to, 4);
+        pp_test_radiance(made, NULL, pp_radiance_state_defaults(), eye, to, 4);
     assert_relative(mean.value.g, 0.9 * 0.8 * (1e6 + 3.0), 1e-9);
     to.y += 0.02; /* 1.4 degrees aside */
-    mean = pp_test_radiance(made, pp_radiance_options_defaults(), eye, to, 4);
+    mean = pp_test_radiance(made, NULL, pp_radiance_state_defaults(), eye, to, 4);
     assert_relative(mean.value.g, 0.9 * 0.8 * 3.0, 1e-9);
     pp_light_scene_destroy(made);
 }
@@ -127,14 +140,14 @@ static void mirrors_show_the_same_lamp_aimed_at_and_found(void **state)
         &scene, pp_test_material(&scene, pp_material_light(pp_rgb_grey(1.0))),
         pp_vec(-0.4, -0.4, 1.9), pp_vec(0.0, 0.8, 0.0), pp_vec(0.8, 0.0, 0.0));
     struct pp_light_scene *made = pp_test_built(&scene);
-    struct pp_radiance_options options = pp_radiance_options_defaults();
+    struct pp_radiance_options options = pp_radiance_state_defaults();
     struct pp_vec3 point = {0.2, 0.3, 0.7};
     struct pp_vec3 to = pp_vec_unit(pp_vec(0.7, 0.2, 0.1));
     struct pp_test_mean sampled =
-        pp_test_irradiance(made, NULL, options, point, to, 1024);
+        pp_test_irradiance(made, NULL, NULL, options, point, to, 1024);
     options.sources = false;
     struct pp_test_mean found =
-        pp_test_irradiance(made, NULL, options, point, to, 8192);
+        pp_test_irradiance(made, NULL, NULL, options, point, to, 8192);
     assert_near(sampled.value.g, found.value.g,
                 4.0 * hypot(sampled.error, found.error));
     assert_true(sampled.error < 0.5 * found.error);
@@ -152,12 +165,11 @@ static void what_mirrors_may_hide_is_known(void **state)
         by_mirrors(2, false, pp_material_mirror(pp_rgb_grey(0.8)));
     /* A lamp of 0.16 m2 and radiance 1, seen along (0.4, 0.4, 1.3). */
     double solid = 0.16 / (0.16 + 0.16 + 1.69);
-    assert_relative(pp_unsampled_bound(corner, point, false, 10).g,
-                    0.8 * 0.8 * 0.8 * solid, 1e-9);
-    assert_relative(pp_unsampled_bound(corner, point, false, 1000000).g, PP_PI / 1e6,
+    assert_relative(bound_at(corner, point, false, 10).g, 0.8 * 0.8 * 0.8 * solid,
                     1e-9);
+    assert_relative(bound_at(corner, point, false, 1000000).g, PP_PI / 1e6, 1e-9);
     /* The lamp itself, where it is not sampled directly. */
-    assert_relative(pp_unsampled_bound(corner, point, true, 10).g, solid, 1e-9);
+    assert_relative(bound_at(corner, point, true, 10).g, solid, 1e-9);
     pp_light_scene_destroy(corner);
 
     struct pp_scene_description scene;
@@ -171,14 +183,13 @@ static void what_mirrors_may_hide_is_known(void **state)
     pp_test_dome(&scene, pp_test_material(&scene, pp_material_light(pp_rgb_grey(7.0))),
                  up, 0.01);
     struct pp_light_scene *made = pp_test_built(&scene);
-    assert_relative(pp_unsampled_bound(made, point, false, 1).g,
+    assert_relative(bound_at(made, point, false, 1).g,
                     0.6 * 7.0 * 4.0 * PP_PI * sin(0.005) * sin(0.005), 1e-9);
     pp_light_scene_destroy(made);
 
     struct pp_light_scene *glow =
         pp_test_under_square(pp_material_glow(pp_rgb_grey(1e6)), 0.005, 3.0);
-    assert_relative(pp_unsampled_bound(glow, point, false, 2048).g,
-                    PP_PI * 1e6 / 2048.0, 1e-9);
+    assert_relative(bound_at(glow, point, false, 2048).g, PP_PI * 1e6 / 2048.0, 1e-9);
     pp_light_scene_destroy(glow);
 }
 

@@ -26,7 +26,7 @@ static struct pp_test_mean under(const struct pp_pattern *pattern,
 {
     struct pp_light_scene *scene = under_sky(pattern);
     struct pp_test_mean mean =
-        pp_test_irradiance(scene, NULL, pp_radiance_options_defaults(),
+        pp_test_irradiance(scene, NULL, NULL, pp_radiance_state_defaults(),
                            pp_vec(1.3, 2.7, 0.4), normal, 1024);
     pp_light_scene_destroy(scene);
     return mean;
@@ -60,8 +60,9 @@ static void of_two_domes_the_smaller_one_is_seen(void **state)
     pp_test_dome(&scene, bright, up, half);
     pp_test_dome(&scene, dim, up, PP_PI / 2.0);
     struct pp_light_scene *made = pp_test_built(&scene);
-    struct pp_test_mean mean = pp_test_irradiance(
-        made, NULL, pp_radiance_options_defaults(), pp_vec(0.0, 0.0, 0.0), up, 2048);
+    struct pp_test_mean mean =
+        pp_test_irradiance(made, NULL, NULL, pp_radiance_state_defaults(),
+                           pp_vec(0.0, 0.0, 0.0), up, 2048);
     assert_lit(mean, PP_PI * (1.0 + 4.0 * sin(half) * sin(half)), 2e-3);
     pp_light_scene_destroy(made);
 }
@@ -80,10 +81,12 @@ static void a_square_lamp_gives_its_form_factor_as_light_and_as_glow(void **stat
         pp_test_under_square(pp_material_light(colour), a, h);
     struct pp_light_scene *glow = pp_test_under_square(pp_material_glow(colour), a, h);
     struct pp_vec3 point = {0.0, 0.0, 0.0};
-    struct pp_radiance_options one = pp_radiance_options_defaults();
+    struct pp_radiance_options one = pp_radiance_state_defaults();
     one.source_size = 0.0;
-    struct pp_test_mean sampled = pp_test_irradiance(light, NULL, one, point, up, 16);
-    struct pp_test_mean found = pp_test_irradiance(glow, NULL, one, point, up, 4096);
+    struct pp_test_mean sampled =
+        pp_test_irradiance(light, NULL, NULL, one, point, up, 16);
+    struct pp_test_mean found =
+        pp_test_irradiance(glow, NULL, NULL, one, point, up, 4096);
     assert_near(sampled.value.g, expected, 4.0 * sampled.error);
     assert_near(found.value.g, expected, 4.0 * found.error);
     assert_relative(sampled.value.r, 1.5 * sampled.value.g, 1e-12);
@@ -91,7 +94,8 @@ static void a_square_lamp_gives_its_form_factor_as_light_and_as_glow(void **stat
     assert_true(sampled.rays * 100 < found.rays);
     /* Switched off, a light is found like a glow: the same paths, the same numbers. */
     one.sources = false;
-    struct pp_test_mean off = pp_test_irradiance(light, NULL, one, point, up, 4096);
+    struct pp_test_mean off =
+        pp_test_irradiance(light, NULL, NULL, one, point, up, 4096);
     assert_near(off.value.g, found.value.g, 1e-9 * expected);
     pp_light_scene_destroy(light);
     pp_light_scene_destroy(glow);
@@ -103,14 +107,14 @@ static void the_back_of_a_lamp_is_dark(void **state)
     struct pp_light_scene *scene =
         pp_test_under_square(pp_material_light(pp_rgb_grey(7.0)), 0.4, -1.1);
     struct pp_test_mean mean =
-        pp_test_irradiance(scene, NULL, pp_radiance_options_defaults(),
+        pp_test_irradiance(scene, NULL, NULL, pp_radiance_state_defaults(),
                            pp_vec(0.0, 0.0, 0.0), pp_vec(0.0, 0.0, -1.0), 16);
     assert_near(mean.value.g, 0.0, 0.0);
-    assert_near(pp_test_radiance(scene, pp_radiance_options_defaults(),
+    assert_near(pp_test_radiance(scene, NULL, pp_radiance_state_defaults(),
                                  pp_vec(0.0, 0.0, 0.0), pp_vec(0.0, 0.0, -1.0), 1)
                     .value.g,
                 0.0, 0.0);
-    assert_near(pp_test_radiance(scene, pp_radiance_options_defaults(),
+    assert_near(pp_test_radiance(scene, NULL, pp_radiance_state_defaults(),
                                  pp_vec(0.0, 0.0, -2.0), up, 1)
                     .value.g,
                 7.0, 0.0);
@@ -136,11 +140,11 @@ static void a_lamp_that_is_black_behind_is_one_emitter(void **state)
     struct pp_light_scene *made = pp_test_built(&scene);
     struct pp_vec3 o = {0.0, 0.0, 0.0};
     assert_near(
-        pp_test_irradiance(made, NULL, pp_radiance_options_defaults(), o, up, 64)
+        pp_test_irradiance(made, NULL, NULL, pp_radiance_state_defaults(), o, up, 64)
             .value.g,
         0.0, 0.0);
     /* The front's form factor, from 1 m. */
-    assert_lit(pp_test_irradiance(made, NULL, pp_radiance_options_defaults(),
+    assert_lit(pp_test_irradiance(made, NULL, NULL, pp_radiance_state_defaults(),
                                   pp_vec(0.0, 0.0, -2.0), up, 64),
                PP_PI * pp_test_square_factor(1.0, 1.0), 0.01);
     pp_light_scene_destroy(made);
@@ -159,11 +163,11 @@ static void an_unseen_lamp_lights_but_does_not_show(void **state)
     struct pp_vec3 o = {0.0, 0.0, 0.0};
     double expected = 3.0 * PP_PI * pp_test_square_factor(a, h);
     assert_lit(
-        pp_test_irradiance(scene, NULL, pp_radiance_options_defaults(), o, up, 64),
+        pp_test_irradiance(scene, NULL, NULL, pp_radiance_state_defaults(), o, up, 64),
         expected, 0.01);
     assert_near(
-        pp_test_radiance(scene, pp_radiance_options_defaults(), o, up, 1).value.g, 0.0,
-        0.0);
+        pp_test_radiance(scene, NULL, pp_radiance_state_defaults(), o, up, 1).value.g,
+        0.0, 0.0);
     pp_light_scene_destroy(scene);
 }
 
@@ -189,7 +193,7 @@ static void many_lamps_give_as_much_as_one_of_their_size(void **state)
                               pp_vec(1.0 / side, 0.0, 0.0));
         struct pp_light_scene *made = pp_test_built(&scene);
         struct pp_test_mean mean =
-            pp_test_irradiance(made, NULL, pp_radiance_options_defaults(),
+            pp_test_irradiance(made, NULL, NULL, pp_radiance_state_defaults(),
                                pp_vec(0.9, 1.1, 0.8), pp_vec(0.0, 0.0, 1.0), 256);
         assert_true(mean.error < 0.003 * mean.value.g);
         seen[many] = mean.value.g;
@@ -217,10 +221,10 @@ static struct pp_test_mean lit_by(struct pp_shape lamp, struct pp_vec3 normal,
 {
     struct pp_light_scene *scene =
         under_lamp(lamp, pp_material_light(pp_rgb_grey(1.0)));
-    struct pp_radiance_options options = pp_radiance_options_defaults();
+    struct pp_radiance_options options = pp_radiance_state_defaults();
     options.sources = direct;
     struct pp_test_mean mean = pp_test_irradiance(
-        scene, NULL, options, pp_vec(0.0, 0.0, 0.0), pp_vec_unit(normal), paths);
+        scene, NULL, NULL, options, pp_vec(0.0, 0.0, 0.0), pp_vec_unit(normal), paths);
     pp_light_scene_destroy(scene);
     return mean;
 }

@@ -22,19 +22,21 @@ static void assert_as_traced(const char *xml, double slack)
 {
     struct pp_world *world = pp_test_world(xml);
     struct pp_light_scene *scene = scene_of(world);
+    struct pp_environment *environment = pp_test_light_of(scene, world);
     struct pp_window_store *store = NULL;
-    assert_int_equal(pp_window_store_create(&store, scene, 1, 1, NULL), PP_OK);
+    assert_int_equal(pp_window_store_create(&store, scene, environment, 1, 1, NULL),
+                     PP_OK);
     struct pp_tracer_options options = {.error = 0.005, .seed = 11, .threads = 1};
     struct pp_reading(*traced)[4] =
         pp_test_trace(world, world->receivers, world->receiver_count, &options, NULL);
     for (int i = 0; i < world->receiver_count; i++) {
         struct pp_reading df = traced[i][PP_DF];
         for (int stored = 0; stored < 2; stored++) {
-            struct pp_radiance_options how = pp_radiance_options_defaults();
+            struct pp_radiance_options how = pp_radiance_state_defaults();
             how.source_size = 0.5;
             struct pp_test_mean mean = pp_test_irradiance(
-                scene, stored ? store : NULL, how, world->receivers[i].position,
-                world->receivers[i].normal, 256);
+                scene, environment, stored ? store : NULL, how,
+                world->receivers[i].position, world->receivers[i].normal, 1024);
             assert_near(mean.value.g, df.value,
                         3.0 * hypot(mean.error, df.std_error)
                             + (stored ? slack * df.value : 0.0));
@@ -43,6 +45,7 @@ static void assert_as_traced(const char *xml, double slack)
     }
     free(traced);
     pp_window_store_destroy(store);
+    pp_environment_destroy(environment);
     pp_light_scene_destroy(scene);
     pp_world_destroy(world);
 }
@@ -111,13 +114,15 @@ static void sky_and_outside_are_told_apart(void **state)
     struct pp_world *world = pp_test_world(
         DEEP "<skyline wall='south' angle='20' reflectance='0.3'/></room>");
     struct pp_receiver receiver = pp_test_receiver(1.4, 1.8, 0.9, 0.0, 0.0, 1.0);
-    struct pp_tracer_options options = pp_test_paths(256);
+    struct pp_tracer_options options = pp_test_paths(1024);
     struct pp_reading(*traced)[4] = pp_test_trace(world, &receiver, 1, &options, NULL);
     struct pp_light_scene *scene = scene_of(world);
+    struct pp_environment *environment = pp_test_light_of(scene, world);
     struct pp_sobol *sobol = malloc(sizeof *sobol);
     pp_sobol_init(sobol);
     struct pp_radiance_state path_state = {.scene = scene,
-                                           .options = pp_radiance_options_defaults()};
+                                           .environment = environment,
+                                           .options = pp_radiance_state_defaults()};
     pp_sobol_sequence_init(&path_state.sequence, sobol, 5);
     double sky = 0.0, outside = 0.0;
     enum { PATHS = 512 };
@@ -134,6 +139,7 @@ static void sky_and_outside_are_told_apart(void **state)
     assert_int_equal(path_state.leaks, 0);
     free(traced);
     free(sobol);
+    pp_environment_destroy(environment);
     pp_light_scene_destroy(scene);
     pp_world_destroy(world);
 }
@@ -144,18 +150,20 @@ static void windows_aimed_at_save_time_not_light(void **state)
     (void)state;
     struct pp_world *world = pp_test_world(DEEP "</room>");
     struct pp_light_scene *scene = scene_of(world);
-    struct pp_radiance_options options = pp_radiance_options_defaults();
+    struct pp_environment *environment = pp_test_light_of(scene, world);
+    struct pp_radiance_options options = pp_radiance_state_defaults();
     struct pp_vec3 back = {1.5, 7.0, 0.85}, up = {0.0, 0.0, 1.0};
     struct pp_test_mean sampled =
-        pp_test_irradiance(scene, NULL, options, back, up, 256);
+        pp_test_irradiance(scene, environment, NULL, options, back, up, 256);
     options.windows = false;
     struct pp_test_mean found =
-        pp_test_irradiance(scene, NULL, options, back, up, 1024);
+        pp_test_irradiance(scene, environment, NULL, options, back, up, 1024);
     assert_near(sampled.value.g, found.value.g,
                 4.0 * hypot(sampled.error, found.error));
     /* Rays to the same error go with its square. */
     double rays = (double)sampled.rays * sampled.error * sampled.error;
     assert_true((double)found.rays * found.error * found.error > 2.0 * rays);
+    pp_environment_destroy(environment);
     pp_light_scene_destroy(scene);
     pp_world_destroy(world);
 }
@@ -175,14 +183,18 @@ static void light_through_two_windows_falls_on_what_stands_outside(void **state)
         "<block x='-9' y='-3' width='21' depth='2' height='12' reflectance='0.8'/>"
         "</room>");
     struct pp_light_scene *scene = scene_of(world);
-    struct pp_radiance_options options = pp_radiance_options_defaults();
+    struct pp_environment *environment = pp_test_light_of(scene, world);
+    struct pp_radiance_options options = pp_radiance_state_defaults();
     struct pp_vec3 eye = {1.5, 1.0, 1.5}, south = {0.0, -1.0, 0.0};
-    struct pp_test_mean sampled = pp_test_radiance(scene, options, eye, south, 1024);
+    struct pp_test_mean sampled =
+        pp_test_radiance(scene, environment, options, eye, south, 1024);
     options.windows = false;
-    struct pp_test_mean found = pp_test_radiance(scene, options, eye, south, 1024);
+    struct pp_test_mean found =
+        pp_test_radiance(scene, environment, options, eye, south, 1024);
     assert_near(sampled.value.g, found.value.g,
                 4.0 * hypot(sampled.error, found.error));
     assert_true(hypot(sampled.error, found.error) < 0.01 * found.value.g);
+    pp_environment_destroy(environment);
     pp_light_scene_destroy(scene);
     pp_world_destroy(world);
 }
@@ -204,14 +216,16 @@ static void a_room_in_equilibrium_shows_one_everywhere(void **state)
     for (int i = 0; i < world->surface_count; i++)
         world->surfaces[i].exitance = 1.0 - world->surfaces[i].front;
     struct pp_light_scene *scene = scene_of(world);
-    struct pp_radiance_options options = pp_radiance_options_defaults();
+    struct pp_environment *environment = pp_test_light_of(scene, world);
+    struct pp_radiance_options options = pp_radiance_state_defaults();
     const struct pp_vec3 looks[] = {{0.1, 0.2, 1.0},   {0.3, -1.0, 0.1},
                                     {-0.4, 0.3, -0.6}, {0.0, -1.0, -0.2},
                                     {1.0, -0.3, 0.1},  {-1.0, -0.4, -0.1}};
     for (int i = 0; i < 6; i++)
-        assert_lit(
-            pp_test_radiance(scene, options, pp_vec(1.4, 2.2, 1.1), looks[i], 256),
-            1.0 / PP_PI, 0.002);
+        assert_lit(pp_test_radiance(scene, environment, options, pp_vec(1.4, 2.2, 1.1),
+                                    looks[i], 256),
+                   1.0 / PP_PI, 0.002);
+    pp_environment_destroy(environment);
     pp_light_scene_destroy(scene);
     pp_world_destroy(world);
 }
@@ -224,6 +238,7 @@ static void no_light_leaks_in_by_the_edges(void **state)
         "<room version='1'><plan height='2.6'><vertex x='101' y='57'/>"
         "<vertex x='104' y='57.3'/><vertex x='103' y='60'/></plan></room>");
     struct pp_light_scene *scene = scene_of(world);
+    struct pp_environment *environment = pp_test_light_of(scene, world);
     struct pp_vec3 in = {102.7, 58.1, 1.1};
     const struct pp_surface *surfaces = world->surfaces;
     for (int i = 0; i < world->surface_count; i++)
@@ -240,6 +255,7 @@ static void no_light_leaks_in_by_the_edges(void **state)
                 assert_true(pp_light_scene_first(scene, &ray, &hit));
                 assert_false(hit.back);
             }
+    pp_environment_destroy(environment);
     pp_light_scene_destroy(scene);
     pp_world_destroy(world);
 }
@@ -251,10 +267,12 @@ static void light_goes_on_from_the_edges(void **state)
     (void)state;
     struct pp_world *world = pp_test_world(DEEP "</room>");
     struct pp_light_scene *scene = scene_of(world);
+    struct pp_environment *environment = pp_test_light_of(scene, world);
     struct pp_sobol *sobol = malloc(sizeof *sobol);
     pp_sobol_init(sobol);
     struct pp_radiance_state path_state = {.scene = scene,
-                                           .options = pp_radiance_options_defaults()};
+                                           .environment = environment,
+                                           .options = pp_radiance_state_defaults()};
     pp_sobol_sequence_init(&path_state.sequence, sobol, 7);
     for (path_state.index = 0; path_state.index < 3000; path_state.index++) {
         struct pp_vec3 eye = {1.5, 8.0, 1.6}, at = {0.001 * path_state.index, 0.0, 0.0};
@@ -265,6 +283,7 @@ static void light_goes_on_from_the_edges(void **state)
     assert_true(path_state.rays > 6000);
     assert_int_equal(path_state.leaks, 0);
     free(sobol);
+    pp_environment_destroy(environment);
     pp_light_scene_destroy(scene);
     pp_world_destroy(world);
 }
@@ -275,13 +294,16 @@ static struct pp_irradiance straight_in(const char *xml, bool stored,
 {
     struct pp_world *world = pp_test_world(xml);
     struct pp_light_scene *scene = scene_of(world);
+    struct pp_environment *environment = pp_test_light_of(scene, world);
     struct pp_window_store *store = NULL;
     struct pp_sobol *sobol = malloc(sizeof *sobol);
     assert_non_null(sobol);
     pp_sobol_init(sobol);
-    assert_int_equal(pp_window_store_create(&store, scene, 1, 1, NULL), PP_OK);
+    assert_int_equal(pp_window_store_create(&store, scene, environment, 1, 1, NULL),
+                     PP_OK);
     struct pp_radiance_state path_state = {.scene = scene,
-                                           .options = pp_radiance_options_defaults(),
+                                           .environment = environment,
+                                           .options = pp_radiance_state_defaults(),
                                            .store = stored ? store : NULL};
     struct pp_irradiance sum = {.rest = pp_rgb_grey(0.0)};
     enum { PATHS = 1024 };
@@ -294,6 +316,7 @@ static struct pp_irradiance straight_in(const char *xml, bool stored,
     }
     free(sobol);
     pp_window_store_destroy(store);
+    pp_environment_destroy(environment);
     pp_light_scene_destroy(scene);
     pp_world_destroy(world);
     return sum;
@@ -345,17 +368,21 @@ static void the_store_does_not_depend_on_threads(void **state)
     struct pp_world *world = pp_test_world(
         DEEP "<block x='-1' y='-3' width='3' depth='2' height='4'/></room>");
     struct pp_light_scene *scene = scene_of(world);
+    struct pp_environment *environment = pp_test_light_of(scene, world);
     double seen[2];
     for (int i = 0; i < 2; i++) {
         struct pp_window_store *store;
-        assert_int_equal(pp_window_store_create(&store, scene, 9, 1 + 2 * i, NULL),
-                         PP_OK);
-        seen[i] = pp_test_irradiance(scene, store, pp_radiance_options_defaults(),
-                                     pp_vec(1.2, 2.3, 0.7), pp_vec(0.0, 0.0, 1.0), 8)
-                      .value.g;
+        assert_int_equal(
+            pp_window_store_create(&store, scene, environment, 9, 1 + 2 * i, NULL),
+            PP_OK);
+        seen[i] =
+            pp_test_irradiance(scene, environment, store, pp_radiance_state_defaults(),
+                               pp_vec(1.2, 2.3, 0.7), pp_vec(0.0, 0.0, 1.0), 8)
+                .value.g;
         pp_window_store_destroy(store);
     }
     assert_true(seen[0] == seen[1] && seen[0] > 0.0);
+    pp_environment_destroy(environment);
     pp_light_scene_destroy(scene);
     pp_world_destroy(world);
 }

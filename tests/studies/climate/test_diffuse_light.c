@@ -146,6 +146,19 @@ static void without_any_illuminance_irradiance_is_taken(void **state)
     }
 }
 
+/* Of hours of 0 to 8759 lx the brighter half is daylight; half of that passes 6569.5,
+ * between the 2190th and the 2191st. */
+static void the_median_is_that_of_the_brighter_half_of_the_year(void **state)
+{
+    (void)state;
+    enum { HOURS = 8760 };
+    static struct pp_diffuse_hour hours[HOURS];
+    for (int i = 0; i < HOURS; i++)
+        hours[i] = (struct pp_diffuse_hour){.length_h = 1.0, .lx = i};
+    struct pp_diffuse_light light = {.total_h = HOURS, .count = HOURS, .list = hours};
+    assert_near(pp_diffuse_light_median_lx(&light), 6569.5, 1e-9);
+}
+
 /* ---- the overcast sky ---- */
 
 static void the_overcast_sky_follows_the_sun(void **state)
@@ -429,6 +442,7 @@ int main(void)
         cmocka_unit_test(time_counts_where_it_is_worked),
         cmocka_unit_test(no_hours_are_a_mistake),
         cmocka_unit_test(known_files_give_what_numpy_gives),
+        cmocka_unit_test(the_median_is_that_of_the_brighter_half_of_the_year),
     };
     return cmocka_run_group_tests_name("diffuse_light", tests, NULL, NULL);
 }

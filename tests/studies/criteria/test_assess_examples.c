@@ -61,9 +61,10 @@ static struct json_object *said_of(const char *file, const char *room)
     char *command;
     const char *source = getenv("srcdir");
     assert_true(
-        asprintf(&command,
-                 "./pepperpot assess --format json --room '%s' %s/examples/%s.xml",
-                 room, source ? source : ".", file)
+        asprintf(
+            &command,
+            "./pepperpot assess --by-hand --format json --room '%s' %s/examples/%s.xml",
+            room, source ? source : ".", file)
         > 0);
     FILE *out = popen(command, "r");
     char *text = NULL;
@@ -129,10 +130,11 @@ static void assert_finding(const struct room *room, const char *criterion,
                  figure, tolerance);
     assert_near(json_object_get_double(field(found, "wanted")), wanted,
                 1e-6 * fabs(wanted));
-    if (!(fabs(figure - wanted) > tolerance))
+    bool same = fabs(figure - wanted) < 1e-9; /* a bound that the file gives is met */
+    if (!same && !(fabs(figure - wanted) > tolerance))
         fail_msg("%s: %s of %g is too near to %g to tell", criterion, of, figure,
                  wanted);
-    bool met = at_most ? figure < wanted : figure > wanted;
+    bool met = same || (at_most ? figure < wanted : figure > wanted);
     assert_string_equal(json_object_get_string(field(found, "verdict")),
                         met ? "met" : "not met");
     verdicts_held++;
@@ -266,7 +268,8 @@ static void vertical_sky_components_agree(void **state)
 }
 
 /* The obstruction angle: the highest of directions 0.05 degrees apart in which a ray
- * meets an obstruction. */
+ * meets an obstruction; of a skyline, in these rooms all that stands before such a window,
+ * the angle that the file gives, which is that from the outer face. */
 static void angles_in_section_agree(void **state)
 {
     (void)state;
@@ -277,12 +280,18 @@ static void angles_in_section_agree(void **state)
             const struct pp_opening *opening = &world->openings[k];
             if (!is_upright(opening))
                 continue;
-            double highest = 0.0;
+            double typed = 0.0;
+            for (int s = 0; s < world->skyline_count; s++)
+                if (world->skylines[s].face == opening->face)
+                    typed = world->skylines[s].angle_rad / PP_RAD;
+            double highest = typed;
             for (double angle = 0.025; angle < 90.0; angle += 0.05) {
                 struct pp_vec3 u =
                     pp_vec_scale(opening->inner.normal, -cos(angle * PP_RAD));
                 u.z = sin(angle * PP_RAD);
-                if (!sight_sees_sky(world, middle_outside(opening), u, opening->face))
+                bool sees_sky =
+                    sight_sees_sky(world, middle_outside(opening), u, opening->face);
+                if (!sees_sky && angle > typed + 0.5)
                     highest = angle;
             }
             assert_finding(&rooms[i], "obstruction", words_of(words, world, k), highest,

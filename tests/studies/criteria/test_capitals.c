@@ -5,13 +5,13 @@
 
 static struct pp_median at(double latitude_deg, double longitude_deg)
 {
-    return pp_capitals_median(latitude_deg * PP_RAD, longitude_deg * PP_RAD);
+    return pp_capitals_median(latitude_deg * PP_RAD, longitude_deg * PP_RAD, "");
 }
 
 static void capitals_have_their_own_illuminance(void **state)
 {
     (void)state;
-    assert_int_equal(pp_capitals_count(), 22);
+    assert_int_equal(pp_capitals_count(), 33);
     for (int i = 0; i < pp_capitals_count(); i++) {
         const struct pp_capital *capital = pp_capitals_at(i);
         struct pp_median median = at(capital->latitude_deg, capital->longitude_deg);
@@ -44,6 +44,40 @@ static void nearness_goes_by_the_great_circle(void **state)
     assert_true(isnan(at(64.13, 179.0).lux));
 }
 
+/* Milan is nearer to Bern, Marseille too, Munich to Prague; 300 lx in Milan are a daylight
+ * factor of 1.5625 % by Rome's 19,200 lx, 1.875 % by Bern's 16,000. */
+static void the_table_goes_by_nation(void **state)
+{
+    (void)state;
+    double latitude = 45.46 * PP_RAD, longitude = 9.19 * PP_RAD;
+    struct pp_median milan = pp_capitals_median(latitude, longitude, "IT");
+    assert_near(milan.lux, 19200.0, 0.0);
+    assert_non_null(strstr(milan.how, "Rome, the capital of IT"));
+    struct pp_median nearest = pp_capitals_median(latitude, longitude, "");
+    assert_near(nearest.lux, 16000.0, 0.0);
+    assert_non_null(strstr(nearest.how, "site has no country"));
+    assert_near(pp_capitals_median(NAN, NAN, "SE").lux, 12100.0, 0.0);
+    assert_non_null(
+        strstr(pp_capitals_median(NAN, NAN, "RO").how, "from memory alone"));
+    assert_non_null(
+        strstr(pp_capitals_median(latitude, longitude, "SM").how, "none for its"));
+    for (int i = 0; i < pp_capitals_count(); i++)
+        assert_ptr_equal(pp_capitals_of_country(pp_capitals_at(i)->country),
+                         pp_capitals_at(i));
+}
+
+/* North of Reykjavik, which all others are farther from. */
+static void a_capital_speaks_for_a_thousand_kilometres(void **state)
+{
+    (void)state;
+    const struct pp_capital *capital = pp_capitals_find("Reykjavik");
+    double degree_km = 6371.0 * PP_RAD;
+    double near = capital->latitude_deg + 990.0 / degree_km;
+    double far = capital->latitude_deg + 1010.0 / degree_km;
+    assert_near(at(near, capital->longitude_deg).lux, capital->median_lux, 0.0);
+    assert_true(isnan(at(far, capital->longitude_deg).lux));
+}
+
 static void far_from_all_of_them_nothing_is_said(void **state)
 {
     (void)state;
@@ -72,7 +106,9 @@ int main(void)
         cmocka_unit_test(capitals_have_their_own_illuminance),
         cmocka_unit_test(illuminances_agree_with_the_printed_targets),
         cmocka_unit_test(nearness_goes_by_the_great_circle),
+        cmocka_unit_test(the_table_goes_by_nation),
         cmocka_unit_test(far_from_all_of_them_nothing_is_said),
+        cmocka_unit_test(a_capital_speaks_for_a_thousand_kilometres),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -38,7 +38,8 @@ static struct pp_finding_list found_by(const struct pp_criterion *criterion,
         .before = before,
         .pairs = pairs,
         .factors = &report,
-        .median = pp_capitals_median(world->latitude_rad, world->longitude_rad)};
+        .median = pp_capitals_median(world->latitude_rad, world->longitude_rad,
+                                     world->country)};
     struct pp_finding_list findings = {0};
     assert_int_equal(criterion->evaluate(&inquiry, &findings, NULL), PP_OK);
     assert_true(findings.count > 0);
@@ -116,6 +117,20 @@ static double angle_deg(const char *outside)
     char body[4096];
     snprintf(body, sizeof body, ROOM "%s", outside);
     return finding_in(&pp_criterion_obstruction, 0, body, NULL).figure / PP_RAD;
+}
+
+/* The rule measures from the outer face, and there the room file's angle is meant; taken
+ * from inside, it would be 25.2 degrees in front of a reveal of 0.15 m, 15 m away. */
+static void a_skyline_typed_as_25_degrees_is_25_degrees_whatever_the_reveal(
+    void **state)
+{
+    (void)state;
+    const char *body =
+        PLAN "<window wall=\"south\" left=\"1\" sill=\"0.9\" width=\"2\" "
+             "height=\"1.4\" reveal=\"0.15\"/><skyline wall=\"south\" angle=\"25\" "
+             "distance=\"15\"/>";
+    assert_verdict(finding_in(&pp_criterion_obstruction, 0, body, NULL), 25.0 * PP_RAD,
+                   1e-12, PP_MET);
 }
 
 /* The window's middle is at x = 2, z = 1.6 in the wall y = 0. */
@@ -444,6 +459,39 @@ static void under_rooflights_nearly_all_of_the_plane_is_asked(void **state)
     pp_world_destroy(world);
 }
 
+/* Level glass is within 15 degrees, a glazed roof slopes less than 75. */
+static void slopes_are_told_apart_at_15_and_75_degrees(void **state)
+{
+    (void)state;
+    struct pp_world *world = world_of(
+        PLAN LONDON "<rooflight x=\"1\" y=\"2\" width=\"1.2\" depth=\"1.5\"/>");
+    static const struct {
+        double slope_deg, evenness;
+        int targets;
+    } cases[] = {{14.5, 0.7, 3}, {15.5, 0.7, 6}, {74.0, 0.7, 6}, {76.0, 0.3, 6}};
+    for (int i = 0; i < 4; i++) {
+        world->openings[0].slope_rad = cases[i].slope_deg * PP_RAD;
+        struct pp_finding_list findings = found_by(&pp_criterion_en17037, world, NULL);
+        assert_int_equal(findings.count, cases[i].targets);
+        pp_finding_list_clear(&findings);
+        findings = found_by(&pp_criterion_uniformity, world, NULL);
+        assert_near(findings.list[0].wanted, cases[i].evenness, 0.0);
+        pp_finding_list_clear(&findings);
+    }
+    pp_world_destroy(world);
+}
+
+/* 0.18329 behind 40 degrees; 0.1481 behind 45.966 and 0.1448 behind 46.54. */
+static void a_fifth_lost_is_the_limit(void **state)
+{
+    (void)state;
+    const struct pp_criterion *former = &pp_criterion_former_sky;
+    assert_verdict(finding_in(former, 0, ROOM SKYLINE(45.966), ROOM SKYLINE(40)), 0.808,
+                   1e-3, PP_MET);
+    assert_verdict(finding_in(former, 0, ROOM SKYLINE(46.54), ROOM SKYLINE(40)), 0.790,
+                   1e-3, PP_NOT_MET);
+}
+
 static void what_cannot_be_asked_is_not_judged(void **state)
 {
     (void)state;
@@ -603,6 +651,8 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_vertical_sky_is_that_of_the_skyline),
         cmocka_unit_test(rooflights_have_no_vertical_sky),
+        cmocka_unit_test(
+            a_skyline_typed_as_25_degrees_is_25_degrees_whatever_the_reveal),
         cmocka_unit_test(only_what_stands_in_the_section_counts),
         cmocka_unit_test(sheets_and_gaps_count_as_they_are_cut),
         cmocka_unit_test(of_several_pieces_the_highest_counts),
@@ -623,6 +673,8 @@ int main(void)
         cmocka_unit_test(windows_are_paired_by_their_place),
         cmocka_unit_test(another_room_is_not_the_room_before),
         cmocka_unit_test(every_criterion_has_a_name_of_its_own),
+        cmocka_unit_test(slopes_are_told_apart_at_15_and_75_degrees),
+        cmocka_unit_test(a_fifth_lost_is_the_limit),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,0 +1,27 @@
+/* protractor_sums.h - the sums below a worked protractor, in words. */
+#ifndef PP_CHARTS_DRAWING_BOARD_PROTRACTOR_SUMS_H
+#define PP_CHARTS_DRAWING_BOARD_PROTRACTOR_SUMS_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "model/results/protractor_sheet.h"
+
+/* On one sheet; the rest is on further ones. */
+enum { PP_PROTRACTOR_SUMS_MOST = 6 };
+
+struct pp_protractor_sums {
+    int first, all; /* of the readings, which are numbered from 0 */
+    bool last;      /* is this the sheet that has the result? */
+};
+
+/* The readings that the sheet has, a line each, numbered where there are more; then, on the
+ * last sheet, the result. */
+void pp_protractor_sums_say(char *text, size_t room,
+                            const struct pp_protractor_sheet *sheet,
+                            const struct pp_protractor_sums *sums);
+
+/* A reading as careful readers take it: to a hundredth of a per cent. */
+void pp_protractor_sums_percent(char *text, size_t room, double fraction);
+
+#endif

@@ -1,0 +1,23 @@
+/* formula_option.h - the option --formula: readers' variants of published formulae. */
+#ifndef PP_CLI_DF_FORMULA_OPTION_H
+#define PP_CLI_DF_FORMULA_OPTION_H
+
+#include "cli/options.h"
+#include "methods/variant.h"
+
+struct pp_formula_words {
+    const char **list; /* as typed; of argv */
+    int count;
+    struct pp_variant_list variants;
+};
+
+/* List for struct pp_option_group, with a struct pp_formula_words as values. */
+extern const struct pp_option pp_formula_option[];
+
+/* Reads the variants, which `options` points to from then on where there are any. */
+enum pp_status pp_formula_option_settle(struct pp_formula_words *words,
+                                        struct pp_method_options *options,
+                                        struct pp_error *err);
+void pp_formula_option_clear(struct pp_formula_words *words);
+
+#endif

@@ -1,0 +1,32 @@
+/* component_steps.h - the end of every method's sum: an opening's components times their
+ * corrections, and the openings added up.
+ */
+#ifndef PP_METHODS_COMPONENT_STEPS_H
+#define PP_METHODS_COMPONENT_STEPS_H
+
+#include "methods/method.h"
+
+/* "sky component"; "SC", with all corrections. */
+extern const char *const pp_component_steps_names[PP_COMPONENT_COUNT];
+extern const char *const pp_component_steps_symbols[PP_COMPONENT_COUNT];
+
+/* The component in a method's part.sky or part.value. */
+enum pp_component pp_component_steps_given(const struct pp_method *method);
+
+/* The value of a component in a part. */
+double pp_component_steps_figure(const struct pp_part *part,
+                                 enum pp_component component);
+
+/* Records the corrections of an opening, D among them, and the corrected components,
+ * behind the method's own steps, which begin with step `first`. */
+void pp_component_steps_add(struct pp_steps *steps, const struct pp_method *method,
+                            const struct pp_world *world, int index,
+                            const struct pp_part *part, const struct pp_part *corrected,
+                            double D, int first);
+
+/* Records the sums over the openings, where there is not just one. */
+void pp_component_steps_add_sums(struct pp_steps *steps, const struct pp_method *method,
+                                 const struct pp_world *world,
+                                 const struct pp_part *part);
+
+#endif

@@ -1,0 +1,146 @@
+/* sky_angle.c - the limits of the visible sky in section, for glass of any slope. */
+#include "methods/reflected/sky_angle.h"
+
+#include <stddef.h>
+
+#include "methods/reflected/obstruction.h"
+#include "methods/refusals.h"
+
+static const struct pp_formula_quantity of_head[] = {
+    {"h", PP_UNIT_METRE, "height of the opening"},
+    {"d", PP_UNIT_METRE, "depth of the reveal"},
+    {0},
+};
+
+const struct pp_formula pp_sky_angle_head = {
+    .symbol = "theta_h",
+    .sum = "atan(h / 2 / d)",
+    .unit = PP_UNIT_ANGLE,
+    .what = "altitude of the reveal's head; 90 degrees without a reveal",
+    .quantities = of_head,
+};
+
+const struct pp_formula pp_sky_angle_reveal = {
+    .symbol = "theta_r",
+    .sum = "atan(h / 2 / d)",
+    .unit = PP_UNIT_ANGLE,
+    .what = "glass that slopes: what the reveal leaves to either side",
+    .quantities = of_head,
+};
+
+static const struct pp_formula_quantity of_limits[] = {
+    {"beta", PP_UNIT_ANGLE, "slope of the glass, 0 horizontal"},
+    {"alpha", PP_UNIT_ANGLE, "angle of the obstruction outside"},
+    {0},
+};
+static const struct pp_formula_quantity of_limits_in_reveal[] = {
+    {"beta", PP_UNIT_ANGLE, "slope of the glass, 0 horizontal"},
+    {"alpha", PP_UNIT_ANGLE, "angle of the obstruction outside"},
+    {"theta_r", PP_UNIT_ANGLE, "what the reveal leaves to either side"},
+    {0},
+};
+
+#define UPPER(text, words, list)                                                       \
+    {                                                                                  \
+        .symbol = "theta_h", .sum = text, .unit = PP_UNIT_ANGLE, .what = words,        \
+        .quantities = list                                                             \
+    }
+const struct pp_formula pp_sky_angle_upper[4] = {
+    UPPER("180 - beta", "upper limit of the sky, glass that slopes", of_limits),
+    UPPER("90 - beta + theta_r",
+          "upper limit of the sky, glass that slopes, in a reveal",
+          of_limits_in_reveal),
+    UPPER("180 - alpha", "upper limit of the sky, level glass", of_limits),
+    UPPER("min(180 - alpha, 90 + theta_r)", "upper limit of the sky, level in a reveal",
+          of_limits_in_reveal),
+};
+
+const struct pp_formula pp_sky_angle_lower = {
+    .symbol = "theta_l",
+    .sum = "max(alpha, 90 - beta - theta_r)",
+    .unit = PP_UNIT_ANGLE,
+    .what = "lower limit of the sky, glass that slopes, in a reveal",
+    .quantities = of_limits_in_reveal,
+};
+
+static const struct pp_formula_quantity of_theta[] = {
+    {"theta_h", PP_UNIT_ANGLE, "upper limit of the sky in section"},
+    {"alpha", PP_UNIT_ANGLE, "angle of the obstruction outside"},
+    {0},
+};
+
+const struct pp_formula pp_sky_angle_theta = {
+    .symbol = "theta",
+    .sum = "max(theta_h - alpha, 0)",
+    .unit = PP_UNIT_ANGLE,
+    .source = "CL84",
+    .what = "angle of visible sky",
+    .quantities = of_theta,
+};
+
+static const struct pp_formula_quantity of_theta_in_reveal[] = {
+    {"theta_h", PP_UNIT_ANGLE, "upper limit of the sky in section"},
+    {"theta_l", PP_UNIT_ANGLE, "lower limit of the sky in section"},
+    {0},
+};
+
+const struct pp_formula pp_sky_angle_theta_in_reveal = {
+    .symbol = "theta",
+    .sum = "max(theta_h - theta_l, 0)",
+    .unit = PP_UNIT_ANGLE,
+    .what = "angle of visible sky, glass that slopes, in a reveal",
+    .quantities = of_theta_in_reveal,
+};
+
+static void put_reveal(struct pp_worksheet *sheet, const struct pp_opening *opening)
+{
+    int line = opening->line;
+    pp_worksheet_put(sheet, PP_UNIT_METRE, opening->height_m, "h",
+                     "opening on line %d: height", line);
+    pp_worksheet_put(sheet, PP_UNIT_METRE, opening->reveal_m, "d",
+                     "opening on line %d: depth of the reveal", line);
+}
+
+static void put_sloping(struct pp_worksheet *sheet, const struct pp_opening *opening)
+{
+    bool reveal = opening->reveal_m > 0.0, level = sin(opening->slope_rad) < 1e-6;
+    pp_worksheet_put(sheet, PP_UNIT_ANGLE, opening->slope_rad, "beta",
+                     "opening on line %d: slope of the glass", opening->line);
+    if (reveal) {
+        put_reveal(sheet, opening);
+        pp_worksheet_work(sheet, &pp_sky_angle_reveal,
+                          "what the reveal leaves to either side");
+    }
+    pp_worksheet_work(sheet, &pp_sky_angle_upper[2 * level + reveal],
+                      "upper limit of the sky in section");
+    if (reveal)
+        pp_worksheet_work(sheet, &pp_sky_angle_lower, "lower limit");
+    pp_worksheet_work(sheet,
+                      reveal ? &pp_sky_angle_theta_in_reveal : &pp_sky_angle_theta,
+                      "angle of visible sky");
+}
+
+enum pp_status pp_sky_angle(struct pp_worksheet *sheet, const struct pp_world *world,
+                            const struct pp_opening *opening, struct pp_error *err)
+{
+    double alpha_rad;
+    int line = opening->line;
+    bool vertical = pp_refusals_unless_vertical(opening) == NULL;
+    enum pp_status status = pp_obstruction_angle(&alpha_rad, world, opening, err);
+    if (status != PP_OK)
+        return status;
+    if (vertical && opening->reveal_m > 0.0) {
+        put_reveal(sheet, opening);
+        pp_worksheet_work(sheet, &pp_sky_angle_head, "altitude of the reveal's head");
+    } else if (vertical) {
+        pp_worksheet_put(sheet, PP_UNIT_ANGLE, PP_PI / 2.0, "theta_h",
+                         "opening on line %d: up to the zenith", line);
+    }
+    pp_worksheet_put(sheet, PP_UNIT_ANGLE, alpha_rad, "alpha",
+                     "opening on line %d: angle of the obstruction", line);
+    if (vertical)
+        pp_worksheet_work(sheet, &pp_sky_angle_theta, "angle of visible sky");
+    else
+        put_sloping(sheet, opening);
+    return PP_OK;
+}

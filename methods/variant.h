@@ -1,0 +1,32 @@
+/* variant.h - a reader's variant of a published formula, which gets a column beside the
+ * original's.
+ *
+ *     irc = 0.83 W / (A (1 - R)) (C R_fw + 5 R_cw)
+ *     split-flux: irc = ...
+ *
+ * The left side says what is replaced. Without a method's name that is the formula of the
+ * first method, in their order, that has one for the symbol with all quantities named.
+ */
+#ifndef PP_METHODS_VARIANT_H
+#define PP_METHODS_VARIANT_H
+
+#include "methods/method.h"
+
+struct pp_variant {
+    const struct pp_method *method;
+    char name[40]; /* of its column: "bre-variant", "bre-variant-2" */
+    struct pp_formula_variant formula;
+};
+
+struct pp_variant_list {
+    int count;
+    struct pp_variant *list;
+};
+
+/* Reads one more variant from a text. What is wrong with it is PP_BAD_INPUT, with the
+ * column, and on two more lines the text and a caret under the place. */
+enum pp_status pp_variant_add(struct pp_variant_list *variants, const char *text,
+                              struct pp_error *err);
+void pp_variant_clear(struct pp_variant_list *variants);
+
+#endif

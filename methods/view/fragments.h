@@ -1,0 +1,72 @@
+/* fragments.h - a figure in the plane as convex fragments, from which convex rings are
+ * cut one after another.
+ *
+ * A cut conserves area but for rounding, whatever the rings: no overlay has to be
+ * topologically sound. A fragment is free, or has an owner: the ring that covers it and is in
+ * front of all others.
+ */
+#ifndef PP_METHODS_VIEW_FRAGMENTS_H
+#define PP_METHODS_VIEW_FRAGMENTS_H
+
+#include <stdbool.h>
+
+#include "model/base/error.h"
+
+/* The most corners of a fragment, and of a ring that cuts. A fragment that would have
+ * more is divided. */
+enum { PP_FRAGMENT_CORNERS = 12 };
+
+enum { PP_FRAGMENT_FREE = -1 };
+
+struct pp_fragment {
+    int owner; /* PP_FRAGMENT_FREE: no ring covers the fragment */
+    int count;
+    double xy[PP_FRAGMENT_CORNERS][2]; /* counter-clockwise */
+    double low[2], high[2];
+};
+
+/* Begin with all zero; to be cleared. */
+struct pp_fragments {
+    int count, capacity;
+    struct pp_fragment *list;
+};
+
+/* A ring to be cut out: convex, counter-clockwise, with its extent. The ring lies at
+ * the depth depth[0] + depth[1] x + depth[2] y. */
+struct pp_fragment_ring {
+    int count;
+    const double (*xy)[2];
+    double low[2], high[2];
+    double depth[3];
+};
+
+/* Makes a ring of convex corners, which are turned counter-clockwise. depth is left as
+ * it is. */
+void pp_fragments_close_ring(struct pp_fragment_ring *ring, double (*xy)[2], int count);
+
+void pp_fragments_clear(struct pp_fragments *fragments);
+
+/* Adds a convex ring, counter-clockwise, as free fragments. */
+enum pp_status pp_fragments_add(struct pp_fragments *fragments, const double (*xy)[2],
+                                int count, struct pp_error *err);
+
+/* Adds to `result` what lies within the ring. */
+enum pp_status pp_fragments_intersect(struct pp_fragments *result,
+                                      const struct pp_fragments *fragments,
+                                      const struct pp_fragment_ring *ring,
+                                      struct pp_error *err);
+
+/* Keeps what lies outside the ring. */
+enum pp_status pp_fragments_subtract(struct pp_fragments *fragments,
+                                     const struct pp_fragment_ring *ring,
+                                     struct pp_error *err);
+
+/* rings[index] becomes the owner of what lies within it and is free or, unless
+ * `free_only` is set, belongs to a ring behind it. */
+enum pp_status pp_fragments_cover(struct pp_fragments *fragments,
+                                  const struct pp_fragment_ring *rings, int index,
+                                  bool free_only, struct pp_error *err);
+
+double pp_fragments_area(const struct pp_fragment *fragment);
+
+#endif

@@ -1,0 +1,18 @@
+/* convex_parts.h - a plane polygon as convex parts. */
+#ifndef PP_MODEL_GEOMETRY_CONVEX_PARTS_H
+#define PP_MODEL_GEOMETRY_CONVEX_PARTS_H
+
+#include <stdbool.h>
+
+#include "model/base/error.h"
+#include "model/geometry/polygon.h"
+
+bool pp_convex_parts_is_convex(const struct pp_polygon *outline);
+
+/* Triangles that cover a polygon that is not convex: *triangles is *count times three
+ * indices of its vertices, to be freed; NULL and 0 for a convex one. */
+enum pp_status pp_convex_parts_triangles(int (**triangles)[3], int *count,
+                                         const struct pp_polygon *outline,
+                                         struct pp_error *err);
+
+#endif

@@ -1,0 +1,38 @@
+/* outside_light.h - the light that comes to a building from outside: sky and ground.
+ *
+ * It is no part of a room's geometry: what solves a room is given it beside the room,
+ * and another light on the same room costs no more than itself.
+ *
+ * All of it is over Eh, the horizontal illuminance of the open sky. The ground is an
+ * endless diffuse plane under the open sky, never shadowed; its exitance is its
+ * reflectance. An unobstructed plane whose normal has the height n_z has the
+ * illuminance
+ *
+ *     E = Es + rho_ground (1 - n_z)/2
+ *
+ * Es from the sky (sky.h), the rest from the ground, of which a plane of that tilt sees
+ * the share (1 - n_z)/2 of a half space.
+ */
+#ifndef PP_MODEL_LIGHT_OUTSIDE_LIGHT_H
+#define PP_MODEL_LIGHT_OUTSIDE_LIGHT_H
+
+#include "model/light/sky.h"
+
+struct pp_outside_light {
+    struct pp_sky sky;
+    double ground_reflectance;
+};
+
+/* Exitance of the ground. */
+double pp_outside_light_ground(const struct pp_outside_light *light);
+
+/* Illuminance by the ground, unobstructed, of a plane with normal n (unit). */
+double pp_outside_light_ground_on_plane(const struct pp_outside_light *light,
+                                        struct pp_vec3 n);
+
+/* Exitance of a diffuse face with normal n (unit) that stands free under the open sky,
+ * as skylines do by convention: rho E. */
+double pp_outside_light_exitance(const struct pp_outside_light *light,
+                                 double reflectance, struct pp_vec3 n);
+
+#endif

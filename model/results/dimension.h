@@ -1,0 +1,33 @@
+/* dimension.h - what kind of quantity a figure is: a length, an area, an angle, per cent
+ * of the sky's light, a ratio.
+ *
+ * A number fits degrees, per cent or neither, but no metres: 1 - alpha / 90 is good, A +
+ * 3 of an area A is not.
+ */
+#ifndef PP_MODEL_RESULTS_DIMENSION_H
+#define PP_MODEL_RESULTS_DIMENSION_H
+
+#include <stdbool.h>
+
+/* Powers of metres, degrees and shares (per cent of the open sky). */
+struct pp_dimension {
+    double metres, degrees, shares;
+    bool number; /* degrees and shares are open: a number is a factor or the whole */
+};
+
+/* Can the two be added? */
+bool pp_dimension_alike(struct pp_dimension a, struct pp_dimension b);
+
+/* Fits a ratio, such as a reflectance; an angle. */
+bool pp_dimension_is_ratio(struct pp_dimension d);
+bool pp_dimension_is_angle(struct pp_dimension d);
+
+/* a times b to the power of `power`; d to that power. */
+struct pp_dimension pp_dimension_times(struct pp_dimension a, struct pp_dimension b,
+                                       double power);
+struct pp_dimension pp_dimension_raised(struct pp_dimension d, double power);
+
+/* "an area (m2)", "m^3", "an angle (degrees)". */
+void pp_dimension_describe(char text[96], struct pp_dimension d);
+
+#endif

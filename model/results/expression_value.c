@@ -1,0 +1,112 @@
+/* expression_value.c - operations in postfix order, worked out on a stack. */
+#include "model/results/expression_value.h"
+
+#include <math.h>
+#include <stddef.h>
+
+#include "model/geometry/vec.h"
+
+double pp_expression_value_call(enum pp_operation_kind kind, const double *list,
+                                int count)
+{
+    double value = list[0];
+    switch (kind) {
+    case PP_DO_SQRT:
+        return sqrt(value);
+    case PP_DO_EXP:
+        return exp(value);
+    case PP_DO_LN:
+        return log(value);
+    case PP_DO_LOG10:
+        return log10(value);
+    case PP_DO_ABS:
+        return fabs(value);
+    case PP_DO_SIN:
+        return sin(value * PP_RAD);
+    case PP_DO_COS:
+        return cos(value * PP_RAD);
+    case PP_DO_TAN:
+        return tan(value * PP_RAD);
+    case PP_DO_ASIN:
+        return asin(value) / PP_RAD;
+    case PP_DO_ACOS:
+        return acos(value) / PP_RAD;
+    case PP_DO_ATAN:
+        return atan(value) / PP_RAD;
+    default:
+        break;
+    }
+    for (int i = 1; i < count; i++)
+        value = kind == PP_DO_MIN   ? fmin(value, list[i])
+                : kind == PP_DO_MAX ? fmax(value, list[i])
+                                    : value + list[i];
+    return value;
+}
+
+static const char *fault_of(enum pp_operation_kind kind, double result, double last)
+{
+    if (kind == PP_DO_OVER && last == 0.0)
+        return "divides by nothing";
+    if (kind == PP_DO_SQRT && last < 0.0)
+        return "takes the root of less than nothing";
+    if (isfinite(result))
+        return NULL;
+    return kind >= PP_DO_SQRT ? "asks a function for what it does not have"
+                              : "comes to no number";
+}
+
+double pp_expression_value(const struct pp_expression *expression, const double *values,
+                           struct pp_expression_fault *fault)
+{
+    double stack[PP_EXPRESSION_OPERATIONS_MOST];
+    int top = 0; /* number of values on the stack */
+    if (fault)
+        *fault = (struct pp_expression_fault){NULL, 0};
+    for (int i = 0; i < expression->count; i++) {
+        const struct pp_operation *operation = &expression->list[i];
+        enum pp_operation_kind kind = operation->kind;
+        double last = top > 0 ? stack[top - 1] : NAN;
+        double *first = top > 1 ? &stack[top - 2] : stack;
+        switch (kind) {
+        case PP_DO_NUMBER:
+            stack[top++] = operation->number;
+            continue;
+        case PP_DO_NAME:
+            stack[top++] = values[operation->name];
+            continue;
+        case PP_DO_PLUS:
+            *first += last;
+            top--;
+            break;
+        case PP_DO_MINUS:
+            *first -= last;
+            top--;
+            break;
+        case PP_DO_TIMES:
+            *first *= last;
+            top--;
+            break;
+        case PP_DO_OVER:
+            *first /= last;
+            top--;
+            break;
+        case PP_DO_POWER:
+            *first = pow(*first, last);
+            top--;
+            break;
+        case PP_DO_NEGATIVE:
+            stack[top - 1] = -last;
+            break;
+        default:
+            top -= operation->count - 1;
+            stack[top - 1] =
+                pp_expression_value_call(kind, &stack[top - 1], operation->count);
+        }
+        if (fault && !fault->what
+            && (kind == PP_DO_OVER || !isfinite(stack[top - 1]))) {
+            fault->what = fault_of(kind, stack[top - 1], last);
+            fault->column = operation->column;
+        }
+    }
+    return top > 0 ? stack[top - 1] : NAN;
+}

@@ -1,0 +1,75 @@
+/* formula.h - a published formula as data: its text is what the program works out, what
+ * --explain prints and what the manual shows.
+ *
+ *     const struct pp_formula bre = {
+ *         .symbol = "irc", .sum = "0.85 W / (A (1 - R)) (C R_fw + 5 R_cw)", ...};
+ *
+ * The sum is an expression (expression.h) in the units of print: per cent, degrees and
+ * metres (steps.h). A reader's variant of a formula is another sum of its quantities.
+ */
+#ifndef PP_MODEL_RESULTS_FORMULA_H
+#define PP_MODEL_RESULTS_FORMULA_H
+
+#include "model/base/error.h"
+#include "model/results/expression_value.h"
+#include "model/results/steps.h"
+
+/* A quantity that a formula, or a reader's variant of it, may name. */
+struct pp_formula_quantity {
+    const char *symbol; /* NULL ends a list */
+    enum pp_step_unit unit;
+    const char *what;
+};
+
+struct pp_formula {
+    const char *symbol, *sum; /* left and right side */
+    enum pp_step_unit unit;   /* of the left side */
+    const char *source; /* key of docs/SOURCES.md and place in the work: "GEEBELEN,
+                             * eq. 15"; NULL: the program's own convention */
+    const char *what;   /* the left side in words */
+    const struct pp_formula_quantity *quantities;
+    bool fixed; /* it enters a table, or is one of several by the case: no variant */
+};
+
+/* Would a variant of that symbol stand in this formula's place, its quantities
+ * allowing? */
+bool pp_formula_is_open(const struct pp_formula *formula, const char *symbol);
+
+/* Can what an expression comes to stand for the formula's left side? Hidden units of its
+ * numbers aside: degrees become per cent in the average daylight factor. */
+bool pp_formula_comes_out(const struct pp_formula *formula,
+                          const struct pp_expression *expression);
+
+/* Parses the formula's own sum or a variant of it, as pp_expression_parse does. */
+bool pp_formula_parse(struct pp_expression *expression,
+                      const struct pp_formula *formula, const char *sum, int shift,
+                      struct pp_expression_mistake *mistake);
+
+/* Works the published sum out; values in the order of the quantities, in the program's
+ * units (fractions, radians, metres), as the result is. */
+double pp_formula_value(const struct pp_formula *formula, const double *values);
+
+/* A reader's sum for a symbol. */
+struct pp_formula_variant {
+    char symbol[32], sum[PP_EXPRESSION_MOST + 1];
+    int shift; /* column of the sum in what the reader wrote, from 0 */
+};
+
+/* The formulae of a method, parsed once for many points. The list ends with NULL; NULL
+ * for the list: none. A variant (not owned; NULL: none) stands in place of all formulae of
+ * its symbol that are not fixed and have the quantities that it names. */
+struct pp_formulary;
+enum pp_status pp_formulary_create(struct pp_formulary **formulary,
+                                   const struct pp_formula *const *formulae,
+                                   const struct pp_formula_variant *variant,
+                                   struct pp_error *err);
+void pp_formulary_destroy(struct pp_formulary *formulary);
+
+/* A formula parsed: that of the formulary (which may be NULL) or, where it is not in it,
+ * the published one, parsed into `spare`. *sum is its text; *own: a reader's. */
+const struct pp_expression *pp_formulary_find(const struct pp_formulary *formulary,
+                                              const struct pp_formula *formula,
+                                              struct pp_expression *spare,
+                                              const char **sum, bool *own);
+
+#endif

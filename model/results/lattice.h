@@ -1,0 +1,25 @@
+/* lattice.h - receivers that stand in rows and columns over a plane, as a grid's do. */
+#ifndef PP_MODEL_RESULTS_LATTICE_H
+#define PP_MODEL_RESULTS_LATTICE_H
+
+#include <stdbool.h>
+
+#include "model/base/error.h"
+#include "model/room/world.h"
+
+struct pp_lattice {
+    int columns, rows; /* 0: the receivers are no lattice */
+    double *x, *y;     /* of the columns and rows, ascending (m) */
+    int *receivers;    /* [row * columns + column]; -1: none stands there */
+};
+
+/* Do the receivers face up at one height, in two or more evenly spaced columns and rows,
+ * half of whose crossings or more have one? Places without one (walls of an L, furniture)
+ * are let out. *lattice is to be cleared; empty where they do not. Fails for lack of
+ * memory only. */
+enum pp_status pp_lattice_find(struct pp_lattice *lattice,
+                               const struct pp_receiver *receivers, int count,
+                               struct pp_error *err);
+void pp_lattice_clear(struct pp_lattice *lattice);
+
+#endif

@@ -1,0 +1,141 @@
+/* worksheet.c - figures by name, the latest first; formulae worked out of them and set
+ * down with the numbers of the parts they speak of. */
+#include "model/results/worksheet.h"
+
+#include <assert.h>
+#include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "model/base/text.h"
+
+/* strcmp, called only where the first letters are alike: this is the inner loop. */
+static bool is_called(const struct pp_worksheet_figure *figure, const char *symbol)
+{
+    return figure->symbol == symbol
+           || (figure->symbol[0] == symbol[0] && strcmp(figure->symbol, symbol) == 0);
+}
+
+static void enter(struct pp_worksheet *sheet, const char *symbol, double printed)
+{
+    int at = sheet->count;
+    if (!symbol[0])
+        return;
+    /* A figure that is put down anew takes the place of the last of its name. */
+    for (int i = 0; i < sheet->count; i++)
+        if (is_called(&sheet->list[i], symbol))
+            at = i;
+    assert(at < PP_WORKSHEET_MOST);
+    sheet->list[at] = (struct pp_worksheet_figure){symbol, sheet->part, printed};
+    sheet->count += at == sheet->count;
+}
+
+/* "T_hl", or "T_hl_2" of part 2. */
+static void write_symbol(char text[32], const char *symbol, int part)
+{
+    if (part > 0)
+        snprintf(text, 32, "%s_%d", symbol, part);
+    else
+        snprintf(text, 32, "%s", symbol);
+}
+
+void pp_worksheet_know(struct pp_worksheet *sheet, enum pp_step_unit unit, double value,
+                       const char *symbol)
+{
+    enter(sheet, symbol, value * pp_steps_printed_unit(unit));
+}
+
+void pp_worksheet_put(struct pp_worksheet *sheet, enum pp_step_unit unit, double value,
+                      const char *symbol, const char *what, ...)
+{
+    pp_worksheet_know(sheet, unit, value, symbol);
+    if (!sheet->steps)
+        return;
+    char numbered[32];
+    write_symbol(numbered, symbol, sheet->part);
+    va_list args;
+    va_start(args, what);
+    pp_steps_add_v(sheet->steps, unit, value, numbered, "", what, args);
+    va_end(args);
+}
+
+void pp_worksheet_note(struct pp_worksheet *sheet, enum pp_step_unit unit, double value,
+                       const char *what, ...)
+{
+    if (!sheet->steps)
+        return;
+    va_list args;
+    va_start(args, what);
+    pp_steps_add_v(sheet->steps, unit, value, "", "", what, args);
+    va_end(args);
+}
+
+static const struct pp_worksheet_figure *find(const struct pp_worksheet *sheet,
+                                              const char *symbol, int length)
+{
+    for (int i = 0; i < sheet->count; i++)
+        if (strncmp(sheet->list[i].symbol, symbol, (size_t)length) == 0
+            && !sheet->list[i].symbol[length])
+            return &sheet->list[i];
+    return NULL;
+}
+
+static const struct pp_worksheet_figure *find_symbol(const struct pp_worksheet *sheet,
+                                                     const char *symbol)
+{
+    for (int i = sheet->count - 1; i >= 0; i--)
+        if (is_called(&sheet->list[i], symbol))
+            return &sheet->list[i];
+    return NULL;
+}
+
+/* The formula's text with the number of its part behind each symbol that has one. */
+static void write_sum(char *text, size_t room, const struct pp_worksheet *sheet,
+                      const char *sum)
+{
+    text[0] = '\0';
+    while (*sum) {
+        int length = pp_expression_name_length(sum);
+        const struct pp_worksheet_figure *figure =
+            length > 0 ? find(sheet, sum, length) : NULL;
+        pp_text_append(text, room, "%.*s", length > 0 ? length : 1, sum);
+        if (figure && figure->part > 0)
+            pp_text_append(text, room, "_%d", figure->part);
+        sum += length > 0 ? length : 1;
+    }
+}
+
+double pp_worksheet_work(struct pp_worksheet *sheet, const struct pp_formula *formula,
+                         const char *what, ...)
+{
+    struct pp_expression spare;
+    const char *sum;
+    bool own;
+    const struct pp_expression *expression =
+        pp_formulary_find(sheet->formulary, formula, &spare, &sum, &own);
+    double values[PP_WORKSHEET_MOST];
+    for (int i = 0; i < expression->name_count; i++) {
+        const char *symbol = formula->quantities[expression->names[i]].symbol;
+        const struct pp_worksheet_figure *figure = find_symbol(sheet, symbol);
+        assert(figure);
+        values[expression->names[i]] = figure ? figure->printed : NAN;
+    }
+    struct pp_expression_fault fault;
+    double printed = pp_expression_value(expression, values, own ? &fault : NULL);
+    sheet->varied |= own;
+    if (own && fault.what && !sheet->fault.what)
+        sheet->fault = fault;
+    double value = printed / pp_steps_printed_unit(formula->unit);
+    if (sheet->steps) {
+        char numbered[32], text[sizeof sheet->steps->list->formula];
+        write_symbol(numbered, formula->symbol, sheet->part);
+        write_sum(text, sizeof text, sheet, sum);
+        va_list args;
+        va_start(args, what);
+        pp_steps_add_v(sheet->steps, formula->unit, value, numbered, text, what, args);
+        va_end(args);
+    }
+    enter(sheet, formula->symbol, printed);
+    return value;
+}

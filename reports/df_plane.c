@@ -1,0 +1,154 @@
+/* df_plane.c - lays figures out like the plan, and prints the summary of a plane.
+ */
+#include "reports/df_plane.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "model/base/text.h"
+#include "reports/parts/print.h"
+
+enum { CELL = 7, EDGE = 8, SHARE = 6, WORDS = 96 };
+
+/* ---- like the plan ---- */
+
+static bool has_points(const struct pp_report *report, const struct pp_column *column)
+{
+    if (column->component != PP_DF || !column->points)
+        return false;
+    for (int i = 0; i < report->receiver_count; i++)
+        if (isfinite(column->points[i].value))
+            return true;
+    return false;
+}
+
+static void put_row(const struct pp_column *column, const struct pp_lattice *lattice,
+                    int row, int first, int last, FILE *out)
+{
+    fprintf(out, "%*.2f |", EDGE, lattice->y[row]);
+    for (int i = first; i < last; i++) {
+        int at = lattice->receivers[row * lattice->columns + i];
+        if (at < 0)
+            fprintf(out, "%*s", CELL, "");
+        else if (isfinite(column->points[at].value))
+            fprintf(out, "%*.2f", CELL, 100.0 * column->points[at].value + 0.0);
+        else
+            fprintf(out, "%*s", CELL, "-");
+    }
+    fputc('\n', out);
+}
+
+static void put_panel(const struct pp_column *column, const struct pp_lattice *lattice,
+                      int first, int last, FILE *out)
+{
+    fprintf(out, "\n%*s\n", EDGE, "y");
+    for (int row = lattice->rows - 1; row >= 0; row--)
+        put_row(column, lattice, row, first, last, out);
+    fprintf(out, "%*s +", EDGE, "");
+    for (int i = 0; i < CELL * (last - first); i++)
+        fputc('-', out);
+    fprintf(out, "\n%*s  ", EDGE, "x");
+    for (int i = first; i < last; i++)
+        fprintf(out, "%*.2f", CELL, lattice->x[i]);
+    fputc('\n', out);
+}
+
+void pp_df_plane_tables(const struct pp_report *report,
+                        const struct pp_lattice *lattice, int width, FILE *out)
+{
+    int most = (width - EDGE - 2) / CELL;
+    most = most < 1 ? 1 : most;
+    for (int i = 0; i < report->column_count; i++) {
+        const struct pp_column *column = &report->columns[i];
+        if (!has_points(report, column))
+            continue;
+        fprintf(out, "\n  Daylight factors by %s, per cent\n", column->name);
+        for (int first = 0; first < lattice->columns; first += most) {
+            int last = first + most;
+            last = last < lattice->columns ? last : lattice->columns;
+            put_panel(column, lattice, first, last, out);
+        }
+    }
+}
+
+/* ---- of the plane ---- */
+
+/* "1.25", or "1.25 ±0.02". */
+static void put_reading(char cell[WORDS], const struct pp_reading *reading, bool utf8)
+{
+    snprintf(cell, WORDS, "%.2f", 100.0 * reading->value + 0.0);
+    if (isfinite(reading->std_error))
+        pp_text_append(cell, WORDS, " %s%.2f", utf8 ? "\xc2\xb1" : "+-",
+                       ceil(1e4 * reading->std_error - 1e-9) / 100.0 + 0.0);
+}
+
+/* `columns` wide as it is seen: bytes of one sign are one column. */
+static void put_padded(const char *cell, int columns, FILE *out)
+{
+    int bytes = (int)strlen(cell), shown = 0;
+    for (int i = 0; i < bytes; i++)
+        shown += ((unsigned char)cell[i] & 0xc0) != 0x80;
+    fprintf(out, "%*s%s", columns > shown ? columns - shown : 0, "", cell);
+}
+
+static void put_line(const struct pp_column *column, int name, int wide, bool utf8,
+                     FILE *out)
+{
+    const struct pp_plane_reading *plane = &column->plane;
+    const struct pp_reading *readings[] = {&plane->minimum, &plane->median,
+                                           &plane->average};
+    fprintf(out, "  %-*s", name, column->name);
+    for (int k = 0; k < 3; k++) {
+        char cell[WORDS];
+        put_reading(cell, readings[k], utf8);
+        put_padded(cell, wide, out);
+    }
+    fprintf(out, "%9.4f", plane->uniformity);
+    for (int k = 0; k < PP_PLANE_LEVELS; k++)
+        fprintf(out, "%5.0f%%", 100.0 * plane->over[k]);
+    fputc('\n', out);
+}
+
+void pp_df_plane_summary(const struct pp_report *report, int width, bool utf8,
+                         FILE *out)
+{
+    static const char *const heads[] = {"minimum", "median", "mean"};
+    int name = 0, wide = 9;
+    for (int i = 0; i < report->column_count; i++) {
+        const struct pp_column *column = &report->columns[i];
+        int length = (int)strlen(column->name);
+        if (!column->has_plane)
+            continue;
+        name = length > name ? length : name;
+        if (isfinite(column->plane.average.std_error))
+            wide = 12;
+    }
+    if (name == 0)
+        return;
+    char text[256];
+    snprintf(
+        text, sizeof text,
+        report->grid_of_standard
+            ? "The plane at %d points of the grid of EN 17037, which leaves out 0.5 "
+              "m along the walls; per cent, uniformity as minimum over mean, and "
+              "the share of the points that reach a level"
+            : "The plane at the %d points of the grid; per cent, uniformity as "
+              "minimum over mean, and the share of the points that reach a level",
+        report->grid_points);
+    fputs("\n  ", out);
+    pp_print_wrapped(text, 2, 2, width, out);
+    fprintf(out, "\n  %-*s", name, "");
+    for (int k = 0; k < 3; k++)
+        put_padded(heads[k], wide, out);
+    fputs(" min/mean", out);
+    for (int k = 0; k < PP_PLANE_LEVELS; k++) {
+        char head[WORDS];
+        snprintf(head, sizeof head, "%s%g%%",
+                 utf8 ? "\xe2\x89\xa5" : ">=", 100.0 * pp_plane_levels[k]);
+        put_padded(head, SHARE, out);
+    }
+    fputc('\n', out);
+    for (int i = 0; i < report->column_count; i++)
+        if (report->columns[i].has_plane)
+            put_line(&report->columns[i], name, wide, utf8, out);
+}

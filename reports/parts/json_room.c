@@ -1,0 +1,162 @@
+/* json_room.c - builds the object of a room's envelope, openings and surroundings. */
+#include "reports/parts/json_room.h"
+
+#include <math.h>
+
+#include "reports/parts/json.h"
+
+static const char *const roles[] = {
+    [PP_FLOOR] = "floor",          [PP_WALL] = "wall",
+    [PP_CEILING] = "ceiling",      [PP_REVEAL] = "reveal",
+    [PP_FREE_SURFACE] = "surface", [PP_BLOCK] = "block"};
+
+/* Area of the openings in a face. */
+static double openings_m2(const struct pp_world *world, int face)
+{
+    double area = 0.0;
+    for (int i = 0; i < world->opening_count; i++)
+        if (world->openings[i].face == face)
+            area += world->openings[i].inner.area_m2;
+    return area;
+}
+
+/* A face of the envelope; its area is without its openings. */
+static struct json_object *face_of(const struct pp_world *world, int index)
+{
+    const struct pp_surface *face = &world->surfaces[index];
+    struct json_object *object = json_object_new_object();
+    bool good = object && (!face->name || pp_json_text(object, "name", face->name))
+                && pp_json_text(object, "role", roles[face->role])
+                && pp_json_number(object, "area",
+                                  face->outline.area_m2 - openings_m2(world, index))
+                && pp_json_number(object, "reflectance", face->front);
+    if (good)
+        pp_json_on_one_line(object);
+    return pp_json_whole(object, good);
+}
+
+static struct json_object *opening_of(const struct pp_world *world, int index)
+{
+    const struct pp_opening *opening = &world->openings[index];
+    const struct pp_surface *face = &world->surfaces[opening->face];
+    const struct pp_glass *glass = &opening->glass;
+    double sill = INFINITY, area = opening->inner.area_m2;
+    for (int i = 0; i < opening->inner.count; i++)
+        sill = fmin(sill, opening->inner.vertices[i].z);
+    struct json_object *object = json_object_new_object();
+    bool good =
+        object && pp_json_add(object, "line", json_object_new_int(opening->line))
+        && (!face->name || pp_json_text(object, "face", face->name))
+        && pp_json_number(object, "width", opening->width_m)
+        && pp_json_number(object, "height", opening->height_m)
+        && pp_json_number(object, "sill", sill) && pp_json_number(object, "area", area)
+        && pp_json_number(object, "glass-area", area * opening->frame_factor)
+        && pp_json_number(object, "slope", opening->slope_rad / PP_RAD)
+        && pp_json_number(object, "reveal", opening->reveal_m)
+        && pp_json_add(object, "panes", json_object_new_int(glass->panes))
+        && pp_json_add(object, "diffusing", json_object_new_boolean(glass->diffusing))
+        && pp_json_number(object, "transmittance", glass->normal)
+        && pp_json_number(object, "diffuse-transmittance", glass->diffuse)
+        && pp_json_number(object, "frame-factor", opening->frame_factor)
+        && pp_json_number(object, "maintenance", opening->maintenance)
+        && pp_json_number(object, "curtains", opening->curtains);
+    if (good)
+        pp_json_on_one_line(object);
+    return pp_json_whole(object, good);
+}
+
+static struct json_object *skyline_of(const struct pp_world *world, int index)
+{
+    const struct pp_skyline *skyline = &world->skylines[index];
+    const char *name = world->surfaces[skyline->face].name;
+    struct json_object *object = json_object_new_object();
+    bool good = object && (!name || pp_json_text(object, "wall", name))
+                && pp_json_number(object, "angle", skyline->angle_rad / PP_RAD)
+                && pp_json_number(object, "distance", skyline->distance_m)
+                && pp_json_number(object, "reflectance", skyline->reflectance);
+    if (good)
+        pp_json_on_one_line(object);
+    return pp_json_whole(object, good);
+}
+
+/* Adds an array of `count` objects, each by make. */
+static bool add_list(struct json_object *object, const char *key, int count,
+                     struct json_object *(*make)(const struct pp_world *, int),
+                     const struct pp_world *world)
+{
+    struct json_object *list = json_object_new_array();
+    bool good = pp_json_add(object, key, list);
+    for (int i = 0; i < count && good; i++)
+        good = pp_json_append(list, make(world, i));
+    return good;
+}
+
+/* Areas of the floor, of all inside surfaces and of the glass, and the area-weighted mean
+ * reflectance of the surfaces without the openings. */
+static bool add_sums(struct json_object *object, const struct pp_world *world)
+{
+    double floor_m2 = 0.0, all_m2 = 0.0, reflecting_m2 = 0.0, opaque_m2 = 0.0;
+    double openings = 0.0, glass = 0.0;
+    for (int i = 0; i < world->face_count; i++) {
+        const struct pp_surface *face = &world->surfaces[i];
+        double opaque = face->outline.area_m2 - openings_m2(world, i);
+        all_m2 += face->outline.area_m2;
+        opaque_m2 += opaque;
+        reflecting_m2 += opaque * face->front;
+        if (face->role == PP_FLOOR)
+            floor_m2 += face->outline.area_m2;
+    }
+    for (int i = 0; i < world->opening_count; i++) {
+        double area = world->openings[i].inner.area_m2;
+        openings += area;
+        glass += area * world->openings[i].frame_factor;
+    }
+    return pp_json_number(object, "floor-area", floor_m2)
+           && pp_json_number(object, "surface-area", all_m2)
+           && pp_json_number(object, "opening-area", openings)
+           && pp_json_number(object, "glass-area", glass)
+           && pp_json_number(object, "mean-reflectance",
+                             opaque_m2 > 0.0 ? reflecting_m2 / opaque_m2 : NAN)
+           && pp_json_number(object, "height", world->height_m);
+}
+
+/* Adds the outlines of the working plane: x and y of their corners, one after the other;
+ * the outer one counter-clockwise. */
+static bool add_plane(struct json_object *object, const struct pp_region *plane)
+{
+    struct json_object *list = json_object_new_array();
+    bool good = pp_json_add(object, "plane", list);
+    for (int r = 0; r < plane->count && good; r++) {
+        struct json_object *ring = json_object_new_array();
+        good = pp_json_append(list, ring);
+        for (int i = 0; i < plane->rings[r].count && good; i++) {
+            struct json_object *corner = json_object_new_object();
+            good = pp_json_append(ring, corner)
+                   && pp_json_number(corner, "x", plane->rings[r].xy[i][0])
+                   && pp_json_number(corner, "y", plane->rings[r].xy[i][1]);
+        }
+        if (good)
+            pp_json_on_one_line(ring);
+    }
+    return good;
+}
+
+bool pp_json_room_add(struct json_object *object, const struct pp_world *world)
+{
+    struct json_object *model = json_object_new_object();
+    int outside = 0;
+    for (int i = 0; i < world->surface_count; i++)
+        outside +=
+            world->surfaces[i].role == PP_FREE_SURFACE && !world->surfaces[i].inside;
+    return pp_json_add(object, "model", model) && add_sums(model, world)
+           && pp_json_number(model, "working-plane", world->working_plane_m)
+           && pp_json_number(model, "plane-area", pp_region_area(&world->plane))
+           && add_plane(model, &world->plane)
+           && pp_json_number(model, "decorations", world->decorations)
+           && pp_json_number(model, "ground-reflectance", world->ground_reflectance)
+           && add_list(model, "faces", world->face_count, face_of, world)
+           && add_list(model, "openings", world->opening_count, opening_of, world)
+           && add_list(model, "skylines", world->skyline_count, skyline_of, world)
+           && pp_json_add(model, "blocks", json_object_new_int(world->block_count))
+           && pp_json_add(model, "surfaces-outside", json_object_new_int(outside));
+}

@@ -1,0 +1,15 @@
+/* json_room.h - what is assumed of a room, as JSON: enough to make a report of the results
+ * without the room file. */
+#ifndef PP_REPORTS_PARTS_JSON_ROOM_H
+#define PP_REPORTS_PARTS_JSON_ROOM_H
+
+#include <json.h>
+#include <stdbool.h>
+
+#include "model/room/world.h"
+
+/* Adds "model": areas (m2), lengths (m), reflectances and transmittances as fractions as in
+ * a room file, slopes and angles in degrees. False: memory is out. */
+bool pp_json_room_add(struct json_object *object, const struct pp_world *world);
+
+#endif

@@ -1,0 +1,23 @@
+/* print_reliability.h - what is said of hand figures that cannot be relied on, below a
+ * table and in JSON.
+ */
+#ifndef PP_REPORTS_PARTS_PRINT_RELIABILITY_H
+#define PP_REPORTS_PARTS_PRINT_RELIABILITY_H
+
+#include <json-c/json.h>
+#include <stdio.h>
+
+#include "studies/reliability.h"
+
+/* Notes, each behind a dash: the methods with another ground, where the figures cannot be
+ * relied on; nothing where there is neither. */
+void pp_print_reliability(const struct pp_reliability *reliability, int width,
+                          FILE *out);
+
+/* Adds "reliability": { "relied_on": false, "why": "...", "kinds": [{ "kind": "outside",
+ * "measure": 0.8, "of": "the average", "low": 0.96, "high": 4.6 }], "grounds": "..." },
+ * what there is of it. */
+bool pp_print_reliability_json(struct json_object *object,
+                               const struct pp_reliability *reliability);
+
+#endif

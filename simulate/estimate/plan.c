@@ -1,0 +1,219 @@
+/* plan.c - variance, skewness and bound foretold, and paths added where they gain
+ * most. */
+#include "simulate/estimate/plan.h"
+
+#include <math.h>
+
+/* The plan is for this share of the error that is wanted, since its variances are
+ * estimates. Chosen by trial. */
+static const double PLANNED_SHARE = 0.92;
+
+/* The cost of a path beside its rays, in rays. Chosen by trial. */
+static const double PATH_COST = 1.0;
+
+/* The square of the skewness that a randomisation may have. By Edgeworth's expansion
+ * of Student's t, intervals of two standard errors of 32 figures then hold some
+ * 1 % less than they should. */
+static const double SKEWNESS_SQUARED = 1.5;
+
+/* How the third moment of a mean falls with its paths, on the safe side. */
+static const double THIRD_FALL = 2.0;
+
+/* Paths for the sake of skewness and of what was not found: no more in a
+ * randomisation. */
+enum { SURE_PATHS = 1 << 11, PILOT_PATHS = 1 << 9, GROWTH = 4 };
+
+/* A pilot with an error of more than so many times the wanted one does not know the value
+ * either, which that is a share of. To be planned well it takes a sixth of the work. */
+static const double VAGUE = 5.0;
+
+/* A half grows to so many times its randomisations, if at all, and at most: 16 figures
+ * tell a variance to 36 %. */
+static const double LEAST_ADDED = 1.5, MOST_ADDED = 4.0;
+
+/* What randomisations of some numbers of paths will show. */
+struct outlook {
+    const struct pp_sampled *pilot;
+    struct pp_counts counts;
+    double variance[PP_ESTIMATORS_MOST], third[PP_ESTIMATORS_MOST];
+    double cost[PP_ESTIMATORS_MOST]; /* of one path */
+    unsigned found;
+};
+
+static struct outlook outlook_of(const struct pp_sampled *pilot)
+{
+    struct outlook outlook = {.pilot = pilot, .found = pp_spread_found(pilot)};
+    double paths[PP_ESTIMATORS_MOST];
+    pp_spread_paths(pilot, paths);
+    for (int k = 0; k < pilot->sampler->estimators; k++) {
+        struct pp_spread spread = pp_spread_of_part(pilot, k);
+        double rays = 0.0;
+        for (int i = 0; i < pilot->count; i++)
+            rays += (double)pilot->randomisations[i].rays[k];
+        outlook.counts.of[k] = pilot->randomisations[0].done.of[k];
+        outlook.variance[k] = spread.variance;
+        outlook.third[k] = fabs(spread.third);
+        outlook.cost[k] = rays / paths[k] + PATH_COST;
+    }
+    return outlook;
+}
+
+static double sum_of(const struct outlook *outlook, const double *list)
+{
+    double sum = 0.0;
+    for (int k = 0; k < outlook->pilot->sampler->estimators; k++)
+        sum += list[k];
+    return sum;
+}
+
+static double total_cost(const struct outlook *outlook)
+{
+    double sum = 0.0;
+    for (int k = 0; k < outlook->pilot->sampler->estimators; k++)
+        sum += outlook->cost[k] * outlook->counts.of[k];
+    return sum;
+}
+
+static double skewness_squared(const struct outlook *outlook)
+{
+    double variance = sum_of(outlook, outlook->variance);
+    double third = sum_of(outlook, outlook->third);
+    return variance > 0.0 ? third * third / (variance * variance * variance) : 0.0;
+}
+
+/* The bound on what is not found, of the last value. */
+static double bound_of(const struct outlook *outlook)
+{
+    const struct pp_sampler *sampler = outlook->pilot->sampler;
+    double paths[PP_ESTIMATORS_MOST];
+    for (int k = 0; k < sampler->estimators; k++)
+        paths[k] = (double)PP_RANDOMISATIONS * outlook->counts.of[k];
+    return sampler->bound
+               ? sampler->bound(outlook->pilot->client, outlook->pilot->point,
+                                sampler->values - 1, outlook->found, paths)
+               : 0.0;
+}
+
+/* The outlook with twice the paths of estimator k. */
+static struct outlook doubled(const struct outlook *outlook, int k)
+{
+    struct outlook more = *outlook;
+    more.counts.of[k] *= 2;
+    more.variance[k] *= pow(2.0, -outlook->pilot->sampler->fall[k]);
+    more.third[k] *= pow(2.0, -THIRD_FALL);
+    return more;
+}
+
+/* What is to come down, by more paths. */
+enum aim { VARIANCE, SKEWNESS, BOUND };
+
+static double height(const struct outlook *outlook, enum aim aim)
+{
+    return aim == VARIANCE   ? sum_of(outlook, outlook->variance)
+           : aim == SKEWNESS ? sum_of(outlook, outlook->third)
+                             : bound_of(outlook);
+}
+
+/* Doubles the estimator that takes away most for its cost; false: none does. */
+static bool double_best(struct outlook *outlook, enum aim aim)
+{
+    double most = 0.0, now = height(outlook, aim);
+    struct outlook best;
+    for (int k = 0; k < outlook->pilot->sampler->estimators; k++) {
+        struct outlook next = doubled(outlook, k);
+        double gain =
+            (now - height(&next, aim)) / (outlook->cost[k] * outlook->counts.of[k]);
+        if (gain > most
+            && next.counts.of[k] <= (aim == VARIANCE ? PP_MOST_PATHS : SURE_PATHS)) {
+            most = gain;
+            best = next;
+        }
+    }
+    if (most > 0.0)
+        *outlook = best;
+    return most > 0.0;
+}
+
+/* The variance that one randomisation may have beside the bound, if there are only
+ * PP_RANDOMISATIONS. */
+static double allowed_variance(const struct outlook *outlook, double wanted)
+{
+    double planned = PLANNED_SHARE * wanted, bound = bound_of(outlook);
+    double left = fmax(planned * planned - bound * bound, 0.25 * planned * planned);
+    double student = pp_spread_student(PP_RANDOMISATIONS);
+    return left * PP_RANDOMISATIONS / (student * student);
+}
+
+/* From the outlook on, the cheapest paths and randomisations for the variance alone. */
+static struct outlook reach_variance(struct outlook at, double allowed,
+                                     int *randomisations)
+{
+    struct outlook best = at;
+    double cheapest = INFINITY;
+    for (;;) {
+        double more = fmax(1.0, height(&at, VARIANCE) / allowed);
+        struct outlook next = at;
+        bool last = more <= 1.0 || !double_best(&next, VARIANCE);
+        int count = 2 * (int)ceil(0.5 * PP_RANDOMISATIONS * fmin(more, 1000.0));
+        double cost = count * total_cost(&at);
+        if ((more <= 2.0 || last) && cost < cheapest) {
+            cheapest = cost;
+            best = at;
+            *randomisations = count;
+        }
+        if (last)
+            return best;
+        at = next;
+    }
+}
+
+struct pp_plan pp_plan_by_pilot(const struct pp_sampled *pilot, double wanted)
+{
+    struct outlook outlook = outlook_of(pilot);
+    struct pp_plan plan;
+    for (int k = 0; k < pilot->sampler->estimators; k++)
+        while (outlook.counts.of[k] < pilot->sampler->least.of[k])
+            outlook = doubled(&outlook, k);
+    outlook = reach_variance(outlook, allowed_variance(&outlook, wanted),
+                             &plan.randomisations);
+    while (skewness_squared(&outlook) > SKEWNESS_SQUARED
+           && double_best(&outlook, SKEWNESS))
+        ;
+    while (bound_of(&outlook) > 0.5 * wanted && double_best(&outlook, BOUND))
+        ;
+    plan.counts = outlook.counts;
+    return plan;
+}
+
+void pp_plan_halves(const struct pp_sampled *done, double wanted, int halves[2])
+{
+    int n = done->count / 2;
+    for (int h = 0; h < 2; h++) {
+        double student = pp_spread_student(done->count);
+        double variance = pp_spread_variance_of_half(done, 1 - h);
+        double more = variance * student * student / (2.0 * n * wanted * wanted);
+        halves[h] = more > LEAST_ADDED ? (int)ceil(n * fmin(more, MOST_ADDED)) : n;
+    }
+}
+
+bool pp_plan_pilot_grows(const struct pp_sampled *pilot, double wanted,
+                         struct pp_counts *counts)
+{
+    struct outlook now = outlook_of(pilot), more = now;
+    for (int k = 0; k < pilot->sampler->estimators; k++) {
+        more.counts.of[k] *= GROWTH;
+        if (more.counts.of[k] > PILOT_PATHS)
+            return false;
+    }
+    int randomisations;
+    struct outlook planned =
+        reach_variance(now, allowed_variance(&now, wanted), &randomisations);
+    bool skewed = skewness_squared(&planned) > SKEWNESS_SQUARED;
+    bool vague =
+        height(&now, VARIANCE) > VAGUE * VAGUE * PP_RANDOMISATIONS * wanted * wanted;
+    bool blind = bound_of(&now) > 2.0 * wanted && bound_of(&more) < bound_of(&now);
+    bool grows = skewed || vague || blind;
+    if (grows)
+        *counts = more.counts;
+    return grows;
+}

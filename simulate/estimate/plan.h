@@ -1,0 +1,44 @@
+/* plan.h - how many paths a point needs, judged by a pilot.
+ *
+ * The value's variance is to come down to what is wanted, by the cheapest numbers of
+ * paths of each estimator. Two more things are asked for, since a standard error is
+ * worth little without them:
+ *
+ *     - the randomisations are near normal: their skewness is below 1.2, or the mean
+ *       of 32 and their standard deviation go together so far that intervals of two
+ *       standard errors hold less than 94 %
+ *     - what no path has found is bounded below half of the error that is wanted
+ *
+ * A pilot that has seen too little for a plan is to grow first. All this is decided by
+ * paths that the value does not contain, so that no value is chosen for what it is. Where
+ * the outcome falls short, the randomisations of even number get more by what those of
+ * odd number show, and the other way round: either half's mean is free of what decided
+ * on its size, and so is the mean of both.
+ */
+#ifndef PP_SIMULATE_ESTIMATE_PLAN_H
+#define PP_SIMULATE_ESTIMATE_PLAN_H
+
+#include "simulate/estimate/spread.h"
+
+enum {
+    PP_RANDOMISATIONS = 32, /* of a point, at least; even */
+    PP_MOST_PATHS = 1 << 24 /* of one estimator in one randomisation */
+};
+
+/* Paths of each estimator, and the number of randomisations. */
+struct pp_plan {
+    struct pp_counts counts;
+    int randomisations;
+};
+
+/* The plan for a standard error of the last value of `wanted`. */
+struct pp_plan pp_plan_by_pilot(const struct pp_sampled *pilot, double wanted);
+
+/* The randomisations that the two halves (spread.h) are to have for that. */
+void pp_plan_halves(const struct pp_sampled *done, double wanted, int halves[2]);
+
+/* Has the pilot seen too little for that? Then it is to have *counts. */
+bool pp_plan_pilot_grows(const struct pp_sampled *pilot, double wanted,
+                         struct pp_counts *counts);
+
+#endif

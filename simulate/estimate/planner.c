@@ -1,0 +1,481 @@
+/* planner.c - the stages and passes of a sampler's work.
+ *
+ * A stage goes by passes: every randomisation that is not done gets a step, in any
+ * order and by any thread. Its sums are its own, and values are added up in index
+ * order. */
+#include "simulate/estimate/planner.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "model/base/array.h"
+#include "model/base/clock.h"
+#include "simulate/sampling/hash.h"
+#include "simulate/sampling/processors.h"
+
+enum {
+    STEP = 1024, /* most paths of a randomisation at a time */
+    FIRST_BATCH = 64,
+    MOST_BATCH = 8192
+};
+
+/* By the clock, each round is planned for this share of the error of the last. */
+static const double ROUND_SHARE = 0.7;
+
+enum stage { PILOT, FINAL, FINISHED };
+
+struct planned_point {
+    uint64_t seed;
+    struct pp_counts counts;            /* wanted of each randomisation of the stage */
+    struct pp_randomisation *stages[2]; /* the pilot's, and those that count */
+    int randomisations[2];
+    int halves[2]; /* of those that count: wanted of even and of odd number */
+};
+
+struct planner_unit {
+    int point, randomisation;
+};
+
+struct pp_planner {
+    const struct pp_sampler *sampler; /* not owned */
+    const void *client;               /* not owned */
+    struct pp_planner_options options;
+    struct pp_sobol sobol;
+    char *states; /* a thread's own, one behind another */
+    struct planned_point *points;
+    int point_count, most_points;
+
+    enum stage stage;
+    bool topped_up;
+    double round; /* by the clock: the share of the pilot's error that is wanted */
+    struct planner_unit *units; /* of this pass */
+    int unit_count, unit_capacity, next_unit;
+    int batch;                     /* units at a time */
+    struct pp_path_work forgotten; /* before the last restart */
+};
+
+static bool by_samples(const struct pp_planner *planner)
+{
+    return planner->options.samples > 0;
+}
+
+static bool by_error(const struct pp_planner *planner)
+{
+    return planner->options.error > 0.0 && !by_samples(planner);
+}
+
+/* ---- making ---- */
+
+/* The randomisations of a stage: `count` in all, fresh but for those that are there. */
+static enum pp_status make(struct planned_point *point, enum stage stage, int count,
+                           struct pp_error *err)
+{
+    int there = point->randomisations[stage];
+    if (count <= there)
+        return PP_OK;
+    struct pp_randomisation *more =
+        realloc(point->stages[stage], (size_t)count * sizeof *more);
+    if (!more)
+        return pp_fail_memory(err);
+    memset(more + there, 0, (size_t)(count - there) * sizeof *more);
+    point->stages[stage] = more;
+    point->randomisations[stage] = count;
+    return PP_OK;
+}
+
+static enum pp_status begin(struct pp_planner *planner, struct pp_error *err)
+{
+    const struct pp_planner_options *options = &planner->options;
+    planner->stage = by_samples(planner) ? FINAL : PILOT;
+    planner->round = 1.0;
+    planner->unit_count = planner->next_unit = 0;
+    enum pp_status status = PP_OK;
+    for (int i = 0; status == PP_OK && i < planner->point_count; i++) {
+        struct planned_point *point = &planner->points[i];
+        int count = options->randomisations;
+        point->seed = planner->sampler->seed(planner->client, i);
+        point->counts = planner->sampler->pilot;
+        for (int k = 0; by_samples(planner) && k < PP_ESTIMATORS_MOST; k++)
+            point->counts.of[k] = (uint32_t)options->samples;
+        status =
+            make(point, planner->stage,
+                 by_samples(planner) && count > 0 ? count : PP_RANDOMISATIONS, err);
+    }
+    return status;
+}
+
+static enum pp_status check_options(const struct pp_planner_options *options,
+                                    struct pp_error *err)
+{
+    if (!(options->error >= 0.0 && options->error <= 1.0))
+        return pp_fail(err, PP_BAD_INPUT,
+                       "a standard error of %g cannot be aimed at; expected a fraction "
+                       "from 0 to 1",
+                       options->error);
+    if (options->samples < 0 || options->samples > PP_MOST_PATHS)
+        return pp_fail(err, PP_BAD_INPUT,
+                       "%ld samples a point are not possible; expected up to %d",
+                       options->samples, (int)PP_MOST_PATHS);
+    if (options->threads < 0)
+        return pp_fail(err, PP_BAD_INPUT, "%d threads are not possible",
+                       options->threads);
+    return PP_OK;
+}
+
+enum pp_status pp_planner_create(struct pp_planner **result,
+                                 const struct pp_sampler *sampler, const void *client,
+                                 int points, const struct pp_planner_options *options,
+                                 struct pp_error *err)
+{
+    *result = NULL;
+    enum pp_status status = check_options(options, err);
+    if (status != PP_OK)
+        return status;
+    struct pp_planner *planner = calloc(1, sizeof *planner);
+    if (!planner)
+        return pp_fail_memory(err);
+    planner->sampler = sampler;
+    planner->client = client;
+    planner->options = *options;
+    if (options->threads == 0)
+        planner->options.threads = pp_processors();
+    planner->batch = FIRST_BATCH;
+    planner->point_count = planner->most_points = points;
+    pp_sobol_init(&planner->sobol);
+    planner->points = calloc((size_t)points + 1, sizeof *planner->points);
+    planner->states = calloc((size_t)planner->options.threads, sampler->state_size);
+    status =
+        planner->points && planner->states ? begin(planner, err) : pp_fail_memory(err);
+    if (status != PP_OK) {
+        pp_planner_destroy(planner);
+        return status;
+    }
+    for (int i = 0; i < planner->options.threads; i++)
+        sampler->begin(client, planner->states + (size_t)i * sampler->state_size);
+    *result = planner;
+    return PP_OK;
+}
+
+void pp_planner_destroy(struct pp_planner *planner)
+{
+    if (!planner)
+        return;
+    for (int i = 0; planner->points && i < planner->most_points; i++)
+        for (int stage = 0; stage < FINISHED; stage++)
+            free(planner->points[i].stages[stage]);
+    free(planner->points);
+    free(planner->states);
+    free(planner->units);
+    free(planner);
+}
+
+void pp_planner_restart(struct pp_planner *planner, int points)
+{
+    planner->forgotten = pp_planner_work(planner);
+    for (int i = 0; i < planner->point_count; i++)
+        memset(planner->points[i].stages[FINAL], 0,
+               (size_t)planner->points[i].randomisations[FINAL]
+                   * sizeof **planner->points[i].stages);
+    planner->point_count = points;
+    begin(planner, NULL); /* all that it needs is there */
+}
+
+/* ---- stages ---- */
+
+static struct pp_sampled sampled_of(const struct pp_planner *planner, int index,
+                                    enum stage stage)
+{
+    const struct planned_point *point = &planner->points[index];
+    return (struct pp_sampled){planner->sampler, planner->client, index,
+                               point->stages[stage], point->randomisations[stage]};
+}
+
+static double pilot_value(const struct pp_planner *planner, int index)
+{
+    struct pp_sampled pilot = sampled_of(planner, index, PILOT);
+    return fabs(pp_spread_of_value(&pilot, planner->sampler->values - 1).mean);
+}
+
+static double greatest_value(const struct pp_planner *planner)
+{
+    double greatest = 0.0;
+    for (int i = 0; i < planner->point_count && planner->options.least_share > 0.0; i++)
+        greatest = fmax(greatest, pilot_value(planner, i));
+    return greatest;
+}
+
+/* By error, what the options want for what the pilot has found; by the clock, a share
+ * of the pilot's own. */
+static double wanted_error(const struct pp_planner *planner, int index, double greatest)
+{
+    const struct pp_planner_options *options = &planner->options;
+    if (by_error(planner)) {
+        double least = options->least_share * greatest;
+        return fmax(options->error * fmax(pilot_value(planner, index), least),
+                    options->least_error);
+    }
+    struct pp_sampled pilot = sampled_of(planner, index, PILOT);
+    struct pp_reading reading = pp_spread_reading(&pilot, planner->sampler->values - 1);
+    return fmax(planner->round * reading.std_error, 1e-12);
+}
+
+/* Has a pilot to grow before any point is planned? */
+static bool grow_pilots(struct pp_planner *planner)
+{
+    bool grows = false;
+    double greatest = greatest_value(planner);
+    for (int i = 0; by_error(planner) && i < planner->point_count; i++) {
+        struct pp_sampled pilot = sampled_of(planner, i, PILOT);
+        grows |= pp_plan_pilot_grows(&pilot, wanted_error(planner, i, greatest),
+                                     &planner->points[i].counts);
+    }
+    return grows;
+}
+
+/* The paths that each point needs, planned by its pilot. By the clock there are more in
+ * each round, until all points have as many as there can be. */
+static enum pp_status plan_final(struct pp_planner *planner, struct pp_error *err)
+{
+    bool again = planner->stage == FINAL, grows = !again;
+    planner->stage = FINAL;
+    planner->round *= ROUND_SHARE;
+    double greatest = greatest_value(planner);
+    enum pp_status status = PP_OK;
+    for (int i = 0; status == PP_OK && i < planner->point_count; i++) {
+        struct planned_point *point = &planner->points[i];
+        struct pp_sampled pilot = sampled_of(planner, i, PILOT);
+        struct pp_plan plan =
+            pp_plan_by_pilot(&pilot, wanted_error(planner, i, greatest));
+        bool more = plan.randomisations > point->randomisations[FINAL];
+        for (int k = 0; again && k < planner->sampler->estimators; k++) {
+            more = more || plan.counts.of[k] > point->counts.of[k];
+            if (plan.counts.of[k] < point->counts.of[k])
+                plan.counts.of[k] = point->counts.of[k];
+        }
+        grows |= more;
+        for (int k = 0; !more && k < planner->sampler->estimators; k++)
+            if (plan.counts.of[k] < PP_MOST_PATHS) {
+                plan.counts.of[k] *= 2;
+                grows = true;
+            }
+        point->counts = plan.counts;
+        status = make(point, FINAL, plan.randomisations, err);
+    }
+    if (!grows)
+        planner->stage = FINISHED;
+    return status;
+}
+
+/* Once: more randomisations where the error is above what is wanted, in each half by
+ * what the other one shows. */
+static enum pp_status top_up(struct pp_planner *planner, struct pp_error *err)
+{
+    double greatest = greatest_value(planner);
+    enum pp_status status = PP_OK;
+    planner->topped_up = true;
+    for (int i = 0; status == PP_OK && i < planner->point_count; i++) {
+        struct planned_point *point = &planner->points[i];
+        struct pp_sampled done = sampled_of(planner, i, FINAL);
+        pp_plan_halves(&done, wanted_error(planner, i, greatest), point->halves);
+        int more =
+            point->halves[0] > point->halves[1] ? point->halves[0] : point->halves[1];
+        status = make(point, FINAL, 2 * more, err);
+    }
+    return status;
+}
+
+static enum pp_status end_stage(struct pp_planner *planner, struct pp_error *err)
+{
+    if (planner->stage == PILOT && grow_pilots(planner))
+        return PP_OK;
+    if (planner->stage == PILOT || (!by_error(planner) && !by_samples(planner)))
+        return plan_final(planner, err);
+    if (by_error(planner) && !planner->topped_up)
+        return top_up(planner, err);
+    planner->stage = FINISHED;
+    return PP_OK;
+}
+
+/* ---- passes ---- */
+
+static bool is_done(const struct pp_planner *planner, int index, int r)
+{
+    const struct planned_point *point = &planner->points[index];
+    const struct pp_randomisation *randomisation = &point->stages[planner->stage][r];
+    if (planner->topped_up && r / 2 >= point->halves[r % 2])
+        return true;
+    for (int k = 0; k < planner->sampler->estimators; k++)
+        if (randomisation->done.of[k] < point->counts.of[k])
+            return false;
+    return true;
+}
+
+/* Lists the randomisations that are not done in this stage; none: unit_count 0. */
+static enum pp_status list_units(struct pp_planner *planner, struct pp_error *err)
+{
+    planner->unit_count = planner->next_unit = 0;
+    for (int i = 0; i < planner->point_count; i++) {
+        struct pp_sampled sampled = sampled_of(planner, i, planner->stage);
+        enum pp_status status = pp_array_reserve(
+            &planner->units, &planner->unit_capacity,
+            planner->unit_count + sampled.count, sizeof *planner->units, err);
+        if (status != PP_OK)
+            return status;
+        for (int k = 0; k < sampled.count; k++)
+            if (!is_done(planner, i, k))
+                planner->units[planner->unit_count++] = (struct planner_unit){i, k};
+    }
+    return PP_OK;
+}
+
+/* A step of one randomisation: the sums do not depend on how the way is divided. */
+static void run(const struct pp_planner *planner, struct planner_unit unit, void *state)
+{
+    struct planned_point *point = &planner->points[unit.point];
+    struct pp_randomisation *randomisation =
+        &point->stages[planner->stage][unit.randomisation];
+    uint64_t seed = pp_hash(pp_hash(point->seed, (uint64_t)planner->stage),
+                            (uint64_t)unit.randomisation);
+    for (int k = 0; k < planner->sampler->estimators; k++) {
+        struct pp_path_range range = {.point = unit.point,
+                                      .estimator = k,
+                                      .first = randomisation->done.of[k],
+                                      .end = point->counts.of[k]};
+        if (range.end <= range.first)
+            continue;
+        if (range.end - range.first > STEP)
+            range.end = range.first + STEP;
+        pp_sobol_sequence_init(&range.sequence, &planner->sobol,
+                               pp_hash(seed, (uint64_t)k));
+        planner->sampler->follow(planner->client, state, &range, randomisation);
+        randomisation->done.of[k] = range.end;
+    }
+}
+
+static void run_batch(struct pp_planner *planner, int first, int end)
+{
+#pragma omp parallel num_threads(planner->options.threads)
+    {
+        void *state =
+            planner->states + (size_t)pp_processor() * planner->sampler->state_size;
+#pragma omp for schedule(dynamic, 1)
+        for (int i = first; i < end; i++)
+            run(planner, planner->units[i], state);
+    }
+}
+
+enum pp_status pp_planner_advance(struct pp_planner *planner, double seconds,
+                                  struct pp_error *err)
+{
+    double start = pp_clock_s(), before = start;
+    while (planner->stage != FINISHED) {
+        if (planner->next_unit == planner->unit_count) {
+            enum pp_status status = list_units(planner, err);
+            if (status == PP_OK && planner->point_count == 0)
+                planner->stage = FINISHED;
+            else if (status == PP_OK && planner->unit_count == 0)
+                status = end_stage(planner, err);
+            if (status != PP_OK)
+                return status;
+            continue;
+        }
+        int end = planner->next_unit + planner->batch;
+        if (end > planner->unit_count)
+            end = planner->unit_count;
+        run_batch(planner, planner->next_unit, end);
+        planner->next_unit = end;
+
+        /* Batches of a few milliseconds: long enough to share out, short enough to
+         * stop. */
+        double after = pp_clock_s();
+        if (after - before < 0.002 && planner->batch < MOST_BATCH)
+            planner->batch *= 2;
+        if (after - before > 0.02 && planner->batch > FIRST_BATCH)
+            planner->batch /= 2;
+        before = after;
+        if (after - start >= seconds)
+            break;
+    }
+    return PP_OK;
+}
+
+bool pp_planner_done(const struct pp_planner *planner)
+{
+    return planner->stage == FINISHED;
+}
+
+/* ---- readings ---- */
+
+double pp_planner_progress(const struct pp_planner *planner)
+{
+    if (planner->stage == FINISHED)
+        return 1.0;
+    if (!by_error(planner) && !by_samples(planner))
+        return 0.0;
+    double wanted = 0.0, done = 0.0;
+    for (int i = 0; i < planner->point_count; i++) {
+        const struct planned_point *point = &planner->points[i];
+        struct pp_sampled sampled = sampled_of(planner, i, planner->stage);
+        for (int r = 0; r < sampled.count; r++) {
+            if (planner->topped_up && r / 2 >= point->halves[r % 2])
+                continue;
+            for (int k = 0; k < planner->sampler->estimators; k++) {
+                double each = point->counts.of[k];
+                wanted += each;
+                done += fmin(sampled.randomisations[r].done.of[k], each);
+            }
+        }
+    }
+    double share = wanted > 0.0 ? done / wanted : 1.0;
+    if (by_samples(planner))
+        return share;
+    return planner->stage == PILOT ? 0.1 * share : 0.1 + 0.9 * share;
+}
+
+struct pp_sampled pp_planner_sampled(const struct pp_planner *planner, int point)
+{
+    return sampled_of(planner, point, FINAL);
+}
+
+struct pp_reading pp_planner_read(const struct pp_planner *planner, int point,
+                                  int value)
+{
+    struct pp_reading reading = pp_reading_none("not sampled yet");
+    for (int stage = FINAL; isnan(reading.value) && stage >= PILOT; stage--) {
+        struct pp_sampled sampled = sampled_of(planner, point, (enum stage)stage);
+        if (sampled.count > 0)
+            reading = pp_spread_reading(&sampled, value);
+    }
+    return reading;
+}
+
+double pp_planner_error(const struct pp_planner *planner)
+{
+    double largest = NAN;
+    for (int i = 0; i < planner->point_count; i++) {
+        struct pp_reading reading =
+            pp_planner_read(planner, i, planner->sampler->values - 1);
+        if (reading.value > 0.0)
+            largest = fmax(largest, reading.std_error / reading.value);
+    }
+    return largest;
+}
+
+struct pp_path_work pp_planner_work(const struct pp_planner *planner)
+{
+    struct pp_path_work work = planner->forgotten;
+    for (int i = 0; i < planner->point_count; i++)
+        for (int stage = PILOT; stage < FINISHED; stage++) {
+            struct pp_sampled sampled = sampled_of(planner, i, (enum stage)stage);
+            for (int r = 0; r < sampled.count; r++) {
+                const struct pp_randomisation *one = &sampled.randomisations[r];
+                work.leaks += one->leaks;
+                for (int k = 0; k < planner->sampler->estimators; k++) {
+                    work.paths += one->done.of[k];
+                    work.rays += one->rays[k];
+                }
+            }
+        }
+    return work;
+}

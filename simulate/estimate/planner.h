@@ -1,0 +1,71 @@
+/* planner.h - the stages, passes and threads of a sampler's work.
+ *
+ * To reach an error, a pilot of a few paths at every point shows how variable the point
+ * is, grows where it has seen too little, and is thrown away; the paths that it asks for
+ * (plan.h) are then run with fresh seeds. So no value is chosen for its own error, and
+ * it has no bias; nor has the error that is stated. That may come out larger than
+ * wanted, or smaller. By the caller's clock, rounds of twice the paths follow as long as
+ * the caller likes, each planned by the pilot alone.
+ *
+ * The caller holds the loop: advance until done. By error or by samples the values
+ * depend on the sampler alone, to the bit, whatever the number of threads and the length
+ * of the slices; a point's do not depend on which others there are, but for the greatest
+ * value where `least_share` is set.
+ */
+#ifndef PP_SIMULATE_ESTIMATE_PLANNER_H
+#define PP_SIMULATE_ESTIMATE_PLANNER_H
+
+#include "model/base/error.h"
+#include "simulate/estimate/plan.h"
+
+struct pp_planner_options {
+    double error; /* wanted standard error over the last value. 0: go by samples or the
+                   * caller's clock alone */
+    double least_error; /* no smaller error is wanted */
+    double least_share; /* nor one for less than this share of the greatest of all
+                         * points' values */
+    long samples;       /* paths of each estimator in a randomisation; 0: not set */
+    int randomisations; /* by samples; 0: PP_RANDOMISATIONS */
+    int threads;        /* 0: as many as the machine has processors */
+};
+
+struct pp_planner;
+
+/* sampler and client must live as long as the planner. PP_BAD_INPUT where an option is
+ * out of range. */
+enum pp_status pp_planner_create(struct pp_planner **planner,
+                                 const struct pp_sampler *sampler, const void *client,
+                                 int points, const struct pp_planner_options *options,
+                                 struct pp_error *err);
+void pp_planner_destroy(struct pp_planner *planner); /* NULL is allowed */
+
+/* The client has other points now, no more than when the planner was created: all is
+ * forgotten but the work that was done. By samples only. */
+void pp_planner_restart(struct pp_planner *planner, int points);
+
+/* Works for about `seconds` (by the clock; at least one batch of work). */
+enum pp_status pp_planner_advance(struct pp_planner *planner, double seconds,
+                                  struct pp_error *err);
+bool pp_planner_done(const struct pp_planner *planner);
+
+/* The share of the work that is done, 0 to 1, by the present plan. */
+double pp_planner_progress(const struct pp_planner *planner);
+
+/* The largest standard error over value of any point so far; NAN before there is
+ * any. */
+double pp_planner_error(const struct pp_planner *planner);
+
+struct pp_reading pp_planner_read(const struct pp_planner *planner, int point,
+                                  int value);
+
+/* The randomisations that the point's values come from. */
+struct pp_sampled pp_planner_sampled(const struct pp_planner *planner, int point);
+
+/* The work done so far. A leak is a ray that left a room between the edges of two
+ * surfaces and was given up. */
+struct pp_path_work {
+    long long paths, rays, leaks;
+};
+struct pp_path_work pp_planner_work(const struct pp_planner *planner);
+
+#endif

@@ -1,0 +1,79 @@
+/* sampler.h - what is sampled: points whose values are sums of expectations, each the
+ * mean over random paths. The daylight factors of a room's points, the irradiances of
+ * sensors and the pixels of a picture are samplers; the planner (planner.h) gives each
+ * of them its paths.
+ *
+ * A randomisation of a point is one scramble of the Sobol net (sobol.h) for each
+ * estimator. Randomisations are independent and alike, so that their spread is the
+ * standard error. (Point, randomisation) is the unit of work.
+ */
+#ifndef PP_SIMULATE_ESTIMATE_SAMPLER_H
+#define PP_SIMULATE_ESTIMATE_SAMPLER_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include "simulate/sampling/sobol.h"
+
+enum { PP_ESTIMATORS_MOST = 3, PP_VALUES_MOST = 4, PP_SUMS_MOST = 5 };
+
+/* Numbers of paths, by estimator. */
+struct pp_counts {
+    uint32_t of[PP_ESTIMATORS_MOST];
+};
+
+/* The sums over the paths of one randomisation. */
+struct pp_randomisation {
+    double sums[PP_SUMS_MOST];
+    struct pp_counts done;
+    long rays[PP_ESTIMATORS_MOST]; /* traced, by estimator */
+    long leaks;                    /* rays lost between the edges of two surfaces */
+};
+
+/* The paths that are asked for: `first` to `end` of the sequence. */
+struct pp_path_range {
+    int point, estimator;
+    struct pp_sobol_sequence sequence;
+    uint32_t first, end;
+};
+
+struct pp_sampler {
+    int estimators; /* of each point */
+    int values;     /* read from the sums; of the last one an error is wanted */
+
+    /* How the variance of an estimator's mean falls with its paths, n to the minus
+     * this. */
+    double fall[PP_ESTIMATORS_MOST];
+
+    /* Paths of each estimator in a randomisation: of the pilot, and at least in the
+     * end. */
+    struct pp_counts pilot, least;
+
+    /* A thread's own state. */
+    size_t state_size;
+    void (*begin)(const void *client, void *state);
+
+    /* What the point's random numbers are hashed from. */
+    uint64_t (*seed)(const void *client, int point);
+
+    /* Adds the paths to the randomisation's sums, rays and leaks. */
+    void (*follow)(const void *client, void *state, const struct pp_path_range *range,
+                   struct pp_randomisation *randomisation);
+
+    /* A value by one randomisation that has paths of all estimators. */
+    double (*value)(const void *client, int point,
+                    const struct pp_randomisation *randomisation, int value);
+
+    /* The share of one estimator in the last value; NULL where there is only one. */
+    double (*part)(const void *client, int point,
+                   const struct pp_randomisation *randomisation, int estimator);
+
+    /* An upper bound on what so many paths of each estimator, over all randomisations,
+     * may have missed of a value without a trace in its spread. found: bit i is set
+     * where the randomisations of value i differ. NULL: nothing. */
+    double (*bound)(const void *client, int point, int value, unsigned found,
+                    const double *paths);
+};
+
+#endif

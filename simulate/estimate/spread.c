@@ -1,0 +1,149 @@
+/* spread.c - means, variances and standard errors over randomisations. */
+#include "simulate/estimate/spread.h"
+
+#include <math.h>
+
+/* Randomisations that differ by less than this share agree but for rounding. */
+static const double ROUNDING = 1e-14;
+
+static bool is_begun(const struct pp_sampler *sampler,
+                     const struct pp_randomisation *randomisation)
+{
+    for (int k = 0; k < sampler->estimators; k++)
+        if (randomisation->done.of[k] == 0)
+            return false;
+    return true;
+}
+
+static double figure(const struct pp_sampled *sampled, int i, int value, int estimator)
+{
+    const struct pp_sampler *sampler = sampled->sampler;
+    const struct pp_randomisation *randomisation = &sampled->randomisations[i];
+    if (estimator >= 0 && sampler->part)
+        return sampler->part(sampled->client, sampled->point, randomisation, estimator);
+    return sampler->value(sampled->client, sampled->point, randomisation, value);
+}
+
+/* Sums over the randomisations with an even number (half 0) or an odd one. */
+struct half {
+    double mean, squares, cubes; /* squares and cubes: of the distances from the mean of
+                                  * all */
+    int count;
+};
+
+/* The variance of a half's mean, widened for the number that it is known by. */
+static double variance_of_mean(const struct half *half, double mean)
+{
+    double off = half->mean - mean, n = half->count;
+    return (half->squares - n * off * off) / (n - 3.0) / n;
+}
+
+/* Of a value, or of an estimator's part in the last one. */
+static struct pp_spread spread_of(const struct pp_sampled *sampled, int value,
+                                  int estimator)
+{
+    struct half halves[2] = {{.count = 0}, {.count = 0}};
+    struct pp_spread spread = {.std_error = NAN};
+    for (int i = 0; i < sampled->count; i++)
+        if (is_begun(sampled->sampler, &sampled->randomisations[i])) {
+            halves[i % 2].mean += figure(sampled, i, value, estimator);
+            halves[i % 2].count++;
+        }
+    spread.count = halves[0].count + halves[1].count;
+    if (spread.count == 0)
+        return spread;
+    double n = spread.count, mean = (halves[0].mean + halves[1].mean) / n;
+    for (int h = 0; h < 2 && spread.count > 1; h++)
+        halves[h].mean /= halves[h].count;
+    spread.mean = mean;
+    if (spread.count < 2)
+        return spread;
+    for (int i = 0; i < sampled->count; i++)
+        if (is_begun(sampled->sampler, &sampled->randomisations[i])) {
+            double off = figure(sampled, i, value, estimator) - mean;
+            halves[i % 2].squares += off * off;
+            halves[i % 2].cubes += off * off * off;
+        }
+    spread.variance = (halves[0].squares + halves[1].squares) / (n - 1.0);
+    spread.third = (halves[0].cubes + halves[1].cubes) / n;
+    if (spread.count > 3)
+        spread.std_error = sqrt(spread.variance / n) * pp_spread_student(spread.count);
+    int least = halves[0].count < halves[1].count ? halves[0].count : halves[1].count;
+    if (spread.count - 2 * least < 2 || least < 4)
+        return spread;
+    spread.mean = 0.5 * (halves[0].mean + halves[1].mean);
+    spread.std_error =
+        0.5
+        * sqrt(variance_of_mean(&halves[0], mean) + variance_of_mean(&halves[1], mean));
+    return spread;
+}
+
+struct pp_spread pp_spread_of_value(const struct pp_sampled *sampled, int value)
+{
+    return spread_of(sampled, value, -1);
+}
+
+struct pp_spread pp_spread_of_part(const struct pp_sampled *sampled, int estimator)
+{
+    return spread_of(sampled, sampled->sampler->values - 1, estimator);
+}
+
+double pp_spread_variance_of_half(const struct pp_sampled *sampled, int half)
+{
+    double mean = 0.0, squares = 0.0;
+    int value = sampled->sampler->values - 1, n = (sampled->count + 1 - half) / 2;
+    for (int i = half; i < sampled->count; i += 2)
+        mean += figure(sampled, i, value, -1) / n;
+    for (int i = half; i < sampled->count; i += 2) {
+        double off = figure(sampled, i, value, -1) - mean;
+        squares += off * off;
+    }
+    return squares / (n - 1.0);
+}
+
+static bool differs(const struct pp_spread *spread)
+{
+    return sqrt(spread->variance) > ROUNDING * fabs(spread->mean);
+}
+
+unsigned pp_spread_found(const struct pp_sampled *sampled)
+{
+    unsigned found = 0;
+    for (int i = 0; i < sampled->sampler->values; i++) {
+        struct pp_spread spread = spread_of(sampled, i, -1);
+        found |= (unsigned)differs(&spread) << i;
+    }
+    return found;
+}
+
+void pp_spread_paths(const struct pp_sampled *sampled, double *paths)
+{
+    for (int k = 0; k < sampled->sampler->estimators; k++) {
+        paths[k] = 0.0;
+        for (int i = 0; i < sampled->count; i++)
+            paths[k] += sampled->randomisations[i].done.of[k];
+    }
+}
+
+double pp_spread_student(int count)
+{
+    return sqrt((count - 1.0) / (count - 3.0));
+}
+
+struct pp_reading pp_spread_reading(const struct pp_sampled *sampled, int value)
+{
+    struct pp_spread spread = spread_of(sampled, value, -1);
+    if (spread.count < (sampled->count < 4 ? sampled->count : 4))
+        return pp_reading_none("not sampled yet");
+    struct pp_reading reading = pp_reading_of(spread.mean);
+    if (spread.count < 4)
+        return reading;
+    double bound = 0.0, paths[PP_ESTIMATORS_MOST];
+    if (sampled->sampler->bound) {
+        pp_spread_paths(sampled, paths);
+        bound = sampled->sampler->bound(sampled->client, sampled->point, value,
+                                        pp_spread_found(sampled), paths);
+    }
+    reading.std_error = hypot(spread.std_error, bound);
+    return reading;
+}

@@ -1,0 +1,58 @@
+/* spread.h - from randomisations to a value and its standard error.
+ *
+ * The value is the mean of R randomisations, and its standard error
+ *
+ *     sqrt(s^2/R (R - 1)/(R - 3) + b^2),
+ *
+ * s their standard deviation: the fraction is the variance of Student's t with R - 1
+ * degrees of freedom, so that one and two standard errors hold 69 and 95 % although s
+ * is itself estimated. b is the sampler's bound on light that no path has found: no
+ * spread shows it.
+ *
+ * Where the planner has added to one half of the randomisations, those of even or of
+ * odd number, by what the other half shows, the value is the mean of the two halves'
+ * means, whatever their sizes: so neither half's weight hangs on its own value.
+ */
+#ifndef PP_SIMULATE_ESTIMATE_SPREAD_H
+#define PP_SIMULATE_ESTIMATE_SPREAD_H
+
+#include "model/results/reading.h"
+#include "simulate/estimate/sampler.h"
+
+/* A point of a sampler with its randomisations; not owned. */
+struct pp_sampled {
+    const struct pp_sampler *sampler;
+    const void *client;
+    int point;
+    const struct pp_randomisation *randomisations;
+    int count;
+};
+
+/* Over the randomisations that have paths of all estimators: the value, the variance and
+ * third central moment of one, how many there are, and the standard error without b (NAN
+ * for fewer than four). */
+struct pp_spread {
+    double mean, variance, third, std_error;
+    int count;
+};
+
+struct pp_spread pp_spread_of_value(const struct pp_sampled *sampled, int value);
+struct pp_spread pp_spread_of_part(const struct pp_sampled *sampled, int estimator);
+
+/* The variance of the last value over the randomisations of even (0) or odd number, all
+ * of which are done. */
+double pp_spread_variance_of_half(const struct pp_sampled *sampled, int half);
+
+/* The values whose randomisations differ, by bits, as pp_sampler.bound asks for; and
+ * all their paths by estimator. */
+unsigned pp_spread_found(const struct pp_sampled *sampled);
+void pp_spread_paths(const struct pp_sampled *sampled, double *paths);
+
+/* The factor sqrt((R - 1)/(R - 3)) above, for R > 3. */
+double pp_spread_student(int count);
+
+/* One value with its standard error, which is NAN where fewer than four randomisations
+ * are wanted; NAN with a reason until four (or as many as are wanted) are begun. */
+struct pp_reading pp_spread_reading(const struct pp_sampled *sampled, int value);
+
+#endif

@@ -1,0 +1,147 @@
+/* openings.c - the openings of a world as targets, with facts that save rays, and the
+ * choice among them. */
+#include "simulate/scene/openings.h"
+
+#include <float.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "simulate/sampling/choose.h"
+#include "simulate/scene/light_scene_parts.h"
+
+/* Points nearer than this to a plane lie in it. */
+static const double SAME_PLANE_M = 1e-7;
+
+/* Does no vertex of the outline lie behind the plane through `on` with normal n? */
+static bool all_before(const struct pp_polygon *outline, struct pp_vec3 on,
+                       struct pp_vec3 n)
+{
+    for (int i = 0; i < outline->count; i++)
+        if (pp_vec_dot(n, pp_vec_sub(outline->vertices[i], on)) < -SAME_PLANE_M)
+            return false;
+    return true;
+}
+
+static bool is_unobstructed(const struct pp_world *world,
+                            const struct pp_opening *opening)
+{
+    struct pp_vec3 on = opening->outer.vertices[0], n = opening->outer.normal;
+    for (int i = 0; i < world->surface_count; i++)
+        if (!all_before(&world->surfaces[i].outline, on, n))
+            return false;
+    for (int i = 0; i < world->opening_count; i++)
+        if (!all_before(&world->openings[i].outer, on, n))
+            return false;
+    return true;
+}
+
+/* Do any two points in the room see each other? */
+static bool is_convex_and_empty(const struct pp_world *world)
+{
+    for (int i = world->face_count; i < world->surface_count; i++)
+        if (world->surfaces[i].inside)
+            return false; /* reveals too: from inside one, its sides hide */
+    for (int i = 0; i < world->face_count; i++) {
+        const struct pp_polygon *face = &world->surfaces[i].outline;
+        for (int k = 0; k < world->face_count; k++)
+            if (!all_before(&world->surfaces[k].outline, face->vertices[0],
+                            face->normal))
+                return false;
+    }
+    return true;
+}
+
+static struct pp_target target_of(const struct pp_opening *opening,
+                                  struct pp_vec3 centre)
+{
+    const struct pp_polygon *outer = &opening->outer;
+    struct pp_target target = {.normal = outer->normal,
+                               .area_m2 = outer->area_m2,
+                               .rectangle = opening->rectangle,
+                               .along = opening->along,
+                               .up = opening->up,
+                               .width_m = opening->width_m,
+                               .height_m = opening->height_m};
+    double right = DBL_MAX, top = DBL_MAX;
+    struct pp_vec3 base = outer->vertices[0], sum = {0.0, 0.0, 0.0};
+    for (int i = 0; i < outer->count; i++) {
+        struct pp_vec3 v = pp_vec_sub(outer->vertices[i], base);
+        right = fmin(right, pp_vec_dot(v, opening->along));
+        top = fmin(top, pp_vec_dot(v, opening->up));
+        sum = pp_vec_add(sum, v);
+    }
+    base = pp_vec_sub(base, centre);
+    target.corner =
+        pp_vec_along(pp_vec_along(base, right, opening->along), top, opening->up);
+    target.middle = pp_vec_along(base, 1.0 / outer->count, sum);
+    return target;
+}
+
+enum pp_status pp_openings_find(struct pp_light_scene *scene,
+                                const struct pp_triangles *triangles, int first,
+                                struct pp_error *err)
+{
+    const struct pp_world *world = scene->world;
+    size_t own = (size_t)(triangles->count - first);
+    bool convex = world->opening_count > 0 && is_convex_and_empty(world);
+    scene->panes = calloc((size_t)world->opening_count + 1, sizeof *scene->panes);
+    scene->pane_triangles = calloc(own + 1, sizeof *scene->pane_triangles);
+    if (!scene->panes || !scene->pane_triangles)
+        return pp_fail_memory(err);
+    scene->pane_count = world->opening_count;
+    for (int i = 0; i < world->opening_count; i++) {
+        const struct pp_opening *opening = &world->openings[i];
+        scene->panes[i] =
+            (struct pp_pane){.target = target_of(opening, scene->centre),
+                             .opening = opening,
+                             .part = world->surface_count + i,
+                             .seen_by_all = convex,
+                             .unobstructed = is_unobstructed(world, opening)};
+    }
+    if (own > 0)
+        memcpy(scene->pane_triangles, triangles->corners + first,
+               own * sizeof *scene->pane_triangles);
+    for (size_t i = 0; i < own; i++) {
+        int part = triangles->facet_of[(size_t)first + i];
+        struct pp_target *target = &scene->panes[part - world->surface_count].target;
+        if (!target->triangles)
+            target->triangles = &scene->pane_triangles[i];
+        target->triangle_count++;
+    }
+    return PP_OK;
+}
+
+/* The point of a surface for which a pane is chosen. */
+struct pane_choice {
+    const struct pp_light_scene *scene;
+    struct pp_brightness brightness;
+    struct pp_vec3 point, normal;
+};
+
+static double importance_of(const void *of, int pane)
+{
+    const struct pane_choice *choice = of;
+    return pp_sample_polygon_importance(&choice->scene->panes[pane].target,
+                                        choice->point, choice->normal,
+                                        choice->brightness);
+}
+
+int pp_openings_choose(const struct pp_light_scene *scene,
+                       struct pp_brightness brightness, struct pp_vec3 point,
+                       struct pp_vec3 normal, double u, double *probability)
+{
+    if (scene->pane_count == 1) {
+        *probability = 1.0;
+        return pp_sample_polygon_in_sight(&scene->panes[0].target, point, normal) ? 0
+                                                                                  : -1;
+    }
+    struct pane_choice choice = {scene, brightness, point, normal};
+    return pp_choose(importance_of, &choice, scene->pane_count, u, probability);
+}
+
+double pp_openings_angular_size(const struct pp_pane *pane, struct pp_vec3 from)
+{
+    struct pp_vec3 to = pp_vec_sub(pane->target.middle, from);
+    return sqrt(pane->target.area_m2 / pp_vec_dot(to, to));
+}

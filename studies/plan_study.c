@@ -1,0 +1,250 @@
+/* plan_study.c - the plan by a hand method, or by a trace at many points. */
+#include "studies/plan_study.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "methods/daylight_curves.h"
+#include "methods/selection.h"
+#include "methods/usual_pair.h"
+#include "studies/plane_figures.h"
+#include "studies/study_report.h"
+#include "studies/traced_plane.h"
+
+static const char traced[] = "traced";
+
+/* ---- what can be drawn ---- */
+
+/* Why a plan cannot show a method, or NULL. */
+static const char *has_no_contours(const struct pp_choice *choice)
+{
+    const struct pp_method *method = choice->method;
+    if (method->gives == PP_GIVES_INTERNAL)
+        return "gives one internally reflected component for the whole room, of which "
+               "there are no contours; expected a pair, such as exact+bre";
+    if (method->gives == PP_GIVES_WHOLE)
+        return "gives no figure at every place of the plane, and has no contours; "
+               "expected a pair, such as exact+bre";
+    if (method->counts)
+        return "counts, so that its figures go in steps and have no contours; df has "
+               "them at points";
+    return NULL;
+}
+
+enum pp_status pp_plan_study_check(const char *methods, bool simulate,
+                                   struct pp_error *err)
+{
+    struct pp_selection selection;
+    if (!methods)
+        return PP_OK;
+    enum pp_status status = pp_selection_parse(&selection, methods, err);
+    if (status != PP_OK)
+        return status;
+    if (simulate && !selection.usual)
+        status = pp_fail(err, PP_BAD_INPUT,
+                         "a plan shows one figure, by %.100s or traced; expected "
+                         "--methods or --simulate, not both",
+                         methods);
+    else if (!selection.usual && selection.count != 1)
+        status = pp_fail(err, PP_BAD_INPUT,
+                         "a plan shows one figure, and \"%.100s\" are %d; expected one "
+                         "method or pair, such as exact+bre",
+                         methods, selection.count);
+    else if (!selection.usual && has_no_contours(&selection.choices[0]))
+        status = pp_fail(err, PP_BAD_INPUT, "%s %s", selection.choices[0].method->name,
+                         has_no_contours(&selection.choices[0]));
+    pp_selection_clear(&selection);
+    return status;
+}
+
+/* ---- the figures at the points ---- */
+
+static const struct pp_reading *points_of(const struct pp_report *report,
+                                          enum pp_component component, const char *name)
+{
+    const struct pp_column *column = pp_report_find(report, component, name);
+    return column ? column->points : NULL;
+}
+
+static struct pp_reading sum_of(struct pp_reading a, struct pp_reading b)
+{
+    return a.why ? a : b.why ? b : pp_reading_of(a.value + b.value);
+}
+
+/* A copy of the column of the whole, or the sum of both direct components. */
+static enum pp_status set_figures(struct pp_plan_study *study, const char *name,
+                                  bool direct, struct pp_error *err)
+{
+    const struct pp_report *report = &study->report;
+    struct pp_column *figures = &study->figures;
+    int count = report->receiver_count;
+    snprintf(figures->name, sizeof figures->name, "%s", name);
+    figures->component = direct ? PP_SC : PP_DF;
+    figures->points = calloc((size_t)count + 1, sizeof *figures->points);
+    if (!figures->points)
+        return pp_fail_memory(err);
+    const struct pp_column *column = pp_report_find(report, figures->component, name);
+    const struct pp_column *external = pp_report_find(report, PP_ERC, name);
+    figures->average =
+        direct ? sum_of(column->average, external->average) : column->average;
+    for (int i = 0; i < count; i++)
+        figures->points[i] = direct ? sum_of(points_of(report, PP_SC, name)[i],
+                                             points_of(report, PP_ERC, name)[i])
+                                    : points_of(report, PP_DF, name)[i];
+    return PP_OK;
+}
+
+/* Sums up the points of the grid, which are behind the room's own, and takes them off. */
+static enum pp_status settle(struct pp_plan_study *study,
+                             const struct pp_study_room *room, struct pp_error *err)
+{
+    enum pp_status status = pp_plane_figures_fill(&study->report, room, err);
+    const struct pp_report *report = &study->report;
+    int first = report->grid_of_standard ? room->receiver_count : 0;
+    if (status == PP_OK && report->grid_points > 0)
+        status = pp_plane_figures_sum_up(&study->figures, study->figures.points + first,
+                                         report->grid_points, err);
+    return status;
+}
+
+/* ---- by hand ---- */
+
+/* What a method that gives the internally reflected component adds at every point: the
+ * room's average, or its minimum where that is all it gives. */
+static struct pp_reading everywhere(const struct pp_report *report, const char *name)
+{
+    const struct pp_column *column = pp_report_find(report, PP_IRC, name);
+    if (isfinite(column->average.value) || report->receiver_count == 0)
+        return column->average;
+    return column->points[0];
+}
+
+static enum pp_status draw_choice(struct pp_plan_study *study,
+                                  const struct pp_choice *choice, const char *name,
+                                  struct pp_error *err)
+{
+    const char *internal = choice->internal ? choice->internal->name : NULL;
+    struct pp_reading irc = pp_reading_of(0.0);
+    if (internal)
+        irc = everywhere(&study->report, internal);
+    if (!isfinite(irc.value))
+        return pp_fail(err, PP_BAD_INPUT,
+                       "%s cannot be drawn: %s; expected another method, or --simulate",
+                       name, irc.why ? irc.why : "there is no value");
+    enum pp_status status =
+        pp_daylight_curves_by(&study->plan, study->report.world, choice->method,
+                              irc.value, internal, NULL, 0, err);
+    return status == PP_OK ? set_figures(study, name, !internal, err) : status;
+}
+
+static enum pp_status by_hand(struct pp_plan_study *study,
+                              const struct pp_study_room *room,
+                              const struct pp_study_options *options,
+                              struct pp_error *err)
+{
+    struct pp_study_options one = *options;
+    struct pp_selection selection;
+    enum pp_status status = pp_selection_parse(&selection, options->methods, err);
+    if (status == PP_OK && selection.usual) {
+        const struct pp_usual_pair pair = pp_usual_pair(room->world, NULL, 0);
+        if (pair.instead)
+            snprintf(study->note, sizeof study->note,
+                     "%s in place of %s, which does not cover this room (%s).",
+                     pair.name, pair.instead, pair.why);
+        one.methods = pair.name;
+        pp_selection_clear(&selection);
+        status = pp_selection_parse(&selection, pair.name, err);
+    }
+    if (status != PP_OK)
+        return status;
+    status = pp_study_report_with_plane(&study->report, room, &one, err);
+    study->report.options = &options->method_options; /* `one` ends here */
+    if (status == PP_OK)
+        status = draw_choice(study, &selection.choices[0], one.methods, err);
+    pp_selection_clear(&selection);
+    return status;
+}
+
+/* ---- traced ---- */
+
+/* The fit between the points takes some twenty of them for each place, so that each may
+ * have an error this many times as large as what is asked for. */
+static const double error_of_points = 2.0;
+
+/* Traces the points that the contours are drawn from. */
+static enum pp_status trace_plane(struct pp_traced_plane **plane,
+                                  struct pp_report *report,
+                                  const struct pp_study_options *options,
+                                  bool *by_clock, struct pp_error *err)
+{
+    struct pp_study_options of_points = *options;
+    of_points.error = fmin(error_of_points * options->error, 1.0);
+    enum pp_status status = pp_traced_plane_create(
+        plane, &report->more_receivers, &report->receiver_count, report->world, err);
+    report->receivers = report->more_receivers;
+    if (status == PP_OK)
+        status = pp_study_report_traced(report, &of_points, by_clock, err);
+    if (status == PP_OK)
+        pp_traced_plane_fill(*plane, pp_report_find(report, PP_DF, traced)->points);
+    return status;
+}
+
+/* The room's points and the grid's have the error that is asked for. Each run has half of
+ * the time. */
+static enum pp_status by_trace(struct pp_plan_study *study,
+                               const struct pp_study_room *room,
+                               const struct pp_study_options *options, bool *by_clock,
+                               struct pp_error *err)
+{
+    struct pp_traced_plane *plane = NULL;
+    struct pp_study_options half = *options;
+    struct pp_report *report = &study->report;
+    struct pp_report contoured = {.world = room->world, .finished = true};
+    half.seconds *= 0.5;
+    report->world = room->world;
+    enum pp_status status = pp_plane_figures_receivers(
+        &report->more_receivers, &report->receiver_count, room, err);
+    report->receivers = report->more_receivers;
+    if (status == PP_OK)
+        status = pp_study_report_traced(report, &half, by_clock, err);
+    if (status == PP_OK)
+        status = set_figures(study, traced, false, err);
+    if (status == PP_OK)
+        status = trace_plane(&plane, &contoured, &half, by_clock, err);
+    report->finished &= contoured.finished;
+    if (status == PP_OK)
+        status = pp_daylight_curves_of(&study->plan, room->world, traced,
+                                       pp_traced_plane_value, pp_traced_plane_error,
+                                       plane, err);
+    pp_traced_plane_destroy(plane);
+    pp_report_clear(&contoured);
+    return status;
+}
+
+enum pp_status pp_plan_study_make(struct pp_plan_study *study,
+                                  const struct pp_study_room *room,
+                                  const struct pp_study_options *options,
+                                  bool *by_clock, struct pp_error *err)
+{
+    *study = (struct pp_plan_study){.report = {.finished = true}};
+    enum pp_status status =
+        pp_plan_study_check(options->methods, options->simulate, err);
+    if (status == PP_OK)
+        status = options->simulate ? by_trace(study, room, options, by_clock, err)
+                                   : by_hand(study, room, options, err);
+    if (status == PP_OK)
+        status = settle(study, room, err);
+    if (status != PP_OK)
+        pp_plan_study_clear(study);
+    return status;
+}
+
+void pp_plan_study_clear(struct pp_plan_study *study)
+{
+    pp_daylight_plan_clear(&study->plan);
+    pp_report_clear(&study->report);
+    free(study->figures.points);
+    study->figures.points = NULL;
+}

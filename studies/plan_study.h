@@ -1,0 +1,35 @@
+/* plan_study.h - what a plan of a room's daylight shows: contours over the working plane, the
+ * figures at the room's points, and those of the plane as a whole, all by one method or all
+ * traced. */
+#ifndef PP_STUDIES_PLAN_STUDY_H
+#define PP_STUDIES_PLAN_STUDY_H
+
+#include "model/results/daylight_plan.h"
+#include "model/results/report.h"
+#include "studies/study_options.h"
+#include "studies/study_room.h"
+
+struct pp_plan_study {
+    struct pp_daylight_plan plan;
+    struct pp_report report; /* of the room's points; with grid_points, of the plane */
+    struct pp_column
+        figures;    /* those of the plan at the report's receivers, and `plane` */
+    char note[320]; /* another method stands in for the usual one, or empty */
+};
+
+/* Can a plan show what is asked for? It shows one figure: that of one direct method, or of a
+ * pair; or with simulate, and without methods, the traced one. Methods that count squares or
+ * dots, whose figures go in steps, and those that speak for the room as a whole have no
+ * contours. methods NULL: the usual pair of the room. PP_BAD_INPUT says what is wrong. */
+enum pp_status pp_plan_study_check(const char *methods, bool simulate,
+                                   struct pp_error *err);
+
+/* Fills study (to be cleared; empty on failure). PP_BAD_INPUT also where the method does not
+ * cover the room. *by_clock: as in studies/study_report.h. */
+enum pp_status pp_plan_study_make(struct pp_plan_study *study,
+                                  const struct pp_study_room *room,
+                                  const struct pp_study_options *options,
+                                  bool *by_clock, struct pp_error *err);
+void pp_plan_study_clear(struct pp_plan_study *study);
+
+#endif

@@ -1,0 +1,33 @@
+/* plane_figures.h - what is said of a working plane as a whole: minimum, median, average,
+ * uniformity, and the share of it over 1, 2 and 5 %.
+ *
+ * The figures are those of points that stand for equal parts of the plane: the points asked
+ * for where they are a grid (model/results/lattice.h), else those of EN 17037's grid, which
+ * leaves out 0.5 m along the walls and which the criteria judge by. They are worked out with
+ * the points asked for, in one go, and are then taken off the report.
+ */
+#ifndef PP_STUDIES_PLANE_FIGURES_H
+#define PP_STUDIES_PLANE_FIGURES_H
+
+#include "model/results/report.h"
+#include "studies/study_room.h"
+
+/* The receivers that a report is to be made for: the room's own, and behind them, where
+ * these are no grid, those of EN 17037. *all is the caller's to free. */
+enum pp_status pp_plane_figures_receivers(struct pp_receiver **all, int *count,
+                                          const struct pp_study_room *room,
+                                          struct pp_error *err);
+
+/* Fills `plane` of the report's daylight factor columns, whose receivers begin with the
+ * room's own; afterwards the report has only these. A column without a value at some point
+ * of the grid has no figures. */
+enum pp_status pp_plane_figures_fill(struct pp_report *report,
+                                     const struct pp_study_room *room,
+                                     struct pp_error *err);
+
+/* Fills `plane` of one column from its readings at the points of a grid. */
+enum pp_status pp_plane_figures_sum_up(struct pp_column *column,
+                                       const struct pp_reading *points, int count,
+                                       struct pp_error *err);
+
+#endif

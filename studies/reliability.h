@@ -1,0 +1,64 @@
+/* reliability.h - where the figures of hand methods cannot be relied on, and by how much
+ * such figures were off.
+ *
+ * Four kinds of rooms, each with the thresholds at which a room is one of them and the
+ * ratios of hand to traced figures that were measured in rooms of the kind
+ * (tables/reliability.csv):
+ *
+ *     outside      0.3 or more of the average daylight factor is reflected from outside
+ *     inside       at the darkest point no sky is seen, or 0.7 or more of the daylight
+ *                  factor is the room's average reflected light
+ *     proportions  the room is more than twice as deep as wide: the table behind `bre-min`
+ *                  ends there
+ *     ground       it reflects 0.3 more or less than that built into the method
+ *
+ * A method with a ground of its own built in is named wherever the room's is another.
+ */
+#ifndef PP_STUDIES_RELIABILITY_H
+#define PP_STUDIES_RELIABILITY_H
+
+#include <stddef.h>
+
+#include "model/results/report.h"
+
+enum pp_reliability_kind {
+    PP_RELIABILITY_OUTSIDE,
+    PP_RELIABILITY_INSIDE,
+    PP_RELIABILITY_PROPORTIONS,
+    PP_RELIABILITY_GROUND,
+    PP_RELIABILITY_KINDS,
+};
+
+/* Names of the kinds, as in the table and in JSON. */
+extern const char *const pp_reliability_names[PP_RELIABILITY_KINDS];
+
+struct pp_reliability {
+    bool is[PP_RELIABILITY_KINDS];
+    double share[PP_RELIABILITY_KINDS]; /* what was held against the threshold: a share,
+                                         * depth over width, reflectance of the ground */
+    bool any;
+    char grounds[320]; /* the methods whose built-in ground is not the room's, as a
+                        * sentence without a full stop; empty: none */
+};
+
+/* A row of the table: the lowest and highest ratio of hand to traced, of what, in how many
+ * rooms. */
+struct pp_reliability_band {
+    const char *kind, *of;
+    double low, high;
+    int rooms;
+};
+
+const struct pp_reliability_band *pp_reliability_band(enum pp_reliability_kind kind);
+
+/* Judges by the hand figures of the report: the first daylight factor by a pair of
+ * methods, at its points and on average, and all methods that it has. Nothing is computed
+ * but ratios; a report without such figures has no room of the first two kinds. */
+struct pp_reliability pp_reliability_of(const struct pp_report *report);
+
+/* "Hand figures here are not to be relied on: ...", a sentence without a full stop; empty
+ * where they are. */
+void pp_reliability_sentence(const struct pp_reliability *reliability, char *text,
+                             size_t size);
+
+#endif

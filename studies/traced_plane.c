@@ -1,0 +1,466 @@
+/* traced_plane.c - the choice of points, and the moving least squares between them. */
+#include "studies/traced_plane.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "model/base/array.h"
+#include "model/geometry/bounds.h"
+#include "model/room/position.h"
+
+/* About as many squares cover the plane before those near openings are halved, and no
+ * square is larger (m). */
+static const double squares = 240.0, largest_m = 0.45;
+
+/* Squares are halved nearer to an opening than this many of their sides, twice at most. */
+static const double near_sides = 2.0;
+enum { HALVINGS = 2 };
+
+/* The radius of the weights, in sides of the square that the place would have. */
+static const double reach_sides = 2.6;
+
+/* Daylight factors are no lower than this to the logarithm. */
+static const double lowest_factor = 1e-7;
+
+/* A place is never nearer to the plane's edge than this (m). */
+static const double inset_m = 0.005;
+
+enum { TERMS = 6, NEIGHBOURS_LEAST = 10, NEIGHBOURS_MOST = 128 };
+
+struct plane_point {
+    double x, y;
+    double log_value, log_error;
+    bool known;
+};
+
+/* A line on the plane that sight does not pass. */
+struct plane_screen {
+    double a[2], b[2];
+};
+
+struct pp_traced_plane {
+    const struct pp_world *world;
+    double side_m; /* of the squares before any is halved */
+    struct plane_point *points;
+    int count;
+    struct plane_screen *screens;
+    int screen_count;
+    struct plane_screen *openings; /* their extent in the plan */
+    int opening_count;
+    int *cells; /* first point in each cell of a lattice of side_m, then the next */
+    int *next;
+    int columns, rows;
+    double low[2];
+};
+
+/* ---- sight ---- */
+
+static double side_of(const double a[2], const double b[2], double x, double y)
+{
+    return (b[0] - a[0]) * (y - a[1]) - (b[1] - a[1]) * (x - a[0]);
+}
+
+static bool crosses(const struct plane_screen *screen, const double p[2],
+                    const double q[2])
+{
+    double a = side_of(screen->a, screen->b, p[0], p[1]);
+    double b = side_of(screen->a, screen->b, q[0], q[1]);
+    double c = side_of(p, q, screen->a[0], screen->a[1]);
+    double d = side_of(p, q, screen->b[0], screen->b[1]);
+    return a * b < 0.0 && c * d < 0.0;
+}
+
+static bool is_in_sight(const struct pp_traced_plane *plane, const double p[2],
+                        const struct plane_point *point)
+{
+    const double q[2] = {point->x, point->y};
+    for (int i = 0; i < plane->screen_count; i++)
+        if (crosses(&plane->screens[i], p, q))
+            return false;
+    return true;
+}
+
+static enum pp_status add_screen(struct pp_traced_plane *plane, const double a[2],
+                                 const double b[2], struct pp_error *err)
+{
+    enum pp_status status = pp_array_append(&plane->screens, plane->screen_count,
+                                            sizeof *plane->screens, err);
+    if (status == PP_OK)
+        plane->screens[plane->screen_count++] =
+            (struct plane_screen){{a[0], a[1]}, {b[0], b[1]}};
+    return status;
+}
+
+/* The lines in which the plane cuts a surface that stands in the room. */
+static enum pp_status add_cut(struct pp_traced_plane *plane,
+                              const struct pp_polygon *outline, struct pp_error *err)
+{
+    double height = plane->world->working_plane_m, ends[2][2];
+    enum pp_status status = PP_OK;
+    for (int i = 0, count = 0; i < outline->count && status == PP_OK; i++) {
+        struct pp_vec3 a = outline->vertices[i];
+        struct pp_vec3 b = outline->vertices[(i + 1) % outline->count];
+        if ((a.z > height) == (b.z > height))
+            continue;
+        struct pp_vec3 p =
+            pp_vec_along(a, (height - a.z) / (b.z - a.z), pp_vec_sub(b, a));
+        ends[count % 2][0] = p.x;
+        ends[count % 2][1] = p.y;
+        if (++count % 2 == 0)
+            status = add_screen(plane, ends[0], ends[1], err);
+    }
+    return status;
+}
+
+/* The plane's own edges, where it has corners to look round, and what stands in it. */
+static enum pp_status find_screens(struct pp_traced_plane *plane, struct pp_error *err)
+{
+    const struct pp_world *world = plane->world;
+    const struct pp_region *region = &world->plane;
+    enum pp_status status = PP_OK;
+    bool plain = region->count == 1 && region->rings[0].count == 4;
+    for (int r = 0; r < region->count && !plain; r++)
+        for (int i = 0; i < region->rings[r].count && status == PP_OK; i++)
+            status =
+                add_screen(plane, region->rings[r].xy[i],
+                           region->rings[r].xy[(i + 1) % region->rings[r].count], err);
+    for (int i = world->face_count; i < world->surface_count && status == PP_OK; i++)
+        if (world->surfaces[i].inside && world->surfaces[i].role == PP_FREE_SURFACE)
+            status = add_cut(plane, &world->surfaces[i].outline, err);
+    return status;
+}
+
+/* ---- the points ---- */
+
+static double distance_to(const struct plane_screen *line, double x, double y)
+{
+    double dx = line->b[0] - line->a[0], dy = line->b[1] - line->a[1];
+    double square = dx * dx + dy * dy, share = 0.0;
+    if (square > 0.0)
+        share = ((x - line->a[0]) * dx + (y - line->a[1]) * dy) / square;
+    share = fmin(fmax(share, 0.0), 1.0);
+    return hypot(line->a[0] + share * dx - x, line->a[1] + share * dy - y);
+}
+
+/* Openings as lines in the plan, the longest between two of their corners. */
+static enum pp_status find_openings(struct pp_traced_plane *plane, struct pp_error *err)
+{
+    const struct pp_world *world = plane->world;
+    plane->openings = calloc((size_t)world->opening_count + 1, sizeof *plane->openings);
+    if (!plane->openings)
+        return pp_fail_memory(err);
+    for (int i = 0; i < world->opening_count; i++) {
+        const struct pp_polygon *outline = &world->openings[i].inner;
+        /* High above the plane an opening lights it evenly. */
+        double low = INFINITY;
+        for (int k = 0; k < outline->count; k++)
+            low = fmin(low, outline->vertices[k].z);
+        if (low > world->working_plane_m + 1.0)
+            continue;
+        struct plane_screen *line = &plane->openings[plane->opening_count++];
+        double longest = -1.0;
+        for (int a = 0; a < outline->count; a++)
+            for (int b = a + 1; b < outline->count; b++) {
+                struct pp_vec3 p = outline->vertices[a], q = outline->vertices[b];
+                double length = hypot(q.x - p.x, q.y - p.y);
+                if (length <= longest)
+                    continue;
+                longest = length;
+                *line = (struct plane_screen){{p.x, p.y}, {q.x, q.y}};
+            }
+    }
+    return PP_OK;
+}
+
+/* How often the square at a place is halved; not whole, so that it changes evenly. */
+static double halvings_at(const struct pp_traced_plane *plane, double x, double y)
+{
+    double nearest = INFINITY;
+    for (int i = 0; i < plane->opening_count; i++)
+        nearest = fmin(nearest, distance_to(&plane->openings[i], x, y));
+    double halvings = log2(near_sides * plane->side_m / fmax(nearest, 1e-3));
+    return fmin(fmax(halvings + 1.0, 0.0), HALVINGS);
+}
+
+static enum pp_status add_square(struct pp_traced_plane *plane, double x, double y,
+                                 double side, int halved, struct pp_error *err)
+{
+    const struct pp_world *world = plane->world;
+    if (halved < (int)halvings_at(plane, x, y)) {
+        enum pp_status status = PP_OK;
+        for (int i = 0; i < 4 && status == PP_OK; i++)
+            status = add_square(plane, x + (i % 2 ? 0.25 : -0.25) * side,
+                                y + (i / 2 ? 0.25 : -0.25) * side, 0.5 * side,
+                                halved + 1, err);
+        return status;
+    }
+    const struct pp_vec3 at = pp_vec(x, y, world->working_plane_m);
+    if (!pp_region_contains(&world->plane, x, y)
+        || pp_region_edge_distance(&world->plane, x, y) < inset_m
+        || pp_position_receiver_fault(world, at, pp_vec(0.0, 0.0, 1.0)))
+        return PP_OK;
+    enum pp_status status =
+        pp_array_append(&plane->points, plane->count, sizeof *plane->points, err);
+    if (status == PP_OK)
+        plane->points[plane->count++] = (struct plane_point){.x = x, .y = y};
+    return status;
+}
+
+/* Squares of equal size over the plane's extent, which they fill. */
+static enum pp_status choose_points(struct pp_traced_plane *plane, struct pp_error *err)
+{
+    const struct pp_region *region = &plane->world->plane;
+    struct pp_bounds2 box = pp_bounds2_empty();
+    for (int r = 0; r < region->count; r++)
+        for (int i = 0; i < region->rings[r].count; i++)
+            pp_bounds2_add(&box, region->rings[r].xy[i][0], region->rings[r].xy[i][1]);
+    plane->side_m = fmin(sqrt(pp_region_area(region) / squares), largest_m);
+    double side[2];
+    int count[2];
+    for (int k = 0; k < 2; k++) {
+        plane->low[k] = box.low[k];
+        double extent = box.high[k] - box.low[k];
+        count[k] = (int)fmax(ceil(extent / plane->side_m - 1e-6), 1.0);
+        side[k] = extent / count[k];
+    }
+    plane->columns = count[0] + 1;
+    plane->rows = count[1] + 1;
+    enum pp_status status = PP_OK;
+    for (int j = 0; j < count[1]; j++)
+        for (int i = 0; i < count[0] && status == PP_OK; i++)
+            status = add_square(plane, box.low[0] + (i + 0.5) * side[0],
+                                box.low[1] + (j + 0.5) * side[1],
+                                fmin(side[0], side[1]), 0, err);
+    return status;
+}
+
+static int cell_of(const struct pp_traced_plane *plane, int axis, double at)
+{
+    int most = (axis ? plane->rows : plane->columns) - 1;
+    double cell = floor((at - plane->low[axis]) / plane->side_m);
+    return (int)fmin(fmax(cell, 0.0), most);
+}
+
+static enum pp_status sort_into_cells(struct pp_traced_plane *plane,
+                                      struct pp_error *err)
+{
+    size_t cells = (size_t)plane->columns * (size_t)plane->rows;
+    plane->cells = malloc(cells * sizeof *plane->cells);
+    plane->next = malloc(((size_t)plane->count + 1) * sizeof *plane->next);
+    if (!plane->cells || !plane->next)
+        return pp_fail_memory(err);
+    for (size_t i = 0; i < cells; i++)
+        plane->cells[i] = -1;
+    for (int i = plane->count - 1; i >= 0; i--) {
+        int *cell = &plane->cells[cell_of(plane, 1, plane->points[i].y) * plane->columns
+                                  + cell_of(plane, 0, plane->points[i].x)];
+        plane->next[i] = *cell;
+        *cell = i;
+    }
+    return PP_OK;
+}
+
+enum pp_status pp_traced_plane_create(struct pp_traced_plane **plane,
+                                      struct pp_receiver **points, int *count,
+                                      const struct pp_world *world,
+                                      struct pp_error *err)
+{
+    *plane = NULL;
+    *points = NULL;
+    struct pp_traced_plane *made = calloc(1, sizeof *made);
+    if (!made)
+        return pp_fail_memory(err);
+    made->world = world;
+    enum pp_status status = find_screens(made, err);
+    if (status == PP_OK)
+        status = find_openings(made, err);
+    if (status == PP_OK)
+        status = choose_points(made, err);
+    if (status == PP_OK)
+        status = sort_into_cells(made, err);
+    if (status == PP_OK) {
+        *points = calloc((size_t)made->count + 1, sizeof **points);
+        status = *points ? PP_OK : pp_fail_memory(err);
+    }
+    if (status != PP_OK) {
+        pp_traced_plane_destroy(made);
+        return status;
+    }
+    for (int i = 0; i < made->count; i++)
+        (*points)[i] = (struct pp_receiver){
+            .position =
+                pp_vec(made->points[i].x, made->points[i].y, world->working_plane_m),
+            .normal = pp_vec(0.0, 0.0, 1.0)};
+    *count = made->count;
+    *plane = made;
+    return PP_OK;
+}
+
+void pp_traced_plane_destroy(struct pp_traced_plane *plane)
+{
+    if (!plane)
+        return;
+    free(plane->points);
+    free(plane->screens);
+    free(plane->openings);
+    free(plane->cells);
+    free(plane->next);
+    free(plane);
+}
+
+void pp_traced_plane_fill(struct pp_traced_plane *plane,
+                          const struct pp_reading *readings)
+{
+    for (int i = 0; i < plane->count; i++) {
+        struct plane_point *point = &plane->points[i];
+        double value = fmax(readings[i].value, lowest_factor);
+        point->known = isfinite(readings[i].value);
+        point->log_value = log(value);
+        point->log_error =
+            isfinite(readings[i].std_error) ? readings[i].std_error / value : 0.0;
+    }
+}
+
+/* ---- between the points ---- */
+
+struct neighbours {
+    int count;
+    const struct plane_point *list[NEIGHBOURS_MOST];
+    double weight[NEIGHBOURS_MOST];
+};
+
+/* The known points in sight within the radius; the first NEIGHBOURS_MOST of them. */
+static void find_neighbours(struct neighbours *found,
+                            const struct pp_traced_plane *plane, const double at[2],
+                            double radius)
+{
+    found->count = 0;
+    for (int j = cell_of(plane, 1, at[1] - radius);
+         j <= cell_of(plane, 1, at[1] + radius); j++)
+        for (int i = cell_of(plane, 0, at[0] - radius);
+             i <= cell_of(plane, 0, at[0] + radius); i++)
+            for (int k = plane->cells[j * plane->columns + i]; k >= 0;
+                 k = plane->next[k]) {
+                const struct plane_point *point = &plane->points[k];
+                double away = hypot(point->x - at[0], point->y - at[1]) / radius;
+                if (away >= 1.0 || !point->known || found->count == NEIGHBOURS_MOST
+                    || !is_in_sight(plane, at, point))
+                    continue;
+                double weight = 1.0 - away * away;
+                found->list[found->count] = point;
+                found->weight[found->count++] = weight * weight;
+            }
+}
+
+/* Solves the symmetric positive system by Cholesky's method, for the unknowns that are not
+ * all but determined by those before: their coefficients are 0. */
+static void solve(double matrix[TERMS][TERMS], double right[TERMS])
+{
+    double scale[TERMS];
+    for (int i = 0; i < TERMS; i++)
+        scale[i] = matrix[i][i];
+    bool used[TERMS];
+    for (int i = 0; i < TERMS; i++) {
+        for (int k = 0; k < i; k++)
+            if (used[k])
+                matrix[i][i] -= matrix[i][k] * matrix[i][k];
+        used[i] = matrix[i][i] > 1e-6 * scale[i];
+        if (!used[i])
+            continue;
+        matrix[i][i] = sqrt(matrix[i][i]);
+        for (int j = i + 1; j < TERMS; j++) {
+            for (int k = 0; k < i; k++)
+                if (used[k])
+                    matrix[j][i] -= matrix[j][k] * matrix[i][k];
+            matrix[j][i] /= matrix[i][i];
+        }
+    }
+    for (int i = 0; i < TERMS; i++) {
+        for (int k = 0; k < i; k++)
+            if (used[k])
+                right[i] -= matrix[i][k] * right[k];
+        right[i] = used[i] ? right[i] / matrix[i][i] : 0.0;
+    }
+    for (int i = TERMS - 1; i >= 0; i--) {
+        for (int k = i + 1; k < TERMS; k++)
+            if (used[i] && used[k])
+                right[i] -= matrix[k][i] * right[k];
+        right[i] = used[i] ? right[i] / matrix[i][i] : 0.0;
+    }
+}
+
+static void terms_of(double terms[TERMS], const struct plane_point *point,
+                     const double at[2], double radius)
+{
+    double x = (point->x - at[0]) / radius, y = (point->y - at[1]) / radius;
+    const double values[TERMS] = {1.0, x, y, x * x, x * y, y * y};
+    memcpy(terms, values, sizeof values);
+}
+
+/* The fit's value at the place is a sum of the points' values; weights in place of the
+ * weights: its coefficients. */
+static void to_coefficients(struct neighbours *found, const double at[2], double radius)
+{
+    double matrix[TERMS][TERMS] = {{0.0}}, right[TERMS] = {1.0}, terms[TERMS];
+    for (int n = 0; n < found->count; n++) {
+        terms_of(terms, found->list[n], at, radius);
+        for (int i = 0; i < TERMS; i++)
+            for (int j = 0; j <= i; j++)
+                matrix[i][j] += found->weight[n] * terms[i] * terms[j];
+    }
+    solve(matrix, right);
+    for (int n = 0; n < found->count; n++) {
+        double sum = 0.0;
+        terms_of(terms, found->list[n], at, radius);
+        for (int i = 0; i < TERMS; i++)
+            sum += right[i] * terms[i];
+        found->weight[n] *= sum;
+    }
+}
+
+/* The logarithm of the daylight factor and its standard error; false: nothing is known. */
+static bool fit(const struct pp_traced_plane *plane, double x, double y, double *value,
+                double *error)
+{
+    const double at[2] = {x, y};
+    struct neighbours found = {0};
+    double radius = reach_sides * plane->side_m * exp2(-halvings_at(plane, x, y));
+    double furthest = hypot(plane->columns, plane->rows) * plane->side_m;
+    for (; radius < 2.0 * furthest; radius *= 1.3) {
+        find_neighbours(&found, plane, at, radius);
+        if (found.count >= NEIGHBOURS_LEAST)
+            break;
+    }
+    if (found.count == 0)
+        return false;
+    to_coefficients(&found, at, radius);
+    double sum = 0.0, variance = 0.0;
+    for (int n = 0; n < found.count; n++) {
+        double share = found.weight[n] * found.list[n]->log_error;
+        sum += found.weight[n] * found.list[n]->log_value;
+        variance += share * share;
+    }
+    *value = sum;
+    *error = sqrt(variance);
+    return true;
+}
+
+enum pp_status pp_traced_plane_value(void *plane, double x, double y, double *value,
+                                     struct pp_error *err)
+{
+    double log_value, log_error;
+    (void)err;
+    *value = fit(plane, x, y, &log_value, &log_error) ? exp(log_value) : 0.0;
+    return PP_OK;
+}
+
+enum pp_status pp_traced_plane_error(void *plane, double x, double y, double *value,
+                                     struct pp_error *err)
+{
+    double log_value, log_error;
+    (void)err;
+    *value =
+        fit(plane, x, y, &log_value, &log_error) ? exp(log_value) * log_error : 0.0;
+    return PP_OK;
+}

@@ -1,0 +1,177 @@
+/* test_skies.c - light from outside is an argument: one scene under many skies. */
+#include <dlfcn.h>
+
+#include "simulate/scene/light_scene_of_world.h"
+#include "simulate/scene/light_scene_parts.h"
+#include "simulate/transport/window_store.h"
+#include "tests/lib/room_of.h"
+#include "tests/lib/sampled_light.h"
+#include "tests/lib/traced.h"
+
+/* Ray structures built so far: Embree's call is taken on its way. */
+static int builds;
+
+void rtcCommitScene(void *scene);
+void rtcCommitScene(void *scene)
+{
+    void (*commit)(void *) = (void (*)(void *))dlsym(RTLD_NEXT, "rtcCommitScene");
+    assert_non_null(commit);
+    builds++;
+    commit(scene);
+}
+
+#define ROOM                                                                           \
+    "<plan width='3.1' depth='5.3' height='2.6'/>"                                     \
+    "<finishes floor='0.3' walls='0.6' ceiling='0.8'/>"                                \
+    "<window wall='south' left='0.4' sill='0.7' width='2.2' height='1.5'/>"            \
+    "<skyline wall='south' angle='12' distance='17'/>"                                 \
+    "<block x='-3' y='-11' width='4' depth='3' height='5'/>"                           \
+    "<point x='1.4' y='1.7'/><point x='1.1' y='4.2'/></room>"
+
+enum { SKIES = 100 };
+
+/* Every type of ISO 15469, with the sun all round and at many altitudes. */
+static struct pp_outside_light light_of(int number)
+{
+    struct pp_outside_light light = {.ground_reflectance = 0.1 + 0.003 * number};
+    double altitude = (5.0 + 0.83 * number) * PP_RAD, bearing = 0.37 * number;
+    struct pp_vec3 sun = pp_vec(cos(altitude) * sin(bearing),
+                                cos(altitude) * cos(bearing), sin(altitude));
+    assert_int_equal(pp_sky_iso(&light.sky, 1 + number % 15, sun, NULL), PP_OK);
+    return light;
+}
+
+static void trace(const struct pp_light_scene *scene,
+                  const struct pp_environment *environment,
+                  struct pp_reading readings[2][4])
+{
+    const struct pp_tracer_options options = pp_test_paths(16);
+    struct pp_tracer *tracer = NULL;
+    assert_int_equal(pp_tracer_create(&tracer, scene, environment,
+                                      scene->world->receivers, 2, &options, NULL),
+                     PP_OK);
+    while (!pp_tracer_done(tracer))
+        assert_int_equal(pp_tracer_advance(tracer, 1.0, NULL), PP_OK);
+    for (int i = 0; i < 2; i++)
+        pp_tracer_read(tracer, i, readings[i]);
+    pp_tracer_destroy(tracer);
+}
+
+/* The readings under each sky are those of a scene made for it alone, to the bit. */
+static void a_hundred_skies_are_traced_on_one_scene(void **state)
+{
+    (void)state;
+    struct pp_world *world = pp_test_world("<room version='1'>" ROOM);
+    builds = 0;
+    struct pp_light_scene *scene = pp_test_matt_scene(world);
+    assert_int_equal(builds, 1);
+    for (int i = 0; i < SKIES; i++) {
+        struct pp_outside_light light = light_of(i);
+        struct pp_environment *environment = NULL;
+        struct pp_reading readings[2][4], alone[2][4];
+        assert_int_equal(pp_light_scene_under(&environment, scene, &light, NULL),
+                         PP_OK);
+        int before = builds;
+        trace(scene, environment, readings);
+        assert_int_equal(builds, before);
+        pp_environment_destroy(environment);
+        if (i % 33 != 0)
+            continue;
+        struct pp_light_scene *own = pp_test_matt_scene(world);
+        assert_int_equal(pp_light_scene_under(&environment, own, &light, NULL), PP_OK);
+        trace(own, environment, alone);
+        for (int k = 0; k < 2; k++)
+            for (int c = 0; c < 4; c++) {
+                assert_true(readings[k][c].value == alone[k][c].value);
+                assert_true(readings[k][c].std_error == alone[k][c].std_error);
+            }
+        pp_environment_destroy(environment);
+        pp_light_scene_destroy(own);
+    }
+    assert_int_equal(builds, 1 + 4);
+    pp_light_scene_destroy(scene);
+    pp_world_destroy(world);
+}
+
+/* The whole of coloured light, with the window's store, under a sky given beside the
+ * scene: as bright as the file's own sky makes it. */
+static void so_is_coloured_light(void **state)
+{
+    (void)state;
+    struct pp_world *world = pp_test_world("<room version='1'>" ROOM);
+    struct pp_world *clear =
+        pp_test_world("<room version='1'><site ground-reflectance='0.31'/>"
+                      "<sky type='iso-12' sun-altitude='41' sun-bearing='170'/>" ROOM);
+    const struct pp_outside_light light = pp_world_light(clear);
+    struct pp_light_scene *scenes[2] = {NULL, NULL};
+    struct pp_test_mean means[2];
+    builds = 0;
+    for (int i = 0; i < 2; i++) {
+        struct pp_environment *environment = NULL;
+        struct pp_window_store *store = NULL;
+        assert_int_equal(pp_light_scene_of_world(&scenes[i], i ? clear : world, NULL),
+                         PP_OK);
+        assert_int_equal(pp_light_scene_under(&environment, scenes[i], &light, NULL),
+                         PP_OK);
+        assert_int_equal(
+            pp_window_store_create(&store, scenes[i], environment, 1, 1, NULL), PP_OK);
+        means[i] = pp_test_irradiance(
+            scenes[i], environment, store, pp_radiance_state_defaults(),
+            world->receivers[0].position, world->receivers[0].normal, 64);
+        pp_window_store_destroy(store);
+        pp_environment_destroy(environment);
+    }
+    assert_int_equal(builds, 2);
+    assert_true(means[0].value.g > 0.0 && means[0].value.g == means[1].value.g);
+    for (int i = 0; i < 2; i++)
+        pp_light_scene_destroy(scenes[i]);
+    pp_world_destroy(clear);
+    pp_world_destroy(world);
+}
+
+static uint64_t scene_hash(const char *xml, uint64_t *of_light)
+{
+    struct pp_world *world = pp_test_world(xml);
+    struct pp_light_scene *scene;
+    assert_int_equal(pp_light_scene_of_world(&scene, world, NULL), PP_OK);
+    struct pp_environment *environment = pp_test_light_of(scene, world);
+    uint64_t hash = pp_light_scene_hash(scene);
+    *of_light = pp_environment_hash(environment);
+    pp_environment_destroy(environment);
+    pp_light_scene_destroy(scene);
+    pp_world_destroy(world);
+    return hash;
+}
+
+static void scene_and_light_have_a_number_each(void **state)
+{
+    (void)state;
+    uint64_t light, other;
+    uint64_t scene = scene_hash("<room version='1'>" ROOM, &light);
+    const char *const lights[] = {
+        "<room version='1'><sky type='uniform'/>" ROOM,
+        "<room version='1'><sky type='iso-1'/>" ROOM,
+        "<room version='1'><site ground-reflectance='0.21'/>" ROOM};
+    for (int i = 0; i < 3; i++) {
+        assert_true(scene_hash(lights[i], &other) == scene);
+        assert_false(other == light);
+    }
+    const char *const rooms[] = {
+        "<room version='1'><skyline wall='north' angle='20'/>" ROOM,
+        "<room version='1'><block x='-4' y='-34' width='10' depth='6' "
+        "height='8'/>" ROOM};
+    for (int i = 0; i < 2; i++) {
+        assert_false(scene_hash(rooms[i], &other) == scene);
+        assert_true(other == light);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_hundred_skies_are_traced_on_one_scene),
+        cmocka_unit_test(so_is_coloured_light),
+        cmocka_unit_test(scene_and_light_have_a_number_each),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

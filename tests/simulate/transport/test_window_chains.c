@@ -1,0 +1,51 @@
+/* test_window_chains.c - rooms whose rays pass several windows in a row: each light is
+ * counted once, by whichever window it is aimed at. */
+#include "simulate/scene/light_scene_of_world.h"
+#include "tests/lib/room_of.h"
+#include "tests/lib/sampled_light.h"
+#include "tests/lib/traced.h"
+
+/* A room round three sides of a court, which windows look into from two wings; a third
+ * window lies in the outer wall behind the second, so that from the west wing it is seen
+ * through both. */
+static const char court[] =
+    "<room version='1'><plan height='2.6'>"
+    "<vertex x='0' y='0'/><vertex x='3' y='0'/><vertex x='3' y='4'/>"
+    "<vertex x='5' y='4'/><vertex x='5' y='0'/><vertex x='8' y='0'/>"
+    "<vertex x='8' y='7'/><vertex x='0' y='7'/></plan>"
+    "<finishes floor='0.1' walls='0.1' ceiling='0.1'/>"
+    "<window wall='2' left='0.5' sill='0.5' width='3' height='1.8' glazing='none'/>"
+    "<window wall='4' left='0.5' sill='0.5' width='3' height='1.8' glazing='none'/>"
+    "<window wall='6' left='2' sill='0.5' width='4.5' height='1.8' glazing='none'/>"
+    "<point x='1.5' y='2' z='1.2' nx='1' ny='0' nz='0'/></room>";
+
+static void light_through_three_windows_counts_once(void **state)
+{
+    (void)state;
+    struct pp_world *world = pp_test_world(court);
+    struct pp_light_scene *scene = pp_test_matt_scene(world);
+    struct pp_environment *outside = pp_test_light_of(scene, world);
+    struct pp_radiance_options sampled = pp_radiance_state_defaults(), found = sampled;
+    found.windows = false;
+    const struct pp_receiver *at = &world->receivers[0];
+    struct pp_test_mean a = pp_test_irradiance(scene, outside, NULL, sampled,
+                                               at->position, at->normal, 4096);
+    struct pp_test_mean b =
+        pp_test_irradiance(scene, outside, NULL, found, at->position, at->normal, 4096);
+    double off = pp_rgb_luminance(a.value) - pp_rgb_luminance(b.value);
+    print_message("# sampled %g +- %g, found %g +- %g\n", pp_rgb_luminance(a.value),
+                  a.error, pp_rgb_luminance(b.value), b.error);
+    assert_true(fabs(off) < 4.0 * hypot(a.error, b.error));
+    assert_true(hypot(a.error, b.error) < 0.01 * pp_rgb_luminance(b.value));
+    pp_environment_destroy(outside);
+    pp_light_scene_destroy(scene);
+    pp_world_destroy(world);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(light_through_three_windows_counts_once),
+    };
+    return cmocka_run_group_tests_name("window_chains", tests, NULL, NULL);
+}

@@ -1,0 +1,91 @@
+/* test_reliability.c - where hand figures are said not to be relied on, by reports whose
+ * shares are known. */
+#include "studies/reliability.h"
+
+#include "methods/evaluate.h"
+#include "tests/lib/near.h"
+#include "tests/lib/box_room.h"
+
+/* A room 3.1 m wide and as deep as given, by exact+bre and bre-min at two points. */
+static struct pp_reliability of_room(double depth_m, double skyline_deg, double ground)
+{
+    struct box_room box;
+    box_room_build(&box, 3.1, depth_m, 2.7, 0.2, 0.5, 0.7);
+    box_room_south(&box, 0.4, 0.9, 2.3, 1.5);
+    box.world.ground_reflectance = ground;
+    if (skyline_deg > 0.0)
+        box_room_skyline(&box, skyline_deg * PP_RAD, 1.65, INFINITY);
+    const struct pp_receiver points[2] = {{{1.5, 0.7, 0.85}, {0, 0, 1}, 0},
+                                          {{1.5, depth_m - 0.7, 0.85}, {0, 0, 1}, 0}};
+    struct pp_report report = {.world = &box.world,
+                               .receivers = points,
+                               .receiver_count = 2,
+                               .finished = true};
+    assert_int_equal(pp_methods_evaluate(&report, "exact+bre,bre-min", NULL), PP_OK);
+    struct pp_reliability found = pp_reliability_of(&report);
+    pp_report_clear(&report);
+    return found;
+}
+
+static void a_shallow_room_under_open_sky_is_relied_on(void **state)
+{
+    (void)state;
+    struct pp_reliability found = of_room(2.6, 0.0, 0.1);
+    char text[640];
+    pp_reliability_sentence(&found, text, sizeof text);
+    assert_false(found.any);
+    assert_string_equal(text, "");
+    assert_string_equal(found.grounds, "");
+}
+
+/* Behind a skyline the back of the room sees no sky, and light comes by its face. */
+static void without_sky_at_the_back_the_average_stands_for_the_darkest_point(
+    void **state)
+{
+    (void)state;
+    struct pp_reliability found = of_room(5.6, 50.0, 0.1);
+    assert_true(found.is[PP_RELIABILITY_INSIDE]);
+    assert_near(found.share[PP_RELIABILITY_INSIDE], 1.0, 0.0);
+    assert_false(found.is[PP_RELIABILITY_PROPORTIONS]);
+}
+
+static void a_room_more_than_twice_as_deep_as_wide_is_beyond_the_table(void **state)
+{
+    (void)state;
+    assert_false(of_room(6.2, 0.0, 0.1).is[PP_RELIABILITY_PROPORTIONS]);
+    struct pp_reliability found = of_room(6.3, 0.0, 0.1);
+    assert_true(found.is[PP_RELIABILITY_PROPORTIONS]);
+    assert_near(found.share[PP_RELIABILITY_PROPORTIONS], 6.3 / 3.1, 1e-12);
+}
+
+static void a_ground_of_snow_is_far_from_the_one_built_in(void **state)
+{
+    (void)state;
+    struct pp_reliability found = of_room(2.6, 0.0, 0.2);
+    assert_false(found.is[PP_RELIABILITY_GROUND]);
+    assert_non_null(strstr(found.grounds, "bre, bre-min: made with a ground"));
+    assert_true(of_room(2.6, 0.0, 0.8).is[PP_RELIABILITY_GROUND]);
+}
+
+static void every_kind_has_its_measured_band(void **state)
+{
+    (void)state;
+    for (int kind = 0; kind < PP_RELIABILITY_KINDS; kind++) {
+        const struct pp_reliability_band *band = pp_reliability_band(kind);
+        assert_non_null(band);
+        assert_true(band->low > 0.0 && band->low < band->high && band->rooms > 0);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_shallow_room_under_open_sky_is_relied_on),
+        cmocka_unit_test(
+            without_sky_at_the_back_the_average_stands_for_the_darkest_point),
+        cmocka_unit_test(a_room_more_than_twice_as_deep_as_wide_is_beyond_the_table),
+        cmocka_unit_test(a_ground_of_snow_is_far_from_the_one_built_in),
+        cmocka_unit_test(every_kind_has_its_measured_band),
+    };
+    return cmocka_run_group_tests_name("reliability", tests, NULL, NULL);
+}
