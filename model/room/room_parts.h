@@ -26,6 +26,7 @@ struct pp_site_part {
     enum pp_work
         work; /* where not given: clean, but dirty in industrial surroundings */
     double ground_reflectance, ground_level_m;
+    bool ground_is_open;
     int line;
 };
 

@@ -81,6 +81,7 @@ static enum pp_status resolve_site(struct pp_resolver *r, struct pp_error *err)
             : room->decorations;
     world->ground_reflectance = room->site.ground_reflectance;
     world->ground_level_m = room->site.ground_level_m;
+    world->ground_is_open = room->site.ground_is_open;
     resolve_sky(r);
     if (room->name) {
         world->name = strdup(room->name);

@@ -119,6 +119,8 @@ struct pp_world {
     struct pp_sky sky;
     double ground_reflectance;
     double ground_level_m; /* z of the ground outside */
+    bool ground_is_open; /* lit by the whole sky everywhere; else it lies in the shadow
+                            * of what stands on it */
 
     struct pp_surface *surfaces; /* the envelope's faces first */
     int surface_count, face_count;

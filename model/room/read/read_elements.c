@@ -35,6 +35,7 @@ static void read_site(struct pp_reader *r, struct pp_site_part *site,
         .work = form.work < 0 ? by_place : (enum pp_work)form.work,
         .ground_reflectance = form.ground.reflectance,
         .ground_level_m = form.ground_level_m,
+        .ground_is_open = form.ground_is_open != 0,
         .line = e->line};
     snprintf(site->country, sizeof site->country, "%s",
              form.country ? form.country : "");

@@ -99,6 +99,9 @@ static const struct pp_value_kind country = {
 static const char *const works[] = {"clean", "dirty", NULL};
 static const struct pp_value_kind work = {
     .reading = PP_VALUE_CHOICE, .expected = "\"clean\" or \"dirty\"", .words = works};
+static const char *const grounds[] = {"shaded", "open", NULL};
+static const struct pp_value_kind ground_kind = {
+    .reading = PP_VALUE_CHOICE, .expected = "\"shaded\" or \"open\"", .words = grounds};
 static const struct pp_value_kind sky_type = {
     .reading = PP_VALUE_CHOICE,
     .expected = "\"overcast\", \"uniform\" or \"iso-1\" to \"iso-15\"",
@@ -125,6 +128,7 @@ static const struct pp_attribute_rule site_rows[] = {
     {"work", &work, OR(-1), IN(site, work)},
     {"ground-reflectance", &reflectance, OR(0.2), IN(site, ground)},
     {"ground-level", &coordinate, OR(0), IN(site, ground_level_m)},
+    {"ground", &ground_kind, OR(0), IN(site, ground_is_open)},
 };
 LEAF(site, "site", site_rows);
 

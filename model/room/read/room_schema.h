@@ -92,6 +92,7 @@ struct pp_site_form {
     const char *country; /* NULL: not given */
     int surroundings;    /* enum pp_surroundings */
     int work;            /* enum pp_work, -1: not given */
+    int ground_is_open;  /* 0 shaded, 1 open */
 };
 
 struct pp_sky_form {
