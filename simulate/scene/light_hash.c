@@ -104,5 +104,7 @@ void pp_light_hash_scene(struct pp_light_scene *scene, const float (*triangles)[
         hash = stir(pp_hash_vec(hash, distant->direction), distant->cos_half);
         hash = stir(hash, distant->material);
     }
-    scene->hash = scene->world ? stir_skylines(hash, &scene->skylines) : hash;
+    scene->hash =
+        scene->world ? stir(stir_skylines(hash, &scene->skylines), scene->ground.shaded)
+                     : hash;
 }

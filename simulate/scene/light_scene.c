@@ -198,6 +198,69 @@ static void refine(const struct pp_light_scene *scene, const struct pp_light_par
         hit->normal = pp_vec_scale(hit->normal, -1.0);
 }
 
+/* Below the room's own plan, at the level of a ground that is higher than its floor,
+ * there is no ground; it matters to rays that start in a reveal, of which it isn't known
+ * that they are indoors. */
+static bool is_under_roof(const struct pp_light_scene *scene, struct pp_vec3 point)
+{
+    static const double OVER_GROUND_M = 1e-3;
+    point = pp_vec_add(point, scene->centre);
+    point.z += OVER_GROUND_M;
+    return pp_position_in_room(scene->world, point);
+}
+
+/* Is the ground nearer along the ray than what it has met at hit->distance_m? Then that
+ * becomes the ground's. A surface that lies on the ground, to single precision, hides
+ * it. */
+static bool meets_ground(const struct pp_light_scene *scene,
+                         const struct pp_light_ray *ray, struct pp_light_hit *hit)
+{
+    double distance = pp_scene_ground_distance(&scene->ground, ray->from, ray->to);
+    if (isinf(distance) || !(distance < hit->distance_m))
+        return false;
+    if (isfinite(hit->distance_m)
+        && (hit->distance_m - distance) * -ray->to.z < 0x1p-20 * (1.0 + distance))
+        return false;
+    struct pp_vec3 point = pp_vec_along(ray->from, distance, ray->to);
+    point.z = scene->ground.level_m;
+    if (ray->space == PP_ANYWHERE && scene->has_room && is_under_roof(scene, point))
+        return false;
+    hit->part = hit->tag = -1;
+    hit->distance_m = distance;
+    hit->point = point;
+    hit->normal = pp_vec(0.0, 0.0, 1.0);
+    hit->back = false;
+    hit->space = scene->has_room ? PP_OUTDOORS : PP_ANYWHERE;
+    return true;
+}
+
+/* The same for skylines with a distance. */
+static bool meets_near_skyline(const struct pp_light_scene *scene,
+                               const struct pp_light_ray *ray, struct pp_light_hit *hit)
+{
+    int met, side;
+    if (scene->skylines.near_count == 0)
+        return false;
+    double near =
+        pp_scene_skylines_near(&scene->skylines, ray->from, ray->to, &met, &side);
+    if (!(near < hit->distance_m))
+        return false;
+    hit->part = -1;
+    hit->distance_m = near;
+    return true;
+}
+
+enum pp_meeting pp_light_scene_meet_outside(const struct pp_light_scene *scene,
+                                            const struct pp_light_ray *ray,
+                                            struct pp_light_hit *hit)
+{
+    hit->part = -1;
+    hit->distance_m = INFINITY;
+    if (!meets_near_skyline(scene, ray, hit) && meets_ground(scene, ray, hit))
+        return PP_MEETS_GROUND;
+    return PP_MEETS_ENVIRONMENT;
+}
+
 enum pp_meeting pp_light_scene_meet(const struct pp_light_scene *scene,
                                     const struct pp_light_ray *ray,
                                     struct pp_light_hit *hit)
@@ -211,16 +274,11 @@ enum pp_meeting pp_light_scene_meet(const struct pp_light_scene *scene,
     hit->part = -1;
     hit->distance_m = index >= 0 ? (double)distance : INFINITY;
 
-    /* A skyline with a distance may stand before it. */
-    if (!indoors && scene->skylines.near_count > 0) {
-        int met, side;
-        double near =
-            pp_scene_skylines_near(&scene->skylines, ray->from, ray->to, &met, &side);
-        if (near < hit->distance_m) {
-            hit->distance_m = near;
-            return PP_MEETS_ENVIRONMENT;
-        }
-    }
+    /* Skylines stand on the ground: a ray that meets one has met no ground before. */
+    if (!indoors && meets_near_skyline(scene, ray, hit))
+        return PP_MEETS_ENVIRONMENT;
+    if (!indoors && meets_ground(scene, ray, hit))
+        return PP_MEETS_GROUND;
     if (index < 0)
         return indoors ? PP_MEETS_LEAK : PP_MEETS_ENVIRONMENT;
 

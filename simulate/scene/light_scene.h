@@ -90,15 +90,22 @@ uint64_t pp_light_scene_hash(const struct pp_light_scene *scene);
 /* The end of a ray. */
 enum pp_meeting {
     PP_MEETS_PART,
-    PP_MEETS_ENVIRONMENT, /* sky, ground, skyline, distant sources */
+    PP_MEETS_GROUND,      /* as a surface (scene_ground.h) */
+    PP_MEETS_ENVIRONMENT, /* sky, open ground, skyline, distant sources */
     PP_MEETS_LEAK,        /* the wrong side of a room's envelope: the ray is given up */
 };
 
 /* The ray's first meeting. hit->distance_m is its distance in any case, INFINITY for
- * the sky and the like, hit->part -1 where it meets nothing; all else is of a part. */
+ * the sky and the like; hit->part is -1 where it meets none; point and normal are those
+ * of a part or of the ground, all else is of a part. */
 enum pp_meeting pp_light_scene_meet(const struct pp_light_scene *scene,
                                     const struct pp_light_ray *ray,
                                     struct pp_light_hit *hit);
+
+/* The same for a ray that is known to meet no part. */
+enum pp_meeting pp_light_scene_meet_outside(const struct pp_light_scene *scene,
+                                            const struct pp_light_ray *ray,
+                                            struct pp_light_hit *hit);
 
 /* The light of the environment (of a world; NULL: of a description), without
  * concentrated sources; near_m: the distance from `meet` (a skyline stands there if

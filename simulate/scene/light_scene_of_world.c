@@ -127,6 +127,7 @@ static enum pp_status build(struct pp_light_scene *scene, bool matt,
     }
     if (status == PP_OK)
         status = pp_scene_skylines_init(&scene->skylines, world, scene->centre, err);
+    scene->ground = pp_scene_ground_of(world, scene->centre);
     if (status == PP_OK)
         status = add_triangles(scene, &list, err);
     pp_triangles_clear(&list);

@@ -9,6 +9,7 @@
 #include "simulate/scene/openings.h"
 #include "simulate/scene/rays.h"
 #include "simulate/scene/reflectors.h"
+#include "simulate/scene/scene_ground.h"
 #include "simulate/scene/scene_skylines.h"
 
 /* A piece of surface that has one plane or one curve. */
@@ -44,6 +45,7 @@ struct pp_light_scene {
     int plane_count;
     double plane_area_m2;
     struct pp_scene_skylines skylines;
+    struct pp_scene_ground ground;
     double decorations;   /* allowance on what is reflected inside, no matter of paths;
                          * 1: of a description too */
     double most_exitance; /* the greatest of any surface's own */

@@ -4,6 +4,8 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "model/room/ground.h"
+
 /* The horizontal outward direction of the wall that a skyline is parallel to. */
 static struct pp_vec3 outward_of(const struct pp_world *world,
                                  const struct pp_skyline *skyline)
@@ -35,7 +37,7 @@ enum pp_status pp_scene_skylines_init(struct pp_scene_skylines *skylines,
                                       struct pp_vec3 centre, struct pp_error *err)
 {
     *skylines =
-        (struct pp_scene_skylines){.ground_level_m = world->ground_level_m - centre.z};
+        (struct pp_scene_skylines){.ground_level_m = pp_ground_level(world) - centre.z};
     size_t count = (size_t)world->skyline_count;
     if (count == 0)
         return PP_OK;

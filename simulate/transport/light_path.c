@@ -8,6 +8,7 @@
 #include "simulate/scene/environment.h"
 #include "simulate/transport/light_sources.h"
 #include "simulate/transport/light_windows.h"
+#include "simulate/transport/path_turn.h"
 #include "simulate/transport/window_store.h"
 
 enum {
@@ -24,6 +25,9 @@ enum {
  * mirror, a polished floor at 16 paths a pixel had an RMS error of 10 % instead of
  * 41 %, for 36 % more time. */
 static const double LEAST_GLOSS = 0.1;
+/* The same of the ground, which leads to the sky: with the whole share the light by way
+ * of a block and the ground before it had an error of 1.7 % where this leaves 0.7 %. */
+static const double LEAST_GROUND = 0.1;
 
 struct pp_rgb pp_light_path_follow(struct pp_radiance_state *state,
                                    struct pp_light_path *path,
@@ -57,16 +61,10 @@ static struct pp_rgb light_outside(struct pp_radiance_state *state,
     enum pp_meeting meeting;
     bool is_sky;
     *first_met = PP_MET_OUTSIDE;
-    if (pane->unobstructed) {
-        double exitance;
-        if (state->every_ray)
-            pp_radiance_state_meet(state, ray, &hit);
-        meeting = PP_MEETS_ENVIRONMENT;
-        hit.distance_m = pp_environment_near_skyline(state->environment, ray->from,
-                                                     ray->to, &exitance);
-    } else {
+    if (!pane->unobstructed || state->every_ray)
         meeting = pp_radiance_state_meet(state, ray, &hit);
-    }
+    else
+        meeting = pp_light_scene_meet_outside(scene, ray, &hit);
     if (meeting == PP_MEETS_ENVIRONMENT) {
         radiance = pp_light_scene_environment(scene, state->environment, ray,
                                               hit.distance_m, &is_sky);
@@ -74,7 +72,7 @@ static struct pp_rgb light_outside(struct pp_radiance_state *state,
         return radiance;
     }
     if (meeting == PP_MEETS_LEAK
-        || (state->options.stored && state->store
+        || (meeting == PP_MEETS_PART && state->options.stored && state->store
             && pp_window_table_radiance(&state->store->tables[sample->window],
                                         &pane->target, ray->from, ray->to,
                                         hit.distance_m, &radiance)))
@@ -211,101 +209,6 @@ static void add_environment(const struct pp_radiance_state *state,
 
 /* ---- on from a surface ---- */
 
-static void note_met(struct pp_light_path *path, enum pp_space space)
-{
-    if (path->first_met == PP_MET_NOTHING)
-        path->first_met = space == PP_INDOORS ? PP_MET_INSIDE : PP_MET_OUTSIDE;
-}
-
-/* Russian roulette by the share of the throughput that is left: does the path go on? */
-static bool survives(struct pp_light_path *path, double least, double u)
-{
-    double chance = pp_rgb_most(path->throughput) / least;
-    if (chance >= 1.0)
-        return true;
-    path->throughput = pp_rgb_scale(path->throughput, 1.0 / chance);
-    return u < chance;
-}
-
-/* One of the lobes with a probability in proportion to its share; PP_LOBE_COUNT: all
- * are black. The throughput is multiplied by the share over the probability. */
-static enum pp_lobe choose_lobe(const struct pp_lobes *lobes, double u,
-                                struct pp_rgb *throughput)
-{
-    double chance[PP_LOBE_COUNT], total = 0.0;
-    for (int i = 0; i < PP_LOBE_COUNT; i++)
-        total += chance[i] = pp_rgb_most(lobes->share[i]);
-    if (!(total > 0.0))
-        return PP_LOBE_COUNT;
-    double left = u * total;
-    int chosen = PP_LOBE_COUNT;
-    for (int i = 0; i < PP_LOBE_COUNT; i++) {
-        if (!(chance[i] > 0.0))
-            continue;
-        chosen = i;
-        if (left < chance[i])
-            break;
-        left -= chance[i];
-    }
-    *throughput = pp_rgb_scale(pp_rgb_times(*throughput, lobes->share[chosen]),
-                               total / chance[chosen]);
-    return chosen;
-}
-
-/* Which emitters and windows were sampled directly, for a ray that leaves by this
- * lobe. */
-static void note_sampled(const struct pp_radiance_state *state,
-                         struct pp_light_path *path, const struct pp_lobes *lobes,
-                         enum pp_lobe lobe, const struct pp_light_hit *hit)
-{
-    if (lobe != PP_LOBE_STRAIGHT || path->ray.space == PP_OUTDOORS)
-        path->sampled_in = path->ray.space;
-    path->from_diffuse = lobe == PP_LOBE_DIFFUSE || lobe == PP_LOBE_THROUGH_DIFFUSE;
-    if (path->from_diffuse) {
-        path->sampled = PP_DIRECTLY_SAMPLED_ALL;
-        path->mirror_path = -1;
-        path->depth++;
-    } else if (lobe == PP_LOBE_GLOSS || lobe == PP_LOBE_THROUGH_GLOSS) {
-        path->sampled = PP_DIRECTLY_SAMPLED_GLOSS;
-        path->mirror_path = -1;
-        path->gloss_point = hit->point;
-        path->gloss_normal = path->ray.off;
-        path->gloss_split = path->here_split;
-        path->arrival = path->here_arrival;
-        if (lobe == PP_LOBE_THROUGH_GLOSS)
-            path->arrival.reflector = -1;
-        path->gloss_pdf = pp_scatter_gloss_pdf(lobes, path->ray.to);
-    } else if (lobe == PP_LOBE_MIRROR) {
-        path->mirror_path = pp_mirrors_path_extend(
-            state->scene, path->mirror_path, state->scene->parts[hit->part].mirror);
-        if (path->mirror_path < 0)
-            path->sampled = PP_DIRECTLY_SAMPLED_NONE;
-    }
-}
-
-/* Turns the path into a direction of the lobe, by two numbers in (0, 1); the lobe's
- * share is in the throughput already. False where the path ends. */
-static bool leave_by(const struct pp_radiance_state *state, struct pp_light_path *path,
-                     const struct pp_lobes *lobes, enum pp_lobe lobe,
-                     const struct pp_light_hit *hit, double u, double v)
-{
-    double factor;
-    if (!pp_scatter_sample(lobes, lobe, u, v, &path->ray.to, &factor))
-        return false;
-    path->throughput = pp_rgb_scale(path->throughput, factor);
-    bool through = lobe == PP_LOBE_THROUGH_DIFFUSE || lobe == PP_LOBE_THROUGH_GLOSS
-                   || lobe == PP_LOBE_STRAIGHT;
-    if (!through)
-        note_met(path, hit->space);
-    path->ray.from = hit->point;
-    path->ray.off = through ? pp_vec_scale(lobes->frame.z, -1.0) : lobes->frame.z;
-    path->ray.space =
-        through ? pp_light_scene_parts_space(state->scene, hit->part, !hit->back)
-                : hit->space;
-    note_sampled(state, path, lobes, lobe, hit);
-    return true;
-}
-
 /* The path goes on by one of the lobes, drawn at random; false where it ends, by
  * Russian roulette or because nothing is scattered. */
 static bool go_on(struct pp_radiance_state *state, struct pp_light_path *path,
@@ -314,11 +217,13 @@ static bool go_on(struct pp_radiance_state *state, struct pp_light_path *path,
     double u[4]; /* direction (2), lobe, Russian roulette */
     pp_sobol_sequence_draw(&state->sequence, state->index, path->vertex * PP_DRAWS, 4,
                            u);
-    enum pp_lobe lobe = choose_lobe(lobes, u[2], &path->throughput);
-    if (lobe == PP_LOBE_COUNT || !leave_by(state, path, lobes, lobe, hit, u[0], u[1]))
+    enum pp_lobe lobe = pp_path_turn_choose_lobe(lobes, u[2], &path->throughput);
+    if (lobe == PP_LOBE_COUNT
+        || !pp_path_turn_by_lobe(state, path, lobes, lobe, hit, u[0], u[1]))
         return false;
     bool diffuse = lobe == PP_LOBE_DIFFUSE || lobe == PP_LOBE_THROUGH_DIFFUSE;
-    return survives(path, diffuse ? path->least : LEAST_GLOSS * path->least, u[3]);
+    return pp_path_turn_survives(
+        path, diffuse ? path->least : LEAST_GLOSS * path->least, u[3]);
 }
 
 /* The light of one of the lobes, by a path of its own. */
@@ -333,7 +238,7 @@ static struct pp_rgb follow_lobe(struct pp_radiance_state *state,
     branch.throughput = pp_rgb_times(path->throughput, lobes->share[lobe]);
     pp_sobol_sequence_draw(&state->sequence, state->index, branch.vertex++ * PP_DRAWS,
                            2, u);
-    if (!leave_by(state, &branch, lobes, lobe, hit, u[0], u[1]))
+    if (!pp_path_turn_by_lobe(state, &branch, lobes, lobe, hit, u[0], u[1]))
         return pp_rgb_grey(0.0);
     return pp_light_path_follow(state, &branch, NULL);
 }
@@ -400,7 +305,7 @@ static bool scatter_matt(struct pp_radiance_state *state, struct pp_light_path *
         .vertex = path->vertex,
         .depth = path->depth,
         .split = path->split};
-    note_met(path, hit->space);
+    pp_path_turn_note_met(path, hit->space);
     if (pp_rgb_is_black(albedo))
         return false;
     struct pp_rgb here = direct_light(state, &shading, path);
@@ -410,22 +315,44 @@ static bool scatter_matt(struct pp_radiance_state *state, struct pp_light_path *
     path->throughput = pp_rgb_times(path->throughput, albedo);
     if (pp_rgb_is_black(albedo))
         return false;
-    double u[4]; /* direction (2), none, Russian roulette */
-    struct pp_vec3 a = part->a, b = part->b;
+    struct pp_frame frame = {part->a, part->b, hit->normal};
     if (part->round >= 0)
-        pp_lobe_frame(hit->normal, &a, &b);
-    pp_sobol_sequence_draw(&state->sequence, state->index, path->vertex * PP_DRAWS, 4,
-                           u);
-    path->ray = (struct pp_light_ray){
-        shading.point, hit->normal,
-        pp_lobe_sample_in_frame(a, b, hit->normal, u[0], u[1]), hit->space};
-    path->sampled = PP_DIRECTLY_SAMPLED_ALL;
-    path->sampled_in = hit->space;
-    path->from_diffuse = true;
-    path->mirror_path = -1;
+        pp_lobe_frame(hit->normal, &frame.x, &frame.y);
     path->depth++;
     path->split = false;
-    return survives(path, path->least, u[3]);
+    double chance = pp_path_turn_matt(state, path, shading.point, &frame, hit->space);
+    return pp_path_turn_survives(path, path->least, chance);
+}
+
+/* The ground, a diffuse surface outdoors. No cache is asked for its light, and it does not
+ * count among the diffuse reflections whose number may be limited: most of its light is
+ * the sky's. Where the path is to take many directions, all but one are paths of their
+ * own. */
+static bool scatter_ground(struct pp_radiance_state *state, struct pp_light_path *path,
+                           const struct pp_light_hit *hit, struct pp_rgb *total)
+{
+    static const struct pp_frame level = {
+        {1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}};
+    uint32_t index = state->index;
+    uint32_t count = path->split ? (uint32_t)state->options.source_most : 1;
+    double share = pp_outside_light_ground(&state->environment->light) / count, chance;
+    pp_path_turn_note_met(path, hit->space);
+    path->throughput = pp_rgb_scale(path->throughput, share);
+    path->split = false;
+    if (pp_rgb_is_black(path->throughput))
+        return false;
+    for (uint32_t i = 1; i < count; i++) {
+        struct pp_light_path branch = *path;
+        state->index = index * count + i;
+        pp_path_turn_matt(state, &branch, hit->point, &level, hit->space);
+        branch.vertex = pp_path_vertex_branch(path->vertex, PP_DRAWS);
+        *total = pp_rgb_add(*total, pp_light_path_follow(state, &branch, NULL));
+    }
+    state->index = index * count;
+    chance = pp_path_turn_matt(state, path, hit->point, &level, hit->space);
+    state->index = index;
+    return count > 1
+           || pp_path_turn_survives(path, LEAST_GROUND * path->least, chance);
 }
 
 /* How a ray has come to a reflector, for light that was sampled by way of it. */
@@ -473,12 +400,14 @@ bool pp_light_path_arrive(struct pp_radiance_state *state, struct pp_light_path 
 {
     if (meeting == PP_MEETS_ENVIRONMENT)
         add_environment(state, path, hit->distance_m, total);
-    if (meeting != PP_MEETS_PART || path->bounces++ > MOST_BOUNCES
-        || !add_emission(state, path, hit, total))
+    bool ground = meeting == PP_MEETS_GROUND;
+    if ((meeting != PP_MEETS_PART && !ground) || path->bounces++ > MOST_BOUNCES
+        || (!ground && !add_emission(state, path, hit, total)))
         return false;
-    bool matt = state->scene->parts[hit->part].matt[hit->back];
-    bool goes =
-        matt ? scatter_matt(state, path, hit, total) : scatter(state, path, hit, total);
+    bool goes = ground ? scatter_ground(state, path, hit, total)
+                : state->scene->parts[hit->part].matt[hit->back]
+                    ? scatter_matt(state, path, hit, total)
+                    : scatter(state, path, hit, total);
     path->vertex++;
     return goes;
 }

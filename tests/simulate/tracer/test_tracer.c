@@ -307,7 +307,7 @@ static void a_diffusing_pane_is_a_lamp(void **state)
 {
     (void)state;
     struct pp_world *world =
-        pp_test_world("<room version='1'><site ground-reflectance='0.3'/>"
+        pp_test_world("<room version='1'><site ground-reflectance='0.3' ground='open'/>"
                       "<plan width='3.1' depth='4.3' height='2.6'/>"
                       "<window wall='south' left='0.2' sill='0.9' width='2.6' "
                       "height='1.4' transmittance='0.6' diffusing='yes'/></room>");

@@ -1,0 +1,216 @@
+/* test_ground.c - the ground outside is a surface in the shadow of what stands on it. */
+#include "model/room/ground.h"
+#include "tests/lib/room_of.h"
+#include "tests/lib/traced.h"
+
+static const double rho = 0.2;
+
+/* A world without a room, with its ground a metre below the receivers. */
+static struct pp_world open_field(struct pp_sky sky)
+{
+    return (struct pp_world){
+        .sky = sky, .ground_reflectance = rho, .ground_level_m = -1.0};
+}
+
+static struct pp_reading external_of(const struct pp_world *world,
+                                     struct pp_receiver receiver)
+{
+    const struct pp_tracer_options options = pp_test_paths(512);
+    struct pp_reading(*readings)[4] =
+        pp_test_trace(world, &receiver, 1, &options, NULL);
+    struct pp_reading external = readings[0][PP_ERC];
+    free(readings);
+    return external;
+}
+
+static struct pp_receiver facing_down(double x, double y, double z)
+{
+    return pp_test_receiver(x, y, z, 0.0, 0.0, -1.0);
+}
+
+/* Nothing stands on it: rho, and half of that on a wall. */
+static void an_open_field_reflects_its_share_of_the_whole_sky(void **state)
+{
+    (void)state;
+    struct pp_world world = open_field(pp_sky_overcast());
+    assert_traced(external_of(&world, facing_down(3.0, 4.0, 0.0)), rho, 1e-3);
+    assert_traced(external_of(&world, pp_test_receiver(0, 0, 0, 0, 1, 0)), 0.5 * rho,
+                  1e-3);
+}
+
+/* At its foot an endless black wall takes half of a uniform sky from the ground, at the
+ * distance of its height (1 - cos 45 deg)/2 of it. The receivers hang a millimetre over
+ * the ground, and see what lies right under them. */
+static void a_wall_takes_its_share_of_the_sky_from_the_ground(void **state)
+{
+    (void)state;
+    enum { HEIGHT = 10 };
+    struct pp_vec3 corners[4] = {
+        {-5000, 0, -1}, {5000, 0, -1}, {5000, 0, HEIGHT - 1}, {-5000, 0, HEIGHT - 1}};
+    struct pp_surface wall = {.outline = {4, corners, {0, -1, 0}, 10000.0 * HEIGHT},
+                              .role = PP_FREE_SURFACE,
+                              .owner = -1};
+    struct pp_world world = open_field(pp_sky_uniform());
+    world.surfaces = &wall;
+    world.surface_count = 1;
+    static const double distances[] = {0.1, 3.0, 10.0, 40.0};
+    for (int i = 0; i < 4; i++) {
+        double angle = atan2(HEIGHT, distances[i]);
+        assert_traced(external_of(&world, facing_down(0.0, -distances[i], -0.999)),
+                      rho * (1.0 + cos(angle)) / 2.0, 1e-3);
+    }
+    world.ground_is_open = true;
+    assert_traced(external_of(&world, facing_down(0.0, -0.1, -0.999)), rho, 1e-3);
+}
+
+/* What a wall takes away it gives back by its own reflectance: a white wall under a
+ * uniform sky, over a white ground, stands in a field of light that is the same
+ * everywhere, as if neither were there. */
+static void white_walls_and_white_ground_vanish_in_a_uniform_sky(void **state)
+{
+    (void)state;
+    struct pp_vec3 corners[4] = {{-6, 0, -1}, {6, 0, -1}, {6, 0, 4}, {-6, 0, 4}};
+    struct pp_surface wall = {.outline = {4, corners, {0, -1, 0}, 60.0},
+                              .role = PP_FREE_SURFACE,
+                              .front = 1.0,
+                              .back = 1.0,
+                              .owner = -1};
+    struct pp_world world = open_field(pp_sky_uniform());
+    world.ground_reflectance = 1.0;
+    world.surfaces = &wall;
+    world.surface_count = 1;
+    assert_traced(external_of(&world, facing_down(0.5, -1.0, 0.0)), 1.0, 1e-3);
+    assert_traced(external_of(&world, pp_test_receiver(0, -3, 0, 0, -1, 0)), 0.5, 2e-3);
+}
+
+#define BOX                                                                            \
+    "<plan width='4' depth='5' height='2.7'/>"                                         \
+    "<window wall='south' left='0.5' sill='0.8' width='3' height='1.5'/>"
+
+/* A far skyline of 30 degrees: the ground has (1 + cos 30 deg)/2 of a uniform sky, and
+ * the rest of its face's exitance, which by convention is rho (1/2 + rho_ground/2). A
+ * point outside that looks down on the ground, two metres before the room's wall. */
+static void a_far_skyline_shades_the_ground_and_lights_it(void **state)
+{
+    (void)state;
+    struct pp_world *world = pp_test_world(
+        "<room version='1'><sky type='uniform'/><site ground-level='-0.001'/>" BOX
+        "<skyline wall='south' angle='30' reflectance='0.4'/></room>");
+    struct pp_receiver receiver = facing_down(2.0, -3000.0, 0.0);
+    double open = (1.0 + cos(30.0 * PP_RAD)) / 2.0;
+    double exitance = 0.4 * (0.5 + rho / 2.0);
+    struct pp_light_scene *scene = pp_test_matt_scene(world);
+    scene->has_room = false; /* the point is outside, far from the room */
+    struct pp_environment *environment = pp_test_light_on(scene);
+    const struct pp_tracer_options options = pp_test_paths(512);
+    struct pp_tracer *tracer = NULL;
+    assert_int_equal(
+        pp_tracer_create(&tracer, scene, environment, &receiver, 1, &options, NULL),
+        PP_OK);
+    while (!pp_tracer_done(tracer))
+        assert_int_equal(pp_tracer_advance(tracer, 1.0, NULL), PP_OK);
+    struct pp_reading readings[4];
+    pp_tracer_read(tracer, 0, readings);
+    assert_traced(readings[PP_ERC], rho * (open + (1.0 - open) * exitance), 1e-3);
+    pp_tracer_destroy(tracer);
+    pp_environment_destroy(environment);
+    pp_light_scene_destroy(scene);
+    pp_world_destroy(world);
+}
+
+static void trace_room(const char *xml, struct pp_receiver receiver,
+                       struct pp_reading readings[4])
+{
+    struct pp_world *world = pp_test_world(xml);
+    const struct pp_tracer_options options = pp_test_paths(2048);
+    struct pp_reading(*list)[4] = pp_test_trace(world, &receiver, 1, &options, NULL);
+    memcpy(readings, list[0], sizeof *list);
+    free(list);
+    pp_world_destroy(world);
+}
+
+#define STREET                                                                         \
+    "<block x='-30' y='-16' width='64' depth='8' height='11' reflectance='0.3'/>"
+#define PAVED                                                                          \
+    "<surface reflectance='0.2'><vertex x='-800' y='-400' z='-0.5'/>"                  \
+    "<vertex x='800' y='-400' z='-0.5'/><vertex x='800' y='400' z='-0.5'/>"            \
+    "<vertex x='-800' y='400' z='-0.5'/></surface>"
+
+/* The street as a surface of the file over an open ground, as one had to write it
+ * before, and the ground itself. */
+static void the_ground_is_as_a_surface_of_the_file(void **state)
+{
+    (void)state;
+    const struct pp_receiver receiver = pp_test_receiver(2.0, 2.5, 0.85, 0, 0, 1);
+    struct pp_reading own[4], written[4], open[4];
+    trace_room("<room version='1'><site ground-level='-0.5'/>" BOX STREET "</room>",
+               receiver, own);
+    trace_room(
+        "<room version='1'><site ground-level='-0.5' ground='open'/>" BOX STREET PAVED
+        "</room>",
+        receiver, written);
+    trace_room("<room version='1'><site ground-level='-0.5' ground='open'/>" BOX STREET
+               "</room>",
+               receiver, open);
+    for (int i = PP_SC; i <= PP_DF; i++)
+        assert_near(own[i].value, written[i].value,
+                    3.0 * hypot(own[i].std_error, written[i].std_error) + 1e-9);
+    assert_true(open[PP_IRC].value > 1.1 * own[PP_IRC].value);
+}
+
+/* A window that reaches below the ground has it dug away before itself. */
+static void the_ground_lies_no_higher_than_a_sill(void **state)
+{
+    (void)state;
+    struct pp_world *low =
+        pp_test_world("<room version='1'><site ground-level='1.2'/>" BOX "</room>");
+    struct pp_world *high =
+        pp_test_world("<room version='1'><site ground-level='-6'/>" BOX "</room>");
+    assert_near(pp_ground_level(low), 0.8, 1e-12);
+    assert_near(pp_ground_level(high), -6.0, 0.0);
+    pp_world_destroy(low);
+    pp_world_destroy(high);
+}
+
+/* From inside a reveal, where it isn't known on which side of the glass a point is, no
+ * ground is seen in the room, though it lies higher than the floor. */
+static void there_is_no_ground_in_a_basement(void **state)
+{
+    (void)state;
+    struct pp_world *world = pp_test_world(
+        "<room version='1'><site ground-level='1'/>"
+        "<plan width='4' depth='5' height='2.7'/>"
+        "<window wall='south' left='0.5' sill='1.4' width='3' height='1' reveal='0.3'/>"
+        "</room>");
+    struct pp_light_scene *scene = pp_test_matt_scene(world);
+    struct pp_light_ray ray = {.from = {2.0, -0.1, 1.8},
+                               .to = pp_vec_unit(pp_vec(0.0, 1.0, -1.0))};
+    struct pp_light_hit hit;
+    ray.space = pp_light_scene_space(scene, ray.from);
+    assert_int_equal(ray.space, PP_ANYWHERE);
+    assert_true(pp_light_scene_first(scene, &ray, &hit));
+    assert_near(hit.point.z, 0.0, 1e-9);
+    /* The same ray the other way comes to the ground through the glass. */
+    ray.to.y = -ray.to.y;
+    ray.from.y = -0.4;
+    ray.from = pp_vec_sub(ray.from, scene->centre);
+    ray.space = PP_OUTDOORS;
+    assert_int_equal(pp_light_scene_meet(scene, &ray, &hit), PP_MEETS_GROUND);
+    assert_near(hit.point.z + scene->centre.z, 1.0, 1e-9);
+    pp_light_scene_destroy(scene);
+    pp_world_destroy(world);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(an_open_field_reflects_its_share_of_the_whole_sky),
+        cmocka_unit_test(a_wall_takes_its_share_of_the_sky_from_the_ground),
+        cmocka_unit_test(white_walls_and_white_ground_vanish_in_a_uniform_sky),
+        cmocka_unit_test(a_far_skyline_shades_the_ground_and_lights_it),
+        cmocka_unit_test(the_ground_is_as_a_surface_of_the_file),
+        cmocka_unit_test(the_ground_lies_no_higher_than_a_sill),
+        cmocka_unit_test(there_is_no_ground_in_a_basement),
+    };
+    return cmocka_run_group_tests_name("ground", tests, NULL, NULL);
+}
