@@ -17,6 +17,9 @@ enum {
     /* Up to the first surface that scatters, but at no more than this many, gloss and
      * mirror are paths of their own beside the diffuse one. */
     FIRST_FEW = 3,
+    /* Directions from the ground, where it is the first surface that scatters, for each
+     * to a window: no cache smooths its light. */
+    GROUND_DIRECTIONS = 4,
 };
 
 /* What a gloss, a mirror or a pane leads to may be a window or a lamp, far brighter
@@ -72,7 +75,7 @@ static struct pp_rgb light_outside(struct pp_radiance_state *state,
         return radiance;
     }
     if (meeting == PP_MEETS_LEAK
-        || (meeting == PP_MEETS_PART && state->options.stored && state->store
+        || (state->options.stored && state->store
             && pp_window_table_radiance(&state->store->tables[sample->window],
                                         &pane->target, ray->from, ray->to,
                                         hit.distance_m, &radiance)))
@@ -334,7 +337,8 @@ static bool scatter_ground(struct pp_radiance_state *state, struct pp_light_path
     static const struct pp_frame level = {
         {1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}};
     uint32_t index = state->index;
-    uint32_t count = path->split ? (uint32_t)state->options.source_most : 1;
+    uint32_t count =
+        path->split ? GROUND_DIRECTIONS * (uint32_t)state->options.source_most : 1;
     double share = pp_outside_light_ground(&state->environment->light) / count, chance;
     pp_path_turn_note_met(path, hit->space);
     path->throughput = pp_rgb_scale(path->throughput, share);
@@ -351,8 +355,7 @@ static bool scatter_ground(struct pp_radiance_state *state, struct pp_light_path
     state->index = index * count;
     chance = pp_path_turn_matt(state, path, hit->point, &level, hit->space);
     state->index = index;
-    return count > 1
-           || pp_path_turn_survives(path, LEAST_GROUND * path->least, chance);
+    return count > 1 || pp_path_turn_survives(path, LEAST_GROUND * path->least, chance);
 }
 
 /* How a ray has come to a reflector, for light that was sampled by way of it. */

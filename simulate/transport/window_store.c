@@ -22,8 +22,8 @@ static const struct pp_target *target_of(const struct pp_light_scene *scene, int
     return &scene->panes[window].target;
 }
 
-/* The distance of the nearest surface before the opening; INFINITY where none is
- * met. */
+/* The distance of the nearest surface before the opening, the ground among them;
+ * INFINITY where none is met. */
 static double nearest(const struct pp_light_scene *scene, int window,
                       const struct pp_sobol *sobol, uint64_t seed)
 {
@@ -41,7 +41,8 @@ static double nearest(const struct pp_light_scene *scene, int window,
         struct pp_light_ray ray = {pp_window_table_point(&whole, target, 0, u[0], u[1]),
                                    out, pp_lobe_sample_in_frame(a, b, out, u[2], u[3]),
                                    PP_OUTDOORS};
-        if (pp_light_scene_meet(scene, &ray, &hit) == PP_MEETS_PART)
+        enum pp_meeting meeting = pp_light_scene_meet(scene, &ray, &hit);
+        if (meeting == PP_MEETS_PART || meeting == PP_MEETS_GROUND)
             least = fmin(least, hit.distance_m);
     }
     return least;
@@ -57,7 +58,7 @@ static bool outside_radiance(struct pp_radiance_state *state,
     struct pp_light_path path = pp_light_path_outside(state, ray, 1, 0);
     enum pp_meeting meeting = pp_radiance_state_meet(state, ray, &hit);
     *distance_m = hit.distance_m;
-    if (meeting != PP_MEETS_PART)
+    if (meeting != PP_MEETS_PART && meeting != PP_MEETS_GROUND)
         return false;
     *radiance = pp_rgb_grey(0.0);
     if (pp_light_path_arrive(state, &path, meeting, &hit, radiance))
@@ -157,10 +158,10 @@ static enum pp_status lay_out(struct pp_window_store *store,
 {
     enum pp_status status = PP_OK;
     for (int i = 0; status == PP_OK && i < store->count; i++) {
+        bool empty = scene->panes[i].unobstructed && !scene->ground.shaded;
         double near =
-            scene->panes[i].unobstructed
-                ? INFINITY
-                : nearest(scene, i, sobol, pp_hash(seed, (uint64_t)-1 - (uint64_t)i));
+            empty ? INFINITY
+                  : nearest(scene, i, sobol, pp_hash(seed, (uint64_t)-1 - (uint64_t)i));
         status =
             pp_window_table_init(&store->tables[i], target_of(scene, i), near, err);
     }

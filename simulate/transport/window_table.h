@@ -4,7 +4,7 @@
  * The opening is cut into patches, the smaller the nearer something stands outside. For
  * each patch and each direction (bins of equal projected solid angle) the table holds
  * the mean radiance of the surfaces that are met there, if they are as far away as
- * twice the size of a patch. Sky, ground and skylines are not in it.
+ * twice the size of a patch. Sky, open ground and skylines are not in it.
  */
 #ifndef PP_SIMULATE_TRANSPORT_WINDOW_TABLE_H
 #define PP_SIMULATE_TRANSPORT_WINDOW_TABLE_H
