@@ -213,8 +213,10 @@ static void a_room_in_equilibrium_shows_one_everywhere(void **state)
         "<finish wall='west' reflectance='white-tiles'/>"
         "<window wall='south' left='0.5' sill='0.4' width='1.9' height='1.6' "
         "glazing='none' reveal='0.3'/></room>");
-    for (int i = 0; i < world->surface_count; i++)
+    for (int i = 0; i < world->surface_count; i++) {
         world->surfaces[i].exitance = 1.0 - world->surfaces[i].front;
+        world->surfaces[i].back = world->surfaces[i].front; /* the ground sees it */
+    }
     struct pp_light_scene *scene = scene_of(world);
     struct pp_environment *environment = pp_test_light_of(scene, world);
     struct pp_radiance_options options = pp_radiance_state_defaults();
