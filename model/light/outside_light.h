@@ -4,8 +4,7 @@
  * and another light on the same room costs no more than itself.
  *
  * All of it is over Eh, the horizontal illuminance of the open sky. The ground is an
- * endless diffuse plane under the open sky, never shadowed; its exitance is its
- * reflectance. An unobstructed plane whose normal has the height n_z has the
+ * endless diffuse plane; where nothing shades it its exitance is its reflectance. An unobstructed plane whose normal has the height n_z has the
  * illuminance
  *
  *     E = Es + rho_ground (1 - n_z)/2

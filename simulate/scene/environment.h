@@ -7,13 +7,13 @@
  * Light is given as pi times luminance over the horizontal illuminance Eh of the open
  * sky, so that the mean over a cosine lobe is an illuminance over Eh.
  *
- * The ground is an endless diffuse plane under the open sky, never shadowed: rho below
- * the horizon. A skyline (scene_skylines.h) gives off
+ * A ground that is no surface of the scene (scene_ground.h) is an endless diffuse plane
+ * under the open sky: rho below the horizon. A skyline (scene_skylines.h) gives off
  *
  *     rho (Ev + rho_ground / 2)
  *
- * where Ev is the open sky's illuminance on it, by convention: the room's own building
- * does not shadow it.
+ * where Ev is the open sky's illuminance on it, by convention: neither the room's own
+ * building shadows it nor the ground before it.
  */
 #ifndef PP_SIMULATE_SCENE_ENVIRONMENT_H
 #define PP_SIMULATE_SCENE_ENVIRONMENT_H
