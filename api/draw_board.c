@@ -22,7 +22,8 @@ static enum pp_status draw_waldram(struct pp_canvas *canvas, struct pp_study_roo
     (void)finished;
     struct pp_waldram_sheet sheet;
     enum pp_status status =
-        room ? pp_waldram_sheet_fill_room(&sheet, room->world, room->receivers, err)
+        room ? pp_waldram_sheet_fill_room(&sheet, room->world, &room->light,
+                                          room->receivers, err)
              : pp_waldram_sheet_fill_blank(&sheet, &options->sky,
                                            options->glazed != PP_NO, err);
     if (status == PP_OK)
@@ -43,8 +44,8 @@ static enum pp_status draw_pepper_pot(struct pp_canvas *canvas,
     double worth = options->fine ? PP_PEPPER_POT_FINE_WORTH : PP_PEPPER_POT_WORTH;
     struct pp_pepper_pot_sheet sheet;
     enum pp_status status =
-        room ? pp_pepper_pot_sheet_fill_room(&sheet, room->world, room->receivers,
-                                             worth, err)
+        room ? pp_pepper_pot_sheet_fill_room(&sheet, room->world, &room->light,
+                                             room->receivers, worth, err)
              : pp_pepper_pot_sheet_fill_blank(&sheet, &options->sky,
                                               options->glazed != PP_NO,
                                               options->vertical == PP_YES, worth, err);
@@ -83,8 +84,8 @@ static enum pp_status draw_protractor(struct pp_canvas *canvas,
     struct pp_protractor protractor;
     enum pp_status status;
     if (room) {
-        status = pp_protractor_sheet_fill_room(&sheet, room->world, room->receivers,
-                                               spacing, err);
+        status = pp_protractor_sheet_fill_room(&sheet, room->world, &room->light,
+                                               room->receivers, spacing, err);
         if (status == PP_OK)
             status = pp_protractor_worked_draw(canvas, &sheet, err);
     } else {
@@ -114,7 +115,7 @@ static enum pp_status draw_nomogram(struct pp_canvas *canvas,
     struct pp_nomogram_sheet sheet;
     enum pp_status status =
         room ? pp_nomogram_sheet_fill_room(&sheet, options->nomogram, room->world,
-                                           spacing, err)
+                                           &room->light, spacing, err)
              : pp_nomogram_sheet_fill_blank(&sheet, options->nomogram, spacing, err);
     if (status == PP_OK)
         status = pp_nomogram_chart_draw(canvas, &sheet, err);

@@ -15,6 +15,7 @@ static enum pp_status draw(struct pp_canvas *canvas, struct pp_study_room *room,
         return status;
     const char *notes[] = {made.note};
     const struct pp_plan_chart chart = {.world = room->world,
+                                        .light = &room->light,
                                         .plan = &made.plan,
                                         .report = &made.report,
                                         .figures = &made.figures,

@@ -37,6 +37,7 @@ static enum pp_status check_values(const struct pp_report *report, struct pp_err
  * section may be another. */
 static enum pp_status say_obstructions(char note[NOTE_BYTES],
                                        const struct pp_world *world,
+                                       const struct pp_outside_light *light,
                                        struct pp_error *err)
 {
     int said = 0;
@@ -44,7 +45,7 @@ static enum pp_status say_obstructions(char note[NOTE_BYTES],
     for (int i = 0; i < world->opening_count; i++) {
         double angle_rad;
         enum pp_status status =
-            pp_obstruction_angle(&angle_rad, world, &world->openings[i], err);
+            pp_obstruction_angle(&angle_rad, world, light, &world->openings[i], err);
         if (status != PP_OK)
             return status;
         if (angle_rad < 0.05 * PP_RAD)
@@ -82,7 +83,7 @@ static enum pp_status draw(struct pp_canvas *canvas, struct pp_study_room *room,
     if (status == PP_OK)
         status = check_values(&report, err);
     if (status == PP_OK)
-        status = say_obstructions(obstructions, room->world, err);
+        status = say_obstructions(obstructions, room->world, &room->light, err);
     if (report.stand_in)
         pp_text_append(stand_in, sizeof stand_in, "%s.", report.stand_in);
     const struct pp_section_chart chart = {

@@ -9,12 +9,14 @@
 #include "model/room/building.h"
 #include "model/room/position.h"
 #include "model/room/room.h"
+#include "model/room/room_light.h"
 #include "simulate/scene/light_scene_of_world.h"
 #include "studies/criteria/en17037_grid.h"
 
 void pp_study_begin_report(struct pp_study *study)
 {
     study->report = (struct pp_report){.world = study->room.world,
+                                       .light = study->room.light,
                                        .options = &study->options.method_options,
                                        .receivers = study->room.receivers,
                                        .receiver_count = study->room.receiver_count,
@@ -38,6 +40,7 @@ static enum pp_status resolve(struct pp_study *study, struct pp_building *buildi
                               struct pp_error *err)
 {
     struct pp_world *world = NULL;
+    struct pp_outside_light light;
     study->file = strdup(mistakes->file);
     enum pp_status status = study->file ? PP_OK : pp_fail_memory(err);
     if (status == PP_OK)
@@ -48,8 +51,12 @@ static enum pp_status resolve(struct pp_study *study, struct pp_building *buildi
     if (status == PP_OK)
         status = pp_world_create(&world, study->description, mistakes, err);
     if (status == PP_OK)
+        status = pp_room_light(&light, study->description, err);
+    if (status == PP_OK)
         pp_study_room_init(&study->room, study->file, building, index,
-                           study->description, world);
+                           study->description, world, &light);
+    else
+        pp_world_destroy(world);
     return status;
 }
 
@@ -94,14 +101,14 @@ const char *pp_study_name(const struct pp_study *study)
 enum pp_status pp_study_set_sky(struct pp_study *study, const char *sky,
                                 struct pp_error *err)
 {
-    const struct pp_study_room *room = &study->room;
+    struct pp_study_room *room = &study->room;
     struct pp_room *changed = NULL;
     enum pp_status status =
         pp_room_copy(&changed, pp_building_room(room->building, room->index), err);
     if (status == PP_OK && sky)
         status = pp_room_set_sky(changed, sky, err);
     if (status == PP_OK)
-        status = pp_world_set_sky(room->world, changed, err);
+        status = pp_room_light(&room->light, changed, err);
     if (status == PP_OK) {
         pp_room_take_sky(study->description, changed);
         forget_results(study);

@@ -11,6 +11,7 @@
 
 #include "model/base/error.h"
 #include "model/room/building.h"
+#include "model/room/room_light.h"
 #include "model/room/world.h"
 
 static inline void must(enum pp_status status, const struct pp_error *err)
@@ -29,8 +30,8 @@ static inline double processor_s(void)
     return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
 }
 
-/* The room of a room file's text; to be destroyed by the caller. */
-static inline struct pp_world *world_of(const char *xml)
+/* The room of a room file's text, to be destroyed by the caller, and its light. */
+static inline struct pp_world *world_of(struct pp_outside_light *light, const char *xml)
 {
     struct pp_building *building = NULL;
     struct pp_world *world = NULL;
@@ -39,6 +40,7 @@ static inline struct pp_world *world_of(const char *xml)
     pp_mistakes_init(&mistakes, "bench");
     must(pp_building_parse(&building, xml, strlen(xml), &mistakes, &err), &err);
     must(pp_world_create(&world, pp_building_room(building, 0), &mistakes, &err), &err);
+    must(pp_room_light(light, pp_building_room(building, 0), &err), &err);
     pp_mistakes_clear(&mistakes);
     pp_building_destroy(building);
     return world;

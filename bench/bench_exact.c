@@ -33,7 +33,8 @@ static void rooms(const char *name, const char *parts)
     snprintf(xml, sizeof xml,
              "<room version='1'><plan width='3.0' depth='9.0' height='2.7'/>%s</room>",
              parts);
-    struct pp_world *world = world_of(xml);
+    struct pp_outside_light light;
+    struct pp_world *world = world_of(&light, xml);
     if (!world) {
         printf("%s: no world\n", name);
         return;
@@ -48,8 +49,8 @@ static void rooms(const char *name, const char *parts)
                                            {0.0, 0.0, 1.0},
                                            0};
             struct pp_part part = {0};
-            if (pp_method_exact.evaluate(world, &world->openings[0], &receiver, NULL,
-                                         &part, NULL)
+            if (pp_method_exact.evaluate(world, &light, &world->openings[0], &receiver,
+                                         NULL, &part, NULL)
                 != PP_OK)
                 continue;
             sum += part.sky + part.external;

@@ -109,8 +109,8 @@ static double cost(const struct outcome *outcome)
 
 static void openings(const char *name, const char *xml)
 {
-    struct pp_world *world = world_of(xml);
-    const struct pp_outside_light light = pp_world_light(world);
+    struct pp_outside_light light;
+    struct pp_world *world = world_of(&light, xml);
     struct pp_light_scene *scene;
     struct pp_environment *environment;
     struct pp_window_store *store;

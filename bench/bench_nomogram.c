@@ -21,6 +21,7 @@ static double draw(uint64_t *series, double low, double high)
 
 struct room {
     struct pp_world *world;
+    struct pp_outside_light light;
     double floor, walls, ceiling, angle_deg;
     int windows;
 };
@@ -64,25 +65,27 @@ static struct room random_room(uint64_t number)
                           room.angle_deg);
     }
     snprintf(xml + n, sizeof xml - (size_t)n, "</room>");
-    room.world = world_of(xml);
+    room.world = world_of(&room.light, xml);
     return room;
 }
 
 /* By the formula, by the formula with the rule, and as read. */
-static bool values_of(const struct pp_world *world, double values[3])
+static bool values_of(const struct pp_world *world,
+                      const struct pp_outside_light *light, double values[3])
 {
     const struct pp_method *method = &pp_method_nomogram;
     void *tools;
-    if (method->refuses_room(world, NULL)
-        || method->prepare(&tools, world, NULL) != PP_OK)
+    if (method->refuses_room(world, light, NULL)
+        || method->prepare(&tools, world, light, NULL) != PP_OK)
         return false;
     values[0] = values[1] = values[2] = 0.0;
     bool done = true;
     for (int i = 0; i < world->opening_count && done; i++) {
         struct pp_bre_terms terms;
         struct pp_part part = {0};
-        done = pp_bre_terms(&terms, world, &world->openings[i], NULL) == PP_OK
-               && method->evaluate(world, &world->openings[i], NULL, tools, &part, NULL)
+        done = pp_bre_terms(&terms, world, light, &world->openings[i], NULL) == PP_OK
+               && method->evaluate(world, light, &world->openings[i], NULL, tools,
+                                   &part, NULL)
                       == PP_OK;
         values[0] += pp_bre_terms_average(&terms);
         values[2] += part.value;
@@ -180,7 +183,7 @@ int main(void)
     for (int i = 0; i < ROOMS; i++) {
         struct room room = random_room((uint64_t)i);
         double values[3];
-        if (!room.world || !values_of(room.world, values)) {
+        if (!room.world || !values_of(room.world, &room.light, values)) {
             printf("room %d cannot be worked out\n", i);
             return 1;
         }

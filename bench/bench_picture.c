@@ -111,12 +111,12 @@ static double error_of(const struct pp_picture *picture,
 
 int main(void)
 {
-    struct pp_world *world =
-        world_of("<room version='1'><plan width='3' depth='9' height='2.7'/>"
-                 "<finishes floor='0.2' walls='0.5' ceiling='0.7'/>"
-                 "<window wall='south' left='0.2' sill='0.8' width='2.6' height='1.5' "
-                 "glazing='clear-single'/></room>");
-    const struct pp_outside_light light = pp_world_light(world);
+    struct pp_outside_light light;
+    struct pp_world *world = world_of(
+        &light, "<room version='1'><plan width='3' depth='9' height='2.7'/>"
+                "<finishes floor='0.2' walls='0.5' ceiling='0.7'/>"
+                "<window wall='south' left='0.2' sill='0.8' width='2.6' height='1.5' "
+                "glazing='clear-single'/></room>");
     struct pp_light_scene *scene;
     struct pp_environment *environment;
     struct pp_window_store *store;

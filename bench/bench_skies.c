@@ -23,7 +23,8 @@ static struct pp_world *office(void)
                       z, z, z, z);
     }
     sprintf(xml + at, "</room>");
-    return world_of(xml);
+    struct pp_outside_light own;
+    return world_of(&own, xml);
 }
 
 static struct pp_outside_light light_of(int number)

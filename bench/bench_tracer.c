@@ -13,19 +13,19 @@
 #include "simulate/tracer/tracer.h"
 
 /* Daylight factors of all receivers (and the average behind them); seconds taken. */
-static double trace(const struct pp_world *world, double error, int threads,
-                    uint64_t seed, struct pp_reading *df, struct pp_tracer_work *work)
+static double trace(const struct pp_world *world, const struct pp_outside_light *light,
+                    double error, int threads, uint64_t seed, struct pp_reading *df,
+                    struct pp_tracer_work *work)
 {
     struct pp_tracer_options options = {
         .error = error, .seed = seed, .threads = threads, .average = true};
-    const struct pp_outside_light light = pp_world_light(world);
     struct pp_light_scene *scene;
     struct pp_environment *environment;
     struct pp_tracer *tracer;
     struct pp_error err;
     double start = processor_s();
     must(pp_light_scene_of_world_matt(&scene, world, &err), &err);
-    must(pp_light_scene_under(&environment, scene, &light, &err), &err);
+    must(pp_light_scene_under(&environment, scene, light, &err), &err);
     must(pp_tracer_create(&tracer, scene, environment, world->receivers,
                           world->receiver_count, &options, &err),
          &err);
@@ -46,18 +46,19 @@ static double trace(const struct pp_world *world, double error, int threads,
 
 static void bench_room(const char *name, const char *xml)
 {
-    struct pp_world *world = world_of(xml);
+    struct pp_outside_light light;
+    struct pp_world *world = world_of(&light, xml);
     int count = world->receiver_count;
     struct pp_reading *fine = calloc((size_t)count, sizeof *fine);
     struct pp_reading *quick = calloc((size_t)count, sizeof *quick);
     if (!fine || !quick)
         exit(3);
     struct pp_tracer_work work;
-    trace(world, 0.002, 0, 77, fine, &work);
+    trace(world, &light, 0.002, 0, 77, fine, &work);
     enum { RUNS = 5 };
     double sum = 0.0, worst = 0.0, best = INFINITY;
     for (uint64_t seed = 0; seed < RUNS; seed++) {
-        double taken = trace(world, 0.01, 1, seed, quick, &work);
+        double taken = trace(world, &light, 0.01, 1, seed, quick, &work);
         best = fmin(best, taken);
         for (int i = 0; i < count; i++) {
             double off = quick[i].value / fine[i].value - 1.0;
@@ -114,18 +115,18 @@ static void run_randomisations(const struct pp_world *world,
         }
 }
 
-static void bench_rays(const char *name, const struct pp_world *world, uint32_t paths,
+static void bench_rays(const char *name, const struct pp_world *world,
+                       const struct pp_outside_light *light, uint32_t paths,
                        bool every_ray)
 {
     struct pp_error err;
-    const struct pp_outside_light light = pp_world_light(world);
     struct pp_light_scene *scene;
     struct pp_environment *environment;
     struct pp_radiosity *radiosity;
     static struct pp_sobol sobol;
     pp_sobol_init(&sobol);
     must(pp_light_scene_of_world_matt(&scene, world, &err), &err);
-    must(pp_light_scene_under(&environment, scene, &light, &err), &err);
+    must(pp_light_scene_under(&environment, scene, light, &err), &err);
     must(pp_radiosity_solve(&radiosity, scene, environment, &sobol, 1, 1, &err), &err);
     struct pp_path_state path_state;
     run_randomisations(world, scene, environment, radiosity, &sobol, paths, every_ray,
@@ -229,17 +230,18 @@ int main(void)
                "<window wall='south' left='0.5' sill='0.9' width='3' height='1.5' "
                "glazing='none'/><grid spacing='0.25' margin='0'/></room>");
 
-    struct pp_world *world =
-        world_of("<room version='1'><plan width='4' depth='6' height='3'/>"
-                 "<window wall='south' left='0.5' sill='0.9' width='3' height='1.5'/>"
-                 "<grid spacing='1'/></room>");
-    bench_rays("seven polygons, known rays left out", world, 64, false);
-    bench_rays("seven polygons", world, 64, true);
+    struct pp_outside_light light;
+    struct pp_world *world = world_of(
+        &light, "<room version='1'><plan width='4' depth='6' height='3'/>"
+                "<window wall='south' left='0.5' sill='0.9' width='3' height='1.5'/>"
+                "<grid spacing='1'/></room>");
+    bench_rays("seven polygons, known rays left out", world, &light, 64, false);
+    bench_rays("seven polygons", world, &light, 64, true);
     pp_world_destroy(world);
-    world = world_of(L_SHAPED);
-    bench_rays("nine polygons", world, 64, false);
+    world = world_of(&light, L_SHAPED);
+    bench_rays("nine polygons", world, &light, 64, false);
     fill_with_triangles(world, 1000000);
-    bench_rays("a million polygons", world, 16, false);
+    bench_rays("a million polygons", world, &light, 16, false);
     pp_world_destroy(world);
     return 0;
 }

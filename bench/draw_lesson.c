@@ -164,20 +164,20 @@ static void lamp_pictures(const char *folder)
 
 /* ---- a window ---- */
 
-static struct pp_world *deep_room(void)
+static struct pp_world *deep_room(struct pp_outside_light *light)
 {
     static const char xml[] =
         "<room version='1'><plan width='3' depth='9' height='2.7'/>"
         "<finishes floor='oak-floor' walls='0.7' ceiling='0.8'/>"
         "<window wall='south' left='0.2' sill='0.8' width='2.6' height='1.5'/>"
         "<block x='-4' y='-14' width='10' depth='6' height='8'/></room>";
-    return world_of(xml);
+    return world_of(light, xml);
 }
 
 static void window_pictures(const char *folder)
 {
-    struct pp_world *world = deep_room();
-    const struct pp_outside_light light = pp_world_light(world);
+    struct pp_outside_light light;
+    struct pp_world *world = deep_room(&light);
     struct pp_light_scene *scene;
     struct pp_environment *environment;
     struct pp_error err;

@@ -10,6 +10,7 @@
 #include "model/base/text.h"
 #include "model/room/building.h"
 #include "model/room/room.h"
+#include "model/room/room_light.h"
 #include "model/room/position.h"
 
 /* What goes from file to file while all are read. */
@@ -21,7 +22,8 @@ struct loading {
 
 static enum pp_exit add_world(struct loading *loading, const char *file,
                               struct pp_building *building, int index,
-                              struct pp_world *world)
+                              struct pp_world *world,
+                              const struct pp_outside_light *light)
 {
     struct pp_rooms *rooms = loading->rooms;
     struct pp_error err;
@@ -31,7 +33,7 @@ static enum pp_exit add_world(struct loading *loading, const char *file,
         return pp_message_error(&err);
     }
     pp_study_room_init(&rooms->list[rooms->count++], file, building, index,
-                       pp_building_room(building, index), world);
+                       pp_building_room(building, index), world, light);
     return PP_EXIT_DONE;
 }
 
@@ -54,9 +56,14 @@ static enum pp_exit resolve_room(struct loading *loading, const char *file,
     enum pp_status status = pp_world_create(&world, room, mistakes, &err);
     if (status == PP_BAD_INPUT && mistakes->count > 0)
         return PP_EXIT_DONE; /* they are said with those of the rest of the file */
-    if (status != PP_OK)
+    struct pp_outside_light light;
+    if (status == PP_OK)
+        status = pp_room_light(&light, room, &err);
+    if (status != PP_OK) {
+        pp_world_destroy(world);
         return pp_message_error(&err);
-    return add_world(loading, file, building, index, world);
+    }
+    return add_world(loading, file, building, index, world, &light);
 }
 
 /* Hands the building over to the rooms, as theirs; NULL is none. */

@@ -95,6 +95,7 @@ static void put_low_glass(struct pp_worksheet *sheet, const struct pp_world *wor
 /* newer_form: with dirt, and with less of the glass below the working plane. */
 static enum pp_status put_terms(struct pp_worksheet *sheet,
                                 const struct pp_world *world,
+                                const struct pp_outside_light *light,
                                 const struct pp_opening *opening, bool newer_form,
                                 struct pp_error *err)
 {
@@ -107,7 +108,7 @@ static enum pp_status put_terms(struct pp_worksheet *sheet,
         put_low_glass(sheet, world, opening, low_m2);
     else
         pp_allowance_net_glass(sheet, &pp_allowance_glass_W, opening);
-    enum pp_status status = pp_sky_angle(sheet, world, opening, err);
+    enum pp_status status = pp_sky_angle(sheet, world, light, opening, err);
     if (status != PP_OK)
         return status;
     if (newer_form)
@@ -118,12 +119,13 @@ static enum pp_status put_terms(struct pp_worksheet *sheet,
 }
 
 static enum pp_status evaluate(const struct pp_world *world,
+                               const struct pp_outside_light *light,
                                const struct pp_opening *opening,
                                const struct pp_receiver *receiver, const void *tools,
                                struct pp_part *part, struct pp_error *err)
 {
     (void)receiver, (void)tools;
-    enum pp_status status = put_terms(&part->sheet, world, opening, true, err);
+    enum pp_status status = put_terms(&part->sheet, world, light, opening, true, err);
     if (status == PP_OK)
         part->value = pp_worksheet_work(&part->sheet, &average,
                                         "opening on line %d: average daylight factor",
@@ -132,13 +134,14 @@ static enum pp_status evaluate(const struct pp_world *world,
 }
 
 static enum pp_status evaluate_lynes(const struct pp_world *world,
+                                     const struct pp_outside_light *light,
                                      const struct pp_opening *opening,
                                      const struct pp_receiver *receiver,
                                      const void *tools, struct pp_part *part,
                                      struct pp_error *err)
 {
     (void)receiver, (void)tools;
-    enum pp_status status = put_terms(&part->sheet, world, opening, false, err);
+    enum pp_status status = put_terms(&part->sheet, world, light, opening, false, err);
     if (status == PP_OK)
         part->value = pp_worksheet_work(&part->sheet, &average_of_surfaces,
                                         "opening on line %d: average over all surfaces",

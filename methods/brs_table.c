@@ -208,28 +208,31 @@ static void work_rectangle(struct pp_part_steps *terms, struct pp_part *sum,
 /* ---- the method ---- */
 
 static const char *refuses_room(const struct pp_world *world,
+                                const struct pp_outside_light *light,
                                 const struct pp_receiver *receiver)
 {
-    const char *why = pp_refusals_unless_overcast_and_up(world, receiver);
+    const char *why = pp_refusals_unless_overcast_and_up(light, receiver);
     return why ? why : pp_refusals_if_luminous(world);
 }
 
 static const char *refuses(const struct pp_world *world,
+                           const struct pp_outside_light *light,
                            const struct pp_opening *opening,
                            const struct pp_receiver *receiver)
 {
-    (void)world, (void)receiver;
+    (void)world, (void)light, (void)receiver;
     if (opening->glass.diffusing)
         return "has diffusing glass; the table holds clear glass only";
     return pp_refusals_unless_vertical(opening);
 }
 
 static enum pp_status evaluate(const struct pp_world *world,
+                               const struct pp_outside_light *light,
                                const struct pp_opening *opening,
                                const struct pp_receiver *receiver, const void *tools,
                                struct pp_part *part, struct pp_error *err)
 {
-    (void)tools;
+    (void)light, (void)tools;
     struct pp_elevation elevation;
     enum pp_status status =
         pp_elevation_init(&elevation, world, opening, receiver->position, err);

@@ -28,6 +28,7 @@
 /* The context of the contoured functions. */
 struct contoured_plane {
     const struct pp_world *world;
+    const struct pp_outside_light *light; /* NULL: of the no-sky line */
     const struct pp_method *direct;
     const void *tools; /* the method's own */
     double irc;
@@ -98,9 +99,9 @@ static enum pp_status daylight_at(void *context, double x, double y, double *val
     for (int i = 0; i < world->opening_count; i++) {
         const struct pp_opening *opening = &world->openings[i];
         struct pp_part part = {0};
-        enum pp_status status =
-            (method->evaluate_roughly ? method->evaluate_roughly : method->evaluate)(
-                world, opening, &receiver, contoured->tools, &part, err);
+        enum pp_status status = (method->evaluate_roughly ? method->evaluate_roughly
+                                                          : method->evaluate)(
+            world, contoured->light, opening, &receiver, contoured->tools, &part, err);
         if (status == PP_OK && part.why)
             status = pp_fail(err, PP_BAD_INPUT, "%s: the opening on line %d %s",
                              method->name, opening->line, part.why);
@@ -344,13 +345,16 @@ static enum pp_status add_all(struct pp_daylight_plan *plan,
 
 /* Why the method does not cover the room. */
 static enum pp_status check_method(const struct pp_method *method,
-                                   const struct pp_world *world, struct pp_error *err)
+                                   const struct pp_world *world,
+                                   const struct pp_outside_light *light,
+                                   struct pp_error *err)
 {
-    const char *why = method->refuses_room ? method->refuses_room(world, NULL) : NULL;
+    const char *why =
+        method->refuses_room ? method->refuses_room(world, light, NULL) : NULL;
     if (why)
         return pp_fail(err, PP_BAD_INPUT, "%s: %s", method->name, why);
     for (int i = 0; i < world->opening_count && method->refuses; i++) {
-        why = method->refuses(world, &world->openings[i], NULL);
+        why = method->refuses(world, light, &world->openings[i], NULL);
         if (why)
             return pp_fail(err, PP_BAD_INPUT, "%s: the opening on line %d %s",
                            method->name, world->openings[i].line, why);
@@ -360,6 +364,7 @@ static enum pp_status check_method(const struct pp_method *method,
 
 enum pp_status pp_daylight_curves_by(struct pp_daylight_plan *plan,
                                      const struct pp_world *world,
+                                     const struct pp_outside_light *light,
                                      const struct pp_method *direct, double irc,
                                      const char *irc_name, const double *levels,
                                      int level_count, struct pp_error *err)
@@ -373,12 +378,13 @@ enum pp_status pp_daylight_curves_by(struct pp_daylight_plan *plan,
     snprintf(plan->name, sizeof plan->name, "%s%s%s", direct->name, irc_name ? "+" : "",
              irc_name ? irc_name : "");
     void *tools = NULL;
-    enum pp_status status = check_method(direct, world, err);
+    enum pp_status status = check_method(direct, world, light, err);
     if (status == PP_OK && direct->prepare)
-        status = direct->prepare(&tools, world, err);
+        status = direct->prepare(&tools, world, light, err);
     if (status != PP_OK)
         return status;
     struct contoured_plane contoured = {.world = world,
+                                        .light = light,
                                         .direct = direct,
                                         .tools = tools,
                                         .irc = irc_name ? irc : 0.0,
@@ -397,12 +403,13 @@ enum pp_status pp_daylight_curves_by(struct pp_daylight_plan *plan,
 }
 
 enum pp_status pp_daylight_curves(struct pp_daylight_plan *plan,
-                                  const struct pp_world *world, double irc,
+                                  const struct pp_world *world,
+                                  const struct pp_outside_light *light, double irc,
                                   const char *irc_name, const double *levels,
                                   int level_count, struct pp_error *err)
 {
-    return pp_daylight_curves_by(plan, world, &pp_method_exact, irc, irc_name, levels,
-                                 level_count, err);
+    return pp_daylight_curves_by(plan, world, light, &pp_method_exact, irc, irc_name,
+                                 levels, level_count, err);
 }
 
 enum pp_status pp_daylight_curves_of(struct pp_daylight_plan *plan,

@@ -15,6 +15,7 @@
 #ifndef PP_METHODS_DAYLIGHT_CURVES_H
 #define PP_METHODS_DAYLIGHT_CURVES_H
 
+#include "model/light/outside_light.h"
 #include "model/results/daylight_plan.h"
 #include "model/base/error.h"
 #include "model/geometry/contour/field.h"
@@ -29,7 +30,8 @@ struct pp_method; /* methods/method.h */
  * levels: daylight factors to contour, fractions, ascending; level_count 0: about seven
  * round ones (0.5, 1, 2, 3, 5, 10 per cent ...) within the room's own range. */
 enum pp_status pp_daylight_curves(struct pp_daylight_plan *plan,
-                                  const struct pp_world *world, double irc,
+                                  const struct pp_world *world,
+                                  const struct pp_outside_light *light, double irc,
                                   const char *irc_name, const double *levels,
                                   int level_count, struct pp_error *err);
 
@@ -39,6 +41,7 @@ enum pp_status pp_daylight_curves(struct pp_daylight_plan *plan,
  * the reason. */
 enum pp_status pp_daylight_curves_by(struct pp_daylight_plan *plan,
                                      const struct pp_world *world,
+                                     const struct pp_outside_light *light,
                                      const struct pp_method *direct, double irc,
                                      const char *irc_name, const double *levels,
                                      int level_count, struct pp_error *err);

@@ -6,14 +6,15 @@
 
 enum pp_status pp_diagram_windows_check(const struct pp_method *method,
                                         const struct pp_world *world,
+                                        const struct pp_outside_light *light,
                                         const struct pp_receiver *receiver,
                                         struct pp_error *err)
 {
-    const char *why = method->refuses_room(world, receiver);
+    const char *why = method->refuses_room(world, light, receiver);
     if (why)
         return pp_fail(err, PP_BAD_INPUT, "%s: %s", method->name, why);
     for (int i = 0; i < world->opening_count; i++) {
-        why = method->refuses(world, &world->openings[i], receiver);
+        why = method->refuses(world, light, &world->openings[i], receiver);
         if (why)
             return pp_fail(err, PP_BAD_INPUT, "%s: the opening on line %d %s",
                            method->name, world->openings[i].line, why);
@@ -56,12 +57,14 @@ enum pp_status pp_diagram_windows_begin(struct pp_board_window *window,
                                         struct pp_window_drawing *drawing,
                                         const struct pp_method *method,
                                         const struct pp_world *world,
+                                        const struct pp_outside_light *light,
                                         const struct pp_opening *opening,
                                         struct pp_vec3 point, struct pp_error *err)
 {
     window->line = opening->line;
     window->allowance = pp_allowance_factor(method->allowances, opening);
-    enum pp_status status = pp_window_drawing_init(drawing, world, opening, point, err);
+    enum pp_status status =
+        pp_window_drawing_init(drawing, world, light, opening, point, err);
     if (status != PP_OK)
         return status;
     window->distance_m = drawing->distance_m;

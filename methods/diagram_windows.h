@@ -7,12 +7,14 @@
 
 #include "methods/method.h"
 #include "methods/view/window_drawing.h"
+#include "model/light/outside_light.h"
 #include "model/results/board_sheets.h"
 
 /* PP_OK where the method covers the room and all its openings for the receiver; else
  * PP_BAD_INPUT and why. */
 enum pp_status pp_diagram_windows_check(const struct pp_method *method,
                                         const struct pp_world *world,
+                                        const struct pp_outside_light *light,
                                         const struct pp_receiver *receiver,
                                         struct pp_error *err);
 
@@ -33,6 +35,7 @@ enum pp_status pp_diagram_windows_begin(struct pp_board_window *window,
                                         struct pp_window_drawing *drawing,
                                         const struct pp_method *method,
                                         const struct pp_world *world,
+                                        const struct pp_outside_light *light,
                                         const struct pp_opening *opening,
                                         struct pp_vec3 point, struct pp_error *err);
 

@@ -18,6 +18,7 @@ struct method_run {
     const char *name; /* of its columns */
     bool varied;      /* by a variant */
     const struct pp_world *world;
+    const struct pp_outside_light *light;
     double *factors; /* product of the missing corrections, one for each opening */
     void *tools;     /* made by the method; NULL for a room that it refuses */
     struct pp_formulary *formulary;
@@ -49,7 +50,8 @@ static enum pp_status run_init(struct method_run *run, const struct pp_method *m
     *run = (struct method_run){.method = method,
                                .name = variant ? variant->name : method->name,
                                .varied = variant,
-                               .world = world};
+                               .world = world,
+                               .light = &report->light};
     enum pp_status status = pp_formulary_create(
         &run->formulary, method->formulae, variant ? &variant->formula : NULL, err);
     if (status != PP_OK)
@@ -62,12 +64,14 @@ static enum pp_status run_init(struct method_run *run, const struct pp_method *m
     for (int i = 0; i < world->opening_count; i++)
         run->factors[i] = pp_allowance_factor(method->allowances, world->openings + i)
                           * decorations_of(run);
-    bool refused = method->refuses_room && method->refuses_room(world, NULL);
+    bool refused =
+        method->refuses_room && method->refuses_room(world, run->light, NULL);
     if (method->prepare && !refused)
-        status = method->prepare(&run->tools, world, err);
+        status = method->prepare(&run->tools, world, run->light, err);
     if (method->prepare_with_options && !refused)
         status = method->prepare_with_options(
-            &run->tools, world, report->options ? report->options : &no_options, err);
+            &run->tools, world, run->light,
+            report->options ? report->options : &no_options, err);
     if (status != PP_OK) {
         pp_formulary_destroy(run->formulary);
         free(run->factors);
@@ -113,7 +117,7 @@ static enum pp_status add_openings(const struct method_run *run,
             answer->steps->line = world->openings[i].line;
         }
         enum pp_status status = (roughly ? method->evaluate_roughly : method->evaluate)(
-            world, world->openings + i, receiver, run->tools, &part, err);
+            world, run->light, world->openings + i, receiver, run->tools, &part, err);
         if (status != PP_OK)
             return status;
         if (part.why) {
@@ -148,9 +152,9 @@ static bool refuse(const struct method_run *run, const struct pp_receiver *recei
     const struct pp_method *method = run->method;
     const struct pp_world *world = run->world;
     if (method->refuses_room)
-        answer->why = method->refuses_room(world, receiver);
+        answer->why = method->refuses_room(world, run->light, receiver);
     for (int i = 0; i < world->opening_count && method->refuses && !answer->why; i++) {
-        answer->why = method->refuses(world, world->openings + i, receiver);
+        answer->why = method->refuses(world, run->light, world->openings + i, receiver);
         answer->opening = answer->why ? world->openings + i : NULL;
     }
     return answer->why != NULL;
@@ -253,8 +257,8 @@ static enum pp_status sum_averages(const struct method_run *run, struct answer *
         return PP_OK;
     for (int i = 0; i < world->opening_count && *known; i++) {
         struct pp_part part = {0};
-        enum pp_status status =
-            method->average(world, world->openings + i, run->tools, &part, known, err);
+        enum pp_status status = method->average(world, run->light, world->openings + i,
+                                                run->tools, &part, known, err);
         if (status != PP_OK)
             return status;
         add_part(&answer->part, &part, run->factors[i]);
@@ -318,7 +322,8 @@ static enum pp_status answer_all(const struct method_run *run,
     for (int i = 0; i < count && !by_point; i++) {
         const char *why = NULL;
         if (run->method->refuses_room)
-            why = run->method->refuses_room(run->world, report->receivers + i);
+            why = run->method->refuses_room(run->world, run->light,
+                                            report->receivers + i);
         answers[i] = why ? (struct answer){.why = why} : *average;
     }
     if (minimum && !average->why)
@@ -425,8 +430,8 @@ static enum pp_status add_choice(struct pp_report *report,
 /* The pair in place of the usual one, where that does not cover the room. */
 static enum pp_status stand_in(struct pp_report *report, struct pp_error *err)
 {
-    const struct pp_usual_pair pair =
-        pp_usual_pair(report->world, report->receivers, report->receiver_count);
+    const struct pp_usual_pair pair = pp_usual_pair(
+        report->world, &report->light, report->receivers, report->receiver_count);
     if (!pair.instead)
         return PP_OK;
     report->stand_in =

@@ -28,8 +28,8 @@
 enum { PP_AVERAGE_POINTS = 2000 };
 
 /* Adds the columns of a selection of methods (selection.h) to `report`, whose world,
- * receivers and receiver_count the caller has set. A column that the report already has
- * is left unchanged. A wrong selection is PP_BAD_INPUT. On failure some columns may
+ * light, receivers and receiver_count the caller has set. A column that the report has
+ * already is left unchanged. A wrong selection is PP_BAD_INPUT. On failure some columns may
  * have been added; pp_report_clear frees them. The points are shared among OpenMP's
  * threads; the numbers do not depend on how many there are.
  *

@@ -2,9 +2,10 @@
  *
  * A method gives the components of one opening, as its source has them. The sum over
  * openings and the corrections for glass, frame and dirt (methods/allowance.h) are the
- * same for all methods and are made in methods/evaluate.c. A new method is one file
- * with one struct pp_method, declared at the end of this header and entered in the list
- * in method.c.
+ * same for all methods and are made in methods/evaluate.c. A method is asked of a world
+ * and of the light from outside beside it (light/outside_light.h), which `prepare` and
+ * what follows it are given the same. A new method is one file with one struct
+ * pp_method, declared at the end of this header and entered in the list in method.c.
  */
 #ifndef PP_METHODS_METHOD_H
 #define PP_METHODS_METHOD_H
@@ -12,6 +13,7 @@
 #include <stdbool.h>
 
 #include "methods/allowance.h"
+#include "model/light/outside_light.h"
 #include "model/results/reading.h"
 #include "model/results/worksheet.h"
 #include "model/room/world.h"
@@ -75,6 +77,7 @@ struct pp_method {
      * (NULL: to the room as a whole): a static sentence ("the table holds the overcast
      * sky only"), or NULL where the method applies. NULL function: it always does. */
     const char *(*refuses_room)(const struct pp_world *world,
+                                const struct pp_outside_light *light,
                                 const struct pp_receiver *receiver);
 
     /* Why the method does not cover this opening for this receiver (NULL for the room),
@@ -82,17 +85,20 @@ struct pp_method {
      * ("slopes; the table holds vertical openings only"), or NULL where the method
      * covers the opening. NULL function: it covers all. */
     const char *(*refuses)(const struct pp_world *world,
+                           const struct pp_outside_light *light,
                            const struct pp_opening *opening,
                            const struct pp_receiver *receiver);
 
-    /* Makes the tools that serve for all points of one world, such as a diagram. Called
-     * only for a world that the method does not refuse. NULL function: tools is NULL.
-     * On success *tools is freed by destroy_tools. */
+    /* Makes the tools that serve for all points of one world under one light, such as a
+     * diagram. Called only for a world that the method does not refuse. NULL function:
+     * tools is NULL. On success *tools is freed by destroy_tools. */
     enum pp_status (*prepare)(void **tools, const struct pp_world *world,
+                              const struct pp_outside_light *light,
                               struct pp_error *err);
     /* The same for a method whose figures depend on the options; in place of
      * prepare. */
     enum pp_status (*prepare_with_options)(void **tools, const struct pp_world *world,
+                                           const struct pp_outside_light *light,
                                            const struct pp_method_options *options,
                                            struct pp_error *err);
     void (*destroy_tools)(void *tools); /* NULL tools are allowed */
@@ -100,6 +106,7 @@ struct pp_method {
     /* The components of one opening. Called only where neither function above refuses,
      * with part zero but for its steps, and from several threads at once. */
     enum pp_status (*evaluate)(const struct pp_world *world,
+                               const struct pp_outside_light *light,
                                const struct pp_opening *opening,
                                const struct pp_receiver *receiver, const void *tools,
                                struct pp_part *part, struct pp_error *err);
@@ -108,11 +115,13 @@ struct pp_method {
      * that face up, in place of an integral over points; *known is false where there is
      * none for this opening. May be NULL. */
     enum pp_status (*average)(const struct pp_world *world,
+                              const struct pp_outside_light *light,
                               const struct pp_opening *opening, const void *tools,
                               struct pp_part *part, bool *known, struct pp_error *err);
 
     /* As evaluate, but faster, to a relative error of about 1e-4. May be NULL. */
     enum pp_status (*evaluate_roughly)(const struct pp_world *world,
+                                       const struct pp_outside_light *light,
                                        const struct pp_opening *opening,
                                        const struct pp_receiver *receiver,
                                        const void *tools, struct pp_part *part,

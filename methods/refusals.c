@@ -17,10 +17,10 @@ const char *pp_refusals_unless_up(const struct pp_receiver *receiver)
     return NULL;
 }
 
-const char *pp_refusals_unless_overcast_and_up(const struct pp_world *world,
+const char *pp_refusals_unless_overcast_and_up(const struct pp_outside_light *light,
                                                const struct pp_receiver *receiver)
 {
-    if (world->sky.kind != PP_SKY_OVERCAST)
+    if (light->sky.kind != PP_SKY_OVERCAST)
         return "it is made for the CIE overcast sky only";
     return pp_refusals_unless_up(receiver);
 }
@@ -34,16 +34,18 @@ const char *pp_refusals_if_luminous(const struct pp_world *world)
 }
 
 const char *pp_refusals_luminous_room(const struct pp_world *world,
+                                      const struct pp_outside_light *light,
                                       const struct pp_receiver *receiver)
 {
-    (void)receiver;
+    (void)light, (void)receiver;
     return pp_refusals_if_luminous(world);
 }
 
 const char *pp_refusals_formula_room(const struct pp_world *world,
+                                     const struct pp_outside_light *light,
                                      const struct pp_receiver *receiver)
 {
-    const char *why = pp_refusals_unless_overcast_and_up(world, receiver);
+    const char *why = pp_refusals_unless_overcast_and_up(light, receiver);
     return why ? why : pp_refusals_if_luminous(world);
 }
 
@@ -55,9 +57,10 @@ const char *pp_refusals_unless_vertical(const struct pp_opening *opening)
 }
 
 const char *pp_refusals_sloping_opening(const struct pp_world *world,
+                                        const struct pp_outside_light *light,
                                         const struct pp_opening *opening,
                                         const struct pp_receiver *receiver)
 {
-    (void)world, (void)receiver;
+    (void)world, (void)light, (void)receiver;
     return pp_refusals_unless_vertical(opening);
 }

@@ -6,13 +6,14 @@
 #ifndef PP_METHODS_REFUSALS_H
 #define PP_METHODS_REFUSALS_H
 
+#include "model/light/outside_light.h"
 #include "model/room/world.h"
 
 /* Sentences for refuses_room. */
 
 /* For methods made for the CIE overcast sky and a plane that faces up. receiver may be
  * NULL. */
-const char *pp_refusals_unless_overcast_and_up(const struct pp_world *world,
+const char *pp_refusals_unless_overcast_and_up(const struct pp_outside_light *light,
                                                const struct pp_receiver *receiver);
 
 /* For methods made for a plane that faces up; receiver may be NULL. */
@@ -24,11 +25,13 @@ const char *pp_refusals_if_luminous(const struct pp_world *world);
 
 /* refuses_room of methods that refuse self-luminous surfaces only. */
 const char *pp_refusals_luminous_room(const struct pp_world *world,
+                                      const struct pp_outside_light *light,
                                       const struct pp_receiver *receiver);
 
 /* refuses_room of the room formulae, which were made for the CIE overcast sky, a plane
  * that faces up and no other source of light. */
 const char *pp_refusals_formula_room(const struct pp_world *world,
+                                     const struct pp_outside_light *light,
                                      const struct pp_receiver *receiver);
 
 /* The end of a sentence for refuses: for methods made for vertical openings only. */
@@ -36,6 +39,7 @@ const char *pp_refusals_unless_vertical(const struct pp_opening *opening);
 
 /* refuses of methods that refuse other than vertical openings only. */
 const char *pp_refusals_sloping_opening(const struct pp_world *world,
+                                        const struct pp_outside_light *light,
                                         const struct pp_opening *opening,
                                         const struct pp_receiver *receiver);
 

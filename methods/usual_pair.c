@@ -16,16 +16,18 @@ static const struct {
 /* Does the method refuse the room, seen from a receiver (NULL: as a whole)? Then the
  * reason. */
 static bool is_refused(char *why, size_t size, const struct pp_method *method,
-                       const struct pp_world *world, const struct pp_receiver *receiver)
+                       const struct pp_world *world,
+                       const struct pp_outside_light *light,
+                       const struct pp_receiver *receiver)
 {
     const char *reason =
-        method->refuses_room ? method->refuses_room(world, receiver) : NULL;
+        method->refuses_room ? method->refuses_room(world, light, receiver) : NULL;
     if (reason) {
         snprintf(why, size, "%s: %s", method->name, reason);
         return true;
     }
     for (int i = 0; i < world->opening_count && method->refuses; i++) {
-        reason = method->refuses(world, &world->openings[i], receiver);
+        reason = method->refuses(world, light, &world->openings[i], receiver);
         if (!reason)
             continue;
         snprintf(why, size, "%s: the opening on line %d %s", method->name,
@@ -36,13 +38,15 @@ static bool is_refused(char *why, size_t size, const struct pp_method *method,
 }
 
 struct pp_usual_pair pp_usual_pair(const struct pp_world *world,
+                                   const struct pp_outside_light *light,
                                    const struct pp_receiver *receivers, int count)
 {
     struct pp_usual_pair pair = {.name = pairs[0].name};
     const struct pp_method *first = pairs[0].internal;
-    bool refused = is_refused(pair.why, sizeof pair.why, first, world, NULL);
+    bool refused = is_refused(pair.why, sizeof pair.why, first, world, light, NULL);
     for (int i = 0; i < count && !refused; i++)
-        refused = is_refused(pair.why, sizeof pair.why, first, world, &receivers[i]);
+        refused =
+            is_refused(pair.why, sizeof pair.why, first, world, light, &receivers[i]);
     if (refused) {
         pair.instead = pairs[0].name;
         pair.name = pairs[1].name;

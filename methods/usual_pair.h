@@ -9,6 +9,7 @@
 #ifndef PP_METHODS_USUAL_PAIR_H
 #define PP_METHODS_USUAL_PAIR_H
 
+#include "model/light/outside_light.h"
 #include "model/room/world.h"
 
 struct pp_usual_pair {
@@ -21,6 +22,7 @@ struct pp_usual_pair {
 
 /* The pair for the room and the receivers (NULL and 0: the room alone). */
 struct pp_usual_pair pp_usual_pair(const struct pp_world *world,
+                                   const struct pp_outside_light *light,
                                    const struct pp_receiver *receivers, int count);
 
 #endif

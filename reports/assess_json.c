@@ -102,8 +102,9 @@ static struct json_object *room_object(const void *everything, int index)
     if (good && all->more_than_one_file)
         good = pp_json_text(object, "file", assessment->room->file);
     if (good)
-        good = pp_json_text(object, "room", world->name)
-               && pp_json_text(object, "sky", pp_sky_name(&world->sky));
+        good =
+            pp_json_text(object, "room", world->name)
+            && pp_json_text(object, "sky", pp_sky_name(&assessment->room->light.sky));
     if (good && assessment->before)
         good = pp_json_text(object, "before", assessment->before->file);
     if (good)

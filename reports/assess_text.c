@@ -325,7 +325,8 @@ static void print_room(const struct pp_assessment *assessment,
 {
     pp_print_title(assessment->room->world, assessment->room->file, out);
     fputc('\n', out);
-    pp_print_assumed(assessment->room->world, layout.width, out);
+    pp_print_assumed(assessment->room->world, &assessment->room->light, layout.width,
+                     out);
     if (assessment->before) {
         fputs("  before         ", out);
         pp_print_title(assessment->before->world, assessment->before->file, out);

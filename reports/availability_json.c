@@ -146,7 +146,7 @@ static struct json_object *room(const void *all, int index)
     if (good && results->more_than_one_file)
         good = pp_json_text(object, "file", result->file);
     good = good && pp_json_text(object, "room", report->world->name)
-           && pp_json_text(object, "sky", pp_sky_name(&report->world->sky));
+           && pp_json_text(object, "sky", pp_sky_name(&report->light.sky));
     if (good && !report->finished)
         good = pp_json_add(object, "finished", json_object_new_boolean(false));
     good = good && add_light(object, sheet) && add_periods(object, sheet)

@@ -230,7 +230,7 @@ static enum pp_status print_room(const struct pp_availability_result *result, in
     const struct pp_availability_sheet *sheet = &result->sheet;
     pp_print_title(result->report.world, result->file, out);
     fputc('\n', out);
-    pp_print_assumed(result->report.world, width, out);
+    pp_print_assumed(result->report.world, &result->report.light, width, out);
     print_light(sheet, width, out);
     fputc('\n', out);
     bool good = print_periods(sheet, width, out);

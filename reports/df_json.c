@@ -217,7 +217,7 @@ static struct json_object *room(const void *all, int index)
         good = pp_json_text(object, "file", result->file);
     if (good)
         good = pp_json_text(object, "room", report->world->name)
-               && pp_json_text(object, "sky", pp_sky_name(&report->world->sky));
+               && pp_json_text(object, "sky", pp_sky_name(&report->light.sky));
     if (good && results->options->method_options.variants)
         good = add_variants(object, results->options->method_options.variants);
     if (good && report->stand_in)
@@ -239,7 +239,7 @@ static struct json_object *room(const void *all, int index)
     if (good && report->grid_points > 0)
         good = add_grid(object, report);
     if (good)
-        good = pp_json_room_add(object, report->world);
+        good = pp_json_room_add(object, report->world, &report->light);
     return pp_json_whole(object, good);
 }
 

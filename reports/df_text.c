@@ -273,7 +273,7 @@ static enum pp_status print_room(const struct pp_result *result,
     const struct pp_report *report = &result->report;
     pp_print_title(report->world, result->file, out);
     fputc('\n', out);
-    pp_print_assumed(report->world, width, out);
+    pp_print_assumed(report->world, &report->light, width, out);
     fputc('\n', out);
 
     enum pp_status status = print_table(report, options, width, utf8, out, err);

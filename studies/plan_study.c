@@ -134,8 +134,8 @@ static enum pp_status draw_choice(struct pp_plan_study *study,
                        "%s cannot be drawn: %s; expected another method, or --simulate",
                        name, irc.why ? irc.why : "there is no value");
     enum pp_status status =
-        pp_daylight_curves_by(&study->plan, study->report.world, choice->method,
-                              irc.value, internal, NULL, 0, err);
+        pp_daylight_curves_by(&study->plan, study->report.world, &study->report.light,
+                              choice->method, irc.value, internal, NULL, 0, err);
     return status == PP_OK ? set_figures(study, name, !internal, err) : status;
 }
 
@@ -148,7 +148,8 @@ static enum pp_status by_hand(struct pp_plan_study *study,
     struct pp_selection selection;
     enum pp_status status = pp_selection_parse(&selection, options->methods, err);
     if (status == PP_OK && selection.usual) {
-        const struct pp_usual_pair pair = pp_usual_pair(room->world, NULL, 0);
+        const struct pp_usual_pair pair =
+            pp_usual_pair(room->world, &room->light, NULL, 0);
         if (pair.instead)
             snprintf(study->note, sizeof study->note,
                      "%s in place of %s, which does not cover this room (%s).",
@@ -201,9 +202,11 @@ static enum pp_status by_trace(struct pp_plan_study *study,
     struct pp_traced_plane *plane = NULL;
     struct pp_study_options half = *options;
     struct pp_report *report = &study->report;
-    struct pp_report contoured = {.world = room->world, .finished = true};
+    struct pp_report contoured = {
+        .world = room->world, .light = room->light, .finished = true};
     half.seconds *= 0.5;
     report->world = room->world;
+    report->light = room->light;
     enum pp_status status = pp_plane_figures_receivers(
         &report->more_receivers, &report->receiver_count, room, err);
     report->receivers = report->more_receivers;

@@ -121,7 +121,7 @@ static bool has_column(const struct pp_report *report, const char *name)
 static double compare_grounds(struct pp_reliability *found,
                               const struct pp_report *report)
 {
-    double ground = report->world->ground_reflectance, most = 0.0, own = 0.0;
+    double ground = report->light.ground_reflectance, most = 0.0, own = 0.0;
     char names[160] = "";
     const struct pp_method *method;
     for (int i = 0; (method = pp_method_at(i)) != NULL; i++) {
@@ -145,7 +145,7 @@ struct pp_reliability pp_reliability_of(const struct pp_report *report)
 {
     struct pp_reliability found = {0};
     struct pair pair;
-    double ground = report->world->ground_reflectance;
+    double ground = report->light.ground_reflectance;
     double off = compare_grounds(&found, report);
     set(&found, PP_RELIABILITY_GROUND, ground, off >= ground_off - 1e-9);
     if (find_pair(&pair, report)) {

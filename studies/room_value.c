@@ -34,6 +34,7 @@ enum pp_status pp_room_value(struct pp_room_value *value, const struct pp_world 
                              struct pp_reading *reading, struct pp_error *err)
 {
     struct pp_report report = {.world = world,
+                               .light = *value->light,
                                .receivers = value->points,
                                .receiver_count = value->point_count,
                                .finished = true};

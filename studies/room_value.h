@@ -5,19 +5,22 @@
 #define PP_STUDIES_ROOM_VALUE_H
 
 #include "model/base/error.h"
+#include "model/light/outside_light.h"
 #include "model/results/reading.h"
 #include "model/room/world.h"
 
 struct pp_room_value {
+    const struct pp_outside_light *light; /* not owned */
     const char *method; /* as pp_methods_evaluate takes it: "exact+bre", "average-df" */
     const struct pp_receiver *points; /* the figure is the lowest of these; not owned */
     int point_count;                  /* 0: the figure is the working plane's average */
     char why[512];                    /* the text that a reading's why points to */
 };
 
-/* The figure in that world. Of a method that gives no daylight factor it is the method's
- * component: the internally reflected one, or the direct one (sky component plus
- * externally reflected component). A reading without a value says why. */
+/* The figure in that world, under the light of `value`. Of a method that gives no
+ * daylight factor it is the method's component: the internally reflected one, or the
+ * direct one (sky component plus externally reflected component). A reading without a
+ * value says why. */
 enum pp_status pp_room_value(struct pp_room_value *value, const struct pp_world *world,
                              struct pp_reading *reading, struct pp_error *err);
 

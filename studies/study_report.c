@@ -15,6 +15,7 @@ enum pp_status pp_study_report_methods(struct pp_report *report,
                                        struct pp_error *err)
 {
     *report = (struct pp_report){.world = room->world,
+                                 .light = room->light,
                                  .options = &options->method_options,
                                  .receivers = room->receivers,
                                  .receiver_count = room->receiver_count,

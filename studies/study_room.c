@@ -5,13 +5,15 @@
 
 void pp_study_room_init(struct pp_study_room *room, const char *file,
                         struct pp_building *building, int index,
-                        const struct pp_room *description, struct pp_world *world)
+                        const struct pp_room *description, struct pp_world *world,
+                        const struct pp_outside_light *light)
 {
     *room = (struct pp_study_room){.file = file,
                                    .building = building,
                                    .index = index,
                                    .room = description,
                                    .world = world,
+                                   .light = *light,
                                    .receivers = world->receivers,
                                    .receiver_count = world->receiver_count};
 }

@@ -1,9 +1,10 @@
-/* study_room.h - one room to be studied: its file, its description, its world, and the
- * points that figures are wanted of.
+/* study_room.h - one room to be studied: its file, its description, its world, the
+ * light outside, and the points that figures are wanted of.
  */
 #ifndef PP_STUDIES_STUDY_ROOM_H
 #define PP_STUDIES_STUDY_ROOM_H
 
+#include "model/light/outside_light.h"
 #include "model/room/building.h"
 #include "model/room/world.h"
 
@@ -14,15 +15,17 @@ struct pp_study_room {
     struct pp_building *building; /* that the room is part of; not owned */
     int index;                    /* of the room in its building */
     struct pp_world *world;
+    struct pp_outside_light light;
     struct pp_receiver *receivers; /* the world's own, or others in their place */
     int receiver_count;
 };
 
 /* Takes over world, with its own receivers as the points. description: room `index` of
- * the building, or a changed copy of it. */
+ * the building, or a changed copy of it; light: from its own sky, or another. */
 void pp_study_room_init(struct pp_study_room *room, const char *file,
                         struct pp_building *building, int index,
-                        const struct pp_room *description, struct pp_world *world);
+                        const struct pp_room *description, struct pp_world *world,
+                        const struct pp_outside_light *light);
 
 /* Other points in place of those there are; takes over the list (malloc). */
 void pp_study_room_set_points(struct pp_study_room *room, struct pp_receiver *receivers,

@@ -248,7 +248,7 @@ static void say_foot(const struct plan_drawing *drawing, char *foot, size_t room
     if (plan->dark.count)
         pp_page_say(foot, room, "From %.0f\u00a0%% of the plane no sky is seen.",
                     100.0 * (1.0 - plan->sky_share));
-    pp_page_assumptions(foot, room, chart->world);
+    pp_page_assumptions(foot, room, chart->world, chart->light);
     if (chart->report && !chart->report->finished)
         pp_page_say(
             foot, room,
@@ -338,7 +338,7 @@ static void draw_sheet(struct plan_drawing *drawing, struct pp_canvas *canvas)
     const struct pp_style *style = &drawing->style;
     char sky[96], plane[32], subtitle[400], foot[4096] = "";
     drawing->quantity = chart->plan->direct ? "direct component" : "daylight factor";
-    pp_page_sky(sky, sizeof sky, world);
+    pp_page_sky(sky, sizeof sky, world, chart->light);
     pp_style_metres(plane, sizeof plane, world->working_plane_m);
     snprintf(subtitle, sizeof subtitle,
              "%s%s%s on the working plane %s above the floor, %s",

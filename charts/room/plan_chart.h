@@ -9,6 +9,7 @@
 #define PP_CHARTS_ROOM_PLAN_CHART_H
 
 #include "charts/sheet/canvas.h"
+#include "model/light/outside_light.h"
 #include "model/results/daylight_plan.h"
 #include "model/results/report.h"
 
@@ -20,8 +21,9 @@ enum pp_plan_fill {
 };
 
 struct pp_plan_chart {
-    const struct pp_world *world;        /* not owned */
-    const struct pp_daylight_plan *plan; /* not owned */
+    const struct pp_world *world;         /* not owned */
+    const struct pp_outside_light *light; /* not owned */
+    const struct pp_daylight_plan *plan;  /* not owned */
     const struct pp_report
         *report; /* its receivers are marked; NULL: none; not owned */
     const struct pp_column

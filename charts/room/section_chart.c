@@ -247,7 +247,8 @@ bool pp_section_chart_landscape(const struct pp_section_chart *chart)
 static void say_notes(struct pp_section_plot *plot,
                       const struct pp_section_chart *chart)
 {
-    pp_page_assumptions(plot->foot, sizeof plot->foot, chart->report->world);
+    pp_page_assumptions(plot->foot, sizeof plot->foot, chart->report->world,
+                        &chart->report->light);
     for (int i = 0; i < chart->note_count; i++)
         if (chart->notes[i][0])
             pp_page_say(plot->foot, sizeof plot->foot, "%s", chart->notes[i]);
@@ -262,7 +263,7 @@ static void draw_sheet(struct pp_section_plot *plot, struct pp_canvas *canvas,
 {
     const struct pp_world *world = chart->report->world;
     char sky[96], subtitle[256];
-    pp_page_sky(sky, sizeof sky, world);
+    pp_page_sky(sky, sizeof sky, world, &chart->report->light);
     snprintf(subtitle, sizeof subtitle,
              "Daylight factor against distance from the %s, %s",
              plot->cut.near_window ? "window" : "wall", sky);

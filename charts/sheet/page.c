@@ -25,9 +25,10 @@ void pp_page_say(char *text, size_t room, const char *format, ...)
     va_end(arguments);
 }
 
-void pp_page_sky(char *text, size_t room, const struct pp_world *world)
+void pp_page_sky(char *text, size_t room, const struct pp_world *world,
+                 const struct pp_outside_light *light)
 {
-    pp_page_sky_words(text, room, &world->sky, world->north_rad);
+    pp_page_sky_words(text, room, &light->sky, world->north_rad);
 }
 
 void pp_page_sky_words(char *text, size_t room, const struct pp_sky *sky,
@@ -104,7 +105,8 @@ static void say_decorations(char *text, size_t room, const struct pp_world *worl
                     world->decorations);
 }
 
-void pp_page_assumptions(char *text, size_t room, const struct pp_world *world)
+void pp_page_assumptions(char *text, size_t room, const struct pp_world *world,
+                         const struct pp_outside_light *light)
 {
     static const char *const parts[] = {
         [PP_FLOOR] = "floor", [PP_WALL] = "walls", [PP_CEILING] = "ceiling"};
@@ -122,7 +124,7 @@ void pp_page_assumptions(char *text, size_t room, const struct pp_world *world)
             pp_page_say(sentence, sizeof sentence, "%s %s,", parts[role],
                         range_text(range, sizeof range, low, high));
     }
-    pp_page_say(text, room, "%s ground %.3g.", sentence, world->ground_reflectance);
+    pp_page_say(text, room, "%s ground %.3g.", sentence, light->ground_reflectance);
     say_decorations(text, room, world);
 }
 

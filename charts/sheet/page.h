@@ -5,6 +5,7 @@
 #include "charts/sheet/canvas.h"
 #include "charts/sheet/style.h"
 #include "charts/sheet/lettering.h"
+#include "model/light/outside_light.h"
 #include "model/room/world.h"
 
 struct pp_page {
@@ -24,7 +25,8 @@ void pp_page_say(char *text, size_t room, const char *format, ...)
 
 /* The sky as people call it: "CIE overcast sky", "ISO 15469 sky of type 12, sun 30°
  * high at 180°". */
-void pp_page_sky(char *text, size_t room, const struct pp_world *world);
+void pp_page_sky(char *text, size_t room, const struct pp_world *world,
+                 const struct pp_outside_light *light);
 
 /* The same of a sky by itself; north_rad is the bearing of the plan's +y axis. */
 void pp_page_sky_words(char *text, size_t room, const struct pp_sky *sky,
@@ -32,7 +34,8 @@ void pp_page_sky_words(char *text, size_t room, const struct pp_sky *sky,
 
 /* Adds the room's assumptions, as pp_page_say does: transmittance, frame and dirt of the
  * openings, reflectances. */
-void pp_page_assumptions(char *text, size_t room, const struct pp_world *world);
+void pp_page_assumptions(char *text, size_t room, const struct pp_world *world,
+                         const struct pp_outside_light *light);
 
 /* The style for the canvas' sheet. */
 struct pp_style pp_page_style(const struct pp_canvas *canvas);

@@ -201,7 +201,8 @@ static enum pp_status draw(struct chart_task *drawing, FILE *out, struct pp_erro
         snprintf(description, sizeof description, "%s", drawing->kind->summary);
     else
         snprintf(description, sizeof description, "%s; sky: %s", drawing->kind->summary,
-                 pp_sky_name(world ? &world->sky : &options->choice.board.sky));
+                 pp_sky_name(world ? &drawing->rooms[0].light.sky
+                                   : &options->choice.board.sky));
     const struct pp_sheet sheet = {
         .format = drawing->format,
         .paper = options->paper,

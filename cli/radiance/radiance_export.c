@@ -169,8 +169,9 @@ enum pp_status pp_radiance_export(struct pp_output_directory *directory,
                                   double external_lux, bool gloss, struct pp_error *err)
 {
     struct pp_rad_room rad;
-    enum pp_status status = pp_rad_room_init(
-        &rad, room->world, external_lux / PP_RADIANCE_EFFICACY, gloss, err);
+    enum pp_status status =
+        pp_rad_room_init(&rad, room->world, &room->light,
+                         external_lux / PP_RADIANCE_EFFICACY, gloss, err);
     if (status != PP_OK)
         return status;
     struct pp_rad_writer *writer;

@@ -64,7 +64,8 @@ static enum pp_exit render_room(const struct pp_study_room *room,
 {
     struct pp_made_picture made = {0};
     struct pp_error err = {0};
-    enum pp_status status = pp_make_picture(&made, room->world, choice, options, &err);
+    enum pp_status status =
+        pp_make_picture(&made, room->world, &room->light, choice, options, &err);
     enum pp_exit result = PP_EXIT_DONE;
     if (status == PP_INTERRUPTED) {
         pp_message("%s", err.message);

@@ -114,6 +114,7 @@ static enum pp_status fill_cache(struct pp_made_picture *made,
 }
 
 static enum pp_status create(struct pp_made_picture *made, const struct pp_world *world,
+                             const struct pp_outside_light *light,
                              const struct pp_render_choice *choice,
                              const struct pp_room_options *options,
                              struct pp_error *err)
@@ -131,10 +132,9 @@ static enum pp_status create(struct pp_made_picture *made, const struct pp_world
     render.light.stored = choice->windows == PP_WINDOWS_STORED;
     if (choice->paths)
         render.light.bounces = choice->cache.options.bounces;
-    struct pp_outside_light outside = pp_world_light(world);
     enum pp_status status = pp_light_scene_of_world(&made->scene, world, err);
     if (status == PP_OK)
-        status = pp_light_scene_under(&made->environment, made->scene, &outside, err);
+        status = pp_light_scene_under(&made->environment, made->scene, light, err);
     struct pp_picture_size size;
     if (status == PP_OK)
         status = pp_render_view(&render.camera, &size, choice, made->scene, world, err);
@@ -235,6 +235,7 @@ static enum pp_status work(struct pp_made_picture *made, const struct pp_world *
 /* The picture, out of shares of Eh into its own units. */
 static enum pp_status take_picture(struct pp_made_picture *made,
                                    const struct pp_world *world,
+                                   const struct pp_outside_light *light,
                                    const struct pp_render_choice *choice,
                                    const struct pp_room_options *options,
                                    struct pp_error *err)
@@ -244,6 +245,7 @@ static enum pp_status take_picture(struct pp_made_picture *made,
     pp_render_take_picture(made->render, &shown->picture);
     shown->quantity = choice->quantity.is;
     shown->world = world;
+    shown->light = light;
     shown->tags = pp_render_tags(made->render);
     shown->external_lux = options->study.external_lux;
     pp_camera_options(&shown->camera, shown->view, sizeof shown->view);
@@ -264,17 +266,18 @@ static enum pp_status take_picture(struct pp_made_picture *made,
 
 enum pp_status pp_make_picture(struct pp_made_picture *made,
                                const struct pp_world *world,
+                               const struct pp_outside_light *light,
                                const struct pp_render_choice *choice,
                                const struct pp_room_options *options,
                                struct pp_error *err)
 {
     *made = (struct pp_made_picture){0};
     pp_interrupt_watch();
-    enum pp_status status = create(made, world, choice, options, err);
+    enum pp_status status = create(made, world, light, choice, options, err);
     if (status == PP_OK)
         status = work(made, world, choice->checkpoint, options->quiet, err);
     if (status == PP_OK)
-        status = take_picture(made, world, choice, options, err);
+        status = take_picture(made, world, light, choice, options, err);
     return status;
 }
 

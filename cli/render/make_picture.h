@@ -4,6 +4,7 @@
 
 #include "cli/render/render_choice.h"
 #include "cli/render/show_picture.h"
+#include "model/light/outside_light.h"
 
 struct pp_made_picture {
     struct pp_shown_picture shown;
@@ -19,6 +20,7 @@ struct pp_made_picture {
  * been kept. What is made is the caller's to clear, whatever the status. */
 enum pp_status pp_make_picture(struct pp_made_picture *made,
                                const struct pp_world *world,
+                               const struct pp_outside_light *light,
                                const struct pp_render_choice *choice,
                                const struct pp_room_options *options,
                                struct pp_error *err);

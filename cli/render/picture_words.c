@@ -61,7 +61,7 @@ void pp_picture_words(struct pp_picture_sheet *sheet,
     char sky[128];
     lay_lengths(sheet, shown);
     sheet->title = shown->world->name;
-    pp_page_sky(sky, sizeof sky, shown->world);
+    pp_page_sky(sky, sizeof sky, shown->world, shown->light);
     pp_page_say(sheet->subtitle, room, "under %s %s%s", sky[0] == 'I' ? "an" : "a", sky,
                 shown->quantity == PP_DAYLIGHT_FACTOR ? "" : ",");
     if (shown->quantity != PP_DAYLIGHT_FACTOR)

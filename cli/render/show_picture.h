@@ -5,6 +5,7 @@
 #include <stdio.h>
 
 #include "cli/render/render_choice.h"
+#include "model/light/outside_light.h"
 
 /* A picture and what is known about it. */
 struct pp_shown_picture {
@@ -12,6 +13,7 @@ struct pp_shown_picture {
     enum pp_quantity quantity;
     struct pp_camera camera;      /* of a room's picture; */
     const struct pp_world *world; /* not owned; NULL: the picture comes from a file */
+    const struct pp_outside_light *light; /* on that world; not owned */
     const int *tags; /* row by row, which surface each pixel shows; not owned; NULL: not
                       * known */
     double (*marks)[2]; /* places of records, in pixels; not owned */

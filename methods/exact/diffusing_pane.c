@@ -151,6 +151,7 @@ static void add_tails(double tails[2], const double values[NODES][NODES])
 
 static enum pp_status light_cell(struct pp_pane_cell *cell,
                                  const struct pp_world *world,
+                                 const struct pp_outside_light *light,
                                  const struct pp_opening *opening, struct pp_error *err)
 {
     struct plane plane = plane_of(opening);
@@ -166,7 +167,7 @@ static enum pp_status light_cell(struct pp_pane_cell *cell,
             at = pp_vec_along(at, middle[1] + half[1] * nodes[k], plane.up);
             struct pp_exterior_light outside;
             enum pp_status status = pp_exterior_light_on_plane(
-                &outside, world, &world->sky, at, plane.toward, opening->face, err);
+                &outside, world, light, at, plane.toward, opening->face, err);
             if (status != PP_OK)
                 return status;
             cell->sky[i][k] = outside.sky;
@@ -200,9 +201,10 @@ static int find_worst(struct pp_diffusing_pane *pane)
 static enum pp_status divide(struct pp_diffusing_pane *pane,
                              const struct borders *borders,
                              const struct pp_world *world,
+                             const struct pp_outside_light *light,
                              const struct pp_opening *opening, struct pp_error *err)
 {
-    enum pp_status status = light_cell(&pane->cells[0], world, opening, err);
+    enum pp_status status = light_cell(&pane->cells[0], world, light, opening, err);
     double work = NODES * NODES * (double)borders->surfaces * borders->surfaces;
     int most = (int)fmin(CELLS_MOST, 1.0 + WORK_MOST / fmax(2.0 * work, 1.0));
     pane->cell_count = 1;
@@ -215,15 +217,16 @@ static enum pp_status divide(struct pp_diffusing_pane *pane,
         int axis = cell->worse;
         *other = *cell;
         cell->high[axis] = other->low[axis] = cut_of(borders, cell, axis);
-        status = light_cell(cell, world, opening, err);
+        status = light_cell(cell, world, light, opening, err);
         if (status == PP_OK)
-            status = light_cell(other, world, opening, err);
+            status = light_cell(other, world, light, opening, err);
     }
     return status;
 }
 
 enum pp_status pp_diffusing_pane_init(struct pp_diffusing_pane *pane,
                                       const struct pp_world *world,
+                                      const struct pp_outside_light *light,
                                       const struct pp_opening *opening,
                                       struct pp_error *err)
 {
@@ -243,7 +246,7 @@ enum pp_status pp_diffusing_pane_init(struct pp_diffusing_pane *pane,
         status = pp_fail_memory(err);
     if (status == PP_OK) {
         pane->cells[0] = whole;
-        status = divide(pane, &borders, world, opening, err);
+        status = divide(pane, &borders, world, light, opening, err);
     }
     free(borders.at[0]);
     free(borders.at[1]);

@@ -15,6 +15,7 @@
 
 #include "methods/exact/direct.h"
 #include "methods/view/visible.h"
+#include "model/light/outside_light.h"
 #include "model/room/world.h"
 
 struct pp_diffusing_pane {
@@ -26,6 +27,7 @@ struct pp_diffusing_pane {
 /* Works out the illuminance of an opening's outside. */
 enum pp_status pp_diffusing_pane_init(struct pp_diffusing_pane *pane,
                                       const struct pp_world *world,
+                                      const struct pp_outside_light *light,
                                       const struct pp_opening *opening,
                                       struct pp_error *err);
 void pp_diffusing_pane_clear(struct pp_diffusing_pane *pane);

@@ -207,7 +207,7 @@ static enum pp_status add_steps(struct pp_part_steps *terms, const struct task *
     return status;
 }
 
-static enum pp_status add_patch(const struct task *task, const struct pp_world *world,
+static enum pp_status add_patch(const struct task *task, double ground_reflectance,
                                 struct pp_part_steps *terms, struct pp_error *err)
 {
     const struct pp_visible_patch *patch = task->patch;
@@ -220,9 +220,9 @@ static enum pp_status add_patch(const struct task *task, const struct pp_world *
         if (status == PP_OK && !faces_up)
             status = transmitted(&figures.below, task, BELOW, err);
         task->sum->sky += figures.above;
-        task->sum->external += world->ground_reflectance / PP_PI * figures.below;
+        task->sum->external += ground_reflectance / PP_PI * figures.below;
         figures.below /= PP_PI;
-        figures.factor = world->ground_reflectance;
+        figures.factor = ground_reflectance;
     } else {
         if (status == PP_OK && !faces_up)
             status = from_below(&figures.below, task, err);
@@ -241,8 +241,7 @@ static enum pp_status add_patch(const struct task *task, const struct pp_world *
 
 enum pp_status pp_direct_add(struct pp_direct *sum, const struct pp_visible *visible,
                              struct pp_vec3 normal, const struct pp_glass *glass,
-                             const struct pp_world *world, const struct pp_sky *sky,
-                             struct pp_error *err)
+                             const struct pp_outside_light *light, struct pp_error *err)
 {
     enum pp_status status = PP_OK;
     struct pp_part_steps terms = pp_part_steps_begin(sum->steps, visible->patch_count);
@@ -251,14 +250,15 @@ enum pp_status pp_direct_add(struct pp_direct *sum, const struct pp_visible *vis
                             visible,
                             &visible->patches[i],
                             normal,
-                            {sky, glass, visible->view.toward}};
-        status = add_patch(&task, world, &terms, err);
+                            {&light->sky, glass, visible->view.toward}};
+        status = add_patch(&task, light->ground_reflectance, &terms, err);
     }
     pp_part_steps_end(&terms);
     return status;
 }
 
 enum pp_status pp_direct_through(struct pp_direct *sum, const struct pp_world *world,
+                                 const struct pp_outside_light *light,
                                  const struct pp_opening *opening,
                                  const struct pp_receiver *receiver,
                                  const struct pp_glass *glass, struct pp_error *err)
@@ -268,27 +268,27 @@ enum pp_status pp_direct_through(struct pp_direct *sum, const struct pp_world *w
         pp_visible_in_parts(&visible, world, opening, receiver->position, err);
     if (status != PP_OK)
         return status;
-    status =
-        pp_direct_add(sum, &visible, receiver->normal, glass, world, &world->sky, err);
+    status = pp_direct_add(sum, &visible, receiver->normal, glass, light, err);
     pp_visible_clear(&visible);
     return status;
 }
 
 enum pp_status pp_direct_average(struct pp_direct *mean, const struct pp_world *world,
+                                 const struct pp_outside_light *light,
                                  const struct pp_opening *opening,
                                  const struct pp_glass *glass, struct pp_error *err)
 {
-    struct lights lights = {&world->sky, glass,
+    struct lights lights = {&light->sky, glass,
                             pp_vec_scale(opening->inner.normal, -1.0)};
-    struct pp_beam_light light = {.sky = sky_through_glass,
-                                  .exitance = unity_through_glass,
-                                  .context = &lights,
-                                  .of_reflectance =
-                                      pp_visible_luminance_factor(&world->sky, 1.0),
-                                  .with_outside = true};
+    struct pp_beam_light beam = {.sky = sky_through_glass,
+                                 .exitance = unity_through_glass,
+                                 .context = &lights,
+                                 .of_reflectance =
+                                     pp_visible_luminance_factor(&light->sky, 1.0),
+                                 .with_outside = true};
     double values[2];
     enum pp_status status =
-        pp_beam_average(values, world, opening, &light, PP_BEAM_AVERAGE_ERROR, err);
+        pp_beam_average(values, world, opening, &beam, PP_BEAM_AVERAGE_ERROR, err);
     mean->sky = values[0];
     mean->external = values[1];
     return status;

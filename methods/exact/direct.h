@@ -20,6 +20,7 @@
 #include "methods/exact/solid_angle.h"
 #include "methods/view/visible.h"
 #include "model/base/error.h"
+#include "model/light/outside_light.h"
 #include "model/results/steps.h"
 #include "model/room/world.h"
 
@@ -34,12 +35,13 @@ struct pp_direct {
  * allocation for closed forms over rings of at most 64 corners. */
 enum pp_status pp_direct_add(struct pp_direct *sum, const struct pp_visible *visible,
                              struct pp_vec3 normal, const struct pp_glass *glass,
-                             const struct pp_world *world, const struct pp_sky *sky,
+                             const struct pp_outside_light *light,
                              struct pp_error *err);
 
 /* The same for the view of a receiver through an opening, with `glass` (clear, or none)
  * in place of the opening's own. */
 enum pp_status pp_direct_through(struct pp_direct *sum, const struct pp_world *world,
+                                 const struct pp_outside_light *light,
                                  const struct pp_opening *opening,
                                  const struct pp_receiver *receiver,
                                  const struct pp_glass *glass, struct pp_error *err);
@@ -47,6 +49,7 @@ enum pp_status pp_direct_through(struct pp_direct *sum, const struct pp_world *w
 /* The means over the working plane, for a receiver that faces up, of the components
  * that pp_direct_through gives at a point. */
 enum pp_status pp_direct_average(struct pp_direct *mean, const struct pp_world *world,
+                                 const struct pp_outside_light *light,
                                  const struct pp_opening *opening,
                                  const struct pp_glass *glass, struct pp_error *err);
 

@@ -42,6 +42,7 @@ static void destroy_tools(void *tools)
 
 /* *tools is NULL for a room without unevenly lit panes. */
 static enum pp_status prepare(void **tools, const struct pp_world *world,
+                              const struct pp_outside_light *light,
                               struct pp_error *err)
 {
     struct panes *panes = NULL;
@@ -57,7 +58,7 @@ static enum pp_status prepare(void **tools, const struct pp_world *world,
                 return pp_fail_memory(err);
             panes->count = world->opening_count;
         }
-        status = pp_diffusing_pane_init(&panes->list[i], world, opening, err);
+        status = pp_diffusing_pane_init(&panes->list[i], world, light, opening, err);
     }
     if (status != PP_OK)
         destroy_tools(panes);
@@ -90,6 +91,7 @@ static void add_even_pane_steps(struct pp_steps *steps,
 static enum pp_status from_even_pane(struct pp_direct *sum,
                                      const struct pp_visible *visible,
                                      const struct pp_world *world,
+                                     const struct pp_outside_light *light,
                                      const struct pp_opening *opening,
                                      const struct pp_receiver *receiver,
                                      struct pp_error *err)
@@ -97,7 +99,7 @@ static enum pp_status from_even_pane(struct pp_direct *sum,
     struct pp_exterior_light outside;
     struct pp_moments moments;
     enum pp_status status = pp_exterior_light_on_plane(
-        &outside, world, &world->sky, opening->outer.vertices[0],
+        &outside, world, light, opening->outer.vertices[0],
         pp_vec_scale(opening->inner.normal, -1.0), opening->face, err);
     if (status == PP_OK)
         status = pp_direct_moments(&moments, visible, &visible->patches[0],
@@ -111,12 +113,10 @@ static enum pp_status from_even_pane(struct pp_direct *sum,
     return PP_OK;
 }
 
-static enum pp_status from_diffusing_pane(struct pp_direct *sum,
-                                          const struct pp_world *world,
-                                          const struct pp_opening *opening,
-                                          const struct pp_receiver *receiver,
-                                          const struct panes *panes,
-                                          struct pp_error *err)
+static enum pp_status from_diffusing_pane(
+    struct pp_direct *sum, const struct pp_world *world,
+    const struct pp_outside_light *light, const struct pp_opening *opening,
+    const struct pp_receiver *receiver, const struct panes *panes, struct pp_error *err)
 {
     struct pp_visible visible;
     enum pp_status status =
@@ -126,10 +126,11 @@ static enum pp_status from_diffusing_pane(struct pp_direct *sum,
     if (visible.patch_count > 0) {
         struct pp_diffusing_pane own = {0};
         if (pp_exterior_is_uniform(world, opening)) {
-            status = from_even_pane(sum, &visible, world, opening, receiver, err);
+            status =
+                from_even_pane(sum, &visible, world, light, opening, receiver, err);
         } else {
             if (!panes)
-                status = pp_diffusing_pane_init(&own, world, opening, err);
+                status = pp_diffusing_pane_init(&own, world, light, opening, err);
             if (status == PP_OK)
                 status = pp_diffusing_pane_add(
                     sum, panes ? &panes->list[opening - world->openings] : &own,
@@ -147,6 +148,7 @@ static enum pp_status from_diffusing_pane(struct pp_direct *sum,
 /* ---- the method ---- */
 
 static enum pp_status direct_of(const struct pp_world *world,
+                                const struct pp_outside_light *light,
                                 const struct pp_opening *opening,
                                 const struct pp_receiver *receiver, bool rough,
                                 const void *tools, struct pp_part *part,
@@ -155,30 +157,32 @@ static enum pp_status direct_of(const struct pp_world *world,
     struct pp_direct sum = {.rough = rough, .steps = part->sheet.steps};
     enum pp_status status;
     if (opening->glass.diffusing)
-        status = from_diffusing_pane(&sum, world, opening, receiver, tools, err);
+        status = from_diffusing_pane(&sum, world, light, opening, receiver, tools, err);
     else
-        status =
-            pp_direct_through(&sum, world, opening, receiver, &opening->glass, err);
+        status = pp_direct_through(&sum, world, light, opening, receiver,
+                                   &opening->glass, err);
     part->sky = sum.sky;
     part->external = sum.external;
     return status;
 }
 
 static enum pp_status evaluate(const struct pp_world *world,
+                               const struct pp_outside_light *light,
                                const struct pp_opening *opening,
                                const struct pp_receiver *receiver, const void *tools,
                                struct pp_part *part, struct pp_error *err)
 {
-    return direct_of(world, opening, receiver, false, tools, part, err);
+    return direct_of(world, light, opening, receiver, false, tools, part, err);
 }
 
 static enum pp_status evaluate_roughly(const struct pp_world *world,
+                                       const struct pp_outside_light *light,
                                        const struct pp_opening *opening,
                                        const struct pp_receiver *receiver,
                                        const void *tools, struct pp_part *part,
                                        struct pp_error *err)
 {
-    return direct_of(world, opening, receiver, true, tools, part, err);
+    return direct_of(world, light, opening, receiver, true, tools, part, err);
 }
 
 /* An evenly lit diffusing pane has one luminance in all directions. */
@@ -189,18 +193,19 @@ static double unity(const void *context, struct pp_vec3 u)
 }
 
 static enum pp_status average_of_even_pane(const struct pp_world *world,
+                                           const struct pp_outside_light *light,
                                            const struct pp_opening *opening,
                                            struct pp_part *part, struct pp_error *err)
 {
-    const struct pp_beam_light light = {.sky = unity};
+    const struct pp_beam_light beam = {.sky = unity};
     struct pp_exterior_light outside;
     double mean[2];
     enum pp_status status = pp_exterior_light_on_plane(
-        &outside, world, &world->sky, opening->outer.vertices[0],
+        &outside, world, light, opening->outer.vertices[0],
         pp_vec_scale(opening->inner.normal, -1.0), opening->face, err);
     if (status == PP_OK)
         status =
-            pp_beam_average(mean, world, opening, &light, PP_BEAM_AVERAGE_ERROR, err);
+            pp_beam_average(mean, world, opening, &beam, PP_BEAM_AVERAGE_ERROR, err);
     if (status != PP_OK)
         return status;
     part->sky = opening->glass.diffuse / PP_PI * outside.sky * mean[0];
@@ -209,6 +214,7 @@ static enum pp_status average_of_even_pane(const struct pp_world *world,
 }
 
 static enum pp_status average(const struct pp_world *world,
+                              const struct pp_outside_light *light,
                               const struct pp_opening *opening, const void *tools,
                               struct pp_part *part, bool *known, struct pp_error *err)
 {
@@ -217,10 +223,10 @@ static enum pp_status average(const struct pp_world *world,
     if (!*known)
         return PP_OK;
     if (opening->glass.diffusing)
-        return average_of_even_pane(world, opening, part, err);
+        return average_of_even_pane(world, light, opening, part, err);
     struct pp_direct mean = {0};
     enum pp_status status =
-        pp_direct_average(&mean, world, opening, &opening->glass, err);
+        pp_direct_average(&mean, world, light, opening, &opening->glass, err);
     part->sky = mean.sky;
     part->external = mean.external;
     return status;

@@ -51,7 +51,7 @@ static struct pp_frame frame_about(struct pp_vec3 n)
 
 enum pp_status pp_exterior_light_on_plane(struct pp_exterior_light *outside,
                                           const struct pp_world *world,
-                                          const struct pp_sky *sky,
+                                          const struct pp_outside_light *light,
                                           struct pp_vec3 position,
                                           struct pp_vec3 normal, int face,
                                           struct pp_error *err)
@@ -60,8 +60,8 @@ enum pp_status pp_exterior_light_on_plane(struct pp_exterior_light *outside,
     for (int i = 0; i < world->skyline_count; i++)
         hidden = hidden || (face >= 0 && world->skylines[i].face == face);
     if (!hidden) {
-        *outside = (struct pp_exterior_light){pp_sky_on_plane(sky, normal),
-                                              world->ground_reflectance
+        *outside = (struct pp_exterior_light){pp_sky_on_plane(&light->sky, normal),
+                                              light->ground_reflectance
                                                   * (1.0 - normal.z) / 2.0};
         return PP_OK;
     }
@@ -83,7 +83,7 @@ enum pp_status pp_exterior_light_on_plane(struct pp_exterior_light *outside,
             pp_visible_in_air(&visible, world, &view, low, high, face, err);
         if (status != PP_OK)
             return status;
-        status = pp_direct_add(&sum, &visible, normal, &none, world, sky, err);
+        status = pp_direct_add(&sum, &visible, normal, &none, light, err);
         pp_visible_clear(&visible);
         if (status != PP_OK)
             return status;
@@ -115,9 +115,10 @@ enum pp_status pp_exterior_sky_on_plane(double *share, const struct pp_world *wo
                                         struct pp_vec3 normal, const struct pp_sky *sky,
                                         struct pp_error *err)
 {
+    const struct pp_outside_light light = {.sky = *sky}; /* no ground */
     struct pp_exterior_light outside;
     enum pp_status status = pp_exterior_light_on_plane(
-        &outside, world, sky, pp_exterior_opening_centroid(opening), normal,
+        &outside, world, &light, pp_exterior_opening_centroid(opening), normal,
         opening->face, err);
     if (status == PP_OK)
         *share = outside.sky;

@@ -6,6 +6,7 @@
 
 #include <stdbool.h>
 
+#include "model/light/outside_light.h"
 #include "model/room/world.h"
 
 /* The centroid of an opening's outer outline. */
@@ -13,7 +14,7 @@ struct pp_vec3 pp_exterior_opening_centroid(const struct pp_opening *opening);
 
 /* Illuminance over Eh, from the visible sky alone and without glass, of a plane through
  * the centroid of the opening's outer outline with the outward unit normal `normal`;
- * for a vertical normal the vertical sky component. The sky is `sky`, not the world's.
+ * for a vertical normal the vertical sky component. The ground gives none.
  * Obstructions are the skylines of the opening's own face, blocks, free-standing
  * surfaces outside and the building's own outer faces. */
 enum pp_status pp_exterior_sky_on_plane(double *share, const struct pp_world *world,
@@ -35,7 +36,7 @@ struct pp_exterior_light {
  * 1e-9. */
 enum pp_status pp_exterior_light_on_plane(struct pp_exterior_light *outside,
                                           const struct pp_world *world,
-                                          const struct pp_sky *sky,
+                                          const struct pp_outside_light *light,
                                           struct pp_vec3 position,
                                           struct pp_vec3 normal, int face,
                                           struct pp_error *err);

@@ -153,12 +153,14 @@ struct tools {
 };
 
 static enum pp_status read_window(struct reading *r, const struct pp_world *world,
+                                  const struct pp_outside_light *light,
                                   const struct pp_opening *opening,
                                   const struct pp_lumen_table *table,
                                   struct pp_error *err)
 {
     double alpha_rad;
-    enum pp_status status = pp_obstruction_angle(&alpha_rad, world, opening, err);
+    enum pp_status status =
+        pp_obstruction_angle(&alpha_rad, world, light, opening, err);
     if (status != PP_OK)
         return status;
     if (alpha_rad > free_below_rad) {
@@ -169,12 +171,12 @@ static enum pp_status read_window(struct reading *r, const struct pp_world *worl
     pp_lumen_scope_room_size(&r->width_m, &r->depth_m, world, opening);
     r->ceiling = pp_lumen_scope_ceiling_reflectance(world);
     r->walls = pp_lumen_scope_wall_reflectance(world, opening->face);
-    r->E_s = pp_sky_on_plane(&world->sky, pp_vec_scale(opening->inner.normal, -1.0));
-    r->rho_g = world->ground_reflectance;
+    r->E_s = pp_sky_on_plane(&light->sky, pp_vec_scale(opening->inner.normal, -1.0));
+    r->rho_g = light->ground_reflectance;
 
     struct pp_lumen_query query = {
         .ev_over_eh = r->E_s,
-        .overcast = world->sky.kind == PP_SKY_OVERCAST || world->sky.iso == 1,
+        .overcast = light->sky.kind == PP_SKY_OVERCAST || light->sky.iso == 1,
         .at = {[PP_LUMEN_CEILING] = r->ceiling,
                [PP_LUMEN_WALLS] = r->walls,
                [PP_LUMEN_DEPTH] = r->depth_m / r->height_m,
@@ -191,12 +193,14 @@ static enum pp_status read_window(struct reading *r, const struct pp_world *worl
 }
 
 static enum pp_status read_rooflight(struct reading *r, const struct pp_world *world,
+                                     const struct pp_outside_light *light,
                                      const struct pp_opening *opening,
                                      const struct pp_lumen_table *table,
                                      struct pp_error *err)
 {
     double alpha_rad;
-    enum pp_status status = pp_obstruction_angle(&alpha_rad, world, opening, err);
+    enum pp_status status =
+        pp_obstruction_angle(&alpha_rad, world, light, opening, err);
     if (status != PP_OK)
         return status;
     pp_lumen_scope_room_size(&r->width_m, &r->depth_m, world, opening);
@@ -216,6 +220,7 @@ static enum pp_status read_rooflight(struct reading *r, const struct pp_world *w
 }
 
 static enum pp_status read_openings(struct tools *tools, const struct pp_world *world,
+                                    const struct pp_outside_light *light,
                                     const struct pp_lumen_table *table,
                                     struct pp_error *err)
 {
@@ -227,13 +232,14 @@ static enum pp_status read_openings(struct tools *tools, const struct pp_world *
         if (r->why)
             continue;
         status = pp_lumen_scope_is_rooflight(opening)
-                     ? read_rooflight(r, world, opening, table, err)
-                     : read_window(r, world, opening, table, err);
+                     ? read_rooflight(r, world, light, opening, table, err)
+                     : read_window(r, world, light, opening, table, err);
     }
     return status;
 }
 
 static enum pp_status prepare(void **result, const struct pp_world *world,
+                              const struct pp_outside_light *light,
                               const struct pp_method_options *options,
                               struct pp_error *err)
 {
@@ -244,7 +250,7 @@ static enum pp_status prepare(void **result, const struct pp_world *world,
     if (status == PP_OK && !options->lumen_table)
         status = pp_lumen_table_create(&own, err);
     if (status == PP_OK)
-        status = read_openings(tools, world,
+        status = read_openings(tools, world, light,
                                options->lumen_table ? options->lumen_table : own, err);
     pp_lumen_table_destroy(own);
     if (status == PP_OK)
@@ -255,8 +261,10 @@ static enum pp_status prepare(void **result, const struct pp_world *world,
 }
 
 static const char *refuses_room(const struct pp_world *world,
+                                const struct pp_outside_light *light,
                                 const struct pp_receiver *receiver)
 {
+    (void)light;
     const char *why = pp_refusals_unless_up(receiver);
     if (!why && receiver && fabs(receiver->position.z - world->working_plane_m) > 0.01)
         why = "its tables are for points on the working plane";
@@ -381,21 +389,23 @@ static enum pp_status evaluate_by(const struct pp_world *world,
 }
 
 static enum pp_status evaluate(const struct pp_world *world,
+                               const struct pp_outside_light *light,
                                const struct pp_opening *opening,
                                const struct pp_receiver *receiver, const void *tools,
                                struct pp_part *part, struct pp_error *err)
 {
-    (void)err;
+    (void)light, (void)err;
     return evaluate_by(world, opening, receiver, tools, part, false);
 }
 
 static enum pp_status evaluate_one(const struct pp_world *world,
+                                   const struct pp_outside_light *light,
                                    const struct pp_opening *opening,
                                    const struct pp_receiver *receiver,
                                    const void *tools, struct pp_part *part,
                                    struct pp_error *err)
 {
-    (void)err;
+    (void)light, (void)err;
     return evaluate_by(world, opening, receiver, tools, part, true);
 }
 

@@ -29,9 +29,10 @@
 #include "methods/refusals.h"
 
 static enum pp_status prepare(void **tools, const struct pp_world *world,
+                              const struct pp_outside_light *light,
                               struct pp_error *err)
 {
-    (void)world;
+    (void)world, (void)light;
     struct pp_nomogram *nomogram = malloc(sizeof *nomogram);
     if (!nomogram)
         return pp_fail_memory(err);
@@ -41,9 +42,10 @@ static enum pp_status prepare(void **tools, const struct pp_world *world,
 }
 
 static const char *refuses_room(const struct pp_world *world,
+                                const struct pp_outside_light *light,
                                 const struct pp_receiver *receiver)
 {
-    const char *why = pp_refusals_formula_room(world, receiver);
+    const char *why = pp_refusals_formula_room(world, light, receiver);
     return why ? why : pp_nomogram_reading_refuses_room(world);
 }
 
@@ -87,6 +89,7 @@ static void add_steps(struct pp_worksheet *sheet, const struct pp_nomogram *nomo
 static const struct pp_formula *const formulae[] = {&pp_nomogram_reading_ratio, NULL};
 
 static enum pp_status evaluate(const struct pp_world *world,
+                               const struct pp_outside_light *light,
                                const struct pp_opening *opening,
                                const struct pp_receiver *receiver, const void *tools,
                                struct pp_part *part, struct pp_error *err)
@@ -95,7 +98,7 @@ static enum pp_status evaluate(const struct pp_world *world,
     const struct pp_nomogram *nomogram = tools;
     struct pp_nomogram_reading reading;
     enum pp_status status =
-        pp_nomogram_reading_of_opening(&reading, nomogram, world, opening, err);
+        pp_nomogram_reading_of_opening(&reading, nomogram, world, light, opening, err);
     if (status != PP_OK)
         return status;
     part->value = reading.component;

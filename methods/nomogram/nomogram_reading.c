@@ -64,6 +64,7 @@ const char *pp_nomogram_reading_refuses_room(const struct pp_world *world)
 enum pp_status pp_nomogram_reading_of_opening(struct pp_nomogram_reading *reading,
                                               const struct pp_nomogram *nomogram,
                                               const struct pp_world *world,
+                                              const struct pp_outside_light *light,
                                               const struct pp_opening *opening,
                                               struct pp_error *err)
 {
@@ -75,7 +76,7 @@ enum pp_status pp_nomogram_reading_of_opening(struct pp_nomogram_reading *readin
     double angle_rad = opening->slope_rad;
     enum pp_status status = PP_OK;
     if (nomogram->kind != PP_NOMOGRAM_ROOFLIGHT)
-        status = pp_obstruction_angle(&angle_rad, world, opening, err);
+        status = pp_obstruction_angle(&angle_rad, world, light, opening, err);
     if (status != PP_OK)
         return status;
 

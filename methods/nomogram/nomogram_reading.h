@@ -2,6 +2,7 @@
 #ifndef PP_METHODS_NOMOGRAM_NOMOGRAM_READING_H
 #define PP_METHODS_NOMOGRAM_NOMOGRAM_READING_H
 
+#include "model/light/outside_light.h"
 #include "model/results/formula.h"
 #include "model/results/nomogram_sheet.h"
 #include "model/room/world.h"
@@ -19,6 +20,7 @@ const char *pp_nomogram_reading_refuses_room(const struct pp_world *world);
 enum pp_status pp_nomogram_reading_of_opening(struct pp_nomogram_reading *reading,
                                               const struct pp_nomogram *nomogram,
                                               const struct pp_world *world,
+                                              const struct pp_outside_light *light,
                                               const struct pp_opening *opening,
                                               struct pp_error *err);
 

@@ -109,6 +109,7 @@ static bool same_lines(const struct pp_nomogram_window *a,
 
 static enum pp_status add_window(struct pp_nomogram_sheet *sheet,
                                  const struct pp_world *world,
+                                 const struct pp_outside_light *light,
                                  const struct pp_opening *opening, struct pp_error *err)
 {
     struct pp_nomogram_window window = {
@@ -116,7 +117,7 @@ static enum pp_status add_window(struct pp_nomogram_sheet *sheet,
         .alike = 1,
         .allowance = pp_allowance_factor(pp_method_nomogram.allowances, opening)};
     enum pp_status status = pp_nomogram_reading_of_opening(
-        &window.read, &sheet->nomogram, world, opening, err);
+        &window.read, &sheet->nomogram, world, light, opening, err);
     if (status != PP_OK)
         return status;
     sheet->component += sheet->decorations * window.allowance * window.read.component;
@@ -136,6 +137,7 @@ static enum pp_status add_window(struct pp_nomogram_sheet *sheet,
 enum pp_status pp_nomogram_sheet_fill_room(struct pp_nomogram_sheet *sheet,
                                            enum pp_nomogram_kind kind,
                                            const struct pp_world *world,
+                                           const struct pp_outside_light *light,
                                            struct pp_nomogram_spacing spacing,
                                            struct pp_error *err)
 {
@@ -147,7 +149,7 @@ enum pp_status pp_nomogram_sheet_fill_room(struct pp_nomogram_sheet *sheet,
     sheet->minimum = kind == PP_NOMOGRAM_MINIMUM ? 0.0 : NAN;
     if (status != PP_OK)
         return status;
-    const char *why = pp_method_nomogram.refuses_room(world, NULL);
+    const char *why = pp_method_nomogram.refuses_room(world, light, NULL);
     if (why)
         return pp_fail(err, PP_BAD_INPUT, "no nomogram serves here: %s", why);
     sheet->windows = calloc((size_t)world->opening_count + 1, sizeof *sheet->windows);
@@ -157,7 +159,7 @@ enum pp_status pp_nomogram_sheet_fill_room(struct pp_nomogram_sheet *sheet,
         const struct pp_opening *opening = &world->openings[i];
         bool upright = pp_refusals_unless_vertical(opening) == NULL;
         if (upright == (kind != PP_NOMOGRAM_ROOFLIGHT))
-            status = add_window(sheet, world, opening, err);
+            status = add_window(sheet, world, light, opening, err);
         else
             sheet->left_out++;
     }

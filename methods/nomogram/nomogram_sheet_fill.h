@@ -4,6 +4,7 @@
 #define PP_METHODS_NOMOGRAM_NOMOGRAM_SHEET_FILL_H
 
 #include "model/base/error.h"
+#include "model/light/outside_light.h"
 #include "model/results/nomogram_sheet.h"
 #include "model/room/world.h"
 
@@ -25,6 +26,7 @@ enum pp_status pp_nomogram_sheet_fill_blank(struct pp_nomogram_sheet *sheet,
 enum pp_status pp_nomogram_sheet_fill_room(struct pp_nomogram_sheet *sheet,
                                            enum pp_nomogram_kind kind,
                                            const struct pp_world *world,
+                                           const struct pp_outside_light *light,
                                            struct pp_nomogram_spacing spacing,
                                            struct pp_error *err);
 

@@ -35,6 +35,7 @@ static void destroy_tools(void *tools)
 }
 
 static enum pp_status prepare(void **tools, const struct pp_world *world,
+                              const struct pp_outside_light *light,
                               struct pp_error *err)
 {
     struct pepper_pot_diagrams *diagrams = calloc(1, sizeof *diagrams);
@@ -45,7 +46,7 @@ static enum pp_status prepare(void **tools, const struct pp_world *world,
         bool glazed = world->openings[i].glass.panes > 0;
         struct pp_pepper_pot **pot = glazed ? &diagrams->glazed : &diagrams->unglazed;
         if (!*pot)
-            status = pp_pepper_pot_dots_create(pot, &world->sky, glazed, false, 0.0,
+            status = pp_pepper_pot_dots_create(pot, &light->sky, glazed, false, 0.0,
                                                PP_PEPPER_POT_WORTH, err);
     }
     if (status != PP_OK)
@@ -61,9 +62,10 @@ static bool is_upright(struct pp_vec3 normal)
 }
 
 static const char *refuses_room(const struct pp_world *world,
+                                const struct pp_outside_light *light,
                                 const struct pp_receiver *receiver)
 {
-    if (world->sky.kind == PP_SKY_ISO)
+    if (light->sky.kind == PP_SKY_ISO)
         return "the diagram holds the overcast and the uniform sky only";
     if (receiver && !is_upright(receiver->normal) && pp_refusals_unless_up(receiver))
         return "the diagram holds points that face up or are upright";
@@ -71,10 +73,11 @@ static const char *refuses_room(const struct pp_world *world,
 }
 
 static const char *refuses(const struct pp_world *world,
+                           const struct pp_outside_light *light,
                            const struct pp_opening *opening,
                            const struct pp_receiver *receiver)
 {
-    (void)world, (void)receiver;
+    (void)world, (void)light, (void)receiver;
     if (opening->glass.diffusing)
         return "has diffusing glass; the diagram holds clear glass only";
     return pp_refusals_unless_vertical(opening);
@@ -97,6 +100,7 @@ static void count_dots(struct pp_part *part, const struct pp_pepper_pot *pot,
 }
 
 static enum pp_status evaluate(const struct pp_world *world,
+                               const struct pp_outside_light *light,
                                const struct pp_opening *opening,
                                const struct pp_receiver *receiver, const void *tools,
                                struct pp_part *part, struct pp_error *err)
@@ -104,15 +108,15 @@ static enum pp_status evaluate(const struct pp_world *world,
     const struct pepper_pot_diagrams *diagrams = tools;
     bool glazed = opening->glass.panes > 0;
     struct pp_window_drawing drawing;
-    enum pp_status status =
-        pp_window_drawing_init(&drawing, world, opening, receiver->position, err);
+    enum pp_status status = pp_window_drawing_init(&drawing, world, light, opening,
+                                                   receiver->position, err);
     if (status != PP_OK)
         return status;
     if (is_upright(receiver->normal)) {
         double facing = atan2(pp_vec_dot(receiver->normal, drawing.axes.along),
                               pp_vec_dot(receiver->normal, drawing.axes.out));
         struct pp_pepper_pot *pot;
-        status = pp_pepper_pot_dots_create(&pot, &world->sky, glazed, true, facing,
+        status = pp_pepper_pot_dots_create(&pot, &light->sky, glazed, true, facing,
                                            PP_PEPPER_POT_WORTH, err);
         if (status == PP_OK)
             count_dots(part, pot, &drawing);
@@ -127,6 +131,7 @@ static enum pp_status evaluate(const struct pp_world *world,
 /* The mean of many counts is the component itself, which an average over the plane
  * takes instead of dots. */
 static enum pp_status average(const struct pp_world *world,
+                              const struct pp_outside_light *light,
                               const struct pp_opening *opening, const void *tools,
                               struct pp_part *part, bool *known, struct pp_error *err)
 {
@@ -135,7 +140,7 @@ static enum pp_status average(const struct pp_world *world,
         opening->glass.panes > 0 ? &diagrams->glazed->glass : &opening->glass;
     struct pp_direct mean = {0};
     *known = true;
-    enum pp_status status = pp_direct_average(&mean, world, opening, glass, err);
+    enum pp_status status = pp_direct_average(&mean, world, light, opening, glass, err);
     part->sky = mean.sky;
     part->external = mean.external;
     return status;

@@ -39,13 +39,14 @@ static void count_dots(struct pp_pepper_pot_panel *panel, struct pp_board_piece 
 static enum pp_status fill_window(struct pp_pepper_pot_panel *panel,
                                   struct pp_board_window *window,
                                   const struct pp_world *world,
+                                  const struct pp_outside_light *light,
                                   const struct pp_opening *opening,
                                   struct pp_vec3 point, double worth,
                                   struct pp_error *err)
 {
     struct pp_window_drawing drawing;
     enum pp_status status = pp_diagram_windows_begin(
-        window, &drawing, &pp_method_pepper_pot, world, opening, point, err);
+        window, &drawing, &pp_method_pepper_pot, world, light, opening, point, err);
     if (status != PP_OK)
         return status;
     for (int i = 0; i < drawing.count; i++) {
@@ -64,7 +65,8 @@ static enum pp_status fill_window(struct pp_pepper_pot_panel *panel,
 
 /* The panel of the windows that share a diagram with opening `first`. */
 static enum pp_status fill_panel(struct pp_pepper_pot_panel *panel,
-                                 const struct pp_world *world, int first,
+                                 const struct pp_world *world,
+                                 const struct pp_outside_light *light, int first,
                                  const struct pp_receiver *receiver, bool upright,
                                  double worth, struct pp_error *err)
 {
@@ -73,7 +75,7 @@ static enum pp_status fill_panel(struct pp_pepper_pot_panel *panel,
                           -pp_vec_dot(receiver->normal, opening->inner.normal));
     struct pp_pepper_pot *pot;
     enum pp_status status = pp_pepper_pot_dots_create(
-        &pot, &world->sky, opening->glass.panes > 0, upright, facing, worth, err);
+        &pot, &light->sky, opening->glass.panes > 0, upright, facing, worth, err);
     if (status != PP_OK)
         return status;
     status = fill_dots(panel, pot, err);
@@ -85,7 +87,7 @@ static enum pp_status fill_panel(struct pp_pepper_pot_panel *panel,
         status = pp_fail_memory(err);
     for (int i = first; i < world->opening_count && status == PP_OK; i++)
         if (pp_diagram_windows_first_alike(world, i) == first)
-            status = fill_window(panel, &panel->windows[panel->count++], world,
+            status = fill_window(panel, &panel->windows[panel->count++], world, light,
                                  &world->openings[i], receiver->position, worth, err);
     return status;
 }
@@ -117,15 +119,16 @@ enum pp_status pp_pepper_pot_sheet_fill_blank(struct pp_pepper_pot_sheet *sheet,
 
 enum pp_status pp_pepper_pot_sheet_fill_room(struct pp_pepper_pot_sheet *sheet,
                                              const struct pp_world *world,
+                                             const struct pp_outside_light *light,
                                              const struct pp_receiver *receiver,
                                              double worth, struct pp_error *err)
 {
     *sheet = (struct pp_pepper_pot_sheet){0};
     bool upright = fabs(receiver->normal.z) < 0.5;
     enum pp_status status =
-        pp_diagram_windows_check(&pp_method_pepper_pot, world, receiver, err);
+        pp_diagram_windows_check(&pp_method_pepper_pot, world, light, receiver, err);
     if (status == PP_OK && world->opening_count == 0)
-        status = pp_pepper_pot_sheet_fill_blank(sheet, &world->sky, false, upright,
+        status = pp_pepper_pot_sheet_fill_blank(sheet, &light->sky, false, upright,
                                                 worth, err);
     if (status != PP_OK)
         return status;
@@ -133,7 +136,7 @@ enum pp_status pp_pepper_pot_sheet_fill_room(struct pp_pepper_pot_sheet *sheet,
     sheet->blank = false;
     sheet->upright = upright;
     sheet->point = receiver->position;
-    sheet->sky = world->sky;
+    sheet->sky = light->sky;
     sheet->worth = worth;
     if (world->opening_count == 0)
         return PP_OK;
@@ -143,8 +146,8 @@ enum pp_status pp_pepper_pot_sheet_fill_room(struct pp_pepper_pot_sheet *sheet,
         return pp_fail_memory(err);
     for (int i = 0; i < world->opening_count && status == PP_OK; i++)
         if (pp_diagram_windows_first_alike(world, i) == i)
-            status = fill_panel(&sheet->panels[sheet->count++], world, i, receiver,
-                                upright, worth, err);
+            status = fill_panel(&sheet->panels[sheet->count++], world, light, i,
+                                receiver, upright, worth, err);
     for (int i = 0; i < sheet->count; i++)
         pp_board_sheets_windows_add(sheet->panels[i].windows, sheet->panels[i].count,
                                     &sheet->sky_component, &sheet->external);

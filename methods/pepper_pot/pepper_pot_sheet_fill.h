@@ -5,6 +5,7 @@
 #define PP_METHODS_PEPPER_POT_PEPPER_POT_SHEET_FILL_H
 
 #include "model/base/error.h"
+#include "model/light/outside_light.h"
 #include "model/results/board_sheets.h"
 #include "model/room/world.h"
 
@@ -23,6 +24,7 @@ enum pp_status pp_pepper_pot_sheet_fill_blank(struct pp_pepper_pot_sheet *sheet,
  * worth of 0.1 % the sums are the components by that method. */
 enum pp_status pp_pepper_pot_sheet_fill_room(struct pp_pepper_pot_sheet *sheet,
                                              const struct pp_world *world,
+                                             const struct pp_outside_light *light,
                                              const struct pp_receiver *receiver,
                                              double worth, struct pp_error *err);
 

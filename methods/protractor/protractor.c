@@ -53,6 +53,7 @@ static int index_of(const struct pp_protractor *protractor)
 }
 
 static enum pp_status prepare(void **tools, const struct pp_world *world,
+                              const struct pp_outside_light *light,
                               struct pp_error *err)
 {
     struct dial_set *set = calloc(1, sizeof *set);
@@ -61,7 +62,7 @@ static enum pp_status prepare(void **tools, const struct pp_world *world,
     for (int i = 0; i < world->opening_count; i++) {
         struct pp_protractor protractor;
         const struct pp_opening *opening = &world->openings[i];
-        if (pp_protractor_read_choose(&protractor, &world->sky, opening, NULL) != PP_OK)
+        if (pp_protractor_read_choose(&protractor, &light->sky, opening, NULL) != PP_OK)
             continue;
         struct pp_protractor_dial **dial = &set->dials[index_of(&protractor)];
         if (*dial)
@@ -78,23 +79,25 @@ static enum pp_status prepare(void **tools, const struct pp_world *world,
 }
 
 static const char *refuses_room(const struct pp_world *world,
+                                const struct pp_outside_light *light,
                                 const struct pp_receiver *receiver)
 {
-    if (world->sky.kind == PP_SKY_ISO)
+    if (light->sky.kind == PP_SKY_ISO)
         return "there are protractors for the overcast and the uniform sky only";
     const char *why = pp_refusals_unless_up(receiver);
     return why ? why : pp_refusals_if_luminous(world);
 }
 
 static const char *refuses(const struct pp_world *world,
+                           const struct pp_outside_light *light,
                            const struct pp_opening *opening,
                            const struct pp_receiver *receiver)
 {
-    (void)receiver;
+    (void)world, (void)receiver;
     if (opening->glass.diffusing)
         return "has diffusing glass; there are protractors for clear glass only";
     struct pp_protractor protractor;
-    if (pp_protractor_read_choose(&protractor, &world->sky, opening, NULL) != PP_OK)
+    if (pp_protractor_read_choose(&protractor, &light->sky, opening, NULL) != PP_OK)
         return "has glass at a slope without a protractor; there are some for 0, 30, "
                "60 and 90 degrees";
     return NULL;
@@ -160,6 +163,7 @@ static const struct pp_formula *const formulae[] = {
     &pp_protractor_read_less,     NULL};
 
 static enum pp_status evaluate(const struct pp_world *world,
+                               const struct pp_outside_light *light,
                                const struct pp_opening *opening,
                                const struct pp_receiver *receiver, const void *tools,
                                struct pp_part *part, struct pp_error *err)
@@ -167,12 +171,12 @@ static enum pp_status evaluate(const struct pp_world *world,
     const struct dial_set *set = tools;
     struct pp_protractor protractor;
     enum pp_status status =
-        pp_protractor_read_choose(&protractor, &world->sky, opening, err);
+        pp_protractor_read_choose(&protractor, &light->sky, opening, err);
     if (status != PP_OK)
         return status;
     struct pp_protractor_readings readings;
     status = pp_protractor_read(&readings, set->dials[index_of(&protractor)], world,
-                                opening, receiver->position, err);
+                                light, opening, receiver->position, err);
     if (status != PP_OK)
         return status;
     struct pp_part_steps terms = pp_part_steps_on(&part->sheet, readings.count);

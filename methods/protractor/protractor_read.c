@@ -174,6 +174,7 @@ static void read_rectangle(struct pp_protractor_reading *reading,
 static enum pp_status read_upright(struct pp_protractor_readings *readings,
                                    const struct pp_protractor_dial *dial,
                                    const struct pp_world *world,
+                                   const struct pp_outside_light *light,
                                    const struct pp_opening *opening,
                                    struct pp_vec3 point, struct pp_error *err)
 {
@@ -190,7 +191,7 @@ static enum pp_status read_upright(struct pp_protractor_readings *readings,
         reading->hidden = !isnan(part->reflectance);
         reading->factor =
             reading->hidden
-                ? pp_visible_luminance_factor(&world->sky, part->reflectance)
+                ? pp_visible_luminance_factor(&light->sky, part->reflectance)
                 : 1.0;
         read_rectangle(
             reading, dial, PP_PI / 2.0,
@@ -324,6 +325,7 @@ static enum pp_status read_sloping(struct pp_protractor_readings *readings,
 enum pp_status pp_protractor_read(struct pp_protractor_readings *readings,
                                   const struct pp_protractor_dial *dial,
                                   const struct pp_world *world,
+                                  const struct pp_outside_light *light,
                                   const struct pp_opening *opening,
                                   struct pp_vec3 point, struct pp_error *err)
 {
@@ -337,10 +339,10 @@ enum pp_status pp_protractor_read(struct pp_protractor_readings *readings,
         .slope_rad = slope};
     enum pp_status status;
     if (is_upright(slope)) {
-        status = read_upright(readings, dial, world, opening, point, err);
+        status = read_upright(readings, dial, world, light, opening, point, err);
     } else {
         struct pp_window_drawing drawing;
-        status = pp_window_drawing_init(&drawing, world, opening, point, err);
+        status = pp_window_drawing_init(&drawing, world, light, opening, point, err);
         if (status != PP_OK)
             return status;
         status = read_sloping(readings, dial, opening, &drawing, err);

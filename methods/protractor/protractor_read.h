@@ -3,6 +3,7 @@
 #ifndef PP_METHODS_PROTRACTOR_PROTRACTOR_READ_H
 #define PP_METHODS_PROTRACTOR_PROTRACTOR_READ_H
 
+#include "model/light/outside_light.h"
 #include "model/results/formula.h"
 #include "methods/protractor/protractor_dial.h"
 #include "model/results/protractor_sheet.h"
@@ -22,6 +23,7 @@ enum pp_status pp_protractor_read_choose(struct pp_protractor *protractor,
 enum pp_status pp_protractor_read(struct pp_protractor_readings *readings,
                                   const struct pp_protractor_dial *dial,
                                   const struct pp_world *world,
+                                  const struct pp_outside_light *light,
                                   const struct pp_opening *opening,
                                   struct pp_vec3 point, struct pp_error *err);
 

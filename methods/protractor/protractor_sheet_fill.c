@@ -168,24 +168,25 @@ enum pp_status pp_protractor_sheet_fill_blank(struct pp_protractor_sheet *sheet,
 /* Reads one opening, and keeps the reading if its direct component is the largest
  * yet. */
 static enum pp_status keep_if_largest(struct pp_protractor_sheet *sheet,
+                                      const struct pp_outside_light *light,
                                       struct pp_protractor_dial *dial,
                                       const struct pp_opening *opening,
                                       struct pp_error *err)
 {
     const struct pp_world *world = sheet->world;
     struct pp_receiver receiver = {.position = sheet->point, .normal = {0, 0, 1}};
-    const char *why = pp_method_protractor.refuses(world, opening, &receiver);
+    const char *why = pp_method_protractor.refuses(world, light, opening, &receiver);
     if (why)
         return pp_fail(err, PP_BAD_INPUT, "the opening on line %d %s", opening->line,
                        why);
     struct pp_protractor protractor;
     enum pp_status status =
-        pp_protractor_read_choose(&protractor, &world->sky, opening, err);
+        pp_protractor_read_choose(&protractor, &light->sky, opening, err);
     if (status != PP_OK)
         return status;
     struct pp_protractor_readings read;
     pp_protractor_dial_init(dial, &protractor);
-    status = pp_protractor_read(&read, dial, world, opening, sheet->point, err);
+    status = pp_protractor_read(&read, dial, world, light, opening, sheet->point, err);
     if (status != PP_OK)
         return status;
     bool larger =
@@ -204,12 +205,13 @@ static enum pp_status keep_if_largest(struct pp_protractor_sheet *sheet,
 
 enum pp_status pp_protractor_sheet_fill_room(struct pp_protractor_sheet *sheet,
                                              const struct pp_world *world,
+                                             const struct pp_outside_light *light,
                                              const struct pp_receiver *receiver,
                                              struct pp_mark_spacing spacing,
                                              struct pp_error *err)
 {
     *sheet = (struct pp_protractor_sheet){.world = world, .point = receiver->position};
-    const char *why = pp_method_protractor.refuses_room(world, receiver);
+    const char *why = pp_method_protractor.refuses_room(world, light, receiver);
     if (why)
         return pp_fail(err, PP_BAD_INPUT, "no protractor serves here: %s", why);
     struct pp_protractor_dial *dial = malloc(sizeof *dial);
@@ -217,14 +219,14 @@ enum pp_status pp_protractor_sheet_fill_room(struct pp_protractor_sheet *sheet,
         return pp_fail_memory(err);
     enum pp_status status = PP_OK;
     for (int i = 0; i < world->opening_count && status == PP_OK; i++)
-        status = keep_if_largest(sheet, dial, &world->openings[i], err);
+        status = keep_if_largest(sheet, light, dial, &world->openings[i], err);
     if (status == PP_OK && !sheet->opening)
         status = pp_fail(err, PP_BAD_INPUT,
                          "the point sees nothing of any opening above its horizon");
     struct pp_protractor protractor;
     if (status == PP_OK)
         status =
-            pp_protractor_read_choose(&protractor, &world->sky, sheet->opening, err);
+            pp_protractor_read_choose(&protractor, &light->sky, sheet->opening, err);
     if (status == PP_OK) {
         sheet->others = world->opening_count - 1;
         sheet->allowance =

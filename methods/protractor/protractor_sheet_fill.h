@@ -4,6 +4,7 @@
 #define PP_METHODS_PROTRACTOR_PROTRACTOR_SHEET_FILL_H
 
 #include "methods/protractor/protractor_scale.h"
+#include "model/light/outside_light.h"
 #include "model/results/protractor_sheet.h"
 
 /* The least angles between marks and between labelled marks of the primary scale. */
@@ -25,6 +26,7 @@ enum pp_status pp_protractor_sheet_fill_blank(struct pp_protractor_sheet *sheet,
  * no opening, or where there is no protractor for an opening. */
 enum pp_status pp_protractor_sheet_fill_room(struct pp_protractor_sheet *sheet,
                                              const struct pp_world *world,
+                                             const struct pp_outside_light *light,
                                              const struct pp_receiver *receiver,
                                              struct pp_mark_spacing spacing,
                                              struct pp_error *err);

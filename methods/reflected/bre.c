@@ -11,13 +11,14 @@
 #include "methods/refusals.h"
 
 static enum pp_status evaluate(const struct pp_world *world,
+                               const struct pp_outside_light *light,
                                const struct pp_opening *opening,
                                const struct pp_receiver *receiver, const void *tools,
                                struct pp_part *part, struct pp_error *err)
 {
     (void)receiver, (void)tools;
     struct pp_bre_terms terms;
-    enum pp_status status = pp_bre_terms(&terms, world, opening, err);
+    enum pp_status status = pp_bre_terms(&terms, world, light, opening, err);
     if (status != PP_OK)
         return status;
     part->value = pp_bre_terms_work(&part->sheet, &pp_bre_terms_irc, &terms, opening);

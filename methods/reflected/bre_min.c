@@ -39,13 +39,14 @@ static const struct pp_formula *const formulae[] = {
     &pp_allowance_glass_W, &pp_bre_terms_IRC_av, &minimum, NULL};
 
 static enum pp_status evaluate(const struct pp_world *world,
+                               const struct pp_outside_light *light,
                                const struct pp_opening *opening,
                                const struct pp_receiver *receiver, const void *tools,
                                struct pp_part *part, struct pp_error *err)
 {
     (void)receiver, (void)tools;
     struct pp_bre_terms terms;
-    enum pp_status status = pp_bre_terms(&terms, world, opening, err);
+    enum pp_status status = pp_bre_terms(&terms, world, light, opening, err);
     if (status != PP_OK)
         return status;
     pp_bre_terms_work(&part->sheet, &pp_bre_terms_IRC_av, &terms, opening);

@@ -91,9 +91,10 @@ static struct pp_irc_minimum_entry entry_of(const struct pp_world *world)
 }
 
 static const char *refuses_room(const struct pp_world *world,
+                                const struct pp_outside_light *light,
                                 const struct pp_receiver *receiver)
 {
-    const char *why = pp_refusals_formula_room(world, receiver);
+    const char *why = pp_refusals_formula_room(world, light, receiver);
     if (why)
         return why;
     struct pp_irc_minimum_entry entry = entry_of(world);
@@ -124,13 +125,14 @@ static void put_reading(struct pp_worksheet *sheet,
 }
 
 static enum pp_status evaluate(const struct pp_world *world,
+                               const struct pp_outside_light *light,
                                const struct pp_opening *opening,
                                const struct pp_receiver *receiver, const void *tools,
                                struct pp_part *part, struct pp_error *err)
 {
     (void)receiver, (void)tools;
     struct pp_bre_terms terms;
-    enum pp_status status = pp_bre_terms(&terms, world, opening, err);
+    enum pp_status status = pp_bre_terms(&terms, world, light, opening, err);
     if (status != PP_OK)
         return status;
     struct pp_irc_minimum_entry entry = entry_of(world);

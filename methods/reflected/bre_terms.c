@@ -17,10 +17,11 @@ const struct pp_formula pp_bre_terms_irc = {.symbol = "irc", AVERAGE};
 const struct pp_formula pp_bre_terms_IRC_av = {.symbol = "IRC_av", AVERAGE};
 
 enum pp_status pp_bre_terms(struct pp_bre_terms *terms, const struct pp_world *world,
+                            const struct pp_outside_light *light,
                             const struct pp_opening *opening, struct pp_error *err)
 {
     enum pp_status status =
-        pp_obstruction_angle(&terms->alpha_rad, world, opening, err);
+        pp_obstruction_angle(&terms->alpha_rad, world, light, opening, err);
     if (status != PP_OK)
         return status;
     struct pp_interior_parts parts =

@@ -11,6 +11,7 @@
 
 #include "methods/allowance.h"
 #include "methods/reflected/interior.h"
+#include "model/light/outside_light.h"
 #include "model/results/worksheet.h"
 #include "model/room/world.h"
 
@@ -50,6 +51,7 @@ struct pp_bre_terms {
 
 /* The terms of one vertical opening. */
 enum pp_status pp_bre_terms(struct pp_bre_terms *terms, const struct pp_world *world,
+                            const struct pp_outside_light *light,
                             const struct pp_opening *opening, struct pp_error *err);
 
 /* Puts down R_fw, R_cw, alpha and C. */

@@ -45,17 +45,17 @@ const struct pp_formula pp_entering_light_u = {
 };
 
 /* C, by the table or by C_hv, which are read of the room. */
-static void put_C(struct pp_worksheet *sheet, const struct pp_world *world,
+static void put_C(struct pp_worksheet *sheet, const struct pp_outside_light *light,
                   const struct pp_opening *opening, double alpha_rad)
 {
     bool vertical = pp_refusals_unless_vertical(opening) == NULL;
-    if (vertical && world->sky.kind == PP_SKY_OVERCAST) {
+    if (vertical && light->sky.kind == PP_SKY_OVERCAST) {
         pp_worksheet_put(sheet, PP_UNIT_SHARE, pp_obstruction_factor(alpha_rad), "C",
                          "on the glass from above the horizon, from the table");
         return;
     }
     struct pp_vec3 outward = pp_vec_scale(opening->inner.normal, -1.0);
-    pp_worksheet_put(sheet, PP_UNIT_SHARE, pp_sky_on_plane(&world->sky, outward),
+    pp_worksheet_put(sheet, PP_UNIT_SHARE, pp_sky_on_plane(&light->sky, outward),
                      "C_hv", "on glass of that slope from the open sky");
     pp_worksheet_work(sheet, &pp_entering_light_C,
                       "on the glass from above the horizon");
@@ -63,11 +63,13 @@ static void put_C(struct pp_worksheet *sheet, const struct pp_world *world,
 
 enum pp_status pp_entering_light(struct pp_worksheet *sheet,
                                  const struct pp_world *world,
+                                 const struct pp_outside_light *light,
                                  const struct pp_opening *opening, struct pp_error *err)
 {
     int line = opening->line;
     double alpha_rad;
-    enum pp_status status = pp_obstruction_angle(&alpha_rad, world, opening, err);
+    enum pp_status status =
+        pp_obstruction_angle(&alpha_rad, world, light, opening, err);
     if (status != PP_OK)
         return status;
     pp_allowance_net_glass(sheet, &pp_allowance_glass_Ag, opening);
@@ -80,8 +82,8 @@ enum pp_status pp_entering_light(struct pp_worksheet *sheet,
                          "opening on line %d: diffuse transmittance", line);
     pp_worksheet_put(sheet, PP_UNIT_ANGLE, alpha_rad, "alpha",
                      "opening on line %d: angle of the obstruction", line);
-    put_C(sheet, world, opening, alpha_rad);
-    pp_worksheet_put(sheet, PP_UNIT_NUMBER, world->ground_reflectance, "rho_g",
+    put_C(sheet, light, opening, alpha_rad);
+    pp_worksheet_put(sheet, PP_UNIT_NUMBER, light->ground_reflectance, "rho_g",
                      "reflectance of the ground");
     pp_worksheet_put(sheet, PP_UNIT_ANGLE, opening->slope_rad, "beta",
                      "opening on line %d: slope of the glass", line);

@@ -19,6 +19,7 @@
 #define PP_METHODS_REFLECTED_ENTERING_LIGHT_H
 
 #include "methods/allowance.h"
+#include "model/light/outside_light.h"
 #include "model/results/worksheet.h"
 #include "model/room/world.h"
 
@@ -50,6 +51,7 @@ extern const struct pp_formula pp_entering_light_C, pp_entering_light_C_g,
 /* Puts all of that down; u for a diffusing pane only. */
 enum pp_status pp_entering_light(struct pp_worksheet *sheet,
                                  const struct pp_world *world,
+                                 const struct pp_outside_light *light,
                                  const struct pp_opening *opening,
                                  struct pp_error *err);
 

@@ -59,6 +59,7 @@ static double skyline_angle(const struct pp_world *world,
 }
 
 enum pp_status pp_obstruction_angle(double *angle_rad, const struct pp_world *world,
+                                    const struct pp_outside_light *light,
                                     const struct pp_opening *opening,
                                     struct pp_error *err)
 {
@@ -66,7 +67,7 @@ enum pp_status pp_obstruction_angle(double *angle_rad, const struct pp_world *wo
         *angle_rad = skyline_angle(world, opening);
         return PP_OK;
     }
-    struct pp_sky sky = pp_sky_graded(world->sky.gradation);
+    struct pp_sky sky = pp_sky_graded(light->sky.gradation);
     struct pp_vec3 out = pp_vec_scale(opening->inner.normal, -1.0);
     struct pp_vec3 level = pp_vec(out.x, out.y, 0.0);
     bool horizontal = pp_vec_length(level) < 1e-6;

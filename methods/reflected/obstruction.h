@@ -11,6 +11,7 @@
 #ifndef PP_METHODS_REFLECTED_OBSTRUCTION_H
 #define PP_METHODS_REFLECTED_OBSTRUCTION_H
 
+#include "model/light/outside_light.h"
 #include "model/room/world.h"
 
 /* alpha of an opening (rad, 0 to pi/2): the angle of its own wall's skyline from the
@@ -20,6 +21,7 @@
  * same azimuth; the angle of a horizontal opening is 90 degrees times the share of the
  * sky's light that is hidden. */
 enum pp_status pp_obstruction_angle(double *angle_rad, const struct pp_world *world,
+                                    const struct pp_outside_light *light,
                                     const struct pp_opening *opening,
                                     struct pp_error *err);
 

@@ -121,12 +121,14 @@ static void put_sloping(struct pp_worksheet *sheet, const struct pp_opening *ope
 }
 
 enum pp_status pp_sky_angle(struct pp_worksheet *sheet, const struct pp_world *world,
+                            const struct pp_outside_light *light,
                             const struct pp_opening *opening, struct pp_error *err)
 {
     double alpha_rad;
     int line = opening->line;
     bool vertical = pp_refusals_unless_vertical(opening) == NULL;
-    enum pp_status status = pp_obstruction_angle(&alpha_rad, world, opening, err);
+    enum pp_status status =
+        pp_obstruction_angle(&alpha_rad, world, light, opening, err);
     if (status != PP_OK)
         return status;
     if (vertical && opening->reveal_m > 0.0) {

@@ -11,6 +11,7 @@
 #ifndef PP_METHODS_REFLECTED_SKY_ANGLE_H
 #define PP_METHODS_REFLECTED_SKY_ANGLE_H
 
+#include "model/light/outside_light.h"
 #include "model/results/worksheet.h"
 #include "model/room/world.h"
 
@@ -27,6 +28,7 @@ extern const struct pp_formula pp_sky_angle_head, pp_sky_angle_reveal,
 
 /* Puts down theta and what it comes from: theta_h and alpha in any case. */
 enum pp_status pp_sky_angle(struct pp_worksheet *sheet, const struct pp_world *world,
+                            const struct pp_outside_light *light,
                             const struct pp_opening *opening, struct pp_error *err);
 
 #endif

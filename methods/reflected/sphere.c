@@ -50,13 +50,14 @@ static const struct pp_formula *const formulae[] = {PP_ENTERING_LIGHT_FORMULAE, 
                                                     &diffusing, NULL};
 
 static enum pp_status evaluate(const struct pp_world *world,
+                               const struct pp_outside_light *light,
                                const struct pp_opening *opening,
                                const struct pp_receiver *receiver, const void *tools,
                                struct pp_part *part, struct pp_error *err)
 {
     (void)receiver, (void)tools;
     struct pp_worksheet *sheet = &part->sheet;
-    enum pp_status status = pp_entering_light(sheet, world, opening, err);
+    enum pp_status status = pp_entering_light(sheet, world, light, opening, err);
     if (status != PP_OK)
         return status;
     struct pp_interior all = pp_interior_all(world);

@@ -17,10 +17,11 @@
 #include "methods/refusals.h"
 
 static const char *refuses(const struct pp_world *world,
+                           const struct pp_outside_light *light,
                            const struct pp_opening *opening,
                            const struct pp_receiver *receiver)
 {
-    (void)receiver;
+    (void)light, (void)receiver;
     struct pp_interior_parts parts = pp_interior_split(world, opening->middle_z_m);
     if (!(parts.upper.reflectance * parts.lower.reflectance < 1.0))
         return "lights parts of the room that reflect all light, without end";
@@ -75,13 +76,14 @@ static const struct pp_formula *const formulae[] = {PP_ENTERING_LIGHT_FORMULAE, 
                                                     &diffusing, &one_part, NULL};
 
 static enum pp_status evaluate(const struct pp_world *world,
+                               const struct pp_outside_light *light,
                                const struct pp_opening *opening,
                                const struct pp_receiver *receiver, const void *tools,
                                struct pp_part *part, struct pp_error *err)
 {
     (void)receiver, (void)tools;
     struct pp_worksheet *sheet = &part->sheet;
-    enum pp_status status = pp_entering_light(sheet, world, opening, err);
+    enum pp_status status = pp_entering_light(sheet, world, light, opening, err);
     if (status != PP_OK)
         return status;
     struct pp_interior_parts parts = pp_interior_split(world, opening->middle_z_m);

@@ -14,6 +14,7 @@
 
 #include "model/geometry/projection.h"
 #include "model/geometry/region.h"
+#include "model/light/sky.h"
 #include "model/room/world.h"
 
 /* A part of the view's plane: the part of `region` (in the view's coordinates) within

@@ -89,6 +89,7 @@ static enum pp_status draw_patch(struct pp_drawn_part *part,
 
 enum pp_status pp_window_drawing_init(struct pp_window_drawing *drawing,
                                       const struct pp_world *world,
+                                      const struct pp_outside_light *light,
                                       const struct pp_opening *opening,
                                       struct pp_vec3 point, struct pp_error *err)
 {
@@ -107,7 +108,7 @@ enum pp_status pp_window_drawing_init(struct pp_window_drawing *drawing,
         drawing->count = visible.patch_count;
     for (int i = 0; i < drawing->count && status == PP_OK; i++)
         status = draw_patch(&drawing->parts[i], &visible, &visible.patches[i],
-                            &world->sky, err);
+                            &light->sky, err);
     pp_visible_clear(&visible);
     if (status != PP_OK)
         pp_window_drawing_clear(drawing);

@@ -12,6 +12,7 @@
 
 #include "methods/part_steps.h"
 #include "model/geometry/region.h"
+#include "model/light/outside_light.h"
 #include "model/room/world.h"
 
 /* The axes of the plane: a point (a, b) of the drawing lies in the direction a along +
@@ -37,6 +38,7 @@ struct pp_window_drawing {
 /* To be cleared by the caller; empty on failure. */
 enum pp_status pp_window_drawing_init(struct pp_window_drawing *drawing,
                                       const struct pp_world *world,
+                                      const struct pp_outside_light *light,
                                       const struct pp_opening *opening,
                                       struct pp_vec3 point, struct pp_error *err);
 void pp_window_drawing_clear(struct pp_window_drawing *drawing);

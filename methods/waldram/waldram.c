@@ -26,6 +26,7 @@ struct waldram_diagrams {
 };
 
 static enum pp_status prepare(void **tools, const struct pp_world *world,
+                              const struct pp_outside_light *light,
                               struct pp_error *err)
 {
     struct waldram_diagrams *diagrams = malloc(sizeof *diagrams);
@@ -36,9 +37,9 @@ static enum pp_status prepare(void **tools, const struct pp_world *world,
         *(world->openings[i].glass.panes > 0 ? &glazed : &unglazed) = true;
     enum pp_status status = PP_OK;
     if (unglazed)
-        status = pp_waldram_scale_init(&diagrams->unglazed, &world->sky, false, err);
+        status = pp_waldram_scale_init(&diagrams->unglazed, &light->sky, false, err);
     if (glazed && status == PP_OK)
-        status = pp_waldram_scale_init(&diagrams->glazed, &world->sky, true, err);
+        status = pp_waldram_scale_init(&diagrams->glazed, &light->sky, true, err);
     if (status != PP_OK)
         free(diagrams);
     else
@@ -47,19 +48,21 @@ static enum pp_status prepare(void **tools, const struct pp_world *world,
 }
 
 static const char *refuses_room(const struct pp_world *world,
+                                const struct pp_outside_light *light,
                                 const struct pp_receiver *receiver)
 {
-    if (pp_sky_has_azimuth(&world->sky))
+    if (pp_sky_has_azimuth(&light->sky))
         return "the diagram holds skies that are the same in all azimuths";
     const char *why = pp_refusals_unless_up(receiver);
     return why ? why : pp_refusals_if_luminous(world);
 }
 
 static const char *refuses(const struct pp_world *world,
+                           const struct pp_outside_light *light,
                            const struct pp_opening *opening,
                            const struct pp_receiver *receiver)
 {
-    (void)world, (void)receiver;
+    (void)world, (void)light, (void)receiver;
     if (opening->glass.diffusing)
         return "has diffusing glass; the diagram holds clear glass only";
     if (opening->glass.panes > 0 && pp_refusals_unless_vertical(opening))
@@ -68,6 +71,7 @@ static const char *refuses(const struct pp_world *world,
 }
 
 static enum pp_status evaluate(const struct pp_world *world,
+                               const struct pp_outside_light *light,
                                const struct pp_opening *opening,
                                const struct pp_receiver *receiver, const void *tools,
                                struct pp_part *part, struct pp_error *err)
@@ -76,8 +80,8 @@ static enum pp_status evaluate(const struct pp_world *world,
     const struct pp_waldram *waldram =
         opening->glass.panes > 0 ? &diagrams->glazed : &diagrams->unglazed;
     struct pp_window_drawing drawing;
-    enum pp_status status =
-        pp_window_drawing_init(&drawing, world, opening, receiver->position, err);
+    enum pp_status status = pp_window_drawing_init(&drawing, world, light, opening,
+                                                   receiver->position, err);
     if (status != PP_OK)
         return status;
     pp_worksheet_put(&part->sheet, PP_UNIT_SHARE, PP_WALDRAM_WORTH, "w",
@@ -123,6 +127,7 @@ static double charted_luminance(const void *context, struct pp_vec3 u)
 /* The mean of many counts is the area: an average over the plane takes the area, with
  * the diagram's losses, instead of squares. */
 static enum pp_status average(const struct pp_world *world,
+                              const struct pp_outside_light *light,
                               const struct pp_opening *opening, const void *tools,
                               struct pp_part *part, bool *known, struct pp_error *err)
 {
@@ -131,21 +136,21 @@ static enum pp_status average(const struct pp_world *world,
     if (opening->glass.panes == 0) {
         struct pp_direct mean = {0};
         enum pp_status plain =
-            pp_direct_average(&mean, world, opening, &opening->glass, err);
+            pp_direct_average(&mean, world, light, opening, &opening->glass, err);
         part->sky = mean.sky;
         part->external = mean.external;
         return plain;
     }
     struct charted charted = {&diagrams->glazed, opening->along,
                               pp_vec_scale(opening->inner.normal, -1.0)};
-    const struct pp_beam_light light = {
+    const struct pp_beam_light beam = {
         .sky = charted_luminance,
         .context = &charted,
-        .of_reflectance = pp_visible_luminance_factor(&world->sky, 1.0),
+        .of_reflectance = pp_visible_luminance_factor(&light->sky, 1.0),
         .with_outside = true};
     double mean[2];
     enum pp_status status =
-        pp_beam_average(mean, world, opening, &light, PP_BEAM_AVERAGE_ERROR, err);
+        pp_beam_average(mean, world, opening, &beam, PP_BEAM_AVERAGE_ERROR, err);
     part->sky = mean[0];
     part->external = mean[1];
     return status;

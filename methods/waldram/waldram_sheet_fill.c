@@ -114,12 +114,13 @@ static enum pp_status fill_piece(struct pp_board_piece *piece,
 static enum pp_status fill_window(struct pp_board_window *window,
                                   const struct pp_waldram *waldram,
                                   const struct pp_world *world,
+                                  const struct pp_outside_light *light,
                                   const struct pp_opening *opening,
                                   struct pp_vec3 point, struct pp_error *err)
 {
     struct pp_window_drawing drawing;
     enum pp_status status = pp_diagram_windows_begin(
-        window, &drawing, &pp_method_waldram, world, opening, point, err);
+        window, &drawing, &pp_method_waldram, world, light, opening, point, err);
     if (status != PP_OK)
         return status;
     for (int i = 0; i < drawing.count && status == PP_OK; i++) {
@@ -149,13 +150,14 @@ static void widen(struct pp_waldram_panel *panel)
 
 /* The panel of the windows that share a diagram with opening `first`. */
 static enum pp_status fill_panel(struct pp_waldram_panel *panel,
-                                 const struct pp_world *world, int first,
+                                 const struct pp_world *world,
+                                 const struct pp_outside_light *light, int first,
                                  struct pp_vec3 point, struct pp_error *err)
 {
     const struct pp_opening *opening = &world->openings[first];
     struct pp_waldram waldram;
     enum pp_status status =
-        pp_waldram_scale_init(&waldram, &world->sky, opening->glass.panes > 0, err);
+        pp_waldram_scale_init(&waldram, &light->sky, opening->glass.panes > 0, err);
     if (status == PP_OK)
         status = fill_scales(panel, &waldram, err);
     panel->wall = world->surfaces[opening->face].name;
@@ -166,7 +168,7 @@ static enum pp_status fill_panel(struct pp_waldram_panel *panel,
     for (int i = first; i < world->opening_count && status == PP_OK; i++)
         if (pp_diagram_windows_first_alike(world, i) == first)
             status = fill_window(&panel->windows[panel->count++], &waldram, world,
-                                 &world->openings[i], point, err);
+                                 light, &world->openings[i], point, err);
     widen(panel);
     return status;
 }
@@ -193,20 +195,21 @@ enum pp_status pp_waldram_sheet_fill_blank(struct pp_waldram_sheet *sheet,
 
 enum pp_status pp_waldram_sheet_fill_room(struct pp_waldram_sheet *sheet,
                                           const struct pp_world *world,
+                                          const struct pp_outside_light *light,
                                           const struct pp_receiver *receiver,
                                           struct pp_error *err)
 {
     *sheet = (struct pp_waldram_sheet){0};
     enum pp_status status =
-        pp_diagram_windows_check(&pp_method_waldram, world, receiver, err);
+        pp_diagram_windows_check(&pp_method_waldram, world, light, receiver, err);
     if (status == PP_OK && world->opening_count == 0)
-        status = pp_waldram_sheet_fill_blank(sheet, &world->sky, false, err);
+        status = pp_waldram_sheet_fill_blank(sheet, &light->sky, false, err);
     if (status != PP_OK)
         return status;
     sheet->name = world->name;
     sheet->blank = false;
     sheet->point = receiver->position;
-    sheet->sky = world->sky;
+    sheet->sky = light->sky;
     sheet->worth = PP_WALDRAM_WORTH;
     if (world->opening_count == 0)
         return PP_OK;
@@ -216,7 +219,7 @@ enum pp_status pp_waldram_sheet_fill_room(struct pp_waldram_sheet *sheet,
         return pp_fail_memory(err);
     for (int i = 0; i < world->opening_count && status == PP_OK; i++)
         if (pp_diagram_windows_first_alike(world, i) == i)
-            status = fill_panel(&sheet->panels[sheet->count++], world, i,
+            status = fill_panel(&sheet->panels[sheet->count++], world, light, i,
                                 receiver->position, err);
     for (int i = 0; i < sheet->count; i++)
         pp_board_sheets_windows_add(sheet->panels[i].windows, sheet->panels[i].count,

@@ -5,6 +5,7 @@
 #define PP_METHODS_WALDRAM_WALDRAM_SHEET_FILL_H
 
 #include "model/base/error.h"
+#include "model/light/outside_light.h"
 #include "model/results/board_sheets.h"
 #include "model/room/world.h"
 
@@ -20,6 +21,7 @@ enum pp_status pp_waldram_sheet_fill_blank(struct pp_waldram_sheet *sheet,
  * are the components by that method. */
 enum pp_status pp_waldram_sheet_fill_room(struct pp_waldram_sheet *sheet,
                                           const struct pp_world *world,
+                                          const struct pp_outside_light *light,
                                           const struct pp_receiver *receiver,
                                           struct pp_error *err);
 

@@ -8,6 +8,7 @@
 
 #include <stdbool.h>
 
+#include "model/light/outside_light.h"
 #include "model/results/reading.h"
 #include "model/results/steps.h"
 #include "model/room/world.h"
@@ -38,6 +39,7 @@ struct pp_method_options; /* methods/method.h */
 
 struct pp_report {
     const struct pp_world *world;            /* not owned */
+    struct pp_outside_light light;           /* from outside, on that world */
     const struct pp_method_options *options; /* not owned; NULL: nothing asked for */
     const struct pp_receiver *receivers;     /* not owned */
     struct pp_receiver *more_receivers; /* list that is freed with the report; NULL:

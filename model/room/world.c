@@ -18,7 +18,6 @@
 #include "model/room/build/watertight.h"
 #include "model/room/build/working_plane.h"
 #include "model/room/corrections.h"
-#include "model/room/sky_words.h"
 
 void pp_world_destroy(struct pp_world *world)
 {
@@ -43,28 +42,6 @@ void pp_world_destroy(struct pp_world *world)
     free(world);
 }
 
-struct pp_outside_light pp_world_light(const struct pp_world *world)
-{
-    return (struct pp_outside_light){world->sky, world->ground_reflectance};
-}
-
-enum pp_status pp_world_set_sky(struct pp_world *world, const struct pp_room *room,
-                                struct pp_error *err)
-{
-    struct pp_sky sky;
-    enum pp_status status = pp_sky_words_sky(&sky, &room->sky, room->north_rad, err);
-    if (status == PP_OK)
-        world->sky = sky;
-    return status;
-}
-
-static void resolve_sky(struct pp_resolver *r)
-{
-    struct pp_error fault = {0};
-    if (pp_world_set_sky(r->world, r->room, &fault) != PP_OK)
-        pp_mistakes_add(r->mistakes, r->room->sky.line, "sky: %s", fault.message);
-}
-
 static enum pp_status resolve_site(struct pp_resolver *r, struct pp_error *err)
 {
     const struct pp_room *room = r->room;
@@ -79,10 +56,8 @@ static enum pp_status resolve_site(struct pp_resolver *r, struct pp_error *err)
         isnan(room->decorations)
             ? pp_corrections_decorations(world->surroundings, world->work)
             : room->decorations;
-    world->ground_reflectance = room->site.ground_reflectance;
     world->ground_level_m = room->site.ground_level_m;
     world->ground_is_open = room->site.ground_is_open;
-    resolve_sky(r);
     if (room->name) {
         world->name = strdup(room->name);
         if (!world->name)

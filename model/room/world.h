@@ -2,8 +2,9 @@
  *
  * Nothing here has to be looked up by name or worked out a second time: polygons in
  * metres, fractions, radians, the room's own x, y, z (floor at z = 0, z up). The hand
- * methods, the tracer, the charts and the exports read only this; a world is never
- * changed once made, but for its sky. Everything in it is owned by it.
+ * methods, the tracer, the charts and the exports read only this, and the light from
+ * outside that they are given beside it (room_light.h); a world is never changed once
+ * made. Everything in it is owned by it.
  */
 #ifndef PP_MODEL_ROOM_WORLD_H
 #define PP_MODEL_ROOM_WORLD_H
@@ -16,7 +17,6 @@
 #include "model/geometry/region.h"
 #include "model/geometry/vec.h"
 #include "model/light/glass.h"
-#include "model/light/outside_light.h"
 
 enum pp_role {
     PP_FLOOR,        /* of the room's own envelope */
@@ -116,8 +116,6 @@ struct pp_world {
     double decorations; /* share of the internally reflected component that the
                          * deterioration of decorations leaves; 1: they are as new */
 
-    struct pp_sky sky;
-    double ground_reflectance;
     double ground_level_m; /* z of the ground outside */
     bool ground_is_open; /* lit by the whole sky everywhere; else it lies in the shadow
                             * of what stands on it */
@@ -138,16 +136,8 @@ struct pp_world {
     int receiver_count;
 };
 
-/* The light from outside that the room's file has. */
-struct pp_outside_light pp_world_light(const struct pp_world *world);
-
 /* A room as its file describes it (building.h). */
 struct pp_room;
-
-/* Puts the sky of a room like the world's own in place of the world's, and changes
- * nothing else. */
-enum pp_status pp_world_set_sky(struct pp_world *world, const struct pp_room *room,
-                                struct pp_error *err);
 
 /* Resolves a room. Mistakes in what it describes go to mistakes (PP_BAD_INPUT, and no
  * world). */

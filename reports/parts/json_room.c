@@ -141,7 +141,8 @@ static bool add_plane(struct json_object *object, const struct pp_region *plane)
     return good;
 }
 
-bool pp_json_room_add(struct json_object *object, const struct pp_world *world)
+bool pp_json_room_add(struct json_object *object, const struct pp_world *world,
+                      const struct pp_outside_light *light)
 {
     struct json_object *model = json_object_new_object();
     int outside = 0;
@@ -153,7 +154,7 @@ bool pp_json_room_add(struct json_object *object, const struct pp_world *world)
            && pp_json_number(model, "plane-area", pp_region_area(&world->plane))
            && add_plane(model, &world->plane)
            && pp_json_number(model, "decorations", world->decorations)
-           && pp_json_number(model, "ground-reflectance", world->ground_reflectance)
+           && pp_json_number(model, "ground-reflectance", light->ground_reflectance)
            && add_list(model, "faces", world->face_count, face_of, world)
            && add_list(model, "openings", world->opening_count, opening_of, world)
            && add_list(model, "skylines", world->skyline_count, skyline_of, world)

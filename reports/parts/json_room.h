@@ -6,10 +6,12 @@
 #include <json.h>
 #include <stdbool.h>
 
+#include "model/light/outside_light.h"
 #include "model/room/world.h"
 
 /* Adds "model": areas (m2), lengths (m), reflectances and transmittances as fractions as in
  * a room file, slopes and angles in degrees. False: memory is out. */
-bool pp_json_room_add(struct json_object *object, const struct pp_world *world);
+bool pp_json_room_add(struct json_object *object, const struct pp_world *world,
+                      const struct pp_outside_light *light);
 
 #endif

@@ -63,9 +63,10 @@ static void put_fact(const char *label, int width, FILE *out, const char *format
     pp_print_wrapped(text, LABEL + 2, LABEL + 2, width, out);
 }
 
-static void print_sky(const struct pp_world *world, int width, FILE *out)
+static void print_sky(const struct pp_world *world,
+                      const struct pp_outside_light *light, int width, FILE *out)
 {
-    const struct pp_sky *sky = &world->sky;
+    const struct pp_sky *sky = &light->sky;
     if (sky->kind == PP_SKY_OVERCAST) {
         put_fact("sky", width, out, "CIE standard overcast");
     } else if (sky->kind == PP_SKY_UNIFORM) {
@@ -202,10 +203,11 @@ static void print_openings(const struct pp_world *world, int width, FILE *out)
         put_fact("openings", width, out, "none");
 }
 
-static void print_outside(const struct pp_world *world, int width, FILE *out)
+static void print_outside(const struct pp_world *world,
+                          const struct pp_outside_light *light, int width, FILE *out)
 {
     char text[TEXT_BYTES] = "";
-    pp_text_append(text, TEXT_BYTES, "ground %.3g", world->ground_reflectance);
+    pp_text_append(text, TEXT_BYTES, "ground %.3g", light->ground_reflectance);
     for (int i = 0; i < world->skyline_count; i++) {
         const struct pp_skyline *line = &world->skylines[i];
         const char *wall = world->surfaces[line->face].name;
@@ -229,13 +231,14 @@ static void print_outside(const struct pp_world *world, int width, FILE *out)
     put_fact("outside", width, out, "%s", text);
 }
 
-void pp_print_assumed(const struct pp_world *world, int width, FILE *out)
+void pp_print_assumed(const struct pp_world *world,
+                      const struct pp_outside_light *light, int width, FILE *out)
 {
-    print_sky(world, width, out);
+    print_sky(world, light, width, out);
     print_size(world, width, out);
     print_reflectances(world, width, out);
     print_openings(world, width, out);
-    print_outside(world, width, out);
+    print_outside(world, light, width, out);
     put_fact("working plane", width, out, "at %.2f m; the average is over all of it",
              world->working_plane_m);
 }

@@ -6,6 +6,7 @@
 
 #include <stdio.h>
 
+#include "model/light/outside_light.h"
 #include "model/room/world.h"
 
 /* The room's name and its file, on a line. */
@@ -13,7 +14,8 @@ void pp_print_title(const struct pp_world *world, const char *file, FILE *out);
 
 /* The assumptions on the room (sky, working plane, surfaces, glass), one a line; the first
  * part of a report. */
-void pp_print_assumed(const struct pp_world *world, int width, FILE *out);
+void pp_print_assumed(const struct pp_world *world,
+                      const struct pp_outside_light *light, int width, FILE *out);
 
 /* Words of text from column `column` on, wrapped at `width`; further lines are indented
  * by `indent`. Ends the line. */

@@ -89,7 +89,8 @@ static enum pp_status gather(struct pp_assessment *assessment,
 {
     const struct pp_world *world = assessment->room->world;
     find_median(&assessment->median, world, options);
-    assessment->report = (struct pp_report){.world = world, .finished = true};
+    assessment->report = (struct pp_report){
+        .world = world, .light = assessment->room->light, .finished = true};
     if (!assessment->has_factors)
         return PP_OK;
     enum pp_status status = pp_en17037_grid(
@@ -103,6 +104,7 @@ static enum pp_status judge(struct pp_assessment *assessment,
 {
     const struct pp_inquiry inquiry = {
         .world = assessment->room->world,
+        .light = &assessment->room->light,
         .before = assessment->before ? assessment->before->world : NULL,
         .pairs = assessment->pairs,
         .factors = assessment->has_factors ? &assessment->report : NULL,
@@ -160,7 +162,7 @@ enum pp_status pp_assessment_judge(struct pp_assessment *assessment,
     assessment->has_gains = !options->criteria;
     if (status == PP_OK && assessment->has_gains)
         status = pp_gains_find(&assessment->gains, assessment->room->room,
-                               assessment->room->world, err);
+                               assessment->room->world, &assessment->room->light, err);
     return status;
 }
 

@@ -10,6 +10,7 @@
 
 #include <stdbool.h>
 
+#include "model/light/outside_light.h"
 #include "studies/criteria/capitals.h"
 #include "studies/criteria/finding.h"
 #include "model/results/report.h"
@@ -18,6 +19,7 @@
 /* The room that is judged, and all that criteria judge it by. Nothing is owned. */
 struct pp_inquiry {
     const struct pp_world *world;
+    const struct pp_outside_light *light;
     const struct pp_world *before; /* the same room with other surroundings; NULL: none
                                     * was given */
     const int *pairs; /* for each opening of `world` its index in `before`, as

@@ -21,13 +21,13 @@ enum pp_status pp_factors_by_hand(struct pp_report *report, struct pp_error *err
 {
     enum pp_status status = pp_methods_evaluate(report, formula, err);
     return status == PP_OK ? pp_methods_evaluate(
-               report, pp_usual_pair(report->world, NULL, 0).name, err)
+               report, pp_usual_pair(report->world, &report->light, NULL, 0).name, err)
                            : status;
 }
 
 const char *pp_factors_refuse(const struct pp_inquiry *inquiry)
 {
-    const struct pp_sky *sky = &inquiry->world->sky;
+    const struct pp_sky *sky = &inquiry->light->sky;
     bool overcast =
         sky->kind == PP_SKY_OVERCAST || (sky->kind == PP_SKY_ISO && sky->iso == 1);
     return overcast ? NULL : "it is asked under an overcast sky, and the room's is not";
@@ -67,7 +67,7 @@ const struct pp_column *pp_factors_of_grid(const struct pp_inquiry *inquiry,
             set_basis(findings, traced);
         return *why ? NULL : column;
     }
-    const char *pair = pp_usual_pair(report->world, NULL, 0).name;
+    const char *pair = pp_usual_pair(report->world, &report->light, NULL, 0).name;
     column = pp_report_find(report, PP_DF, pair);
     if (column && !missing(column, report->receiver_count)) {
         set_basis(findings, pair);
@@ -82,8 +82,8 @@ const struct pp_reading *pp_factors_average(const struct pp_inquiry *inquiry,
                                             const char **why)
 {
     const struct pp_report *report = inquiry->factors;
-    const char *const names[] = {traced, formula,
-                                 pp_usual_pair(report->world, NULL, 0).name};
+    const char *const names[] = {
+        traced, formula, pp_usual_pair(report->world, &report->light, NULL, 0).name};
     *why = pp_factors_refuse(inquiry);
     for (int i = 0; i < 3 && !*why; i++) {
         if (!gives_average(report, names[i]))

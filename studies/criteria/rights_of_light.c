@@ -26,6 +26,12 @@
 #define PLANE_M 0.85
 #define INSET_M 0.001 /* points on the plane's edge are moved this far inside */
 
+/* The law's sky, and no ground. */
+static struct pp_outside_light legal_light(void)
+{
+    return (struct pp_outside_light){.sky = pp_sky_uniform()};
+}
+
 static enum pp_status sky_factor_at(void *context, double x, double y, double *value,
                                     struct pp_error *err)
 {
@@ -35,10 +41,11 @@ static enum pp_status sky_factor_at(void *context, double x, double y, double *v
         .position = pp_daylight_curves_off_walls(&world->plane, world->working_plane_m,
                                                  INSET_M, x, y),
         .normal = pp_vec(0.0, 0.0, 1.0)};
+    const struct pp_outside_light light = legal_light();
     struct pp_direct sum = {.rough = true};
     for (int i = 0; i < world->opening_count; i++) {
-        enum pp_status status =
-            pp_direct_through(&sum, world, &world->openings[i], &receiver, &none, err);
+        enum pp_status status = pp_direct_through(
+            &sum, world, &light, &world->openings[i], &receiver, &none, err);
         if (status != PP_OK)
             return status;
     }
@@ -52,8 +59,7 @@ struct adequately_lit_area {
     double error_m2; /* of lit_m2, by the tolerance of the contour */
 };
 
-/* The area where the sky factor is above 0.2 %, in a world with uniform sky and the
- * plane at 0.85 m. */
+/* The area where the sky factor is above 0.2 %, in a world with the plane at 0.85 m. */
 static enum pp_status measure(struct adequately_lit_area *area, struct pp_world *world,
                               struct pp_error *err)
 {
@@ -88,9 +94,8 @@ static enum pp_status find_area(struct adequately_lit_area *area,
         for (int k = 0; k < world->surfaces[i].outline.count; k++)
             floor_z = fmin(floor_z, world->surfaces[i].outline.vertices[k].z);
 
-    /* A shallow copy of the world with the law's sky and plane; it owns its plane only. */
+    /* A shallow copy of the world with the law's plane; it owns its plane only. */
     struct pp_world legal = *world;
-    legal.sky = pp_sky_uniform();
     legal.working_plane_m = floor_z + PLANE_M;
     enum pp_status status =
         pp_section_at(&legal.plane, world, legal.working_plane_m, err);

@@ -34,8 +34,8 @@ struct pp_engine {
     const char *column; /* of its results: "traced" */
     const char *summary;
 
-    /* At the report's receivers and over its working plane, under its world's sky, in
-     * the world's matt scene. *run is made on success only; scene and receivers must
+    /* At the report's receivers and over its working plane, under the report's light,
+     * in the world's matt scene. *run is made on success only; scene and receivers must
      * outlive it. */
     enum pp_status (*create)(void **run, const struct pp_light_scene *scene,
                              const struct pp_report *report,

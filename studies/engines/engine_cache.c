@@ -35,7 +35,6 @@ static enum pp_status make(struct cache_run *run, const struct pp_light_scene *s
                            const struct pp_engine_options *options,
                            struct pp_error *err)
 {
-    const struct pp_outside_light outside = pp_world_light(report->world);
     const struct pp_radiance_options light = pp_cached_points_light();
     const struct pp_cached_options wanted = {.error = options->error,
                                              .samples = options->samples,
@@ -47,7 +46,7 @@ static enum pp_status make(struct cache_run *run, const struct pp_light_scene *s
     records.seed = options->seed;
     records.threads = options->threads;
     enum pp_status status =
-        pp_light_scene_under(&run->environment, scene, &outside, err);
+        pp_light_scene_under(&run->environment, scene, &report->light, err);
     if (status == PP_OK)
         status = pp_window_store_create(&run->store, scene, run->environment,
                                         options->seed, options->threads, err);

@@ -25,13 +25,13 @@ static enum pp_status make(struct path_run *run, const struct pp_light_scene *sc
                            const struct pp_engine_options *options,
                            struct pp_error *err)
 {
-    const struct pp_outside_light light = pp_world_light(report->world);
     const struct pp_tracer_options wanted = {.error = options->error,
                                              .samples = options->samples,
                                              .seed = options->seed,
                                              .threads = options->threads,
                                              .average = true};
-    enum pp_status status = pp_light_scene_under(&run->environment, scene, &light, err);
+    enum pp_status status =
+        pp_light_scene_under(&run->environment, scene, &report->light, err);
     if (status == PP_OK)
         status =
             pp_tracer_create(&run->tracer, scene, run->environment, report->receivers,

@@ -19,11 +19,12 @@ static const double least_share = 0.002;
 
 /* Average and darkest grid point of a world by the method; NAN where it gives none. */
 static enum pp_status evaluate(struct pp_gain_values *values,
-                               const struct pp_world *world, const char *method,
+                               const struct pp_world *world,
+                               const struct pp_outside_light *light, const char *method,
                                struct pp_error *err)
 {
     *values = (struct pp_gain_values){NAN, NAN};
-    struct pp_report report = {.world = world, .finished = true};
+    struct pp_report report = {.world = world, .light = *light, .finished = true};
     struct pp_receiver *grid = NULL;
     enum pp_status status = pp_en17037_grid(&grid, &report.receiver_count, world, err);
     report.receivers = grid;
@@ -41,8 +42,9 @@ static enum pp_status evaluate(struct pp_gain_values *values,
 }
 
 static enum pp_status evaluate_room(struct pp_gain_values *values,
-                                    const struct pp_room *room, const char *method,
-                                    struct pp_error *err)
+                                    const struct pp_room *room,
+                                    const struct pp_outside_light *light,
+                                    const char *method, struct pp_error *err)
 {
     struct pp_world *world = NULL;
     struct pp_mistakes mistakes;
@@ -53,7 +55,7 @@ static enum pp_status evaluate_room(struct pp_gain_values *values,
     if (status == PP_BAD_INPUT)
         status = PP_OK;
     else if (status == PP_OK)
-        status = evaluate(values, world, method, err);
+        status = evaluate(values, world, light, method, err);
     pp_world_destroy(world);
     pp_mistakes_clear(&mistakes);
     return status;
@@ -71,13 +73,15 @@ static void insert(struct pp_gains *gains, const struct pp_gain *gain)
 static enum pp_status try_change(struct pp_gains *gains,
                                  const struct pp_gain_kind *kind,
                                  const struct pp_room *room,
-                                 const struct pp_world *world, struct pp_error *err)
+                                 const struct pp_world *world,
+                                 const struct pp_outside_light *light,
+                                 struct pp_error *err)
 {
     struct pp_gain gain = {.lacks = kind->lacks, .of_design = kind->of_design};
     struct pp_room *changed = NULL;
     enum pp_status status = kind->make(&changed, &gain, room, world, err);
     if (status == PP_OK && changed) {
-        status = evaluate_room(&gain.values, changed, gains->method, err);
+        status = evaluate_room(&gain.values, changed, light, gains->method, err);
         if (gain.values.average > (1.0 + least_share) * gains->now.average)
             insert(gains, &gain);
     }
@@ -86,15 +90,16 @@ static enum pp_status try_change(struct pp_gains *gains,
 }
 
 enum pp_status pp_gains_find(struct pp_gains *gains, const struct pp_room *room,
-                             const struct pp_world *world, struct pp_error *err)
+                             const struct pp_world *world,
+                             const struct pp_outside_light *light, struct pp_error *err)
 {
     *gains = (struct pp_gains){.now = {NAN, NAN}};
-    const char *pair = pp_usual_pair(world, NULL, 0).name;
-    enum pp_status status = evaluate(&gains->now, world, pair, err);
+    const char *pair = pp_usual_pair(world, light, NULL, 0).name;
+    enum pp_status status = evaluate(&gains->now, world, light, pair, err);
     if (isfinite(gains->now.average))
         gains->method = pair;
     for (int i = 0; pp_gain_kinds[i].make && gains->method && status == PP_OK; i++)
-        status = try_change(gains, &pp_gain_kinds[i], room, world, err);
+        status = try_change(gains, &pp_gain_kinds[i], room, world, light, err);
     return status;
 }
 

@@ -12,6 +12,7 @@
 #include <stdbool.h>
 
 #include "model/base/error.h"
+#include "model/light/outside_light.h"
 #include "model/room/building.h"
 #include "model/room/world.h"
 
@@ -40,7 +41,9 @@ struct pp_gains {
 
 /* Evaluates and ranks the changes that apply to the room. `world` was made of `room`. */
 enum pp_status pp_gains_find(struct pp_gains *gains, const struct pp_room *room,
-                             const struct pp_world *world, struct pp_error *err);
+                             const struct pp_world *world,
+                             const struct pp_outside_light *light,
+                             struct pp_error *err);
 
 /* The room's three largest faults as a sentence ("Most of all low window heads and a
  * dark ceiling."), in `text` of `size` bytes; empty where no change raises the average. */

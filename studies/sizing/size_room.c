@@ -54,6 +54,7 @@ static enum pp_status trace(struct valuation *valuation, const struct pp_world *
 {
     int points = valuation->by_hand.point_count;
     struct pp_report report = {.world = world,
+                               .light = valuation->room->light,
                                .receivers = valuation->by_hand.points,
                                .receiver_count = points,
                                .finished = true};
@@ -187,7 +188,9 @@ static enum pp_status find_reliability(struct pp_size_room_result *result,
                                        const struct valuation *valuation,
                                        struct pp_error *err)
 {
-    struct pp_report report = {.world = valuation->room->world, .finished = true};
+    struct pp_report report = {.world = valuation->room->world,
+                               .light = valuation->room->light,
+                               .finished = true};
     enum pp_status status =
         pp_methods_evaluate(&report, valuation->by_hand.method, err);
     if (status == PP_OK)
@@ -200,11 +203,12 @@ static enum pp_status find_reliability(struct pp_size_room_result *result,
 static void choose_method(struct valuation *valuation)
 {
     struct pp_room_value *by_hand = &valuation->by_hand;
+    by_hand->light = &valuation->room->light;
     by_hand->method = valuation->request->by;
     if (!by_hand->method)
-        by_hand->method =
-            pp_usual_pair(valuation->room->world, by_hand->points, by_hand->point_count)
-                .name;
+        by_hand->method = pp_usual_pair(valuation->room->world, &valuation->room->light,
+                                        by_hand->points, by_hand->point_count)
+                              .name;
 }
 
 /* Traces the room, and has its value by hand, where by_hand is not NULL, too. */

@@ -12,6 +12,7 @@
 #include "methods/protractor/protractor_scale.h"
 #include "model/light/graded_sky.h"
 #include "model/room/building.h"
+#include "model/room/room_light.h"
 #include "simulate/tracer/tracer.h"
 
 static void add(struct pp_self_test_cases *cases, const char *what, const char *by,
@@ -42,8 +43,8 @@ bool pp_self_test_passes(const struct pp_self_test_case *one)
 
 /* ---- rooms ---- */
 
-static enum pp_status world_of(struct pp_world **world, const char *xml,
-                               struct pp_error *err)
+static enum pp_status world_of(struct pp_world **world, struct pp_outside_light *light,
+                               const char *xml, struct pp_error *err)
 {
     struct pp_building *building = NULL;
     struct pp_mistakes mistakes;
@@ -52,6 +53,8 @@ static enum pp_status world_of(struct pp_world **world, const char *xml,
         pp_building_parse(&building, xml, strlen(xml), &mistakes, err);
     if (status == PP_OK)
         status = pp_world_create(world, pp_building_room(building, 0), &mistakes, err);
+    if (status == PP_OK)
+        status = pp_room_light(light, pp_building_room(building, 0), err);
     if (status == PP_BAD_INPUT && mistakes.count > 0)
         pp_fail(err, status, "a room of known answer: %s", mistakes.list[0].text);
     pp_building_destroy(building);
@@ -62,6 +65,7 @@ static enum pp_status world_of(struct pp_world **world, const char *xml,
 /* A room and what methods say of its first point and its average. */
 struct answers {
     struct pp_world *world;
+    struct pp_outside_light light;
     struct pp_report report;
 };
 
@@ -75,10 +79,11 @@ static enum pp_status evaluate(struct answers *answers, const char *xml,
                                const char *methods, struct pp_error *err)
 {
     *answers = (struct answers){0};
-    enum pp_status status = world_of(&answers->world, xml, err);
+    enum pp_status status = world_of(&answers->world, &answers->light, xml, err);
     if (status != PP_OK)
         return status;
     answers->report = (struct pp_report){.world = answers->world,
+                                         .light = answers->light,
                                          .receivers = answers->world->receivers,
                                          .receiver_count = 1};
     status = pp_methods_evaluate(&answers->report, methods, err);
@@ -265,18 +270,19 @@ static enum pp_status check_rooms(struct pp_self_test_cases *cases,
 /* ---- traced ---- */
 
 static enum pp_status trace(struct pp_reading readings[PP_COMPONENT_COUNT],
-                            const struct pp_world *world, struct pp_receiver receiver,
-                            uint64_t seed, int threads, struct pp_error *err)
+                            const struct pp_world *world,
+                            const struct pp_outside_light *light,
+                            struct pp_receiver receiver, uint64_t seed, int threads,
+                            struct pp_error *err)
 {
     struct pp_tracer_options options = {
         .samples = 512, .seed = seed, .threads = threads};
-    const struct pp_outside_light light = pp_world_light(world);
     struct pp_light_scene *scene = NULL;
     struct pp_environment *environment = NULL;
     struct pp_tracer *tracer = NULL;
     enum pp_status status = pp_light_scene_of_world_matt(&scene, world, err);
     if (status == PP_OK)
-        status = pp_light_scene_under(&environment, scene, &light, err);
+        status = pp_light_scene_under(&environment, scene, light, err);
     if (status == PP_OK)
         status =
             pp_tracer_create(&tracer, scene, environment, &receiver, 1, &options, err);
@@ -306,15 +312,17 @@ static enum pp_status check_traced_open_sky(struct pp_self_test_cases *cases,
                                             uint64_t seed, int threads,
                                             struct pp_error *err)
 {
-    struct pp_world world = {.sky = pp_sky_overcast()};
+    const struct pp_world world = {0};
+    const struct pp_outside_light light = {.sky = pp_sky_overcast()};
     struct pp_receiver upright = facing_up;
     upright.normal = pp_vec(0.0, -1.0, 0.0);
     struct pp_reading readings[PP_COMPONENT_COUNT];
-    enum pp_status status = trace(readings, &world, facing_up, seed, threads, err);
+    enum pp_status status =
+        trace(readings, &world, &light, facing_up, seed, threads, err);
     if (status != PP_OK)
         return status;
     add_traced(cases, "open sky on a level plane, overcast", readings[PP_SC], 1.0);
-    status = trace(readings, &world, upright, seed, threads, err);
+    status = trace(readings, &world, &light, upright, seed, threads, err);
     if (status == PP_OK)
         add_traced(cases, "open sky on an upright plane, overcast", readings[PP_SC],
                    0.39617706);
@@ -330,8 +338,9 @@ static enum pp_status check_traced_closed_cube(struct pp_self_test_cases *cases,
 {
     static const double reflectances[] = {0.2, 0.5, 0.8};
     struct pp_world *world = NULL;
+    struct pp_outside_light light;
     enum pp_status status = world_of(
-        &world,
+        &world, &light,
         "<room version='1'><plan width='2' depth='2' height='2'/><point x='1' y='1'/>"
         "</room>",
         err);
@@ -345,7 +354,7 @@ static enum pp_status check_traced_closed_cube(struct pp_self_test_cases *cases,
         struct pp_receiver oblique = facing_up;
         oblique.position = pp_vec(0.6, 1.3, 0.7);
         oblique.normal = pp_vec_unit(pp_vec(0.2, 0.3, 1.0));
-        status = trace(readings, world, oblique, seed, threads, err);
+        status = trace(readings, world, &light, oblique, seed, threads, err);
         snprintf(what, sizeof what, "closed glowing cube, 1/(1 - rho), rho %g",
                  reflectances[i]);
         if (status == PP_OK)
@@ -382,10 +391,12 @@ static enum pp_status check_traced_windows(struct pp_self_test_cases *cases,
     };
     for (size_t i = 0; i < sizeof list / sizeof list[0]; i++) {
         struct pp_world *world = NULL;
+        struct pp_outside_light light;
         struct pp_reading readings[PP_COMPONENT_COUNT];
-        enum pp_status status = world_of(&world, list[i].xml, err);
+        enum pp_status status = world_of(&world, &light, list[i].xml, err);
         if (status == PP_OK)
-            status = trace(readings, world, world->receivers[0], seed, threads, err);
+            status =
+                trace(readings, world, &light, world->receivers[0], seed, threads, err);
         pp_world_destroy(world);
         if (status != PP_OK)
             return status;
@@ -406,8 +417,8 @@ static enum pp_status check_traced_and_exact(struct pp_self_test_cases *cases,
     enum pp_status status = evaluate(&answers, HALL "</room>", "exact", err);
     if (status != PP_OK)
         return status;
-    status =
-        trace(readings, answers.world, answers.world->receivers[0], seed, threads, err);
+    status = trace(readings, answers.world, &answers.light, answers.world->receivers[0],
+                   seed, threads, err);
     if (status == PP_OK)
         add_traced(cases, "window 3 x 1.8 m, 3 m off, glazed, against exact",
                    readings[PP_SC], at_point(&answers, PP_SC, "exact"));

@@ -18,17 +18,20 @@
     "reveal=\"0.2\"/><skyline wall=\"south\" angle=\"22\" distance=\"15\"/>"
 #define LINE "<line from=\"1.6 6.9\" to=\"1.6 0.5\" points=\"9\"/>"
 
-static struct pp_world *world_of(const char *name, const char *body)
+static struct pp_world *world_of(struct pp_outside_light *light, const char *name,
+                                 const char *body)
 {
     char text[4096];
     snprintf(text, sizeof text, "<room version=\"1\" name=\"%s\">%s</room>", name,
              body);
-    return pp_test_world(text);
+    return pp_test_lit_world(light, text);
 }
 
-static struct pp_report report_of(const struct pp_world *world)
+static struct pp_report report_of(const struct pp_world *world,
+                                  const struct pp_outside_light *light)
 {
     return (struct pp_report){.world = world,
+                              .light = *light,
                               .receivers = world->receivers,
                               .receiver_count = world->receiver_count,
                               .finished = true};
@@ -136,9 +139,10 @@ static void assert_says(char *pdf, size_t length, const char *const *sayings)
 static void a_section_names_room_sky_methods_scale_and_notes(void **state)
 {
     (void)state;
+    struct pp_outside_light light;
     struct pp_world *world =
-        world_of("B\xc3\xbcro \xce\xa9 \xe2\x80\x94 12", ROOM LINE);
-    struct pp_report report = report_of(world);
+        world_of(&light, "B\xc3\xbcro \xce\xa9 \xe2\x80\x94 12", ROOM LINE);
+    struct pp_report report = report_of(world, &light);
     add_columns(&report);
     size_t length;
     char *pdf = section(&report, false, PP_CHART_PDF, &length);
@@ -165,8 +169,9 @@ static void a_section_names_room_sky_methods_scale_and_notes(void **state)
 static void the_same_chart_is_the_same_bytes(void **state)
 {
     (void)state;
-    struct pp_world *world = world_of("Twice", ROOM LINE);
-    struct pp_report report = report_of(world);
+    struct pp_outside_light light;
+    struct pp_world *world = world_of(&light, "Twice", ROOM LINE);
+    struct pp_report report = report_of(world, &light);
     add_columns(&report);
     for (int format = PP_CHART_PDF; format <= PP_CHART_PNG; format++) {
         size_t once, twice;
@@ -185,10 +190,12 @@ static void points_that_do_not_lie_on_a_line_are_refused_with_the_one_that_stray
     void **state)
 {
     (void)state;
+    struct pp_outside_light light;
     struct pp_world *world =
-        world_of("Zigzag", ROOM "<point x=\"1\" y=\"1\"/><point x=\"1\" y=\"5\"/>"
-                                "<point x=\"1.4\" y=\"3\"/>");
-    struct pp_report report = report_of(world);
+        world_of(&light, "Zigzag",
+                 ROOM "<point x=\"1\" y=\"1\"/><point x=\"1\" y=\"5\"/>"
+                      "<point x=\"1.4\" y=\"3\"/>");
+    struct pp_report report = report_of(world, &light);
     add_columns(&report);
     struct pp_section_chart chart = {&report, false, 0, 0};
     struct pp_canvas *canvas = canvas_of(PP_CHART_PDF, PP_PAPER_A4, true);
@@ -206,9 +213,11 @@ static void points_that_do_not_lie_on_a_line_are_refused_with_the_one_that_stray
 static void a_slanting_line_is_a_line_too(void **state)
 {
     (void)state;
-    struct pp_world *world = world_of(
-        "Slanting", ROOM "<line from=\"0.4 0.5\" to=\"2.8 6.7\" points=\"7\"/>");
-    struct pp_report report = report_of(world);
+    struct pp_outside_light light;
+    struct pp_world *world =
+        world_of(&light, "Slanting",
+                 ROOM "<line from=\"0.4 0.5\" to=\"2.8 6.7\" points=\"7\"/>");
+    struct pp_report report = report_of(world, &light);
     add_columns(&report);
     size_t length;
     static const char *const sayings[] = {"exact+bre", "Section 1:", NULL};
@@ -221,8 +230,9 @@ static void a_slanting_line_is_a_line_too(void **state)
 static void one_point_is_drawn(void **state)
 {
     (void)state;
-    struct pp_world *world = world_of("One", ROOM "<point x=\"1\" y=\"2.2\"/>");
-    struct pp_report report = report_of(world);
+    struct pp_outside_light light;
+    struct pp_world *world = world_of(&light, "One", ROOM "<point x=\"1\" y=\"2.2\"/>");
+    struct pp_report report = report_of(world, &light);
     add_columns(&report);
     size_t length;
     static const char *const sayings[] = {"exact+bre", "Section 1:50", NULL};
@@ -235,8 +245,9 @@ static void one_point_is_drawn(void **state)
 static void what_has_no_value_is_accounted_for(void **state)
 {
     (void)state;
-    struct pp_world *world = world_of("Gaps", ROOM LINE);
-    struct pp_report report = report_of(world);
+    struct pp_outside_light light;
+    struct pp_world *world = world_of(&light, "Gaps", ROOM LINE);
+    struct pp_report report = report_of(world, &light);
     add_columns(&report);
     report.columns[1].points[3] = pp_reading_none("window 1 is hidden");
     report.columns[1].points[8] = pp_reading_none("window 1 is hidden");
@@ -256,8 +267,9 @@ static void what_has_no_value_is_accounted_for(void **state)
 static void a_report_without_values_says_so_on_the_chart(void **state)
 {
     (void)state;
-    struct pp_world *world = world_of("Nothing", ROOM LINE);
-    struct pp_report report = report_of(world);
+    struct pp_outside_light light;
+    struct pp_world *world = world_of(&light, "Nothing", ROOM LINE);
+    struct pp_report report = report_of(world, &light);
     size_t length;
     static const char *const sayings[] = {"There are no daylight factors to draw.",
                                           "Section 1:50", NULL};
@@ -282,9 +294,10 @@ static void zeros_infinities_and_extremes_are_drawn_without_a_fault(void **state
 {
     (void)state;
     static const double values[] = {0.0, 1e-5, 0.6, INFINITY, -0.01, 1e-300, 1e300};
-    struct pp_world *world = world_of("Odd", ROOM LINE);
+    struct pp_outside_light light;
+    struct pp_world *world = world_of(&light, "Odd", ROOM LINE);
     for (int v = 0; v < 7; v++) {
-        struct pp_report report = report_of(world);
+        struct pp_report report = report_of(world, &light);
         add_columns(&report);
         for (int i = 0; i < report.receiver_count; i++)
             report.columns[0].points[i].value = values[v];
@@ -302,8 +315,9 @@ static void zeros_infinities_and_extremes_are_drawn_without_a_fault(void **state
 static void dozens_of_methods_get_a_legend(void **state)
 {
     (void)state;
-    struct pp_world *world = world_of("Many", ROOM LINE);
-    struct pp_report report = report_of(world);
+    struct pp_outside_light light;
+    struct pp_world *world = world_of(&light, "Many", ROOM LINE);
+    struct pp_report report = report_of(world, &light);
     for (int c = 0; c < 30; c++) {
         char name[32];
         snprintf(name, sizeof name, "method-%d+bre", c);
@@ -338,12 +352,14 @@ static struct pp_daylight_plan plan_by_hand(void)
 }
 
 static char *plan_chart(const struct pp_world *world,
+                        const struct pp_outside_light *light,
                         const struct pp_daylight_plan *plan,
                         enum pp_chart_format format, enum pp_paper paper,
                         size_t *length)
 {
-    struct pp_report report = report_of(world);
-    struct pp_plan_chart chart = {.world = world, .plan = plan, .report = &report};
+    struct pp_report report = report_of(world, light);
+    struct pp_plan_chart chart = {
+        .world = world, .light = light, .plan = plan, .report = &report};
     struct pp_canvas *canvas = canvas_of(format, paper, pp_plan_chart_landscape(world));
     assert_int_equal(pp_plan_chart_draw(canvas, &chart, 0), PP_OK);
     return finish(canvas, length);
@@ -359,18 +375,21 @@ static void a_plan_is_to_the_scale_that_it_states(void **state)
     } rows[] = {{PP_PAPER_A5, "1:75", 2000.0 / 75.0},
                 {PP_PAPER_A4, "1:50", 40.0},
                 {PP_PAPER_A2, "1:20", 100.0}};
-    struct pp_world *world = world_of("Plan", ROOM LINE);
+    struct pp_outside_light light;
+    struct pp_world *world = world_of(&light, "Plan", ROOM LINE);
     struct pp_daylight_plan plan = plan_by_hand();
     for (int i = 0; i < 3; i++) {
         size_t length;
         const char *const sayings[] = {
             rows[i].scale, "no-sky line", "daylight factor by exact+bre (%)",
             "Skyline of 22\xc2\xb0 before wall south.", NULL};
-        char *pdf = plan_chart(world, &plan, PP_CHART_PDF, rows[i].paper, &length);
+        char *pdf =
+            plan_chart(world, &light, &plan, PP_CHART_PDF, rows[i].paper, &length);
         assert_says(pdf, length, sayings);
 
         /* The one dashed line of two points is the no-sky line. */
-        char *svg = plan_chart(world, &plan, PP_CHART_SVG, rows[i].paper, &length);
+        char *svg =
+            plan_chart(world, &light, &plan, PP_CHART_SVG, rows[i].paper, &length);
         double found = 0.0;
         for (const char *at = svg; (at = strstr(at, "stroke-dasharray:")); at++) {
             double x0, y0, x1, y1;
@@ -393,15 +412,16 @@ static void a_plan_is_to_the_scale_that_it_states(void **state)
 static void a_plan_without_contours_says_so(void **state)
 {
     (void)state;
-    struct pp_world *world = world_of("Cellar", ROOM LINE);
+    struct pp_outside_light light;
+    struct pp_world *world = world_of(&light, "Cellar", ROOM LINE);
     struct pp_daylight_plan plan = {.name = "exact"};
     size_t length;
     static const char *const dark[] = {"No contours: there is no daylight here.", NULL};
-    char *pdf = plan_chart(world, &plan, PP_CHART_PDF, PP_PAPER_A4, &length);
+    char *pdf = plan_chart(world, &light, &plan, PP_CHART_PDF, PP_PAPER_A4, &length);
     assert_says(pdf, length, dark);
     plan.lowest = plan.highest = 0.0123;
     static const char *const flat[] = {"is about 1.2 % everywhere", NULL};
-    pdf = plan_chart(world, &plan, PP_CHART_PDF, PP_PAPER_A4, &length);
+    pdf = plan_chart(world, &light, &plan, PP_CHART_PDF, PP_PAPER_A4, &length);
     assert_says(pdf, length, flat);
     pp_world_destroy(world);
 }
@@ -417,7 +437,8 @@ static void small_rooms_and_halls_find_a_usual_scale(void **state)
                 {"<plan width=\"17\" depth=\"11\" height=\"3\"/>", 100}};
     struct pp_style style = pp_style_for(210.0);
     for (int i = 0; i < 3; i++) {
-        struct pp_world *world = world_of("Scale", rows[i].plan);
+        struct pp_outside_light light;
+        struct pp_world *world = world_of(&light, "Scale", rows[i].plan);
         struct pp_room_plan plan;
         pp_room_plan_fit(&plan, world, &style, 180.0, 180.0);
         assert_near(plan.scale, rows[i].scale, 1e-9);

@@ -8,6 +8,7 @@
 #include <stdlib.h>
 
 #include "model/room/building.h"
+#include "model/room/room_light.h"
 #include "tests/fuzz/must.h"
 
 int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t length)
@@ -28,6 +29,8 @@ int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t length)
             pp_world_create(&world, pp_building_room(building, i), &mistakes, &err);
         must((status == PP_OK) == (world != NULL));
         must(status != PP_BAD_INPUT || mistakes.count > 0);
+        struct pp_outside_light light;
+        must(pp_room_light(&light, pp_building_room(building, i), &err) == PP_OK);
         pp_world_destroy(world);
     }
     pp_building_destroy(building);

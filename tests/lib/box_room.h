@@ -1,9 +1,10 @@
-/* box_room.h - a rectangular room with upright windows, made by hand: a world without
- * a room file, for tests of what reads worlds.
+/* box_room.h - a rectangular room with upright windows, made by hand: a world and the
+ * light on it without a room file, for tests of what reads worlds.
  */
 #ifndef PP_TESTS_LIB_BOX_ROOM_H
 #define PP_TESTS_LIB_BOX_ROOM_H
 
+#include "model/light/outside_light.h"
 #include "model/room/world.h"
 
 enum { BOX_SOUTH, BOX_EAST, BOX_NORTH, BOX_WEST, BOX_FLOOR, BOX_CEILING, BOX_FACES };
@@ -12,6 +13,7 @@ enum { BOX_MOST_OPENINGS = 4 };
 /* Owns all that its world points to; must not be copied once built. */
 struct box_room {
     struct pp_world world;
+    struct pp_outside_light light;
     struct pp_surface surfaces[BOX_FACES];
     struct pp_vec3 corners[BOX_FACES][4];
     struct pp_opening openings[BOX_MOST_OPENINGS];
@@ -60,9 +62,8 @@ static inline void box_room_build(struct box_room *box, double width_m, double d
     const double plane[4][2] = {{0, 0}, {w, 0}, {w, d}, {0, d}};
     memcpy(box->ring_xy, plane, sizeof plane);
     box->ring = (struct pp_ring){4, box->ring_xy};
+    box->light = (struct pp_outside_light){pp_sky_overcast(), 0.2};
     box->world = (struct pp_world){
-        .sky = pp_sky_overcast(),
-        .ground_reflectance = 0.2,
         .decorations = 1.0,
         .surfaces = box->surfaces,
         .surface_count = BOX_FACES,

@@ -17,6 +17,7 @@ struct shape {
 
 struct sight {
     const struct pp_world *world;
+    const struct pp_outside_light *light;
     const struct pp_opening *opening;
     struct pp_vec3 normal; /* the receiver's */
     struct shape inner, outer;
@@ -153,8 +154,8 @@ static int at_altitude(unsigned dim, const double *altitude, void *data, unsigne
     struct pp_vec3 u = pp_vec(beam->level.x * c, beam->level.y * c, sin(*altitude));
     struct pp_vec3 flat = pp_vec(beam->level.x, beam->level.y, DBL_MIN);
     double light = beam->what == UNITY ? 1.0
-                   : beam->what == SKY ? pp_sky_luminance(&sight->world->sky, u)
-                                       : pp_sky_luminance(&sight->world->sky, flat);
+                   : beam->what == SKY ? pp_sky_luminance(&sight->light->sky, u)
+                                       : pp_sky_luminance(&sight->light->sky, flat);
     *value = light * pp_vec_dot(sight->normal, u) * c
              * pp_glass_transmittance(&sight->opening->glass,
                                       -pp_vec_dot(sight->opening->inner.normal, u));
@@ -164,7 +165,7 @@ static int at_altitude(unsigned dim, const double *altitude, void *data, unsigne
 static double beam_between(struct beam beam, double from, double to)
 {
     const struct sight *sight = beam.sight;
-    const struct pp_sky *sky = &sight->world->sky;
+    const struct pp_sky *sky = &sight->light->sky;
     if (sight->opening->glass.panes == 0 && sky->kind != PP_SKY_ISO) {
         double p = pp_vec_dot(sight->normal, beam.level), q = sight->normal.z;
         double s[2] = {sin(from), sin(to)}, c[2] = {cos(from), cos(to)};
@@ -263,7 +264,6 @@ static void add_piece(double value[2], const struct sight *sight,
                       const struct meridian *meridian, struct pp_vec3 eye, double from,
                       double to)
 {
-    const struct pp_world *world = sight->world;
     struct pp_vec3 level = meridian->level;
     double middle = (from + to) / 2.0;
     struct pp_vec3 u =
@@ -276,7 +276,8 @@ static void add_piece(double value[2], const struct sight *sight,
         return;
     struct beam beam = {sight, level, middle > 0.0 ? SKY : HORIZON};
     struct beam plain = {sight, level, UNITY};
-    double factor = hit.reflectance * (world->sky.kind == PP_SKY_OVERCAST ? 1.0 : 0.5);
+    double factor =
+        hit.reflectance * (sight->light->sky.kind == PP_SKY_OVERCAST ? 1.0 : 0.5);
     if (hit.meets == HIDDEN) {
         value[1] += factor * beam_between(beam, from, to);
         if (hit.exitance > 0.0)
@@ -284,7 +285,8 @@ static void add_piece(double value[2], const struct sight *sight,
     } else if (middle > 0.0) {
         value[0] += beam_between(beam, from, to);
     } else {
-        value[1] += world->ground_reflectance / PP_PI * beam_between(plain, from, to);
+        value[1] +=
+            sight->light->ground_reflectance / PP_PI * beam_between(plain, from, to);
     }
 }
 
@@ -456,11 +458,13 @@ static void weave(struct web *web, const struct sight *sight, struct pp_vec3 eye
 }
 
 struct pp_meridian_sums pp_meridians(const struct pp_world *world,
+                                     const struct pp_outside_light *light,
                                      const struct pp_opening *opening,
                                      const struct pp_receiver *receiver,
                                      double relative_error, int parts)
 {
     struct sight sight = {.world = world,
+                          .light = light,
                           .opening = opening,
                           .normal = receiver->normal,
                           .inner = shape_of(&opening->inner, receiver->position),

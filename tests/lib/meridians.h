@@ -10,6 +10,7 @@
 #ifndef PP_TESTS_LIB_MERIDIANS_H
 #define PP_TESTS_LIB_MERIDIANS_H
 
+#include "model/light/outside_light.h"
 #include "model/room/world.h"
 
 struct pp_meridian_sums {
@@ -20,6 +21,7 @@ struct pp_meridian_sums {
  * relative_error; the rule over azimuth starts with `parts` to each stretch between two
  * corners: narrow features need more. */
 struct pp_meridian_sums pp_meridians(const struct pp_world *world,
+                                     const struct pp_outside_light *light,
                                      const struct pp_opening *opening,
                                      const struct pp_receiver *receiver,
                                      double relative_error, int parts);

@@ -20,7 +20,8 @@ static inline double pp_test_random(uint64_t *series, double low, double high)
 /* A room of one to three windows, one of them perhaps a rooflight; glazed or not; under
  * an overcast, a uniform or a clear sky; `count` receivers facing up anywhere on its
  * working plane but within 0.3 m of the walls. */
-static inline struct pp_world *pp_test_random_room(uint64_t number, int count)
+static inline struct pp_world *pp_test_random_room(struct pp_outside_light *light,
+                                                   uint64_t number, int count)
 {
     uint64_t series = pp_hash(271828, number);
     double width = pp_test_random(&series, 2.5, 8.0);
@@ -65,11 +66,11 @@ static inline struct pp_world *pp_test_random_room(uint64_t number, int count)
                       pp_test_random(&series, 0.3, width - 0.3),
                       pp_test_random(&series, 0.3, depth - 0.3));
     snprintf(xml + n, sizeof xml - (size_t)n, "</room>");
-    return pp_test_world(xml);
+    return pp_test_lit_world(light, xml);
 }
 
 /* What one point of an opening's plane gives, per square metre. */
-static inline double pp_test_sky_from(const struct pp_world *world,
+static inline double pp_test_sky_from(const struct pp_outside_light *light,
                                       const struct pp_opening *opening,
                                       const struct pp_receiver *receiver,
                                       struct pp_vec3 point)
@@ -81,7 +82,7 @@ static inline double pp_test_sky_from(const struct pp_world *world,
     double cosine = -pp_vec_dot(opening->inner.normal, u);
     if (!(facing > 0.0 && cosine > 0.0))
         return 0.0;
-    return pp_sky_luminance(&world->sky, u) * facing * cosine / (r * r)
+    return pp_sky_luminance(&light->sky, u) * facing * cosine / (r * r)
            * pp_glass_transmittance(&opening->glass, cosine) * opening->frame_factor
            * opening->maintenance * opening->curtains;
 }
@@ -90,6 +91,7 @@ static inline double pp_test_sky_from(const struct pp_world *world,
  * opening (a rectangle with edges along x, y or z) in 10 x 10 panels of 6 x 6 nodes:
  * 1e-7 of it from 0.3 m. */
 static inline double pp_test_sky_component(const struct pp_world *world,
+                                           const struct pp_outside_light *light,
                                            const struct pp_receiver *receiver)
 {
     static const double node[6] = {0.033765242898424, 0.169395306766868,
@@ -121,7 +123,7 @@ static inline double pp_test_sky_component(const struct pp_world *world,
                 double s = (i / 6 + node[i % 6]) / PANELS;
                 double t = (j / 6 + node[j % 6]) / PANELS;
                 sum += scale * weight[i % 6] * weight[j % 6]
-                       * pp_test_sky_from(world, opening, receiver,
+                       * pp_test_sky_from(light, opening, receiver,
                                           pp_vec_along(pp_vec_along(low, s, a), t, b));
             }
     }
@@ -149,12 +151,13 @@ static inline struct pp_coverage pp_test_sky_coverage(int first, int rooms)
 {
     struct pp_coverage coverage = {0, 0, 0, 0};
     for (int room = first; room < first + rooms; room++) {
-        struct pp_world *world = pp_test_random_room((uint64_t)room, 10);
+        struct pp_outside_light light;
+        struct pp_world *world = pp_test_random_room(&light, (uint64_t)room, 10);
         struct pp_tracer_options options = {.error = 0.01, .seed = (uint64_t)room};
         struct pp_reading(*traced)[4] =
-            pp_test_trace(world, world->receivers, 10, &options, NULL);
+            pp_test_trace(world, &light, world->receivers, 10, &options, NULL);
         for (int i = 0; i < 10; i++) {
-            double truth = pp_test_sky_component(world, &world->receivers[i]);
+            double truth = pp_test_sky_component(world, &light, &world->receivers[i]);
             if (truth > 1e-4)
                 pp_coverage_add(&coverage, traced[i][PP_SC], truth);
         }
@@ -172,12 +175,13 @@ static inline struct pp_coverage pp_test_df_coverage(int first, int rooms, int s
     enum { POINTS = 4 };
     struct pp_reading(*all)[POINTS + 1] = calloc((size_t)seeds, sizeof *all);
     for (int room = first; room < first + rooms; room++) {
-        struct pp_world *world = pp_test_random_room((uint64_t)room, POINTS);
+        struct pp_outside_light light;
+        struct pp_world *world = pp_test_random_room(&light, (uint64_t)room, POINTS);
         for (int seed = 0; seed < seeds; seed++) {
             struct pp_tracer_options options = {
                 .error = 0.03, .seed = (uint64_t)seed, .average = true};
             struct pp_reading(*traced)[4] =
-                pp_test_trace(world, world->receivers, POINTS, &options, NULL);
+                pp_test_trace(world, &light, world->receivers, POINTS, &options, NULL);
             for (int i = 0; i <= POINTS; i++)
                 all[seed][i] = traced[i][PP_DF];
             free(traced);

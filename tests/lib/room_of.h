@@ -1,10 +1,12 @@
-/* room_of.h - the world of a room file that is a string, for tests. */
+/* room_of.h - the world of a room file that is a string, and the light on it, for
+ * tests. */
 #ifndef PP_TESTS_LIB_ROOM_OF_H
 #define PP_TESTS_LIB_ROOM_OF_H
 
 #include <stdio.h>
 
 #include "model/room/building.h"
+#include "model/room/room_light.h"
 #include "tests/lib/near.h"
 
 /* The world of the first room in the file's text, and what is wrong with it; NULL where
@@ -31,6 +33,30 @@ static inline struct pp_world *pp_test_world(const char *xml)
         print_message("# line %d: %s\n", mistakes.list[i].line, mistakes.list[i].text);
     pp_mistakes_clear(&mistakes);
     assert_non_null(world);
+    return world;
+}
+
+/* The light from outside that the file has. */
+static inline struct pp_outside_light pp_test_light(const char *xml)
+{
+    struct pp_building *building = NULL;
+    struct pp_mistakes mistakes;
+    struct pp_outside_light light;
+    pp_mistakes_init(&mistakes, "test");
+    assert_int_equal(pp_building_parse(&building, xml, strlen(xml), &mistakes, NULL),
+                     PP_OK);
+    assert_int_equal(pp_room_light(&light, pp_building_room(building, 0), NULL), PP_OK);
+    pp_mistakes_clear(&mistakes);
+    pp_building_destroy(building);
+    return light;
+}
+
+/* Both. */
+static inline struct pp_world *pp_test_lit_world(struct pp_outside_light *light,
+                                                 const char *xml)
+{
+    struct pp_world *world = pp_test_world(xml);
+    *light = pp_test_light(xml);
     return world;
 }
 

@@ -30,7 +30,8 @@ struct pp_test_beside {
 #define PP_TEST_WORST_ROOM 4.5
 
 /* Irradiances of the scene that the room becomes, 1 on the open level ground. */
-static inline void pp_test_sense(const struct pp_world *world, double error,
+static inline void pp_test_sense(const struct pp_world *world,
+                                 const struct pp_outside_light *light, double error,
                                  struct pp_sensor_reading *readings)
 {
     struct pp_rad_room room;
@@ -39,7 +40,7 @@ static inline void pp_test_sense(const struct pp_world *world, double error,
     struct pp_rad_summary summary;
     struct pp_light_scene *scene;
     struct pp_error err = {0};
-    assert_int_equal(pp_rad_room_init(&room, world, 1.0, false, &err), PP_OK);
+    assert_int_equal(pp_rad_room_init(&room, world, light, 1.0, false, &err), PP_OK);
     assert_int_equal(pp_rad_write_create(&writer, &room.scene, &err), PP_OK);
     char *text = NULL;
     size_t length = 0;
@@ -76,16 +77,17 @@ static inline void pp_test_sense(const struct pp_world *world, double error,
 }
 
 static inline void pp_test_room_beside(struct pp_test_beside *all,
-                                       const struct pp_world *world)
+                                       const struct pp_world *world,
+                                       const struct pp_outside_light *light)
 {
     int count = world->receiver_count;
     const struct pp_tracer_options options = {
         .error = all->error, .seed = 1, .threads = 1};
     struct pp_reading(*traced)[4] =
-        pp_test_trace(world, world->receivers, count, &options, NULL);
+        pp_test_trace(world, light, world->receivers, count, &options, NULL);
     struct pp_sensor_reading *sensed = calloc((size_t)count, sizeof *sensed);
     assert_non_null(sensed);
-    pp_test_sense(world, 3.0 * all->error, sensed);
+    pp_test_sense(world, light, 3.0 * all->error, sensed);
     double sum = 0.0, noise = 0.0, worst = 0.0, truth = 0.0;
     assert_near(world->decorations, 1.0, 0.0);
     for (int i = 0; i < count; i++) {
@@ -125,10 +127,13 @@ static inline void pp_test_examples_beside(double error)
             pp_building_read(&building, files.gl_pathv[k], &mistakes, NULL), PP_OK);
         for (int i = 0; i < pp_building_room_count(building); i++) {
             struct pp_world *world = NULL;
+            struct pp_outside_light light;
             assert_int_equal(
                 pp_world_create(&world, pp_building_room(building, i), &mistakes, NULL),
                 PP_OK);
-            pp_test_room_beside(&all, world);
+            assert_int_equal(pp_room_light(&light, pp_building_room(building, i), NULL),
+                             PP_OK);
+            pp_test_room_beside(&all, world, &light);
             pp_world_destroy(world);
         }
         pp_building_destroy(building);

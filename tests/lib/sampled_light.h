@@ -6,22 +6,12 @@
 
 #include <stdlib.h>
 
-#include "model/room/world.h"
 #include "simulate/scene/environment.h"
 #include "simulate/transport/radiance.h"
+#include "tests/lib/light_on.h"
 #include "tests/lib/near.h"
 
 enum { PP_TEST_SEEDS = 32 };
-
-/* The light that a room's file has, on a scene of its world. */
-static inline struct pp_environment *pp_test_light_of(
-    const struct pp_light_scene *scene, const struct pp_world *world)
-{
-    struct pp_outside_light light = pp_world_light(world);
-    struct pp_environment *environment = NULL;
-    assert_int_equal(pp_light_scene_under(&environment, scene, &light, NULL), PP_OK);
-    return environment;
-}
 
 /* A mean over independent sequences, and its standard error. */
 struct pp_test_mean {

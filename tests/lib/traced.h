@@ -4,8 +4,9 @@
 
 #include <stdlib.h>
 
-#include "simulate/scene/light_scene_parts.h"
+#include "simulate/scene/light_scene_of_world.h"
 #include "simulate/tracer/tracer.h"
+#include "tests/lib/light_on.h"
 #include "tests/lib/near.h"
 
 static inline struct pp_receiver pp_test_receiver(double x, double y, double z,
@@ -21,24 +22,15 @@ static inline struct pp_light_scene *pp_test_matt_scene(const struct pp_world *w
     return scene;
 }
 
-/* The light that the room's file has, on a scene of its world. */
-static inline struct pp_environment *pp_test_light_on(
-    const struct pp_light_scene *scene)
-{
-    struct pp_outside_light light = pp_world_light(scene->world);
-    struct pp_environment *environment = NULL;
-    assert_int_equal(pp_light_scene_under(&environment, scene, &light, NULL), PP_OK);
-    return environment;
-}
-
 /* The readings of `count` receivers, all four components, and behind them those of the
  * average where options ask for it. The caller frees them. */
 static inline struct pp_reading (*pp_test_trace(
-    const struct pp_world *world, const struct pp_receiver *receivers, int count,
+    const struct pp_world *world, const struct pp_outside_light *light,
+    const struct pp_receiver *receivers, int count,
     const struct pp_tracer_options *options, struct pp_tracer_work *work))[4]
 {
     struct pp_light_scene *scene = pp_test_matt_scene(world);
-    struct pp_environment *environment = pp_test_light_on(scene);
+    struct pp_environment *environment = pp_test_light_on(scene, light);
     struct pp_tracer *tracer = NULL;
     struct pp_error err = {0};
     if (pp_tracer_create(&tracer, scene, environment, receivers, count, options, &err)

@@ -68,17 +68,18 @@ static void end(const char *room, const char *client, const struct line *line)
     all_within_2 += line->within_2;
 }
 
-static void of_points(const char *name, const struct pp_world *world)
+static void of_points(const char *name, const struct pp_world *world,
+                      const struct pp_outside_light *light)
 {
     struct line line = {0};
     struct pp_tracer_options options = {
         .samples = 8192, .seed = TRUE_SEED, .threads = 0};
     struct pp_reading(*truth)[4] =
-        pp_test_trace(world, world->receivers, POINTS, &options, NULL);
+        pp_test_trace(world, light, world->receivers, POINTS, &options, NULL);
     for (int seed = 0; seed < SEEDS; seed++) {
         options = (struct pp_tracer_options){.error = 0.03, .seed = (uint64_t)seed};
         struct pp_reading(*traced)[4] =
-            pp_test_trace(world, world->receivers, POINTS, &options, NULL);
+            pp_test_trace(world, light, world->receivers, POINTS, &options, NULL);
         for (int i = 0; i < POINTS; i++)
             add(&line, traced[i][PP_DF].value, traced[i][PP_DF].std_error,
                 truth[i][PP_DF].value, truth[i][PP_DF].std_error);
@@ -255,13 +256,14 @@ static void values_lie_within_their_errors_in_every_client(void **state)
     print_message("# %-16s %-8s %5s  %7s  %7s\n", "room", "client", "count", "1 se",
                   "2 se");
     for (size_t i = 0; i < sizeof rooms / sizeof *rooms; i++) {
-        struct pp_world *world = pp_test_world(rooms[i].xml);
+        struct pp_outside_light light;
+        struct pp_world *world = pp_test_lit_world(&light, rooms[i].xml);
         struct pp_light_scene *scene = pp_test_matt_scene(world);
-        struct pp_environment *outside = pp_test_light_on(scene);
+        struct pp_environment *outside = pp_test_light_on(scene, &light);
         struct pp_window_store *store;
         assert_int_equal(pp_window_store_create(&store, scene, outside, 1, 0, NULL),
                          PP_OK);
-        of_points(rooms[i].name, world);
+        of_points(rooms[i].name, world, &light);
         of_cached_points(rooms[i].name, world, scene, outside, store);
         struct pp_sensor list[POINTS];
         for (int k = 0; k < POINTS; k++)

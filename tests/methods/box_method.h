@@ -15,10 +15,12 @@ static inline double box_method_value(const struct pp_method *method,
 {
     struct pp_part part = {0};
     const struct pp_opening *opening = box->openings + index;
-    assert_null(method->refuses_room(&box->world, NULL));
-    assert_true(!method->refuses || !method->refuses(&box->world, opening, NULL));
-    assert_int_equal(method->evaluate(&box->world, opening, NULL, NULL, &part, NULL),
-                     PP_OK);
+    assert_null(method->refuses_room(&box->world, &box->light, NULL));
+    assert_true(!method->refuses
+                || !method->refuses(&box->world, &box->light, opening, NULL));
+    assert_int_equal(
+        method->evaluate(&box->world, &box->light, opening, NULL, NULL, &part, NULL),
+        PP_OK);
     return part.value;
 }
 
@@ -44,7 +46,7 @@ static inline struct box_method_symbols box_method_awkward_room(struct box_room 
     struct pp_opening *window = box_room_south(box, 0.4, 0.7, 1.9, 1.3);
     window->glass = glass;
     window->frame_factor = 0.83;
-    box->world.ground_reflectance = 0.17;
+    box->light.ground_reflectance = 0.17;
     box_room_skyline(box, 34.0 * PP_RAD, middle, INFINITY);
 
     double glass_m2 = 1.9 * 1.3, round = 2 * (w + d);

@@ -139,11 +139,12 @@ static void other_skies_are_refused_and_by_the_older_form_slopes(void **state)
     (void)state;
     struct box_room box;
     build_worked_room(&box);
-    box.world.sky = pp_sky_uniform();
-    assert_non_null(pp_method_average_df.refuses_room(&box.world, NULL));
+    box.light.sky = pp_sky_uniform();
+    assert_non_null(pp_method_average_df.refuses_room(&box.world, &box.light, NULL));
     struct pp_opening *rooflight =
         box_room_open(&box, BOX_CEILING, pp_vec(1.0, 2.4, 3.0), 1.1, 0.7);
-    assert_non_null(pp_method_average_df_lynes.refuses(&box.world, rooflight, NULL));
+    assert_non_null(
+        pp_method_average_df_lynes.refuses(&box.world, &box.light, rooflight, NULL));
 }
 
 int main(void)

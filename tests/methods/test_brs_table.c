@@ -21,10 +21,11 @@ static struct pp_part brs_at(const struct box_room *box, int index,
     struct pp_part part = {0};
     struct pp_receiver receiver = {.position = position, .normal = {0, 0, 1}};
     const struct pp_opening *opening = box->openings + index;
-    assert_null(pp_method_brs_table.refuses_room(&box->world, &receiver));
-    assert_null(pp_method_brs_table.refuses(&box->world, opening, &receiver));
-    assert_int_equal(pp_method_brs_table.evaluate(&box->world, opening, &receiver, NULL,
-                                                  &part, NULL),
+    assert_null(pp_method_brs_table.refuses_room(&box->world, &box->light, &receiver));
+    assert_null(
+        pp_method_brs_table.refuses(&box->world, &box->light, opening, &receiver));
+    assert_int_equal(pp_method_brs_table.evaluate(&box->world, &box->light, opening,
+                                                  &receiver, NULL, &part, NULL),
                      PP_OK);
     return part;
 }
@@ -229,12 +230,14 @@ static void a_wide_block_hides_as_a_skyline_of_its_height(void **state)
 
 /* Worlds from here on come from room files: what hides is resolved there. */
 
-static struct pp_part brs_in(const struct pp_world *world, struct pp_vec3 position)
+static struct pp_part brs_in(const struct pp_world *world,
+                             const struct pp_outside_light *light,
+                             struct pp_vec3 position)
 {
     struct pp_part part = {0};
     struct pp_receiver receiver = {.position = position, .normal = {0, 0, 1}};
-    assert_int_equal(pp_method_brs_table.evaluate(world, world->openings, &receiver,
-                                                  NULL, &part, NULL),
+    assert_int_equal(pp_method_brs_table.evaluate(world, light, world->openings,
+                                                  &receiver, NULL, &part, NULL),
                      PP_OK);
     return part;
 }
@@ -263,14 +266,15 @@ static double table_over(struct pp_vec3 p, double x0, double x1, double z0, doub
 static void a_screen_in_the_room_leaves_the_visible_half(void **state)
 {
     (void)state;
-    struct pp_world *world = pp_test_world(
-        HALL
+    struct pp_outside_light light;
+    struct pp_world *world = pp_test_lit_world(
+        &light, HALL
         "<surface reflectance=\"0.5\"><vertex x=\"4\" y=\"1\" z=\"0.1\"/>"
         "<vertex x=\"7.9\" y=\"1\" z=\"0.1\"/><vertex x=\"7.9\" y=\"1\" z=\"3.9\"/>"
         "<vertex x=\"4\" y=\"1\" z=\"3.9\"/></surface></room>");
     struct pp_vec3 p = pp_vec(4.1, 2.0, 0.85);
     /* the line from x = 4.1 past x = 4 meets the wall at 3.9 */
-    assert_near(brs_in(world, p).sky, table_over(p, 3.0, 3.9, 1.1, 2.8), 1e-12);
+    assert_near(brs_in(world, &light, p).sky, table_over(p, 3.0, 3.9, 1.1, 2.8), 1e-12);
     pp_world_destroy(world);
 }
 
@@ -278,7 +282,9 @@ static void a_screen_in_the_room_leaves_the_visible_half(void **state)
 static void the_arm_of_an_l_sees_past_the_corner(void **state)
 {
     (void)state;
-    struct pp_world *world = pp_test_world(
+    struct pp_outside_light light;
+    struct pp_world *world = pp_test_lit_world(
+        &light,
         "<room version=\"1\"><plan height=\"3\"><vertex x=\"0\" y=\"0\"/>"
         "<vertex x=\"4\" y=\"0\"/><vertex x=\"4\" y=\"3\"/><vertex x=\"9\" y=\"3\"/>"
         "<vertex x=\"9\" y=\"6\"/><vertex x=\"0\" y=\"6\"/></plan>"
@@ -286,8 +292,8 @@ static void the_arm_of_an_l_sees_past_the_corner(void **state)
         "height=\"1.5\"/></room>");
     struct pp_vec3 p = pp_vec(4.6, 4.0, 0.85);
     /* past the corner (4, 3) to x = 2.2 at the window's wall */
-    assert_near(brs_in(world, p).sky, table_over(p, 0.5, 2.2, 1.0, 2.5), 1e-12);
-    assert_near(brs_in(world, pp_vec(8.5, 3.5, 0.85)).sky, 0.0, 1e-12);
+    assert_near(brs_in(world, &light, p).sky, table_over(p, 0.5, 2.2, 1.0, 2.5), 1e-12);
+    assert_near(brs_in(world, &light, pp_vec(8.5, 3.5, 0.85)).sky, 0.0, 1e-12);
     pp_world_destroy(world);
 }
 
@@ -307,11 +313,12 @@ static void a_round_window_is_the_square_of_its_area(void **state)
                  2 + radius * sin(angle));
     }
     strcat(xml, "</opening></room>");
-    struct pp_world *world = pp_test_world(xml);
+    struct pp_outside_light light;
+    struct pp_world *world = pp_test_lit_world(&light, xml);
     double area = SIDES / 2.0 * sin(2 * PP_PI / SIDES) * radius * radius;
     double half = sqrt(area) / 2;
     struct pp_vec3 p = pp_vec(3.1, 2.7, 0.85);
-    assert_near(brs_in(world, p).sky,
+    assert_near(brs_in(world, &light, p).sky,
                 table_over(p, 4 - half, 4 + half, 2 - half, 2 + half), 1e-9);
     pp_world_destroy(world);
 }
@@ -321,12 +328,13 @@ static void a_round_window_is_the_square_of_its_area(void **state)
 static void a_block_hides_the_rectangle_of_its_front(void **state)
 {
     (void)state;
+    struct pp_outside_light light;
     struct pp_world *world =
-        pp_test_world(HALL BLOCK("3", "1.5", "-7", "4.5", "0.3") "</room>");
+        pp_test_lit_world(&light, HALL BLOCK("3", "1.5", "-7", "4.5", "0.3") "</room>");
     struct pp_vec3 p = pp_vec(4.0, 2.5, 0.85);
     double x0 = 4.0 - 1.0 / 3, x1 = 4.0 + 0.5 / 3, head = 0.85 + (3.5 - 0.85) / 3;
     double hidden = table_over(p, x0, x1, 1.1, head);
-    struct pp_part part = brs_in(world, p);
+    struct pp_part part = brs_in(world, &light, p);
     assert_near(part.sky, table_over(p, 3.0, 5.0, 1.1, 2.8) - hidden, 1e-12);
     assert_near(part.external, 0.3 * hidden, 1e-12);
     pp_world_destroy(world);
@@ -335,20 +343,25 @@ static void a_block_hides_the_rectangle_of_its_front(void **state)
 static void blocks_side_by_side_are_one_and_the_nearer_one_counts(void **state)
 {
     (void)state;
-    struct pp_world *one =
-        pp_test_world(HALL BLOCK("2", "4", "-7", "4.5", "0.2") "</room>");
-    struct pp_world *two = pp_test_world(HALL BLOCK(
-        "2", "2.5", "-7", "4.5", "0.2") BLOCK("4", "2", "-7", "4.5", "0.2") "</room>");
+    struct pp_outside_light one_light;
+    struct pp_world *one = pp_test_lit_world(
+        &one_light, HALL BLOCK("2", "4", "-7", "4.5", "0.2") "</room>");
+    struct pp_outside_light two_light;
+    struct pp_world *two =
+        pp_test_lit_world(&two_light, HALL BLOCK("2", "2.5", "-7", "4.5", "0.2") BLOCK(
+                                          "4", "2", "-7", "4.5", "0.2") "</room>");
     /* another behind it that reaches less high above the horizon */
-    struct pp_world *behind = pp_test_world(HALL BLOCK(
-        "2", "4", "-17", "5", "0.9") BLOCK("2", "4", "-7", "4.5", "0.2") "</room>");
+    struct pp_outside_light behind_light;
+    struct pp_world *behind =
+        pp_test_lit_world(&behind_light, HALL BLOCK("2", "4", "-17", "5", "0.9") BLOCK(
+                                             "2", "4", "-7", "4.5", "0.2") "</room>");
     struct pp_vec3 p = pp_vec(4.0, 2.5, 0.85);
-    struct pp_part expected = brs_in(one, p);
+    struct pp_part expected = brs_in(one, &one_light, p);
     assert_true(expected.external > 0.0);
-    assert_near(brs_in(two, p).sky, expected.sky, 1e-14);
-    assert_near(brs_in(two, p).external, expected.external, 1e-14);
-    assert_near(brs_in(behind, p).sky, expected.sky, 1e-14);
-    assert_near(brs_in(behind, p).external, expected.external, 1e-14);
+    assert_near(brs_in(two, &two_light, p).sky, expected.sky, 1e-14);
+    assert_near(brs_in(two, &two_light, p).external, expected.external, 1e-14);
+    assert_near(brs_in(behind, &behind_light, p).sky, expected.sky, 1e-14);
+    assert_near(brs_in(behind, &behind_light, p).external, expected.external, 1e-14);
     pp_world_destroy(one);
     pp_world_destroy(two);
     pp_world_destroy(behind);
@@ -386,8 +399,8 @@ static void from_a_metre_on_the_table_is_a_little_low(void **state)
             pp_vec(10.0 * random_number(&seed), 1.0 + 6.0 * random_number(&seed), 0.85);
         struct pp_part exact = {0};
         struct pp_part table = brs_at(&box, 0, receiver.position);
-        assert_int_equal(pp_method_exact.evaluate(&box.world, box.openings, &receiver,
-                                                  NULL, &exact, NULL),
+        assert_int_equal(pp_method_exact.evaluate(&box.world, &box.light, box.openings,
+                                                  &receiver, NULL, &exact, NULL),
                          PP_OK);
         if (exact.sky < 0.01)
             continue;
@@ -425,13 +438,16 @@ static void what_the_table_does_not_hold_is_refused(void **state)
     struct pp_receiver up = {.normal = {0, 0, 1}};
     struct pp_receiver wall = {.normal = {0, 1, 0}};
     const struct pp_method *brs = &pp_method_brs_table;
-    assert_null(brs->refuses(&box.world, window, &up));
-    assert_non_null(strstr(brs->refuses(&box.world, rooflight, &up), "vertical"));
+    assert_null(brs->refuses(&box.world, &box.light, window, &up));
+    assert_non_null(
+        strstr(brs->refuses(&box.world, &box.light, rooflight, &up), "vertical"));
     window->glass = pp_glass_diffusing(0.6);
-    assert_non_null(strstr(brs->refuses(&box.world, window, &up), "diffusing"));
-    assert_non_null(strstr(brs->refuses_room(&box.world, &wall), "face up"));
-    box.world.sky = pp_sky_uniform();
-    assert_non_null(strstr(brs->refuses_room(&box.world, &up), "overcast"));
+    assert_non_null(
+        strstr(brs->refuses(&box.world, &box.light, window, &up), "diffusing"));
+    assert_non_null(
+        strstr(brs->refuses_room(&box.world, &box.light, &wall), "face up"));
+    box.light.sky = pp_sky_uniform();
+    assert_non_null(strstr(brs->refuses_room(&box.world, &box.light, &up), "overcast"));
 }
 
 int main(void)

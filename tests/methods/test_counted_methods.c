@@ -23,19 +23,23 @@ static struct pp_receiver facing_up(double x, double y, double z)
 /* One method's direct component of a whole room, allowances settled. */
 static struct pp_part direct(const struct pp_method *method,
                              const struct pp_world *world,
+                             const struct pp_outside_light *light,
                              const struct pp_receiver *receiver)
 {
     struct pp_part sum = {0};
     void *tools = NULL;
-    assert_null(method->refuses_room ? method->refuses_room(world, receiver) : NULL);
+    assert_null(method->refuses_room ? method->refuses_room(world, light, receiver)
+                                     : NULL);
     if (method->prepare)
-        assert_int_equal(method->prepare(&tools, world, NULL), PP_OK);
+        assert_int_equal(method->prepare(&tools, world, light, NULL), PP_OK);
     for (int i = 0; i < world->opening_count; i++) {
         const struct pp_opening *opening = &world->openings[i];
         struct pp_part part = {0};
-        assert_null(method->refuses ? method->refuses(world, opening, receiver) : NULL);
-        assert_int_equal(method->evaluate(world, opening, receiver, tools, &part, NULL),
-                         PP_OK);
+        assert_null(method->refuses ? method->refuses(world, light, opening, receiver)
+                                    : NULL);
+        assert_int_equal(
+            method->evaluate(world, light, opening, receiver, tools, &part, NULL),
+            PP_OK);
         double factor = pp_allowance_factor(method->allowances, opening);
         sum.sky += factor * part.sky;
         sum.external += factor * part.external;
@@ -47,15 +51,17 @@ static struct pp_part direct(const struct pp_method *method,
 
 /* Exact areas on the diagram of sky and obstructions of a room's openings. */
 static struct pp_part areas(const struct pp_world *world,
+                            const struct pp_outside_light *light,
                             const struct pp_receiver *receiver, bool glazed)
 {
     struct pp_part sum = {0};
     struct pp_waldram waldram;
-    assert_int_equal(pp_waldram_scale_init(&waldram, &world->sky, glazed, NULL), PP_OK);
+    assert_int_equal(pp_waldram_scale_init(&waldram, &light->sky, glazed, NULL), PP_OK);
     for (int i = 0; i < world->opening_count; i++) {
         struct pp_window_drawing drawing;
-        assert_int_equal(pp_window_drawing_init(&drawing, world, &world->openings[i],
-                                                receiver->position, NULL),
+        assert_int_equal(pp_window_drawing_init(&drawing, world, light,
+                                                &world->openings[i], receiver->position,
+                                                NULL),
                          PP_OK);
         for (int k = 0; k < drawing.count; k++) {
             const struct pp_drawn_part *part = &drawing.parts[k];
@@ -67,8 +73,9 @@ static struct pp_part areas(const struct pp_world *world,
     return sum;
 }
 
-static struct pp_world *random_room(uint64_t *seed, const char *sky,
-                                    const char *glazing, bool obstructed)
+static struct pp_world *random_room(struct pp_outside_light *light, uint64_t *seed,
+                                    const char *sky, const char *glazing,
+                                    bool obstructed)
 {
     char xml[2000], outside[400] = "";
     double r[9]; /* drawn one by one: arguments are evaluated in any order */
@@ -89,7 +96,7 @@ static struct pp_world *random_room(uint64_t *seed, const char *sky,
              "<working-plane height=\"0.85\"/></room>",
              sky, 0.1 + 2.0 * r[5], 1.6 * r[6], 0.2 + 2.9 * r[7], 0.2 + 1.5 * r[8],
              glazing, outside);
-    return pp_test_world(xml);
+    return pp_test_lit_world(light, xml);
 }
 
 /* A point on the working plane between two depths. */
@@ -109,10 +116,11 @@ static void areas_without_glass_are_exact(void **state)
     uint64_t seed = 17;
     for (int i = 0; i < 2000; i++) {
         const char *sky = skies[i % 20 == 19 ? 2 : i % 2];
-        struct pp_world *world = random_room(&seed, sky, "none", i % 4 == 0);
+        struct pp_outside_light light;
+        struct pp_world *world = random_room(&light, &seed, sky, "none", i % 4 == 0);
         struct pp_receiver receiver = random_point(&seed, 0.3, 6.8);
-        struct pp_part exact = direct(&pp_method_exact, world, &receiver);
-        struct pp_part drawn = areas(world, &receiver, false);
+        struct pp_part exact = direct(&pp_method_exact, world, &light, &receiver);
+        struct pp_part drawn = areas(world, &light, &receiver, false);
         assert_near(drawn.sky, exact.sky, 1e-6 * exact.sky + 1e-10);
         assert_near(drawn.external, exact.external, 1e-6 * exact.external + 1e-10);
         pp_world_destroy(world);
@@ -128,10 +136,12 @@ static void areas_with_glass_are_never_short(void **state)
     double sum = 0.0;
     enum { WINDOWS = 200 };
     for (int i = 0; i < WINDOWS; i++) {
-        struct pp_world *world = random_room(&seed, "overcast", "clear-single", false);
+        struct pp_outside_light light;
+        struct pp_world *world =
+            random_room(&light, &seed, "overcast", "clear-single", false);
         struct pp_receiver receiver = random_point(&seed, 1.0, 6.5);
-        double exact = direct(&pp_method_exact, world, &receiver).sky;
-        double drawn = areas(world, &receiver, true).sky;
+        double exact = direct(&pp_method_exact, world, &light, &receiver).sky;
+        double drawn = areas(world, &light, &receiver, true).sky;
         if (exact > 1e-4) {
             assert_true(drawn >= exact * (1.0 - 1e-5));
             assert_true(drawn <= exact * 1.12);
@@ -150,14 +160,15 @@ static void counts_come_near_exact_in_rooms(void **state)
     uint64_t seed = 29;
     for (int i = 0; i < 100; i++) {
         bool bare = i % 2;
+        struct pp_outside_light light;
         struct pp_world *world =
-            random_room(&seed, i % 3 ? "overcast" : "uniform",
+            random_room(&light, &seed, i % 3 ? "overcast" : "uniform",
                         bare ? "none" : "clear-single", i % 5 == 0);
         struct pp_receiver receiver = random_point(&seed, 0.6, 6.6);
-        struct pp_part drawn = areas(world, &receiver, !bare);
-        struct pp_part squares = direct(&pp_method_waldram, world, &receiver);
-        struct pp_part dots = direct(&pp_method_pepper_pot, world, &receiver);
-        struct pp_part exact = direct(&pp_method_exact, world, &receiver);
+        struct pp_part drawn = areas(world, &light, &receiver, !bare);
+        struct pp_part squares = direct(&pp_method_waldram, world, &light, &receiver);
+        struct pp_part dots = direct(&pp_method_pepper_pot, world, &light, &receiver);
+        struct pp_part exact = direct(&pp_method_exact, world, &light, &receiver);
         assert_near(squares.sky, drawn.sky, 0.05 * PP_WALDRAM_WORTH * 36);
         assert_near(dots.sky, exact.sky, 0.008);
         pp_world_destroy(world);
@@ -169,18 +180,19 @@ static void counts_come_near_exact_in_rooms(void **state)
 static void dots_are_unbiased_with_glass(void **state)
 {
     (void)state;
-    struct pp_world *world = pp_test_world(
-        "<room version=\"1\"><plan width=\"5.3\" depth=\"7.1\" height=\"3.4\"/>"
-        "<window wall=\"south\" left=\"0.7\" sill=\"0.6\" width=\"3.7\" "
-        "height=\"2.3\"/>"
-        "<working-plane height=\"0.85\"/></room>");
+    struct pp_outside_light light;
+    struct pp_world *world = pp_test_lit_world(
+        &light, "<room version=\"1\"><plan width=\"5.3\" depth=\"7.1\" height=\"3.4\"/>"
+                "<window wall=\"south\" left=\"0.7\" sill=\"0.6\" width=\"3.7\" "
+                "height=\"2.3\"/>"
+                "<working-plane height=\"0.85\"/></room>");
     double dots = 0.0, exact = 0.0;
     for (int i = 0; i < 17; i++)
         for (int k = 0; k < 11; k++) {
             struct pp_receiver receiver =
                 facing_up(0.2 + 0.29 * i, 0.7 + 0.53 * k, 0.85);
-            dots += direct(&pp_method_pepper_pot, world, &receiver).sky;
-            exact += direct(&pp_method_exact, world, &receiver).sky;
+            dots += direct(&pp_method_pepper_pot, world, &light, &receiver).sky;
+            exact += direct(&pp_method_exact, world, &light, &receiver).sky;
         }
     assert_relative(dots, exact, 0.01);
     pp_world_destroy(world);
@@ -189,20 +201,22 @@ static void dots_are_unbiased_with_glass(void **state)
 static void an_upright_point_is_counted_on_a_diagram_of_its_own(void **state)
 {
     (void)state;
-    struct pp_world *world = pp_test_world(
-        "<room version=\"1\"><plan width=\"5.3\" depth=\"4.1\" height=\"3.4\"/>"
-        "<window wall=\"south\" left=\"0.7\" sill=\"0.6\" width=\"3.7\" "
-        "height=\"2.3\"/>"
-        "<working-plane height=\"0.85\"/></room>");
+    struct pp_outside_light light;
+    struct pp_world *world = pp_test_lit_world(
+        &light, "<room version=\"1\"><plan width=\"5.3\" depth=\"4.1\" height=\"3.4\"/>"
+                "<window wall=\"south\" left=\"0.7\" sill=\"0.6\" width=\"3.7\" "
+                "height=\"2.3\"/>"
+                "<working-plane height=\"0.85\"/></room>");
     double turns[] = {-0.9, -0.2, 0.0, 0.7};
     for (int i = 0; i < 4; i++) {
         struct pp_receiver receiver = {
             {2.3, 3.1, 1.2}, {sin(turns[i]), -cos(turns[i]), 0.0}, 0};
-        double dots = direct(&pp_method_pepper_pot, world, &receiver).sky;
-        assert_near(dots, direct(&pp_method_exact, world, &receiver).sky, 0.004);
+        double dots = direct(&pp_method_pepper_pot, world, &light, &receiver).sky;
+        assert_near(dots, direct(&pp_method_exact, world, &light, &receiver).sky,
+                    0.004);
     }
     struct pp_receiver away = {{2.3, 3.1, 1.2}, {0.0, 1.0, 0.0}, 0};
-    assert_near(direct(&pp_method_pepper_pot, world, &away).sky, 0.0, 0.0);
+    assert_near(direct(&pp_method_pepper_pot, world, &light, &away).sky, 0.0, 0.0);
     pp_world_destroy(world);
 }
 
@@ -218,16 +232,21 @@ static void glass_is_counted_once(void **state)
     struct pp_receiver receiver = facing_up(2.3, 2.1, 0.85);
     for (int m = 0; m < 2; m++) {
         snprintf(xml, sizeof xml, room, "");
-        struct pp_world *clear = pp_test_world(xml);
+        struct pp_outside_light clear_light;
+        struct pp_world *clear = pp_test_lit_world(&clear_light, xml);
         snprintf(xml, sizeof xml, room, "transmittance=\"0.45\" frame-factor=\"0.8\"");
-        struct pp_world *tinted = pp_test_world(xml);
+        struct pp_outside_light tinted_light;
+        struct pp_world *tinted = pp_test_lit_world(&tinted_light, xml);
         snprintf(xml, sizeof xml, room, "glazing=\"none\"");
-        struct pp_world *bare = pp_test_world(xml);
-        double of_clear = direct(methods[m], clear, &receiver).sky;
-        assert_relative(direct(methods[m], tinted, &receiver).sky / of_clear,
+        struct pp_outside_light bare_light;
+        struct pp_world *bare = pp_test_lit_world(&bare_light, xml);
+        double of_clear = direct(methods[m], clear, &clear_light, &receiver).sky;
+        assert_relative(direct(methods[m], tinted, &tinted_light, &receiver).sky
+                            / of_clear,
                         0.45 / pp_glass_clear_single().normal * 0.8, 1e-9);
-        double of_bare = direct(methods[m], bare, &receiver).sky;
-        assert_near(of_bare, direct(&pp_method_exact, bare, &receiver).sky, 0.003);
+        double of_bare = direct(methods[m], bare, &bare_light, &receiver).sky;
+        assert_near(of_bare, direct(&pp_method_exact, bare, &bare_light, &receiver).sky,
+                    0.003);
         assert_true(of_bare > 1.05 * of_clear && of_bare < 1.3 * of_clear);
         pp_world_destroy(clear);
         pp_world_destroy(tinted);
@@ -238,7 +257,9 @@ static void glass_is_counted_once(void **state)
 static void what_the_diagrams_do_not_hold_is_refused(void **state)
 {
     (void)state;
-    struct pp_world *world = pp_test_world(
+    struct pp_outside_light light;
+    struct pp_world *world = pp_test_lit_world(
+        &light,
         "<room version=\"1\"><sky type=\"iso-12\" sun-altitude=\"30\" "
         "sun-bearing=\"170\"/><plan width=\"5.3\" depth=\"4.1\" height=\"3.4\"/>"
         "<rooflight x=\"1\" y=\"1\" width=\"1.3\" depth=\"1.7\"/>"
@@ -246,18 +267,23 @@ static void what_the_diagrams_do_not_hold_is_refused(void **state)
         "glazing=\"none\"/></room>");
     struct pp_receiver up = facing_up(2.3, 2.1, 0.85);
     struct pp_receiver tilted = {{2.3, 2.1, 0.85}, {0.6, 0.0, 0.8}, 0};
-    assert_non_null(strstr(pp_method_waldram.refuses_room(world, &up), "azimuths"));
-    assert_non_null(strstr(pp_method_pepper_pot.refuses_room(world, &up), "overcast"));
     assert_non_null(
-        strstr(pp_method_waldram.refuses(world, &world->openings[0], &up), "sloping"));
-    assert_null(pp_method_waldram.refuses(world, &world->openings[1], &up));
-    assert_non_null(pp_method_pepper_pot.refuses(world, &world->openings[1], &up));
+        strstr(pp_method_waldram.refuses_room(world, &light, &up), "azimuths"));
+    assert_non_null(
+        strstr(pp_method_pepper_pot.refuses_room(world, &light, &up), "overcast"));
+    assert_non_null(strstr(
+        pp_method_waldram.refuses(world, &light, &world->openings[0], &up), "sloping"));
+    assert_null(pp_method_waldram.refuses(world, &light, &world->openings[1], &up));
+    assert_non_null(
+        pp_method_pepper_pot.refuses(world, &light, &world->openings[1], &up));
     pp_world_destroy(world);
-    world = pp_test_world("<room version=\"1\"><plan width=\"5.3\" depth=\"4.1\" "
-                          "height=\"3.4\"/></room>");
-    assert_non_null(strstr(pp_method_waldram.refuses_room(world, &tilted), "face up"));
+    world = pp_test_lit_world(&light,
+                              "<room version=\"1\"><plan width=\"5.3\" depth=\"4.1\" "
+                              "height=\"3.4\"/></room>");
     assert_non_null(
-        strstr(pp_method_pepper_pot.refuses_room(world, &tilted), "upright"));
+        strstr(pp_method_waldram.refuses_room(world, &light, &tilted), "face up"));
+    assert_non_null(
+        strstr(pp_method_pepper_pot.refuses_room(world, &light, &tilted), "upright"));
     pp_world_destroy(world);
 }
 
@@ -265,15 +291,17 @@ static void what_the_diagrams_do_not_hold_is_refused(void **state)
 static void a_window_seen_from_its_own_plane_gives_nothing(void **state)
 {
     (void)state;
-    struct pp_world *world = pp_test_world(
-        "<room version=\"1\"><plan width=\"5.3\" depth=\"4.1\" height=\"3.4\"/>"
-        "<window wall=\"south\" left=\"0.7\" sill=\"0.6\" width=\"3.7\" "
-        "height=\"2.3\"/>"
-        "<working-plane height=\"0.85\"/></room>");
+    struct pp_outside_light light;
+    struct pp_world *world = pp_test_lit_world(
+        &light, "<room version=\"1\"><plan width=\"5.3\" depth=\"4.1\" height=\"3.4\"/>"
+                "<window wall=\"south\" left=\"0.7\" sill=\"0.6\" width=\"3.7\" "
+                "height=\"2.3\"/>"
+                "<working-plane height=\"0.85\"/></room>");
     for (int behind = 0; behind < 2; behind++) {
         struct pp_receiver receiver = facing_up(2.3, behind ? -0.7 : 0.0, 0.3);
-        assert_near(direct(&pp_method_waldram, world, &receiver).sky, 0.0, 0.0);
-        assert_near(direct(&pp_method_pepper_pot, world, &receiver).sky, 0.0, 0.0);
+        assert_near(direct(&pp_method_waldram, world, &light, &receiver).sky, 0.0, 0.0);
+        assert_near(direct(&pp_method_pepper_pot, world, &light, &receiver).sky, 0.0,
+                    0.0);
     }
     pp_world_destroy(world);
 }

@@ -13,19 +13,21 @@
     "<window wall=\"south\" left=\"0.7\" sill=\"0.95\" width=\"2.6\" height=\"1.3\" "  \
     "glazing=\"none\"/>"
 
-static struct pp_world *world_of(const char *name, const char *body)
+static struct pp_world *world_of(struct pp_outside_light *light, const char *name,
+                                 const char *body)
 {
     char text[4096];
     snprintf(text, sizeof text, "<room version=\"1\" name=\"%s\">%s</room>", name,
              body);
-    return pp_test_world(text);
+    return pp_test_lit_world(light, text);
 }
 
-static struct pp_daylight_plan plan_of(const struct pp_world *world)
+static struct pp_daylight_plan plan_of(const struct pp_world *world,
+                                       const struct pp_outside_light *light)
 {
     struct pp_daylight_plan plan;
     struct pp_error err;
-    if (pp_daylight_curves(&plan, world, 0.004, "bre", 0, 0, &err) != PP_OK)
+    if (pp_daylight_curves(&plan, world, light, 0.004, "bre", 0, 0, &err) != PP_OK)
         fail_msg("%s", err.message);
     return plan;
 }
@@ -48,9 +50,10 @@ static void assert_no_sky_at(const struct pp_daylight_plan *plan, double y)
 static void no_sky_line_lies_where_the_head_meets_a_far_skyline(void **state)
 {
     (void)state;
+    struct pp_outside_light light;
     struct pp_world *world =
-        world_of("Far", SIMPLE_ROOM "<skyline wall=\"south\" angle=\"30\"/>");
-    struct pp_daylight_plan plan = plan_of(world);
+        world_of(&light, "Far", SIMPLE_ROOM "<skyline wall=\"south\" angle=\"30\"/>");
+    struct pp_daylight_plan plan = plan_of(world, &light);
     assert_no_sky_at(&plan, 1.4 / tan(30 * PP_RAD));
     assert_int_equal(plan.dark.count, 1);
     pp_daylight_plan_clear(&plan);
@@ -62,9 +65,11 @@ static void no_sky_line_lies_where_the_head_meets_a_far_skyline(void **state)
 static void no_sky_line_lies_where_the_head_meets_a_near_skyline(void **state)
 {
     (void)state;
-    struct pp_world *world = world_of(
-        "Near", SIMPLE_ROOM "<skyline wall=\"south\" angle=\"30\" distance=\"8\"/>");
-    struct pp_daylight_plan plan = plan_of(world);
+    struct pp_outside_light light;
+    struct pp_world *world =
+        world_of(&light, "Near",
+                 SIMPLE_ROOM "<skyline wall=\"south\" angle=\"30\" distance=\"8\"/>");
+    struct pp_daylight_plan plan = plan_of(world, &light);
     double rise = 1.6 + 8.0 * tan(30 * PP_RAD) - 0.85;
     assert_no_sky_at(&plan, 1.4 * 8.0 / (rise - 1.4));
     pp_daylight_plan_clear(&plan);
@@ -74,8 +79,9 @@ static void no_sky_line_lies_where_the_head_meets_a_near_skyline(void **state)
 static void a_room_before_open_sky_has_no_no_sky_line(void **state)
 {
     (void)state;
-    struct pp_world *world = world_of("Open", SIMPLE_ROOM);
-    struct pp_daylight_plan plan = plan_of(world);
+    struct pp_outside_light light;
+    struct pp_world *world = world_of(&light, "Open", SIMPLE_ROOM);
+    struct pp_daylight_plan plan = plan_of(world, &light);
     assert_int_equal(plan.no_sky.count, 0);
     assert_int_equal(plan.dark.count, 0);
     assert_near(plan.sky_share, 1.0, 0.0);
@@ -86,10 +92,11 @@ static void a_room_before_open_sky_has_no_no_sky_line(void **state)
 static void a_room_without_a_window_is_all_dark(void **state)
 {
     (void)state;
-    struct pp_world *world =
-        world_of("Cellar", "<plan width=\"4.1\" depth=\"6.3\" height=\"2.9\"/>");
+    struct pp_outside_light light;
+    struct pp_world *world = world_of(
+        &light, "Cellar", "<plan width=\"4.1\" depth=\"6.3\" height=\"2.9\"/>");
     struct pp_daylight_plan plan;
-    assert_int_equal(pp_daylight_curves(&plan, world, 0.0, 0, 0, 0, 0), PP_OK);
+    assert_int_equal(pp_daylight_curves(&plan, world, &light, 0.0, 0, 0, 0, 0), PP_OK);
     assert_string_equal(plan.name, "exact");
     assert_int_equal(plan.contours.count, 0);
     assert_int_equal(plan.dark.count, 1);
@@ -104,12 +111,14 @@ static void a_room_without_a_window_is_all_dark(void **state)
 static void the_corner_of_an_l_shape_throws_a_straight_shadow(void **state)
 {
     (void)state;
+    struct pp_outside_light light;
     struct pp_world *world = world_of(
-        "L", "<plan height=\"2.6\"><vertex x=\"0\" y=\"0\"/><vertex x=\"6\" y=\"0\"/>"
-             "<vertex x=\"6\" y=\"3\"/><vertex x=\"2.5\" y=\"3\"/>"
-             "<vertex x=\"2.5\" y=\"7\"/><vertex x=\"0\" y=\"7\"/></plan>"
-             "<window wall=\"1\" left=\"3.5\" sill=\"1\" width=\"2\" height=\"1.2\"/>");
-    struct pp_daylight_plan plan = plan_of(world);
+        &light, "L",
+        "<plan height=\"2.6\"><vertex x=\"0\" y=\"0\"/><vertex x=\"6\" y=\"0\"/>"
+        "<vertex x=\"6\" y=\"3\"/><vertex x=\"2.5\" y=\"3\"/>"
+        "<vertex x=\"2.5\" y=\"7\"/><vertex x=\"0\" y=\"7\"/></plan>"
+        "<window wall=\"1\" left=\"3.5\" sill=\"1\" width=\"2\" height=\"1.2\"/>");
+    struct pp_daylight_plan plan = plan_of(world, &light);
     assert_int_equal(plan.no_sky.count, 1);
     const struct pp_curve *line = &plan.no_sky.list[0];
     for (int i = 0; i < line->count; i++)
@@ -124,10 +133,12 @@ static void the_corner_of_an_l_shape_throws_a_straight_shadow(void **state)
 static void points_of_a_contour_have_its_daylight_factor(void **state)
 {
     (void)state;
-    struct pp_world *world = world_of(
-        "Blocks", SIMPLE_ROOM "<block x=\"-4\" y=\"-12\" width=\"7\" depth=\"5\" "
-                              "height=\"6\" rotate=\"10\" reflectance=\"0.3\"/>");
-    struct pp_daylight_plan plan = plan_of(world);
+    struct pp_outside_light light;
+    struct pp_world *world =
+        world_of(&light, "Blocks",
+                 SIMPLE_ROOM "<block x=\"-4\" y=\"-12\" width=\"7\" depth=\"5\" "
+                             "height=\"6\" rotate=\"10\" reflectance=\"0.3\"/>");
+    struct pp_daylight_plan plan = plan_of(world, &light);
     assert_true(plan.contours.count >= 4);
     assert_string_equal(plan.name, "exact+bre");
     double before = 0.0;
@@ -146,8 +157,8 @@ static void points_of_a_contour_have_its_daylight_factor(void **state)
                 || curve->xy[k][0] > 4.09 || curve->xy[k][1] > 6.29)
                 continue;
             struct pp_part part = {0};
-            assert_int_equal(pp_method_exact.evaluate(world, world->openings, &receiver,
-                                                      NULL, &part, 0),
+            assert_int_equal(pp_method_exact.evaluate(world, &light, world->openings,
+                                                      &receiver, NULL, &part, 0),
                              PP_OK);
             double factor =
                 pp_allowance_factor(pp_method_exact.allowances, world->openings);
@@ -167,16 +178,18 @@ static void levels_asked_for_are_the_levels_drawn(void **state)
 {
     (void)state;
     static const double levels[] = {0.0077, 0.0233};
-    struct pp_world *world = world_of("Own", SIMPLE_ROOM);
+    struct pp_outside_light light;
+    struct pp_world *world = world_of(&light, "Own", SIMPLE_ROOM);
     struct pp_daylight_plan plan;
     struct pp_error err;
-    assert_int_equal(pp_daylight_curves(&plan, world, 0.0, 0, levels, 2, 0), PP_OK);
+    assert_int_equal(pp_daylight_curves(&plan, world, &light, 0.0, 0, levels, 2, 0),
+                     PP_OK);
     for (int i = 0; i < plan.contours.count; i++)
         assert_true(plan.contours.list[i].level == levels[0]
                     || plan.contours.list[i].level == levels[1]);
     assert_true(plan.contours.count >= 2);
     pp_daylight_plan_clear(&plan);
-    assert_int_equal(pp_daylight_curves(&plan, world, NAN, "bre", 0, 0, &err),
+    assert_int_equal(pp_daylight_curves(&plan, world, &light, NAN, "bre", 0, 0, &err),
                      PP_BAD_INPUT);
     pp_world_destroy(world);
 }

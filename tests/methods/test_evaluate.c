@@ -22,7 +22,8 @@
     "</room>\n"
 
 /* A room with one south window with these further attributes. */
-static struct pp_world *room_with_window(const char *attributes)
+static struct pp_world *room_with_window(struct pp_outside_light *light,
+                                         const char *attributes)
 {
     char xml[1500];
     snprintf(xml, sizeof xml,
@@ -30,12 +31,15 @@ static struct pp_world *room_with_window(const char *attributes)
              "<window wall=\"south\" left=\"0.6\" sill=\"0.9\" width=\"2.1\" "
              "height=\"1.4\" %s/>\n" ROOM_POINTS,
              attributes);
-    return pp_test_world(xml);
+    return pp_test_lit_world(light, xml);
 }
 
-static struct pp_report evaluate(const struct pp_world *world, const char *selection)
+static struct pp_report evaluate(const struct pp_world *world,
+                                 const struct pp_outside_light *light,
+                                 const char *selection)
 {
     struct pp_report report = {.world = world,
+                               .light = *light,
                                .receivers = world->receivers,
                                .receiver_count = world->receiver_count,
                                .finished = true};
@@ -57,8 +61,9 @@ static const struct pp_column *column_of(const struct pp_report *report,
 static void columns_by_default_in_the_order_of_the_results(void **state)
 {
     (void)state;
-    struct pp_world *world = room_with_window("");
-    struct pp_report report = evaluate(world, NULL);
+    struct pp_outside_light light;
+    struct pp_world *world = room_with_window(&light, "");
+    struct pp_report report = evaluate(world, &light, NULL);
     static const struct {
         enum pp_component component;
         const char *name;
@@ -81,8 +86,9 @@ static void columns_by_default_in_the_order_of_the_results(void **state)
 static void pairs_are_the_sum_of_their_parts_at_points_and_on_average(void **state)
 {
     (void)state;
-    struct pp_world *world = room_with_window("frame-factor=\"0.8\"");
-    struct pp_report report = evaluate(world, "brs-table+split-flux,exact+bre");
+    struct pp_outside_light light;
+    struct pp_world *world = room_with_window(&light, "frame-factor=\"0.8\"");
+    struct pp_report report = evaluate(world, &light, "brs-table+split-flux,exact+bre");
     static const char *const pairs[2][3] = {
         {"brs-table", "split-flux", "brs-table+split-flux"},
         {"exact", "bre", "exact+bre"}};
@@ -110,9 +116,12 @@ static void pairs_are_the_sum_of_their_parts_at_points_and_on_average(void **sta
 static void assert_all_scale(const char *attributes, double direct, double internal,
                              double whole)
 {
-    struct pp_world *plain = room_with_window(""),
-                    *world = room_with_window(attributes);
-    struct pp_report before = evaluate(plain, "all"), after = evaluate(world, "all");
+    struct pp_outside_light plain_light;
+    struct pp_world *plain = room_with_window(&plain_light, "");
+    struct pp_outside_light light;
+    struct pp_world *world = room_with_window(&light, attributes);
+    struct pp_report before = evaluate(plain, &plain_light, "all"),
+                     after = evaluate(world, &light, "all");
     assert_int_equal(before.column_count, after.column_count);
     for (int i = 0; i < before.column_count; i++) {
         const struct pp_column *a = before.columns + i, *b = after.columns + i;
@@ -159,9 +168,12 @@ static void glass_counts_once_in_every_method(void **state)
 static void without_glass_the_tables_glass_is_taken_out(void **state)
 {
     (void)state;
-    struct pp_world *glazed = room_with_window("");
-    struct pp_world *open = room_with_window("glazing=\"none\"");
-    struct pp_report a = evaluate(glazed, "all"), b = evaluate(open, "all");
+    struct pp_outside_light glazed_light;
+    struct pp_world *glazed = room_with_window(&glazed_light, "");
+    struct pp_outside_light open_light;
+    struct pp_world *open = room_with_window(&open_light, "glazing=\"none\"");
+    struct pp_report a = evaluate(glazed, &glazed_light, "all"),
+                     b = evaluate(open, &open_light, "all");
     static const struct {
         enum pp_component component;
         const char *name;
@@ -200,13 +212,15 @@ static void two_windows_give_what_each_gives_together(void **state)
     "<window wall=\"south\" left=\"0.2\" sill=\"0.9\" width=\"1.3\" height=\"1.4\"/>"
 #define RIGHT                                                                          \
     "<window wall=\"south\" left=\"2.1\" sill=\"0.9\" width=\"1.1\" height=\"1.4\"/>"
-    struct pp_world *worlds[3] = {pp_test_world(ROOM_BEGIN LEFT ROOM_POINTS),
-                                  pp_test_world(ROOM_BEGIN RIGHT ROOM_POINTS),
-                                  pp_test_world(ROOM_BEGIN LEFT RIGHT ROOM_POINTS)};
+    struct pp_outside_light light[3];
+    struct pp_world *worlds[3] = {
+        pp_test_lit_world(&light[0], ROOM_BEGIN LEFT ROOM_POINTS),
+        pp_test_lit_world(&light[1], ROOM_BEGIN RIGHT ROOM_POINTS),
+        pp_test_lit_world(&light[2], ROOM_BEGIN LEFT RIGHT ROOM_POINTS)};
     static const char *const names[2] = {"exact", "brs-table"};
     struct pp_report reports[3];
     for (int i = 0; i < 3; i++)
-        reports[i] = evaluate(worlds[i], NULL);
+        reports[i] = evaluate(worlds[i], &light[i], NULL);
     for (int n = 0; n < 2; n++)
         for (int i = 0; i < 5; i++) {
             double sum = column_of(&reports[0], PP_SC, names[n])->points[i].value
@@ -223,8 +237,9 @@ static void two_windows_give_what_each_gives_together(void **state)
 static void a_room_without_openings_is_dark(void **state)
 {
     (void)state;
-    struct pp_world *world = pp_test_world(ROOM_BEGIN ROOM_POINTS);
-    struct pp_report report = evaluate(world, "all");
+    struct pp_outside_light light;
+    struct pp_world *world = pp_test_lit_world(&light, ROOM_BEGIN ROOM_POINTS);
+    struct pp_report report = evaluate(world, &light, "all");
     for (int i = 0; i < report.column_count; i++) {
         const struct pp_column *column = report.columns + i;
         if (!column->average.why) /* a minimum tells no average */
@@ -241,12 +256,13 @@ static void a_room_without_openings_is_dark(void **state)
 static void one_opening_that_is_not_covered_is_named_by_its_line(void **state)
 {
     (void)state;
-    struct pp_world *world = pp_test_world(
-        ROOM_BEGIN
+    struct pp_outside_light light;
+    struct pp_world *world = pp_test_lit_world(
+        &light, ROOM_BEGIN
         "<window wall=\"south\" left=\"0.6\" sill=\"0.9\" width=\"2.1\" "
         "height=\"1\"/>\n"
         "<rooflight x=\"1\" y=\"4\" width=\"1\" depth=\"0.8\"/>\n" ROOM_POINTS);
-    struct pp_report report = evaluate(world, NULL);
+    struct pp_report report = evaluate(world, &light, NULL);
     const char *why = "brs-table: the opening on line 6 is not vertical, and only "
                       "vertical ones are covered";
     assert_string_equal(column_of(&report, PP_SC, "brs-table")->points[2].why, why);
@@ -264,12 +280,14 @@ static void one_opening_that_is_not_covered_is_named_by_its_line(void **state)
 static void a_sky_that_is_not_covered_is_said_without_an_opening(void **state)
 {
     (void)state;
-    struct pp_world *world = pp_test_world(
+    struct pp_outside_light light;
+    struct pp_world *world = pp_test_lit_world(
+        &light,
         "<room version=\"1\"><sky type=\"uniform\"/>"
         "<plan width=\"3.7\" depth=\"6.1\" height=\"2.8\"/>"
         "<window wall=\"south\" left=\"0.6\" sill=\"0.9\" width=\"2.1\" height=\"1\"/>"
         "<point x=\"1.7\" y=\"2.1\"/></room>");
-    struct pp_report report = evaluate(world, "all");
+    struct pp_report report = evaluate(world, &light, "all");
     assert_string_equal(column_of(&report, PP_SC, "brs-table")->points[0].why,
                         "brs-table: it is made for the CIE overcast sky only");
     assert_true(column_of(&report, PP_DF, "exact+split-flux")->points[0].value > 0.0);
@@ -282,12 +300,14 @@ static void a_sky_that_is_not_covered_is_said_without_an_opening(void **state)
 static void a_receiver_that_is_not_covered_leaves_the_others(void **state)
 {
     (void)state;
-    struct pp_world *world = pp_test_world(
+    struct pp_outside_light light;
+    struct pp_world *world = pp_test_lit_world(
+        &light,
         "<room version=\"1\"><plan width=\"3.7\" depth=\"6.1\" height=\"2.8\"/>"
         "<window wall=\"south\" left=\"0.6\" sill=\"0.9\" width=\"2.1\" height=\"1\"/>"
         "<point x=\"1.7\" y=\"2.1\"/>"
         "<point x=\"1.7\" y=\"2.1\" z=\"1.2\" nx=\"0\" ny=\"-1\" nz=\"0\"/></room>");
-    struct pp_report report = evaluate(world, "default,exact+split-flux");
+    struct pp_report report = evaluate(world, &light, "default,exact+split-flux");
     const struct pp_column *pair = column_of(&report, PP_DF, "brs-table+bre");
     assert_true(pair->points[0].value > 0.0 && pair->average.value > 0.0);
     assert_string_equal(pair->points[1].why,
@@ -299,9 +319,9 @@ static void a_receiver_that_is_not_covered_leaves_the_others(void **state)
 }
 
 /* Mean of a column over points on a fine grid of the plan's width and depth. */
-static double fine_mean(struct pp_world *world, enum pp_component component,
-                        const char *name, int across, int along, double width_m,
-                        double depth_m)
+static double fine_mean(struct pp_world *world, const struct pp_outside_light *light,
+                        enum pp_component component, const char *name, int across,
+                        int along, double width_m, double depth_m)
 {
     int count = across * along;
     struct pp_receiver *receivers = calloc((size_t)count, sizeof *receivers);
@@ -311,8 +331,10 @@ static double fine_mean(struct pp_world *world, enum pp_component component,
             .position = {(i % across + 0.5) / across * width_m,
                          (i / across + 0.5) / along * depth_m, world->working_plane_m},
             .normal = {0, 0, 1}};
-    struct pp_report report = {
-        .world = world, .receivers = receivers, .receiver_count = count};
+    struct pp_report report = {.world = world,
+                               .light = *light,
+                               .receivers = receivers,
+                               .receiver_count = count};
     assert_int_equal(pp_methods_evaluate(&report, name, NULL), PP_OK);
     const struct pp_column *column = column_of(&report, component, name);
     double sum = 0.0;
@@ -327,11 +349,12 @@ static double fine_mean(struct pp_world *world, enum pp_component component,
 static void averages_agree_with_a_fine_sum_over_the_plane(void **state)
 {
     (void)state;
-    struct pp_world *world = room_with_window("glazing=\"none\"");
-    struct pp_report report = evaluate(world, "exact,brs-table");
+    struct pp_outside_light light;
+    struct pp_world *world = room_with_window(&light, "glazing=\"none\"");
+    struct pp_report report = evaluate(world, &light, "exact,brs-table");
     static const char *const names[2] = {"exact", "brs-table"};
     for (int n = 0; n < 2; n++) {
-        double fine = fine_mean(world, PP_SC, names[n], 180, 300, 3.7, 6.1);
+        double fine = fine_mean(world, &light, PP_SC, names[n], 180, 300, 3.7, 6.1);
         assert_relative(column_of(&report, PP_SC, names[n])->average.value, fine,
                         PP_AVERAGE_ERROR + 0.5e-3);
     }
@@ -343,17 +366,18 @@ static void averages_agree_with_a_fine_sum_over_the_plane(void **state)
 static void a_rough_value_is_near_the_exact_one(void **state)
 {
     (void)state;
-    struct pp_world *world = room_with_window("");
+    struct pp_outside_light light;
+    struct pp_world *world = room_with_window(&light, "");
     const struct pp_method *exact = pp_method_find("exact");
     for (double y = 0.3; y < 6.0; y += 0.4)
         for (double x = 0.1; x < 3.7; x += 0.6) {
             struct pp_receiver receiver = {{x, y, 0.85}, {0, 0, 1}, 0};
             struct pp_part precise = {0}, rough = {0};
-            assert_int_equal(exact->evaluate(world, world->openings, &receiver, NULL,
-                                             &precise, NULL),
+            assert_int_equal(exact->evaluate(world, &light, world->openings, &receiver,
+                                             NULL, &precise, NULL),
                              PP_OK);
-            assert_int_equal(exact->evaluate_roughly(world, world->openings, &receiver,
-                                                     NULL, &rough, NULL),
+            assert_int_equal(exact->evaluate_roughly(world, &light, world->openings,
+                                                     &receiver, NULL, &rough, NULL),
                              PP_OK);
             /* the worst of random windows from 0.1 m on: quadrature.h */
             assert_relative(rough.sky, precise.sky, 2e-5);
@@ -364,7 +388,9 @@ static void a_rough_value_is_near_the_exact_one(void **state)
 static void the_numbers_do_not_depend_on_the_number_of_threads(void **state)
 {
     (void)state;
-    struct pp_world *world = pp_test_world(
+    struct pp_outside_light light;
+    struct pp_world *world = pp_test_lit_world(
+        &light,
         "<room version=\"1\"><plan height=\"2.9\"><vertex x=\"0\" y=\"0\"/>"
         "<vertex x=\"4\" y=\"0\"/><vertex x=\"4\" y=\"3\"/><vertex x=\"6.3\" y=\"3\"/>"
         "<vertex x=\"6.3\" y=\"6\"/><vertex x=\"0\" y=\"6\"/></plan>"
@@ -375,7 +401,7 @@ static void the_numbers_do_not_depend_on_the_number_of_threads(void **state)
     int threads = omp_get_max_threads();
     for (int i = 0; i < 2; i++) {
         omp_set_num_threads(1 + 3 * i);
-        reports[i] = evaluate(world, "default");
+        reports[i] = evaluate(world, &light, "default");
     }
     omp_set_num_threads(threads);
     for (int c = 0; c < reports[0].column_count; c++) {
@@ -444,13 +470,16 @@ static double value_called(const struct pp_steps *steps, const char *symbol)
 static void explained_figures_are_the_sum_of_their_steps(void **state)
 {
     (void)state;
-    struct pp_world *world = pp_test_world(
+    struct pp_outside_light light;
+    struct pp_world *world = pp_test_lit_world(
+        &light,
         ROOM_BEGIN "<window wall=\"south\" left=\"0.3\" sill=\"0.9\" width=\"1.1\" "
                    "height=\"1.4\"/>\n"
                    "<window wall=\"south\" left=\"1.9\" sill=\"0.9\" width=\"1.3\" "
                    "height=\"1.2\" frame-factor=\"0.5\"/>\n"
                    "<skyline wall=\"south\" angle=\"20\"/>\n" ROOM_POINTS);
     struct pp_report report = {.world = world,
+                               .light = light,
                                .receivers = world->receivers,
                                .receiver_count = world->receiver_count,
                                .explain = true};
@@ -484,8 +513,9 @@ static void explained_figures_are_the_sum_of_their_steps(void **state)
 static void figures_have_no_steps_unless_asked_for(void **state)
 {
     (void)state;
-    struct pp_world *world = room_with_window("");
-    struct pp_report report = evaluate(world, "all");
+    struct pp_outside_light light;
+    struct pp_world *world = room_with_window(&light, "");
+    struct pp_report report = evaluate(world, &light, "all");
     for (int c = 0; c < report.column_count; c++) {
         assert_null(report.columns[c].average.steps);
         for (int i = 0; report.columns[c].points && i < report.receiver_count; i++)

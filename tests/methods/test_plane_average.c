@@ -110,10 +110,12 @@ static void a_peak_at_a_wall_comes_out_to_the_error_asked_for(void **state)
 static void light_under_a_sill_is_not_stepped_over(void **state)
 {
     (void)state;
-    struct pp_world *world = pp_test_world(
+    struct pp_outside_light light;
+    struct pp_world *world = pp_test_lit_world(
+        &light,
         "<room version='1'><plan width='4.2' depth='5.4' height='2.8'/><window "
         "wall='south' left='0.21365' sill='0.9' width='1.3727' height='1.7'/></room>");
-    struct pp_report report = {.world = world, .finished = true};
+    struct pp_report report = {.world = world, .light = light, .finished = true};
     assert_int_equal(pp_methods_evaluate(&report, "exact", NULL), PP_OK);
     const struct pp_column *sky = pp_report_find(&report, PP_SC, "exact");
     assert_relative(sky->average.value, 0.0236298, 1e-3);

@@ -68,8 +68,6 @@ static int set_up(void **state)
                                      .curtains = 1.0};
     f->world = (struct pp_world){.name = awkward_name,
                                  .decorations = 1.0,
-                                 .sky = pp_sky_overcast(),
-                                 .ground_reflectance = 0.2,
                                  .surfaces = f->surfaces,
                                  .surface_count = 2,
                                  .face_count = 2,
@@ -83,6 +81,7 @@ static int set_up(void **state)
 
     struct pp_report *report = &f->result.report;
     *report = (struct pp_report){.world = &f->world,
+                                 .light = {pp_sky_overcast(), 0.2},
                                  .receivers = f->receivers,
                                  .receiver_count = POINTS,
                                  .finished = true};

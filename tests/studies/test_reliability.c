@@ -12,12 +12,13 @@ static struct pp_reliability of_room(double depth_m, double skyline_deg, double 
     struct box_room box;
     box_room_build(&box, 3.1, depth_m, 2.7, 0.2, 0.5, 0.7);
     box_room_south(&box, 0.4, 0.9, 2.3, 1.5);
-    box.world.ground_reflectance = ground;
+    box.light.ground_reflectance = ground;
     if (skyline_deg > 0.0)
         box_room_skyline(&box, skyline_deg * PP_RAD, 1.65, INFINITY);
     const struct pp_receiver points[2] = {{{1.5, 0.7, 0.85}, {0, 0, 1}, 0},
                                           {{1.5, depth_m - 0.7, 0.85}, {0, 0, 1}, 0}};
     struct pp_report report = {.world = &box.world,
+                               .light = box.light,
                                .receivers = points,
                                .receiver_count = 2,
                                .finished = true};

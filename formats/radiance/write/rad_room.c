@@ -19,6 +19,7 @@ static const double THICK_M = 0.01;
 struct rad_room_builder {
     struct pp_scene_description *scene;
     const struct pp_world *world;
+    const struct pp_outside_light *light;
     double horizontal;
     struct pp_surface_materials materials;
     int *described; /* a material's number in the scene; -1: not there yet */
@@ -142,8 +143,8 @@ static double radiance_of(const struct rad_room_builder *b,
                           const struct pp_skyline *skyline, struct pp_vec3 normal)
 {
     return b->horizontal / PP_PI * skyline->reflectance
-           * (pp_sky_on_plane(&b->world->sky, normal)
-              + b->world->ground_reflectance / 2.0);
+           * (pp_sky_on_plane(&b->light->sky, normal)
+              + b->light->ground_reflectance / 2.0);
 }
 
 static enum pp_status add_side(struct rad_room_builder *b,
@@ -197,7 +198,7 @@ static enum pp_status add_skyline(struct rad_room_builder *b,
 static enum pp_status pattern_of(struct rad_room_builder *b, struct pp_pattern *pattern)
 {
     *pattern = (struct pp_pattern){
-        .kind = PP_PATTERN_SKY, .factor = b->horizontal, .sky = b->world->sky};
+        .kind = PP_PATTERN_SKY, .factor = b->horizontal, .sky = b->light->sky};
     for (int i = 0; i < b->world->skyline_count; i++) {
         const struct pp_skyline *skyline = &b->world->skylines[i];
         double slope = tan(skyline->angle_rad);
@@ -233,7 +234,7 @@ static enum pp_status add_sky(struct rad_room_builder *b)
     struct pp_pattern pattern;
     struct pp_material sky = pp_material_glow(pp_rgb_grey(1.0));
     struct pp_material ground = pp_material_glow(
-        pp_rgb_grey(b->world->ground_reflectance * b->horizontal / PP_PI));
+        pp_rgb_grey(b->light->ground_reflectance * b->horizontal / PP_PI));
     enum pp_status status = pattern_of(b, &pattern);
     if (status == PP_OK)
         status =
@@ -244,12 +245,16 @@ static enum pp_status add_sky(struct rad_room_builder *b)
 }
 
 enum pp_status pp_rad_room_init(struct pp_rad_room *room, const struct pp_world *world,
-                                double horizontal, bool gloss, struct pp_error *err)
+                                const struct pp_outside_light *light, double horizontal,
+                                bool gloss, struct pp_error *err)
 {
     *room = (struct pp_rad_room){0};
     pp_scene_description_init(&room->scene);
-    struct rad_room_builder b = {
-        .scene = &room->scene, .world = world, .horizontal = horizontal, .err = err};
+    struct rad_room_builder b = {.scene = &room->scene,
+                                 .world = world,
+                                 .light = light,
+                                 .horizontal = horizontal,
+                                 .err = err};
     enum pp_status status = pp_surface_materials_init(&b.materials, world, !gloss, err);
     b.described = malloc(((size_t)b.materials.count + 1) * sizeof *b.described);
     if (status == PP_OK && !b.described)

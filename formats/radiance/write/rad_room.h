@@ -1,4 +1,4 @@
-/* rad_room.h - a room's world as a scene that Radiance's formats can say.
+/* rad_room.h - a room's world and its light as a scene that Radiance's formats can say.
  *
  * Faces less their openings, panes, reveals, free-standing surfaces and blocks as they
  * are, each of two materials where its sides differ. Sky and ground are distant glows,
@@ -18,6 +18,7 @@
 
 #include <stdbool.h>
 
+#include "model/light/outside_light.h"
 #include "model/light/scene_description.h"
 #include "model/room/world.h"
 
@@ -37,7 +38,8 @@ struct pp_rad_room {
 /* horizontal: irradiance of the open level ground, above 0. PP_BAD_INPUT, beginning
  * with the line where the file has one, for what can't be said. */
 enum pp_status pp_rad_room_init(struct pp_rad_room *room, const struct pp_world *world,
-                                double horizontal, bool gloss, struct pp_error *err);
+                                const struct pp_outside_light *light, double horizontal,
+                                bool gloss, struct pp_error *err);
 /* Has any of its finishes a colour or a gloss? */
 bool pp_rad_room_has_gloss(const struct pp_world *world);
 

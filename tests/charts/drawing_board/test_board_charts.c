@@ -29,11 +29,14 @@ static const char two_sides[] =
     "<point x=\"2.3\" y=\"1.7\"/>\n"
     "</room>\n";
 
-static double value_of(const struct pp_world *world, enum pp_component component,
-                       const char *method)
+static double value_of(const struct pp_world *world,
+                       const struct pp_outside_light *light,
+                       enum pp_component component, const char *method)
 {
-    struct pp_report report = {
-        .world = world, .receivers = world->receivers, .receiver_count = 1};
+    struct pp_report report = {.world = world,
+                               .light = *light,
+                               .receivers = world->receivers,
+                               .receiver_count = 1};
     struct pp_error err = {0};
     if (pp_methods_evaluate(&report, method, &err) != PP_OK)
         fail_msg("%s", err.message);
@@ -226,18 +229,23 @@ static struct stroke frame_of(const struct strokes *strokes)
 static void sheets_sum_up_to_what_the_methods_give(void **state)
 {
     (void)state;
-    struct pp_world *world = pp_test_world(two_sides);
+    struct pp_outside_light light;
+    struct pp_world *world = pp_test_lit_world(&light, two_sides);
     struct pp_waldram_sheet waldram;
     struct pp_pepper_pot_sheet pots;
     assert_int_equal(
-        pp_waldram_sheet_fill_room(&waldram, world, world->receivers, NULL), PP_OK);
-    assert_int_equal(pp_pepper_pot_sheet_fill_room(&pots, world, world->receivers,
+        pp_waldram_sheet_fill_room(&waldram, world, &light, world->receivers, NULL),
+        PP_OK);
+    assert_int_equal(pp_pepper_pot_sheet_fill_room(&pots, world, &light,
+                                                   world->receivers,
                                                    PP_PEPPER_POT_WORTH, NULL),
                      PP_OK);
-    assert_near(waldram.sky_component, value_of(world, PP_SC, "waldram"), 1e-13);
-    assert_near(waldram.external, value_of(world, PP_ERC, "waldram"), 1e-13);
-    assert_near(pots.sky_component, value_of(world, PP_SC, "pepper-pot"), 1e-13);
-    assert_near(pots.external, value_of(world, PP_ERC, "pepper-pot"), 1e-13);
+    assert_near(waldram.sky_component, value_of(world, &light, PP_SC, "waldram"),
+                1e-13);
+    assert_near(waldram.external, value_of(world, &light, PP_ERC, "waldram"), 1e-13);
+    assert_near(pots.sky_component, value_of(world, &light, PP_SC, "pepper-pot"),
+                1e-13);
+    assert_near(pots.external, value_of(world, &light, PP_ERC, "pepper-pot"), 1e-13);
     assert_true(waldram.external > 0.0 && pots.external > 0.0);
     /* South with glass, east without. */
     assert_int_equal(waldram.count, 2);
@@ -384,7 +392,9 @@ static void two_drawings_are_the_same_bytes(void **state)
 static void a_window_that_is_not_seen_has_no_squares_and_no_dots(void **state)
 {
     (void)state;
-    struct pp_world *world = pp_test_world(
+    struct pp_outside_light light;
+    struct pp_world *world = pp_test_lit_world(
+        &light,
         "<room version=\"1\">\n"
         "<plan height=\"2.7\"><vertex x=\"0\" y=\"0\"/><vertex x=\"3\" y=\"0\"/>"
         "<vertex x=\"3\" y=\"3\"/><vertex x=\"6\" y=\"3\"/><vertex x=\"6\" y=\"7\"/>"
@@ -395,10 +405,10 @@ static void a_window_that_is_not_seen_has_no_squares_and_no_dots(void **state)
     for (int i = 0; i < 2; i++) {
         struct pp_waldram_sheet waldram;
         struct pp_pepper_pot_sheet pot;
-        assert_int_equal(
-            pp_waldram_sheet_fill_room(&waldram, world, &world->receivers[i], NULL),
-            PP_OK);
-        assert_int_equal(pp_pepper_pot_sheet_fill_room(&pot, world,
+        assert_int_equal(pp_waldram_sheet_fill_room(&waldram, world, &light,
+                                                    &world->receivers[i], NULL),
+                         PP_OK);
+        assert_int_equal(pp_pepper_pot_sheet_fill_room(&pot, world, &light,
                                                        &world->receivers[i],
                                                        PP_PEPPER_POT_WORTH, NULL),
                          PP_OK);
@@ -417,20 +427,22 @@ static void a_window_that_is_not_seen_has_no_squares_and_no_dots(void **state)
 static void what_the_diagrams_do_not_hold_is_refused_with_why(void **state)
 {
     (void)state;
-    struct pp_world *world =
-        pp_test_world("<room version=\"1\">\n"
-                      "<plan width=\"4\" depth=\"5\" height=\"2.7\"/>\n"
-                      "<rooflight x=\"1\" y=\"1\" width=\"1\" depth=\"1\"/>\n"
-                      "<point x=\"1.1\" y=\"1.4\"/>\n"
-                      "</room>\n");
+    struct pp_outside_light light;
+    struct pp_world *world = pp_test_lit_world(
+        &light, "<room version=\"1\">\n"
+                "<plan width=\"4\" depth=\"5\" height=\"2.7\"/>\n"
+                "<rooflight x=\"1\" y=\"1\" width=\"1\" depth=\"1\"/>\n"
+                "<point x=\"1.1\" y=\"1.4\"/>\n"
+                "</room>\n");
     struct pp_waldram_sheet waldram;
     struct pp_pepper_pot_sheet pot;
     struct pp_error err = {0};
     assert_int_equal(
-        pp_waldram_sheet_fill_room(&waldram, world, world->receivers, &err),
+        pp_waldram_sheet_fill_room(&waldram, world, &light, world->receivers, &err),
         PP_BAD_INPUT);
     assert_non_null(strstr(err.message, "opening on line 3 has sloping glass"));
-    assert_int_equal(pp_pepper_pot_sheet_fill_room(&pot, world, world->receivers,
+    assert_int_equal(pp_pepper_pot_sheet_fill_room(&pot, world, &light,
+                                                   world->receivers,
                                                    PP_PEPPER_POT_WORTH, &err),
                      PP_BAD_INPUT);
     assert_non_null(strstr(err.message, "opening on line 3"));

@@ -295,8 +295,10 @@ static const char corner_room[] =
 static void sum_of_a_room_is_that_of_the_method(void **state)
 {
     (void)state;
-    struct pp_world *world = pp_test_world(corner_room);
+    struct pp_outside_light light;
+    struct pp_world *world = pp_test_lit_world(&light, corner_room);
     struct pp_report report = {.world = world,
+                               .light = light,
                                .receivers = world->receivers,
                                .receiver_count = world->receiver_count};
     assert_int_equal(pp_methods_evaluate(&report, "nomogram,bre-min", NULL), PP_OK);
@@ -304,10 +306,10 @@ static void sum_of_a_room_is_that_of_the_method(void **state)
     const struct pp_column *least = pp_report_find(&report, PP_IRC, "bre-min");
     for (int kind = 0; kind < 2; kind++) {
         struct pp_nomogram_sheet sheet;
-        assert_int_equal(pp_nomogram_sheet_fill_room(&sheet,
-                                                     (enum pp_nomogram_kind)kind, world,
-                                                     spacing_of(PP_PAPER_A4), NULL),
-                         PP_OK);
+        assert_int_equal(
+            pp_nomogram_sheet_fill_room(&sheet, (enum pp_nomogram_kind)kind, world,
+                                        &light, spacing_of(PP_PAPER_A4), NULL),
+            PP_OK);
         assert_int_equal(sheet.window_count, 3);
         assert_int_equal(sheet.windows[2].alike, 2);
         /* On II the stems stand closer, and E has coarser divisions. */
@@ -338,11 +340,13 @@ static void rooms_that_a_nomogram_is_not_made_for(void **state)
          "overcast", PP_NOMOGRAM_MINIMUM},
     };
     for (int i = 0; i < 3; i++) {
-        struct pp_world *world = pp_test_world(cases[i].xml);
+        struct pp_outside_light light;
+        struct pp_world *world = pp_test_lit_world(&light, cases[i].xml);
         struct pp_nomogram_sheet sheet;
         struct pp_error err = {0};
         assert_int_equal(pp_nomogram_sheet_fill_room(&sheet, cases[i].kind, world,
-                                                     spacing_of(PP_PAPER_A4), &err),
+                                                     &light, spacing_of(PP_PAPER_A4),
+                                                     &err),
                          PP_BAD_INPUT);
         assert_non_null(strstr(err.message, cases[i].why));
         pp_nomogram_sheet_clear(&sheet);

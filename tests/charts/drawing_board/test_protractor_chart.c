@@ -191,11 +191,12 @@ static void a_worked_chart_is_drawn_of_windows_and_rooflights(void **state)
         "<point x=\"2.3\" y=\"3.1\"/></room>"};
     for (int r = 0; r < 2; r++)
         for (int i = 0; i < 12; i++) {
-            struct pp_world *world = pp_test_world(rooms[r]);
+            struct pp_outside_light light;
+            struct pp_world *world = pp_test_lit_world(&light, rooms[r]);
             struct pp_canvas *canvas = canvas_of(i % 3, i / 3);
             struct pp_protractor_sheet sheet;
             assert_int_equal(
-                pp_protractor_sheet_fill_room(&sheet, world, world->receivers,
+                pp_protractor_sheet_fill_room(&sheet, world, &light, world->receivers,
                                               spacing_of(canvas, true), NULL),
                 PP_OK);
             assert_true(sheet.read.sky > 0.005);
@@ -214,16 +215,18 @@ static void a_worked_chart_is_drawn_of_windows_and_rooflights(void **state)
 static void a_point_that_sees_no_opening_has_no_worked_chart(void **state)
 {
     (void)state;
-    struct pp_world *world = pp_test_world(
+    struct pp_outside_light light;
+    struct pp_world *world = pp_test_lit_world(
+        &light,
         "<room version=\"1\"><plan width=\"4\" depth=\"6\" height=\"3\"/>"
         "<window wall=\"south\" left=\"1\" sill=\"0.1\" width=\"2\" height=\"0.5\"/>"
         "<point x=\"1.7\" y=\"2.2\"/></room>");
     struct pp_protractor_sheet sheet;
     struct pp_error err;
     struct pp_mark_spacing spacing = {0.01, 0.06};
-    assert_int_equal(
-        pp_protractor_sheet_fill_room(&sheet, world, world->receivers, spacing, &err),
-        PP_BAD_INPUT);
+    assert_int_equal(pp_protractor_sheet_fill_room(&sheet, world, &light,
+                                                   world->receivers, spacing, &err),
+                     PP_BAD_INPUT);
     assert_non_null(strstr(err.message, "sees nothing"));
     pp_protractor_sheet_clear(&sheet);
     pp_world_destroy(world);

@@ -11,6 +11,7 @@
 #include "formats/radiance/write/rad_write.h"
 #include "model/room/building.h"
 #include "model/room/keyhole.h"
+#include "model/room/room_light.h"
 #include "tests/lib/near.h"
 #include "formats/radiance/write/rad_numbers.h"
 #include "formats/radiance/write/rad_write_materials.h"
@@ -157,13 +158,14 @@ static void assert_cut(const struct pp_world *world)
 }
 
 /* Matt, and with all gloss. */
-static void assert_room_comes_back(const struct pp_world *world)
+static void assert_room_comes_back(const struct pp_world *world,
+                                   const struct pp_outside_light *light)
 {
     assert_cut(world);
     for (int gloss = 0; gloss < 2; gloss++) {
         struct pp_rad_room room;
         struct pp_error err = {0};
-        if (pp_rad_room_init(&room, world, 55.9, gloss, &err) != PP_OK)
+        if (pp_rad_room_init(&room, world, light, 55.9, gloss, &err) != PP_OK)
             fail_msg("%s", err.message);
         assert_same_scene(&room.scene);
         pp_rad_room_clear(&room);
@@ -185,10 +187,13 @@ static void every_example_comes_back_as_it_was(void **state)
         assert_int_equal(pp_building_read(&building, path, &mistakes, NULL), PP_OK);
         for (int k = 0; k < pp_building_room_count(building); k++) {
             struct pp_world *world;
+            struct pp_outside_light light;
             assert_int_equal(
                 pp_world_create(&world, pp_building_room(building, k), &mistakes, NULL),
                 PP_OK);
-            assert_room_comes_back(world);
+            assert_int_equal(pp_room_light(&light, pp_building_room(building, k), NULL),
+                             PP_OK);
+            assert_room_comes_back(world, &light);
             pp_world_destroy(world);
         }
         pp_building_destroy(building);
@@ -198,8 +203,9 @@ static void every_example_comes_back_as_it_was(void **state)
 
 static void assert_comes_back(const char *xml)
 {
-    struct pp_world *world = pp_test_world(xml);
-    assert_room_comes_back(world);
+    struct pp_outside_light light;
+    struct pp_world *world = pp_test_lit_world(&light, xml);
+    assert_room_comes_back(world, &light);
     pp_world_destroy(world);
 }
 
@@ -287,15 +293,16 @@ static void openings_that_part_a_wall_leave_several_outlines(void **state)
 static void a_far_skyline_is_part_of_the_sky(void **state)
 {
     (void)state;
-    struct pp_world *world =
-        pp_test_world("<room version='1'><site ground-reflectance='0.3'/>"
-                      "<plan width='4' depth='5' height='3'/>"
-                      "<window wall='south' left='1' sill='1' width='2' height='1.3'/>"
-                      "<window wall='east' left='1' sill='1' width='2' height='1.3'/>"
-                      "<skyline wall='south' angle='25' reflectance='0.4'/>"
-                      "<skyline wall='east' angle='11' reflectance='0.2'/></room>");
+    struct pp_outside_light light;
+    struct pp_world *world = pp_test_lit_world(
+        &light, "<room version='1'><site ground-reflectance='0.3'/>"
+                "<plan width='4' depth='5' height='3'/>"
+                "<window wall='south' left='1' sill='1' width='2' height='1.3'/>"
+                "<window wall='east' left='1' sill='1' width='2' height='1.3'/>"
+                "<skyline wall='south' angle='25' reflectance='0.4'/>"
+                "<skyline wall='east' angle='11' reflectance='0.2'/></room>");
     struct pp_rad_room room;
-    assert_int_equal(pp_rad_room_init(&room, world, 70.0, true, NULL), PP_OK);
+    assert_int_equal(pp_rad_room_init(&room, world, &light, 70.0, true, NULL), PP_OK);
     const struct pp_pattern *pattern = &room.scene.patterns[0];
     assert_int_equal(pattern->skyline_count, 2);
     /* 0.4 (0.396177 + 0.3/2) 70 / pi: the vertical sky component's known maximum */
@@ -304,7 +311,7 @@ static void a_far_skyline_is_part_of_the_sky(void **state)
                 0.4 * (0.396177 + 0.15) * 70.0 / PP_PI, 1e-5);
     struct pp_vec3 above = pp_vec_unit(pp_vec(0.01, -1.0, 0.48));
     assert_near(pp_scene_description_pattern_value(pattern, above),
-                70.0 * pp_sky_luminance(&world->sky, above), 1e-12);
+                70.0 * pp_sky_luminance(&light.sky, above), 1e-12);
     assert_same_scene(&room.scene);
     pp_rad_room_clear(&room);
     pp_world_destroy(world);
@@ -316,10 +323,12 @@ static void assert_refused(const char *inside, const char *why)
     snprintf(xml, sizeof xml,
              "<room version='1'><plan width='4' depth='5' height='3'/>\n%s\n</room>",
              inside);
-    struct pp_world *world = pp_test_world(xml);
+    struct pp_outside_light light;
+    struct pp_world *world = pp_test_lit_world(&light, xml);
     struct pp_rad_room room;
     struct pp_error err = {0};
-    assert_int_equal(pp_rad_room_init(&room, world, 50.0, true, &err), PP_BAD_INPUT);
+    assert_int_equal(pp_rad_room_init(&room, world, &light, 50.0, true, &err),
+                     PP_BAD_INPUT);
     if (!strstr(err.message, why) || !strstr(err.message, "line 2"))
         fail_msg("\"%s\" says nothing of %s", err.message, why);
     pp_world_destroy(world);

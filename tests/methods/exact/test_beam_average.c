@@ -8,6 +8,7 @@
 
 struct pointwise {
     const struct pp_world *world;
+    const struct pp_outside_light *light;
     const struct pp_opening *opening;
 };
 
@@ -16,8 +17,8 @@ static bool at_point(void *data, const struct pp_receiver *receiver,
 {
     const struct pointwise *task = data;
     struct pp_part part = {0};
-    if (pp_method_exact.evaluate(task->world, task->opening, receiver, NULL, &part,
-                                 NULL)
+    if (pp_method_exact.evaluate(task->world, task->light, task->opening, receiver,
+                                 NULL, &part, NULL)
         != PP_OK)
         return false;
     values[0] = part.sky;
@@ -31,10 +32,11 @@ static void assert_same_mean(const char *body, int points, double share)
 {
     char xml[2000];
     snprintf(xml, sizeof xml, "<room version='1'>%s</room>", body);
-    struct pp_world *world = pp_test_world(xml);
+    struct pp_outside_light light;
+    struct pp_world *world = pp_test_lit_world(&light, xml);
     assert_true(world->opening_count > 0);
     for (int i = 0; i < world->opening_count; i++) {
-        struct pointwise task = {world, &world->openings[i]};
+        struct pointwise task = {world, &light, &world->openings[i]};
         struct pp_part part = {0};
         double mean[PP_PLANE_VALUES];
         bool stopped, known;
@@ -42,9 +44,9 @@ static void assert_same_mean(const char *body, int points, double share)
                                           points, NULL),
                          PP_OK);
         assert_false(stopped);
-        assert_int_equal(
-            pp_method_exact.average(world, task.opening, NULL, &part, &known, NULL),
-            PP_OK);
+        assert_int_equal(pp_method_exact.average(world, &light, task.opening, NULL,
+                                                 &part, &known, NULL),
+                         PP_OK);
         assert_true(known);
         double sum = mean[0] + mean[1];
         assert_true(sum > 1e-4);

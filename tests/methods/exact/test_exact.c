@@ -5,7 +5,8 @@
 #include "methods/exact/exterior.h"
 #include "tests/lib/room_of.h"
 
-static struct pp_part at(const struct pp_world *world, struct pp_vec3 position,
+static struct pp_part at(const struct pp_world *world,
+                         const struct pp_outside_light *light, struct pp_vec3 position,
                          struct pp_vec3 normal)
 {
     struct pp_receiver receiver = {position, pp_vec_unit(normal), 0};
@@ -13,8 +14,8 @@ static struct pp_part at(const struct pp_world *world, struct pp_vec3 position,
     for (int i = 0; i < world->opening_count; i++) {
         struct pp_part part = {0};
         struct pp_error err = {0};
-        if (pp_method_exact.evaluate(world, &world->openings[i], &receiver, NULL, &part,
-                                     &err)
+        if (pp_method_exact.evaluate(world, light, &world->openings[i], &receiver, NULL,
+                                     &part, &err)
             != PP_OK)
             fail_msg("exact: %s", err.message);
         sum.sky += part.sky;
@@ -23,10 +24,11 @@ static struct pp_part at(const struct pp_world *world, struct pp_vec3 position,
     return sum;
 }
 
-static struct pp_part facing_up(const struct pp_world *world, double x, double y,
-                                double z)
+static struct pp_part facing_up(const struct pp_world *world,
+                                const struct pp_outside_light *light, double x,
+                                double y, double z)
 {
-    return at(world, pp_vec(x, y, z), pp_vec(0.0, 0.0, 1.0));
+    return at(world, light, pp_vec(x, y, z), pp_vec(0.0, 0.0, 1.0));
 }
 
 #define ROOM(inside)                                                                   \
@@ -39,13 +41,15 @@ static struct pp_part facing_up(const struct pp_world *world, double x, double y
 static void the_design_window_keeps_its_digits_in_a_room(void **state)
 {
     (void)state;
-    struct pp_world *world = pp_test_world(ROOM(WINDOW));
-    struct pp_part part = facing_up(world, 1.1, 2.0, 0.8);
+    struct pp_outside_light light;
+    struct pp_world *world = pp_test_lit_world(&light, ROOM(WINDOW));
+    struct pp_part part = facing_up(world, &light, 1.1, 2.0, 0.8);
     assert_relative(part.sky, 0.04486082291318, 1e-12);
     assert_near(part.external, 0.0, 0.0);
     pp_world_destroy(world);
-    world = pp_test_world(ROOM("<sky type='uniform'/>" WINDOW));
-    assert_relative(facing_up(world, 1.1, 2.0, 0.8).sky, 0.05899459937149, 1e-12);
+    world = pp_test_lit_world(&light, ROOM("<sky type='uniform'/>" WINDOW));
+    assert_relative(facing_up(world, &light, 1.1, 2.0, 0.8).sky, 0.05899459937149,
+                    1e-12);
     pp_world_destroy(world);
 }
 
@@ -54,14 +58,16 @@ static void the_design_window_keeps_its_digits_in_a_room(void **state)
 static void a_point_on_the_floor_sees_what_one_above_it_does(void **state)
 {
     (void)state;
-    struct pp_world *world = pp_test_world(
-        "<room version='1'><plan width='3.0' depth='9.0' height='2.7'/>"
-        "<window wall='south' left='0.2' sill='0.1' width='2.6' height='1.4' "
-        "glazing='none'/><working-plane height='0'/>"
-        "<point x='1.1' y='2.0'/></room>");
+    struct pp_outside_light light;
+    struct pp_world *world = pp_test_lit_world(
+        &light, "<room version='1'><plan width='3.0' depth='9.0' height='2.7'/>"
+                "<window wall='south' left='0.2' sill='0.1' width='2.6' height='1.4' "
+                "glazing='none'/><working-plane height='0'/>"
+                "<point x='1.1' y='2.0'/></room>");
     assert_int_equal(world->receiver_count, 1);
     assert_near(pp_region_area(&world->plane), 27.0, 1e-12);
-    assert_relative(facing_up(world, 1.1, 2.0, 0.0).sky, 0.04486082291318, 1e-12);
+    assert_relative(facing_up(world, &light, 1.1, 2.0, 0.0).sky, 0.04486082291318,
+                    1e-12);
     pp_world_destroy(world);
 }
 
@@ -69,13 +75,15 @@ static void the_open_sky_is_one_and_a_closed_room_dark(void **state)
 {
     (void)state;
     /* A rooflight as wide as the room, from just under it. */
-    struct pp_world *world = pp_test_world(
+    struct pp_outside_light light;
+    struct pp_world *world = pp_test_lit_world(
+        &light,
         "<room version='1'><plan width='4.1' depth='3.7' height='3.0'/>"
         "<rooflight x='0' y='0' width='4.1' depth='3.7' glazing='none'/></room>");
-    assert_near(facing_up(world, 2.1, 1.7, 3.0 - 1e-5).sky, 1.0, 1e-9);
+    assert_near(facing_up(world, &light, 2.1, 1.7, 3.0 - 1e-5).sky, 1.0, 1e-9);
     pp_world_destroy(world);
-    world = pp_test_world(ROOM(""));
-    struct pp_part part = facing_up(world, 1.5, 4.0, 0.85);
+    world = pp_test_lit_world(&light, ROOM(""));
+    struct pp_part part = facing_up(world, &light, 1.5, 4.0, 0.85);
     assert_near(part.sky + part.external, 0.0, 0.0);
     pp_world_destroy(world);
 }
@@ -84,10 +92,12 @@ static void the_open_sky_is_one_and_a_closed_room_dark(void **state)
 static void a_receiver_at_the_glass_sees_the_vertical_sky_component(void **state)
 {
     (void)state;
-    struct pp_world *world = pp_test_world(
-        ROOM("<window wall='south' left='0' sill='0' width='3' height='2.7'"
-             " glazing='none'/>"));
-    struct pp_part part = at(world, pp_vec(1.4, 1e-5, 1.3), pp_vec(0.0, -1.0, 0.0));
+    struct pp_outside_light light;
+    struct pp_world *world = pp_test_lit_world(
+        &light, ROOM("<window wall='south' left='0' sill='0' width='3' height='2.7'"
+                     " glazing='none'/>"));
+    struct pp_part part =
+        at(world, &light, pp_vec(1.4, 1e-5, 1.3), pp_vec(0.0, -1.0, 0.0));
     assert_near(part.sky, 3.0 / 14.0 + 4.0 / (7.0 * PP_PI), 1e-9);
     assert_near(part.external, 0.3 / 2.0, 1e-9);
     pp_world_destroy(world);
@@ -96,15 +106,17 @@ static void a_receiver_at_the_glass_sees_the_vertical_sky_component(void **state
 static void behind_and_in_its_plane_a_window_gives_nothing(void **state)
 {
     (void)state;
-    struct pp_world *world = pp_test_world(ROOM(WINDOW));
-    assert_near(facing_up(world, 1.1, 0.0, 0.8).sky, 0.0, 0.0);
-    assert_near(facing_up(world, 1.1, -2.0, 0.8).sky, 0.0, 0.0);
-    assert_near(at(world, pp_vec(1.1, 2.0, 0.8), pp_vec(0.0, 1.0, 0.0)).sky, 0.0, 0.0);
+    struct pp_outside_light light;
+    struct pp_world *world = pp_test_lit_world(&light, ROOM(WINDOW));
+    assert_near(facing_up(world, &light, 1.1, 0.0, 0.8).sky, 0.0, 0.0);
+    assert_near(facing_up(world, &light, 1.1, -2.0, 0.8).sky, 0.0, 0.0);
+    assert_near(at(world, &light, pp_vec(1.1, 2.0, 0.8), pp_vec(0.0, 1.0, 0.0)).sky,
+                0.0, 0.0);
     /* A receiver whose horizon is the head: nothing left; the sill: nothing lost. */
     double head = 2.3 - 0.8, sill = 0.9 - 0.8;
     struct pp_vec3 p = {1.1, 2.0, 0.8};
-    struct pp_part none = at(world, p, pp_vec(0.0, head, 2.0));
-    struct pp_part some = at(world, p, pp_vec(0.0, sill, 2.0));
+    struct pp_part none = at(world, &light, p, pp_vec(0.0, head, 2.0));
+    struct pp_part some = at(world, &light, p, pp_vec(0.0, sill, 2.0));
     assert_near(none.sky, 0.0, 1e-16);
     assert_true(some.sky > 0.03);
     pp_world_destroy(world);
@@ -115,13 +127,16 @@ static void behind_and_in_its_plane_a_window_gives_nothing(void **state)
 static void a_far_skyline_leaves_its_vertical_sky_component(void **state)
 {
     (void)state;
-    struct pp_world *world = pp_test_world(
+    struct pp_outside_light light;
+    struct pp_world *world = pp_test_lit_world(
+        &light,
         ROOM("<window wall='south' left='0' sill='0' width='3' height='2.7'"
              " glazing='none'/><skyline wall='south' angle='20' reflectance='0.4'/>"));
     double alpha = 20.0 * PP_RAD, all = 3.0 / 14.0 + 4.0 / (7.0 * PP_PI);
     double left =
         3.0 / 14.0 * (1.0 - sin(alpha)) + 4.0 / (7.0 * PP_PI) * cos(alpha) * cos(alpha);
-    struct pp_part part = at(world, pp_vec(1.4, 1e-5, 1.3), pp_vec(0.0, -1.0, 0.0));
+    struct pp_part part =
+        at(world, &light, pp_vec(1.4, 1e-5, 1.3), pp_vec(0.0, -1.0, 0.0));
     assert_near(part.sky, left, 1e-9);
     assert_near(part.external, 0.4 * (all - left) + 0.3 / 2.0, 1e-9);
     double share;

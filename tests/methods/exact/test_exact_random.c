@@ -18,6 +18,7 @@ enum { SURFACES = 24, CORNERS = 8 };
 
 struct scene {
     struct pp_world world;
+    struct pp_outside_light light;
     struct pp_opening opening;
     struct pp_surface surfaces[SURFACES];
     struct pp_skyline skyline;
@@ -234,9 +235,9 @@ static void deal_skyline(struct scene *scene, struct dice *dice)
 
 static void deal_sky(struct scene *scene, struct dice *dice)
 {
-    struct pp_sky *sky = &scene->world.sky;
+    struct pp_sky *sky = &scene->light.sky;
     *sky = one_in(dice, 2) ? pp_sky_overcast() : pp_sky_uniform();
-    scene->world.ground_reflectance = between(dice, 0.0, 0.5);
+    scene->light.ground_reflectance = between(dice, 0.0, 0.5);
     scene->world.ground_level_m = -4.0;
     if (one_in(dice, 10)) {
         struct pp_vec3 sun = any_direction(dice);
@@ -286,8 +287,8 @@ static bool compare(int seed, double *worst)
     double relative = glazed ? 1e-6 : 1e-9;
     struct pp_part part = {0};
     struct pp_error err = {0};
-    if (pp_method_exact.evaluate(&scene.world, &scene.opening, &scene.receiver, NULL,
-                                 &part, &err)
+    if (pp_method_exact.evaluate(&scene.world, &scene.light, &scene.opening,
+                                 &scene.receiver, NULL, &part, &err)
         != PP_OK)
         fail_msg("scene %d: %s", seed, err.message);
     /* Where the two differ the sum over meridians may have stepped over something
@@ -295,7 +296,7 @@ static bool compare(int seed, double *worst)
     double sky = INFINITY, external = INFINITY;
     struct pp_meridian_sums sums = {0.0, 0.0};
     for (int parts = 3; parts < 200 && fmax(sky, external) > 1.0; parts *= 8) {
-        sums = pp_meridians(&scene.world, &scene.opening, &scene.receiver,
+        sums = pp_meridians(&scene.world, &scene.light, &scene.opening, &scene.receiver,
                             1e-2 * relative, parts);
         sky = disagreement(part.sky, sums.sky, relative);
         external = disagreement(part.external, sums.external, relative);
@@ -303,7 +304,7 @@ static bool compare(int seed, double *worst)
     if (!(sky <= 1.0) || !(external <= 1.0))
         print_message(
             "# scene %d, %s %s: sky %.17g or %.17g, external %.17g or %.17g\n", seed,
-            pp_sky_name(&scene.world.sky), glazed ? "glazed" : "unglazed", part.sky,
+            pp_sky_name(&scene.light.sky), glazed ? "glazed" : "unglazed", part.sky,
             sums.sky, part.external, sums.external);
     *worst = fmax(*worst, fmax(sky, external));
     for (int i = 0; i < scene.world.surface_count; i++)

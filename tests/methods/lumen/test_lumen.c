@@ -27,8 +27,10 @@ static void evaluate(const struct parts *parts, const char *methods)
              "<room version='1'>%s<plan width='3' depth='6' height='2.35'/>%s\n%s\n%s"
              "</room>",
              parts->before, parts->finishes, parts->window, parts->after);
-    world = pp_test_world(xml);
+    struct pp_outside_light light;
+    world = pp_test_lit_world(&light, xml);
     report = (struct pp_report){.world = world,
+                                .light = light,
                                 .receivers = world->receivers,
                                 .receiver_count = world->receiver_count};
     struct pp_error err = {0};

@@ -116,7 +116,9 @@ static void light_is_kept(void **state)
 static void simulation_agrees(void **state)
 {
     (void)state;
-    struct pp_world *world = pp_test_world(
+    struct pp_outside_light light;
+    struct pp_world *world = pp_test_lit_world(
+        &light,
         "<room version='1'><site ground-reflectance='0'/>"
         "<plan width='2' depth='3' height='1'/>"
         "<finishes floor='0.2' walls='0.5' ceiling='0.7'/>"
@@ -127,9 +129,9 @@ static void simulation_agrees(void **state)
         points[k] = pp_test_receiver(1.0, 3.0 * pp_lumen_places[k], 0.001, 0, 0, 1);
     struct pp_tracer_options options = pp_test_paths(512);
     struct pp_reading(*traced)[4] =
-        pp_test_trace(world, points, PP_LUMEN_POINTS, &options, NULL);
+        pp_test_trace(world, &light, points, PP_LUMEN_POINTS, &options, NULL);
     struct pp_lumen_coefficients cu = solve(2.0, 3.0, 0.396, 0.7, 0.5, NULL);
-    double ev = pp_sky_on_plane(&world->sky, pp_vec(0, -1, 0));
+    double ev = pp_sky_on_plane(&light.sky, pp_vec(0, -1, 0));
     for (int k = 0; k < PP_LUMEN_POINTS; k++) {
         struct pp_reading df = traced[k][PP_DF];
         assert_near(df.value / ev, cu.at[k], 3.0 * df.std_error / ev + 0.01 * cu.at[k]);

@@ -154,9 +154,9 @@ static double mean_ratio(double k)
         box_room_build(&box, w, d, h, 0.2, 0.5, 0.7);
         box_room_south(&box, 0.02 * w, 0.9, wide, high);
         struct pp_part part = {0};
-        assert_int_equal(
-            pp_method_bre.evaluate(&box.world, box.openings, NULL, NULL, &part, NULL),
-            PP_OK);
+        assert_int_equal(pp_method_bre.evaluate(&box.world, &box.light, box.openings,
+                                                NULL, NULL, &part, NULL),
+                         PP_OK);
         struct pp_interior all = pp_interior_all(&box.world);
         sum += log(formula(wide * high / all.area_m2, all.reflectance, 39.0, 5.0, k)
                    / part.value);
@@ -175,18 +175,19 @@ static void k_is_what_agrees_best_in_typical_rooms(void **state)
     assert_true(fabs(log(mean_ratio(PP_NOMOGRAM_K + 0.1))) > best);
 }
 
-static double nomogram_of(const struct pp_world *world, int index,
+static double nomogram_of(const struct pp_world *world,
+                          const struct pp_outside_light *light, int index,
                           struct pp_steps *steps)
 {
     const struct pp_method *method = &pp_method_nomogram;
     struct pp_part part = {.sheet = {.steps = steps}};
     void *tools;
-    assert_null(method->refuses_room(world, NULL));
-    assert_null(method->refuses(world, &world->openings[index], NULL));
-    assert_int_equal(method->prepare(&tools, world, NULL), PP_OK);
-    assert_int_equal(
-        method->evaluate(world, &world->openings[index], NULL, tools, &part, NULL),
-        PP_OK);
+    assert_null(method->refuses_room(world, light, NULL));
+    assert_null(method->refuses(world, light, &world->openings[index], NULL));
+    assert_int_equal(method->prepare(&tools, world, light, NULL), PP_OK);
+    assert_int_equal(method->evaluate(world, light, &world->openings[index], NULL,
+                                      tools, &part, NULL),
+                     PP_OK);
     method->destroy_tools(tools);
     return part.value;
 }
@@ -200,10 +201,10 @@ static void worked_room_is_read_to_a_fifth_of_a_division(void **state)
     struct box_room box;
     box_room_build(&box, 4.0, 6.0, 3.0, 0.2, 0.5, 0.7);
     box_room_south(&box, 0.2, 0.9, 3.6, 1.5);
-    assert_near(100.0 * nomogram_of(&box.world, 0, NULL), 1.34, 1e-12);
+    assert_near(100.0 * nomogram_of(&box.world, &box.light, 0, NULL), 1.34, 1e-12);
     box_room_skyline(&box, 40.0 * PP_RAD, 1.65, INFINITY);
     /* 1.34 x 27.5/46.5 = 0.7925, on divisions of 0.1 */
-    assert_near(100.0 * nomogram_of(&box.world, 0, NULL), 0.80, 1e-12);
+    assert_near(100.0 * nomogram_of(&box.world, &box.light, 0, NULL), 0.80, 1e-12);
 }
 
 /* A pane of 2 dm2 is far below scale A; the glass house far above it. */
@@ -223,7 +224,7 @@ static void ratios_off_the_scale_are_shifted_by_tens(void **state)
         struct pp_nomogram nomogram = pp_nomogram_scale_make(PP_NOMOGRAM_AVERAGE);
         struct pp_nomogram_reading reading;
         assert_int_equal(pp_nomogram_reading_of_opening(&reading, &nomogram, &box.world,
-                                                        box.openings, NULL),
+                                                        &box.light, box.openings, NULL),
                          PP_OK);
         assert_int_equal(reading.tens, cases[i].tens);
         struct pp_interior all = pp_interior_all(&box.world);
@@ -239,16 +240,20 @@ static void others_are_refused_with_a_reason(void **state)
 {
     (void)state;
     const struct pp_method *method = &pp_method_nomogram;
-    struct pp_world *world = pp_test_world(
+    struct pp_outside_light light;
+    struct pp_world *world = pp_test_lit_world(
+        &light,
         "<room version='1'><sky type='uniform'/><plan width='4' depth='5' height='3'/>"
         "<window wall='south' left='1' sill='1' width='2' height='1'/></room>");
-    assert_non_null(strstr(method->refuses_room(world, NULL), "overcast"));
+    assert_non_null(strstr(method->refuses_room(world, &light, NULL), "overcast"));
     pp_world_destroy(world);
 
-    world = pp_test_world("<room version='1'><plan width='4' depth='5' height='3'/>"
-                          "<rooflight x='1' y='1' width='2' depth='1'/></room>");
-    assert_null(method->refuses_room(world, NULL));
-    assert_non_null(strstr(method->refuses(world, world->openings, NULL), "vertical"));
+    world = pp_test_lit_world(&light,
+                              "<room version='1'><plan width='4' depth='5' height='3'/>"
+                              "<rooflight x='1' y='1' width='2' depth='1'/></room>");
+    assert_null(method->refuses_room(world, &light, NULL));
+    assert_non_null(
+        strstr(method->refuses(world, &light, world->openings, NULL), "vertical"));
     pp_world_destroy(world);
 
     static const char *const greys[] = {"0.05", "0.97"};
@@ -259,8 +264,9 @@ static void others_are_refused_with_a_reason(void **state)
                  "<finishes floor='%s' walls='%s' ceiling='%s'/><window wall='south' "
                  "left='1' sill='1' width='1' height='1'/></room>",
                  greys[i], greys[i], greys[i]);
-        world = pp_test_world(xml);
-        assert_non_null(strstr(method->refuses_room(world, NULL), "0.1 to 0.9"));
+        world = pp_test_lit_world(&light, xml);
+        assert_non_null(
+            strstr(method->refuses_room(world, &light, NULL), "0.1 to 0.9"));
         pp_world_destroy(world);
     }
 }

@@ -22,28 +22,32 @@ static struct pp_receiver facing_up(double x, double y, double z)
 
 /* What the method gives of the world's first opening, its figures as read. */
 static struct pp_part read_with(const void *tools, const struct pp_method *method,
-                                const struct pp_world *world, double x, double y,
-                                double z, struct pp_steps *steps)
+                                const struct pp_world *world,
+                                const struct pp_outside_light *light, double x,
+                                double y, double z, struct pp_steps *steps)
 {
     struct pp_receiver receiver = facing_up(x, y, z);
     struct pp_part part = {.sheet = {.steps = steps}};
     const struct pp_opening *opening = &world->openings[0];
-    assert_null(method->refuses_room ? method->refuses_room(world, &receiver) : NULL);
-    assert_null(method->refuses ? method->refuses(world, opening, &receiver) : NULL);
-    assert_int_equal(method->evaluate(world, opening, &receiver, tools, &part, NULL),
-                     PP_OK);
+    assert_null(method->refuses_room ? method->refuses_room(world, light, &receiver)
+                                     : NULL);
+    assert_null(method->refuses ? method->refuses(world, light, opening, &receiver)
+                                : NULL);
+    assert_int_equal(
+        method->evaluate(world, light, opening, &receiver, tools, &part, NULL), PP_OK);
     return part;
 }
 
 /* The same by itself. */
 static struct pp_part read_first(const struct pp_method *method,
-                                 const struct pp_world *world, double x, double y,
-                                 double z, struct pp_steps *steps)
+                                 const struct pp_world *world,
+                                 const struct pp_outside_light *light, double x,
+                                 double y, double z, struct pp_steps *steps)
 {
     void *tools = NULL;
     if (method->prepare)
-        assert_int_equal(method->prepare(&tools, world, NULL), PP_OK);
-    struct pp_part part = read_with(tools, method, world, x, y, z, steps);
+        assert_int_equal(method->prepare(&tools, world, light, NULL), PP_OK);
+    struct pp_part part = read_with(tools, method, world, light, x, y, z, steps);
     if (method->destroy_tools)
         method->destroy_tools(tools);
     return part;
@@ -60,8 +64,9 @@ static double step_of(const struct pp_steps *steps, const char *words, int which
 
 /* A window in the south wall of a hall, its head and sill over the point, and x of its
  * jambs from the point, 3 m away; the point stands at (50, 3, 0.85). */
-static struct pp_world *hall(const char *sky, const char *glazing, double left,
-                             double right, double sill, double head, const char *more)
+static struct pp_world *hall(struct pp_outside_light *light, const char *sky,
+                             const char *glazing, double left, double right,
+                             double sill, double head, const char *more)
 {
     char xml[900];
     snprintf(xml, sizeof xml,
@@ -70,7 +75,7 @@ static struct pp_world *hall(const char *sky, const char *glazing, double left,
              "<window wall=\"south\" left=\"%.9g\" sill=\"%.9g\" width=\"%.9g\" "
              "height=\"%.9g\" glazing=\"%s\"/>%s</room>",
              sky, 50.0 + left, 0.85 + sill, right - left, head - sill, glazing, more);
-    return pp_test_world(xml);
+    return pp_test_lit_world(light, xml);
 }
 
 /* Protractors 1, 2, 9, 10 through the method: per cent at 10 to 80 degrees, the printed
@@ -111,9 +116,11 @@ static void an_endless_window_has_the_reading_of_the_primary_scale(void **state)
                 "<window wall=\"south\" left=\"1\" sill=\"0.85\" width=\"89998\" "
                 "height=\"%.12g\" glazing=\"%s\"/><point x=\"45000\" y=\"3\"/></room>",
                 scale[s].sky, 3.0 * tan(gamma), scale[s].glazing);
-            struct pp_world *world = pp_test_world(xml);
-            double sky =
-                read_first(&pp_method_protractor, world, 45000.0, 3.0, 0.85, NULL).sky;
+            struct pp_outside_light light;
+            struct pp_world *world = pp_test_lit_world(&light, xml);
+            double sky = read_first(&pp_method_protractor, world, &light, 45000.0, 3.0,
+                                    0.85, NULL)
+                             .sky;
             struct pp_protractor protractor;
             pp_protractor_scale_published(&protractor, scale[s].number, NULL);
             assert_near(sky, pp_protractor_scale_primary(&protractor, gamma), 1e-6);
@@ -137,12 +144,14 @@ static void rectangles_with_a_closed_form(void **state)
     for (int i = 0; i < 5; i++)
         for (int uniform = 0; uniform < 2; uniform++) {
             double h = 3.0 * rectangle[i].h, w = 3.0 * rectangle[i].w;
-            struct pp_world *world =
-                hall(uniform ? "uniform" : "overcast", "none", 0.0, w, 0.0, h, "");
+            struct pp_outside_light light;
+            struct pp_world *world = hall(&light, uniform ? "uniform" : "overcast",
+                                          "none", 0.0, w, 0.0, h, "");
             double expected = uniform ? rectangle[i].uniform : rectangle[i].overcast;
-            double read =
-                100.0
-                * read_first(&pp_method_protractor, world, 50.0, 3.0, 0.85, NULL).sky;
+            double read = 100.0
+                          * read_first(&pp_method_protractor, world, &light, 50.0, 3.0,
+                                       0.85, NULL)
+                                .sky;
             assert_relative(read, expected, rectangle[i].tolerance);
             pp_world_destroy(world);
         }
@@ -150,7 +159,8 @@ static void rectangles_with_a_closed_form(void **state)
 
 /* Windows of a width that is so many times their height, the point anywhere before them
  * within their width and a height to each side, one to four heights away. */
-static struct pp_world *window_of_shape(uint64_t *seed, double shape, const char *sky,
+static struct pp_world *window_of_shape(struct pp_outside_light *light, uint64_t *seed,
+                                        double shape, const char *sky,
                                         const char *glazing, double *point)
 {
     double height = 0.8 + 1.4 * next(seed), width = shape * height;
@@ -165,12 +175,13 @@ static struct pp_world *window_of_shape(uint64_t *seed, double shape, const char
     point[0] = 30.0 - height + (width + 2.0 * height) * next(seed);
     point[1] = height * (1.0 + 3.0 * next(seed));
     point[2] = 0.85;
-    return pp_test_world(xml);
+    return pp_test_lit_world(light, xml);
 }
 
 /* A roof that rises by the slope towards +y, over a room 5 m by 5 m, with a rectangle
  * of glass in it, 1.7 m high and 2.9 m wide. */
-static struct pp_world *roof(double slope_deg, const char *sky, const char *glazing)
+static struct pp_world *roof(struct pp_outside_light *light, double slope_deg,
+                             const char *sky, const char *glazing)
 {
     double c = cos(slope_deg * PP_RAD), s = sin(slope_deg * PP_RAD), t = s / c;
     double low = 2.5, high = low + 5.0 * t, y0 = 1.3, y1 = y0 + 1.7 * c;
@@ -205,7 +216,7 @@ static struct pp_world *roof(double slope_deg, const char *sky, const char *glaz
         "<point x=\"2\" y=\"2\"/></room>",
         sky, low, high, high, low, low, low, high, high, high, low, low, high, glazing,
         y0, low + y0 * t, y1, low + y1 * t, y1, low + y1 * t, y0, low + y0 * t);
-    return pp_test_world(xml);
+    return pp_test_lit_world(light, xml);
 }
 
 enum { WINDOWS = 2000 };
@@ -218,18 +229,19 @@ struct distances {
 };
 
 static void compare(struct distances *distances, const struct pp_world *world,
-                    const double *point)
+                    const struct pp_outside_light *light, const double *point)
 {
     const struct pp_opening *opening = &world->openings[0];
     if (!distances->tools)
-        assert_int_equal(pp_method_protractor.prepare(&distances->tools, world, NULL),
-                         PP_OK);
-    double read = read_with(distances->tools, &pp_method_protractor, world, point[0],
-                            point[1], point[2], NULL)
+        assert_int_equal(
+            pp_method_protractor.prepare(&distances->tools, world, light, NULL), PP_OK);
+    double read = read_with(distances->tools, &pp_method_protractor, world, light,
+                            point[0], point[1], point[2], NULL)
                       .sky
                   * pp_allowance_factor(pp_method_protractor.allowances, opening);
     double exact =
-        read_first(&pp_method_exact, world, point[0], point[1], point[2], NULL).sky
+        read_first(&pp_method_exact, world, light, point[0], point[1], point[2], NULL)
+            .sky
         * pp_allowance_factor(pp_method_exact.allowances, opening);
     if (exact > 1e-3)
         distances->off[distances->count++] = read / exact - 1.0;
@@ -273,10 +285,11 @@ static void readings_of_finite_windows_are_as_far_from_exact_as_the_manual_says(
             struct distances distances = {0};
             for (int i = 0; i < WINDOWS; i++) {
                 double point[3];
+                struct pp_outside_light light;
                 struct pp_world *world =
-                    window_of_shape(&seed, rows[r].shape, "overcast",
+                    window_of_shape(&light, &seed, rows[r].shape, "overcast",
                                     bare ? "none" : "clear-single", point);
-                compare(&distances, world, point);
+                compare(&distances, world, &light, point);
                 pp_world_destroy(world);
             }
             assert_distances(&distances, rows[r].mean[bare], rows[r].p95[bare]);
@@ -289,12 +302,13 @@ static void readings_of_finite_windows_are_as_far_from_exact_as_the_manual_says(
     for (int r = 0; r < 3; r++)
         for (int bare = 0; bare < 2; bare++) {
             struct distances distances = {0};
-            struct pp_world *world =
-                roof(roofs[r].slope, "overcast", bare ? "none" : "clear-single");
+            struct pp_outside_light light;
+            struct pp_world *world = roof(&light, roofs[r].slope, "overcast",
+                                          bare ? "none" : "clear-single");
             for (int i = 0; i < WINDOWS; i++) {
                 double point[3] = {0.2 + 4.6 * next(&seed), 0.2 + 4.6 * next(&seed),
                                    0.85};
-                compare(&distances, world, point);
+                compare(&distances, world, &light, point);
             }
             pp_world_destroy(world);
             assert_distances(&distances, roofs[r].mean[bare], roofs[r].p95[bare]);
@@ -306,10 +320,12 @@ static void readings_of_finite_windows_are_as_far_from_exact_as_the_manual_says(
 static void worked_use_step_by_step(void **state)
 {
     (void)state;
-    struct pp_world *world = hall("overcast", "clear-single", -2.1, 0.9, 0.6, 2.4, "");
+    struct pp_outside_light light;
+    struct pp_world *world =
+        hall(&light, "overcast", "clear-single", -2.1, 0.9, 0.6, 2.4, "");
     struct pp_steps steps = {0};
     struct pp_part part =
-        read_first(&pp_method_protractor, world, 50.0, 3.0, 0.85, &steps);
+        read_first(&pp_method_protractor, world, &light, 50.0, 3.0, 0.85, &steps);
     double head = atan(0.8), sill = atan(0.2);
     assert_near(step_of(&steps, "upper edge: altitude", 0), head, 1e-9);
     assert_near(step_of(&steps, "lower edge: altitude", 0), sill, 1e-9);
@@ -421,9 +437,12 @@ static void horizontal_openings_with_a_closed_form(void **state)
                  "<rooflight x=\"3\" y=\"3\" width=\"%g\" depth=\"%g\" "
                  "glazing=\"none\"/><working-plane height=\"0.85\"/></room>",
                  rooflight[i].sky, rooflight[i].width, rooflight[i].depth);
-        struct pp_world *world = pp_test_world(xml);
+        struct pp_outside_light light;
+        struct pp_world *world = pp_test_lit_world(&light, xml);
         double read =
-            100.0 * read_first(&pp_method_protractor, world, 3.0, 3.0, 0.85, NULL).sky;
+            100.0
+            * read_first(&pp_method_protractor, world, &light, 3.0, 3.0, 0.85, NULL)
+                  .sky;
         /* one average altitude for all from the zenith to the far edge */
         assert_relative(read, rooflight[i].per_cent, 0.055);
         pp_world_destroy(world);
@@ -462,9 +481,12 @@ static void jambs_on_one_side_are_subtracted(void **state)
     (void)state;
     double place[3][2] = {{-1.3, 0.0}, {0.0, 2.7}, {-1.3, 2.7}}, sky[3];
     for (int i = 0; i < 3; i++) {
-        struct pp_world *world = hall("overcast", "clear-single", place[i][0] + 4.1,
-                                      place[i][1] + 4.1, 0.3, 2.1, "");
-        sky[i] = read_first(&pp_method_protractor, world, 50.0, 3.0, 0.85, NULL).sky;
+        struct pp_outside_light light;
+        struct pp_world *world =
+            hall(&light, "overcast", "clear-single", place[i][0] + 4.1,
+                 place[i][1] + 4.1, 0.3, 2.1, "");
+        sky[i] =
+            read_first(&pp_method_protractor, world, &light, 50.0, 3.0, 0.85, NULL).sky;
         pp_world_destroy(world);
     }
     assert_near(sky[0] + sky[1], sky[2], 1e-12);
@@ -480,16 +502,19 @@ static void obstructions_are_read_as_sky_and_dimmed(void **state)
     const char *skies[] = {"overcast", "uniform"};
     double factor[] = {0.2, 0.1};
     for (int i = 0; i < 2; i++) {
-        struct pp_world *open = hall(skies[i], "clear-single", -2.1, 0.9, 0.6,
-                                     3.0 * tan(21.0 * PP_RAD), "");
+        struct pp_outside_light open_light;
+        struct pp_world *open = hall(&open_light, skies[i], "clear-single", -2.1, 0.9,
+                                     0.6, 3.0 * tan(21.0 * PP_RAD), "");
+        struct pp_outside_light cut_light;
         struct pp_world *cut =
-            hall(skies[i], "clear-single", -2.1, 0.9, 0.6, 2.4, skyline);
+            hall(&cut_light, skies[i], "clear-single", -2.1, 0.9, 0.6, 2.4, skyline);
         struct pp_part below =
-            read_first(&pp_method_protractor, open, 50.0, 3.0, 0.85, NULL);
+            read_first(&pp_method_protractor, open, &open_light, 50.0, 3.0, 0.85, NULL);
         struct pp_part both =
-            read_first(&pp_method_protractor, cut, 50.0, 3.0, 0.85, NULL);
+            read_first(&pp_method_protractor, cut, &cut_light, 50.0, 3.0, 0.85, NULL);
         assert_relative(both.external, factor[i] * below.sky, 1e-6);
-        struct pp_part exact = read_first(&pp_method_exact, cut, 50.0, 3.0, 0.85, NULL);
+        struct pp_part exact =
+            read_first(&pp_method_exact, cut, &cut_light, 50.0, 3.0, 0.85, NULL);
         assert_relative(both.sky, exact.sky, 0.03);
         assert_relative(both.external, exact.external, 0.03);
         pp_world_destroy(open);
@@ -502,7 +527,9 @@ static void obstructions_are_read_as_sky_and_dimmed(void **state)
 static void obstructions_before_a_roof_window(void **state)
 {
     (void)state;
-    struct pp_world *world = pp_test_world(
+    struct pp_outside_light light;
+    struct pp_world *world = pp_test_lit_world(
+        &light,
         "<room version=\"1\"><plan width=\"5\" depth=\"5\" height=\"3\"/>"
         "<rooflight x=\"1\" y=\"1\" width=\"2.9\" depth=\"1.7\" glazing=\"none\"/>"
         "<block x=\"-3\" y=\"-4\" width=\"12\" depth=\"2\" height=\"17\"/>"
@@ -510,8 +537,10 @@ static void obstructions_before_a_roof_window(void **state)
     struct pp_part read = {0}, exact = {0};
     for (int i = 0; i < 100; i++) {
         double x = 0.25 + i / 10 * 0.5, y = 0.25 + i % 10 * 0.5;
-        struct pp_part r = read_first(&pp_method_protractor, world, x, y, 0.85, NULL);
-        struct pp_part e = read_first(&pp_method_exact, world, x, y, 0.85, NULL);
+        struct pp_part r =
+            read_first(&pp_method_protractor, world, &light, x, y, 0.85, NULL);
+        struct pp_part e =
+            read_first(&pp_method_exact, world, &light, x, y, 0.85, NULL);
         assert_near(r.sky, e.sky, 0.01);
         assert_near(r.external, e.external, 0.002);
         read.sky += r.sky / 100.0;
@@ -530,30 +559,33 @@ static void obstructions_before_a_roof_window(void **state)
 static void odd_places_before_a_window(void **state)
 {
     (void)state;
-    struct pp_world *world =
-        pp_test_world("<room version=\"1\"><plan width=\"9\" depth=\"7\" height=\"3\"/>"
-                      "<window wall=\"south\" left=\"3\" sill=\"0.2\" width=\"2.2\" "
-                      "height=\"2.4\"/><point x=\"1\" y=\"1\"/></room>");
+    struct pp_outside_light light;
+    struct pp_world *world = pp_test_lit_world(
+        &light, "<room version=\"1\"><plan width=\"9\" depth=\"7\" height=\"3\"/>"
+                "<window wall=\"south\" left=\"3\" sill=\"0.2\" width=\"2.2\" "
+                "height=\"2.4\"/><point x=\"1\" y=\"1\"/></room>");
     uint64_t seed = 5;
     void *tools;
-    assert_int_equal(pp_method_protractor.prepare(&tools, world, NULL), PP_OK);
+    assert_int_equal(pp_method_protractor.prepare(&tools, world, &light, NULL), PP_OK);
     for (int i = 0; i < 500; i++) {
         double x = 0.05 + 8.9 * next(&seed), y = 0.002 + 2.0 * next(&seed);
         double read =
-            read_with(tools, &pp_method_protractor, world, x, y, 0.85, NULL).sky;
-        double exact = read_first(&pp_method_exact, world, x, y, 0.85, NULL).sky;
+            read_with(tools, &pp_method_protractor, world, &light, x, y, 0.85, NULL)
+                .sky;
+        double exact =
+            read_first(&pp_method_exact, world, &light, x, y, 0.85, NULL).sky;
         assert_true(read >= 0.0 && read < 0.35);
         if (y > 0.5)
             assert_near(read, exact, 0.005 + 0.25 * exact);
     }
     for (int behind = 0; behind < 2; behind++) {
-        struct pp_part part = read_with(tools, &pp_method_protractor, world, 4.0,
-                                        behind ? -0.7 : 0.0, 0.1, NULL);
+        struct pp_part part = read_with(tools, &pp_method_protractor, world, &light,
+                                        4.0, behind ? -0.7 : 0.0, 0.1, NULL);
         assert_near(part.sky + part.external, 0.0, 0.0);
     }
     /* head below the point: nothing is above the horizon */
     struct pp_part over =
-        read_with(tools, &pp_method_protractor, world, 4.0, 2.0, 2.8, NULL);
+        read_with(tools, &pp_method_protractor, world, &light, 4.0, 2.0, 2.8, NULL);
     assert_near(over.sky + over.external, 0.0, 0.0);
     pp_method_protractor.destroy_tools(tools);
     pp_world_destroy(world);
@@ -561,9 +593,10 @@ static void odd_places_before_a_window(void **state)
 
 static double settled(const char *glazing)
 {
-    struct pp_world *world = hall("overcast", glazing, -2.1, 0.9, 0.6, 2.4, "");
+    struct pp_outside_light light;
+    struct pp_world *world = hall(&light, "overcast", glazing, -2.1, 0.9, 0.6, 2.4, "");
     double sky =
-        read_first(&pp_method_protractor, world, 50.0, 3.0, 0.85, NULL).sky
+        read_first(&pp_method_protractor, world, &light, 50.0, 3.0, 0.85, NULL).sky
         * pp_allowance_factor(pp_method_protractor.allowances, &world->openings[0]);
     pp_world_destroy(world);
     return sky;
@@ -587,31 +620,39 @@ static void what_no_protractor_is_made_for_is_refused(void **state)
     struct pp_receiver tilted = {{2.0, 2.0, 0.85}, {0.6, 0.0, 0.8}, 0};
     double refused[] = {20.0, 45.0, 75.0}, read[] = {30.0, 60.0};
     for (int i = 0; i < 3; i++) {
-        struct pp_world *glazed = roof(refused[i], "overcast", "clear-single");
-        assert_non_null(strstr(method->refuses(glazed, &glazed->openings[0], &up),
-                               "30, 60 and 90"));
+        struct pp_outside_light glazed_light;
+        struct pp_world *glazed =
+            roof(&glazed_light, refused[i], "overcast", "clear-single");
+        assert_non_null(
+            strstr(method->refuses(glazed, &glazed_light, &glazed->openings[0], &up),
+                   "30, 60 and 90"));
         pp_world_destroy(glazed);
-        struct pp_world *bare = roof(refused[i], "overcast", "none");
-        assert_null(method->refuses(bare, &bare->openings[0], &up));
-        double sky = read_first(method, bare, 2.0, 2.0, 0.85, NULL).sky;
-        double exact = read_first(&pp_method_exact, bare, 2.0, 2.0, 0.85, NULL).sky;
+        struct pp_outside_light bare_light;
+        struct pp_world *bare = roof(&bare_light, refused[i], "overcast", "none");
+        assert_null(method->refuses(bare, &bare_light, &bare->openings[0], &up));
+        double sky = read_first(method, bare, &bare_light, 2.0, 2.0, 0.85, NULL).sky;
+        double exact =
+            read_first(&pp_method_exact, bare, &bare_light, 2.0, 2.0, 0.85, NULL).sky;
         assert_relative(sky, exact, 0.02);
         pp_world_destroy(bare);
     }
     for (int i = 0; i < 2; i++) {
-        struct pp_world *world = roof(read[i], "overcast", "clear-single");
-        assert_null(method->refuses(world, &world->openings[0], &up));
+        struct pp_outside_light light;
+        struct pp_world *world = roof(&light, read[i], "overcast", "clear-single");
+        assert_null(method->refuses(world, &light, &world->openings[0], &up));
         pp_world_destroy(world);
     }
-    struct pp_world *world = hall("iso-3", "clear-single", -1.0, 1.0, 0.2, 2.0, "");
-    assert_non_null(strstr(method->refuses_room(world, &up), "overcast"));
+    struct pp_outside_light light;
+    struct pp_world *world =
+        hall(&light, "iso-3", "clear-single", -1.0, 1.0, 0.2, 2.0, "");
+    assert_non_null(strstr(method->refuses_room(world, &light, &up), "overcast"));
     pp_world_destroy(world);
-    world = hall("uniform", "clear-single", -1.0, 1.0, 0.2, 2.0, "");
-    assert_null(method->refuses_room(world, &up));
-    assert_non_null(strstr(method->refuses_room(world, &tilted), "face up"));
+    world = hall(&light, "uniform", "clear-single", -1.0, 1.0, 0.2, 2.0, "");
+    assert_null(method->refuses_room(world, &light, &up));
+    assert_non_null(strstr(method->refuses_room(world, &light, &tilted), "face up"));
     world->openings[0].glass = pp_glass_diffusing(0.6);
     assert_non_null(
-        strstr(method->refuses(world, &world->openings[0], &up), "diffusing"));
+        strstr(method->refuses(world, &light, &world->openings[0], &up), "diffusing"));
     pp_world_destroy(world);
 }
 

@@ -106,8 +106,10 @@ static void a_near_skyline_is_steeper_from_lower_down(void **state)
     struct pp_opening *high = box_room_south(&box, 4.5, 2.5, 1.0, 1.0);
     box_room_skyline(&box, 30.0 * PP_RAD, 2.0, 6.0);
     double from_low, from_high, rise = 6.0 * tan(30.0 * PP_RAD);
-    assert_int_equal(pp_obstruction_angle(&from_low, &box.world, low, NULL), PP_OK);
-    assert_int_equal(pp_obstruction_angle(&from_high, &box.world, high, NULL), PP_OK);
+    assert_int_equal(pp_obstruction_angle(&from_low, &box.world, &box.light, low, NULL),
+                     PP_OK);
+    assert_int_equal(
+        pp_obstruction_angle(&from_high, &box.world, &box.light, high, NULL), PP_OK);
     assert_near(from_low, atan((rise + 1.0) / 6.0), 1e-15);
     assert_near(from_high, atan((rise - 1.0) / 6.0), 1e-15);
 }
@@ -120,10 +122,11 @@ static double angle_in(const char *outside)
              "<window wall=\"south\" left=\"1\" sill=\"1\" width=\"2\" height=\"1\"/>%s"
              "</room>",
              outside);
-    struct pp_world *world = pp_test_world(xml);
+    struct pp_outside_light light;
+    struct pp_world *world = pp_test_lit_world(&light, xml);
     double angle_rad;
-    assert_int_equal(pp_obstruction_angle(&angle_rad, world, world->openings, NULL),
-                     PP_OK);
+    assert_int_equal(
+        pp_obstruction_angle(&angle_rad, world, &light, world->openings, NULL), PP_OK);
     pp_world_destroy(world);
     return angle_rad;
 }
@@ -160,17 +163,19 @@ static void other_skies_slopes_and_receivers_are_refused(void **state)
     build_worked_room(&box);
     struct pp_receiver wall = {.normal = {0.0, -1.0, 0.0}};
     struct pp_receiver down = {.normal = {0.0, 0.0, -1.0}};
-    assert_non_null(pp_method_bre.refuses_room(&box.world, &wall));
-    assert_non_null(pp_method_bre.refuses_room(&box.world, &down));
-    box.world.sky = pp_sky_uniform();
-    assert_non_null(strstr(pp_method_bre.refuses_room(&box.world, NULL), "overcast"));
-    box.world.sky = pp_sky_overcast();
+    assert_non_null(pp_method_bre.refuses_room(&box.world, &box.light, &wall));
+    assert_non_null(pp_method_bre.refuses_room(&box.world, &box.light, &down));
+    box.light.sky = pp_sky_uniform();
+    assert_non_null(
+        strstr(pp_method_bre.refuses_room(&box.world, &box.light, NULL), "overcast"));
+    box.light.sky = pp_sky_overcast();
     struct pp_opening *rooflight =
         box_room_open(&box, BOX_CEILING, pp_vec(1.0, 2.0, 3.0), 1.0, 1.0);
-    assert_non_null(
-        strstr(pp_method_bre.refuses(&box.world, rooflight, NULL), "vertical"));
+    assert_non_null(strstr(
+        pp_method_bre.refuses(&box.world, &box.light, rooflight, NULL), "vertical"));
     box.surfaces[BOX_NORTH].exitance = 0.1;
-    assert_non_null(strstr(pp_method_bre.refuses_room(&box.world, NULL), "by itself"));
+    assert_non_null(
+        strstr(pp_method_bre.refuses_room(&box.world, &box.light, NULL), "by itself"));
 }
 
 int main(void)

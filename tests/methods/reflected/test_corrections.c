@@ -39,7 +39,8 @@ static void dirt_goes_by_place_work_and_slope(void **state)
                 0.0);
 }
 
-static struct pp_world *room(const char *site, const char *finishes, const char *window)
+static struct pp_world *room(struct pp_outside_light *light, const char *site,
+                             const char *finishes, const char *window)
 {
     char xml[1000];
     snprintf(xml, sizeof xml,
@@ -49,7 +50,7 @@ static struct pp_world *room(const char *site, const char *finishes, const char 
              "<block x='-3' y='-9' width='4' depth='3' height='5' reflectance='0.3'/>"
              "<point x='1.7' y='2.1'/></room>",
              site, finishes, window);
-    return pp_test_world(xml);
+    return pp_test_lit_world(light, xml);
 }
 
 /* As in the conventions where nothing is said of the work. */
@@ -70,8 +71,9 @@ static void work_is_clean_but_in_industrial_surroundings(void **state)
         {"surroundings='industrial' work='clean'", 0.8, 0.8},
     };
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        struct pp_outside_light light;
         struct pp_world *world =
-            room(cases[i].site, "decorations='auto'", "maintenance='auto'");
+            room(&light, cases[i].site, "decorations='auto'", "maintenance='auto'");
         assert_near(world->openings[0].maintenance, cases[i].maintenance, 0.0);
         assert_near(world->decorations, cases[i].decorations, 0.0);
         pp_world_destroy(world);
@@ -81,7 +83,8 @@ static void work_is_clean_but_in_industrial_surroundings(void **state)
 static void nothing_is_taken_off_unless_asked_for(void **state)
 {
     (void)state;
-    struct pp_world *world = room("surroundings='industrial'", "", "");
+    struct pp_outside_light light;
+    struct pp_world *world = room(&light, "surroundings='industrial'", "", "");
     assert_near(world->decorations, 1.0, 0.0);
     assert_near(world->openings[0].maintenance, 1.0, 0.0);
     assert_near(world->openings[0].frame_factor, 1.0, 0.0);
@@ -105,7 +108,8 @@ static void frames_and_curtains_have_names_or_numbers(void **state)
         {"curtains='coloured-dense'", 1.0, 0.1},
     };
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
-        struct pp_world *world = room("", "", cases[i].window);
+        struct pp_outside_light light;
+        struct pp_world *world = room(&light, "", "", cases[i].window);
         assert_near(world->openings[0].frame_factor, cases[i].frame, 0.0);
         assert_near(world->openings[0].curtains, cases[i].curtains, 0.0);
         pp_world_destroy(world);
@@ -115,9 +119,11 @@ static void frames_and_curtains_have_names_or_numbers(void **state)
                     && pp_curtains.list[i].factor <= 1.0);
 }
 
-static struct pp_report evaluate(const struct pp_world *world)
+static struct pp_report evaluate(const struct pp_world *world,
+                                 const struct pp_outside_light *light)
 {
     struct pp_report report = {.world = world,
+                               .light = *light,
                                .receivers = world->receivers,
                                .receiver_count = world->receiver_count};
     assert_int_equal(pp_methods_evaluate(&report, "all", NULL), PP_OK);
@@ -131,11 +137,14 @@ static void each_correction_counts_once_in_every_method(void **state)
 {
     (void)state;
     double glass = 0.61 * 0.73 * 0.83;
-    struct pp_world *plain = room("", "", "");
+    struct pp_outside_light plain_light;
+    struct pp_world *plain = room(&plain_light, "", "", "");
+    struct pp_outside_light light;
     struct pp_world *world =
-        room("", "decorations='0.87'",
+        room(&light, "", "decorations='0.87'",
              "maintenance='0.61' frame-factor='0.73' curtains='0.83'");
-    struct pp_report before = evaluate(plain), after = evaluate(world);
+    struct pp_report before = evaluate(plain, &plain_light),
+                     after = evaluate(world, &light);
     assert_int_equal(before.column_count, after.column_count);
     int compared = 0;
     for (int i = 0; i < before.column_count; i++) {
@@ -171,11 +180,12 @@ static void each_correction_counts_once_in_every_method(void **state)
     pp_world_destroy(world);
 }
 
-static void trace(const struct pp_world *world, struct pp_reading readings[4])
+static void trace(const struct pp_world *world, const struct pp_outside_light *light,
+                  struct pp_reading readings[4])
 {
     const struct pp_tracer_options options = {.samples = 256, .seed = 5, .threads = 1};
     struct pp_reading(*traced)[4] =
-        pp_test_trace(world, world->receivers, 1, &options, NULL);
+        pp_test_trace(world, light, world->receivers, 1, &options, NULL);
     memcpy(readings, traced[0], sizeof traced[0]);
     free(traced);
 }
@@ -184,11 +194,13 @@ static void trace(const struct pp_world *world, struct pp_reading readings[4])
 static void decorations_bear_on_the_traced_reflected_component_only(void **state)
 {
     (void)state;
-    struct pp_world *plain = room("", "", ""),
-                    *world = room("", "decorations='0.87'", "");
+    struct pp_outside_light plain_light;
+    struct pp_world *plain = room(&plain_light, "", "", "");
+    struct pp_outside_light light;
+    struct pp_world *world = room(&light, "", "decorations='0.87'", "");
     struct pp_reading a[4], b[4];
-    trace(plain, a);
-    trace(world, b);
+    trace(plain, &plain_light, a);
+    trace(world, &light, b);
     assert_near(b[PP_SC].value, a[PP_SC].value, 0.0);
     assert_near(b[PP_ERC].value, a[PP_ERC].value, 0.0);
     assert_relative(b[PP_IRC].value, 0.87 * a[PP_IRC].value, 1e-13);
@@ -205,11 +217,13 @@ static void decorations_bear_on_the_traced_reflected_component_only(void **state
 static void dirt_and_curtains_count_once_in_the_traced_components(void **state)
 {
     (void)state;
-    struct pp_world *plain = room("", "", ""),
-                    *world = room("", "", "maintenance='0.61' curtains='0.83'");
+    struct pp_outside_light plain_light;
+    struct pp_world *plain = room(&plain_light, "", "", "");
+    struct pp_outside_light light;
+    struct pp_world *world = room(&light, "", "", "maintenance='0.61' curtains='0.83'");
     struct pp_reading a[4], b[4];
-    trace(plain, a);
-    trace(world, b);
+    trace(plain, &plain_light, a);
+    trace(world, &light, b);
     double factor = 0.61 * 0.83;
     static const int components[3] = {PP_SC, PP_ERC, PP_IRC};
     for (int i = 0; i < 3; i++) {

@@ -211,11 +211,13 @@ static void windows_share_one_reading_of_the_table(void **state)
 static void minimum_is_for_points_and_no_average(void **state)
 {
     (void)state;
-    struct pp_world *world = pp_test_world(
-        "<room version='1'><plan width='4' depth='5' height='2.7'/>"
-        "<window wall='south' left='1' sill='0.8' width='2' height='1.5'/>"
-        "<point x='2' y='1'/><point x='2' y='4.5'/></room>");
+    struct pp_outside_light light;
+    struct pp_world *world = pp_test_lit_world(
+        &light, "<room version='1'><plan width='4' depth='5' height='2.7'/>"
+                "<window wall='south' left='1' sill='0.8' width='2' height='1.5'/>"
+                "<point x='2' y='1'/><point x='2' y='4.5'/></room>");
     struct pp_report report = {.world = world,
+                               .light = light,
                                .receivers = world->receivers,
                                .receiver_count = world->receiver_count};
     assert_int_equal(

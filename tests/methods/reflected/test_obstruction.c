@@ -11,10 +11,11 @@ static double angle_in(const char *site, const char *opening, const char *outsid
     snprintf(xml, sizeof xml,
              "<room version='1'>%s<plan width='4' depth='6' height='3'/>%s%s</room>",
              site, opening, outside);
-    struct pp_world *world = pp_test_world(xml);
+    struct pp_outside_light light;
+    struct pp_world *world = pp_test_lit_world(&light, xml);
     double angle_rad;
-    assert_int_equal(pp_obstruction_angle(&angle_rad, world, world->openings, NULL),
-                     PP_OK);
+    assert_int_equal(
+        pp_obstruction_angle(&angle_rad, world, &light, world->openings, NULL), PP_OK);
     pp_world_destroy(world);
     return angle_rad;
 }
@@ -63,7 +64,8 @@ static void of_several_skylines_the_highest_counts(void **state)
     box.world.skylines = skylines;
     box.world.skyline_count = 3;
     double angle_rad;
-    assert_int_equal(pp_obstruction_angle(&angle_rad, &box.world, window, NULL), PP_OK);
+    assert_int_equal(
+        pp_obstruction_angle(&angle_rad, &box.world, &box.light, window, NULL), PP_OK);
     assert_near(angle_rad, 35.0 * PP_RAD, 0.0);
 }
 

@@ -37,7 +37,7 @@ static void one_colour_and_ground_of_0_1_is_the_bre_formula(void **state)
     box_room_build(&box, 3.7, 5.3, 2.9, 0.44, 0.44, 0.44);
     box_room_south(&box, 0.4, 0.7, 1.9, 1.3)->glass = box_method_printed_glass();
     box_room_skyline(&box, 34.0 * PP_RAD, 1.35, INFINITY);
-    box.world.ground_reflectance = 0.1;
+    box.light.ground_reflectance = 0.1;
     assert_relative(box_method_value(&pp_method_sphere, &box, 0),
                     box_method_value(&pp_method_bre, &box, 0), 1e-12);
 }
@@ -62,10 +62,10 @@ static void one_colour_and_equal_halves_are_2rho_over_1_plus_rho(void **state)
         struct box_room box;
         box_room_build(&box, 3.3, 4.9, 2.6, rho, rho, rho);
         box_room_south(&box, 0.7, 0.8, 1.7, 1.0); /* its middle is the room's */
-        box.world.ground_reflectance = 0.0;
+        box.light.ground_reflectance = 0.0;
         assert_relative(split_over_sphere(&box, rho), 2 * rho / (1 + rho), 1e-12);
         /* where the ground is as bright as the sky above it, they are equal */
-        box.world.ground_reflectance = 2 * 0.39;
+        box.light.ground_reflectance = 2 * 0.39;
         assert_relative(split_over_sphere(&box, rho), 1.0, 1e-12);
     }
 }
@@ -79,7 +79,7 @@ static void a_small_opening_needs_no_taking_out(void **state)
     struct box_room box;
     box_room_build(&box, 3.3, 4.9, 2.6, rho, rho, rho);
     box_room_south(&box, 0.7, 1.3 - 5e-4, 1e-3, 1e-3);
-    box.world.ground_reflectance = 0.0;
+    box.light.ground_reflectance = 0.0;
     double share = 1e-6 / pp_interior_all(&box.world).area_m2;
     assert_relative(box_method_value(&pp_method_split_flux, &box, 0)
                         / box_method_value(&pp_method_sphere, &box, 0),
@@ -99,7 +99,7 @@ static void rooflight_lets_the_whole_sky_in(void **state)
     double loss = A - 0.4 * (A - floor) - 0.8 * (floor - 0.77) - 0.1 * 0.77;
     double expected = 0.77 / loss * 0.4;
     assert_relative(box_method_value(&pp_method_sphere, &box, 0), expected, 1e-12);
-    box.world.sky = pp_sky_uniform();
+    box.light.sky = pp_sky_uniform();
     assert_relative(box_method_value(&pp_method_sphere, &box, 0), expected, 1e-12);
     /* it sends nothing up, clear or diffusing */
     box.openings[0].glass = pp_glass_diffusing(0.53);
@@ -135,7 +135,7 @@ static void sloping_glass_has_the_skys_exact_share_and_its_ground(void **state)
          * same */
         assert_relative(box_method_value(&pp_method_sphere, &box, 0),
                         scale * (open_sky_on_slope(beta) + ground), 1e-12);
-        box.world.sky = pp_sky_uniform();
+        box.light.sky = pp_sky_uniform();
         assert_relative(box_method_value(&pp_method_sphere, &box, 0),
                         scale * ((1 + cos(beta)) / 2 + ground), 1e-12);
     }
@@ -148,7 +148,7 @@ static void rooms_with_light_of_their_own_are_refused(void **state)
     box_room_build(&box, 3.3, 4.9, 2.6, 0.4, 0.4, 0.8);
     box_room_south(&box, 0.7, 0.8, 1.7, 1.0);
     box.surfaces[BOX_NORTH].exitance = 0.1;
-    assert_non_null(pp_method_sphere.refuses_room(&box.world, NULL));
+    assert_non_null(pp_method_sphere.refuses_room(&box.world, &box.light, NULL));
 }
 
 int main(void)

@@ -15,7 +15,7 @@ static void worked_room_has_1_2962_per_cent(void **state)
     struct box_room box;
     box_room_build(&box, 4.0, 6.0, 3.0, 0.2, 0.5, 0.7);
     box_room_south(&box, 0.2, 0.9, 3.6, 1.5)->glass = box_method_printed_glass();
-    box.world.ground_reflectance = 0.1;
+    box.light.ground_reflectance = 0.1;
     assert_near(100.0 * split_flux_of(&box, 0), 1.2962, 5e-5); /* as printed */
 }
 
@@ -57,7 +57,7 @@ static void a_stated_diffuse_transmittance_enters_as_it_is(void **state)
     box_room_build(&box, 4.0, 6.0, 3.0, 0.2, 0.5, 0.7);
     struct pp_opening *window = box_room_south(&box, 0.5, 0.9, 3.0, 1.6);
     window->glass = pp_glass_diffusing(0.6);
-    box.world.ground_reflectance = 0.3;
+    box.light.ground_reflectance = 0.3;
     box_room_skyline(&box, 20.0 * PP_RAD, 1.7, INFINITY);
     assert_near(100.0 * split_flux_of(&box, 0), 1.41672, 5e-6);
 }
@@ -74,7 +74,7 @@ static void one_colour_and_equal_halves_give_2rho_over_1_plus_rho_of_a_sphere(
         box_room_build(&box, 3.3, 4.9, 2.6, rho, rho, rho);
         box_room_south(&box, 0.7, 0.8, 1.7, 1.0)->glass = /* its middle is the room's */
             box_method_printed_glass();
-        box.world.ground_reflectance = 0.0;
+        box.light.ground_reflectance = 0.0;
         struct pp_interior_parts parts = pp_interior_split(&box.world, 1.3);
         double A = parts.lower.area_m2 + parts.upper.area_m2;
         double sphere = 0.85 * 1.7 * rho * 0.39 / (A * (1 - rho));
@@ -100,7 +100,7 @@ static void rooflight_lights_the_floor_with_the_whole_sky(void **state)
     double A_l = 3.3 * 4.9 + 2 * 8.2 * 2.6;
     double published = 0.77 / (1 - 0.8 * 0.4) * 0.8 * 0.4 / A_l;
     assert_relative(split_flux_of(&box, 0), published, 1e-12);
-    box.world.sky = pp_sky_uniform();
+    box.light.sky = pp_sky_uniform();
     assert_relative(split_flux_of(&box, 0), published, 1e-12);
 }
 
@@ -110,7 +110,7 @@ static void other_skies_use_their_own_ratio(void **state)
     (void)state;
     struct box_room box;
     struct box_method_symbols s = box_method_awkward_room(&box, pp_glass_none());
-    box.world.sky = pp_sky_uniform();
+    box.light.sky = pp_sky_uniform();
     s.C = 0.5 * (1 - 34.0 / 90.0);
     double published =
         s.Ag / (1 - s.rho_u * s.rho_l)
@@ -118,8 +118,8 @@ static void other_skies_use_their_own_ratio(void **state)
     assert_relative(split_flux_of(&box, 0), published, 1e-12);
 
     struct pp_vec3 sun = pp_vec_unit(pp_vec(0.1, -0.8, 0.7));
-    assert_int_equal(pp_sky_iso(&box.world.sky, 12, sun, NULL), PP_OK);
-    s.C = pp_sky_on_plane(&box.world.sky, pp_vec(0, -1, 0)) * (1 - 34.0 / 90.0);
+    assert_int_equal(pp_sky_iso(&box.light.sky, 12, sun, NULL), PP_OK);
+    s.C = pp_sky_on_plane(&box.light.sky, pp_vec(0, -1, 0)) * (1 - 34.0 / 90.0);
     published = s.Ag / (1 - s.rho_u * s.rho_l)
                 * (s.rho_u * s.rho_g / (2 * s.A_u) + s.rho_u * s.rho_l * s.C / s.A_l);
     assert_relative(split_flux_of(&box, 0), published, 1e-12);
@@ -134,7 +134,7 @@ static void brighter_surfaces_and_ground_give_more(void **state)
         box_room_build(&box, 3.3, 4.9, 2.6, 0.1 * k, 0.1 * k, 0.1 * k);
         box_room_south(&box, 0.7, 0.8, 1.7, 1.0);
         double now = split_flux_of(&box, 0);
-        box.world.ground_reflectance = 0.4;
+        box.light.ground_reflectance = 0.4;
         assert_true(split_flux_of(&box, 0) > now && now > last);
         last = now;
     }
@@ -146,7 +146,7 @@ static void a_room_that_keeps_all_its_light_is_refused(void **state)
     struct box_room box;
     box_room_build(&box, 3.3, 4.9, 2.6, 1.0, 1.0, 1.0);
     struct pp_opening *window = box_room_south(&box, 0.7, 0.8, 1.7, 1.0);
-    assert_non_null(pp_method_split_flux.refuses(&box.world, window, NULL));
+    assert_non_null(pp_method_split_flux.refuses(&box.world, &box.light, window, NULL));
 }
 
 int main(void)

@@ -17,14 +17,15 @@ static struct pp_receiver receiver_at(double x, double y, double z)
 }
 
 static struct pp_part part_of(const struct pp_world *world,
+                              const struct pp_outside_light *light,
                               const struct pp_receiver *receiver)
 {
     struct pp_part sum = {0};
     for (int i = 0; i < world->opening_count; i++) {
         struct pp_part part = {0};
         struct pp_error err = {0};
-        if (pp_method_exact.evaluate(world, &world->openings[i], receiver, NULL, &part,
-                                     &err)
+        if (pp_method_exact.evaluate(world, light, &world->openings[i], receiver, NULL,
+                                     &part, &err)
             != PP_OK)
             fail_msg("exact: %s", err.message);
         sum.sky += part.sky;
@@ -35,13 +36,14 @@ static struct pp_part part_of(const struct pp_world *world,
 
 /* exact and the sum over meridians, for every opening of a room. */
 static struct pp_part assert_by_two_routes(const struct pp_world *world,
+                                           const struct pp_outside_light *light,
                                            struct pp_receiver receiver)
 {
-    struct pp_part part = part_of(world, &receiver);
+    struct pp_part part = part_of(world, light, &receiver);
     double sky = 0.0, external = 0.0;
     for (int i = 0; i < world->opening_count; i++) {
         struct pp_meridian_sums sums =
-            pp_meridians(world, &world->openings[i], &receiver, 1e-11, 3);
+            pp_meridians(world, light, &world->openings[i], &receiver, 1e-11, 3);
         sky += sums.sky;
         external += sums.external;
     }
@@ -61,7 +63,9 @@ static struct pp_part assert_by_two_routes(const struct pp_world *world,
 static void walls_of_an_l_shaped_room_hide_its_windows(void **state)
 {
     (void)state;
-    struct pp_world *world = pp_test_world(
+    struct pp_outside_light light;
+    struct pp_world *world = pp_test_lit_world(
+        &light,
         "<room version='1'><plan height='2.8'><vertex x='0' y='0'/>"
         "<vertex x='7.3' y='0'/><vertex x='7.3' y='3.1'/><vertex x='2.9' y='3.1'/>"
         "<vertex x='2.9' y='8.2'/><vertex x='0' y='8.2'/></plan>"
@@ -70,10 +74,10 @@ static void walls_of_an_l_shaped_room_hide_its_windows(void **state)
     struct pp_receiver joint = receiver_at(1.3, 1.6, 0.85);
     struct pp_receiver round = receiver_at(1.1, 7.4, 0.85);
     struct pp_receiver partly = receiver_at(2.2, 3.3, 0.85);
-    assert_true(assert_by_two_routes(world, joint).sky > 1e-4);
-    struct pp_part some = assert_by_two_routes(world, partly);
+    assert_true(assert_by_two_routes(world, &light, joint).sky > 1e-4);
+    struct pp_part some = assert_by_two_routes(world, &light, partly);
     assert_true(some.sky > 0.0);
-    assert_near(assert_by_two_routes(world, round).sky, 0.0, 0.0);
+    assert_near(assert_by_two_routes(world, &light, round).sky, 0.0, 0.0);
     double seen;
     assert_int_equal(pp_exterior_sky_solid_angle(&seen, world, round.position, NULL),
                      PP_OK);
@@ -89,13 +93,16 @@ static void walls_of_an_l_shaped_room_hide_its_windows(void **state)
 static void another_wing_obstructs_from_outside(void **state)
 {
     (void)state;
-    struct pp_world *world = pp_test_world(
+    struct pp_outside_light light;
+    struct pp_world *world = pp_test_lit_world(
+        &light,
         "<room version='1'><plan height='2.8'><vertex x='0' y='0'/>"
         "<vertex x='7.3' y='0'/><vertex x='7.3' y='3.1'/><vertex x='2.9' y='3.1'/>"
         "<vertex x='2.9' y='8.2'/><vertex x='0' y='8.2'/></plan>"
         "<window wall='3' left='0.5' sill='0.9' width='3.2' height='1.6'"
         " glazing='none'/></room>");
-    struct pp_part part = assert_by_two_routes(world, receiver_at(4.4, 1.2, 0.85));
+    struct pp_part part =
+        assert_by_two_routes(world, &light, receiver_at(4.4, 1.2, 0.85));
     assert_true(part.sky > 0.0);
     assert_true(part.external > 1e-4);
     pp_world_destroy(world);
@@ -104,14 +111,17 @@ static void another_wing_obstructs_from_outside(void **state)
 static void a_partition_inside_takes_light_and_gives_none(void **state)
 {
     (void)state;
-    struct pp_world *bare = pp_test_world(PLAN(WINDOW));
-    struct pp_world *world = pp_test_world(
+    struct pp_outside_light bare_light;
+    struct pp_world *bare = pp_test_lit_world(&bare_light, PLAN(WINDOW));
+    struct pp_outside_light light;
+    struct pp_world *world = pp_test_lit_world(
+        &light,
         PLAN(WINDOW "<surface reflectance='0.6'><vertex x='1.9' y='0' z='0'/>"
                     "<vertex x='1.9' y='1.7' z='0'/><vertex x='1.9' y='1.7' z='2.9'/>"
                     "<vertex x='1.9' y='0' z='2.9'/></surface>"));
     struct pp_receiver receiver = receiver_at(1.1, 3.3, 0.85);
-    struct pp_part part = assert_by_two_routes(world, receiver);
-    assert_true(part.sky < part_of(bare, &receiver).sky);
+    struct pp_part part = assert_by_two_routes(world, &light, receiver);
+    assert_true(part.sky < part_of(bare, &bare_light, &receiver).sky);
     assert_near(part.external, 0.0, 0.0);
     pp_world_destroy(world);
     pp_world_destroy(bare);
@@ -121,15 +131,18 @@ static void a_partition_inside_takes_light_and_gives_none(void **state)
 static void what_is_not_in_the_way_changes_nothing(void **state)
 {
     (void)state;
-    struct pp_world *bare = pp_test_world(PLAN(WINDOW));
-    struct pp_world *world = pp_test_world(
-        PLAN(WINDOW "<block x='-3' y='6' width='9' depth='4' height='30'/>"
-                    "<block x='-9' y='-3' width='30' depth='1' height='0.6'/>"
-                    "<surface reflectance='0.5'><vertex x='1' y='4.5' z='0'/>"
-                    "<vertex x='2' y='4.5' z='0'/><vertex x='2' y='4.5' z='2'/>"
-                    "<vertex x='1' y='4.5' z='2'/></surface>"));
+    struct pp_outside_light bare_light;
+    struct pp_world *bare = pp_test_lit_world(&bare_light, PLAN(WINDOW));
+    struct pp_outside_light light;
+    struct pp_world *world = pp_test_lit_world(
+        &light, PLAN(WINDOW "<block x='-3' y='6' width='9' depth='4' height='30'/>"
+                            "<block x='-9' y='-3' width='30' depth='1' height='0.6'/>"
+                            "<surface reflectance='0.5'><vertex x='1' y='4.5' z='0'/>"
+                            "<vertex x='2' y='4.5' z='0'/><vertex x='2' y='4.5' z='2'/>"
+                            "<vertex x='1' y='4.5' z='2'/></surface>"));
     struct pp_receiver receiver = receiver_at(1.4, 2.3, 0.85);
-    struct pp_part part = part_of(world, &receiver), plain = part_of(bare, &receiver);
+    struct pp_part part = part_of(world, &light, &receiver),
+                   plain = part_of(bare, &bare_light, &receiver);
     assert_near(part.sky, plain.sky, 0.0);
     assert_near(part.external, 0.0, 0.0);
     pp_world_destroy(world);
@@ -141,19 +154,21 @@ static void what_is_not_in_the_way_changes_nothing(void **state)
 static void a_block_against_the_window_covers_it(void **state)
 {
     (void)state;
-    struct pp_world *bare = pp_test_world(PLAN(WINDOW));
-    struct pp_world *world = pp_test_world(
-        PLAN(WINDOW "<block x='-3' y='-2' width='9' depth='2' height='1.6'/>"));
+    struct pp_outside_light bare_light;
+    struct pp_world *bare = pp_test_lit_world(&bare_light, PLAN(WINDOW));
+    struct pp_outside_light light;
+    struct pp_world *world = pp_test_lit_world(
+        &light, PLAN(WINDOW "<block x='-3' y='-2' width='9' depth='2' height='1.6'/>"));
     struct pp_receiver receiver = receiver_at(1.4, 2.3, 0.85);
-    struct pp_part part = assert_by_two_routes(world, receiver);
-    double whole = part_of(bare, &receiver).sky;
+    struct pp_part part = assert_by_two_routes(world, &light, receiver);
+    double whole = part_of(bare, &bare_light, &receiver).sky;
     assert_near(part.sky + part.external / 0.2, whole, 1e-15);
     assert_true(part.sky > 0.3 * whole && part.sky < 0.9 * whole);
     pp_world_destroy(world);
 
-    world = pp_test_world(
-        PLAN(WINDOW "<block x='-3' y='-2' width='9' depth='2' height='5'/>"));
-    part = part_of(world, &receiver);
+    world = pp_test_lit_world(
+        &light, PLAN(WINDOW "<block x='-3' y='-2' width='9' depth='2' height='5'/>"));
+    part = part_of(world, &light, &receiver);
     assert_near(part.sky, 0.0, 1e-15);
     assert_near(part.external, 0.2 * whole, 1e-15);
     pp_world_destroy(world);
@@ -168,11 +183,13 @@ static void the_nearer_obstruction_counts(void **state)
 #define DARK "<block x='-9' y='-9' width='22' depth='1' height='4' reflectance='0.1'/>"
 #define LIGHT                                                                          \
     "<block x='-9' y='-30' width='22' depth='1' height='20' reflectance='0.7'/>"
-    struct pp_world *one = pp_test_world(PLAN(WINDOW DARK LIGHT));
-    struct pp_world *other = pp_test_world(PLAN(WINDOW LIGHT DARK));
+    struct pp_outside_light one_light;
+    struct pp_world *one = pp_test_lit_world(&one_light, PLAN(WINDOW DARK LIGHT));
+    struct pp_outside_light other_light;
+    struct pp_world *other = pp_test_lit_world(&other_light, PLAN(WINDOW LIGHT DARK));
     struct pp_receiver receiver = receiver_at(1.4, 2.3, 0.85);
-    struct pp_part a = assert_by_two_routes(one, receiver);
-    struct pp_part b = assert_by_two_routes(other, receiver);
+    struct pp_part a = assert_by_two_routes(one, &one_light, receiver);
+    struct pp_part b = assert_by_two_routes(other, &other_light, receiver);
     assert_near(a.sky, b.sky, 1e-16);
     assert_near(a.external, b.external, 1e-16);
     assert_true(a.external > 0.0);
@@ -184,8 +201,10 @@ static void a_skyline_at_a_distance_is_a_long_wall_there(void **state)
 {
     (void)state;
     /* From the middle of the window, z = 1.6, 25 degrees at 12 m. */
-    struct pp_world *skyline =
-        pp_test_world(PLAN(WINDOW "<skyline wall='south' angle='25' distance='12'/>"));
+    struct pp_outside_light skyline_light;
+    struct pp_world *skyline = pp_test_lit_world(
+        &skyline_light,
+        PLAN(WINDOW "<skyline wall='south' angle='25' distance='12'/>"));
     char xml[1024];
     double head = 1.6 + 12.0 * tan(25.0 * PP_RAD);
     snprintf(xml, sizeof xml,
@@ -194,16 +213,18 @@ static void a_skyline_at_a_distance_is_a_long_wall_there(void **state)
                          "<vertex x='1e4' y='-12' z='%.17g'/>"
                          "<vertex x='-1e4' y='-12' z='%.17g'/></surface>"),
              head, head);
-    struct pp_world *wall = pp_test_world(xml);
+    struct pp_outside_light wall_light;
+    struct pp_world *wall = pp_test_lit_world(&wall_light, xml);
     struct pp_receiver receiver = receiver_at(1.4, 2.3, 0.85);
-    struct pp_part part = assert_by_two_routes(skyline, receiver);
+    struct pp_part part = assert_by_two_routes(skyline, &skyline_light, receiver);
     assert_true(part.sky > 0.0 && part.external > 0.0);
-    assert_relative(part.sky, part_of(wall, &receiver).sky, 1e-12);
-    assert_relative(part.external, part_of(wall, &receiver).external, 1e-12);
+    assert_relative(part.sky, part_of(wall, &wall_light, &receiver).sky, 1e-12);
+    assert_relative(part.external, part_of(wall, &wall_light, &receiver).external,
+                    1e-12);
     struct pp_receiver high = {
         {2.0, 1.0, 2.5}, pp_vec_unit(pp_vec(0.0, -1.0, -0.2)), 0};
-    part = assert_by_two_routes(skyline, high);
-    assert_relative(part.external, part_of(wall, &high).external, 1e-12);
+    part = assert_by_two_routes(skyline, &skyline_light, high);
+    assert_relative(part.external, part_of(wall, &wall_light, &high).external, 1e-12);
     pp_world_destroy(skyline);
     pp_world_destroy(wall);
 }
@@ -212,16 +233,19 @@ static void a_skyline_at_a_distance_is_a_long_wall_there(void **state)
 static void a_reveal_narrows_the_view(void **state)
 {
     (void)state;
-    struct pp_world *bare = pp_test_world(PLAN(WINDOW));
-    struct pp_world *world = pp_test_world(
+    struct pp_outside_light bare_light;
+    struct pp_world *bare = pp_test_lit_world(&bare_light, PLAN(WINDOW));
+    struct pp_outside_light light;
+    struct pp_world *world = pp_test_lit_world(
+        &light,
         PLAN("<window wall='south' left='0.7' sill='0.9' width='2.3' height='1.4'"
              " glazing='none' reveal='0.35'/>"));
     struct pp_receiver receiver = receiver_at(1.4, 2.3, 0.85);
-    struct pp_part part = assert_by_two_routes(world, receiver);
-    assert_true(part.sky < part_of(bare, &receiver).sky);
+    struct pp_part part = assert_by_two_routes(world, &light, receiver);
+    assert_true(part.sky < part_of(bare, &bare_light, &receiver).sky);
     struct pp_receiver beside = receiver_at(4.1, 0.02, 0.85);
-    assert_near(part_of(world, &beside).sky, 0.0, 0.0);
-    assert_true(part_of(bare, &beside).sky > 0.0);
+    assert_near(part_of(world, &light, &beside).sky, 0.0, 0.0);
+    assert_true(part_of(bare, &bare_light, &beside).sky > 0.0);
     pp_world_destroy(world);
     pp_world_destroy(bare);
 }
@@ -229,12 +253,16 @@ static void a_reveal_narrows_the_view(void **state)
 static void a_round_headed_window_is_the_sum_of_its_outline(void **state)
 {
     (void)state;
-    struct pp_world *world = pp_test_world(PLAN(
-        "<opening glazing='none' reveal='0.1'><vertex x='3.0' y='0' z='0.9'/>"
-        "<vertex x='1.0' y='0' z='0.9'/><vertex x='1.0' y='0' z='1.8'/>"
-        "<vertex x='1.4' y='0' z='2.3'/><vertex x='2.0' y='0' z='2.5'/>"
-        "<vertex x='2.6' y='0' z='2.3'/><vertex x='3.0' y='0' z='1.8'/></opening>"));
-    assert_true(assert_by_two_routes(world, receiver_at(1.2, 2.2, 0.85)).sky > 0.01);
+    struct pp_outside_light light;
+    struct pp_world *world = pp_test_lit_world(
+        &light,
+        PLAN("<opening glazing='none' reveal='0.1'><vertex x='3.0' y='0' z='0.9'/>"
+             "<vertex x='1.0' y='0' z='0.9'/><vertex x='1.0' y='0' z='1.8'/>"
+             "<vertex x='1.4' y='0' z='2.3'/><vertex x='2.0' y='0' z='2.5'/>"
+             "<vertex x='2.6' y='0' z='2.3'/><vertex x='3.0' y='0' "
+             "z='1.8'/></opening>"));
+    assert_true(assert_by_two_routes(world, &light, receiver_at(1.2, 2.2, 0.85)).sky
+                > 0.01);
     pp_world_destroy(world);
 }
 
@@ -242,13 +270,15 @@ static void a_round_headed_window_is_the_sum_of_its_outline(void **state)
 static void a_rooflight_corner_may_stand_overhead(void **state)
 {
     (void)state;
-    struct pp_world *world = pp_test_world(
+    struct pp_outside_light light;
+    struct pp_world *world = pp_test_lit_world(
+        &light,
         PLAN("<rooflight x='1.2' y='1.6' width='1.1' depth='1.7' glazing='none'/>"
              "<block x='9' y='1' width='3' depth='4' height='40'/>"));
     struct pp_part corner =
-        part_of(world, &(struct pp_receiver){{1.2, 1.6, 0.8}, {0, 0, 1}, 0});
+        part_of(world, &light, &(struct pp_receiver){{1.2, 1.6, 0.8}, {0, 0, 1}, 0});
     struct pp_part beside =
-        assert_by_two_routes(world, receiver_at(1.2003, 1.6002, 0.8));
+        assert_by_two_routes(world, &light, receiver_at(1.2003, 1.6002, 0.8));
     assert_near(corner.sky, beside.sky, 2e-4);
     pp_world_destroy(world);
 }
@@ -258,16 +288,21 @@ static void a_rooflight_corner_may_stand_overhead(void **state)
 static void what_shines_outside_gives_its_configuration_factor(void **state)
 {
     (void)state;
-    struct pp_world *bare = pp_test_world(PLAN("<sky type='uniform'/>" WINDOW));
-    struct pp_world *world = pp_test_world(
+    struct pp_outside_light bare_light;
+    struct pp_world *bare =
+        pp_test_lit_world(&bare_light, PLAN("<sky type='uniform'/>" WINDOW));
+    struct pp_outside_light light;
+    struct pp_world *world = pp_test_lit_world(
+        &light,
         PLAN("<sky type='uniform'/>" WINDOW
              "<surface reflectance='0' exitance='0.3'><vertex x='-200' y='-2' z='-90'/>"
              "<vertex x='200' y='-2' z='-90'/><vertex x='200' y='-2' z='300'/>"
              "<vertex x='-200' y='-2' z='300'/></surface>"));
     struct pp_receiver receiver = receiver_at(1.4, 2.3, 0.85);
-    struct pp_part part = part_of(world, &receiver);
+    struct pp_part part = part_of(world, &light, &receiver);
     assert_near(part.sky, 0.0, 1e-15);
-    assert_relative(part.external, 0.3 * part_of(bare, &receiver).sky, 1e-12);
+    assert_relative(part.external, 0.3 * part_of(bare, &bare_light, &receiver).sky,
+                    1e-12);
     pp_world_destroy(world);
     pp_world_destroy(bare);
 }
@@ -280,8 +315,8 @@ static void outside_nothing_hides_the_open_sky(void **state)
     struct pp_world *world = pp_test_world(
         PLAN(WINDOW "<block x='-40' y='-44' width='3' depth='2' height='0.1'/>"));
     struct pp_exterior_light outside;
-    struct pp_sky sky = pp_sky_overcast();
-    assert_int_equal(pp_exterior_light_on_plane(&outside, world, &sky,
+    const struct pp_outside_light light = {pp_sky_overcast(), 0.2};
+    assert_int_equal(pp_exterior_light_on_plane(&outside, world, &light,
                                                 pp_vec(2.0, -9.0, 9.0),
                                                 pp_vec(0.0, 0.0, 1.0), -1, NULL),
                      PP_OK);
@@ -319,19 +354,22 @@ static void a_diffusing_pane_emits_what_falls_on_it(void **state)
 #define PANE                                                                           \
     "<window wall='south' left='0.7' sill='0.9' width='2.3' height='1.4'"              \
     " transmittance='0.6' diffusing='yes'/>"
-    struct pp_world *bare = pp_test_world(PLAN("<sky type='uniform'/>" WINDOW));
-    struct pp_world *world = pp_test_world(PLAN(PANE));
+    struct pp_outside_light bare_light;
+    struct pp_world *bare =
+        pp_test_lit_world(&bare_light, PLAN("<sky type='uniform'/>" WINDOW));
+    struct pp_outside_light light;
+    struct pp_world *world = pp_test_lit_world(&light, PLAN(PANE));
     struct pp_receiver receiver = receiver_at(1.4, 2.3, 1.6);
     /* The configuration factor of the whole pane: what the uniform sky gives above the
      * horizon, and by symmetry about the window's middle height below it. */
     struct pp_receiver upside_down = receiver;
     upside_down.normal.z = -1.0;
-    double factor = part_of(bare, &receiver).sky;
+    double factor = part_of(bare, &bare_light, &receiver).sky;
     double vertical = 3.0 / 14.0 + 4.0 / (7.0 * PP_PI);
-    struct pp_part part = part_of(world, &receiver);
+    struct pp_part part = part_of(world, &light, &receiver);
     assert_relative(part.sky, 0.6 * vertical * factor, 1e-12);
     assert_relative(part.external, 0.6 * 0.2 / 2.0 * factor, 1e-12);
-    assert_relative(part_of(world, &upside_down).sky, part.sky, 1e-12);
+    assert_relative(part_of(world, &light, &upside_down).sky, part.sky, 1e-12);
     double seen;
     assert_int_equal(pp_exterior_sky_solid_angle(&seen, world, receiver.position, NULL),
                      PP_OK);
@@ -372,7 +410,8 @@ static void assert_sum_of_pieces(const char *before, double x, double z)
 {
     char xml[2000];
     snprintf(xml, sizeof xml, PLAN(PANE "%s"), before);
-    struct pp_world *world = pp_test_world(xml);
+    struct pp_outside_light light;
+    struct pp_world *world = pp_test_lit_world(&light, xml);
     enum { POINTS = 3 };
     double sky[POINTS] = {0.0}, external[POINTS] = {0.0};
     double across[PLACES_MOST][2], up[PLACES_MOST][2];
@@ -384,8 +423,8 @@ static void assert_sum_of_pieces(const char *before, double x, double z)
         for (int k = 0; k < rows; k++) {
             struct pp_vec3 at = {across[i][0], 0.0, up[k][0]};
             struct pp_exterior_light outside;
-            assert_int_equal(pp_exterior_light_on_plane(&outside, world, &world->sky,
-                                                        at, pp_vec(0.0, -1.0, 0.0),
+            assert_int_equal(pp_exterior_light_on_plane(&outside, world, &light, at,
+                                                        pp_vec(0.0, -1.0, 0.0),
                                                         world->openings[0].face, NULL),
                              PP_OK);
             for (int p = 0; p < POINTS; p++) {
@@ -398,10 +437,10 @@ static void assert_sum_of_pieces(const char *before, double x, double z)
             }
         }
     void *tools = NULL;
-    assert_int_equal(pp_method_exact.prepare(&tools, world, NULL), PP_OK);
+    assert_int_equal(pp_method_exact.prepare(&tools, world, &light, NULL), PP_OK);
     for (int p = 0; p < POINTS; p++) {
         struct pp_part part = {0};
-        assert_int_equal(pp_method_exact.evaluate(world, &world->openings[0],
+        assert_int_equal(pp_method_exact.evaluate(world, &light, &world->openings[0],
                                                   &points[p], tools, &part, NULL),
                          PP_OK);
         assert_relative(part.sky, sky[p], 1e-6); /* what exact.h promises with glass */
@@ -438,20 +477,22 @@ static void a_pane_lit_unevenly_is_the_sum_of_its_pieces(void **state)
 static void an_uneven_pane_is_the_same_prepared_and_roughly(void **state)
 {
     (void)state;
-    struct pp_world *world = pp_test_world(
-        PLAN(PANE "<block x='1.9' y='-5' width='3' depth='2' height='6'/>"));
+    struct pp_outside_light light;
+    struct pp_world *world = pp_test_lit_world(
+        &light, PLAN(PANE "<block x='1.9' y='-5' width='3' depth='2' height='6'/>"));
     const struct pp_method *exact = &pp_method_exact;
     void *tools = NULL;
-    assert_int_equal(exact->prepare(&tools, world, NULL), PP_OK);
+    assert_int_equal(exact->prepare(&tools, world, &light, NULL), PP_OK);
     assert_non_null(tools);
     for (int i = 0; i < 6; i++) {
         struct pp_receiver receiver = receiver_at(0.7 + 0.37 * i, 0.1 + 0.53 * i, 0.85);
-        struct pp_part plain = part_of(world, &receiver), prepared = {0}, rough = {0};
-        assert_int_equal(exact->evaluate(world, &world->openings[0], &receiver, tools,
-                                         &prepared, NULL),
+        struct pp_part plain = part_of(world, &light, &receiver), prepared = {0},
+                       rough = {0};
+        assert_int_equal(exact->evaluate(world, &light, &world->openings[0], &receiver,
+                                         tools, &prepared, NULL),
                          PP_OK);
-        assert_int_equal(exact->evaluate_roughly(world, &world->openings[0], &receiver,
-                                                 tools, &rough, NULL),
+        assert_int_equal(exact->evaluate_roughly(world, &light, &world->openings[0],
+                                                 &receiver, tools, &rough, NULL),
                          PP_OK);
         assert_true(plain.sky > 0.0 && prepared.sky == plain.sky);
         assert_true(prepared.external == plain.external);

@@ -312,30 +312,6 @@ static void a_skyline_is_seen_from_the_middle_of_its_wall_s_windows(void **state
     pp_world_destroy(world);
 }
 
-/* A sun in the true south stands along -y where +y is north, and along -x where +y is
- * west (bearing 270): turning the room turns the sun about it the other way. */
-static void the_sun_s_bearing_is_from_true_north(void **state)
-{
-    (void)state;
-    static const struct {
-        const char *north;
-        double x, y;
-    } cases[] = {{"0", 0.0, -1.0}, {"270", -1.0, 0.0}, {"90", 1.0, 0.0}};
-    for (int i = 0; i < 3; i++) {
-        char xml[512];
-        snprintf(xml, sizeof xml,
-                 "<room version=\"1\" north=\"%s\"><sky type=\"iso-12\" "
-                 "sun-altitude=\"25\" sun-bearing=\"180\"/>" PLAN "</room>",
-                 cases[i].north);
-        struct pp_world *world = pp_test_world(xml);
-        double c = cos(25.0 * PP_RAD);
-        assert_near(world->sky.sun.x, c * cases[i].x, 1e-15);
-        assert_near(world->sky.sun.y, c * cases[i].y, 1e-15);
-        assert_near(world->sky.sun.z, sin(25.0 * PP_RAD), 1e-15);
-        pp_world_destroy(world);
-    }
-}
-
 static void faces_have_the_finishes_inside_and_bare_walls_outside(void **state)
 {
     (void)state;
@@ -368,7 +344,6 @@ int main(void)
         cmocka_unit_test(what_lies_flush_with_a_wall_is_set_off_it),
         cmocka_unit_test(loose_surfaces_know_whether_they_are_inside),
         cmocka_unit_test(a_skyline_is_seen_from_the_middle_of_its_wall_s_windows),
-        cmocka_unit_test(the_sun_s_bearing_is_from_true_north),
         cmocka_unit_test(faces_have_the_finishes_inside_and_bare_walls_outside),
     };
     return cmocka_run_group_tests_name("world", tests, NULL, NULL);

@@ -143,10 +143,11 @@ static const char *const parted =
 static void no_light_passes_a_partition(void **state)
 {
     (void)state;
-    struct pp_world *world = pp_test_world(parted);
+    struct pp_outside_light light;
+    struct pp_world *world = pp_test_lit_world(&light, parted);
     struct pp_light_scene *scene = NULL;
     assert_int_equal(pp_light_scene_of_world(&scene, world, NULL), PP_OK);
-    struct pp_environment *environment = pp_test_light_of(scene, world);
+    struct pp_environment *environment = pp_test_light_on(scene, &light);
     struct pp_cache_options options = pp_irradiance_cache_defaults();
     options.divisions = 400;
     options.supersamples = 0;
@@ -210,9 +211,10 @@ static struct pp_light_scene *scene_of(struct pp_world *world)
 static void the_same_records_by_any_number_of_threads(void **state)
 {
     (void)state;
-    struct pp_world *world = pp_test_world(office);
+    struct pp_outside_light light;
+    struct pp_world *world = pp_test_lit_world(&light, office);
     struct pp_light_scene *scene = scene_of(world);
-    struct pp_environment *environment = pp_test_light_of(scene, world);
+    struct pp_environment *environment = pp_test_light_on(scene, &light);
     size_t length, other;
     char *bytes = packed_by(scene, environment, 1, 10.0, &length);
     const int threads[] = {2, 4};
@@ -244,9 +246,11 @@ static enum pp_status unpack(struct pp_irradiance_cache *cache, const char *byte
 static void a_file_gives_back_what_was_kept_or_nothing(void **state)
 {
     (void)state;
-    struct pp_world *world = pp_test_world(office), *other = pp_test_world(parted);
+    struct pp_outside_light light;
+    struct pp_world *world = pp_test_lit_world(&light, office),
+                    *other = pp_test_world(parted);
     struct pp_light_scene *scene = scene_of(world), *elsewhere = scene_of(other);
-    struct pp_environment *environment = pp_test_light_of(scene, world);
+    struct pp_environment *environment = pp_test_light_on(scene, &light);
     struct pp_cache_options options = pp_irradiance_cache_defaults();
     options.divisions = 100;
     options.supersamples = 32;
@@ -270,7 +274,7 @@ static void a_file_gives_back_what_was_kept_or_nothing(void **state)
     strange = new_cache(elsewhere, environment, &options);
     unpack(strange, bytes, length, "another room");
     pp_irradiance_cache_destroy(strange);
-    struct pp_outside_light uniform = pp_world_light(world);
+    struct pp_outside_light uniform = light;
     uniform.sky = pp_sky_uniform();
     struct pp_environment *evenly = NULL;
     assert_int_equal(pp_light_scene_under(&evenly, scene, &uniform, NULL), PP_OK);
@@ -298,6 +302,7 @@ static void a_file_gives_back_what_was_kept_or_nothing(void **state)
 
 /* The room's points through the cache, one thread; free them. */
 static struct pp_reading (*cached(const struct pp_world *world,
+                                  const struct pp_outside_light *light,
                                   const struct pp_cache_options *cache_options,
                                   const struct pp_cached_options *options))[4]
 {
@@ -305,13 +310,13 @@ static struct pp_reading (*cached(const struct pp_world *world,
     struct pp_window_store *store = NULL;
     struct pp_irradiance_cache *cache = NULL;
     struct pp_cached_points *points = NULL;
-    struct pp_radiance_options light = pp_cached_points_light();
+    struct pp_radiance_options paths = pp_cached_points_light();
     assert_int_equal(pp_light_scene_of_world_matt(&scene, world, NULL), PP_OK);
-    struct pp_environment *environment = pp_test_light_of(scene, world);
+    struct pp_environment *environment = pp_test_light_on(scene, light);
     assert_int_equal(pp_window_store_create(&store, scene, environment, 1, 1, NULL),
                      PP_OK);
     assert_int_equal(pp_irradiance_cache_create(&cache, scene, environment, store,
-                                                &light, cache_options, NULL),
+                                                &paths, cache_options, NULL),
                      PP_OK);
     assert_int_equal(pp_cached_points_create(&points, scene, store, cache,
                                              world->receivers, world->receiver_count,
@@ -336,15 +341,16 @@ static struct pp_reading (*cached(const struct pp_world *world,
 static void what_a_slit_lets_in_is_never_said_to_be_nothing(void **state)
 {
     (void)state;
-    struct pp_world *world = pp_test_world(
-        "<room version='1'><plan width='4' depth='6' height='3'/>"
-        "<window wall='south' left='0.5' sill='0.9' width='3' height='1.5'/>"
-        "<block x='-30' y='-1' width='32' depth='0.5' height='40'/>"
-        "<block x='2.00025' y='-1' width='30' depth='0.5' height='40'/>"
-        "<point x='2' y='2'/><point x='1.3' y='3'/></room>");
+    struct pp_outside_light light;
+    struct pp_world *world = pp_test_lit_world(
+        &light, "<room version='1'><plan width='4' depth='6' height='3'/>"
+                "<window wall='south' left='0.5' sill='0.9' width='3' height='1.5'/>"
+                "<block x='-30' y='-1' width='32' depth='0.5' height='40'/>"
+                "<block x='2.00025' y='-1' width='30' depth='0.5' height='40'/>"
+                "<point x='2' y='2'/><point x='1.3' y='3'/></room>");
     struct pp_cache_options wanted = pp_irradiance_cache_defaults();
     const struct pp_cached_options options = {.error = 0.05, .seed = 1, .threads = 1};
-    struct pp_reading(*readings)[4] = cached(world, &wanted, &options);
+    struct pp_reading(*readings)[4] = cached(world, &light, &wanted, &options);
     for (int i = 0; i < 2; i++) {
         struct pp_reading sky = readings[i][PP_SC];
         assert_true(sky.std_error > 0.0 && sky.std_error < 1e-4);
@@ -359,12 +365,13 @@ static void what_a_slit_lets_in_is_never_said_to_be_nothing(void **state)
 static void a_room_is_as_light_as_by_paths(void **state)
 {
     (void)state;
-    struct pp_world *world = pp_test_world(office);
+    struct pp_outside_light light;
+    struct pp_world *world = pp_test_lit_world(&light, office);
     int n = world->receiver_count;
     const struct pp_tracer_options traced = {
         .error = 0.003, .seed = 3, .threads = 1, .average = true};
     struct pp_reading(*true_ones)[4] =
-        pp_test_trace(world, world->receivers, n, &traced, NULL);
+        pp_test_trace(world, &light, world->receivers, n, &traced, NULL);
     struct pp_cache_options options = pp_irradiance_cache_defaults();
     options.threads = 1;
     for (int interpolate = 0; interpolate <= 1; interpolate++) {
@@ -373,7 +380,7 @@ static void a_room_is_as_light_as_by_paths(void **state)
                                                  .interpolate = interpolate,
                                                  .seed = 4,
                                                  .threads = 1};
-        struct pp_reading(*found)[4] = cached(world, &options, &wanted);
+        struct pp_reading(*found)[4] = cached(world, &light, &options, &wanted);
         double sum = 0.0, truth = 0.0;
         for (int i = 0; i < n; i++) {
             double df = true_ones[i][PP_DF].value;
@@ -405,9 +412,10 @@ static void a_record_on_an_edge_is_of_numbers(void **state)
     (void)state;
     enum { RAYS = 50 };
     static struct pp_light_ray rays[RAYS];
-    struct pp_world *world = pp_test_world(office);
+    struct pp_outside_light light;
+    struct pp_world *world = pp_test_lit_world(&light, office);
     struct pp_light_scene *scene = scene_of(world);
-    struct pp_environment *environment = pp_test_light_of(scene, world);
+    struct pp_environment *environment = pp_test_light_on(scene, &light);
     struct pp_cache_options options = pp_irradiance_cache_defaults();
     options.divisions = 64;
     options.supersamples = 0;
@@ -441,12 +449,14 @@ static void a_record_that_is_unsure_gets_more_rays(void **state)
 {
     (void)state;
     enum { SEEDS = 32, SIDE = 32 };
-    struct pp_world *world = pp_test_world(
+    struct pp_outside_light light;
+    struct pp_world *world = pp_test_lit_world(
+        &light,
         "<room version='1'><plan width='2' depth='40' height='2.6'/>"
         "<finishes floor='0.25' walls='0.6' ceiling='0.8'/>"
         "<window wall='south' left='0.4' sill='0.3' width='1.2' height='2'/></room>");
     struct pp_light_scene *scene = scene_of(world);
-    struct pp_environment *environment = pp_test_light_of(scene, world);
+    struct pp_environment *environment = pp_test_light_on(scene, &light);
     struct pp_sobol sobol;
     pp_sobol_init(&sobol);
     struct pp_vec3 *corners = pp_cache_hemisphere_corners(SIDE);
@@ -481,17 +491,18 @@ static void a_record_that_is_unsure_gets_more_rays(void **state)
 static void materials_left_out_reflect_nothing(void **state)
 {
     (void)state;
-    struct pp_world *world = pp_test_world(office);
+    struct pp_outside_light light;
+    struct pp_world *world = pp_test_lit_world(&light, office);
     const struct pp_cached_options wanted = {.samples = 16, .seed = 4, .threads = 1};
     struct pp_cache_options options = pp_irradiance_cache_defaults();
     options.threads = 1;
-    struct pp_reading(*all)[4] = cached(world, &options, &wanted);
+    struct pp_reading(*all)[4] = cached(world, &light, &options, &wanted);
     const char *const names[] = {"floor"};
     options.materials = names;
     options.material_count = 1;
-    struct pp_reading(*less)[4] = cached(world, &options, &wanted);
+    struct pp_reading(*less)[4] = cached(world, &light, &options, &wanted);
     options.bounces = 0;
-    struct pp_reading(*none)[4] = cached(world, &options, &wanted);
+    struct pp_reading(*none)[4] = cached(world, &light, &options, &wanted);
     for (int i = 0; i < world->receiver_count; i++) {
         assert_near(less[i][PP_SC].value, all[i][PP_SC].value, 1e-12);
         assert_true(less[i][PP_IRC].value < all[i][PP_IRC].value);
@@ -509,7 +520,8 @@ static void materials_left_out_reflect_nothing(void **state)
 static void bounces_are_counted_from_the_point_on(void **state)
 {
     (void)state;
-    struct pp_world *world = pp_test_world(office);
+    struct pp_outside_light light;
+    struct pp_world *world = pp_test_lit_world(&light, office);
     int n = world->receiver_count;
     struct pp_cache_options options = pp_irradiance_cache_defaults();
     options.threads = 1;
@@ -521,7 +533,7 @@ static void bounces_are_counted_from_the_point_on(void **state)
                                                  .threads = 1};
         options.bounces = 0;
         options.constant = pp_rgb_grey(way & 2 ? 0.017 : 0.0);
-        struct pp_reading(*none)[4] = cached(world, &options, &wanted);
+        struct pp_reading(*none)[4] = cached(world, &light, &options, &wanted);
         for (int i = 0; i <= n; i++) {
             assert_true(none[n][PP_SC].value > 0.0);
             assert_near(none[i][PP_IRC].value, PP_PI * options.constant.g, 1e-12);
@@ -534,16 +546,16 @@ static void bounces_are_counted_from_the_point_on(void **state)
     options.bounces = 1;
     options.constant = pp_rgb_grey(0.0);
     struct pp_light_scene *scene = scene_of(world);
-    struct pp_environment *environment = pp_test_light_of(scene, world);
+    struct pp_environment *environment = pp_test_light_on(scene, &light);
     struct pp_window_store *store = NULL;
     assert_int_equal(pp_window_store_create(&store, scene, environment, 1, 1, NULL),
                      PP_OK);
-    struct pp_radiance_options light = pp_radiance_state_defaults();
-    light.bounces = 1;
-    struct pp_reading(*one)[4] = cached(world, &options, &wanted);
+    struct pp_radiance_options paths = pp_radiance_state_defaults();
+    paths.bounces = 1;
+    struct pp_reading(*one)[4] = cached(world, &light, &options, &wanted);
     for (int i = 0; i < n; i++) {
         const struct pp_receiver *at = &world->receivers[i];
-        struct pp_test_mean known = pp_test_irradiance(scene, environment, store, light,
+        struct pp_test_mean known = pp_test_irradiance(scene, environment, store, paths,
                                                        at->position, at->normal, 256);
         assert_true(one[i][PP_IRC].value > 8.0 * one[i][PP_IRC].std_error);
         assert_near(one[i][PP_DF].value, known.value.g,

@@ -23,17 +23,20 @@ struct scene {
     struct pp_environment *environment;
 };
 
-static struct scene scene_in(struct pp_world *world)
+static struct scene scene_in(struct pp_world *world,
+                             const struct pp_outside_light *light)
 {
     struct scene scene = {.world = world};
     assert_int_equal(pp_light_scene_of_world(&scene.light, scene.world, NULL), PP_OK);
-    scene.environment = pp_test_light_of(scene.light, scene.world);
+    scene.environment = pp_test_light_on(scene.light, light);
     return scene;
 }
 
 static struct scene scene_of(const char *xml)
 {
-    return scene_in(pp_test_world(xml));
+    struct pp_outside_light light;
+    struct pp_world *world = pp_test_lit_world(&light, xml);
+    return scene_in(world, &light);
 }
 
 static void clear(struct scene *scene)
@@ -149,16 +152,17 @@ static void a_fisheyes_mean_is_the_illuminance(void **state)
 static void a_furnace_is_even(void **state)
 {
     (void)state;
-    struct pp_world *world =
-        pp_test_world("<room version='1'><sky type='uniform'/>"
-                      "<site ground-reflectance='1'/>"
-                      "<plan width='3.1' depth='4.3' height='2.3'/>"
-                      "<finishes floor='0.3' walls='0.4' ceiling='0.5'/>"
-                      "<window wall='south' left='0.4' sill='0.7' width='2.2' "
-                      "height='1.3' glazing='none'/></room>");
+    struct pp_outside_light light;
+    struct pp_world *world = pp_test_lit_world(
+        &light, "<room version='1'><sky type='uniform'/>"
+                "<site ground-reflectance='1'/>"
+                "<plan width='3.1' depth='4.3' height='2.3'/>"
+                "<finishes floor='0.3' walls='0.4' ceiling='0.5'/>"
+                "<window wall='south' left='0.4' sill='0.7' width='2.2' "
+                "height='1.3' glazing='none'/></room>");
     for (int i = 0; i < world->surface_count; i++)
         world->surfaces[i].exitance = 1.0 - world->surfaces[i].front;
-    struct scene scene = scene_in(world);
+    struct scene scene = scene_in(world, &light);
     struct pp_render_options options =
         looking(PP_VIEW_PERSPECTIVE, pp_vec(1.2, 3.9, 1.1), pp_vec(0.1, -1.0, 0.1), 1.9,
                 16, 64);
@@ -203,14 +207,16 @@ static void a_plan_of_daylight_factors_has_those_of_receivers(void **state)
 static void decorations_dim_a_picture_of_daylight_factors(void **state)
 {
     (void)state;
-    struct scene scene = scene_of(
+    static const char xml[] =
         "<room version='1'><plan width='3' depth='5' height='2.7'/>"
         "<finishes floor='0.3' walls='0.7' ceiling='0.8' decorations='0.53'/>"
-        "<window wall='south' left='0.2' sill='0.8' width='2.6' height='1.5'/></room>");
+        "<window wall='south' left='0.2' sill='0.8' width='2.6' height='1.5'/></room>";
+    struct scene scene = scene_of(xml);
+    const struct pp_outside_light light = pp_test_light(xml);
     struct pp_receiver receiver = pp_test_receiver(1.6, 3.9, 0.0005, 0.0, 0.0, 1.0);
     struct pp_tracer_options traced = pp_test_paths(256);
     struct pp_reading(*known)[4] =
-        pp_test_trace(scene.world, &receiver, 1, &traced, NULL);
+        pp_test_trace(scene.world, &light, &receiver, 1, &traced, NULL);
     assert_true(known[0][PP_DF].std_error < 0.003 * known[0][PP_DF].value);
     assert_true(known[0][PP_IRC].value > 0.3 * known[0][PP_DF].value);
 

@@ -1,23 +1,24 @@
 /* test_ground.c - the ground outside is a surface in the shadow of what stands on it. */
 #include "model/room/ground.h"
+#include "simulate/scene/light_scene_parts.h"
 #include "tests/lib/room_of.h"
 #include "tests/lib/traced.h"
 
 static const double rho = 0.2;
 
 /* A world without a room, with its ground a metre below the receivers. */
-static struct pp_world open_field(struct pp_sky sky)
+static struct pp_world open_field(void)
 {
-    return (struct pp_world){
-        .sky = sky, .ground_reflectance = rho, .ground_level_m = -1.0};
+    return (struct pp_world){.ground_level_m = -1.0};
 }
 
 static struct pp_reading external_of(const struct pp_world *world,
+                                     const struct pp_outside_light *light,
                                      struct pp_receiver receiver)
 {
     const struct pp_tracer_options options = pp_test_paths(512);
     struct pp_reading(*readings)[4] =
-        pp_test_trace(world, &receiver, 1, &options, NULL);
+        pp_test_trace(world, light, &receiver, 1, &options, NULL);
     struct pp_reading external = readings[0][PP_ERC];
     free(readings);
     return external;
@@ -32,10 +33,11 @@ static struct pp_receiver facing_down(double x, double y, double z)
 static void an_open_field_reflects_its_share_of_the_whole_sky(void **state)
 {
     (void)state;
-    struct pp_world world = open_field(pp_sky_overcast());
-    assert_traced(external_of(&world, facing_down(3.0, 4.0, 0.0)), rho, 1e-3);
-    assert_traced(external_of(&world, pp_test_receiver(0, 0, 0, 0, 1, 0)), 0.5 * rho,
-                  1e-3);
+    struct pp_outside_light light = {pp_sky_overcast(), rho};
+    struct pp_world world = open_field();
+    assert_traced(external_of(&world, &light, facing_down(3.0, 4.0, 0.0)), rho, 1e-3);
+    assert_traced(external_of(&world, &light, pp_test_receiver(0, 0, 0, 0, 1, 0)),
+                  0.5 * rho, 1e-3);
 }
 
 /* At its foot an endless black wall takes half of a uniform sky from the ground, at the
@@ -50,17 +52,20 @@ static void a_wall_takes_its_share_of_the_sky_from_the_ground(void **state)
     struct pp_surface wall = {.outline = {4, corners, {0, -1, 0}, 10000.0 * HEIGHT},
                               .role = PP_FREE_SURFACE,
                               .owner = -1};
-    struct pp_world world = open_field(pp_sky_uniform());
+    struct pp_outside_light light = {pp_sky_uniform(), rho};
+    struct pp_world world = open_field();
     world.surfaces = &wall;
     world.surface_count = 1;
     static const double distances[] = {0.1, 3.0, 10.0, 40.0};
     for (int i = 0; i < 4; i++) {
         double angle = atan2(HEIGHT, distances[i]);
-        assert_traced(external_of(&world, facing_down(0.0, -distances[i], -0.999)),
-                      rho * (1.0 + cos(angle)) / 2.0, 1e-3);
+        assert_traced(
+            external_of(&world, &light, facing_down(0.0, -distances[i], -0.999)),
+            rho * (1.0 + cos(angle)) / 2.0, 1e-3);
     }
     world.ground_is_open = true;
-    assert_traced(external_of(&world, facing_down(0.0, -0.1, -0.999)), rho, 1e-3);
+    assert_traced(external_of(&world, &light, facing_down(0.0, -0.1, -0.999)), rho,
+                  1e-3);
 }
 
 /* What a wall takes away it gives back by its own reflectance: a white wall under a
@@ -75,12 +80,14 @@ static void white_walls_and_white_ground_vanish_in_a_uniform_sky(void **state)
                               .front = 1.0,
                               .back = 1.0,
                               .owner = -1};
-    struct pp_world world = open_field(pp_sky_uniform());
-    world.ground_reflectance = 1.0;
+    struct pp_outside_light light = {pp_sky_uniform(), rho};
+    struct pp_world world = open_field();
+    light.ground_reflectance = 1.0;
     world.surfaces = &wall;
     world.surface_count = 1;
-    assert_traced(external_of(&world, facing_down(0.5, -1.0, 0.0)), 1.0, 1e-3);
-    assert_traced(external_of(&world, pp_test_receiver(0, -3, 0, 0, -1, 0)), 0.5, 2e-3);
+    assert_traced(external_of(&world, &light, facing_down(0.5, -1.0, 0.0)), 1.0, 1e-3);
+    assert_traced(external_of(&world, &light, pp_test_receiver(0, -3, 0, 0, -1, 0)),
+                  0.5, 2e-3);
 }
 
 #define BOX                                                                            \
@@ -93,7 +100,9 @@ static void white_walls_and_white_ground_vanish_in_a_uniform_sky(void **state)
 static void a_far_skyline_shades_the_ground_and_lights_it(void **state)
 {
     (void)state;
-    struct pp_world *world = pp_test_world(
+    struct pp_outside_light light;
+    struct pp_world *world = pp_test_lit_world(
+        &light,
         "<room version='1'><sky type='uniform'/><site ground-level='-0.001'/>" BOX
         "<skyline wall='south' angle='30' reflectance='0.4'/></room>");
     struct pp_receiver receiver = facing_down(2.0, -3000.0, 0.0);
@@ -101,7 +110,7 @@ static void a_far_skyline_shades_the_ground_and_lights_it(void **state)
     double exitance = 0.4 * (0.5 + rho / 2.0);
     struct pp_light_scene *scene = pp_test_matt_scene(world);
     scene->has_room = false; /* the point is outside, far from the room */
-    struct pp_environment *environment = pp_test_light_on(scene);
+    struct pp_environment *environment = pp_test_light_on(scene, &light);
     const struct pp_tracer_options options = pp_test_paths(512);
     struct pp_tracer *tracer = NULL;
     assert_int_equal(
@@ -121,9 +130,11 @@ static void a_far_skyline_shades_the_ground_and_lights_it(void **state)
 static void trace_room(const char *xml, struct pp_receiver receiver,
                        struct pp_reading readings[4])
 {
-    struct pp_world *world = pp_test_world(xml);
+    struct pp_outside_light light;
+    struct pp_world *world = pp_test_lit_world(&light, xml);
     const struct pp_tracer_options options = pp_test_paths(2048);
-    struct pp_reading(*list)[4] = pp_test_trace(world, &receiver, 1, &options, NULL);
+    struct pp_reading(*list)[4] =
+        pp_test_trace(world, &light, &receiver, 1, &options, NULL);
     memcpy(readings, list[0], sizeof *list);
     free(list);
     pp_world_destroy(world);

@@ -99,10 +99,10 @@ static void so_is_coloured_light(void **state)
 {
     (void)state;
     struct pp_world *world = pp_test_world("<room version='1'>" ROOM);
-    struct pp_world *clear =
-        pp_test_world("<room version='1'><site ground-reflectance='0.31'/>"
-                      "<sky type='iso-12' sun-altitude='41' sun-bearing='170'/>" ROOM);
-    const struct pp_outside_light light = pp_world_light(clear);
+    struct pp_outside_light light;
+    struct pp_world *clear = pp_test_lit_world(
+        &light, "<room version='1'><site ground-reflectance='0.31'/>"
+                "<sky type='iso-12' sun-altitude='41' sun-bearing='170'/>" ROOM);
     struct pp_light_scene *scenes[2] = {NULL, NULL};
     struct pp_test_mean means[2];
     builds = 0;
@@ -131,10 +131,11 @@ static void so_is_coloured_light(void **state)
 
 static uint64_t scene_hash(const char *xml, uint64_t *of_light)
 {
-    struct pp_world *world = pp_test_world(xml);
+    struct pp_outside_light light;
+    struct pp_world *world = pp_test_lit_world(&light, xml);
     struct pp_light_scene *scene;
     assert_int_equal(pp_light_scene_of_world(&scene, world, NULL), PP_OK);
-    struct pp_environment *environment = pp_test_light_of(scene, world);
+    struct pp_environment *environment = pp_test_light_on(scene, &light);
     uint64_t hash = pp_light_scene_hash(scene);
     *of_light = pp_environment_hash(environment);
     pp_environment_destroy(environment);

@@ -8,11 +8,13 @@
 static const struct pp_vec3 zenith = {0.0, 0.0, 1.0};
 
 /* One receiver, all components. */
-static void trace_one(const struct pp_world *world, struct pp_receiver receiver,
+static void trace_one(const struct pp_world *world,
+                      const struct pp_outside_light *light, struct pp_receiver receiver,
                       long samples, struct pp_reading readings[4])
 {
     struct pp_tracer_options options = pp_test_paths(samples);
-    struct pp_reading(*traced)[4] = pp_test_trace(world, &receiver, 1, &options, NULL);
+    struct pp_reading(*traced)[4] =
+        pp_test_trace(world, light, &receiver, 1, &options, NULL);
     memcpy(readings, traced[0], sizeof traced[0]);
     free(traced);
 }
@@ -36,11 +38,12 @@ static struct pp_moments moments_of(const struct pp_vec3 *corners, int count,
                                sign * moments.cosine_sine};
 }
 
-static double sky_of(const struct pp_world *world, const struct pp_vec3 *corners,
-                     int count, struct pp_receiver receiver)
+static double sky_of(const struct pp_outside_light *light,
+                     const struct pp_vec3 *corners, int count,
+                     struct pp_receiver receiver)
 {
     struct pp_moments moments = moments_of(corners, count, receiver, &zenith, 1);
-    return pp_solid_angle_sky_component(&moments, &world->sky);
+    return pp_solid_angle_sky_component(&moments, &light->sky);
 }
 
 /* ---- limits ---- */
@@ -48,12 +51,13 @@ static double sky_of(const struct pp_world *world, const struct pp_vec3 *corners
 static void a_closed_room_is_dark_for_certain(void **state)
 {
     (void)state;
-    struct pp_world *world =
-        pp_test_world("<room version='1'><plan width='3.1' depth='4.3' height='2.6'/>"
-                      "<point x='1.2' y='2.3'/></room>");
+    struct pp_outside_light light;
+    struct pp_world *world = pp_test_lit_world(
+        &light, "<room version='1'><plan width='3.1' depth='4.3' height='2.6'/>"
+                "<point x='1.2' y='2.3'/></room>");
     struct pp_tracer_options options = {.error = 0.01, .seed = 1, .average = true};
     struct pp_reading(*traced)[4] =
-        pp_test_trace(world, world->receivers, 1, &options, NULL);
+        pp_test_trace(world, &light, world->receivers, 1, &options, NULL);
     for (int point = 0; point < 2; point++)
         for (int i = 0; i < PP_COMPONENT_COUNT; i++) {
             assert_near(traced[point][i].value, 0.0, 0.0);
@@ -68,16 +72,20 @@ static void a_closed_room_is_dark_for_certain(void **state)
 static void the_open_sky_is_all_there_is_without_a_room(void **state)
 {
     (void)state;
-    struct pp_world world = {.sky = pp_sky_overcast(), .ground_reflectance = 0.3};
+    const struct pp_world world = {0};
+    struct pp_outside_light light = {pp_sky_overcast(), 0.3};
     struct pp_reading readings[4];
-    trace_one(&world, pp_test_receiver(1.0, 2.0, 3.0, 0.0, 0.0, 1.0), 256, readings);
+    trace_one(&world, &light, pp_test_receiver(1.0, 2.0, 3.0, 0.0, 0.0, 1.0), 256,
+              readings);
     assert_traced(readings[PP_SC], 1.0, 1e-3);
     assert_near(readings[PP_ERC].value, 0.0, 0.0);
-    trace_one(&world, pp_test_receiver(1.0, 2.0, 3.0, 0.3, -0.4, 0.0), 256, readings);
+    trace_one(&world, &light, pp_test_receiver(1.0, 2.0, 3.0, 0.3, -0.4, 0.0), 256,
+              readings);
     assert_traced(readings[PP_SC], 0.396177, 2e-3);
     assert_traced(readings[PP_ERC], 0.15, 2e-3);
-    world.sky = pp_sky_uniform();
-    trace_one(&world, pp_test_receiver(0.0, 0.0, 0.0, 1.0, 0.0, 1.0), 256, readings);
+    light.sky = pp_sky_uniform();
+    trace_one(&world, &light, pp_test_receiver(0.0, 0.0, 0.0, 1.0, 0.0, 1.0), 256,
+              readings);
     assert_traced(readings[PP_SC], (1.0 + sqrt(0.5)) / 2.0, 2e-3);
 }
 
@@ -87,7 +95,9 @@ static void a_furnace_glows_with_one_over_one_less_rho(void **state)
 {
     (void)state;
     const double reflectances[] = {0.0, 0.2, 0.5, 0.8, 0.9};
-    struct pp_world *world = pp_test_world(
+    struct pp_outside_light light;
+    struct pp_world *world = pp_test_lit_world(
+        &light,
         "<room version='1'><plan width='3.1' depth='4.3' height='2.6'/></room>");
     struct pp_receiver receiver = pp_test_receiver(1.2, 2.3, 0.7, 0.2, 0.3, 1.0);
     for (size_t i = 0; i < sizeof reflectances / sizeof *reflectances; i++) {
@@ -96,7 +106,7 @@ static void a_furnace_glows_with_one_over_one_less_rho(void **state)
             world->surfaces[k].front = reflectances[i];
         }
         struct pp_reading readings[4];
-        trace_one(world, receiver, 8, readings);
+        trace_one(world, &light, receiver, 8, readings);
         double expected = 1.0 / (1.0 - reflectances[i]);
         assert_traced(readings[PP_IRC], expected, 0.005 * expected);
         assert_relative(readings[PP_IRC].value, expected, 0.01);
@@ -112,9 +122,10 @@ static void a_furnace_glows_with_one_over_one_less_rho(void **state)
  * holds only if nothing is lost, counted twice or leaked, inside or out. */
 static void assert_equilibrium(const char *xml, bool lossless_glass)
 {
-    struct pp_world *world = pp_test_world(xml);
-    world->sky = pp_sky_uniform();
-    world->ground_reflectance = 1.0;
+    struct pp_outside_light light;
+    struct pp_world *world = pp_test_lit_world(&light, xml);
+    light.sky = pp_sky_uniform();
+    light.ground_reflectance = 1.0;
     for (int i = 0; i < world->surface_count; i++) {
         world->surfaces[i].front = world->surfaces[i].back = 0.3;
         world->surfaces[i].exitance = 0.7;
@@ -126,7 +137,7 @@ static void assert_equilibrium(const char *xml, bool lossless_glass)
     options.average = world->plane.count > 0;
     int count = world->receiver_count;
     struct pp_reading(*traced)[4] =
-        pp_test_trace(world, world->receivers, count, &options, &work);
+        pp_test_trace(world, &light, world->receivers, count, &options, &work);
     for (int i = 0; i < count + options.average; i++)
         assert_traced(traced[i][PP_DF], 1.0, 0.01);
     assert_true(work.leaks <= work.rays / 1000000);
@@ -224,23 +235,24 @@ static const struct pp_vec3 window[4] = {
 static void a_window_shows_the_sky_of_the_closed_form(void **state)
 {
     (void)state;
-    struct pp_world *world =
-        pp_test_world("<room version='1'><plan width='3.1' depth='4.3' height='2.6'/>"
-                      "" WINDOW "'none'/></room>");
+    struct pp_outside_light light;
+    struct pp_world *world = pp_test_lit_world(
+        &light, "<room version='1'><plan width='3.1' depth='4.3' height='2.6'/>"
+                "" WINDOW "'none'/></room>");
     struct pp_receiver receiver = pp_test_receiver(1.1, 2.0, 0.8, 0.0, 0.0, 1.0);
     struct pp_reading readings[4];
-    trace_one(world, receiver, 64, readings);
+    trace_one(world, &light, receiver, 64, readings);
     assert_traced(readings[PP_SC], 0.04486082291318, 2e-5);
     assert_near(readings[PP_ERC].value, 0.0, 0.0);
     assert_near(readings[PP_ERC].std_error, 0.0, 0.0);
-    world->sky = pp_sky_uniform();
-    trace_one(world, receiver, 64, readings);
+    light.sky = pp_sky_uniform();
+    trace_one(world, &light, receiver, 64, readings);
     assert_traced(readings[PP_SC], 0.05899459937149, 2e-5);
     /* Towards the window, and part of it behind the receiver's plane. */
-    world->sky = pp_sky_overcast();
+    light.sky = pp_sky_overcast();
     receiver = pp_test_receiver(0.4, 0.6, 1.4, 0.8, -0.5, -0.2);
-    trace_one(world, receiver, 256, readings);
-    assert_traced(readings[PP_SC], sky_of(world, window, 4, receiver), 2e-4);
+    trace_one(world, &light, receiver, 256, readings);
+    assert_traced(readings[PP_SC], sky_of(&light, window, 4, receiver), 2e-4);
     pp_world_destroy(world);
 }
 
@@ -249,9 +261,10 @@ static void a_window_shows_the_sky_of_the_closed_form(void **state)
 static void on_a_surface_one_measures_what_falls_on_it(void **state)
 {
     (void)state;
-    struct pp_world *world =
-        pp_test_world("<room version='1'><plan width='3.1' depth='4.3' height='2.6'/>"
-                      "" WINDOW "'none'/></room>");
+    struct pp_outside_light light;
+    struct pp_world *world = pp_test_lit_world(
+        &light, "<room version='1'><plan width='3.1' depth='4.3' height='2.6'/>"
+                "" WINDOW "'none'/></room>");
     static const struct pp_receiver on[] = {
         {{1.1, 2.0, 0.0}, {0.0, 0.0, 1.0}, 0},
         {{0.0, 1.7, 1.3}, {1.0, 0.0, 0.0}, 0},
@@ -263,9 +276,9 @@ static void on_a_surface_one_measures_what_falls_on_it(void **state)
         struct pp_receiver off = on[i];
         off.position = pp_vec_along(off.position, 2e-3, off.normal);
         struct pp_reading here[4], there[4];
-        trace_one(world, on[i], 256, here);
-        trace_one(world, off, 256, there);
-        assert_traced(here[PP_SC], sky_of(world, window, 4, on[i]), 2e-4);
+        trace_one(world, &light, on[i], 256, here);
+        trace_one(world, &light, off, 256, there);
+        assert_traced(here[PP_SC], sky_of(&light, window, 4, on[i]), 2e-4);
         /* Two millimetres are a thousandth of the distances here. */
         double noise = hypot(here[PP_DF].std_error, there[PP_DF].std_error);
         assert_near(here[PP_DF].value, there[PP_DF].value,
@@ -278,10 +291,11 @@ static void on_a_surface_one_measures_what_falls_on_it(void **state)
 static void glass_takes_its_share_by_angle(void **state)
 {
     (void)state;
-    struct pp_world *world =
-        pp_test_world("<room version='1'><plan width='3.1' depth='4.3' height='2.6'/>"
-                      "" WINDOW "'clear-single' frame-factor='0.8' "
-                      "maintenance='0.9'/></room>");
+    struct pp_outside_light light;
+    struct pp_world *world = pp_test_lit_world(
+        &light, "<room version='1'><plan width='3.1' depth='4.3' height='2.6'/>"
+                "" WINDOW "'clear-single' frame-factor='0.8' "
+                "maintenance='0.9'/></room>");
     struct pp_receiver receiver = pp_test_receiver(0.6, 1.3, 0.8, 0.0, 0.0, 1.0);
     /* Midpoint rule, error of some 1e-6 relative. */
     double sum = 0.0;
@@ -293,11 +307,11 @@ static void glass_takes_its_share_by_angle(void **state)
                 receiver.position);
             double r = pp_vec_length(v);
             struct pp_vec3 u = pp_vec_scale(v, 1.0 / r);
-            sum += pp_sky_luminance(&world->sky, u) * u.z * -u.y / (r * r)
+            sum += pp_sky_luminance(&light.sky, u) * u.z * -u.y / (r * r)
                    * pp_glass_transmittance(&world->openings[0].glass, -u.y);
         }
     struct pp_reading readings[4];
-    trace_one(world, receiver, 64, readings);
+    trace_one(world, &light, receiver, 64, readings);
     assert_traced(readings[PP_SC], sum * 2.6 * 1.4 / (N * N) * 0.8 * 0.9, 5e-5);
     pp_world_destroy(world);
 }
@@ -306,15 +320,16 @@ static void glass_takes_its_share_by_angle(void **state)
 static void a_diffusing_pane_is_a_lamp(void **state)
 {
     (void)state;
-    struct pp_world *world =
-        pp_test_world("<room version='1'><site ground-reflectance='0.3' ground='open'/>"
-                      "<plan width='3.1' depth='4.3' height='2.6'/>"
-                      "<window wall='south' left='0.2' sill='0.9' width='2.6' "
-                      "height='1.4' transmittance='0.6' diffusing='yes'/></room>");
+    struct pp_outside_light light;
+    struct pp_world *world = pp_test_lit_world(
+        &light, "<room version='1'><site ground-reflectance='0.3' ground='open'/>"
+                "<plan width='3.1' depth='4.3' height='2.6'/>"
+                "<window wall='south' left='0.2' sill='0.9' width='2.6' "
+                "height='1.4' transmittance='0.6' diffusing='yes'/></room>");
     struct pp_receiver receiver = pp_test_receiver(0.6, 1.3, 0.8, 0.0, 0.0, 1.0);
     struct pp_moments moments = moments_of(window, 4, receiver, NULL, 0);
     struct pp_reading readings[4];
-    trace_one(world, receiver, 256, readings);
+    trace_one(world, &light, receiver, 256, readings);
     double factor = 0.6 * moments.cosine / PP_PI;
     assert_traced(readings[PP_SC], 0.39617691 * factor, 1e-3 * factor);
     assert_traced(readings[PP_ERC], 0.15 * factor, 1e-3 * factor);
@@ -326,9 +341,10 @@ static void a_diffusing_pane_is_a_lamp(void **state)
 static void a_reveal_hides_the_edges_of_the_glass(void **state)
 {
     (void)state;
-    struct pp_world *world =
-        pp_test_world("<room version='1'><plan width='3.1' depth='4.3' height='2.6'/>"
-                      "" WINDOW "'none' reveal='0.4'/></room>");
+    struct pp_outside_light light;
+    struct pp_world *world = pp_test_lit_world(
+        &light, "<room version='1'><plan width='3.1' depth='4.3' height='2.6'/>"
+                "" WINDOW "'none' reveal='0.4'/></room>");
     struct pp_receiver receiver = pp_test_receiver(0.5, 1.0, 0.8, 0.0, 0.0, 1.0);
     double s = 1.4; /* (1.0 + 0.4)/1.0 */
     double left = fmax(0.2, 0.5 + s * (0.2 - 0.5));
@@ -338,46 +354,50 @@ static void a_reveal_hides_the_edges_of_the_glass(void **state)
     struct pp_vec3 seen[4] = {
         {left, -0.4, low}, {right, -0.4, low}, {right, -0.4, high}, {left, -0.4, high}};
     struct pp_reading readings[4];
-    trace_one(world, receiver, 512, readings);
-    assert_traced(readings[PP_SC], sky_of(world, seen, 4, receiver), 2e-4);
+    trace_one(world, &light, receiver, 512, readings);
+    assert_traced(readings[PP_SC], sky_of(&light, seen, 4, receiver), 2e-4);
     pp_world_destroy(world);
 }
 
 static void walls_of_an_l_shaped_room_hide_the_window(void **state)
 {
     (void)state;
-    struct pp_world *world =
-        pp_test_world("<room version='1'><plan height='2.6'><vertex x='0' y='0'/>"
-                      "<vertex x='5' y='0'/><vertex x='5' y='2'/><vertex x='2' y='2'/>"
-                      "<vertex x='2' y='6'/><vertex x='0' y='6'/></plan>"
-                      "<window wall='2' left='0.2' sill='0.9' width='1.6' "
-                      "height='1.4' glazing='none'/></room>");
+    struct pp_outside_light light;
+    struct pp_world *world = pp_test_lit_world(
+        &light, "<room version='1'><plan height='2.6'><vertex x='0' y='0'/>"
+                "<vertex x='5' y='0'/><vertex x='5' y='2'/><vertex x='2' y='2'/>"
+                "<vertex x='2' y='6'/><vertex x='0' y='6'/></plan>"
+                "<window wall='2' left='0.2' sill='0.9' width='1.6' "
+                "height='1.4' glazing='none'/></room>");
     /* From (1.5, 3) the corner (2, 2) hides the window in x = 5 entirely; from
      * (1, 2.5) it lets through what lies below y = 2 - 3/2 = 0.5. */
     struct pp_reading readings[4];
-    trace_one(world, pp_test_receiver(1.5, 3.0, 0.8, 0.0, 0.0, 1.0), 64, readings);
+    trace_one(world, &light, pp_test_receiver(1.5, 3.0, 0.8, 0.0, 0.0, 1.0), 64,
+              readings);
     assert_near(readings[PP_SC].value, 0.0, 0.0);
     assert_true(readings[PP_IRC].value > 1e-4);
     struct pp_receiver receiver = pp_test_receiver(1.0, 2.5, 0.8, 0.0, 0.0, 1.0);
     struct pp_vec3 seen[4] = {
         {5.0, 0.2, 0.9}, {5.0, 0.5, 0.9}, {5.0, 0.5, 2.3}, {5.0, 0.2, 2.3}};
-    trace_one(world, receiver, 1024, readings);
-    assert_traced(readings[PP_SC], sky_of(world, seen, 4, receiver), 1e-4);
+    trace_one(world, &light, receiver, 1024, readings);
+    assert_traced(readings[PP_SC], sky_of(&light, seen, 4, receiver), 1e-4);
     pp_world_destroy(world);
 }
 
 static void a_rooflight_shows_the_zenith(void **state)
 {
     (void)state;
-    struct pp_world *world = pp_test_world(
-        "<room version='1'>" BOX "<rooflight x='0.6' y='1.9' width='1.1' depth='1.3' "
-        "glazing='none'/></room>");
+    struct pp_outside_light light;
+    struct pp_world *world =
+        pp_test_lit_world(&light, "<room version='1'>" BOX
+                                  "<rooflight x='0.6' y='1.9' width='1.1' depth='1.3' "
+                                  "glazing='none'/></room>");
     struct pp_vec3 seen[4] = {
         {0.6, 1.9, 2.6}, {1.7, 1.9, 2.6}, {1.7, 3.2, 2.6}, {0.6, 3.2, 2.6}};
     struct pp_receiver receiver = pp_test_receiver(1.2, 2.0, 0.85, 0.0, 0.0, 1.0);
     struct pp_reading readings[4];
-    trace_one(world, receiver, 64, readings);
-    assert_traced(readings[PP_SC], sky_of(world, seen, 4, receiver), 1e-4);
+    trace_one(world, &light, receiver, 64, readings);
+    assert_traced(readings[PP_SC], sky_of(&light, seen, 4, receiver), 1e-4);
     pp_world_destroy(world);
 }
 
@@ -385,7 +405,9 @@ static void a_sloping_pentagon_shows_the_sky_behind_it(void **state)
 {
     (void)state;
     /* The roof falls from z = 4 at y = 0 to z = 2.5 at y = 3: z = 4 - y/2. */
-    struct pp_world *world = pp_test_world(
+    struct pp_outside_light light;
+    struct pp_world *world = pp_test_lit_world(
+        &light,
         "<room version='1'><envelope>"
         "<face role='floor' name='f'><vertex x='0' y='0' z='0'/>"
         "<vertex x='4' y='0' z='0'/><vertex x='4' y='3' z='0'/>"
@@ -418,8 +440,8 @@ static void a_sloping_pentagon_shows_the_sky_behind_it(void **state)
                                        pp_test_receiver(3.4, 0.3, 1.7, -1, 0.2, 0.1)};
     for (int i = 0; i < 2; i++) {
         struct pp_reading readings[4];
-        trace_one(world, receivers[i], 64, readings);
-        assert_traced(readings[PP_SC], sky_of(world, seen, 5, receivers[i]), 2e-4);
+        trace_one(world, &light, receivers[i], 64, readings);
+        assert_traced(readings[PP_SC], sky_of(&light, seen, 5, receivers[i]), 2e-4);
     }
     pp_world_destroy(world);
 }
@@ -427,14 +449,15 @@ static void a_sloping_pentagon_shows_the_sky_behind_it(void **state)
 /* ---- obstructions ---- */
 
 /* Sky and hidden part of WINDOW where all below a slope towards it is hidden. */
-static void split_window(const struct pp_world *world, struct pp_receiver receiver,
-                         double slope, double *sky, double *hidden)
+static void split_window(const struct pp_outside_light *light,
+                         struct pp_receiver receiver, double slope, double *sky,
+                         double *hidden)
 {
     struct pp_vec3 above[2] = {{0.0, slope, 1.0}, {0.0, 0.0, 1.0}};
     struct pp_vec3 below[2] = {{0.0, -slope, -1.0}, {0.0, 0.0, 1.0}};
     struct pp_moments seen = moments_of(window, 4, receiver, above, 2);
     struct pp_moments mask = moments_of(window, 4, receiver, below, 2);
-    *sky = pp_solid_angle_sky_component(&seen, &world->sky);
+    *sky = pp_solid_angle_sky_component(&seen, &light->sky);
     *hidden = mask.cosine / PP_PI;
 }
 
@@ -442,20 +465,21 @@ static void split_window(const struct pp_world *world, struct pp_receiver receiv
 static void a_far_skyline_gives_what_its_face_gets(void **state)
 {
     (void)state;
-    struct pp_world *world = pp_test_world(
-        "<room version='1'><plan width='3.1' depth='4.3' height='2.6'/>" WINDOW
-        "'none'/><skyline wall='south' angle='10' reflectance='0.2'/></room>");
+    struct pp_outside_light light;
+    struct pp_world *world = pp_test_lit_world(
+        &light, "<room version='1'><plan width='3.1' depth='4.3' height='2.6'/>" WINDOW
+                "'none'/><skyline wall='south' angle='10' reflectance='0.2'/></room>");
     struct pp_receiver receiver = pp_test_receiver(1.1, 2.0, 0.8, 0.0, 0.0, 1.0);
     double sky, hidden, exitance = 0.2 * (0.39617691 + 0.1);
-    split_window(world, receiver, tan(10.0 * PP_RAD), &sky, &hidden);
+    split_window(&light, receiver, tan(10.0 * PP_RAD), &sky, &hidden);
     struct pp_reading readings[4];
-    trace_one(world, receiver, 512, readings);
+    trace_one(world, &light, receiver, 512, readings);
     assert_traced(readings[PP_SC], sky, 1e-4);
     assert_traced(readings[PP_ERC], exitance * hidden, 1e-4);
     /* Over the luminance of the sky that it hides: CONVENTIONS has about 0.19. */
     struct pp_vec3 below[2] = {{0.0, -tan(10.0 * PP_RAD), -1.0}, {0.0, 0.0, 1.0}};
     struct pp_moments mask = moments_of(window, 4, receiver, below, 2);
-    assert_near(exitance * hidden / pp_solid_angle_sky_component(&mask, &world->sky),
+    assert_near(exitance * hidden / pp_solid_angle_sky_component(&mask, &light.sky),
                 0.19, 0.005);
     pp_world_destroy(world);
 }
@@ -463,18 +487,19 @@ static void a_far_skyline_gives_what_its_face_gets(void **state)
 static void a_near_skyline_hides_more_from_the_front_of_the_room(void **state)
 {
     (void)state;
-    struct pp_world *world = pp_test_world(
-        "<room version='1'><plan width='3.1' depth='4.3' height='2.6'/>" WINDOW
-        "'none'/><skyline wall='south' angle='20' distance='9' "
-        "reflectance='0.2'/></room>");
+    struct pp_outside_light light;
+    struct pp_world *world = pp_test_lit_world(
+        &light, "<room version='1'><plan width='3.1' depth='4.3' height='2.6'/>" WINDOW
+                "'none'/><skyline wall='south' angle='20' distance='9' "
+                "reflectance='0.2'/></room>");
     /* From the middle of the window, 1.6 m up, 9 m away: so high above the point. */
     double head = 1.6 + 9.0 * tan(20.0 * PP_RAD);
     for (int i = 0; i < 2; i++) {
         double y = i == 0 ? 0.6 : 3.5, sky, hidden;
         struct pp_receiver receiver = pp_test_receiver(1.1, y, 0.8, 0.0, 0.0, 1.0);
-        split_window(world, receiver, (head - 0.8) / (9.0 + y), &sky, &hidden);
+        split_window(&light, receiver, (head - 0.8) / (9.0 + y), &sky, &hidden);
         struct pp_reading readings[4];
-        trace_one(world, receiver, 512, readings);
+        trace_one(world, &light, receiver, 512, readings);
         assert_traced(readings[PP_SC], sky, 2e-4);
         assert_traced(readings[PP_ERC], 0.2 * (0.39617691 + 0.1) * hidden, 1e-4);
     }
@@ -485,16 +510,17 @@ static void a_near_skyline_hides_more_from_the_front_of_the_room(void **state)
 static void a_black_block_hides_the_sky_behind_it(void **state)
 {
     (void)state;
-    struct pp_world *world = pp_test_world(
-        "<room version='1'><site ground-reflectance='0'/>"
-        "<plan width='3.1' depth='4.3' height='2.6'/>" WINDOW
-        "'none'/><block x='-4000' y='-14' width='8000' depth='6' height='4' "
-        "reflectance='0'/></room>");
+    struct pp_outside_light light;
+    struct pp_world *world = pp_test_lit_world(
+        &light, "<room version='1'><site ground-reflectance='0'/>"
+                "<plan width='3.1' depth='4.3' height='2.6'/>" WINDOW
+                "'none'/><block x='-4000' y='-14' width='8000' depth='6' height='4' "
+                "reflectance='0'/></room>");
     struct pp_receiver receiver = pp_test_receiver(1.1, 1.3, 0.8, 0.0, 0.0, 1.0);
     double sky, hidden;
-    split_window(world, receiver, (4.0 - 0.8) / (8.0 + 1.3), &sky, &hidden);
+    split_window(&light, receiver, (4.0 - 0.8) / (8.0 + 1.3), &sky, &hidden);
     struct pp_reading readings[4];
-    trace_one(world, receiver, 512, readings);
+    trace_one(world, &light, receiver, 512, readings);
     assert_traced(readings[PP_SC], sky, 1e-4);
     assert_near(readings[PP_ERC].value, 0.0, 0.0);
     pp_world_destroy(world);
@@ -506,12 +532,14 @@ static void a_black_block_hides_the_sky_behind_it(void **state)
 static void light_by_way_of_a_block_is_not_a_lottery(void **state)
 {
     (void)state;
-    struct pp_world *world = pp_test_world(
-        "<room version='1'><plan width='3' depth='9' height='2.7'/>"
-        "<window wall='south' left='0.2' sill='0.8' width='2.6' height='1.5'/>"
-        "<block x='-28.5' y='-18' width='60' depth='8' height='9.5'/></room>");
+    struct pp_outside_light light;
+    struct pp_world *world = pp_test_lit_world(
+        &light, "<room version='1'><plan width='3' depth='9' height='2.7'/>"
+                "<window wall='south' left='0.2' sill='0.8' width='2.6' height='1.5'/>"
+                "<block x='-28.5' y='-18' width='60' depth='8' height='9.5'/></room>");
     struct pp_reading readings[4];
-    trace_one(world, pp_test_receiver(1.5, 8.0, 0.85, 0.0, 0.0, 1.0), 64, readings);
+    trace_one(world, &light, pp_test_receiver(1.5, 8.0, 0.85, 0.0, 0.0, 1.0), 64,
+              readings);
     assert_true(readings[PP_DF].std_error < 0.03 * readings[PP_DF].value);
     assert_true(readings[PP_ERC].std_error < 0.01 * readings[PP_ERC].value);
     pp_world_destroy(world);
@@ -528,13 +556,13 @@ static void a_horizontal_reflector_lights_what_faces_it(void **state)
                                .front = 0.3,
                                .back = 0.3,
                                .owner = -1};
-    struct pp_world world = {
-        .sky = pp_sky_overcast(), .surfaces = &plate, .surface_count = 1};
+    struct pp_world world = {.surfaces = &plate, .surface_count = 1};
+    const struct pp_outside_light light = {.sky = pp_sky_overcast()};
     const double percent[4] = {26.80, 30.94, 33.98, 35.57};
     for (int i = 0; i < 4; i++) {
         struct pp_reading readings[4];
-        trace_one(&world, pp_test_receiver(2.0, 0.25 + 0.5 * i, 3.0, 0, 0, -1), 256,
-                  readings);
+        trace_one(&world, &light, pp_test_receiver(2.0, 0.25 + 0.5 * i, 3.0, 0, 0, -1),
+                  256, readings);
         assert_near(readings[PP_ERC].value, 0.3 * percent[i] / 100.0, 2e-3);
         assert_traced(readings[PP_ERC], 0.3 * percent[i] / 100.0, 1e-3);
         assert_near(readings[PP_SC].value, 0.0, 0.0);

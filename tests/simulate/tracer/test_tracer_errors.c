@@ -49,10 +49,11 @@ static void daylight_factors_lie_within_their_errors_over_seeds(void **state)
 static void the_error_asked_for_is_about_reached_everywhere(void **state)
 {
     (void)state;
-    struct pp_world *world = pp_test_random_room(77, 10);
+    struct pp_outside_light light;
+    struct pp_world *world = pp_test_random_room(&light, 77, 10);
     struct pp_tracer_options options = {.error = 0.02, .seed = 4, .average = true};
     struct pp_reading(*traced)[4] =
-        pp_test_trace(world, world->receivers, 10, &options, NULL);
+        pp_test_trace(world, &light, world->receivers, 10, &options, NULL);
     double mean = 0.0;
     for (int i = 0; i <= 10; i++) {
         const struct pp_reading *df = &traced[i][PP_DF];
@@ -75,14 +76,15 @@ static void the_error_asked_for_is_about_reached_everywhere(void **state)
 static void the_average_is_that_of_the_whole_plane(void **state)
 {
     (void)state;
-    struct pp_world *world = pp_test_world(
-        "<room version='1'><plan width='3.1' depth='4.3' height='2.6'/>"
-        "<window wall='south' left='0.3' sill='0.9' width='2.2' height='1.5' "
-        "glazing='none'/><grid spacing='0.3' margin='0'/></room>");
+    struct pp_outside_light light;
+    struct pp_world *world = pp_test_lit_world(
+        &light, "<room version='1'><plan width='3.1' depth='4.3' height='2.6'/>"
+                "<window wall='south' left='0.3' sill='0.9' width='2.2' height='1.5' "
+                "glazing='none'/><grid spacing='0.3' margin='0'/></room>");
     struct pp_tracer_options options = {.error = 0.01, .seed = 3, .average = true};
     int count = world->receiver_count;
     struct pp_reading(*traced)[4] =
-        pp_test_trace(world, world->receivers, count, &options, NULL);
+        pp_test_trace(world, &light, world->receivers, count, &options, NULL);
     double mean = 0.0;
     for (int i = 0; i < count; i++)
         mean += traced[i][PP_DF].value / count;
@@ -98,12 +100,13 @@ static void the_average_is_that_of_the_whole_plane(void **state)
 static void threads_change_nothing(void **state)
 {
     (void)state;
-    struct pp_world *world = pp_test_world(GLAZED_ROOM);
+    struct pp_outside_light light;
+    struct pp_world *world = pp_test_lit_world(&light, GLAZED_ROOM);
     struct pp_reading(*traced[3])[4];
     for (int i = 0; i < 3; i++) {
         struct pp_tracer_options options = {
             .error = 0.03, .seed = 9, .threads = 1 << i, .average = true};
-        traced[i] = pp_test_trace(world, world->receivers, 3, &options, NULL);
+        traced[i] = pp_test_trace(world, &light, world->receivers, 3, &options, NULL);
     }
     assert_same_bytes(traced[0], traced[1], 4);
     assert_same_bytes(traced[0], traced[2], 4);
@@ -115,17 +118,18 @@ static void threads_change_nothing(void **state)
 static void slices_change_nothing(void **state)
 {
     (void)state;
-    struct pp_world *world = pp_test_world(GLAZED_ROOM);
+    struct pp_outside_light light;
+    struct pp_world *world = pp_test_lit_world(&light, GLAZED_ROOM);
     struct pp_tracer_options options = {.error = 0.03, .seed = 9, .average = true};
     struct pp_reading(*whole)[4] =
-        pp_test_trace(world, world->receivers, 3, &options, NULL);
+        pp_test_trace(world, &light, world->receivers, 3, &options, NULL);
     struct pp_reading sliced[4][4];
     struct pp_light_scene *scene = pp_test_matt_scene(world);
-    struct pp_environment *light = pp_test_light_on(scene);
+    struct pp_environment *environment = pp_test_light_on(scene, &light);
     struct pp_tracer *tracer;
-    assert_int_equal(
-        pp_tracer_create(&tracer, scene, light, world->receivers, 3, &options, NULL),
-        PP_OK);
+    assert_int_equal(pp_tracer_create(&tracer, scene, environment, world->receivers, 3,
+                                      &options, NULL),
+                     PP_OK);
     double progress = 0.0;
     while (!pp_tracer_done(tracer)) {
         assert_int_equal(pp_tracer_advance(tracer, 0.0, NULL), PP_OK);
@@ -139,7 +143,7 @@ static void slices_change_nothing(void **state)
     pp_tracer_read(tracer, -1, sliced[3]);
     assert_same_bytes(whole, sliced, 4);
     pp_tracer_destroy(tracer);
-    pp_environment_destroy(light);
+    pp_environment_destroy(environment);
     pp_light_scene_destroy(scene);
     free(whole);
     pp_world_destroy(world);
@@ -149,13 +153,15 @@ static void slices_change_nothing(void **state)
 static void rays_left_out_change_nothing(void **state)
 {
     (void)state;
-    struct pp_world *world = pp_test_random_room(5, 6);
+    struct pp_outside_light light;
+    struct pp_world *world = pp_test_random_room(&light, 5, 6);
     struct pp_reading(*traced[2])[4];
     struct pp_tracer_work work[2];
     for (int i = 0; i < 2; i++) {
         struct pp_tracer_options options = {
             .samples = 64, .seed = 2, .average = true, .every_ray = i == 1};
-        traced[i] = pp_test_trace(world, world->receivers, 6, &options, &work[i]);
+        traced[i] =
+            pp_test_trace(world, &light, world->receivers, 6, &options, &work[i]);
     }
     assert_true(work[0].rays < work[1].rays);
     assert_same_bytes(traced[0], traced[1], 7);
@@ -167,12 +173,13 @@ static void rays_left_out_change_nothing(void **state)
 static void a_point_does_not_depend_on_the_others(void **state)
 {
     (void)state;
-    struct pp_world *world = pp_test_world(GLAZED_ROOM);
+    struct pp_outside_light light;
+    struct pp_world *world = pp_test_lit_world(&light, GLAZED_ROOM);
     struct pp_tracer_options options = {.error = 0.05, .seed = 9};
     struct pp_reading(*all)[4] =
-        pp_test_trace(world, world->receivers, 3, &options, NULL);
+        pp_test_trace(world, &light, world->receivers, 3, &options, NULL);
     struct pp_reading(*alone)[4] =
-        pp_test_trace(world, &world->receivers[2], 1, &options, NULL);
+        pp_test_trace(world, &light, &world->receivers[2], 1, &options, NULL);
     assert_same_bytes(&all[2], alone, 1);
     free(all);
     free(alone);
@@ -182,11 +189,12 @@ static void a_point_does_not_depend_on_the_others(void **state)
 static void another_seed_is_another_sample(void **state)
 {
     (void)state;
-    struct pp_world *world = pp_test_world(GLAZED_ROOM);
+    struct pp_outside_light light;
+    struct pp_world *world = pp_test_lit_world(&light, GLAZED_ROOM);
     struct pp_reading(*traced[2])[4];
     for (int i = 0; i < 2; i++) {
         struct pp_tracer_options options = {.samples = 32, .seed = (uint64_t)i};
-        traced[i] = pp_test_trace(world, world->receivers, 3, &options, NULL);
+        traced[i] = pp_test_trace(world, &light, world->receivers, 3, &options, NULL);
     }
     for (int i = 0; i < 3; i++) {
         struct pp_reading a = traced[0][i][PP_DF], b = traced[1][i][PP_DF];
@@ -203,14 +211,15 @@ static void another_seed_is_another_sample(void **state)
 static void by_the_clock_errors_fall_for_as_long_as_one_likes(void **state)
 {
     (void)state;
-    struct pp_world *world = pp_test_world(GLAZED_ROOM);
+    struct pp_outside_light light;
+    struct pp_world *world = pp_test_lit_world(&light, GLAZED_ROOM);
     struct pp_tracer_options options = {.seed = 9, .threads = 1};
     struct pp_light_scene *scene = pp_test_matt_scene(world);
-    struct pp_environment *light = pp_test_light_on(scene);
+    struct pp_environment *environment = pp_test_light_on(scene, &light);
     struct pp_tracer *tracer;
-    assert_int_equal(
-        pp_tracer_create(&tracer, scene, light, world->receivers, 3, &options, NULL),
-        PP_OK);
+    assert_int_equal(pp_tracer_create(&tracer, scene, environment, world->receivers, 3,
+                                      &options, NULL),
+                     PP_OK);
     struct pp_reading readings[4];
     pp_tracer_read(tracer, 0, readings);
     assert_true(isnan(readings[PP_DF].value));
@@ -229,7 +238,7 @@ static void by_the_clock_errors_fall_for_as_long_as_one_likes(void **state)
     assert_true(readings[PP_DF].std_error <= 0.3 * early);
     assert_false(pp_tracer_done(tracer));
     pp_tracer_destroy(tracer);
-    pp_environment_destroy(light);
+    pp_environment_destroy(environment);
     pp_light_scene_destroy(scene);
     pp_tracer_destroy(NULL);
     pp_world_destroy(world);
@@ -238,9 +247,10 @@ static void by_the_clock_errors_fall_for_as_long_as_one_likes(void **state)
 static void options_out_of_range_are_refused(void **state)
 {
     (void)state;
-    struct pp_world world = {.sky = pp_sky_overcast()};
+    struct pp_world world = {0};
+    const struct pp_outside_light light = {.sky = pp_sky_overcast()};
     struct pp_light_scene *scene = pp_test_matt_scene(&world);
-    struct pp_environment *light = pp_test_light_on(scene);
+    struct pp_environment *environment = pp_test_light_on(scene, &light);
     const struct pp_tracer_options wrong[] = {
         {.error = -0.1}, {.error = 1.5},        {.error = NAN},
         {.samples = -1}, {.samples = 1L << 40}, {.error = 0.1, .threads = -2}};
@@ -248,32 +258,33 @@ static void options_out_of_range_are_refused(void **state)
         struct pp_tracer *tracer;
         struct pp_error err;
         assert_int_equal(
-            pp_tracer_create(&tracer, scene, light, NULL, 0, &wrong[i], &err),
+            pp_tracer_create(&tracer, scene, environment, NULL, 0, &wrong[i], &err),
             PP_BAD_INPUT);
         assert_null(tracer);
         assert_true(err.message[0] != '\0');
     }
-    pp_environment_destroy(light);
+    pp_environment_destroy(environment);
     pp_light_scene_destroy(scene);
 }
 
 static void nothing_to_trace_is_done_at_once(void **state)
 {
     (void)state;
-    struct pp_world world = {.sky = pp_sky_overcast()};
+    struct pp_world world = {0};
+    const struct pp_outside_light light = {.sky = pp_sky_overcast()};
     struct pp_light_scene *scene = pp_test_matt_scene(&world);
-    struct pp_environment *light = pp_test_light_on(scene);
+    struct pp_environment *environment = pp_test_light_on(scene, &light);
     struct pp_tracer_options options = {.error = 0.1, .average = true};
     struct pp_tracer *tracer;
     struct pp_reading readings[4];
-    assert_int_equal(pp_tracer_create(&tracer, scene, light, NULL, 0, &options, NULL),
-                     PP_OK);
+    assert_int_equal(
+        pp_tracer_create(&tracer, scene, environment, NULL, 0, &options, NULL), PP_OK);
     assert_int_equal(pp_tracer_advance(tracer, 1.0, NULL), PP_OK);
     assert_true(pp_tracer_done(tracer));
     pp_tracer_read(tracer, -1, readings);
     assert_true(isnan(readings[PP_DF].value));
     pp_tracer_destroy(tracer);
-    pp_environment_destroy(light);
+    pp_environment_destroy(environment);
     pp_light_scene_destroy(scene);
 }
 

@@ -20,15 +20,16 @@ static struct pp_light_scene *scene_of(const struct pp_world *world)
  * receivers; seeds are fixed. */
 static void assert_as_traced(const char *xml, double slack)
 {
-    struct pp_world *world = pp_test_world(xml);
+    struct pp_outside_light light;
+    struct pp_world *world = pp_test_lit_world(&light, xml);
     struct pp_light_scene *scene = scene_of(world);
-    struct pp_environment *environment = pp_test_light_of(scene, world);
+    struct pp_environment *environment = pp_test_light_on(scene, &light);
     struct pp_window_store *store = NULL;
     assert_int_equal(pp_window_store_create(&store, scene, environment, 1, 1, NULL),
                      PP_OK);
     struct pp_tracer_options options = {.error = 0.005, .seed = 11, .threads = 1};
-    struct pp_reading(*traced)[4] =
-        pp_test_trace(world, world->receivers, world->receiver_count, &options, NULL);
+    struct pp_reading(*traced)[4] = pp_test_trace(
+        world, &light, world->receivers, world->receiver_count, &options, NULL);
     for (int i = 0; i < world->receiver_count; i++) {
         struct pp_reading df = traced[i][PP_DF];
         for (int stored = 0; stored < 2; stored++) {
@@ -111,13 +112,15 @@ static void so_has_one_with_all_that_there_is(void **state)
 static void sky_and_outside_are_told_apart(void **state)
 {
     (void)state;
-    struct pp_world *world = pp_test_world(
-        DEEP "<skyline wall='south' angle='20' reflectance='0.3'/></room>");
+    struct pp_outside_light light;
+    struct pp_world *world = pp_test_lit_world(
+        &light, DEEP "<skyline wall='south' angle='20' reflectance='0.3'/></room>");
     struct pp_receiver receiver = pp_test_receiver(1.4, 1.8, 0.9, 0.0, 0.0, 1.0);
     struct pp_tracer_options options = pp_test_paths(1024);
-    struct pp_reading(*traced)[4] = pp_test_trace(world, &receiver, 1, &options, NULL);
+    struct pp_reading(*traced)[4] =
+        pp_test_trace(world, &light, &receiver, 1, &options, NULL);
     struct pp_light_scene *scene = scene_of(world);
-    struct pp_environment *environment = pp_test_light_of(scene, world);
+    struct pp_environment *environment = pp_test_light_on(scene, &light);
     struct pp_sobol *sobol = malloc(sizeof *sobol);
     pp_sobol_init(sobol);
     struct pp_radiance_state path_state = {.scene = scene,
@@ -148,9 +151,10 @@ static void sky_and_outside_are_told_apart(void **state)
 static void windows_aimed_at_save_time_not_light(void **state)
 {
     (void)state;
-    struct pp_world *world = pp_test_world(DEEP "</room>");
+    struct pp_outside_light light;
+    struct pp_world *world = pp_test_lit_world(&light, DEEP "</room>");
     struct pp_light_scene *scene = scene_of(world);
-    struct pp_environment *environment = pp_test_light_of(scene, world);
+    struct pp_environment *environment = pp_test_light_on(scene, &light);
     struct pp_radiance_options options = pp_radiance_state_defaults();
     struct pp_vec3 back = {1.5, 7.0, 0.85}, up = {0.0, 0.0, 1.0};
     struct pp_test_mean sampled =
@@ -174,7 +178,9 @@ static void windows_aimed_at_save_time_not_light(void **state)
 static void light_through_two_windows_falls_on_what_stands_outside(void **state)
 {
     (void)state;
-    struct pp_world *world = pp_test_world(
+    struct pp_outside_light light;
+    struct pp_world *world = pp_test_lit_world(
+        &light,
         "<room version='1'><plan width='3' depth='2' height='2.7'/>"
         "<finishes floor='0.2' walls='0.2' ceiling='0.2'/>"
         "<window wall='south' left='0.2' sill='0.3' width='2.6' height='2.2' "
@@ -183,7 +189,7 @@ static void light_through_two_windows_falls_on_what_stands_outside(void **state)
         "<block x='-9' y='-3' width='21' depth='2' height='12' reflectance='0.8'/>"
         "</room>");
     struct pp_light_scene *scene = scene_of(world);
-    struct pp_environment *environment = pp_test_light_of(scene, world);
+    struct pp_environment *environment = pp_test_light_on(scene, &light);
     struct pp_radiance_options options = pp_radiance_state_defaults();
     struct pp_vec3 eye = {1.5, 1.0, 1.5}, south = {0.0, -1.0, 0.0};
     struct pp_test_mean sampled =
@@ -205,20 +211,21 @@ static void light_through_two_windows_falls_on_what_stands_outside(void **state)
 static void a_room_in_equilibrium_shows_one_everywhere(void **state)
 {
     (void)state;
-    struct pp_world *world = pp_test_world(
-        "<room version='1'><site ground-reflectance='1'/><sky type='uniform'/>"
-        "<plan width='3.1' depth='4.3' height='2.6'/>"
-        "<finishes floor='steel' walls='0.3' ceiling='mirror'/>"
-        "<finish wall='east' reflectance='brushed-aluminium'/>"
-        "<finish wall='west' reflectance='white-tiles'/>"
-        "<window wall='south' left='0.5' sill='0.4' width='1.9' height='1.6' "
-        "glazing='none' reveal='0.3'/></room>");
+    struct pp_outside_light light;
+    struct pp_world *world = pp_test_lit_world(
+        &light, "<room version='1'><site ground-reflectance='1'/><sky type='uniform'/>"
+                "<plan width='3.1' depth='4.3' height='2.6'/>"
+                "<finishes floor='steel' walls='0.3' ceiling='mirror'/>"
+                "<finish wall='east' reflectance='brushed-aluminium'/>"
+                "<finish wall='west' reflectance='white-tiles'/>"
+                "<window wall='south' left='0.5' sill='0.4' width='1.9' height='1.6' "
+                "glazing='none' reveal='0.3'/></room>");
     for (int i = 0; i < world->surface_count; i++) {
         world->surfaces[i].exitance = 1.0 - world->surfaces[i].front;
         world->surfaces[i].back = world->surfaces[i].front; /* the ground sees it */
     }
     struct pp_light_scene *scene = scene_of(world);
-    struct pp_environment *environment = pp_test_light_of(scene, world);
+    struct pp_environment *environment = pp_test_light_on(scene, &light);
     struct pp_radiance_options options = pp_radiance_state_defaults();
     const struct pp_vec3 looks[] = {{0.1, 0.2, 1.0},   {0.3, -1.0, 0.1},
                                     {-0.4, 0.3, -0.6}, {0.0, -1.0, -0.2},
@@ -236,11 +243,12 @@ static void a_room_in_equilibrium_shows_one_everywhere(void **state)
 static void no_light_leaks_in_by_the_edges(void **state)
 {
     (void)state;
-    struct pp_world *world = pp_test_world(
-        "<room version='1'><plan height='2.6'><vertex x='101' y='57'/>"
-        "<vertex x='104' y='57.3'/><vertex x='103' y='60'/></plan></room>");
+    struct pp_outside_light light;
+    struct pp_world *world = pp_test_lit_world(
+        &light, "<room version='1'><plan height='2.6'><vertex x='101' y='57'/>"
+                "<vertex x='104' y='57.3'/><vertex x='103' y='60'/></plan></room>");
     struct pp_light_scene *scene = scene_of(world);
-    struct pp_environment *environment = pp_test_light_of(scene, world);
+    struct pp_environment *environment = pp_test_light_on(scene, &light);
     struct pp_vec3 in = {102.7, 58.1, 1.1};
     const struct pp_surface *surfaces = world->surfaces;
     for (int i = 0; i < world->surface_count; i++)
@@ -267,9 +275,10 @@ static void no_light_leaks_in_by_the_edges(void **state)
 static void light_goes_on_from_the_edges(void **state)
 {
     (void)state;
-    struct pp_world *world = pp_test_world(DEEP "</room>");
+    struct pp_outside_light light;
+    struct pp_world *world = pp_test_lit_world(&light, DEEP "</room>");
     struct pp_light_scene *scene = scene_of(world);
-    struct pp_environment *environment = pp_test_light_of(scene, world);
+    struct pp_environment *environment = pp_test_light_on(scene, &light);
     struct pp_sobol *sobol = malloc(sizeof *sobol);
     pp_sobol_init(sobol);
     struct pp_radiance_state path_state = {.scene = scene,
@@ -294,9 +303,10 @@ static void light_goes_on_from_the_edges(void **state)
 static struct pp_irradiance straight_in(const char *xml, bool stored,
                                         struct pp_vec3 point)
 {
-    struct pp_world *world = pp_test_world(xml);
+    struct pp_outside_light light;
+    struct pp_world *world = pp_test_lit_world(&light, xml);
     struct pp_light_scene *scene = scene_of(world);
-    struct pp_environment *environment = pp_test_light_of(scene, world);
+    struct pp_environment *environment = pp_test_light_on(scene, &light);
     struct pp_window_store *store = NULL;
     struct pp_sobol *sobol = malloc(sizeof *sobol);
     assert_non_null(sobol);
@@ -367,10 +377,11 @@ static void things_at_the_window_are_not_stored(void **state)
 static void the_store_does_not_depend_on_threads(void **state)
 {
     (void)state;
-    struct pp_world *world = pp_test_world(
-        DEEP "<block x='-1' y='-3' width='3' depth='2' height='4'/></room>");
+    struct pp_outside_light light;
+    struct pp_world *world = pp_test_lit_world(
+        &light, DEEP "<block x='-1' y='-3' width='3' depth='2' height='4'/></room>");
     struct pp_light_scene *scene = scene_of(world);
-    struct pp_environment *environment = pp_test_light_of(scene, world);
+    struct pp_environment *environment = pp_test_light_on(scene, &light);
     double seen[2];
     for (int i = 0; i < 2; i++) {
         struct pp_window_store *store;

@@ -22,9 +22,10 @@ static const char court[] =
 static void light_through_three_windows_counts_once(void **state)
 {
     (void)state;
-    struct pp_world *world = pp_test_world(court);
+    struct pp_outside_light light;
+    struct pp_world *world = pp_test_lit_world(&light, court);
     struct pp_light_scene *scene = pp_test_matt_scene(world);
-    struct pp_environment *outside = pp_test_light_of(scene, world);
+    struct pp_environment *outside = pp_test_light_on(scene, &light);
     struct pp_radiance_options sampled = pp_radiance_state_defaults(), found = sampled;
     found.windows = false;
     const struct pp_receiver *at = &world->receivers[0];

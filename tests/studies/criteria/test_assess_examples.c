@@ -7,6 +7,7 @@
 
 #include "methods/evaluate.h"
 #include "model/room/building.h"
+#include "model/room/room_light.h"
 #include "tests/lib/near.h"
 #include "tests/lib/sight.h"
 
@@ -49,6 +50,7 @@ enum { ROOMS = sizeof facts / sizeof *facts };
 
 struct room {
     struct pp_world *world;
+    struct pp_outside_light light;
     struct json_object *said;
 };
 
@@ -152,7 +154,8 @@ static void assert_not_judged(const struct room *room, const char *criterion,
 
 /* ---- the rooms ---- */
 
-static struct pp_world *world_of(const char *file, const char *name)
+static struct pp_world *world_of(struct pp_outside_light *light, const char *file,
+                                 const char *name)
 {
     char *path;
     const char *source = getenv("srcdir");
@@ -167,10 +170,13 @@ static struct pp_world *world_of(const char *file, const char *name)
         assert_int_equal(
             pp_world_create(&world, pp_building_room(building, i), &mistakes, NULL),
             PP_OK);
-        if (!found && strcmp(world->name, name) == 0)
+        if (!found && strcmp(world->name, name) == 0) {
             found = world;
-        else
+            assert_int_equal(pp_room_light(light, pp_building_room(building, i), NULL),
+                             PP_OK);
+        } else {
             pp_world_destroy(world);
+        }
     }
     assert_non_null(found);
     pp_building_destroy(building);
@@ -183,7 +189,7 @@ static int load(void **state)
 {
     (void)state;
     for (int i = 0; i < ROOMS; i++) {
-        rooms[i].world = world_of(facts[i].file, facts[i].room);
+        rooms[i].world = world_of(&rooms[i].light, facts[i].file, facts[i].room);
         rooms[i].said = said_of(facts[i].file, facts[i].room);
     }
     return 0;
@@ -424,11 +430,14 @@ static void lay_out(struct points *points, const struct pp_world *world)
         }
 }
 
-static void fill(struct points *points, const struct pp_world *world)
+static void fill(struct points *points, const struct pp_world *world,
+                 const struct pp_outside_light *light)
 {
     lay_out(points, world);
-    struct pp_report report = {
-        .world = world, .receivers = points->list, .receiver_count = points->count};
+    struct pp_report report = {.world = world,
+                               .light = *light,
+                               .receivers = points->list,
+                               .receiver_count = points->count};
     assert_int_equal(
         pp_methods_evaluate(&report, "average-df,exact+bre,exact+split-flux", NULL),
         PP_OK);
@@ -474,7 +483,7 @@ static void daylight_provision_agrees(void **state)
     };
     for (int i = 0; i < ROOMS; i++) {
         struct points points;
-        fill(&points, rooms[i].world);
+        fill(&points, rooms[i].world, &rooms[i].light);
         assert_near(json_object_get_double(field(rooms[i].said, "median_diffuse")),
                     facts[i].median_lux, 0.0);
         assert_non_null(
@@ -501,7 +510,7 @@ static void averages_and_uniformity_agree(void **state)
     (void)state;
     for (int i = 0; i < ROOMS; i++) {
         struct points points;
-        fill(&points, rooms[i].world);
+        fill(&points, rooms[i].world, &rooms[i].light);
         double average = 100.0 * points.average;
         assert_finding(&rooms[i], "average", "bedroom", average, 1e-6, 1.0, false);
         assert_finding(&rooms[i], "average", "living room", average, 1e-6, 1.5, false);

@@ -11,19 +11,20 @@
 #include "tests/lib/traced.h"
 #include "model/room/section.h"
 
-static struct pp_world *world_of(const char *body)
+static struct pp_world *world_of(struct pp_outside_light *light, const char *body)
 {
     char text[8192];
     snprintf(text, sizeof text, "<room version=\"1\" name=\"Test\">%s</room>", body);
-    return pp_test_world(text);
+    return pp_test_lit_world(light, text);
 }
 
 /* The findings of one criterion; the list is to be cleared. */
 static struct pp_finding_list found_by(const struct pp_criterion *criterion,
                                        const struct pp_world *world,
+                                       const struct pp_outside_light *light,
                                        const struct pp_world *before)
 {
-    struct pp_report report = {.world = world};
+    struct pp_report report = {.world = world, .light = *light};
     struct pp_receiver *grid;
     struct pp_error err;
     int *pairs = NULL;
@@ -35,6 +36,7 @@ static struct pp_finding_list found_by(const struct pp_criterion *criterion,
         fail_msg("%s", err.message);
     const struct pp_inquiry inquiry = {
         .world = world,
+        .light = light,
         .before = before,
         .pairs = pairs,
         .factors = &report,
@@ -53,9 +55,11 @@ static struct pp_finding_list found_by(const struct pp_criterion *criterion,
 static struct pp_finding finding_in(const struct pp_criterion *criterion, int index,
                                     const char *body, const char *before_body)
 {
-    struct pp_world *world = world_of(body);
-    struct pp_world *before = before_body ? world_of(before_body) : NULL;
-    struct pp_finding_list findings = found_by(criterion, world, before);
+    struct pp_outside_light light;
+    struct pp_world *world = world_of(&light, body);
+    struct pp_outside_light before_light;
+    struct pp_world *before = before_body ? world_of(&before_light, before_body) : NULL;
+    struct pp_finding_list findings = found_by(criterion, world, &light, before);
     assert_true(index < findings.count);
     struct pp_finding finding = findings.list[index];
     pp_finding_list_clear(&findings);
@@ -315,10 +319,11 @@ static void the_area_lost_is_the_difference(void **state)
 static void a_section_at_the_working_plane_is_the_plane(void **state)
 {
     (void)state;
-    struct pp_world *world =
-        world_of("<plan height=\"2.6\"><vertex x=\"0\" y=\"0\"/><vertex x=\"6\" "
-                 "y=\"0\"/><vertex x=\"6\" y=\"3\"/><vertex x=\"2.5\" y=\"3\"/>"
-                 "<vertex x=\"2.5\" y=\"7\"/><vertex x=\"0\" y=\"7\"/></plan>");
+    struct pp_outside_light light;
+    struct pp_world *world = world_of(
+        &light, "<plan height=\"2.6\"><vertex x=\"0\" y=\"0\"/><vertex x=\"6\" "
+                "y=\"0\"/><vertex x=\"6\" y=\"3\"/><vertex x=\"2.5\" y=\"3\"/>"
+                "<vertex x=\"2.5\" y=\"7\"/><vertex x=\"0\" y=\"7\"/></plan>");
     struct pp_region section;
     static const double heights[] = {0.85, 0.1, 2.5, -1.0, 3.0};
     static const double areas[] = {28.0, 28.0, 28.0, 0.0, 0.0};
@@ -423,8 +428,10 @@ static void assert_level(const struct pp_finding_list *findings, int each)
 static void targets_are_illuminance_over_the_place_s_median(void **state)
 {
     (void)state;
-    struct pp_world *world = world_of(ROOM LONDON);
-    struct pp_finding_list findings = found_by(&pp_criterion_en17037, world, NULL);
+    struct pp_outside_light light;
+    struct pp_world *world = world_of(&light, ROOM LONDON);
+    struct pp_finding_list findings =
+        found_by(&pp_criterion_en17037, world, &light, NULL);
     static const double lux[] = {300, 100, 500, 300, 750, 500};
     assert_int_equal(findings.count, 6);
     for (int i = 0; i < 6; i++)
@@ -432,7 +439,7 @@ static void targets_are_illuminance_over_the_place_s_median(void **state)
     assert_non_null(strstr(findings.basis, "exact+bre, not simulated"));
     assert_level(&findings, 2);
     pp_finding_list_clear(&findings);
-    findings = found_by(&pp_criterion_uk_annex, world, NULL);
+    findings = found_by(&pp_criterion_uk_annex, world, &light, NULL);
     assert_int_equal(findings.count, 3);
     assert_near(findings.list[0].wanted, 100 / 14100.0, 1e-15);
     assert_near(findings.list[2].wanted, 200 / 14100.0, 1e-15);
@@ -443,9 +450,11 @@ static void targets_are_illuminance_over_the_place_s_median(void **state)
 static void under_rooflights_nearly_all_of_the_plane_is_asked(void **state)
 {
     (void)state;
+    struct pp_outside_light light;
     struct pp_world *world = world_of(
-        PLAN LONDON "<rooflight x=\"1\" y=\"2\" width=\"1.2\" depth=\"1.5\"/>");
-    struct pp_finding_list findings = found_by(&pp_criterion_en17037, world, NULL);
+        &light, PLAN LONDON "<rooflight x=\"1\" y=\"2\" width=\"1.2\" depth=\"1.5\"/>");
+    struct pp_finding_list findings =
+        found_by(&pp_criterion_en17037, world, &light, NULL);
     assert_int_equal(findings.count, 3);
     for (int i = 0; i < 3; i++)
         assert_non_null(strstr(findings.list[i].what, "over 95 %"));
@@ -453,7 +462,7 @@ static void under_rooflights_nearly_all_of_the_plane_is_asked(void **state)
     assert_level(&findings, 1);
     pp_finding_list_clear(&findings);
     /* And evenness as under a glazed roof. */
-    findings = found_by(&pp_criterion_uniformity, world, NULL);
+    findings = found_by(&pp_criterion_uniformity, world, &light, NULL);
     assert_near(findings.list[0].wanted, 0.7, 0.0);
     pp_finding_list_clear(&findings);
     pp_world_destroy(world);
@@ -463,18 +472,20 @@ static void under_rooflights_nearly_all_of_the_plane_is_asked(void **state)
 static void slopes_are_told_apart_at_15_and_75_degrees(void **state)
 {
     (void)state;
+    struct pp_outside_light light;
     struct pp_world *world = world_of(
-        PLAN LONDON "<rooflight x=\"1\" y=\"2\" width=\"1.2\" depth=\"1.5\"/>");
+        &light, PLAN LONDON "<rooflight x=\"1\" y=\"2\" width=\"1.2\" depth=\"1.5\"/>");
     static const struct {
         double slope_deg, evenness;
         int targets;
     } cases[] = {{14.5, 0.7, 3}, {15.5, 0.7, 6}, {74.0, 0.7, 6}, {76.0, 0.3, 6}};
     for (int i = 0; i < 4; i++) {
         world->openings[0].slope_rad = cases[i].slope_deg * PP_RAD;
-        struct pp_finding_list findings = found_by(&pp_criterion_en17037, world, NULL);
+        struct pp_finding_list findings =
+            found_by(&pp_criterion_en17037, world, &light, NULL);
         assert_int_equal(findings.count, cases[i].targets);
         pp_finding_list_clear(&findings);
-        findings = found_by(&pp_criterion_uniformity, world, NULL);
+        findings = found_by(&pp_criterion_uniformity, world, &light, NULL);
         assert_near(findings.list[0].wanted, cases[i].evenness, 0.0);
         pp_finding_list_clear(&findings);
     }
@@ -525,21 +536,23 @@ static void traced_verdicts_are_right_as_often_as_they_say(void **state)
 {
     (void)state;
     enum { SEEDS = 24 };
-    struct pp_world *world =
-        world_of("<plan width=\"3.4\" depth=\"4.9\" height=\"2.7\"/>" LONDON
-                 "<window wall=\"south\" left=\"0.9\" sill=\"0.9\" width=\"1.7\" "
-                 "height=\"1.4\"/>");
-    struct pp_report report = {.world = world};
+    struct pp_outside_light light;
+    struct pp_world *world = world_of(
+        &light, "<plan width=\"3.4\" depth=\"4.9\" height=\"2.7\"/>" LONDON
+                "<window wall=\"south\" left=\"0.9\" sill=\"0.9\" width=\"1.7\" "
+                "height=\"1.4\"/>");
+    struct pp_report report = {.world = world, .light = light};
     struct pp_receiver *grid;
     assert_int_equal(pp_en17037_grid(&grid, &report.receiver_count, world, NULL),
                      PP_OK);
     report.receivers = grid;
     int count = report.receiver_count;
-    struct pp_inquiry inquiry = {.world = world, .factors = &report};
+    struct pp_inquiry inquiry = {.world = world, .light = &light, .factors = &report};
     struct pp_column *column = pp_report_add(&report, PP_DF, "traced", true);
 
     struct pp_tracer_options fine = {.error = 0.003, .seed = 99, .threads = 2};
-    struct pp_reading(*truth)[4] = pp_test_trace(world, grid, count, &fine, NULL);
+    struct pp_reading(*truth)[4] =
+        pp_test_trace(world, &light, grid, count, &fine, NULL);
     for (int i = 0; i < count; i++)
         column->points[i] = pp_reading_of(truth[i][PP_DF].value);
     /* A median so that the target of 300 lx lies at the value that half of the points
@@ -559,7 +572,8 @@ static void traced_verdicts_are_right_as_often_as_they_say(void **state)
     for (int seed = 1; seed <= SEEDS; seed++) {
         struct pp_tracer_options rough = {
             .error = 0.03, .seed = (uint64_t)seed, .threads = 2};
-        struct pp_reading(*traced)[4] = pp_test_trace(world, grid, count, &rough, NULL);
+        struct pp_reading(*traced)[4] =
+            pp_test_trace(world, &light, grid, count, &rough, NULL);
         for (int i = 0; i < count; i++)
             column->points[i] = traced[i][PP_DF];
         assert_int_equal(pp_criterion_en17037.evaluate(&inquiry, &findings, NULL),
@@ -595,8 +609,10 @@ static void traced_verdicts_are_right_as_often_as_they_say(void **state)
 static void windows_are_paired_by_their_place(void **state)
 {
     (void)state;
-    struct pp_world *world = world_of(TWO("0.4", "2.2"));
-    struct pp_world *before = world_of(TWO("2.2", "0.4") SKYLINE(5));
+    struct pp_outside_light light;
+    struct pp_world *world = world_of(&light, TWO("0.4", "2.2"));
+    struct pp_outside_light before_light;
+    struct pp_world *before = world_of(&before_light, TWO("2.2", "0.4") SKYLINE(5));
     int *pairs;
     assert_int_equal(pp_pair_rooms(&pairs, world, before, NULL), PP_OK);
     assert_int_equal(pairs[0], 1);
@@ -620,9 +636,11 @@ static void another_room_is_not_the_room_before(void **state)
          "has 5 faces, and there are 6"},
         {TWO("0.4", "2.2") "<working-plane height=\"0.7\"/>", "working plane"},
     };
-    struct pp_world *world = world_of(TWO("0.4", "2.2"));
+    struct pp_outside_light light;
+    struct pp_world *world = world_of(&light, TWO("0.4", "2.2"));
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
-        struct pp_world *before = world_of(cases[i].before);
+        struct pp_outside_light before_light;
+        struct pp_world *before = world_of(&before_light, cases[i].before);
         struct pp_error err;
         int *pairs;
         assert_int_equal(pp_pair_rooms(&pairs, world, before, &err), PP_BAD_INPUT);

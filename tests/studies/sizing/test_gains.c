@@ -50,8 +50,10 @@ static void gains_of(struct pp_gains *gains, const char *xml)
     pp_mistakes_init(&mistakes, "test");
     assert_int_equal(pp_building_parse(&building, xml, strlen(xml), &mistakes, &err),
                      PP_OK);
-    struct pp_world *world = pp_test_world(xml);
-    if (pp_gains_find(gains, pp_building_room(building, 0), world, &err) != PP_OK)
+    struct pp_outside_light light;
+    struct pp_world *world = pp_test_lit_world(&light, xml);
+    if (pp_gains_find(gains, pp_building_room(building, 0), world, &light, &err)
+        != PP_OK)
         fail_msg("%s", err.message);
     pp_world_destroy(world);
     pp_building_destroy(building);
@@ -61,9 +63,10 @@ static void gains_of(struct pp_gains *gains, const char *xml)
 /* Average and darkest point of a file, without a change made in memory. */
 static struct pp_gain_values values_of(const char *xml, const char *method)
 {
-    struct pp_world *world = pp_test_world(xml);
+    struct pp_outside_light light;
+    struct pp_world *world = pp_test_lit_world(&light, xml);
     struct pp_receiver *grid;
-    struct pp_report report = {.world = world};
+    struct pp_report report = {.world = world, .light = light};
     assert_int_equal(pp_en17037_grid(&grid, &report.receiver_count, world, NULL),
                      PP_OK);
     report.receivers = grid;

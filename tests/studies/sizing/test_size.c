@@ -8,6 +8,7 @@
 #include "studies/sizing/size.h"
 #include "methods/evaluate.h"
 #include "model/room/building.h"
+#include "model/room/room_light.h"
 #include "tests/lib/near.h"
 
 /* ---- Rooms ---- */
@@ -488,6 +489,13 @@ static void each_size_can_be_and_lies_within_the_next(void **state)
 
 /* ---- Daylight factors ---- */
 
+static struct pp_outside_light light_of(struct pp_building *building)
+{
+    struct pp_outside_light light;
+    assert_int_equal(pp_room_light(&light, pp_building_room(building, 0), NULL), PP_OK);
+    return light;
+}
+
 static enum pp_status by_method(void *data, const struct pp_world *world,
                                 struct pp_reading *reading, struct pp_error *err)
 {
@@ -500,11 +508,15 @@ static double told(const struct pp_room *room, const char *method,
 {
     struct pp_mistakes mistakes;
     struct pp_world *world;
+    struct pp_outside_light light;
     pp_mistakes_init(&mistakes, "test");
     assert_int_equal(pp_world_create(&world, room, &mistakes, NULL), PP_OK);
+    assert_int_equal(pp_room_light(&light, room, NULL), PP_OK);
     pp_mistakes_clear(&mistakes);
-    struct pp_report report = {
-        .world = world, .receivers = point, .receiver_count = point ? 1 : 0};
+    struct pp_report report = {.world = world,
+                               .light = light,
+                               .receivers = point,
+                               .receiver_count = point ? 1 : 0};
     assert_int_equal(pp_methods_evaluate(&report, method, NULL), PP_OK);
     const struct pp_column *df = pp_report_find(&report, PP_DF, method);
     double value = point ? df->points[0].value : df->average.value;
@@ -542,9 +554,12 @@ static void continuous_methods_reach_the_target_within_half_a_per_cent(void **st
     const struct pp_receiver point = {{1.9, 2.7, 0.85}, {0.0, 0.0, 1.0}, 0};
     const int both[] = {0, 1};
     struct pp_building *building = parse(two_sided);
+    const struct pp_outside_light light = light_of(building);
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
-        struct pp_room_value value = {
-            .method = cases[i].method, .points = &point, .point_count = cases[i].point};
+        struct pp_room_value value = {.light = &light,
+                                      .method = cases[i].method,
+                                      .points = &point,
+                                      .point_count = cases[i].point};
         const struct pp_size_task task = {.room = pp_building_room(building, 0),
                                           .change = cases[i].change,
                                           .openings = both,
@@ -569,9 +584,10 @@ static void counting_methods_have_the_smallest_window_that_is_not_below(void **s
     const struct pp_receiver point = {{1.9, 2.3, 0.85}, {0.0, 0.0, 1.0}, 0};
     const int first = 0;
     struct pp_building *building = parse(two_sided);
+    const struct pp_outside_light light = light_of(building);
     for (int i = 0; i < 2; i++) {
         struct pp_room_value value = {
-            .method = methods[i], .points = &point, .point_count = 1};
+            .light = &light, .method = methods[i], .points = &point, .point_count = 1};
         const struct pp_size_task task = {.room = pp_building_room(building, 0),
                                           .change = PP_CHANGE_HEAD,
                                           .openings = &first,
@@ -599,7 +615,8 @@ static void a_method_that_does_not_speak_of_the_room_says_why(void **state)
     struct pp_building *building =
         parse(ROOM("<sky type='uniform'/><window wall='south' left='1.3' sill='0.9' "
                    "width='1.3' height='1.2'/>"));
-    struct pp_room_value value = {.method = "exact+bre"};
+    const struct pp_outside_light light = light_of(building);
+    struct pp_room_value value = {.light = &light, .method = "exact+bre"};
     const int first = 0;
     const struct pp_size_task task = {.room = pp_building_room(building, 0),
                                       .openings = &first,
