@@ -15,18 +15,25 @@ static double wall_weight(const struct pp_style *style)
     return 1.3 * style->thick;
 }
 
-static double deepest_reveal(const struct pp_world *world)
+/* How far reveals and facades reach out from the walls (m); of what goes on beyond the
+ * room, half a metre is drawn. */
+static double farthest_out(const struct pp_world *world)
 {
-    double deepest = 0.0;
+    double farthest = 0.0;
     for (int i = 0; i < world->opening_count; i++)
-        deepest = fmax(deepest, world->openings[i].reveal_m);
-    return deepest;
+        farthest = fmax(farthest, world->openings[i].reveal_m);
+    for (int i = 0; i < world->facade_count; i++) {
+        const struct pp_facade *facade = &world->facades[i];
+        double beyond = fmax(facade->left_m, facade->right_m);
+        farthest = fmax(farthest, fmax(facade->depth_m, fmin(beyond, 0.5)));
+    }
+    return farthest;
 }
 
 double pp_room_plan_border(const struct pp_room_plan *plan,
                            const struct pp_style *style)
 {
-    return fmax(wall_weight(style), plan->mm_per_m * deepest_reveal(plan->world))
+    return fmax(wall_weight(style), plan->mm_per_m * farthest_out(plan->world))
            + 0.5 * style->scale;
 }
 
@@ -112,6 +119,34 @@ static void draw_walls(cairo_t *cr, const struct pp_style *style,
     cairo_restore(cr);
 }
 
+/* The outer faces of the walls that have a facade at the height of the cut, as far as
+ * they are within the border. */
+static void draw_facades(cairo_t *cr, const struct pp_style *style,
+                         const struct pp_room_plan *plan)
+{
+    const struct pp_world *world = plan->world;
+    double border = pp_room_plan_border(plan, style);
+    cairo_save(cr);
+    cairo_rectangle(
+        cr, plan->x - border, pp_room_plan_y(plan, plan->extent.high[1]) - border,
+        (plan->extent.high[0] - plan->extent.low[0]) * plan->mm_per_m + 2.0 * border,
+        (plan->extent.high[1] - plan->extent.low[1]) * plan->mm_per_m + 2.0 * border);
+    cairo_clip(cr);
+    pp_style_line(cr, style->medium, PP_INK);
+    for (int i = 0; i < world->facade_count; i++) {
+        const struct pp_vec3 *corners = world->facades[i].corners;
+        if (corners[0].z > world->working_plane_m
+            || corners[3].z < world->working_plane_m)
+            continue;
+        cairo_move_to(cr, pp_room_plan_x(plan, corners[0].x),
+                      pp_room_plan_y(plan, corners[0].y));
+        cairo_line_to(cr, pp_room_plan_x(plan, corners[1].x),
+                      pp_room_plan_y(plan, corners[1].y));
+    }
+    cairo_stroke(cr);
+    cairo_restore(cr);
+}
+
 /* On paper: the window's ends in the wall, and the direction out of the room. */
 static void ends_of(const struct pp_room_plan *plan, const struct pp_opening *opening,
                     double ends[2][2], double out[2])
@@ -136,7 +171,8 @@ static void ends_of(const struct pp_room_plan *plan, const struct pp_opening *op
 }
 
 /* The wall is opened, its faces go on as thin lines, the glass is a line where it
- * stands: half way through the wall's line, or at the reveal's outer end. */
+ * stands: half way through the wall's line, or at the reveal's outer end; the opening
+ * reaches out to the facade. */
 static void draw_window(cairo_t *cr, const struct pp_style *style,
                         const struct pp_room_plan *plan,
                         const struct pp_opening *opening)
@@ -148,7 +184,7 @@ static void draw_window(cairo_t *cr, const struct pp_style *style,
         lowest = fmin(lowest, opening->inner.vertices[i].z);
     bool high = lowest > plan->world->working_plane_m + HIGH_SILL_M;
     double reveal = opening->reveal_m * plan->mm_per_m;
-    double depth = fmax(weight, reveal);
+    double depth = fmax(weight, reveal + opening->recess_m * plan->mm_per_m);
 
     if (!high) {
         pp_style_grey(cr, 1.0);
@@ -258,6 +294,7 @@ void pp_room_plan_draw(cairo_t *cr, const struct pp_style *style,
                        const struct pp_room_plan *plan)
 {
     const struct pp_world *world = plan->world;
+    draw_facades(cr, style, plan);
     draw_walls(cr, style, plan);
     for (int i = world->face_count; i < world->surface_count; i++)
         if (stands_inside(&world->surfaces[i]))

@@ -67,7 +67,9 @@ static struct window_obstruction sight_of(const struct pp_room_section *section,
         return sight;
     for (int i = 0; i < section->cut->count; i++) {
         const struct pp_cut *cut = &section->cut->list[i];
-        for (int k = 0; k < 2 && cut->kind == PP_CUT_OUTSIDE; k++) {
+        bool stands_opposite = cut->kind == PP_CUT_OUTSIDE
+                               && section->world->surfaces[cut->of].role != PP_FACADE;
+        for (int k = 0; k < 2 && stands_opposite; k++) {
             double away = out * (cut->s[k] - sight.s), up = cut->z[k] - sight.z;
             if (away > 1e-3 && atan2(up, away) > sight.angle_rad) {
                 sight.angle_rad = atan2(up, away);

@@ -25,7 +25,7 @@ static const struct {
                      "what stands in it"},
     [PP_RAD_GLAZING] = {"glazing.rad", "pane", "panes, with frame and dirt in them"},
     [PP_RAD_OUTSIDE] = {"outside.rad", "outside",
-                        "what stands outside: blocks, surfaces, skylines"},
+                        "what stands outside: blocks, facades, surfaces, skylines"},
     [PP_RAD_SKY] = {"sky.rad", "half", "sky and ground"},
 };
 

@@ -23,7 +23,7 @@ static const struct pp_surface *floor_of(const struct pp_world *world)
 /* One floor, rectangular, one ceiling, both level, and four upright walls. */
 static bool is_box(const struct pp_world *world)
 {
-    int of_role[PP_BLOCK + 1] = {0};
+    int of_role[PP_ROLE_COUNT] = {0};
     for (int i = 0; i < world->face_count; i++) {
         const struct pp_surface *face = &world->surfaces[i];
         double z = face->role == PP_WALL ? 0.0 : face->role == PP_FLOOR ? 1.0 : -1.0;

@@ -4,6 +4,7 @@
 
 #include <stdlib.h>
 
+#include "methods/view/hole_bands.h"
 #include "methods/view/visible.h"
 #include "model/base/array.h"
 #include "model/geometry/area_moments.h"
@@ -273,6 +274,26 @@ static enum pp_status add_surfaces(struct opening_drawing *drawing,
     return status;
 }
 
+/* Adds a facade: the opening's own round its hole, another as if it had none. */
+static enum pp_status add_facade(struct opening_drawing *drawing, int index,
+                                 struct pp_error *err)
+{
+    struct pp_facade *of = &drawing->world->facades[index];
+    struct pp_polygon sheet = {.count = 4, .vertices = of->corners};
+    struct silhouette solid = no_silhouette();
+    struct pp_elevation_part bands[4];
+    enum pp_status status = PP_OK;
+    if (index != drawing->opening->facade) {
+        status = add_surface(&solid, drawing, &sheet, err);
+        return status ? status : add_silhouette(drawing, &solid, of->reflectance, err);
+    }
+    int count = pp_hole_bands(bands, drawing->world, drawing->opening,
+                              drawing->frame.point, &drawing->frame.axes);
+    for (int i = 0; i < count && status == PP_OK; i++)
+        status = add_obstruction(drawing, (struct obstruction){bands[i], 0.0}, err);
+    return status;
+}
+
 /* Adds the blocks, each by its sides that face the point. */
 static enum pp_status add_blocks(struct opening_drawing *drawing, struct pp_error *err)
 {
@@ -462,6 +483,8 @@ enum pp_status pp_elevation_init(struct pp_elevation *elevation,
         status = add_surfaces(&drawing, err);
     if (status == PP_OK)
         status = add_blocks(&drawing, err);
+    for (int i = 0; i < world->facade_count && status == PP_OK; i++)
+        status = add_facade(&drawing, i, err);
     if (status == PP_OK)
         status = divide(elevation, &drawing, err);
     free(drawing.obstructions.list);

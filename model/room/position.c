@@ -98,7 +98,10 @@ static const char *fault_on_surface(enum pp_role role)
         return "lies in an opening";
     case PP_BLOCK:
         return "lies in a block";
+    case PP_FACADE:
+        return "lies in a facade";
     case PP_FREE_SURFACE:
+    case PP_ROLE_COUNT:
         break;
     }
     return "lies in a surface";

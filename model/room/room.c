@@ -70,6 +70,9 @@ static void copy_parts(struct pp_room *room, bool *good)
     COPY_LIST(room->skylines, room->skyline_count, good);
     for (int i = 0; i < room->skyline_count; i++)
         copy_text(&room->skylines[i].wall, good);
+    COPY_LIST(room->facades, room->facade_count, good);
+    for (int i = 0; i < room->facade_count; i++)
+        copy_text(&room->facades[i].wall, good);
     COPY_LIST(room->blocks, room->block_count, good);
     COPY_LIST(room->surfaces, room->surface_count, good);
     for (int i = 0; i < room->surface_count; i++)

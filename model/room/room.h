@@ -68,7 +68,7 @@ void pp_room_take_sky(struct pp_room *room, const struct pp_room *other);
 void pp_room_lighten(struct pp_room *room, enum pp_role role, double reflectance);
 
 /* Removes skylines, blocks and the surfaces that stand outside in `world`, which is the
- * room's. */
+ * room's. Facades stay: they are the building's own. */
 void pp_room_clear_surroundings(struct pp_room *room, const struct pp_world *world);
 
 /* Does the room make sense? Fails only where the machine does. */

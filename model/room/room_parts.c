@@ -33,11 +33,14 @@ void pp_room_parts_clear(struct pp_room *room)
     }
     for (int i = 0; i < room->skyline_count; i++)
         free(room->skylines[i].wall);
+    for (int i = 0; i < room->facade_count; i++)
+        free(room->facades[i].wall);
     for (int i = 0; i < room->surface_count; i++)
         pp_room_parts_clear_vertices(&room->surfaces[i].vertices);
     free(room->finishes);
     free(room->openings);
     free(room->skylines);
+    free(room->facades);
     free(room->blocks);
     free(room->surfaces);
     free(room->receivers);

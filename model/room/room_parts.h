@@ -88,6 +88,15 @@ struct pp_skyline_part {
     int line;
 };
 
+struct pp_facade_part {
+    char *wall;
+    double left_m, right_m, up_m, down_m;
+    double depth_m; /* NAN: the largest reveal in the wall */
+    double reflectance;
+    const struct pp_finish *finish;
+    int line;
+};
+
 struct pp_surface_part {
     struct pp_vertices vertices;
     double reflectance, exitance;
@@ -125,6 +134,8 @@ struct pp_room {
     int opening_count;
     struct pp_skyline_part *skylines;
     int skyline_count;
+    struct pp_facade_part *facades;
+    int facade_count;
     struct pp_block *blocks; /* as resolved ones: nothing to work out */
     int block_count;
     struct pp_surface_part *surfaces;

@@ -22,6 +22,10 @@ static const char *name_of(const struct pp_surface *surface)
         return "surface";
     case PP_BLOCK:
         return "block";
+    case PP_FACADE:
+        return "facade";
+    case PP_ROLE_COUNT:
+        break;
     }
     return "surface";
 }

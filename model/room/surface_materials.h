@@ -9,7 +9,7 @@
 
 /* The material of the side that the surface's normal points to, or of the other one. It
  * is named after the surface: "floor", "ceiling", a wall's name, "reveal", "surface",
- * "block"; backs of the envelope and of reveals have " (outside)" behind. Its emission
+ * "block", "facade"; backs of the envelope and of reveals have " (outside)" behind. Its emission
  * is over Eh. */
 struct pp_material pp_surface_materials_of(const struct pp_world *world, int surface,
                                            bool front);

@@ -9,6 +9,7 @@
 #include "model/room/build/blocks.h"
 #include "model/room/build/corners.h"
 #include "model/room/build/envelope.h"
+#include "model/room/build/facades.h"
 #include "model/room/build/free_surfaces.h"
 #include "model/room/build/place_openings.h"
 #include "model/room/build/receivers.h"
@@ -35,6 +36,7 @@ void pp_world_destroy(struct pp_world *world)
     free(world->surfaces);
     free(world->openings);
     free(world->skylines);
+    free(world->facades);
     free(world->blocks);
     free(world->receivers);
     free(world->name);
@@ -83,7 +85,7 @@ static bool is_comparable(struct pp_resolver *r)
     for (int i = 0; i < room->surface_count; i++)
         surfaces += 4.0 * room->surfaces[i].vertices.count;
     double others = openings + surfaces + 8.0 * room->block_count + room->finish_count
-                    + room->skyline_count;
+                    + room->skyline_count + 8.0 * room->facade_count;
     if (faces * (faces + others) + openings * openings <= corner_pairs_most)
         return true;
     pp_mistakes_add(
@@ -113,8 +115,9 @@ static enum pp_status resolve(struct pp_resolver *r, struct pp_error *err)
     static enum pp_status (*const steps[])(struct pp_resolver *, struct pp_error *) = {
         resolve_site,           pp_build_envelope,       pp_build_corners,
         pp_build_watertight,    pp_build_place_openings, pp_build_reveals,
-        pp_build_blocks,        pp_build_skylines,       pp_build_free_surfaces,
-        pp_build_working_plane, pp_build_receivers,      find_triangles};
+        pp_build_facades,       pp_build_blocks,         pp_build_skylines,
+        pp_build_free_surfaces, pp_build_working_plane,  pp_build_receivers,
+        find_triangles};
     enum pp_status status = pp_clipper_create(&r->clipper, err);
     for (size_t i = 0; i < sizeof steps / sizeof *steps && status == PP_OK; i++)
         status = steps[i](r, err);

@@ -25,13 +25,16 @@ enum pp_role {
     PP_REVEAL,       /* a side of an opening's depth */
     PP_FREE_SURFACE, /* a <surface>, inside or outside */
     PP_BLOCK,        /* a side of a <block> */
+    PP_FACADE,       /* a piece of a <facade>: of its sheet, or a rim */
+    PP_ROLE_COUNT
 };
 
 /* Opaque, diffuse, seen from both sides. A face of the envelope stands whole here; the
  * openings name it. */
 struct pp_surface {
     struct pp_polygon outline; /* envelope and reveals: normal into the room;
-                                * blocks: outwards; free-standing: as in the file */
+                                * blocks: outwards; facades:
+                                * to the open air; free-standing: as in the file */
     int (*triangles)
         [3]; /* that cover the outline, by its vertices; NULL: it is convex */
     int triangle_count;
@@ -45,8 +48,9 @@ struct pp_surface {
                                      * sides of blocks and free-standing surfaces; NULL:
                                      * grey and without gloss. The reflectance is that
                                      * of `front` anyhow */
-    int owner;                      /* reveal: its opening; block: its block; else -1 */
-    int line;                       /* in the room file; 0 where none */
+    int owner; /* reveal: its opening; block: its block; facade: its
+                                     * facade; else -1 */
+    int line;  /* in the room file; 0 where none */
 };
 
 /* An opening in a face, with its glass. Its own axes lie in the face's plane: along is
@@ -66,6 +70,8 @@ struct pp_opening {
     double maintenance;  /* share of the light that dirt leaves */
     double curtains;     /* share of the light that curtains leave, 1: there are none */
     double reveal_m;     /* depth, 0 where the glass stands in the face */
+    int facade;          /* that it looks out of, -1: there is none */
+    double recess_m;     /* how far the glass stands back from that facade's plane */
     int line;
 };
 
@@ -93,6 +99,20 @@ struct pp_block {
     double rotate_rad; /* about the corner, counter-clockwise seen from above */
     double reflectance;
     const struct pp_finish *finish; /* as a surface's */
+    int line;
+};
+
+/* The outside of a wall and of what continues it beyond the room; its pieces stand
+ * among the surfaces. */
+struct pp_facade {
+    int face;                  /* its wall */
+    struct pp_vec3 corners[4]; /* the rectangle that it fills but for its openings:
+                                * lower left, lower right, upper right, upper left, seen
+                                * from outside */
+    double left_m, right_m, up_m, down_m; /* by how much it is longer than the rectangle
+                                           * round its wall, as drawn from outside */
+    double depth_m;                       /* of its plane outside the wall's */
+    double reflectance;
     int line;
 };
 
@@ -126,6 +146,8 @@ struct pp_world {
     int opening_count;
     struct pp_skyline *skylines;
     int skyline_count;
+    struct pp_facade *facades;
+    int facade_count;
     struct pp_block *blocks;
     int block_count;
 

@@ -8,7 +8,8 @@
 static const char *const roles[] = {
     [PP_FLOOR] = "floor",          [PP_WALL] = "wall",
     [PP_CEILING] = "ceiling",      [PP_REVEAL] = "reveal",
-    [PP_FREE_SURFACE] = "surface", [PP_BLOCK] = "block"};
+    [PP_FREE_SURFACE] = "surface", [PP_BLOCK] = "block",
+    [PP_FACADE] = "facade"};
 
 /* Area of the openings in a face. */
 static double openings_m2(const struct pp_world *world, int face)
@@ -74,6 +75,24 @@ static struct json_object *skyline_of(const struct pp_world *world, int index)
                 && pp_json_number(object, "angle", skyline->angle_rad / PP_RAD)
                 && pp_json_number(object, "distance", skyline->distance_m)
                 && pp_json_number(object, "reflectance", skyline->reflectance);
+    if (good)
+        pp_json_on_one_line(object);
+    return pp_json_whole(object, good);
+}
+
+/* left, right, up and down: how far it goes on beyond its wall, as drawn from outside. */
+static struct json_object *facade_of(const struct pp_world *world, int index)
+{
+    const struct pp_facade *facade = &world->facades[index];
+    const struct pp_surface *wall = &world->surfaces[facade->face];
+    struct json_object *object = json_object_new_object();
+    bool good = object && (!wall->name || pp_json_text(object, "wall", wall->name))
+                && pp_json_number(object, "left", facade->left_m)
+                && pp_json_number(object, "right", facade->right_m)
+                && pp_json_number(object, "up", facade->up_m)
+                && pp_json_number(object, "down", facade->down_m)
+                && pp_json_number(object, "depth", facade->depth_m)
+                && pp_json_number(object, "reflectance", facade->reflectance);
     if (good)
         pp_json_on_one_line(object);
     return pp_json_whole(object, good);
@@ -158,6 +177,7 @@ bool pp_json_room_add(struct json_object *object, const struct pp_world *world,
            && add_list(model, "faces", world->face_count, face_of, world)
            && add_list(model, "openings", world->opening_count, opening_of, world)
            && add_list(model, "skylines", world->skyline_count, skyline_of, world)
+           && add_list(model, "facades", world->facade_count, facade_of, world)
            && pp_json_add(model, "blocks", json_object_new_int(world->block_count))
            && pp_json_add(model, "surfaces-outside", json_object_new_int(outside));
 }

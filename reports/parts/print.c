@@ -217,6 +217,12 @@ static void print_outside(const struct pp_world *world,
             pp_text_append(text, TEXT_BYTES, ", %.3g m away", line->distance_m);
         pp_text_append(text, TEXT_BYTES, ", reflectance %.3g", line->reflectance);
     }
+    for (int i = 0; i < world->facade_count; i++) {
+        const struct pp_facade *facade = &world->facades[i];
+        const char *wall = world->surfaces[facade->face].name;
+        pp_text_append(text, TEXT_BYTES, "; facade %s, reflectance %.3g",
+                       wall ? wall : "of the wall", facade->reflectance);
+    }
     if (world->block_count > 0)
         pp_text_append(text, TEXT_BYTES, "; %d block%s", world->block_count,
                        world->block_count > 1 ? "s" : "");

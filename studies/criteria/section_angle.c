@@ -109,7 +109,10 @@ double pp_section_angle(const struct pp_world *world, const struct pp_opening *o
     for (int i = 0; i < world->surface_count; i++) {
         const struct pp_surface *surface = &world->surfaces[i];
         bool free_inside = surface->role == PP_FREE_SURFACE && surface->inside;
-        if (i != opening->face && surface->role != PP_REVEAL && !free_inside)
+        bool own_facade =
+            surface->role == PP_FACADE && surface->owner == opening->facade;
+        if (i != opening->face && surface->role != PP_REVEAL && !free_inside
+            && !own_facade)
             highest = fmax(highest, angle_of_polygon(&section, &surface->outline));
     }
     return highest;

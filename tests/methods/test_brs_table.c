@@ -450,6 +450,78 @@ static void what_the_table_does_not_hold_is_refused(void **state)
     assert_non_null(strstr(brs->refuses_room(&box.world, &box.light, &up), "overcast"));
 }
 
+/* Sky component by the table at (1.3, 1.1). */
+static struct pp_part table_in(const char *outside)
+{
+    char xml[1000];
+    snprintf(xml, sizeof xml,
+             "<room version='1'><plan width='4.1' depth='6' height='2.9'/>"
+             "<window wall='south' left='0.7' sill='0.6' width='1.9' height='1.7' %s"
+             "</room>",
+             outside);
+    struct pp_world *world = pp_test_world(xml);
+    struct pp_receiver up = {.position = {1.3, 1.1, 0.85}, .normal = {0, 0, 1}};
+    struct pp_part part = {0};
+    assert_int_equal(pp_method_brs_table.evaluate(world, &world->openings[0], &up, NULL,
+                                                  &part, NULL),
+                     PP_OK);
+    pp_world_destroy(world);
+    return part;
+}
+
+/* The facade's face 0.3 m before the glass hides as a reveal of 0.5 m; in the plane of
+ * the glass it hides nothing. */
+static void a_facade_hides_all_round_its_hole(void **state)
+{
+    (void)state;
+    struct pp_part plain = table_in("reveal='0.2'/>");
+    struct pp_part flush =
+        table_in("reveal='0.2'/><facade wall='south' left='5' up='9'/>");
+    struct pp_part deeper = table_in("reveal='0.5'/>");
+    struct pp_part recessed =
+        table_in("reveal='0.2'/><facade wall='south' left='5' up='9' depth='0.5' "
+                 "reflectance='0.3'/>");
+    assert_near(flush.sky, plain.sky, 0.0);
+    assert_near(flush.external, 0.0, 0.0);
+    assert_near(recessed.sky, deeper.sky, 1e-15);
+    assert_near(recessed.external, 0.3 * (plain.sky - deeper.sky), 1e-15);
+}
+
+/* In an L the facade of one wing's end goes on before the other wing's window, and hides
+ * what a surface in its place does. */
+static void another_wall_s_facade_hides_as_a_screen(void **state)
+{
+    (void)state;
+    static const char *const screens[3] = {
+        "<facade wall='2' right='1.7' up='1.3' reflectance='0.3'/>",
+        "<surface reflectance='0.3'><vertex x='7' y='0' z='0'/>"
+        "<vertex x='7' y='4.7' z='0'/><vertex x='7' y='4.7' z='4'/>"
+        "<vertex x='7' y='0' z='4'/></surface>",
+        ""};
+    struct pp_part parts[3];
+    struct pp_receiver up = {.position = {2.9, 4.4, 0.85}, .normal = {0, 0, 1}};
+    for (int i = 0; i < 3; i++) {
+        char xml[1000];
+        snprintf(xml, sizeof xml,
+                 "<room version='1'><plan height='2.7'><vertex x='0' y='0'/>"
+                 "<vertex x='7' y='0'/><vertex x='7' y='3'/><vertex x='4' y='3'/>"
+                 "<vertex x='4' y='6'/><vertex x='0' y='6'/></plan>"
+                 "<window wall='4' left='0.4' sill='0.9' width='1.9' height='1.5'/>"
+                 "%s</room>",
+                 screens[i]);
+        struct pp_world *world = pp_test_world(xml);
+        parts[i] = (struct pp_part){0};
+        assert_int_equal(pp_method_brs_table.evaluate(world, &world->openings[0], &up,
+                                                      NULL, &parts[i], NULL),
+                         PP_OK);
+        pp_world_destroy(world);
+    }
+    /* The surface is set off the wall by 0.1 mm. */
+    assert_near(parts[0].sky, parts[1].sky, 1e-5);
+    assert_near(parts[0].external, parts[1].external, 1e-5);
+    assert_true(parts[0].sky < parts[2].sky - 0.01);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -464,6 +536,8 @@ int main(void)
         cmocka_unit_test(light_passes_both_outlines_of_a_reveal),
         cmocka_unit_test(halves_of_a_window_make_up_the_whole),
         cmocka_unit_test(a_wide_block_hides_as_a_skyline_of_its_height),
+        cmocka_unit_test(a_facade_hides_all_round_its_hole),
+        cmocka_unit_test(another_wall_s_facade_hides_as_a_screen),
         cmocka_unit_test(a_screen_in_the_room_leaves_the_visible_half),
         cmocka_unit_test(the_arm_of_an_l_sees_past_the_corner),
         cmocka_unit_test(a_round_window_is_the_square_of_its_area),

@@ -103,6 +103,24 @@ static void read_skyline(struct pp_reader *r, struct pp_room *room,
                                      form.distance_m, form.finish.reflectance, e->line};
 }
 
+static void read_facade(struct pp_reader *r, struct pp_room *room,
+                        const struct pp_xml_element *e)
+{
+    struct pp_facade_form form;
+    if (pp_reader_fill_form(r, &form, &pp_rule_facade, e)
+        && PP_READER_RESERVE(r, room->facades, room->facade_count))
+        room->facades[room->facade_count++] =
+            (struct pp_facade_part){.wall = pp_reader_copy_text(r, form.wall),
+                                    .left_m = form.left_m,
+                                    .right_m = form.right_m,
+                                    .up_m = form.up_m,
+                                    .down_m = form.down_m,
+                                    .depth_m = form.depth_m,
+                                    .reflectance = form.finish.reflectance,
+                                    .finish = form.finish.finish,
+                                    .line = e->line};
+}
+
 static void read_block(struct pp_reader *r, struct pp_room *room,
                        const struct pp_xml_element *e)
 {
@@ -215,6 +233,7 @@ static void read_child(struct pp_reader *r, struct pp_room *room,
         {&pp_rule_finishes, read_finishes},
         {&pp_rule_finish, read_finish},
         {&pp_rule_skyline, read_skyline},
+        {&pp_rule_facade, read_facade},
         {&pp_rule_block, read_block},
         {&pp_rule_surface, read_surface},
         {&pp_rule_working_plane, read_working_plane},

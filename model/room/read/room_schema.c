@@ -222,6 +222,17 @@ static const struct pp_attribute_rule skyline_rows[] = {
 };
 LEAF(skyline, "skyline", skyline_rows);
 
+static const struct pp_attribute_rule facade_rows[] = {
+    {"wall", &wall, REQUIRED, IN(facade, wall)},
+    {"left", &depth, OR(0), IN(facade, left_m)},
+    {"right", &depth, OR(0), IN(facade, right_m)},
+    {"up", &depth, OR(0), IN(facade, up_m)},
+    {"down", &depth, OR(0), IN(facade, down_m)},
+    {"depth", &depth, OR(NAN), IN(facade, depth_m)}, /* then the largest reveal */
+    {"reflectance", &reflectance, OR(0.2), IN(facade, finish)},
+};
+LEAF(facade, "facade", facade_rows);
+
 static const struct pp_attribute_rule block_rows[] = {
     {"x", &coordinate, REQUIRED, IN(block, x)},
     {"y", &coordinate, REQUIRED, IN(block, y)},
@@ -272,14 +283,12 @@ static const struct pp_attribute_rule room_rows[] = {
     {"north", &bearing, OR(0), IN(room, north_rad)},
 };
 static const struct pp_child_rule room_children[] = {
-    {&pp_rule_site, 0, 1},          {&pp_rule_sky, 0, 1},
-    {&pp_rule_plan, 0, 1},          {&pp_rule_envelope, 0, 1},
-    {&pp_rule_finishes, 0, 1},      {&pp_rule_finish, 0, 0},
-    {&pp_rule_window, 0, 0},        {&pp_rule_rooflight, 0, 0},
-    {&pp_rule_opening, 0, 0},       {&pp_rule_skyline, 0, 0},
-    {&pp_rule_block, 0, 0},         {&pp_rule_surface, 0, 0},
-    {&pp_rule_working_plane, 0, 1}, {&pp_rule_point, 0, 0},
-    {&pp_rule_line, 0, 0},          {&pp_rule_grid, 0, 0},
+    {&pp_rule_site, 0, 1},     {&pp_rule_sky, 0, 1},           {&pp_rule_plan, 0, 1},
+    {&pp_rule_envelope, 0, 1}, {&pp_rule_finishes, 0, 1},      {&pp_rule_finish, 0, 0},
+    {&pp_rule_window, 0, 0},   {&pp_rule_rooflight, 0, 0},     {&pp_rule_opening, 0, 0},
+    {&pp_rule_skyline, 0, 0},  {&pp_rule_facade, 0, 0},        {&pp_rule_block, 0, 0},
+    {&pp_rule_surface, 0, 0},  {&pp_rule_working_plane, 0, 1}, {&pp_rule_point, 0, 0},
+    {&pp_rule_line, 0, 0},     {&pp_rule_grid, 0, 0},
 };
 RULE(room, "room", room_rows, room_children);
 

@@ -139,6 +139,12 @@ struct pp_skyline_form {
     struct pp_finish_value finish;
 };
 
+struct pp_facade_form {
+    const char *wall;
+    double left_m, right_m, up_m, down_m, depth_m;
+    struct pp_finish_value finish;
+};
+
 struct pp_block_form {
     double x, y, base, width_m, depth_m, height_m, rotate_rad;
     struct pp_finish_value finish;
@@ -164,7 +170,7 @@ struct pp_receiver_form {
 extern const struct pp_element_rule pp_rule_building, pp_rule_room, pp_rule_site,
     pp_rule_sky, pp_rule_plan, pp_rule_plan_vertex, pp_rule_envelope, pp_rule_face,
     pp_rule_vertex, pp_rule_finishes, pp_rule_finish, pp_rule_window, pp_rule_rooflight,
-    pp_rule_opening, pp_rule_skyline, pp_rule_block, pp_rule_surface,
+    pp_rule_opening, pp_rule_skyline, pp_rule_facade, pp_rule_block, pp_rule_surface,
     pp_rule_working_plane, pp_rule_point, pp_rule_line, pp_rule_grid;
 
 #endif

@@ -148,6 +148,55 @@ static void a_far_skyline_leaves_its_vertical_sky_component(void **state)
     pp_world_destroy(world);
 }
 
+#define SIDE_WINDOW(reveal)                                                            \
+    "<window wall='south' left='0.2' sill='0.9' width='2.1' height='1.4'"              \
+    " glazing='none' reveal='" reveal "'/>"
+#define FACADE "<facade wall='south' left='7' right='9' up='5' down='1' "
+
+/* The sky that a point sees, and its mean over the plane. */
+static void assert_same_sky(const char *xml, const char *as, double tolerance)
+{
+    struct pp_world *world = pp_test_world(xml), *like = pp_test_world(as);
+    static const double places[][3] = {
+        {1.1, 0.7, 0.85}, {2.8, 0.3, 0.85}, {1.7, 4.1, 0.85}, {0.2, 1.9, 0.1}};
+    for (int i = 0; i < 4; i++) {
+        const double *p = places[i];
+        double sky = facing_up(like, p[0], p[1], p[2]).sky;
+        assert_true(sky > 1e-5);
+        assert_near(facing_up(world, p[0], p[1], p[2]).sky, sky, tolerance);
+    }
+    pp_world_destroy(world);
+    pp_world_destroy(like);
+}
+
+/* A wall that goes on in the plane of the glass takes nothing away; one whose face is
+ * farther out hides the sky as that much deeper reveal would. */
+static void a_facade_hides_the_sky_as_a_reveal_to_its_face(void **state)
+{
+    (void)state;
+    assert_same_sky(ROOM(SIDE_WINDOW("0") FACADE "/>"), ROOM(SIDE_WINDOW("0")), 1e-15);
+    assert_same_sky(ROOM(SIDE_WINDOW("0.2") FACADE "/>"), ROOM(SIDE_WINDOW("0.2")),
+                    1e-12);
+    assert_same_sky(ROOM(SIDE_WINDOW("0.2") FACADE "depth='0.45'/>"),
+                    ROOM(SIDE_WINDOW("0.45")), 1e-12);
+    assert_same_sky(ROOM(SIDE_WINDOW("0") FACADE "depth='0.45'/>"),
+                    ROOM(SIDE_WINDOW("0.45")), 1e-12);
+}
+
+/* What the facade hides of the sky is lit facade: its reflectance times that sky. */
+static void what_a_facade_hides_counts_as_facade(void **state)
+{
+    (void)state;
+    struct pp_world *world =
+        pp_test_world(ROOM(SIDE_WINDOW("0") FACADE "depth='0.45' reflectance='0.4'/>"));
+    struct pp_world *open = pp_test_world(ROOM(SIDE_WINDOW("0")));
+    struct pp_part behind = facing_up(world, 1.1, 0.7, 0.85);
+    struct pp_part all = facing_up(open, 1.1, 0.7, 0.85);
+    assert_near(behind.external, 0.4 * (all.sky - behind.sky), 1e-12);
+    pp_world_destroy(world);
+    pp_world_destroy(open);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -157,6 +206,8 @@ int main(void)
         cmocka_unit_test(a_receiver_at_the_glass_sees_the_vertical_sky_component),
         cmocka_unit_test(behind_and_in_its_plane_a_window_gives_nothing),
         cmocka_unit_test(a_far_skyline_leaves_its_vertical_sky_component),
+        cmocka_unit_test(a_facade_hides_the_sky_as_a_reveal_to_its_face),
+        cmocka_unit_test(what_a_facade_hides_counts_as_facade),
     };
     return cmocka_run_group_tests_name("exact", tests, NULL, NULL);
 }

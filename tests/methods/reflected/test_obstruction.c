@@ -37,6 +37,18 @@ static void a_reveal_does_not_move_the_skyline(void **state)
     }
 }
 
+/* Nor does a wall that goes on about it, in the plane of the glass. */
+static void a_facade_about_the_glass_is_no_obstruction(void **state)
+{
+    (void)state;
+    assert_near(angle_in("",
+                         "<window wall='south' left='1' sill='1' width='2' height='1' "
+                         "reveal='0.3'/>",
+                         "<facade wall='south' left='20' right='20' up='9'/>"
+                         "<skyline wall='south' angle='30' distance='6'/>"),
+                30.0 * PP_RAD, 1e-12);
+}
+
 /* An endless wall that rises 8 m above level glass, 8 m off, leaves (1 + cos 45)/2 of
  * the uniform sky, and counts as that share of 90 degrees. */
 static void level_glass_counts_the_share_of_the_sky_that_is_hidden(void **state)
@@ -73,6 +85,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_reveal_does_not_move_the_skyline),
+        cmocka_unit_test(a_facade_about_the_glass_is_no_obstruction),
         cmocka_unit_test(level_glass_counts_the_share_of_the_sky_that_is_hidden),
         cmocka_unit_test(of_several_skylines_the_highest_counts),
     };

@@ -359,6 +359,69 @@ static void a_reveal_hides_the_edges_of_the_glass(void **state)
     pp_world_destroy(world);
 }
 
+/* By the same paths, with one seed: a facade in the plane of the glass leaves the sky to
+ * the bit; one 0.25 m farther out leaves that of a reveal deeper by as much. */
+static void a_facade_hides_what_a_deeper_reveal_does(void **state)
+{
+    (void)state;
+    static const char *const parts[4] = {
+        "reveal='0.2'/>",
+        "reveal='0.2'/><facade wall='south' left='4' right='3' up='5'/>",
+        "reveal='0.45'/>",
+        "reveal='0.2'/><facade wall='south' left='4' right='3' up='5' depth='0.45'/>"};
+    struct pp_reading readings[4][4];
+    for (int i = 0; i < 4; i++) {
+        char xml[1000];
+        snprintf(xml, sizeof xml,
+                 "<room version='1'><plan width='3.1' depth='4.3' height='2.6'/>" WINDOW
+                 "'none' %s</room>",
+                 parts[i]);
+        struct pp_world *world = pp_test_world(xml);
+        trace_one(world, pp_test_receiver(0.5, 1.0, 0.8, 0.0, 0.0, 1.0), 2048,
+                  readings[i]);
+        pp_world_destroy(world);
+    }
+    assert_near(readings[1][PP_SC].value, readings[0][PP_SC].value, 0.0);
+    assert_near(readings[1][PP_ERC].value, readings[0][PP_ERC].value, 0.0);
+    double noise =
+        hypot(readings[2][PP_SC].std_error, readings[3][PP_SC].std_error) + 1e-5;
+    assert_near(readings[3][PP_SC].value, readings[2][PP_SC].value, 4.0 * noise);
+    assert_true(readings[3][PP_SC].value < readings[0][PP_SC].value - 20.0 * noise);
+    /* What the rims hide of the sky is seen as facade. */
+    assert_true(readings[3][PP_ERC].value > 1.2 * readings[2][PP_ERC].value);
+}
+
+/* A street 7 m wide, 12 m high: its own side as a facade, as three blocks flush with the
+ * wall, and black. The house opposite is lit by what its own side throws back. */
+static void a_facade_lights_the_street_as_houses_in_its_plane_do(void **state)
+{
+    (void)state;
+    static const char *const sides[3] = {
+        "<facade wall='south' left='40' right='40' up='9.4' reflectance='0.2'/>",
+        "<block x='-40' y='0' width='40' depth='9' height='12'/>"
+        "<block x='3.1' y='0' width='40' depth='9' height='12'/>"
+        "<block x='-40' y='0' width='83.1' depth='9' base='2.6' height='9.4'/>",
+        "<facade wall='south' left='40' right='40' up='9.4' reflectance='0'/>"};
+    struct pp_reading readings[3][4];
+    for (int i = 0; i < 3; i++) {
+        char xml[1000];
+        snprintf(xml, sizeof xml,
+                 "<room version='1'><plan width='3.1' depth='4.3' height='2.6'/>" WINDOW
+                 "'none'/><block x='-40' y='-15' width='83' depth='8' height='12' "
+                 "reflectance='0.8'/>%s</room>",
+                 sides[i]);
+        struct pp_world *world = pp_test_world(xml);
+        trace_one(world, pp_test_receiver(0.5, 1.0, 0.8, 0.0, 0.0, 1.0), 4096,
+                  readings[i]);
+        pp_world_destroy(world);
+    }
+    double noise = hypot(readings[0][PP_ERC].std_error, readings[1][PP_ERC].std_error);
+    assert_true(noise < 0.02 * readings[0][PP_ERC].value);
+    assert_near(readings[0][PP_SC].value, readings[1][PP_SC].value, 0.0);
+    assert_near(readings[0][PP_ERC].value, readings[1][PP_ERC].value, 4.0 * noise);
+    assert_true(readings[2][PP_ERC].value < 0.95 * readings[0][PP_ERC].value);
+}
+
 static void walls_of_an_l_shaped_room_hide_the_window(void **state)
 {
     (void)state;
@@ -586,6 +649,8 @@ int main(void)
         cmocka_unit_test(glass_takes_its_share_by_angle),
         cmocka_unit_test(a_diffusing_pane_is_a_lamp),
         cmocka_unit_test(a_reveal_hides_the_edges_of_the_glass),
+        cmocka_unit_test(a_facade_hides_what_a_deeper_reveal_does),
+        cmocka_unit_test(a_facade_lights_the_street_as_houses_in_its_plane_do),
         cmocka_unit_test(walls_of_an_l_shaped_room_hide_the_window),
         cmocka_unit_test(a_rooflight_shows_the_zenith),
         cmocka_unit_test(a_sloping_pentagon_shows_the_sky_behind_it),

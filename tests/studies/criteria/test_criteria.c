@@ -156,6 +156,18 @@ static void only_what_stands_in_the_section_counts(void **state)
         atan(3.4 / 8.0) / PP_RAD, 1e-6);
 }
 
+/* A wall that goes on about the window, in its plane or 0.3 m before it, is no building
+ * opposite. */
+static void a_window_s_own_facade_is_no_obstruction(void **state)
+{
+    (void)state;
+    assert_near(angle_deg("<facade wall=\"south\" left=\"9\" right=\"9\" up=\"7\"/>"),
+                0.0, 0.0);
+    assert_near(angle_deg("<facade wall=\"south\" left=\"9\" right=\"9\" up=\"7\" "
+                          "depth=\"0.3\"/>" SKYLINE(17)),
+                17.0, 1e-9);
+}
+
 /* A roof in the air from 0.5 to 1.2 m before the wall, 1.5 m above the middle; a wall
  * 8 m off with a gap down to 2.1 m in the section. */
 static void sheets_and_gaps_count_as_they_are_cut(void **state)
@@ -672,6 +684,7 @@ int main(void)
         cmocka_unit_test(
             a_skyline_typed_as_25_degrees_is_25_degrees_whatever_the_reveal),
         cmocka_unit_test(only_what_stands_in_the_section_counts),
+        cmocka_unit_test(a_window_s_own_facade_is_no_obstruction),
         cmocka_unit_test(sheets_and_gaps_count_as_they_are_cut),
         cmocka_unit_test(of_several_pieces_the_highest_counts),
         cmocka_unit_test(four_fifths_of_the_former_sky_is_asked),

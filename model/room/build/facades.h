@@ -1,0 +1,13 @@
+/* facades.h - the step that makes the outside of a wall and of its continuation beyond
+ * the room. Inside model/room/ only. */
+#ifndef PP_MODEL_ROOM_BUILD_FACADES_H
+#define PP_MODEL_ROOM_BUILD_FACADES_H
+
+#include "model/room/build/resolve.h"
+
+/* Adds the facades and their surfaces (facades.c says which), says in the openings how
+ * far they stand back, and notes facades that cannot stand as they are described. After
+ * the reveals. */
+enum pp_status pp_build_facades(struct pp_resolver *r, struct pp_error *err);
+
+#endif
