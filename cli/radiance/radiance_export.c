@@ -101,7 +101,7 @@ static const char script[] =
     "export RAYPATH\n"
     "\n"
     "horizontal=%s # of the open level ground: %s lx over 179 lm/W\n"
-    "options=${*:--ab 20 -lr 0 -ad 8192 -as 0 -aa 0 -lw 1e-7}\n"
+    "options=${*:--ab 22 -lr 0 -ad 16384 -as 0 -aa 0 -lw 1e-7}\n"
     "\n"
     "oconv%s materials.rad%s > scene.oct\n"
     "# shellcheck disable=SC2086 # options are several words\n"
