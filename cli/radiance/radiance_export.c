@@ -25,8 +25,10 @@ static const struct {
                      "what stands in it"},
     [PP_RAD_GLAZING] = {"glazing.rad", "pane", "panes, with frame and dirt in them"},
     [PP_RAD_OUTSIDE] = {"outside.rad", "outside",
-                        "what stands outside: blocks, facades, surfaces, skylines"},
-    [PP_RAD_SKY] = {"sky.rad", "half", "sky and ground"},
+                        "what stands outside: blocks, facades, surfaces, skylines, and "
+                        "the ground that "
+                        "they shade"},
+    [PP_RAD_SKY] = {"sky.rad", "half", "the sky, and the ground as a glow"},
 };
 
 const char *const pp_radiance_files[] = {
@@ -99,9 +101,9 @@ static const char script[] =
     "export RAYPATH\n"
     "\n"
     "horizontal=%s # of the open level ground: %s lx over 179 lm/W\n"
-    "options=${*:--ab 20 -lr 0 -ad 8192 -as 0 -aa 0 -lw 1e-7}\n"
+    "options=${*:--ab 22 -lr 0 -ad 16384 -as 0 -aa 0 -lw 1e-7}\n"
     "\n"
-    "oconv materials.rad%s > scene.oct\n"
+    "oconv%s materials.rad%s > scene.oct\n"
     "# shellcheck disable=SC2086 # options are several words\n"
     "irradiances=$(rtrace -h -I -dt 0 $options scene.oct < points.pts)\n"
     "printf '%%s\\n' \"$irradiances\" | paste -d' ' points.pts - |\n"
@@ -115,6 +117,25 @@ static const char script[] =
     "        grey = 0.265 * $7 + 0.670 * $8 + 0.065 * $9\n"
     "        printf \"%%s %%s %%s %%.5g\\n\", $1, $2, $3, 100 * grey / horizontal\n"
     "    }'\n";
+
+/* The option of oconv that its smallest cells are no larger than a centimetre where the
+ * ground is kilometres wide; its own choice is the 16384th part of the scene. A cell in
+ * which too much stands is an error. */
+static void resolution_of(const struct pp_rad_room *rad, char *option, size_t size)
+{
+    static const double CELL_M = 0.01;
+    int cells = 16384;
+    for (int i = 0; i < rad->scene.shape_count; i++) {
+        const struct pp_shape *shape = &rad->scene.shapes[i];
+        while (shape->kind == PP_SHAPE_RING && cells < 1 << 30
+               && cells * CELL_M < 2.0 * shape->is.ring.radii_m[1])
+            cells *= 2;
+    }
+    if (cells > 16384)
+        snprintf(option, size, " -r %d", cells);
+    else
+        *option = '\0';
+}
 
 static enum pp_status add_script(struct pp_output_directory *directory,
                                  const char *folder, const struct pp_rad_room *rad,
@@ -138,7 +159,9 @@ static enum pp_status add_script(struct pp_output_directory *directory,
         if (rad->first[i + 1] > rad->first[i])
             snprintf(files + strlen(files), sizeof files - strlen(files), " %s",
                      groups[i].file);
-    fprintf(out, script, irradiance, lux, files);
+    char resolution[32];
+    resolution_of(rad, resolution, sizeof resolution);
+    fprintf(out, script, irradiance, lux, resolution, files);
     return PP_OK;
 }
 

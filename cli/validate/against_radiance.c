@@ -68,7 +68,7 @@ static enum pp_status run_script(const char *directory, char **text,
         close(ends[0]);
         close(ends[1]);
         if (chdir(directory) == 0)
-            execlp("sh", "sh", "./daylight_factors.sh", "-ab", "20", "-lr", "0", "-ad",
+            execlp("sh", "sh", "./daylight_factors.sh", "-ab", "22", "-lr", "0", "-ad",
                    "1024", "-as", "0", "-aa", "0", "-lw", "1e-7", (char *)NULL);
         _exit(127);
     }

@@ -3,7 +3,7 @@
 #define PP_TESTS_FUZZ_FLOOR_SCENE_H
 
 #include "model/light/scene_description.h"
-#include "simulate/scene/light_scene.h"
+#include "simulate/scene/light_scene_of_description.h"
 #include "tests/fuzz/must.h"
 
 /* Made at the first call and kept for all later ones. */

@@ -6,6 +6,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "formats/radiance/write/rad_ground.h"
+#include "model/room/ground.h"
 #include "model/room/keyhole.h"
 #include "model/room/surface_materials.h"
 
@@ -163,7 +165,7 @@ static enum pp_status add_side(struct rad_room_builder *b,
     struct pp_vec3 right_end = pp_vec_along(middle, half, right);
     struct pp_vec3 corners[4] = {left_end, right_end, right_end, left_end};
     for (int i = 0; i < 4; i++)
-        corners[i].z = i < 2 ? b->world->ground_level_m : skyline->head_z_m;
+        corners[i].z = i < 2 ? pp_ground_level(b->world) : skyline->head_z_m;
     return status == PP_OK ? add_polygon(b, corners, 4, material, -1) : status;
 }
 
@@ -172,7 +174,7 @@ static enum pp_status add_skyline(struct rad_room_builder *b,
 {
     const struct pp_world *world = b->world;
     if (isinf(skyline->distance_m)
-        || !(skyline->head_z_m > world->ground_level_m + 1e-6))
+        || !(skyline->head_z_m > pp_ground_level(world) + 1e-6))
         return PP_OK;
     struct pp_vec3 outward = outward_of(world, skyline);
     const struct pp_polygon *wall = &world->surfaces[skyline->face].outline;
@@ -241,7 +243,8 @@ static enum pp_status add_sky(struct rad_room_builder *b)
             pp_scene_description_add_pattern(b->scene, &pattern, &sky.pattern, b->err);
     if (status == PP_OK)
         status = add_half(b, "sky", sky, 1.0);
-    return status == PP_OK ? add_half(b, "ground", ground, -1.0) : status;
+    const char *name = b->world->ground_is_open ? "ground" : "far ground";
+    return status == PP_OK ? add_half(b, name, ground, -1.0) : status;
 }
 
 enum pp_status pp_rad_room_init(struct pp_rad_room *room, const struct pp_world *world,
@@ -271,6 +274,8 @@ enum pp_status pp_rad_room_init(struct pp_rad_room *room, const struct pp_world 
         status = add_surfaces(&b, false);
     for (int i = 0; i < world->skyline_count && status == PP_OK; i++)
         status = add_skyline(&b, &world->skylines[i]);
+    if (status == PP_OK && !world->ground_is_open)
+        status = pp_rad_ground_add(&room->scene, world, light->ground_reflectance, err);
     room->first[PP_RAD_SKY] = room->scene.shape_count;
     if (status == PP_OK)
         status = add_sky(&b);

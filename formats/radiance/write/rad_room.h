@@ -1,11 +1,12 @@
 /* rad_room.h - a room's world and its light as a scene that Radiance's formats can say.
  *
  * Faces less their openings, panes, reveals, free-standing surfaces and blocks as they
- * are, each of two materials where its sides differ. Sky and ground are distant glows,
- * in units of which `horizontal` falls on the open level ground; skylines so far away
- * that they have no distance are part of the sky's pattern; those with one are upright
- * glows as wide as 200 times their distance, twice, one for each side, a centimetre
- * apart.
+ * are, each of two materials where its sides differ. The sky is a distant glow, in units
+ * of which `horizontal` falls on the open level ground, and another below the horizon is
+ * the ground, or, where that lies in shadow, what there is of it beyond a disc
+ * (rad_ground.h). Skylines so far away that they have no distance are part of the sky's
+ * pattern; those with one are upright glows as wide as 200 times their distance, twice,
+ * one for each side, a centimetre apart.
  *
  * Finishes are matt and grey, as the daylight factors of rooms are worked out, or with
  * their colour and gloss.
@@ -25,8 +26,8 @@
 enum pp_rad_group {
     PP_RAD_ROOM,    /* the room: envelope, reveals, surfaces within */
     PP_RAD_GLAZING, /* panes */
-    PP_RAD_OUTSIDE, /* blocks, surfaces and near skylines outside */
-    PP_RAD_SKY,     /* sky and ground */
+    PP_RAD_OUTSIDE, /* blocks, surfaces and near skylines outside, ground in shadow */
+    PP_RAD_SKY,     /* sky, and ground as a glow */
     PP_RAD_GROUPS
 };
 
