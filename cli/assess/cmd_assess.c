@@ -16,6 +16,7 @@
 #include "reports/assess_json.h"
 #include "reports/assess_text.h"
 #include "studies/criteria/capitals.h"
+#include "studies/criteria/larger_house.h"
 #include "model/base/text.h"
 
 struct assess_options {
@@ -104,6 +105,8 @@ static enum pp_status compute(void *data, struct pp_error *err)
             status = pp_study_report_traced(&one->report, study, &one->by_clock, err);
         if (status == PP_OK)
             status = pp_assessment_judge(one, &wanted, err);
+        if (status == PP_OK)
+            status = pp_larger_house_doubt(one, &wanted, err);
     }
     return status;
 }

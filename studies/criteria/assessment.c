@@ -159,7 +159,7 @@ enum pp_status pp_assessment_judge(struct pp_assessment *assessment,
     enum pp_status status = pp_assessment_choose(chosen, options->criteria, err);
     if (status == PP_OK)
         status = judge(assessment, chosen, err);
-    assessment->has_gains = !options->criteria;
+    assessment->has_gains = !options->criteria && !options->verdicts_only;
     if (status == PP_OK && assessment->has_gains)
         status = pp_gains_find(&assessment->gains, assessment->room->room,
                                assessment->room->world, &assessment->room->light, err);

@@ -14,9 +14,10 @@
 struct pp_assess_options {
     const struct pp_study_options *study; /* not owned */
     const char *criteria;                 /* names with commas between; NULL: all */
-    const char *place; /* a capital of the standard's table; NULL: the room's site */
-    double median_lux; /* instead; 0: not given */
-    bool of_weather;   /* is that median a weather file's? */
+    const char *place;  /* a capital of the standard's table; NULL: the room's site */
+    double median_lux;  /* instead; 0: not given */
+    bool of_weather;    /* is that median a weather file's? */
+    bool verdicts_only; /* what would help is not looked for */
 };
 
 /* A criterion that was asked for, and what it found. */

@@ -129,6 +129,40 @@ done
 check "criteria that judge by no daylight factor have none simulated" gives \
     assess --simulate --criteria glazing-ratio,vertical-sky "$deep"
 check "and say nothing of it" nothing "$(grep simulation "$scratch/out")"
+# A flat in a street, without a word on the house that it is part of: behind a wall that goes
+# on round its window it has half as much light, and nothing that turns there is certain.
+flat() {
+    cat <<EOF
+<room version="1"><site latitude="51.5" longitude="-0.1" ground-level="-0.5"/>
+  <plan width="4" depth="5" height="2.7"/><finishes floor="0.3" walls="0.7" ceiling="0.85"/>
+  <window wall="south" left="1" sill="0.8" width="2" height="1.5"/>$1
+  <block x="-60" y="-22" width="124" depth="12" height="18" reflectance="0.3"/></room>
+EOF
+}
+flat "" > "$scratch/alone.xml"
+flat '<facade wall="south" left="30" right="30" up="15" down="0.5"/>' > "$scratch/house.xml"
+flat '<facade wall="south"/>' > "$scratch/hut.xml"
+# verdict FILE: of the annex's bedroom, and what stands below it.
+verdict() {
+    "$pepperpot" assess -q -c uk-annex "$scratch/$1" | grep -A 3 'bedroom: 100 lx'
+}
+turns() {
+    verdict alone.xml > "$scratch/alone"
+    grep -q ' met$' "$scratch/alone" && grep -q 'behind a wall that goes on' "$scratch/alone" &&
+        grep -q 'not met; <facade>' "$scratch/alone"
+}
+check "a verdict that the house beside the room would turn is not certain" turns
+check "with the house in the file it is known" sh -c "
+    '$pepperpot' assess -q -c uk-annex '$scratch/house.xml' > '$scratch/house'
+    grep 'bedroom: 100 lx' '$scratch/house' | grep -q 'not met: certain' &&
+    ! grep -q 'goes on' '$scratch/house'"
+check "and where the file says that there is none" sh -c "
+    '$pepperpot' assess -q -c uk-annex '$scratch/hut.xml' > '$scratch/hut'
+    grep 'bedroom: 100 lx' '$scratch/hut' | grep -q ' met: certain' &&
+    ! grep -q 'goes on' '$scratch/hut'"
+check "in JSON it has no confidence, and a note" sh -c "
+    '$pepperpot' assess -q -c uk-annex --format json '$scratch/alone.xml' |
+    grep 'bedroom: 100 lx' | grep 'behind a wall' | grep -vq confidence"
 check "no CSV" refuses 2 "text or json" assess --format csv "$deep"
 check "the help has every criterion" sh -c "
     '$pepperpot' assess --help | grep -qE '^  rights-of-light '"

@@ -459,11 +459,12 @@ static struct pp_part table_in(const char *outside)
              "<window wall='south' left='0.7' sill='0.6' width='1.9' height='1.7' %s"
              "</room>",
              outside);
-    struct pp_world *world = pp_test_world(xml);
+    struct pp_outside_light light;
+    struct pp_world *world = pp_test_lit_world(&light, xml);
     struct pp_receiver up = {.position = {1.3, 1.1, 0.85}, .normal = {0, 0, 1}};
     struct pp_part part = {0};
-    assert_int_equal(pp_method_brs_table.evaluate(world, &world->openings[0], &up, NULL,
-                                                  &part, NULL),
+    assert_int_equal(pp_method_brs_table.evaluate(world, &light, &world->openings[0],
+                                                  &up, NULL, &part, NULL),
                      PP_OK);
     pp_world_destroy(world);
     return part;
@@ -509,10 +510,12 @@ static void another_wall_s_facade_hides_as_a_screen(void **state)
                  "<window wall='4' left='0.4' sill='0.9' width='1.9' height='1.5'/>"
                  "%s</room>",
                  screens[i]);
-        struct pp_world *world = pp_test_world(xml);
+        struct pp_outside_light light;
+        struct pp_world *world = pp_test_lit_world(&light, xml);
         parts[i] = (struct pp_part){0};
-        assert_int_equal(pp_method_brs_table.evaluate(world, &world->openings[0], &up,
-                                                      NULL, &parts[i], NULL),
+        assert_int_equal(pp_method_brs_table.evaluate(world, &light,
+                                                      &world->openings[0], &up, NULL,
+                                                      &parts[i], NULL),
                          PP_OK);
         pp_world_destroy(world);
     }

@@ -156,14 +156,15 @@ static void a_far_skyline_leaves_its_vertical_sky_component(void **state)
 /* The sky that a point sees, and its mean over the plane. */
 static void assert_same_sky(const char *xml, const char *as, double tolerance)
 {
-    struct pp_world *world = pp_test_world(xml), *like = pp_test_world(as);
+    struct pp_outside_light light;
+    struct pp_world *world = pp_test_lit_world(&light, xml), *like = pp_test_world(as);
     static const double places[][3] = {
         {1.1, 0.7, 0.85}, {2.8, 0.3, 0.85}, {1.7, 4.1, 0.85}, {0.2, 1.9, 0.1}};
     for (int i = 0; i < 4; i++) {
         const double *p = places[i];
-        double sky = facing_up(like, p[0], p[1], p[2]).sky;
+        double sky = facing_up(like, &light, p[0], p[1], p[2]).sky;
         assert_true(sky > 1e-5);
-        assert_near(facing_up(world, p[0], p[1], p[2]).sky, sky, tolerance);
+        assert_near(facing_up(world, &light, p[0], p[1], p[2]).sky, sky, tolerance);
     }
     pp_world_destroy(world);
     pp_world_destroy(like);
@@ -187,11 +188,12 @@ static void a_facade_hides_the_sky_as_a_reveal_to_its_face(void **state)
 static void what_a_facade_hides_counts_as_facade(void **state)
 {
     (void)state;
-    struct pp_world *world =
-        pp_test_world(ROOM(SIDE_WINDOW("0") FACADE "depth='0.45' reflectance='0.4'/>"));
+    struct pp_outside_light light;
+    struct pp_world *world = pp_test_lit_world(
+        &light, ROOM(SIDE_WINDOW("0") FACADE "depth='0.45' reflectance='0.4'/>"));
     struct pp_world *open = pp_test_world(ROOM(SIDE_WINDOW("0")));
-    struct pp_part behind = facing_up(world, 1.1, 0.7, 0.85);
-    struct pp_part all = facing_up(open, 1.1, 0.7, 0.85);
+    struct pp_part behind = facing_up(world, &light, 1.1, 0.7, 0.85);
+    struct pp_part all = facing_up(open, &light, 1.1, 0.7, 0.85);
     assert_near(behind.external, 0.4 * (all.sky - behind.sky), 1e-12);
     pp_world_destroy(world);
     pp_world_destroy(open);

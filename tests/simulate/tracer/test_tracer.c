@@ -376,8 +376,9 @@ static void a_facade_hides_what_a_deeper_reveal_does(void **state)
                  "<room version='1'><plan width='3.1' depth='4.3' height='2.6'/>" WINDOW
                  "'none' %s</room>",
                  parts[i]);
-        struct pp_world *world = pp_test_world(xml);
-        trace_one(world, pp_test_receiver(0.5, 1.0, 0.8, 0.0, 0.0, 1.0), 2048,
+        struct pp_outside_light light;
+        struct pp_world *world = pp_test_lit_world(&light, xml);
+        trace_one(world, &light, pp_test_receiver(0.5, 1.0, 0.8, 0.0, 0.0, 1.0), 2048,
                   readings[i]);
         pp_world_destroy(world);
     }
@@ -410,8 +411,9 @@ static void a_facade_lights_the_street_as_houses_in_its_plane_do(void **state)
                  "'none'/><block x='-40' y='-15' width='83' depth='8' height='12' "
                  "reflectance='0.8'/>%s</room>",
                  sides[i]);
-        struct pp_world *world = pp_test_world(xml);
-        trace_one(world, pp_test_receiver(0.5, 1.0, 0.8, 0.0, 0.0, 1.0), 4096,
+        struct pp_outside_light light;
+        struct pp_world *world = pp_test_lit_world(&light, xml);
+        trace_one(world, &light, pp_test_receiver(0.5, 1.0, 0.8, 0.0, 0.0, 1.0), 4096,
                   readings[i]);
         pp_world_destroy(world);
     }

@@ -1,0 +1,85 @@
+/* room_facades.c - see room_facades.h. */
+#include "model/room/room_facades.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "model/base/array.h"
+#include "model/room/room_parts.h"
+
+static bool is_upright(const struct pp_polygon *outline)
+{
+    return fabs(outline->normal.z) < 1e-6;
+}
+
+static bool has_roof_above(const struct pp_world *world)
+{
+    for (int i = 0; i < world->opening_count; i++)
+        if (!is_upright(&world->openings[i].outer))
+            return true;
+    return false;
+}
+
+static bool has_facade(const struct pp_room *room, const char *wall)
+{
+    for (int i = 0; i < room->facade_count; i++)
+        if (strcmp(room->facades[i].wall, wall) == 0)
+            return true;
+    return false;
+}
+
+/* Puts the facade at the end; takes it away again where it goes through the room. */
+static enum pp_status try_facade(struct pp_room *room, struct pp_facade_part facade,
+                                 bool *good, struct pp_error *err)
+{
+    enum pp_status status =
+        pp_array_append(&room->facades, room->facade_count, sizeof *room->facades, err);
+    if (status != PP_OK)
+        return status;
+    room->facades[room->facade_count++] = facade;
+    status = pp_room_is_sound(good, room, err);
+    if (!*good)
+        room->facade_count--;
+    return status;
+}
+
+/* Beside an inner corner a wall can't go on. */
+static enum pp_status extend(struct pp_room *room, const char *wall, double reach_m,
+                             double up_m, int *added, struct pp_error *err)
+{
+    static const double sides[][2] = {{1, 1}, {1, 0}, {0, 1}, {0, 0}};
+    struct pp_facade_part facade = {.wall = strdup(wall),
+                                    .up_m = up_m,
+                                    .down_m = reach_m,
+                                    .depth_m = NAN,
+                                    .reflectance = 0.2};
+    if (!facade.wall)
+        return pp_fail_memory(err);
+    bool good = false;
+    enum pp_status status = PP_OK;
+    for (size_t i = 0; i < sizeof sides / sizeof *sides && !good && status == PP_OK;
+         i++) {
+        facade.left_m = sides[i][0] * reach_m;
+        facade.right_m = sides[i][1] * reach_m;
+        status = try_facade(room, facade, &good, err);
+    }
+    *added += good;
+    if (!good)
+        free(facade.wall);
+    return status;
+}
+
+enum pp_status pp_room_facades_add(struct pp_room *room, const struct pp_world *world,
+                                   double reach_m, int *added, struct pp_error *err)
+{
+    double up_m = has_roof_above(world) ? 0.0 : reach_m;
+    enum pp_status status = PP_OK;
+    *added = 0;
+    for (int i = 0; i < world->opening_count && status == PP_OK; i++) {
+        const struct pp_surface *wall = &world->surfaces[world->openings[i].face];
+        if (wall->name && is_upright(&wall->outline) && !has_facade(room, wall->name))
+            status = extend(room, wall->name, reach_m, up_m, added, err);
+    }
+    return status;
+}
