@@ -5,7 +5,6 @@
 #include <string.h>
 
 #include "model/room/room_facades.h"
-#include "model/room/room_parts.h"
 #include "studies/study_report.h"
 
 /* By how much walls go on: 30 m beside a window leave it less than 3 degrees of what a
@@ -112,10 +111,10 @@ enum pp_status pp_larger_house_doubt(struct pp_assessment *assessment,
     enum pp_status status = pp_room_copy(&room, own->room, err);
     if (status == PP_OK)
         status = pp_room_facades_add(room, own->world, REACH_M, &added, err);
-    bool other = status == PP_OK && (added > 0 || room->site.ground_is_open);
+    bool other = status == PP_OK && (added > 0 || own->world->ground_is_open);
     if (other) {
         struct pp_mistakes mistakes;
-        room->site.ground_is_open = false;
+        pp_room_set_ground(room, own->light.ground_reflectance, false);
         pp_mistakes_init(&mistakes, own->file);
         status = pp_world_create(&world, room, &mistakes, err);
         pp_mistakes_clear(&mistakes);

@@ -135,7 +135,8 @@ flat() {
     cat <<EOF
 <room version="1"><site latitude="51.5" longitude="-0.1" ground-level="-0.5"/>
   <plan width="4" depth="5" height="2.7"/><finishes floor="0.3" walls="0.7" ceiling="0.85"/>
-  <window wall="south" left="1" sill="0.8" width="2" height="1.5"/>$1
+  <window wall="south" left="1" sill="0.8" width="2" height="1.5" glazing="clear-double"
+    frame-factor="0.8" maintenance="0.8"/>$1
   <block x="-60" y="-22" width="124" depth="12" height="18" reflectance="0.3"/></room>
 EOF
 }
