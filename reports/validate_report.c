@@ -148,8 +148,9 @@ static void print_component(const struct pp_comparison *list, int count,
             fprintf(out, "\n  %s\n", pp_component_titles[component]);
             fprintf(out, "    %-*s%8s%8s%7s%8s%8s  %s\n", NAME_WIDTH, "", "average",
                     "off, %", "bias", "spread", "worst", "at x, y");
-            fprintf(out, "    %-*s%8.2f\n", NAME_WIDTH, "traced",
-                    100.0 * one->traced_average);
+            fprintf(out, "    %-*s", NAME_WIDTH, "traced");
+            pp_format_cell(100.0 * one->traced_average, "%.2f", 8, out);
+            fputc('\n', out);
         }
         first = false;
         print_comparison(one, report, out);

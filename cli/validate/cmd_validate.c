@@ -24,8 +24,11 @@ static const char about[] =
     "Without FILE: the program's answers beside those that are known on paper (open "
     "skies, closed forms of windows, light in a closed room, worked examples). With "
     "room files: each method against the simulation, at the reference points and for "
-    "the average over the working plane: bias, spread and the worst point. FILE is a "
-    "room file; - is standard input.";
+    "the average over the working plane: bias, spread and the worst point, and how "
+    "much "
+    "of it comes of what the method assumes of ground and surroundings, how much of "
+    "its "
+    "formula. FILE is a room file; - is standard input.";
 
 /* ---- known answers ---- */
 

@@ -66,7 +66,8 @@ static struct pp_reading reading_at(const struct pp_column *column, int point)
     return point < 0 ? column->average : column->points[point];
 }
 
-/* Both parts of a method's difference at a point, or of the average for -1. In place of the standard errors are their squares. */
+/* Both parts of a method's difference at a point, or of the average for -1, with the
+ * squares of their standard errors. */
 static struct pp_error_parts parts_of(const struct own_value *value, double method,
                                       int point)
 {
@@ -90,8 +91,9 @@ static void take_mean(struct pp_error_parts *sum, int n)
 {
     sum->assumption /= n;
     sum->formula /= n;
-    sum->assumption_error = sqrt(sum->assumption_error) / n;
-    sum->formula_error = sqrt(sum->formula_error) / n;
+    sum->assumption_error =
+        isfinite(sum->assumption) ? sqrt(sum->assumption_error) / n : NAN;
+    sum->formula_error = isfinite(sum->formula) ? sqrt(sum->formula_error) / n : NAN;
 }
 
 static void add_parts(struct pp_error_parts *sum, struct pp_error_parts parts)
