@@ -9,10 +9,10 @@ enum { NAME_WIDTH = 20 };
 
 const char pp_validate_parts_note[] =
     "Where it comes from: assumption, from the room to the world that the method has "
-    "in "
-    "mind (an open ground, as bright as the method has it; but for direct methods an "
-    "endless skyline for all that stands outside), both traced; formula, from there to "
-    "the method. They add up to off and bias. noise: the standard error of assumption.";
+    "in mind, both traced; formula, from there to the method. They add up to off and "
+    "bias. noise: the standard error of assumption. In that world the ground is open, "
+    "and as bright as the method has it; an endless skyline stands for all that is "
+    "outside, unless the method is a direct one.";
 
 /* ---- text ---- */
 
@@ -58,7 +58,7 @@ static void print_component(const struct pp_comparison *list, int count,
     }
 }
 
-void pp_validate_parts_print(const struct pp_comparison *list, int count, FILE *out)
+bool pp_validate_parts_print(const struct pp_comparison *list, int count, FILE *out)
 {
     bool begun = false;
     for (int component = PP_SC; component < PP_COMPONENT_COUNT; component++) {
@@ -76,6 +76,7 @@ void pp_validate_parts_print(const struct pp_comparison *list, int count, FILE *
         begun = true;
         print_component(list, count, component, out);
     }
+    return begun;
 }
 
 static void print_component_of_all(const struct pp_overall *list, int count,

@@ -9,13 +9,13 @@
 #include "studies/validation/comparison.h"
 
 /* Tables of the components in which a method has a world of its own, with the parts of
- * the average's difference and of the bias; nothing where none has. */
-void pp_validate_parts_print(const struct pp_comparison *list, int count, FILE *out);
+ * the average's difference and of the bias; nothing, and false, where none has. */
+bool pp_validate_parts_print(const struct pp_comparison *list, int count, FILE *out);
 
 /* The same over all rooms. */
 void pp_validate_parts_print_all(const struct pp_overall *list, int count, FILE *out);
 
-/* What the tables hold, for the end of the text. */
+/* What the tables hold, for the end of a text with any. */
 extern const char pp_validate_parts_note[];
 
 /* Adds what is known of the parts to the object of a comparison; false: memory is out. */

@@ -180,7 +180,8 @@ static void print_refusals(const struct pp_comparison *list, int count, int widt
     }
 }
 
-static void print_room(const struct pp_result *result, const struct pp_comparison *list,
+/* Returns whether there were parts of the differences to be told. */
+static bool print_room(const struct pp_result *result, const struct pp_comparison *list,
                        int count, int width, FILE *out)
 {
     const struct pp_report *report = &result->report;
@@ -208,8 +209,9 @@ static void print_room(const struct pp_result *result, const struct pp_compariso
     for (int component = PP_SC; component < PP_COMPONENT_COUNT; component++)
         if (!is_nothing(list, count, component))
             print_component(list, count, report, component, out);
-    pp_validate_parts_print(list, count, out);
+    bool parts = pp_validate_parts_print(list, count, out);
     print_refusals(list, count, width, out);
+    return parts;
 }
 
 static void print_overall(const struct pp_validation *validation, FILE *out)
@@ -257,11 +259,12 @@ void pp_validate_report_rooms(const struct pp_validation *validation, int width,
                               FILE *out)
 {
     const struct pp_results *results = validation->results;
+    bool parts = false;
     for (int i = 0; i < results->count; i++) {
         if (i > 0)
             fputs("\n\n", out);
-        print_room(&results->list[i], validation->rooms[i], validation->counts[i],
-                   width, out);
+        parts |= print_room(&results->list[i], validation->rooms[i],
+                            validation->counts[i], width, out);
     }
     if (results->count > 1) {
         print_overall(validation, out);
@@ -275,8 +278,10 @@ void pp_validate_report_rooms(const struct pp_validation *validation, int width,
         "less traced at the points; spread: its root mean square, less the "
         "simulation's noise; worst: the largest difference, and where.",
         2, 2, width, out);
-    fputs("  ", out);
-    pp_print_wrapped(pp_validate_parts_note, 2, 2, width, out);
+    if (parts) {
+        fputs("  ", out);
+        pp_print_wrapped(pp_validate_parts_note, 2, 2, width, out);
+    }
     if (results->count > 1) {
         fputs("  ", out);
         pp_print_wrapped("Over all rooms, differences at points are in per cent of the "
