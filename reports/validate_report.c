@@ -6,24 +6,10 @@
 #include <string.h>
 
 #include "reports/df_result.h"
+#include "reports/validate_parts.h"
 #include "reports/parts/print.h"
 #include "reports/parts/format.h"
 #include "reports/parts/json.h"
-
-static const char *const titles[PP_COMPONENT_COUNT] = {
-    [PP_SC] = "sky component",
-    [PP_ERC] = "externally reflected component",
-    [PP_IRC] = "internally reflected component",
-    [PP_DF] = "daylight factor",
-};
-
-/* A number, or a dash. */
-static void put(FILE *out, int width, const char *format, double value)
-{
-    char text[32];
-    snprintf(text, sizeof text, format, value + 0.0);
-    fprintf(out, "%*s", width, isfinite(value) ? text : "-");
-}
 
 /* ---- known answers ---- */
 
@@ -119,14 +105,14 @@ static void print_comparison(const struct pp_comparison *one,
                              const struct pp_report *report, FILE *out)
 {
     fprintf(out, "    %-*s", NAME_WIDTH, one->name);
-    put(out, 8, "%.2f", 100.0 * one->average);
-    put(out, 8, "%+.1f", 100.0 * (one->average / one->traced_average - 1.0));
+    pp_format_cell(100.0 * one->average, "%.2f", 8, out);
+    pp_format_cell(100.0 * (one->average / one->traced_average - 1.0), "%+.1f", 8, out);
     if (one->points > 0) {
         char place[64];
         write_place(place, report, one->worst_point);
-        put(out, 7, "%+.2f", 100.0 * one->bias);
-        put(out, 8, "%.2f", 100.0 * one->spread);
-        put(out, 8, "%+.2f", 100.0 * one->worst);
+        pp_format_cell(100.0 * one->bias, "%+.2f", 7, out);
+        pp_format_cell(100.0 * one->spread, "%.2f", 8, out);
+        pp_format_cell(100.0 * one->worst, "%+.2f", 8, out);
         fprintf(out, "  %s", place);
         if (one->points < report->receiver_count)
             fprintf(out, " (%d points)", one->points);
@@ -159,11 +145,12 @@ static void print_component(const struct pp_comparison *list, int count,
         if (one->component != component || one->why)
             continue;
         if (first) {
-            fprintf(out, "\n  %s\n", titles[component]);
+            fprintf(out, "\n  %s\n", pp_component_titles[component]);
             fprintf(out, "    %-*s%8s%8s%7s%8s%8s  %s\n", NAME_WIDTH, "", "average",
                     "off, %", "bias", "spread", "worst", "at x, y");
-            fprintf(out, "    %-*s%8.2f\n", NAME_WIDTH, "traced",
-                    100.0 * one->traced_average);
+            fprintf(out, "    %-*s", NAME_WIDTH, "traced");
+            pp_format_cell(100.0 * one->traced_average, "%.2f", 8, out);
+            fputc('\n', out);
         }
         first = false;
         print_comparison(one, report, out);
@@ -193,7 +180,8 @@ static void print_refusals(const struct pp_comparison *list, int count, int widt
     }
 }
 
-static void print_room(const struct pp_result *result, const struct pp_comparison *list,
+/* Returns whether there were parts of the differences to be told. */
+static bool print_room(const struct pp_result *result, const struct pp_comparison *list,
                        int count, int width, FILE *out)
 {
     const struct pp_report *report = &result->report;
@@ -221,7 +209,9 @@ static void print_room(const struct pp_result *result, const struct pp_compariso
     for (int component = PP_SC; component < PP_COMPONENT_COUNT; component++)
         if (!is_nothing(list, count, component))
             print_component(list, count, report, component, out);
+    bool parts = pp_validate_parts_print(list, count, out);
     print_refusals(list, count, width, out);
+    return parts;
 }
 
 static void print_overall(const struct pp_validation *validation, FILE *out)
@@ -240,20 +230,22 @@ static void print_overall(const struct pp_validation *validation, FILE *out)
             if ((int)one->component != component || !any)
                 continue;
             if (first)
-                fprintf(out, "\n  %s\n", titles[component]);
+                fprintf(out, "\n  %s\n", pp_component_titles[component]);
             first = false;
             fprintf(out, "    %-20s", one->name);
-            put(out, 7, "%+.1f", one->averages ? 100.0 * one->average_bias : NAN);
-            put(out, 8, "%.1f", one->averages ? 100.0 * one->average_spread : NAN);
+            pp_format_cell(one->averages ? 100.0 * one->average_bias : NAN, "%+.1f", 7,
+                           out);
+            pp_format_cell(one->averages ? 100.0 * one->average_spread : NAN, "%.1f", 8,
+                           out);
             fputs("  ", out);
-            put(out, 7, "%+.1f", one->points ? 100.0 * one->bias : NAN);
-            put(out, 8, "%.1f", one->points ? 100.0 * one->spread : NAN);
+            pp_format_cell(one->points ? 100.0 * one->bias : NAN, "%+.1f", 7, out);
+            pp_format_cell(one->points ? 100.0 * one->spread : NAN, "%.1f", 8, out);
             if (one->points > 0) {
                 const struct pp_report *report =
                     &validation->results->list[one->worst_room].report;
                 char place[64];
                 write_place(place, report, one->worst_comparison->worst_point);
-                put(out, 8, "%+.0f", 100.0 * one->worst);
+                pp_format_cell(100.0 * one->worst, "%+.0f", 8, out);
                 fputs("  ", out);
                 pp_format_utf8_put(out, report->world->name ? report->world->name : "");
                 fprintf(out, ", %s", place);
@@ -267,22 +259,29 @@ void pp_validate_report_rooms(const struct pp_validation *validation, int width,
                               FILE *out)
 {
     const struct pp_results *results = validation->results;
+    bool parts = false;
     for (int i = 0; i < results->count; i++) {
         if (i > 0)
             fputs("\n\n", out);
-        print_room(&results->list[i], validation->rooms[i], validation->counts[i],
-                   width, out);
+        parts |= print_room(&results->list[i], validation->rooms[i],
+                            validation->counts[i], width, out);
     }
-    if (results->count > 1)
+    if (results->count > 1) {
         print_overall(validation, out);
+        pp_validate_parts_print_all(validation->overall, validation->overall_count,
+                                    out);
+    }
     fputs("\n  ", out);
     pp_print_wrapped(
         "Per cent of the open sky unless it says otherwise. off: the average over the "
         "working plane, from the traced one, in per cent of that; bias: mean of method "
         "less traced at the points; spread: its root mean square, less the "
-        "simulation's noise; worst: the largest difference, and where."
-        "",
+        "simulation's noise; worst: the largest difference, and where.",
         2, 2, width, out);
+    if (parts) {
+        fputs("  ", out);
+        pp_print_wrapped(pp_validate_parts_note, 2, 2, width, out);
+    }
     if (results->count > 1) {
         fputs("  ", out);
         pp_print_wrapped("Over all rooms, differences at points are in per cent of the "
@@ -320,6 +319,7 @@ static struct json_object *comparison_object(const struct pp_comparison *one,
                && pp_json_number(object, "worst-y", at.y)
                && pp_json_number(object, "worst-z", at.z);
     }
+    good = good && pp_validate_parts_json(object, one);
     if (good)
         pp_json_on_one_line(object);
     return pp_json_whole(object, good);
@@ -356,6 +356,7 @@ static struct json_object *overall_object(const struct pp_overall *one)
                && pp_json_number(object, "bias", 100.0 * one->bias)
                && pp_json_number(object, "spread", 100.0 * one->spread)
                && pp_json_number(object, "worst", 100.0 * one->worst);
+    good = good && pp_validate_parts_json_all(object, one);
     if (good)
         pp_json_on_one_line(object);
     return pp_json_whole(object, good);
@@ -384,8 +385,10 @@ void pp_validate_report_rooms_csv(const struct pp_validation *validation, FILE *
     fputs("file,room,component,method,average_percent,traced_average_percent,"
           "traced_average_se_percent,points,traced_percent,bias_percent,"
           "bias_se_percent,spread_percent,worst_percent,worst_se_percent,worst_x,"
-          "worst_y,worst_z,why\r\n",
+          "worst_y,worst_z,why",
           out);
+    fputs(pp_validate_parts_csv_names, out);
+    fputs("\r\n", out);
     for (int i = 0; i < validation->results->count; i++) {
         const struct pp_result *result = &validation->results->list[i];
         for (int k = 0; k < validation->counts[i]; k++) {
@@ -415,6 +418,7 @@ void pp_validate_report_rooms_csv(const struct pp_validation *validation, FILE *
                 pp_format_csv_number(fields[f], out);
             fputc(',', out);
             pp_format_csv_field(one->why, out);
+            pp_validate_parts_csv(one, out);
             fputs("\r\n", out);
         }
     }

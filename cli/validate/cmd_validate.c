@@ -10,6 +10,7 @@
 #include "cli/format_option.h"
 #include "cli/df/formula_option.h"
 #include "studies/study_report.h"
+#include "studies/validation/own_world.h"
 #include "cli/interrupt.h"
 #include "cli/message.h"
 #include "cli/job.h"
@@ -23,8 +24,11 @@ static const char about[] =
     "Without FILE: the program's answers beside those that are known on paper (open "
     "skies, closed forms of windows, light in a closed room, worked examples). With "
     "room files: each method against the simulation, at the reference points and for "
-    "the average over the working plane: bias, spread and the worst point. FILE is a "
-    "room file; - is standard input.";
+    "the average over the working plane: bias, spread and the worst point, and how "
+    "much "
+    "of it comes of what the method assumes of ground and surroundings, how much of "
+    "its "
+    "formula. FILE is a room file; - is standard input.";
 
 /* ---- known answers ---- */
 
@@ -78,6 +82,32 @@ struct comparison_run {
     struct pp_validation validation;
 };
 
+/* Traces a room and the worlds that its methods have in mind, and compares. What time
+ * there is, each world gets a share of. */
+static enum pp_status compare_room(struct comparison_run *run, int index,
+                                   struct pp_error *err)
+{
+    struct pp_result *result = &run->results.list[index];
+    struct pp_report *report = &result->report;
+    struct pp_validation *validation = &run->validation;
+    struct pp_study_options options = *run->results.options;
+    struct pp_own_worlds *worlds;
+    enum pp_status status =
+        pp_own_world_list(&worlds, run->rooms->list[index].room, report, err);
+    if (status != PP_OK)
+        return status;
+    options.seconds /= 1 + pp_own_world_count(worlds);
+    status = pp_study_report_traced(report, &options, &result->by_clock, err);
+    if (status == PP_OK)
+        status = pp_own_world_trace(worlds, &options, &report->finished,
+                                    &result->by_clock, err);
+    if (status == PP_OK)
+        status = pp_comparison_of_report(
+            &validation->rooms[index], &validation->counts[index], report, worlds, err);
+    pp_own_world_destroy(worlds);
+    return status;
+}
+
 /* Reports of all rooms, hand methods first, and how far they are from the simulation. */
 static enum pp_status compute(void *data, struct pp_error *err)
 {
@@ -99,14 +129,8 @@ static enum pp_status compute(void *data, struct pp_error *err)
                                          results->options, err);
     }
     pp_interrupt_watch();
-    for (int i = 0; i < results->count && status == PP_OK; i++) {
-        struct pp_result *result = &results->list[i];
-        status = pp_study_report_traced(&result->report, results->options,
-                                        &result->by_clock, err);
-        if (status == PP_OK)
-            status = pp_comparison_of_report(
-                &validation->rooms[i], &validation->counts[i], &result->report, err);
-    }
+    for (int i = 0; i < results->count && status == PP_OK; i++)
+        status = compare_room(run, i, err);
     if (status == PP_OK)
         status = pp_comparison_overall(&validation->overall, &validation->overall_count,
                                        validation->rooms, validation->counts,

@@ -232,6 +232,33 @@ void pp_room_lighten(struct pp_room *room, enum pp_role role, double reflectance
     }
 }
 
+void pp_room_set_ground(struct pp_room *room, double reflectance, bool open)
+{
+    room->site.ground_reflectance = reflectance;
+    room->site.ground_is_open = open;
+}
+
+enum pp_status pp_room_add_skyline(struct pp_room *room, const char *wall,
+                                   double angle_rad, double reflectance,
+                                   struct pp_error *err)
+{
+    int count = room->skyline_count, space = count;
+    enum pp_status status = pp_array_reserve(&room->skylines, &space, count + 1,
+                                             sizeof *room->skylines, err);
+    if (status != PP_OK)
+        return status;
+    char *name = strdup(wall);
+    if (!name)
+        return pp_fail_memory(err);
+    room->skylines[room->skyline_count++] =
+        (struct pp_skyline_part){.wall = name,
+                                 .angle_rad = angle_rad,
+                                 .distance_m = INFINITY,
+                                 .reflectance = reflectance,
+                                 .line = room->line};
+    return PP_OK;
+}
+
 void pp_room_clear_surroundings(struct pp_room *room, const struct pp_world *world)
 {
     for (int i = 0; i < room->skyline_count; i++)

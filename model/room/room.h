@@ -67,6 +67,16 @@ void pp_room_take_sky(struct pp_room *room, const struct pp_room *other);
  * reflectance. */
 void pp_room_lighten(struct pp_room *room, enum pp_role role, double reflectance);
 
+/* Gives the ground outside this reflectance; open: it is lit by the whole sky everywhere,
+ * else it lies in the shadow of what stands on it. */
+void pp_room_set_ground(struct pp_room *room, double reflectance, bool open);
+
+/* Puts one more skyline before a wall, so far away that its angle (rad, 0 to less than
+ * pi/2) is the same from every point. */
+enum pp_status pp_room_add_skyline(struct pp_room *room, const char *wall,
+                                   double angle_rad, double reflectance,
+                                   struct pp_error *err);
+
 /* Removes skylines, blocks and the surfaces that stand outside in `world`, which is the
  * room's. Facades stay: they are the building's own. */
 void pp_room_clear_surroundings(struct pp_room *room, const struct pp_world *world);

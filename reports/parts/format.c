@@ -9,6 +9,20 @@
 
 const char *const pp_component_names[PP_COMPONENT_COUNT] = {"sc", "erc", "irc", "df"};
 
+const char *const pp_component_titles[PP_COMPONENT_COUNT] = {
+    [PP_SC] = "sky component",
+    [PP_ERC] = "externally reflected component",
+    [PP_IRC] = "internally reflected component",
+    [PP_DF] = "daylight factor",
+};
+
+void pp_format_cell(double value, const char *format, int width, FILE *out)
+{
+    char text[32];
+    snprintf(text, sizeof text, format, value + 0.0);
+    fprintf(out, "%*s", width, isfinite(value) ? text : "-");
+}
+
 void pp_format_csv_field(const char *text, FILE *out)
 {
     if (!text)

@@ -10,6 +10,13 @@
 /* The names of components in JSON and CSV: "sc", "erc", "irc", "df". */
 extern const char *const pp_component_names[PP_COMPONENT_COUNT];
 
+/* For people: "sky component". */
+extern const char *const pp_component_titles[PP_COMPONENT_COUNT];
+
+/* A number by a format of printf to the right of so many columns, or a dash where there
+ * is none. */
+void pp_format_cell(double value, const char *format, int width, FILE *out);
+
 /* The fields that every CSV is put together with [RFC4180]. */
 
 /* A field, in quotes where it holds what would end it; NULL is an empty one. */

@@ -23,13 +23,108 @@ static const char *reason(const struct pp_report *report,
     return column->average.why;
 }
 
+/* ---- the parts of a difference ---- */
+
+/* Where a column's traced values in its own world are: the sum of `count` columns, of
+ * one component each, beside those of the room. */
+struct own_value {
+    int count;
+    const struct pp_column *own[3], *room[3]; /* the same where the world is; NULL: not
+                                               * traced */
+};
+
+static struct own_value own_value_of(const struct pp_report *report,
+                                     const struct pp_column *column,
+                                     const struct pp_own_worlds *worlds)
+{
+    struct own_value value = {0};
+    enum pp_component list[3] = {column->component};
+    const struct pp_report *of[3];
+    value.count = column->component == PP_DF ? 3 : 1;
+    for (int i = 0; i < value.count; i++) {
+        if (value.count == 3)
+            list[i] = PP_SC + i;
+        of[i] = pp_own_world_of(worlds, column, list[i]);
+    }
+    /* The daylight factor of one world is known better than the sum of its parts. */
+    if (value.count == 3 && of[0] == of[1] && of[1] == of[2]) {
+        value.count = 1;
+        list[0] = PP_DF;
+    }
+    for (int i = 0; i < value.count; i++) {
+        value.own[i] = pp_report_find(of[i], list[i], "traced");
+        value.room[i] = pp_report_find(report, list[i], "traced");
+    }
+    return value;
+}
+
+/* A column's reading at a point, or of the average for -1; none without a column. */
+static struct pp_reading reading_at(const struct pp_column *column, int point)
+{
+    if (!column)
+        return (struct pp_reading){.value = NAN, .std_error = NAN};
+    return point < 0 ? column->average : column->points[point];
+}
+
+/* Both parts of a method's difference at a point, or of the average for -1, with the
+ * squares of their standard errors. */
+static struct pp_error_parts parts_of(const struct own_value *value, double method,
+                                      int point)
+{
+    struct pp_error_parts parts = {.formula = method};
+    for (int i = 0; i < value->count; i++) {
+        struct pp_reading own = reading_at(value->own[i], point);
+        double error = known_error(&own);
+        parts.formula -= own.value;
+        parts.formula_error += error * error;
+        if (value->own[i] == value->room[i])
+            continue;
+        struct pp_reading room = reading_at(value->room[i], point);
+        parts.assumption += own.value - room.value;
+        parts.assumption_error += error * error + pow(known_error(&room), 2.0);
+    }
+    return parts;
+}
+
+/* Sums of n parts become their means, with standard errors. */
+static void take_mean(struct pp_error_parts *sum, int n)
+{
+    sum->assumption /= n;
+    sum->formula /= n;
+    sum->assumption_error =
+        isfinite(sum->assumption) ? sqrt(sum->assumption_error) / n : NAN;
+    sum->formula_error = isfinite(sum->formula) ? sqrt(sum->formula_error) / n : NAN;
+}
+
+static void add_parts(struct pp_error_parts *sum, struct pp_error_parts parts)
+{
+    sum->assumption += parts.assumption;
+    sum->formula += parts.formula;
+    sum->assumption_error += parts.assumption_error;
+    sum->formula_error += parts.formula_error;
+}
+
+/* ---- one room ---- */
+
+static bool is_elsewhere(const struct own_value *value)
+{
+    bool elsewhere = false;
+    for (int i = 0; i < value->count; i++)
+        elsewhere |= value->own[i] != value->room[i];
+    return elsewhere;
+}
+
 static struct pp_comparison compare(const struct pp_report *report,
                                     const struct pp_column *column,
-                                    const struct pp_column *traced)
+                                    const struct pp_column *traced,
+                                    const struct pp_own_worlds *worlds)
 {
+    const struct own_value own = own_value_of(report, column, worlds);
     struct pp_comparison result = {.component = column->component,
                                    .name = column->name,
                                    .average = NAN,
+                                   .of_average = {NAN, NAN, NAN, NAN},
+                                   .own_world = is_elsewhere(&own),
                                    .traced_average = traced->average.value,
                                    .traced_average_error =
                                        known_error(&traced->average)};
@@ -44,6 +139,7 @@ static struct pp_comparison compare(const struct pp_report *report,
         squares += off * off;
         noise += error * error;
         truth += traced->points[i].value;
+        add_parts(&result.of_bias, parts_of(&own, column->points[i].value, i));
         if (result.points == 1 || fabs(off) > fabs(result.worst)) {
             result.worst = off;
             result.worst_error = error;
@@ -56,9 +152,14 @@ static struct pp_comparison compare(const struct pp_report *report,
         result.bias = sum / n;
         result.bias_error = sqrt(noise) / n;
         result.spread = sqrt(fmax((squares - noise) / n, 0.0));
+        take_mean(&result.of_bias, n);
     }
     if (!column->of_all_surfaces)
         result.average = column->average.value;
+    if (isfinite(result.average)) {
+        result.of_average = parts_of(&own, result.average, -1);
+        take_mean(&result.of_average, 1);
+    }
     if (result.points == 0 && !isfinite(result.average))
         result.why = column->of_all_surfaces
                          ? "it averages all surfaces of the room, not its working plane"
@@ -68,6 +169,7 @@ static struct pp_comparison compare(const struct pp_report *report,
 
 enum pp_status pp_comparison_of_report(struct pp_comparison **list, int *count,
                                        const struct pp_report *report,
+                                       const struct pp_own_worlds *worlds,
                                        struct pp_error *err)
 {
     *count = 0;
@@ -79,7 +181,7 @@ enum pp_status pp_comparison_of_report(struct pp_comparison **list, int *count,
         const struct pp_column *traced =
             pp_report_find(report, column->component, "traced");
         if (traced && traced != column)
-            (*list)[(*count)++] = compare(report, column, traced);
+            (*list)[(*count)++] = compare(report, column, traced, worlds);
     }
     return PP_OK;
 }
@@ -94,7 +196,10 @@ static void add_points(struct pp_overall *overall, const struct pp_comparison *o
     double n = one->points;
     overall->rooms++;
     overall->points += one->points;
+    overall->own_world |= one->own_world;
     overall->bias += n * one->bias / one->traced;
+    overall->assumption += n * one->of_bias.assumption / one->traced;
+    overall->formula += n * one->of_bias.formula / one->traced;
     overall->spread += n * pow(one->spread / one->traced, 2.0);
     double worst = one->worst / one->traced;
     if (!overall->worst_comparison || fabs(worst) > fabs(overall->worst)) {
@@ -110,6 +215,9 @@ static void add_average(struct pp_overall *overall, const struct pp_comparison *
     if (!isfinite(off))
         return;
     overall->averages++;
+    overall->own_world |= one->own_world;
+    overall->average_assumption += one->of_average.assumption / one->traced_average;
+    overall->average_formula += one->of_average.formula / one->traced_average;
     overall->average_bias += off;
     overall->average_spread += off * off;
 }
@@ -148,10 +256,14 @@ enum pp_status pp_comparison_overall(struct pp_overall **list, int *count,
         struct pp_overall *overall = &(*list)[i];
         if (overall->points > 0) {
             overall->bias /= overall->points;
+            overall->assumption /= overall->points;
+            overall->formula /= overall->points;
             overall->spread = sqrt(overall->spread / overall->points);
         }
         if (overall->averages > 0) {
             overall->average_bias /= overall->averages;
+            overall->average_assumption /= overall->averages;
+            overall->average_formula /= overall->averages;
             overall->average_spread = sqrt(overall->average_spread / overall->averages);
         }
     }

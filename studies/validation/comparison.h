@@ -9,6 +9,10 @@
  *             the simulation's noise
  *     worst   the d_i of the largest magnitude
  *
+ * Bias and the average's difference are each the sum of two (own_world.h): the
+ * assumption's, from the room to the method's own world, and the formula's, from there to
+ * the method.
+ *
  * Over several rooms differences are divided by the room's mean traced value first, so
  * that dark rooms count as much as bright ones.
  */
@@ -16,6 +20,13 @@
 #define PP_STUDIES_VALIDATION_COMPARISON_H
 
 #include "model/results/report.h"
+#include "studies/validation/own_world.h"
+
+/* The two parts of a difference; NAN: not known. */
+struct pp_error_parts {
+    double assumption, assumption_error; /* own - traced, and its standard error */
+    double formula, formula_error;       /* method - own, and its */
+};
 
 /* One column of a report against "traced" of its component; fractions of the open sky.
  */
@@ -29,12 +40,16 @@ struct pp_comparison {
     double worst, worst_error; /* d_i and s_i of the worst point */
     int worst_point;           /* of the report's receivers */
     double average, traced_average, traced_average_error; /* NAN: none */
+    bool own_world; /* is the method's another than the room's? else assumption is 0 */
+    struct pp_error_parts of_bias, of_average; /* of average - traced_average */
 };
 
-/* Compares each column of the report with "traced" of the same component. *list is the
- * caller's to free; *count is 0 where nothing was traced. */
+/* Compares each column of the report with "traced" of the same component; worlds: the
+ * methods' own, traced. *list is the caller's to free; *count is 0 where nothing was
+ * traced. */
 enum pp_status pp_comparison_of_report(struct pp_comparison **list, int *count,
                                        const struct pp_report *report,
+                                       const struct pp_own_worlds *worlds,
                                        struct pp_error *err);
 
 /* One method over several rooms; differences are shares of the rooms' mean traced
@@ -49,6 +64,9 @@ struct pp_overall {
     int averages;          /* rooms whose average both give */
     double average_bias;   /* mean of method/traced - 1 over these rooms' averages */
     double average_spread; /* root mean square of the same */
+    double assumption, formula;                 /* of bias */
+    double average_assumption, average_formula; /* of average_bias */
+    bool own_world; /* is the method's another than the room's in any of the rooms? */
     const struct pp_comparison *worst_comparison; /* of the worst point; not owned */
 };
 

@@ -23,7 +23,7 @@ tr -d '\r' <"$scratch/out" >"$scratch/df"
 check "a room is compared with what is traced" \
     gives validate --samples 16 --methods "$methods" --format csv "$deep"
 tr -d '\r"' <"$scratch/out" >"$scratch/validate"
-check "with 18 fields a line" nothing "$(awk -F, 'NF != 18' "$scratch/validate")"
+check "with 26 fields a line" nothing "$(awk -F, 'NF != 26' "$scratch/validate")"
 # worked_again METHOD: its bias, spread and worst difference as this script finds them.
 worked_again() {
     awk -F, -v method="$1" '
@@ -48,18 +48,62 @@ for method in exact+bre brs-table+bre; do
     check "$method: bias, spread and worst are those of df's figures" \
         test "$(said $method)" = "$(worked_again $method)"
 done
+# The assumption of bre: what df traces with bre's ground in the file, less what it traces.
+# formula: the rest of the bias.
+sed 's|<site |<site ground="open" ground-reflectance="0.1" |' "$deep" >"$scratch/own.xml"
+check "the deep office has its ground by default" nothing "$(grep ground= "$deep")"
+gives df --simulate --samples 16 --methods bre --format csv "$scratch/own.xml" >/dev/null
+tr -d '\r' <"$scratch/out" >"$scratch/own"
+check "the assumption is what is traced with the method's ground, less the room's" test \
+    "$(awk -F, '$3 == "irc" && $4 == "bre" { printf "%.6f %.6f %.6f\n", $19, $21, $23 }' \
+        "$scratch/validate")" = \
+    "$(awk -F, '
+        $10 == "irc" && $11 == "traced" && $3 == "point" { sum += (FNR == NR ? -1 : 1) * $12; n++ }
+        $10 == "irc" && $11 == "bre" && $3 == "point" && FNR != NR { bre += $12 }
+        $10 == "irc" && $11 == "traced" && $3 == "point" && FNR != NR { own += $12 }
+        $10 == "irc" && $11 == "traced" && $3 == "average" { average += (FNR == NR ? -1 : 1) * $12 }
+        END { printf "%.6f %.6f %.6f\n", 2 * sum / n, 2 * (bre - own) / n, average }' \
+        "$scratch/df" "$scratch/own")"
+check "assumption and formula add up to the bias, and to the average's difference" nothing \
+    "$(awk -F, '
+        function off(a, b) { return (a - b)^2 > 1e-16 }
+        NR > 1 && $10 != "" && off($19 + $21, $10) { print }
+        NR > 1 && $5 != "" && off($23 + $25, $5 - $6) { print }' "$scratch/validate")"
+check "and all columns of the average formula are there" test "$(awk -F, '
+    $4 == "average-df" && $19 == "" && $23 < 0 && $24 > 0 && $25 < 0 && $26 > 0' \
+    "$scratch/validate" | wc -l)" -eq 1
 check "an average formula has its average compared" \
     grep -qE '^[^,]*,Deep office,df,average-df,3\.03[0-9]*,[34]\.' "$scratch/validate"
 check "the text names the worst point" \
     shows "at x, y" validate --samples 16 --methods exact+bre "$deep"
 check "and fits in 80 columns" nothing "$(too_wide)"
+check "it tells the assumption's part of it from the formula's" \
+    grep -qE '^  where it comes from +of off, % +of bias$' "$scratch/out"
+check "for the components in which the method's world is another" \
+    test "$(sed '1,/where it comes from/d' "$scratch/out" | grep -cE '^    (exact|bre) ')" -eq 1
+check "bre's ground is too dark for it" \
+    grep -qE '^    bre +-[0-9.]+ +[+-][0-9.]+ +[0-9.]+ +-[0-9.]+ +[+-][0-9.]+ +[0-9.]+$' \
+    "$scratch/out"
+gives validate --samples 16 --methods bre "$scratch/own.xml"
+check "where its world is the room's there is nothing to tell" nothing \
+    "$(grep -i 'where it comes' "$scratch/out")"
+check "what was not traced in time is left out" gives validate --time 1ms \
+    --methods exact+bre "$examples/building.xml"
+check "and tidily" nothing "$(grep -iE '[^a-z](nan|inf)([^a-z]|$)' "$scratch/out")"
 check "a room that methods refuse is said to be" \
     shows "not vertical" validate --samples 16 "$examples/studio.xml"
 check "several rooms are summed up" shows "All 2 rooms" \
     validate --samples 16 --methods exact+bre "$deep" "$examples/office.xml"
+check "with both parts of the errors" grep -qE '^    exact\+bre +-[0-9.]+ +\+[0-9.]+ +-' \
+    "$scratch/out"
 check "in JSON" shows '"all": [' \
     validate --samples 16 --methods exact+bre --format json "$deep" "$examples/studio.xml"
 check "with the reason where there is nothing" grep -q '"why": "bre: ' "$scratch/out"
+check "with both parts of each, and their standard errors" test "$(grep -c \
+    '"average-assumption": .*"average-assumption-se": .*"average-formula": .*"average-formula-se": .*"assumption": .*"assumption-se": .*"formula": .*"formula-se": ' \
+    "$scratch/out")" -eq 6
+check "and of all rooms" grep -q \
+    '"average-assumption": .*"average-formula": .*"assumption": .*"formula": ' "$scratch/out"
 check "no nan" nothing "$(grep -i '[^a-z]nan' "$scratch/out")"
 check "the same bytes with 1 and 2 threads" same_by_threads "1 2" \
     validate --samples 16 "$deep"

@@ -1,0 +1,31 @@
+/* validate_parts.h - the assumption's and the formula's part of the differences that
+ * `validate` found (studies/validation/own_world.h), within its text, JSON and CSV. */
+#ifndef PP_REPORTS_VALIDATE_PARTS_H
+#define PP_REPORTS_VALIDATE_PARTS_H
+
+#include <stdio.h>
+
+#include "reports/parts/json.h"
+#include "studies/validation/comparison.h"
+
+/* Tables of the components in which a method has a world of its own, with the parts of
+ * the average's difference and of the bias; nothing, and false, where none has. */
+bool pp_validate_parts_print(const struct pp_comparison *list, int count, FILE *out);
+
+/* The same over all rooms. */
+void pp_validate_parts_print_all(const struct pp_overall *list, int count, FILE *out);
+
+/* What the tables hold, for the end of a text with any. */
+extern const char pp_validate_parts_note[];
+
+/* Adds what is known of the parts to the object of a comparison; false: memory is out. */
+bool pp_validate_parts_json(struct json_object *object,
+                            const struct pp_comparison *one);
+bool pp_validate_parts_json_all(struct json_object *object,
+                                const struct pp_overall *one);
+
+/* The fields at the end of a line, each behind a comma, and their names. */
+extern const char pp_validate_parts_csv_names[];
+void pp_validate_parts_csv(const struct pp_comparison *one, FILE *out);
+
+#endif
