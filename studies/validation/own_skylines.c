@@ -36,21 +36,23 @@ static bool way_out(struct pp_vec3 *outward, const struct pp_polygon *outline)
 /* The angle of what stands outside before an opening, without what the room's own walls
  * hide. */
 static enum pp_status angle_outside(double *angle_rad, const struct pp_world *world,
+                                    const struct pp_outside_light *light,
                                     const struct pp_world *bare, int opening,
                                     struct pp_error *err)
 {
     double own_rad;
     enum pp_status status =
-        pp_obstruction_angle(angle_rad, world, &world->openings[opening], err);
+        pp_obstruction_angle(angle_rad, world, light, &world->openings[opening], err);
     if (status == PP_OK)
-        status = pp_obstruction_angle(&own_rad, bare, &bare->openings[opening], err);
+        status =
+            pp_obstruction_angle(&own_rad, bare, light, &bare->openings[opening], err);
     if (status != PP_OK || own_rad == 0.0)
         return status;
     if (*angle_rad - own_rad < same_angle_rad) {
         *angle_rad = 0.0;
         return PP_OK;
     }
-    double b = world->sky.gradation;
+    double b = light->sky.gradation;
     double hidden = pp_graded_sky_over_skyline(b, own_rad)
                     - pp_graded_sky_over_skyline(b, *angle_rad);
     *angle_rad = pp_graded_sky_skyline(b, pp_graded_sky_over_skyline(b, 0.0) - hidden);
@@ -69,8 +71,9 @@ static struct side *side_of(struct side *sides, int *count, struct pp_vec3 outwa
 /* The sides of all openings; *covered is false where one that has something before it
  * lies level. */
 static enum pp_status gather(struct side *sides, int *count, bool *covered,
-                             const struct pp_world *world, const struct pp_world *bare,
-                             struct pp_error *err)
+                             const struct pp_world *world,
+                             const struct pp_outside_light *light,
+                             const struct pp_world *bare, struct pp_error *err)
 {
     *count = 0;
     *covered = true;
@@ -78,7 +81,7 @@ static enum pp_status gather(struct side *sides, int *count, bool *covered,
         const struct pp_polygon *outline = &world->openings[i].inner;
         struct pp_vec3 outward;
         double angle_rad;
-        enum pp_status status = angle_outside(&angle_rad, world, bare, i, err);
+        enum pp_status status = angle_outside(&angle_rad, world, light, bare, i, err);
         if (status != PP_OK)
             return status;
         if (!way_out(&outward, outline)) {
@@ -133,6 +136,7 @@ static bool are_the_rooms(const struct pp_own_skylines *skylines,
 
 enum pp_status pp_own_skylines_of(struct pp_own_skylines *skylines,
                                   const struct pp_world *world,
+                                  const struct pp_outside_light *light,
                                   const struct pp_world *bare, struct pp_error *err)
 {
     size_t most = (size_t)world->opening_count + 1;
@@ -142,7 +146,7 @@ enum pp_status pp_own_skylines_of(struct pp_own_skylines *skylines,
     int count = 0;
     bool covered = true;
     if (status == PP_OK)
-        status = gather(sides, &count, &covered, world, bare, err);
+        status = gather(sides, &count, &covered, world, light, bare, err);
     for (int i = 0; status == PP_OK && i < count; i++) {
         double angle_rad = fmin(sides[i].sum / sides[i].area_m2, most_rad);
         const char *wall = wall_towards(world, sides[i].outward);

@@ -19,6 +19,7 @@
 #include <stdbool.h>
 
 #include "model/base/error.h"
+#include "model/light/outside_light.h"
 #include "model/room/building.h"
 #include "model/room/world.h"
 
@@ -38,6 +39,7 @@ struct pp_own_skylines {
  * cleared. */
 enum pp_status pp_own_skylines_of(struct pp_own_skylines *skylines,
                                   const struct pp_world *world,
+                                  const struct pp_outside_light *light,
                                   const struct pp_world *bare, struct pp_error *err);
 void pp_own_skylines_clear(struct pp_own_skylines *skylines);
 

@@ -66,11 +66,11 @@ static const struct pp_method *method_for(const struct pp_own_worlds *worlds,
 static struct own_kind kind_of(const struct pp_own_worlds *worlds,
                                const struct pp_method *method)
 {
-    const struct pp_world *world = worlds->room->world;
     bool direct = method->gives == PP_GIVES_DIRECT;
-    return (struct own_kind){.ground_reflectance = method->own_ground > 0.0
-                                                       ? method->own_ground
-                                                       : world->ground_reflectance,
+    return (struct own_kind){.ground_reflectance =
+                                 method->own_ground > 0.0
+                                     ? method->own_ground
+                                     : worlds->room->light.ground_reflectance,
                              .surroundings = direct || worlds->skylines.as_they_are};
 }
 
@@ -79,8 +79,8 @@ static int index_of(const struct pp_own_worlds *worlds, struct own_kind kind,
                     enum pp_component component)
 {
     const struct pp_world *room = worlds->room->world;
-    bool ground =
-        room->ground_is_open && kind.ground_reflectance == room->ground_reflectance;
+    bool ground = room->ground_is_open
+                  && kind.ground_reflectance == worlds->room->light.ground_reflectance;
     if (kind.surroundings && (ground || component == PP_SC))
         return -1;
     for (int i = 0; i < worlds->count; i++)
@@ -128,7 +128,8 @@ static enum pp_status find_skylines(struct pp_own_worlds *worlds,
     pp_room_clear_surroundings(copy, world);
     status = make_world(&bare, copy, err);
     if (status == PP_OK)
-        status = pp_own_skylines_of(&worlds->skylines, world, bare, err);
+        status = pp_own_skylines_of(&worlds->skylines, world, &worlds->room->light,
+                                    bare, err);
     pp_world_destroy(bare);
     pp_room_destroy(copy);
     return status;
@@ -151,9 +152,11 @@ static enum pp_status make(struct own_world *own, const struct pp_own_worlds *wo
         status = make_world(&own->world, copy, err);
     pp_room_destroy(copy);
     own->report = (struct pp_report){.world = own->world,
+                                     .light = report->light,
                                      .receivers = report->receivers,
                                      .receiver_count = report->receiver_count,
                                      .finished = true};
+    own->report.light.ground_reflectance = own->kind.ground_reflectance;
     return status;
 }
 

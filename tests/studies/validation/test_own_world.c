@@ -8,6 +8,7 @@
 #include "methods/reflected/obstruction.h"
 #include "methods/variant.h"
 #include "model/room/room.h"
+#include "model/room/room_light.h"
 #include "studies/study_report.h"
 #include "studies/validation/comparison.h"
 #include "studies/validation/own_skylines.h"
@@ -36,7 +37,9 @@ static void load(struct compared *c, const char *xml, const char *methods)
     struct pp_room *description = pp_building_room(c->building, 0);
     assert_int_equal(pp_world_create(&world, description, &mistakes, NULL), PP_OK);
     pp_mistakes_clear(&mistakes);
-    pp_study_room_init(&c->room, "test", c->building, 0, description, world);
+    struct pp_outside_light light;
+    assert_int_equal(pp_room_light(&light, description, NULL), PP_OK);
+    pp_study_room_init(&c->room, "test", c->building, 0, description, world, &light);
     c->options.methods = methods;
     c->options.samples = 256;
     c->options.threads = 1;
@@ -216,8 +219,8 @@ static void a_pair_has_light_of_both_its_worlds(void **state)
     assert_ptr_equal(world_for(&c, PP_DF, "exact+split-flux", PP_IRC), split_flux);
     assert_ptr_equal(world_for(&c, PP_DF, "average-df", PP_SC), bre);
     assert_true(exact != bre && exact != split_flux && bre != split_flux);
-    assert_near(bre->world->ground_reflectance, 0.1, 0.0);
-    assert_near(split_flux->world->ground_reflectance, 0.3, 0.0);
+    assert_near(bre->light.ground_reflectance, 0.1, 0.0);
+    assert_near(split_flux->light.ground_reflectance, 0.3, 0.0);
     assert_int_equal(exact->world->block_count, 1);
     assert_int_equal(bre->world->block_count, 0);
     assert_true(exact->world->ground_is_open && bre->world->ground_is_open);
@@ -261,7 +264,9 @@ static struct pp_own_skylines skylines_of(const char *xml, struct compared *c)
     assert_int_equal(pp_room_copy(&copy, c->room.room, NULL), PP_OK);
     pp_room_clear_surroundings(copy, c->room.world);
     assert_int_equal(pp_world_create(&bare, copy, &mistakes, NULL), PP_OK);
-    assert_int_equal(pp_own_skylines_of(&skylines, c->room.world, bare, NULL), PP_OK);
+    assert_int_equal(
+        pp_own_skylines_of(&skylines, c->room.world, &c->room.light, bare, NULL),
+        PP_OK);
     pp_world_destroy(bare);
     pp_room_destroy(copy);
     pp_mistakes_clear(&mistakes);
