@@ -41,11 +41,12 @@ static enum pp_status read_all(char **bytes, size_t *length, size_t most, int fi
     return *length > most ? PP_OK : pp_fail_memory(err);
 }
 
-/* Devices are refused before they are opened, which may do something by itself. */
+/* Devices are refused before they are opened, which may do something by itself; the null
+ * device is an empty file. */
 static bool is_device(const char *path)
 {
     struct stat there;
-    return stat(path, &there) == 0
+    return strcmp(path, "/dev/null") != 0 && stat(path, &there) == 0
            && (S_ISCHR(there.st_mode) || S_ISBLK(there.st_mode));
 }
 
