@@ -7,7 +7,8 @@
  *   PDF  text is text; title, subject and creator are set
  *   SVG  has <title> and <desc>, its size in mm, and ids with a prefix of its own made
  *        from its title and drawing, so that several can stand in one page
- *   PNG  white ground, its resolution noted in the file
+ *   PNG  white ground, its resolution noted in the file; a large one is drawn in bands, so
+ *        that a sheet of any size and resolution takes some 100 MiB
  *
  * The caller owns the file: a finished canvas is a block of bytes, or is handed to a
  * function of the caller's.
