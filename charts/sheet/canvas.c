@@ -37,7 +37,11 @@ struct pp_canvas {
     struct pp_bytes raw;  /* as cairo writes it */
     struct pp_bytes file; /* as the caller gets it */
     bool finished;
+    bool lacks_memory; /* a part of the drawing is missing */
 };
+
+/* The context's own data: the address of its canvas's lacks_memory. */
+static const cairo_user_data_key_t memory_key;
 
 static enum pp_status fail_cairo(struct pp_error *err, cairo_status_t status)
 {
@@ -166,6 +170,9 @@ enum pp_status pp_canvas_create(struct pp_canvas **canvas_out,
     open_surface(canvas);
 
     cairo_status_t status = cairo_status(canvas->cr);
+    if (status == CAIRO_STATUS_SUCCESS)
+        status =
+            cairo_set_user_data(canvas->cr, &memory_key, &canvas->lacks_memory, NULL);
     if (status != CAIRO_STATUS_SUCCESS) {
         pp_canvas_destroy(canvas);
         return fail_cairo(err, status);
@@ -190,6 +197,13 @@ void pp_canvas_destroy(struct pp_canvas *canvas)
 cairo_t *pp_canvas_cairo(struct pp_canvas *canvas)
 {
     return canvas->cr;
+}
+
+void pp_canvas_lacks_memory(cairo_t *cr)
+{
+    bool *lacks_memory = cairo_get_user_data(cr, &memory_key);
+    if (lacks_memory)
+        *lacks_memory = true;
 }
 
 double pp_canvas_width_mm(const struct pp_canvas *canvas)
@@ -250,6 +264,8 @@ static enum pp_status take_file(struct pp_canvas *canvas, struct pp_error *err)
 enum pp_status pp_canvas_finish(struct pp_canvas *canvas, const unsigned char **bytes,
                                 size_t *length, struct pp_error *err)
 {
+    if (canvas->lacks_memory)
+        return pp_fail_memory(err);
     if (!canvas->finished) {
         cairo_status_t status = cairo_status(canvas->cr);
         if (status == CAIRO_STATUS_SUCCESS && canvas->sheet.format == PP_CHART_PNG)

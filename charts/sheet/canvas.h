@@ -44,6 +44,11 @@ cairo_t *pp_canvas_cairo(struct pp_canvas *canvas);
 double pp_canvas_width_mm(const struct pp_canvas *canvas);
 double pp_canvas_height_mm(const struct pp_canvas *canvas);
 
+/* For what draws on a canvas's context and has no memory for a part: pp_canvas_finish will
+ * fail, as with errors of cairo's, so that no drawing is taken for whole. A context of no
+ * canvas is left as it is. */
+void pp_canvas_lacks_memory(cairo_t *cr);
+
 /* What stands small at the foot of the sheets from now on: where the drawing comes from;
  * copied, cut at 160 bytes. None at first. */
 void pp_canvas_set_imprint(struct pp_canvas *canvas, const char *words);
