@@ -39,7 +39,7 @@ static void write_boxes(FILE *out)
 {
     fputs(materials, out);
     fputs("!genbox a box .8 .7 2 | xform -a 408 -t 1 0 0 -a 408 -t 0 1 0\n"
-          "!genbox b box .3 .2 1 | xform -t 0 0 5 -a 203 -t 2 0 0\n",
+          "!genbox b box .3 .2 1 | xform -t 0 0 5 -a 202 -t 2 0 0\n",
           out);
 }
 

@@ -190,14 +190,18 @@ static void draw_bar(const struct picture_drawing *drawing, struct pp_box bar)
     enum { STEPS = 256 };
     cairo_t *cr = drawing->cr;
     struct pp_raster raster;
-    if (pp_raster_init(&raster, 1, STEPS, NULL) != PP_OK)
+    if (pp_raster_init(&raster, 1, STEPS, NULL) != PP_OK) {
+        pp_canvas_lacks_memory(cr);
         return;
+    }
     for (int i = 0; i < STEPS; i++)
         pp_false_colour((STEPS - 1 - i + 0.5) / STEPS, pp_raster_at(&raster, 0, i));
     cairo_surface_t *image = pp_picture_png_surface(&raster);
     pp_raster_clear(&raster);
-    if (!image)
+    if (!image) {
+        pp_canvas_lacks_memory(cr);
         return;
+    }
     cairo_save(cr);
     cairo_translate(cr, bar.x, bar.y);
     cairo_scale(cr, bar.width, bar.height / STEPS);

@@ -111,7 +111,8 @@ const struct pp_option pp_room_stop_options[] = {
     {"error", 0, "E%",
      "Stop when the standard error of the daylight factor is down "
      "to that share of it, or to 0.002 % daylight factor, at "
-     "every point (default 1%).",
+     "every point (default 1%, at most 100%; above some 5 to 10% the least that is "
+     "traced is better).",
      pp_options_read_per_cent, PLACE(study.error)},
     {"samples", 0, "N",
      "Stop after N paths a point in each randomisation, instead of "

@@ -6,6 +6,8 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "charts/sheet/canvas.h"
+
 void pp_contour_lines_path(cairo_t *cr, const struct pp_room_plan *plan,
                            const struct pp_curve *curve)
 {
@@ -177,6 +179,8 @@ bool pp_contour_lines_draw(cairo_t *cr, const struct pp_style *style,
     double gap = size.width + 1.6 * style->scale, at = -1.0;
     struct track track;
     bool laid = lay_track(&track, plan, curve);
+    if (!laid)
+        pp_canvas_lacks_memory(cr);
     if (laid && track.length[track.count - 1] > (curve->closed ? 5.0 : 2.0) * gap)
         at = best_place(&track, labels, owner, gap, size.height);
 

@@ -105,6 +105,8 @@ static void draw_run(struct pp_section_plot *plot, int index, int first, int las
     const struct pp_series *series = &plot->series[index];
     double(*xy)[2] = malloc((size_t)(last - first + 1) * sizeof *xy);
     int count = 0;
+    if (!xy)
+        pp_canvas_lacks_memory(plot->cr);
     for (int i = first; i <= last && xy; i++) {
         int point = plot->order[i];
         double x = pp_axis_at(&plot->across, plot->distance[point]);

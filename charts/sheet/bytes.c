@@ -197,9 +197,10 @@ static void big_endian(unsigned char four[4], uint32_t value)
         four[i] = (unsigned char)(value >> (24 - 8 * i));
 }
 
-static uint32_t crc32_of(const unsigned char *bytes, size_t count)
+/* The check goes on from the one of what stands before; 0: nothing does. */
+static uint32_t crc32_of(uint32_t before, const unsigned char *bytes, size_t count)
 {
-    uint32_t crc = 0xffffffffu;
+    uint32_t crc = ~before;
     for (size_t i = 0; i < count; i++) {
         crc ^= bytes[i];
         for (int bit = 0; bit < 8; bit++)
@@ -208,19 +209,28 @@ static uint32_t crc32_of(const unsigned char *bytes, size_t count)
     return ~crc;
 }
 
+bool pp_bytes_add_chunk(struct pp_bytes *png, const char name[4], const void *content,
+                        size_t count)
+{
+    unsigned char length[4], check[4];
+    const unsigned char *letters = (const unsigned char *)name;
+    big_endian(length, (uint32_t)count);
+    big_endian(check, crc32_of(crc32_of(0, letters, 4), content, count));
+    return pp_bytes_add(png, length, 4) && pp_bytes_add(png, letters, 4)
+           && (count == 0 || pp_bytes_add(png, content, count))
+           && pp_bytes_add(png, check, 4);
+}
+
 /* A chunk pHYs (dots a metre, both ways) goes right after IHDR, which ends at byte 33:
  * signature 8, length 4, name 4, data 13, check 4. */
 bool pp_bytes_resolve_png(struct pp_bytes *png, const struct pp_bytes *cairo,
                           double dots_per_mm)
 {
     enum { HEADER = 33 };
-    unsigned char chunk[21] = {0, 0, 0, 9, 'p', 'H', 'Y', 's'};
-    uint32_t dots_per_m = (uint32_t)lrint(1000.0 * dots_per_mm);
-    big_endian(chunk + 8, dots_per_m);
-    big_endian(chunk + 12, dots_per_m);
-    chunk[16] = 1; /* the unit is the metre */
-    big_endian(chunk + 17, crc32_of(chunk + 4, 13));
+    unsigned char dots[9] = {[8] = 1}; /* the unit is the metre */
+    big_endian(dots, (uint32_t)lrint(1000.0 * dots_per_mm));
+    big_endian(dots + 4, (uint32_t)lrint(1000.0 * dots_per_mm));
     return cairo->count > HEADER && pp_bytes_add(png, cairo->list, HEADER)
-           && pp_bytes_add(png, chunk, sizeof chunk)
+           && pp_bytes_add_chunk(png, "pHYs", dots, sizeof dots)
            && pp_bytes_add(png, cairo->list + HEADER, cairo->count - HEADER);
 }

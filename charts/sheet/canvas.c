@@ -14,6 +14,7 @@
 #include <pango/pangocairo.h>
 
 #include "charts/sheet/bytes.h"
+#include "charts/sheet/png_bands.h"
 
 #define MM_PER_INCH 25.4
 #define POINTS_PER_MM (72.0 / MM_PER_INCH)
@@ -21,17 +22,26 @@
 /* The dates of every PDF, so that one drawing is one file. */
 #define FIXED_DATE "2000-01-01T00:00:00Z"
 
+/* A PNG of more bytes of pixels than the first is drawn in bands of some of the second. */
+enum { WHOLE_BYTES_MOST = 128 << 20, BAND_BYTES = 32 << 20 };
+
 struct pp_canvas {
     struct pp_sheet sheet; /* its texts are owned here */
     char *title, *description;
     char imprint[160];
     double width_mm, height_mm, dpi;
+    int width_px, height_px; /* of PNG */
+    bool in_bands;           /* the surface is a recording */
     cairo_surface_t *surface;
     cairo_t *cr;
     struct pp_bytes raw;  /* as cairo writes it */
     struct pp_bytes file; /* as the caller gets it */
     bool finished;
+    bool lacks_memory; /* a part of the drawing is missing */
 };
+
+/* The context's own data: the address of its canvas's lacks_memory. */
+static const cairo_user_data_key_t memory_key;
 
 static enum pp_status fail_cairo(struct pp_error *err, cairo_status_t status)
 {
@@ -80,6 +90,29 @@ static void describe_pdf(struct pp_canvas *canvas)
     cairo_pdf_surface_set_metadata(pdf, CAIRO_PDF_METADATA_MOD_DATE, FIXED_DATE);
 }
 
+static void open_picture(struct pp_canvas *canvas)
+{
+    double dots_per_mm = canvas->dpi / MM_PER_INCH;
+    canvas->width_px = (int)lrint(canvas->width_mm * dots_per_mm);
+    canvas->height_px = (int)lrint(canvas->height_mm * dots_per_mm);
+    canvas->in_bands = canvas->width_px > WHOLE_BYTES_MOST / 4 / canvas->height_px;
+    cairo_rectangle_t all = {0.0, 0.0, canvas->width_px, canvas->height_px};
+    canvas->surface = canvas->in_bands
+                          ? cairo_recording_surface_create(CAIRO_CONTENT_COLOR, &all)
+                          : cairo_image_surface_create(
+                              CAIRO_FORMAT_RGB24, canvas->width_px, canvas->height_px);
+}
+
+/* Adds the picture as a PNG file to canvas->raw. */
+static cairo_status_t write_picture(struct pp_canvas *canvas)
+{
+    if (!canvas->in_bands)
+        return cairo_surface_write_to_png_stream(canvas->surface, append, &canvas->raw);
+    int rows = BAND_BYTES / 4 / canvas->width_px;
+    return pp_png_bands_write(&canvas->raw, canvas->surface, canvas->width_px,
+                              canvas->height_px, rows > 1 ? rows : 1);
+}
+
 static void open_surface(struct pp_canvas *canvas)
 {
     double width_pt = canvas->width_mm * POINTS_PER_MM;
@@ -97,9 +130,7 @@ static void open_surface(struct pp_canvas *canvas)
                                                               width_pt, height_pt);
         break;
     case PP_CHART_PNG:
-        canvas->surface = cairo_image_surface_create(
-            CAIRO_FORMAT_RGB24, (int)lrint(canvas->width_mm * dots_per_mm),
-            (int)lrint(canvas->height_mm * dots_per_mm));
+        open_picture(canvas);
         break;
     }
     canvas->cr = cairo_create(canvas->surface);
@@ -139,6 +170,9 @@ enum pp_status pp_canvas_create(struct pp_canvas **canvas_out,
     open_surface(canvas);
 
     cairo_status_t status = cairo_status(canvas->cr);
+    if (status == CAIRO_STATUS_SUCCESS)
+        status =
+            cairo_set_user_data(canvas->cr, &memory_key, &canvas->lacks_memory, NULL);
     if (status != CAIRO_STATUS_SUCCESS) {
         pp_canvas_destroy(canvas);
         return fail_cairo(err, status);
@@ -163,6 +197,13 @@ void pp_canvas_destroy(struct pp_canvas *canvas)
 cairo_t *pp_canvas_cairo(struct pp_canvas *canvas)
 {
     return canvas->cr;
+}
+
+void pp_canvas_lacks_memory(cairo_t *cr)
+{
+    bool *lacks_memory = cairo_get_user_data(cr, &memory_key);
+    if (lacks_memory)
+        *lacks_memory = true;
 }
 
 double pp_canvas_width_mm(const struct pp_canvas *canvas)
@@ -223,11 +264,12 @@ static enum pp_status take_file(struct pp_canvas *canvas, struct pp_error *err)
 enum pp_status pp_canvas_finish(struct pp_canvas *canvas, const unsigned char **bytes,
                                 size_t *length, struct pp_error *err)
 {
+    if (canvas->lacks_memory)
+        return pp_fail_memory(err);
     if (!canvas->finished) {
         cairo_status_t status = cairo_status(canvas->cr);
         if (status == CAIRO_STATUS_SUCCESS && canvas->sheet.format == PP_CHART_PNG)
-            status = cairo_surface_write_to_png_stream(canvas->surface, append,
-                                                       &canvas->raw);
+            status = write_picture(canvas);
         cairo_surface_finish(canvas->surface);
         if (status == CAIRO_STATUS_SUCCESS)
             status = cairo_surface_status(canvas->surface);

@@ -7,7 +7,8 @@
  *   PDF  text is text; title, subject and creator are set
  *   SVG  has <title> and <desc>, its size in mm, and ids with a prefix of its own made
  *        from its title and drawing, so that several can stand in one page
- *   PNG  white ground, its resolution noted in the file
+ *   PNG  white ground, its resolution noted in the file; a large one is drawn in bands, so
+ *        that a sheet of any size and resolution takes some 100 MiB
  *
  * The caller owns the file: a finished canvas is a block of bytes, or is handed to a
  * function of the caller's.
@@ -42,6 +43,11 @@ void pp_canvas_destroy(struct pp_canvas *canvas); /* NULL is allowed */
 cairo_t *pp_canvas_cairo(struct pp_canvas *canvas);
 double pp_canvas_width_mm(const struct pp_canvas *canvas);
 double pp_canvas_height_mm(const struct pp_canvas *canvas);
+
+/* For what draws on a canvas's context and has no memory for a part: pp_canvas_finish will
+ * fail, as with errors of cairo's, so that no drawing is taken for whole. A context of no
+ * canvas is left as it is. */
+void pp_canvas_lacks_memory(cairo_t *cr);
 
 /* What stands small at the foot of the sheets from now on: where the drawing comes from;
  * copied, cut at 160 bytes. None at first. */

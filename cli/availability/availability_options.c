@@ -282,7 +282,9 @@ enum pp_exit pp_availability_options_median(const char *path, double *median_lx)
         return result;
     enum pp_status status =
         pp_diffuse_light_of_epw(&light, options.epw, pp_read_file_title(path), &err);
-    *median_lx = status == PP_OK ? pp_diffuse_light_median_lx(&light) : NAN;
+    *median_lx = NAN;
+    if (status == PP_OK)
+        status = pp_diffuse_light_median(median_lx, &light, &err);
     if (status == PP_OK && !(*median_lx > 0.0))
         status = pp_fail(&err, PP_BAD_INPUT,
                          "%s: it has no median of a year: its data cover less, or are "

@@ -115,15 +115,16 @@ enum pp_status pp_picture_words_false_colour(struct pp_picture_sheet *sheet,
     sheet->unit = words.unit;
     enum pp_status status = pp_false_colour_scale_fit(
         &sheet->scale, picture, words.scale, !choice->linear, err);
+    if (status != PP_OK)
+        return status;
     if (choice->range.count)
         sheet->scale = (struct pp_false_colour_scale){
             choice->range.list[0], choice->range.list[1], !choice->linear};
     look_beyond(sheet, picture, words.scale);
     choose_levels(sheet, choice);
     double side = fmax(picture->width, picture->height);
-    if (status == PP_OK)
-        status = pp_false_colour_raster(&sheet->raster, picture, words.scale,
-                                        &sheet->scale, err);
+    status = pp_false_colour_raster(&sheet->raster, picture, words.scale, &sheet->scale,
+                                    err);
     if (status == PP_OK)
         status = pp_iso_lines(&sheet->lines, picture, shown->tags, words.scale,
                               sheet->levels, sheet->level_count, smooth_share * side,

@@ -149,9 +149,6 @@ static void read_rectangle(struct pp_protractor_reading *reading,
         reading->edge_rad[i] = section_altitude(b[i], slope);
         reading->share[i] = pp_protractor_dial_share(dial, reading->edge_rad[i]);
     }
-    reading->initial =
-        pp_formula_value(&pp_protractor_read_initial,
-                         (const double[]){reading->share[1], reading->share[0]});
     reading->average_rad = (reading->edge_rad[0] + reading->edge_rad[1]) / 2.0;
     for (int i = 0; i < 2; i++) {
         double nearer = turned_down ? sin(reading->average_rad + slope) : 1.0;
@@ -159,6 +156,14 @@ static void read_rectangle(struct pp_protractor_reading *reading,
         reading->correction[i] = pp_protractor_dial_factor(
             dial, reading->average_rad, reading->jamb_rad[i], turned_down);
     }
+}
+
+/* The component of one rectangle by the formulae below its readings. */
+static void work_component(struct pp_protractor_reading *reading)
+{
+    reading->initial =
+        pp_formula_value(&pp_protractor_read_initial,
+                         (const double[]){reading->share[1], reading->share[0]});
     reading->width_factor = pp_formula_value(
         &pp_protractor_read_no_width,
         (const double[]){reading->correction[1], reading->correction[0]});
@@ -196,7 +201,6 @@ static enum pp_status read_upright(struct pp_protractor_readings *readings,
         read_rectangle(
             reading, dial, PP_PI / 2.0,
             (struct rectangle){part->left, part->right, part->low, part->high});
-        *(reading->hidden ? &readings->external : &readings->sky) += reading->component;
     }
     pp_elevation_clear(&elevation);
     return status;
@@ -301,7 +305,6 @@ static enum pp_status read_sloping(struct pp_protractor_readings *readings,
     struct pp_protractor_reading *all = &readings->list[readings->count++];
     all->factor = 1.0;
     read_rectangle(all, dial, slope, equal_rectangle(&whole));
-    readings->sky = all->component;
 
     for (int i = 0; i < drawing->count && status == PP_OK; i++) {
         struct pp_area_moments extent = pp_area_moments_empty();
@@ -314,12 +317,21 @@ static enum pp_status read_sloping(struct pp_protractor_readings *readings,
         reading->hidden = true;
         reading->factor = drawing->parts[i].factor;
         read_rectangle(reading, dial, slope, obstruction_rectangle(&extent, slope));
-        readings->sky -= reading->initial * reading->width_factor;
         readings->less_hidden = true;
-        readings->external += reading->component;
+    }
+    return status;
+}
+
+void pp_protractor_read_work(struct pp_protractor_readings *readings)
+{
+    for (int i = 0; i < readings->count; i++) {
+        struct pp_protractor_reading *reading = &readings->list[i];
+        work_component(reading);
+        *(reading->hidden ? &readings->external : &readings->sky) += reading->component;
+        if (reading->hidden && readings->less_hidden)
+            readings->sky -= reading->initial * reading->width_factor;
     }
     readings->sky = fmax(readings->sky, 0.0);
-    return status;
 }
 
 enum pp_status pp_protractor_read(struct pp_protractor_readings *readings,

@@ -18,14 +18,18 @@ enum pp_status pp_protractor_read_choose(struct pp_protractor *protractor,
                                          const struct pp_opening *opening,
                                          struct pp_error *err);
 
-/* Reads all rectangles that the point sees in the opening. The readings are to be
- * cleared by the caller; empty where the point sees nothing, and on failure. */
+/* Reads the scales for all rectangles that the point sees in the opening. The readings
+ * are to be cleared by the caller; empty where the point sees nothing, and on failure. */
 enum pp_status pp_protractor_read(struct pp_protractor_readings *readings,
                                   const struct pp_protractor_dial *dial,
                                   const struct pp_world *world,
                                   const struct pp_outside_light *light,
                                   const struct pp_opening *opening,
                                   struct pp_vec3 point, struct pp_error *err);
+
+/* Works out the components of readings by the published formulae, and their sums; the
+ * method, whose formulae may be a reader's, does so on its worksheet instead. */
+void pp_protractor_read_work(struct pp_protractor_readings *readings);
 
 /* The sums of a rectangle's readings [BRE309]. */
 extern const struct pp_formula pp_protractor_read_initial; /* i */

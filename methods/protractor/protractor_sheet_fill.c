@@ -189,6 +189,7 @@ static enum pp_status keep_if_largest(struct pp_protractor_sheet *sheet,
     status = pp_protractor_read(&read, dial, world, light, opening, sheet->point, err);
     if (status != PP_OK)
         return status;
+    pp_protractor_read_work(&read);
     bool larger =
         read.count > 0
         && (!sheet->opening

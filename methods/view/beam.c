@@ -64,6 +64,24 @@ static void project(struct pp_fragment_ring *ring, double (*xy)[2],
     pp_fragments_close_ring(ring, xy, piece->count);
 }
 
+/* Does a piece, projected along the direction (a, b, 1), lie beside the opening? By the
+ * piece's extent, in the operations of project(), each of which rounds one way in its
+ * arguments: never true of a piece whose projection meets the opening's extent. */
+static bool lies_beside(const struct pp_beam *beam, const struct beam_piece *piece,
+                        double a, double b)
+{
+    const double slope[2] = {a, b};
+    const double low[2] = {piece->low.x, piece->low.y};
+    const double high[2] = {piece->high.x, piece->high.y};
+    for (int axis = 0; axis < 2; axis++) {
+        double near = slope[axis] * piece->low.z, far = slope[axis] * piece->high.z;
+        if (high[axis] - fmin(near, far) <= beam->low[axis]
+            || low[axis] - fmax(near, far) >= beam->high[axis])
+            return true;
+    }
+    return false;
+}
+
 /* The depth z at which the direction (a, b, 1) from (x, y) in the face meets a plane. */
 static void set_depth(struct pp_fragment_ring *ring, struct pp_vec3 normal,
                       double offset, double facing)
@@ -91,6 +109,8 @@ static enum pp_status open_part(const struct pp_beam *beam, struct pp_beam_space
     for (int w = beam->outer.count == 0; w < 2 && status == PP_OK; w++) {
         cut->count = 0;
         for (int i = 0; i < within[w]->count && status == PP_OK; i++) {
+            if (lies_beside(beam, &within[w]->list[i], a, b))
+                continue;
             project(&ring, xy, beam, &within[w]->list[i], a, b);
             status = pp_fragments_intersect(cut, open, &ring, err);
         }
@@ -99,6 +119,8 @@ static enum pp_status open_part(const struct pp_beam *beam, struct pp_beam_space
         cut = swap;
     }
     for (int i = 0; i < beam->inside.count && open->count > 0 && status == PP_OK; i++) {
+        if (lies_beside(beam, &beam->inside.list[i], a, b))
+            continue;
         project(&ring, xy, beam, &beam->inside.list[i], a, b);
         status = pp_fragments_subtract(open, &ring, err);
     }
@@ -185,7 +207,8 @@ static int find_rings(struct pp_beam_space *space, const struct pp_beam *beam,
     for (int i = 0; i < beam->outside.count; i++) {
         const struct beam_piece *piece = &beam->outside.list[i];
         double facing = pp_vec_dot(piece->normal, own) / own.z;
-        if (facing == 0.0 || (piece->side_of_box && facing > 0.0))
+        if (facing == 0.0 || (piece->side_of_box && facing > 0.0)
+            || lies_beside(beam, piece, a, b))
             continue;
         struct pp_fragment_ring *ring = &space->rings[count];
         project(ring, space->xy + count * PP_FRAGMENT_CORNERS, beam, piece, a, b);

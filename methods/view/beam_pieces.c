@@ -19,6 +19,16 @@ struct beam_limit {
 
 enum { LIMITS_MOST = 2 };
 
+static void add_corner(struct pp_beam *beam, struct beam_piece *piece, struct pp_vec3 v)
+{
+    struct pp_vec3 *low = &piece->low, *high = &piece->high;
+    if (piece->count == 0)
+        *low = *high = v;
+    *low = pp_vec(fmin(low->x, v.x), fmin(low->y, v.y), fmin(low->z, v.z));
+    *high = pp_vec(fmax(high->x, v.x), fmax(high->y, v.y), fmax(high->z, v.z));
+    beam->corners[piece->first + piece->count++] = v;
+}
+
 /* Adds a convex polygon, in parts of few corners, `like` having all else. */
 static enum pp_status add_fan(struct pp_beam *beam, struct beam_pieces *pieces,
                               struct beam_piece like, const struct pp_vec3 *corners,
@@ -39,9 +49,9 @@ static enum pp_status add_fan(struct pp_beam *beam, struct beam_pieces *pieces,
         *piece = like;
         piece->first = beam->corner_count;
         piece->count = 0;
-        beam->corners[piece->first + piece->count++] = corners[0];
+        add_corner(beam, piece, corners[0]);
         for (int i = from; i < count && piece->count < MOST; i++)
-            beam->corners[piece->first + piece->count++] = corners[i];
+            add_corner(beam, piece, corners[i]);
         beam->corner_count += piece->count;
     }
     return status;

@@ -9,6 +9,7 @@
 /* A convex polygon in the beam's axes: `count` corners from beam->corners[first] on. */
 struct beam_piece {
     int first, count;
+    struct pp_vec3 low, high; /* extent of the corners */
     struct pp_vec3 normal;
     double offset; /* normal.v of the corners */
     double front, back, exitance;

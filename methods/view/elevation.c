@@ -1,9 +1,10 @@
-/* elevation.c - draws the opening and the obstructions as rectangles, and cuts the
- * opening along all their edges. */
+/* elevation.c - draws the opening and the obstructions as rectangles, for
+ * elevation_strips.h to cut the one by the others. */
 #include "methods/view/elevation.h"
 
 #include <stdlib.h>
 
+#include "methods/view/elevation_strips.h"
 #include "methods/view/hole_bands.h"
 #include "methods/view/visible.h"
 #include "model/base/array.h"
@@ -21,17 +22,6 @@ static struct pp_vec3 in_frame(const struct opening_frame *frame, struct pp_vec3
     return pp_frame_in(&frame->axes, pp_vec_sub(p, frame->point));
 }
 
-/* An obstruction on the drawing. */
-struct obstruction {
-    struct pp_elevation_part outline;
-    double distance_m; /* of the nearest corner */
-};
-
-struct obstructions {
-    int count;
-    struct obstruction *list;
-};
-
 /* An opening and its obstructions as seen from the point. */
 struct opening_drawing {
     const struct pp_world *world;
@@ -39,7 +29,7 @@ struct opening_drawing {
     struct opening_frame frame;
     double face_m, glass_m;        /* distances of the point from wall face and glass */
     struct pp_elevation_part seen; /* the visible part of the opening */
-    struct obstructions obstructions;
+    struct pp_elevation_obstructions obstructions;
 };
 
 /* The rectangle of equal area with the centroid of a figure and the proportions of its
@@ -128,24 +118,20 @@ static enum pp_status find_seen(struct opening_drawing *drawing, struct pp_error
     return PP_OK;
 }
 
-/* Adds an obstruction: nearest first, and of two as near the one added first. */
 static enum pp_status add_obstruction(struct opening_drawing *drawing,
-                                      struct obstruction obstruction,
+                                      struct pp_elevation_obstruction obstruction,
                                       struct pp_error *err)
 {
-    struct obstructions *obstructions = &drawing->obstructions;
+    struct pp_elevation_obstructions *obstructions = &drawing->obstructions;
     if (is_empty(&obstruction.outline))
         return PP_OK;
     enum pp_status status = pp_array_append(&obstructions->list, obstructions->count,
                                             sizeof *obstructions->list, err);
-    if (status != PP_OK)
-        return status;
-    struct obstruction *list = obstructions->list;
-    int at = obstructions->count++;
-    for (; at > 0 && list[at - 1].distance_m > obstruction.distance_m; at--)
-        list[at] = list[at - 1];
-    list[at] = obstruction;
-    return PP_OK;
+    if (status == PP_OK) {
+        obstruction.order = obstructions->count;
+        obstructions->list[obstructions->count++] = obstruction;
+    }
+    return status;
 }
 
 static enum pp_status add_skylines(struct opening_drawing *drawing,
@@ -160,7 +146,7 @@ static enum pp_status add_skylines(struct opening_drawing *drawing,
         double high = isfinite(distance_m)
                           ? (skyline->head_z_m - drawing->frame.point.z) / distance_m
                           : tan(skyline->angle_rad);
-        struct obstruction obstruction = {
+        struct pp_elevation_obstruction obstruction = {
             .outline = {-INFINITY, INFINITY, -INFINITY, high, skyline->reflectance},
             .distance_m = distance_m};
         enum pp_status status = add_obstruction(drawing, obstruction, err);
@@ -241,11 +227,26 @@ static enum pp_status add_silhouette(struct opening_drawing *drawing,
     double width = extent->right - extent->left;
     if (!(extent->area > 0.0 && width > 0.0))
         return PP_OK;
-    struct obstruction obstruction = {
+    struct pp_elevation_obstruction obstruction = {
         .outline = {extent->left, extent->right, extent->low,
                     extent->low + extent->area / width, reflectance},
         .distance_m = silhouette->distance_m};
     return add_obstruction(drawing, obstruction, err);
+}
+
+/* Has a surface a part on the outer side of the glass, or does it lie in the plane? */
+static bool reaches_outside(const struct pp_polygon *outline,
+                            const struct opening_drawing *drawing)
+{
+    bool is_near = false;
+    for (int i = 0; i < outline->count; i++) {
+        double y = pp_vec_dot(drawing->frame.axes.y,
+                              pp_vec_sub(outline->vertices[i], drawing->frame.point));
+        if (y > drawing->glass_m)
+            return true;
+        is_near = is_near || y < drawing->glass_m;
+    }
+    return !is_near;
 }
 
 static bool faces(const struct pp_polygon *outline, struct pp_vec3 point)
@@ -262,7 +263,8 @@ static enum pp_status add_surfaces(struct opening_drawing *drawing,
     for (int i = 0; i < world->surface_count && status == PP_OK; i++) {
         const struct pp_surface *surface = world->surfaces + i;
         bool free_outside = surface->role == PP_FREE_SURFACE && !surface->inside;
-        if (i == drawing->opening->face || !(i < world->face_count || free_outside))
+        if (i == drawing->opening->face || !(i < world->face_count || free_outside)
+            || !reaches_outside(&surface->outline, drawing))
             continue;
         struct silhouette silhouette = no_silhouette();
         bool front = faces(&surface->outline, drawing->frame.point);
@@ -290,7 +292,8 @@ static enum pp_status add_facade(struct opening_drawing *drawing, int index,
     int count = pp_hole_bands(bands, drawing->world, drawing->opening,
                               drawing->frame.point, &drawing->frame.axes);
     for (int i = 0; i < count && status == PP_OK; i++)
-        status = add_obstruction(drawing, (struct obstruction){bands[i], 0.0}, err);
+        status = add_obstruction(
+            drawing, (struct pp_elevation_obstruction){.outline = bands[i]}, err);
     return status;
 }
 
@@ -315,145 +318,6 @@ static enum pp_status add_blocks(struct opening_drawing *drawing, struct pp_erro
         status =
             add_silhouette(drawing, &silhouettes[b], world->blocks[b].reflectance, err);
     free(silhouettes);
-    return status;
-}
-
-static int by_size(const void *a, const void *b)
-{
-    double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
-/* The left and right edges of the visible part and of all obstructions, in order. */
-static int sorted_jambs(double *edges, const struct opening_drawing *drawing)
-{
-    const struct pp_elevation_part *seen = &drawing->seen;
-    int count = 0;
-    edges[count++] = seen->left;
-    edges[count++] = seen->right;
-    for (int i = 0; i < drawing->obstructions.count; i++) {
-        const struct pp_elevation_part *o = &drawing->obstructions.list[i].outline;
-        double both[2] = {o->left, o->right};
-        for (int k = 0; k < 2; k++)
-            if (both[k] > seen->left && both[k] < seen->right)
-                edges[count++] = both[k];
-    }
-    qsort(edges, (size_t)count, sizeof *edges, by_size);
-    return count;
-}
-
-/* The obstructions that cross one upright strip, nearest first. */
-struct upright_strip {
-    double left, right;
-    int count;
-    const struct pp_elevation_part **crossing;
-    double *levels; /* lower and upper edges */
-};
-
-/* Reflectance of the nearest obstruction at a height; NAN: sky. */
-static double reflectance_at(const struct upright_strip *strip, double z)
-{
-    for (int i = 0; i < strip->count; i++)
-        if (z > strip->crossing[i]->low && z < strip->crossing[i]->high)
-            return strip->crossing[i]->reflectance;
-    return NAN;
-}
-
-static bool same_light(double a, double b)
-{
-    return a == b || (isnan(a) && isnan(b));
-}
-
-/* Adds the parts of a strip, from below: one for each run of one light. */
-static enum pp_status add_strip(struct pp_elevation *elevation, int *capacity,
-                                const struct opening_drawing *drawing,
-                                struct upright_strip *strip, struct pp_error *err)
-{
-    const struct pp_elevation_part *seen = &drawing->seen;
-    double middle = (strip->left + strip->right) / 2.0;
-    int levels = 0, first = elevation->count;
-    strip->count = 0;
-    strip->levels[levels++] = seen->low;
-    strip->levels[levels++] = seen->high;
-    for (int i = 0; i < drawing->obstructions.count; i++) {
-        const struct pp_elevation_part *o = &drawing->obstructions.list[i].outline;
-        if (!(middle > o->left && middle < o->right))
-            continue;
-        strip->crossing[strip->count++] = o;
-        double both[2] = {o->low, o->high};
-        for (int k = 0; k < 2; k++)
-            if (both[k] > seen->low && both[k] < seen->high)
-                strip->levels[levels++] = both[k];
-    }
-    qsort(strip->levels, (size_t)levels, sizeof *strip->levels, by_size);
-    for (int i = 0; i + 1 < levels; i++) {
-        struct pp_elevation_part part = {strip->left, strip->right, strip->levels[i],
-                                         strip->levels[i + 1], NAN};
-        if (is_empty(&part))
-            continue;
-        part.reflectance = reflectance_at(strip, (part.low + part.high) / 2.0);
-        if (elevation->count > first
-            && same_light(elevation->parts[elevation->count - 1].reflectance,
-                          part.reflectance)) {
-            elevation->parts[elevation->count - 1].high = part.high;
-            continue;
-        }
-        enum pp_status status =
-            pp_array_reserve(&elevation->parts, capacity, elevation->count + 1,
-                             sizeof *elevation->parts, err);
-        if (status != PP_OK)
-            return status;
-        elevation->parts[elevation->count++] = part;
-    }
-    return PP_OK;
-}
-
-/* A strip of `count` parts from `now` on that continues the one from `before` on is
- * joined to it. */
-static bool join(struct pp_elevation *elevation, int before, int now)
-{
-    int count = elevation->count - now;
-    struct pp_elevation_part *a = elevation->parts + before,
-                             *b = elevation->parts + now;
-    if (now - before != count)
-        return false;
-    for (int i = 0; i < count; i++)
-        if (a[i].low != b[i].low || a[i].high != b[i].high || a[i].right != b[i].left
-            || !same_light(a[i].reflectance, b[i].reflectance))
-            return false;
-    for (int i = 0; i < count; i++)
-        a[i].right = b[i].right;
-    elevation->count = now;
-    return true;
-}
-
-/* Divides the visible part by upright strips from jamb to jamb, and each strip by what
- * it shows. */
-static enum pp_status divide(struct pp_elevation *elevation,
-                             const struct opening_drawing *drawing,
-                             struct pp_error *err)
-{
-    size_t most = 2 * (size_t)drawing->obstructions.count + 2;
-    double *edges = malloc(2 * most * sizeof *edges);
-    struct upright_strip strip = {.crossing = malloc(most * sizeof *strip.crossing)};
-    enum pp_status status = edges && strip.crossing ? PP_OK : pp_fail_memory(err);
-    int capacity = 0, before = 0, count = 0;
-    if (status == PP_OK) {
-        strip.levels = edges + most;
-        count = sorted_jambs(edges, drawing);
-    }
-    for (int i = 0; i + 1 < count && status == PP_OK; i++) {
-        if (!(edges[i + 1] > edges[i]))
-            continue;
-        int now = elevation->count;
-        strip.left = edges[i];
-        strip.right = edges[i + 1];
-        status = add_strip(elevation, &capacity, drawing, &strip, err);
-        if (status == PP_OK && (now == before || !join(elevation, before, now)))
-            before = now;
-    }
-    free(edges);
-    free(strip.crossing);
     return status;
 }
 
@@ -486,7 +350,8 @@ enum pp_status pp_elevation_init(struct pp_elevation *elevation,
     for (int i = 0; i < world->facade_count && status == PP_OK; i++)
         status = add_facade(&drawing, i, err);
     if (status == PP_OK)
-        status = divide(elevation, &drawing, err);
+        status = pp_elevation_strips_cut(elevation, &drawing.seen,
+                                         &drawing.obstructions, err);
     free(drawing.obstructions.list);
     if (status != PP_OK)
         pp_elevation_clear(elevation);

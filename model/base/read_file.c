@@ -6,6 +6,7 @@
 #include <stdbool.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 const char *pp_read_file_title(const char *path)
@@ -40,6 +41,37 @@ static enum pp_status read_all(char **bytes, size_t *length, size_t most, int fi
     return *length > most ? PP_OK : pp_fail_memory(err);
 }
 
+/* Devices are refused before they are opened, which may do something by itself; the null
+ * device is an empty file. */
+static bool is_device(const char *path)
+{
+    struct stat there;
+    return strcmp(path, "/dev/null") != 0 && stat(path, &there) == 0
+           && (S_ISCHR(there.st_mode) || S_ISBLK(there.st_mode));
+}
+
+static bool is_regular(int file)
+{
+    struct stat there;
+    return fstat(file, &there) == 0 && S_ISREG(there.st_mode);
+}
+
+/* What has no size of its own, a pipe say, is read up to PP_READ_FILE_STREAM_MOST. */
+static enum pp_status read_stream(char **bytes, size_t *length, size_t most, int file,
+                                  const char *name, struct pp_error *err)
+{
+    bool less = PP_READ_FILE_STREAM_MOST < most;
+    enum pp_status status = read_all(
+        bytes, length, less ? PP_READ_FILE_STREAM_MOST : most, file, name, err);
+    if (status == PP_OK && less && *length > PP_READ_FILE_STREAM_MOST)
+        return pp_fail(
+            err, PP_BAD_INPUT,
+            "%s: more than %d MiB come out of it, which is no file; expected "
+            "a file",
+            name, (int)(PP_READ_FILE_STREAM_MOST >> 20));
+    return status;
+}
+
 enum pp_status pp_read_file(char **bytes, size_t *length, const char *path, size_t most,
                             struct pp_error *err)
 {
@@ -50,13 +82,16 @@ enum pp_status pp_read_file(char **bytes, size_t *length, const char *path, size
         return pp_fail(err, PP_BAD_INPUT,
                        "the name of a file is empty; expected one, or - for standard "
                        "input");
+    if (!standard && is_device(path))
+        return pp_fail(err, PP_BAD_INPUT, "%s: is a device; expected a file", name);
     int file = standard ? STDIN_FILENO : open(path, O_RDONLY | O_CLOEXEC);
     if (file < 0) {
         bool missing = errno == ENOENT || errno == ENOTDIR || errno == ENAMETOOLONG;
         return pp_fail(err, missing ? PP_BAD_INPUT : PP_SYSTEM,
                        "%s: cannot be opened: %s", name, strerror(errno));
     }
-    enum pp_status status = read_all(bytes, length, most, file, name, err);
+    enum pp_status status = (is_regular(file) ? read_all : read_stream)(
+        bytes, length, most, file, name, err);
     if (!standard)
         close(file);
     if (status != PP_OK) {

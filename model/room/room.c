@@ -280,6 +280,13 @@ void pp_room_clear_surroundings(struct pp_room *room, const struct pp_world *wor
     room->surface_count = kept;
 }
 
+void pp_room_clear_facades(struct pp_room *room)
+{
+    for (int i = 0; i < room->facade_count; i++)
+        free(room->facades[i].wall);
+    room->facade_count = 0;
+}
+
 /* ---- Does it make sense? ---- */
 
 enum pp_status pp_room_is_sound(bool *sound, const struct pp_room *room,

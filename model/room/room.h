@@ -81,6 +81,9 @@ enum pp_status pp_room_add_skyline(struct pp_room *room, const char *wall,
  * room's. Facades stay: they are the building's own. */
 void pp_room_clear_surroundings(struct pp_room *room, const struct pp_world *world);
 
+/* Removes the outside walls that go on beyond the room. */
+void pp_room_clear_facades(struct pp_room *room);
+
 /* Does the room make sense? Fails only where the machine does. */
 enum pp_status pp_room_is_sound(bool *sound, const struct pp_room *room,
                                 struct pp_error *err);

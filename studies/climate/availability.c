@@ -140,12 +140,14 @@ enum pp_status pp_availability_fill(struct pp_availability_sheet *sheet,
         .origin = question->light->origin,
         .light = question->light_words,
         .calendar = question->calendar_words,
-        .median_lx = pp_diffuse_light_median_lx(question->light),
         .illuminance_count = question->illuminance_count,
     };
     for (int i = 0; i < question->illuminance_count; i++)
         sheet->illuminances_lx[i] = question->illuminances_lx[i];
-    enum pp_status status = report ? fill_rows(sheet, err) : PP_OK;
+    enum pp_status status =
+        pp_diffuse_light_median(&sheet->median_lx, question->light, err);
+    if (status == PP_OK && report)
+        status = fill_rows(sheet, err);
     for (int i = 0; status == PP_OK && i < question->period_count; i++) {
         const struct pp_working_hours *hours = &question->periods[i];
         struct pp_availability_period *period = &sheet->periods[sheet->period_count++];

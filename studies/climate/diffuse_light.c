@@ -175,14 +175,19 @@ static int compare_falling(const void *a, const void *b)
     return p > q ? -1 : p < q;
 }
 
-double pp_diffuse_light_median_lx(const struct pp_diffuse_light *light)
+enum pp_status pp_diffuse_light_median(double *median_lx,
+                                       const struct pp_diffuse_light *light,
+                                       struct pp_error *err)
 {
+    *median_lx = NAN;
     if (light->total_h < 8760.0 - 0.01 || light->missing == light->count)
-        return NAN;
+        return PP_OK;
     double(*known)[2] = malloc((size_t)light->count * sizeof *known);
+    if (!known)
+        return pp_fail_memory(err);
     int count = 0;
     double known_h = 0.0, median = NAN;
-    for (int i = 0; known && i < light->count; i++) {
+    for (int i = 0; i < light->count; i++) {
         const struct pp_diffuse_hour *hour = &light->list[i];
         if (isnan(hour->lx))
             continue;
@@ -190,13 +195,12 @@ double pp_diffuse_light_median_lx(const struct pp_diffuse_light *light)
         known[count++][1] = hour->length_h;
         known_h += hour->length_h;
     }
-    if (known)
-        qsort(known, (size_t)count, sizeof *known, compare_falling);
+    qsort(known, (size_t)count, sizeof *known, compare_falling);
 
     /* The illuminance at which half of the brightest hours are passed; at the border of
      * two stretches of time the mean of theirs. */
     double half_h = 0.5 * fmin(4380.0, 0.5 * known_h), passed_h = 0.0;
-    for (int i = 0; known && i < count; i++) {
+    for (int i = 0; i < count; i++) {
         passed_h += known[i][1];
         if (passed_h < half_h - 1e-6)
             continue;
@@ -205,5 +209,12 @@ double pp_diffuse_light_median_lx(const struct pp_diffuse_light *light)
         break;
     }
     free(known);
-    return median;
+    *median_lx = median;
+    return PP_OK;
+}
+
+double pp_diffuse_light_median_lx(const struct pp_diffuse_light *light)
+{
+    double median_lx;
+    return pp_diffuse_light_median(&median_lx, light, NULL) == PP_OK ? median_lx : NAN;
 }

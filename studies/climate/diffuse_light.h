@@ -51,7 +51,12 @@ double pp_diffuse_light_overcast_lx(double sun_altitude_rad);
 
 /* The median diffuse illuminance of [EN17037] (lx): that of the brightest 4380 hours of
  * the year, or of the brighter half of the known hours where fewer than 8760 are known.
- * NAN where the data cover less than a year. */
+ * NAN where the data cover less than a year; fails only when memory is out. */
+enum pp_status pp_diffuse_light_median(double *median_lx,
+                                       const struct pp_diffuse_light *light,
+                                       struct pp_error *err);
+
+/* The same; NAN, too, when memory is out. */
 double pp_diffuse_light_median_lx(const struct pp_diffuse_light *light);
 
 void pp_diffuse_light_clear(struct pp_diffuse_light *light);

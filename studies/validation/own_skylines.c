@@ -36,8 +36,8 @@ static bool way_out(struct pp_vec3 *outward, const struct pp_polygon *outline)
 /* The angle of what stands outside before an opening, without what the room's own walls
  * hide. */
 static enum pp_status angle_outside(double *angle_rad, const struct pp_world *world,
-                                    const struct pp_outside_light *light,
-                                    const struct pp_world *bare, int opening,
+                                    const struct pp_world *bare,
+                                    const struct pp_outside_light *light, int opening,
                                     struct pp_error *err)
 {
     double own_rad;
@@ -71,9 +71,8 @@ static struct side *side_of(struct side *sides, int *count, struct pp_vec3 outwa
 /* The sides of all openings; *covered is false where one that has something before it
  * lies level. */
 static enum pp_status gather(struct side *sides, int *count, bool *covered,
-                             const struct pp_world *world,
-                             const struct pp_outside_light *light,
-                             const struct pp_world *bare, struct pp_error *err)
+                             const struct pp_world *world, const struct pp_world *bare,
+                             const struct pp_outside_light *light, struct pp_error *err)
 {
     *count = 0;
     *covered = true;
@@ -81,7 +80,7 @@ static enum pp_status gather(struct side *sides, int *count, bool *covered,
         const struct pp_polygon *outline = &world->openings[i].inner;
         struct pp_vec3 outward;
         double angle_rad;
-        enum pp_status status = angle_outside(&angle_rad, world, light, bare, i, err);
+        enum pp_status status = angle_outside(&angle_rad, world, bare, light, i, err);
         if (status != PP_OK)
             return status;
         if (!way_out(&outward, outline)) {
@@ -136,8 +135,9 @@ static bool are_the_rooms(const struct pp_own_skylines *skylines,
 
 enum pp_status pp_own_skylines_of(struct pp_own_skylines *skylines,
                                   const struct pp_world *world,
+                                  const struct pp_world *bare,
                                   const struct pp_outside_light *light,
-                                  const struct pp_world *bare, struct pp_error *err)
+                                  struct pp_error *err)
 {
     size_t most = (size_t)world->opening_count + 1;
     struct side *sides = malloc(most * sizeof *sides);
@@ -146,7 +146,7 @@ enum pp_status pp_own_skylines_of(struct pp_own_skylines *skylines,
     int count = 0;
     bool covered = true;
     if (status == PP_OK)
-        status = gather(sides, &count, &covered, world, light, bare, err);
+        status = gather(sides, &count, &covered, world, bare, light, err);
     for (int i = 0; status == PP_OK && i < count; i++) {
         double angle_rad = fmin(sides[i].sum / sides[i].area_m2, most_rad);
         const char *wall = wall_towards(world, sides[i].outward);

@@ -35,12 +35,14 @@ struct pp_own_skylines {
     int count;
 };
 
-/* bare: the world of the same room with nothing outside. On success *skylines is to be
+/* bare: the world of the same room with nothing outside; light: by which what is hidden
+ * counts. On success *skylines is to be
  * cleared. */
 enum pp_status pp_own_skylines_of(struct pp_own_skylines *skylines,
                                   const struct pp_world *world,
+                                  const struct pp_world *bare,
                                   const struct pp_outside_light *light,
-                                  const struct pp_world *bare, struct pp_error *err);
+                                  struct pp_error *err);
 void pp_own_skylines_clear(struct pp_own_skylines *skylines);
 
 /* Puts them into a room that has nothing outside. */

@@ -66,11 +66,10 @@ static const struct pp_method *method_for(const struct pp_own_worlds *worlds,
 static struct own_kind kind_of(const struct pp_own_worlds *worlds,
                                const struct pp_method *method)
 {
+    double ground = worlds->room->light.ground_reflectance;
     bool direct = method->gives == PP_GIVES_DIRECT;
     return (struct own_kind){.ground_reflectance =
-                                 method->own_ground > 0.0
-                                     ? method->own_ground
-                                     : worlds->room->light.ground_reflectance,
+                                 method->own_ground > 0.0 ? method->own_ground : ground,
                              .surroundings = direct || worlds->skylines.as_they_are};
 }
 
@@ -78,9 +77,9 @@ static struct own_kind kind_of(const struct pp_own_worlds *worlds,
 static int index_of(const struct pp_own_worlds *worlds, struct own_kind kind,
                     enum pp_component component)
 {
-    const struct pp_world *room = worlds->room->world;
-    bool ground = room->ground_is_open
-                  && kind.ground_reflectance == worlds->room->light.ground_reflectance;
+    const struct pp_report *room = worlds->room;
+    bool ground = room->world->ground_is_open
+                  && kind.ground_reflectance == room->light.ground_reflectance;
     if (kind.surroundings && (ground || component == PP_SC))
         return -1;
     for (int i = 0; i < worlds->count; i++)
@@ -126,10 +125,11 @@ static enum pp_status find_skylines(struct pp_own_worlds *worlds,
     if (status != PP_OK)
         return status;
     pp_room_clear_surroundings(copy, world);
+    pp_room_clear_facades(copy);
     status = make_world(&bare, copy, err);
     if (status == PP_OK)
-        status = pp_own_skylines_of(&worlds->skylines, world, &worlds->room->light,
-                                    bare, err);
+        status = pp_own_skylines_of(&worlds->skylines, world, bare,
+                                    &worlds->room->light, err);
     pp_world_destroy(bare);
     pp_room_destroy(copy);
     return status;
@@ -146,6 +146,7 @@ static enum pp_status make(struct own_world *own, const struct pp_own_worlds *wo
     pp_room_set_ground(copy, own->kind.ground_reflectance, true);
     if (!own->kind.surroundings) {
         pp_room_clear_surroundings(copy, report->world);
+        pp_room_clear_facades(copy);
         status = pp_own_skylines_put(&worlds->skylines, copy, err);
     }
     if (status == PP_OK)

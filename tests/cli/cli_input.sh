@@ -5,6 +5,12 @@
 
 check "a file that is not there" refuses 1 "missing.xml" df "$scratch/missing.xml"
 check "a directory is no room" refuses 1 "$scratch" df "$scratch"
+check "a device is no room" refuses 1 "/dev/zero: is a device; expected a file" \
+    df /dev/zero
+check "nor one without an end a scene" refuses 1 "/dev/zero: is a device" import /dev/zero
+check "standard input that never ends" sh -c "
+    '$pepperpot' import - </dev/zero 2>'$scratch/err'
+    [ \$? -eq 1 ] && grep -qF 'more than 512 MiB' '$scratch/err'"
 check "an empty file" refuses 1 "standard input" df -
 
 cat >"$scratch/wrong.xml" <<'XML'
@@ -46,6 +52,43 @@ check "standard input gives the same numbers" same "$scratch/named" "$scratch/pi
 cp "$deep" "$scratch/--methods"
 check "a file whose name is an option, behind --" \
     sh -c "cd '$scratch' && '$pepperpot' df -- --methods >out"
+
+# gapped GAP: a room given face by face, whose street wall ends that short of the corner.
+gapped() {
+    cat <<XML
+<room version="1" name="gap"><envelope>
+$(face floor floor "0 0 0" "3.1 0 0" "3.1 5.3 0" "0 5.3 0")
+$(face ceiling ceiling "0 0 2.7" "0 5.3 2.7" "3.1 5.3 2.7" "3.1 0 2.7")
+$(face wall street "$1 0 0" "0 0 0" "0 0 2.7" "$1 0 2.7")
+$(face wall garden "0 5.3 0" "3.1 5.3 0" "3.1 5.3 2.7" "0 5.3 2.7")
+$(face wall right "3.1 5.3 0" "3.1 0 0" "3.1 0 2.7" "3.1 5.3 2.7")
+$(face wall left "0 0 0" "0 5.3 0" "0 5.3 2.7" "0 0 2.7")
+</envelope>
+<window wall="street" left="0.5" sill="0.8" width="1" height="1.5"/>
+<point x="1.5" y="2.1"/></room>
+XML
+}
+
+# face ROLE NAME "X Y Z"...
+face() {
+    printf '<face role="%s" name="%s">' "$1" "$2"
+    shift 2
+    for corner; do
+        echo "$corner" | sed 's|\(.*\) \(.*\) \(.*\)|<vertex x="\1" y="\2" z="\3"/>|'
+    done
+    echo '</face>'
+}
+gapped 3.1 >"$scratch/gap.xml"
+"$pepperpot" df --methods exact --format csv "$scratch/gap.xml" >"$scratch/shut"
+gapped 3.0992 >"$scratch/gap.xml"
+check "a gap of less than a millimetre in an envelope is closed" sh -c "
+    '$pepperpot' df --methods exact --format csv '$scratch/gap.xml' |
+        cmp - '$scratch/shut'"
+gapped 3.099 >"$scratch/gap.xml"
+check "one of a millimetre is open, however it rounds" \
+    refuses 1 "the envelope does not close" df "$scratch/gap.xml"
+gapped 3.101 >"$scratch/gap.xml"
+check "on either side" refuses 1 "the envelope does not close" df "$scratch/gap.xml"
 
 # What others wrote reaches no terminal as it is.
 escape=$(printf '\033[31m')

@@ -30,6 +30,7 @@ check "an unknown method suggests the nearest" refuses 2 "exact" df -m exat "$de
 check "an unknown sky" refuses 2 "--sky" df --sky overcst "$deep"
 check "an unknown format" refuses 2 "text, json or csv" df --format xml "$deep"
 check "an error that is none" refuses 2 "per cent" df -s --error 1,5% "$deep"
+check "an error of more than the whole" refuses 2 "up to 100" df -s --error 101% "$deep"
 check "an error needs a simulation" refuses 2 "needs --simulate" df --error 1% "$deep"
 check "samples are whole" refuses 2 "whole number" df -s --samples 1e3 "$deep"
 check "a time has a unit" refuses 2 "such as 10s" df -s --time soon "$deep"

@@ -1,6 +1,7 @@
 /* rad_pipe.c - see rad_pipe.h. */
 #include "formats/radiance/read/rad_pipe.h"
 
+#include <stdlib.h>
 #include <string.h>
 
 enum pp_status pp_rad_pipe_fail(const struct pp_rad_pipe *pipe, struct pp_error *err,
@@ -56,4 +57,10 @@ enum pp_status pp_rad_pipe_split(struct pp_rad_pipe *pipe, char *text,
         if (*at == ' ')
             *at++ = '\0';
     }
+}
+
+void pp_rad_pipe_clear(struct pp_rad_pipe *pipe)
+{
+    for (int i = 0; i < pipe->command_count; i++)
+        free(pipe->xforms[i]);
 }

@@ -21,6 +21,9 @@ struct pp_rad_pipe {
     char *list[PP_RAD_PIPE_WORDS_MOST];
     struct pp_rad_command commands[PP_RAD_PIPE_COMMANDS_MOST];
     int command_count;
+    /* The xforms among them, as they are first run; NULL: not yet. Freed by
+     * pp_rad_pipe_clear. */
+    struct pp_rad_xform *xforms[PP_RAD_PIPE_COMMANDS_MOST];
 };
 
 /* Splits text, which is changed and which the pipe's words then lie in, at blanks and
@@ -28,6 +31,8 @@ struct pp_rad_pipe {
  * is zero at first, but for where it stands. */
 enum pp_status pp_rad_pipe_split(struct pp_rad_pipe *pipe, char *text,
                                  struct pp_error *err);
+
+void pp_rad_pipe_clear(struct pp_rad_pipe *pipe);
 
 /* Fails with the file and line before `what` and, up to 60 characters of it, `word`. */
 enum pp_status pp_rad_pipe_fail(const struct pp_rad_pipe *pipe, struct pp_error *err,

@@ -17,19 +17,30 @@
 #include "formats/radiance/read/rad_xform.h"
 #include "model/base/read_file.h"
 
-static enum pp_status read_scene_file(struct pp_rad_reader *reader, const char *path,
-                                      const struct pp_rad_context *context,
+/* The text of a file; bytes is NULL until it is read. */
+struct scene_text {
+    char *bytes;
+    size_t length;
+};
+
+static enum pp_status read_scene_text(struct scene_text *text, const char *path,
                                       struct pp_error *err);
+static enum pp_status read_text(struct pp_rad_reader *reader,
+                                const struct scene_text *text, const char *path,
+                                const struct pp_rad_context *context,
+                                struct pp_error *err);
 static enum pp_status run_command(struct pp_rad_reader *reader,
-                                  const struct pp_rad_pipe *pipe, int which,
+                                  struct pp_rad_pipe *pipe, int which,
                                   const struct pp_rad_context *context,
                                   struct pp_error *err);
 
 /* ---- commands ---- */
 
+/* One copy of an xform's files, whose texts are read for the first copy. */
 static enum pp_status read_files(struct pp_rad_reader *reader,
                                  const struct pp_rad_pipe *pipe,
                                  const struct pp_rad_xform *xform,
+                                 struct scene_text *texts,
                                  struct pp_rad_context context, struct pp_error *err)
 {
     enum pp_status status = PP_OK;
@@ -39,24 +50,35 @@ static enum pp_status read_files(struct pp_rad_reader *reader,
             return pp_rad_pipe_fail(
                 pipe, err, "files within files within files: does one name itself? ",
                 xform->files[i]);
-        status = read_scene_file(reader, xform->files[i], &context, err);
+        if (!texts[i].bytes)
+            status = read_scene_text(&texts[i], xform->files[i], err);
+        if (status == PP_OK)
+            status = read_text(reader, &texts[i], xform->files[i], &context, err);
         if (status == PP_OK && reader->bytes > PP_RAD_BYTES_MOST)
             return pp_rad_pipe_fail(
                 pipe, err,
                 "more than 4 GiB of files are read, by this xform and those before it",
                 "");
+        if (status == PP_OK && reader->copied_bytes > PP_RAD_COPIED_BYTES_MOST)
+            return pp_rad_words_fail(
+                pipe->words, pipe->line, err,
+                "more than %d MiB of files are read for copies, by "
+                "this xform and those before it",
+                PP_RAD_COPIED_BYTES_MOST >> 20);
     }
     return status;
 }
 
-/* The context of one copy, within that of the command. */
+/* The context of one of the copies, within that of the command. */
 static struct pp_rad_context context_of(const struct pp_rad_xform *xform, long copy,
+                                        long copies,
                                         const struct pp_rad_context *context)
 {
     struct pp_rad_transform own = pp_rad_xform_copy(xform, copy);
     struct pp_rad_context next = *context;
     next.transform = pp_rad_transform_compose(&context->transform, &own);
     next.inverted = context->inverted != xform->inverted;
+    next.copied = context->copied || copies > 1;
     if (!context->replaced && xform->replaced) {
         next.replaced = true;
         next.modifier = xform->modifier;
@@ -64,42 +86,96 @@ static struct pp_rad_context context_of(const struct pp_rad_xform *xform, long c
     return next;
 }
 
-static enum pp_status run_xform(struct pp_rad_reader *reader,
-                                const struct pp_rad_pipe *pipe, int which,
-                                const struct pp_rad_context *context,
+/* The xform of that command, read when it is first run: before another xform it is run
+ * for each of that one's copies. */
+static enum pp_status find_xform(const struct pp_rad_xform **found,
+                                 const struct pp_rad_reader *reader,
+                                 struct pp_rad_pipe *pipe, int which,
+                                 struct pp_error *err)
+{
+    struct pp_rad_xform **xform = &pipe->xforms[which];
+    enum pp_status status = PP_OK;
+    if (!*xform) {
+        *xform = malloc(sizeof **xform);
+        if (!*xform)
+            return pp_fail_memory(err);
+        status = pp_rad_xform_read(*xform, &reader->names, pipe, &pipe->commands[which],
+                                   err);
+        if (status == PP_OK)
+            pp_rad_xform_fold(*xform);
+    }
+    *found = *xform;
+    return status;
+}
+
+/* Would all copies together have too many shapes, if they have as many as the first? */
+static enum pp_status check_first(const struct pp_rad_reader *reader,
+                                  const struct pp_rad_pipe *pipe, int shapes_before,
+                                  double copies, struct pp_error *err)
+{
+    double shapes = reader->scene->shape_count - shapes_before;
+    if (shapes_before + shapes * copies <= PP_RAD_SHAPES_MOST
+        && shapes * copies <= PP_RAD_COPIED_SHAPES_MOST)
+        return PP_OK;
+    return pp_rad_words_fail(
+        pipe->words, pipe->line, err,
+        "%.0f copies of %.0f shapes; expected %d shapes at most in "
+        "all the copies that xforms make",
+        copies, shapes, PP_RAD_COPIED_SHAPES_MOST);
+}
+
+static enum pp_status run_copies(struct pp_rad_reader *reader, struct pp_rad_pipe *pipe,
+                                 int which, const struct pp_rad_xform *xform,
+                                 long copies, const struct pp_rad_context *context,
+                                 struct scene_text *texts, struct pp_error *err)
+{
+    int shapes_before = reader->scene->shape_count;
+    enum pp_status status = PP_OK;
+    for (long copy = 0; copy < copies && status == PP_OK; copy++) {
+        struct pp_rad_context next = context_of(xform, copy, copies, context);
+        if (!isfinite(pp_vec_length(next.transform.move))
+            || !(next.transform.scale > 1e-12) || !(next.transform.scale < 1e12))
+            return pp_rad_pipe_fail(pipe, err, "copies that leave all bounds", "");
+        status = xform->file_count > 0
+                     ? read_files(reader, pipe, xform, texts, next, err)
+                     : run_command(reader, pipe, which - 1, &next, err);
+        if (status == PP_OK && copy == 0 && copies > 1)
+            status = check_first(reader, pipe, shapes_before, (double)copies, err);
+    }
+    return status;
+}
+
+static enum pp_status run_xform(struct pp_rad_reader *reader, struct pp_rad_pipe *pipe,
+                                int which, const struct pp_rad_context *context,
                                 struct pp_error *err)
 {
-    struct pp_rad_xform xform;
-    enum pp_status status =
-        pp_rad_xform_read(&xform, &reader->names, pipe, &pipe->commands[which], err);
+    const struct pp_rad_xform *xform = NULL;
+    enum pp_status status = find_xform(&xform, reader, pipe, which, err);
     if (status != PP_OK)
         return status;
-    if (xform.file_count == 0 && which == 0)
+    if (xform->file_count == 0 && which == 0)
         return pp_rad_pipe_fail(pipe, err,
                                 "xform has nothing to transform; expected a file", "");
-    double copies = pp_rad_xform_copies(&xform);
+    double copies = pp_rad_xform_copies(xform);
     if (copies > (double)(PP_RAD_COPIES_MOST - reader->copies))
         return pp_rad_words_fail(
             pipe->words, pipe->line, err,
             "more than %d copies, by this xform and those before it",
             PP_RAD_COPIES_MOST);
     reader->copies += (long)copies;
-    pp_rad_xform_fold(&xform);
-    for (long copy = 0; copy < (long)copies && status == PP_OK; copy++) {
-        struct pp_rad_context next = context_of(&xform, copy, context);
-        if (!isfinite(pp_vec_length(next.transform.move))
-            || !(next.transform.scale > 1e-12) || !(next.transform.scale < 1e12))
-            return pp_rad_pipe_fail(pipe, err, "copies that leave all bounds", "");
-        status = xform.file_count > 0
-                     ? read_files(reader, pipe, &xform, next, err)
-                     : run_command(reader, pipe, which - 1, &next, err);
-    }
+    struct scene_text *texts = calloc((size_t)xform->file_count + 1, sizeof *texts);
+    if (!texts)
+        return pp_fail_memory(err);
+    status = run_copies(reader, pipe, which, xform, (long)copies, context, texts, err);
+    for (int i = 0; i < xform->file_count; i++)
+        free(texts[i].bytes);
+    free(texts);
     return status;
 }
 
 /* Adds to the scene the primitives that command `which` of the pipe would print. */
 static enum pp_status run_command(struct pp_rad_reader *reader,
-                                  const struct pp_rad_pipe *pipe, int which,
+                                  struct pp_rad_pipe *pipe, int which,
                                   const struct pp_rad_context *context,
                                   struct pp_error *err)
 {
@@ -134,6 +210,7 @@ static enum pp_status run_line(struct pp_rad_reader *reader,
     enum pp_status status = pp_rad_pipe_split(pipe, text, err);
     if (status == PP_OK)
         status = run_command(reader, pipe, pipe->command_count - 1, context, err);
+    pp_rad_pipe_clear(pipe);
     free(pipe);
     return status;
 }
@@ -159,21 +236,38 @@ static enum pp_status read_words(struct pp_rad_reader *reader,
     return status;
 }
 
+static enum pp_status read_scene_text(struct scene_text *text, const char *path,
+                                      struct pp_error *err)
+{
+    enum pp_status status =
+        pp_read_file(&text->bytes, &text->length, path, PP_RAD_BYTES_MOST, err);
+    if (status == PP_OK && text->length > PP_RAD_BYTES_MOST)
+        return pp_fail(err, PP_BAD_INPUT, "%s: larger than 4 GiB",
+                       pp_read_file_title(path));
+    return status;
+}
+
+static enum pp_status read_text(struct pp_rad_reader *reader,
+                                const struct scene_text *text, const char *path,
+                                const struct pp_rad_context *context,
+                                struct pp_error *err)
+{
+    struct pp_rad_words words = {pp_read_file_title(path), text->bytes, text->length, 0,
+                                 1};
+    reader->bytes += text->length;
+    reader->copied_bytes += context->copied ? text->length : 0;
+    return read_words(reader, &words, context, err);
+}
+
 static enum pp_status read_scene_file(struct pp_rad_reader *reader, const char *path,
                                       const struct pp_rad_context *context,
                                       struct pp_error *err)
 {
-    char *bytes;
-    size_t length;
-    enum pp_status status = pp_read_file(&bytes, &length, path, PP_RAD_BYTES_MOST, err);
-    if (status != PP_OK)
-        return status;
-    struct pp_rad_words words = {pp_read_file_title(path), bytes, length, 0, 1};
-    reader->bytes += length;
-    status = length > PP_RAD_BYTES_MOST
-                 ? pp_fail(err, PP_BAD_INPUT, "%s: larger than 4 GiB", words.file)
-                 : read_words(reader, &words, context, err);
-    free(bytes);
+    struct scene_text text = {0};
+    enum pp_status status = read_scene_text(&text, path, err);
+    if (status == PP_OK)
+        status = read_text(reader, &text, path, context, err);
+    free(text.bytes);
     return status;
 }
 

@@ -14,26 +14,34 @@
 #include "formats/radiance/read/rad_transform.h"
 #include "formats/radiance/read/rad_words.h"
 
-/* Of one file, and of all that xforms read. */
-#define PP_RAD_BYTES_MOST ((size_t)4 << 30)
-
-/* Limits: on the depth of files that xforms read within files, and, of all files
- * together, on the copies that xforms make, on shapes, and on materials and patterns. A
- * line of a hundred characters can ask for any number. The fuzzer's limits are smaller,
+/* Limits. Of one file, and of all that xforms read, in bytes; on the depth of files that
+ * xforms read within files; and, of all files together, on the copies that xforms make,
+ * on shapes, and on materials and patterns. A line of a hundred characters can ask for
+ * any number, so that what stands in copies, of which an array makes several, has limits
+ * of its own: on shapes, their corners, and bytes read once more for each copy. A
+ * million polygons are 700 MiB when they are traced. The fuzzer's limits are smaller,
  * for speed. */
 #ifdef FUZZING_BUILD_MODE_UNSAFE_FOR_PRODUCTION
+#define PP_RAD_BYTES_MOST ((size_t)1 << 20)
 enum {
     PP_RAD_DEPTH_MOST = 8,
     PP_RAD_COPIES_MOST = 1000,
     PP_RAD_SHAPES_MOST = 20000,
-    PP_RAD_MATERIALS_MOST = 2000
+    PP_RAD_MATERIALS_MOST = 2000,
+    PP_RAD_COPIED_SHAPES_MOST = 2000,
+    PP_RAD_COPIED_CORNERS_MOST = 20000,
+    PP_RAD_COPIED_BYTES_MOST = 1 << 20
 };
 #else
+#define PP_RAD_BYTES_MOST ((size_t)4 << 30)
 enum {
     PP_RAD_DEPTH_MOST = 32,
     PP_RAD_COPIES_MOST = 1000000,
     PP_RAD_SHAPES_MOST = 50000000,
-    PP_RAD_MATERIALS_MOST = 200000
+    PP_RAD_MATERIALS_MOST = 200000,
+    PP_RAD_COPIED_SHAPES_MOST = 1000000,
+    PP_RAD_COPIED_CORNERS_MOST = 4000000,
+    PP_RAD_COPIED_BYTES_MOST = 256 << 20
 };
 #endif
 
@@ -57,14 +65,18 @@ struct pp_rad_context {
     bool replaced;                  /* all modifiers of shapes, */
     struct pp_rad_meaning modifier; /* by this one */
     int depth;                      /* how many files are being read within files */
+    bool copied;                    /* by an array, with others */
 };
 
 struct pp_rad_reader {
     struct pp_scene_description *scene;
     struct pp_rad_summary *summary;
     struct pp_rad_names names;
-    long copies;              /* that xforms have made so far, */
-    unsigned long long bytes; /* and of the files read */
+    long copies;                     /* that xforms have made so far, */
+    unsigned long long bytes;        /* and of the files read, */
+    unsigned long long copied_bytes; /* of those in copies */
+    int copied_shapes;               /* in copies, */
+    long copied_corners;             /* and of the polygons among them */
     /* Of the primitive that is being read; kept from one to the next. */
     struct pp_rad_word *strings;
     int string_space;

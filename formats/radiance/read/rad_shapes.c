@@ -39,14 +39,27 @@ static enum pp_status material_of(const struct pp_rad_reader *reader,
     return PP_OK;
 }
 
-static enum pp_status check_count(const struct pp_rad_reader *reader,
+/* Is there room for one shape more, of so many corners? */
+static enum pp_status check_count(struct pp_rad_reader *reader,
                                   const struct pp_rad_words *words, int line,
-                                  struct pp_error *err)
+                                  int corners, bool copied, struct pp_error *err)
 {
-    return reader->scene->shape_count < PP_RAD_SHAPES_MOST
-               ? PP_OK
-               : pp_rad_words_fail(words, line, err, "a scene of more than %d shapes",
-                                   PP_RAD_SHAPES_MOST);
+    if (reader->scene->shape_count >= PP_RAD_SHAPES_MOST)
+        return pp_rad_words_fail(words, line, err, "a scene of more than %d shapes",
+                                 PP_RAD_SHAPES_MOST);
+    if (!copied)
+        return PP_OK;
+    if (++reader->copied_shapes > PP_RAD_COPIED_SHAPES_MOST)
+        return pp_rad_words_fail(words, line, err,
+                                 "more than %d shapes in the copies that xforms make",
+                                 PP_RAD_COPIED_SHAPES_MOST);
+    reader->copied_corners += corners;
+    if (reader->copied_corners > PP_RAD_COPIED_CORNERS_MOST)
+        return pp_rad_words_fail(
+            words, line, err,
+            "polygons of more than %d corners in all in the copies that xforms make",
+            PP_RAD_COPIED_CORNERS_MOST);
+    return PP_OK;
 }
 
 enum pp_status pp_rad_shapes_add_polygon(struct pp_rad_reader *reader,
@@ -60,7 +73,7 @@ enum pp_status pp_rad_shapes_add_polygon(struct pp_rad_reader *reader,
     enum pp_status status = material_of(reader, words, line, modifier, context, false,
                                         &material, &back, err);
     if (status == PP_OK)
-        status = check_count(reader, words, line, err);
+        status = check_count(reader, words, line, count, context->copied, err);
     if (status != PP_OK || material < 0)
         return status;
     status = pp_array_reserve(&reader->corners, &reader->corner_space, count,
@@ -114,7 +127,7 @@ enum pp_status pp_rad_shapes_add(struct pp_rad_reader *reader,
                                         shape.kind == PP_SHAPE_DISTANT, &shape.material,
                                         &shape.back_material, err);
     if (status == PP_OK)
-        status = check_count(reader, words, line, err);
+        status = check_count(reader, words, line, 0, context->copied, err);
     if (status != PP_OK || shape.material < 0)
         return status;
     shape.inward = shape.inward != context->inverted;

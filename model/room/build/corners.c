@@ -18,6 +18,10 @@ struct cubes {
 
 static const double cube_m = 4.0 * PP_SAME_M;
 
+/* Corners typed a millimetre apart, in whatever direction, are two, however their
+ * difference rounds. */
+static const double one_m = PP_SAME_M - PP_ROUNDING_M;
+
 static unsigned bucket_of(const struct cubes *cubes, double x, double y, double z)
 {
     uint64_t hash = (uint64_t)(int64_t)x * 0x9E3779B97F4A7C15u;
@@ -40,7 +44,7 @@ static int point_number(struct cubes *cubes, struct pp_vec3 p)
             for (double z = low[2]; z <= high[2]; z++)
                 for (int i = cubes->first[bucket_of(cubes, x, y, z)]; i >= 0;
                      i = cubes->next[i])
-                    if (pp_vec_length(pp_vec_sub(cubes->points[i], p)) < PP_SAME_M)
+                    if (pp_vec_length(pp_vec_sub(cubes->points[i], p)) < one_m)
                         return i;
     unsigned bucket =
         bucket_of(cubes, floor(p.x / cube_m), floor(p.y / cube_m), floor(p.z / cube_m));

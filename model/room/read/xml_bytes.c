@@ -161,6 +161,13 @@ bool pp_xml_bytes_sound(const char *bytes, size_t length, struct pp_mistakes *mi
         pp_mistakes_add(mistakes, 1, "the file is UTF-16; it must be saved as UTF-8");
         return false;
     }
+    /* pp_xml_parse passes over one; the parser would pass over another. */
+    if (starts(bytes, end, "\xEF\xBB\xBF")) {
+        pp_mistakes_add(mistakes, 1,
+                        "a second byte order mark; expected one or none, and then a "
+                        "<room> or a <building>");
+        return false;
+    }
     const char *p = bytes;
     while (p < end && (*p == ' ' || *p == '\t' || *p == '\r' || *p == '\n'))
         p++;

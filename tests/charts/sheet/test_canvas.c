@@ -245,6 +245,23 @@ static void the_same_drawing_gives_the_same_bytes(void **state)
 }
 
 /* IHDR holds the size at bytes 16 to 23, pHYs comes next. */
+static void a_drawing_that_lacks_a_part_is_no_file(void **state)
+{
+    (void)state;
+    for (int format = PP_CHART_PDF; format <= PP_CHART_PNG; format++) {
+        struct pp_canvas *canvas =
+            canvas_of((enum pp_chart_format)format, PP_PAPER_A5, true);
+        draw_rule(canvas);
+        pp_canvas_lacks_memory(pp_canvas_cairo(canvas));
+        const unsigned char *bytes;
+        size_t length;
+        struct pp_error err = {0};
+        assert_int_equal(pp_canvas_finish(canvas, &bytes, &length, &err), PP_SYSTEM);
+        assert_non_null(strstr(err.message, "memory"));
+        pp_canvas_destroy(canvas);
+    }
+}
+
 static void png_has_its_size_and_resolution(void **state)
 {
     (void)state;
@@ -345,6 +362,7 @@ int main(void)
         cmocka_unit_test(pdf_rule_is_100_mm_long),
         cmocka_unit_test(words_in_a_pdf_can_be_searched),
         cmocka_unit_test(the_same_drawing_gives_the_same_bytes),
+        cmocka_unit_test(a_drawing_that_lacks_a_part_is_no_file),
         cmocka_unit_test(png_has_its_size_and_resolution),
         cmocka_unit_test(a_failure_to_write_is_handed_on),
         cmocka_unit_test(a_drawing_gone_wrong_is_not_written),

@@ -286,7 +286,8 @@ static void files_that_copies_read_without_end_are_refused(void **state)
     struct pp_rad_summary summary;
     struct pp_error err;
     assert_int_equal(parse(&scene, &summary, text, strlen(text), &err), PP_BAD_INPUT);
-    assert_non_null(strstr(err.message, ":2: more than 4 GiB"));
+    assert_non_null(
+        strstr(err.message, ":2: more than 256 MiB of files are read for copies"));
     close(file);
     unlink(name);
 }
@@ -460,8 +461,17 @@ static void what_is_not_understood_is_refused_by_its_line(void **state)
         {WHITE "!genbox white b 1 1 1 -r .1 -n 1.5\n", "behind genbox's -n"},
         {WHITE "!genbox white b 1 1 1 | xform -a 1001 | xform -a 999000\n",
          "2: more than 1000000 copies"},
-        {WHITE "!genbox white b 1 1 1 | xform -i 2|xform -a 999999\n",
+        {WHITE "!genbox white b 1 1 1 | xform -i 2|xform -i 2|xform -i 2|xform -i 2|"
+               "xform -i 2|xform -i 2|xform -a 150000\n",
          "2: more than 1000000 copies"},
+        {WHITE "!genbox white b 1 1 1 | xform -a 999999 -t 2 0 0\n",
+         "2: 999999 copies of 6 shapes; expected 1000000 shapes at most"},
+        {WHITE
+         "!genbox white b 1 1 1 | xform -a 1000 -t 2 0 0 | xform -a 999 -t 0 2 0\n",
+         "2: 999 copies of 6000 shapes"},
+        {WHITE "!genbox white b 1 1 1 | xform -a 160000 -t 2 0 0\n"
+               "!genbox white b 1 1 1 | xform -a 160000 -t 2 0 0\n",
+         "3: more than 1000000 shapes in the copies"},
         {"!a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|"
          "a|"
          "a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|"

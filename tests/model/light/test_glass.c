@@ -36,6 +36,18 @@ static void diffuse_transmittances(void **state)
     assert_near(pp_glass_panes(2, 1.52, 0.02).diffuse, 0.7292, 5e-5);
 }
 
+/* Its figures stand in the program; they are the integral's but for its rounding. */
+static void the_brs_pane_is_the_sum_over_its_angles(void **state)
+{
+    (void)state;
+    struct pp_glass brs = pp_glass_clear_single(), summed = pp_glass_panes(1, 1.52, 0.02);
+    assert_near(brs.normal, summed.normal, 1e-15);
+    assert_near(brs.diffuse, summed.diffuse, 1e-14);
+    for (double c = 0.03; c <= 1.0; c += 0.13)
+        assert_near(pp_glass_transmittance(&brs, c), pp_glass_transmittance(&summed, c),
+                    0.0);
+}
+
 /* Without absorption what is not reflected goes through, at every angle and for any
  * number of panes; at grazing incidence nothing does. */
 static void lossless_glass_keeps_all_light(void **state)
@@ -123,6 +135,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(one_and_two_panes_by_angle),
         cmocka_unit_test(diffuse_transmittances),
+        cmocka_unit_test(the_brs_pane_is_the_sum_over_its_angles),
         cmocka_unit_test(lossless_glass_keeps_all_light),
         cmocka_unit_test(a_normal_transmittance_scales_the_pane_at_every_angle),
         cmocka_unit_test(no_glazing_gives_more_than_it_gets),

@@ -265,7 +265,7 @@ static struct pp_own_skylines skylines_of(const char *xml, struct compared *c)
     pp_room_clear_surroundings(copy, c->room.world);
     assert_int_equal(pp_world_create(&bare, copy, &mistakes, NULL), PP_OK);
     assert_int_equal(
-        pp_own_skylines_of(&skylines, c->room.world, &c->room.light, bare, NULL),
+        pp_own_skylines_of(&skylines, c->room.world, bare, &c->room.light, NULL),
         PP_OK);
     pp_world_destroy(bare);
     pp_room_destroy(copy);
@@ -276,7 +276,7 @@ static struct pp_own_skylines skylines_of(const char *xml, struct compared *c)
 static double angle_of(const struct compared *c, int opening)
 {
     double angle_rad;
-    assert_int_equal(pp_obstruction_angle(&angle_rad, c->room.world,
+    assert_int_equal(pp_obstruction_angle(&angle_rad, c->room.world, &c->room.light,
                                           &c->room.world->openings[opening], NULL),
                      PP_OK);
     return angle_rad;
@@ -290,7 +290,9 @@ static void a_block_becomes_the_skyline_of_the_same_angle(void **state)
     load(&c, room_of("ground-reflectance='0.3'", block), "exact+bre");
     const struct pp_world *own = world_for(&c, PP_IRC, "bre", PP_IRC)->world;
     double before = angle_of(&c, 0), after;
-    assert_int_equal(pp_obstruction_angle(&after, own, &own->openings[0], NULL), PP_OK);
+    assert_int_equal(
+        pp_obstruction_angle(&after, own, &c.room.light, &own->openings[0], NULL),
+        PP_OK);
     assert_true(before > 5.0 * PP_RAD);
     assert_near(after, before, 1e-12);
     assert_near(own->skylines[0].reflectance, 0.2, 0.0);
@@ -388,6 +390,23 @@ static void what_the_rooms_own_walls_hide_is_not_hidden_twice(void **state)
     clear(&c);
 }
 
+/* The street's wall that goes on beyond the room stands outside, as a block does. */
+static void a_facade_is_cleared_away_with_all_that_stands_outside(void **state)
+{
+    (void)state;
+    struct compared c;
+    load(&c,
+         room_of("ground-reflectance='0.3'",
+                 "<facade wall='south' left='6' right='5' up='9'/>"),
+         "exact+bre");
+    const struct pp_world *own = world_for(&c, PP_IRC, "bre", PP_IRC)->world;
+    const struct pp_world *exact = world_for(&c, PP_ERC, "exact", PP_ERC)->world;
+    assert_int_equal(own->surface_count, c.room.world->face_count);
+    assert_int_equal(exact->surface_count, c.room.world->surface_count);
+    assert_true(exact->surface_count > own->surface_count);
+    clear(&c);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -402,6 +421,7 @@ int main(void)
         cmocka_unit_test(windows_of_one_wall_have_one_skyline_by_their_areas),
         cmocka_unit_test(a_far_skyline_of_a_fifth_is_the_formulas_own),
         cmocka_unit_test(before_a_rooflight_a_block_stays_where_it_is),
+        cmocka_unit_test(a_facade_is_cleared_away_with_all_that_stands_outside),
         cmocka_unit_test(what_the_rooms_own_walls_hide_is_not_hidden_twice),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

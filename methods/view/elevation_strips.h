@@ -1,0 +1,33 @@
+/* elevation_strips.h - cuts the visible part of an opening by the obstructions before it,
+ * all of them upright rectangles (elevation.h).
+ *
+ * The part is divided by upright strips from jamb to jamb, and each strip by what it
+ * shows; neighbours that show the same are joined. A line of edges sweeps across, so that
+ * a strip takes the time of the obstructions that cross it, not of all.
+ */
+#ifndef PP_METHODS_VIEW_ELEVATION_STRIPS_H
+#define PP_METHODS_VIEW_ELEVATION_STRIPS_H
+
+#include "methods/view/elevation.h"
+
+/* An obstruction on the drawing. */
+struct pp_elevation_obstruction {
+    struct pp_elevation_part outline;
+    double distance_m; /* of the nearest corner: the nearer one hides the other, */
+    int order;         /* of two as near the one of the lower order */
+};
+
+struct pp_elevation_obstructions {
+    int count;
+    struct pp_elevation_obstruction *list;
+};
+
+/* Adds the parts of `seen`, which is not empty, to an empty elevation. Obstructions are
+ * not empty either; they are put in order, the nearest first. The caller clears
+ * *elevation, after a failure too. */
+enum pp_status pp_elevation_strips_cut(struct pp_elevation *elevation,
+                                       const struct pp_elevation_part *seen,
+                                       struct pp_elevation_obstructions *obstructions,
+                                       struct pp_error *err);
+
+#endif
