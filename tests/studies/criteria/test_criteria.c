@@ -611,59 +611,6 @@ static void traced_verdicts_are_right_as_often_as_they_say(void **state)
     pp_world_destroy(world);
 }
 
-/* ---- before and after ---- */
-
-#define TWO(first, second)                                                             \
-    PLAN "<window wall=\"south\" left=\"" first "\" sill=\"1\" width=\"1\" "           \
-         "height=\"1.2\"/><window wall=\"south\" left=\"" second                       \
-         "\" sill=\"1\" width=\"1\" height=\"1.2\"/>"
-
-static void windows_are_paired_by_their_place(void **state)
-{
-    (void)state;
-    struct pp_outside_light light;
-    struct pp_world *world = world_of(&light, TWO("0.4", "2.2"));
-    struct pp_outside_light before_light;
-    struct pp_world *before = world_of(&before_light, TWO("2.2", "0.4") SKYLINE(5));
-    int *pairs;
-    assert_int_equal(pp_pair_rooms(&pairs, world, before, NULL), PP_OK);
-    assert_int_equal(pairs[0], 1);
-    assert_int_equal(pairs[1], 0);
-    free(pairs);
-    pp_world_destroy(before);
-    pp_world_destroy(world);
-}
-
-static void another_room_is_not_the_room_before(void **state)
-{
-    (void)state;
-    static const struct {
-        const char *before, *why;
-    } cases[] = {
-        {ROOM, "has 1 opening, and there are 2"},
-        {TWO("0.4", "2.3"), "none of its openings is where the one on line 1 is"},
-        {"<plan width=\"4.1\" depth=\"6.4\" height=\"2.9\"/>", "another shape"},
-        {"<plan height=\"2.9\"><vertex x=\"0\" y=\"0\"/><vertex x=\"4.1\" y=\"0\"/>"
-         "<vertex x=\"4.1\" y=\"6.3\"/></plan>",
-         "has 5 faces, and there are 6"},
-        {TWO("0.4", "2.2") "<working-plane height=\"0.7\"/>", "working plane"},
-    };
-    struct pp_outside_light light;
-    struct pp_world *world = world_of(&light, TWO("0.4", "2.2"));
-    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
-        struct pp_outside_light before_light;
-        struct pp_world *before = world_of(&before_light, cases[i].before);
-        struct pp_error err;
-        int *pairs;
-        assert_int_equal(pp_pair_rooms(&pairs, world, before, &err), PP_BAD_INPUT);
-        assert_null(pairs);
-        if (!strstr(err.message, cases[i].why))
-            fail_msg("\"%s\" does not say \"%s\"", err.message, cases[i].why);
-        pp_world_destroy(before);
-    }
-    pp_world_destroy(world);
-}
-
 static void every_criterion_has_a_name_of_its_own(void **state)
 {
     (void)state;
@@ -701,8 +648,6 @@ int main(void)
         cmocka_unit_test(under_rooflights_nearly_all_of_the_plane_is_asked),
         cmocka_unit_test(what_cannot_be_asked_is_not_judged),
         cmocka_unit_test(traced_verdicts_are_right_as_often_as_they_say),
-        cmocka_unit_test(windows_are_paired_by_their_place),
-        cmocka_unit_test(another_room_is_not_the_room_before),
         cmocka_unit_test(every_criterion_has_a_name_of_its_own),
         cmocka_unit_test(slopes_are_told_apart_at_15_and_75_degrees),
         cmocka_unit_test(a_fifth_lost_is_the_limit),
