@@ -1,210 +1,116 @@
-/* png_bands.c - draws band by band, and packs the rows into one stream [RFC1950], a piece
- * a band. */
+/* png_bands.c - draws band by band, and hands libpng the rows. */
 #include "charts/sheet/png_bands.h"
 
-#include <stdbool.h>
+#include <png.h>
 #include <stdint.h>
 #include <stdlib.h>
 
-/* ---- the packed stream ---- */
-
-struct packed_stream {
-    struct pp_bytes out; /* of the piece so far */
-    uint32_t bits;       /* that make no whole byte yet, the first lowest */
-    int bit_count;
-    uint32_t sums[2]; /* of all bytes, modulo 65521: the stream's check */
-    int last;         /* the byte before, -1: none; then how often it has come again */
-    unsigned run;
-    bool failed;
+/* A file in the making. libpng leaves a function that fails by a long jump, so that
+ * whatever is to be freed is here. */
+struct band_writer {
+    struct pp_bytes *file;
+    cairo_surface_t *drawing, *band;
+    int width, height;
+    png_structp png;
+    png_infop info;
+    unsigned char *row; /* red, green, blue */
+    cairo_status_t status;
 };
 
-static void put_bits(struct packed_stream *stream, uint32_t bits, int count)
+static void append(png_structp png, png_bytep bytes, size_t count)
 {
-    stream->bits |= bits << stream->bit_count;
-    stream->bit_count += count;
-    for (; stream->bit_count >= 8; stream->bit_count -= 8, stream->bits >>= 8) {
-        unsigned char byte = (unsigned char)stream->bits;
-        if (!pp_bytes_add(&stream->out, &byte, 1))
-            stream->failed = true;
-    }
+    if (!pp_bytes_add(png_get_io_ptr(png), bytes, count))
+        png_error(png, "memory is out");
 }
 
-/* Codes begin with their highest bit. */
-static void put_code(struct packed_stream *stream, unsigned code, int count)
+static void flush_nothing(png_structp png)
 {
-    unsigned turned = 0;
-    for (int i = 0; i < count; i++)
-        turned |= (code >> i & 1) << (count - 1 - i);
-    put_bits(stream, turned, count);
+    (void)png;
 }
 
-/* The fixed code of a byte (to 255), the end (256) or a length (from 257). */
-static void put_symbol(struct packed_stream *stream, unsigned symbol)
+/* libpng's own would print. */
+static void leave(png_structp png, png_const_charp message)
 {
-    if (symbol < 144)
-        put_code(stream, 0x30 + symbol, 8);
-    else if (symbol < 256)
-        put_code(stream, 0x190 + symbol - 144, 9);
-    else if (symbol < 280)
-        put_code(stream, symbol - 256, 7);
-    else
-        put_code(stream, 0xC0 + symbol - 280, 8);
+    (void)message;
+    longjmp(png_jmpbuf(png), 1);
 }
 
-enum { RUN_LEAST = 3, RUN_MOST = 258, LENGTHS = 29 };
-
-/* The last byte again, `length` times: RUN_LEAST to RUN_MOST. */
-static void put_run(struct packed_stream *stream, unsigned length)
+static void pass_over(png_structp png, png_const_charp message)
 {
-    static const unsigned short least[LENGTHS] = {
-        3,  4,  5,  6,  7,  8,  9,  10, 11,  13,  15,  17,  19,  23, 27,
-        31, 35, 43, 51, 59, 67, 83, 99, 115, 131, 163, 195, 227, 258};
-    int of = LENGTHS - 1;
-    while (least[of] > length)
-        of--;
-    put_symbol(stream, 257 + (unsigned)of);
-    int more = of < 8 || of == LENGTHS - 1 ? 0 : of / 4 - 1;
-    put_bits(stream, length - least[of], more);
-    put_code(stream, 0, 5); /* a distance of one byte */
+    (void)png;
+    (void)message;
 }
 
-static void end_run(struct packed_stream *stream)
+static void draw_band(struct band_writer *writer, int first)
 {
-    if (stream->run >= RUN_LEAST)
-        put_run(stream, stream->run);
-    else
-        for (unsigned i = 0; i < stream->run; i++)
-            put_symbol(stream, (unsigned)stream->last);
-    stream->run = 0;
+    cairo_t *cr = cairo_create(writer->band);
+    cairo_set_source_surface(cr, writer->drawing, 0, -first);
+    cairo_paint(cr);
+    writer->status = cairo_status(cr);
+    cairo_destroy(cr);
+    cairo_surface_flush(writer->band);
 }
 
-static void begin_stream(struct packed_stream *stream)
+static void write_rows(struct band_writer *writer, int count)
 {
-    *stream = (struct packed_stream){.sums = {1, 0}, .last = -1};
-    put_bits(stream, 0x78, 8);
-    put_bits(stream, 0x01, 8);
-    put_bits(stream, 1, 1); /* the last block, and the only one, */
-    put_bits(stream, 1, 2); /* of fixed codes */
-}
-
-static void pack(struct packed_stream *stream, const unsigned char *bytes, size_t count)
-{
-    enum { UNTIL_MODULO = 5552 }; /* sums of so many bytes fit into 32 bits */
-    for (size_t i = 0; i < count; i++) {
-        stream->sums[0] += bytes[i];
-        stream->sums[1] += stream->sums[0];
-        if (i % UNTIL_MODULO == UNTIL_MODULO - 1 || i + 1 == count)
-            for (int k = 0; k < 2; k++)
-                stream->sums[k] %= 65521;
-        if (bytes[i] == stream->last && stream->run < RUN_MOST) {
-            stream->run++;
-            continue;
-        }
-        end_run(stream);
-        if (bytes[i] == stream->last) {
-            stream->run = 1;
-        } else {
-            stream->last = bytes[i];
-            put_symbol(stream, bytes[i]);
-        }
-    }
-}
-
-static void end_stream(struct packed_stream *stream)
-{
-    end_run(stream);
-    put_symbol(stream, 256);
-    put_bits(stream, 0, (8 - stream->bit_count) % 8);
-    for (int k = 1; k >= 0; k--) {
-        put_bits(stream, stream->sums[k] >> 8, 8);
-        put_bits(stream, stream->sums[k] & 0xFF, 8);
-    }
-}
-
-/* ---- the picture ---- */
-
-/* A row of the file: how it is told (2: less the row above), then red, green, blue. */
-struct picture_rows {
-    int width;
-    unsigned char *row, *above;
-};
-
-static void pack_band(struct packed_stream *stream, struct picture_rows *rows,
-                      cairo_surface_t *band, int count)
-{
-    cairo_surface_flush(band);
-    const unsigned char *data = cairo_image_surface_get_data(band);
-    size_t stride = (size_t)cairo_image_surface_get_stride(band);
+    const unsigned char *data = cairo_image_surface_get_data(writer->band);
+    size_t stride = (size_t)cairo_image_surface_get_stride(writer->band);
     for (int y = 0; y < count; y++) {
-        const uint32_t *pixels = (const uint32_t *)(const void *)(data + y * stride);
-        unsigned char *to = rows->row, *above = rows->above;
-        *to++ = 2;
-        for (int x = 0; x < rows->width; x++)
-            for (int shift = 16; shift >= 0; shift -= 8) {
-                unsigned char value = (unsigned char)(pixels[x] >> shift);
-                *to++ = (unsigned char)(value - *above);
-                *above++ = value;
-            }
-        pack(stream, rows->row, 1 + 3 * (size_t)rows->width);
+        const uint32_t *pixels =
+            (const uint32_t *)(const void *)(data + (size_t)y * stride);
+        unsigned char *to = writer->row;
+        for (int x = 0; x < writer->width; x++)
+            for (int shift = 16; shift >= 0; shift -= 8)
+                *to++ = (unsigned char)(pixels[x] >> shift);
+        png_write_row(writer->png, writer->row);
     }
 }
 
-static cairo_status_t draw_bands(struct pp_bytes *png, struct packed_stream *stream,
-                                 struct picture_rows *rows, cairo_surface_t *drawing,
-                                 cairo_surface_t *band, int height)
+/* A row differs little from the one above: that filter alone is tried. */
+static void write_picture(struct band_writer *writer)
 {
-    int most = cairo_image_surface_get_height(band);
-    for (int first = 0; first < height; first += most) {
-        cairo_t *cr = cairo_create(band);
-        cairo_set_source_surface(cr, drawing, 0, -first);
-        cairo_paint(cr);
-        cairo_status_t status = cairo_status(cr);
-        cairo_destroy(cr);
-        if (status != CAIRO_STATUS_SUCCESS)
-            return status;
-        pack_band(stream, rows, band, height - first < most ? height - first : most);
-        if (first + most >= height)
-            end_stream(stream);
-        if (stream->failed
-            || !pp_bytes_add_chunk(png, "IDAT", stream->out.list, stream->out.count))
-            return CAIRO_STATUS_NO_MEMORY;
-        stream->out.count = 0;
+    int most = cairo_image_surface_get_height(writer->band);
+    if (setjmp(png_jmpbuf(writer->png))) {
+        writer->status = CAIRO_STATUS_NO_MEMORY;
+        return;
     }
-    return CAIRO_STATUS_SUCCESS;
-}
-
-static bool add_head(struct pp_bytes *png, int width, int height)
-{
-    static const unsigned char signature[8] = {0x89, 'P',  'N', 'G',
-                                               '\r', '\n', 26,  '\n'};
-    const unsigned char head[13] = {
-        0, 0, (unsigned char)(width >> 8),  (unsigned char)width,
-        0, 0, (unsigned char)(height >> 8), (unsigned char)height,
-        8, 2 /* red, green, blue of 8 bits */};
-    return pp_bytes_add(png, signature, sizeof signature)
-           && pp_bytes_add_chunk(png, "IHDR", head, sizeof head);
+    png_set_write_fn(writer->png, writer->file, append, flush_nothing);
+    png_set_IHDR(writer->png, writer->info, (png_uint_32)writer->width,
+                 (png_uint_32)writer->height, 8, PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE,
+                 PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+    png_set_filter(writer->png, PNG_FILTER_TYPE_BASE, PNG_FILTER_UP);
+    png_write_info(writer->png, writer->info);
+    for (int first = 0; first < writer->height; first += most) {
+        draw_band(writer, first);
+        if (writer->status != CAIRO_STATUS_SUCCESS)
+            return;
+        int left = writer->height - first;
+        write_rows(writer, left < most ? left : most);
+    }
+    png_write_end(writer->png, NULL);
 }
 
 cairo_status_t pp_png_bands_write(struct pp_bytes *png, cairo_surface_t *drawing,
                                   int width, int height, int rows)
 {
-    struct packed_stream stream;
-    struct picture_rows lines = {width, malloc(1 + 3 * (size_t)width),
-                                 calloc(3, (size_t)width)};
-    cairo_surface_t *band = cairo_image_surface_create(CAIRO_FORMAT_RGB24, width,
-                                                       rows < height ? rows : height);
-    cairo_status_t status = cairo_surface_status(band);
-    begin_stream(&stream);
-    if (status == CAIRO_STATUS_SUCCESS
-        && (!lines.row || !lines.above || !add_head(png, width, height)))
-        status = CAIRO_STATUS_NO_MEMORY;
-    if (status == CAIRO_STATUS_SUCCESS)
-        status = draw_bands(png, &stream, &lines, drawing, band, height);
-    if (status == CAIRO_STATUS_SUCCESS && !pp_bytes_add_chunk(png, "IEND", NULL, 0))
-        status = CAIRO_STATUS_NO_MEMORY;
-    cairo_surface_destroy(band);
-    pp_bytes_clear(&stream.out);
-    free(lines.row);
-    free(lines.above);
-    return status;
+    struct band_writer writer = {
+        .file = png,
+        .drawing = drawing,
+        .band = cairo_image_surface_create(CAIRO_FORMAT_RGB24, width,
+                                           rows < height ? rows : height),
+        .width = width,
+        .height = height,
+        .png = png_create_write_struct(PNG_LIBPNG_VER_STRING, NULL, leave, pass_over),
+        .row = malloc(3 * (size_t)width)};
+    if (writer.png)
+        writer.info = png_create_info_struct(writer.png);
+    writer.status = cairo_surface_status(writer.band);
+    if (!writer.info || !writer.row)
+        writer.status = CAIRO_STATUS_NO_MEMORY;
+    if (writer.status == CAIRO_STATUS_SUCCESS)
+        write_picture(&writer);
+    png_destroy_write_struct(&writer.png, &writer.info);
+    cairo_surface_destroy(writer.band);
+    free(writer.row);
+    return writer.status;
 }

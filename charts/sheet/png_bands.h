@@ -1,9 +1,8 @@
 /* png_bands.h - a drawing that is too large for a picture in memory, as a PNG file.
  *
  * The drawing is recorded and drawn again for each band of rows, so that only one band is
- * there at a time. cairo writes no PNG by rows; this one is 8-bit RGB, each row less the
- * one above it, packed by fixed codes and runs [RFC1951]: a sheet of lines and words on
- * white ground, whose rows hardly differ, is some thousandth of its pixels.
+ * there at a time. cairo writes no PNG by rows; libpng, which cairo's own stands on,
+ * does.
  */
 #ifndef PP_CHARTS_SHEET_PNG_BANDS_H
 #define PP_CHARTS_SHEET_PNG_BANDS_H
