@@ -209,8 +209,8 @@ static uint32_t crc32_of(uint32_t before, const unsigned char *bytes, size_t cou
     return ~crc;
 }
 
-bool pp_bytes_add_chunk(struct pp_bytes *png, const char name[4], const void *content,
-                        size_t count)
+static bool add_chunk(struct pp_bytes *png, const char name[4], const void *content,
+                      size_t count)
 {
     unsigned char length[4], check[4];
     const unsigned char *letters = (const unsigned char *)name;
@@ -231,6 +231,6 @@ bool pp_bytes_resolve_png(struct pp_bytes *png, const struct pp_bytes *cairo,
     big_endian(dots, (uint32_t)lrint(1000.0 * dots_per_mm));
     big_endian(dots + 4, (uint32_t)lrint(1000.0 * dots_per_mm));
     return cairo->count > HEADER && pp_bytes_add(png, cairo->list, HEADER)
-           && pp_bytes_add_chunk(png, "pHYs", dots, sizeof dots)
+           && add_chunk(png, "pHYs", dots, sizeof dots)
            && pp_bytes_add(png, cairo->list + HEADER, cairo->count - HEADER);
 }

@@ -23,10 +23,6 @@ bool pp_bytes_name_svg(struct pp_bytes *svg, const struct pp_bytes *cairo,
                        double width_mm, double height_mm, const char *title,
                        const char *description);
 
-/* Adds a chunk of a PNG file: its length, name, content and check. */
-bool pp_bytes_add_chunk(struct pp_bytes *png, const char name[4], const void *content,
-                        size_t count);
-
 /* Copies a PNG file into png (empty at first), its resolution noted in it. */
 bool pp_bytes_resolve_png(struct pp_bytes *png, const struct pp_bytes *cairo,
                           double dots_per_mm);
