@@ -20,10 +20,12 @@
 
 enum {
     CHUNK = 1 << 16,
-    EXPANSION_RAYS =
-        8192,         /* at most, that look for the surfaces which light the requests;
-                            * surfaces that they miss have their light by paths */
-    RAY_REQUESTS = 2, /* surfaces that one ray of a picture may ask for */
+    /* At most, that look for the surfaces which light the requests; surfaces that they
+     * miss have their light by paths. */
+    EXPANSION_RAYS = 8192,
+    /* Surfaces that one ray of a picture may ask for: at a pane its frame, on either
+     * side, what the glass mirrors, and what stands behind. */
+    RAY_REQUESTS = 6,
 };
 
 /* Two members of a batch stand no nearer than this share of the radius expected there.
