@@ -430,37 +430,6 @@ static void horizontal_openings_with_a_closed_form(void **state)
     }
 }
 
-/* A triangle of glass is read as the rectangle of equal area with its middle and its
- * proportions: of 3 m by 2 m, halved, 3 by 2 over the root of 2. */
-static void a_triangle_is_read_as_the_rectangle_of_its_area(void **state)
-{
-    (void)state;
-    static const char triangle[] =
-        "<opening glazing=\"none\"><vertex x=\"2.1\" y=\"2.3\" z=\"2.85\"/><vertex "
-        "x=\"2.1\" y=\"4.3\" z=\"2.85\"/><vertex x=\"5.1\" y=\"2.3\" "
-        "z=\"2.85\"/></opening>";
-    char rectangle[200];
-    double width = 3.0 / sqrt(2.0), depth = 2.0 / sqrt(2.0);
-    snprintf(rectangle, sizeof rectangle,
-             "<rooflight x=\"%.12f\" y=\"%.12f\" width=\"%.12f\" depth=\"%.12f\" "
-             "glazing=\"none\"/>",
-             3.6 - width / 2.0, 3.3 - depth / 2.0, width, depth);
-    const char *const openings[] = {triangle, rectangle};
-    double sky[2];
-    for (int i = 0; i < 2; i++) {
-        char xml[600];
-        snprintf(xml, sizeof xml,
-                 "<room version=\"1\"><plan width=\"9\" depth=\"9\" height=\"2.85\"/>%s"
-                 "<point x=\"3\" y=\"2\"/></room>",
-                 openings[i]);
-        struct pp_world *world = pp_test_world(xml);
-        sky[i] = read_first(&pp_method_protractor, world, 3.1, 1.9, 0.85, NULL).sky;
-        pp_world_destroy(world);
-    }
-    assert_true(sky[1] > 0.05);
-    assert_relative(sky[0], sky[1], 1e-9);
-}
-
 /* Under protractor 10 the plane of the aperture does not matter: of the same four
  * corners' sky, seen upright, sloping and level. An endless opening in any plane is
  * exact. */
@@ -657,7 +626,6 @@ int main(void)
         cmocka_unit_test(correction_factors_are_read_between_semicircles),
         cmocka_unit_test(dials_agree_with_quadrature),
         cmocka_unit_test(horizontal_openings_with_a_closed_form),
-        cmocka_unit_test(a_triangle_is_read_as_the_rectangle_of_its_area),
         cmocka_unit_test(an_endless_sloping_strip_is_exact),
         cmocka_unit_test(jambs_on_one_side_are_subtracted),
         cmocka_unit_test(obstructions_are_read_as_sky_and_dimmed),
