@@ -182,7 +182,8 @@ static void no_more_than_a_fifth_of_the_plane_has_no_line(void **state)
     (void)state;
     static double ends[][2] = {
         {0.0101, 0.0199}, {0.0102, 0.049}, {0.011, 0.031}, {0.0004, 0.021}};
-    struct pp_world *world = world_of("Even", SIMPLE_ROOM);
+    struct pp_world *world =
+        pp_test_world("<room version=\"1\" name=\"Even\">" SIMPLE_ROOM "</room>");
     for (size_t i = 0; i < sizeof ends / sizeof *ends; i++) {
         struct pp_daylight_plan plan;
         assert_int_equal(
