@@ -17,7 +17,10 @@ source=$(sed -n "s/^abs_srcdir = //p" "$build/Makefile")
 }
 cd "$build" || exit 2
 make="${MAKE:-make} -s"
-$make Makefile >/dev/null || exit 2
+$make all >mutant.log 2>&1 || {
+    echo "check_mutants.sh: the copy does not build: $(grep -m 1 error mutant.log)" >&2
+    exit 2
+}
 names() { echo "show: ; @echo \$($1)" | $make -f Makefile -f - show; }
 programs=$(names check_PROGRAMS | tr ' ' '\n' | sort)
 scripts=$(names dist_check_SCRIPTS | tr ' ' '\n' | grep -v '^tests/house/')
