@@ -174,6 +174,44 @@ static void points_of_a_contour_have_its_daylight_factor(void **state)
     pp_world_destroy(world);
 }
 
+/* A factor that falls evenly from the window to the back: the share of the plane below a
+ * level is that of the way. */
+static enum pp_status falling(void *context, double x, double y, double *value,
+                              struct pp_error *err)
+{
+    const double *ends = context;
+    (void)x, (void)err;
+    *value = ends[1] + (ends[0] - ends[1]) * y / 6.3;
+    return PP_OK;
+}
+
+/* Between ends whose round levels (1.1, 1.2, ... 2.2, 2.5 ...) are at most a fifth of the
+ * range apart, no more than a fifth of the plane has no line. The share is known to a
+ * hundredth, by triangles. */
+static void no_more_than_a_fifth_of_the_plane_has_no_line(void **state)
+{
+    (void)state;
+    static double ends[][2] = {
+        {0.0101, 0.0199}, {0.0102, 0.049}, {0.011, 0.031}, {0.0004, 0.021}};
+    struct pp_world *world =
+        pp_test_world("<room version=\"1\" name=\"Even\">" SIMPLE_ROOM "</room>");
+    for (size_t i = 0; i < sizeof ends / sizeof *ends; i++) {
+        struct pp_daylight_plan plan;
+        assert_int_equal(
+            pp_daylight_curves_of(&plan, world, "even", falling, NULL, ends[i], NULL),
+            PP_OK);
+        double before = ends[i][0], range = ends[i][1] - ends[i][0];
+        for (int k = 0; k <= plan.contours.count; k++) {
+            double level =
+                k < plan.contours.count ? plan.contours.list[k].level : ends[i][1];
+            assert_true(level - before < 0.21 * range);
+            before = level;
+        }
+        pp_daylight_plan_clear(&plan);
+    }
+    pp_world_destroy(world);
+}
+
 static void levels_asked_for_are_the_levels_drawn(void **state)
 {
     (void)state;
@@ -203,6 +241,7 @@ int main(void)
         cmocka_unit_test(a_room_without_a_window_is_all_dark),
         cmocka_unit_test(the_corner_of_an_l_shape_throws_a_straight_shadow),
         cmocka_unit_test(points_of_a_contour_have_its_daylight_factor),
+        cmocka_unit_test(no_more_than_a_fifth_of_the_plane_has_no_line),
         cmocka_unit_test(levels_asked_for_are_the_levels_drawn),
     };
     return cmocka_run_group_tests_name("daylight_curves", tests, 0, 0);

@@ -372,6 +372,38 @@ static void skies_are_those_of_gensky(void **state)
     }
 }
 
+/* A zone's clock is so many hours ahead of Greenwich: 9:20 of it is the same moment as by
+ * its meridian, 15 degrees an hour to the west. */
+static void a_zone_is_its_meridian(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *name;
+        double ahead_h;
+    } zones[] = {{"YST", -9.0}, {"YDT", -8.0}, {"PST", -8.0}, {"PDT", -7.0},
+                 {"MST", -7.0}, {"MDT", -6.0}, {"CST", -6.0}, {"CDT", -5.0},
+                 {"EST", -5.0}, {"EDT", -4.0}, {"AST", -4.0}, {"ADT", -3.0},
+                 {"NST", -3.5}, {"NDT", -2.5}, {"GMT", 0.0},  {"BST", 1.0},
+                 {"CET", 1.0},  {"CEST", 2.0}, {"EET", 2.0},  {"EEST", 3.0}};
+    for (size_t i = 0; i < sizeof zones / sizeof *zones; i++) {
+        struct pp_vec3 sun[2];
+        for (int by_name = 0; by_name < 2; by_name++) {
+            char text[240];
+            double west_deg = -15.0 * zones[i].ahead_h;
+            snprintf(
+                text, sizeof text,
+                "!gensky 5 17 9:20%s +s -a 47 -o %g -m %g\nskyfunc glow sky 0 0 4 1 "
+                "1 1 0\nsky source dome 0 0 4 0 0 1 180\n",
+                by_name ? zones[i].name : "", west_deg + 3.7, west_deg);
+            struct pp_scene_description scene = scene_of(text);
+            sun[by_name] = scene.patterns[0].sun;
+            pp_scene_description_clear(&scene);
+        }
+        assert_near(pp_vec_length(pp_vec_sub(sun[0], sun[1])), 0.0, 1e-12);
+        assert_true(sun[0].z > 0.5 && sun[0].x > 0.5); /* in the morning */
+    }
+}
+
 static void what_has_no_area_or_is_not_seen_is_left_out(void **state)
 {
     (void)state;
@@ -545,6 +577,7 @@ int main(void)
         cmocka_unit_test(a_file_stands_in_a_file),
         cmocka_unit_test(files_that_copies_read_without_end_are_refused),
         cmocka_unit_test(skies_are_those_of_gensky),
+        cmocka_unit_test(a_zone_is_its_meridian),
         cmocka_unit_test(what_has_no_area_or_is_not_seen_is_left_out),
         cmocka_unit_test(what_is_not_understood_is_refused_by_its_line),
         cmocka_unit_test(a_file_that_is_cut_off_or_binary_ends_well),

@@ -171,6 +171,30 @@ static void rooflights_have_an_average_only(void **state)
     done();
 }
 
+/* An endless wall a kilometre off that rises to 45 degrees leaves level glass
+ * (1 + cos 45)/2 of the uniform sky. */
+static void top_light_loses_what_an_obstruction_hides(void **state)
+{
+    (void)state;
+    struct parts top = usual;
+    top.before = "<sky type='uniform'/>";
+    top.window = "<rooflight x='0.5' y='1' width='0.5' depth='1'/>"
+                 "<rooflight x='2' y='1' width='0.5' depth='1'/>"
+                 "<rooflight x='0.5' y='4' width='0.5' depth='1'/>"
+                 "<rooflight x='2' y='4' width='0.5' depth='1'/>";
+    evaluate(&top, "lumen");
+    double open = column("lumen")->average.value;
+    done();
+    top.after =
+        "<block x='-40000' y='-1015' width='80000' depth='10' height='1007.35'/>"
+        "<point x='1' y='1.8'/>";
+    evaluate(&top, "lumen");
+    /* 1005 m above the glass, 1005 to 1009 m off. */
+    assert_relative(column("lumen")->average.value,
+                    open * (1.0 + cos(PP_PI / 4.0)) / 2.0, 2e-3);
+    done();
+}
+
 static void refused(struct parts parts, const char *words)
 {
     evaluate(&parts, "lumen");
@@ -254,6 +278,7 @@ int main(void)
         cmocka_unit_test(allowances_are_counted_once),
         cmocka_unit_test(windows_side_by_side_and_opposite_add_up),
         cmocka_unit_test(rooflights_have_an_average_only),
+        cmocka_unit_test(top_light_loses_what_an_obstruction_hides),
         cmocka_unit_test(what_the_tables_do_not_hold_is_refused),
         cmocka_unit_test(clear_skies_are_read_by_their_ratio),
     };

@@ -207,6 +207,34 @@ static void worked_room_is_read_to_a_fifth_of_a_division(void **state)
     assert_near(100.0 * nomogram_of(&box.world, &box.light, 0, NULL), 0.80, 1e-12);
 }
 
+/* Unobstructed panes at slopes that scale D has figures for are set there. Light on the
+ * pane is by the closed form of the overcast sky's, with the ground's share below. A and B
+ * together, C and E are each read to half of a fifth of a division, 0.55 % at the most. */
+static void top_light_is_set_at_its_slope(void **state)
+{
+    (void)state;
+    static const double slopes_deg[] = {30.0, 60.0, 90.0};
+    struct pp_nomogram nomogram = pp_nomogram_scale_make(PP_NOMOGRAM_ROOFLIGHT);
+    for (int i = 0; i < 3; i++) {
+        double beta = slopes_deg[i] * PP_RAD;
+        struct box_room box;
+        box_room_build(&box, 4.0, 6.0, 3.0, 0.2, 0.5, 0.7);
+        box_room_south(&box, 0.2, 0.9, 2.1, 1.3)->slope_rad = beta;
+        struct pp_nomogram_reading reading;
+        assert_int_equal(pp_nomogram_reading_of_opening(&reading, &nomogram, &box.world,
+                                                        box.openings, NULL),
+                         PP_OK);
+        assert_near(reading.value[PP_STEM_D], beta, 1e-12);
+        double sky = 3.0 / 14.0 * (1.0 + cos(beta))
+                     + 4.0 / (7.0 * PP_PI) * (sin(beta) + (PP_PI - beta) * cos(beta));
+        double ground = 0.1 * (1.0 - cos(beta)) / 2.0;
+        assert_relative(reading.component,
+                        formula(reading.ratio, pp_interior_all(&box.world).reflectance,
+                                100.0 * sky, 100.0 * ground, PP_NOMOGRAM_K),
+                        0.017);
+    }
+}
+
 /* A pane of 2 dm2 is far below scale A; the glass house far above it. */
 static void ratios_off_the_scale_are_shifted_by_tens(void **state)
 {
@@ -281,6 +309,7 @@ int main(void)
         cmocka_unit_test(divisions_can_be_told_apart),
         cmocka_unit_test(k_is_what_agrees_best_in_typical_rooms),
         cmocka_unit_test(worked_room_is_read_to_a_fifth_of_a_division),
+        cmocka_unit_test(top_light_is_set_at_its_slope),
         cmocka_unit_test(ratios_off_the_scale_are_shifted_by_tens),
         cmocka_unit_test(others_are_refused_with_a_reason),
     };

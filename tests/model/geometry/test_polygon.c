@@ -117,6 +117,36 @@ static void a_point_lies_in_the_polygon_if_it_does_in_its_axes(void **state)
     assert_near(inside / 4000.0, ell_m2 / 16.0, 0.03);
 }
 
+/* The same of walls that face an axis or nearly do, and of floor and ceiling: seen along
+ * one of the other axes such a polygon is a line, which encloses nothing. A point of its
+ * plane that lies in it is as far off as its height. */
+static void walls_along_the_axes_enclose_points_too(void **state)
+{
+    (void)state;
+    static const struct pp_vec3 normals[] = {
+        {1, 0, 0},  {-1, 0, 0},   {0, 1, 0},    {0, -1, 0},    {0, 0, 1},
+        {0, 0, -1}, {1, 1e-9, 0}, {1e-9, 1, 0}, {0.6, 0.8, 0}, {0.8, 0, 0.6}};
+    for (size_t i = 0; i < sizeof normals / sizeof *normals; i++) {
+        struct pp_vec3 along, up, n = pp_vec_unit(normals[i]);
+        struct pp_polygon polygon = ell_in(pp_vec(0.7, -1.9, 0.3), n, &along, &up);
+        static const double xy[4][2] = {
+            {0.6, 2.0}, {2.2, 0.4}, {2.2, 2.0}, {-0.5, 1.0}};
+        for (int k = 0; k < 4; k++) {
+            struct pp_vec3 point = pp_vec_along(
+                pp_vec_along(polygon.vertices[0], xy[k][0], along), xy[k][1], up);
+            bool inside = k < 2;
+            assert_int_equal(pp_polygon_side(&polygon, point, 1e-6),
+                             inside ? PP_INSIDE : PP_OUTSIDE);
+            /* From the inner corner at (1.3, 1.1), and from the edge x = 0. */
+            double aside = inside ? 0.0 : k == 2 ? 0.9 : 0.5;
+            assert_near(
+                pp_polygon_distance(&polygon, pp_vec_along(point, 1.2, polygon.normal)),
+                hypot(aside, 1.2), 1e-9);
+        }
+        pp_polygon_clear(&polygon);
+    }
+}
+
 static void on_an_edge_is_said_within_the_tolerance(void **state)
 {
     (void)state;
@@ -200,6 +230,7 @@ int main(void)
         cmocka_unit_test(walls_and_level_planes_have_the_axes_of_the_plan),
         cmocka_unit_test(area_and_normal_are_the_same_in_any_plane),
         cmocka_unit_test(a_point_lies_in_the_polygon_if_it_does_in_its_axes),
+        cmocka_unit_test(walls_along_the_axes_enclose_points_too),
         cmocka_unit_test(on_an_edge_is_said_within_the_tolerance),
         cmocka_unit_test(polygons_cross_only_where_both_go_on),
     };

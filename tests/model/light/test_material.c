@@ -6,7 +6,7 @@
 #include "model/light/finishes.h"
 #include "model/light/scene_description.h"
 #include "model/room/surface_materials.h"
-#include "tests/lib/near.h"
+#include "tests/lib/room_of.h"
 
 /* Whatever its hue and gloss, what a hand method takes is the table's reflectance, and
  * no channel gives back more than it gets. */
@@ -63,6 +63,22 @@ static void a_diffusing_glazing_is_translucent(void **state)
     assert_near(sheet.through_diffuse.g, 0.55 * 0.8 * 0.9, 1e-12);
     assert_near(sheet.diffuse.g, 0.8 * 0.1 + 0.2 * 0.4, 1e-12);
     assert_int_equal(pp_material_check(&sheet, NULL), PP_OK);
+}
+
+/* A frame is painted as its wall is, on either side: of 0.3 of the opening's area. */
+static void a_frame_reflects_as_the_wall_of_its_side(void **state)
+{
+    (void)state;
+    struct pp_world *world =
+        pp_test_world("<room version='1'><plan width='4' depth='5' height='3'/>"
+                      "<finish wall='south' reflectance='0.62'/>"
+                      "<window wall='south' left='1' sill='1' width='2' height='1' "
+                      "frame-factor='0.7'/></room>");
+    world->surfaces[world->openings[0].face].back = 0.27;
+    assert_near(pp_surface_materials_pane(world, 0, true).diffuse.g, 0.3 * 0.62, 1e-12);
+    assert_near(pp_surface_materials_pane(world, 0, false).diffuse.g, 0.3 * 0.27,
+                1e-12);
+    pp_world_destroy(world);
 }
 
 /* Worked out beside the program, in another language, from the printed formulae. */
@@ -135,6 +151,7 @@ int main(void)
         cmocka_unit_test(grey_is_weighed_as_the_eye_does),
         cmocka_unit_test(hand_methods_see_gloss_as_reflectance_and_glass_as_a_tenth),
         cmocka_unit_test(a_diffusing_glazing_is_translucent),
+        cmocka_unit_test(a_frame_reflects_as_the_wall_of_its_side),
         cmocka_unit_test(materials_are_alike_only_in_all_that_they_are),
         cmocka_unit_test(skies_have_the_radiances_that_gensky_means),
     };

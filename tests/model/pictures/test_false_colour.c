@@ -230,6 +230,49 @@ static void lines_end_where_there_is_nothing(void **state)
     pp_picture_clear(&picture);
 }
 
+/* Four pixels, the bright ones across, 1.2 and 1.0: on the logarithms their middle is
+ * sqrt(1.2) = 1.0954. What is brighter than 1.09 runs through it, and its lines go round
+ * the dark pixels; what is brighter than 1.10 does not, and they go round the bright
+ * ones. */
+static double saddle(double x, double y)
+{
+    return (x < 1.0) == (y < 1.0) ? 1.2 : 1.0;
+}
+
+static double other_saddle(double x, double y)
+{
+    return (x < 1.0) == (y < 1.0) ? 1.0 : 1.2;
+}
+
+static void a_saddle_is_parted_as_its_middle_lies(void **state)
+{
+    (void)state;
+    for (int k = 0; k < 4; k++) {
+        bool across = k % 2;
+        struct pp_picture picture = picture_of(2, 2, across ? other_saddle : saddle);
+        struct pp_curve_list lines = {0};
+        const double level = k < 2 ? 1.09 : 1.10;
+        double log_share = log(level) / log(1.2);
+        assert_int_equal(
+            pp_iso_lines(&lines, &picture, NULL, 1.0, &level, 1, 0.0, 0.0, NULL),
+            PP_OK);
+        assert_int_equal(lines.count, 2);
+        /* Each goes round a pixel, as far from its middle both ways. */
+        double off = k < 2 ? log_share : 1.0 - log_share;
+        bool on_first_diagonal = across == (k < 2);
+        for (int i = 0; i < 2; i++) {
+            const struct pp_curve *line = &lines.list[i];
+            assert_int_equal(line->count, 2);
+            assert_near(pp_curve_length(line), sqrt(2.0) * off, 1e-6); /* floats */
+            double x = (line->xy[0][0] + line->xy[1][0]) / 2.0 - 1.0;
+            double y = (line->xy[0][1] + line->xy[1][1]) / 2.0 - 1.0;
+            assert_int_equal(x * y > 0.0, on_first_diagonal);
+        }
+        pp_curve_list_clear(&lines);
+        pp_picture_clear(&picture);
+    }
+}
+
 /* A dark wall beside a window: the wall's last pixels have some of the window in them,
  * of which there is no line along the window's edge. */
 static double mixture(double x, double y)
@@ -289,6 +332,7 @@ int main(void)
         cmocka_unit_test(lines_of_a_hill_are_circles),
         cmocka_unit_test(lines_end_where_surfaces_meet),
         cmocka_unit_test(lines_end_where_there_is_nothing),
+        cmocka_unit_test(a_saddle_is_parted_as_its_middle_lies),
         cmocka_unit_test(pixels_of_two_surfaces_draw_no_line),
         cmocka_unit_test(smoothing_keeps_noise_from_tearing_lines),
     };

@@ -200,6 +200,27 @@ static void evenly_spread_light_is_shown_by_the_closed_form(void **state)
     pp_picture_clear(&picture);
 }
 
+/* The same without what lies between 10^3.6 and 10^4.4 cd/m2, a fifth of the range: of the
+ * curve's two decades that gap has no more than its fifth of the hundredth of all fields
+ * that is spread evenly, 100^(0.2/101). The fields at its two borders are worth 0.1 %. */
+static void a_gap_in_the_light_is_passed_over_in_a_small_step(void **state)
+{
+    (void)state;
+    enum { COUNT = 20000 };
+    static double luminances[COUNT];
+    for (int i = 0; i < COUNT; i++) {
+        double decades = i % (COUNT / 2) * 1.6 / (COUNT / 2 - 1.0);
+        luminances[i] = pow(10.0, (i < COUNT / 2 ? 2.0 : 4.4) + decades);
+    }
+    struct pp_picture picture = row_of(luminances, COUNT);
+    struct pp_tone tone = tone_of(&picture, PP_TONE_HUMAN, 0.0);
+    double under = pp_tone_shown(&tone, pow(10.0, 3.6));
+    double over = pp_tone_shown(&tone, pow(10.0, 4.4));
+    assert_relative(over / under, pow(100.0, 0.2 / 101.0), 1e-3);
+    assert_relative(under, 0.1 * pow(100.0, -0.1 / 101.0), 2e-3);
+    pp_picture_clear(&picture);
+}
+
 /* A scene of less contrast than the display has is not stretched: it is shown in
  * proportion, its brightest white ([LRP97], the linear case). */
 static void little_contrast_is_not_stretched(void **state)
@@ -235,6 +256,7 @@ int main(void)
         cmocka_unit_test(room_and_window_are_both_seen),
         cmocka_unit_test(contrast_is_never_added),
         cmocka_unit_test(evenly_spread_light_is_shown_by_the_closed_form),
+        cmocka_unit_test(a_gap_in_the_light_is_passed_over_in_a_small_step),
         cmocka_unit_test(little_contrast_is_not_stretched),
         cmocka_unit_test(a_picture_of_one_brightness_is_a_middle_grey),
     };

@@ -55,8 +55,8 @@ static double irradiance_leaning(double x, double y, double azimuth, double lean
     return fabs(sum) * radiance;
 }
 
-/* The floor is there so that there is a scene; the patch is `glow`. */
-static struct pp_light_scene *patch_over_floor(void)
+/* The floor is there so that there is a scene; the quadrangle is `glow`. */
+static struct pp_light_scene *shining_on_floor(const struct pp_vec3 shines[4])
 {
     struct pp_scene_description from;
     struct pp_light_scene *scene = NULL;
@@ -69,13 +69,18 @@ static struct pp_light_scene *patch_over_floor(void)
                      PP_OK);
     assert_int_equal(pp_scene_description_add_material(&from, &grey, NULL, NULL),
                      PP_OK);
-    assert_int_equal(pp_scene_description_add_polygon(&from, patch, 4, 0, NULL, NULL),
+    assert_int_equal(pp_scene_description_add_polygon(&from, shines, 4, 0, NULL, NULL),
                      PP_OK);
     assert_int_equal(pp_scene_description_add_polygon(&from, floor, 4, 1, NULL, NULL),
                      PP_OK);
     assert_int_equal(pp_light_scene_of_description(&scene, &from, NULL), PP_OK);
     pp_scene_description_clear(&from);
     return scene;
+}
+
+static struct pp_light_scene *patch_over_floor(void)
+{
+    return shining_on_floor(patch);
 }
 
 /* Central differences of step 1e-4: their own error is 1e-8 of the third derivative. */
@@ -149,6 +154,52 @@ static void a_hemisphere_knows_how_a_patchs_light_changes(void **state)
     assert_true(fabs(to_y) > 0.05 * fabs(to_x));
     assert_near(change.turned[1][0], to_x / (2 * d), 3e-3 * steepest);
     assert_near(change.turned[1][1], to_y / (2 * d), 3e-3 * steepest);
+    free(corners);
+    pp_light_scene_destroy(scene);
+}
+
+/* A screen that stands on the floor, 1.1 m off and more to one side, goes down to the
+ * horizon: its foot is an edge of the hemisphere itself. Lambert's formula has it as any
+ * other edge. Steps of the cells as above. */
+static void a_hemisphere_knows_what_stands_on_its_horizon(void **state)
+{
+    (void)state;
+    static const struct pp_vec3 screen[4] = {
+        {1.2, -0.5, 0.0}, {1.2, -0.5, 1.0}, {1.2, 1.6, 1.0}, {1.2, 1.6, 0.0}};
+    static struct pp_cache_hemisphere_cell cells[SIDE * SIDE];
+    static struct pp_sobol sobol;
+    struct pp_light_scene *scene = shining_on_floor(screen);
+    struct pp_vec3 *corners = pp_cache_hemisphere_corners(SIDE);
+    struct pp_cache_hemisphere h = {.side = SIDE, .corners = corners, .cells = cells};
+    struct pp_cache_place place = {{0.1, 0.2, 0.0}, {0.0, 0.0, 1.0}, PP_ANYWHERE};
+    struct pp_radiance_state path_state = {.scene = scene,
+                                           .options = pp_radiance_state_defaults()};
+    struct pp_irradiance_change change;
+    pp_sobol_init(&sobol);
+    pp_sobol_sequence_init(&path_state.sequence, &sobol, 5);
+    pp_cache_hemisphere_sample(&h, &path_state, &place, 0);
+    pp_cache_derivatives_hemisphere(&h, &change);
+
+    const double d = 1e-3;
+    double at[3][3];
+    for (int i = -1; i <= 1; i++)
+        for (int j = -1; j <= 1; j++) {
+            struct pp_vec3 from = pp_vec(0.1 + i * d, 0.2 + j * d, 0.0);
+            double sum = 0.0;
+            for (int k = 0; k < 4; k++)
+                sum += edge_share(pp_vec_sub(screen[k], from),
+                                  pp_vec_sub(screen[(k + 1) % 4], from));
+            at[i + 1][j + 1] = fabs(sum) * radiance;
+        }
+    double along = (at[2][1] - at[0][1]) / (2 * d);
+    double across = (at[1][2] - at[1][0]) / (2 * d);
+    double aa = (at[2][1] - 2 * at[1][1] + at[0][1]) / (d * d);
+    double bb = (at[1][2] - 2 * at[1][1] + at[1][0]) / (d * d);
+    assert_near(h.irradiance.g, at[1][1], 5e-3 * at[1][1]);
+    assert_near(change.along[1][0], along, 0.03 * fabs(along));
+    assert_near(change.along[1][1], across, 0.03 * fabs(along));
+    assert_near(change.curvature[0], aa, 0.05 * fabs(aa));
+    assert_near(change.curvature[2], bb, 0.05 * fabs(aa));
     free(corners);
     pp_light_scene_destroy(scene);
 }
@@ -266,6 +317,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(an_edge_changes_as_its_closed_form_does),
         cmocka_unit_test(a_hemisphere_knows_how_a_patchs_light_changes),
+        cmocka_unit_test(a_hemisphere_knows_what_stands_on_its_horizon),
         cmocka_unit_test(a_record_is_read_by_a_leaning_surface),
         cmocka_unit_test(beside_a_record_the_error_is_of_second_order),
         cmocka_unit_test(an_ellipse_is_short_where_curvature_is_great),

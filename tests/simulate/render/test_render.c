@@ -292,6 +292,43 @@ static void a_cut_room_ends_at_its_walls(void **state)
     clear(&scene);
 }
 
+/* Pixels of 0.9 m on the wall at x = 3 m: with a third of it in the room one shows nothing,
+ * with two thirds the light there, which is 1 wherever surfaces give off what they don't
+ * reflect; within the noise of 256 paths. */
+static void a_pixel_shows_the_part_that_is_most_of_it(void **state)
+{
+    (void)state;
+    struct pp_world *world =
+        pp_test_world("<room version='1'><sky type='uniform'/>"
+                      "<site ground-reflectance='1'/><plan height='2.6'>"
+                      "<vertex x='0' y='0'/><vertex x='5.4' y='0'/>"
+                      "<vertex x='5.4' y='3.6'/><vertex x='3' y='3.6'/>"
+                      "<vertex x='3' y='6.6'/><vertex x='0' y='6.6'/></plan>"
+                      "<finishes floor='0.3' walls='0.4' ceiling='0.5'/>"
+                      "<window wall='1' left='1.8' sill='0.5' width='2.8' height='1.7' "
+                      "glazing='none'/></room>");
+    for (int i = 0; i < world->surface_count; i++)
+        world->surfaces[i].exitance = 1.0 - world->surfaces[i].front;
+    struct scene scene = scene_in(world);
+    for (int third = 1; third <= 2; third++) {
+        struct pp_vec3 eye = {3.0 + 0.45 - 0.3 * third, 5.1, 1.2};
+        struct pp_render_options options =
+            looking(PP_VIEW_PARALLEL, eye, pp_vec(0.0, 0.0, -1.0), 2.7, 3, 256);
+        options.irradiance = options.indoors = true;
+        struct pp_render *render = rendered(&scene, &options);
+        const struct pp_picture *picture = pp_render_picture(render);
+        double on_the_wall = pp_picture_at(picture, 1, 1)[1];
+        if (third == 1)
+            assert_true(isnan(on_the_wall));
+        else
+            assert_near(on_the_wall, 1.0, 0.05);
+        assert_near(pp_picture_at(picture, 0, 1)[1], 1.0, 0.05);
+        assert_true(isnan(pp_picture_at(picture, 2, 1)[1]));
+        pp_render_destroy(render);
+    }
+    clear(&scene);
+}
+
 static void assert_same_pictures(const struct pp_render *a, const struct pp_render *b)
 {
     const struct pp_picture *p = pp_render_picture(a), *q = pp_render_picture(b);
@@ -625,6 +662,7 @@ int main(void)
         cmocka_unit_test(decorations_dim_a_picture_of_daylight_factors),
         cmocka_unit_test(glass_has_no_daylight_factor),
         cmocka_unit_test(a_cut_room_ends_at_its_walls),
+        cmocka_unit_test(a_pixel_shows_the_part_that_is_most_of_it),
         cmocka_unit_test(a_picture_does_not_depend_on_threads),
         cmocka_unit_test(what_stands_behind_a_framed_pane_is_in_the_cache),
         cmocka_unit_test(every_pixel_is_read_between_records),

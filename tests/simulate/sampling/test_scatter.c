@@ -94,6 +94,13 @@ static void glass_shares_light_out_as_its_law_says(void **state)
     lobes = lobes_of(&framed, up);
     assert_near(lobes.share[PP_LOBE_STRAIGHT].g, clear.normal * 0.7 * 0.8, 1e-12);
     assert_near(lobes.share[PP_LOBE_DIFFUSE].g, 0.3 * 0.5, 1e-12);
+
+    /* The frame is no mirror: of a lossless pane 2 rho/(1 + rho), where there is glass.
+     * Dirt, which lies outside, takes nothing of it. */
+    struct pp_glass lossless = pp_glass_panes(1, 1.52, 0.0);
+    framed = pp_material_glazing(&lossless, 0.7, 0.8, 0.5);
+    lobes = lobes_of(&framed, up);
+    assert_near(lobes.share[PP_LOBE_MIRROR].g, 0.7 * 2.0 * rho / (1.0 + rho), 1e-12);
 }
 
 static void translucent_panels_share_light_out_as_radiance_does(void **state)

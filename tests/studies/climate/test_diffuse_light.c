@@ -117,6 +117,64 @@ static void a_gap_in_illuminance_is_filled_by_irradiance(void **state)
     pp_epw_destroy(epw);
 }
 
+/* A dew point that is missing is 11 degrees. */
+static void a_missing_dew_point_is_eleven_degrees(void **state)
+{
+    (void)state;
+    const char *lx[24];
+    double made[2];
+    for (int i = 0; i < 24; i++)
+        lx[i] = "0";
+    struct pp_epw *epw = day_of("100", lx);
+    for (int known = 0; known < 2; known++) {
+        struct pp_diffuse_light light;
+        epw->records[12].dew_point_c = known ? 11.0 : NAN;
+        assert_int_equal(pp_diffuse_light_of_epw(&light, epw, "a.epw", NULL), PP_OK);
+        made[known] = light.list[12].lx;
+        pp_diffuse_light_clear(&light);
+    }
+    /* As above with W 2.00 cm: 128.9 lm/W. */
+    assert_near(made[0], 12890.0, 20.0);
+    assert_near(made[0], made[1], 0.0);
+    pp_epw_destroy(epw);
+}
+
+/* Direct light that is missing is what the global light has beyond the diffuse, over the
+ * sine of the sun's altitude, which is taken for 0.05 where it is less: at midnight in
+ * June on the 68th parallel, where the sun is 1.4 degrees up. Of 400 global lights from
+ * 1 to 1.2 times the diffuse one, which pass several borders of clearness, each gives
+ * what the direct light itself would. */
+static void missing_direct_light_comes_from_the_global_one(void **state)
+{
+    (void)state;
+    const char *lx[24];
+    for (int i = 0; i < 24; i++)
+        lx[i] = "0";
+    struct pp_epw *epw = day_of("100", lx);
+    epw->latitude_rad = 68.0 * PP_RAD;
+    epw->longitude_rad = 15.0 * PP_RAD;
+    epw->records[0].diffuse_w_m2 = 100.0;
+    int steps = 0;
+    double last = NAN;
+    for (int i = 0; i < 400; i++) {
+        double beyond = 0.05 * i, made[2];
+        for (int known = 0; known < 2; known++) {
+            struct pp_diffuse_light light;
+            epw->records[0].global_w_m2 = known ? NAN : 100.0 + beyond;
+            epw->records[0].direct_w_m2 = known ? beyond / 0.05 : NAN;
+            assert_int_equal(pp_diffuse_light_of_epw(&light, epw, "a.epw", NULL),
+                             PP_OK);
+            made[known] = light.list[0].lx;
+            pp_diffuse_light_clear(&light);
+        }
+        assert_near(made[0], made[1], 1e-9);
+        steps += i > 0 && fabs(made[0] - last) > 1.0;
+        last = made[0];
+    }
+    assert_in_range(steps, 3, 7);
+    pp_epw_destroy(epw);
+}
+
 /* Many files hold 0 or a code in all their illuminances. */
 static void without_any_illuminance_irradiance_is_taken(void **state)
 {
@@ -433,6 +491,8 @@ int main(void)
         cmocka_unit_test(the_efficacy_stays_within_reason),
         cmocka_unit_test(a_gap_in_illuminance_is_filled_by_irradiance),
         cmocka_unit_test(without_any_illuminance_irradiance_is_taken),
+        cmocka_unit_test(a_missing_dew_point_is_eleven_degrees),
+        cmocka_unit_test(missing_direct_light_comes_from_the_global_one),
         cmocka_unit_test(the_overcast_sky_follows_the_sun),
         cmocka_unit_test(the_curve_of_brussels_is_as_summed_elsewhere),
         cmocka_unit_test(a_curve_falls_and_has_an_inverse),

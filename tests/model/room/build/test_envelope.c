@@ -312,6 +312,19 @@ static void an_opening_is_drawn_into_the_face_it_is_near(void **state)
     pp_world_destroy(world);
 }
 
+/* The outer sides of walls and roof are taken for 0.2, whatever the finishes inside. */
+static void outer_sides_reflect_a_fifth(void **state)
+{
+    (void)state;
+    struct pp_world *world =
+        pp_test_world("<room version='1'><plan width='4' depth='5' height='3'/>"
+                      "<finishes floor='0.3' walls='0.63' ceiling='0.81'/></room>");
+    assert_int_equal(world->face_count, 6);
+    for (int i = 0; i < world->face_count; i++)
+        assert_near(world->surfaces[i].back, 0.2, 0.0);
+    pp_world_destroy(world);
+}
+
 /* Any prism over any simple profile closes, and holds the points that its profile
  * does: stars of random radius, drawn out along y. */
 static void random_prisms_close_and_hold_their_points(void **state)
@@ -371,6 +384,7 @@ int main(void)
         cmocka_unit_test(a_shaft_is_a_hole_in_the_section),
         cmocka_unit_test(maintenance_goes_by_slope_and_surroundings),
         cmocka_unit_test(an_opening_is_drawn_into_the_face_it_is_near),
+        cmocka_unit_test(outer_sides_reflect_a_fifth),
         cmocka_unit_test(random_prisms_close_and_hold_their_points),
     };
     return cmocka_run_group_tests_name("envelope", tests, NULL, NULL);

@@ -1,0 +1,118 @@
+#!/bin/sh
+# check_mutants.sh BUILD - do the tests see it when the program is wrong? Makes the deliberate
+# changes of mutants.txt, one at a time, to the copy of the sources that BUILD was configured
+# from, and runs the quick tests until one fails: those that include the changed file's
+# header, those of its folder's mirror in tests/, then all others. Says of each change which
+# test saw it; fails where more than 5 in 100 were seen by none, or where a change applies no
+# longer, or not to one line alone. A test that fails without any change sees nothing: it is
+# named and left out. Hours; make check-mutants makes the copy.
+#
+# MUTANTS=REGEX: of the changes only those whose line matches. NEAR=yes: only the tests that
+# come first, minutes; its survivors may be seen by others.
+build=$1 list=$(cd "$(dirname "$0")" && pwd)/mutants.txt
+source=$(sed -n "s/^abs_srcdir = //p" "$build/Makefile")
+[ -d "$source" ] && [ -r "$list" ] || {
+    echo "check_mutants.sh: there is no configured build in $1" >&2
+    exit 2
+}
+cd "$build" || exit 2
+make="${MAKE:-make} -s"
+$make all >mutant.log 2>&1 || {
+    echo "check_mutants.sh: the copy does not build: $(grep -m 1 error mutant.log)" >&2
+    exit 2
+}
+names() { echo "show: ; @echo \$($1)" | $make -f Makefile -f - show; }
+programs=$(names check_PROGRAMS | tr ' ' '\n' | sort)
+scripts=$(names dist_check_SCRIPTS | tr ' ' '\n' | grep -v '^tests/house/')
+export srcdir="$source"
+
+# near FILE: the tests that are likely to see a change in it, and those of the folders above
+# where its own has none.
+near() {
+    header=${1%.c}.h folder=tests/$(dirname "$1")
+    for program in $programs; do
+        ! grep -q "^#include \"$header\"" "$source/$program.c" || echo "$program"
+    done
+    while [ "$folder" != tests ]; do
+        here=$(echo "$programs $scripts" | tr ' ' '\n' | grep "^$folder/[^/]*\$")
+        echo "$here"
+        [ -z "$here" ] || break
+        folder=$(dirname "$folder")
+    done
+}
+
+# fails TEST: it fails, or does not end.
+fails() {
+    case $1 in
+    *.sh) run="sh $source/$1" ;;
+    *) run="sh $source/tests/lib/run.sh ./$1" ;;
+    esac
+    ! timeout 600 $run >mutant.log 2>&1 || grep -q '^not ok' mutant.log
+}
+
+# made TEST ...: builds what they need.
+made() {
+    needed=
+    for test in "$@"; do
+        needed="$needed $(echo "$test" | sed 's/.*\.sh$/pepperpot/')"
+    done
+    $make $needed >mutant.log 2>&1
+}
+
+# seen_by TEST ...: which of the tests fails first; "" where none does.
+seen_by() {
+    made "$@" || {
+        echo "not made: $(grep -m 1 error mutant.log)"
+        return
+    }
+    for test in "$@"; do
+        if ! grep -q "^$test\$" mutant.unsound && fails "$test"; then
+            echo "$test"
+            return
+        fi
+    done
+}
+
+# try TEST ...: runs those that have not been run yet without any change.
+try() {
+    for test in "$@"; do
+        ! grep -q "^$test\$" mutant.tried || continue
+        echo "$test" >>mutant.tried
+        if ! made "$test" || fails "$test"; then
+            echo "$test" >>mutant.unsound
+            echo "without any change: $test fails"
+        fi
+    done
+}
+
+# once WORD ...: each once, in the order in which it first comes.
+once() { printf '%s\n' "$@" | awk 'NF && !seen[$0]++'; }
+
+done=0 survivors=0 wrong=0
+: >mutant.tried
+: >mutant.unsound
+grep -v '^#\|^$' "$list" | grep -- "${MUTANTS:-}" >mutants.now
+[ -n "${NEAR:-}" ] || try $programs $scripts
+while read -r file change; do
+    first=$(once $(near "$file")) rest=
+    [ -n "${NEAR:-}" ] || rest=$(once $programs $scripts | grep -vxF "$first")
+    try $first
+    kept=$source/$file.kept
+    cp -p "$source/$file" "$kept" && sed "$change" "$kept" >"$source/$file"
+    lines=$(diff "$kept" "$source/$file" | grep -c '^>')
+    done=$((done + 1))
+    if [ "$lines" = 1 ]; then
+        test=$(seen_by $first)
+        [ -n "$test" ] || [ -z "$rest" ] || test=$(seen_by $rest)
+    else
+        test="not made: it changes $lines lines; expected 1"
+    fi
+    case $test in
+    '') survivors=$((survivors + 1)) test='seen by none' ;;
+    not*) wrong=$((wrong + 1)) ;;
+    esac
+    printf '%s: %s %s\n' "$test" "$file" "$change"
+    mv "$kept" "$source/$file" && touch "$source/$file"
+done <mutants.now
+echo "$done changes, $survivors seen by no test, $wrong that cannot be made"
+[ $done -gt 0 ] && [ $wrong = 0 ] && [ $((100 * survivors)) -le $((5 * done)) ]
