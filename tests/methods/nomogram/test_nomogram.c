@@ -222,7 +222,7 @@ static void top_light_is_set_at_its_slope(void **state)
         box_room_south(&box, 0.2, 0.9, 2.1, 1.3)->slope_rad = beta;
         struct pp_nomogram_reading reading;
         assert_int_equal(pp_nomogram_reading_of_opening(&reading, &nomogram, &box.world,
-                                                        box.openings, NULL),
+                                                        &box.light, box.openings, NULL),
                          PP_OK);
         assert_near(reading.value[PP_STEM_D], beta, 1e-12);
         double sky = 3.0 / 14.0 * (1.0 + cos(beta))

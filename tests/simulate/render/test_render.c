@@ -298,18 +298,21 @@ static void a_cut_room_ends_at_its_walls(void **state)
 static void a_pixel_shows_the_part_that_is_most_of_it(void **state)
 {
     (void)state;
-    struct pp_world *world =
-        pp_test_world("<room version='1'><sky type='uniform'/>"
-                      "<site ground-reflectance='1'/><plan height='2.6'>"
-                      "<vertex x='0' y='0'/><vertex x='5.4' y='0'/>"
-                      "<vertex x='5.4' y='3.6'/><vertex x='3' y='3.6'/>"
-                      "<vertex x='3' y='6.6'/><vertex x='0' y='6.6'/></plan>"
-                      "<finishes floor='0.3' walls='0.4' ceiling='0.5'/>"
-                      "<window wall='1' left='1.8' sill='0.5' width='2.8' height='1.7' "
-                      "glazing='none'/></room>");
-    for (int i = 0; i < world->surface_count; i++)
+    struct pp_outside_light light;
+    struct pp_world *world = pp_test_lit_world(
+        &light, "<room version='1'><sky type='uniform'/>"
+                "<site ground-reflectance='1'/><plan height='2.6'>"
+                "<vertex x='0' y='0'/><vertex x='5.4' y='0'/>"
+                "<vertex x='5.4' y='3.6'/><vertex x='3' y='3.6'/>"
+                "<vertex x='3' y='6.6'/><vertex x='0' y='6.6'/></plan>"
+                "<finishes floor='0.3' walls='0.4' ceiling='0.5'/>"
+                "<window wall='1' left='1.8' sill='0.5' width='2.8' height='1.7' "
+                "glazing='none'/></room>");
+    for (int i = 0; i < world->surface_count; i++) {
         world->surfaces[i].exitance = 1.0 - world->surfaces[i].front;
-    struct scene scene = scene_in(world);
+        world->surfaces[i].back = world->surfaces[i].front; /* the ground sees it */
+    }
+    struct scene scene = scene_in(world, &light);
     for (int third = 1; third <= 2; third++) {
         struct pp_vec3 eye = {3.0 + 0.45 - 0.3 * third, 5.1, 1.2};
         struct pp_render_options options =
