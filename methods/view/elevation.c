@@ -142,13 +142,11 @@ static enum pp_status add_skylines(struct opening_drawing *drawing,
         const struct pp_skyline *skyline = world->skylines + i;
         if (skyline->face != drawing->opening->face)
             continue;
-        double distance_m = skyline->distance_m + drawing->face_m;
-        double high = isfinite(distance_m)
-                          ? (skyline->head_z_m - drawing->frame.point.z) / distance_m
-                          : tan(skyline->angle_rad);
+        double high = tan(
+            pp_world_skyline_angle(skyline, drawing->frame.point.z, drawing->face_m));
         struct pp_elevation_obstruction obstruction = {
             .outline = {-INFINITY, INFINITY, -INFINITY, high, skyline->reflectance},
-            .distance_m = distance_m};
+            .distance_m = skyline->distance_m + drawing->face_m};
         enum pp_status status = add_obstruction(drawing, obstruction, err);
         if (status != PP_OK)
             return status;
