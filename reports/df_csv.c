@@ -5,10 +5,10 @@
 
 #include "reports/parts/format.h"
 
-/* One reading; receiver NULL: of the average. With external_lux over 0 a field more:
+/* One reading, of a receiver or (NULL) of the mean that `place` names. With external_lux over 0 a field more:
  * the illuminance of the daylight factor under external_lux. */
 static void put_line(const struct pp_result *result, const struct pp_column *column,
-                     const struct pp_receiver *receiver,
+                     const struct pp_receiver *receiver, const char *place,
                      const struct pp_reading *reading, double external_lux, FILE *out)
 {
     pp_format_csv_field(result->file, out);
@@ -23,7 +23,7 @@ static void put_line(const struct pp_result *result, const struct pp_column *col
         pp_format_csv_number(receiver->normal.y, out);
         pp_format_csv_number(receiver->normal.z, out);
     } else {
-        fputs(",average,,,,,,", out);
+        fprintf(out, ",%s,,,,,,", place);
     }
     fprintf(out, ",%s,%s", pp_component_names[column->component], column->name);
     pp_format_csv_number(100.0 * reading->value, out);
@@ -51,11 +51,15 @@ enum pp_status pp_df_csv(const struct pp_results *results, FILE *out,
         for (int r = 0; r < report->receiver_count; r++)
             for (int c = 0; c < report->column_count; c++)
                 if (report->columns[c].points)
-                    put_line(result, &report->columns[c], &report->receivers[r],
+                    put_line(result, &report->columns[c], &report->receivers[r], NULL,
                              &report->columns[c].points[r], lux, out);
         for (int c = 0; c < report->column_count; c++)
-            put_line(result, &report->columns[c], NULL, &report->columns[c].average,
-                     lux, out);
+            put_line(result, &report->columns[c], NULL, "average",
+                     &report->columns[c].average, lux, out);
+        for (int c = 0; c < report->column_count; c++)
+            if (report->columns[c].has_margin_average)
+                put_line(result, &report->columns[c], NULL, "average-margin",
+                         &report->columns[c].margin_average, lux, out);
     }
     return PP_OK;
 }

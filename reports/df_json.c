@@ -79,8 +79,18 @@ static struct json_object *entry(const struct pp_reading *reading, const char *n
     return pp_json_whole(object, good);
 }
 
-/* Adds "sc" ... "df" with what every method says at receiver `index`, or of the average
- * for -1; a component that no method speaks of is left out. */
+/* What a column says at receiver `index`, or of a mean. */
+enum { OF_AVERAGE = -1, OF_MARGIN_AVERAGE = -2 };
+
+static const struct pp_reading *reading_of(const struct pp_column *column, int index)
+{
+    return index == OF_AVERAGE          ? &column->average
+           : index == OF_MARGIN_AVERAGE ? &column->margin_average
+                                        : &column->points[index];
+}
+
+/* Adds "sc" ... "df" with what every method says there; a component that no method
+ * speaks of is left out. */
 static bool add_readings(struct json_object *object, const struct pp_report *report,
                          int index, double external_lux)
 {
@@ -97,8 +107,7 @@ static bool add_readings(struct json_object *object, const struct pp_report *rep
             pp_json_on_one_line(*component);
         }
         if (!pp_json_add(*component, column->name,
-                         entry(index < 0 ? &column->average : &column->points[index],
-                               column->name,
+                         entry(reading_of(column, index), column->name,
                                column->component == PP_DF ? external_lux : 0.0)))
             return false;
     }
@@ -235,7 +244,10 @@ static struct json_object *room(const void *all, int index)
     if (good)
         good = add_points(object, report, lux)
                && pp_json_add(object, "average", average = json_object_new_object())
-               && add_readings(average, report, -1, lux);
+               && add_readings(average, report, OF_AVERAGE, lux);
+    if (good && report->column_count > 0 && report->columns[0].has_margin_average)
+        good = pp_json_add(object, "average-margin", average = json_object_new_object())
+               && add_readings(average, report, OF_MARGIN_AVERAGE, lux);
     if (good && report->grid_points > 0)
         good = add_grid(object, report);
     if (good)

@@ -266,6 +266,32 @@ static enum pp_status print_table(const struct pp_report *report,
     return good ? PP_OK : pp_fail_memory(err);
 }
 
+/* The averages inside the margin, of daylight factors. */
+static void print_margin(const struct pp_report *report, bool utf8, int width,
+                         FILE *out)
+{
+    char text[1024] = "";
+    bool asked = false;
+    for (int i = 0; i < report->column_count; i++) {
+        const struct pp_column *column = &report->columns[i];
+        const struct pp_reading *mean = &column->margin_average;
+        if (!column->has_margin_average || column->component != PP_DF)
+            continue;
+        asked = true;
+        if (!isfinite(mean->value))
+            continue;
+        pp_text_append(text, sizeof text, "%s%s %.2f", text[0] ? ", " : "",
+                       column->name, 100.0 * mean->value);
+        if (isfinite(mean->std_error))
+            pp_text_append(text, sizeof text, " %s%.2f", utf8 ? "\xc2\xb1" : "+-",
+                           100.0 * mean->std_error);
+    }
+    if (!asked)
+        return;
+    fputs("\n  Average of the plane inside 0.5 m of its edge, per cent:\n  ", out);
+    pp_print_wrapped(text[0] ? text : "none", 2, 2, width, out);
+}
+
 static enum pp_status print_room(const struct pp_result *result,
                                  const struct pp_study_options *options, int width,
                                  bool utf8, FILE *out, struct pp_error *err)
@@ -280,6 +306,7 @@ static enum pp_status print_room(const struct pp_result *result,
     if (status != PP_OK)
         return status;
     pp_df_plane_summary(report, width, utf8, out);
+    print_margin(report, utf8, width, out);
 
     if (pp_report_find(report, PP_DF, "traced")
         || pp_report_find(report, PP_DF, "cached"))

@@ -7,6 +7,7 @@
 #include "cli/df/engine_choice.h"
 #include "cli/format_option.h"
 #include "cli/df/formula_option.h"
+#include "studies/plane_margin.h"
 #include "studies/study_report.h"
 #include "cli/interrupt.h"
 #include "cli/lumen_option.h"
@@ -31,6 +32,7 @@ struct df_options {
     struct pp_engine_choice engine;
     enum pp_format format;
     bool array;
+    bool margin; /* the average inside the plane's margin too */
 };
 
 #define PLACE(member) offsetof(struct df_options, member)
@@ -49,6 +51,13 @@ static const struct pp_option list_option[] = {
      "instead "
      "of computing anything.",
      NULL, PLACE(list_formulae)},
+    {0},
+};
+
+static const struct pp_option margin_option[] = {
+    {"margin", 0, NULL,
+     "Also the average over the working plane inside 0.5 m of the walls.", NULL,
+     PLACE(margin)},
     {0},
 };
 
@@ -110,6 +119,32 @@ struct df_run {
     struct pp_results results;
 };
 
+/* The same methods and simulation on the plane inside its margin. */
+static enum pp_status add_margin(struct pp_result *result,
+                                 const struct pp_study_room *room,
+                                 const struct df_options *options, struct pp_error *err)
+{
+    struct pp_study_options study = options->room.study;
+    struct pp_engine_choice engine = options->engine;
+    struct pp_result inside = {.file = result->file, .report = {.finished = true}};
+    struct pp_plane_margin margin;
+    engine.cache.file = NULL;
+    study.explain = false;
+    enum pp_status status = pp_plane_margin_init(&margin, room, err);
+    if (status == PP_OK && margin.has_plane)
+        status = pp_study_report_methods(&inside.report, &margin.room, &study, err);
+    if (status == PP_OK && margin.has_plane && study.simulate)
+        status = simulate(&inside, &study, &engine, err);
+    if (status == PP_OK)
+        status = pp_plane_margin_take(&result->report,
+                                      margin.has_plane ? &inside.report : NULL, err);
+    result->report.finished &= inside.report.finished;
+    result->by_clock |= inside.by_clock;
+    pp_report_clear(&inside.report);
+    pp_plane_margin_clear(&margin);
+    return status;
+}
+
 /* Hand methods of all rooms first: they take milliseconds, and are there whatever
  * happens to the simulation. */
 static enum pp_status compute(void *data, struct pp_error *err)
@@ -133,6 +168,8 @@ static enum pp_status compute(void *data, struct pp_error *err)
         if (status == PP_OK)
             status = simulate(&results->list[i], results->options,
                               &run->options->engine, err);
+    for (int i = 0; i < results->count && status == PP_OK && run->options->margin; i++)
+        status = add_margin(&results->list[i], &rooms->list[i], run->options, err);
     for (int i = 0; i < results->count && status == PP_OK; i++)
         status = pp_study_report_settle(&results->list[i].report, &rooms->list[i], err);
     return status;
@@ -295,6 +332,7 @@ static const struct pp_option_group groups[] = {
     {"Simulation", pp_engine_options, PLACE(engine)},
     {"Irradiance cache", pp_cache_choice_options, PLACE(engine.cache)},
     {"Output", pp_format_option, PLACE(format)},
+    {"Output", margin_option, 0},
     {"Output", array_option, 0},
     {"Output", pp_room_output_options, PLACE(room)},
     {0},

@@ -434,6 +434,25 @@ enum pp_status pp_clipper_difference(struct pp_clipper *clipper,
                    "the difference of outlines", err);
 }
 
+enum pp_status pp_clipper_inset(struct pp_clipper *clipper, struct pp_region *result,
+                                const struct pp_region *region, double distance,
+                                struct pp_error *err)
+{
+    enum { ARC_POINTS = 8 };             /* of a quarter circle: there is none */
+    static const double LONGEST = 100.0; /* of a corner, over the distance */
+    *result = (struct pp_region){0};
+    GEOSGeometry *whole = geos_polygons(clipper->geos, region, 1);
+    if (!whole)
+        return pp_fail_memory(err);
+    GEOSGeometry *inside =
+        GEOSBufferWithStyle_r(clipper->geos, whole, -distance, ARC_POINTS,
+                              GEOSBUF_CAP_FLAT, GEOSBUF_JOIN_MITRE, LONGEST);
+    GEOSGeom_destroy_r(clipper->geos, whole);
+    if (!inside)
+        return fail_geos(clipper, "the inside of an outline", err);
+    return region_from(clipper, result, inside, err);
+}
+
 enum pp_status pp_clipper_triangulate(struct pp_clipper *clipper,
                                       double (**triangles)[3][2], int *count,
                                       const struct pp_region *region,

@@ -50,6 +50,12 @@ enum pp_status pp_clipper_difference(struct pp_clipper *clipper,
                                      const struct pp_region *minus,
                                      struct pp_error *err);
 
+/* The part of a region that is farther than `distance` (greater than 0) from its edge;
+ * inner corners of the region, which a circle would round, stay sharp. */
+enum pp_status pp_clipper_inset(struct pp_clipper *clipper, struct pp_region *result,
+                                const struct pp_region *region, double distance,
+                                struct pp_error *err);
+
 /* Triangles that cover the region and nothing else (constrained Delaunay), each
  * counter-clockwise: *triangles is *count arrays of three points, to be freed. */
 enum pp_status pp_clipper_triangulate(struct pp_clipper *clipper,

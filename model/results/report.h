@@ -28,6 +28,9 @@ struct pp_column {
     enum pp_component component;
     char name[48];
     struct pp_reading average; /* over the whole working plane */
+    struct pp_reading
+        margin_average;      /* over the plane inside 0.5 m (plane_margin.h); */
+    bool has_margin_average; /* if that was asked for */
     bool of_all_surfaces; /* the average is over the room's surfaces: not to be compared
                                 * with those over its working plane */
     bool has_plane;       /* a daylight factor at every point of the grid? */

@@ -140,6 +140,37 @@ check "1, 2 and 4 threads give the same bytes" same_by_threads "1 2 4" \
 "$pepperpot" df --simulate --samples 16 --seed 2 --format json "$deep" >"$scratch/seed"
 check "another seed gives other bytes" \
     sh -c "! cmp -s '$scratch/seed' '$scratch/by_threads'"
+# The mean inside 0.5 m: as that of a fine grid there, of the sky component and traced.
+cat >"$scratch/margin.xml" <<'EOF'
+<room version="1"><plan width="3" depth="4" height="2.7"/>
+  <window wall="south" left="0.4" sill="1" width="2.2" height="1.4"/>
+  <grid spacing="0.1" margin="0.5"/></room>
+EOF
+# mean PLACE COMPONENT METHOD: of the lines of a CSV.
+mean() {
+    awk -F, -v place="$1" -v component="$2" -v method="$3" '
+        $3 == place && $10 == component && $11 == method { sum += $12; n++ }
+        END { print sum / n }' "$scratch/out"
+}
+run df --margin -m exact+bre --format csv "$scratch/margin.xml"
+check "the average inside the margin is that of a fine grid there" awk \
+    -v a="$(mean average-margin sc exact)" -v b="$(mean point sc exact)" \
+    'BEGIN { exit !(a > 0.1 && a / b < 1.005 && a / b > 0.995) }'
+check "and less than that with the strip along the window" awk \
+    -v a="$(mean average-margin sc exact)" -v b="$(mean average sc exact)" \
+    'BEGIN { exit !(a < 0.95 * b) }'
+run df --margin -m exact+bre --simulate --error 1% --format csv "$scratch/margin.xml"
+check "traced it is the same" awk \
+    -v a="$(mean average-margin sc exact)" -v b="$(mean average-margin sc traced)" \
+    'BEGIN { exit !(b > 0.1 && a / b < 1.03 && a / b > 0.97) }'
+check "in JSON it stands beside the average" shows '"average-margin": {' \
+    df --margin --format json "$deep"
+check "in text below the table" shows "inside 0.5 m of its edge" df --margin "$deep"
+sed 's/width="3"/width="0.9"/; s/left="0.4"/left="0.1"/; s/width="2.2"/width="0.7"/; s/<grid.*\/>/<point x="0.4" y="2"\/>/' \
+    "$scratch/margin.xml" >"$scratch/narrow.xml"
+check "a room less than a metre wide has nothing there" shows "has nothing inside 0.5 m" \
+    df --margin --format csv "$scratch/narrow.xml"
+
 check "the traced value stands beside the methods" \
     shows "from traced, %" df --simulate --error 5% "$deep"
 check "--time stops" shows "stopped by the clock" df -s --time 300ms "$deep"

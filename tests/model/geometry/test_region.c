@@ -223,6 +223,33 @@ static void the_union_of_nothing_is_empty(void **state)
     free(triangles);
 }
 
+/* An L of 5 by 2 and 2 by 3 above: half a metre in, 4 by 1 and 1 by 3; a ring of the
+ * width of a metre has nothing there, and 0.1 m in a ring that is 0.8 m wide. */
+static void inside_its_edge_an_l_is_a_smaller_l(void **state)
+{
+    (void)state;
+    const double xy[6][2] = {{0, 0}, {5, 0}, {5, 2}, {2, 2}, {2, 5}, {0, 5}};
+    struct pp_region l, inside;
+    assert_int_equal(pp_clipper_of_ring(clipper, &l, xy, 6, NULL), PP_OK);
+    assert_int_equal(pp_clipper_inset(clipper, &inside, &l, 0.5, NULL), PP_OK);
+    assert_near(pp_region_area(&inside), 4.0 * 1.0 + 1.0 * 3.0, 1e-12);
+    assert_true(pp_region_contains(&inside, 1.4, 1.4));
+    pp_region_clear(&inside);
+    pp_region_clear(&l);
+    struct pp_region outer = rectangle(0, 0, 4, 4), inner = rectangle(1, 1, 3, 3), ring;
+    assert_int_equal(pp_clipper_difference(clipper, &ring, &outer, &inner, NULL),
+                     PP_OK);
+    assert_int_equal(pp_clipper_inset(clipper, &inside, &ring, 0.5, NULL), PP_OK);
+    assert_near(pp_region_area(&inside), 0.0, 1e-12);
+    pp_region_clear(&inside);
+    assert_int_equal(pp_clipper_inset(clipper, &inside, &ring, 0.1, NULL), PP_OK);
+    assert_near(pp_region_area(&inside), 3.8 * 3.8 - 2.2 * 2.2, 1e-12);
+    pp_region_clear(&inside);
+    pp_region_clear(&ring);
+    pp_region_clear(&inner);
+    pp_region_clear(&outer);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -235,6 +262,7 @@ int main(void)
         cmocka_unit_test(figures_that_only_touch_share_nothing),
         cmocka_unit_test(triangles_cover_an_outline_with_a_hole),
         cmocka_unit_test(the_union_of_nothing_is_empty),
+        cmocka_unit_test(inside_its_edge_an_l_is_a_smaller_l),
     };
     return cmocka_run_group_tests_name("region", tests, set_up, tear_down);
 }
