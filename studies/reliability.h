@@ -6,7 +6,7 @@
  * (tables/reliability.csv):
  *
  *     outside      0.3 or more of the average daylight factor is reflected from outside
- *     inside       at the darkest point no sky is seen, or 0.7 or more of the daylight
+ *     inside       at the darkest point no sky is seen, or 0.65 or more of the daylight
  *                  factor is the room's average reflected light
  *     proportions  the room is more than twice as deep as wide: the table behind `bre-min`
  *                  ends there

@@ -11,10 +11,23 @@
  * degrees.
  */
 #include <math.h>
+#include <string.h>
 
 #include "studies/criteria/criteria.h"
 #include "studies/criteria/factors.h"
 #include "studies/criteria/plane_share.h"
+
+/* The greatest traced average over that by average-df, of all example rooms; see the
+ * manual's section on accuracy. */
+static const double LOWEST_BY_FORMULA = 1.75;
+
+/* Might the figure be not met because average-df is too low? */
+static bool is_low_by_formula(const struct pp_finding *finding,
+                              const struct pp_finding_list *findings)
+{
+    return strstr(findings->basis, "average-df") && finding->verdict == PP_NOT_MET
+           && finding->wanted < LOWEST_BY_FORMULA * finding->figure;
+}
 
 static enum pp_status evaluate_average(const struct pp_inquiry *inquiry,
                                        struct pp_finding_list *findings,
@@ -38,6 +51,10 @@ static enum pp_status evaluate_average(const struct pp_inquiry *inquiry,
                                pp_finding_probability_at_least(average->value,
                                                                average->std_error,
                                                                minima[i].least));
+        if (average && is_low_by_formula(&finding, findings))
+            pp_finding_note(&finding,
+                            "average-df is low, by up to 43 %% in the rooms of "
+                            "the manual: this is not to be relied on");
         status = pp_finding_list_add(findings, &finding, err);
     }
     return status;
