@@ -242,7 +242,8 @@ struct pp_judgement {
     double wanted;         /* NAN: stated */
     bool at_most;          /* wanted is the most, else the least */
     enum pp_verdict verdict;
-    double confidence; /* probability that the verdict is right, by noise alone: the house
+    double
+        confidence; /* probability that the verdict is right, by noise alone: the house
                         * beside the room is what its file says, where the command
                         * assess looks whether a larger one would turn the verdict; NAN
                         * where nothing was sampled */
