@@ -233,7 +233,9 @@ enum pp_verdict {
 };
 
 /* One figure that a criterion asks for. Texts are the study's, good until the next
- * pp_study_judge. */
+ * pp_study_judge. The confidence is about noise alone: of the house beside the room it
+ * takes what the file says, where the command assess looks whether a larger one would
+ * turn the verdict. */
 struct pp_judgement {
     const char *criterion; /* of PP_LIST_CRITERIA */
     const char *what;      /* "south, line 9" */
@@ -242,11 +244,8 @@ struct pp_judgement {
     double wanted;         /* NAN: stated */
     bool at_most;          /* wanted is the most, else the least */
     enum pp_verdict verdict;
-    double
-        confidence; /* probability that the verdict is right, by noise alone: the house
-                        * beside the room is what its file says, where the command
-                        * assess looks whether a larger one would turn the verdict; NAN
-                        * where nothing was sampled */
+    double confidence; /* probability that the verdict is right; NAN where nothing was
+                        * sampled */
     const char *basis, *note; /* sentences; empty: nothing to add */
 };
 
