@@ -58,10 +58,11 @@ static void time_room(const char *name, struct text *text)
     fclose(text->out);
     struct pp_error err = {0};
     double start = processor_s();
-    struct pp_world *world = world_of(text->bytes);
+    struct pp_outside_light light;
+    struct pp_world *world = world_of(&light, text->bytes);
     struct pp_receiver receiver = {{1.1, 0.7, world->working_plane_m}, {0, 0, 1}, 0};
     struct pp_report report = {
-        .world = world, .receivers = &receiver, .receiver_count = 1};
+        .world = world, .light = light, .receivers = &receiver, .receiver_count = 1};
     must(pp_methods_evaluate(&report, "all", &err), &err);
     printf("%-31s %8.2f s\n", name, processor_s() - start);
     pp_report_clear(&report);

@@ -2,6 +2,7 @@
 #include "model/room/corrections.h"
 
 #include <assert.h>
+#include <math.h>
 #include <stddef.h>
 #include <string.h>
 
@@ -27,7 +28,7 @@ const struct pp_named_factor *pp_corrections_find(
 }
 
 static const struct {
-    const char *surroundings, *work;
+    const char *edition, *surroundings, *work;
     double vertical, sloping, horizontal;
 } maintenance[] = {
 #include "tables/maintenance.inc"
@@ -42,17 +43,26 @@ static const struct {
 
 static const char *const surroundings_words[] = {
     [PP_RURAL] = "rural", [PP_URBAN] = "urban", [PP_INDUSTRIAL] = "industrial"};
+static const char *const edition_words[] = {
+    [PP_DIRT_BRE309] = "bre309", [PP_DIRT_BS8206] = "bs8206"};
 static const char *const work_words[] = {[PP_CLEAN] = "clean", [PP_DIRTY] = "dirty"};
 
-double pp_corrections_maintenance(enum pp_surroundings surroundings, enum pp_work work,
+const char *const pp_corrections_editions[] = {
+    [PP_DIRT_BRE309] = "BRE309", [PP_DIRT_BS8206] = "BS8206"};
+
+double pp_corrections_maintenance(enum pp_dirt edition,
+                                  enum pp_surroundings surroundings, enum pp_work work,
                                   double slope_rad)
 {
     size_t row = 0, count = sizeof maintenance / sizeof *maintenance;
-    while (row < count
-           && (strcmp(maintenance[row].surroundings, surroundings_words[surroundings])
-               || strcmp(maintenance[row].work, work_words[work])))
+    while (
+        row < count
+        && (strcmp(maintenance[row].edition, edition_words[edition])
+            || strcmp(maintenance[row].surroundings, surroundings_words[surroundings])
+            || strcmp(maintenance[row].work, work_words[work])))
         row++;
-    assert(row < count);
+    if (row == count)
+        return NAN;
     /* Vertical from 75 degrees, horizontal below 15, whatever the rounding. */
     double slope_deg = slope_rad / PP_RAD + 1e-6;
     if (slope_deg >= 75.0)

@@ -25,9 +25,13 @@ const struct pp_named_factor *pp_corrections_find(
     const struct pp_named_factors *factors, const char *name);
 
 /* M, the share of the light that dirt leaves on glass of that slope (rad, 0
- * horizontal). */
-double pp_corrections_maintenance(enum pp_surroundings surroundings, enum pp_work work,
+ * horizontal); NAN where that edition has no figures for such a place or work. */
+double pp_corrections_maintenance(enum pp_dirt edition,
+                                  enum pp_surroundings surroundings, enum pp_work work,
                                   double slope_rad);
+
+/* By enum pp_dirt: the key in docs/SOURCES.md. */
+extern const char *const pp_corrections_editions[];
 
 /* D, the share of the internally reflected component that the deterioration of
  * decorations leaves. */

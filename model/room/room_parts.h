@@ -25,6 +25,7 @@ struct pp_site_part {
     enum pp_surroundings surroundings;  /* rural where not given */
     enum pp_work
         work; /* where not given: clean, but dirty in industrial surroundings */
+    enum pp_dirt dirt;
     double ground_reflectance, ground_level_m;
     bool ground_is_open;
     int line;

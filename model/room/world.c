@@ -54,6 +54,7 @@ static enum pp_status resolve_site(struct pp_resolver *r, struct pp_error *err)
     memcpy(world->country, room->site.country, sizeof world->country);
     world->surroundings = room->site.surroundings;
     world->work = room->site.work;
+    world->dirt = room->site.dirt;
     world->decorations =
         isnan(room->decorations)
             ? pp_corrections_decorations(world->surroundings, world->work)

@@ -66,12 +66,13 @@ struct pp_opening {
     bool rectangle;           /* and with edges along its axes? */
     double middle_z_m; /* middle of its height: where upper and lower parts meet */
     struct pp_glass glass;
-    double frame_factor; /* glass area / opening area */
-    double maintenance;  /* share of the light that dirt leaves */
-    double curtains;     /* share of the light that curtains leave, 1: there are none */
-    double reveal_m;     /* depth, 0 where the glass stands in the face */
-    int facade;          /* that it looks out of, -1: there is none */
-    double recess_m;     /* how far the glass stands back from that facade's plane */
+    double frame_factor;      /* glass area / opening area */
+    double maintenance;       /* share of the light that dirt leaves */
+    bool maintenance_is_auto; /* by the world's edition of dirt */
+    double curtains; /* share of the light that curtains leave, 1: there are none */
+    double reveal_m; /* depth, 0 where the glass stands in the face */
+    int facade;      /* that it looks out of, -1: there is none */
+    double recess_m; /* how far the glass stands back from that facade's plane */
     int line;
 };
 
@@ -125,6 +126,8 @@ struct pp_receiver {
 
 enum pp_surroundings { PP_RURAL, PP_URBAN, PP_INDUSTRIAL };
 enum pp_work { PP_CLEAN, PP_DIRTY }; /* that is done in the room */
+/* Whose figures of dirt on glass: of smoky towns, or of cleaner air. */
+enum pp_dirt { PP_DIRT_BRE309, PP_DIRT_BS8206 };
 
 struct pp_world {
     char *name;
@@ -133,6 +136,7 @@ struct pp_world {
     char country[3];                    /* two letters; empty where the file has none */
     enum pp_surroundings surroundings;
     enum pp_work work;
+    enum pp_dirt dirt;
     double decorations; /* share of the internally reflected component that the
                          * deterioration of decorations leaves; 1: they are as new */
 

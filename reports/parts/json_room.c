@@ -1,4 +1,5 @@
 /* json_room.c - builds the object of a room's envelope, openings and surroundings. */
+#include "model/room/corrections.h"
 #include "reports/parts/json_room.h"
 
 #include <math.h>
@@ -60,6 +61,9 @@ static struct json_object *opening_of(const struct pp_world *world, int index)
         && pp_json_number(object, "diffuse-transmittance", glass->diffuse)
         && pp_json_number(object, "frame-factor", opening->frame_factor)
         && pp_json_number(object, "maintenance", opening->maintenance)
+        && (!opening->maintenance_is_auto
+            || pp_json_text(object, "maintenance-by",
+                            pp_corrections_editions[world->dirt]))
         && pp_json_number(object, "curtains", opening->curtains);
     if (good)
         pp_json_on_one_line(object);

@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "reports/parts/format.h"
+#include "model/room/corrections.h"
 #include "model/base/text.h"
 
 enum { LABEL = 15, TEXT_BYTES = 512 };
@@ -174,6 +175,8 @@ static void describe_opening(const struct pp_world *world,
             glass->panes, glass->panes > 1 ? "s" : "", glass->normal, glass->diffuse);
     pp_text_append(text, TEXT_BYTES, "; frame factor %.3g, maintenance %.3g",
                    opening->frame_factor, opening->maintenance);
+    if (opening->maintenance_is_auto)
+        pp_text_append(text, TEXT_BYTES, " (%s)", pp_corrections_editions[world->dirt]);
     if (opening->curtains != 1.0)
         pp_text_append(text, TEXT_BYTES, ", curtains %.3g", opening->curtains);
 }

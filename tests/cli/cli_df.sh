@@ -117,7 +117,14 @@ cat >"$scratch/corrected.xml" <<EOF
 EOF
 check "dirt by work, a frame and curtains by name" \
     shows "frame factor 0.825" df -m bre,bre-min,average-df "$scratch/corrected.xml"
-check "are all assumed" grep -q "maintenance 0.7," "$scratch/out"
+# on_one_line: what was printed, whatever the lines that it fills.
+on_one_line() {
+    tr -s '\n ' ' ' <"$scratch/out"
+}
+assumed() {
+    on_one_line | grep -q "$1"
+}
+check "are all assumed" assumed "maintenance 0.7 (BRE309), curtains"
 check "curtains too" grep -q "curtains 0.9" "$scratch/out"
 check "and decorations" grep -q "decorations leave 0.6 of" "$scratch/out"
 check "which the average daylight factor does not count" \
@@ -126,6 +133,17 @@ check "a minimum is no average" grep -q "bre-min: it gives the least" "$scratch/
 check "in 80 columns" nothing "$(too_wide)"
 check "each is in the sum" shows "IRC = irc M G K D" \
     df -e -m bre "$scratch/corrected.xml"
+edition() {
+    run df "$scratch/cleaner.xml"
+    assumed "maintenance 0.92 (BS8206)"
+}
+sed 's/work="dirty"/dirt="bs-8206"/' "$scratch/corrected.xml" >"$scratch/cleaner.xml"
+check "by the later edition there is less dirt, and it is named" \
+    edition
+sed 's/<site /<site dirt="bs-8206" /' "$scratch/corrected.xml" >"$scratch/unknown.xml"
+check "which has no figures for dirty work" \
+    refuses 1 "has no figures for industrial surroundings or dirty work" \
+    df "$scratch/unknown.xml"
 
 # CSV: the same number of fields everywhere, lines that end as RFC 4180 says.
 check "CSV has 15 fields a line" gives df --format csv --methods all "$deep"

@@ -59,6 +59,22 @@ static bool is_upright_rectangle(const double (*xy)[2], int count, const double 
     return true;
 }
 
+/* "auto": by the site's edition, place and work. */
+static void find_maintenance(struct pp_resolver *r, struct pp_opening *opening)
+{
+    const struct pp_world *world = r->world;
+    opening->maintenance_is_auto = true;
+    opening->maintenance = pp_corrections_maintenance(world->dirt, world->surroundings,
+                                                      world->work, opening->slope_rad);
+    if (!isnan(opening->maintenance))
+        return;
+    opening->maintenance = 1.0;
+    pp_mistakes_add(r->mistakes, opening->line,
+                    "maintenance is \"auto\", and dirt \"bs-8206\" has no figures for "
+                    "industrial surroundings or dirty work; expected a number here, or "
+                    "dirt=\"bre-309\" of the site");
+}
+
 static enum pp_status add_opening(struct pp_resolver *r,
                                   const struct pp_opening_part *part,
                                   const struct pp_face_frame *frame,
@@ -79,8 +95,7 @@ static enum pp_status add_opening(struct pp_resolver *r,
     struct pp_vec3 normal = frame->face->outline.normal;
     opening.slope_rad = atan2(hypot(normal.x, normal.y), -normal.z);
     if (isnan(opening.maintenance))
-        opening.maintenance = pp_corrections_maintenance(
-            world->surroundings, world->work, opening.slope_rad);
+        find_maintenance(r, &opening);
 
     struct pp_vec3 *vertices = malloc(count * sizeof *vertices);
     if (!vertices)

@@ -36,6 +36,7 @@ static void read_site(struct pp_reader *r, struct pp_site_part *site,
         .ground_reflectance = form.ground.reflectance,
         .ground_level_m = form.ground_level_m,
         .ground_is_open = form.ground_is_open != 0,
+        .dirt = (enum pp_dirt)form.dirt,
         .line = e->line};
     snprintf(site->country, sizeof site->country, "%s",
              form.country ? form.country : "");

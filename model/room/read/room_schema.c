@@ -99,6 +99,11 @@ static const struct pp_value_kind country = {
 static const char *const works[] = {"clean", "dirty", NULL};
 static const struct pp_value_kind work = {
     .reading = PP_VALUE_CHOICE, .expected = "\"clean\" or \"dirty\"", .words = works};
+static const char *const dirt_editions[] = {"bre-309", "bs-8206", NULL};
+static const struct pp_value_kind dirt_edition = {.reading = PP_VALUE_CHOICE,
+                                                  .expected =
+                                                      "\"bre-309\" or \"bs-8206\"",
+                                                  .words = dirt_editions};
 static const char *const grounds[] = {"shaded", "open", NULL};
 static const struct pp_value_kind ground_kind = {
     .reading = PP_VALUE_CHOICE, .expected = "\"shaded\" or \"open\"", .words = grounds};
@@ -129,6 +134,7 @@ static const struct pp_attribute_rule site_rows[] = {
     {"ground-reflectance", &reflectance, OR(0.2), IN(site, ground)},
     {"ground-level", &coordinate, OR(0), IN(site, ground_level_m)},
     {"ground", &ground_kind, OR(0), IN(site, ground_is_open)},
+    {"dirt", &dirt_edition, OR(0), IN(site, dirt)},
 };
 LEAF(site, "site", site_rows);
 

@@ -93,6 +93,7 @@ struct pp_site_form {
     int surroundings;    /* enum pp_surroundings */
     int work;            /* enum pp_work, -1: not given */
     int ground_is_open;  /* 0 shaded, 1 open */
+    int dirt;            /* enum pp_dirt */
 };
 
 struct pp_sky_form {

@@ -40,7 +40,8 @@ static void diffuse_transmittances(void **state)
 static void the_brs_pane_is_the_sum_over_its_angles(void **state)
 {
     (void)state;
-    struct pp_glass brs = pp_glass_clear_single(), summed = pp_glass_panes(1, 1.52, 0.02);
+    struct pp_glass brs = pp_glass_clear_single(),
+                    summed = pp_glass_panes(1, 1.52, 0.02);
     assert_near(brs.normal, summed.normal, 1e-15);
     assert_near(brs.diffuse, summed.diffuse, 1e-14);
     for (double c = 0.03; c <= 1.0; c += 0.13)
