@@ -46,23 +46,56 @@ static enum pp_status halve_near(struct pp_field *field, struct pp_error *err)
     return PP_OK;
 }
 
+/* Room for an end on each edge of the mesh; those of the level that are known are kept,
+ * without their crossings. */
+static enum pp_status reserve_ends(struct pp_field *field, struct pp_error *err)
+{
+    int had = field->end_room;
+    enum pp_status status =
+        pp_array_reserve(&field->ends, &field->end_room, field->mesh.edge_count,
+                         sizeof *field->ends, err);
+    if (status != PP_OK)
+        return status;
+    memset(field->ends + had, 0, (size_t)(field->end_room - had) * sizeof *field->ends);
+    for (int i = 0; i < field->mesh.edge_count; i++)
+        field->ends[i].leaving = field->ends[i].arriving = -1;
+    return PP_OK;
+}
+
+/* One pass over all triangles, then those that the curve leaves on its way and that are
+ * longer than least_m are halved; *again tells whether there were any. */
+static enum pp_status cross_triangles(struct pp_field *field, double least_m,
+                                      bool *again, struct pp_error *err)
+{
+    int count = field->mesh.triangle_count, left_count = 0;
+    int *left = malloc((size_t)count * sizeof *left);
+    field->crossing_count = field->between_count = 0;
+    enum pp_status status = left ? reserve_ends(field, err) : pp_fail_memory(err);
+    for (int t = 0; t < count && status == PP_OK; t++) {
+        bool leaves;
+        status = pp_level_crossing_follow(field, t, &leaves, err);
+        if (leaves && pp_mesh_longest(&field->mesh, t) > least_m)
+            left[left_count++] = t;
+    }
+    for (int i = 0; i < left_count && status == PP_OK; i++)
+        status = pp_mesh_halve(&field->mesh, left[i], err);
+    if (status == PP_OK && left_count > 0)
+        status = pp_field_fill(field, err);
+    *again = left_count > 0;
+    free(left);
+    return status;
+}
+
+/* Triangles that the curve leaves and comes back to are halved, down to an eighth of the
+ * coarse size. */
 static enum pp_status find_crossings(struct pp_field *field, double level,
                                      struct pp_error *err)
 {
     field->level = level;
     field->stamp++;
-    field->crossing_count = field->between_count = 0;
     enum pp_status status = halve_near(field, err);
-    if (status != PP_OK)
-        return status;
-    int had = field->end_room;
-    status = pp_array_reserve(&field->ends, &field->end_room, field->mesh.edge_count,
-                              sizeof *field->ends, err);
-    if (status != PP_OK)
-        return status;
-    memset(field->ends + had, 0, (size_t)(field->end_room - had) * sizeof *field->ends);
-    for (int t = 0; t < field->mesh.triangle_count && status == PP_OK; t++)
-        status = pp_level_crossing_follow(field, t, err);
+    for (bool again = true; again && status == PP_OK;)
+        status = cross_triangles(field, field->coarse / 8.0, &again, err);
     return status;
 }
 

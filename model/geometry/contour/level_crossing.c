@@ -100,12 +100,13 @@ static double chord_on_ray(const struct fan *fan, const double r[2], const doubl
 }
 
 /* The curve's place on the ray from A to r, near `guess` (a share of the ray, where the
- * chord is); *strays tells whether that is further from the chord than the tolerance.
- * Evaluates on the chord, a tolerance beside it, then ever further away until the level
+ * chord is); *strays tells whether that is further from the chord than the tolerance,
+ * *leaves becomes true where the ray has no such place: there the curve runs outside the
+ * triangle. Evaluates on the chord, a tolerance beside it, then ever further away until the level
  * lies between. */
 static enum pp_status find_on_ray(struct pp_field *field, const struct fan *fan,
                                   const double r[2], double guess, double found[2],
-                                  bool *strays, struct pp_error *err)
+                                  bool *strays, bool *leaves, struct pp_error *err)
 {
     double length = hypot(r[0] - fan->a[0], r[1] - fan->a[1]);
     double near[2], far[2], near_value, far_value, near_step = 0.0;
@@ -130,8 +131,10 @@ static enum pp_status find_on_ray(struct pp_field *field, const struct fan *fan,
             return status;
         if ((far_value > field->level) != near_high)
             break;
-        if (share <= 0.0 || share >= 1.0)
-            return PP_OK; /* no level on this ray after all: keep to the chord */
+        if (share <= 0.0 || share >= 1.0) {
+            *leaves = true; /* keep to the chord */
+            return PP_OK;
+        }
         /* A little further than where a straight line would put the level. */
         double rise = (far_value - near_value) / (step - near_step);
         double reach = 1.2 * (field->level - far_value) / rise;
@@ -162,7 +165,8 @@ static enum pp_status add_between(struct pp_field *field, const double xy[2],
  * at q_share. */
 static enum pp_status follow(struct pp_field *field, const struct fan *fan,
                              const double p[2], double p_share, const double q[2],
-                             double q_share, int depth, struct pp_error *err)
+                             double q_share, int depth, bool *leaves,
+                             struct pp_error *err)
 {
     if (depth == 0 || hypot(q[0] - p[0], q[1] - p[1]) < 2.0 * field->tolerance)
         return PP_OK;
@@ -171,14 +175,14 @@ static enum pp_status follow(struct pp_field *field, const struct fan *fan,
     between_of(fan->b, fan->c, share, r);
     bool strays;
     enum pp_status status =
-        find_on_ray(field, fan, r, chord_on_ray(fan, r, p, q), m, &strays, err);
+        find_on_ray(field, fan, r, chord_on_ray(fan, r, p, q), m, &strays, leaves, err);
     if (status != PP_OK || !strays)
         return status;
-    status = follow(field, fan, p, p_share, m, share, depth - 1, err);
+    status = follow(field, fan, p, p_share, m, share, depth - 1, leaves, err);
     if (status == PP_OK)
         status = add_between(field, m, err);
     if (status == PP_OK)
-        status = follow(field, fan, m, share, q, q_share, depth - 1, err);
+        status = follow(field, fan, m, share, q, q_share, depth - 1, leaves, err);
     return status;
 }
 
@@ -197,8 +201,9 @@ static enum pp_status end_on_edge(struct pp_field *field, int edge,
 }
 
 enum pp_status pp_level_crossing_follow(struct pp_field *field, int triangle,
-                                        struct pp_error *err)
+                                        bool *leaves, struct pp_error *err)
 {
+    *leaves = false;
     const int *t = field->mesh.triangles[triangle];
     bool high[3];
     for (int i = 0; i < 3; i++)
@@ -230,7 +235,7 @@ enum pp_status pp_level_crossing_follow(struct pp_field *field, int triangle,
         return status;
     int first = field->between_count;
     status = follow(field, &fan, field->ends[from].xy, 0.0, field->ends[to].xy, 1.0,
-                    DEEPEST, err);
+                    DEEPEST, leaves, err);
     field->ends[from].leaving = field->ends[to].arriving = field->crossing_count;
     field->crossings[field->crossing_count++] =
         (struct pp_crossing){from, to, first, field->between_count - first, false};

@@ -12,8 +12,9 @@
 #include "model/geometry/contour/field.h"
 
 /* Adds the crossing of field->level through the triangle to the field's crossings, if
- * it crosses the triangle. */
+ * it crosses the triangle. *leaves: on its way the curve leaves the triangle and comes
+ * back, which its corners don't tell; there the crossing is a chord. */
 enum pp_status pp_level_crossing_follow(struct pp_field *field, int triangle,
-                                        struct pp_error *err);
+                                        bool *leaves, struct pp_error *err);
 
 #endif

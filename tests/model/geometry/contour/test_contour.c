@@ -321,6 +321,41 @@ static void a_failure_of_the_function_is_handed_on(void **state)
     pp_region_clear(&region);
 }
 
+/* A slope with waves half as long as a triangle: its level is a line that leaves
+ * triangles between their corners and comes back. */
+static double wave(double x)
+{
+    return 2.0 + 0.11 * sin(17.0 * x);
+}
+
+static enum pp_status wavy_slope(void *context, double x, double y, double *value,
+                                 struct pp_error *err)
+{
+    (void)context, (void)err;
+    *value = y - wave(x);
+    return PP_OK;
+}
+
+static void a_level_that_leaves_triangles_and_comes_back_is_followed(void **state)
+{
+    (void)state;
+    struct pp_region region = region_of(oblong, 4);
+    struct pp_field *field = field_of(&region, wavy_slope);
+    struct pp_curve_list curves = {0};
+    assert_int_equal(pp_contour_curves(field, 0.0, &curves, 0), PP_OK);
+    assert_int_equal(curves.count, 1);
+    const struct pp_curve *curve = &curves.list[0];
+    double steepest = hypot(1.0, 17.0 * 0.11);
+    for (int i = 0; i + 1 < curve->count; i++) {
+        const double *a = curve->xy[i], *b = curve->xy[i + 1];
+        double x = 0.5 * (a[0] + b[0]), y = 0.5 * (a[1] + b[1]);
+        assert_near(y, wave(x), 4.0 * steepest * TOLERANCE);
+    }
+    pp_curve_list_clear(&curves);
+    pp_field_destroy(field);
+    pp_region_clear(&region);
+}
+
 int main(void)
 {
     static const struct CMUnitTest tests[] = {
@@ -329,6 +364,7 @@ int main(void)
         cmocka_unit_test(level_of_a_valley_is_an_ellipse_that_turns_right),
         cmocka_unit_test(a_straight_level_line_is_cut_by_the_edges_of_an_l_shape),
         cmocka_unit_test(a_step_is_followed_where_it_jumps),
+        cmocka_unit_test(a_level_that_leaves_triangles_and_comes_back_is_followed),
         cmocka_unit_test(what_lies_below_a_level_has_the_area_that_geometry_gives),
         cmocka_unit_test(a_hole_in_the_figure_is_kept_out),
         cmocka_unit_test(no_function_value_is_asked_for_twice_as_often_as_needed),
