@@ -60,8 +60,8 @@ enum pp_status pp_plane_margin_take(struct pp_report *report,
             continue;
         }
         if (!of) {
-            column->margin_average =
-                pp_reading_none("the working plane has nothing inside 0.5 m");
+            column->margin_average = pp_reading_none(
+                inside ? "not computed" : "the working plane has nothing inside 0.5 m");
             continue;
         }
         column->margin_average = of->average;
