@@ -41,8 +41,7 @@ static struct json_object *finding_object(const struct pp_finding *finding,
     if (good && isfinite(finding->reached_over))
         good = pp_json_number(object, "reached_over", 100.0 * finding->reached_over);
     if (good)
-        good =
-            pp_json_text(object, "verdict", pp_assess_text_verdict(finding->verdict));
+        good = pp_json_text(object, "verdict", pp_finding_verdict(finding->verdict));
     if (good && isfinite(finding->confidence))
         good = pp_json_number(
             object, finding->verdict == PP_UNDECIDED ? "probability" : "confidence",

@@ -22,16 +22,6 @@ struct layout {
     int width;
 };
 
-const char *pp_assess_text_verdict(enum pp_verdict verdict)
-{
-    static const char *const words[] = {[PP_STATED] = NULL,
-                                        [PP_MET] = "met",
-                                        [PP_NOT_MET] = "not met",
-                                        [PP_UNDECIDED] = "undecided",
-                                        [PP_NOT_JUDGED] = "not judged"};
-    return words[verdict];
-}
-
 /* ---- cells ---- */
 
 static const char *unit_of(enum pp_figure kind, bool utf8)
@@ -122,7 +112,7 @@ static void write_wanted(char cell[CELL], const struct pp_finding *finding, bool
 /* Rounded so that only what is all but sure is called certain. */
 static void write_verdict(char cell[CELL], const struct pp_finding *finding)
 {
-    const char *word = pp_assess_text_verdict(finding->verdict);
+    const char *word = pp_finding_verdict(finding->verdict);
     double sure = finding->confidence;
     if (isnan(sure))
         snprintf(cell, CELL, "%s", word ? word : "");
@@ -293,7 +283,7 @@ static void print_sum(const struct pp_assessment *assessment, FILE *out)
         int count = count_verdicts(assessment, verdicts[v], false);
         if (count == 0)
             continue;
-        fprintf(out, "%s%d %s", before, count, pp_assess_text_verdict(verdicts[v]));
+        fprintf(out, "%s%d %s", before, count, pp_finding_verdict(verdicts[v]));
         before = ", ";
     }
     int left = count_verdicts(assessment, PP_NOT_MET, true);

@@ -18,7 +18,4 @@ struct pp_assessments {
 enum pp_status pp_assess_text(const struct pp_assessments *assessments, int width,
                               bool utf8, FILE *out, struct pp_error *err);
 
-/* "met", "not met", "undecided", "not judged"; NULL for what is only stated. */
-const char *pp_assess_text_verdict(enum pp_verdict verdict);
-
 #endif

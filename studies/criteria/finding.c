@@ -52,6 +52,16 @@ struct pp_finding pp_finding_not_judged(const char *why, const char *what, ...)
     return finding;
 }
 
+const char *pp_finding_verdict(enum pp_verdict verdict)
+{
+    static const char *const words[] = {[PP_STATED] = NULL,
+                                        [PP_MET] = "met",
+                                        [PP_NOT_MET] = "not met",
+                                        [PP_UNDECIDED] = "undecided",
+                                        [PP_NOT_JUDGED] = "not judged"};
+    return words[verdict];
+}
+
 void pp_finding_within(struct pp_finding *finding, double error)
 {
     bool judged = finding->verdict == PP_MET || finding->verdict == PP_NOT_MET;

@@ -35,6 +35,9 @@ struct pp_finding {
     char note[320];         /* sentences without the last full stop; may be empty */
 };
 
+/* "met", "not met", "undecided", "not judged"; NULL of what is only stated. Static. */
+const char *pp_finding_verdict(enum pp_verdict verdict);
+
 /* The findings of one criterion. */
 struct pp_finding_list {
     struct pp_finding *list;

@@ -43,14 +43,10 @@ static const struct pp_finding *counterpart(const struct pp_assessment *other,
     return NULL;
 }
 
-static const char *verdict_of(enum pp_verdict verdict)
-{
-    return verdict == PP_MET ? "met" : verdict == PP_NOT_MET ? "not met" : "undecided";
-}
-
 static void doubt(struct pp_finding *finding, const struct pp_finding *other)
 {
-    if (!other || !is_sampled(finding) || other->verdict == finding->verdict)
+    if (!other || isnan(other->figure) || !is_sampled(finding)
+        || other->verdict == finding->verdict)
         return;
     bool plain = finding->kind == PP_FIGURE_RATIO;
     finding->confidence = NAN;
@@ -59,7 +55,7 @@ static void doubt(struct pp_finding *finding, const struct pp_finding *other)
         "%sbehind a wall that goes on all round, as a larger house's, it is "
         "%.3g%s: %s; <facade> says what there is",
         finding->note[0] ? ". " : "", (plain ? 1.0 : 100.0) * other->figure,
-        plain ? "" : " %", verdict_of(other->verdict));
+        plain ? "" : " %", pp_finding_verdict(other->verdict));
 }
 
 static void compare(struct pp_assessment *assessment, const struct pp_assessment *other)
