@@ -149,6 +149,14 @@ void pp_study_point(const struct pp_study *study, int index, double xyz[3]);
 enum pp_status pp_study_methods(struct pp_study *study, const char *methods,
                                 bool explain, struct pp_error *err);
 
+/* Sets a variant of a method's published formula beside the original, in each
+ * pp_study_methods from now on: "irc = 0.83 W / (A (1 - R)) (C R_fw + 5 R_cw)", or with
+ * the method's name "split-flux: irc = ...". Its columns are called "bre-variant", the
+ * next "bre-variant-2". PP_BAD_INPUT with the place where the text cannot be worked
+ * out. */
+enum pp_status pp_study_formula(struct pp_study *study, const char *formula,
+                                struct pp_error *err);
+
 /* How a simulation works, and when it is done. */
 struct pp_simulation_request {
     const char *engine; /* of PP_LIST_ENGINES; NULL: "path" */

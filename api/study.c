@@ -76,6 +76,7 @@ enum pp_status pp_study_create(struct pp_study **study, struct pp_building *buil
         return status;
     }
     made->options = PP_STUDY_OPTIONS_NONE;
+    made->options.method_options.variants = &made->variants;
     pp_study_begin_report(made);
     *study = made;
     return PP_OK;
@@ -89,6 +90,7 @@ void pp_study_destroy(struct pp_study *study)
     pp_light_scene_destroy(study->scene);
     pp_study_room_clear(&study->room);
     pp_room_destroy(study->description);
+    pp_variant_clear(&study->variants);
     free(study->file);
     free(study);
 }
@@ -189,6 +191,12 @@ enum pp_status pp_study_methods(struct pp_study *study, const char *methods,
                        study->room.receiver_count);
     study->report.explain = study->options.explain = explain;
     return pp_methods_evaluate(&study->report, methods, err);
+}
+
+enum pp_status pp_study_formula(struct pp_study *study, const char *formula,
+                                struct pp_error *err)
+{
+    return pp_variant_add(&study->variants, formula, err);
 }
 
 struct pp_simulation_request pp_simulation_request_default(void)

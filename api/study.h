@@ -2,6 +2,7 @@
 #ifndef PP_API_STUDY_H
 #define PP_API_STUDY_H
 
+#include "methods/variant.h"
 #include "pepperpot.h"
 #include "studies/criteria/assessment.h"
 #include "studies/simulation.h"
@@ -12,6 +13,8 @@ struct pp_study {
     char *file;                      /* its name for people */
     struct pp_room *description;     /* a copy of the building's room, with the sky */
     struct pp_study_options options; /* of what was last asked for */
+    struct pp_variant_list
+        variants; /* of formulae; what the methods' options point to */
     struct pp_report report;
     struct pp_light_scene *scene;     /* of the world; NULL: not needed yet */
     struct pp_simulation *simulation; /* NULL: none was asked for */

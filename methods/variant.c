@@ -20,8 +20,8 @@ static enum pp_status fail_at(struct pp_error *err, const char *text, int column
     for (char *at = shown; *at; at++)
         if ((unsigned char)*at < ' ' || (unsigned char)*at > '~')
             *at = '?';
-    return pp_fail(err, PP_BAD_INPUT, "--formula, column %d: %s\n  %s\n  %*s^",
-                   column + 1, what, shown, column, "");
+    return pp_fail(err, PP_BAD_INPUT, "column %d: %s\n  %s\n  %*s^", column + 1, what,
+                   shown, column, "");
 }
 
 /* ---- what is replaced ---- */

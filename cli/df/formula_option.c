@@ -30,8 +30,12 @@ enum pp_status pp_formula_option_settle(struct pp_formula_words *words,
                                         struct pp_error *err)
 {
     enum pp_status status = PP_OK;
-    for (int i = 0; i < words->count && status == PP_OK; i++)
-        status = pp_variant_add(&words->variants, words->list[i], err);
+    for (int i = 0; i < words->count && status == PP_OK; i++) {
+        struct pp_error own = {0};
+        status = pp_variant_add(&words->variants, words->list[i], &own);
+        if (status != PP_OK)
+            pp_fail(err, status, "--formula, %s", own.message);
+    }
     if (words->count > 0)
         options->variants = &words->variants;
     return status;

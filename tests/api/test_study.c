@@ -119,6 +119,26 @@ static void a_hand_figure_is_the_integral_over_the_window(void **state)
     close_room(&opened);
 }
 
+/* BRE's formula is in proportion to its transmittance of 0.85. */
+static void a_variant_of_a_formula_stands_beside_the_original(void **state)
+{
+    (void)state;
+    struct opened opened = open_room(ROOM(OPENING POINT));
+    struct pp_error err = {0};
+    assert_int_equal(pp_study_formula(opened.study,
+                                      "irc = 0.17 W / (A (1 - R)) (C R_fw + 5 R_cw)",
+                                      &err),
+                     PP_OK);
+    assert_int_equal(pp_study_formula(opened.study, "irc = 0.85 W / A", &err), PP_OK);
+    assert_int_equal(pp_study_methods(opened.study, "exact+bre", false, &err), PP_OK);
+    double published = reading_of(opened.study, PP_IRC, "bre", 0).value;
+    assert_true(published > 0.0);
+    assert_relative(reading_of(opened.study, PP_IRC, "bre-variant", 0).value,
+                    0.2 * published, 1e-12);
+    assert_true(pp_study_find(opened.study, PP_DF, "exact+bre-variant-2") >= 0);
+    close_room(&opened);
+}
+
 static void the_traced_sky_component_agrees_with_the_exact_one(void **state)
 {
     (void)state;
@@ -209,6 +229,8 @@ static void what_makes_no_sense_is_refused(void **state)
         pp_study_create(&other, opened.building, 1, NULL, opened.mistakes, &err), &err,
         "no room 1");
     check_refused(pp_study_methods(study, "exakt", false, &err), &err, "exakt");
+    check_refused(pp_study_formula(study, "irc = 0.85 W / (A", &err), &err,
+                  "column 18");
     check_refused(pp_study_simulate(
                       study, &(struct pp_simulation_request){.engine = "pth"}, &err),
                   &err, "pth");
@@ -381,6 +403,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_hand_figure_is_the_integral_over_the_window),
+        cmocka_unit_test(a_variant_of_a_formula_stands_beside_the_original),
         cmocka_unit_test(the_traced_sky_component_agrees_with_the_exact_one),
         cmocka_unit_test(a_seed_gives_the_same_bits_on_any_number_of_threads),
         cmocka_unit_test(mistakes_have_lines),
