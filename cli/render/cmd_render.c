@@ -37,6 +37,22 @@ static enum pp_exit write_output(const struct pp_shown_picture *shown,
     return PP_EXIT_DONE;
 }
 
+/* The standard errors of its pixels, as a picture of numbers. */
+static enum pp_exit write_errors(const struct pp_made_picture *made, const char *path)
+{
+    struct pp_error err = {0};
+    struct pp_output output;
+    struct pp_shown_picture errors = made->shown;
+    struct pp_picture_format format;
+    errors.picture = made->errors;
+    pp_picture_format_of(&format, path);
+    enum pp_status status = pp_output_open(&output, path, &err);
+    if (status == PP_OK)
+        status = pp_show_picture_numbers(&errors, format.numbers, output.stream, &err);
+    status = pp_output_close(&output, status, &err);
+    return status == PP_OK ? PP_EXIT_DONE : pp_message_error(&err);
+}
+
 /* Would the output be written? Better asked before an hour's work. */
 static enum pp_exit try_output(const char *path)
 {
@@ -74,6 +90,8 @@ static enum pp_exit render_room(const struct pp_study_room *room,
         result = pp_message_error(&err);
     } else {
         result = write_output(&made.shown, choice, options->output);
+        if (result == PP_EXIT_DONE && choice->errors)
+            result = write_errors(&made, choice->errors);
         if (result == PP_EXIT_DONE)
             say_if_black(&made.shown.picture);
     }
@@ -99,6 +117,8 @@ static enum pp_exit render_or_show(const struct pp_render_choice *choice,
     enum pp_exit result = try_output(options->output);
     if (result == PP_EXIT_DONE && choice->checkpoint)
         result = try_output(choice->checkpoint);
+    if (result == PP_EXIT_DONE && choice->errors)
+        result = try_output(choice->errors);
     if (result != PP_EXIT_DONE)
         return result;
     if (choice->from_picture)

@@ -26,6 +26,9 @@ static const double slice_s = 0.1, checkpoint_s = 30.0;
 /* Directions from a pixel to one window, as many as its paths let each have. */
 enum { DIRECTIONS = 16 };
 
+/* Independent groups of a pixel's paths, where their standard error is wanted. */
+enum { RANDOMISATIONS = 32 };
+
 /* Of a checkpoint: 4 GiB. */
 #define CHECKPOINT_MOST ((size_t)1 << 32)
 
@@ -113,6 +116,14 @@ static enum pp_status fill_cache(struct pp_made_picture *made,
     return PP_OK;
 }
 
+/* As many as a standard error wants, or as there are paths; 0: none is wanted. */
+static int randomisations(const struct pp_render_choice *choice)
+{
+    if (!choice->errors)
+        return 0;
+    return choice->samples < RANDOMISATIONS ? choice->samples : RANDOMISATIONS;
+}
+
 static enum pp_status create(struct pp_made_picture *made, const struct pp_world *world,
                              const struct pp_outside_light *light,
                              const struct pp_render_choice *choice,
@@ -124,6 +135,7 @@ static enum pp_status create(struct pp_made_picture *made, const struct pp_world
         .indoors = choice->view == PP_CHOOSE_PLAN || choice->view == PP_CHOOSE_SECTION,
         .filter = choice->filter,
         .samples = choice->samples,
+        .randomisations = randomisations(choice),
         .light = pp_radiance_state_defaults(),
         .seed = options->study.seed,
         .threads = options->study.threads,
@@ -232,7 +244,14 @@ static enum pp_status work(struct pp_made_picture *made, const struct pp_world *
     return status;
 }
 
-/* The picture, out of shares of Eh into its own units. */
+static void scale_picture(struct pp_picture *picture, double scale)
+{
+    size_t count = 3 * (size_t)picture->width * (size_t)picture->height;
+    for (size_t i = 0; i < count; i++)
+        picture->rgb[i] = (float)(scale * picture->rgb[i]);
+}
+
+/* The picture and its errors, out of shares of Eh into their own units. */
 static enum pp_status take_picture(struct pp_made_picture *made,
                                    const struct pp_world *world,
                                    const struct pp_outside_light *light,
@@ -242,7 +261,7 @@ static enum pp_status take_picture(struct pp_made_picture *made,
 {
     struct pp_shown_picture *shown = &made->shown;
     enum pp_status status = PP_OK;
-    pp_render_take_picture(made->render, &shown->picture);
+    pp_render_take_picture(made->render, &shown->picture, &made->errors);
     shown->quantity = choice->quantity.is;
     shown->world = world;
     shown->light = light;
@@ -258,9 +277,8 @@ static enum pp_status take_picture(struct pp_made_picture *made,
     double scale = shown->quantity == PP_DAYLIGHT_FACTOR
                        ? 1.0
                        : options->study.external_lux / PP_LUMENS_PER_WATT;
-    size_t count = 3 * (size_t)shown->picture.width * (size_t)shown->picture.height;
-    for (size_t i = 0; i < count; i++)
-        shown->picture.rgb[i] = (float)(scale * shown->picture.rgb[i]);
+    scale_picture(&shown->picture, scale);
+    scale_picture(&made->errors, scale);
     return status;
 }
 
@@ -284,6 +302,7 @@ enum pp_status pp_make_picture(struct pp_made_picture *made,
 void pp_make_picture_clear(struct pp_made_picture *made)
 {
     pp_picture_clear(&made->shown.picture);
+    pp_picture_clear(&made->errors);
     pp_render_destroy(made->render);
     pp_irradiance_cache_destroy(made->cache);
     free(made->marks);

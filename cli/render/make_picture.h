@@ -8,6 +8,7 @@
 
 struct pp_made_picture {
     struct pp_shown_picture shown;
+    struct pp_picture errors; /* its pixels' standard errors; empty: not asked for */
     struct pp_light_scene *scene;
     struct pp_environment *environment;
     struct pp_window_store *store;

@@ -67,6 +67,7 @@ static const char *making_said(const struct pp_render_choice *choice,
         {"--windows", choice->windows != PP_WINDOWS_STORED},
         {"--filter", choice->filter != PP_FILTER_BOX},
         {"--checkpoint", choice->checkpoint != NULL},
+        {"--errors", choice->errors != NULL},
         {"--external", options->study.external_lux > 0.0},
         {"--sky", options->study.sky != NULL},
         {"--room", options->room != NULL},
@@ -139,6 +140,28 @@ static enum pp_status check_view(const struct pp_render_choice *choice,
         return pp_fail(err, PP_BAD_INPUT,
                        "a parallel view needs --from X,Y,Z and --direction or "
                        "--towards; plan and section know theirs");
+    return PP_OK;
+}
+
+/* Standard errors are numbers, and want paths to compare. */
+static enum pp_status check_errors(const struct pp_render_choice *choice,
+                                   struct pp_error *err)
+{
+    struct pp_picture_format format;
+    char endings[ENDINGS_SIZE];
+    if (!choice->errors)
+        return PP_OK;
+    if (!pp_picture_format_of(&format, choice->errors) || !format.numbers)
+        return pp_fail(err, PP_BAD_INPUT,
+                       "--errors %.200s: standard errors are kept as numbers; expected "
+                       "a file that ends in %s",
+                       choice->errors,
+                       pp_picture_format_list(endings, sizeof endings, ".", true));
+    if (choice->samples < PP_RENDER_RANDOMISATIONS_LEAST)
+        return pp_fail(err, PP_BAD_INPUT,
+                       "--errors compares the paths of a pixel, and there are %d; "
+                       "expected --samples of %d or more",
+                       choice->samples, PP_RENDER_RANDOMISATIONS_LEAST);
     return PP_OK;
 }
 
@@ -217,5 +240,7 @@ enum pp_status pp_render_choice_check(struct pp_render_choice *choice,
         status = check_sheet(choice, &format, err);
     if (status == PP_OK)
         status = check_size(choice, shown, err);
+    if (status == PP_OK)
+        status = check_errors(choice, err);
     return status == PP_OK ? pp_cache_choice_settle(&choice->cache, err) : status;
 }

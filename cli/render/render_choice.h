@@ -76,6 +76,7 @@ struct pp_render_choice {
     enum pp_window_light windows;
     struct pp_cache_choice cache;
     const char *checkpoint;
+    const char *errors; /* file for the pixels' standard errors; NULL: not wanted */
 
     struct pp_exposure exposure;
     bool false_colour;

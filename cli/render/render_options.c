@@ -307,6 +307,11 @@ const struct pp_option pp_render_picture_options[] = {
      "Keep what is done in FILE, and go on from there if there is one of the same "
      "picture.",
      pp_options_read_updated, PLACE(checkpoint)},
+    {"errors", 0, "FILE",
+     "Keep the standard errors of the pixels in FILE, .hdr or .pfm, in the unit of the "
+     "picture: the noise of its paths, from --samples (4 or more) independent ones, or "
+     "32 groups of them. What the irradiance cache has wrong is not in them.",
+     pp_options_read_output, PLACE(errors)},
     {0},
 };
 

@@ -69,9 +69,9 @@ enum pp_status pp_show_picture_read(struct pp_shown_picture *shown,
 
 /* ---- into one ---- */
 
-static enum pp_status write_numbers(FILE *out, const struct pp_shown_picture *shown,
-                                    const struct pp_number_format *format,
-                                    struct pp_error *err)
+enum pp_status pp_show_picture_numbers(const struct pp_shown_picture *shown,
+                                       const struct pp_number_format *format, FILE *out,
+                                       struct pp_error *err)
 {
     struct pp_hdr_notes notes = {.exposure = 1.0,
                                  .software = PACKAGE_NAME " " PACKAGE_VERSION};
@@ -194,6 +194,6 @@ enum pp_status pp_show_picture(const struct pp_shown_picture *shown,
     if (pp_render_choice_on_sheet(choice, &format))
         return write_sheet(out, shown, choice, format.shown, err);
     if (format.numbers)
-        return write_numbers(out, shown, format.numbers, err);
+        return pp_show_picture_numbers(shown, format.numbers, out, err);
     return write_png(out, shown, choice, err);
 }

@@ -32,4 +32,9 @@ enum pp_status pp_show_picture(const struct pp_shown_picture *shown,
                                const struct pp_render_choice *choice, const char *path,
                                FILE *out, struct pp_error *err);
 
+/* The picture as numbers, with its view and quantity in the file's head. */
+enum pp_status pp_show_picture_numbers(const struct pp_shown_picture *shown,
+                                       const struct pp_number_format *format, FILE *out,
+                                       struct pp_error *err);
+
 #endif

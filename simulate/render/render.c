@@ -280,11 +280,13 @@ static enum pp_status check(const struct pp_render_options *options,
         return pp_fail(err, PP_BAD_INPUT, "%d samples a pixel; expected 1 to %d",
                        options->samples, PP_RENDER_SAMPLES_MOST);
     int count = options->randomisations;
-    if (count != 0 && (count < 4 || count > options->samples || (count & (count - 1))))
+    if (count != 0
+        && (count < PP_RENDER_RANDOMISATIONS_LEAST || count > options->samples
+            || (count & (count - 1))))
         return pp_fail(err, PP_BAD_INPUT,
                        "%d randomisations of %d samples a pixel; expected a power of "
-                       "two from 4 to the samples, or none",
-                       count, options->samples);
+                       "two from %d to the samples, or none",
+                       count, options->samples, PP_RENDER_RANDOMISATIONS_LEAST);
     return PP_OK;
 }
 
@@ -369,10 +371,12 @@ const struct pp_picture *pp_render_picture(const struct pp_render *render)
     return &render->picture;
 }
 
-void pp_render_take_picture(struct pp_render *render, struct pp_picture *picture)
+void pp_render_take_picture(struct pp_render *render, struct pp_picture *picture,
+                            struct pp_picture *errors)
 {
     *picture = render->picture;
-    render->picture = (struct pp_picture){0};
+    *errors = render->errors;
+    render->picture = render->errors = (struct pp_picture){0};
 }
 
 const struct pp_picture *pp_render_errors(const struct pp_render *render)

@@ -25,7 +25,7 @@ enum pp_pixel_filter {
     PP_FILTER_GAUSS, /* a standard deviation of half a pixel, to 1.5 pixels */
 };
 
-enum { PP_RENDER_SAMPLES_MOST = 1 << 16 };
+enum { PP_RENDER_SAMPLES_MOST = 1 << 16, PP_RENDER_RANDOMISATIONS_LEAST = 4 };
 
 struct pp_render_options {
     struct pp_camera camera;
@@ -75,9 +75,10 @@ const struct pp_picture *pp_render_picture(const struct pp_render *render);
  * has wrong is not in them. */
 const struct pp_picture *pp_render_errors(const struct pp_render *render);
 
-/* The picture to keep, once it is done: *picture is the caller's to clear, and the
- * render's own is empty. */
-void pp_render_take_picture(struct pp_render *render, struct pp_picture *picture);
+/* The picture to keep, once it is done, and its errors (empty where there are none):
+ * both are the caller's to clear, and the render's own are empty. */
+void pp_render_take_picture(struct pp_render *render, struct pp_picture *picture,
+                            struct pp_picture *errors);
 
 /* Row by row, the tag (light_scene.h) of what each pixel's middle shows, glass
  * included; -1: nothing. */

@@ -124,6 +124,27 @@ check "a picture that is not there" refuses 1 "missing.hdr" \
     render --from-picture "$scratch/missing.hdr" -o "$scratch/x.png"
 check "none of these left a file" test ! -e "$scratch/x.png"
 
+# ---- standard errors ----
+
+# noisy SEED: a picture of 32 x 24 pixels by paths, with its errors.
+noisy() {
+    draws "p$1.pfm" --size 32x24 --engine path --samples 16 --seed "$1" \
+        --errors "$scratch/e$1.pfm" "$deep"
+}
+
+# numbers FILE: of a float map of 32 x 24 pixels, one a line.
+numbers() {
+    tail -c $((32 * 24 * 3 * 4)) "$scratch/$1.pfm" | od -An -v -tf4 -w4
+}
+
+check "a picture with its standard errors" noisy 1
+check "and another seed's" noisy 2
+for file in p1 p2 e1 e2; do numbers $file >"$scratch/$file.txt"; done
+check "which differ by what they state (RMS within a tenth of 1)" eval \
+    'paste "$scratch/p1.txt" "$scratch/p2.txt" "$scratch/e1.txt" "$scratch/e2.txt" |
+     awk "{ z = \$3 > 0 ? (\$1 - \$2)^2 / (\$3^2 + \$4^2) : 0; sum += z; count += \$3 > 0 }
+          END { exit !(count == 2304 && sum / count > 0.81 && sum / count < 1.21) }"'
+
 # ---- checkpoints and Ctrl-C ----
 
 long="--size 400x300 --samples 512 --engine path --quiet"
@@ -249,7 +270,7 @@ check "a room and a picture" refuses 2 "expected one of them" \
     render --from-picture "$scratch/one.hdr" "$deep" -o "$scratch/x.png"
 for option in --view=plan --from=1,2 --towards=1,2 --direction=0,1,0 --up=0,0,1 \
     --angle=60 --across=3 --size=10x10 --samples=64 --engine=path --windows=aimed \
-    --filter=gauss --checkpoint="$scratch/x.kept" --external=5 --sky=uniform --room=A \
+    --filter=gauss --checkpoint="$scratch/x.kept" --errors="$scratch/x.pfm" --external=5 --sky=uniform --room=A \
     --seed=3; do
     check "a picture that is there has no $option" refuses 2 \
         "${option%%=*} is of a picture in the making" \
@@ -267,6 +288,12 @@ check "daylight factors under so much light" refuses 2 "--external does not go" 
     render --quantity df --external 5000 "$deep" -o "$scratch/x.png"
 check "a place for no output" refuses 3 "nowhere" \
     render $small "$deep" -o "$scratch/nowhere/x.png"
+check "errors that are shown" refuses 2 "ends in .hdr or .pfm" \
+    render --errors "$scratch/x.png" "$deep" -o "$scratch/x.hdr"
+check "errors of too few paths" refuses 2 "--samples of 4 or more" \
+    render --samples 2 --errors "$scratch/x.hdr" "$deep" -o "$scratch/x.pfm"
+check "errors in the picture's file" refuses 2 "are one file" \
+    render --errors "$scratch/x.hdr" "$deep" -o "$scratch/x.hdr"
 run render $small --format hdr "$deep"
 "$pepperpot" render $small --format hdr "$deep" >/dev/full 2>"$scratch/err"
 check "a full disk" test $? -eq 3
