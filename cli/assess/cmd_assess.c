@@ -89,6 +89,8 @@ static enum pp_status compute(void *data, struct pp_error *err)
                                              .median_lux = run->options->median_lux,
                                              .of_weather =
                                                  run->options->weather != NULL};
+    struct pp_study_options own = *study;
+    own.seconds *= 1.0 - PP_LARGER_HOUSE_SHARE;
     enum pp_status status = PP_OK;
     all->list = calloc((size_t)rooms->count + 1, sizeof *all->list);
     if (!all->list)
@@ -102,7 +104,7 @@ static enum pp_status compute(void *data, struct pp_error *err)
     for (int i = 0; i < all->count && status == PP_OK; i++) {
         struct pp_assessment *one = &all->list[i];
         if (study->simulate && one->has_factors)
-            status = pp_study_report_traced(&one->report, study, &one->by_clock, err);
+            status = pp_study_report_traced(&one->report, &own, &one->by_clock, err);
         if (status == PP_OK)
             status = pp_assessment_judge(one, &wanted, err);
         if (status == PP_OK)

@@ -78,6 +78,7 @@ static enum pp_status judge_other(struct pp_assessment *assessment,
     struct pp_assess_options wanted = *options;
     struct pp_assessment other;
     coarser.error *= COARSER;
+    coarser.seconds *= PP_LARGER_HOUSE_SHARE;
     wanted.study = &coarser;
     wanted.verdicts_only = true;
     enum pp_status status = pp_assessment_begin(&other, room, 1, NULL, 0, &wanted, err);

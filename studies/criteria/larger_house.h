@@ -11,9 +11,14 @@
 
 #include "studies/criteria/assessment.h"
 
+/* Of the time that a room may take by the clock, the other trace's share: at twice the
+ * standard error it is a quarter of the work. */
+#define PP_LARGER_HOUSE_SHARE 0.2
+
 /* Looks at the sampled verdicts of an assessment that has been judged by a simulation:
  * those that turn lose their confidence and get a note that says so. Nothing is traced
- * where there is no such verdict, or no wall to go on. */
+ * where there is no such verdict, or no wall to go on. The trace takes its share of
+ * options->study->seconds. */
 enum pp_status pp_larger_house_doubt(struct pp_assessment *assessment,
                                      const struct pp_assess_options *options,
                                      struct pp_error *err);
