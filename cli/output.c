@@ -172,6 +172,15 @@ static int replace(const struct pp_output *output)
     return failed ? -1 : 0;
 }
 
+enum pp_status pp_output_try(const char *path, struct pp_error *err)
+{
+    struct pp_output output;
+    enum pp_status status = pp_output_open(&output, path, err);
+    if (status == PP_OK)
+        pp_output_clear(&output);
+    return status;
+}
+
 enum pp_status pp_output_commit(struct pp_output *output, struct pp_error *err)
 {
     int broken = ferror(output->stream);

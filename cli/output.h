@@ -26,6 +26,10 @@ struct pp_output {
 enum pp_status pp_output_open(struct pp_output *output, const char *path,
                               struct pp_error *err);
 
+/* Would that file be written later on? Better asked before an hour's work. Leaves
+ * everything as it was. */
+enum pp_status pp_output_try(const char *path, struct pp_error *err);
+
 /* Writes what was printed, and closes the output whether it succeeds or not. */
 enum pp_status pp_output_commit(struct pp_output *output, struct pp_error *err);
 

@@ -53,17 +53,6 @@ static enum pp_exit write_errors(const struct pp_made_picture *made, const char 
     return status == PP_OK ? PP_EXIT_DONE : pp_message_error(&err);
 }
 
-/* Would the output be written? Better asked before an hour's work. */
-static enum pp_exit try_output(const char *path)
-{
-    struct pp_error err = {0};
-    struct pp_output output;
-    if (pp_output_open(&output, path, &err) != PP_OK)
-        return pp_message_error(&err);
-    pp_output_clear(&output);
-    return PP_EXIT_DONE;
-}
-
 /* Where no light is, nothing can be shown: better said than wondered at. */
 static void say_if_black(const struct pp_picture *picture)
 {
@@ -114,19 +103,20 @@ static enum pp_exit show_file(const struct pp_render_choice *choice,
 static enum pp_exit render_or_show(const struct pp_render_choice *choice,
                                    const struct pp_room_options *options, char **files)
 {
-    enum pp_exit result = try_output(options->output);
-    if (result == PP_EXIT_DONE && choice->checkpoint)
-        result = try_output(choice->checkpoint);
-    if (result == PP_EXIT_DONE && choice->errors)
-        result = try_output(choice->errors);
-    if (result != PP_EXIT_DONE)
-        return result;
+    struct pp_error err = {0};
+    enum pp_exit result;
+    enum pp_status status = pp_output_try(options->output, &err);
+    if (status == PP_OK && choice->checkpoint)
+        status = pp_output_try(choice->checkpoint, &err);
+    if (status == PP_OK && choice->errors)
+        status = pp_output_try(choice->errors, &err);
+    if (status != PP_OK)
+        return pp_message_error(&err);
     if (choice->from_picture)
         return show_file(choice, options);
     struct pp_rooms rooms = {0};
     result = pp_rooms_load(&rooms, "render", files, 1, options);
     if (result == PP_EXIT_DONE && rooms.count != 1) {
-        struct pp_error err;
         pp_fail(&err, PP_BAD_INPUT,
                 "there are %d rooms, and a picture is of one; expected --room NAME",
                 rooms.count);

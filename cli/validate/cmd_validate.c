@@ -5,6 +5,7 @@
 
 #include "cli/terminal.h"
 #include "cli/validate/against_radiance.h"
+#include "cli/validate/run_suite.h"
 #include "cli/command.h"
 #include "cli/watch.h"
 #include "cli/format_option.h"
@@ -15,7 +16,7 @@
 #include "cli/message.h"
 #include "cli/job.h"
 #include "reports/df_result.h"
-#include "reports/validate_report.h"
+#include "reports/validate/validate_report.h"
 #include "cli/rooms.h"
 #include "methods/evaluate.h"
 #include "methods/selection.h"
@@ -23,54 +24,14 @@
 static const char about[] =
     "Without FILE: the program's answers beside those that are known on paper (open "
     "skies, closed forms of windows, light in a closed room, worked examples). With "
-    "room files: each method against the simulation, at the reference points and for "
-    "the average over the working plane: bias, spread and the worst point, and how "
-    "much "
-    "of it comes of what the method assumes of ground and surroundings, how much of "
-    "its "
-    "formula. FILE is a room file; - is standard input.";
-
-/* ---- known answers ---- */
-
-struct self_test_run {
-    const struct pp_room_options *options;
-    enum pp_format format;
-    struct pp_self_test_cases known;
-};
-
-static enum pp_status run_self_test(void *data, struct pp_error *err)
-{
-    struct self_test_run *run = data;
-    const struct pp_study_options *study = &run->options->study;
-    return pp_self_test_run(&run->known, study->seed, study->threads, err);
-}
-
-static enum pp_status print_self_test(const void *data, FILE *out, struct pp_error *err)
-{
-    const struct self_test_run *run = data;
-    if (run->format == PP_FORMAT_JSON)
-        return pp_validate_report_self_test_json(&run->known, out, err);
-    if (run->format == PP_FORMAT_CSV)
-        pp_validate_report_self_test_csv(&run->known, out);
-    else
-        pp_validate_report_self_test(&run->known,
-                                     pp_terminal_width(run->options->output), out);
-    return PP_OK;
-}
-
-static enum pp_exit self_test(const struct pp_room_options *options,
-                              enum pp_format format)
-{
-    struct self_test_run run = {.options = options, .format = format};
-    enum pp_exit exit_status = pp_job_run(
-        &(struct pp_job){options->output, run_self_test, print_self_test, NULL, &run});
-    for (int i = 0; exit_status == PP_EXIT_DONE && i < run.known.count; i++)
-        if (!pp_self_test_passes(&run.known.list[i])) {
-            pp_message("not all answers are right; this build is not to be trusted");
-            return PP_EXIT_MACHINE;
-        }
-    return exit_status;
-}
+    "the "
+    "name of a suite in its place: analytic, published or cie171, each case with what "
+    "was expected, the difference and its limit. With room files, or rooms FILE: each "
+    "method against the simulation, at the reference points and for the average over "
+    "the working plane: bias, spread and the worst point, and how much of it comes of "
+    "what the method assumes of ground and surroundings, how much of its formula. With "
+    "radiance FILE: the simulation against Radiance's. FILE is a room file; - is "
+    "standard input.";
 
 /* ---- rooms ---- */
 
@@ -205,6 +166,9 @@ struct validate_options {
     struct pp_formula_words formulae;
     const char *against; /* the other program; NULL: none */
     enum pp_format format;
+    const char *page;             /* for what a suite found; NULL: not wanted */
+    const struct pp_suite *suite; /* NULL: of rooms */
+    int words;                    /* operands before the files */
 };
 
 #define PLACE(member) offsetof(struct validate_options, member)
@@ -215,6 +179,14 @@ static const struct pp_option against_option[] = {
      "where "
      "its oconv and rtrace are on PATH.",
      read_program, PLACE(against)},
+    {0},
+};
+
+static const struct pp_option page_option[] = {
+    {"page", 0, "FILE.html",
+     "Write what a suite found as a page that needs nothing else, with histograms, "
+     "too.",
+     pp_options_read_output, PLACE(page)},
     {0},
 };
 
@@ -241,6 +213,7 @@ static const struct pp_option_group groups[] = {
     {"What is compared", against_option, 0},
     PP_ROOM_STOP_GROUPS(PLACE(room)),
     {"Output", pp_format_option, PLACE(format)},
+    {"Output", page_option, 0},
     {"Output", pp_room_output_options, PLACE(room)},
     {0},
 };
@@ -251,42 +224,86 @@ static void init(void *values)
         (struct validate_options){.room = pp_room_options_none};
 }
 
-static enum pp_status check(void *values, char **files, int file_count,
-                            struct pp_error *err)
+/* The option that is about a room; NULL: none is there. */
+static const char *said_of_rooms(const struct validate_options *options)
 {
-    struct validate_options *options = values;
-    struct pp_study_options *study = &options->room.study;
-    const char *of_rooms = study->methods                ? "--methods"
-                           : options->formulae.count > 0 ? "--formula"
-                           : study->points.count > 0     ? "--points"
-                           : study->sky                  ? "--sky"
-                           : options->room.room          ? "--room"
-                           : study->error > 0.0          ? "--error"
-                           : study->samples > 0          ? "--samples"
-                           : study->seconds > 0.0        ? "--time"
-                                                         : NULL;
-    (void)files;
-    if (options->against && file_count == 0)
+    const struct pp_study_options *study = &options->room.study;
+    return study->methods                ? "--methods"
+           : options->formulae.count > 0 ? "--formula"
+           : study->points.count > 0     ? "--points"
+           : study->sky                  ? "--sky"
+           : options->room.room          ? "--room"
+           : study->error > 0.0          ? "--error"
+           : study->samples > 0          ? "--samples"
+           : study->seconds > 0.0        ? "--time"
+           : options->against            ? "--against"
+                                         : NULL;
+}
+
+/* What the first operand says, where it is no file. */
+static void take_word(struct validate_options *options, char **operands, int count)
+{
+    options->suite = count == 0 ? &pp_suite_quick : pp_suite_find(operands[0]);
+    if (count == 0 || options->suite)
+        options->words = count > 0;
+    else if (strcmp(operands[0], "rooms") == 0)
+        options->words = 1;
+    else if (strcmp(operands[0], "radiance") == 0) {
+        options->words = 1;
+        options->against = operands[0];
+    }
+}
+
+static enum pp_status check_suite(const struct validate_options *options,
+                                  int file_count, struct pp_error *err)
+{
+    const char *of_rooms = said_of_rooms(options);
+    if (options->suite && file_count > 0)
         return pp_fail(err, PP_BAD_INPUT,
-                       "--against is about a room; expected a room "
-                       "file, or - for standard input");
-    if (options->against && study->methods)
-        return pp_fail(err, PP_BAD_INPUT,
-                       "--against compares the simulation alone; expected it without "
-                       "--methods");
-    if (options->against && options->formulae.count > 0)
-        return pp_fail(err, PP_BAD_INPUT,
-                       "--against compares the simulation alone; expected it without "
-                       "--formula");
-    if (file_count == 0 && of_rooms)
+                       "the suite %s has its own rooms; expected no file behind it",
+                       options->suite->name);
+    if (options->suite && of_rooms)
         return pp_fail(err, PP_BAD_INPUT,
                        "%s is about a room; expected a room file, or - for standard "
                        "input",
                        of_rooms);
+    if (!options->suite && file_count == 0)
+        return pp_fail(err, PP_BAD_INPUT,
+                       "expected room files, or - for standard input");
+    if (!options->suite && options->page)
+        return pp_fail(err, PP_BAD_INPUT,
+                       "--page is of a suite; expected analytic, published or cie171");
+    return PP_OK;
+}
+
+static enum pp_status check_against(const struct validate_options *options,
+                                    struct pp_error *err)
+{
+    const char *excluded = options->room.study.methods   ? "--methods"
+                           : options->formulae.count > 0 ? "--formula"
+                                                         : NULL;
+    if (!options->against || !excluded)
+        return PP_OK;
+    return pp_fail(err, PP_BAD_INPUT,
+                   "--against compares the simulation alone; expected it without %s",
+                   excluded);
+}
+
+static enum pp_status check(void *values, char **operands, int count,
+                            struct pp_error *err)
+{
+    struct validate_options *options = values;
+    struct pp_study_options *study = &options->room.study;
+    take_word(options, operands, count);
+    enum pp_status status = check_suite(options, count - options->words, err);
+    if (status == PP_OK)
+        status = check_against(options, err);
+    if (status != PP_OK)
+        return status;
     study->simulate = true;
     if (!study->methods)
         study->methods = "all";
-    enum pp_status status = pp_room_options_settle(&options->room, err);
+    status = pp_room_options_settle(&options->room, err);
     if (status == PP_OK)
         status = pp_selection_check(study->methods, err);
     return status == PP_OK ? pp_formula_option_settle(&options->formulae,
@@ -294,16 +311,19 @@ static enum pp_status check(void *values, char **files, int file_count,
                            : status;
 }
 
-static enum pp_exit run(void *values, char **files, int file_count)
+static enum pp_exit run(void *values, char **operands, int count)
 {
     struct validate_options *options = values;
     struct pp_terminal_watch watch;
+    char **files = operands + options->words;
+    int file_count = count - options->words;
     options->room.study.watch = pp_watch_of_terminal(&watch, options->room.quiet);
-    if (options->against)
-        return compare_with_radiance(&options->room, options->format, files,
-                                     file_count);
-    return file_count == 0
-               ? self_test(&options->room, options->format)
+    if (options->suite)
+        return pp_run_suite(options->suite, &options->room, options->format,
+                            options->page);
+    return options->against
+               ? compare_with_radiance(&options->room, options->format, files,
+                                       file_count)
                : compare(&options->room, options->format, files, file_count);
 }
 
@@ -317,7 +337,7 @@ static void clear(void *values)
 const struct pp_command pp_command_validate = {
     .name = "validate",
     .summary = "methods against simulation, program against paper",
-    .operands = "[FILE...]",
+    .operands = "[SUITE] [FILE...]",
     .about = about,
     .groups = groups,
     .size = sizeof(struct validate_options),

@@ -12,9 +12,45 @@ check "in JSON too" shows '"format": "pepperpot-validate-1"' validate --format j
 check "with at least 40 answers" test "$(grep -c '"right": true' "$scratch/out")" -ge 40
 check "all right" nothing "$(grep '"right": false' "$scratch/out")"
 check "in CSV too" shows 'what,by,answer,expected,difference' validate --format csv
-check "8 fields a line" nothing \
-    "$(sed 's/"[^"]*"/text/g' "$scratch/out" | awk -F, 'NF != 8')"
+check "9 fields a line" nothing \
+    "$(sed 's/"[^"]*"/text/g' "$scratch/out" | awk -F, 'NF != 9')"
 check "another seed is right too" shows "right:" validate --seed 7
+
+# ---- suites ----
+
+for suite in analytic published; do
+    check "suite $suite passes" gives validate $suite --page "$scratch/$suite.html"
+    check "all of it" grep -qE '^  ([0-9]+) of \1 right' "$scratch/out"
+    check "tidy in 80 columns" nothing "$(untidy)"
+    check "its page says so" grep -q 'class="verdict">Passed' "$scratch/$suite.html"
+    check "and asks nothing of a network" nothing \
+        "$(grep -iE 'https?:|<script|<link|src=|@import' "$scratch/$suite.html")"
+    check "and has a row a case" test \
+        "$(grep -c '>right</tr>' "$scratch/$suite.html")" -eq \
+        "$(grep -cE ' right$' "$scratch/out")"
+done
+check "every cell of the BRS table is there" test "$(grep -c '^  h/d ' "$scratch/out")" -eq 580
+check "a suite in JSON" shows '"suite": "analytic"' validate analytic --format json
+check "says that it passes" grep -q '"passes": true' "$scratch/out"
+check "3 threads give the same bytes as 1" same_by_threads "1 3" \
+    validate analytic --format csv
+check "a suite has its own rooms" refuses 2 "no file behind it" validate analytic "$deep"
+check "and no options of rooms" refuses 2 "--sky is about a room" \
+    validate published --sky uniform
+check "rooms want files" refuses 2 "expected room files" validate rooms
+check "and have no page" refuses 2 "--page is of a suite" \
+    validate rooms --page "$scratch/x.html" "$deep"
+check "radiance wants one" refuses 2 "expected room files" validate radiance
+check "a page in the report's file is refused" refuses 2 "are one file" \
+    validate analytic -o "$scratch/x.html" --page "$scratch/x.html"
+check "a page where none can be written" refuses 3 "nowhere" \
+    validate analytic --page "$scratch/nowhere/x.html"
+check "an unknown suite is a file that is not there" refuses 1 "analytics" \
+    validate analytics
+gives validate --samples 8 "$deep" >/dev/null
+cp "$scratch/out" "$scratch/without"
+check "rooms FILE is FILE" gives validate rooms --samples 8 "$deep"
+check "to the byte" cmp -s "$scratch/out" "$scratch/without"
 
 # A room: bias, spread and worst once more from df's own figures, with the same paths.
 methods=exact+bre,brs-table+bre,average-df

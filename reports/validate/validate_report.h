@@ -1,20 +1,11 @@
-/* validate_report.h - what `validate` found, as text, JSON and CSV. */
-#ifndef PP_REPORTS_VALIDATE_REPORT_H
-#define PP_REPORTS_VALIDATE_REPORT_H
+/* validate_report.h - what `validate` found of rooms, as text, JSON and CSV. */
+#ifndef PP_REPORTS_VALIDATE_VALIDATE_REPORT_H
+#define PP_REPORTS_VALIDATE_VALIDATE_REPORT_H
 
 #include <stdio.h>
 
 #include "studies/validation/comparison.h"
-#include "studies/validation/self_test.h"
 #include "reports/df_result.h"
-
-/* Answers beside what is expected. */
-void pp_validate_report_self_test(const struct pp_self_test_cases *known, int width,
-                                  FILE *out);
-enum pp_status pp_validate_report_self_test_json(const struct pp_self_test_cases *known,
-                                                 FILE *out, struct pp_error *err);
-void pp_validate_report_self_test_csv(const struct pp_self_test_cases *known,
-                                      FILE *out);
 
 /* Rooms, each with its comparisons, and all of them together. */
 struct pp_validation {

@@ -1,91 +1,14 @@
-/* validate_report.c - prints known answers and comparisons of rooms, each as text,
- * JSON and CSV. */
-#include "reports/validate_report.h"
+/* validate_report.c - prints comparisons of rooms as text, JSON and CSV. */
+#include "reports/validate/validate_report.h"
 
 #include <math.h>
 #include <string.h>
 
 #include "reports/df_result.h"
-#include "reports/validate_parts.h"
+#include "reports/validate/validate_parts.h"
 #include "reports/parts/print.h"
 #include "reports/parts/format.h"
 #include "reports/parts/json.h"
-
-/* ---- known answers ---- */
-
-void pp_validate_report_self_test(const struct pp_self_test_cases *known, int width,
-                                  FILE *out)
-{
-    int wrong = 0;
-    fputs("The program against answers known on paper; shares of the open sky\n\n"
-          "                                                         answer  expected\n",
-          out);
-    const char *by = "";
-    for (int i = 0; i < known->count; i++) {
-        const struct pp_self_test_case *one = &known->list[i];
-        if (strcmp(by, one->by) != 0)
-            fprintf(out, "\n  %s\n", one->by);
-        by = one->by;
-        bool right = pp_self_test_passes(one);
-        wrong += !right;
-        fprintf(out, "    %-49.49s %9.6f %9.6f  %s\n", one->what, one->answer,
-                one->expected, right ? "right" : "WRONG");
-    }
-    char text[200];
-    snprintf(text, sizeof text,
-             "%d of %d right: to the digits that the expected answers are known to, "
-             "traced ones within four of their standard errors",
-             known->count - wrong, known->count);
-    fputs("\n  ", out);
-    pp_print_wrapped(text, 2, 2, width, out);
-}
-
-static struct json_object *known_object(const struct pp_self_test_case *one)
-{
-    struct json_object *object = json_object_new_object();
-    bool good = object && pp_json_text(object, "what", one->what)
-                && pp_json_text(object, "by", one->by)
-                && pp_json_number(object, "answer", one->answer)
-                && pp_json_number(object, "expected", one->expected)
-                && pp_json_number(object, "difference", one->answer - one->expected)
-                && pp_json_number(object, "tolerance", one->tolerance);
-    if (good && isfinite(one->std_error))
-        good = pp_json_number(object, "se", one->std_error);
-    if (good)
-        good = pp_json_add(object, "right",
-                           json_object_new_boolean(pp_self_test_passes(one)));
-    if (good)
-        pp_json_on_one_line(object);
-    return pp_json_whole(object, good);
-}
-
-enum pp_status pp_validate_report_self_test_json(const struct pp_self_test_cases *known,
-                                                 FILE *out, struct pp_error *err)
-{
-    struct json_object *object = json_object_new_object();
-    struct json_object *answers = json_object_new_array();
-    bool good = object && pp_json_text(object, "format", "pepperpot-validate-1")
-                && pp_json_add(object, "answers", answers);
-    for (int i = 0; i < known->count && good; i++)
-        good = pp_json_append(answers, known_object(&known->list[i]));
-    return pp_json_print(out, pp_json_whole(object, good), err);
-}
-
-void pp_validate_report_self_test_csv(const struct pp_self_test_cases *known, FILE *out)
-{
-    fputs("what,by,answer,expected,difference,tolerance,std_error,right\r\n", out);
-    for (int i = 0; i < known->count; i++) {
-        const struct pp_self_test_case *one = &known->list[i];
-        const double numbers[] = {one->answer, one->expected,
-                                  one->answer - one->expected, one->tolerance,
-                                  one->std_error};
-        pp_format_csv_field(one->what, out);
-        fprintf(out, ",%s", one->by);
-        for (size_t k = 0; k < sizeof numbers / sizeof numbers[0]; k++)
-            pp_format_csv_number(numbers[k], out);
-        fprintf(out, ",%s\r\n", pp_self_test_passes(one) ? "yes" : "no");
-    }
-}
 
 /* ---- rooms, as text ---- */
 

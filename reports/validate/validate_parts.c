@@ -1,5 +1,5 @@
 /* validate_parts.c - the two parts of each difference as tables and fields. */
-#include "reports/validate_parts.h"
+#include "reports/validate/validate_parts.h"
 
 #include <math.h>
 

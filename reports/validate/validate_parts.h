@@ -1,7 +1,7 @@
 /* validate_parts.h - the assumption's and the formula's part of the differences that
  * `validate` found (studies/validation/own_world.h), within its text, JSON and CSV. */
-#ifndef PP_REPORTS_VALIDATE_PARTS_H
-#define PP_REPORTS_VALIDATE_PARTS_H
+#ifndef PP_REPORTS_VALIDATE_VALIDATE_PARTS_H
+#define PP_REPORTS_VALIDATE_VALIDATE_PARTS_H
 
 #include <stdio.h>
 

@@ -1,0 +1,100 @@
+/* suite.c - the list of suites. */
+#include "studies/validation/suite.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "studies/validation/cie171.h"
+#include "studies/validation/closed_forms.h"
+#include "studies/validation/printed_tables.h"
+#include "studies/validation/worked_examples.h"
+
+static enum pp_status run_quick(struct pp_known_cases *cases,
+                                const struct pp_known_trace *how, struct pp_error *err)
+{
+    enum pp_status status = pp_closed_forms(cases, how, err);
+    return status == PP_OK ? pp_worked_examples(cases, err) : status;
+}
+
+static enum pp_status run_published(struct pp_known_cases *cases,
+                                    const struct pp_known_trace *how,
+                                    struct pp_error *err)
+{
+    enum pp_status status = pp_worked_examples(cases, err);
+    return status == PP_OK ? pp_printed_tables(cases, how, err) : status;
+}
+
+static enum pp_status run_cie171(struct pp_known_cases *cases,
+                                 const struct pp_known_trace *how, struct pp_error *err)
+{
+    return pp_cie171(cases, how, 3.0, err);
+}
+
+const struct pp_suite pp_suite_quick = {
+    .name = "quick",
+    .summary = "answers known on paper",
+    .limits =
+        "to the digits that the expected answers are known to, traced ones within "
+        "four of their standard errors",
+    .samples = 512,
+    .run = run_quick,
+};
+
+static const struct pp_suite list[] = {
+    {.name = "analytic",
+     .summary = "closed forms, limits and configuration factors",
+     .limits =
+         "to the digits that the expected answers are known to, traced ones within "
+         "four of their standard errors",
+     .samples = 512,
+     .run = pp_closed_forms},
+    {.name = "published",
+     .summary = "worked examples, and printed tables cell by cell",
+     .limits =
+         "to the last printed digit, and to what the makers of a table are known to "
+         "have been off by; traced ones within four of their standard errors more",
+     .samples = 512,
+     .run = run_published},
+    {.name = "cie171",
+     .summary = "the daylight cases of CIE 171:2006, 2592 values",
+     .limits =
+         "exact within 0.1 % (0.25 % where a mask cuts the opening) or 0.001 % "
+         "daylight factor of an independent integration, and within 1 % or 0.02 % of "
+         "what is printed soundly; traced within three standard errors of exact, but "
+         "for 1 in 100",
+     .samples = 64,
+     .chance = 0.01,
+     .run = run_cie171},
+};
+
+enum { COUNT = sizeof list / sizeof *list };
+
+const struct pp_suite *pp_suite_at(int index)
+{
+    return index < COUNT ? &list[index] : NULL;
+}
+
+const struct pp_suite *pp_suite_find(const char *name)
+{
+    for (int i = 0; i < COUNT; i++)
+        if (strcmp(list[i].name, name) == 0)
+            return &list[i];
+    return NULL;
+}
+
+struct pp_suite_score pp_suite_score(const struct pp_suite *suite,
+                                     const struct pp_known_cases *cases)
+{
+    struct pp_suite_score score = {0};
+    for (int i = 0; i < cases->count; i++) {
+        bool traced = !isnan(cases->list[i].std_error);
+        bool wrong = !pp_known_case_is_right(&cases->list[i]);
+        score.count += !traced;
+        score.wrong += !traced && wrong;
+        score.traced += traced;
+        score.traced_wrong += traced && wrong;
+    }
+    score.passes =
+        score.wrong == 0 && score.traced_wrong <= suite->chance * score.traced;
+    return score;
+}

@@ -1,0 +1,38 @@
+/* suite.h - suites of answers that are known otherwise, one entry each.
+ */
+#ifndef PP_STUDIES_VALIDATION_SUITE_H
+#define PP_STUDIES_VALIDATION_SUITE_H
+
+#include "studies/validation/known_case.h"
+#include "studies/validation/known_room.h"
+
+struct pp_suite {
+    const char *name, *summary;
+    const char *limits; /* what an answer may be off by, a sentence */
+    /* Of those outside their limits as many may be by chance, a share of the traced cases;
+     * 0: none. */
+    double chance;
+    long samples; /* that traced cases want: paths a point in each randomisation */
+    enum pp_status (*run)(struct pp_known_cases *cases,
+                          const struct pp_known_trace *how, struct pp_error *err);
+};
+
+/* suites[index]; NULL at the end. index is at most one past the last. */
+const struct pp_suite *pp_suite_at(int index);
+
+/* The suite of that name, or NULL. */
+const struct pp_suite *pp_suite_find(const char *name);
+
+/* What takes a second or two: closed forms and worked examples. */
+extern const struct pp_suite pp_suite_quick;
+
+/* How the cases of a suite came out. */
+struct pp_suite_score {
+    int count, wrong; /* of cases that are not traced */
+    int traced, traced_wrong;
+    bool passes;
+};
+struct pp_suite_score pp_suite_score(const struct pp_suite *suite,
+                                     const struct pp_known_cases *cases);
+
+#endif
