@@ -2,15 +2,21 @@
  * (symbol by symbol for the steps), adds up, and enters the readings in the report. */
 #include "methods/evaluate.h"
 
+#include <stdatomic.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "methods/component_steps.h"
+#include "methods/opening_averages.h"
 #include "methods/pair.h"
 #include "methods/plane_average.h"
 #include "methods/selection.h"
 #include "methods/variant.h"
 #include "methods/usual_pair.h"
+#include "model/base/crew.h"
+
+/* So many points take less time than waking the other members of a crew. */
+enum { LONE_POINTS = 64 };
 
 /* One method on one world, as published or with a variant of a formula. */
 struct method_run {
@@ -22,7 +28,8 @@ struct method_run {
     double *factors; /* product of the missing corrections, one for each opening */
     void *tools;     /* made by the method; NULL for a room that it refuses */
     struct pp_formulary *formulary;
-    bool roughly; /* by evaluate_roughly, for an average */
+    struct pp_crew *crew; /* not owned */
+    bool roughly;         /* by evaluate_roughly, for an average */
 };
 
 /* The components by a method over all openings, corrected, or why there are none. */
@@ -226,12 +233,11 @@ static bool plane_sum_at(void *data, const struct pp_receiver *receiver,
     struct answer answer = {0};
     bool failed = sum_openings(sum->run, receiver, &answer, NULL) != PP_OK;
     if (failed || answer.why) {
-#pragma omp critical(pp_plane_sum)
-        {
-            sum->failed |= failed;
-            if (!failed && comes_before(&answer, &sum->refusal))
-                sum->refusal = answer;
-        }
+        pp_crew_lock(sum->run->crew);
+        sum->failed |= failed;
+        if (!failed && comes_before(&answer, &sum->refusal))
+            sum->refusal = answer;
+        pp_crew_unlock(sum->run->crew);
         return false;
     }
     bool direct = sum->run->method->gives == PP_GIVES_DIRECT;
@@ -245,7 +251,6 @@ static bool plane_sum_at(void *data, const struct pp_receiver *receiver,
 static enum pp_status sum_averages(const struct method_run *run, struct answer *answer,
                                    bool *known, struct pp_error *err)
 {
-    const struct pp_method *method = run->method;
     const struct pp_world *world = run->world;
     const struct pp_receiver receiver = {.position = {world->plane.rings[0].xy[0][0],
                                                       world->plane.rings[0].xy[0][1],
@@ -255,15 +260,15 @@ static enum pp_status sum_averages(const struct method_run *run, struct answer *
     *known = true;
     if (refuse(run, &receiver, answer))
         return PP_OK;
-    for (int i = 0; i < world->opening_count && *known; i++) {
-        struct pp_part part = {0};
-        enum pp_status status = method->average(world, run->light, world->openings + i,
-                                                run->tools, &part, known, err);
-        if (status != PP_OK)
-            return status;
-        add_part(&answer->part, &part, run->factors[i]);
-    }
-    return PP_OK;
+    struct pp_part *parts = calloc((size_t)world->opening_count + 1, sizeof *parts);
+    if (!parts)
+        return pp_fail_memory(err);
+    enum pp_status status = pp_opening_averages(parts, known, run->method, world,
+                                                run->light, run->tools, run->crew, err);
+    for (int i = 0; i < world->opening_count; i++)
+        add_part(&answer->part, parts + i, run->factors[i]);
+    free(parts);
+    return status;
 }
 
 /* The average over the working plane by a method that speaks for a point. */
@@ -289,7 +294,7 @@ static enum pp_status average_of_points(const struct method_run *run,
     }
     enum pp_status status =
         pp_plane_average(mean, &stopped, run->world, plane_sum_at, &sum,
-                         PP_AVERAGE_ERROR, PP_AVERAGE_POINTS, err);
+                         PP_AVERAGE_ERROR, PP_AVERAGE_POINTS, run->crew, err);
     if (status != PP_OK)
         return status;
     if (sum.refusal.why) {
@@ -304,14 +309,46 @@ static enum pp_status average_of_points(const struct method_run *run,
     return PP_OK;
 }
 
+/* The answers for the receivers, which the crew's members share. */
+struct answering {
+    const struct method_run *run;
+    const struct pp_receiver *receivers;
+    struct answer *answers;
+    atomic_bool failed;
+};
+
+static bool answer_one(void *data, int member, int i)
+{
+    (void)member;
+    struct answering *to = data;
+    if (sum_openings(to->run, to->receivers + i, to->answers + i, NULL) != PP_OK)
+        atomic_store(&to->failed, true);
+    return !atomic_load(&to->failed);
+}
+
+static enum pp_status answer_points(const struct method_run *run,
+                                    const struct pp_report *report,
+                                    struct answer *answers, struct pp_error *err)
+{
+    struct answering answering = {run, report->receivers, answers, false};
+    int count = report->receiver_count;
+    if (count > LONE_POINTS)
+        pp_crew_run(run->crew, 0, count, answer_one, &answering);
+    /* In order where they are few, or again, for the message of the first failure. */
+    bool ordered = count <= LONE_POINTS || answering.failed;
+    enum pp_status status = PP_OK;
+    for (int i = 0; ordered && i < count && status == PP_OK; i++)
+        status = sum_openings(run, report->receivers + i, answers + i, err);
+    return status;
+}
+
 /* The answers for each receiver and, behind them, for the room's average. */
 static enum pp_status answer_all(const struct method_run *run,
                                  const struct pp_report *report, struct answer *answers,
                                  struct pp_error *err)
 {
-    int count = report->receiver_count, failed = count;
+    int count = report->receiver_count;
     bool by_point = run->method->speaks_for == PP_FOR_POINT;
-    bool minimum = run->method->speaks_for == PP_FOR_MINIMUM;
     struct answer *average = answers + count;
     bool integrated = by_point && !run->method->has_average;
     enum pp_status status = integrated ? average_of_points(run, average, err)
@@ -326,20 +363,9 @@ static enum pp_status answer_all(const struct method_run *run,
                                             report->receivers + i);
         answers[i] = why ? (struct answer){.why = why} : *average;
     }
-    if (minimum && !average->why)
+    if (run->method->speaks_for == PP_FOR_MINIMUM && !average->why)
         *average = (struct answer){.why = "it gives the least in the room, no average"};
-    if (!by_point)
-        return PP_OK;
-#pragma omp parallel for schedule(dynamic, 1) if (count > 64)
-    for (int i = 0; i < count; i++)
-        if (sum_openings(run, report->receivers + i, answers + i, NULL) != PP_OK) {
-#pragma omp critical(pp_answer_all)
-            failed = i < failed ? i : failed;
-        }
-    /* Again in order from the first failure on, for its message. */
-    for (int i = failed; i < count && status == PP_OK; i++)
-        status = sum_openings(run, report->receivers + i, answers + i, err);
-    return status;
+    return by_point ? answer_points(run, report, answers, err) : PP_OK;
 }
 
 /* Adds the column of one component from the answers of a method. */
@@ -383,7 +409,8 @@ static bool create_steps(struct answer *answers, struct pp_report *report,
 
 static enum pp_status add_method(struct pp_report *report,
                                  const struct pp_method *method,
-                                 const struct pp_variant *variant, struct pp_error *err)
+                                 const struct pp_variant *variant, struct pp_crew *crew,
+                                 struct pp_error *err)
 {
     enum pp_component component = pp_component_steps_given(method);
     if (pp_report_find(report, component, variant ? variant->name : method->name))
@@ -393,6 +420,7 @@ static enum pp_status add_method(struct pp_report *report,
     enum pp_status status = run_init(&run, method, variant, report, err);
     if (status != PP_OK)
         return status;
+    run.crew = crew;
     struct answer *answers =
         calloc((size_t)report->receiver_count + 1, sizeof *answers);
     status =
@@ -411,15 +439,16 @@ static enum pp_status add_method(struct pp_report *report,
 /* The columns of a method or pair, with a variant (NULL: as published) of one of them. */
 static enum pp_status add_choice(struct pp_report *report,
                                  const struct pp_choice *choice,
-                                 const struct pp_variant *variant, struct pp_error *err)
+                                 const struct pp_variant *variant, struct pp_crew *crew,
+                                 struct pp_error *err)
 {
     const struct pp_method *method = choice->method, *internal = choice->internal;
     bool of_internal = variant && variant->method == internal;
     enum pp_status status =
-        add_method(report, method, of_internal ? NULL : variant, err);
+        add_method(report, method, of_internal ? NULL : variant, crew, err);
     if (status != PP_OK || !internal)
         return status;
-    status = add_method(report, internal, of_internal ? variant : NULL, err);
+    status = add_method(report, internal, of_internal ? variant : NULL, crew, err);
     return status == PP_OK
                ? pp_pair_add(report,
                              variant && !of_internal ? variant->name : method->name,
@@ -449,19 +478,23 @@ enum pp_status pp_methods_evaluate(struct pp_report *report, const char *selecti
         report->options && report->options->variants ? report->options->variants
                                                      : &none;
     struct pp_selection parsed;
+    struct pp_crew *crew = NULL;
     enum pp_status status = pp_selection_parse(&parsed, selection, err);
+    if (status == PP_OK)
+        status = pp_crew_create(&crew, report->threads, err);
     for (int i = 0; i < variants->count && status == PP_OK; i++)
         status = pp_selection_include(&parsed, variants->list[i].method, err);
     for (int i = 0; i < parsed.count && status == PP_OK; i++) {
         const struct pp_choice *choice = &parsed.choices[i];
-        status = add_choice(report, choice, NULL, err);
+        status = add_choice(report, choice, NULL, crew, err);
         for (int k = 0; k < variants->count && status == PP_OK; k++)
             if (variants->list[k].method == choice->method
                 || variants->list[k].method == choice->internal)
-                status = add_choice(report, choice, &variants->list[k], err);
+                status = add_choice(report, choice, &variants->list[k], crew, err);
     }
     if (status == PP_OK && parsed.usual)
         status = stand_in(report, err);
+    pp_crew_destroy(crew);
     pp_selection_clear(&parsed);
     return status;
 }

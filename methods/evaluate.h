@@ -30,8 +30,8 @@ enum { PP_AVERAGE_POINTS = 2000 };
 /* Adds the columns of a selection of methods (selection.h) to `report`, whose world,
  * light, receivers and receiver_count the caller has set. A column that the report has
  * already is left unchanged. A wrong selection is PP_BAD_INPUT. On failure some columns may
- * have been added; pp_report_clear frees them. The points are shared among OpenMP's
- * threads; the numbers do not depend on how many there are.
+ * have been added; pp_report_clear frees them. The points are shared among
+ * report->threads threads; the numbers do not depend on how many there are.
  *
  * With report->explain the readings of each point (and, of methods that speak for the
  * room, of the average) have the steps of their sum: for each opening the method's own

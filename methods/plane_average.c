@@ -121,7 +121,6 @@ struct integral {
     double z;
     pp_plane_function *function;
     void *data;
-    bool parallel;
     bool stopped;
 };
 
@@ -162,32 +161,49 @@ static int integrand_at(unsigned dim, const double *square, void *data, unsigned
 /* The points of the cubature rule: the least that a piece takes. */
 enum { FIRST_POINTS = 17 };
 
-/* The integrals over all pieces, summed in the order of the pieces. `absolute` is the
- * error allowed for a piece (in the sum of its values), `points` the most points of a
- * piece. False: stopped. */
-static bool integrate(double sum[PP_PLANE_VALUES], const struct plane_pieces *pieces,
-                      const struct integral *integral, double absolute, int points,
-                      double (*values)[PP_PLANE_VALUES])
+/* The integrals over all pieces, which the crew's members share. */
+struct piece_integrals {
+    const struct plane_pieces *pieces;
+    const struct integral *like;
+    double absolute; /* the error allowed for a piece, in the sum of its values */
+    int points;      /* the most of a piece */
+    struct piece_integral {
+        double values[PP_PLANE_VALUES];
+        bool stopped;
+    } * of;
+};
+
+/* All pieces are asked, whoever stops: what a function notes on the way is then the same
+ * each time. */
+static bool integrate_piece(void *data, int member, int i)
 {
-    int stopped = 0;
-#pragma omp parallel for schedule(dynamic, 1) if (integral->parallel)
-    for (int i = 0; i < pieces->count; i++) {
-        const double low[2] = {0.0, 0.0}, high[2] = {1.0, 1.0};
-        double error[PP_PLANE_VALUES];
-        struct integral own = *integral;
-        own.piece = pieces->list + i;
-        if (hcubature(PP_PLANE_VALUES, integrand_at, &own, 2, low, high, (size_t)points,
-                      absolute, 0.0, ERROR_L1, values[i], error)
-                != 0
-            || own.stopped) {
-#pragma omp atomic write
-            stopped = 1;
-        }
-    }
-    for (int k = 0; k < PP_PLANE_VALUES; k++) {
+    (void)member;
+    const struct piece_integrals *integrals = data;
+    const double low[2] = {0.0, 0.0}, high[2] = {1.0, 1.0};
+    double error[PP_PLANE_VALUES];
+    struct integral own = *integrals->like;
+    own.piece = integrals->pieces->list + i;
+    bool done = hcubature(PP_PLANE_VALUES, integrand_at, &own, 2, low, high,
+                          (size_t)integrals->points, integrals->absolute, 0.0, ERROR_L1,
+                          integrals->of[i].values, error)
+                == 0;
+    integrals->of[i].stopped = !done || own.stopped;
+    return true;
+}
+
+/* The integrals summed in the order of the pieces. False: stopped. */
+static bool integrate(double sum[PP_PLANE_VALUES], struct piece_integrals *integrals,
+                      struct pp_crew *crew)
+{
+    int count = integrals->pieces->count;
+    bool stopped = false;
+    pp_crew_run(crew, 0, count, integrate_piece, integrals);
+    for (int k = 0; k < PP_PLANE_VALUES; k++)
         sum[k] = 0.0;
-        for (int i = 0; i < pieces->count; i++)
-            sum[k] += values[i][k];
+    for (int i = 0; i < count; i++) {
+        for (int k = 0; k < PP_PLANE_VALUES; k++)
+            sum[k] += integrals->of[i].values[k];
+        stopped |= integrals->of[i].stopped;
     }
     return !stopped;
 }
@@ -196,7 +212,7 @@ enum pp_status pp_plane_average(double mean[PP_PLANE_VALUES], bool *stopped,
                                 const struct pp_world *world,
                                 pp_plane_function *function, void *data,
                                 double relative_error, int most_points,
-                                struct pp_error *err)
+                                struct pp_crew *crew, struct pp_error *err)
 {
     struct plane_pieces pieces = {0};
     enum pp_status status =
@@ -208,15 +224,14 @@ enum pp_status pp_plane_average(double mean[PP_PLANE_VALUES], bool *stopped,
     double area_m2 = 0.0;
     for (int i = 0; i < pieces.count; i++)
         area_m2 += pieces.list[i].area_m2;
-    double(*values)[PP_PLANE_VALUES] =
-        malloc(((size_t)pieces.count + 1) * sizeof *values);
-    if (!values || !(area_m2 > 0.0)) {
-        free(values);
+    struct piece_integral *of = calloc((size_t)pieces.count + 1, sizeof *of);
+    if (!of || !(area_m2 > 0.0)) {
+        free(of);
         free(pieces.list);
-        return values ? pp_fail(err, PP_BAD_INPUT,
-                                "the room has no working plane at a height of %g m",
-                                world->working_plane_m)
-                      : pp_fail_memory(err);
+        return of ? pp_fail(err, PP_BAD_INPUT,
+                            "the room has no working plane at a height of %g m",
+                            world->working_plane_m)
+                  : pp_fail_memory(err);
     }
 
     /* A first estimate, one rule for each piece, gives the error that each may have;
@@ -226,22 +241,21 @@ enum pp_status pp_plane_average(double mean[PP_PLANE_VALUES], bool *stopped,
      * 0.05 %, the worst from 2.1 to 0.4 %. */
     struct integral integral = {
         .z = world->working_plane_m, .function = function, .data = data};
+    struct piece_integrals integrals = {&pieces, &integral, INFINITY, FIRST_POINTS, of};
     double sum[PP_PLANE_VALUES];
-    bool done = integrate(sum, &pieces, &integral, INFINITY, FIRST_POINTS, values);
+    bool done = integrate(sum, &integrals, crew);
     double total = 0.0;
     for (int k = 0; k < PP_PLANE_VALUES; k++)
         total += sum[k];
-    double absolute = relative_error / 8.0 * total / sqrt(pieces.count);
-    int points = most_points / pieces.count;
-    /* A bare box takes less time than starting the other threads. */
-    integral.parallel = world->surface_count > 6;
+    integrals.absolute = relative_error / 8.0 * total / sqrt(pieces.count);
+    if (most_points / pieces.count > FIRST_POINTS)
+        integrals.points = most_points / pieces.count;
     if (done && total > 0.0)
-        done = integrate(sum, &pieces, &integral, absolute,
-                         points > FIRST_POINTS ? points : FIRST_POINTS, values);
+        done = integrate(sum, &integrals, crew);
     for (int k = 0; k < PP_PLANE_VALUES; k++)
         mean[k] = sum[k] / area_m2;
     *stopped = !done;
-    free(values);
+    free(of);
     free(pieces.list);
     return PP_OK;
 }

@@ -37,7 +37,8 @@ enum pp_status pp_room_value(struct pp_room_value *value, const struct pp_world 
                                .light = *value->light,
                                .receivers = value->points,
                                .receiver_count = value->point_count,
-                               .finished = true};
+                               .finished = true,
+                               .threads = value->threads};
     enum pp_status status = pp_methods_evaluate(&report, value->method, err);
     if (status == PP_OK) {
         *reading = reading_of(&report, value->method, value->point_count > 0 ? 0 : -1);

@@ -14,6 +14,7 @@ struct pp_room_value {
     const char *method; /* as pp_methods_evaluate takes it: "exact+bre", "average-df" */
     const struct pp_receiver *points; /* the figure is the lowest of these; not owned */
     int point_count;                  /* 0: the figure is the working plane's average */
+    int threads;                      /* 0: as many as there are processors */
     char why[512];                    /* the text that a reading's why points to */
 };
 

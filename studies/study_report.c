@@ -2,10 +2,6 @@
  * simulation's under a watch. */
 #include "studies/study_report.h"
 
-#ifdef _OPENMP
-#include <omp.h>
-#endif
-
 #include "methods/evaluate.h"
 #include "studies/plane_figures.h"
 
@@ -20,11 +16,8 @@ enum pp_status pp_study_report_methods(struct pp_report *report,
                                  .receivers = room->receivers,
                                  .receiver_count = room->receiver_count,
                                  .finished = true,
-                                 .explain = options->explain};
-#ifdef _OPENMP
-    if (options->threads > 0)
-        omp_set_num_threads(options->threads);
-#endif
+                                 .explain = options->explain,
+                                 .threads = options->threads};
     return pp_methods_evaluate(report, options->methods, err);
 }
 

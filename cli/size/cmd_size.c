@@ -1,7 +1,4 @@
 /* cmd_size.c - the command size: the window that just reaches a target. */
-#ifdef _OPENMP
-#include <omp.h>
-#endif
 #include <stdlib.h>
 #include <string.h>
 
@@ -116,10 +113,6 @@ static enum pp_exit size_rooms(struct size_run *run)
 {
     const struct pp_size_options *options = run->options;
     struct pp_error err = {0};
-#ifdef _OPENMP
-    if (options->room.study.threads > 0)
-        omp_set_num_threads(options->room.study.threads);
-#endif
     if (options->room.study.simulate)
         pp_interrupt_watch();
     enum pp_exit exit_status =

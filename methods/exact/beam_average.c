@@ -91,9 +91,8 @@ static enum pp_status integrate(double sum[2], const struct beam_integral *like,
                                 struct pp_error *err)
 {
     double values[PARTS][2];
-    bool failed = false, parallel = points > FIRST_POINTS;
-#pragma omp parallel for schedule(dynamic, 1) if (parallel)
-    for (int i = 0; i < parts; i++) {
+    bool failed = false;
+    for (int i = 0; i < parts && !failed; i++) {
         const double low[2] = {0.0, 0.0}, high[2] = {1.0, 1.0};
         struct beam_integral own = *like;
         double error[2];
@@ -101,17 +100,14 @@ static enum pp_status integrate(double sum[2], const struct beam_integral *like,
             own.bearing[k] = bearings[i / LAYERS + k] * PP_PI / 2.0;
             own.share[k] = layers[i % LAYERS + k];
         }
-        if (hcubature(2, integrand_at, &own, 2, low, high, (size_t)points, absolute,
-                      0.0, ERROR_L1, values[i], error)
-                != 0
-            || own.failed) {
-#pragma omp atomic write
-            failed = true;
-        }
+        failed = hcubature(2, integrand_at, &own, 2, low, high, (size_t)points,
+                           absolute, 0.0, ERROR_L1, values[i], error)
+                     != 0
+                 || own.failed;
         pp_beam_space_clear(&own.space);
     }
     sum[0] = sum[1] = 0.0;
-    for (int i = 0; i < parts; i++) {
+    for (int i = 0; i < parts && !failed; i++) {
         sum[0] += values[i][0];
         sum[1] += values[i][1];
     }

@@ -20,8 +20,7 @@ struct pp_beam_light {
 #define PP_BEAM_AVERAGE_ERROR 1e-3
 
 /* The means over world->plane of the sky component and the externally reflected
- * component of one opening. The plane must not be empty. The same numbers with any
- * number of threads. */
+ * component of one opening. The plane must not be empty. */
 enum pp_status pp_beam_average(double mean[2], const struct pp_world *world,
                                const struct pp_opening *opening,
                                const struct pp_beam_light *light, double relative_error,

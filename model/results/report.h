@@ -54,6 +54,7 @@ struct pp_report {
     int column_count;
     bool finished;        /* false: interrupted; the columns so far are good */
     bool explain;         /* are the methods to set down their steps? */
+    int threads;          /* for the methods; 0: as many as there are processors */
     const char *stand_in; /* the usual methods do not cover the room: what stands in for
                            * them; NULL: they do. Kept with the sentences */
     char **sentences;     /* that readings' why points to, where it is not static */

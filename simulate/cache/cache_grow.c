@@ -122,6 +122,25 @@ static void trace_requests(const struct pp_irradiance_cache *cache,
         pp_radiance_indirect(&state, ray, NULL);
 }
 
+/* A chunk of rays that the crew's members share. */
+struct request_rays {
+    const struct pp_irradiance_cache *cache;
+    const struct pp_light_ray *rays;
+    size_t first; /* of the chunk */
+    int depth;
+    struct ray_requests *requests; /* of the chunk's rays */
+};
+
+static bool trace_one(void *data, int member, int i)
+{
+    (void)member;
+    const struct request_rays *chunk = data;
+    size_t ray = chunk->first + (size_t)i;
+    trace_requests(chunk->cache, &chunk->rays[ray], chunk->depth, (uint32_t)ray,
+                   &chunk->requests[i]);
+    return true;
+}
+
 /* Appends the requests of depth `depth` that rays make, in their order. */
 static enum pp_status request_along(struct pp_irradiance_cache *cache,
                                     const struct pp_light_ray *rays, size_t count,
@@ -134,10 +153,8 @@ static enum pp_status request_along(struct pp_irradiance_cache *cache,
         return pp_fail_memory(err);
     for (size_t first = 0; status == PP_OK && first < count; first += CHUNK) {
         int n = count - first < CHUNK ? (int)(count - first) : CHUNK;
-#pragma omp parallel for num_threads(cache->options.threads) schedule(dynamic, 64)
-        for (int i = 0; i < n; i++)
-            trace_requests(cache, &rays[first + (size_t)i], depth,
-                           (uint32_t)(first + (size_t)i), &rays_requests[i]);
+        struct request_rays chunk = {cache, rays, first, depth, rays_requests};
+        pp_crew_run(cache->crew, 0, n, trace_one, &chunk);
         for (int i = 0; i < n; i++)
             for (int k = 0; status == PP_OK && k < rays_requests[i].count; k++)
                 status = request(layer, &rays_requests[i].places[k], err);
@@ -296,15 +313,27 @@ static struct pp_cache_request *open_request(const struct pp_cache_layer *layer,
     return &layer->requests[layer->next + layer->open[i]];
 }
 
+/* The requests of a chunk, which the crew's members look at. */
+struct look {
+    const struct pp_irradiance_cache *cache;
+    struct pp_cache_layer *layer;
+};
+
+static bool look_at(void *data, int member, int i)
+{
+    (void)member;
+    const struct look *look = data;
+    is_open(look->cache, look->layer, &look->layer->requests[look->layer->next + i]);
+    return true;
+}
+
 /* Lists the open requests of the chunk, in their order. */
 static void find_open(struct pp_irradiance_cache *cache, struct pp_cache_layer *layer,
                       int count)
 {
+    struct look look = {cache, layer};
     layer->open_count = 0;
-#pragma omp parallel for num_threads(cache->options.threads)                           \
-    schedule(dynamic, 256) if (count > 4096)
-    for (int i = 0; i < count; i++)
-        is_open(cache, layer, &layer->requests[layer->next + i]);
+    pp_crew_run(cache->crew, 0, count, look_at, &look);
     for (int i = 0; i < count; i++)
         if (layer->requests[layer->next + i].guess_m >= 0.0f)
             layer->open[layer->open_count++] = i;
@@ -341,6 +370,25 @@ static int choose(struct pp_irradiance_cache *cache, struct pp_cache_layer *laye
     return count;
 }
 
+/* The records of a batch, which the crew's members work out. */
+struct batch_records {
+    struct pp_irradiance_cache *cache;
+    int depth;
+    const struct pp_cache_request *const *chosen;
+    struct pp_cache_hemisphere_cell *cells;
+    struct pp_cache_entry *entries;
+};
+
+static bool compute_one(void *data, int member, int i)
+{
+    (void)member;
+    const struct batch_records *records = data;
+    size_t side = (size_t)records->cache->layers[records->depth].settings.side;
+    compute_record(records->cache, records->depth, &records->chosen[i]->place,
+                   records->cells + (size_t)i * side * side, &records->entries[i]);
+    return true;
+}
+
 /* One batch of the open requests. */
 static enum pp_status batch(struct pp_irradiance_cache *cache, int depth,
                             struct pp_error *err)
@@ -355,13 +403,9 @@ static enum pp_status batch(struct pp_irradiance_cache *cache, int depth,
         malloc(PP_CACHE_BATCH * side * side * sizeof *cells);
     struct pp_cache_entry *entries = calloc(PP_CACHE_BATCH, sizeof *entries);
     enum pp_status status = cells && entries ? PP_OK : pp_fail_memory(err);
-    if (status == PP_OK) {
-#pragma omp parallel for num_threads(cache->options.threads)                           \
-    schedule(dynamic, 1) if (count > 1)
-        for (int i = 0; i < count; i++)
-            compute_record(cache, depth, &chosen[i]->place,
-                           cells + (size_t)i * side * side, &entries[i]);
-    }
+    struct batch_records records = {cache, depth, chosen, cells, entries};
+    if (status == PP_OK)
+        pp_crew_run(cache->crew, 0, count, compute_one, &records);
     for (int i = 0; status == PP_OK && i < count; i++)
         status = pp_cache_layer_add(layer, &entries[i], err);
     layer->again = true;

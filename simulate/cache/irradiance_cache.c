@@ -7,7 +7,6 @@
 
 #include "simulate/cache/cache_parts.h"
 #include "simulate/sampling/hash.h"
-#include "simulate/sampling/processors.h"
 
 /* Records of depth 1 are averaged over a hemisphere once more: they stand farther apart
  * and have fewer rays, by these factors, chosen by trial. With them and the other
@@ -213,9 +212,9 @@ enum pp_status pp_irradiance_cache_create(struct pp_irradiance_cache **result,
     cache->light = *light;
     cache->light.bounces = -1;
     cache->options = *options;
-    if (cache->options.threads <= 0)
-        cache->options.threads = pp_processors();
-    status = make(cache, err);
+    status = pp_crew_create(&cache->crew, options->threads, err);
+    if (status == PP_OK)
+        status = make(cache, err);
     cache->options.materials = NULL; /* the caller's: `left_out` has what they say */
     if (status != PP_OK) {
         pp_irradiance_cache_destroy(cache);
@@ -237,6 +236,7 @@ void pp_irradiance_cache_destroy(struct pp_irradiance_cache *cache)
         free(layer->requests);
         free(layer->open);
     }
+    pp_crew_destroy(cache->crew);
     free(cache->left_out);
     free(cache);
 }

@@ -12,13 +12,8 @@
 #include "model/base/array.h"
 #include "model/base/clock.h"
 #include "simulate/sampling/hash.h"
-#include "simulate/sampling/processors.h"
 
-enum {
-    STEP = 1024, /* most paths of a randomisation at a time */
-    FIRST_BATCH = 64,
-    MOST_BATCH = 8192
-};
+enum { STEP = 1024 }; /* most paths of a randomisation at a time */
 
 /* By the clock, each round is planned for this share of the error of the last. */
 static const double ROUND_SHARE = 0.7;
@@ -42,7 +37,8 @@ struct pp_planner {
     const void *client;               /* not owned */
     struct pp_planner_options options;
     struct pp_sobol sobol;
-    char *states; /* a thread's own, one behind another */
+    struct pp_crew *crew;
+    char *states; /* one for each of the crew, one behind another */
     struct planned_point *points;
     int point_count, most_points;
 
@@ -51,7 +47,6 @@ struct pp_planner {
     double round; /* by the clock: the share of the pilot's error that is wanted */
     struct planner_unit *units; /* of this pass */
     int unit_count, unit_capacity, next_unit;
-    int batch;                     /* units at a time */
     struct pp_path_work forgotten; /* before the last restart */
 };
 
@@ -138,20 +133,21 @@ enum pp_status pp_planner_create(struct pp_planner **result,
     planner->sampler = sampler;
     planner->client = client;
     planner->options = *options;
-    if (options->threads == 0)
-        planner->options.threads = pp_processors();
-    planner->batch = FIRST_BATCH;
     planner->point_count = planner->most_points = points;
     pp_sobol_init(&planner->sobol);
     planner->points = calloc((size_t)points + 1, sizeof *planner->points);
-    planner->states = calloc((size_t)planner->options.threads, sampler->state_size);
-    status =
-        planner->points && planner->states ? begin(planner, err) : pp_fail_memory(err);
+    status = planner->points ? begin(planner, err) : pp_fail_memory(err);
+    if (status == PP_OK)
+        status = pp_crew_create(&planner->crew, options->threads, err);
+    int members = status == PP_OK ? pp_crew_size(planner->crew) : 0;
+    planner->states = calloc((size_t)members + 1, sampler->state_size);
+    if (status == PP_OK && !planner->states)
+        status = pp_fail_memory(err);
     if (status != PP_OK) {
         pp_planner_destroy(planner);
         return status;
     }
-    for (int i = 0; i < planner->options.threads; i++)
+    for (int i = 0; i < members; i++)
         sampler->begin(client, planner->states + (size_t)i * sampler->state_size);
     *result = planner;
     return PP_OK;
@@ -165,6 +161,7 @@ void pp_planner_destroy(struct pp_planner *planner)
         for (int stage = 0; stage < FINISHED; stage++)
             free(planner->points[i].stages[stage]);
     free(planner->points);
+    pp_crew_destroy(planner->crew);
     free(planner->states);
     free(planner->units);
     free(planner);
@@ -353,22 +350,25 @@ static void run(const struct pp_planner *planner, struct planner_unit unit, void
     }
 }
 
-static void run_batch(struct pp_planner *planner, int first, int end)
+/* The units that are run until the caller's time is up. */
+struct slice {
+    struct pp_planner *planner;
+    double end_s;
+};
+
+static bool run_unit(void *data, int member, int index)
 {
-#pragma omp parallel num_threads(planner->options.threads)
-    {
-        void *state =
-            planner->states + (size_t)pp_processor() * planner->sampler->state_size;
-#pragma omp for schedule(dynamic, 1)
-        for (int i = first; i < end; i++)
-            run(planner, planner->units[i], state);
-    }
+    const struct slice *slice = data;
+    struct pp_planner *planner = slice->planner;
+    run(planner, planner->units[index],
+        planner->states + (size_t)member * planner->sampler->state_size);
+    return pp_clock_s() < slice->end_s;
 }
 
 enum pp_status pp_planner_advance(struct pp_planner *planner, double seconds,
                                   struct pp_error *err)
 {
-    double start = pp_clock_s(), before = start;
+    struct slice slice = {planner, pp_clock_s() + seconds};
     while (planner->stage != FINISHED) {
         if (planner->next_unit == planner->unit_count) {
             enum pp_status status = list_units(planner, err);
@@ -380,24 +380,17 @@ enum pp_status pp_planner_advance(struct pp_planner *planner, double seconds,
                 return status;
             continue;
         }
-        int end = planner->next_unit + planner->batch;
-        if (end > planner->unit_count)
-            end = planner->unit_count;
-        run_batch(planner, planner->next_unit, end);
-        planner->next_unit = end;
-
-        /* Batches of a few milliseconds: long enough to share out, short enough to
-         * stop. */
-        double after = pp_clock_s();
-        if (after - before < 0.002 && planner->batch < MOST_BATCH)
-            planner->batch *= 2;
-        if (after - before > 0.02 && planner->batch > FIRST_BATCH)
-            planner->batch /= 2;
-        before = after;
-        if (after - start >= seconds)
+        planner->next_unit = pp_crew_run(planner->crew, planner->next_unit,
+                                         planner->unit_count, run_unit, &slice);
+        if (pp_clock_s() >= slice.end_s)
             break;
     }
     return PP_OK;
+}
+
+struct pp_crew *pp_planner_crew(const struct pp_planner *planner)
+{
+    return planner->crew;
 }
 
 bool pp_planner_done(const struct pp_planner *planner)

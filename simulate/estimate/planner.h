@@ -15,7 +15,7 @@
 #ifndef PP_SIMULATE_ESTIMATE_PLANNER_H
 #define PP_SIMULATE_ESTIMATE_PLANNER_H
 
-#include "model/base/error.h"
+#include "model/base/crew.h"
 #include "simulate/estimate/plan.h"
 
 struct pp_planner_options {
@@ -26,7 +26,7 @@ struct pp_planner_options {
                          * points' values */
     long samples;       /* paths of each estimator in a randomisation; 0: not set */
     int randomisations; /* by samples; 0: PP_RANDOMISATIONS */
-    int threads;        /* 0: as many as the machine has processors */
+    int threads;        /* 0: as many as there are processors */
 };
 
 struct pp_planner;
@@ -43,10 +43,13 @@ void pp_planner_destroy(struct pp_planner *planner); /* NULL is allowed */
  * forgotten but the work that was done. By samples only. */
 void pp_planner_restart(struct pp_planner *planner, int points);
 
-/* Works for about `seconds` (by the clock; at least one batch of work). */
+/* Works for about `seconds` (by the clock; at least one step of one randomisation). */
 enum pp_status pp_planner_advance(struct pp_planner *planner, double seconds,
                                   struct pp_error *err);
 bool pp_planner_done(const struct pp_planner *planner);
+
+/* The threads at work, for more that belongs to it. */
+struct pp_crew *pp_planner_crew(const struct pp_planner *planner);
 
 /* The share of the work that is done, 0 to 1, by the present plan. */
 double pp_planner_progress(const struct pp_planner *planner);

@@ -8,7 +8,6 @@
 #include "simulate/estimate/planner.h"
 #include "simulate/render/render_parts.h"
 #include "simulate/sampling/hash.h"
-#include "simulate/sampling/processors.h"
 #include "simulate/scene/light_scene_parts.h"
 
 enum {
@@ -233,6 +232,19 @@ struct pp_render_tile pp_render_tile(const struct pp_render *render, int tile)
                                    y1 < options->height ? y1 : options->height};
 }
 
+/* What pixel i of the tile at hand shows. */
+static bool show_pixel(void *data, int member, int i)
+{
+    (void)member;
+    struct pp_render *render = data;
+    int x, y;
+    place_of(render, i, &x, &y);
+    read_pixel(render, i);
+    render->tags[(size_t)y * (size_t)render->options.width + (size_t)x] =
+        tag_of_pixel(render, x, y);
+    return true;
+}
+
 /* Paths of (pixel, randomisation) by any thread, then what the pixels show. */
 static enum pp_status draw_tile(struct pp_render *render, int tile,
                                 struct pp_error *err)
@@ -243,14 +255,7 @@ static enum pp_status draw_tile(struct pp_render *render, int tile,
     enum pp_status status = pp_planner_advance(render->planner, INFINITY, err);
     if (status != PP_OK)
         return status;
-#pragma omp parallel for num_threads(render->options.threads)
-    for (int i = 0; i < count; i++) {
-        int x, y;
-        place_of(render, i, &x, &y);
-        read_pixel(render, i);
-        render->tags[(size_t)y * (size_t)render->options.width + (size_t)x] =
-            tag_of_pixel(render, x, y);
-    }
+    pp_crew_run(pp_planner_crew(render->planner), 0, count, show_pixel, render);
     render->tile_done[tile] = 1;
     render->done_count++;
     return PP_OK;
@@ -310,14 +315,12 @@ enum pp_status pp_render_create(struct pp_render **render_out,
     while (samples < options->samples)
         samples *= 2;
     render->options.samples = samples;
-    if (options->threads == 0)
-        render->options.threads = pp_processors();
     render->eye_space = pp_light_scene_space(scene, options->camera.eye);
 
     const struct pp_planner_options planned = {
         .samples = samples / (options->randomisations + !options->randomisations),
         .randomisations = options->randomisations + !options->randomisations,
-        .threads = render->options.threads};
+        .threads = options->threads};
     render->tile = (struct pp_render_tile){0, 0, PP_RENDER_TILE, PP_RENDER_TILE};
     status = pp_planner_create(&render->planner, &sampler, render,
                                PP_RENDER_TILE * PP_RENDER_TILE, &planned, err);

@@ -10,7 +10,7 @@ enum { PP_RENDER_TILE = 16 }; /* pixels along its side */
 struct pp_render {
     const struct pp_light_scene *scene;
     const struct pp_environment *environment; /* NULL: of a description */
-    struct pp_render_options options; /* samples: a power of two; threads: 1 or more */
+    struct pp_render_options options;         /* samples: a power of two */
     struct pp_planner *planner;
     struct pp_render_tile tile;        /* at hand */
     enum pp_space eye_space;           /* of all rays but those of a parallel view */

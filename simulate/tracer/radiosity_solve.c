@@ -5,6 +5,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "model/base/crew.h"
 #include "model/geometry/bounds.h"
 #include "simulate/sampling/hash.h"
 #include "simulate/sampling/lobe.h"
@@ -208,23 +209,40 @@ static void fill_beside(struct pp_radiosity *radiosity,
             radiosity->values[i] = in_figure > 0 ? sum / in_figure : 0.0;
 }
 
+/* The patches that are lit, by any member of a crew. */
+struct lighting {
+    const struct pp_radiosity *radiosity;
+    struct radiosity_patch *patches;
+    const struct pp_light_scene *scene;
+    const struct pp_environment *environment;
+    const struct pp_sobol *sobol;
+    uint64_t seed;
+};
+
+static bool light_one(void *data, int member, int i)
+{
+    (void)member;
+    const struct lighting *lighting = data;
+    struct radiosity_patch *patch = &lighting->patches[i];
+    if (patch->in_figure)
+        light_patch(patch, lighting->radiosity, lighting->scene, lighting->environment,
+                    lighting->sobol, pp_hash(lighting->seed, (uint64_t)i));
+    else
+        for (int k = 0; k < LOBE_SAMPLES; k++)
+            patch->seen[k] = -1;
+    return true;
+}
+
 static void work_out(struct pp_radiosity *radiosity, struct radiosity_patch *patches,
                      const struct pp_light_scene *scene,
                      const struct pp_environment *environment,
-                     const struct pp_sobol *sobol, uint64_t seed, int threads)
+                     const struct pp_sobol *sobol, uint64_t seed, struct pp_crew *crew)
 {
     const struct pp_world *world = scene->world;
     int count = radiosity->count;
-    (void)threads;
+    struct lighting lighting = {radiosity, patches, scene, environment, sobol, seed};
     place_patches(patches, radiosity, scene, world);
-#pragma omp parallel for num_threads(threads) schedule(dynamic, 16)
-    for (int i = 0; i < count; i++)
-        if (patches[i].in_figure)
-            light_patch(&patches[i], radiosity, scene, environment, sobol,
-                        pp_hash(seed, (uint64_t)i));
-        else
-            for (int k = 0; k < LOBE_SAMPLES; k++)
-                patches[i].seen[k] = -1;
+    pp_crew_run(crew, 0, count, light_one, &lighting);
     exchange(radiosity->values, patches, count, scene);
     for (int i = 0; i < world->surface_count; i++)
         for (int side = 0; side < 2; side++)
@@ -256,13 +274,16 @@ enum pp_status pp_radiosity_solve(struct pp_radiosity **result,
         radiosity->values = calloc((size_t)radiosity->count, sizeof *radiosity->values);
         patches = calloc((size_t)radiosity->count, sizeof *patches);
     }
-    if (!radiosity->grids || !radiosity->values || !patches) {
-        free(patches);
+    struct pp_crew *crew = NULL;
+    enum pp_status status = radiosity->grids && radiosity->values && patches
+                                ? pp_crew_create(&crew, threads, err)
+                                : pp_fail_memory(err);
+    if (status == PP_OK)
+        work_out(radiosity, patches, scene, environment, sobol, seed, crew);
+    else
         pp_radiosity_destroy(radiosity);
-        return pp_fail_memory(err);
-    }
-    work_out(radiosity, patches, scene, environment, sobol, seed, threads);
+    pp_crew_destroy(crew);
     free(patches);
-    *result = radiosity;
-    return PP_OK;
+    *result = status == PP_OK ? radiosity : NULL;
+    return status;
 }

@@ -6,7 +6,6 @@
 
 #include "simulate/estimate/planner.h"
 #include "simulate/sampling/hash.h"
-#include "simulate/sampling/processors.h"
 #include "simulate/scene/light_scene_of_world.h"
 #include "simulate/scene/light_scene_parts.h"
 #include "simulate/scene/unsampled.h"
@@ -182,9 +181,9 @@ enum pp_status pp_tracer_create(struct pp_tracer **result,
     uint64_t seed = seed_of_room(options->seed, scene->world);
     struct pp_sobol sobol;
     pp_sobol_init(&sobol);
-    enum pp_status status = pp_radiosity_solve(
-        &tracer->radiosity, scene, environment, &sobol, pp_hash(seed, 1),
-        options->threads > 0 ? options->threads : pp_processors(), err);
+    enum pp_status status =
+        pp_radiosity_solve(&tracer->radiosity, scene, environment, &sobol,
+                           pp_hash(seed, 1), options->threads, err);
     if (status == PP_OK) {
         bool average = options->average && tracer->scene->plane_count > 0;
         tracer->point_count = receiver_count + average;

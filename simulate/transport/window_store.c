@@ -5,9 +5,9 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "model/base/crew.h"
 #include "simulate/sampling/hash.h"
 #include "simulate/sampling/lobe.h"
-#include "simulate/sampling/processors.h"
 #include "simulate/transport/light_path.h"
 
 enum {
@@ -113,16 +113,30 @@ static void fill_patch(struct pp_window_table *table, struct pp_radiance_state *
     }
 }
 
-static void fill(struct pp_window_store *store, const struct pp_light_scene *scene,
-                 const struct pp_environment *environment, const struct pp_sobol *sobol,
-                 uint64_t seed, int window, int patch)
+/* The patches of one window, to be filled by any member of a crew. */
+struct filling {
+    struct pp_window_store *store;
+    const struct pp_light_scene *scene;
+    const struct pp_environment *environment;
+    const struct pp_sobol *sobol;
+    uint64_t seed;
+    int window;
+};
+
+static bool fill(void *data, int member, int patch)
 {
-    struct pp_radiance_state state = {.scene = scene,
-                                      .environment = environment,
+    (void)member;
+    const struct filling *filling = data;
+    struct pp_window_store *store = filling->store;
+    int window = filling->window;
+    struct pp_radiance_state state = {.scene = filling->scene,
+                                      .environment = filling->environment,
                                       .options = pp_radiance_state_defaults()};
-    pp_sobol_sequence_init(&state.sequence, sobol,
-                           pp_hash(pp_hash(seed, (uint64_t)window), (uint64_t)patch));
+    pp_sobol_sequence_init(
+        &state.sequence, filling->sobol,
+        pp_hash(pp_hash(filling->seed, (uint64_t)window), (uint64_t)patch));
     fill_patch(&store->tables[window], &state, window, patch, store->samples);
+    return true;
 }
 
 /* As many paths for few large patches as for many small ones. */
@@ -139,15 +153,13 @@ static uint32_t samples_of(const struct pp_window_store *store)
 
 static void fill_all(struct pp_window_store *store, const struct pp_light_scene *scene,
                      const struct pp_environment *environment,
-                     const struct pp_sobol *sobol, uint64_t seed, int threads)
+                     const struct pp_sobol *sobol, uint64_t seed, struct pp_crew *crew)
 {
-    (void)threads;
     for (int i = 0; i < store->count; i++) {
         const struct pp_window_table *table = &store->tables[i];
         int patches = table->radiance ? table->columns * table->rows : 0;
-#pragma omp parallel for num_threads(threads) schedule(dynamic, 1)
-        for (int k = 0; k < patches; k++)
-            fill(store, scene, environment, sobol, seed, i, k);
+        struct filling filling = {store, scene, environment, sobol, seed, i};
+        pp_crew_run(crew, 0, patches, fill, &filling);
     }
 }
 
@@ -176,10 +188,9 @@ enum pp_status pp_window_store_create(struct pp_window_store **result,
     *result = NULL;
     if (scene->pane_count == 0)
         return PP_OK;
-    if (threads <= 0)
-        threads = pp_processors();
     struct pp_window_store *store = calloc(1, sizeof *store);
     struct pp_sobol *sobol = malloc(sizeof *sobol);
+    struct pp_crew *crew = NULL;
     enum pp_status status = store && sobol ? PP_OK : pp_fail_memory(err);
     if (status == PP_OK) {
         pp_sobol_init(sobol);
@@ -189,10 +200,13 @@ enum pp_status pp_window_store_create(struct pp_window_store **result,
     }
     if (status == PP_OK)
         status = lay_out(store, scene, sobol, seed, err);
+    if (status == PP_OK)
+        status = pp_crew_create(&crew, threads, err);
     if (status == PP_OK) {
         store->samples = samples_of(store);
-        fill_all(store, scene, environment, sobol, seed, threads);
+        fill_all(store, scene, environment, sobol, seed, crew);
     }
+    pp_crew_destroy(crew);
     free(sobol);
     if (status != PP_OK) {
         pp_window_store_destroy(store);

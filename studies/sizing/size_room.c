@@ -190,7 +190,8 @@ static enum pp_status find_reliability(struct pp_size_room_result *result,
 {
     struct pp_report report = {.world = valuation->room->world,
                                .light = valuation->room->light,
-                               .finished = true};
+                               .finished = true,
+                               .threads = valuation->request->study->threads};
     enum pp_status status =
         pp_methods_evaluate(&report, valuation->by_hand.method, err);
     if (status == PP_OK)
@@ -276,7 +277,8 @@ enum pp_status pp_size_room(struct pp_size_room_result *result,
         .request = request,
         .room = room,
         .by_hand = {.points = points ? room->receivers : NULL,
-                    .point_count = points ? room->receiver_count : 0}};
+                    .point_count = points ? room->receiver_count : 0,
+                    .threads = request->study->threads}};
     *result = (struct pp_size_room_result){
         .room = room, .traced = pp_reading_none(NULL), .holds = true};
     find_text(result);

@@ -1,7 +1,6 @@
 /* test_evaluate.c - sums over openings, corrections, selections, averages, refusals. */
 #include "methods/evaluate.h"
 
-#include <omp.h>
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -34,19 +33,27 @@ static struct pp_world *room_with_window(struct pp_outside_light *light,
     return pp_test_lit_world(light, xml);
 }
 
-static struct pp_report evaluate(const struct pp_world *world,
-                                 const struct pp_outside_light *light,
-                                 const char *selection)
+static struct pp_report evaluate_by(int threads, const struct pp_world *world,
+                                    const struct pp_outside_light *light,
+                                    const char *selection)
 {
     struct pp_report report = {.world = world,
                                .light = *light,
                                .receivers = world->receivers,
                                .receiver_count = world->receiver_count,
-                               .finished = true};
+                               .finished = true,
+                               .threads = threads};
     struct pp_error err = {0};
     if (pp_methods_evaluate(&report, selection, &err) != PP_OK)
         fail_msg("%s", err.message);
     return report;
+}
+
+static struct pp_report evaluate(const struct pp_world *world,
+                                 const struct pp_outside_light *light,
+                                 const char *selection)
+{
+    return evaluate_by(0, world, light, selection);
 }
 
 static const struct pp_column *column_of(const struct pp_report *report,
@@ -398,12 +405,8 @@ static void the_numbers_do_not_depend_on_the_number_of_threads(void **state)
         "<block x=\"-3\" y=\"-14\" width=\"9\" depth=\"4\" height=\"7\"/></room>");
     assert_true(world->receiver_count > 64); /* fewer are not dealt out */
     struct pp_report reports[2];
-    int threads = omp_get_max_threads();
-    for (int i = 0; i < 2; i++) {
-        omp_set_num_threads(1 + 3 * i);
-        reports[i] = evaluate(world, &light, "default");
-    }
-    omp_set_num_threads(threads);
+    for (int i = 0; i < 2; i++)
+        reports[i] = evaluate_by(1 + 3 * i, world, &light, "default");
     for (int c = 0; c < reports[0].column_count; c++) {
         const struct pp_column *a = reports[0].columns + c, *b = reports[1].columns + c;
         assert_memory_equal(&a->average.value, &b->average.value, sizeof(double));

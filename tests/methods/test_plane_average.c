@@ -1,23 +1,24 @@
 /* test_plane_average.c - means over the working plane. */
 #include "methods/plane_average.h"
 
+#include <stdatomic.h>
+
 #include "methods/evaluate.h"
 #include "tests/lib/room_of.h"
 
 /* The averaged quantity, and the number of calls. */
 struct quantity {
     double (*of)(double x, double y);
-    int asked;
+    atomic_int asked;
     int stop_after;
+    int threads;
 };
 
 static bool ask(void *data, const struct pp_receiver *receiver,
                 double values[PP_PLANE_VALUES])
 {
     struct quantity *quantity = data;
-    int asked;
-#pragma omp atomic capture
-    asked = ++quantity->asked;
+    int asked = atomic_fetch_add(&quantity->asked, 1) + 1;
     values[0] = quantity->of(receiver->position.x, receiver->position.y);
     values[1] = 2.0 * values[0];
     return quantity->stop_after == 0 || asked < quantity->stop_after;
@@ -39,14 +40,23 @@ static struct pp_world *l_shape(void)
                          "</plan></room>");
 }
 
+static bool average(double mean[PP_PLANE_VALUES], struct pp_world *world,
+                    struct quantity *quantity)
+{
+    struct pp_crew *crew;
+    bool stopped;
+    assert_int_equal(pp_crew_create(&crew, quantity->threads, NULL), PP_OK);
+    assert_int_equal(
+        pp_plane_average(mean, &stopped, world, ask, quantity, 1e-3, 2000, crew, NULL),
+        PP_OK);
+    pp_crew_destroy(crew);
+    return !stopped;
+}
+
 static double mean_of(struct pp_world *world, struct quantity *quantity)
 {
     double mean[PP_PLANE_VALUES];
-    bool stopped;
-    assert_int_equal(
-        pp_plane_average(mean, &stopped, world, ask, quantity, 1e-3, 2000, NULL),
-        PP_OK);
-    assert_false(stopped);
+    assert_true(average(mean, world, quantity));
     assert_near(mean[1], 2.0 * mean[0], 1e-12 * fabs(mean[0]));
     return mean[0];
 }
@@ -79,7 +89,7 @@ static void a_constant_and_a_polynomial_come_out(void **state)
     double expected[2] = {3.7 * 3.7 / 3 * 6.1 / 2,
                           (125.0 / 3 * 2 + 8.0 / 3 * 6) / 14.0};
     for (int i = 0; i < 2; i++) {
-        struct quantity constant = {one, 0, 0}, polynomial = {x_squared_y, 0, 0};
+        struct quantity constant = {one, 0, 0, 1}, polynomial = {x_squared_y, 0, 0, 1};
         assert_relative(mean_of(worlds[i], &constant), 1.0, 1e-14);
         /* Points of a rectangle are graded, which makes it one of degree 13. */
         assert_relative(mean_of(worlds[i], &polynomial), expected[i],
@@ -93,7 +103,7 @@ static void a_peak_at_a_wall_comes_out_to_the_error_asked_for(void **state)
 {
     (void)state;
     struct pp_world *world = rectangle();
-    struct quantity quantity = {peak, 0, 0};
+    struct quantity quantity = {peak, 0, 0, 1};
     double mean = mean_of(world, &quantity), sum = 0.0;
     enum { ACROSS = 500, ALONG = 1000 };
     for (int i = 0; i < ACROSS; i++)
@@ -129,18 +139,18 @@ static void an_edge_costs_no_more_than_the_points_allowed(void **state)
 {
     (void)state;
     struct pp_world *world = rectangle();
-    struct quantity quantity = {beyond_a_line, 0, 0};
+    struct quantity quantity = {beyond_a_line, 0, 0, 1};
     double under = (2.9 + (2.9 - 0.37 * 3.7)) / 2 / 6.1;
     assert_near(mean_of(world, &quantity), 1.0 - 0.95 * under, 3e-3);
     assert_in_range(quantity.asked, 500, 2100);
     pp_world_destroy(world);
 }
 
-static void the_numbers_are_the_same_each_time(void **state)
+static void the_numbers_are_the_same_with_any_number_of_threads(void **state)
 {
     (void)state;
     struct pp_world *world = l_shape();
-    struct quantity first = {peak, 0, 0}, second = {peak, 0, 0};
+    struct quantity first = {peak, 0, 0, 1}, second = {peak, 0, 0, 4};
     assert_near(mean_of(world, &first), mean_of(world, &second), 0.0);
     assert_int_equal(first.asked, second.asked);
     pp_world_destroy(world);
@@ -150,13 +160,9 @@ static void the_function_can_end_it(void **state)
 {
     (void)state;
     struct pp_world *world = rectangle();
-    struct quantity quantity = {peak, 0, 5};
+    struct quantity quantity = {peak, 0, 5, 1};
     double mean[PP_PLANE_VALUES];
-    bool stopped = false;
-    assert_int_equal(
-        pp_plane_average(mean, &stopped, world, ask, &quantity, 1e-3, 2000, NULL),
-        PP_OK);
-    assert_true(stopped);
+    assert_false(average(mean, world, &quantity));
     pp_world_destroy(world);
 }
 
@@ -167,7 +173,7 @@ int main(void)
         cmocka_unit_test(a_peak_at_a_wall_comes_out_to_the_error_asked_for),
         cmocka_unit_test(light_under_a_sill_is_not_stepped_over),
         cmocka_unit_test(an_edge_costs_no_more_than_the_points_allowed),
-        cmocka_unit_test(the_numbers_are_the_same_each_time),
+        cmocka_unit_test(the_numbers_are_the_same_with_any_number_of_threads),
         cmocka_unit_test(the_function_can_end_it),
     };
     return cmocka_run_group_tests_name("plane average", tests, NULL, NULL);

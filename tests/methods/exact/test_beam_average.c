@@ -34,14 +34,16 @@ static void assert_same_mean(const char *body, int points, double share)
     snprintf(xml, sizeof xml, "<room version='1'>%s</room>", body);
     struct pp_outside_light light;
     struct pp_world *world = pp_test_lit_world(&light, xml);
+    struct pp_crew *crew;
     assert_true(world->opening_count > 0);
+    assert_int_equal(pp_crew_create(&crew, 1, NULL), PP_OK);
     for (int i = 0; i < world->opening_count; i++) {
         struct pointwise task = {world, &light, &world->openings[i]};
         struct pp_part part = {0};
         double mean[PP_PLANE_VALUES];
         bool stopped, known;
         assert_int_equal(pp_plane_average(mean, &stopped, world, at_point, &task, 1e-5,
-                                          points, NULL),
+                                          points, crew, NULL),
                          PP_OK);
         assert_false(stopped);
         assert_int_equal(pp_method_exact.average(world, &light, task.opening, NULL,
@@ -53,6 +55,7 @@ static void assert_same_mean(const char *body, int points, double share)
         assert_near(part.sky, mean[0], share * sum);
         assert_near(part.external, mean[1], share * sum);
     }
+    pp_crew_destroy(crew);
     pp_world_destroy(world);
 }
 

@@ -1,0 +1,54 @@
+/* opening_averages.c - asks the method for one opening after another, or for several at
+ * once. */
+#include "methods/opening_averages.h"
+
+struct averages {
+    struct pp_part *parts;
+    const struct pp_method *method;
+    const struct pp_world *world;
+    const struct pp_outside_light *light;
+    const void *tools;
+    struct pp_crew *crew;
+
+    /* The first opening without an average, and what became of it; by the lock. */
+    int first;
+    enum pp_status status;
+    struct pp_error err;
+};
+
+static bool average_one(void *data, int member, int i)
+{
+    (void)member;
+    struct averages *averages = data;
+    struct pp_error err = {0};
+    bool known = false;
+    enum pp_status status = averages->method->average(
+        averages->world, averages->light, averages->world->openings + i,
+        averages->tools, averages->parts + i, &known, &err);
+    if (status == PP_OK && known)
+        return true;
+    pp_crew_lock(averages->crew);
+    if (i < averages->first) {
+        averages->first = i;
+        averages->status = status;
+        averages->err = err;
+    }
+    pp_crew_unlock(averages->crew);
+    return false;
+}
+
+enum pp_status pp_opening_averages(struct pp_part *parts, bool *known,
+                                   const struct pp_method *method,
+                                   const struct pp_world *world,
+                                   const struct pp_outside_light *light,
+                                   const void *tools, struct pp_crew *crew,
+                                   struct pp_error *err)
+{
+    struct averages averages = {
+        parts, method, world, light, tools, crew, .first = world->opening_count};
+    pp_crew_run(crew, 0, world->opening_count, average_one, &averages);
+    *known = averages.first == world->opening_count;
+    return averages.status == PP_OK
+               ? PP_OK
+               : pp_fail(err, averages.status, "%s", averages.err.message);
+}
