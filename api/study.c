@@ -142,17 +142,9 @@ enum pp_status pp_study_set_points(struct pp_study *study, const double (*points
         return pp_fail_memory(err);
     for (int i = 0; i < count; i++) {
         struct pp_vec3 at = pp_vec(points[i][0], points[i][1], points[i][2]);
-        if (isnan(at.z))
-            at.z = world->working_plane_m;
-        receivers[i].position = at;
-        receivers[i].normal = pp_vec(0.0, 0.0, 1.0);
-        const char *fault = pp_position_receiver_fault(world, at, receivers[i].normal);
-        if (fault) {
+        if (pp_position_place_receiver(&receivers[i], world, at, err) != PP_OK) {
             free(receivers);
-            return pp_fail(err, PP_BAD_INPUT,
-                           "the point %g,%g,%g %s; expected a place in the room's free "
-                           "space",
-                           at.x, at.y, at.z, fault);
+            return PP_BAD_INPUT;
         }
     }
     place(study, receivers, count, false);

@@ -119,22 +119,15 @@ static enum pp_exit place_points(struct pp_study_room *room,
     }
     pp_study_room_set_points(room, receivers, points->count);
     for (int i = 0; i < points->count; i++) {
-        struct pp_vec3 at = points->list[i];
-        if (isnan(at.z))
-            at.z = room->world->working_plane_m;
-        receivers[i].position = at;
-        receivers[i].normal = pp_vec(0.0, 0.0, 1.0);
-        const char *fault =
-            pp_position_receiver_fault(room->world, at, receivers[i].normal);
-        if (fault) {
-            const char *name = room->world->name;
-            pp_fail(&err, PP_BAD_INPUT,
-                    "%s: the point %g,%g,%g of --points %s%s%.100s; expected a place "
-                    "in the room's free space",
-                    room->file, at.x, at.y, at.z, fault, name ? " of " : "",
-                    name ? name : "");
-            return pp_message_error(&err);
-        }
+        struct pp_error own = {0};
+        const char *name = room->world->name;
+        if (pp_position_place_receiver(&receivers[i], room->world, points->list[i],
+                                       &own)
+            == PP_OK)
+            continue;
+        pp_fail(&err, PP_BAD_INPUT, "%s%s%.100s: --points: %s", room->file,
+                name ? ", " : "", name ? name : "", own.message);
+        return pp_message_error(&err);
     }
     return PP_EXIT_DONE;
 }

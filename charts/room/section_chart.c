@@ -233,19 +233,6 @@ static void draw_plot(struct pp_section_plot *plot, struct pp_box aside)
 
 /* ---- the sheet ---- */
 
-bool pp_section_chart_landscape(const struct pp_section_chart *chart)
-{
-    const struct pp_report *report = chart->report;
-    struct pp_section_cut cut;
-    if (pp_section_cut_init(&cut, report->world, report->receivers,
-                            report->receiver_count, 0)
-        != PP_OK)
-        return true;
-    bool landscape = cut.length_m > 4.5 * report->world->height_m;
-    pp_section_cut_clear(&cut);
-    return landscape;
-}
-
 static void say_notes(struct pp_section_plot *plot,
                       const struct pp_section_chart *chart)
 {

@@ -32,9 +32,6 @@ struct pp_section_chart {
     int note_count;
 };
 
-/* Does the room's section ask for a sheet that lies on its side? */
-bool pp_section_chart_landscape(const struct pp_section_chart *chart);
-
 /* PP_BAD_INPUT where the receivers don't lie on a line. A report without any value is
  * drawn as far as it goes, and the chart says so. */
 enum pp_status pp_section_chart_draw(struct pp_canvas *canvas,

@@ -20,6 +20,7 @@
 #include "cli/rooms.h"
 #include "methods/evaluate.h"
 #include "methods/selection.h"
+#include "model/base/text.h"
 
 static const char about[] =
     "Without FILE: the program's answers beside those that are known on paper (open "
@@ -254,6 +255,20 @@ static void take_word(struct validate_options *options, char **operands, int cou
     }
 }
 
+static enum pp_status fail_page(struct pp_error *err)
+{
+    enum { MOST = 16 };
+    const char *names[MOST];
+    char text[200] = "";
+    int count = 0;
+    while (count < MOST && pp_suite_at(count)) {
+        names[count] = pp_suite_at(count)->name;
+        count++;
+    }
+    pp_text_append_list(text, sizeof text, names, count, " or ");
+    return pp_fail(err, PP_BAD_INPUT, "--page is of a suite; expected %s", text);
+}
+
 static enum pp_status check_suite(const struct validate_options *options,
                                   int file_count, struct pp_error *err)
 {
@@ -271,8 +286,7 @@ static enum pp_status check_suite(const struct validate_options *options,
         return pp_fail(err, PP_BAD_INPUT,
                        "expected room files, or - for standard input");
     if (!options->suite && options->page)
-        return pp_fail(err, PP_BAD_INPUT,
-                       "--page is of a suite; expected analytic, published or cie171");
+        return fail_page(err);
     return PP_OK;
 }
 

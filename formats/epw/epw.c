@@ -80,8 +80,3 @@ void pp_epw_destroy(struct pp_epw *epw)
     free(epw->records);
     free(epw);
 }
-
-bool pp_epw_covers_a_year(const struct pp_epw *epw)
-{
-    return epw->record_count * epw->record_h >= 8760.0 - 0.5 * epw->record_h;
-}

@@ -58,7 +58,4 @@ enum pp_status pp_epw_parse(struct pp_epw **epw, const char *bytes, size_t lengt
 
 void pp_epw_destroy(struct pp_epw *epw); /* NULL is allowed */
 
-/* Do the records cover a whole year, to within half a record? */
-bool pp_epw_covers_a_year(const struct pp_epw *epw);
-
 #endif

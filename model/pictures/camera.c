@@ -80,12 +80,6 @@ static double half_extent(enum pp_view_kind kind, double size)
     return size / 2.0;
 }
 
-double pp_camera_aspect(const struct pp_camera *camera)
-{
-    return half_extent(camera->kind, camera->across)
-           / half_extent(camera->kind, camera->down);
-}
-
 bool pp_camera_ray(const struct pp_camera *camera, double x, double y,
                    struct pp_vec3 *from, struct pp_vec3 *to)
 {

@@ -42,9 +42,6 @@ enum pp_status pp_camera_set(struct pp_camera *camera, enum pp_view_kind kind,
                              struct pp_vec3 up, double across, double down,
                              struct pp_error *err);
 
-/* Width over height of the picture that shows the view undistorted. */
-double pp_camera_aspect(const struct pp_camera *camera);
-
 /* The ray through a place in the picture: from where, and to (unit). False where there
  * is none: outside a fisheye's circle. */
 bool pp_camera_ray(const struct pp_camera *camera, double x, double y,

@@ -142,18 +142,18 @@ const char *pp_position_receiver_fault(const struct pp_world *world,
     return NULL;
 }
 
-enum pp_status pp_position_place_receiver(const struct pp_world *world, double x,
-                                          double y, double z,
-                                          struct pp_receiver *receiver,
-                                          struct pp_error *err)
+enum pp_status pp_position_place_receiver(struct pp_receiver *receiver,
+                                          const struct pp_world *world,
+                                          struct pp_vec3 place, struct pp_error *err)
 {
-    if (isnan(z))
-        z = world->working_plane_m;
-    *receiver = (struct pp_receiver){.position = pp_vec(x, y, z),
-                                     .normal = pp_vec(0.0, 0.0, 1.0)};
-    const char *fault =
-        pp_position_receiver_fault(world, receiver->position, receiver->normal);
-    if (fault)
-        return pp_fail(err, PP_BAD_INPUT, "the point (%g, %g, %g) %s", x, y, z, fault);
-    return PP_OK;
+    if (isnan(place.z))
+        place.z = world->working_plane_m;
+    *receiver =
+        (struct pp_receiver){.position = place, .normal = pp_vec(0.0, 0.0, 1.0)};
+    const char *fault = pp_position_receiver_fault(world, place, receiver->normal);
+    if (!fault)
+        return PP_OK;
+    return pp_fail(err, PP_BAD_INPUT,
+                   "the point %g,%g,%g %s; expected a place in the room's free space",
+                   place.x, place.y, place.z, fault);
 }

@@ -20,11 +20,10 @@ bool pp_position_in_surface(const struct pp_world *world, struct pp_vec3 point);
 const char *pp_position_receiver_fault(const struct pp_world *world,
                                        struct pp_vec3 position, struct pp_vec3 normal);
 
-/* A receiver that faces up at (x, y, z), z NAN: on the working plane; PP_BAD_INPUT
- * where light can't be measured there. */
-enum pp_status pp_position_place_receiver(const struct pp_world *world, double x,
-                                          double y, double z,
-                                          struct pp_receiver *receiver,
-                                          struct pp_error *err);
+/* A receiver that faces up at a place, z NAN: on the working plane; PP_BAD_INPUT where
+ * light can't be measured there. */
+enum pp_status pp_position_place_receiver(struct pp_receiver *receiver,
+                                          const struct pp_world *world,
+                                          struct pp_vec3 place, struct pp_error *err);
 
 #endif

@@ -212,9 +212,3 @@ enum pp_status pp_diffuse_light_median(double *median_lx,
     *median_lx = median;
     return PP_OK;
 }
-
-double pp_diffuse_light_median_lx(const struct pp_diffuse_light *light)
-{
-    double median_lx;
-    return pp_diffuse_light_median(&median_lx, light, NULL) == PP_OK ? median_lx : NAN;
-}

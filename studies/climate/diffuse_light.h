@@ -56,9 +56,6 @@ enum pp_status pp_diffuse_light_median(double *median_lx,
                                        const struct pp_diffuse_light *light,
                                        struct pp_error *err);
 
-/* The same; NAN, too, when memory is out. */
-double pp_diffuse_light_median_lx(const struct pp_diffuse_light *light);
-
 void pp_diffuse_light_clear(struct pp_diffuse_light *light);
 
 #endif

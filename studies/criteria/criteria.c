@@ -30,11 +30,3 @@ bool pp_criteria_is_called(const struct pp_criterion *criterion, const char *nam
     return strcmp(criterion->name, name) == 0
            || (criterion->alias && strcmp(criterion->alias, name) == 0);
 }
-
-const struct pp_criterion *pp_criteria_find(const char *name)
-{
-    for (int i = 0; criteria[i]; i++)
-        if (pp_criteria_is_called(criteria[i], name))
-            return criteria[i];
-    return NULL;
-}

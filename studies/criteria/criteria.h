@@ -25,7 +25,4 @@ const struct pp_criterion *pp_criteria_at(int index);
 /* Is that the criterion's name or its short one? */
 bool pp_criteria_is_called(const struct pp_criterion *criterion, const char *name);
 
-/* The criterion of that name, or NULL. */
-const struct pp_criterion *pp_criteria_find(const char *name);
-
 #endif

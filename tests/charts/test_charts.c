@@ -82,8 +82,7 @@ static char *section(const struct pp_report *report, enum pp_section_scale scale
     static const char *const notes[] = {"Clear single glass."};
     struct pp_section_chart chart = {report, scale, notes, 1};
     struct pp_error err;
-    struct pp_canvas *canvas =
-        canvas_of(format, PP_PAPER_A4, pp_section_chart_landscape(&chart));
+    struct pp_canvas *canvas = canvas_of(format, PP_PAPER_A4, false);
     if (pp_section_chart_draw(canvas, &chart, &err) != PP_OK)
         fail_msg("%s", err.message);
     return finish(canvas, length);

@@ -36,7 +36,8 @@ static void follow(const struct pp_epw *epw)
         must(curve.lx[i] < curve.lx[i - 1]
              && curve.reached_h[i] > curve.reached_h[i - 1]);
     pp_diffuse_curve_clear(&curve);
-    pp_diffuse_light_median_lx(&light);
+    double median_lx;
+    pp_diffuse_light_median(&median_lx, &light, NULL);
     pp_diffuse_light_clear(&light);
 }
 

@@ -218,14 +218,18 @@ static void a_place_is_refused_for_what_is_there(void **state)
 
     struct pp_receiver receiver;
     struct pp_error err = {0};
-    assert_int_equal(pp_position_place_receiver(world, 1.5, 1.0, NAN, &receiver, &err),
-                     PP_OK);
+    assert_int_equal(
+        pp_position_place_receiver(&receiver, world, pp_vec(1.5, 1.0, NAN), &err),
+        PP_OK);
     assert_near(receiver.position.z, 0.85, 0.0);
     assert_near(receiver.normal.z, 1.0, 0.0);
-    assert_int_equal(pp_position_place_receiver(world, 1.5, 4.5, NAN, &receiver, &err),
-                     PP_BAD_INPUT);
-    assert_string_equal(err.message,
-                        "the point (1.5, 4.5, 0.85) lies outside the room");
+    assert_int_equal(
+        pp_position_place_receiver(&receiver, world, pp_vec(1.5, 4.5, NAN), &err),
+        PP_BAD_INPUT);
+    assert_string_equal(
+        err.message,
+        "the point 1.5,4.5,0.85 lies outside the room; expected a place in "
+        "the room's free space");
     pp_world_destroy(world);
 }
 
