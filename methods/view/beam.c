@@ -265,7 +265,7 @@ enum pp_status pp_beam_areas(struct pp_beam_areas *areas, const struct pp_beam *
         return status;
     }
     for (int i = 0; i < count && status == PP_OK; i++)
-        status = pp_fragments_cover(open, space->rings, i, false, err);
+        status = pp_fragments_cover(open, space->rings, i, err);
     for (int i = 0; i < open->count; i++) {
         double area = pp_fragments_area(&open->list[i]);
         int owner = open->list[i].owner;

@@ -187,11 +187,10 @@ static bool cannot_hide(const struct pp_beam *beam, struct pp_vec3 normal,
 static bool is_block_outside(const struct pp_beam *beam, int index)
 {
     const struct pp_block *block = &beam->world->blocks[index];
-    double c = cos(block->rotate_rad), s = sin(block->rotate_rad);
     struct pp_vec3 t = beam->axes.toward;
     double nearest = pp_vec_dot(pp_vec_sub(block->corner, beam->axes.eye), t)
-                     + fmin(0.0, block->width_m * (c * t.x + s * t.y))
-                     + fmin(0.0, block->depth_m * (c * t.y - s * t.x))
+                     + fmin(0.0, pp_vec_dot(block->along, t))
+                     + fmin(0.0, pp_vec_dot(block->across, t))
                      + fmin(0.0, block->height_m * t.z);
     return nearest > PP_OCCLUDERS_COPLANAR_M;
 }

@@ -101,6 +101,11 @@ struct pp_block {
     double reflectance;
     const struct pp_finish *finish; /* as a surface's */
     int line;
+
+    /* Of a world's block: the edges from the corner, width_m and depth_m long, and where
+     * its sides stand among the surfaces. */
+    struct pp_vec3 along, across;
+    int first_side, side_count;
 };
 
 /* The outside of a wall and of what continues it beyond the room; its pieces stand
