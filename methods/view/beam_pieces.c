@@ -5,6 +5,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "methods/view/beam_tree.h"
 #include "methods/view/occluders.h"
 #include "model/base/array.h"
 #include "model/geometry/clip.h"
@@ -255,8 +256,8 @@ static void find_extent(struct pp_beam *beam)
     }
 }
 
-/* Do all pieces and skylines outside reflect and give off the same light? */
-static bool has_one_light(const struct pp_beam *beam)
+/* Do all pieces and skylines outside reflect and give off the same light? Sets which. */
+static bool has_one_light(struct pp_beam *beam)
 {
     double reflectance = NAN, exitance = 0.0;
     for (int i = 0; i < beam->outside.count; i++) {
@@ -278,6 +279,8 @@ static bool has_one_light(const struct pp_beam *beam)
         if (skyline->reflectance != reflectance || exitance != 0.0)
             return false;
     }
+    beam->of_light[0] = isnan(reflectance) ? 0.0 : reflectance;
+    beam->of_light[1] = exitance;
     return true;
 }
 
@@ -301,5 +304,5 @@ enum pp_status pp_beam_pieces_find(struct pp_beam *beam, struct pp_error *err)
     for (int i = 0; beam->with_outside && i < world->skyline_count; i++)
         beam->skylines += world->skylines[i].face == opening->face;
     beam->one_light = has_one_light(beam);
-    return status;
+    return status == PP_OK ? pp_beam_tree_grow(beam, err) : status;
 }

@@ -50,22 +50,13 @@ static struct pp_elevation_part equal_rectangle(const struct pp_area_moments *ex
                                       .high = low + scale * height};
 }
 
-/* The surface that comes next, or the first one behind a block's sides. */
-static int next_surface(const struct pp_world *world, int i)
-{
-    if (world->surfaces[i].role != PP_BLOCK)
-        return i + 1;
-    const struct pp_block *block = &world->blocks[world->surfaces[i].owner];
-    return block->first_side + block->side_count;
-}
-
 /* Do the point and the whole opening lie on one side of each face, and does nothing
  * stand in the room, so that the opening cannot be hidden inside? */
 static bool is_seen_whole(const struct opening_drawing *drawing)
 {
     const struct pp_world *world = drawing->world;
     const struct pp_polygon *opening = &drawing->opening->inner;
-    for (int i = 0; i < world->surface_count; i = next_surface(world, i))
+    for (int i = 0; i < world->surface_count; i = pp_world_next_but_blocks(world, i))
         if (world->surfaces[i].inside && world->surfaces[i].role == PP_FREE_SURFACE)
             return false;
     for (int i = 0; i < world->face_count; i++) {
@@ -282,7 +273,7 @@ static enum pp_status add_surfaces(struct opening_drawing *drawing,
     const struct pp_world *world = drawing->world;
     enum pp_status status = PP_OK;
     for (int i = 0; i < world->surface_count && status == PP_OK;
-         i = next_surface(world, i)) {
+         i = pp_world_next_but_blocks(world, i)) {
         const struct pp_surface *surface = world->surfaces + i;
         bool free_outside = surface->role == PP_FREE_SURFACE && !surface->inside;
         if (i == drawing->opening->face || !(i < world->face_count || free_outside)

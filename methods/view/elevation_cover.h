@@ -10,7 +10,7 @@
 
 #include "methods/view/elevation.h"
 
-enum { PP_ELEVATION_COLUMNS = 256 };
+enum { PP_ELEVATION_COLUMNS = 1024 };
 
 struct pp_elevation_cover {
     double left, width; /* of the first column */

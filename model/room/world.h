@@ -157,7 +157,7 @@ struct pp_world {
     int skyline_count;
     struct pp_facade *facades;
     int facade_count;
-    struct pp_block *blocks;
+    struct pp_block *blocks; /* their sides stand together among the surfaces */
     int block_count;
 
     double height_m;               /* of the highest point of the envelope */
@@ -166,6 +166,9 @@ struct pp_world {
     struct pp_receiver *receivers; /* the file's, or the default grid */
     int receiver_count;
 };
+
+/* The surface behind surface i; behind a side of a block, the first that is none. */
+int pp_world_next_but_blocks(const struct pp_world *world, int i);
 
 /* A room as its file describes it (building.h). */
 struct pp_room;
