@@ -27,7 +27,7 @@ const char *pp_refusals_unless_overcast_and_up(const struct pp_outside_light *li
 
 const char *pp_refusals_if_luminous(const struct pp_world *world)
 {
-    for (int i = 0; i < world->surface_count; i++)
+    for (int i = 0; i < world->surface_count; i = pp_world_next_but_blocks(world, i))
         if (world->surfaces[i].exitance > 0.0)
             return "it knows no surface that gives off light by itself";
     return NULL;

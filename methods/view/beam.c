@@ -4,7 +4,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "methods/view/beam_pieces.h"
+#include "methods/view/beam_tree.h"
 #include "model/geometry/clip.h"
 
 enum pp_status pp_beam_create(struct pp_beam **made, const struct pp_world *world,
@@ -35,6 +35,7 @@ void pp_beam_destroy(struct pp_beam *beam)
     free(beam->plane.list);
     free(beam->inside.list);
     free(beam->outside.list);
+    free(beam->nodes);
     free(beam->corners);
     free(beam);
 }
@@ -64,22 +65,37 @@ static void project(struct pp_fragment_ring *ring, double (*xy)[2],
     pp_fragments_close_ring(ring, xy, piece->count);
 }
 
-/* Does a piece, projected along the direction (a, b, 1), lie beside the opening? By the
- * piece's extent, in the operations of project(), each of which rounds one way in its
- * arguments: never true of a piece whose projection meets the opening's extent. */
-static bool lies_beside(const struct pp_beam *beam, const struct beam_piece *piece,
-                        double a, double b)
+/* Part of the face, from low to high. */
+struct face_extent {
+    double low[2], high[2];
+};
+
+/* Does what stands in a box of the beam's axes, projected along the direction (a, b, 1),
+ * lie beside the extent? In the operations of project(), each of which rounds one way in
+ * its arguments: never true of a piece whose projection meets the extent. */
+static bool lies_beside(const struct face_extent *extent, const struct pp_vec3 *low,
+                        const struct pp_vec3 *high, double a, double b)
 {
-    const double slope[2] = {a, b};
-    const double low[2] = {piece->low.x, piece->low.y};
-    const double high[2] = {piece->high.x, piece->high.y};
-    for (int axis = 0; axis < 2; axis++) {
-        double near = slope[axis] * piece->low.z, far = slope[axis] * piece->high.z;
-        if (high[axis] - fmin(near, far) <= beam->low[axis]
-            || low[axis] - fmax(near, far) >= beam->high[axis])
-            return true;
-    }
-    return false;
+    double near = a * low->z, far = a * high->z;
+    if (high->x - (near < far ? near : far) <= extent->low[0]
+        || low->x - (near < far ? far : near) >= extent->high[0])
+        return true;
+    near = b * low->z;
+    far = b * high->z;
+    return high->y - (near < far ? near : far) <= extent->low[1]
+           || low->y - (near < far ? far : near) >= extent->high[1];
+}
+
+static struct face_extent extent_of(const struct pp_fragments *fragments)
+{
+    struct face_extent extent = {{INFINITY, INFINITY}, {-INFINITY, -INFINITY}};
+    for (int i = 0; i < fragments->count; i++)
+        for (int axis = 0; axis < 2; axis++) {
+            const struct pp_fragment *fragment = &fragments->list[i];
+            extent.low[axis] = fmin(extent.low[axis], fragment->low[axis]);
+            extent.high[axis] = fmax(extent.high[axis], fragment->high[axis]);
+        }
+    return extent;
 }
 
 /* The depth z at which the direction (a, b, 1) from (x, y) in the face meets a plane. */
@@ -99,6 +115,8 @@ static enum pp_status open_part(const struct pp_beam *beam, struct pp_beam_space
     double xy[PP_FRAGMENT_CORNERS][2];
     struct pp_fragment_ring ring;
     struct pp_fragments *open = &space->open, *cut = &space->cut;
+    const struct face_extent whole = {{beam->low[0], beam->low[1]},
+                                      {beam->high[0], beam->high[1]}};
     enum pp_status status = PP_OK;
     open->count = 0;
     for (int i = 0; i < beam->inner.count && status == PP_OK; i++) {
@@ -109,7 +127,8 @@ static enum pp_status open_part(const struct pp_beam *beam, struct pp_beam_space
     for (int w = beam->outer.count == 0; w < 2 && status == PP_OK; w++) {
         cut->count = 0;
         for (int i = 0; i < within[w]->count && status == PP_OK; i++) {
-            if (lies_beside(beam, &within[w]->list[i], a, b))
+            if (lies_beside(&whole, &within[w]->list[i].low, &within[w]->list[i].high,
+                            a, b))
                 continue;
             project(&ring, xy, beam, &within[w]->list[i], a, b);
             status = pp_fragments_intersect(cut, open, &ring, err);
@@ -119,7 +138,8 @@ static enum pp_status open_part(const struct pp_beam *beam, struct pp_beam_space
         cut = swap;
     }
     for (int i = 0; i < beam->inside.count && open->count > 0 && status == PP_OK; i++) {
-        if (lies_beside(beam, &beam->inside.list[i], a, b))
+        if (lies_beside(&whole, &beam->inside.list[i].low, &beam->inside.list[i].high,
+                        a, b))
             continue;
         project(&ring, xy, beam, &beam->inside.list[i], a, b);
         status = pp_fragments_subtract(open, &ring, err);
@@ -198,35 +218,65 @@ static enum pp_status make_room(struct pp_beam_space *space, const struct pp_bea
     return space->rings && space->lights && space->xy ? PP_OK : pp_fail_memory(err);
 }
 
-/* The rings that lie before the opening. */
-static int find_rings(struct pp_beam_space *space, const struct pp_beam *beam,
-                      struct pp_vec3 u, struct pp_vec3 own)
+/* One direction, and what is open along it. */
+struct beam_look {
+    const struct pp_beam *beam;
+    int at;                /* the next node to be looked at */
+    struct pp_vec3 u, own; /* the direction in the room's axes and the beam's */
+    double a, b;           /* (a, b, 1) has it */
+    struct face_extent open;
+};
+
+/* Puts the pieces of a leaf that lie before what is open into rings, and what light they
+ * show into lights; returns their number. */
+static int find_leaf(const struct beam_look *look, const struct beam_node *leaf,
+                     struct pp_fragment_ring *rings, double (*xy)[2],
+                     double (*lights)[2])
 {
-    double a = own.x / own.z, b = own.y / own.z;
     int count = 0;
-    for (int i = 0; i < beam->outside.count; i++) {
-        const struct beam_piece *piece = &beam->outside.list[i];
-        double facing = pp_vec_dot(piece->normal, own) / own.z;
+    for (int i = leaf->first; i < leaf->first + leaf->count; i++) {
+        const struct beam_piece *piece = &look->beam->outside.list[i];
+        double facing = pp_vec_dot(piece->normal, look->own) / look->own.z;
         if (facing == 0.0 || (piece->side_of_box && facing > 0.0)
-            || lies_beside(beam, piece, a, b))
+            || lies_beside(&look->open, &piece->low, &piece->high, look->a, look->b))
             continue;
-        struct pp_fragment_ring *ring = &space->rings[count];
-        project(ring, space->xy + count * PP_FRAGMENT_CORNERS, beam, piece, a, b);
-        if (ring->low[0] >= beam->high[0] || ring->high[0] <= beam->low[0]
-            || ring->low[1] >= beam->high[1] || ring->high[1] <= beam->low[1])
-            continue;
+        struct pp_fragment_ring *ring = &rings[count];
+        project(ring, xy + count * PP_FRAGMENT_CORNERS, look->beam, piece, look->a,
+                look->b);
         set_depth(ring, piece->normal, piece->offset, facing);
-        space->lights[count][0] = facing < 0.0 ? piece->front : piece->back;
-        space->lights[count++][1] = piece->exitance;
+        lights[count][0] = facing < 0.0 ? piece->front : piece->back;
+        lights[count++][1] = piece->exitance;
     }
-    const struct pp_world *world = beam->world;
-    for (int i = 0; beam->skylines > 0 && i < world->skyline_count; i++)
-        if (world->skylines[i].face == beam->opening->face
-            && project_skyline(&space->rings[count],
-                               space->xy + count * PP_FRAGMENT_CORNERS, beam,
-                               &world->skylines[i], u)) {
-            space->lights[count][0] = world->skylines[i].reflectance;
-            space->lights[count++][1] = 0.0;
+    return count;
+}
+
+/* The leaves before what is open, one after another; NULL: there are no more. */
+static const struct beam_node *next_leaf(struct beam_look *look)
+{
+    const struct pp_beam *beam = look->beam;
+    while (look->at < beam->node_count) {
+        const struct beam_node *node = &beam->nodes[look->at];
+        bool beside =
+            lies_beside(&look->open, &node->low, &node->high, look->a, look->b);
+        look->at = beside ? node->next : look->at + 1;
+        if (!beside && node->count > 0)
+            return node;
+    }
+    return NULL;
+}
+
+/* The skylines of the opening's wall as rings; returns their number. */
+static int find_skylines(const struct beam_look *look, struct pp_fragment_ring *rings,
+                         double (*xy)[2], double (*lights)[2])
+{
+    const struct pp_world *world = look->beam->world;
+    int count = 0;
+    for (int i = 0; look->beam->skylines > 0 && i < world->skyline_count; i++)
+        if (world->skylines[i].face == look->beam->opening->face
+            && project_skyline(&rings[count], xy + count * PP_FRAGMENT_CORNERS,
+                               look->beam, &world->skylines[i], look->u)) {
+            lights[count][0] = world->skylines[i].reflectance;
+            lights[count++][1] = 0.0;
         }
     return count;
 }
@@ -239,6 +289,42 @@ static double sum_areas(const struct pp_fragments *fragments)
     return sum;
 }
 
+/* Takes what any obstruction hides out of the open part, until nothing is left. */
+static enum pp_status subtract_all(struct beam_look *look, struct pp_beam_space *space,
+                                   struct pp_error *err)
+{
+    struct pp_fragments *open = &space->open;
+    enum pp_status status = PP_OK;
+    int count = find_skylines(look, space->rings, space->xy, space->lights);
+    do {
+        for (int i = 0; i < count && status == PP_OK; i++)
+            status = pp_fragments_subtract(open, &space->rings[i], err);
+        const struct beam_node *leaf = open->count > 0 ? next_leaf(look) : NULL;
+        if (status != PP_OK || !leaf)
+            return status;
+        count = find_leaf(look, leaf, space->rings, space->xy, space->lights);
+    } while (true);
+}
+
+/* Gives each part of the open part to the nearest obstruction. */
+static enum pp_status cover_all(struct beam_look *look, struct pp_beam_space *space,
+                                struct pp_error *err)
+{
+    int count = 0;
+    const struct beam_node *leaf;
+    while ((leaf = next_leaf(look)))
+        count +=
+            find_leaf(look, leaf, space->rings + count,
+                      space->xy + count * PP_FRAGMENT_CORNERS, space->lights + count);
+    count +=
+        find_skylines(look, space->rings + count,
+                      space->xy + count * PP_FRAGMENT_CORNERS, space->lights + count);
+    enum pp_status status = PP_OK;
+    for (int i = 0; i < count && status == PP_OK; i++)
+        status = pp_fragments_cover(&space->open, space->rings, i, err);
+    return status;
+}
+
 enum pp_status pp_beam_areas(struct pp_beam_areas *areas, const struct pp_beam *beam,
                              struct pp_beam_space *space, struct pp_vec3 u,
                              struct pp_error *err)
@@ -247,25 +333,24 @@ enum pp_status pp_beam_areas(struct pp_beam_areas *areas, const struct pp_beam *
     struct pp_vec3 own = pp_projection_direction(&beam->axes, u);
     if (!(own.z > 0.0 && u.z > 0.0))
         return PP_OK;
+    struct beam_look look = {
+        .beam = beam, .u = u, .own = own, .a = own.x / own.z, .b = own.y / own.z};
     struct pp_fragments *open = &space->open;
     enum pp_status status = make_room(space, beam, err);
     if (status == PP_OK)
-        status = open_part(beam, space, own.x / own.z, own.y / own.z, err);
+        status = open_part(beam, space, look.a, look.b, err);
     if (status != PP_OK || open->count == 0)
         return status;
-    int count = find_rings(space, beam, u, own);
-    if (count == 0 || beam->one_light) {
+    look.open = extent_of(open);
+    if (beam->one_light) {
         double whole = sum_areas(open);
-        for (int i = 0; i < count && open->count > 0 && status == PP_OK; i++)
-            status = pp_fragments_subtract(open, &space->rings[i], err);
-        areas->sky = count > 0 ? sum_areas(open) : whole;
-        double hidden = whole - areas->sky;
-        areas->reflecting = count > 0 ? hidden * space->lights[0][0] : 0.0;
-        areas->emitting = count > 0 ? hidden * space->lights[0][1] : 0.0;
+        status = subtract_all(&look, space, err);
+        areas->sky = sum_areas(open);
+        areas->reflecting = (whole - areas->sky) * beam->of_light[0];
+        areas->emitting = (whole - areas->sky) * beam->of_light[1];
         return status;
     }
-    for (int i = 0; i < count && status == PP_OK; i++)
-        status = pp_fragments_cover(open, space->rings, i, false, err);
+    status = cover_all(&look, space, err);
     for (int i = 0; i < open->count; i++) {
         double area = pp_fragments_area(&open->list[i]);
         int owner = open->list[i].owner;

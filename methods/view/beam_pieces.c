@@ -5,6 +5,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "methods/view/beam_tree.h"
 #include "methods/view/occluders.h"
 #include "model/base/array.h"
 #include "model/geometry/clip.h"
@@ -187,11 +188,10 @@ static bool cannot_hide(const struct pp_beam *beam, struct pp_vec3 normal,
 static bool is_block_outside(const struct pp_beam *beam, int index)
 {
     const struct pp_block *block = &beam->world->blocks[index];
-    double c = cos(block->rotate_rad), s = sin(block->rotate_rad);
     struct pp_vec3 t = beam->axes.toward;
     double nearest = pp_vec_dot(pp_vec_sub(block->corner, beam->axes.eye), t)
-                     + fmin(0.0, block->width_m * (c * t.x + s * t.y))
-                     + fmin(0.0, block->depth_m * (c * t.y - s * t.x))
+                     + fmin(0.0, pp_vec_dot(block->along, t))
+                     + fmin(0.0, pp_vec_dot(block->across, t))
                      + fmin(0.0, block->height_m * t.z);
     return nearest > PP_OCCLUDERS_COPLANAR_M;
 }
@@ -256,8 +256,8 @@ static void find_extent(struct pp_beam *beam)
     }
 }
 
-/* Do all pieces and skylines outside reflect and give off the same light? */
-static bool has_one_light(const struct pp_beam *beam)
+/* Do all pieces and skylines outside reflect and give off the same light? Sets which. */
+static bool has_one_light(struct pp_beam *beam)
 {
     double reflectance = NAN, exitance = 0.0;
     for (int i = 0; i < beam->outside.count; i++) {
@@ -279,6 +279,8 @@ static bool has_one_light(const struct pp_beam *beam)
         if (skyline->reflectance != reflectance || exitance != 0.0)
             return false;
     }
+    beam->of_light[0] = isnan(reflectance) ? 0.0 : reflectance;
+    beam->of_light[1] = exitance;
     return true;
 }
 
@@ -302,5 +304,5 @@ enum pp_status pp_beam_pieces_find(struct pp_beam *beam, struct pp_error *err)
     for (int i = 0; beam->with_outside && i < world->skyline_count; i++)
         beam->skylines += world->skylines[i].face == opening->face;
     beam->one_light = has_one_light(beam);
-    return status;
+    return status == PP_OK ? pp_beam_tree_grow(beam, err) : status;
 }

@@ -29,9 +29,12 @@ struct pp_beam {
     struct pp_projection axes;
     bool with_outside;
     bool one_light;                  /* do all obstructions give off the same light? */
+    double of_light[2];              /* then its reflectance and exitance */
     struct beam_pieces inner, outer; /* the opening's outlines, in convex parts */
     struct beam_pieces plane;
     struct beam_pieces inside, outside;
+    int node_count;
+    struct beam_node *nodes; /* of the pieces outside (beam_tree.h) */
     int skylines;
     int corner_count, corner_capacity;
     struct pp_vec3 *corners;

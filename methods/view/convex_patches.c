@@ -6,61 +6,8 @@
 #include <string.h>
 
 #include "methods/view/fragments.h"
+#include "methods/view/occluder_rings.h"
 #include "methods/view/overlay.h"
-
-/* Rings of few corners, and the occluder that each is a part of. */
-struct occluder_rings {
-    int count;
-    struct pp_fragment_ring *rings;
-    int *of;
-    double (*xy)[2];
-};
-
-static void clear_rings(struct occluder_rings *rings)
-{
-    free(rings->rings);
-    free(rings->of);
-    free(rings->xy);
-}
-
-/* Parts of a fan over a ring of `count` corners. */
-static int fan_parts(int count)
-{
-    enum { STEP = PP_FRAGMENT_CORNERS - 2 };
-    return count < 3 ? 0 : (count - 2 + STEP - 1) / STEP;
-}
-
-static enum pp_status find_rings(struct occluder_rings *rings,
-                                 const struct pp_occluders *pieces, double distance_m,
-                                 struct pp_error *err)
-{
-    enum { MOST = PP_FRAGMENT_CORNERS };
-    size_t most = 1;
-    for (int i = 0; i < pieces->count; i++)
-        most += (size_t)fan_parts(pieces->list[i].count);
-    *rings = (struct occluder_rings){.rings = malloc(most * sizeof *rings->rings),
-                                     .of = malloc(most * sizeof *rings->of),
-                                     .xy = malloc(most * MOST * sizeof *rings->xy)};
-    if (!rings->rings || !rings->of || !rings->xy)
-        return pp_fail_memory(err);
-    for (int i = 0; i < pieces->count; i++) {
-        const struct pp_occluder *piece = &pieces->list[i];
-        for (int from = 1; from + 1 < piece->count; from += MOST - 2) {
-            double(*xy)[2] = rings->xy + rings->count * MOST;
-            int count = 0;
-            memcpy(xy[count++], piece->xy[0], sizeof *xy);
-            for (int k = from; k < piece->count && count < MOST; k++)
-                memcpy(xy[count++], piece->xy[k], sizeof *xy);
-            struct pp_fragment_ring *ring = &rings->rings[rings->count];
-            rings->of[rings->count++] = i;
-            pp_fragments_close_ring(ring, xy, count);
-            ring->depth[0] = -piece->nearness.z * distance_m;
-            ring->depth[1] = -piece->nearness.x;
-            ring->depth[2] = -piece->nearness.y;
-        }
-    }
-    return PP_OK;
-}
 
 /* The open part, before anything hides it. */
 static enum pp_status add_open(struct pp_fragments *open,
@@ -81,11 +28,24 @@ static enum pp_status add_open(struct pp_fragments *open,
     return status;
 }
 
-/* Adds a patch of all fragments that show the light of occluder `hider`, or the sky
- * where that is NULL. */
+/* Does a fragment show the light of `hider`, or the sky where that is NULL? rings: that own
+ * fragments, of the pieces. */
+static bool shows(const struct pp_fragment *fragment,
+                  const struct pp_occluder_rings *rings,
+                  const struct pp_occluders *pieces, const struct pp_occluder *hider)
+{
+    bool sky = fragment->owner == PP_FRAGMENT_FREE;
+    return sky == !hider
+           && (sky
+               || pp_overlay_same_light(hider,
+                                        &pieces->list[rings->of[fragment->owner]]));
+}
+
+/* Adds a patch of the fragments that show the light of `hider`, or the sky where that is
+ * NULL; without rings, of all fragments. */
 static enum pp_status add_patch(struct pp_visible *visible,
                                 const struct pp_fragments *fragments,
-                                const struct occluder_rings *rings,
+                                const struct pp_occluder_rings *rings,
                                 const struct pp_occluders *pieces,
                                 const struct pp_occluder *hider, struct pp_error *err)
 {
@@ -102,11 +62,7 @@ static enum pp_status add_patch(struct pp_visible *visible,
     visible->patch_count++;
     for (int i = 0; i < fragments->count; i++) {
         const struct pp_fragment *fragment = &fragments->list[i];
-        bool sky = fragment->owner == PP_FRAGMENT_FREE;
-        if (sky != !hider
-            || (hider
-                && !pp_overlay_same_light(hider,
-                                          &pieces->list[rings->of[fragment->owner]])))
+        if (rings && !shows(fragment, rings, pieces, hider))
             continue;
         size_t size = (size_t)fragment->count * sizeof *fragment->xy;
         double(*xy)[2] = malloc(size);
@@ -122,13 +78,62 @@ static enum pp_status add_patch(struct pp_visible *visible,
     return PP_OK;
 }
 
-/* The first of the pieces with each light, in their order. */
-static bool is_first_of_light(const struct pp_occluders *pieces, int index)
+/* The pieces that are the first with their light, in their order: *first is to be
+ * freed. */
+static enum pp_status find_lights(int **first, int *count,
+                                  const struct pp_occluders *pieces,
+                                  struct pp_error *err)
 {
-    for (int k = 0; k < index; k++)
-        if (pp_overlay_same_light(&pieces->list[k], &pieces->list[index]))
-            return false;
-    return true;
+    *count = 0;
+    *first = malloc(((size_t)pieces->count + 1) * sizeof **first);
+    if (!*first)
+        return pp_fail_memory(err);
+    for (int i = 0; i < pieces->count; i++) {
+        int k = 0;
+        while (k < *count
+               && !pp_overlay_same_light(&pieces->list[(*first)[k]], &pieces->list[i]))
+            k++;
+        if (k == *count)
+            (*first)[(*count)++] = i;
+    }
+    return PP_OK;
+}
+
+/* Divides the open part where it does not matter which piece hides. */
+static enum pp_status divide_by_one_light(struct pp_visible *visible,
+                                          struct pp_fragments *open,
+                                          struct pp_occluder_rings *rings,
+                                          const struct pp_occluders *pieces,
+                                          struct pp_error *err)
+{
+    struct pp_fragments hidden = {0};
+    enum pp_status status = pp_occluder_rings_sort(rings, err);
+    for (int i = 0; i < rings->count && open->count > 0 && status == PP_OK; i++)
+        status = pp_fragments_move(&hidden, open, &rings->rings[i], err);
+    if (status == PP_OK)
+        status = add_patch(visible, open, NULL, pieces, NULL, err);
+    if (status == PP_OK && hidden.count > 0)
+        status = add_patch(visible, &hidden, NULL, pieces, &pieces->list[0], err);
+    pp_fragments_clear(&hidden);
+    return status;
+}
+
+/* Divides the open part among the lights whose first pieces are given. */
+static enum pp_status divide_by_lights(struct pp_visible *visible,
+                                       struct pp_fragments *open,
+                                       const struct pp_occluder_rings *rings,
+                                       const struct pp_occluders *pieces,
+                                       const int *first, int lights,
+                                       struct pp_error *err)
+{
+    enum pp_status status = PP_OK;
+    for (int i = 0; i < rings->count && open->count > 0 && status == PP_OK; i++)
+        status = pp_fragments_cover(open, rings->rings, i, err);
+    if (status == PP_OK)
+        status = add_patch(visible, open, rings, pieces, NULL, err);
+    for (int k = 0; k < lights && status == PP_OK; k++)
+        status = add_patch(visible, open, rings, pieces, &pieces->list[first[k]], err);
+    return status;
 }
 
 enum pp_status pp_convex_patches_fill(struct pp_visible *visible,
@@ -137,33 +142,30 @@ enum pp_status pp_convex_patches_fill(struct pp_visible *visible,
 {
     const struct pp_occluders *inside = &builder->inside, *outside = &builder->outside;
     double distance_m = visible->view.distance_m;
-    struct occluder_rings hiding = {0}, rings = {0};
+    struct pp_occluder_rings hiding = {0}, rings = {0};
     struct pp_fragments open = {0};
-    enum pp_status status = find_rings(&hiding, inside, distance_m, err);
+    int *first = NULL, lights = 0;
+    enum pp_status status = pp_occluder_rings_find(&hiding, inside, distance_m, err);
     if (status == PP_OK)
-        status = find_rings(&rings, outside, distance_m, err);
+        status = pp_occluder_rings_find(&rings, outside, distance_m, err);
     if (status == PP_OK)
         status = add_open(&open, visible, builder, err);
     for (int i = 0; i < hiding.count && open.count > 0 && status == PP_OK; i++)
         status = pp_fragments_subtract(&open, &hiding.rings[i], err);
-
-    int lights = 0;
-    for (int i = 0; i < outside->count; i++)
-        lights += is_first_of_light(outside, i);
-    for (int i = 0; i < rings.count && open.count > 0 && status == PP_OK; i++)
-        status = pp_fragments_cover(&open, rings.rings, i, lights < 2, err);
+    if (status == PP_OK)
+        status = find_lights(&first, &lights, outside, err);
 
     visible->patches = calloc((size_t)lights + 1, sizeof *visible->patches);
     visible->allocated = true;
     if (!visible->patches)
         status = pp_fail_memory(err);
     if (status == PP_OK)
-        status = add_patch(visible, &open, &rings, outside, NULL, err);
-    for (int i = 0; i < outside->count && status == PP_OK; i++)
-        if (is_first_of_light(outside, i))
-            status = add_patch(visible, &open, &rings, outside, &outside->list[i], err);
-    clear_rings(&hiding);
-    clear_rings(&rings);
+        status = lights < 2 ? divide_by_one_light(visible, &open, &rings, outside, err)
+                            : divide_by_lights(visible, &open, &rings, outside, first,
+                                               lights, err);
+    free(first);
+    pp_occluder_rings_clear(&hiding);
+    pp_occluder_rings_clear(&rings);
     pp_fragments_clear(&open);
     return status;
 }

@@ -4,6 +4,8 @@
 
 #include <stdlib.h>
 
+#include "methods/view/block_bounds.h"
+#include "methods/view/elevation_cover.h"
 #include "methods/view/elevation_strips.h"
 #include "methods/view/hole_bands.h"
 #include "methods/view/visible.h"
@@ -30,6 +32,8 @@ struct opening_drawing {
     double face_m, glass_m;        /* distances of the point from wall face and glass */
     struct pp_elevation_part seen; /* the visible part of the opening */
     struct pp_elevation_obstructions obstructions;
+    struct pp_elevation_cover cover; /* by the obstructions */
+    int order;                       /* of the next one */
 };
 
 /* The rectangle of equal area with the centroid of a figure and the proportions of its
@@ -52,7 +56,7 @@ static bool is_seen_whole(const struct opening_drawing *drawing)
 {
     const struct pp_world *world = drawing->world;
     const struct pp_polygon *opening = &drawing->opening->inner;
-    for (int i = 0; i < world->surface_count; i++)
+    for (int i = 0; i < world->surface_count; i = pp_world_next_but_blocks(world, i))
         if (world->surfaces[i].inside && world->surfaces[i].role == PP_FREE_SURFACE)
             return false;
     for (int i = 0; i < world->face_count; i++) {
@@ -118,18 +122,23 @@ static enum pp_status find_seen(struct opening_drawing *drawing, struct pp_error
     return PP_OK;
 }
 
+/* Adds an obstruction, unless nothing is seen of it. */
 static enum pp_status add_obstruction(struct opening_drawing *drawing,
                                       struct pp_elevation_obstruction obstruction,
                                       struct pp_error *err)
 {
     struct pp_elevation_obstructions *obstructions = &drawing->obstructions;
-    if (is_empty(&obstruction.outline))
+    const struct pp_elevation_part *outline = &obstruction.outline;
+    obstruction.order = drawing->order++;
+    if (is_empty(outline)
+        || pp_elevation_cover_hides(&drawing->cover, outline->left, outline->right,
+                                    outline->high, obstruction.distance_m))
         return PP_OK;
     enum pp_status status = pp_array_append(&obstructions->list, obstructions->count,
                                             sizeof *obstructions->list, err);
     if (status == PP_OK) {
-        obstruction.order = obstructions->count;
         obstructions->list[obstructions->count++] = obstruction;
+        pp_elevation_cover_add(&drawing->cover, outline, obstruction.distance_m);
     }
     return status;
 }
@@ -195,14 +204,19 @@ static enum pp_status add_surface(struct silhouette *silhouette,
                                   struct pp_error *err)
 {
     const struct pp_elevation_part *seen = &drawing->seen;
+    enum { CORNERS_ON_STACK = 8 };
     size_t room = (size_t)outline->count * PP_AREA_MOMENTS_POINTS;
-    double(*points)[2] = malloc(2 * room * sizeof *points);
+    double stack[2 * CORNERS_ON_STACK * PP_AREA_MOMENTS_POINTS][2],
+        (*points)[2] = stack;
+    if (outline->count > CORNERS_ON_STACK)
+        points = malloc(2 * room * sizeof *points);
     if (!points)
         return pp_fail_memory(err);
     int count = draw_outside(points, outline, &drawing->frame, drawing->glass_m);
     struct pp_area_moments extent = pp_area_moments_in_box(
         points, points + room, count, seen->left, seen->right, seen->low, seen->high);
-    free(points);
+    if (points != stack)
+        free(points);
 
     struct pp_area_moments *sum = &silhouette->extent;
     sum->area += fabs(extent.area);
@@ -258,7 +272,8 @@ static enum pp_status add_surfaces(struct opening_drawing *drawing,
 {
     const struct pp_world *world = drawing->world;
     enum pp_status status = PP_OK;
-    for (int i = 0; i < world->surface_count && status == PP_OK; i++) {
+    for (int i = 0; i < world->surface_count && status == PP_OK;
+         i = pp_world_next_but_blocks(world, i)) {
         const struct pp_surface *surface = world->surfaces + i;
         bool free_outside = surface->role == PP_FREE_SURFACE && !surface->inside;
         if (i == drawing->opening->face || !(i < world->face_count || free_outside)
@@ -295,28 +310,57 @@ static enum pp_status add_facade(struct opening_drawing *drawing, int index,
     return status;
 }
 
-/* Adds the blocks, each by its sides that face the point. */
+/* Adds a block, by its sides that face the point. */
+static enum pp_status add_block(struct opening_drawing *drawing,
+                                const struct pp_block *block, struct pp_error *err)
+{
+    const struct pp_surface *sides = drawing->world->surfaces + block->first_side;
+    struct silhouette silhouette = no_silhouette();
+    enum pp_status status = PP_OK;
+    for (int i = 0; i < block->side_count && status == PP_OK; i++)
+        if (faces(&sides[i].outline, drawing->frame.point))
+            status = add_surface(&silhouette, drawing, &sides[i].outline, err);
+    return status ? status
+                  : add_silhouette(drawing, &silhouette, block->reflectance, err);
+}
+
+/* Adds the blocks, the nearer ones about first: what these hide is not drawn. */
 static enum pp_status add_blocks(struct opening_drawing *drawing, struct pp_error *err)
 {
     const struct pp_world *world = drawing->world;
-    struct silhouette *silhouettes =
-        malloc(((size_t)world->block_count + 1) * sizeof *silhouettes);
-    if (!silhouettes)
-        return pp_fail_memory(err);
-    for (int b = 0; b < world->block_count; b++)
-        silhouettes[b] = no_silhouette();
-    enum pp_status status = PP_OK;
-    for (int i = 0; i < world->surface_count && status == PP_OK; i++) {
-        const struct pp_surface *side = world->surfaces + i;
-        if (side->role == PP_BLOCK && faces(&side->outline, drawing->frame.point))
-            status =
-                add_surface(&silhouettes[side->owner], drawing, &side->outline, err);
+    const struct pp_elevation_part *seen = &drawing->seen;
+    const struct pp_block_view view = {drawing->frame.point, drawing->frame.axes,
+                                       drawing->glass_m,     seen->left,
+                                       seen->right,          seen->low};
+    struct pp_block_bounds bounds = {0};
+    enum pp_status status = pp_block_bounds_find(&bounds, world, &view, err);
+    int first = drawing->order;
+    for (int i = 0; i < bounds.count && status == PP_OK; i++) {
+        const struct pp_block_bound *bound = &bounds.list[i];
+        if (pp_elevation_cover_hides(&drawing->cover, bound->left, bound->right,
+                                     bound->high, bound->distance_m))
+            continue;
+        drawing->order = first + bound->block;
+        status = add_block(drawing, &world->blocks[bound->block], err);
     }
-    for (int b = 0; b < world->block_count && status == PP_OK; b++)
-        status =
-            add_silhouette(drawing, &silhouettes[b], world->blocks[b].reflectance, err);
-    free(silhouettes);
+    drawing->order = first + world->block_count;
+    pp_block_bounds_clear(&bounds);
     return status;
+}
+
+/* Takes out what the obstructions that were added later hide. */
+static void drop_hidden(struct opening_drawing *drawing)
+{
+    struct pp_elevation_obstructions *obstructions = &drawing->obstructions;
+    int kept = 0;
+    for (int i = 0; i < obstructions->count; i++) {
+        const struct pp_elevation_obstruction *of = &obstructions->list[i];
+        if (!pp_elevation_cover_hides(&drawing->cover, of->outline.left,
+                                      of->outline.right, of->outline.high,
+                                      of->distance_m))
+            obstructions->list[kept++] = *of;
+    }
+    obstructions->count = kept;
 }
 
 enum pp_status pp_elevation_init(struct pp_elevation *elevation,
@@ -340,6 +384,7 @@ enum pp_status pp_elevation_init(struct pp_elevation *elevation,
     enum pp_status status = find_seen(&drawing, err);
     if (status != PP_OK || is_empty(&drawing.seen))
         return status;
+    pp_elevation_cover_init(&drawing.cover, &drawing.seen);
     status = add_skylines(&drawing, err);
     if (status == PP_OK)
         status = add_surfaces(&drawing, err);
@@ -347,6 +392,7 @@ enum pp_status pp_elevation_init(struct pp_elevation *elevation,
         status = add_blocks(&drawing, err);
     for (int i = 0; i < world->facade_count && status == PP_OK; i++)
         status = add_facade(&drawing, i, err);
+    drop_hidden(&drawing);
     if (status == PP_OK)
         status = pp_elevation_strips_cut(elevation, &drawing.seen,
                                          &drawing.obstructions, err);

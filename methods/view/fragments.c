@@ -267,19 +267,19 @@ static enum pp_status cover_one(struct pp_fragments *fragments, int at,
 
 enum pp_status pp_fragments_cover(struct pp_fragments *fragments,
                                   const struct pp_fragment_ring *rings, int index,
-                                  bool free_only, struct pp_error *err)
+                                  struct pp_error *err)
 {
     enum pp_status status = PP_OK;
     /* Backwards: what is added, and what moves to a free place, has had its turn. */
     for (int i = fragments->count - 1; i >= 0 && status == PP_OK; i--)
-        if (!free_only || fragments->list[i].owner == PP_FRAGMENT_FREE)
-            status = cover_one(fragments, i, rings, index, err);
+        status = cover_one(fragments, i, rings, index, err);
     return status;
 }
 
-enum pp_status pp_fragments_subtract(struct pp_fragments *fragments,
-                                     const struct pp_fragment_ring *ring,
-                                     struct pp_error *err)
+enum pp_status pp_fragments_move(struct pp_fragments *taken,
+                                 struct pp_fragments *fragments,
+                                 const struct pp_fragment_ring *ring,
+                                 struct pp_error *err)
 {
     struct cut_ring part;
     enum pp_status status = PP_OK;
@@ -289,7 +289,17 @@ enum pp_status pp_fragments_subtract(struct pp_fragments *fragments,
         struct cut_ring whole = cut_ring_of(&fragments->list[i]);
         int owner = fragments->list[i].owner;
         drop(fragments, i);
-        status = add_outside(fragments, owner, &whole, ring, err);
+        if (taken)
+            status = push(taken, owner, (const double(*)[2])part.xy, part.count, err);
+        if (status == PP_OK)
+            status = add_outside(fragments, owner, &whole, ring, err);
     }
     return status;
+}
+
+enum pp_status pp_fragments_subtract(struct pp_fragments *fragments,
+                                     const struct pp_fragment_ring *ring,
+                                     struct pp_error *err)
+{
+    return pp_fragments_move(NULL, fragments, ring, err);
 }

@@ -61,11 +61,17 @@ enum pp_status pp_fragments_subtract(struct pp_fragments *fragments,
                                      const struct pp_fragment_ring *ring,
                                      struct pp_error *err);
 
-/* rings[index] becomes the owner of what lies within it and is free or, unless
- * `free_only` is set, belongs to a ring behind it. */
+/* The same, and adds to `taken`, unless it is NULL, what lies within. */
+enum pp_status pp_fragments_move(struct pp_fragments *taken,
+                                 struct pp_fragments *fragments,
+                                 const struct pp_fragment_ring *ring,
+                                 struct pp_error *err);
+
+/* rings[index] becomes the owner of what lies within it and is free or belongs to a ring
+ * behind it. */
 enum pp_status pp_fragments_cover(struct pp_fragments *fragments,
                                   const struct pp_fragment_ring *rings, int index,
-                                  bool free_only, struct pp_error *err);
+                                  struct pp_error *err);
 
 double pp_fragments_area(const struct pp_fragment *fragment);
 

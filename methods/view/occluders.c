@@ -168,11 +168,10 @@ static bool is_back_of_box(const struct pp_occluders_scene *scene,
         return false;
     const struct pp_block *block = &scene->world->blocks[surface->owner];
     const struct pp_projection *view = scene->view;
-    double c = cos(block->rotate_rad), s = sin(block->rotate_rad);
     struct pp_vec3 t = view->toward;
     double nearest = pp_vec_dot(pp_vec_sub(block->corner, view->eye), t)
-                     + fmin(0.0, block->width_m * (c * t.x + s * t.y))
-                     + fmin(0.0, block->depth_m * (c * t.y - s * t.x))
+                     + fmin(0.0, pp_vec_dot(block->along, t))
+                     + fmin(0.0, pp_vec_dot(block->across, t))
                      + fmin(0.0, block->height_m * t.z);
     return nearest
            > (scene->from_inside ? view->distance_m : 0.0) + PP_OCCLUDERS_COPLANAR_M;

@@ -90,6 +90,20 @@ static enum pp_status part_in_front(struct pp_occluders *parts,
     return PP_OK;
 }
 
+static struct pp_bounds2 bounds_of(const struct pp_occluder *piece)
+{
+    struct pp_bounds2 bounds = pp_bounds2_empty();
+    for (int i = 0; i < piece->count; i++)
+        pp_bounds2_add(&bounds, piece->xy[i][0], piece->xy[i][1]);
+    return bounds;
+}
+
+static bool are_apart(const struct pp_bounds2 *a, const struct pp_bounds2 *b)
+{
+    return a->low[0] > b->high[0] || a->high[0] < b->low[0] || a->low[1] > b->high[1]
+           || a->high[1] < b->low[1];
+}
+
 /* The visible part of piece `index` behind all pieces with other light. */
 static enum pp_status seen_part(struct pp_clipper *clipper, struct pp_region *seen,
                                 const struct pp_occluders *pieces, int index,
@@ -101,9 +115,12 @@ static enum pp_status seen_part(struct pp_clipper *clipper, struct pp_region *se
     nearer.capacity = pieces->count;
     nearer.list = calloc((size_t)nearer.capacity, sizeof *nearer.list);
     enum pp_status status = nearer.list ? PP_OK : pp_fail_memory(err);
-    for (int k = 0; k < pieces->count && status == PP_OK; k++)
-        if (!pp_overlay_same_light(&pieces->list[k], piece))
+    struct pp_bounds2 own = bounds_of(piece);
+    for (int k = 0; k < pieces->count && status == PP_OK; k++) {
+        struct pp_bounds2 other = bounds_of(&pieces->list[k]);
+        if (!pp_overlay_same_light(&pieces->list[k], piece) && !are_apart(&own, &other))
             status = part_in_front(&nearer, &pieces->list[k], piece, distance_m, err);
+    }
     if (status == PP_OK)
         status = pp_overlay_union(clipper, &whole, &self, err);
     if (status == PP_OK && nearer.count > 0)

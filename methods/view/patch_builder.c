@@ -9,6 +9,7 @@
 #include <stdlib.h>
 
 #include "methods/view/convex_patches.h"
+#include "methods/view/occluder_rings.h"
 #include "methods/view/overlay.h"
 
 void pp_patch_builder_clear(struct pp_patch_builder *builder)
@@ -127,15 +128,20 @@ static enum pp_status divide(struct pp_visible *visible,
                              struct pp_patch_builder *builder, struct pp_error *err)
 {
     const struct pp_occluders *outside = &builder->outside;
+    bool one_light = all_same_light(outside);
+    enum pp_status status = pp_occluder_rings_drop_hidden(
+        &builder->outside, &builder->scene, one_light, err);
+    if (status != PP_OK)
+        return status;
     visible->patches = calloc((size_t)outside->count + 1, sizeof *visible->patches);
     if (!visible->patches)
         return pp_fail_memory(err);
     visible->allocated = true;
-    if (builder->open_is_extent && outside->count > 0 && all_same_light(outside))
+    if (builder->open_is_extent && outside->count > 0 && one_light)
         return divide_same_light(visible, builder, err);
 
     struct pp_region all, sky;
-    enum pp_status status = cover(builder, &all, &sky, err);
+    status = cover(builder, &all, &sky, err);
     if (status == PP_OK)
         add_patch(visible, &sky, NULL);
     for (int i = 0; i < outside->count && status == PP_OK; i++) {

@@ -137,7 +137,7 @@ struct pp_room {
     int skyline_count;
     struct pp_facade_part *facades;
     int facade_count;
-    struct pp_block *blocks; /* as resolved ones: nothing to work out */
+    struct pp_block *blocks; /* as in the file */
     int block_count;
     struct pp_surface_part *surfaces;
     int surface_count;

@@ -44,6 +44,14 @@ void pp_world_destroy(struct pp_world *world)
     free(world);
 }
 
+int pp_world_next_but_blocks(const struct pp_world *world, int i)
+{
+    if (world->surfaces[i].role != PP_BLOCK)
+        return i + 1;
+    const struct pp_block *last = &world->blocks[world->block_count - 1];
+    return last->first_side + last->side_count;
+}
+
 static enum pp_status resolve_site(struct pp_resolver *r, struct pp_error *err)
 {
     const struct pp_room *room = r->room;

@@ -101,6 +101,11 @@ struct pp_block {
     double reflectance;
     const struct pp_finish *finish; /* as a surface's */
     int line;
+
+    /* Of a world's block: the edges from the corner, width_m and depth_m long, and where
+     * its sides stand among the surfaces. */
+    struct pp_vec3 along, across;
+    int first_side, side_count;
 };
 
 /* The outside of a wall and of what continues it beyond the room; its pieces stand
@@ -152,7 +157,7 @@ struct pp_world {
     int skyline_count;
     struct pp_facade *facades;
     int facade_count;
-    struct pp_block *blocks;
+    struct pp_block *blocks; /* their sides stand together among the surfaces */
     int block_count;
 
     double height_m;               /* of the highest point of the envelope */
@@ -161,6 +166,9 @@ struct pp_world {
     struct pp_receiver *receivers; /* the file's, or the default grid */
     int receiver_count;
 };
+
+/* The surface behind surface i; behind a side of a block, the first that is none. */
+int pp_world_next_but_blocks(const struct pp_world *world, int i);
 
 /* A room as its file describes it (building.h). */
 struct pp_room;

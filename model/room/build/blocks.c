@@ -154,13 +154,16 @@ static enum pp_status add_sides(struct pp_resolver *r, int index,
         {{0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}}, /* top */
         {{0, 1, 0}, {1, 1, 0}, {1, 0, 0}, {0, 0, 0}}, /* bottom */
     };
-    const struct pp_block *block = &r->world->blocks[index];
+    struct pp_block *block = &r->world->blocks[index];
     struct pp_surface surface = {.role = PP_BLOCK,
                                  .front = block->reflectance,
                                  .back = block->reflectance,
                                  .finish = block->finish,
                                  .owner = index,
                                  .line = block->line};
+    block->along = pp_vec_scale(box->axes[0], box->size[0]);
+    block->across = pp_vec_scale(box->axes[1], box->size[1]);
+    block->first_side = r->world->surface_count;
     bool floats = block->corner.z > r->world->ground_level_m;
     for (int i = 0; i < (floats ? 6 : 5); i++) {
         struct pp_vec3 side[4];
@@ -170,6 +173,7 @@ static enum pp_status add_sides(struct pp_resolver *r, int index,
         if (pp_resolve_add_face(r, surface, side, 4, err) != PP_OK)
             return PP_SYSTEM;
     }
+    block->side_count = r->world->surface_count - block->first_side;
     return PP_OK;
 }
 

@@ -195,6 +195,10 @@ static void deal_block(struct scene *scene, struct dice *dice)
     block->rotate_rad = between(dice, 0.0, 2.0 * PP_PI);
     struct pp_vec3 x = {cos(block->rotate_rad), sin(block->rotate_rad), 0.0};
     struct pp_vec3 y = {-x.y, x.x, 0.0};
+    block->along = pp_vec_scale(x, block->width_m);
+    block->across = pp_vec_scale(y, block->depth_m);
+    block->first_side = scene->world.surface_count;
+    block->side_count = 6;
     /* Corners by bits: 1 along x, 2 along y, 4 up. */
     static const int sides[6][4] = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4},
                                     {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};

@@ -3,6 +3,7 @@
 
 #include <stdlib.h>
 
+#include "methods/view/elevation_cover.h"
 #include "methods/view/elevation_strips.h"
 
 static const struct pp_elevation_part seen = {
@@ -135,12 +136,51 @@ static void what_stands_behind_a_wall_makes_no_parts(void **state)
     pp_elevation_clear(&elevation);
 }
 
+/* Of 40 obstructions each is asked for when all others have been added. Most stand on the
+ * ground, as most do. */
+static void what_counts_as_covered_is_seen_nowhere(void **state)
+{
+    (void)state;
+    enum { ROUNDS = 60, COUNT = 40, PLACES = 60 };
+    uint64_t row = 23;
+    int hidden = 0;
+    for (int round = 0; round < ROUNDS; round++) {
+        struct pp_elevation_obstruction all[COUNT];
+        for (int i = 0; i < COUNT; i++)
+            all[i] = random_obstruction(&row, i);
+        for (int i = 0; i < COUNT; i++) {
+            const struct pp_elevation_part *own = &all[i].outline;
+            struct pp_elevation_cover cover;
+            pp_elevation_cover_init(&cover, &seen);
+            for (int k = 0; k < COUNT; k++)
+                if (k != i)
+                    pp_elevation_cover_add(&cover, &all[k].outline, all[k].distance_m);
+            if (!pp_elevation_cover_hides(&cover, own->left, own->right, own->high,
+                                          all[i].distance_m))
+                continue;
+            hidden++;
+            double reflectance = own->reflectance;
+            all[i].outline.reflectance = 0.77; /* no other's */
+            double left = fmax(own->left, seen.left), low = fmax(own->low, seen.low);
+            double width = fmin(own->right, seen.right) - left;
+            double height = fmin(own->high, seen.high) - low;
+            for (int p = 0; p < PLACES && width > 0.0 && height > 0.0; p++) {
+                double x = left + width * next(&row), z = low + height * next(&row);
+                assert_true(seen_there(all, COUNT, x, z) != 0.77);
+            }
+            all[i].outline.reflectance = reflectance;
+        }
+    }
+    assert_true(hidden > ROUNDS * COUNT / 10);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(each_place_shows_the_nearest_obstruction),
         cmocka_unit_test(the_parts_fill_the_opening),
         cmocka_unit_test(what_stands_behind_a_wall_makes_no_parts),
+        cmocka_unit_test(what_counts_as_covered_is_seen_nowhere),
     };
     return cmocka_run_group_tests_name("elevation_strips", tests, NULL, NULL);
 }

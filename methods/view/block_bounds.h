@@ -1,0 +1,43 @@
+/* block_bounds.h - where blocks stand before an opening, in bounds, the nearer ones about
+ * first. For elevation.c only.
+ *
+ * A room may have thousands of blocks outside, of which few are seen: bounds tell which
+ * without a look at their sides.
+ */
+#ifndef PP_METHODS_VIEW_BLOCK_BOUNDS_H
+#define PP_METHODS_VIEW_BLOCK_BOUNDS_H
+
+#include "model/geometry/frame.h"
+#include "model/room/world.h"
+
+/* A point and what it sees of an opening: directions by x/y and z/y in axes whose y runs
+ * out through the glass. */
+struct pp_block_view {
+    struct pp_vec3 point;
+    struct pp_frame axes;
+    double glass_m; /* nearer than this, along y, blocks hide nothing */
+    double left, right, low;
+};
+
+/* A block is seen between `left` and `right` and not above `high`; no corner is nearer to
+ * the point than distance_m. */
+struct pp_block_bound {
+    int block; /* among the world's */
+    double left, right, high, distance_m;
+};
+
+struct pp_block_bounds {
+    int count;
+    struct pp_block_bound *list;
+};
+
+/* Fills empty bounds with the blocks that may be seen, in the order of their distances to
+ * within a hundredth of what the nearest one's bears to theirs. The caller clears them,
+ * after a failure too. */
+enum pp_status pp_block_bounds_find(struct pp_block_bounds *bounds,
+                                    const struct pp_world *world,
+                                    const struct pp_block_view *view,
+                                    struct pp_error *err);
+void pp_block_bounds_clear(struct pp_block_bounds *bounds);
+
+#endif

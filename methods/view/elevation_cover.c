@@ -1,0 +1,55 @@
+/* elevation_cover.c - see elevation_cover.h. */
+#include "methods/view/elevation_cover.h"
+
+#include <math.h>
+
+/* Jambs within this share of a column of its edge count as on the side that hides
+ * less. */
+static const double grain = 1e-9;
+
+void pp_elevation_cover_init(struct pp_elevation_cover *cover,
+                             const struct pp_elevation_part *seen)
+{
+    cover->left = seen->left;
+    cover->width = (seen->right - seen->left) / PP_ELEVATION_COLUMNS;
+    for (int i = 0; i < PP_ELEVATION_COLUMNS; i++) {
+        cover->high[i] = seen->low;
+        cover->distance_m[i] = 0.0;
+    }
+}
+
+/* A jamb in columns from the first, within those there are. */
+static double column_of(const struct pp_elevation_cover *cover, double x)
+{
+    double at = (x - cover->left) / cover->width;
+    return fmin(fmax(at, 0.0), PP_ELEVATION_COLUMNS);
+}
+
+void pp_elevation_cover_add(struct pp_elevation_cover *cover,
+                            const struct pp_elevation_part *outline, double distance_m)
+{
+    int first = (int)ceil(column_of(cover, outline->left) + grain);
+    int end = (int)floor(column_of(cover, outline->right) - grain);
+    if (outline->left <= cover->left)
+        first = 0;
+    if (outline->right >= cover->left + PP_ELEVATION_COLUMNS * cover->width)
+        end = PP_ELEVATION_COLUMNS;
+    for (int i = first; i < end; i++)
+        if (outline->low <= cover->high[i] && outline->high > cover->high[i]) {
+            cover->high[i] = outline->high;
+            cover->distance_m[i] = fmax(cover->distance_m[i], distance_m);
+        }
+}
+
+bool pp_elevation_cover_hides(const struct pp_elevation_cover *cover, double left,
+                              double right, double high, double distance_m)
+{
+    int first = (int)floor(column_of(cover, left) - grain);
+    int end = (int)ceil(column_of(cover, right) + grain);
+    first = first < 0 ? 0 : first;
+    end = end > PP_ELEVATION_COLUMNS ? PP_ELEVATION_COLUMNS : end;
+    for (int i = first; i < end; i++)
+        if (!(high <= cover->high[i] && distance_m > cover->distance_m[i]))
+            return false;
+    return end > first;
+}

@@ -1,0 +1,34 @@
+/* elevation_cover.h - what is sure to be hidden by the obstructions drawn so far, so that
+ * it need not be drawn. For elevation.c only.
+ *
+ * The visible part of the opening is divided into upright columns. Each keeps how high it
+ * is covered without a gap from its foot, and the farthest obstruction that was needed for
+ * that. Nearly all obstructions stand on the ground, where this is their skyline.
+ */
+#ifndef PP_METHODS_VIEW_ELEVATION_COVER_H
+#define PP_METHODS_VIEW_ELEVATION_COVER_H
+
+#include "methods/view/elevation.h"
+
+enum { PP_ELEVATION_COLUMNS = 1024 };
+
+struct pp_elevation_cover {
+    double left, width; /* of the first column */
+    double high[PP_ELEVATION_COLUMNS];
+    double distance_m[PP_ELEVATION_COLUMNS];
+};
+
+/* Nothing is hidden yet of `seen`, which is not empty. */
+void pp_elevation_cover_init(struct pp_elevation_cover *cover,
+                             const struct pp_elevation_part *seen);
+
+/* Adds an obstruction whose nearest corner is at that distance. */
+void pp_elevation_cover_add(struct pp_elevation_cover *cover,
+                            const struct pp_elevation_part *outline, double distance_m);
+
+/* Is all between two jambs and up to `high` behind what was added, for whatever is at
+ * that distance? Never true where it is not. */
+bool pp_elevation_cover_hides(const struct pp_elevation_cover *cover, double left,
+                              double right, double high, double distance_m);
+
+#endif

@@ -1,0 +1,35 @@
+/* occluder_rings.h - the pieces of a view as rings of few corners, which cut fragments.
+ * For convex_patches.c and patch_builder.c only.
+ */
+#ifndef PP_METHODS_VIEW_OCCLUDER_RINGS_H
+#define PP_METHODS_VIEW_OCCLUDER_RINGS_H
+
+#include "methods/view/fragments.h"
+#include "methods/view/occluders.h"
+
+struct pp_occluder_rings {
+    int count;
+    struct pp_fragment_ring *rings;
+    int *of; /* the piece that each is a part of */
+    double (*xy)[2];
+};
+
+/* In the order of the pieces, with depths for a view at that distance. The caller clears
+ * the rings, after a failure too. */
+enum pp_status pp_occluder_rings_find(struct pp_occluder_rings *rings,
+                                      const struct pp_occluders *pieces,
+                                      double distance_m, struct pp_error *err);
+void pp_occluder_rings_clear(struct pp_occluder_rings *rings);
+
+/* The largest first: those that come after are mostly hidden. */
+enum pp_status pp_occluder_rings_sort(struct pp_occluder_rings *rings,
+                                      struct pp_error *err);
+
+/* Takes out the pieces of which others hide all, within the extent of the scene.
+ * one_light: do all pieces give off the same light, so that any may hide another? Else
+ * the nearer one hides. */
+enum pp_status pp_occluder_rings_drop_hidden(struct pp_occluders *pieces,
+                                             const struct pp_occluders_scene *scene,
+                                             bool one_light, struct pp_error *err);
+
+#endif
