@@ -6,8 +6,9 @@
 #include <stdlib.h>
 
 #include "methods/interpolate.h"
+#include "model/geometry/gauss.h"
 
-enum { PANELS = PP_PEPPER_POT_PANELS, AZIMUTHS = 20 };
+enum { PANELS = PP_PEPPER_POT_PANELS, AZIMUTHS = PP_PEPPER_POT_AZIMUTHS };
 
 /* The azimuths from which light of altitude gamma reaches the receiver. */
 static void azimuths(const struct pp_pepper_pot *pot, double *low, double *high)
@@ -20,53 +21,54 @@ static void azimuths(const struct pp_pepper_pot *pot, double *low, double *high)
     }
 }
 
-/* dSC / (dgamma dphi) of the header as a product: a factor that depends on the altitude
- * only, times by_azimuth. */
+/* dSC / (dgamma dphi) of the header as a product: this factor, which depends on the
+ * altitude only, times that of the azimuth and the losses. */
 static double by_altitude(const struct pp_pepper_pot *pot, double gamma)
 {
     double s = sin(gamma), c = cos(gamma);
     return pp_sky_luminance(&pot->sky, pp_vec(c, 0.0, s)) * (pot->upright ? c : s) * c;
 }
 
-static double by_azimuth(const struct pp_pepper_pot *pot, double cos_gamma, double phi)
+/* The other factor's part that is the same at all altitudes, at the nodes of Gauss's
+ * rule in each of even steps of the azimuth. */
+static void place_azimuths(struct pp_pepper_pot *pot)
 {
-    double facing = pot->upright ? cos(phi - pot->facing_rad) : 1.0;
-    if (!pot->glazed)
-        return facing;
-    return facing
-           * pp_interpolate_cubic(pot->losses, PP_PEPPER_POT_LOSSES, 0.0, 1.0,
-                                  cos_gamma * cos(phi));
+    double nodes[PP_PEPPER_POT_NODES], weights[PP_PEPPER_POT_NODES];
+    pp_gauss_legendre(nodes, weights, PP_PEPPER_POT_NODES);
+    azimuths(pot, &pot->low_rad, &pot->high_rad);
+    double half = (pot->high_rad - pot->low_rad) / AZIMUTHS / 2.0;
+    for (int i = 0; i < AZIMUTHS; i++)
+        for (int k = 0; k < PP_PEPPER_POT_NODES; k++) {
+            double phi = pot->low_rad + (2 * i + 1 + nodes[k]) * half;
+            double facing = pot->upright ? cos(phi - pot->facing_rad) : 1.0;
+            pot->ahead[i][k] = cos(phi);
+            pot->weight[i][k] = weights[k] * half * facing;
+        }
 }
 
-/* One altitude, and the light from the left of each of even azimuths. */
-struct ring_of_sky {
-    const struct pp_pepper_pot *pot;
-    double cos_gamma;
-    double low, high; /* azimuths */
-    double left[AZIMUTHS + 1];
-};
-
-static double of_ring(const void *context, double phi)
-{
-    const struct ring_of_sky *ring = context;
-    return by_azimuth(ring->pot, ring->cos_gamma, phi);
-}
-
-static void fill_ring(struct ring_of_sky *ring, const struct pp_pepper_pot *pot,
+/* One altitude: left[i] is the light from the left of azimuth i. */
+static void fill_ring(double left[AZIMUTHS + 1], const struct pp_pepper_pot *pot,
                       double gamma)
 {
-    ring->pot = pot;
-    ring->cos_gamma = cos(gamma);
-    azimuths(pot, &ring->low, &ring->high);
-    pp_interpolate_tabulate_integral(ring->left, AZIMUTHS + 1, ring->low, ring->high,
-                                     of_ring, ring);
+    double cos_gamma = cos(gamma);
+    left[0] = 0.0;
+    for (int i = 0; i < AZIMUTHS; i++) {
+        double sum = 0.0;
+        for (int k = 0; k < PP_PEPPER_POT_NODES; k++)
+            sum += pot->weight[i][k]
+                   * (pot->glazed
+                          ? pp_interpolate_cubic(pot->losses, PP_PEPPER_POT_LOSSES, 0.0,
+                                                 1.0, cos_gamma * pot->ahead[i][k])
+                          : 1.0);
+        left[i + 1] = left[i] + sum;
+    }
 }
 
 static double from_altitude(const void *pot, double gamma)
 {
-    struct ring_of_sky ring;
-    fill_ring(&ring, pot, gamma);
-    return by_altitude(pot, gamma) * ring.left[AZIMUTHS];
+    double left[AZIMUTHS + 1];
+    fill_ring(left, pot, gamma);
+    return by_altitude(pot, gamma) * left[AZIMUTHS];
 }
 
 static void place_dots(struct pp_pepper_pot *pot, int most)
@@ -77,10 +79,10 @@ static void place_dots(struct pp_pepper_pot *pot, int most)
         double s = modf((i + 0.5) * golden, &whole);
         double gamma =
             pp_interpolate_inverse(pot->below, PANELS + 1, 0.0, PP_PI / 2.0, share);
-        struct ring_of_sky ring;
-        fill_ring(&ring, pot, gamma);
-        double phi = pp_interpolate_inverse(ring.left, AZIMUTHS + 1, ring.low,
-                                            ring.high, s * ring.left[AZIMUTHS]);
+        double left[AZIMUTHS + 1];
+        fill_ring(left, pot, gamma);
+        double phi = pp_interpolate_inverse(left, AZIMUTHS + 1, pot->low_rad,
+                                            pot->high_rad, s * left[AZIMUTHS]);
         pot->dots[i][0] = tan(phi);
         pot->dots[i][1] = tan(gamma) / cos(phi);
     }
@@ -116,10 +118,9 @@ enum pp_status pp_pepper_pot_dots_create(struct pp_pepper_pot **pot,
     for (int i = 0; i < PP_PEPPER_POT_LOSSES; i++)
         made->losses[i] =
             pp_glass_transmittance(&made->glass, i / (PP_PEPPER_POT_LOSSES - 1.0));
-    double low, high;
-    azimuths(made, &low, &high);
+    place_azimuths(made);
     int most = 0;
-    if (high > low) {
+    if (made->high_rad > made->low_rad) {
         pp_interpolate_tabulate_integral(made->below, PANELS + 1, 0.0, PP_PI / 2.0,
                                          from_altitude, made);
         made->whole = made->below[PANELS];
@@ -156,12 +157,12 @@ bool pp_pepper_pot_dots_to_square(const struct pp_pepper_pot *pot, double a, dou
                                   double *s, double *t)
 {
     double phi = atan(a), gamma = atan2(b, hypot(a, 1.0));
-    struct ring_of_sky ring;
-    fill_ring(&ring, pot, gamma);
-    if (!(gamma >= 0.0 && phi >= ring.low && phi <= ring.high))
+    double left[AZIMUTHS + 1];
+    fill_ring(left, pot, gamma);
+    if (!(gamma >= 0.0 && phi >= pot->low_rad && phi <= pot->high_rad))
         return false;
-    *s = pp_interpolate_cubic(ring.left, AZIMUTHS + 1, ring.low, ring.high, phi)
-         / ring.left[AZIMUTHS];
+    *s = pp_interpolate_cubic(left, AZIMUTHS + 1, pot->low_rad, pot->high_rad, phi)
+         / left[AZIMUTHS];
     *t = pp_interpolate_cubic(pot->below, PANELS + 1, 0.0, PP_PI / 2.0, gamma)
          / pot->whole;
     return true;

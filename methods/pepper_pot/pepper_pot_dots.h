@@ -26,7 +26,12 @@
 #define PP_PEPPER_POT_WORTH 0.001       /* of a dot of the ordinary chart */
 #define PP_PEPPER_POT_FINE_WORTH 0.0001 /* of the fine one */
 
-enum { PP_PEPPER_POT_PANELS = 64, PP_PEPPER_POT_LOSSES = 513 };
+enum {
+    PP_PEPPER_POT_PANELS = 64,
+    PP_PEPPER_POT_LOSSES = 513,
+    PP_PEPPER_POT_AZIMUTHS = 20, /* steps */
+    PP_PEPPER_POT_NODES = 4,     /* of Gauss's rule in each */
+};
 
 struct pp_pepper_pot {
     struct pp_sky sky;     /* overcast or uniform */
@@ -39,6 +44,10 @@ struct pp_pepper_pot {
     double whole;      /* all dots' worth together: what a boundless window gives */
     double losses[PP_PEPPER_POT_LOSSES]; /* of the glass, at even cosines from 0 to 1 */
     double below[PP_PEPPER_POT_PANELS + 1]; /* what comes from below even altitudes */
+    double low_rad, high_rad; /* azimuths from which light reaches the receiver */
+    /* At the nodes between them: the cosine, and what the node weighs. */
+    double ahead[PP_PEPPER_POT_AZIMUTHS][PP_PEPPER_POT_NODES];
+    double weight[PP_PEPPER_POT_AZIMUTHS][PP_PEPPER_POT_NODES];
     int count;
     double (*dots)[2]; /* (a, b), b > 0 */
 };

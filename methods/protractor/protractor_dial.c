@@ -4,6 +4,8 @@
 
 #include <math.h>
 
+#include "model/geometry/gauss.h"
+
 static const double between_semicircles_rad = 10.0 * PP_RAD;
 
 /* The auxiliary scale at the ends of the primary one, where the strip has no width, is
@@ -34,34 +36,35 @@ static double simpson(double a, double middle, double b, double step)
     return (a + 4.0 * middle + b) * step / 6.0;
 }
 
-/* dF/dgamma: the density integrated over the strip, both sides of the section. */
-static double strip(const struct pp_protractor *protractor, double gamma)
+/* dF/dgamma: the density integrated over the strip, both sides of the section, by one
+ * Gauss-Legendre rule; the density is smooth up to the strip's end, where it is 0. */
+enum { NODES = 16 };
+
+static double strip(const struct pp_protractor *protractor, const double *nodes,
+                    const double *weights, double gamma)
 {
-    enum { STEPS = 90 };
-    double step = PP_PI / 2.0 / STEPS, sum = 0.0;
-    double low = pp_protractor_scale_density(protractor, gamma, 0.0);
-    for (int i = 0; i < STEPS; i++) {
-        double middle =
-            pp_protractor_scale_density(protractor, gamma, (i + 0.5) * step);
-        double high = pp_protractor_scale_density(protractor, gamma, (i + 1) * step);
-        sum += simpson(low, middle, high, step);
-        low = high;
-    }
-    return 2.0 * sum;
+    double quarter = PP_PI / 4.0, sum = 0.0;
+    for (int i = 0; i < NODES; i++)
+        sum += weights[i]
+               * pp_protractor_scale_density(protractor, gamma,
+                                             quarter * (1.0 + nodes[i]));
+    return 2.0 * quarter * sum;
 }
 
 static void make_primary(struct pp_protractor_dial *dial)
 {
     const struct pp_protractor *protractor = &dial->protractor;
     double step = dial->range_rad / PP_DIAL_STEPS;
+    double nodes[NODES], weights[NODES];
+    pp_gauss_legendre(nodes, weights, NODES);
     dial->primary[0] = 0.0;
-    dial->slope[0] = strip(protractor, 0.0);
+    dial->slope[0] = strip(protractor, nodes, weights, 0.0);
     for (int i = 0; i < PP_DIAL_STEPS; i++) {
-        dial->slope[i + 1] = strip(protractor, (i + 1) * step);
+        double middle = strip(protractor, nodes, weights, (i + 0.5) * step);
+        dial->slope[i + 1] = strip(protractor, nodes, weights, (i + 1) * step);
         dial->primary[i + 1] =
             dial->primary[i]
-            + simpson(dial->slope[i], strip(protractor, (i + 0.5) * step),
-                      dial->slope[i + 1], step);
+            + simpson(dial->slope[i], middle, dial->slope[i + 1], step);
     }
 }
 
@@ -95,9 +98,16 @@ void pp_protractor_dial_init(struct pp_protractor_dial *dial,
     dial->protractor = *protractor;
     dial->range_rad = pp_protractor_scale_range(protractor);
     make_primary(dial);
-    for (int k = 0; k < PP_DIAL_SEMICIRCLES; k++)
-        pp_protractor_dial_semicircle_init(&dial->semicircles[k], protractor,
-                                           k * between_semicircles_rad);
+    for (int k = 0; k < PP_DIAL_SEMICIRCLES; k++) {
+        double average = k * between_semicircles_rad;
+        if (k > 0 && dial->semicircles[k - 1].average_rad > dial->range_rad) {
+            dial->semicircles[k] = dial->semicircles[k - 1]; /* beyond the end, too */
+            dial->semicircles[k].average_rad = average;
+        } else {
+            pp_protractor_dial_semicircle_init(&dial->semicircles[k], protractor,
+                                               average);
+        }
+    }
 }
 
 double pp_protractor_dial_share(const struct pp_protractor_dial *dial, double gamma_rad)

@@ -1,5 +1,5 @@
-/* waldram_squares.c - draws outlines on the diagram by halving their edges, and cuts
- * them into squares by Sutherland and Hodgman's algorithm [SH74]. */
+/* waldram_squares.c - draws outlines on the diagram by halving their edges, and sums up
+ * the areas below their edges square by square. */
 #include "methods/waldram/waldram_squares.h"
 
 #include <math.h>
@@ -155,52 +155,55 @@ enum pp_status pp_waldram_squares_outline(struct pp_region *outline,
     return PP_OK;
 }
 
-/* Cuts a ring at coordinate `axis` = limit and keeps the part above (sign 1) or
- * below (sign -1); the signed area of the rest is correct for any ring [SH74]. */
-static void cut(struct droop_polyline *kept, const double (*xy)[2], int count, int axis,
-                double limit, double sign)
+/* The mean height of an edge from y0 to y1 over a square's foot, within the square. */
+static double mean_within(double y0, double y1, double height)
 {
-    kept->count = 0;
-    for (int i = 0; i < count; i++) {
-        const double *p = xy[i], *q = xy[(i + 1) % count];
-        double from = sign * (p[axis] - limit), to = sign * (q[axis] - limit);
-        if (from >= 0.0)
-            add_point(kept, p[0], p[1]);
-        if ((from > 0.0 && to < 0.0) || (from < 0.0 && to > 0.0)) {
-            double t = from / (from - to);
-            double x = p[0] + t * (q[0] - p[0]), y = p[1] + t * (q[1] - p[1]);
-            add_point(kept, axis == 0 ? limit : x, axis == 1 ? limit : y);
-        }
-    }
+    double low = fmin(y0, y1), high = fmax(y0, y1);
+    double from = fmin(fmax(low, 0.0), height), to = fmin(fmax(high, 0.0), height);
+    if (!(to > from))
+        return from;
+    return ((to - from) * (from + to) / 2.0 + fmax(high - height, 0.0) * height)
+           / (high - low);
 }
 
-static double signed_area(const struct droop_polyline *line)
+/* The squares that a figure may cover: rows from 0, columns from `first`. */
+struct square_field {
+    int first, columns, rows;
+    double width, height; /* of a square */
+    double *parts;        /* the area within each square, column by column */
+};
+
+/* Adds to each square of a column what lies below the edge from p to q, negative where
+ * it runs right. */
+static void add_below(struct square_field *field, int column, const double *p,
+                      const double *q)
 {
-    double twice = 0.0;
-    for (int i = 0; i < line->count; i++) {
-        const double *p = line->xy[i], *q = line->xy[(i + 1) % line->count];
-        twice += p[0] * q[1] - p[1] * q[0];
-    }
-    return twice / 2.0;
+    double left = column * field->width, right = (column + 1) * field->width;
+    double from = fmin(fmax(p[0], left), right), to = fmin(fmax(q[0], left), right);
+    if (from == to)
+        return;
+    double rise = q[1] - p[1], run = q[0] - p[0], height = field->height;
+    double y0 = p[1] + (from - p[0]) / run * rise;
+    double y1 = p[1] + (to - p[0]) / run * rise, top = fmax(y0, y1);
+    double *parts = field->parts + (column - field->first) * field->rows;
+    for (int row = 0; row < field->rows && row * height < top; row++)
+        parts[row] +=
+            (from - to) * mean_within(y0 - row * height, y1 - row * height, height);
 }
 
-/* Adds to parts[0 ... rows-1] the area of one ring in each square of a column. */
-static bool add_column(double *parts, int rows, const struct pp_ring *ring, double left,
-                       double width, double height)
+/* Adds the area of a ring to the squares: by Green's theorem the sum of what lies below
+ * its edges. */
+static void add_ring(struct square_field *field, const struct pp_ring *ring)
 {
-    struct droop_polyline a = {0}, b = {0}, strip = {0};
-    cut(&a, (const double(*)[2])ring->xy, ring->count, 0, left, 1.0);
-    cut(&strip, (const double(*)[2])a.xy, a.count, 0, left + width, -1.0);
-    for (int row = 0; row < rows && strip.count > 0; row++) {
-        cut(&a, (const double(*)[2])strip.xy, strip.count, 1, row * height, 1.0);
-        cut(&b, (const double(*)[2])a.xy, a.count, 1, (row + 1) * height, -1.0);
-        parts[row] += signed_area(&b);
+    for (int i = 0; i < ring->count; i++) {
+        const double *p = ring->xy[i], *q = ring->xy[i + 1 < ring->count ? i + 1 : 0];
+        int first = (int)floor(fmin(p[0], q[0]) / field->width);
+        int last = (int)floor(fmax(p[0], q[0]) / field->width);
+        int end = field->first + field->columns;
+        for (int k = first > field->first ? first : field->first; k <= last && k < end;
+             k++)
+            add_below(field, k, p, q);
     }
-    bool failed = a.failed || b.failed || strip.failed;
-    free(a.xy);
-    free(b.xy);
-    free(strip.xy);
-    return !failed;
 }
 
 /* Estimates one column's squares and appends those that are covered at least in part;
@@ -237,26 +240,29 @@ enum pp_status pp_waldram_squares_count(struct pp_waldram_count *count,
     if (pp_waldram_squares_outline(&outline, waldram, axes, region, err) != PP_OK)
         return PP_SYSTEM;
 
-    double width, height, low = INFINITY, high = -INFINITY;
-    pp_waldram_squares_size(waldram, &width, &height);
-    int rows = (int)ceil(pp_waldram_scale_y(waldram, PP_PI / 2.0) / height);
+    struct square_field field = {0};
+    double low = INFINITY, high = -INFINITY;
+    pp_waldram_squares_size(waldram, &field.width, &field.height);
+    field.rows = (int)ceil(pp_waldram_scale_y(waldram, PP_PI / 2.0) / field.height);
     for (int r = 0; r < outline.count; r++)
         for (int i = 0; i < outline.rings[r].count; i++) {
             low = fmin(low, outline.rings[r].xy[i][0]);
             high = fmax(high, outline.rings[r].xy[i][0]);
         }
 
-    double carried = 0.0, *parts = malloc(rows * sizeof *parts);
-    bool ok = parts != NULL;
-    int first = low < high ? (int)floor(low / width) : 0; /* else nothing is visible */
-    for (int column = first; ok && column * width < high; column++) {
-        memset(parts, 0, rows * sizeof *parts);
-        for (int r = 0; ok && r < outline.count; r++)
-            ok = add_column(parts, rows, &outline.rings[r], column * width, width,
-                            height);
-        ok = ok && count_column(count, &carried, parts, rows, column, width * height);
+    if (low < high) { /* else nothing is visible */
+        field.first = (int)floor(low / field.width);
+        field.columns = (int)ceil(high / field.width) - field.first;
     }
-    free(parts);
+    field.parts = calloc((size_t)(field.columns * field.rows) + 1, sizeof *field.parts);
+    bool ok = field.parts != NULL;
+    double carried = 0.0;
+    for (int r = 0; ok && r < outline.count; r++)
+        add_ring(&field, &outline.rings[r]);
+    for (int k = 0; ok && k < field.columns; k++)
+        ok = count_column(count, &carried, field.parts + k * field.rows, field.rows,
+                          field.first + k, field.width * field.height);
+    free(field.parts);
     pp_region_clear(&outline);
     if (ok)
         return PP_OK;
