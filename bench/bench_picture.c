@@ -1,5 +1,5 @@
 /* bench_picture.c - a picture through the irradiance cache: its time, and how far its
- * pixels are off a converged one. */
+ * pixels are off a converged one; and the noise of pixels in rooms with polished metal. */
 #include <math.h>
 #include <stdio.h>
 
@@ -60,31 +60,32 @@ static struct pp_irradiance_cache *grown(const struct pp_light_scene *scene,
     return cache;
 }
 
-/* Luminance of one pixel, by paths alone. */
+/* Luminance of one pixel, by as many paths; without a cache where the options have
+ * none. */
 static double by_paths(const struct pp_light_scene *scene,
                        const struct pp_environment *environment,
                        const struct pp_render_options *options, int x, int y,
-                       uint64_t seed)
+                       uint32_t paths, uint64_t seed)
 {
     static struct pp_sobol sobol;
     pp_sobol_init(&sobol);
     struct pp_radiance_state path_state = {.scene = scene,
                                            .environment = environment,
                                            .store = options->store,
+                                           .ambient = options->ambient,
                                            .options = options->light};
-    path_state.options.bounces = BOUNCES;
     path_state.options.source_most = 1;
     pp_sobol_sequence_init(&path_state.sequence, &sobol,
                            pp_hash(seed, (uint64_t)(y * SIDE + x)));
     enum pp_space space = pp_light_scene_space(scene, options->camera.eye);
     double sum = 0.0;
-    for (path_state.index = 0; path_state.index < PATHS; path_state.index++) {
+    for (path_state.index = 0; path_state.index < paths; path_state.index++) {
         double u[2];
         struct pp_light_ray ray = {.space = space};
         pp_sobol_sequence_draw(&path_state.sequence, path_state.index, 1 << 29, 2, u);
         pp_camera_ray(&options->camera, (x + u[0]) / SIDE, (y + u[1]) / SIDE, &ray.from,
                       &ray.to);
-        sum += pp_rgb_luminance(pp_radiance_along(&path_state, &ray, NULL)) / PATHS;
+        sum += pp_rgb_luminance(pp_radiance_along(&path_state, &ray, NULL)) / paths;
     }
     return sum;
 }
@@ -96,20 +97,92 @@ static double error_of(const struct pp_picture *picture,
                        const struct pp_environment *environment,
                        const struct pp_render_options *options)
 {
+    struct pp_render_options reference = *options;
     double sum = 0.0;
     int count = 0;
+    reference.ambient = NULL;
+    reference.light.bounces = BOUNCES;
     for (int y = EVERY / 2; y < SIDE; y += EVERY)
         for (int x = EVERY / 2; x < SIDE; x += EVERY, count++) {
             const float *rgb = pp_picture_at(picture, x, y);
             double found = pp_rgb_luminance(pp_rgb(rgb[0], rgb[1], rgb[2]));
-            double a = by_paths(scene, environment, options, x, y, 11);
-            double b = by_paths(scene, environment, options, x, y, 12);
+            double a = by_paths(scene, environment, &reference, x, y, PATHS, 11);
+            double b = by_paths(scene, environment, &reference, x, y, PATHS, 12);
             sum += (found - a) * (found - b) / (0.25 * (a + b) * (a + b));
         }
     return sqrt(fmax(sum / count, 0.0));
 }
 
-int main(void)
+/* ---- polished metal ---- */
+
+/* The noise of pixels of 16 paths: the spread of so many seeds, RMS over pixels. */
+static double noise_of(const struct pp_light_scene *scene,
+                       const struct pp_environment *environment,
+                       const struct pp_render_options *options)
+{
+    enum { SEEDS = 16 };
+    double sum = 0.0;
+    int count = 0;
+    for (int y = EVERY; y < SIDE; y += 2 * EVERY)
+        for (int x = EVERY; x < SIDE; x += 2 * EVERY, count++) {
+            double mean = 0.0, square = 0.0;
+            for (uint64_t seed = 0; seed < SEEDS; seed++) {
+                double found =
+                    by_paths(scene, environment, options, x, y, SAMPLES, seed);
+                mean += found / SEEDS;
+                square += found * found / SEEDS;
+            }
+            sum += (square / (mean * mean) - 1.0) * SEEDS / (SEEDS - 1);
+        }
+    return sqrt(sum / count);
+}
+
+static void polished(const char *name, const char *finishes)
+{
+    char xml[1000];
+    struct pp_outside_light light;
+    struct pp_light_scene *scene;
+    struct pp_environment *environment;
+    struct pp_error err;
+    snprintf(xml, sizeof xml,
+             "<room version='1'><plan width='4' depth='6' height='2.7'/>%s"
+             "<window wall='south' left='0.7' sill='0.8' width='2.6' height='1.5' "
+             "glazing='clear-single'/></room>",
+             finishes);
+    struct pp_world *world = world_of(&light, xml);
+    must(pp_light_scene_of_world(&scene, world, &err), &err);
+    must(pp_light_scene_under(&environment, scene, &light, &err), &err);
+    struct pp_render_options options = picture_of(scene, world);
+    double start = processor_s();
+    double paths = noise_of(scene, environment, &options);
+    start = processor_s() - start;
+    struct pp_irradiance_cache *cache = grown(scene, environment, &options);
+    options.ambient = pp_irradiance_cache_ambient(cache);
+    printf("  %-28s %5.1f %%  %5.2f s  %5.1f %%\n", name, 100.0 * paths, start,
+           100.0 * noise_of(scene, environment, &options));
+    pp_irradiance_cache_destroy(cache);
+    pp_environment_destroy(environment);
+    pp_light_scene_destroy(scene);
+    pp_world_destroy(world);
+}
+
+static void polished_rooms(void)
+{
+    printf("rooms of 4 x 6 m with polished metal, %d paths a pixel: noise of a pixel\n"
+           "  %-28s by paths  time  by a cache\n",
+           SAMPLES, "");
+    polished("none", "<finishes floor='0.2' walls='0.5' ceiling='0.7'/>");
+    polished("floor, polished aluminium",
+             "<finishes floor='polished-aluminium' walls='0.5' ceiling='0.7'/>");
+    polished("wall, polished aluminium",
+             "<finish wall='east' reflectance='polished-aluminium'/>");
+    polished("wall, brushed aluminium",
+             "<finish wall='east' reflectance='brushed-aluminium'/>");
+    polished("wall, a mirror", "<finish wall='east' reflectance='mirror'/>");
+    polished("ceiling, brass", "<finishes floor='0.2' walls='0.5' ceiling='brass'/>");
+}
+
+static void deep_room(void)
 {
     struct pp_outside_light light;
     struct pp_world *world = world_of(
@@ -152,5 +225,11 @@ int main(void)
     pp_environment_destroy(environment);
     pp_light_scene_destroy(scene);
     pp_world_destroy(world);
+}
+
+int main(void)
+{
+    deep_room();
+    polished_rooms();
     return 0;
 }

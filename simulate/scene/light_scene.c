@@ -36,6 +36,7 @@ void pp_light_scene_destroy(struct pp_light_scene *scene)
     free(scene->mirror_paths);
     free(scene->reflectors);
     free(scene->reflections);
+    free(scene->window_images);
     free(scene);
 }
 

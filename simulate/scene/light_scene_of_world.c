@@ -36,6 +36,7 @@ static struct pp_light_part part_of(const struct pp_light_scene *scene, int inde
                                     const int material[2])
 {
     struct pp_light_part part = {.normal = outline->normal,
+                                 .area_m2 = outline->area_m2,
                                  .material = {material[0], material[1]},
                                  .tag = index,
                                  .round = -1,
@@ -100,6 +101,10 @@ static enum pp_status add_triangles(struct pp_light_scene *scene,
         scene->plane_area_m2 += pp_triangle_area(scene->plane[i]);
     if (status == PP_OK)
         status = pp_openings_find(scene, list, first_pane, err);
+    if (status == PP_OK)
+        status = pp_reflectors_find(scene, err);
+    if (status == PP_OK)
+        status = pp_window_images_find(scene, err);
     return status == PP_OK ? pp_light_scene_add_rays(scene, list, err) : status;
 }
 

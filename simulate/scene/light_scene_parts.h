@@ -11,13 +11,14 @@
 #include "simulate/scene/reflectors.h"
 #include "simulate/scene/scene_ground.h"
 #include "simulate/scene/scene_skylines.h"
+#include "simulate/scene/window_images.h"
 
 /* A piece of surface that has one plane or one curve. */
 struct pp_light_part {
     struct pp_vec3 normal; /* of the front of a plane part, unit */
     struct pp_vec3 a, b;   /* of a plane part: a right-handed frame with the normal */
     double offset_m;       /* normal . x of its points, from the centre */
-    double area_m2;        /* of a plane part of a description */
+    double area_m2;        /* of a plane part */
     int material[2];       /* of front and back */
     int tag;
     int round;              /* which of the round shapes; -1: plane */
@@ -80,6 +81,8 @@ struct pp_light_scene {
     int reflector_count;
     struct pp_reflection *reflections; /* by reflector, then by emitter */
     int reflection_count;
+    struct pp_window_image *window_images;
+    int window_image_count;
     double unsampled_share; /* the greatest reflectance of parts outside mirror paths */
     struct pp_rgb glow; /* the brightest of its extended emitters that has a place */
 

@@ -24,18 +24,20 @@ static bool reflector_of(const struct pp_light_scene *scene, int index, int side
 {
     const struct pp_light_part *part = &scene->parts[index];
     const struct pp_material *material = &scene->materials[part->material[side]];
-    int gloss = scene->gloss_of_material[part->material[side]];
-    if (part->round >= 0 || gloss < 0 || pp_rgb_is_black(material->gloss)
-        || scene->glosses[gloss].along > WIDEST
-        || scene->glosses[gloss].across > WIDEST)
+    int number = scene->gloss_of_material[part->material[side]];
+    const struct pp_gloss *gloss = number < 0 ? NULL : &scene->glosses[number];
+    bool reflects = scene->world ? part->window < 0 && part->space[side] == PP_INDOORS
+                                 : gloss != NULL;
+    if (part->round >= 0 || !reflects || pp_rgb_is_black(material->gloss)
+        || (gloss && (gloss->along > WIDEST || gloss->across > WIDEST)))
         return false;
     struct pp_lobes lobes;
     struct pp_vec3 n = side ? pp_vec_scale(part->normal, -1.0) : part->normal;
-    pp_scatter_init(&lobes, material, &scene->glosses[gloss], n, n);
+    pp_scatter_init(&lobes, material, gloss, n, n);
     *reflector =
         (struct pp_reflector){.frame = lobes.frame,
                               .offset_m = side ? -part->offset_m : part->offset_m,
-                              .gloss = gloss,
+                              .gloss = number,
                               .share = pp_rgb_most(material->gloss),
                               .area_m2 = part->area_m2};
     return true;
@@ -72,8 +74,7 @@ static double light_of(const struct pp_light_scene *scene, int index)
     return pp_rgb_luminance(emitter->radiance) * size;
 }
 
-/* All pairs where there are not too many, chosen in proportion to what they may
- * throw. */
+/* All pairs with an emitter, chosen in proportion to what they may throw. */
 static void make_reflections(struct pp_light_scene *scene)
 {
     double sum = 0.0;
@@ -94,11 +95,13 @@ static void make_reflections(struct pp_light_scene *scene)
 
 enum pp_status pp_reflectors_find(struct pp_light_scene *scene, struct pp_error *err)
 {
-    if (scene->emitter_count == 0 || scene->emitter_count > MOST_EMITTERS)
+    if ((scene->emitter_count == 0 && scene->pane_count == 0)
+        || scene->emitter_count > MOST_EMITTERS)
         return PP_OK;
     scene->reflectors = calloc(MOST_REFLECTORS, sizeof *scene->reflectors);
-    scene->reflections = calloc((size_t)MOST_REFLECTORS * (size_t)scene->emitter_count,
-                                sizeof *scene->reflections);
+    scene->reflections =
+        calloc((size_t)MOST_REFLECTORS * (size_t)scene->emitter_count + 1,
+               sizeof *scene->reflections);
     if (!scene->reflectors || !scene->reflections)
         return pp_fail_memory(err);
     for (int i = 0; i < scene->part_count; i++)

@@ -6,6 +6,7 @@
 
 #include "simulate/sampling/lobe.h"
 #include "simulate/scene/environment.h"
+#include "simulate/transport/light_images.h"
 #include "simulate/transport/light_sources.h"
 #include "simulate/transport/light_windows.h"
 #include "simulate/transport/path_turn.h"
@@ -20,7 +21,13 @@ enum {
     /* Directions from the ground, where it is the first surface that scatters, for each
      * to a window: no cache smooths its light. */
     GROUND_DIRECTIONS = 4,
+    /* Directions of a strong gloss, and to each window, where it is the first surface
+     * that scatters: what they show may be a window's edge, and no cache smooths it. */
+    GLOSS_DIRECTIONS = 4,
 };
+
+/* A gloss that reflects more than this is a strong one. */
+static const double STRONG_GLOSS = 0.1;
 
 /* What a gloss, a mirror or a pane leads to may be a window or a lamp, far brighter
  * than all that these light: Russian roulette begins at this share of the throughput at
@@ -88,6 +95,21 @@ static struct pp_rgb light_outside(struct pp_radiance_state *state,
     return radiance;
 }
 
+/* The same of an opening's image in a reflector. */
+static void add_images(struct pp_radiance_state *state,
+                       const struct pp_shading_point *shading,
+                       struct pp_irradiance *sum)
+{
+    struct pp_image_view view;
+    struct pp_window_sample sample;
+    enum pp_first_met first_met;
+    if (!pp_light_images_view(state, shading, &view)
+        || !pp_light_images_sample(state, &view, &sample))
+        return;
+    struct pp_rgb light = light_outside(state, &view.there, &sample, &first_met);
+    sum->rest = pp_rgb_add(sum->rest, pp_rgb_times(sample.weight, light));
+}
+
 void pp_light_path_windows(struct pp_radiance_state *state,
                            const struct pp_shading_point *shading,
                            struct pp_irradiance *sum)
@@ -103,6 +125,7 @@ void pp_light_path_windows(struct pp_radiance_state *state,
                                                            : &sum->outside;
         *part = pp_rgb_add(*part, pp_rgb_times(sample.weight, light));
     }
+    add_images(state, shading, sum);
 }
 
 /* Next-event estimation at one side of a surface. */
@@ -137,6 +160,7 @@ static struct pp_rgb direct_light_of_lobes(struct pp_radiance_state *state,
             .vertex = side ? pp_path_vertex_branch(path->vertex, 0) : path->vertex,
             .depth = path->depth,
             .split = path->split,
+            .gloss_rays = path->here_gloss_rays,
             .arrival = side ? NULL : &path->here_arrival};
         if (!pp_rgb_is_black(shading.diffuse)
             || !pp_rgb_is_black(share[side ? PP_LOBE_THROUGH_GLOSS : PP_LOBE_GLOSS]))
@@ -229,21 +253,30 @@ static bool go_on(struct pp_radiance_state *state, struct pp_light_path *path,
         path, diffuse ? path->least : LEAST_GLOSS * path->least, u[3]);
 }
 
-/* The light of one of the lobes, by a path of its own. */
+/* The light of one of the lobes, by paths of its own. */
 static struct pp_rgb follow_lobe(struct pp_radiance_state *state,
                                  const struct pp_light_path *path,
                                  const struct pp_lobes *lobes, enum pp_lobe lobe,
                                  const struct pp_light_hit *hit)
 {
-    struct pp_light_path branch = *path;
-    double u[2];
-    branch.vertex = pp_path_vertex_branch(path->vertex, PP_DRAWS + (int)lobe);
-    branch.throughput = pp_rgb_times(path->throughput, lobes->share[lobe]);
-    pp_sobol_sequence_draw(&state->sequence, state->index, branch.vertex++ * PP_DRAWS,
-                           2, u);
-    if (!pp_path_turn_by_lobe(state, &branch, lobes, lobe, hit, u[0], u[1]))
-        return pp_rgb_grey(0.0);
-    return pp_light_path_follow(state, &branch, NULL);
+    struct pp_rgb sum = pp_rgb_grey(0.0);
+    uint32_t index = state->index;
+    uint32_t count = lobe == PP_LOBE_GLOSS ? path->here_gloss_rays : 1;
+    for (uint32_t i = 0; i < count; i++) {
+        struct pp_light_path branch = *path;
+        double u[2];
+        branch.vertex = pp_path_vertex_branch(path->vertex, PP_DRAWS + (int)lobe);
+        branch.throughput = pp_rgb_scale(
+            pp_rgb_times(path->throughput, lobes->share[lobe]), 1.0 / count);
+        branch.least /= count;
+        state->index = index * count + i;
+        pp_sobol_sequence_draw(&state->sequence, state->index,
+                               branch.vertex++ * PP_DRAWS, 2, u);
+        if (pp_path_turn_by_lobe(state, &branch, lobes, lobe, hit, u[0], u[1]))
+            sum = pp_rgb_add(sum, pp_light_path_follow(state, &branch, NULL));
+    }
+    state->index = index;
+    return sum;
 }
 
 /* Gloss and mirror bring much light or none: as long as another lobe is left for the
@@ -257,8 +290,8 @@ static struct pp_rgb follow_gloss_and_mirror(struct pp_radiance_state *state,
     int left = 0;
     for (int i = 0; i < PP_LOBE_COUNT; i++)
         left += !pp_rgb_is_black(lobes->share[i]);
-    for (int i = PP_LOBE_GLOSS; i <= PP_LOBE_MIRROR && left > 1; i++) {
-        if (pp_rgb_is_black(lobes->share[i]))
+    for (int i = PP_LOBE_GLOSS; i <= PP_LOBE_MIRROR; i++) {
+        if (pp_rgb_is_black(lobes->share[i]) || (left == 1 && i != PP_LOBE_GLOSS))
             continue;
         sum = pp_rgb_add(sum, follow_lobe(state, path, lobes, (enum pp_lobe)i, hit));
         lobes->share[i] = pp_rgb_grey(0.0);
@@ -364,9 +397,9 @@ static struct pp_arrival arrival_of(const struct pp_radiance_state *state,
                                     const struct pp_light_hit *hit)
 {
     int reflector = state->scene->parts[hit->part].reflector[hit->back];
-    if (!path->from_diffuse || reflector < 0 || !state->options.sources)
+    if (!path->from_diffuse || reflector < 0)
         return (struct pp_arrival){.reflector = -1};
-    return (struct pp_arrival){reflector, path->ray.from, path->ray.to,
+    return (struct pp_arrival){reflector, path->ray.from, path->ray.off, path->ray.to,
                                pp_vec_dot(path->ray.off, path->ray.to) / PP_PI};
 }
 
@@ -379,9 +412,12 @@ static bool scatter(struct pp_radiance_state *state, struct pp_light_path *path,
     path->here_arrival = arrival_of(state, path, hit);
     struct pp_light_hit from = *hit;
     from.point = pp_path_vertex_drawn_back(hit->point, path->ray.to);
-    struct pp_rgb here = direct_light_of_lobes(state, &lobes, &from, path);
     /* Behind clear glass it is still the first surface that scatters. */
     bool first = path->split && path->bounces <= FIRST_FEW;
+    path->here_gloss_rays = 1;
+    if (first && pp_rgb_most(lobes.share[PP_LOBE_GLOSS]) > STRONG_GLOSS)
+        path->here_gloss_rays = GLOSS_DIRECTIONS * (uint32_t)state->options.source_most;
+    struct pp_rgb here = direct_light_of_lobes(state, &lobes, &from, path);
     path->here_split = path->split;
     path->split = path->split && !scatters(&lobes);
     for (int side = 0; side < 2; side++)

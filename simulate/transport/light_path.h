@@ -37,6 +37,7 @@ static inline struct pp_light_path pp_light_path_outside(
                                   .sampled = PP_DIRECTLY_SAMPLED_ALL,
                                   .sampled_in = PP_OUTDOORS,
                                   .mirror_path = -1,
+                                  .arrival = {.reflector = -1},
                                   .depth = depth,
                                   .vertex = vertex,
                                   .from_window = true};

@@ -50,32 +50,37 @@ static bool samples_all(const struct pp_light_scene *scene, bool split)
 }
 
 /* How many directions go to a window; on the average, where one window is chosen. */
-static double samples_of(const struct pp_radiance_state *state, bool split, int window,
-                         struct pp_vec3 point)
+static double samples_of(const struct pp_radiance_state *state, bool split,
+                         uint32_t gloss_rays, int window, struct pp_vec3 point)
 {
     const struct pp_light_scene *scene = state->scene;
     if (!samples_all(scene, split))
         return 1.0 / scene->pane_count;
-    return pp_path_vertex_direction_count(
-        state, split, pp_openings_angular_size(&scene->panes[window], point));
+    return gloss_rays
+           * pp_path_vertex_direction_count(
+               state, split, pp_openings_angular_size(&scene->panes[window], point));
 }
 
 double pp_light_windows_weight(struct pp_radiance_state *state,
                                const struct pp_light_path *path, int window)
 {
-    if (!state->options.windows || path->from_window || path->sampled_in == PP_OUTDOORS
-        || path->sampled == PP_DIRECTLY_SAMPLED_NONE || path->mirror_path >= 0)
+    if (!state->options.windows || path->from_window || path->sampled_in == PP_OUTDOORS)
         return 1.0;
-    if (path->sampled == PP_DIRECTLY_SAMPLED_ALL)
+    if (path->sampled == PP_DIRECTLY_SAMPLED_ALL && path->mirror_path < 0)
         return 0.0;
+    double share = pp_path_vertex_image_weight(state, &path->arrival, window);
+    if (path->sampled != PP_DIRECTLY_SAMPLED_GLOSS || path->mirror_path >= 0)
+        return share;
     struct pp_shading_point shading = {.point = path->gloss_point,
                                        .normal = path->gloss_normal};
     const struct pp_polygon_sampler *sampler = sampler_of(state, &shading, window);
     if (!sampler)
-        return 1.0;
-    return pp_path_vertex_mis(
-        path->gloss_pdf, samples_of(state, path->gloss_split, window, shading.point)
-                             * pp_sample_polygon_pdf(sampler, path->ray.to));
+        return share;
+    return share
+           * pp_path_vertex_mis(path->gloss_pdf,
+                                samples_of(state, path->gloss_split, path->gloss_rays,
+                                           window, shading.point)
+                                    * pp_sample_polygon_pdf(sampler, path->ray.to));
 }
 
 /* The ray that leaves the window where the direction meets it, its weight multiplied by
@@ -131,9 +136,13 @@ static bool sample_window(struct pp_radiance_state *state,
     const struct pp_pane *pane = &state->scene->panes[sample->window];
     double samples = sampling->count;
     if (shading->lobes)
-        samples = samples_of(state, shading->split, sample->window, shading->point);
+        samples = samples_of(state, shading->split, shading->gloss_rays, sample->window,
+                             shading->point);
+    double share = 1.0;
+    if (shading->arrival)
+        share = pp_path_vertex_image_weight(state, shading->arrival, sample->window);
     struct pp_rgb f =
-        pp_path_vertex_brdf(shading, to.direction, samples / to.per_density, 1.0);
+        pp_path_vertex_brdf(shading, to.direction, samples / to.per_density, share);
     if (pp_rgb_is_black(f))
         return false;
     bool open = pane->seen_by_all && shading->space == PP_INDOORS;
@@ -142,6 +151,52 @@ static bool sample_window(struct pp_radiance_state *state,
         return false;
     sample->weight = pp_rgb_scale(f, weight * cosine * to.per_density);
     leave(state, shading, &to, sample);
+    return !pp_rgb_is_black(sample->weight);
+}
+
+bool pp_light_windows_aim(struct pp_radiance_state *state,
+                          const struct pp_shading_point *shading, int window,
+                          const double u[2], struct pp_window_sample *sample)
+{
+    const struct pp_window_sampling one = {.shading = shading, .count = 1};
+    sample->window = window;
+    return sample_window(state, &one, 1.0, u, sample);
+}
+
+/* Where a ray from inside meets the pane; the pane is a rectangle. */
+static bool meets_rectangle(const struct pp_target *target, struct pp_vec3 from,
+                            struct pp_vec3 to, struct pp_vec3 *point)
+{
+    double toward = -pp_vec_dot(target->normal, to);
+    double over = pp_vec_dot(target->normal, pp_vec_sub(from, target->corner));
+    if (!(toward > 0.0) || !(over > 0.0))
+        return false;
+    *point = pp_vec_along(from, over / toward, to);
+    struct pp_vec3 in = pp_vec_sub(*point, target->corner);
+    double x = pp_vec_dot(in, target->along), y = pp_vec_dot(in, target->up);
+    return x > 0.0 && x < target->width_m && y > 0.0 && y < target->height_m;
+}
+
+bool pp_light_windows_along(struct pp_radiance_state *state,
+                            const struct pp_shading_point *shading, int window,
+                            struct pp_vec3 to, struct pp_window_sample *sample)
+{
+    const struct pp_pane *pane = &state->scene->panes[window];
+    struct pp_light_ray ray = pp_path_vertex_shadow_ray(shading, to);
+    struct pp_direction_sample there = {.direction = to};
+    struct pp_light_hit hit;
+    if (pane->seen_by_all && pane->target.rectangle && !state->every_ray) {
+        if (!meets_rectangle(&pane->target, shading->point, to, &there.point))
+            return false;
+    } else {
+        if (pp_radiance_state_meet(state, &ray, &hit) != PP_MEETS_PART
+            || hit.part != pane->part || hit.back)
+            return false;
+        there.point = hit.point;
+    }
+    sample->window = window;
+    sample->weight = pp_rgb_grey(1.0);
+    leave(state, shading, &there, sample);
     return !pp_rgb_is_black(sample->weight);
 }
 
@@ -172,10 +227,12 @@ static bool next_window(struct pp_radiance_state *state,
     sampling->direction = 0;
     sampling->count = shading->directions > 0 ? shading->directions : 1;
     if (sampling->all)
-        sampling->count = pp_path_vertex_direction_count(
-            state, shading->split,
-            pp_openings_angular_size(&state->scene->panes[sampling->window],
-                                     shading->point));
+        sampling->count =
+            (shading->lobes ? shading->gloss_rays : 1)
+            * pp_path_vertex_direction_count(
+                state, shading->split,
+                pp_openings_angular_size(&state->scene->panes[sampling->window],
+                                         shading->point));
     return true;
 }
 

@@ -39,6 +39,18 @@ bool pp_light_windows_next(struct pp_radiance_state *state,
                            struct pp_window_sampling *sampling,
                            struct pp_window_sample *sample);
 
+/* One direction to that window, drawn by two numbers in (0, 1); false where no light
+ * comes along it. */
+bool pp_light_windows_aim(struct pp_radiance_state *state,
+                          const struct pp_shading_point *shading, int window,
+                          const double u[2], struct pp_window_sample *sample);
+
+/* A direction that was drawn otherwise: false where it does not come to that window
+ * first. The weight is the transmittance alone. */
+bool pp_light_windows_along(struct pp_radiance_state *state,
+                            const struct pp_shading_point *shading, int window,
+                            struct pp_vec3 to, struct pp_window_sample *sample);
+
 /* The vertex for the random numbers of what follows behind a window. */
 int pp_light_windows_vertex(const struct pp_shading_point *shading, int window);
 

@@ -63,8 +63,11 @@ static void note_sampled(const struct pp_radiance_state *state,
         path->arrival = path->here_arrival;
         if (lobe == PP_LOBE_THROUGH_GLOSS)
             path->arrival.reflector = -1;
-        path->gloss_pdf = pp_scatter_gloss_pdf(lobes, path->ray.to);
+        path->gloss_rays = path->here_gloss_rays;
+        path->gloss_pdf =
+            path->here_gloss_rays * pp_scatter_gloss_pdf(lobes, path->ray.to);
     } else if (lobe == PP_LOBE_MIRROR) {
+        path->arrival = path->here_arrival;
         path->mirror_path = pp_mirrors_path_extend(
             state->scene, path->mirror_path, state->scene->parts[hit->part].mirror);
         if (path->mirror_path < 0)

@@ -6,6 +6,7 @@
 
 #include "simulate/sampling/hash.h"
 #include "simulate/sampling/scatter.h"
+#include "simulate/scene/environment.h"
 #include "simulate/scene/light_scene_parts.h"
 #include "simulate/transport/radiance_state.h"
 
@@ -49,11 +50,11 @@ static inline double pp_path_vertex_mis(double own, double other)
  * the path has come through an opening. */
 enum pp_first_met { PP_MET_NOTHING, PP_MET_SKY, PP_MET_OUTSIDE, PP_MET_INSIDE };
 
-/* A ray of a diffuse lobe that has come to a glossy reflector straight: which, from
- * where, in which direction and with which density. */
+/* A ray of a diffuse lobe that has come to a reflector straight: which, from where and
+ * off which normal, in which direction and with which density. */
 struct pp_arrival {
     int reflector; /* -1: none */
-    struct pp_vec3 from, to;
+    struct pp_vec3 from, off, to;
     double pdf;
 };
 
@@ -70,6 +71,29 @@ static inline double pp_path_vertex_arrival_weight(const struct pp_light_scene *
         arrival->pdf, pp_reflectors_pdf(scene, reflection, arrival->from, arrival->to));
 }
 
+/* Are openings sampled by their images in reflectors? Where a cache has the light of
+ * these, its records have theirs too. */
+static inline bool pp_path_vertex_images(const struct pp_radiance_state *state)
+{
+    return state->options.windows && !state->ambient
+           && state->scene->window_image_count > 0;
+}
+
+/* The share that the ray keeps of a window's light by that reflector, where the diffuse
+ * surface has sampled the window's image in it too (window_images.h). */
+static inline double pp_path_vertex_image_weight(const struct pp_radiance_state *state,
+                                                 const struct pp_arrival *arrival,
+                                                 int window)
+{
+    if (!pp_path_vertex_images(state) || arrival->reflector < 0)
+        return 1.0;
+    const struct pp_image_viewer viewer = {arrival->from, arrival->off,
+                                           state->environment->brightness};
+    return pp_path_vertex_mis(arrival->pdf,
+                              pp_window_images_pdf(state->scene, arrival->reflector,
+                                                   window, &viewer, arrival->to));
+}
+
 /* The state of a path on its way to the next surface. */
 struct pp_light_path {
     struct pp_light_ray ray;
@@ -81,15 +105,17 @@ struct pp_light_path {
     int mirror_path;          /* of mirrors met since then; -1: none */
     struct pp_vec3 gloss_point, gloss_normal; /* of PP_DIRECTLY_SAMPLED_GLOSS: the
                                                * surface's, */
-    double gloss_pdf; /* the density of the ray's direction in the lobe, */
+    double gloss_pdf; /* the density of the ray's direction in the lobe, times the
+                       * rays of that, */
     bool gloss_split; /* and whether many directions were taken there; */
     bool here_split;  /* the same of the surface at hand */
+    uint32_t gloss_rays, here_gloss_rays;
     bool
         from_diffuse; /* has the ray come from a diffuse lobe straight? from and off are
                         * its surface's */
-    struct pp_arrival arrival, here_arrival; /* at the surface of
-                                              * PP_DIRECTLY_SAMPLED_GLOSS, and at the
-                                              * one at hand */
+    struct pp_arrival arrival, here_arrival; /* at the gloss or mirror that the ray
+                                              * comes from, and at the surface at
+                                              * hand */
     int depth;                               /* diffuse reflections so far */
     int vertex;                              /* of the random numbers */
     int bounces;                             /* surfaces met */
@@ -110,7 +136,8 @@ struct pp_shading_point {
     const struct pp_lobes *lobes; /* for the gloss; NULL: there is none; not owned */
     int vertex, depth;            /* as the path's that has come here */
     bool split;
-    bool whole_gloss; /* no light is left to rays of the gloss */
+    bool whole_gloss;    /* no light is left to rays of the gloss */
+    uint32_t gloss_rays; /* of which there are so many */
     const struct pp_arrival
         *arrival;        /* by which the gloss is seen; NULL: another way */
     uint32_t directions; /* to windows, each to one that is chosen by its importance; 0:
@@ -130,7 +157,8 @@ static inline struct pp_rgb pp_path_vertex_brdf(const struct pp_shading_point *s
     double weight =
         shading->whole_gloss
             ? 1.0
-            : pp_path_vertex_mis(density, pp_scatter_gloss_pdf(shading->lobes, o));
+            : pp_path_vertex_mis(
+                density, shading->gloss_rays * pp_scatter_gloss_pdf(shading->lobes, o));
     return pp_rgb_along(f, gloss_share * weight,
                         pp_scatter_gloss_brdf(shading->lobes, o));
 }

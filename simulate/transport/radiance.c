@@ -16,6 +16,7 @@ static struct pp_rgb along(struct pp_radiance_state *state,
                                  .sampled_in = ray->space,
                                  .from_diffuse = sampled == PP_DIRECTLY_SAMPLED_ALL,
                                  .mirror_path = -1,
+                                 .arrival = {.reflector = -1},
                                  .depth = sampled == PP_DIRECTLY_SAMPLED_ALL,
                                  .vertex = 1,
                                  .split = sampled == PP_DIRECTLY_SAMPLED_NONE};

@@ -172,6 +172,62 @@ static void windows_aimed_at_save_time_not_light(void **state)
     pp_world_destroy(world);
 }
 
+/* Rooms with a mirror and metal that is narrower than the window or wider, a window that
+ * is no rectangle, and a house outside. */
+static const char *const polished[] = {
+    "<finishes floor='polished-aluminium' walls='0.5' ceiling='0.7'/>"
+    "<window wall='south' left='0.2' sill='0.8' width='2.6' height='1.5'/>",
+    "<finishes floor='0.2' walls='0.5' ceiling='brass'/>"
+    "<finish wall='east' reflectance='mirror'/>"
+    "<window wall='south' left='0.4' sill='1.1' width='0.7' height='0.9'/>"
+    "<window wall='south' left='1.6' sill='0.9' width='0.8' height='0.8'/>"
+    "<block x='-4' y='-14' width='10' depth='6' height='5'/>",
+    "<finishes floor='0.2' walls='0.5' ceiling='0.7'/>"
+    "<finish wall='east' reflectance='brushed-aluminium'/>"
+    "<finish wall='north' reflectance='polished-aluminium'/>"
+    "<opening><vertex x='0.8' y='0' z='2.2'/><vertex x='1.9' y='0' z='2.3'/>"
+    "<vertex x='2.6' y='0' z='1.1'/><vertex x='0.3' y='0' z='0.9'/></opening>"};
+
+/* What polished planes send on of a window's light is the same, whether its images in
+ * them are aimed at or found by the walls' own rays; with less than half the error, at
+ * equal numbers of paths. */
+static void polished_planes_send_on_the_same_light_aimed_at_and_found(void **state)
+{
+    (void)state;
+    const struct pp_vec3 points[] = {{0.7, 1.3, 2.1}, {1.9, 3.1, 0.9}};
+    const struct pp_vec3 normals[] = {{0.6, 0.0, -0.8}, {0.0, 0.6, 0.8}};
+    for (int i = 0; i < 3; i++) {
+        char xml[2000];
+        struct pp_outside_light light;
+        snprintf(
+            xml, sizeof xml,
+            "<room version='1'><plan width='3' depth='4.3' height='2.7'/>%s</room>",
+            polished[i]);
+        struct pp_world *world = pp_test_lit_world(&light, xml);
+        struct pp_light_scene *scene = scene_of(world);
+        struct pp_environment *environment = pp_test_light_on(scene, &light);
+        double sampled_square = 0.0, found_square = 0.0;
+        for (int k = 0; k < 2; k++) {
+            struct pp_radiance_options options = pp_radiance_state_defaults();
+            options.source_most = 1;
+            struct pp_test_mean sampled = pp_test_irradiance(
+                scene, environment, NULL, options, points[k], normals[k], 256);
+            options.windows = false;
+            struct pp_test_mean found = pp_test_irradiance(
+                scene, environment, NULL, options, points[k], normals[k], 2048);
+            assert_near(sampled.value.g, found.value.g,
+                        4.0 * hypot(sampled.error, found.error));
+            assert_true(sampled.error < 0.03 * sampled.value.g);
+            sampled_square += pow(sampled.error / sampled.value.g, 2.0);
+            found_square += pow(found.error / found.value.g, 2.0);
+        }
+        assert_true(sampled_square < 0.25 * 8.0 * found_square);
+        pp_environment_destroy(environment);
+        pp_light_scene_destroy(scene);
+        pp_world_destroy(world);
+    }
+}
+
 /* Of a wall before one window, part is lit through the room and its other window.
  * Windows aren't sampled directly from there, so what it finds through both of them
  * counts. */
@@ -409,6 +465,7 @@ int main(void)
         cmocka_unit_test(so_has_one_with_all_that_there_is),
         cmocka_unit_test(sky_and_outside_are_told_apart),
         cmocka_unit_test(windows_aimed_at_save_time_not_light),
+        cmocka_unit_test(polished_planes_send_on_the_same_light_aimed_at_and_found),
         cmocka_unit_test(light_through_two_windows_falls_on_what_stands_outside),
         cmocka_unit_test(a_room_in_equilibrium_shows_one_everywhere),
         cmocka_unit_test(no_light_leaks_in_by_the_edges),

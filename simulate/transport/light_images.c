@@ -1,0 +1,97 @@
+/* light_images.c - a direction to an opening's image, and from the reflector to the
+ * opening. */
+#include "simulate/transport/light_images.h"
+
+#include "simulate/scene/environment.h"
+
+static int vertex_of(const struct pp_shading_point *shading)
+{
+    return pp_path_vertex_branch(shading->vertex * PP_DRAWS + PP_DRAW_WINDOWS, -2);
+}
+
+/* What the diffuse surface has of the light that comes along `to`. */
+static struct pp_rgb weight_of(const struct pp_shading_point *shading,
+                               struct pp_vec3 to, double pdf)
+{
+    double cosine = pp_vec_dot(shading->normal, to);
+    if (!(cosine > 0.0) || !(pdf > 0.0))
+        return pp_rgb_grey(0.0);
+    return pp_rgb_scale(shading->diffuse, pp_path_vertex_mis(pdf, cosine / PP_PI)
+                                              * cosine / (PP_PI * pdf));
+}
+
+bool pp_light_images_view(struct pp_radiance_state *state,
+                          const struct pp_shading_point *shading,
+                          struct pp_image_view *view)
+{
+    const struct pp_light_scene *scene = state->scene;
+    int most = state->options.bounces;
+    if (!pp_path_vertex_images(state) || shading->space == PP_OUTDOORS
+        || pp_rgb_is_black(shading->diffuse) || (most >= 0 && shading->depth >= most))
+        return false;
+    double u[3], probability, pdf;
+    int vertex = vertex_of(shading);
+    const struct pp_image_viewer viewer = {shading->point, shading->normal,
+                                           state->environment->brightness};
+    struct pp_light_ray ray = pp_path_vertex_shadow_ray(shading, shading->normal);
+    struct pp_light_hit hit;
+    pp_sobol_sequence_draw(&state->sequence, state->index, vertex, 3, u);
+    int image = pp_window_images_choose(scene, &viewer, u[2], &probability);
+    if (image < 0
+        || !pp_window_images_sample(scene, image, &viewer, u[0], u[1], &ray.to, &pdf))
+        return false;
+    view->weight = weight_of(shading, ray.to, probability * pdf);
+    if (pp_rgb_is_black(view->weight)
+        || pp_radiance_state_meet(state, &ray, &hit) != PP_MEETS_PART
+        || scene->parts[hit.part].reflector[hit.back]
+               != scene->window_images[image].reflector)
+        return false;
+    pp_scatter_init(&view->lobes, &scene->materials[hit.material],
+                    pp_light_scene_gloss(scene, hit.material), hit.normal,
+                    pp_vec_scale(ray.to, -1.0));
+    view->window = scene->window_images[image].window;
+    view->there =
+        (struct pp_shading_point){.point = pp_path_vertex_drawn_back(hit.point, ray.to),
+                                  .normal = hit.normal,
+                                  .space = hit.space,
+                                  .diffuse = pp_rgb_grey(0.0),
+                                  .vertex = vertex,
+                                  .depth = shading->depth + 1,
+                                  .whole_gloss = true};
+    return true;
+}
+
+/* Does the lobe fill a smaller solid angle than the window, as seen from the reflector?
+ * Facets of slopes up to the roughness turn a direction by twice as much. */
+static bool is_narrow(const struct pp_radiance_state *state,
+                      const struct pp_image_view *view)
+{
+    const struct pp_gloss *gloss = view->lobes.gloss;
+    double size =
+        pp_openings_angular_size(&state->scene->panes[view->window], view->there.point);
+    return 4.0 * PP_PI * gloss->along * gloss->across < size * size;
+}
+
+bool pp_light_images_sample(struct pp_radiance_state *state,
+                            const struct pp_image_view *view,
+                            struct pp_window_sample *sample)
+{
+    struct pp_shading_point there = view->there;
+    enum pp_lobe lobe = view->lobes.gloss ? PP_LOBE_GLOSS : PP_LOBE_MIRROR;
+    double u[2], factor;
+    there.lobes = &view->lobes;
+    pp_sobol_sequence_draw(&state->sequence, state->index,
+                           pp_path_vertex_branch(there.vertex, 0), 2, u);
+    if (lobe == PP_LOBE_MIRROR || is_narrow(state, view)) {
+        struct pp_vec3 to;
+        if (!pp_scatter_sample(&view->lobes, lobe, u[0], u[1], &to, &factor)
+            || !pp_light_windows_along(state, &there, view->window, to, sample))
+            return false;
+        sample->weight =
+            pp_rgb_scale(pp_rgb_times(sample->weight, view->lobes.share[lobe]), factor);
+    } else if (!pp_light_windows_aim(state, &there, view->window, u, sample)) {
+        return false;
+    }
+    sample->weight = pp_rgb_times(sample->weight, view->weight);
+    return !pp_rgb_is_black(sample->weight);
+}

@@ -1,0 +1,35 @@
+/* light_images.h - next-event estimation of openings by way of polished planes: from a
+ * diffuse surface, a direction to an opening's image in a reflector (window_images.h),
+ * and on from there. Inside simulate/ only.
+ *
+ * From the reflector the opening is sampled by a direction of the lobe, or aimed at where
+ * it looks smaller than that. The light outside is for light_path.c to find:
+ *
+ *     if (pp_light_images_view(state, &shading, &view)
+ *         && pp_light_images_sample(state, &view, &sample))
+ *         ... sample.weight times the light that comes along sample.ray ...
+ */
+#ifndef PP_SIMULATE_TRANSPORT_LIGHT_IMAGES_H
+#define PP_SIMULATE_TRANSPORT_LIGHT_IMAGES_H
+
+#include "simulate/transport/light_windows.h"
+
+/* A point of a reflector in which an image is looked for. */
+struct pp_image_view {
+    struct pp_shading_point there; /* its lobes: those below */
+    struct pp_lobes lobes;
+    int window;
+    struct pp_rgb weight; /* of what the reflector sends on to the diffuse surface */
+};
+
+/* False where no image is sampled, or none is in sight there. */
+bool pp_light_images_view(struct pp_radiance_state *state,
+                          const struct pp_shading_point *shading,
+                          struct pp_image_view *view);
+
+/* From there to the opening; false where no light comes along it. */
+bool pp_light_images_sample(struct pp_radiance_state *state,
+                            const struct pp_image_view *view,
+                            struct pp_window_sample *sample);
+
+#endif
