@@ -26,19 +26,25 @@ static void closed_form(void)
         POINTS / seconds / 1e6, sum / POINTS);
 }
 
-/* The whole method, over a grid of points, for about a second. */
-static void rooms(const char *name, const char *parts)
+/* A way of asking the method: of what its tools are made, which may be nothing, and by
+ * which function. */
+struct way {
+    const char *name;
+    enum pp_status (*prepare)(void **tools, const struct pp_world *world,
+                              const struct pp_outside_light *light,
+                              struct pp_error *err);
+    enum pp_status (*evaluate)(const struct pp_world *world,
+                               const struct pp_outside_light *light,
+                               const struct pp_opening *opening,
+                               const struct pp_receiver *receiver, const void *tools,
+                               struct pp_part *part, struct pp_error *err);
+};
+
+/* The time of a point over a grid of points in us, for about half a second. */
+static double point_us(const struct pp_world *world,
+                       const struct pp_outside_light *light, const struct way *way,
+                       const void *tools, double *mean)
 {
-    char xml[4096];
-    snprintf(xml, sizeof xml,
-             "<room version='1'><plan width='3.0' depth='9.0' height='2.7'/>%s</room>",
-             parts);
-    struct pp_outside_light light;
-    struct pp_world *world = world_of(&light, xml);
-    if (!world) {
-        printf("%s: no world\n", name);
-        return;
-    }
     enum { COLUMNS = 24, ROWS = 72 };
     long points = 0;
     double sum = 0.0, start = processor_s(), seconds;
@@ -49,17 +55,50 @@ static void rooms(const char *name, const char *parts)
                                            {0.0, 0.0, 1.0},
                                            0};
             struct pp_part part = {0};
-            if (pp_method_exact.evaluate(world, &light, &world->openings[0], &receiver,
-                                         NULL, &part, NULL)
+            if (way->evaluate(world, light, &world->openings[0], &receiver, tools,
+                              &part, NULL)
                 != PP_OK)
                 continue;
             sum += part.sky + part.external;
             points++;
         }
         seconds = processor_s() - start;
-    } while (seconds < 0.7);
-    printf("%-31s %8.3f us a point (mean %.6f)\n", name, 1e6 * seconds / (double)points,
-           sum / (double)points);
+    } while (seconds < 0.5);
+    *mean = sum / (double)points;
+    return 1e6 * seconds / (double)points;
+}
+
+/* The whole method by each way: what its tools take, and a point. */
+static void rooms(const char *name, const char *parts)
+{
+    const struct way ways[] = {
+        {"not prepared", NULL, pp_method_exact.evaluate},
+        {"prepared", pp_method_exact.prepare, pp_method_exact.evaluate},
+        {"for a plane, to 1e-6", pp_method_exact.prepare_for_plane,
+         pp_method_exact.evaluate_roughly}};
+    char xml[4096];
+    snprintf(xml, sizeof xml,
+             "<room version='1'><plan width='3.0' depth='9.0' height='2.7'/>%s</room>",
+             parts);
+    struct pp_outside_light light;
+    struct pp_world *world = world_of(&light, xml);
+    if (!world) {
+        printf("%s: no world\n", name);
+        return;
+    }
+    printf("%s\n", name);
+    for (size_t i = 0; i < sizeof ways / sizeof *ways; i++) {
+        struct pp_error err = {.message = ""};
+        void *tools = NULL;
+        double start = processor_s(), made_us, mean;
+        if (ways[i].prepare)
+            must(ways[i].prepare(&tools, world, &light, &err), &err);
+        made_us = 1e6 * (processor_s() - start);
+        double us = point_us(world, &light, &ways[i], tools, &mean);
+        printf("  %-22s %9.3f us a point (mean %.9f); tables %6.0f us\n", ways[i].name,
+               us, mean, made_us);
+        pp_method_exact.destroy_tools(tools);
+    }
     pp_world_destroy(world);
 }
 
@@ -87,6 +126,8 @@ int main(void)
     rooms("iso-5, unglazed", "<sky type='iso-5'/>" WINDOW("none"));
     rooms("iso-1, unglazed", "<sky type='iso-1'/>" WINDOW("none"));
     rooms("iso-12, clear glass", SUN("iso-12") WINDOW("clear-single"));
+    rooms("iso-12, clear glass, block", SUN("iso-12") WINDOW("clear-single") BLOCK);
     rooms("iso-12, unglazed", SUN("iso-12") WINDOW("none"));
+    rooms("iso-15, double glazing", SUN("iso-15") WINDOW("clear-double"));
     return 0;
 }

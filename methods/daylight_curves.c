@@ -379,7 +379,9 @@ enum pp_status pp_daylight_curves_by(struct pp_daylight_plan *plan,
              irc_name ? irc_name : "");
     void *tools = NULL;
     enum pp_status status = check_method(direct, world, light, err);
-    if (status == PP_OK && direct->prepare)
+    if (status == PP_OK && direct->prepare_for_plane)
+        status = direct->prepare_for_plane(&tools, world, light, err);
+    else if (status == PP_OK && direct->prepare)
         status = direct->prepare(&tools, world, light, err);
     if (status != PP_OK)
         return status;

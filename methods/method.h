@@ -101,6 +101,11 @@ struct pp_method {
                                            const struct pp_outside_light *light,
                                            const struct pp_method_options *options,
                                            struct pp_error *err);
+    /* In place of prepare, for very many points of the working plane, facing up, by
+     * evaluate_roughly: may take some milliseconds more. NULL function: prepare. */
+    enum pp_status (*prepare_for_plane)(void **tools, const struct pp_world *world,
+                                        const struct pp_outside_light *light,
+                                        struct pp_error *err);
     void (*destroy_tools)(void *tools); /* NULL tools are allowed */
 
     /* The components of one opening. Called only where neither function above refuses,

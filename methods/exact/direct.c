@@ -1,4 +1,4 @@
-/* direct.c - chooses closed form or quadrature for each patch of a view, and adds
+/* direct.c - chooses closed form, table or quadrature for each patch of a view, and adds
  * up. */
 #include "methods/exact/direct.h"
 
@@ -125,6 +125,22 @@ static int limits_of(struct pp_vec3 limits[2], const struct task *task, enum sid
     return 2;
 }
 
+/* A part of the patch for tables; `limits` has room for PP_HALF_SPACES_MOST. */
+static struct pp_pane_part part_of(const struct task *task, struct pp_vec3 *limits,
+                                   enum side side)
+{
+    struct pp_vec3 sides[2];
+    int count = limits_of(sides, task, side);
+    return (struct pp_pane_part){
+        .visible = task->visible,
+        .patch = task->patch,
+        .normal = task->normal,
+        .half_spaces = limits,
+        .half_space_count = join_half_spaces(limits, task->patch, sides, count),
+        .glazed = !is_unglazed(task),
+        .rough = task->sum->rough};
+}
+
 static enum pp_status by_quadrature(double *value, const struct task *task,
                                     enum side side, pp_luminance_function *luminance,
                                     const struct pp_vec3 *cusp, struct pp_error *err)
@@ -149,6 +165,12 @@ static enum pp_status by_quadrature(double *value, const struct task *task,
 static enum pp_status transmitted(double *value, const struct task *task,
                                   enum side side, struct pp_error *err)
 {
+    const struct pp_pane_light *tables = task->sum->tables;
+    if (!is_unglazed(task) && tables && tables->glass) {
+        struct pp_vec3 all[PP_HALF_SPACES_MOST];
+        struct pp_pane_part part = part_of(task, all, side);
+        return pp_pane_light_transmitted(value, tables, &part, err);
+    }
     if (!is_unglazed(task))
         return by_quadrature(value, task, side, unity_through_glass, NULL, err);
     struct pp_vec3 limits[2];
@@ -165,9 +187,14 @@ static enum pp_status from_sky(double *value, const struct task *task,
                                struct pp_error *err)
 {
     const struct pp_sky *sky = task->lights.sky;
-    if (!is_unglazed(task) || !pp_solid_angle_has_closed_form(sky))
+    if (!is_unglazed(task) || !pp_solid_angle_has_closed_form(sky)) {
+        struct pp_vec3 all[PP_HALF_SPACES_MOST];
+        struct pp_pane_part part = part_of(task, all, ABOVE);
+        if (task->sum->tables && pp_pane_light_has_sky(task->sum->tables, sky, &part))
+            return pp_pane_light_sky(value, task->sum->tables, sky, &part, err);
         return by_quadrature(value, task, ABOVE, sky_through_glass,
                              pp_sky_has_azimuth(sky) ? &sky->sun : NULL, err);
+    }
     struct pp_vec3 limits[2];
     int count = limits_of(limits, task, ABOVE);
     struct pp_moments moments;

@@ -12,11 +12,13 @@
  *       an exitance M     M / pi integral tau (n.u)
  *       ground            rho_ground / pi integral tau (n.u)
  *
- * By closed form where sky and glass allow it, else by quadrature.
+ * By closed form where sky and glass allow it, else by the tables that were made for the
+ * opening, else by quadrature.
  */
 #ifndef PP_METHODS_EXACT_DIRECT_H
 #define PP_METHODS_EXACT_DIRECT_H
 
+#include "methods/exact/pane_light.h"
 #include "methods/exact/solid_angle.h"
 #include "methods/view/visible.h"
 #include "model/base/error.h"
@@ -26,8 +28,11 @@
 
 struct pp_direct {
     double sky, external; /* over Eh */
-    bool rough;           /* set by the caller: fast, to about PP_QUADRATURE_ROUGH */
-    double error; /* of both, as estimated by the quadrature; 0 for closed forms */
+    /* Set by the caller: */
+    bool rough; /* fast, to 1e-6 of the open sky by tables, to about PP_QUADRATURE_ROUGH
+                 * by quadrature */
+    const struct pp_pane_light *tables; /* of the opening; not owned; NULL: none */
+    double error; /* of both, as estimated by the quadrature; 0 for all else */
     struct pp_steps *steps; /* where steps are recorded; may be NULL */
 };
 

@@ -1,8 +1,12 @@
 /* exact.c - `exact`: the direct component without approximation.
  *
  * Sky component by closed form [ARVO95] for the overcast and uniform skies without
- * glass (to 1e-9 or 1e-15 of the open sky), by quadrature with glass (to 1e-6) and for
- * the skies of ISO 15469 (to 1e-9 without glass); externally reflected component by the
+ * glass (to 1e-9 or 1e-15 of the open sky), by sums over edges with glass and for the skies
+ * of ISO 15469 that have no sun, without glass (arc_sum.h, to 1e-9 of the open sky), by
+ * quadrature for the other skies of ISO 15469 (to 1e-9 without glass, 1e-6 with it). Where
+ * the method was prepared for many points of the working plane those are sums over edges
+ * too, to 1e-6 of the open sky. Where it was not prepared at all, sums over edges are
+ * quadratures. Externally reflected component by the
  * conventions in direct.h. Any number of windows, rooflights and sloping openings, any
  * receiver, any shape of room; reveals, skylines, blocks and free-standing surfaces.
  *
@@ -21,51 +25,70 @@
 #include "methods/exact/direct.h"
 #include "methods/exact/exterior.h"
 #include "methods/exact/diffusing_pane.h"
+#include "methods/exact/pane_tables.h"
 #include "methods/view/visible.h"
 
-/* ---- diffusing panes ---- */
+/* ---- what is worked out once for a room ---- */
 
-/* The unevenly lit diffusing panes, whose illuminance is worked out once for the room:
- * one item for each opening, empty for all other openings. */
-struct panes {
+struct exact_tools {
+    struct pp_pane_tables *tables;
+    /* The illuminance of unevenly lit diffusing panes: one item for each opening, empty
+     * for all others. */
     int count;
-    struct pp_diffusing_pane list[];
+    struct pp_diffusing_pane panes[];
 };
 
-static void destroy_tools(void *tools)
+static void destroy_tools(void *of_exact)
 {
-    struct panes *panes = tools;
-    for (int i = 0; panes && i < panes->count; i++)
-        pp_diffusing_pane_clear(&panes->list[i]);
-    free(panes);
+    struct exact_tools *tools = of_exact;
+    if (!tools)
+        return;
+    pp_pane_tables_destroy(tools->tables);
+    for (int i = 0; i < tools->count; i++)
+        pp_diffusing_pane_clear(&tools->panes[i]);
+    free(tools);
 }
 
-/* *tools is NULL for a room without unevenly lit panes. */
+static enum pp_status prepare_with(void **of_exact, const struct pp_world *world,
+                                   const struct pp_outside_light *light,
+                                   const struct pp_vec3 *plane, struct pp_error *err)
+{
+    size_t count = (size_t)world->opening_count;
+    struct exact_tools *tools = calloc(1, sizeof *tools + count * sizeof *tools->panes);
+    if (!tools)
+        return pp_fail_memory(err);
+    tools->count = world->opening_count;
+    enum pp_status status =
+        pp_pane_tables_create(&tools->tables, world, light, plane, err);
+    for (int i = 0; i < world->opening_count && status == PP_OK; i++) {
+        const struct pp_opening *opening = &world->openings[i];
+        if (opening->glass.diffusing && !pp_exterior_is_uniform(world, opening))
+            status =
+                pp_diffusing_pane_init(&tools->panes[i], world, light, opening, err);
+    }
+    if (status != PP_OK)
+        destroy_tools(tools);
+    else
+        *of_exact = tools;
+    return status;
+}
+
 static enum pp_status prepare(void **tools, const struct pp_world *world,
                               const struct pp_outside_light *light,
                               struct pp_error *err)
 {
-    struct panes *panes = NULL;
-    enum pp_status status = PP_OK;
-    for (int i = 0; i < world->opening_count && status == PP_OK; i++) {
-        const struct pp_opening *opening = &world->openings[i];
-        if (!opening->glass.diffusing || pp_exterior_is_uniform(world, opening))
-            continue;
-        if (!panes) {
-            size_t count = (size_t)world->opening_count;
-            panes = calloc(1, sizeof *panes + count * sizeof *panes->list);
-            if (!panes)
-                return pp_fail_memory(err);
-            panes->count = world->opening_count;
-        }
-        status = pp_diffusing_pane_init(&panes->list[i], world, light, opening, err);
-    }
-    if (status != PP_OK)
-        destroy_tools(panes);
-    else
-        *tools = panes;
-    return status;
+    return prepare_with(tools, world, light, NULL, err);
 }
+
+static enum pp_status prepare_for_plane(void **tools, const struct pp_world *world,
+                                        const struct pp_outside_light *light,
+                                        struct pp_error *err)
+{
+    const struct pp_vec3 up = {0.0, 0.0, 1.0};
+    return prepare_with(tools, world, light, &up, err);
+}
+
+/* ---- diffusing panes ---- */
 
 /* Records the sum of an evenly lit pane: its illuminance outside, its transmittance,
  * and the configuration factor c of its visible part. */
@@ -113,10 +136,13 @@ static enum pp_status from_even_pane(struct pp_direct *sum,
     return PP_OK;
 }
 
-static enum pp_status from_diffusing_pane(
-    struct pp_direct *sum, const struct pp_world *world,
-    const struct pp_outside_light *light, const struct pp_opening *opening,
-    const struct pp_receiver *receiver, const struct panes *panes, struct pp_error *err)
+static enum pp_status from_diffusing_pane(struct pp_direct *sum,
+                                          const struct pp_world *world,
+                                          const struct pp_outside_light *light,
+                                          const struct pp_opening *opening,
+                                          const struct pp_receiver *receiver,
+                                          const struct pp_diffusing_pane *prepared,
+                                          struct pp_error *err)
 {
     struct pp_visible visible;
     enum pp_status status =
@@ -129,12 +155,11 @@ static enum pp_status from_diffusing_pane(
             status =
                 from_even_pane(sum, &visible, world, light, opening, receiver, err);
         } else {
-            if (!panes)
+            if (!prepared)
                 status = pp_diffusing_pane_init(&own, world, light, opening, err);
             if (status == PP_OK)
-                status = pp_diffusing_pane_add(
-                    sum, panes ? &panes->list[opening - world->openings] : &own,
-                    &visible, opening, receiver, err);
+                status = pp_diffusing_pane_add(sum, prepared ? prepared : &own,
+                                               &visible, opening, receiver, err);
             pp_diffusing_pane_clear(&own);
         }
         /* A Lambertian emitter of exitance tau E has luminance tau E / pi. */
@@ -154,10 +179,16 @@ static enum pp_status direct_of(const struct pp_world *world,
                                 const void *tools, struct pp_part *part,
                                 struct pp_error *err)
 {
-    struct pp_direct sum = {.rough = rough, .steps = part->sheet.steps};
+    const struct exact_tools *prepared = tools;
+    int index = (int)(opening - world->openings);
+    struct pp_direct sum = {
+        .rough = rough,
+        .tables = prepared ? pp_pane_tables_at(prepared->tables, index) : NULL,
+        .steps = part->sheet.steps};
     enum pp_status status;
     if (opening->glass.diffusing)
-        status = from_diffusing_pane(&sum, world, light, opening, receiver, tools, err);
+        status = from_diffusing_pane(&sum, world, light, opening, receiver,
+                                     prepared ? &prepared->panes[index] : NULL, err);
     else
         status = pp_direct_through(&sum, world, light, opening, receiver,
                                    &opening->glass, err);
@@ -240,6 +271,7 @@ const struct pp_method pp_method_exact = {
     .speaks_for = PP_FOR_POINT,
     .allowances = PP_ALLOWS_OWN_GLASS,
     .prepare = prepare,
+    .prepare_for_plane = prepare_for_plane,
     .destroy_tools = destroy_tools,
     .evaluate = evaluate,
     .average = average,

@@ -18,6 +18,7 @@
 #ifndef PP_METHODS_EXACT_SOLID_ANGLE_H
 #define PP_METHODS_EXACT_SOLID_ANGLE_H
 
+#include "methods/exact/half_space_clip.h"
 #include "model/light/sky.h"
 #include "model/geometry/vec.h"
 
@@ -26,9 +27,6 @@ struct pp_moments {
     double cosine;      /* E0 */
     double cosine_sine; /* E1 */
 };
-
-/* The most half-spaces in one call. */
-enum { PP_HALF_SPACES_MOST = 5 };
 
 /* Adds to *sum the moments of the part of a ring within all the half-spaces h.u > 0.
  *
