@@ -100,6 +100,8 @@ static enum pp_status add_triangles(struct pp_light_scene *scene,
         scene->plane_area_m2 += pp_triangle_area(scene->plane[i]);
     if (status == PP_OK)
         status = pp_openings_find(scene, list, first_pane, err);
+    if (status == PP_OK)
+        status = pp_convex_room_create(&scene->convex, scene, err);
     return status == PP_OK ? pp_light_scene_add_rays(scene, list, err) : status;
 }
 
