@@ -18,6 +18,7 @@ void pp_light_scene_destroy(struct pp_light_scene *scene)
     if (!scene)
         return;
     pp_rays_destroy(scene->rays);
+    pp_convex_room_destroy(scene->convex);
     pp_scene_skylines_clear(&scene->skylines);
     free(scene->panes);
     free(scene->pane_triangles);
@@ -262,10 +263,29 @@ enum pp_meeting pp_light_scene_meet_outside(const struct pp_light_scene *scene,
     return PP_MEETS_ENVIRONMENT;
 }
 
+/* In an empty convex room; false where the ray starts outside. */
+static bool meet_convex(const struct pp_light_scene *scene,
+                        const struct pp_light_ray *ray, struct pp_light_hit *hit)
+{
+    hit->part =
+        pp_convex_room_meet(scene->convex, scene, ray, &hit->distance_m, &hit->point);
+    if (hit->part < 0)
+        return false;
+    const struct pp_light_part *part = &scene->parts[hit->part];
+    hit->normal = part->normal;
+    hit->back = false;
+    hit->tag = part->tag;
+    hit->material = part->material[0];
+    hit->space = (enum pp_space)part->space[0];
+    return true;
+}
+
 enum pp_meeting pp_light_scene_meet(const struct pp_light_scene *scene,
                                     const struct pp_light_ray *ray,
                                     struct pp_light_hit *hit)
 {
+    if (scene->convex && ray->space == PP_INDOORS && meet_convex(scene, ray, hit))
+        return PP_MEETS_PART;
     struct pp_vec3 start = pp_rays_lift(ray->from, ray->off);
     float origin[3] = {(float)start.x, (float)start.y, (float)start.z};
     float direction[3] = {(float)ray->to.x, (float)ray->to.y, (float)ray->to.z};

@@ -4,6 +4,7 @@
 
 #include "model/light/scene_description.h"
 #include "simulate/sampling/gloss.h"
+#include "simulate/scene/convex_room.h"
 #include "simulate/scene/emitters.h"
 #include "simulate/scene/mirrors.h"
 #include "simulate/scene/openings.h"
@@ -66,6 +67,8 @@ struct pp_light_scene {
     struct pp_shape *rounds;
     int round_count;
     struct pp_rays *rays;
+    struct pp_convex_room
+        *convex; /* what its rays indoors meet; NULL: the kernels tell */
 
     struct pp_emitter *emitters;
     int emitter_count;

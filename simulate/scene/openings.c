@@ -36,22 +36,6 @@ static bool is_unobstructed(const struct pp_world *world,
     return true;
 }
 
-/* Do any two points in the room see each other? */
-static bool is_convex_and_empty(const struct pp_world *world)
-{
-    for (int i = world->face_count; i < world->surface_count; i++)
-        if (world->surfaces[i].inside)
-            return false; /* reveals too: from inside one, its sides hide */
-    for (int i = 0; i < world->face_count; i++) {
-        const struct pp_polygon *face = &world->surfaces[i].outline;
-        for (int k = 0; k < world->face_count; k++)
-            if (!all_before(&world->surfaces[k].outline, face->vertices[0],
-                            face->normal))
-                return false;
-    }
-    return true;
-}
-
 static struct pp_target target_of(const struct pp_opening *opening,
                                   struct pp_vec3 centre)
 {
@@ -84,7 +68,7 @@ enum pp_status pp_openings_find(struct pp_light_scene *scene,
 {
     const struct pp_world *world = scene->world;
     size_t own = (size_t)(triangles->count - first);
-    bool convex = world->opening_count > 0 && is_convex_and_empty(world);
+    bool convex = world->opening_count > 0 && pp_convex_room_is(world);
     scene->panes = calloc((size_t)world->opening_count + 1, sizeof *scene->panes);
     scene->pane_triangles = calloc(own + 1, sizeof *scene->pane_triangles);
     if (!scene->panes || !scene->pane_triangles)

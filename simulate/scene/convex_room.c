@@ -1,0 +1,164 @@
+/* convex_room.c - the planes of an empty convex room, and the panes in each. */
+#include "simulate/scene/convex_room.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "simulate/scene/light_scene_parts.h"
+
+/* Points nearer than this to a plane lie in it. */
+static const double SAME_PLANE_M = 1e-7;
+
+/* A ray may start so far behind a plane: in a corner it is rounding. */
+static const double BEHIND_M = 1e-5;
+
+/* Normals whose product is greater than this are those of one plane, or of two that
+ * rounding might take for one. */
+static const double SAME_NORMAL = 1.0 - 1e-6;
+
+struct convex_plane {
+    struct pp_vec3 normal; /* into the room */
+    double offset_m;       /* normal . x of its points */
+    int part;
+    int first, count; /* of its panes, in the list */
+};
+
+struct pp_convex_room {
+    struct convex_plane *planes;
+    int plane_count;
+    int *panes; /* by plane */
+};
+
+/* Does no vertex of the outline lie behind the face's plane? */
+static bool all_before(const struct pp_polygon *outline, const struct pp_polygon *face)
+{
+    for (int i = 0; i < outline->count; i++)
+        if (pp_vec_dot(face->normal,
+                       pp_vec_sub(outline->vertices[i], face->vertices[0]))
+            < -SAME_PLANE_M)
+            return false;
+    return true;
+}
+
+bool pp_convex_room_is(const struct pp_world *world)
+{
+    for (int i = world->face_count; i < world->surface_count; i++)
+        if (world->surfaces[i].inside)
+            return false; /* reveals too: from inside one, its sides hide */
+    for (int i = 0; i < world->face_count; i++)
+        for (int k = 0; k < world->face_count; k++)
+            if (!all_before(&world->surfaces[k].outline, &world->surfaces[i].outline))
+                return false;
+    return world->face_count > 0;
+}
+
+static bool has_plane_twice(const struct pp_world *world)
+{
+    for (int i = 0; i < world->face_count; i++)
+        for (int k = 0; k < i; k++)
+            if (pp_vec_dot(world->surfaces[i].outline.normal,
+                           world->surfaces[k].outline.normal)
+                > SAME_NORMAL)
+                return true;
+    return false;
+}
+
+enum pp_status pp_convex_room_create(struct pp_convex_room **result,
+                                     const struct pp_light_scene *scene,
+                                     struct pp_error *err)
+{
+    const struct pp_world *world = scene->world;
+    *result = NULL;
+    if (!pp_convex_room_is(world) || has_plane_twice(world))
+        return PP_OK;
+    struct pp_convex_room *room = calloc(1, sizeof *room);
+    if (!room)
+        return pp_fail_memory(err);
+    room->plane_count = world->face_count;
+    room->planes = calloc((size_t)world->face_count, sizeof *room->planes);
+    room->panes = calloc((size_t)scene->pane_count + 1, sizeof *room->panes);
+    if (!room->planes || !room->panes) {
+        pp_convex_room_destroy(room);
+        return pp_fail_memory(err);
+    }
+    int listed = 0;
+    for (int i = 0; i < world->face_count; i++) {
+        const struct pp_light_part *part = &scene->parts[i];
+        int first = listed;
+        for (int k = 0; k < scene->pane_count; k++)
+            if (world->openings[k].face == i)
+                room->panes[listed++] = k;
+        room->planes[i] = (struct convex_plane){part->normal, part->offset_m, i, first,
+                                                listed - first};
+    }
+    *result = room;
+    return PP_OK;
+}
+
+void pp_convex_room_destroy(struct pp_convex_room *room)
+{
+    if (!room)
+        return;
+    free(room->planes);
+    free(room->panes);
+    free(room);
+}
+
+static bool in_triangle(const struct pp_vec3 t[3], struct pp_vec3 normal,
+                        struct pp_vec3 point)
+{
+    for (int k = 0; k < 3; k++) {
+        struct pp_vec3 edge = pp_vec_sub(t[(k + 1) % 3], t[k]);
+        if (pp_vec_dot(normal, pp_vec_cross(edge, pp_vec_sub(point, t[k]))) < 0.0)
+            return false;
+    }
+    return true;
+}
+
+static bool in_target(const struct pp_target *target, struct pp_vec3 point)
+{
+    if (target->rectangle) {
+        struct pp_vec3 in = pp_vec_sub(point, target->corner);
+        double x = pp_vec_dot(in, target->along), y = pp_vec_dot(in, target->up);
+        return x > 0.0 && x < target->width_m && y > 0.0 && y < target->height_m;
+    }
+    for (int i = 0; i < target->triangle_count; i++) {
+        const struct pp_vec3 *t = target->triangles[i];
+        struct pp_vec3 normal =
+            pp_vec_cross(pp_vec_sub(t[1], t[0]), pp_vec_sub(t[2], t[0]));
+        if (in_triangle(t, normal, point))
+            return true;
+    }
+    return false;
+}
+
+int pp_convex_room_meet(const struct pp_convex_room *room,
+                        const struct pp_light_scene *scene,
+                        const struct pp_light_ray *ray, double *distance_m,
+                        struct pp_vec3 *point)
+{
+    const struct convex_plane *nearest = NULL;
+    double least = INFINITY;
+    for (int i = 0; i < room->plane_count; i++) {
+        const struct convex_plane *plane = &room->planes[i];
+        double towards = -pp_vec_dot(plane->normal, ray->to);
+        double before = pp_vec_dot(plane->normal, ray->from) - plane->offset_m;
+        if (before < -BEHIND_M)
+            return -1;
+        /* before / towards < least, least infinite at first */
+        if (towards > 0.0 && (!nearest || before < least * towards)) {
+            least = before / towards;
+            nearest = plane;
+        }
+    }
+    if (!nearest)
+        return -1;
+    *distance_m = least > 0.0 ? least : 0.0;
+    struct pp_vec3 near = pp_vec_along(ray->from, *distance_m, ray->to);
+    *point = pp_vec_along(near, nearest->offset_m - pp_vec_dot(nearest->normal, near),
+                          nearest->normal);
+    for (int i = nearest->first; i < nearest->first + nearest->count; i++)
+        if (in_target(&scene->panes[room->panes[i]].target, *point))
+            return scene->panes[room->panes[i]].part;
+    return nearest->part;
+}

@@ -1,0 +1,34 @@
+/* convex_room.h - what a ray meets in an empty convex room, by its planes alone.
+ *
+ * Any two points of such a room see each other, and a ray in it ends on the nearest of
+ * the planes that it runs towards: on a pane of that plane's, or else on its face. A few
+ * multiplications do what the ray kernels do for any scene, in double precision.
+ */
+#ifndef PP_SIMULATE_SCENE_CONVEX_ROOM_H
+#define PP_SIMULATE_SCENE_CONVEX_ROOM_H
+
+#include "model/base/error.h"
+#include "simulate/scene/light_scene.h"
+
+struct pp_convex_room;
+struct pp_world;
+
+/* Do any two points in the room see each other? Nothing stands in it, no opening has a
+ * reveal, and no vertex lies behind the plane of a face. */
+bool pp_convex_room_is(const struct pp_world *world);
+
+/* Once the scene's parts and panes are there. On success *room is the caller's; NULL
+ * where the scene's world is no such room, or has two faces in one plane. */
+enum pp_status pp_convex_room_create(struct pp_convex_room **room,
+                                     const struct pp_light_scene *scene,
+                                     struct pp_error *err);
+void pp_convex_room_destroy(struct pp_convex_room *room); /* NULL is allowed */
+
+/* The part that a ray which runs indoors meets, and its distance. *point: where it meets
+ * the part's plane. -1 where the ray starts outside. */
+int pp_convex_room_meet(const struct pp_convex_room *room,
+                        const struct pp_light_scene *scene,
+                        const struct pp_light_ray *ray, double *distance_m,
+                        struct pp_vec3 *point);
+
+#endif

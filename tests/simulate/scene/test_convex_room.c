@@ -1,0 +1,169 @@
+/* test_convex_room.c - what a ray meets by planes alone is what the kernels say. */
+#include "simulate/scene/convex_room.h"
+
+#include <math.h>
+
+#include "simulate/sampling/hash.h"
+#include "simulate/scene/light_scene_parts.h"
+#include "tests/lib/room_of.h"
+#include "tests/lib/traced.h"
+
+#define BOX                                                                            \
+    "<room version='1'><plan width='3.1' depth='7.3' height='2.7'/>"                   \
+    "<window wall='south' left='0.3' sill='0.8' width='2.3' height='1.4'/>"            \
+    "<window wall='south' left='0.3' sill='2.3' width='1.1' height='0.3'/>"            \
+    "<window wall='east' left='1.7' sill='0.4' width='2.9' height='1.9'/>"             \
+    "<rooflight x='1.1' y='4.2' width='0.9' depth='1.3'/>"
+
+#define TENT                                                                           \
+    "<room version='1'><plan height='2.9'><vertex x='0.3' y='0.2'/>"                   \
+    "<vertex x='4.9' y='0.9'/><vertex x='6.1' y='3.2'/><vertex x='2.2' y='5.3'/>"      \
+    "<vertex x='-0.7' y='2.1'/></plan>"                                                \
+    "<window wall='1' left='0.6' sill='0.7' width='3.1' height='1.5'/>"                \
+    "<opening><vertex x='1.5' y='2.1' z='2.9'/><vertex x='1.7' y='3.6' z='2.9'/>"      \
+    "<vertex x='3.8' y='2.9' z='2.9'/></opening>"
+
+static double draw(uint64_t *series, double low, double high)
+{
+    *series = pp_hash(*series, 1);
+    return low + (high - low) * (double)(*series >> 11) * 0x1p-53;
+}
+
+/* Rays between points of the room that is empty and convex: `from` a surface and from
+ * the air. Apart from edges, which one ray in some thousands comes near to. */
+static void compare(struct pp_light_scene *scene, struct pp_vec3 middle)
+{
+    enum { RAYS = 20000 };
+    struct pp_convex_room *convex = scene->convex;
+    uint64_t series = 5;
+    int differ = 0;
+    for (int i = 0; i < RAYS; i++) {
+        struct pp_light_ray ray = {.from = middle, .space = PP_INDOORS};
+        for (int leg = 0; leg < 2; leg++) {
+            ray.to =
+                pp_vec_unit(pp_vec(draw(&series, -1.0, 1.0), draw(&series, -1.0, 1.0),
+                                   draw(&series, -1.0, 1.0)));
+            if (pp_vec_dot(ray.to, ray.off) < 0.0)
+                ray.to = pp_vec_scale(ray.to, -1.0);
+            struct pp_light_hit met = {.part = -1}, kernel = {.part = -1};
+            assert_int_equal(pp_light_scene_meet(scene, &ray, &met), PP_MEETS_PART);
+            scene->convex = NULL;
+            enum pp_meeting meeting = pp_light_scene_meet(scene, &ray, &kernel);
+            scene->convex = convex;
+            if (meeting != PP_MEETS_PART || kernel.part != met.part) {
+                differ++;
+                continue;
+            }
+            /* A ray of the kernels starts off its surface by some 1e-5 m, which moves
+             * its end the more the flatter it comes in. */
+            double cosine = -pp_vec_dot(met.normal, ray.to);
+            struct pp_vec3 off = pp_vec_sub(met.point, kernel.point);
+            assert_near(cosine * (met.distance_m - kernel.distance_m), 0.0, 2e-5);
+            assert_near(cosine * pp_vec_length(off), 0.0, 2e-5);
+            assert_near(pp_vec_length(pp_vec_sub(met.normal, kernel.normal)), 0.0, 0.0);
+            assert_int_equal(met.material, kernel.material);
+            assert_int_equal(met.tag, kernel.tag);
+            assert_int_equal(met.space, kernel.space);
+            assert_true(met.back == kernel.back);
+            ray.from = met.point;
+            ray.off = met.normal;
+        }
+    }
+    assert_in_range(differ, 0, 2 * RAYS / 2000);
+}
+
+static void rays_meet_what_the_kernels_say(void **state)
+{
+    (void)state;
+    const char *const rooms[] = {BOX "</room>", TENT "</room>"};
+    for (int i = 0; i < 2; i++) {
+        struct pp_world *world = pp_test_world(rooms[i]);
+        struct pp_light_scene *scene = pp_test_matt_scene(world);
+        assert_true(pp_convex_room_is(world));
+        assert_non_null(scene->convex);
+        compare(scene,
+                pp_vec_sub(i == 0 ? pp_vec(1.3, 3.2, 1.4) : pp_vec(2.3, 2.6, 1.2),
+                           scene->centre));
+        pp_light_scene_destroy(scene);
+        pp_world_destroy(world);
+    }
+}
+
+/* Exactly: from the floor's middle straight up lies the ceiling, or the rooflight. */
+static void straight_up_lie_ceiling_and_rooflight(void **state)
+{
+    (void)state;
+    struct pp_world *world = pp_test_world(BOX "</room>");
+    struct pp_light_scene *scene = pp_test_matt_scene(world);
+    const struct {
+        double x, y;
+        bool window;
+    } at[] = {{1.09, 4.5, false},  {1.11, 4.5, true},  {1.99, 5.49, true},
+              {2.01, 5.49, false}, {1.5, 4.19, false}, {1.5, 4.21, true}};
+    for (size_t i = 0; i < sizeof at / sizeof *at; i++) {
+        struct pp_light_ray ray = {
+            .from = pp_vec_sub(pp_vec(at[i].x, at[i].y, 0.0), scene->centre),
+            .off = pp_vec(0.0, 0.0, 1.0),
+            .to = pp_vec(0.0, 0.0, 1.0),
+            .space = PP_INDOORS};
+        struct pp_light_hit hit = {.part = -1};
+        assert_int_equal(pp_light_scene_meet(scene, &ray, &hit), PP_MEETS_PART);
+        assert_near(hit.distance_m, 2.7, 1e-12);
+        assert_true((scene->parts[hit.part].window >= 0) == at[i].window);
+    }
+    pp_light_scene_destroy(scene);
+    pp_world_destroy(world);
+}
+
+static void assert_not_convex(const char *xml)
+{
+    struct pp_world *world = pp_test_world(xml);
+    struct pp_light_scene *scene = pp_test_matt_scene(world);
+    assert_null(scene->convex);
+    pp_light_scene_destroy(scene);
+    pp_world_destroy(world);
+}
+
+static void a_room_with_a_corner_a_table_or_a_reveal_is_left_to_the_kernels(
+    void **state)
+{
+    (void)state;
+    assert_not_convex("<room version='1'><plan height='2.6'><vertex x='0' y='0'/>"
+                      "<vertex x='5' y='0'/><vertex x='5' y='2'/><vertex x='2' y='2'/>"
+                      "<vertex x='2' y='6'/><vertex x='0' y='6'/></plan></room>");
+    assert_not_convex(BOX "<surface reflectance='0.4'><vertex x='1' y='1' z='0.7'/>"
+                          "<vertex x='2' y='1' z='0.7'/><vertex x='2' y='2' z='0.7'/>"
+                          "</surface></room>");
+    assert_not_convex(BOX "<window wall='north' left='1' sill='0.8' width='1' "
+                          "height='1' reveal='0.1'/></room>");
+}
+
+/* Outside there may be anything. */
+static void a_ray_from_outside_is_left_to_the_kernels(void **state)
+{
+    (void)state;
+    struct pp_world *world = pp_test_world(BOX "</room>");
+    struct pp_light_scene *scene = pp_test_matt_scene(world);
+    struct pp_light_ray ray = {.from =
+                                   pp_vec_sub(pp_vec(1.5, -0.3, 1.2), scene->centre),
+                               .to = pp_vec(0.0, 1.0, 0.0),
+                               .space = PP_INDOORS};
+    struct pp_vec3 point;
+    double distance;
+    assert_int_equal(pp_convex_room_meet(scene->convex, scene, &ray, &distance, &point),
+                     -1);
+    pp_light_scene_destroy(scene);
+    pp_world_destroy(world);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(rays_meet_what_the_kernels_say),
+        cmocka_unit_test(straight_up_lie_ceiling_and_rooflight),
+        cmocka_unit_test(
+            a_room_with_a_corner_a_table_or_a_reveal_is_left_to_the_kernels),
+        cmocka_unit_test(a_ray_from_outside_is_left_to_the_kernels),
+    };
+    return cmocka_run_group_tests_name("convex_room", tests, NULL, NULL);
+}
