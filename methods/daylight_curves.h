@@ -9,8 +9,8 @@
  * is more; they begin and end on the plane's edge or are closed. Nearer to an
  * upright opening than 20 mm or 1/500 of that diagonal, the daylight factor is taken as at
  * that distance, nearer to a wall than 1 mm as there.
- * The daylight factor is evaluated by fixed rules, to a relative error of 1e-5, or some
- * 1e-4 close to a pane.
+ * The direct component of `exact` is evaluated to 1e-6 of the open sky; that of unevenly lit
+ * diffusing panes by fixed rules, to a relative error of 1e-5, or some 1e-4 close to the pane.
  */
 #ifndef PP_METHODS_DAYLIGHT_CURVES_H
 #define PP_METHODS_DAYLIGHT_CURVES_H

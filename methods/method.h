@@ -124,7 +124,8 @@ struct pp_method {
                               const struct pp_opening *opening, const void *tools,
                               struct pp_part *part, bool *known, struct pp_error *err);
 
-    /* As evaluate, but faster, to a relative error of about 1e-4. May be NULL. */
+    /* As evaluate, but faster: to 1e-6 of the open sky or a relative error of about 1e-4.
+     * May be NULL. */
     enum pp_status (*evaluate_roughly)(const struct pp_world *world,
                                        const struct pp_outside_light *light,
                                        const struct pp_opening *opening,

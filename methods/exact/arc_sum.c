@@ -107,27 +107,49 @@ static void add_part(struct arc_walk *walk, const struct arc_end *a,
     add_part(walk, &middle, b, depth + 1);
 }
 
-/* An edge, divided where it is nearest to the cusp. */
+/* The places along an edge from a, of 1, where it is nearest to the cusp, and where it meets
+ * the meridian of the cusp about the axis, behind which the potential keeps a weak ridge.
+ * Returns how many, in order. */
+static int find_cuts(double cuts[2], const struct pp_arc_spacing *spacing,
+                     struct pp_vec3 a, struct pp_vec3 edge)
+{
+    const struct pp_vec3 cusp = *spacing->cusp;
+    /* Planes through the eye: that of the cusp and square to the edge's, the meridian's. */
+    const struct pp_vec3 planes[2] = {pp_vec_cross(cusp, pp_vec_cross(a, edge)),
+                                      pp_vec_cross(spacing->axis, cusp)};
+    int count = 0;
+    for (int i = 0; i < 2; i++) {
+        double at = pp_vec_dot(planes[i], a), rise = pp_vec_dot(planes[i], edge);
+        double t = -at / rise;
+        if (t > 0.0 && t < 1.0)
+            cuts[count++] = t;
+    }
+    if (count == 2 && cuts[1] < cuts[0]) {
+        double swap = cuts[0];
+        cuts[0] = cuts[1];
+        cuts[1] = swap;
+    }
+    return count;
+}
+
+/* A shorter chord needs no cuts: its nodes are close enough. */
+#define CUT_LEAST 0.25
+
 static void add_edge(struct arc_walk *walk, const struct arc_end *a,
                      const struct arc_end *b)
 {
-    const struct pp_vec3 *cusp = walk->spacing->cusp;
-    if (cusp) {
-        /* The edge is nearest to the cusp where the plane of both, which is square to the
-         * edge's, meets it. */
-        struct pp_vec3 edge = pp_vec_sub(b->v, a->v);
-        struct pp_vec3 across = pp_vec_cross(a->v, edge);
-        struct pp_vec3 side = pp_vec_cross(*cusp, across);
-        double low = pp_vec_dot(side, a->v), high = pp_vec_dot(side, b->v);
-        if (low < 0.0 && high > 0.0) {
-            struct arc_end nearest =
-                end_at(pp_vec_along(a->v, low / (low - high), edge));
-            add_part(walk, a, &nearest, 0);
-            add_part(walk, &nearest, b, 0);
-            return;
-        }
+    double cuts[2];
+    struct pp_vec3 edge = pp_vec_sub(b->v, a->v), chord = pp_vec_sub(b->u, a->u);
+    bool is_cut =
+        walk->spacing->cusp && pp_vec_dot(chord, chord) > CUT_LEAST * CUT_LEAST;
+    int count = is_cut ? find_cuts(cuts, walk->spacing, a->v, edge) : 0;
+    struct arc_end from = *a;
+    for (int i = 0; i < count; i++) {
+        struct arc_end to = end_at(pp_vec_along(a->v, cuts[i], edge));
+        add_part(walk, &from, &to, 0);
+        from = to;
     }
-    add_part(walk, a, b, 0);
+    add_part(walk, &from, b, 0);
 }
 
 static void add_vertex(void *data, struct pp_vec3 v)

@@ -49,9 +49,8 @@ struct pp_arc_spacing {
     double longest; /* chord of an arc that one rule serves */
     int bend_count;
     struct pp_arc_bend bends[2];
-    const struct pp_vec3
-        *cusp; /* a direction (unit) where the potential has a weak cusp,
-                                 * or NULL */
+    const struct pp_vec3 *cusp; /* a direction (unit) where f has a cusp, or NULL */
+    struct pp_vec3 axis;        /* of the potential, where there is a cusp */
 };
 
 /* The sum (1) over the part of a ring within the half-spaces. Vertices are relative to the

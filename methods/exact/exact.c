@@ -1,13 +1,12 @@
 /* exact.c - `exact`: the direct component without approximation.
  *
  * Sky component by closed form [ARVO95] for the overcast and uniform skies without
- * glass (to 1e-9 or 1e-15 of the open sky), by sums over edges with glass and for the skies
- * of ISO 15469 that have no sun, without glass (arc_sum.h, to 1e-9 of the open sky), by
- * quadrature for the other skies of ISO 15469 (to 1e-9 without glass, 1e-6 with it). Where
- * the method was prepared for many points of the working plane those are sums over edges
- * too, to 1e-6 of the open sky. Where it was not prepared at all, sums over edges are
- * quadratures. Externally reflected component by the
- * conventions in direct.h. Any number of windows, rooflights and sloping openings, any
+ * glass (to 1e-9 or 1e-15 of the open sky); with glass, and for the skies of ISO 15469 that
+ * have no sun without it, by sums over edges (pane_light.h, to 1e-9 of the open sky), or by
+ * quadrature where the method was not prepared; by quadrature for other skies of ISO 15469
+ * (to 1e-9 without glass, 1e-6 with it), or by sums over edges too (to 1e-6 of the open sky)
+ * where the method was prepared for the points of a plane. Externally reflected component by
+ * the conventions in direct.h. Any number of windows, rooflights and sloping openings, any
  * receiver, any shape of room; reveals, skylines, blocks and free-standing surfaces.
  *
  * A diffusing pane is a Lambertian emitter of the light that falls on its outside:

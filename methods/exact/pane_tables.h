@@ -11,7 +11,7 @@ struct pp_pane_tables;
 
 /* Of clear glass and of gradations, which take some 70 us each and serve any receiver.
  * `plane` is the normal of many receivers to come: for them skies that have no other table
- * are tabulated too, to 1e-6, which takes some 2.5 ms for each orientation; NULL: they are
+ * are tabulated too, to 1e-6, which takes some 3 ms for each orientation; NULL: they are
  * not. *tables is the caller's, may outlive the world, and is read by any number of
  * threads. */
 enum pp_status pp_pane_tables_create(struct pp_pane_tables **tables,

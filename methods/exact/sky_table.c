@@ -7,7 +7,7 @@
 
 /* Steps of t from 0 to 1, and of the tangent from -1 to 1; rows and columns beyond, for the
  * splines at the edge. */
-enum { STEPS = 80, COLUMN_STEPS = 96, BEYOND = 3 };
+enum { STEPS = 96, COLUMN_STEPS = 96, BEYOND = 3 };
 enum {
     MIDDLE = STEPS + BEYOND,
     ROWS = 2 * MIDDLE + 1,
@@ -16,7 +16,7 @@ enum {
 
 /* Arcs that suffice, by trial: longest chord, where the transmittance of glass bends, and
  * where a gradation does, over its parameter b. */
-#define ARC_LONGEST 1.4
+#define ARC_LONGEST 1.2
 #define PANE_BEND 0.05
 #define GRADATION_BEND 0.35
 
@@ -204,14 +204,14 @@ enum pp_status pp_sky_table_create(struct pp_sky_table **table,
         pp_projection_direction(view, normal), made};
     made->room_normal = normal;
     made->sun = pp_projection_direction(view, sky->sun);
-    bool sun_is_near = sky->c != 0.0 && made->sun.z > -0.2;
-    made->has_sun_part = sun_is_near && (glass->panes == 0 || made->sun.z > 0.0);
+    made->has_sun_part = sky->c != 0.0 && made->sun.z > (glass->panes > 0 ? 0.0 : -0.2);
     made->spacing =
         (struct pp_arc_spacing){.longest = ARC_LONGEST,
                                 .bend_count = sky->a != 0.0 ? 2 : 1,
                                 .bends = {{{0.0, 0.0, 1.0}, PANE_BEND},
                                           {integrand.zenith, -GRADATION_BEND * sky->b}},
-                                .cusp = sun_is_near ? &made->sun : NULL};
+                                .cusp = sky->c != 0.0 ? &made->sun : NULL,
+                                .axis = {0.0, 0.0, 1.0}};
     if (made->has_sun_part)
         find_sun_part(made, &integrand);
     fill_charts(made, &integrand);

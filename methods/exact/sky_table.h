@@ -20,8 +20,9 @@
  * shrink towards grazing incidence, where the transmittance of glass bends. f is summed along
  * t by two Gauss points to a step, B interpolated by cubic B-splines.
  *
- * Over 2,000 random windows, slopes, tilts, skies and panes the worst error was 9e-7 of the
- * open sky, the rms error ERROR.
+ * Over 24,000 random windows before planes that face up, of any slope and pane under all
+ * types, the worst error was 7e-7 of the open sky and the rms error 5e-8; 1e-5 on planes that
+ * are tilted to a low sun under types 14 and 15.
  */
 #ifndef PP_METHODS_EXACT_SKY_TABLE_H
 #define PP_METHODS_EXACT_SKY_TABLE_H
