@@ -107,7 +107,8 @@ struct pp_vec3 pp_exterior_opening_centroid(const struct pp_opening *opening)
         sum = pp_vec_along(sum, part / 3.0, middle);
         area += part;
     }
-    return pp_vec_along(v[0], 1.0 / area, sum);
+    struct pp_vec3 middle = pp_vec_along(v[0], 1.0 / area, sum);
+    return pp_vec_along(middle, -opening->recess_m, outline->normal);
 }
 
 enum pp_status pp_exterior_sky_on_plane(double *share, const struct pp_world *world,

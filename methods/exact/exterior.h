@@ -9,11 +9,13 @@
 #include "model/light/outside_light.h"
 #include "model/room/world.h"
 
-/* The centroid of an opening's outer outline. */
+/* The middle of an opening's outside: the centroid of its outer outline or, where that
+ * stands back from a facade, of its hole there, since a wall does not obstruct its own
+ * windows, however thick. */
 struct pp_vec3 pp_exterior_opening_centroid(const struct pp_opening *opening);
 
 /* Illuminance over Eh, from the visible sky alone and without glass, of a plane through
- * the centroid of the opening's outer outline with the outward unit normal `normal`;
+ * the middle of the opening's outside with the outward unit normal `normal`;
  * for a vertical normal the vertical sky component. The ground gives none.
  * Obstructions are the skylines of the opening's own face, blocks, free-standing
  * surfaces outside and the building's own outer faces. */

@@ -18,14 +18,15 @@ double pp_obstruction_factor(double angle_rad)
     return pp_interpolate_linear(printed, ROWS, angle_rad / PP_RAD) / 100.0;
 }
 
-/* Does any of the vertices lie in front of the opening's plane, on the outer side? */
+/* Does any of the vertices lie before the opening's outside: before its plane or, where it
+ * stands back from a facade, before that? */
 static bool reaches_in_front(const struct pp_polygon *outline,
                              const struct pp_opening *opening)
 {
     for (int i = 0; i < outline->count; i++) {
         struct pp_vec3 from =
             pp_vec_sub(outline->vertices[i], opening->outer.vertices[0]);
-        if (pp_vec_dot(from, opening->outer.normal) < -1e-6)
+        if (pp_vec_dot(from, opening->outer.normal) < -opening->recess_m - 1e-6)
             return true;
     }
     return false;

@@ -17,7 +17,8 @@
 /* alpha of an opening (rad, 0 to pi/2): the angle of its own wall's skyline from the
  * middle of the opening's height; where blocks, free-standing surfaces outside or other
  * parts of the building stand before the opening, the angle by the VSC with all
- * obstructions. For a sloping opening the VSC is that of the vertical plane with the
+ * obstructions. What the wall's own thickness hides, a reveal or the facade that the glass
+ * stands back from, is none. For a sloping opening the VSC is that of the vertical plane with the
  * same azimuth; the angle of a horizontal opening is 90 degrees times the share of the
  * sky's light that is hidden. */
 enum pp_status pp_obstruction_angle(double *angle_rad, const struct pp_world *world,

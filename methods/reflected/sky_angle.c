@@ -8,7 +8,7 @@
 
 static const struct pp_formula_quantity of_head[] = {
     {"h", PP_UNIT_METRE, "height of the opening"},
-    {"d", PP_UNIT_METRE, "depth of the reveal"},
+    {"d", PP_UNIT_METRE, "depth of the reveal, to the facade's plane"},
     {0},
 };
 
@@ -92,18 +92,24 @@ const struct pp_formula pp_sky_angle_theta_in_reveal = {
     .quantities = of_theta_in_reveal,
 };
 
+/* From the wall's inner face out to where the wall ends, before the glass or behind it. */
+static double depth_of(const struct pp_opening *opening)
+{
+    return opening->reveal_m + opening->recess_m;
+}
+
 static void put_reveal(struct pp_worksheet *sheet, const struct pp_opening *opening)
 {
     int line = opening->line;
     pp_worksheet_put(sheet, PP_UNIT_METRE, opening->height_m, "h",
                      "opening on line %d: height", line);
-    pp_worksheet_put(sheet, PP_UNIT_METRE, opening->reveal_m, "d",
+    pp_worksheet_put(sheet, PP_UNIT_METRE, depth_of(opening), "d",
                      "opening on line %d: depth of the reveal", line);
 }
 
 static void put_sloping(struct pp_worksheet *sheet, const struct pp_opening *opening)
 {
-    bool reveal = opening->reveal_m > 0.0, level = sin(opening->slope_rad) < 1e-6;
+    bool reveal = depth_of(opening) > 0.0, level = sin(opening->slope_rad) < 1e-6;
     pp_worksheet_put(sheet, PP_UNIT_ANGLE, opening->slope_rad, "beta",
                      "opening on line %d: slope of the glass", opening->line);
     if (reveal) {
@@ -131,7 +137,7 @@ enum pp_status pp_sky_angle(struct pp_worksheet *sheet, const struct pp_world *w
         pp_obstruction_angle(&alpha_rad, world, light, opening, err);
     if (status != PP_OK)
         return status;
-    if (vertical && opening->reveal_m > 0.0) {
+    if (vertical && depth_of(opening) > 0.0) {
         put_reveal(sheet, opening);
         pp_worksheet_work(sheet, &pp_sky_angle_head, "altitude of the reveal's head");
     } else if (vertical) {

@@ -26,10 +26,12 @@ static enum pp_status push(struct pp_fragments *fragments, int owner,
                            const double (*xy)[2], int count, struct pp_error *err)
 {
     enum pp_status status = PP_OK;
-    enum { MOST = PP_FRAGMENT_CORNERS };
+    enum { MOST = PP_FRAGMENT_CORNERS, FEW = 8 };
     for (int first = 1; first + 1 < count && status == PP_OK; first += MOST - 2) {
-        status = pp_array_reserve(&fragments->list, &fragments->capacity,
-                                  fragments->count + 1, sizeof *fragments->list, err);
+        int wanted = fragments->count + 1;
+        status =
+            pp_array_reserve(&fragments->list, &fragments->capacity,
+                             wanted > FEW ? wanted : FEW, sizeof *fragments->list, err);
         if (status != PP_OK)
             return status;
         struct pp_fragment *part = &fragments->list[fragments->count++];
@@ -95,10 +97,10 @@ static struct cut_line line_of_edge(const struct pp_fragment_ring *ring, int i)
     return (struct cut_line){a, b, -a * p[0] - b * p[1]};
 }
 
-/* Divides a ring by a line: `in` where it is greater than 0, `out` where it is less.
- * Either may come out without corners. `out` may be NULL. */
-static void divide(struct cut_ring *in, struct cut_ring *out,
-                   const struct cut_ring *whole, struct cut_line line)
+/* Divides a ring by a line. Above 0: all of it lies where the line is 0 or greater, below
+ * 0: where it is 0 or less; 0: in both, and `in` has what is greater, `out` what is less. */
+static int divide(struct cut_ring *in, struct cut_ring *out,
+                  const struct cut_ring *whole, struct cut_line line)
 {
     double side[2 * PP_FRAGMENT_CORNERS + 2];
     int count = whole->count, above = 0, below = 0;
@@ -107,16 +109,9 @@ static void divide(struct cut_ring *in, struct cut_ring *out,
         above += side[i] > 0.0;
         below += side[i] < 0.0;
     }
-    in->count = 0;
-    if (out)
-        out->count = 0;
-    struct cut_ring *all = below == 0 ? in : above == 0 ? out : NULL;
-    if (all) {
-        all->count = count;
-        memcpy(all->xy, whole->xy, (size_t)count * sizeof *whole->xy);
-    }
     if (below == 0 || above == 0)
-        return;
+        return below == 0 ? 1 : -1;
+    in->count = out->count = 0;
     for (int i = 0, last = count - 1; i < count; last = i++) {
         const double *a = whole->xy[last], *b = whole->xy[i];
         if ((side[i] > 0.0 && side[last] < 0.0)
@@ -124,14 +119,14 @@ static void divide(struct cut_ring *in, struct cut_ring *out,
             double t = side[last] / (side[last] - side[i]);
             double at[2] = {a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1])};
             memcpy(in->xy[in->count++], at, sizeof at);
-            if (out)
-                memcpy(out->xy[out->count++], at, sizeof at);
+            memcpy(out->xy[out->count++], at, sizeof at);
         }
         if (side[i] >= 0.0)
             memcpy(in->xy[in->count++], b, 2 * sizeof *b);
-        if (side[i] <= 0.0 && out)
+        if (side[i] <= 0.0)
             memcpy(out->xy[out->count++], b, 2 * sizeof *b);
     }
+    return 0;
 }
 
 static bool apart(const struct pp_fragment *fragment,
@@ -139,14 +134,6 @@ static bool apart(const struct pp_fragment *fragment,
 {
     return fragment->low[0] >= ring->high[0] || fragment->high[0] <= ring->low[0]
            || fragment->low[1] >= ring->high[1] || fragment->high[1] <= ring->low[1];
-}
-
-static struct cut_ring cut_ring_of(const struct pp_fragment *fragment)
-{
-    struct cut_ring ring;
-    ring.count = fragment->count;
-    memcpy(ring.xy, fragment->xy, (size_t)fragment->count * sizeof *fragment->xy);
-    return ring;
 }
 
 static double area_of(const double (*p)[2], int count)
@@ -163,43 +150,59 @@ double pp_fragments_area(const struct pp_fragment *fragment)
     return area_of((const double(*)[2])fragment->xy, fragment->count);
 }
 
-/* The part of a fragment within a ring; false where there is none but slivers of
- * rounding errors. */
-static bool part_within(struct cut_ring *part, const struct pp_fragment *fragment,
-                        const struct pp_fragment_ring *ring)
+/* A fragment divided by a ring: what lies within, and what each edge leaves outside. */
+struct cut_parts {
+    const struct cut_ring *within; /* one of the two */
+    struct cut_ring rings[2];
+    int outside_count;
+    struct cut_ring outside[PP_FRAGMENT_CORNERS];
+};
+
+/* Divides a fragment by a ring, edge by edge; false where nothing lies within but slivers
+ * of rounding errors. */
+static bool divide_by_ring(struct cut_parts *parts, const struct pp_fragment *fragment,
+                           const struct pp_fragment_ring *ring)
 {
     if (apart(fragment, ring))
         return false;
-    struct cut_ring other = cut_ring_of(fragment);
-    struct cut_ring *from = &other, *to = part;
+    int at = 0;
+    parts->outside_count = 0;
+    parts->rings[0].count = fragment->count;
+    memcpy(parts->rings[0].xy, fragment->xy,
+           (size_t)fragment->count * sizeof *fragment->xy);
     for (int i = 0; i < ring->count; i++) {
-        divide(to, NULL, from, line_of_edge(ring, i));
-        if (to->count < 3)
+        struct cut_ring *out = &parts->outside[parts->outside_count];
+        int side = divide(&parts->rings[1 - at], out, &parts->rings[at],
+                          line_of_edge(ring, i));
+        if (side < 0)
             return false;
-        struct cut_ring *swap = from;
-        from = to;
-        to = swap;
+        if (side > 0)
+            continue;
+        parts->outside_count += out->count >= 3;
+        at = 1 - at;
+        if (parts->rings[at].count < 3)
+            return false;
     }
-    if (from != part)
-        *part = *from;
+    parts->within = &parts->rings[at];
     double extent =
         (fragment->high[0] - fragment->low[0]) * (fragment->high[1] - fragment->low[1]);
-    return area_of((const double(*)[2])part->xy, part->count) > 1e-15 * extent;
+    return area_of((const double(*)[2])parts->within->xy, parts->within->count)
+           > 1e-15 * extent;
 }
 
-/* Adds what of a fragment lies outside a ring that it meets, edge by edge. */
-static enum pp_status add_outside(struct pp_fragments *fragments, int owner,
-                                  const struct cut_ring *whole,
-                                  const struct pp_fragment_ring *ring,
-                                  struct pp_error *err)
+static enum pp_status push_ring(struct pp_fragments *fragments, int owner,
+                                const struct cut_ring *ring, struct pp_error *err)
 {
-    struct cut_ring left = *whole, in, out;
+    return push(fragments, owner, (const double(*)[2])ring->xy, ring->count, err);
+}
+
+/* Adds what of a fragment lies outside a ring. */
+static enum pp_status add_outside(struct pp_fragments *fragments, int owner,
+                                  const struct cut_parts *parts, struct pp_error *err)
+{
     enum pp_status status = PP_OK;
-    for (int i = 0; i < ring->count && left.count >= 3 && status == PP_OK; i++) {
-        divide(&in, &out, &left, line_of_edge(ring, i));
-        status = push(fragments, owner, (const double(*)[2])out.xy, out.count, err);
-        left = in;
-    }
+    for (int i = 0; i < parts->outside_count && status == PP_OK; i++)
+        status = push_ring(fragments, owner, &parts->outside[i], err);
     return status;
 }
 
@@ -221,11 +224,10 @@ enum pp_status pp_fragments_intersect(struct pp_fragments *result,
                                       struct pp_error *err)
 {
     enum pp_status status = PP_OK;
-    struct cut_ring part;
+    struct cut_parts parts;
     for (int i = 0; i < fragments->count && status == PP_OK; i++)
-        if (part_within(&part, &fragments->list[i], ring))
-            status = push(result, fragments->list[i].owner, (const double(*)[2])part.xy,
-                          part.count, err);
+        if (divide_by_ring(&parts, &fragments->list[i], ring))
+            status = push_ring(result, fragments->list[i].owner, parts.within, err);
     return status;
 }
 
@@ -244,25 +246,26 @@ static enum pp_status cover_one(struct pp_fragments *fragments, int at,
                                 struct pp_error *err)
 {
     const struct pp_fragment_ring *ring = &rings[index];
-    struct cut_ring within, front, behind = {0};
-    if (!part_within(&within, &fragments->list[at], ring))
+    struct cut_parts parts;
+    if (!divide_by_ring(&parts, &fragments->list[at], ring))
         return PP_OK;
     int owner = fragments->list[at].owner;
-    front = within;
-    if (owner != PP_FRAGMENT_FREE)
-        divide(&front, &behind, &within, nearer_than(ring, &rings[owner]));
-    if (front.count < 3)
+    const struct cut_ring *front = parts.within;
+    struct cut_ring nearer, behind;
+    behind.count = 0;
+    if (owner != PP_FRAGMENT_FREE) {
+        int side = divide(&nearer, &behind, front, nearer_than(ring, &rings[owner]));
+        if (side < 0)
+            return PP_OK;
+        front = side > 0 ? front : &nearer;
+    }
+    if (front->count < 3)
         return PP_OK;
-    struct cut_ring whole = cut_ring_of(&fragments->list[at]);
     drop(fragments, at);
-    enum pp_status status =
-        push(fragments, index, (const double(*)[2])front.xy, front.count, err);
+    enum pp_status status = push_ring(fragments, index, front, err);
     if (status == PP_OK)
-        status =
-            push(fragments, owner, (const double(*)[2])behind.xy, behind.count, err);
-    if (status == PP_OK)
-        status = add_outside(fragments, owner, &whole, ring, err);
-    return status;
+        status = push_ring(fragments, owner, &behind, err);
+    return status == PP_OK ? add_outside(fragments, owner, &parts, err) : status;
 }
 
 enum pp_status pp_fragments_cover(struct pp_fragments *fragments,
@@ -281,18 +284,17 @@ enum pp_status pp_fragments_move(struct pp_fragments *taken,
                                  const struct pp_fragment_ring *ring,
                                  struct pp_error *err)
 {
-    struct cut_ring part;
+    struct cut_parts parts;
     enum pp_status status = PP_OK;
     for (int i = fragments->count - 1; i >= 0 && status == PP_OK; i--) {
-        if (!part_within(&part, &fragments->list[i], ring))
+        if (!divide_by_ring(&parts, &fragments->list[i], ring))
             continue;
-        struct cut_ring whole = cut_ring_of(&fragments->list[i]);
         int owner = fragments->list[i].owner;
         drop(fragments, i);
         if (taken)
-            status = push(taken, owner, (const double(*)[2])part.xy, part.count, err);
+            status = push_ring(taken, owner, parts.within, err);
         if (status == PP_OK)
-            status = add_outside(fragments, owner, &whole, ring, err);
+            status = add_outside(fragments, owner, &parts, err);
     }
     return status;
 }

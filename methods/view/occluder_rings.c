@@ -17,9 +17,11 @@ enum pp_status pp_occluder_rings_find(struct pp_occluder_rings *rings,
                                       const struct pp_occluders *pieces,
                                       double distance_m, struct pp_error *err)
 {
-    size_t most = 1;
+    size_t most = 0;
     for (int i = 0; i < pieces->count; i++)
         most += (size_t)fan_parts(pieces->list[i].count);
+    if (most == 0)
+        return PP_OK;
     *rings = (struct pp_occluder_rings){.rings = malloc(most * sizeof *rings->rings),
                                         .of = malloc(most * sizeof *rings->of),
                                         .xy = malloc(most * MOST * sizeof *rings->xy)};
@@ -71,9 +73,12 @@ static int by_size(const void *a, const void *b)
 enum pp_status pp_occluder_rings_sort(struct pp_occluder_rings *rings,
                                       struct pp_error *err)
 {
+    enum { FEW = 24 };
+    struct sized_ring few[FEW], *sized = few;
     if (rings->count < 2)
         return PP_OK;
-    struct sized_ring *sized = malloc((size_t)rings->count * sizeof *sized);
+    if (rings->count > FEW)
+        sized = malloc((size_t)rings->count * sizeof *sized);
     if (!sized)
         return pp_fail_memory(err);
     for (int i = 0; i < rings->count; i++) {
@@ -87,7 +92,8 @@ enum pp_status pp_occluder_rings_sort(struct pp_occluder_rings *rings,
         rings->rings[i] = sized[i].ring;
         rings->of[i] = sized[i].of;
     }
-    free(sized);
+    if (sized != few)
+        free(sized);
     return PP_OK;
 }
 

@@ -91,14 +91,16 @@ static enum pp_status add_convex(struct pp_occluders *pieces,
                                  const struct pp_occluders_scene *scene,
                                  struct pp_error *err)
 {
-    /* A polygon that lies wholly outside one side adds nothing. */
+    /* A polygon that lies wholly outside one side adds nothing; one that lies wholly
+     * within is not cut by it. */
+    bool cuts[CUTS];
     for (int s = 0; s < CUTS; s++) {
-        int i = 0;
-        while (i < count
-               && !(pp_vec_dot(sides->normal[s], corners[i]) > sides->offset[s]))
-            i++;
-        if (i == count)
+        int within = 0;
+        for (int i = 0; i < count; i++)
+            within += pp_vec_dot(sides->normal[s], corners[i]) > sides->offset[s];
+        if (within == 0)
             return PP_OK;
+        cuts[s] = within < count;
     }
 
     struct pp_vec3 stack[2][ON_STACK + CUTS], *buffer[2] = {stack[0], stack[1]};
@@ -112,10 +114,13 @@ static enum pp_status add_convex(struct pp_occluders *pieces,
     }
     const struct pp_vec3 *from = corners;
     int left = count;
-    for (int s = 0; s < CUTS && left > 0; s++) {
-        left = pp_clip_convex(buffer[s % 2], from, left, sides->normal[s],
+    for (int s = 0, turn = 0; s < CUTS && left > 0; s++) {
+        if (!cuts[s])
+            continue;
+        left = pp_clip_convex(buffer[turn], from, left, sides->normal[s],
                               sides->offset[s]);
-        from = buffer[s % 2];
+        from = buffer[turn];
+        turn = 1 - turn;
     }
     enum pp_status status =
         left > 0 ? add_piece(pieces, like, from, left, scene, err) : PP_OK;
@@ -159,24 +164,6 @@ static bool cannot_hide(const struct pp_occluders_scene *scene, struct pp_vec3 n
     return true;
 }
 
-/* Is the surface a side of a block that faces away from the eye, so that other sides
- * hide all that this side could? Not if the view's plane cuts the block. */
-static bool is_back_of_box(const struct pp_occluders_scene *scene,
-                           const struct pp_surface *surface, double offset)
-{
-    if (surface->role != PP_BLOCK || offset < 0.0)
-        return false;
-    const struct pp_block *block = &scene->world->blocks[surface->owner];
-    const struct pp_projection *view = scene->view;
-    struct pp_vec3 t = view->toward;
-    double nearest = pp_vec_dot(pp_vec_sub(block->corner, view->eye), t)
-                     + fmin(0.0, pp_vec_dot(block->along, t))
-                     + fmin(0.0, pp_vec_dot(block->across, t))
-                     + fmin(0.0, block->height_m * t.z);
-    return nearest
-           > (scene->from_inside ? view->distance_m : 0.0) + PP_OCCLUDERS_COPLANAR_M;
-}
-
 static enum pp_status collect_surface(struct pp_occluders *inside,
                                       struct pp_occluders *outside,
                                       const struct pp_occluders_scene *scene,
@@ -213,8 +200,6 @@ static enum pp_status collect_surface(struct pp_occluders *inside,
     }
     if ((!hides_inside && !hides_outside) || fabs(offset) <= PP_OCCLUDERS_COPLANAR_M)
         return PP_OK; /* hides nothing, or is seen edge on */
-    if (is_back_of_box(scene, surface, offset))
-        return PP_OK;
 
     bool front = offset < 0.0;
     struct pp_occluder like = {.nearness = pp_vec_scale(normal, 1.0 / offset),
@@ -248,6 +233,82 @@ static enum pp_status collect_surface(struct pp_occluders *inside,
     return status;
 }
 
+/* A block in the view's axes: its corner and the edges from there. */
+struct block_in_view {
+    struct pp_vec3 corner, edges[3];
+};
+
+static struct block_in_view block_in_view(const struct pp_projection *view,
+                                          const struct pp_block *block)
+{
+    return (struct block_in_view){
+        pp_projection_point(view, block->corner),
+        {pp_projection_direction(view, block->along),
+         pp_projection_direction(view, block->across),
+         pp_projection_direction(view, pp_vec(0.0, 0.0, block->height_m))}};
+}
+
+/* The farthest that the block reaches along a direction. */
+static double reach(const struct block_in_view *block, struct pp_vec3 along)
+{
+    double far = pp_vec_dot(block->corner, along);
+    for (int e = 0; e < 3; e++) {
+        double on = pp_vec_dot(block->edges[e], along);
+        far += on > 0.0 ? on : 0.0;
+    }
+    return far;
+}
+
+/* Does the block lie beside the pyramid through the extent, or behind the eye? */
+static bool lies_beside(const struct block_in_view *block, const struct sides *pyramid)
+{
+    for (int s = 0; s < CUTS; s++)
+        if (!(reach(block, pyramid->normal[s]) > pyramid->offset[s]))
+            return true;
+    return false;
+}
+
+/* Adds a block by its sides. Of one that the view's plane does not cut, those that face
+ * away from the eye hide nothing that others do not. */
+static enum pp_status collect_block(struct pp_occluders *inside,
+                                    struct pp_occluders *outside,
+                                    const struct pp_occluders_scene *scene,
+                                    const struct pp_block *block,
+                                    const struct sides *pyramid, struct pp_error *err)
+{
+    const struct pp_projection *view = scene->view;
+    const struct block_in_view box = block_in_view(view, block);
+    if (lies_beside(&box, pyramid))
+        return PP_OK;
+    double nearest = -reach(&box, pp_vec(0.0, 0.0, -1.0));
+    bool is_clear = nearest > (scene->from_inside ? view->distance_m : 0.0)
+                                  + PP_OCCLUDERS_COPLANAR_M;
+    const struct pp_surface *sides = scene->world->surfaces + block->first_side;
+    enum pp_status status = PP_OK;
+    for (int i = 0; i < block->side_count && status == PP_OK; i++) {
+        const struct pp_polygon *side = &sides[i].outline;
+        double facing =
+            pp_vec_dot(side->normal, pp_vec_sub(side->vertices[0], view->eye));
+        if (facing < 0.0 || !is_clear)
+            status = collect_surface(inside, outside, scene, &sides[i], err);
+    }
+    return status;
+}
+
+static enum pp_status collect_blocks(struct pp_occluders *inside,
+                                     struct pp_occluders *outside,
+                                     const struct pp_occluders_scene *scene,
+                                     struct pp_error *err)
+{
+    const struct pp_world *world = scene->world;
+    struct sides pyramid = sides_of(scene, PP_OCCLUDERS_COPLANAR_M, INFINITY);
+    enum pp_status status = PP_OK;
+    for (int b = 0; b < world->block_count && status == PP_OK; b++)
+        status =
+            collect_block(inside, outside, scene, &world->blocks[b], &pyramid, err);
+    return status;
+}
+
 enum pp_status pp_occluders_collect(struct pp_occluders *inside,
                                     struct pp_occluders *outside,
                                     const struct pp_occluders_scene *scene,
@@ -255,9 +316,14 @@ enum pp_status pp_occluders_collect(struct pp_occluders *inside,
 {
     const struct pp_world *world = scene->world;
     enum pp_status status = PP_OK;
-    for (int i = 0; i < world->surface_count && status == PP_OK; i++)
-        if (i != scene->face && world->surfaces[i].role != PP_REVEAL)
-            status = collect_surface(inside, outside, scene, &world->surfaces[i], err);
+    for (int i = 0; i < world->surface_count && status == PP_OK;
+         i = pp_world_next_but_blocks(world, i)) {
+        const struct pp_surface *surface = &world->surfaces[i];
+        if (surface->role == PP_BLOCK)
+            status = collect_blocks(inside, outside, scene, err);
+        else if (i != scene->face && surface->role != PP_REVEAL)
+            status = collect_surface(inside, outside, scene, surface, err);
+    }
     return status;
 }
 

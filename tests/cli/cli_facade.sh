@@ -30,12 +30,17 @@ check "four points by two methods" test "$(wc -l <"$scratch/facade.sky")" -eq 8
 check "the sky is that of a reveal as deep as the facade" same \
     "$scratch/facade.sky" "$scratch/reveal.sky"
 
+# lines FILE: how many are drawn in an SVG.
+lines() {
+    grep -c '<path' "$1"
+}
 for kind in plan section; do
     check "$kind draws it" quietly chart $kind -o "$scratch/$kind.svg" "$scratch/facade.xml"
     check "and not as the room without it" quietly chart $kind -o "$scratch/plain-$kind.svg" \
         "$scratch/reveal.xml"
-    check "to be seen" test "$(wc -c <"$scratch/$kind.svg")" -gt "$(wc -c <"$scratch/plain-$kind.svg")"
+    check "to be seen" test "$(lines "$scratch/$kind.svg")" -gt "$(lines "$scratch/plain-$kind.svg")"
 done
+
 # lacks WORDS FILE: a PDF, as text, has none of them.
 lacks() {
     pdftotext "$2" "$scratch/words.txt" && ! grep "$1" "$scratch/words.txt"
@@ -43,8 +48,11 @@ lacks() {
 quietly chart section -o "$scratch/section.pdf" "$scratch/facade.xml"
 if command -v pdftotext >/dev/null; then
     check "nothing stands before the window" lacks "line of sight" "$scratch/section.pdf"
+    check "nor has the wall's own thickness an angle" lacks "Obstruction angle" \
+        "$scratch/section.pdf"
 else
     skip "nothing stands before the window" "no pdftotext"
+    skip "nor has the wall's own thickness an angle" "no pdftotext"
 fi
 
 export_to() {

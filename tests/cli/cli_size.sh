@@ -57,6 +57,10 @@ check "leaves the other wall alone" test \
 check "a rooflit room's slopes by split-flux" reaches 5 exact+split-flux \
     "$examples/workshop.xml" --wall light-1
 
+gives size --by-hand --target 2% "$deep"
+check "what it says of the room as it is, df says too" grep -q \
+    "^  as it is  *$(printf '%.2f' "$(value exact+bre "$deep")") %\$" "$scratch/out"
+
 # Counted: the answer is not below the target, and one millimetre less is.
 for method in waldram+bre pepper-pot+bre; do
     gives size -t 1.2 -b $method --points 1.5,3.1 --change head -w "$scratch/sized.xml" \

@@ -1,6 +1,7 @@
 /* test_obstruction.c - the obstruction angle of an opening: from the wall, of level
- * glass, of the highest skyline. */
+ * glass, of the highest skyline; and the angle of the sky that is left. */
 #include "methods/reflected/obstruction.h"
+#include "methods/reflected/sky_angle.h"
 
 #include "tests/methods/box_method.h"
 #include "tests/lib/room_of.h"
@@ -49,6 +50,75 @@ static void a_facade_about_the_glass_is_no_obstruction(void **state)
                 30.0 * PP_RAD, 1e-12);
 }
 
+/* A wall 0.45 m thick before the same surroundings, in the three ways in which a file can
+ * say so: the glass at its outer end, at its inner end, and between. */
+static const char *const thick_walls[][2] = {
+    {"reveal='0.45'", "<facade wall='south' left='4' right='3' up='2'/>"},
+    {"reveal='0'", "<facade wall='south' left='4' right='3' up='2' depth='0.45'/>"},
+    {"reveal='0.2'", "<facade wall='south' left='4' right='3' up='2' depth='0.45'/>"},
+};
+enum { THICK_WALLS = 3 };
+
+static void write_window(char text[200], const char *reveal)
+{
+    snprintf(text, 200,
+             "<window wall='south' left='1' sill='1' width='2' height='1.3' %s/>",
+             reveal);
+}
+
+/* Whether a skyline stands before it, or blocks, whose angle is worked out from what they
+ * leave of the sky. */
+static void the_wall_s_own_thickness_is_no_obstruction(void **state)
+{
+    (void)state;
+    static const char *const before[2] = {
+        "<skyline wall='south' angle='20'/>",
+        "<block x='-3' y='-9' width='5.3' depth='4' height='6.1'/>"
+        "<block x='3.1' y='-12' width='4' depth='4' height='9'/>"};
+    for (int b = 0; b < 2; b++) {
+        double angles[THICK_WALLS];
+        for (int i = 0; i < THICK_WALLS; i++) {
+            char window[200], outside[400];
+            write_window(window, thick_walls[i][0]);
+            snprintf(outside, sizeof outside, "%s%s", before[b], thick_walls[i][1]);
+            angles[i] = angle_in("", window, outside);
+        }
+        for (int i = 0; i < THICK_WALLS; i++)
+            assert_near(angles[i], b == 0 ? 20.0 * PP_RAD : angles[0], 1e-9);
+        assert_true(angles[0] > 15.0 * PP_RAD && angles[0] < 45.0 * PP_RAD);
+    }
+}
+
+/* But the head of the hole cuts off the zenith: atan(1.3/2 / 0.45) less 20 degrees. */
+static void the_wall_s_own_thickness_limits_the_sky_from_above(void **state)
+{
+    (void)state;
+    for (int i = 0; i < THICK_WALLS; i++) {
+        char window[200], xml[1000];
+        write_window(window, thick_walls[i][0]);
+        snprintf(xml, sizeof xml,
+                 "<room version='1'><plan width='4' depth='6' height='3'/>%s%s"
+                 "<skyline wall='south' angle='20'/></room>",
+                 window, thick_walls[i][1]);
+        struct pp_outside_light light;
+        struct pp_world *world = pp_test_lit_world(&light, xml);
+        struct pp_steps steps = {0};
+        struct pp_formulary *formulary;
+        static const struct pp_formula *const formulae[] = {PP_SKY_ANGLE_FORMULAE,
+                                                            NULL};
+        assert_int_equal(pp_formulary_create(&formulary, formulae, NULL, NULL), PP_OK);
+        struct pp_worksheet sheet = {.steps = &steps, .formulary = formulary};
+        assert_int_equal(pp_sky_angle(&sheet, world, &light, &world->openings[0], NULL),
+                         PP_OK);
+        const struct pp_calculation_step *theta = pp_steps_find(&steps, 0, "theta");
+        assert_non_null(theta);
+        assert_near(theta->value, atan(1.3 / 2.0 / 0.45) - 20.0 * PP_RAD, 1e-12);
+        pp_formulary_destroy(formulary);
+        pp_steps_clear(&steps);
+        pp_world_destroy(world);
+    }
+}
+
 /* An endless wall that rises 8 m above level glass, 8 m off, leaves (1 + cos 45)/2 of
  * the uniform sky, and counts as that share of 90 degrees. */
 static void level_glass_counts_the_share_of_the_sky_that_is_hidden(void **state)
@@ -86,6 +156,8 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_reveal_does_not_move_the_skyline),
         cmocka_unit_test(a_facade_about_the_glass_is_no_obstruction),
+        cmocka_unit_test(the_wall_s_own_thickness_is_no_obstruction),
+        cmocka_unit_test(the_wall_s_own_thickness_limits_the_sky_from_above),
         cmocka_unit_test(level_glass_counts_the_share_of_the_sky_that_is_hidden),
         cmocka_unit_test(of_several_skylines_the_highest_counts),
     };

@@ -503,6 +503,38 @@ static void an_uneven_pane_is_the_same_prepared_and_roughly(void **state)
     pp_world_destroy(world);
 }
 
+/* What a block hides counts as the sky that it takes, times rho under the overcast sky and
+ * half of rho under any other. */
+static void hidden_sky_counts_by_the_reflectance_or_by_half_of_it(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *sky;
+        double share;
+    } skies[] = {{"<sky type='overcast'/>", 1.0},
+                 {"<sky type='uniform'/>", 0.5},
+                 {"<sky type='iso-5'/>", 0.5}};
+    for (int i = 0; i < 3; i++) {
+        struct pp_part parts[2];
+        for (int block = 0; block < 2; block++) {
+            char xml[600];
+            snprintf(xml, sizeof xml, PLAN("%s" WINDOW "%s"), skies[i].sky,
+                     block ? "<block x='-2' y='-9' width='6.3' depth='4' height='5.7' "
+                             "reflectance='0.34'/>"
+                           : "");
+            struct pp_outside_light light;
+            struct pp_world *world = pp_test_lit_world(&light, xml);
+            struct pp_receiver point = receiver_at(1.7, 1.3, 0.75);
+            parts[block] = part_of(world, &light, &point);
+            pp_world_destroy(world);
+        }
+        assert_near(parts[0].external, 0.0, 1e-15);
+        assert_true(parts[1].external > 1e-3);
+        assert_near(parts[1].external,
+                    0.34 * skies[i].share * (parts[0].sky - parts[1].sky), 1e-8);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -512,6 +544,7 @@ int main(void)
         cmocka_unit_test(what_is_not_in_the_way_changes_nothing),
         cmocka_unit_test(a_block_against_the_window_covers_it),
         cmocka_unit_test(the_nearer_obstruction_counts),
+        cmocka_unit_test(hidden_sky_counts_by_the_reflectance_or_by_half_of_it),
         cmocka_unit_test(a_skyline_at_a_distance_is_a_long_wall_there),
         cmocka_unit_test(a_reveal_narrows_the_view),
         cmocka_unit_test(a_round_headed_window_is_the_sum_of_its_outline),

@@ -122,6 +122,9 @@ static void the_default_view_keeps_clear_of_walls(void **state)
         DEEP, L_SHAPED,
         "<room version='1'><plan width='1.6' depth='60' height='2.4'/>"
         "<window wall='south' left='0.3' sill='0.5' width='1' height='1.6'/></room>",
+        /* The hindmost places that are tried are 0.25 m before the wall. */
+        "<room version='1'><plan width='3.2' depth='12' height='2.4'/>"
+        "<window wall='south' left='0.6' sill='0.5' width='2' height='1.6'/></room>",
         "<room version='1'><plan width='8' depth='5' height='4'/>"
         "<rooflight x='1.5' y='1.5' width='2' depth='2' reveal='0.5'/></room>",
         "<room version='1'><plan width='3' depth='5' height='2.5'/></room>"};

@@ -148,6 +148,27 @@ static void what_is_as_good_as_can_be_is_no_gain(void **state)
     assert_string_equal(sentence, "");
 }
 
+/* Cleaning raises the average by as much as the dirt has taken. */
+static void a_gain_of_a_hundredth_is_told_and_one_of_a_thousandth_is_not(void **state)
+{
+    (void)state;
+    static const char *const clean[2] = {"0.99", "0.999"};
+    for (int i = 0; i < 2; i++) {
+        char file[400];
+        snprintf(file, sizeof file,
+                 "<room version='1'><plan width='4.1' depth='5.3' height='2.9'/>"
+                 "<window wall='south' left='0' sill='0' width='4.1' height='2.9' "
+                 "maintenance='%s'/></room>",
+                 clean[i]);
+        struct pp_gains gains;
+        gains_of(&gains, file);
+        bool told = false;
+        for (int k = 0; k < gains.count; k++)
+            told = told || strstr(gains.list[k].change, "clean glass");
+        assert_int_equal(told, i == 0);
+    }
+}
+
 static void where_bre_says_nothing_split_flux_does(void **state)
 {
     (void)state;
@@ -177,6 +198,7 @@ int main(void)
         cmocka_unit_test(each_gain_is_that_of_the_changed_file),
         cmocka_unit_test(the_largest_gain_comes_first),
         cmocka_unit_test(what_is_as_good_as_can_be_is_no_gain),
+        cmocka_unit_test(a_gain_of_a_hundredth_is_told_and_one_of_a_thousandth_is_not),
         cmocka_unit_test(where_bre_says_nothing_split_flux_does),
         cmocka_unit_test(a_room_without_openings_has_nothing_to_gain),
     };
