@@ -1,0 +1,78 @@
+/* bench_process.c - what whole processes cost: processor time and memory of the command,
+ * from its start to its end. */
+#include <fcntl.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+enum { RUNS = 30 };
+
+struct run {
+    double processor_s;
+    double most_mib; /* resident */
+};
+
+static struct run run(char *const *words)
+{
+    struct rusage usage;
+    int state = -1;
+    pid_t child = fork();
+    if (child == 0) {
+        int nowhere = open("/dev/null", O_WRONLY);
+        dup2(nowhere, STDOUT_FILENO);
+        execv(words[0], words);
+        _exit(127);
+    }
+    if (child < 0 || wait4(child, &state, 0, &usage) != child || state != 0) {
+        fprintf(stderr, "bench: %s %s failed\n", words[0], words[1]);
+        exit(3);
+    }
+    return (struct run){
+        (double)(usage.ru_utime.tv_sec + usage.ru_stime.tv_sec)
+            + 1e-6 * (double)(usage.ru_utime.tv_usec + usage.ru_stime.tv_usec),
+        (double)usage.ru_maxrss / 1024.0};
+}
+
+static void bench(const char *what, const char *wanted, char *const *words)
+{
+    double best = INFINITY, sum = 0.0, most_mib = 0.0;
+    for (int i = 0; i < RUNS; i++) {
+        struct run one = run(words);
+        best = fmin(best, one.processor_s);
+        sum += one.processor_s;
+        most_mib = fmax(most_mib, one.most_mib);
+    }
+    printf("%-46s %6.1f ms at best, %6.1f in the mean, %5.1f MiB%s\n", what, 1e3 * best,
+           1e3 * sum / RUNS, most_mib, wanted);
+    fflush(stdout);
+}
+
+int main(int argc, char **argv)
+{
+    char *program = argc > 1 ? argv[1] : (char *)"./pepperpot";
+    char *room = argc > 2 ? argv[2] : (char *)"../examples/deep-office.xml";
+    char page[] = "bench_process.pdf";
+#define WORDS(...) ((char *[]){program, __VA_ARGS__, NULL})
+    printf("whole processes, the deep office, %d runs each, one thread:\n", (int)RUNS);
+    bench("--version", "", WORDS((char *)"--version"));
+    bench("df, the usual methods", "",
+          WORDS((char *)"df", (char *)"-j", (char *)"1", room));
+    bench("df, all hand methods", " (wanted: 10 ms)",
+          WORDS((char *)"df", (char *)"-j", (char *)"1", (char *)"-m", (char *)"all",
+                room));
+    bench("chart section", "",
+          WORDS((char *)"chart", (char *)"section", (char *)"-o", page, room));
+    bench("chart plan, with contours", " (wanted: 50 ms)",
+          WORDS((char *)"chart", (char *)"plan", (char *)"-o", page, room));
+    bench("chart plan, under ISO 12", " (wanted: 300 ms)",
+          WORDS((char *)"chart", (char *)"plan", (char *)"--sky",
+                (char *)"iso-12,35,180", (char *)"-o", page, room));
+    bench("df --simulate, 17 points at 1 %", " (wanted: 64 MiB)",
+          WORDS((char *)"df", (char *)"-q", (char *)"-j", (char *)"1",
+                (char *)"--simulate", room));
+    unlink(page);
+    return 0;
+}
