@@ -5,6 +5,7 @@
  * order. */
 #include "simulate/estimate/planner.h"
 
+#include <limits.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -17,7 +18,8 @@
 enum {
     STEP = 1024, /* most paths of a randomisation at a time */
     FIRST_BATCH = 64,
-    MOST_BATCH = 8192
+    MOST_BATCH = 8192,
+    BLOCK = 64 /* randomisations at a time, where points share something of each */
 };
 
 /* By the clock, each round is planned for this share of the error of the last. */
@@ -51,7 +53,8 @@ struct pp_planner {
     double round; /* by the clock: the share of the pilot's error that is wanted */
     struct planner_unit *units; /* of this pass */
     int unit_count, unit_capacity, next_unit;
-    int batch;                     /* units at a time */
+    int block; /* where points share: the first randomisation of this pass */
+    int batch; /* units at a time */
     struct pp_path_work forgotten; /* before the last restart */
 };
 
@@ -97,7 +100,8 @@ static enum pp_status begin(struct pp_planner *planner, struct pp_error *err)
         point->seed = planner->sampler->seed(planner->client, i);
         point->counts = planner->sampler->pilot;
         for (int k = 0; by_samples(planner) && k < PP_ESTIMATORS_MOST; k++)
-            point->counts.of[k] = (uint32_t)options->samples;
+            point->counts.of[k] = (uint32_t)fmin((double)options->samples,
+                                                 pp_plan_most(planner->sampler, k));
         status =
             make(point, planner->stage,
                  by_samples(planner) && count > 0 ? count : PP_RANDOMISATIONS, err);
@@ -255,7 +259,7 @@ static enum pp_status plan_final(struct pp_planner *planner, struct pp_error *er
         }
         grows |= more;
         for (int k = 0; !more && k < planner->sampler->estimators; k++)
-            if (plan.counts.of[k] < PP_MOST_PATHS) {
+            if (plan.counts.of[k] < pp_plan_most(planner->sampler, k)) {
                 plan.counts.of[k] *= 2;
                 grows = true;
             }
@@ -311,10 +315,12 @@ static bool is_done(const struct pp_planner *planner, int index, int r)
     return true;
 }
 
-/* Lists the randomisations that are not done in this stage; none: unit_count 0. */
-static enum pp_status list_units(struct pp_planner *planner, struct pp_error *err)
+/* Lists the randomisations from `first` to before `end` that are not done in this
+ * stage; *most: how many the points have, at most. */
+static enum pp_status list_between(struct pp_planner *planner, int first, int end,
+                                   int *most, struct pp_error *err)
 {
-    planner->unit_count = planner->next_unit = 0;
+    planner->unit_count = planner->next_unit = *most = 0;
     for (int i = 0; i < planner->point_count; i++) {
         struct pp_sampled sampled = sampled_of(planner, i, planner->stage);
         enum pp_status status = pp_array_reserve(
@@ -322,11 +328,50 @@ static enum pp_status list_units(struct pp_planner *planner, struct pp_error *er
             planner->unit_count + sampled.count, sizeof *planner->units, err);
         if (status != PP_OK)
             return status;
-        for (int k = 0; k < sampled.count; k++)
+        if (sampled.count > *most)
+            *most = sampled.count;
+        for (int k = first; k < sampled.count && k < end; k++)
             if (!is_done(planner, i, k))
                 planner->units[planner->unit_count++] = (struct planner_unit){i, k};
     }
     return PP_OK;
+}
+
+/* Has what the units of this pass share made ready. */
+static enum pp_status prepare(const struct pp_planner *planner, struct pp_error *err)
+{
+    struct pp_counts wanted[BLOCK];
+    memset(wanted, 0, sizeof wanted);
+    for (int i = 0; i < planner->unit_count; i++) {
+        const struct planner_unit *unit = &planner->units[i];
+        struct pp_counts *most = &wanted[unit->randomisation - planner->block];
+        for (int k = 0; k < planner->sampler->estimators; k++)
+            if (planner->points[unit->point].counts.of[k] > most->of[k])
+                most->of[k] = planner->points[unit->point].counts.of[k];
+    }
+    return planner->sampler->prepare(planner->client, (int)planner->stage,
+                                     planner->block, BLOCK, wanted,
+                                     planner->options.threads, err);
+}
+
+/* The randomisations that are not done in this stage; none: unit_count 0. */
+static enum pp_status list_units(struct pp_planner *planner, struct pp_error *err)
+{
+    int most;
+    if (!planner->sampler->prepare)
+        return list_between(planner, 0, INT_MAX, &most, err);
+    enum pp_status status =
+        list_between(planner, planner->block, planner->block + BLOCK, &most, err);
+    while (status == PP_OK && planner->unit_count == 0
+           && planner->block + BLOCK < most) {
+        planner->block += BLOCK;
+        status =
+            list_between(planner, planner->block, planner->block + BLOCK, &most, err);
+    }
+    if (status == PP_OK && planner->unit_count > 0)
+        return prepare(planner, err);
+    planner->block = 0;
+    return status;
 }
 
 /* A step of one randomisation: the sums do not depend on how the way is divided. */
@@ -339,6 +384,7 @@ static void run(const struct pp_planner *planner, struct planner_unit unit, void
                             (uint64_t)unit.randomisation);
     for (int k = 0; k < planner->sampler->estimators; k++) {
         struct pp_path_range range = {.point = unit.point,
+                                      .randomisation = unit.randomisation,
                                       .estimator = k,
                                       .first = randomisation->done.of[k],
                                       .end = point->counts.of[k]};
