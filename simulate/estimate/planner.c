@@ -5,7 +5,6 @@
  * order. */
 #include "simulate/estimate/planner.h"
 
-#include <limits.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -109,31 +108,13 @@ static enum pp_status begin(struct pp_planner *planner, struct pp_error *err)
     return status;
 }
 
-static enum pp_status check_options(const struct pp_planner_options *options,
-                                    struct pp_error *err)
-{
-    if (!(options->error >= 0.0 && options->error <= 1.0))
-        return pp_fail(err, PP_BAD_INPUT,
-                       "a standard error of %g cannot be aimed at; expected a fraction "
-                       "from 0 to 1",
-                       options->error);
-    if (options->samples < 0 || options->samples > PP_MOST_PATHS)
-        return pp_fail(err, PP_BAD_INPUT,
-                       "%ld samples a point are not possible; expected up to %d",
-                       options->samples, (int)PP_MOST_PATHS);
-    if (options->threads < 0)
-        return pp_fail(err, PP_BAD_INPUT, "%d threads are not possible",
-                       options->threads);
-    return PP_OK;
-}
-
 enum pp_status pp_planner_create(struct pp_planner **result,
                                  const struct pp_sampler *sampler, const void *client,
                                  int points, const struct pp_planner_options *options,
                                  struct pp_error *err)
 {
     *result = NULL;
-    enum pp_status status = check_options(options, err);
+    enum pp_status status = pp_planner_options_check(options, err);
     if (status != PP_OK)
         return status;
     struct pp_planner *planner = calloc(1, sizeof *planner);
@@ -315,10 +296,9 @@ static bool is_done(const struct pp_planner *planner, int index, int r)
     return true;
 }
 
-/* Lists the randomisations from `first` to before `end` that are not done in this
- * stage; *most: how many the points have, at most. */
-static enum pp_status list_between(struct pp_planner *planner, int first, int end,
-                                   int *most, struct pp_error *err)
+/* Lists those of the block that are not done; *most: how many a point has, at most. */
+static enum pp_status list_block(struct pp_planner *planner, int *most,
+                                 struct pp_error *err)
 {
     planner->unit_count = planner->next_unit = *most = 0;
     for (int i = 0; i < planner->point_count; i++) {
@@ -328,9 +308,9 @@ static enum pp_status list_between(struct pp_planner *planner, int first, int en
             planner->unit_count + sampled.count, sizeof *planner->units, err);
         if (status != PP_OK)
             return status;
-        if (sampled.count > *most)
-            *most = sampled.count;
-        for (int k = first; k < sampled.count && k < end; k++)
+        *most = sampled.count > *most ? sampled.count : *most;
+        int end = planner->sampler->prepare ? planner->block + BLOCK : sampled.count;
+        for (int k = planner->block; k < sampled.count && k < end; k++)
             if (!is_done(planner, i, k))
                 planner->units[planner->unit_count++] = (struct planner_unit){i, k};
     }
@@ -340,37 +320,31 @@ static enum pp_status list_between(struct pp_planner *planner, int first, int en
 /* Has what the units of this pass share made ready. */
 static enum pp_status prepare(const struct pp_planner *planner, struct pp_error *err)
 {
-    struct pp_counts wanted[BLOCK];
-    memset(wanted, 0, sizeof wanted);
+    struct pp_counts wanted[BLOCK] = {{{0}}};
     for (int i = 0; i < planner->unit_count; i++) {
-        const struct planner_unit *unit = &planner->units[i];
-        struct pp_counts *most = &wanted[unit->randomisation - planner->block];
+        struct planner_unit unit = planner->units[i];
+        const uint32_t *of = planner->points[unit.point].counts.of;
+        uint32_t *most = wanted[unit.randomisation - planner->block].of;
         for (int k = 0; k < planner->sampler->estimators; k++)
-            if (planner->points[unit->point].counts.of[k] > most->of[k])
-                most->of[k] = planner->points[unit->point].counts.of[k];
+            most[k] = of[k] > most[k] ? of[k] : most[k];
     }
     return planner->sampler->prepare(planner->client, (int)planner->stage,
                                      planner->block, BLOCK, wanted,
                                      planner->options.threads, err);
 }
 
-/* The randomisations that are not done in this stage; none: unit_count 0. */
+/* Lists the randomisations that are not done in this stage; none: unit_count 0. */
 static enum pp_status list_units(struct pp_planner *planner, struct pp_error *err)
 {
     int most;
-    if (!planner->sampler->prepare)
-        return list_between(planner, 0, INT_MAX, &most, err);
-    enum pp_status status =
-        list_between(planner, planner->block, planner->block + BLOCK, &most, err);
-    while (status == PP_OK && planner->unit_count == 0
-           && planner->block + BLOCK < most) {
+    enum pp_status status = list_block(planner, &most, err);
+    for (; status == PP_OK && planner->unit_count == 0 && planner->block + BLOCK < most;
+         status = list_block(planner, &most, err))
         planner->block += BLOCK;
-        status =
-            list_between(planner, planner->block, planner->block + BLOCK, &most, err);
-    }
-    if (status == PP_OK && planner->unit_count > 0)
-        return prepare(planner, err);
-    planner->block = 0;
+    if (planner->unit_count == 0)
+        planner->block = 0;
+    else if (status == PP_OK && planner->sampler->prepare)
+        status = prepare(planner, err);
     return status;
 }
 
@@ -432,8 +406,7 @@ enum pp_status pp_planner_advance(struct pp_planner *planner, double seconds,
         run_batch(planner, planner->next_unit, end);
         planner->next_unit = end;
 
-        /* Batches of a few milliseconds: long enough to share out, short enough to
-         * stop. */
+        /* Of a few milliseconds: long enough to share out, short enough to stop. */
         double after = pp_clock_s();
         if (after - before < 0.002 && planner->batch < MOST_BATCH)
             planner->batch *= 2;
