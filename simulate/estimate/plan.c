@@ -53,7 +53,8 @@ static struct outlook outlook_of(const struct pp_sampled *pilot)
         outlook.counts.of[k] = pilot->randomisations[0].done.of[k];
         outlook.variance[k] = spread.variance;
         outlook.third[k] = fabs(spread.third);
-        outlook.cost[k] = rays / paths[k] + PATH_COST;
+        double beside = pilot->sampler->cost[k];
+        outlook.cost[k] = rays / paths[k] + (beside > 0.0 ? beside : PATH_COST);
     }
     return outlook;
 }
@@ -114,24 +115,32 @@ static double height(const struct outlook *outlook, enum aim aim)
                              : bound_of(outlook);
 }
 
-/* Doubles the estimator that takes away most for its cost; false: none does. */
+/* Doubles the estimator that takes away most for its cost; false: none does. Of skewness
+ * and bound nothing is taken where that estimator may have no more paths: the others
+ * would cost without end. */
 static bool double_best(struct outlook *outlook, enum aim aim)
 {
+    const struct pp_sampler *sampler = outlook->pilot->sampler;
     double most = 0.0, now = height(outlook, aim);
+    bool found = false;
     struct outlook best;
-    for (int k = 0; k < outlook->pilot->sampler->estimators; k++) {
+    for (int k = 0; k < sampler->estimators; k++) {
         struct outlook next = doubled(outlook, k);
+        uint32_t limit = pp_plan_most(sampler, k);
+        if (aim != VARIANCE && limit > SURE_PATHS)
+            limit = SURE_PATHS;
         double gain =
             (now - height(&next, aim)) / (outlook->cost[k] * outlook->counts.of[k]);
-        if (gain > most
-            && next.counts.of[k] <= (aim == VARIANCE ? PP_MOST_PATHS : SURE_PATHS)) {
+        bool may = next.counts.of[k] <= limit;
+        if (gain > most && (may || aim != VARIANCE)) {
             most = gain;
             best = next;
+            found = may;
         }
     }
-    if (most > 0.0)
+    if (found)
         *outlook = best;
-    return most > 0.0;
+    return found;
 }
 
 /* The variance that one randomisation may have beside the bound, if there are only
@@ -142,6 +151,16 @@ static double allowed_variance(const struct outlook *outlook, double wanted)
     double left = fmax(planned * planned - bound * bound, 0.25 * planned * planned);
     double student = pp_spread_student(PP_RANDOMISATIONS);
     return left * PP_RANDOMISATIONS / (student * student);
+}
+
+/* Has an estimator as many paths as it may have? */
+static bool is_limited(const struct outlook *outlook)
+{
+    const struct pp_sampler *sampler = outlook->pilot->sampler;
+    for (int k = 0; k < sampler->estimators; k++)
+        if (2 * outlook->counts.of[k] > pp_plan_most(sampler, k))
+            return true;
+    return false;
 }
 
 /* From the outlook on, the cheapest paths and randomisations for the variance alone. */
@@ -155,8 +174,9 @@ static struct outlook reach_variance(struct outlook at, double allowed,
         struct outlook next = at;
         bool last = more <= 1.0 || !double_best(&next, VARIANCE);
         int count = 2 * (int)ceil(0.5 * PP_RANDOMISATIONS * fmin(more, 1000.0));
-        double cost = count * total_cost(&at);
-        if ((more <= 2.0 || last) && cost < cheapest) {
+        double cost = count * total_cost(&at)
+                      + (count - PP_RANDOMISATIONS) * at.pilot->sampler->cost_of_more;
+        if ((more <= 2.0 || last || is_limited(&at)) && cost < cheapest) {
             cheapest = cost;
             best = at;
             *randomisations = count;
@@ -201,9 +221,12 @@ bool pp_plan_pilot_grows(const struct pp_sampled *pilot, double wanted,
 {
     struct outlook now = outlook_of(pilot), more = now;
     for (int k = 0; k < pilot->sampler->estimators; k++) {
+        uint32_t most = pp_plan_most(pilot->sampler, k);
         more.counts.of[k] *= GROWTH;
         if (more.counts.of[k] > PILOT_PATHS)
             return false;
+        if (more.counts.of[k] > most)
+            more.counts.of[k] = most;
     }
     int randomisations;
     struct outlook planned =

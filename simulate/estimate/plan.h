@@ -31,6 +31,13 @@ struct pp_plan {
     int randomisations;
 };
 
+/* The most paths of an estimator in a randomisation. */
+static inline uint32_t pp_plan_most(const struct pp_sampler *sampler, int estimator)
+{
+    uint32_t most = sampler->most.of[estimator];
+    return most > 0 ? most : PP_MOST_PATHS;
+}
+
 /* The plan for a standard error of the last value of `wanted`. */
 struct pp_plan pp_plan_by_pilot(const struct pp_sampled *pilot, double wanted);
 

@@ -13,7 +13,10 @@
 #include "model/base/clock.h"
 #include "simulate/sampling/hash.h"
 
-enum { STEP = 1024 }; /* most paths of a randomisation at a time */
+enum {
+    STEP = 1024, /* most paths of a randomisation at a time */
+    BLOCK = 64   /* randomisations at a time, where points share something of each */
+};
 
 /* By the clock, each round is planned for this share of the error of the last. */
 static const double ROUND_SHARE = 0.7;
@@ -47,6 +50,7 @@ struct pp_planner {
     double round; /* by the clock: the share of the pilot's error that is wanted */
     struct planner_unit *units; /* of this pass */
     int unit_count, unit_capacity, next_unit;
+    int block; /* where points share: the first randomisation of this pass */
     struct pp_path_work forgotten; /* before the last restart */
 };
 
@@ -92,30 +96,13 @@ static enum pp_status begin(struct pp_planner *planner, struct pp_error *err)
         point->seed = planner->sampler->seed(planner->client, i);
         point->counts = planner->sampler->pilot;
         for (int k = 0; by_samples(planner) && k < PP_ESTIMATORS_MOST; k++)
-            point->counts.of[k] = (uint32_t)options->samples;
+            point->counts.of[k] = (uint32_t)fmin((double)options->samples,
+                                                 pp_plan_most(planner->sampler, k));
         status =
             make(point, planner->stage,
                  by_samples(planner) && count > 0 ? count : PP_RANDOMISATIONS, err);
     }
     return status;
-}
-
-static enum pp_status check_options(const struct pp_planner_options *options,
-                                    struct pp_error *err)
-{
-    if (!(options->error >= 0.0 && options->error <= 1.0))
-        return pp_fail(err, PP_BAD_INPUT,
-                       "a standard error of %g cannot be aimed at; expected a fraction "
-                       "from 0 to 1",
-                       options->error);
-    if (options->samples < 0 || options->samples > PP_MOST_PATHS)
-        return pp_fail(err, PP_BAD_INPUT,
-                       "%ld samples a point are not possible; expected up to %d",
-                       options->samples, (int)PP_MOST_PATHS);
-    if (options->threads < 0)
-        return pp_fail(err, PP_BAD_INPUT, "%d threads are not possible",
-                       options->threads);
-    return PP_OK;
 }
 
 enum pp_status pp_planner_create(struct pp_planner **result,
@@ -124,7 +111,7 @@ enum pp_status pp_planner_create(struct pp_planner **result,
                                  struct pp_error *err)
 {
     *result = NULL;
-    enum pp_status status = check_options(options, err);
+    enum pp_status status = pp_planner_options_check(options, err);
     if (status != PP_OK)
         return status;
     struct pp_planner *planner = calloc(1, sizeof *planner);
@@ -252,7 +239,7 @@ static enum pp_status plan_final(struct pp_planner *planner, struct pp_error *er
         }
         grows |= more;
         for (int k = 0; !more && k < planner->sampler->estimators; k++)
-            if (plan.counts.of[k] < PP_MOST_PATHS) {
+            if (plan.counts.of[k] < pp_plan_most(planner->sampler, k)) {
                 plan.counts.of[k] *= 2;
                 grows = true;
             }
@@ -308,10 +295,11 @@ static bool is_done(const struct pp_planner *planner, int index, int r)
     return true;
 }
 
-/* Lists the randomisations that are not done in this stage; none: unit_count 0. */
-static enum pp_status list_units(struct pp_planner *planner, struct pp_error *err)
+/* Lists those of the block that are not done; *most: how many a point has, at most. */
+static enum pp_status list_block(struct pp_planner *planner, int *most,
+                                 struct pp_error *err)
 {
-    planner->unit_count = planner->next_unit = 0;
+    planner->unit_count = planner->next_unit = *most = 0;
     for (int i = 0; i < planner->point_count; i++) {
         struct pp_sampled sampled = sampled_of(planner, i, planner->stage);
         enum pp_status status = pp_array_reserve(
@@ -319,11 +307,43 @@ static enum pp_status list_units(struct pp_planner *planner, struct pp_error *er
             planner->unit_count + sampled.count, sizeof *planner->units, err);
         if (status != PP_OK)
             return status;
-        for (int k = 0; k < sampled.count; k++)
+        *most = sampled.count > *most ? sampled.count : *most;
+        int end = planner->sampler->prepare ? planner->block + BLOCK : sampled.count;
+        for (int k = planner->block; k < sampled.count && k < end; k++)
             if (!is_done(planner, i, k))
                 planner->units[planner->unit_count++] = (struct planner_unit){i, k};
     }
     return PP_OK;
+}
+
+/* Has what the units of this pass share made ready. */
+static enum pp_status prepare(const struct pp_planner *planner, struct pp_error *err)
+{
+    struct pp_counts wanted[BLOCK] = {{{0}}};
+    for (int i = 0; i < planner->unit_count; i++) {
+        struct planner_unit unit = planner->units[i];
+        const uint32_t *of = planner->points[unit.point].counts.of;
+        uint32_t *most = wanted[unit.randomisation - planner->block].of;
+        for (int k = 0; k < planner->sampler->estimators; k++)
+            most[k] = of[k] > most[k] ? of[k] : most[k];
+    }
+    return planner->sampler->prepare(planner->client, (int)planner->stage,
+                                     planner->block, BLOCK, wanted, planner->crew, err);
+}
+
+/* Lists the randomisations that are not done in this stage; none: unit_count 0. */
+static enum pp_status list_units(struct pp_planner *planner, struct pp_error *err)
+{
+    int most;
+    enum pp_status status = list_block(planner, &most, err);
+    for (; status == PP_OK && planner->unit_count == 0 && planner->block + BLOCK < most;
+         status = list_block(planner, &most, err))
+        planner->block += BLOCK;
+    if (planner->unit_count == 0)
+        planner->block = 0;
+    else if (status == PP_OK && planner->sampler->prepare)
+        status = prepare(planner, err);
+    return status;
 }
 
 /* A step of one randomisation: the sums do not depend on how the way is divided. */
@@ -336,6 +356,7 @@ static void run(const struct pp_planner *planner, struct planner_unit unit, void
                             (uint64_t)unit.randomisation);
     for (int k = 0; k < planner->sampler->estimators; k++) {
         struct pp_path_range range = {.point = unit.point,
+                                      .randomisation = unit.randomisation,
                                       .estimator = k,
                                       .first = randomisation->done.of[k],
                                       .end = point->counts.of[k]};

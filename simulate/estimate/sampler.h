@@ -14,9 +14,11 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#include "model/base/crew.h"
+#include "model/base/error.h"
 #include "simulate/sampling/sobol.h"
 
-enum { PP_ESTIMATORS_MOST = 3, PP_VALUES_MOST = 4, PP_SUMS_MOST = 5 };
+enum { PP_ESTIMATORS_MOST = 4, PP_VALUES_MOST = 4, PP_SUMS_MOST = 6 };
 
 /* Numbers of paths, by estimator. */
 struct pp_counts {
@@ -33,7 +35,7 @@ struct pp_randomisation {
 
 /* The paths that are asked for: `first` to `end` of the sequence. */
 struct pp_path_range {
-    int point, estimator;
+    int point, randomisation, estimator;
     struct pp_sobol_sequence sequence;
     uint32_t first, end;
 };
@@ -49,6 +51,24 @@ struct pp_sampler {
     /* Paths of each estimator in a randomisation: of the pilot, and at least in the
      * end. */
     struct pp_counts pilot, least;
+
+    /* Of each estimator in a randomisation: no more than so many; 0: no such limit. */
+    struct pp_counts most;
+
+    /* The cost of a path beside its rays, in rays; 0: 1. */
+    double cost[PP_ESTIMATORS_MOST];
+
+    /* And of a randomisation more than PP_RANDOMISATIONS (plan.h), beside its paths. */
+    double cost_of_more;
+
+    /* What points share, before they are followed: of the randomisations `first` to
+     * first + count - 1 of a stage, which have seeds of their own, and of each the
+     * greatest number of paths by estimator. What was made ready before is wanted no
+     * more, but for the same `first` of the same stage. crew: the threads at work. NULL:
+     * nothing. */
+    enum pp_status (*prepare)(const void *client, int stage, int first, int count,
+                              const struct pp_counts *wanted, struct pp_crew *crew,
+                              struct pp_error *err);
 
     /* A thread's own state. */
     size_t state_size;

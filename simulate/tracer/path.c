@@ -15,6 +15,7 @@ enum {
      * lose 10 to 40 % of the efficiency, one of each two thirds. */
     OPENINGS = 4,
     LOBES = 8,
+    SHARED_LOBES = 16, /* where points are shared: in a convex room rays cost less */
     /* A path ends here where nothing ever absorbs: in an enclosure that reflects all.
      * With a reflectance of 0.99 one path in 10^70 comes so far. */
     MOST_BOUNCES = 1 << 14
@@ -208,27 +209,82 @@ static bool survives(const struct pp_path_state *state, struct path_arm *arm,
     return u < chance;
 }
 
+/* B - G where the arm has come to, by (2), times its throughput. */
+/* One step of (2) where the arm has come to, times its throughput, with the arm on its
+ * way to the next surface; false if it ends before. */
+static bool step(struct pp_path_state *state, struct path_arm *arm, int vertex,
+                 double *sum)
+{
+    const struct pp_material *material =
+        &state->light.scene->materials[arm->met.material];
+    uint32_t lobes = !state->radiosity ? 1 : state->shared ? SHARED_LOBES : LOBES;
+    uint32_t openings = state->radiosity ? OPENINGS : 1;
+    *sum += arm->throughput
+            * (PP_PI * material->radiance.g - radiosity_at(state, &arm->met));
+    arm->throughput *= material->diffuse.g;
+    return arm->throughput > 0.0 && bounce(state, arm, vertex, openings, lobes, sum);
+}
+
+/* B - G where the arm has come to, times its throughput. */
+static double residual(struct pp_path_state *state, struct path_arm *arm, int vertex)
+{
+    double sum = 0.0;
+    while (vertex < MOST_BOUNCES && survives(state, arm, vertex)
+           && step(state, arm, vertex, &sum))
+        vertex++;
+    return sum;
+}
+
+/* Is the residual at the surface that the arm has come to left to this ray? A part of it
+ * is shared, where the ray has come straight. */
+static bool is_left(const struct pp_path_state *state, const struct path_arm *arm,
+                    int vertex)
+{
+    double u;
+    if (!arm->at_once || !state->shared)
+        return true;
+    double left = pp_shared_density_left(state->shared, &arm->ray, &arm->met);
+    if (!(left > 0.0))
+        return false;
+    pp_sobol_sequence_draw(&state->light.sequence, state->light.index,
+                           vertex * PP_DRAWS + PP_DRAW_SOURCES, 1, &u);
+    return u < left;
+}
+
+double pp_path_residual(struct pp_path_state *state, const struct pp_light_hit *met,
+                        const struct pp_shared_light *others, int count)
+{
+    struct path_arm arm = {.ray.to = pp_vec_scale(met->normal, -1.0),
+                           .throughput = 1.0,
+                           .met = *met,
+                           .at_once = true};
+    if (count == 0)
+        return residual(state, &arm, 1);
+    double sum = 0.0, shared = 0.0;
+    bool reached = step(state, &arm, 1, &sum);
+    for (int i = 0; i < count; i++)
+        shared += pp_shared_density_taken(&others[i], met->point, met->normal);
+    sum += state->light.scene->materials[met->material].diffuse.g * shared / count;
+    return reached && is_left(state, &arm, 1) ? sum + residual(state, &arm, 2) : sum;
+}
+
 double pp_path_correction(struct pp_path_state *state, const struct pp_start *start)
 {
-    const struct pp_light_scene *scene = state->light.scene;
     double sum = 0.0;
     struct path_arm arm = {.ray = lobe_ray(state, start), .throughput = 1.0};
-    if (!scene->has_room
+    if (!state->light.scene->has_room
         || !to_surface(state, &arm, pp_path_vertex_branch(0, PP_DRAWS), &sum))
         return sum;
     if (!arm.at_once) /* else the gathering has G there */
         sum += arm.throughput * radiosity_at(state, &arm.met);
-    bool many = state->radiosity != NULL;
-    for (int vertex = 1; vertex < MOST_BOUNCES && survives(state, &arm, vertex);
-         vertex++) {
-        const struct pp_material *material = &scene->materials[arm.met.material];
-        sum += arm.throughput
-               * (PP_PI * material->radiance.g - radiosity_at(state, &arm.met));
-        arm.throughput *= material->diffuse.g;
-        if (!(arm.throughput > 0.0)
-            || !bounce(state, &arm, vertex, many ? OPENINGS : 1, many ? LOBES : 1,
-                       &sum))
-            break;
-    }
-    return sum;
+    return is_left(state, &arm, 0) ? sum + residual(state, &arm, 1) : sum;
+}
+
+double pp_path_shared(const struct pp_path_state *state, const struct pp_start *start,
+                      const struct pp_shared_light *shared)
+{
+    double u[2];
+    struct pp_vec3 point =
+        start->anywhere ? begin(state, start, 0, u) : start->position;
+    return pp_shared_density_taken(shared, point, start->normal);
 }

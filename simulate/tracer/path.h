@@ -19,7 +19,9 @@
  *                 (2), then on to the next surface by Russian roulette
  *
  * Their sum is unbiased whatever G; a good G leaves a correction of little variance.
- * Without G the correction is plain path tracing.
+ * Without G the correction is plain path tracing. Where receivers share light
+ * (shared_density.h) most of the correction is what shared points bring, and a path goes
+ * on only with what is left to it.
  *
  * Paths are those of the light transport (transport/light_path.h), in the scene of a
  * world with every finish diffuse: indoors, every surface gets the light of the openings
@@ -32,6 +34,7 @@
 #define PP_SIMULATE_TRACER_PATH_H
 
 #include "simulate/tracer/radiosity.h"
+#include "simulate/tracer/shared_density.h"
 #include "simulate/transport/irradiance.h"
 #include "simulate/transport/radiance_state.h"
 
@@ -46,6 +49,7 @@ struct pp_path_state {
     struct pp_radiance_state light;
     const struct pp_radiosity
         *radiosity; /* the control variate; not owned; NULL: none */
+    const struct pp_shared_density *shared; /* not owned; NULL: nothing is shared */
 };
 
 /* For paths in that scene and light; the sequence is still to be set. */
@@ -73,5 +77,15 @@ void pp_path_direct(struct pp_path_state *state, const struct pp_start *start,
                     struct pp_light *light);
 double pp_path_gather(struct pp_path_state *state, const struct pp_start *start);
 double pp_path_correction(struct pp_path_state *state, const struct pp_start *start);
+
+/* By one of the points that receivers share; where state->shared is not NULL the mean of
+ * these is a part of the correction. */
+double pp_path_shared(const struct pp_path_state *state, const struct pp_start *start,
+                      const struct pp_shared_light *shared);
+
+/* B - G where something was met, one sample: by a path, or, given others that are shared
+ * and independent of it, by one step of (2) and what those bring there. */
+double pp_path_residual(struct pp_path_state *state, const struct pp_light_hit *met,
+                        const struct pp_shared_light *others, int count);
 
 #endif

@@ -261,6 +261,80 @@ static void a_restart_forgets_the_points(void **state)
     pp_planner_destroy(planner);
 }
 
+/* ---- what points share ---- */
+
+/* What has been made ready, and how often paths asked for more. */
+struct ready {
+    int stage, first, count, missed;
+    uint32_t paths[128];
+};
+
+struct sharing {
+    struct rare rare; /* first: the sampler's functions ask it */
+    struct ready *ready;
+};
+
+static enum pp_status prepare(const void *client, int stage, int first, int count,
+                              const struct pp_counts *wanted, int threads,
+                              struct pp_error *err)
+{
+    struct ready *ready = ((const struct sharing *)client)->ready;
+    (void)threads;
+    (void)err;
+    assert_in_range(count, 1, 128);
+    if (stage != ready->stage || first != ready->first)
+        memset(ready->paths, 0, sizeof ready->paths);
+    ready->stage = stage;
+    ready->first = first;
+    ready->count = count;
+    for (int i = 0; i < count; i++)
+        if (wanted[i].of[0] > ready->paths[i])
+            ready->paths[i] = wanted[i].of[0];
+    return PP_OK;
+}
+
+static void follow_ready(const void *client, void *state,
+                         const struct pp_path_range *range,
+                         struct pp_randomisation *randomisation)
+{
+    struct ready *ready = ((const struct sharing *)client)->ready;
+    int i = range->randomisation - ready->first;
+    if (i < 0 || i >= ready->count || range->end > ready->paths[i])
+        ready->missed++;
+    follow(client, state, range, randomisation);
+}
+
+/* Half of the paths bring 2: at 1 % of the mean of 1 that takes 1/0.01^2 paths, and at
+ * most 32 of them may go into a randomisation. So there are some 10,000/32 of those, in
+ * several batches, all of them made ready before. */
+static void what_points_share_is_ready_when_they_are_followed(void **state)
+{
+    (void)state;
+    struct ready ready = {.stage = -1};
+    const struct sharing sharing = {
+        .rare = {.chance = {0.5, 0.9}, .scale = {1.0, 3.0}, .seed = 8},
+        .ready = &ready};
+    struct pp_sampler limited = sampler;
+    limited.most = (struct pp_counts){{32}};
+    limited.prepare = prepare;
+    limited.follow = follow_ready;
+    const struct pp_planner_options options = {.error = 0.01, .threads = 1};
+    struct pp_planner *planner;
+    assert_int_equal(pp_planner_create(&planner, &limited, &sharing, 2, &options, NULL),
+                     PP_OK);
+    while (!pp_planner_done(planner))
+        assert_int_equal(pp_planner_advance(planner, 1.0, NULL), PP_OK);
+    assert_int_equal(ready.missed, 0);
+    struct pp_sampled sampled = pp_planner_sampled(planner, 0);
+    assert_in_range(sampled.count, 200, 700);
+    for (int i = 0; i < sampled.count; i++)
+        assert_in_range(sampled.randomisations[i].done.of[0], 0, 32);
+    struct pp_reading reading = pp_planner_read(planner, 0, 0);
+    assert_near(reading.std_error, 0.01, 0.0025);
+    assert_near(reading.value, 1.0, 4.0 * reading.std_error);
+    pp_planner_destroy(planner);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -272,6 +346,7 @@ int main(void)
         cmocka_unit_test(threads_and_slices_change_nothing),
         cmocka_unit_test(a_point_depends_on_no_other),
         cmocka_unit_test(a_restart_forgets_the_points),
+        cmocka_unit_test(what_points_share_is_ready_when_they_are_followed),
     };
     return cmocka_run_group_tests_name("planner", tests, NULL, NULL);
 }

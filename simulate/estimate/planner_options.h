@@ -1,0 +1,22 @@
+/* planner_options.h - how far a sampler's work is to go. */
+#ifndef PP_SIMULATE_ESTIMATE_PLANNER_OPTIONS_H
+#define PP_SIMULATE_ESTIMATE_PLANNER_OPTIONS_H
+
+#include "model/base/error.h"
+
+struct pp_planner_options {
+    double error; /* wanted standard error over the last value. 0: go by samples or the
+                   * caller's clock alone */
+    double least_error; /* no smaller error is wanted */
+    double least_share; /* nor one for less than this share of the greatest of all
+                         * points' values */
+    long samples;       /* paths of each estimator in a randomisation; 0: not set */
+    int randomisations; /* by samples; 0: PP_RANDOMISATIONS */
+    int threads;        /* 0: as many as there are processors */
+};
+
+/* PP_BAD_INPUT where one is out of range. */
+enum pp_status pp_planner_options_check(const struct pp_planner_options *options,
+                                        struct pp_error *err);
+
+#endif

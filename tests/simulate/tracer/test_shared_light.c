@@ -1,0 +1,222 @@
+/* test_shared_light.c - what receivers share is what each of them would find alone. */
+#include "simulate/tracer/shared_light.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "simulate/sampling/lobe.h"
+#include "simulate/scene/light_scene_parts.h"
+#include "simulate/tracer/radiosity_solve.h"
+#include "tests/lib/room_of.h"
+#include "tests/lib/traced.h"
+
+#define ROOM                                                                           \
+    "<room version='1'><plan width='3.3' depth='5.2' height='2.6'/>"                   \
+    "<finishes floor='0.3' walls='0.6' ceiling='0.8'/>"                                \
+    "<window wall='south' left='0.4' sill='0.9' width='1.7' height='1.2'/>"            \
+    "<working-plane height='0.8'/><point x='1.3' y='1.1'/><point x='0.02' y='2.7'/>"   \
+    "<point x='3.28' y='5.17'/><point x='1.9' y='4.4' z='0.01'/>"                      \
+    "<point x='1.6' y='3.9' nx='0.3' ny='-1' nz='0.2'/></room>"
+
+/* A room and what its receivers share. */
+struct shared_room {
+    struct pp_outside_light light;
+    struct pp_world *world;
+    struct pp_light_scene *scene;
+    struct pp_environment *environment;
+    struct pp_sobol sobol;
+    struct pp_radiosity *radiosity;
+    struct pp_shared_density *density;
+    struct pp_shared_lights *lights;
+};
+
+static void init(struct shared_room *room, const char *xml)
+{
+    room->world = pp_test_lit_world(&room->light, xml);
+    room->scene = pp_test_matt_scene(room->world);
+    room->environment = pp_test_light_on(room->scene, &room->light);
+    pp_sobol_init(&room->sobol);
+    assert_int_equal(pp_radiosity_solve(&room->radiosity, room->scene,
+                                        room->environment, &room->sobol, 3, 1, NULL),
+                     PP_OK);
+    assert_int_equal(
+        pp_shared_density_create(&room->density, room->scene, room->radiosity, NULL),
+        PP_OK);
+    struct pp_path_state path =
+        pp_path_state(room->scene, room->environment, room->radiosity);
+    path.shared = room->density;
+    assert_int_equal(
+        pp_shared_light_create(&room->lights, &path, &room->sobol, 4, NULL), PP_OK);
+}
+
+static void clear(struct shared_room *room)
+{
+    pp_shared_light_destroy(room->lights);
+    pp_shared_density_destroy(room->density);
+    pp_radiosity_destroy(room->radiosity);
+    pp_environment_destroy(room->environment);
+    pp_light_scene_destroy(room->scene);
+    pp_world_destroy(room->world);
+}
+
+/* Were D 1 on every surface, its mean over the cosine lobe would be 1 in a room without
+ * windows: what is shared and what is left to the lobe's rays make it up, at an awkward
+ * tilt, and a centimetre from a wall, where much is left. */
+static void shared_and_left_light_are_the_whole_lobe(void **state)
+{
+    (void)state;
+    struct shared_room room;
+    init(&room,
+         "<room version='1'><plan width='3.3' depth='5.2' height='2.6'/></room>");
+    enum { POINTS = 4096, SETS = 16, RAYS = 1 << 15 };
+    uint32_t wanted[SETS];
+    for (int i = 0; i < SETS; i++)
+        wanted[i] = POINTS;
+    assert_int_equal(pp_shared_light_extend(room.lights, 1, 0, SETS, wanted, 2, NULL),
+                     PP_OK);
+    const struct {
+        struct pp_vec3 point, normal;
+        double least_left;
+    } at[] = {{{1.3, 2.9, 0.8}, {0.0, 0.0, 1.0}, 0.0},
+              {{1.1, 0.7, 1.7}, {0.6, 0.0, -0.8}, 0.0},
+              {{0.01, 2.9, 0.8}, {0.0, 0.0, 1.0}, 0.4}};
+    for (int p = 0; p < 3; p++) {
+        struct pp_vec3 from = pp_vec_sub(at[p].point, room.scene->centre);
+        double shared = 0.0, squares = 0.0;
+        for (int i = 0; i < SETS; i++) {
+            const struct pp_shared_light *list = pp_shared_light_list(room.lights, i);
+            double mean = 0.0;
+            for (int k = 0; k < POINTS; k++) {
+                struct pp_shared_light one = list[k];
+                one.light = 1.0;
+                mean += pp_shared_density_taken(&one, from, at[p].normal) / POINTS;
+            }
+            shared += mean / SETS;
+            squares += mean * mean / SETS;
+        }
+        struct pp_path_state path =
+            pp_path_state(room.scene, room.environment, room.radiosity);
+        pp_sobol_sequence_init(&path.light.sequence, &room.sobol, 11);
+        double left = 0.0;
+        struct pp_vec3 a, b;
+        pp_lobe_frame(at[p].normal, &a, &b);
+        for (uint32_t i = 0; i < RAYS; i++) {
+            double u[2];
+            pp_sobol_sequence_draw(&path.light.sequence, i, 0, 2, u);
+            struct pp_light_ray ray = {
+                from, at[p].normal,
+                pp_lobe_sample_in_frame(a, b, at[p].normal, u[0], u[1]), PP_INDOORS};
+            struct pp_light_hit hit = {.part = -1};
+            assert_int_equal(pp_light_scene_meet(room.scene, &ray, &hit),
+                             PP_MEETS_PART);
+            left += pp_shared_density_left(room.density, &ray, &hit) / RAYS;
+        }
+        double error = sqrt((squares - shared * shared) / (SETS - 1));
+        assert_true(left >= at[p].least_left);
+        assert_near(error, 0.0, 0.01);
+        assert_near(shared + left, 1.0, 4.0 * error + 1e-3);
+    }
+    clear(&room);
+}
+
+/* Without planes the scene leaves all to the kernels, and each point follows paths of
+ * its own: beside walls, on the floor, at a tilt, and over the whole plane. */
+static void a_point_that_shares_agrees_with_one_that_does_not(void **state)
+{
+    (void)state;
+    struct pp_outside_light light;
+    struct pp_world *world = pp_test_lit_world(&light, ROOM);
+    struct pp_light_scene *scene = pp_test_matt_scene(world);
+    struct pp_environment *environment = pp_test_light_on(scene, &light);
+    struct pp_convex_room *convex = scene->convex;
+    struct pp_reading df[2][6];
+    assert_non_null(convex);
+    for (int alone = 0; alone < 2; alone++) {
+        scene->convex = alone ? NULL : convex;
+        struct pp_tracer_options options = {
+            .error = 0.004, .seed = 6, .average = true, .threads = 2};
+        struct pp_tracer *tracer;
+        assert_int_equal(pp_tracer_create(&tracer, scene, environment, world->receivers,
+                                          5, &options, NULL),
+                         PP_OK);
+        while (!pp_tracer_done(tracer))
+            assert_int_equal(pp_tracer_advance(tracer, 1.0, NULL), PP_OK);
+        for (int i = 0; i < 6; i++) {
+            struct pp_reading readings[PP_COMPONENT_COUNT];
+            pp_tracer_read(tracer, i < 5 ? i : -1, readings);
+            df[alone][i] = readings[PP_DF];
+        }
+        pp_tracer_destroy(tracer);
+    }
+    scene->convex = convex;
+    for (int i = 0; i < 6; i++) {
+        double both = hypot(df[0][i].std_error, df[1][i].std_error);
+        assert_near(df[0][i].value, df[1][i].value, 3.0 * both);
+        assert_near(both / df[1][i].value, 0.0, 0.012);
+    }
+    pp_environment_destroy(environment);
+    pp_light_scene_destroy(scene);
+    pp_world_destroy(world);
+}
+
+/* A shared point is known by its number: not by how many come after it, nor by when, nor
+ * by the threads. */
+static void shared_points_do_not_depend_on_what_was_asked_before(void **state)
+{
+    (void)state;
+    struct shared_room room;
+    init(&room, ROOM);
+    const uint32_t few[] = {7, 0, 40}, many[] = {200, 100, 40};
+    struct pp_shared_light once[3][200];
+    assert_int_equal(pp_shared_light_extend(room.lights, 1, 64, 3, many, 1, NULL),
+                     PP_OK);
+    for (int i = 0; i < 3; i++)
+        memcpy(once[i], pp_shared_light_list(room.lights, 64 + i),
+               many[i] * sizeof **once);
+    assert_int_equal(pp_shared_light_extend(room.lights, 0, 0, 3, few, 1, NULL), PP_OK);
+    assert_true(memcmp(once[0], pp_shared_light_list(room.lights, 0), sizeof once[0][0])
+                != 0);
+    assert_int_equal(pp_shared_light_extend(room.lights, 1, 64, 3, few, 2, NULL),
+                     PP_OK);
+    assert_int_equal(pp_shared_light_extend(room.lights, 1, 64, 3, many, 2, NULL),
+                     PP_OK);
+    for (int i = 0; i < 3; i++)
+        assert_memory_equal(once[i], pp_shared_light_list(room.lights, 64 + i),
+                            many[i] * sizeof **once);
+    clear(&room);
+}
+
+/* To the bit: alone, among others, in another order, with one thread or three. */
+static void a_point_that_shares_depends_on_no_other(void **state)
+{
+    (void)state;
+    struct pp_outside_light light;
+    struct pp_world *world = pp_test_lit_world(&light, ROOM);
+    struct pp_tracer_options options = {.error = 0.03, .seed = 9, .threads = 3};
+    struct pp_reading(*all)[4] =
+        pp_test_trace(world, &light, world->receivers, 5, &options, NULL);
+    options.threads = 1;
+    for (int i = 4; i >= 0; i--) {
+        struct pp_reading(*alone)[4] =
+            pp_test_trace(world, &light, &world->receivers[i], 1, &options, NULL);
+        for (int k = 0; k < PP_COMPONENT_COUNT; k++) {
+            assert_memory_equal(&all[i][k].value, &alone[0][k].value, sizeof(double));
+            assert_memory_equal(&all[i][k].std_error, &alone[0][k].std_error,
+                                sizeof(double));
+        }
+        free(alone);
+    }
+    free(all);
+    pp_world_destroy(world);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(shared_and_left_light_are_the_whole_lobe),
+        cmocka_unit_test(a_point_that_shares_agrees_with_one_that_does_not),
+        cmocka_unit_test(shared_points_do_not_depend_on_what_was_asked_before),
+        cmocka_unit_test(a_point_that_shares_depends_on_no_other),
+    };
+    return cmocka_run_group_tests_name("shared_light", tests, NULL, NULL);
+}
