@@ -416,7 +416,7 @@ static bool scatter(struct pp_radiance_state *state, struct pp_light_path *path,
     bool first = path->split && path->bounces <= FIRST_FEW;
     path->here_gloss_rays = 1;
     if (first && pp_rgb_most(lobes.share[PP_LOBE_GLOSS]) > STRONG_GLOSS)
-        path->here_gloss_rays = GLOSS_DIRECTIONS * (uint32_t)state->options.source_most;
+        path->here_gloss_rays = GLOSS_DIRECTIONS;
     struct pp_rgb here = direct_light_of_lobes(state, &lobes, &from, path);
     path->here_split = path->split;
     path->split = path->split && !scatters(&lobes);
