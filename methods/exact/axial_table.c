@@ -137,7 +137,7 @@ void pp_axial_table_init_balanced(struct pp_axial_table *table,
 static inline void moments_at(double k[PP_AXIAL_MOMENTS],
                               const struct pp_axial_table *table, double c)
 {
-    double rho = sqrt(fmax(0.0, 1.0 - c));
+    double rho = c < 1.0 ? sqrt(1.0 - c) : 0.0;
     bool coarse = rho < table->border;
     double at = coarse ? rho * table->coarse : (rho - table->border) * table->fine;
     int cell = (int)at;

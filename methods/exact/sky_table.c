@@ -36,6 +36,7 @@ struct sky_integrand {
     const struct pp_sky *sky;
     const struct pp_glass *glass;
     struct pp_vec3 zenith, normal;
+    double at_right_angles; /* exp(d pi/2) */
     const struct pp_sky_table *table;
 };
 
@@ -64,7 +65,7 @@ static double remainder_at(const struct sky_integrand *integrand, struct pp_vec3
     double cos_chi = pp_vec_dot(table->sun, u);
     double around = circumsolar_at(sky, cos_chi);
     double f = g
-               * (1.0 + sky->c * (around - exp(sky->d * PP_PI / 2.0))
+               * (1.0 + sky->c * (around - integrand->at_right_angles)
                   + sky->e * cos_chi * cos_chi);
     if (!table->has_sun_part)
         return f;
@@ -200,8 +201,12 @@ enum pp_status pp_sky_table_create(struct pp_sky_table **table,
     if (!made)
         return pp_fail_memory(err);
     struct sky_integrand integrand = {
-        sky, glass, pp_projection_direction(view, pp_vec(0.0, 0.0, 1.0)),
-        pp_projection_direction(view, normal), made};
+        .sky = sky,
+        .glass = glass,
+        .zenith = pp_projection_direction(view, pp_vec(0.0, 0.0, 1.0)),
+        .normal = pp_projection_direction(view, normal),
+        .at_right_angles = exp(sky->d * PP_PI / 2.0),
+        .table = made};
     made->room_normal = normal;
     made->sun = pp_projection_direction(view, sky->sun);
     made->has_sun_part = sky->c != 0.0 && made->sun.z > (glass->panes > 0 ? 0.0 : -0.2);
@@ -253,7 +258,7 @@ static inline int weigh(double weights[4], double at, int steps)
 
 static inline double potential_at(const struct pp_sky_table *table, struct pp_vec3 u)
 {
-    double t = sqrt(fmax(0.0, 1.0 - sqrt(u.z))), down[4], across[4], sum = 0.0;
+    double t = u.z < 1.0 ? sqrt(1.0 - sqrt(u.z)) : 0.0, down[4], across[4], sum = 0.0;
     int chart = fabs(u.y) > fabs(u.x);
     double first = chart ? u.y : u.x, second = chart ? u.x : u.y;
     double q = first != 0.0 ? second / first : 0.0;
