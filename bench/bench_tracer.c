@@ -11,6 +11,7 @@
 #include "simulate/tracer/radiosity_solve.h"
 #include "simulate/tracer/path.h"
 #include "simulate/tracer/tracer.h"
+#include "tests/lib/random_rooms.h"
 
 /* Daylight factors of all receivers (and the average behind them); seconds taken. */
 static double trace(const struct pp_world *world, const struct pp_outside_light *light,
@@ -44,37 +45,77 @@ static double trace(const struct pp_world *world, const struct pp_outside_light 
     return taken;
 }
 
-static void bench_room(const char *name, const char *xml)
+/* The best time of several seeds at an error, and how far their values are off. */
+static void bench_error(const char *name, const struct pp_world *world,
+                        const struct pp_outside_light *light,
+                        const struct pp_reading *fine, double error, int runs)
 {
-    struct pp_outside_light light;
-    struct pp_world *world = world_of(&light, xml);
     int count = world->receiver_count;
-    struct pp_reading *fine = calloc((size_t)count, sizeof *fine);
     struct pp_reading *quick = calloc((size_t)count, sizeof *quick);
-    if (!fine || !quick)
+    if (!quick)
         exit(3);
     struct pp_tracer_work work;
-    trace(world, &light, 0.002, 0, 77, fine, &work);
-    enum { RUNS = 5 };
-    double sum = 0.0, worst = 0.0, best = INFINITY;
-    for (uint64_t seed = 0; seed < RUNS; seed++) {
-        double taken = trace(world, &light, 0.01, 1, seed, quick, &work);
+    double squares = 0.0, z_squares = 0.0, worst = 0.0, best = INFINITY;
+    for (int seed = 0; seed < runs; seed++) {
+        double taken = trace(world, light, error, 1, (uint64_t)seed, quick, &work);
         best = fmin(best, taken);
         for (int i = 0; i < count; i++) {
             double off = quick[i].value / fine[i].value - 1.0;
-            sum += off * off;
+            double z = (quick[i].value - fine[i].value)
+                       / hypot(quick[i].std_error, fine[i].std_error);
+            squares += off * off;
+            z_squares += z * z;
             worst = fmax(worst, fabs(off));
         }
     }
-    printf("%s: %d points and the average at 1 %%: %.3f s of one core (best of %d)\n",
-           name, count, best, (int)RUNS);
-    printf("  RMS error %.2f %%, worst %.2f %%, against a run at 0.2 %%\n",
-           100.0 * sqrt(sum / (RUNS * count)), 100.0 * worst);
+    printf("%s: %d points and the average at %.1f %%: %.3f s of one core (best of "
+           "%d)\n",
+           name, count, 100.0 * error, best, runs);
+    printf("  RMS error %.2f %%, worst %.2f %%, %.2f of the standard errors, against a "
+           "finer run\n",
+           100.0 * sqrt(squares / (runs * count)), 100.0 * worst,
+           sqrt(z_squares / (runs * count)));
     printf("  %.2f million paths, %.2f million rays, %lld leaks\n", 1e-6 * work.paths,
            1e-6 * work.rays, work.leaks);
-    free(fine);
     free(quick);
+}
+
+static void bench_room(const char *name, const char *xml)
+{
+    static const struct {
+        double error;
+        int runs;
+    } wanted[] = {{0.01, 5}, {0.004, 3}, {0.002, 2}};
+    struct pp_outside_light light;
+    struct pp_world *world = world_of(&light, xml);
+    struct pp_reading *fine = calloc((size_t)world->receiver_count, sizeof *fine);
+    if (!fine)
+        exit(3);
+    struct pp_tracer_work work;
+    trace(world, &light, 0.0007, 0, 77, fine, &work);
+    for (size_t i = 0; i < sizeof wanted / sizeof *wanted; i++)
+        bench_error(name, world, &light, fine, wanted[i].error, wanted[i].runs);
+    free(fine);
     pp_world_destroy(world);
+}
+
+/* Rooms of the tests' random kind, eight points each, at 1 %. */
+static void bench_random_rooms(void)
+{
+    enum { ROOMS = 40, POINTS = 8 };
+    double taken = 0.0;
+    for (uint64_t number = 0; number < ROOMS; number++) {
+        struct pp_outside_light light;
+        struct pp_reading df[POINTS];
+        struct pp_tracer_work work;
+        struct pp_world *world = pp_test_random_room(&light, number, POINTS);
+        taken += trace(world, &light, 0.01, 1, number, df, &work);
+        pp_world_destroy(world);
+    }
+    printf(
+        "random rooms: %d points and the average at 1 %%: %.1f ms of one core a room "
+        "(mean of %d)\n",
+        (int)POINTS, 1e3 * taken / ROOMS, (int)ROOMS);
 }
 
 /* ---- rays against the bare kernels ---- */
@@ -220,7 +261,7 @@ int main(void)
 {
     bench_room("deep room, 3 x 9 x 2.7 m",
                "<room version='1'><plan width='3' depth='9' height='2.7'/>"
-               "<finishes floor='0.2' walls='0.7' ceiling='0.8'/>"
+               "<finishes floor='0.2' walls='0.5' ceiling='0.7'/>"
                "<window wall='south' left='0.2' sill='0.8' width='2.6' height='1.5' "
                "glazing='clear-single'/>"
                "<line from='1.5 0.5' to='1.5 8.5' points='17'/></room>");
@@ -229,6 +270,7 @@ int main(void)
                "<finishes floor='0.2' walls='0.5' ceiling='0.7'/>"
                "<window wall='south' left='0.5' sill='0.9' width='3' height='1.5' "
                "glazing='none'/><grid spacing='0.25' margin='0'/></room>");
+    bench_random_rooms();
 
     struct pp_outside_light light;
     struct pp_world *world = world_of(

@@ -8,8 +8,8 @@
 
 /* A patch is drawn in proportion to its area and the root of its G, as if G were nowhere
  * below this share of its mean. The noise of D goes with G, but so does the light of the
- * receivers near by, whose relative error counts: between a constant density and G, which
- * both take a third more work in deep rooms. */
+ * receivers near by, whose relative error counts. Measured in the deep office: a constant
+ * density takes half as many points again, G itself twice as many. */
 static const double LEAST_SHARE = 0.1;
 
 /* And so many times less often under the working plane, which receivers as a rule look

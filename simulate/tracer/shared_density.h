@@ -14,7 +14,8 @@
  *
  *     1 - c p(y)/k(x, y)                                                            (2)
  *
- * where that is positive. Both together have no bias, whatever p and c.
+ * where that is positive. Both together have no bias, whatever p and c. These are the many
+ * lights of [KELLER97], bounded as in [KK06].
  *
  * Only where any two points of the room see each other (convex_room.h): there (1) needs
  * no ray.

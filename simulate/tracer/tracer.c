@@ -21,12 +21,14 @@ enum { SUM_DIRECT = 0, SUM_GATHER = 3, SUM_CORRECTION = 4, SUM_SHARED = 5 };
 
 /* Points that receivers share in one randomisation: as many as leave about this over the
  * square of the error that is wanted, measured in rooms of several depths. */
-enum { LEAST_SHARED = 16, MOST_SHARED = 1 << 12 };
+enum { LEAST_SHARED = 8, MOST_SHARED = 1 << 12 };
 static const double SHARED_VARIANCE = 0.0065;
 
-/* What one of them costs a point, in rays: a connection, and its share of the point's
- * own paths as if 50 points shared it. Chosen by trial. */
-static const double SHARED_COST = 0.3;
+/* What one of them costs a receiver, in rays: a connection, and its share of the point's
+ * own 25 rays as if some 25 receivers had it. However many there are, their number is not
+ * looked at: it would be another value. A third or twice as much changes the work by about
+ * a tenth for 8, 17 and 384. */
+static const double SHARED_COST = 1.0;
 
 /* The least standard error that is wanted, over Eh: 0.002 % daylight factor. */
 static const double LEAST_ERROR = 0.00002;
@@ -211,8 +213,8 @@ static struct pp_sampler sharing(double error)
         .estimators = ESTIMATORS,
         .values = PP_COMPONENT_COUNT,
         .fall = {1.5, 1.2, 1.05, 1.05},
-        .pilot = {{4, 8, 2, 16}},
-        .least = {{8, 16, 4, 16}},
+        .pilot = {{4, 8, 2, 8}},
+        .least = {{8, 16, 4, 8}},
         .most = {{0, 0, 0, most_shared(error)}},
         .cost = {[SHARED] = SHARED_COST},
         .cost_of_more = SHARED_COST * most_shared(error),

@@ -24,7 +24,8 @@ struct pp_plane_share {
  * unlike coin tosses), which is computed without approximation. `level` is the k-th
  * largest value; its standard error is half the distance between the levels that k
  * points reach with probabilities of 16 and 84 %. The error that the grid's spacing
- * makes is not included. */
+ * makes is not included, nor that traced points of one room share light and so go wrong
+ * together by a part of their errors. */
 enum pp_status pp_plane_share(struct pp_plane_share *share,
                               const struct pp_reading *points, int count, double part,
                               double target, struct pp_error *err);
