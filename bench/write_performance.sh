@@ -1,7 +1,8 @@
 #!/bin/sh
 # write_performance.sh PROGRAM BENCH ... - docs/PERFORMANCE.md, on standard output: the
 # machine, what each of the benchmark programs prints, and the comparison with Radiance by
-# compare_radiance.sh, which stands beside this script. Run by make bench.
+# compare_radiance.sh, which stands beside this script. SCENES="NAME ...": these of its
+# scenes. Run by make bench.
 set -eu
 LC_ALL=C
 export LC_ALL
@@ -32,13 +33,14 @@ memory() {
 # about FILE: the sentence at the head of a program.
 about() {
     sed '/\*\//q' "$1" | tr '\n' ' ' |
-        sed 's|^/\* *[^ ]* - ||; s| *\*/.*||; s| \* | |g; s|  *| |g'
+        sed 's|^/\* *[^ ]* - ||; s| *\*/.*||; s| \* | |g; s|  *| |g' |
+        awk '{ print toupper(substr($0, 1, 1)) substr($0, 2) }'
 }
 
 cat <<END
 # Performance
 
-Written by \`make bench\`, on a machine that has nothing else to do; do not edit. A rate or a
+Written by \`make bench\`, which wants a machine that does nothing else; do not edit. A rate or a
 time says little elsewhere, a ratio more. Times are of the processor, all threads together,
 unless they are said to be by the clock. What is \`wanted\` stands beside what was found.
 
@@ -71,7 +73,8 @@ cat <<'END'
 `bench/compare_radiance.sh`: the same rooms, written by `pepperpot export`, by Radiance's `rtrace`
 and by `df --simulate`, each on one processor and in turn, in one run. `rtrace` runs as the
 exported script has it (every path to its end, no cache), with paths cut short, with its cache at
-settings in common use, and at fine ones.
+settings in common use, and at ones that suit the scene: `-ar` is in terms of the scene's width,
+which is that of its ground, so that 256 keeps records metres apart.
 
 The error is that of the points' daylight factors: the root of the mean square of (found -
 true)/true. What is true is taken from two references, one of each program at very fine settings:
@@ -80,4 +83,5 @@ alone; each alone stands beside it. Below some tenths of a per cent what is left
 shows. Equal errors are had by the law of unbiased estimates, time times the square of the error;
 a run through the cache is biased, so that it counts as it is, where its error is no larger.
 END
-sh "$here/compare_radiance.sh" "$program"
+# shellcheck disable=SC2086 # several words, or none: all scenes
+sh "$here/compare_radiance.sh" "$program" ${SCENES:-}
