@@ -30,7 +30,7 @@ int pp_cache_entry_sector(double along_a, double along_b)
 }
 
 double pp_cache_entry_distance(const struct pp_cache_entry *entry,
-                               const struct pp_cache_place *place)
+                               const struct pp_cache_place *place, double most)
 {
     const struct pp_cache_record *is = &entry->is;
     double facing = pp_vec_dot(place->normal, is->normal);
@@ -41,14 +41,16 @@ double pp_cache_entry_distance(const struct pp_cache_entry *entry,
     double y = pp_vec_dot(off, is->axes[1]) / is->radii_m[1];
     double step = pp_vec_dot(off, is->normal);
     double z = STEP * step / is->radii_m[0];
+    double turn = facing < 1.0 ? (1.0 - facing) / MOST_TURN : 0.0;
+    double square = x * x + y * y + z * z + turn;
+    if (square > most * most)
+        return NEVER;
     double behind = 0.5 * (step + pp_vec_dot(off, place->normal));
     if (behind < -BEHIND * is->radii_m[0])
         return NEVER;
-    double turn = facing < 1.0 ? (1.0 - facing) / MOST_TURN : 0.0;
-    double distance = sqrt(x * x + y * y + z * z + turn);
     double u = pp_vec_dot(off, entry->a), v = pp_vec_dot(off, entry->b);
     double clear = entry->horizon_m[pp_cache_entry_sector(u, v)];
-    return u * u + v * v > clear * clear ? NEVER : distance;
+    return u * u + v * v > clear * clear ? NEVER : sqrt(square);
 }
 
 void pp_cache_entry_unsmooth(struct pp_cache_entry *entry)

@@ -37,9 +37,10 @@ struct pp_cache_place {
 };
 
 /* How far from the record the place is, 0 at it and 1 at the edge of its ellipse; more
- * than 1e9 where the record does not hold for the place however near. */
+ * than 1e9 where it is more than `most`, and where the record does not hold for the
+ * place however near. */
 double pp_cache_entry_distance(const struct pp_cache_entry *entry,
-                               const struct pp_cache_place *place);
+                               const struct pp_cache_place *place, double most);
 
 /* The irradiance there by the record's value and gradients, no channel below 0. */
 struct pp_rgb pp_cache_entry_read(const struct pp_cache_entry *entry,

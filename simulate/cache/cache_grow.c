@@ -300,12 +300,13 @@ static bool is_open(const struct pp_irradiance_cache *cache,
                     const struct pp_cache_layer *layer,
                     struct pp_cache_request *request)
 {
-    struct pp_rgb value;
-    double guess;
-    bool covered = pp_cache_layer_read(layer, &request->place, &value, &guess);
-    request->guess_m =
-        covered ? -1.0f : (float)(guess > 0.0 ? guess : FIRST_GUESS * cache->size_m);
-    return !covered;
+    if (pp_cache_layer_covers(layer, &request->place)) {
+        request->guess_m = -1.0f;
+        return false;
+    }
+    double guess = pp_cache_layer_guess(layer, &request->place);
+    request->guess_m = (float)(guess > 0.0 ? guess : FIRST_GUESS * cache->size_m);
+    return true;
 }
 
 static struct pp_cache_request *open_request(const struct pp_cache_layer *layer, int i)

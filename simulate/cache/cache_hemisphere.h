@@ -20,6 +20,7 @@ struct pp_cache_hemisphere_cell {
     struct pp_vec3 to;      /* unit: of its first ray */
     double distance_m;      /* of the surface that it met; INFINITY: none */
     struct pp_vec3 facing;  /* normal of that surface */
+    uint32_t path;          /* of its first ray */
     double samples;
     double contrast; /* of its neighbours: more rays go where this is large */
     double gradient_per_radiance[2]; /* d(gradient)/dL, 1/m */

@@ -81,30 +81,53 @@ enum pp_status pp_cache_layer_rebuild_tree(struct pp_cache_layer *layer,
     return status;
 }
 
-bool pp_cache_layer_read(const struct pp_cache_layer *layer,
-                         const struct pp_cache_place *place, struct pp_rgb *value,
-                         double *guess_m)
+bool pp_cache_layer_covers(const struct pp_cache_layer *layer,
+                           const struct pp_cache_place *place)
 {
-    struct pp_rgb sum = pp_rgb_grey(0.0);
-    double weights = 0.0, nearest = INFINITY, guess = 0.0;
+    struct pp_cache_octree_iterator iterator =
+        pp_cache_octree_iterator(&layer->tree, place->point);
+    int record;
+    while (pp_cache_octree_next(&iterator, &record))
+        if (1.0 - pp_cache_entry_distance(&layer->entries[record], place, 1.0)
+            > LEAST_WEIGHT)
+            return true;
+    return false;
+}
+
+double pp_cache_layer_guess(const struct pp_cache_layer *layer,
+                            const struct pp_cache_place *place)
+{
+    double nearest = INFINITY, guess = 0.0;
     struct pp_cache_octree_iterator iterator =
         pp_cache_octree_iterator(&layer->tree, place->point);
     int record;
     while (pp_cache_octree_next(&iterator, &record)) {
         const struct pp_cache_entry *entry = &layer->entries[record];
-        double distance = pp_cache_entry_distance(entry, place);
+        double distance = pp_cache_entry_distance(entry, place, INFINITY);
         if (distance < nearest && distance < 1e9) {
             nearest = distance;
             guess = entry->is.radii_m[0];
         }
-        double weight = 1.0 - distance;
+    }
+    return guess;
+}
+
+bool pp_cache_layer_read(const struct pp_cache_layer *layer,
+                         const struct pp_cache_place *place, struct pp_rgb *value)
+{
+    struct pp_rgb sum = pp_rgb_grey(0.0);
+    double weights = 0.0;
+    struct pp_cache_octree_iterator iterator =
+        pp_cache_octree_iterator(&layer->tree, place->point);
+    int record;
+    while (pp_cache_octree_next(&iterator, &record)) {
+        const struct pp_cache_entry *entry = &layer->entries[record];
+        double weight = 1.0 - pp_cache_entry_distance(entry, place, 1.0);
         if (!(weight > LEAST_WEIGHT))
             continue;
         sum = pp_rgb_along(sum, weight, pp_cache_entry_read(entry, place));
         weights += weight;
     }
-    if (guess_m)
-        *guess_m = guess;
     if (!(weights > 0.0))
         return false;
     *value = pp_rgb_scale(sum, 1.0 / weights);

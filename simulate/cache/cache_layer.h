@@ -47,11 +47,18 @@ enum pp_status pp_cache_layer_put(struct pp_cache_layer *layer,
 enum pp_status pp_cache_layer_rebuild_tree(struct pp_cache_layer *layer,
                                            struct pp_error *err);
 
-/* Weighted mean of the records whose ellipses hold the place. Where there are none:
- * false, and *guess_m (may be NULL) is the smaller radius of the nearest record by its
- * own measure, or 0. */
+/* Weighted mean of the records whose ellipses hold the place; false where there are
+ * none. */
 bool pp_cache_layer_read(const struct pp_cache_layer *layer,
-                         const struct pp_cache_place *place, struct pp_rgb *value,
-                         double *guess_m);
+                         const struct pp_cache_place *place, struct pp_rgb *value);
+
+/* Would it be read? Quicker. */
+bool pp_cache_layer_covers(const struct pp_cache_layer *layer,
+                           const struct pp_cache_place *place);
+
+/* The radius expected of a record at the place: the smaller radius of the nearest record
+ * by its own measure; 0: there is none. */
+double pp_cache_layer_guess(const struct pp_cache_layer *layer,
+                            const struct pp_cache_place *place);
 
 #endif

@@ -65,8 +65,8 @@ static void add_neighbour(void *context, int record)
     const struct pp_cache_record *is = &fit->entry->is;
     const struct pp_cache_record_settings *settings = &fit->layer->settings;
     struct pp_cache_place here = place_of(is), there = place_of(&other->is);
-    double distance = fmax(pp_cache_entry_distance(fit->entry, &there),
-                           pp_cache_entry_distance(other, &here));
+    double distance = fmax(pp_cache_entry_distance(fit->entry, &there, INFINITY),
+                           pp_cache_entry_distance(other, &here, INFINITY));
     if (!(distance < NEAR))
         return;
     double radius = is->radii_m[0];

@@ -105,7 +105,7 @@ bool pp_irradiance_cache_value(const struct pp_irradiance_cache *cache,
         return false;
     int layer = depth < PP_CACHE_DEPTHS ? depth : PP_CACHE_DEPTHS - 1;
     struct pp_cache_place place = {point, normal, space};
-    return pp_cache_layer_read(&cache->layers[layer], &place, value, NULL);
+    return pp_cache_layer_read(&cache->layers[layer], &place, value);
 }
 
 static bool ambient_irradiance(void *store, const struct pp_light_hit *hit,

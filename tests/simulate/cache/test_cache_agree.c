@@ -69,7 +69,7 @@ static double value_at(const struct pp_cache_layer *layer, double x, double y)
 {
     const struct pp_cache_place place = {{x, y, 0.0}, {0.0, 0.0, 1.0}, PP_ANYWHERE};
     struct pp_rgb value = pp_rgb_grey(-1.0);
-    assert_true(pp_cache_layer_read(layer, &place, &value, NULL));
+    assert_true(pp_cache_layer_read(layer, &place, &value));
     return value.g / 0.7;
 }
 

@@ -115,7 +115,9 @@ static void an_edge_changes_as_its_closed_form_does(void **state)
     }
 }
 
-/* The patch's outline follows the cells' edges in steps: about 1 % with 128 x 128. */
+/* The patch's outline follows the cells' edges in steps: about 1 % with 128 x 128. Of its
+ * 1,150 cells some 180 are cut by the outline, and each is in or out by chance: 0.5 % of
+ * the irradiance (one standard error). */
 static void a_hemisphere_knows_how_a_patchs_light_changes(void **state)
 {
     (void)state;
@@ -140,7 +142,7 @@ static void a_hemisphere_knows_how_a_patchs_light_changes(void **state)
     double bb = (irradiance_at(x, y + d) - 2 * e + irradiance_at(x, y - d)) / (d * d);
     /* The frame about +z is x, y. */
     assert_near(h.frame.x.x, 1.0, 1e-12);
-    assert_near(h.irradiance.g, e, 2e-3 * e);
+    assert_near(h.irradiance.g, e, 1.5e-2 * e);
     assert_near(change.along[1][0], along, 0.02 * fabs(along));
     assert_near(change.along[1][1], across, 0.02 * fabs(along));
     assert_near(change.curvature[0], aa, 0.05 * fabs(bb));
