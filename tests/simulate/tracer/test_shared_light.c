@@ -59,6 +59,18 @@ static void clear(struct shared_room *room)
     pp_world_destroy(room->world);
 }
 
+/* By a crew of so many threads. */
+static enum pp_status extended(struct shared_room *room, int stage, int first,
+                               int count, const uint32_t *wanted, int threads)
+{
+    struct pp_crew *crew;
+    assert_int_equal(pp_crew_create(&crew, threads, NULL), PP_OK);
+    enum pp_status status =
+        pp_shared_light_extend(room->lights, stage, first, count, wanted, crew, NULL);
+    pp_crew_destroy(crew);
+    return status;
+}
+
 /* Were D 1 on every surface, its mean over the cosine lobe would be 1 in a room without
  * windows: what is shared and what is left to the lobe's rays make it up, at an awkward
  * tilt, and a centimetre from a wall, where much is left. */
@@ -72,8 +84,7 @@ static void shared_and_left_light_are_the_whole_lobe(void **state)
     uint32_t wanted[SETS];
     for (int i = 0; i < SETS; i++)
         wanted[i] = POINTS;
-    assert_int_equal(pp_shared_light_extend(room.lights, 1, 0, SETS, wanted, 2, NULL),
-                     PP_OK);
+    assert_int_equal(extended(&room, 1, 0, SETS, wanted, 2), PP_OK);
     const struct {
         struct pp_vec3 point, normal;
         double least_left;
@@ -168,18 +179,15 @@ static void shared_points_do_not_depend_on_what_was_asked_before(void **state)
     init(&room, ROOM);
     const uint32_t few[] = {7, 0, 40}, many[] = {200, 100, 40};
     struct pp_shared_light once[3][200];
-    assert_int_equal(pp_shared_light_extend(room.lights, 1, 64, 3, many, 1, NULL),
-                     PP_OK);
+    assert_int_equal(extended(&room, 1, 64, 3, many, 1), PP_OK);
     for (int i = 0; i < 3; i++)
         memcpy(once[i], pp_shared_light_list(room.lights, 64 + i),
                many[i] * sizeof **once);
-    assert_int_equal(pp_shared_light_extend(room.lights, 0, 0, 3, few, 1, NULL), PP_OK);
+    assert_int_equal(extended(&room, 0, 0, 3, few, 1), PP_OK);
     assert_true(memcmp(once[0], pp_shared_light_list(room.lights, 0), sizeof once[0][0])
                 != 0);
-    assert_int_equal(pp_shared_light_extend(room.lights, 1, 64, 3, few, 2, NULL),
-                     PP_OK);
-    assert_int_equal(pp_shared_light_extend(room.lights, 1, 64, 3, many, 2, NULL),
-                     PP_OK);
+    assert_int_equal(extended(&room, 1, 64, 3, few, 2), PP_OK);
+    assert_int_equal(extended(&room, 1, 64, 3, many, 2), PP_OK);
     for (int i = 0; i < 3; i++)
         assert_memory_equal(once[i], pp_shared_light_list(room.lights, 64 + i),
                             many[i] * sizeof **once);
