@@ -187,8 +187,10 @@ static enum pp_status trace_plane(struct pp_traced_plane **plane,
     report->receivers = report->more_receivers;
     if (status == PP_OK)
         status = pp_study_report_traced(report, &of_points, by_clock, err);
-    if (status == PP_OK)
-        pp_traced_plane_fill(*plane, pp_report_find(report, PP_DF, traced)->points);
+    if (status == PP_OK) {
+        const struct pp_column *column = pp_report_find(report, PP_DF, traced);
+        pp_traced_plane_fill(*plane, column->points, column->common);
+    }
     return status;
 }
 

@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "model/results/common_error.h"
 #include "model/results/lattice.h"
 #include "studies/criteria/en17037_grid.h"
 #include "studies/criteria/plane_share.h"
@@ -50,10 +51,11 @@ enum pp_status pp_plane_figures_receivers(struct pp_receiver **all, int *count,
 /* The daylight factor that a part of the points reaches. */
 static enum pp_status reached_by(struct pp_reading *reading,
                                  const struct pp_reading *points, int count,
-                                 double part, struct pp_error *err)
+                                 double common, double part, struct pp_error *err)
 {
     struct pp_plane_share share;
-    enum pp_status status = pp_plane_share(&share, points, count, part, 0.0, err);
+    enum pp_status status =
+        pp_plane_share(&share, points, count, common, part, 0.0, err);
     if (status == PP_OK) {
         *reading = pp_reading_of(share.level);
         reading->std_error = share.std_error;
@@ -61,16 +63,18 @@ static enum pp_status reached_by(struct pp_reading *reading,
     return status;
 }
 
-/* The mean; the points' errors are independent. */
-static struct pp_reading mean_of(const struct pp_reading *points, int count)
+static struct pp_reading mean_of(const struct pp_reading *points, int count,
+                                 double common)
 {
-    double sum = 0.0, variance = 0.0;
+    double sum = 0.0, errors = 0.0, squares = 0.0;
     for (int i = 0; i < count; i++) {
+        double error = points[i].std_error / count;
         sum += points[i].value / count;
-        variance += points[i].std_error * points[i].std_error / count / count;
+        errors += error;
+        squares += error * error;
     }
     struct pp_reading mean = pp_reading_of(sum);
-    mean.std_error = isfinite(variance) ? sqrt(variance) : NAN;
+    mean.std_error = pp_common_error(errors, squares, common);
     return mean;
 }
 
@@ -83,13 +87,15 @@ enum pp_status pp_plane_figures_sum_up(struct pp_column *column,
     for (int i = 0; i < count; i++)
         if (!isfinite(points[i].value))
             return PP_OK;
-    plane->average = mean_of(points, count);
-    enum pp_status status = reached_by(&plane->minimum, points, count, 1.0, err);
+    plane->average = mean_of(points, count, column->common);
+    enum pp_status status =
+        reached_by(&plane->minimum, points, count, column->common, 1.0, err);
     if (status == PP_OK)
-        status = reached_by(&plane->median, points, count, 0.5, err);
+        status = reached_by(&plane->median, points, count, column->common, 0.5, err);
     for (int i = 0; i < PP_PLANE_LEVELS && status == PP_OK; i++) {
         struct pp_plane_share share;
-        status = pp_plane_share(&share, points, count, 1.0, pp_plane_levels[i], err);
+        status = pp_plane_share(&share, points, count, column->common, 1.0,
+                                pp_plane_levels[i], err);
         plane->over[i] = share.over;
     }
     plane->uniformity =

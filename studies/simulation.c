@@ -123,6 +123,7 @@ enum pp_status pp_simulation_add_columns(const struct pp_simulation *simulation,
                                          struct pp_report *report, struct pp_error *err)
 {
     const struct pp_engine *engine = simulation->engine;
+    double common = engine->common ? engine->common(simulation->run) : 0.0;
     for (int component = PP_SC; component < PP_COMPONENT_COUNT; component++) {
         struct pp_column *column =
             (struct pp_column *)pp_report_find(report, component, engine->column);
@@ -133,6 +134,7 @@ enum pp_status pp_simulation_add_columns(const struct pp_simulation *simulation,
         struct pp_reading readings[PP_COMPONENT_COUNT];
         engine->read(simulation->run, -1, readings);
         column->average = readings[component];
+        column->common = common;
         for (int i = 0; i < report->receiver_count; i++) {
             engine->read(simulation->run, i, readings);
             column->points[i] = readings[component];

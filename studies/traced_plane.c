@@ -7,6 +7,7 @@
 
 #include "model/base/array.h"
 #include "model/geometry/bounds.h"
+#include "model/results/common_error.h"
 #include "model/room/position.h"
 
 /* About as many squares cover the plane before those near openings are halved, and no
@@ -42,6 +43,7 @@ struct plane_screen {
 struct pp_traced_plane {
     const struct pp_world *world;
     double side_m; /* of the squares before any is halved */
+    double common; /* the share of the points' variance that is common */
     struct plane_point *points;
     int count;
     struct plane_screen *screens;
@@ -310,8 +312,9 @@ void pp_traced_plane_destroy(struct pp_traced_plane *plane)
 }
 
 void pp_traced_plane_fill(struct pp_traced_plane *plane,
-                          const struct pp_reading *readings)
+                          const struct pp_reading *readings, double common)
 {
+    plane->common = common;
     for (int i = 0; i < plane->count; i++) {
         struct plane_point *point = &plane->points[i];
         double value = fmax(readings[i].value, lowest_factor);
@@ -435,14 +438,15 @@ static bool fit(const struct pp_traced_plane *plane, double x, double y, double 
     if (found.count == 0)
         return false;
     to_coefficients(&found, at, radius);
-    double sum = 0.0, variance = 0.0;
+    double sum = 0.0, errors = 0.0, variance = 0.0;
     for (int n = 0; n < found.count; n++) {
         double share = found.weight[n] * found.list[n]->log_error;
         sum += found.weight[n] * found.list[n]->log_value;
+        errors += share;
         variance += share * share;
     }
     *value = sum;
-    *error = sqrt(variance);
+    *error = pp_common_error(errors, variance, plane->common);
     return true;
 }
 

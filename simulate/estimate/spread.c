@@ -106,6 +106,60 @@ static bool differs(const struct pp_spread *spread)
     return sqrt(spread->variance) > ROUNDING * fabs(spread->mean);
 }
 
+/* How many randomisations from the first on all points have begun. */
+static int begun_by_all(const struct pp_sampled *points, int count)
+{
+    int all = points[0].count;
+    for (int i = 0; i < count; i++) {
+        int begun = 0;
+        while (begun < points[i].count && begun < all
+               && is_begun(points[i].sampler, &points[i].randomisations[begun]))
+            begun++;
+        all = begun;
+    }
+    return all;
+}
+
+/* Mean and variance over the first randomisations, of a point, or of the sum of all. */
+struct moments {
+    double mean, squares;
+};
+
+static void add_to_moments(struct moments *moments, double value, int before)
+{
+    double off = value - moments->mean;
+    moments->mean += off / (before + 1);
+    moments->squares += off * (value - moments->mean);
+}
+
+double pp_spread_common(const struct pp_sampled *points, int count)
+{
+    enum { LEAST = 8 };
+    int all = count > 1 ? begun_by_all(points, count) : 0;
+    if (all < LEAST)
+        return 0.0;
+    int last = points[0].sampler->values - 1;
+    struct moments of_sum = {0.0, 0.0};
+    for (int r = 0; r < all; r++) {
+        double sum = 0.0;
+        for (int i = 0; i < count; i++)
+            sum += figure(&points[i], r, last, -1);
+        add_to_moments(&of_sum, sum, r);
+    }
+    double squares = 0.0, errors = 0.0;
+    for (int i = 0; i < count; i++) {
+        struct moments own = {0.0, 0.0};
+        for (int r = 0; r < all; r++)
+            add_to_moments(&own, figure(&points[i], r, last, -1), r);
+        squares += own.squares;
+        errors += sqrt(own.squares);
+    }
+    double apart = squares, together = errors * errors;
+    if (!(together > apart))
+        return 0.0;
+    return fmin(fmax((of_sum.squares - apart) / (together - apart), 0.0), 1.0);
+}
+
 unsigned pp_spread_found(const struct pp_sampled *sampled)
 {
     unsigned found = 0;

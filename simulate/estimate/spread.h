@@ -48,6 +48,11 @@ double pp_spread_variance_of_half(const struct pp_sampled *sampled, int half);
 unsigned pp_spread_found(const struct pp_sampled *sampled);
 void pp_spread_paths(const struct pp_sampled *sampled, double *paths);
 
+/* The share of the variance of the last value that `count` points have in common, 0 to 1
+ * (common_error.h), by the randomisations that all of them have: 0 for fewer than eight of
+ * these or fewer than two points. */
+double pp_spread_common(const struct pp_sampled *points, int count);
+
 /* The factor sqrt((R - 1)/(R - 3)) above, for R > 3. */
 double pp_spread_student(int count);
 

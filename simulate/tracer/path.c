@@ -209,7 +209,6 @@ static bool survives(const struct pp_path_state *state, struct path_arm *arm,
     return u < chance;
 }
 
-/* B - G where the arm has come to, by (2), times its throughput. */
 /* One step of (2) where the arm has come to, times its throughput, with the arm on its
  * way to the next surface; false if it ends before. */
 static bool step(struct pp_path_state *state, struct path_arm *arm, int vertex,

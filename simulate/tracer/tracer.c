@@ -6,6 +6,7 @@
 #include <stdlib.h>
 
 #include "simulate/estimate/planner.h"
+#include "simulate/estimate/spread.h"
 #include "simulate/sampling/hash.h"
 #include "simulate/scene/light_scene_of_world.h"
 #include "simulate/scene/light_scene_parts.h"
@@ -361,6 +362,20 @@ void pp_tracer_read(const struct pp_tracer *tracer, int index,
         readings[i] = index < tracer->point_count
                           ? pp_planner_read(tracer->planner, index, i)
                           : pp_reading_none("no average was asked for");
+}
+
+double pp_tracer_common(const struct pp_tracer *tracer)
+{
+    if (!tracer->shared)
+        return 0.0;
+    struct pp_sampled *list = calloc((size_t)tracer->receiver_count + 1, sizeof *list);
+    if (!list)
+        return 1.0; /* on the safe side */
+    for (int i = 0; i < tracer->receiver_count; i++)
+        list[i] = pp_planner_sampled(tracer->planner, i);
+    double common = pp_spread_common(list, tracer->receiver_count);
+    free(list);
+    return common;
 }
 
 struct pp_tracer_work pp_tracer_work(const struct pp_tracer *tracer)

@@ -64,6 +64,10 @@ void pp_tracer_read(const struct pp_tracer *tracer, int index,
 struct pp_tracer_work {
     long long paths, rays, leaks;
 };
+/* The share of the variance of their daylight factors that the receivers have in common, 0
+ * to 1 (model/results/common_error.h). */
+double pp_tracer_common(const struct pp_tracer *tracer);
+
 struct pp_tracer_work pp_tracer_work(const struct pp_tracer *tracer);
 
 void pp_tracer_destroy(struct pp_tracer *tracer); /* NULL is allowed */

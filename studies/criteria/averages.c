@@ -91,8 +91,8 @@ static enum pp_status evaluate_uniformity(const struct pp_inquiry *inquiry,
     }
     double wanted = has_glazed_roof(inquiry->world) ? 0.7 : 0.3;
     struct pp_plane_share share;
-    enum pp_status status =
-        pp_plane_share(&share, column->points, count, 1.0, wanted * mean, err);
+    enum pp_status status = pp_plane_share(&share, column->points, count,
+                                           column->common, 1.0, wanted * mean, err);
     if (status != PP_OK)
         return status;
     struct pp_finding finding =

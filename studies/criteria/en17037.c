@@ -61,7 +61,7 @@ static enum pp_status add_target(const struct pp_inquiry *inquiry,
         double wanted = target->lux / inquiry->median.lux;
         enum pp_status status =
             pp_plane_share(&share, column->points, inquiry->factors->receiver_count,
-                           target->part, wanted, err);
+                           column->common, target->part, wanted, err);
         if (status != PP_OK)
             return status;
         finding =

@@ -21,25 +21,36 @@ static int compare_falling(const void *a, const void *b)
     return (x < y) - (x > y);
 }
 
-/* The probability that a point reaches the target; of a point that was not sampled 0 or
- * 1. */
-static double probability_of_point(const struct pp_reading *point, double target)
+/* Points, and the share of their variance that is common. */
+struct plane_points {
+    const struct pp_reading *list;
+    int count;
+    double common;
+};
+
+/* The probability that a point reaches the target, with all of them `shift` standard
+ * errors off by what they have in common; of a point that was not sampled 0 or 1. */
+static double probability_of_point(const struct plane_points *points, int i,
+                                   double target, double shift)
 {
+    const struct pp_reading *point = &points->list[i];
     if (!(point->std_error > 0.0))
         return point->value >= target - rounding * fabs(target) ? 1.0 : 0.0;
-    return pp_finding_probability_at_least(point->value, point->std_error, target);
+    return pp_finding_probability_at_least(
+        point->value + shift * point->std_error,
+        sqrt(1.0 - points->common) * point->std_error, target);
 }
 
-/* Probability that `wanted` points or more reach the level. `odds` has space for count +
- * 1 numbers: odds[k] is the probability that k of the uncertain points taken so far reach
- * the level. */
-static double probability_of(const struct pp_reading *points, int count, int wanted,
-                             double level, double *odds)
+/* Probability that `wanted` points or more reach the level, with such a shift. `odds` has
+ * space for count + 1 numbers: odds[k] is the probability that k of the uncertain points
+ * taken so far reach the level. */
+static double probability_with(const struct plane_points *points, int wanted,
+                               double level, double shift, double *odds)
 {
     int uncertain = 0, sure = 0;
     odds[0] = 1.0;
-    for (int i = 0; i < count; i++) {
-        double p = probability_of_point(&points[i], level);
+    for (int i = 0; i < points->count; i++) {
+        double p = probability_of_point(points, i, level, shift);
         if (p > 1.0 - surely) {
             sure++;
             continue;
@@ -57,20 +68,78 @@ static double probability_of(const struct pp_reading *points, int count, int wan
     return fmin(sum, 1.0);
 }
 
+/* Of a shift that is less than this the normal probability. */
+static double normal_below(double z)
+{
+    return 0.5 * erfc(-z / sqrt(2.0));
+}
+
+/* Shifts of so many standard deviations, and no finer than this. */
+static const double shift_most = 4.0, shift_least = 0.01;
+
+/* A probability rises with the shift; where by more than this between two, they are
+ * taken apart. */
+static const double steep = 0.05;
+
+struct shifted {
+    double z, probability;
+};
+
+struct shifting {
+    const struct plane_points *points;
+    int wanted;
+    double level;
+    double *odds;
+};
+
+static struct shifted at_shift(const struct shifting *by, double z)
+{
+    double shift = sqrt(by->points->common) * z;
+    return (struct shifted){
+        z, probability_with(by->points, by->wanted, by->level, shift, by->odds)};
+}
+
+/* The part of the mean over all shifts that those between two have. */
+static double mean_between(const struct shifting *by, struct shifted low,
+                           struct shifted high)
+{
+    if (high.probability - low.probability > steep && high.z - low.z > shift_least) {
+        struct shifted middle = at_shift(by, 0.5 * (low.z + high.z));
+        return mean_between(by, low, middle) + mean_between(by, middle, high);
+    }
+    return 0.5 * (low.probability + high.probability)
+           * (normal_below(high.z) - normal_below(low.z));
+}
+
+/* The same over all shifts, which are normal. */
+static double probability_of(const struct plane_points *points, int wanted,
+                             double level, double *odds)
+{
+    if (!(points->common > 0.0))
+        return probability_with(points, wanted, level, 0.0, odds);
+    const struct shifting by = {points, wanted, level, odds};
+    struct shifted low = at_shift(&by, -shift_most), high = at_shift(&by, shift_most);
+    double sum = low.probability * normal_below(low.z)
+                 + high.probability * normal_below(-high.z);
+    struct shifted middle = at_shift(&by, 0.0);
+    return sum + mean_between(&by, low, middle) + mean_between(&by, middle, high);
+}
+
 /* The level that `wanted` points reach with the given probability, by bisection between
  * a level that all points reach and one that none reaches: 8 standard errors off. */
-static double level_of(const struct pp_reading *points, int count, int wanted,
+static double level_of(const struct plane_points *points, int wanted,
                        double probability, double *odds)
 {
     double low = INFINITY, high = -INFINITY;
-    for (int i = 0; i < count; i++) {
-        double spread = points[i].std_error > 0.0 ? 8.0 * points[i].std_error : 0.0;
-        low = fmin(low, points[i].value - spread);
-        high = fmax(high, points[i].value + spread);
+    for (int i = 0; i < points->count; i++) {
+        const struct pp_reading *point = &points->list[i];
+        double spread = point->std_error > 0.0 ? 8.0 * point->std_error : 0.0;
+        low = fmin(low, point->value - spread);
+        high = fmax(high, point->value + spread);
     }
     for (int step = 0; step < 50; step++) {
         double middle = 0.5 * (low + high);
-        if (probability_of(points, count, wanted, middle, odds) > probability)
+        if (probability_of(points, wanted, middle, odds) > probability)
             low = middle;
         else
             high = middle;
@@ -79,9 +148,10 @@ static double level_of(const struct pp_reading *points, int count, int wanted,
 }
 
 enum pp_status pp_plane_share(struct pp_plane_share *share,
-                              const struct pp_reading *points, int count, double part,
-                              double target, struct pp_error *err)
+                              const struct pp_reading *points, int count, double common,
+                              double part, double target, struct pp_error *err)
 {
+    const struct plane_points all = {points, count, fmin(common, 1.0 - 1e-9)};
     double *values = malloc(((size_t)count + 1) * sizeof *values);
     if (!values)
         return pp_fail_memory(err);
@@ -98,10 +168,10 @@ enum pp_status pp_plane_share(struct pp_plane_share *share,
                                      .over = (double)over / count,
                                      .probability = NAN};
     if (sampled) {
-        share->probability = probability_of(points, count, wanted, target, values);
+        share->probability = probability_of(&all, wanted, target, values);
         share->std_error = 0.5
-                           * (level_of(points, count, wanted, 0.1587, values)
-                              - level_of(points, count, wanted, 0.8413, values));
+                           * (level_of(&all, wanted, 0.1587, values)
+                              - level_of(&all, wanted, 0.8413, values));
     }
     free(values);
     return PP_OK;

@@ -19,15 +19,16 @@ struct pp_plane_share {
 /* Of `count` points (1 or more), all with values, the part `part` (above 0, at most 1)
  * is wanted to reach `target`: k points, the least number that is that part or more.
  *
- * Points are taken as independent and normal with their standard errors, so that the
+ * Points are normal with their standard errors, of whose squares they have the share
+ * `common` in common (common_error.h) and are independent else. Given what is common, the
  * number of points that reach a level has the Poisson binomial distribution (a sum of
- * unlike coin tosses), which is computed without approximation. `level` is the k-th
- * largest value; its standard error is half the distance between the levels that k
- * points reach with probabilities of 16 and 84 %. The error that the grid's spacing
- * makes is not included, nor that traced points of one room share light and so go wrong
- * together by a part of their errors. */
+ * unlike coin tosses), which is computed without approximation; over what is common it is
+ * a sum whose steps are as fine as it is steep. `level` is the k-th largest value; its
+ * standard error is half the distance between the levels that k points reach with
+ * probabilities of 16 and 84 %. The error that the grid's spacing makes is not
+ * included. */
 enum pp_status pp_plane_share(struct pp_plane_share *share,
-                              const struct pp_reading *points, int count, double part,
-                              double target, struct pp_error *err);
+                              const struct pp_reading *points, int count, double common,
+                              double part, double target, struct pp_error *err);
 
 #endif

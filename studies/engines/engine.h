@@ -50,6 +50,10 @@ struct pp_engine {
     void (*read)(const void *run, int index,
                  struct pp_reading readings[PP_COMPONENT_COUNT]);
 
+    /* The share of their variance that the receivers' factors have in common
+     * (common_error.h); NULL: none. */
+    double (*common)(const void *run);
+
     /* What a later run may begin with, as the bytes of a file; NULL where there is
      * nothing to keep. *bytes NULL: not yet. Otherwise the caller's to free. */
     enum pp_status (*keep)(const void *run, char **bytes, size_t *length,

@@ -87,6 +87,12 @@ static void read(const void *data, int index,
     pp_tracer_read(run->tracer, index, readings);
 }
 
+static double common(const void *data)
+{
+    const struct path_run *run = data;
+    return pp_tracer_common(run->tracer);
+}
+
 const struct pp_engine pp_engine_path = {
     .name = "path",
     .column = "traced",
@@ -97,5 +103,6 @@ const struct pp_engine pp_engine_path = {
     .progress = progress,
     .error = error,
     .read = read,
+    .common = common,
     .destroy = destroy,
 };

@@ -7,6 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "model/results/common_error.h"
 /* The standard error of a reading; 0 where nothing was sampled. */
 static double known_error(const struct pp_reading *reading)
 {
@@ -128,7 +129,7 @@ static struct pp_comparison compare(const struct pp_report *report,
                                    .traced_average = traced->average.value,
                                    .traced_average_error =
                                        known_error(&traced->average)};
-    double sum = 0.0, squares = 0.0, noise = 0.0, truth = 0.0;
+    double sum = 0.0, squares = 0.0, errors = 0.0, noise = 0.0, truth = 0.0;
     for (int i = 0; column->points && i < report->receiver_count; i++) {
         double off = column->points[i].value - traced->points[i].value;
         double error = known_error(&traced->points[i]);
@@ -137,6 +138,7 @@ static struct pp_comparison compare(const struct pp_report *report,
         result.points++;
         sum += off;
         squares += off * off;
+        errors += error;
         noise += error * error;
         truth += traced->points[i].value;
         add_parts(&result.of_bias, parts_of(&own, column->points[i].value, i));
@@ -150,7 +152,7 @@ static struct pp_comparison compare(const struct pp_report *report,
         int n = result.points;
         result.traced = truth / n;
         result.bias = sum / n;
-        result.bias_error = sqrt(noise) / n;
+        result.bias_error = pp_common_error(errors, noise, traced->common) / n;
         result.spread = sqrt(fmax((squares - noise) / n, 0.0));
         take_mean(&result.of_bias, n);
     }

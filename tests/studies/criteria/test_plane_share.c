@@ -9,7 +9,8 @@ static struct pp_plane_share share_of(const struct pp_reading *points, int count
                                       double part, double target)
 {
     struct pp_plane_share share;
-    assert_int_equal(pp_plane_share(&share, points, count, part, target, NULL), PP_OK);
+    assert_int_equal(pp_plane_share(&share, points, count, 0.0, part, target, NULL),
+                     PP_OK);
     return share;
 }
 
@@ -177,6 +178,46 @@ static void a_figure_nearer_than_its_error_decides_nothing(void **state)
     assert_int_equal(stated.verdict, PP_STATED);
 }
 
+/* Points that go wrong together are as one: half of them reach a target with the
+ * probability of the middle one, and the level is as uncertain as that. */
+static void points_that_go_wrong_together_are_as_one(void **state)
+{
+    (void)state;
+    struct pp_reading points[101];
+    for (int i = 0; i < 101; i++)
+        points[i] = (struct pp_reading){.value = 0.02 + 1e-7 * i, .std_error = 0.0004};
+    struct pp_plane_share alone, together;
+    assert_int_equal(pp_plane_share(&alone, points, 101, 0.0, 0.5, 0.0198, NULL),
+                     PP_OK);
+    assert_int_equal(pp_plane_share(&together, points, 101, 1.0, 0.5, 0.0198, NULL),
+                     PP_OK);
+    assert_true(alone.probability > 0.9999);
+    /* Phi((0.020005 - 0.0198) / 0.0004) */
+    assert_near(together.probability, 0.6958, 2e-3);
+    assert_relative(together.std_error, 0.0004, 0.01);
+    /* The median of 101 normal numbers: sqrt(pi/2)/sqrt(101) of one's error. */
+    assert_relative(alone.std_error, 0.1247 * 0.0004, 0.03);
+}
+
+/* Between the two: a hundred points alike with a share c in common have a median with
+ * the error sqrt(c + (1 - c) pi/2/100), in a normal approximation. */
+static void a_share_in_common_adds_to_the_levels_error(void **state)
+{
+    (void)state;
+    struct pp_reading points[101];
+    for (int i = 0; i < 101; i++)
+        points[i] = (struct pp_reading){.value = 0.02, .std_error = 0.0004};
+    for (int i = 1; i < 10; i += 2) {
+        double c = 0.1 * i;
+        struct pp_plane_share share;
+        assert_int_equal(pp_plane_share(&share, points, 101, c, 0.5, 0.02, NULL),
+                         PP_OK);
+        assert_relative(share.std_error, 0.0004 * sqrt(c + (1.0 - c) * 0.1247 * 0.1247),
+                        0.04);
+        assert_near(share.probability, 0.5, 0.01);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -188,6 +229,8 @@ int main(void)
         cmocka_unit_test(many_points_are_quick_and_as_sure),
         cmocka_unit_test(verdicts_need_ninety_five_per_cent),
         cmocka_unit_test(a_figure_nearer_than_its_error_decides_nothing),
+        cmocka_unit_test(points_that_go_wrong_together_are_as_one),
+        cmocka_unit_test(a_share_in_common_adds_to_the_levels_error),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
