@@ -1,4 +1,5 @@
-/* How fast the direct component is, on one core: rates and times, no verdict. */
+/* bench_exact.c - how fast the direct component is, on one core: rates and times, no
+ * verdict. */
 #include <stdio.h>
 
 #include "bench/bench.h"

@@ -1,4 +1,4 @@
-/* How long rooms of hundreds of like parts take, by all methods, one point and the
+/* bench_large_rooms.c - how long rooms of hundreds of like parts take, by all methods, one point and the
  * average: processor times, no verdict. */
 #include <math.h>
 #include <stdio.h>
