@@ -1,5 +1,5 @@
-/* bench_large_rooms.c - how long rooms of hundreds of like parts take, by all methods, one point and the
- * average: processor times, no verdict. */
+/* bench_large_rooms.c - how long rooms of hundreds of like parts take, by all methods, one
+ * point and the average: processor times, no verdict. */
 #include <math.h>
 #include <stdio.h>
 
