@@ -210,24 +210,16 @@ static uint32_t most_shared(double error)
 /* Where a part of it is shared. The lobe then has little to correct. */
 static struct pp_sampler sharing(double error)
 {
-    return (struct pp_sampler){
-        .estimators = ESTIMATORS,
-        .values = PP_COMPONENT_COUNT,
-        .fall = {1.5, 1.2, 1.05, 1.05},
-        .pilot = {{4, 8, 2, 8}},
-        .least = {{8, 16, 4, 8}},
-        .most = {{0, 0, 0, most_shared(error)}},
-        .cost = {[SHARED] = SHARED_COST},
-        .cost_of_more = SHARED_COST * most_shared(error),
-        .prepare = prepare,
-        .state_size = sizeof(struct pp_path_state),
-        .begin = begin,
-        .seed = seed_of,
-        .follow = follow,
-        .value = value_of,
-        .part = part_of,
-        .bound = bound_of,
-    };
+    struct pp_sampler shared = sampler;
+    shared.estimators = ESTIMATORS;
+    shared.fall[SHARED] = 1.05;
+    shared.pilot = (struct pp_counts){{4, 8, 2, 8}};
+    shared.least = (struct pp_counts){{8, 16, 4, 8}};
+    shared.most.of[SHARED] = most_shared(error);
+    shared.cost[SHARED] = SHARED_COST;
+    shared.cost_of_more = SHARED_COST * most_shared(error);
+    shared.prepare = prepare;
+    return shared;
 }
 
 /* ---- making ---- */

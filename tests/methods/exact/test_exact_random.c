@@ -6,6 +6,7 @@
 
 #include "methods/method.h"
 #include "model/geometry/convex_parts.h"
+#include "tests/lib/dice.h"
 #include "tests/lib/meridians.h"
 
 #ifndef SCENES
@@ -26,24 +27,6 @@ struct scene {
     struct pp_vec3 corners[SURFACES + 2][CORNERS];
     struct pp_receiver receiver;
 };
-
-/* Random numbers: one seed for each scene, so that a single scene can be repeated. */
-struct dice {
-    uint64_t state;
-};
-
-static double between(struct dice *dice, double low, double high)
-{
-    uint64_t x = (dice->state += 0x9e3779b97f4a7c15u);
-    x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
-    x = (x ^ (x >> 27)) * 0x94d049bb133111ebu;
-    return low + (high - low) * (double)((x ^ (x >> 31)) >> 11) * 0x1p-53;
-}
-
-static bool one_in(struct dice *dice, int n)
-{
-    return between(dice, 0.0, n) < 1.0;
-}
 
 /* One number after the other: the order of arguments is the compiler's. */
 static struct pp_vec3 any_point(struct dice *dice)

@@ -1,5 +1,6 @@
 /* test_pane_light.c - the light through windows from tables, against quadrature over the
  * window, a plain sum over its area, closed forms and limits. */
+#include "tests/lib/dice.h"
 #include "tests/lib/near.h"
 
 #include <stdlib.h>
@@ -176,23 +177,6 @@ static double by_plain_sum(const struct lighting *lighting, const struct window 
 }
 
 /* ---- random windows ---- */
-
-struct dice {
-    uint64_t state;
-};
-
-static double between(struct dice *dice, double low, double high)
-{
-    uint64_t x = (dice->state += 0x9e3779b97f4a7c15u);
-    x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
-    x = (x ^ (x >> 27)) * 0x94d049bb133111ebu;
-    return low + (high - low) * (double)((x ^ (x >> 31)) >> 11) * 0x1p-53;
-}
-
-static bool one_in(struct dice *dice, int n)
-{
-    return between(dice, 0.0, n) < 1.0;
-}
 
 static struct pp_vec3 any_direction(struct dice *dice)
 {
