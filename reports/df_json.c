@@ -8,6 +8,7 @@
 
 #include "reports/parts/format.h"
 #include "reports/parts/json.h"
+#include "reports/parts/print_band.h"
 #include "methods/variant.h"
 #include "reports/parts/json_room.h"
 #include "reports/parts/print_reliability.h"
@@ -61,14 +62,15 @@ static bool add_contents(struct json_object *object, const char *name)
 }
 
 /* { "value": 1.25, "se": 0.01 } or { "value": null, "why": "..." }; name is the
- * column's. With external_lux over 0, the illuminance that is its share. */
+ * column's; with "band": [1.1, 1.6] where that is known. With external_lux over 0, the illuminance that is its share. */
 static struct json_object *entry(const struct pp_reading *reading, const char *name,
-                                 double external_lux)
+                                 struct pp_band band, double external_lux)
 {
     struct json_object *object = json_object_new_object();
     bool good = object && pp_json_number(object, "value", 100.0 * reading->value);
     if (good && isfinite(reading->std_error))
         good = pp_json_number(object, "se", 100.0 * reading->std_error);
+    good = good && pp_print_band_json(object, band);
     if (good && external_lux > 0.0)
         good = pp_json_number(object, "lux", external_lux * reading->value);
     if (good && !isfinite(reading->value))
@@ -87,6 +89,13 @@ static const struct pp_reading *reading_of(const struct pp_column *column, int i
     return index == OF_AVERAGE          ? &column->average
            : index == OF_MARGIN_AVERAGE ? &column->margin_average
                                         : &column->points[index];
+}
+
+static struct pp_band band_of(const struct pp_column *column, int index)
+{
+    return index == OF_AVERAGE           ? column->average_band
+           : index >= 0 && column->bands ? column->bands[index]
+                                         : pp_band_none();
 }
 
 /* Adds "sc" ... "df" with what every method says there; a component that no method
@@ -108,6 +117,7 @@ static bool add_readings(struct json_object *object, const struct pp_report *rep
         }
         if (!pp_json_add(*component, column->name,
                          entry(reading_of(column, index), column->name,
+                               band_of(column, index),
                                column->component == PP_DF ? external_lux : 0.0)))
             return false;
     }
@@ -231,6 +241,8 @@ static struct json_object *room(const void *all, int index)
         good = add_variants(object, results->options->method_options.variants);
     if (good && report->stand_in)
         good = pp_json_text(object, "stand-in", report->stand_in);
+    if (good && report->no_bands)
+        good = pp_json_text(object, "no-bands", report->no_bands);
     double lux = results->options->external_lux;
     if (good && lux > 0.0)
         good = pp_json_number(object, "external", lux);

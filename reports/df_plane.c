@@ -7,8 +7,18 @@
 
 #include "model/base/text.h"
 #include "reports/parts/print.h"
+#include "reports/parts/print_band.h"
 
-enum { CELL = 7, EDGE = 8, SHARE = 6, WORDS = 96 };
+enum { CELL = 7, BAND_CELL = 12, EDGE = 8, SHARE = 6, WORDS = 96 };
+
+/* `columns` wide as it is seen: bytes of one sign are one column. */
+static void put_padded(const char *cell, int columns, FILE *out)
+{
+    int bytes = (int)strlen(cell), shown = 0;
+    for (int i = 0; i < bytes; i++)
+        shown += ((unsigned char)cell[i] & 0xc0) != 0x80;
+    fprintf(out, "%*s%s", columns > shown ? columns - shown : 0, "", cell);
+}
 
 /* ---- like the plan ---- */
 
@@ -22,52 +32,80 @@ static bool has_points(const struct pp_report *report, const struct pp_column *c
     return false;
 }
 
-static void put_row(const struct pp_column *column, const struct pp_lattice *lattice,
-                    int row, int first, int last, FILE *out)
+/* What stands at the points: a column's daylight factors, or their bands. */
+struct layer {
+    const struct pp_column *column;
+    const struct pp_lattice *lattice;
+    bool bands, utf8;
+    int cell; /* columns of the terminal that a point takes */
+};
+
+static void put_point(const struct layer *layer, int at, char cell[WORDS])
 {
+    double value = layer->column->points[at].value;
+    if (layer->bands)
+        pp_print_band(cell, WORDS, layer->column->bands[at], layer->utf8);
+    else if (isfinite(value))
+        snprintf(cell, WORDS, "%.2f", 100.0 * value + 0.0);
+    else
+        snprintf(cell, WORDS, "-");
+}
+
+static void put_row(const struct layer *layer, int row, int first, int last, FILE *out)
+{
+    const struct pp_lattice *lattice = layer->lattice;
     fprintf(out, "%*.2f |", EDGE, lattice->y[row]);
     for (int i = first; i < last; i++) {
         int at = lattice->receivers[row * lattice->columns + i];
-        if (at < 0)
-            fprintf(out, "%*s", CELL, "");
-        else if (isfinite(column->points[at].value))
-            fprintf(out, "%*.2f", CELL, 100.0 * column->points[at].value + 0.0);
-        else
-            fprintf(out, "%*s", CELL, "-");
+        char cell[WORDS] = "";
+        if (at >= 0)
+            put_point(layer, at, cell);
+        put_padded(cell, layer->cell, out);
     }
     fputc('\n', out);
 }
 
-static void put_panel(const struct pp_column *column, const struct pp_lattice *lattice,
-                      int first, int last, FILE *out)
+static void put_panel(const struct layer *layer, int first, int last, FILE *out)
 {
+    const struct pp_lattice *lattice = layer->lattice;
     fprintf(out, "\n%*s\n", EDGE, "y");
     for (int row = lattice->rows - 1; row >= 0; row--)
-        put_row(column, lattice, row, first, last, out);
+        put_row(layer, row, first, last, out);
     fprintf(out, "%*s +", EDGE, "");
-    for (int i = 0; i < CELL * (last - first); i++)
+    for (int i = 0; i < layer->cell * (last - first); i++)
         fputc('-', out);
     fprintf(out, "\n%*s  ", EDGE, "x");
     for (int i = first; i < last; i++)
-        fprintf(out, "%*.2f", CELL, lattice->x[i]);
+        fprintf(out, "%*.2f", layer->cell, lattice->x[i]);
     fputc('\n', out);
 }
 
-void pp_df_plane_tables(const struct pp_report *report,
-                        const struct pp_lattice *lattice, int width, FILE *out)
+static void put_layer(const struct layer *layer, int width, FILE *out)
 {
-    int most = (width - EDGE - 2) / CELL;
+    int most = (width - EDGE - 2) / layer->cell, columns = layer->lattice->columns;
     most = most < 1 ? 1 : most;
+    for (int first = 0; first < columns; first += most)
+        put_panel(layer, first, first + most < columns ? first + most : columns, out);
+}
+
+void pp_df_plane_tables(const struct pp_report *report,
+                        const struct pp_lattice *lattice, int width, bool utf8,
+                        FILE *out)
+{
     for (int i = 0; i < report->column_count; i++) {
         const struct pp_column *column = &report->columns[i];
         if (!has_points(report, column))
             continue;
+        struct layer layer = {column, lattice, false, utf8, CELL};
         fprintf(out, "\n  Daylight factors by %s, per cent\n", column->name);
-        for (int first = 0; first < lattice->columns; first += most) {
-            int last = first + most;
-            last = last < lattice->columns ? last : lattice->columns;
-            put_panel(column, lattice, first, last, out);
-        }
+        put_layer(&layer, width, out);
+        if (!column->bands)
+            continue;
+        layer.bands = true;
+        layer.cell = BAND_CELL;
+        fprintf(out, "\n  95 %% band of the daylight factors by %s, per cent\n",
+                column->name);
+        put_layer(&layer, width, out);
     }
 }
 
@@ -80,15 +118,6 @@ static void put_reading(char cell[WORDS], const struct pp_reading *reading, bool
     if (isfinite(reading->std_error))
         pp_text_append(cell, WORDS, " %s%.2f", utf8 ? "\xc2\xb1" : "+-",
                        ceil(1e4 * reading->std_error - 1e-9) / 100.0 + 0.0);
-}
-
-/* `columns` wide as it is seen: bytes of one sign are one column. */
-static void put_padded(const char *cell, int columns, FILE *out)
-{
-    int bytes = (int)strlen(cell), shown = 0;
-    for (int i = 0; i < bytes; i++)
-        shown += ((unsigned char)cell[i] & 0xc0) != 0x80;
-    fprintf(out, "%*s%s", columns > shown ? columns - shown : 0, "", cell);
 }
 
 static void put_line(const struct pp_column *column, int name, int wide, bool utf8,

@@ -11,9 +11,10 @@
 
 /* The daylight factors of each column that has some at the points of the lattice, north
  * (high y) above: a row for each y, a column for each x; in panels where the line is too
- * short. */
+ * short; and behind them, where they are known, their bands. */
 void pp_df_plane_tables(const struct pp_report *report,
-                        const struct pp_lattice *lattice, int width, FILE *out);
+                        const struct pp_lattice *lattice, int width, bool utf8,
+                        FILE *out);
 
 /* A line for each column that has figures of the plane: minimum, median, average,
  * uniformity, and the share over each level. Nothing where none has. */

@@ -9,6 +9,7 @@
 #include "reports/df_steps.h"
 #include "reports/formula_list.h"
 #include "reports/parts/print.h"
+#include "reports/parts/print_band.h"
 #include "reports/parts/print_notes.h"
 #include "reports/parts/print_reliability.h"
 #include "reports/parts/print_places.h"
@@ -29,6 +30,7 @@ static const struct titles titles[PP_COMPONENT_COUNT] = {
 
 static const char off_title[] = "from traced, %";
 static const char off_brief[] = "off, %";
+static const char band_title[] = "95 % band";
 
 /* ---- numbers as people read them ---- */
 
@@ -121,6 +123,27 @@ static bool add_distances(struct pp_table *table, const struct pp_report *report
     return true;
 }
 
+static bool has_band(const struct pp_report *report, const struct pp_column *column)
+{
+    for (int row = 0; row <= report->receiver_count; row++)
+        if (pp_band_is_known(pp_print_band_at(column, row, report->receiver_count)))
+            return true;
+    return false;
+}
+
+static bool add_bands(struct pp_table *table, const struct pp_report *report,
+                      const struct pp_column *column, bool utf8)
+{
+    struct pp_table_column *shown =
+        pp_table_add(table, band_title, band_title, column->name);
+    if (!shown)
+        return false;
+    for (int row = 0; row <= report->receiver_count; row++)
+        pp_print_band(shown->cells[row], PP_CELL_BYTES,
+                      pp_print_band_at(column, row, report->receiver_count), utf8);
+    return true;
+}
+
 /* Illuminances: daylight factors times the external illuminance. */
 static bool add_illuminances(struct pp_table *table, const struct pp_report *report,
                              const struct pp_column *column, const char *title,
@@ -158,6 +181,11 @@ static bool fill_table(struct pp_table *table, const struct pp_report *report,
              || !pp_print_notes_is_zero(report, PP_ERC))
             && !is_stood_in_for(report, &report->columns[i])
             && !add_values(table, report, &report->columns[i], utf8))
+            return false;
+    for (int i = 0; i < report->column_count; i++)
+        if (report->columns[i].component == PP_DF
+            && has_band(report, &report->columns[i])
+            && !add_bands(table, report, &report->columns[i], utf8))
             return false;
     for (int i = 0; external_lux > 0.0 && i < report->column_count; i++)
         if (report->columns[i].component == PP_DF
@@ -259,7 +287,7 @@ static enum pp_status print_table(const struct pp_report *report,
         fputc('\n', out);
         pp_table_print(&table, width, out);
         if (as_plan)
-            pp_df_plane_tables(report, &lattice, width, out);
+            pp_df_plane_tables(report, &lattice, width, utf8, out);
     }
     pp_table_clear(&table);
     pp_lattice_clear(&lattice);
@@ -305,6 +333,7 @@ static enum pp_status print_room(const struct pp_result *result,
     enum pp_status status = print_table(report, options, width, utf8, out, err);
     if (status != PP_OK)
         return status;
+    pp_print_band_note(report, width, out);
     pp_df_plane_summary(report, width, utf8, out);
     print_margin(report, utf8, width, out);
 

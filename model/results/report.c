@@ -37,6 +37,7 @@ struct pp_column *pp_report_add(struct pp_report *report, enum pp_component comp
     report->column_count++;
     *column = (struct pp_column){.component = component,
                                  .average = pp_reading_none("not computed"),
+                                 .average_band = pp_band_none(),
                                  .points = points};
     snprintf(column->name, sizeof column->name, "%s", name);
     return column;
@@ -90,8 +91,10 @@ struct pp_steps *pp_report_steps(struct pp_report *report)
 
 void pp_report_clear(struct pp_report *report)
 {
-    for (int i = 0; i < report->column_count; i++)
+    for (int i = 0; i < report->column_count; i++) {
         free(report->columns[i].points);
+        free(report->columns[i].bands);
+    }
     free(report->columns);
     for (int i = 0; i < report->sentence_count; i++)
         free(report->sentences[i]);
@@ -108,6 +111,7 @@ void pp_report_clear(struct pp_report *report)
     report->sentences = NULL;
     report->sentence_count = 0;
     report->stand_in = NULL;
+    report->no_bands = NULL;
     report->steps = NULL;
     report->steps_count = 0;
 }

@@ -9,6 +9,7 @@
 #include <stdbool.h>
 
 #include "model/light/outside_light.h"
+#include "model/results/band.h"
 #include "model/results/reading.h"
 #include "model/results/steps.h"
 #include "model/room/world.h"
@@ -36,6 +37,8 @@ struct pp_column {
     bool has_plane;       /* a daylight factor at every point of the grid? */
     struct pp_plane_reading plane; /* then what it says of the plane */
     struct pp_reading *points;     /* one for each receiver; NULL: of the room only */
+    struct pp_band average_band;   /* of the average, where that is known */
+    struct pp_band *bands;         /* one for each point; NULL: none is known */
     double
         common; /* the share of these points' variance that is common (common_error.h) */
 };
@@ -57,6 +60,8 @@ struct pp_report {
     bool finished;        /* false: interrupted; the columns so far are good */
     bool explain;         /* are the methods to set down their steps? */
     int threads;          /* for the methods; 0: as many as there are processors */
+    const char *no_bands; /* why no column has bands; NULL: some have, or nobody asked
+                           * for them. Kept with the sentences */
     const char *stand_in; /* the usual methods do not cover the room: what stands in for
                            * them; NULL: they do. Kept with the sentences */
     char **sentences;     /* that readings' why points to, where it is not static */

@@ -52,27 +52,51 @@ static double quantile(const struct weighted *list, int count, double total, dou
     return list[count - 1].ratio;
 }
 
+/* The rows' ratios in rising order, to be freed; NULL when memory is out. */
+static struct weighted *sorted(const struct pp_band_sample *sample, const int *rows,
+                               int count, int *rooms)
+{
+    struct weighted *list = malloc((size_t)count * sizeof *list);
+    *rooms = 0;
+    for (int i = 0, end; list && i < count; i = end) {
+        end = room_end(sample, rows, count, i);
+        for (int k = i; k < end; k++)
+            list[k] = (struct weighted){sample->ratios[rows[k]], 1.0 / (end - i)};
+        ++*rooms;
+    }
+    if (list)
+        qsort(list, (size_t)count, sizeof *list, compare);
+    return list;
+}
+
 enum pp_status pp_band_sample_quantiles(struct pp_band_quantiles *quantiles,
                                         const struct pp_band_sample *sample,
                                         const int *rows, int count,
                                         struct pp_error *err)
 {
-    struct weighted *list = malloc((size_t)count * sizeof *list);
+    int rooms;
+    struct weighted *list = sorted(sample, rows, count, &rooms);
     if (!list)
         return pp_fail_memory(err);
-    int rooms = 0;
-    for (int i = 0, end; i < count; i = end) {
-        end = room_end(sample, rows, count, i);
-        for (int k = i; k < end; k++)
-            list[k] = (struct weighted){sample->ratios[rows[k]], 1.0 / (end - i)};
-        rooms++;
-    }
-    qsort(list, (size_t)count, sizeof *list, compare);
     /* Rank r of n stands at the share (r - 1/2) / n. */
     double tail = fmax((0.025 * (rooms + 1) - 0.5) / rooms, 0.0);
     *quantiles = (struct pp_band_quantiles){quantile(list, count, rooms, tail),
                                             quantile(list, count, rooms, 0.5),
                                             quantile(list, count, rooms, 1.0 - tail)};
+    free(list);
+    return PP_OK;
+}
+
+enum pp_status pp_band_sample_spread(double *spread,
+                                     const struct pp_band_sample *sample,
+                                     const int *rows, int count, struct pp_error *err)
+{
+    int rooms;
+    struct weighted *list = sorted(sample, rows, count, &rooms);
+    if (!list)
+        return pp_fail_memory(err);
+    *spread =
+        0.5 * (quantile(list, count, rooms, 0.84) - quantile(list, count, rooms, 0.16));
     free(list);
     return PP_OK;
 }

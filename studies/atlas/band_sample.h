@@ -31,6 +31,12 @@ enum pp_status pp_band_sample_quantiles(struct pp_band_quantiles *quantiles,
                                         const int *rows, int count,
                                         struct pp_error *err);
 
+/* Half the distance of the quantiles of 16 and 84 %: the standard deviation, were the
+ * ratios normal. */
+enum pp_status pp_band_sample_spread(double *spread,
+                                     const struct pp_band_sample *sample,
+                                     const int *rows, int count, struct pp_error *err);
+
 /* The share of rows, weighted as above, whose ratio lies in the band (ends included). */
 double pp_band_sample_inside(const struct pp_band_sample *sample, const int *rows,
                              int count, const struct pp_band_quantiles *band);

@@ -1,0 +1,24 @@
+/* band.h - a range of daylight factors within which the true one lies in 95 of 100 rooms.
+ */
+#ifndef PP_MODEL_RESULTS_BAND_H
+#define PP_MODEL_RESULTS_BAND_H
+
+#include <math.h>
+#include <stdbool.h>
+
+/* Fractions of the open-sky horizontal illuminance; NAN where nothing is known. */
+struct pp_band {
+    double low, high;
+};
+
+static inline struct pp_band pp_band_none(void)
+{
+    return (struct pp_band){NAN, NAN};
+}
+
+static inline bool pp_band_is_known(struct pp_band band)
+{
+    return isfinite(band.low) && isfinite(band.high);
+}
+
+#endif
