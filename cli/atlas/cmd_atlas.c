@@ -4,15 +4,12 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "cli/atlas/atlas_file.h"
+#include "cli/atlas/atlas_sweep.h"
 #include "cli/command.h"
-#include "cli/interrupt.h"
 #include "cli/message.h"
 #include "cli/output.h"
-#include "cli/room_options.h"
 #include "cli/watch.h"
 #include "model/base/text.h"
-#include "studies/atlas/atlas_run.h"
 
 static const char about[] =
     "Traces the rooms of a designed sweep, and the worlds that hand methods have in "
@@ -29,104 +26,24 @@ struct atlas_options {
     long rooms;                  /* 0: not given */
     const char *number;          /* of the room whose file is wanted; NULL: none */
     enum pp_atlas_sky sky;
+    bool by_hand;
 };
 
 /* ---- a room's file ---- */
 
-static enum pp_exit print_room(const struct atlas_options *options,
-                               const struct pp_atlas_design *design)
+static enum pp_exit print_room(const struct atlas_options *options)
 {
     char xml[PP_ATLAS_XML];
+    struct pp_atlas_design design;
     struct pp_output output;
     struct pp_error err = {0};
-    pp_atlas_design_room(design, (uint32_t)strtoul(options->number, NULL, 10), xml);
+    pp_atlas_design_init(&design, options->sky);
+    pp_atlas_design_room(&design, (uint32_t)strtoul(options->number, NULL, 10), xml);
     enum pp_status status = pp_output_open(&output, options->room.output, &err);
     if (status == PP_OK)
         fputs(xml, output.stream);
     status = pp_output_close(&output, status, &err);
     return status == PP_OK ? PP_EXIT_DONE : pp_message_error(&err);
-}
-
-/* ---- the sweep ---- */
-
-/* What a file of this sweep begins with; the caller's to free, NULL when memory is out. */
-static char *head_of(const struct atlas_options *options,
-                     const struct pp_atlas_columns *columns)
-{
-    char *head = NULL;
-    size_t length;
-    FILE *out = open_memstream(&head, &length);
-    if (!out)
-        return NULL;
-    fprintf(out,
-            "# pepperpot-atlas-1: daylight factors, per cent of the open sky's "
-            "horizontal illuminance\n"
-            "# sky %s, error %g %%, seed %llu\n",
-            options->sky == PP_ATLAS_ISO ? "iso" : "overcast",
-            100.0 * options->room.study.error,
-            (unsigned long long)options->room.study.seed);
-    pp_atlas_columns_print_names(columns, out);
-    return fclose(out) == 0 ? head : NULL;
-}
-
-static enum pp_status take(void *data, const char *rows, size_t length,
-                           struct pp_error *err)
-{
-    struct pp_atlas_file *file = data;
-    enum pp_status status = pp_atlas_file_add(file, rows, length, err);
-    file->rooms += status == PP_OK;
-    return status;
-}
-
-/* Goes on from what the file has. */
-static enum pp_status run_on(const struct atlas_options *options,
-                             const struct pp_atlas_design *design,
-                             const struct pp_atlas_columns *columns,
-                             struct pp_atlas_file *file, struct pp_error *err)
-{
-    const struct pp_study_options *study = &options->room.study;
-    struct pp_atlas_run run = {
-        .design = design,
-        .columns = columns,
-        .trace = {.error = study->error, .seed = study->seed},
-        .first = file->rooms,
-        .end = (int)options->rooms,
-        .threads = study->threads,
-        .watch = study->watch,
-        .take = take,
-        .data = file,
-    };
-    int next;
-    pp_interrupt_watch();
-    return pp_atlas_run(&run, &next, err);
-}
-
-static enum pp_exit sweep(const struct atlas_options *options,
-                          const struct pp_atlas_design *design)
-{
-    struct pp_error err = {0};
-    struct pp_atlas_columns columns;
-    enum pp_status status = pp_atlas_room_columns(&columns, design, &err);
-    if (status != PP_OK)
-        return pp_message_error(&err);
-    struct pp_atlas_file file = {0};
-    char *head = head_of(options, &columns);
-    status = head ? pp_atlas_file_open(&file, options->room.output, head, &err)
-                  : pp_fail_memory(&err);
-    if (status == PP_OK) {
-        status = run_on(options, design, &columns, &file, &err);
-        status = pp_atlas_file_close(&file, status, &err);
-    }
-    free(head);
-    pp_atlas_columns_clear(&columns);
-    if (status != PP_OK)
-        return pp_message_error(&err);
-    if (file.rooms >= options->rooms)
-        return PP_EXIT_DONE;
-    pp_message(
-        "interrupted: %s has %d rooms of %ld; the same command goes on from there",
-        file.path, file.rooms, options->rooms);
-    return PP_EXIT_INTERRUPTED;
 }
 
 /* ---- the command line ---- */
@@ -158,6 +75,11 @@ static const struct pp_option sweep_options[] = {
      pp_options_read_count, PLACE(rooms)},
     {"room", 0, "NUMBER", "Print the room file of that room, counted from 0, instead.",
      read_number, PLACE(number)},
+    {"by-hand", 0, NULL,
+     "Write the atlas FILE again with what the methods say now, and methods that it "
+     "does "
+     "not know yet; what was traced stays.",
+     NULL, PLACE(by_hand)},
     {"sky", 0, "SKY",
      "overcast (default), or iso: for each room one of the skies of ISO 15469.",
      read_sky, PLACE(sky)},
@@ -187,18 +109,34 @@ static void init(void *values)
         (struct atlas_options){.room = pp_room_options_none};
 }
 
+/* Are just the words there that one of the three uses needs? */
+static enum pp_status check_use(const struct atlas_options *options, int files,
+                                struct pp_error *err)
+{
+    int uses = (options->rooms > 0) + (options->number != NULL) + options->by_hand;
+    if (uses != 1)
+        return pp_fail(err, PP_BAD_INPUT,
+                       "expected one of --rooms N -o FILE, --room NUMBER, and "
+                       "--by-hand FILE");
+    if (options->by_hand != (files == 1) || files > 1)
+        return pp_fail(
+            err, PP_BAD_INPUT,
+            options->by_hand
+                ? "--by-hand: expected one file, which is an atlas"
+                : "the atlas has its own rooms; expected no file but that of "
+                  "-o");
+    return PP_OK;
+}
+
 static enum pp_status check(void *values, char **operands, int count,
                             struct pp_error *err)
 {
     struct atlas_options *options = values;
     const char *output = options->room.output;
-    if (count > 0)
-        return pp_fail(err, PP_BAD_INPUT,
-                       "the atlas has its own rooms; expected no file, but %s",
-                       "-o FILE and --rooms N");
-    if ((options->rooms > 0) == (options->number != NULL))
-        return pp_fail(err, PP_BAD_INPUT,
-                       "expected --rooms N and -o FILE, or --room NUMBER");
+    (void)operands;
+    enum pp_status status = check_use(options, count, err);
+    if (status != PP_OK)
+        return status;
     if (options->rooms > PP_ATLAS_MOST)
         return pp_fail(err, PP_BAD_INPUT, "--rooms: expected at most %d",
                        PP_ATLAS_MOST);
@@ -213,12 +151,17 @@ static enum pp_status check(void *values, char **operands, int count,
 static enum pp_exit run(void *values, char **operands, int count)
 {
     struct atlas_options *options = values;
+    const struct pp_study_options *study = &options->room.study;
     struct pp_terminal_watch watch;
-    struct pp_atlas_design design;
-    (void)operands;
+    (void)count;
     options->room.study.watch = pp_watch_of_terminal(&watch, options->room.quiet);
-    pp_atlas_design_init(&design, options->sky);
-    return options->number ? print_room(options, &design) : sweep(options, &design);
+    if (options->number)
+        return print_room(options);
+    if (options->by_hand)
+        return pp_atlas_sweep_anew(operands[0], &options->room);
+    return pp_atlas_sweep_on(
+        &(struct pp_atlas_making){options->sky, {study->error, study->seed}},
+        (int)options->rooms, &options->room);
 }
 
 static void clear(void *values)
@@ -230,7 +173,7 @@ static void clear(void *values)
 const struct pp_command pp_command_atlas = {
     .name = "atlas",
     .summary = "every method's error over thousands of rooms",
-    .operands = "",
+    .operands = "[FILE]",
     .about = about,
     .groups = groups,
     .size = sizeof(struct atlas_options),

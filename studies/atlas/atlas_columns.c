@@ -65,34 +65,20 @@ static void put_per_cent(FILE *out, double fraction)
     put(out, 100.0 * fraction);
 }
 
-/* A column's reading at a point, or of the average for -1. */
-static struct pp_reading reading_of(const struct pp_column *column, int point)
+/* What a column says at a point, or of the average for -1. */
+static double value_of(const struct pp_report *report,
+                       const struct pp_atlas_method *method, int point)
 {
+    const struct pp_column *column =
+        pp_report_find(report, method->component, method->name);
     if (!column || (point >= 0 && !column->points))
-        return (struct pp_reading){.value = NAN, .std_error = NAN};
-    return point < 0 ? column->average : column->points[point];
-}
-
-/* The daylight factor in a column's own world. */
-static double own_value(const struct pp_own_worlds *worlds,
-                        const struct pp_column *column, int point)
-{
-    const struct pp_report *of[3];
-    for (int c = PP_SC; c <= PP_IRC; c++)
-        of[c] = pp_own_world_of(worlds, column, (enum pp_component)c);
-    /* The daylight factor of one world is known better than the sum of its parts. */
-    if (of[PP_SC] == of[PP_ERC] && of[PP_ERC] == of[PP_IRC])
-        return reading_of(pp_report_find(of[PP_SC], PP_DF, "traced"), point).value;
-    double sum = 0.0;
-    for (int c = PP_SC; c <= PP_IRC; c++)
-        sum += reading_of(pp_report_find(of[c], (enum pp_component)c, "traced"), point)
-                   .value;
-    return sum;
+        return NAN;
+    return point < 0 ? column->average.value : column->points[point].value;
 }
 
 static void print_row(const struct pp_atlas_columns *columns, int room, int point,
                       const struct pp_report *report, const double *features,
-                      const struct pp_own_worlds *worlds, FILE *out)
+                      const struct pp_atlas_truth *truth, FILE *out)
 {
     struct pp_vec3 place =
         point < 0 ? pp_vec(NAN, NAN, NAN) : report->receivers[point].position;
@@ -102,44 +88,50 @@ static void print_row(const struct pp_atlas_columns *columns, int room, int poin
     for (int i = 0; i < PP_ROOM_FEATURES; i++)
         put(out, features[i]);
     for (int c = 0; c < PP_COMPONENT_COUNT; c++) {
-        struct pp_reading traced =
-            reading_of(pp_report_find(report, (enum pp_component)c, "traced"), point);
-        put_per_cent(out, traced.value);
-        put_per_cent(out, traced.std_error);
+        put_per_cent(out, truth->value[c]);
+        put_per_cent(out, truth->std_error[c]);
     }
     for (int i = 0; i < columns->count; i++)
-        put_per_cent(out,
-                     reading_of(pp_report_find(report, columns->methods[i].component,
-                                               columns->methods[i].name),
-                                point)
-                         .value);
+        put_per_cent(out, value_of(report, &columns->methods[i], point));
     for (int i = 0; i < columns->count; i++) {
-        if (columns->methods[i].component != PP_DF)
-            continue;
-        const struct pp_column *column =
-            pp_report_find(report, PP_DF, columns->methods[i].name);
-        bool there = column && isfinite(reading_of(column, point).value);
-        put_per_cent(out, there ? own_value(worlds, column, point) : NAN);
+        const struct pp_atlas_method *method = &columns->methods[i];
+        if (method->component == PP_DF)
+            put_per_cent(out, isfinite(value_of(report, method, point)) ? truth->own[i]
+                                                                        : NAN);
     }
     putc('\n', out);
 }
 
-enum pp_status pp_atlas_columns_print_room(const struct pp_atlas_columns *columns,
-                                           int room, const struct pp_report *report,
-                                           const struct pp_own_worlds *worlds,
-                                           FILE *out, struct pp_error *err)
+static void print_rows(const struct pp_atlas_columns *columns, int room,
+                       const struct pp_report *report, const double *features,
+                       pp_atlas_truth_of *truth_of, const void *data,
+                       struct pp_atlas_truth *truth, FILE *out)
 {
-    double features[PP_ROOM_FEATURES];
-    enum pp_status status =
-        pp_room_features(features, report->world, &report->light, err);
-    if (status != PP_OK)
-        return status;
     for (int i = 0; i < report->receiver_count; i++) {
         double here[PP_ROOM_FEATURES];
         memcpy(here, features, sizeof here);
         pp_room_features_at(here, report->world, report->receivers[i].position);
-        print_row(columns, room, i, report, here, worlds, out);
+        truth_of(data, i, truth);
+        print_row(columns, room, i, report, here, truth, out);
     }
-    print_row(columns, room, -1, report, features, worlds, out);
-    return PP_OK;
+    truth_of(data, -1, truth);
+    print_row(columns, room, -1, report, features, truth, out);
+}
+
+enum pp_status pp_atlas_columns_print_room(const struct pp_atlas_columns *columns,
+                                           int room, const struct pp_report *report,
+                                           pp_atlas_truth_of *truth_of,
+                                           const void *data, FILE *out,
+                                           struct pp_error *err)
+{
+    double features[PP_ROOM_FEATURES];
+    struct pp_atlas_truth truth = {
+        .own = calloc((size_t)columns->count + 1, sizeof *truth.own)};
+    enum pp_status status =
+        truth.own ? pp_room_features(features, report->world, &report->light, err)
+                  : pp_fail_memory(err);
+    if (status == PP_OK)
+        print_rows(columns, room, report, features, truth_of, data, &truth, out);
+    free(truth.own);
+    return status;
 }

@@ -18,7 +18,7 @@
 
 #include <stdio.h>
 
-#include "studies/validation/own_world.h"
+#include "model/results/report.h"
 
 enum { PP_ATLAS_NAME = 64 }; /* bytes of a column's name at most */
 
@@ -40,10 +40,23 @@ void pp_atlas_columns_clear(struct pp_atlas_columns *columns);
 /* The line of names, with its end. */
 void pp_atlas_columns_print_names(const struct pp_atlas_columns *columns, FILE *out);
 
-/* All rows of a room that is traced, and whose worlds are. */
+/* What is traced of a row: fractions, NAN where there is none. */
+struct pp_atlas_truth {
+    double value[PP_COMPONENT_COUNT], std_error[PP_COMPONENT_COUNT]; /* the room's */
+    double *
+        own; /* one for each of the columns, of which those of daylight factors count */
+};
+
+/* Where a room's rows have their truth from: fills it for a point, or for the average for
+ * -1. */
+typedef void pp_atlas_truth_of(const void *data, int point,
+                               struct pp_atlas_truth *truth);
+
+/* All rows of a room that the methods have been asked about. */
 enum pp_status pp_atlas_columns_print_room(const struct pp_atlas_columns *columns,
                                            int room, const struct pp_report *report,
-                                           const struct pp_own_worlds *worlds,
-                                           FILE *out, struct pp_error *err);
+                                           pp_atlas_truth_of *truth_of,
+                                           const void *data, FILE *out,
+                                           struct pp_error *err);
 
 #endif

@@ -7,13 +7,7 @@
 #include <stdint.h>
 
 #include "studies/atlas/atlas_columns.h"
-#include "studies/atlas/atlas_design.h"
-
-/* How the rooms are traced. */
-struct pp_atlas_trace {
-    double error; /* wanted standard error over daylight factor, at every point */
-    uint64_t seed;
-};
+#include "studies/atlas/atlas_drawn.h"
 
 /* The columns that every room of the sweep has. */
 enum pp_status pp_atlas_room_columns(struct pp_atlas_columns *columns,

@@ -28,8 +28,7 @@ static void hand_over(struct dealing *dealing)
         struct rows *rows = &dealing->rooms[dealing->next - run->first];
         if (!rows->bytes)
             return;
-        dealing->status =
-            run->take(run->data, rows->bytes, rows->length, &dealing->err);
+        dealing->status = run->take(run->to, rows->bytes, rows->length, &dealing->err);
         free(rows->bytes);
         rows->bytes = NULL;
         dealing->next += dealing->status == PP_OK;
@@ -52,8 +51,8 @@ static bool do_room(void *data, int member, int index)
     struct rows rows;
     struct pp_error err = {0};
     (void)member;
-    enum pp_status status = pp_atlas_room_rows(&rows.bytes, &rows.length, run->columns,
-                                               run->design, index, &run->trace, &err);
+    enum pp_status status =
+        run->rows_of(run->of, index, &rows.bytes, &rows.length, &err);
     pp_crew_lock(dealing->crew);
     if (status == PP_OK) {
         dealing->rooms[index - run->first] = rows;
