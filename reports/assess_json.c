@@ -4,6 +4,7 @@
 #include <math.h>
 
 #include "reports/parts/json.h"
+#include "reports/parts/print_band.h"
 #include "reports/parts/print_reliability.h"
 #include "reports/gains_report.h"
 
@@ -33,6 +34,10 @@ static struct json_object *finding_object(const struct pp_finding *finding,
         good = pp_json_text(object, "unit", kinds[finding->kind].unit);
     if (good && isfinite(finding->std_error))
         good = pp_json_number(object, "se", scale * finding->std_error);
+    if (good && pp_band_is_known(finding->band))
+        good = pp_print_band_json(object, finding->band)
+               && pp_json_add(object, "open",
+                              json_object_new_boolean(pp_finding_is_open(finding)));
     if (good && judged && external_lux > 0.0 && finding->kind == PP_FIGURE_FACTOR)
         good = pp_json_number(object, "lux", external_lux * finding->figure);
     if (good && isfinite(finding->wanted))

@@ -77,7 +77,7 @@ static int decimals_of(const struct pp_finding *finding, int *significant)
     return (one ? 1 : 2) + more;
 }
 
-/* "3.16 +-0.02 %", the error rounded up to what can be shown. */
+/* "3.16 +-0.02 %" or "3.16 (2.80-3.50) %", the error rounded up to what can be shown. */
 static void write_figure(char cell[CELL], const struct pp_finding *finding, bool utf8)
 {
     double scale = scale_of(finding->kind);
@@ -92,6 +92,10 @@ static void write_figure(char cell[CELL], const struct pp_finding *finding, bool
         pp_text_append(cell, CELL, " %s%.*f", utf8 ? "\xc2\xb1" : "+-", places,
                        ceil(unit * scale * finding->std_error - 1e-7) / unit + 0.0);
     }
+    if (pp_band_is_known(finding->band))
+        pp_text_append(cell, CELL, " (%.*f%s%.*f)", decimals, scale * finding->band.low,
+                       utf8 ? "\xe2\x80\x93" : "-", decimals,
+                       scale * finding->band.high);
     pp_text_append(cell, CELL, "%s", unit_of(finding->kind, utf8));
 }
 
@@ -222,6 +226,8 @@ static void print_finding(const struct pp_finding *finding, const struct layout 
         else
             fputc('\n', out);
     }
+    if (pp_finding_is_open(finding))
+        put_note("the bound lies within the band: by hand this is open", layout, out);
     if (finding->note[0])
         put_note(finding->note, layout, out);
 }
@@ -309,6 +315,23 @@ static void print_simulation(const struct pp_assessment *assessment,
     pp_print_wrapped(text, 2, 2, layout->width, out);
 }
 
+/* What stands in brackets behind figures by hand, or why nothing does. */
+static void print_bands(const struct pp_assessment *assessment,
+                        const struct layout *layout, FILE *out)
+{
+    const char *text = assessment->report.no_bands;
+    for (int i = 0; i < assessment->answer_count && !text; i++)
+        for (int k = 0; k < assessment->answers[i].findings.count; k++)
+            if (pp_band_is_known(assessment->answers[i].findings.list[k].band))
+                text = "In brackets: where the true figure was in 95 of 100 rooms like "
+                       "this one, of those that the program has traced (the atlas); of "
+                       "a part of the plane as if all its points erred alike";
+    if (!text)
+        return;
+    fputs("\n  ", out);
+    pp_print_wrapped(text, 2, 2, layout->width, out);
+}
+
 static void print_room(const struct pp_assessment *assessment,
                        const struct pp_study_options *options, struct layout layout,
                        FILE *out)
@@ -326,6 +349,7 @@ static void print_room(const struct pp_assessment *assessment,
     if (options->simulate && assessment->has_factors)
         print_simulation(assessment, options, &layout, out);
     if (!options->simulate && assessment->has_factors) {
+        print_bands(assessment, &layout, out);
         struct pp_reliability reliability = pp_reliability_of(&assessment->report);
         pp_print_reliability(&reliability, layout.width, out);
     }

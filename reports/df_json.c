@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "reports/advice_report.h"
 #include "reports/parts/format.h"
 #include "reports/parts/json.h"
 #include "reports/parts/print_band.h"
@@ -252,6 +253,8 @@ static struct json_object *room(const void *all, int index)
         good = pp_json_add(object, "finished", json_object_new_boolean(false));
     struct pp_reliability reliability = pp_reliability_of(report);
     good = good && pp_print_reliability_json(object, &reliability);
+    if (good && result->has_advice)
+        good = pp_advice_report_json(object, &result->advice);
     struct json_object *average = NULL;
     if (good)
         good = add_points(object, report, lux)

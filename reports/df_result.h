@@ -7,13 +7,16 @@
 #include <stdbool.h>
 
 #include "model/results/report.h"
+#include "studies/atlas/advice.h"
 #include "studies/study_options.h"
 
 /* One room's report. */
 struct pp_result {
     struct pp_report report;
     const char *file; /* as typed; not owned */
-    bool by_clock;    /* the simulation was stopped by --time, so that another run gives
+    bool has_advice;
+    struct pp_advice advice; /* which method to use, if that was asked for */
+    bool by_clock; /* the simulation was stopped by --time, so that another run gives
                        * other digits */
 };
 

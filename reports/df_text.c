@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "reports/advice_report.h"
 #include "reports/df_plane.h"
 #include "reports/df_steps.h"
 #include "reports/formula_list.h"
@@ -346,6 +347,8 @@ static enum pp_status print_room(const struct pp_result *result,
         return pp_fail_memory(err);
     struct pp_reliability reliability = pp_reliability_of(report);
     pp_print_reliability(&reliability, width, out);
+    if (result->has_advice)
+        pp_advice_report(&result->advice, report, width, out);
     return PP_OK;
 }
 

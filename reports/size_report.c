@@ -9,6 +9,7 @@
 
 #include "reports/parts/json.h"
 #include "reports/parts/print.h"
+#include "reports/parts/print_band.h"
 #include "reports/parts/print_reliability.h"
 #include "reports/parts/format.h"
 #include "model/base/text.h"
@@ -251,6 +252,15 @@ static enum pp_status print_room(const struct pp_size_room_result *result,
     text[0] = '\0';
     append_answer(text, result, request->change, utf8);
     put_fact(pp_size_room_change_words[request->change], text, width, out);
+    if (pp_band_is_known(result->band)) {
+        char band[48];
+        pp_print_band(band, sizeof band, result->band, utf8);
+        snprintf(text, sizeof text,
+                 "%s %%: where the truth was in 95 of 100 rooms like that one (the "
+                 "atlas)",
+                 band);
+        put_fact("band", text, width, out);
+    }
     if (isfinite(result->traced.value)) {
         text[0] = '\0';
         append_reading(text, &result->traced, utf8);
@@ -365,7 +375,8 @@ static struct json_object *room(const void *all, int index)
            && pp_json_add(object, "reached", json_object_new_boolean(reached))
            && pp_json_text(object, reached ? "answer" : "why", text)
            && add_reading(object, "now", &answer->now)
-           && add_reading(object, "sized", &answer->reading);
+           && add_reading(object, "sized", &answer->reading)
+           && pp_print_band_json(object, result->band);
     if (good && isfinite(result->traced.value))
         good = add_reading(object, "traced", &result->traced)
                && pp_json_add(object, "holds", json_object_new_boolean(result->holds));

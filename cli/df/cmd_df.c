@@ -7,6 +7,7 @@
 #include "cli/df/engine_choice.h"
 #include "cli/format_option.h"
 #include "cli/df/formula_option.h"
+#include "studies/atlas/report_bands.h"
 #include "studies/plane_margin.h"
 #include "studies/study_report.h"
 #include "cli/interrupt.h"
@@ -32,6 +33,8 @@ struct df_options {
     struct pp_engine_choice engine;
     enum pp_format format;
     bool array;
+    bool no_bands;
+    bool advise; /* which method to use */
     bool margin; /* the average inside the plane's margin too */
 };
 
@@ -42,6 +45,14 @@ static const struct pp_option explain_option[] = {
      "Set out how each figure comes about, step by step as on paper; of one point, "
      "in text or JSON.",
      NULL, PLACE(room.study.explain)},
+    {0},
+};
+
+static const struct pp_option advise_option[] = {
+    {"advise", 0, NULL,
+     "Say which method to use in this room, for the average and for which points, and "
+     "why: by the bands of all methods in rooms like it; in text or JSON.",
+     NULL, PLACE(advise)},
     {0},
 };
 
@@ -58,6 +69,14 @@ static const struct pp_option margin_option[] = {
     {"margin", 0, NULL,
      "Also the average over the working plane inside 0.5 m of the walls.", NULL,
      PLACE(margin)},
+    {0},
+};
+
+static const struct pp_option bands_option[] = {
+    {"no-bands", 0, NULL,
+     "Without the bands in which the true figures were in 95 of 100 rooms like this "
+     "one.",
+     NULL, PLACE(no_bands)},
     {0},
 };
 
@@ -145,6 +164,23 @@ static enum pp_status add_margin(struct pp_result *result,
     return status;
 }
 
+/* By the figures of all methods. */
+static enum pp_status add_advice(struct pp_result *result,
+                                 const struct pp_study_room *room,
+                                 const struct df_options *options, struct pp_error *err)
+{
+    struct pp_study_options study = options->room.study;
+    struct pp_report all;
+    study.methods = "all";
+    study.explain = false;
+    enum pp_status status = pp_study_report_methods(&all, room, &study, err);
+    if (status == PP_OK)
+        status = pp_advice_of(&result->advice, &all, err);
+    result->has_advice = status == PP_OK;
+    pp_report_clear(&all);
+    return status;
+}
+
 /* Hand methods of all rooms first: they take milliseconds, and are there whatever
  * happens to the simulation. */
 static enum pp_status compute(void *data, struct pp_error *err)
@@ -172,6 +208,11 @@ static enum pp_status compute(void *data, struct pp_error *err)
         status = add_margin(&results->list[i], &rooms->list[i], run->options, err);
     for (int i = 0; i < results->count && status == PP_OK; i++)
         status = pp_study_report_settle(&results->list[i].report, &rooms->list[i], err);
+    for (int i = 0; i < results->count && status == PP_OK && !run->options->no_bands;
+         i++)
+        status = pp_report_bands_fill(&results->list[i].report, err);
+    for (int i = 0; i < results->count && status == PP_OK && run->options->advise; i++)
+        status = add_advice(&results->list[i], &rooms->list[i], run->options, err);
     return status;
 }
 
@@ -229,8 +270,10 @@ static enum pp_exit run_on(struct df_options *options, const struct pp_rooms *ro
                                      .options = &options->room.study}};
     enum pp_exit exit_status = pp_job_run(
         &(struct pp_job){options->room.output, compute, print, is_finished, &run});
-    for (int i = 0; i < run.results.count; i++)
+    for (int i = 0; i < run.results.count; i++) {
         pp_report_clear(&run.results.list[i].report);
+        pp_advice_clear(&run.results.list[i].advice);
+    }
     free(run.results.list);
     return exit_status;
 }
@@ -293,6 +336,9 @@ static enum pp_status check(void *values, char **files, int file_count,
     if (study->explain && options->format == PP_FORMAT_CSV)
         return pp_fail(err, PP_BAD_INPUT,
                        "--explain has no place in CSV; expected --format text or json");
+    if (options->advise && options->format == PP_FORMAT_CSV)
+        return pp_fail(err, PP_BAD_INPUT,
+                       "--advise has no place in CSV; expected --format text or json");
     if (options->array && options->format != PP_FORMAT_JSON)
         return pp_fail(err, PP_BAD_INPUT,
                        "--array is a form of JSON; expected --format json with it");
@@ -325,6 +371,7 @@ static const struct pp_option_group groups[] = {
     PP_ROOM_CHOICE_GROUPS("What is computed", PLACE(room)),
     {"What is computed", pp_lumen_option, PLACE(lumen_files)},
     {"What is computed", explain_option, 0},
+    {"What is computed", advise_option, 0},
     {"What is computed", pp_formula_option, PLACE(formulae)},
     {"What is computed", list_option, 0},
     {"What is computed", pp_room_external_option, PLACE(room)},
@@ -332,6 +379,7 @@ static const struct pp_option_group groups[] = {
     {"Simulation", pp_engine_options, PLACE(engine)},
     {"Irradiance cache", pp_cache_choice_options, PLACE(engine.cache)},
     {"Output", pp_format_option, PLACE(format)},
+    {"Output", bands_option, 0},
     {"Output", margin_option, 0},
     {"Output", array_option, 0},
     {"Output", pp_room_output_options, PLACE(room)},

@@ -6,10 +6,10 @@
 
 #include "reports/parts/print.h"
 
-/* Decimals that show both ends: four of what is under 0.01 %. */
+/* Bands are known to two or three digits: decimals that show both ends so. */
 static int decimals_of(double high)
 {
-    return high < 1e-4 ? 4 : 2;
+    return high < 1e-4 ? 4 : high < 0.09995 ? 2 : 1;
 }
 
 void pp_print_band(char *text, size_t size, struct pp_band band, bool utf8)
@@ -29,7 +29,7 @@ struct pp_band pp_print_band_at(const struct pp_column *column, int index, int c
                            : pp_band_none();
 }
 
-/* Bands are known to two or three digits. */
+/* More than they are known to. */
 static double four_digits(double value)
 {
     char text[32];

@@ -16,7 +16,7 @@ enum {
 };
 
 const struct pp_band_rules pp_band_tree_rules = {
-    .rooms_least = 200, .regimes_most = 16, .gain_least = 0.004};
+    .rooms_least = 300, .regimes_most = 16, .gain_least = 0.004};
 
 /* Bounds of a feature that split it: row in bin b is at or above edges[b - 1]. */
 struct edges {

@@ -1,5 +1,6 @@
 /* assessment.c - chooses criteria, computes the factors they need, and runs them in
  * turn. */
+#include "studies/atlas/report_bands.h"
 #include "studies/criteria/assessment.h"
 
 #include <stdio.h>
@@ -96,7 +97,9 @@ static enum pp_status gather(struct pp_assessment *assessment,
     enum pp_status status = pp_en17037_grid(
         &assessment->grid, &assessment->report.receiver_count, world, err);
     assessment->report.receivers = assessment->grid;
-    return status == PP_OK ? pp_factors_by_hand(&assessment->report, err) : status;
+    if (status == PP_OK)
+        status = pp_factors_by_hand(&assessment->report, err);
+    return status == PP_OK ? pp_report_bands_fill(&assessment->report, err) : status;
 }
 
 static enum pp_status judge(struct pp_assessment *assessment,

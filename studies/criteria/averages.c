@@ -38,7 +38,8 @@ static enum pp_status evaluate_average(const struct pp_inquiry *inquiry,
         double least;
     } minima[] = {{"bedroom", 0.01}, {"living room", 0.015}, {"kitchen", 0.02}};
     const char *why;
-    const struct pp_reading *average = pp_factors_average(inquiry, findings, &why);
+    const struct pp_column *column = pp_factors_average(inquiry, findings, &why);
+    const struct pp_reading *average = column ? &column->average : NULL;
     enum pp_status status = PP_OK;
     for (int i = 0; i < 3 && status == PP_OK; i++) {
         struct pp_finding finding =
@@ -46,6 +47,8 @@ static enum pp_status evaluate_average(const struct pp_inquiry *inquiry,
         if (average)
             finding = pp_finding_of(PP_FIGURE_FACTOR, average->value, minima[i].least,
                                     false, "%s", minima[i].room);
+        if (column)
+            finding.band = column->average_band;
         if (average && average->std_error > 0.0)
             pp_finding_sampled(&finding, average->std_error,
                                pp_finding_probability_at_least(average->value,

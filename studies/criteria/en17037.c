@@ -67,6 +67,10 @@ static enum pp_status add_target(const struct pp_inquiry *inquiry,
         finding =
             pp_finding_of(PP_FIGURE_FACTOR, share.level, wanted, false, "%s", what);
         finding.reached_over = share.over;
+        status = pp_factors_band(&finding.band, column,
+                                 inquiry->factors->receiver_count, target->part, err);
+        if (status != PP_OK)
+            return status;
         if (isfinite(share.probability))
             pp_finding_sampled(&finding, share.std_error, share.probability);
     }

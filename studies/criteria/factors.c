@@ -3,9 +3,11 @@
 
 #include <math.h>
 #include <stddef.h>
+#include <stdlib.h>
 
 #include "methods/evaluate.h"
 #include "methods/usual_pair.h"
+#include "studies/criteria/plane_share.h"
 
 static const char traced[] = "traced", formula[] = "average-df";
 static const char no_method[] =
@@ -77,9 +79,9 @@ const struct pp_column *pp_factors_of_grid(const struct pp_inquiry *inquiry,
     return NULL;
 }
 
-const struct pp_reading *pp_factors_average(const struct pp_inquiry *inquiry,
-                                            struct pp_finding_list *findings,
-                                            const char **why)
+const struct pp_column *pp_factors_average(const struct pp_inquiry *inquiry,
+                                           struct pp_finding_list *findings,
+                                           const char **why)
 {
     const struct pp_report *report = inquiry->factors;
     const char *const names[] = {
@@ -89,9 +91,40 @@ const struct pp_reading *pp_factors_average(const struct pp_inquiry *inquiry,
         if (!gives_average(report, names[i]))
             continue;
         set_basis(findings, names[i]);
-        return &pp_report_find(report, PP_DF, names[i])->average;
+        return pp_report_find(report, PP_DF, names[i]);
     }
     if (!*why)
         *why = no_method;
     return NULL;
+}
+
+/* The level of a part of the points with each at the lower, or the upper end of its
+ * band. */
+static enum pp_status level_at(double *level, const struct pp_band *bands, int count,
+                               double part, bool upper, struct pp_error *err)
+{
+    struct pp_reading *ends = calloc((size_t)count + 1, sizeof *ends);
+    struct pp_plane_share share;
+    if (!ends)
+        return pp_fail_memory(err);
+    for (int i = 0; i < count; i++)
+        ends[i] = pp_reading_of(upper ? bands[i].high : bands[i].low);
+    enum pp_status status = pp_plane_share(&share, ends, count, 0.0, part, 0.0, err);
+    *level = share.level;
+    free(ends);
+    return status;
+}
+
+enum pp_status pp_factors_band(struct pp_band *band, const struct pp_column *column,
+                               int count, double part, struct pp_error *err)
+{
+    *band = pp_band_none();
+    for (int i = 0; i < count; i++)
+        if (!column->bands || !pp_band_is_known(column->bands[i]))
+            return PP_OK;
+    enum pp_status status =
+        level_at(&band->low, column->bands, count, part, false, err);
+    return status == PP_OK
+               ? level_at(&band->high, column->bands, count, part, true, err)
+               : status;
 }

@@ -22,10 +22,16 @@ const struct pp_column *pp_factors_of_grid(const struct pp_inquiry *inquiry,
                                            struct pp_finding_list *findings,
                                            const char **why);
 
-/* The average over the whole working plane: traced, else by `average-df`, else by the
- * hand method of the grid. NULL where there is none, and *why says why. */
-const struct pp_reading *pp_factors_average(const struct pp_inquiry *inquiry,
-                                            struct pp_finding_list *findings,
-                                            const char **why);
+/* The column whose average over the whole working plane is taken: traced, else
+ * `average-df`, else the hand method of the grid. NULL where there is none, and *why says
+ * why. */
+const struct pp_column *pp_factors_average(const struct pp_inquiry *inquiry,
+                                           struct pp_finding_list *findings,
+                                           const char **why);
+
+/* The level that a part (a fraction) of the grid's points reaches, were all of them at the
+ * lower, or at the upper ends of their bands; none where a point has no band. */
+enum pp_status pp_factors_band(struct pp_band *band, const struct pp_column *column,
+                               int count, double part, struct pp_error *err);
 
 #endif

@@ -25,6 +25,7 @@ struct pp_finding pp_finding_of(enum pp_figure kind, double figure, double wante
     struct pp_finding finding = {.kind = kind,
                                  .figure = figure,
                                  .std_error = NAN,
+                                 .band = pp_band_none(),
                                  .wanted = wanted,
                                  .at_most = at_most,
                                  .reached_over = NAN,
@@ -90,6 +91,12 @@ void pp_finding_sampled(struct pp_finding *finding, double std_error,
 double pp_finding_probability_at_least(double value, double std_error, double wanted)
 {
     return 0.5 * erfc((wanted - value) / (M_SQRT2 * std_error));
+}
+
+bool pp_finding_is_open(const struct pp_finding *finding)
+{
+    return pp_band_is_known(finding->band) && finding->wanted > finding->band.low
+           && finding->wanted < finding->band.high;
 }
 
 void pp_finding_note(struct pp_finding *finding, const char *format, ...)

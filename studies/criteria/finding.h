@@ -8,6 +8,7 @@
 
 #include "pepperpot.h"
 #include "model/base/error.h"
+#include "model/results/band.h"
 
 enum pp_figure {
     PP_FIGURE_FACTOR, /* a fraction of the open-sky horizontal illuminance */
@@ -23,6 +24,7 @@ struct pp_finding {
     enum pp_figure kind;
     double figure;       /* NAN: not judged */
     double std_error;    /* of the figure; NAN where nothing was sampled */
+    struct pp_band band; /* of a figure by hand, where that is known */
     double wanted;       /* the bound; NAN: there is none, the figure is stated */
     bool at_most;        /* the bound is an upper one, else a lower one */
     double reached_over; /* share of the plane on which the bound is reached; NAN where
@@ -73,6 +75,10 @@ void pp_finding_sampled(struct pp_finding *finding, double std_error,
 /* Probability that a quantity sampled as `value` with a standard error (greater than 0)
  * is `wanted` or more, by the normal distribution. */
 double pp_finding_probability_at_least(double value, double std_error, double wanted);
+
+/* Does the bound lie between the ends of the band, so that the true figure may well be on
+ * the other side? */
+bool pp_finding_is_open(const struct pp_finding *finding);
 
 /* Adds text to the finding's note; cut off where the note is full. */
 void pp_finding_note(struct pp_finding *finding, const char *format, ...)

@@ -9,6 +9,7 @@
 #include "methods/evaluate.h"
 #include "methods/method.h"
 #include "methods/usual_pair.h"
+#include "studies/atlas/report_bands.h"
 #include "studies/room_value.h"
 #include "studies/study_report.h"
 
@@ -200,6 +201,46 @@ static enum pp_status find_reliability(struct pp_size_room_result *result,
     return status;
 }
 
+/* The band of a daylight factor in the report: of the average, or of the lowest of the
+ * points. */
+static struct pp_band band_in(const struct pp_report *report, const char *method)
+{
+    const struct pp_column *column = pp_report_find(report, PP_DF, method);
+    int lowest = 0;
+    if (!column || report->receiver_count == 0)
+        return column ? column->average_band : pp_band_none();
+    for (int i = 1; column->points && i < report->receiver_count; i++)
+        if (column->points[i].value < column->points[lowest].value)
+            lowest = i;
+    return column->bands ? column->bands[lowest] : pp_band_none();
+}
+
+static enum pp_status find_band(struct pp_size_room_result *result,
+                                const struct valuation *valuation, struct pp_error *err)
+{
+    struct pp_world *world = NULL;
+    struct pp_mistakes mistakes;
+    pp_mistakes_init(&mistakes, "the sized room");
+    enum pp_status status =
+        pp_world_create(&world, result->answer.room, &mistakes, err);
+    struct pp_report report = {.world = world,
+                               .light = valuation->room->light,
+                               .receivers = valuation->by_hand.points,
+                               .receiver_count = valuation->by_hand.point_count,
+                               .finished = true,
+                               .threads = valuation->request->study->threads};
+    if (status == PP_OK)
+        status = pp_methods_evaluate(&report, valuation->by_hand.method, err);
+    if (status == PP_OK)
+        status = pp_report_bands_fill(&report, err);
+    if (status == PP_OK)
+        result->band = band_in(&report, valuation->by_hand.method);
+    pp_report_clear(&report);
+    pp_world_destroy(world);
+    pp_mistakes_clear(&mistakes);
+    return status;
+}
+
 /* The method asked for, or else the usual pair of the room. */
 static void choose_method(struct valuation *valuation)
 {
@@ -279,8 +320,10 @@ enum pp_status pp_size_room(struct pp_size_room_result *result,
         .by_hand = {.points = points ? room->receivers : NULL,
                     .point_count = points ? room->receiver_count : 0,
                     .threads = request->study->threads}};
-    *result = (struct pp_size_room_result){
-        .room = room, .traced = pp_reading_none(NULL), .holds = true};
+    *result = (struct pp_size_room_result){.room = room,
+                                           .traced = pp_reading_none(NULL),
+                                           .holds = true,
+                                           .band = pp_band_none()};
     find_text(result);
     int all = pp_room_opening_count(room->room);
     int *openings = malloc(((size_t)all + 1) * sizeof *openings);
@@ -304,6 +347,8 @@ enum pp_status pp_size_room(struct pp_size_room_result *result,
     if (status == PP_OK && request->study->simulate && !request->traced
         && result->answer.room)
         status = check_by_simulation(result, &valuation, err);
+    if (status == PP_OK && result->answer.room && !request->traced)
+        status = find_band(result, &valuation, err);
     if (status == PP_OK && result->answer.room)
         status = set_down_edits(result, openings, task.opening_count, err);
     free(openings);
@@ -320,6 +365,7 @@ void pp_size_room_result_refuse(struct pp_size_room_result *result, const char *
     result->answer = (struct pp_size_answer){.verdict = PP_SIZE_NO_VALUE,
                                              .now = pp_reading_none(NULL),
                                              .reading = pp_reading_none(NULL)};
+    result->band = pp_band_none();
     result->edits = NULL;
     result->edit_count = 0;
     snprintf(result->text, sizeof result->text, "%s", why);
