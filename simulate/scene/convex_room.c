@@ -1,4 +1,5 @@
-/* convex_room.c - the planes of an empty convex room, and the panes in each. */
+/* convex_room.c - the planes of an empty convex room, and the panes in each or behind
+ * it. */
 #include "simulate/scene/convex_room.h"
 
 #include <math.h>
@@ -21,6 +22,7 @@ struct convex_plane {
     double offset_m;       /* normal . x of its points */
     int part;
     int first, count; /* of its panes, in the list */
+    bool niches;      /* has one of them a reveal? */
 };
 
 struct pp_convex_room {
@@ -43,8 +45,8 @@ static bool all_before(const struct pp_polygon *outline, const struct pp_polygon
 bool pp_convex_room_is(const struct pp_world *world)
 {
     for (int i = world->face_count; i < world->surface_count; i++)
-        if (world->surfaces[i].inside)
-            return false; /* reveals too: from inside one, its sides hide */
+        if (world->surfaces[i].inside && world->surfaces[i].role != PP_REVEAL)
+            return false;
     for (int i = 0; i < world->face_count; i++)
         for (int k = 0; k < world->face_count; k++)
             if (!all_before(&world->surfaces[k].outline, &world->surfaces[i].outline))
@@ -84,12 +86,17 @@ enum pp_status pp_convex_room_create(struct pp_convex_room **result,
     int listed = 0;
     for (int i = 0; i < world->face_count; i++) {
         const struct pp_light_part *part = &scene->parts[i];
-        int first = listed;
+        struct convex_plane *plane = &room->planes[i];
+        *plane = (struct convex_plane){.normal = part->normal,
+                                       .offset_m = part->offset_m,
+                                       .part = i,
+                                       .first = listed};
         for (int k = 0; k < scene->pane_count; k++)
-            if (world->openings[k].face == i)
+            if (world->openings[k].face == i) {
                 room->panes[listed++] = k;
-        room->planes[i] = (struct convex_plane){part->normal, part->offset_m, i, first,
-                                                listed - first};
+                plane->count++;
+                plane->niches |= world->openings[k].reveal_m > 0.0;
+            }
     }
     *result = room;
     return PP_OK;
@@ -115,6 +122,7 @@ static bool in_triangle(const struct pp_vec3 t[3], struct pp_vec3 normal,
     return true;
 }
 
+/* Is the point in the figure, or on the normal through a point of it? */
 static bool in_target(const struct pp_target *target, struct pp_vec3 point)
 {
     if (target->rectangle) {
@@ -132,33 +140,64 @@ static bool in_target(const struct pp_target *target, struct pp_vec3 point)
     return false;
 }
 
-int pp_convex_room_meet(const struct pp_convex_room *room,
-                        const struct pp_light_scene *scene,
-                        const struct pp_light_ray *ray, double *distance_m,
-                        struct pp_vec3 *point)
+/* The nearest plane that the ray runs towards; NULL: it starts outside, or in a niche or
+ * near its mouth. */
+static const struct convex_plane *nearest_plane(const struct pp_convex_room *room,
+                                                const struct pp_light_ray *ray,
+                                                double *distance_m)
 {
     const struct convex_plane *nearest = NULL;
-    double least = INFINITY;
+    double least = INFINITY, from_m = 0.0;
     for (int i = 0; i < room->plane_count; i++) {
         const struct convex_plane *plane = &room->planes[i];
         double towards = -pp_vec_dot(plane->normal, ray->to);
         double before = pp_vec_dot(plane->normal, ray->from) - plane->offset_m;
         if (before < -BEHIND_M)
-            return -1;
+            return NULL;
         /* before / towards < least, least infinite at first */
         if (towards > 0.0 && (!nearest || before < least * towards)) {
             least = before / towards;
+            from_m = before;
             nearest = plane;
         }
     }
-    if (!nearest)
-        return -1;
     *distance_m = least > 0.0 ? least : 0.0;
+    return nearest && nearest->niches && from_m < BEHIND_M ? NULL : nearest;
+}
+
+/* Moves the point, where a ray has come to the mouth of a pane's niche, to the pane, if
+ * the ray meets that; else it is a side of the niche's, or not known. */
+static bool reaches_pane(const struct pp_pane *pane, struct pp_vec3 to,
+                         double *distance_m, struct pp_vec3 *point)
+{
+    double depth_m = pane->opening->reveal_m;
+    double further_m = depth_m / -pp_vec_dot(pane->target.normal, to);
+    struct pp_vec3 there = pp_vec_along(*point, further_m, to);
+    if (!pane->target.rectangle || !in_target(&pane->target, there))
+        return false;
+    *distance_m += further_m;
+    *point = there;
+    return true;
+}
+
+int pp_convex_room_meet(const struct pp_convex_room *room,
+                        const struct pp_light_scene *scene,
+                        const struct pp_light_ray *ray, double *distance_m,
+                        struct pp_vec3 *point)
+{
+    const struct convex_plane *plane = nearest_plane(room, ray, distance_m);
+    if (!plane)
+        return -1;
     struct pp_vec3 near = pp_vec_along(ray->from, *distance_m, ray->to);
-    *point = pp_vec_along(near, nearest->offset_m - pp_vec_dot(nearest->normal, near),
-                          nearest->normal);
-    for (int i = nearest->first; i < nearest->first + nearest->count; i++)
-        if (in_target(&scene->panes[room->panes[i]].target, *point))
-            return scene->panes[room->panes[i]].part;
-    return nearest->part;
+    *point = pp_vec_along(near, plane->offset_m - pp_vec_dot(plane->normal, near),
+                          plane->normal);
+    for (int i = plane->first; i < plane->first + plane->count; i++) {
+        const struct pp_pane *pane = &scene->panes[room->panes[i]];
+        if (in_target(&pane->target, *point))
+            return !(pane->opening->reveal_m > 0.0)
+                           || reaches_pane(pane, ray->to, distance_m, point)
+                       ? pane->part
+                       : -1;
+    }
+    return plane->part;
 }

@@ -3,6 +3,11 @@
  * Any two points of such a room see each other, and a ray in it ends on the nearest of
  * the planes that it runs towards: on a pane of that plane's, or else on its face. A few
  * multiplications do what the ray kernels do for any scene, in double precision.
+ *
+ * The depth of an opening with a reveal, a niche, is no part of the room meant here: its
+ * mouth lies in the face. A ray that passes a rectangular mouth ends on the pane, if that
+ * has what lies straight behind; of the niche's sides, and of rays that start in a niche,
+ * the kernels know.
  */
 #ifndef PP_SIMULATE_SCENE_CONVEX_ROOM_H
 #define PP_SIMULATE_SCENE_CONVEX_ROOM_H
@@ -13,8 +18,8 @@
 struct pp_convex_room;
 struct pp_world;
 
-/* Do any two points in the room see each other? Nothing stands in it, no opening has a
- * reveal, and no vertex lies behind the plane of a face. */
+/* Do any two points in the room see each other, niches apart? Nothing stands in it, and no
+ * vertex lies behind the plane of a face. */
 bool pp_convex_room_is(const struct pp_world *world);
 
 /* Once the scene's parts and panes are there. On success *room is the caller's; NULL
@@ -25,7 +30,8 @@ enum pp_status pp_convex_room_create(struct pp_convex_room **room,
 void pp_convex_room_destroy(struct pp_convex_room *room); /* NULL is allowed */
 
 /* The part that a ray which runs indoors meets, and its distance. *point: where it meets
- * the part's plane. -1 where the ray starts outside. */
+ * the part's plane. -1 where that is left to the kernels: the ray starts outside or in a
+ * niche, or ends on a niche's side. */
 int pp_convex_room_meet(const struct pp_convex_room *room,
                         const struct pp_light_scene *scene,
                         const struct pp_light_ray *ray, double *distance_m,

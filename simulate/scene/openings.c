@@ -36,6 +36,15 @@ static bool is_unobstructed(const struct pp_world *world,
     return true;
 }
 
+/* From inside a reveal its sides may hide any pane. */
+static bool has_reveals(const struct pp_world *world)
+{
+    for (int i = 0; i < world->opening_count; i++)
+        if (world->openings[i].reveal_m > 0.0)
+            return true;
+    return false;
+}
+
 static struct pp_target target_of(const struct pp_opening *opening,
                                   struct pp_vec3 centre)
 {
@@ -69,6 +78,7 @@ enum pp_status pp_openings_find(struct pp_light_scene *scene,
     const struct pp_world *world = scene->world;
     size_t own = (size_t)(triangles->count - first);
     bool convex = world->opening_count > 0 && pp_convex_room_is(world);
+    bool seen_by_all = convex && !has_reveals(world);
     scene->panes = calloc((size_t)world->opening_count + 1, sizeof *scene->panes);
     scene->pane_triangles = calloc(own + 1, sizeof *scene->pane_triangles);
     if (!scene->panes || !scene->pane_triangles)
@@ -80,7 +90,7 @@ enum pp_status pp_openings_find(struct pp_light_scene *scene,
             (struct pp_pane){.target = target_of(opening, scene->centre),
                              .opening = opening,
                              .part = world->surface_count + i,
-                             .seen_by_all = convex,
+                             .seen_by_all = seen_by_all,
                              .unobstructed = is_unobstructed(world, opening)};
     }
     if (own > 0)

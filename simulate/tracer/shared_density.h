@@ -17,8 +17,9 @@
  * where that is positive. Both together have no bias, whatever p and c. These are the many
  * lights of [KELLER97], bounded as in [KK06].
  *
- * Only where any two points of the room see each other (convex_room.h): there (1) needs
- * no ray.
+ * Only where any two points of the room see each other, niches apart (convex_room.h): there
+ * (1) needs no ray. No point lies in the niches of reveals, whose sides are left to the
+ * lobe's rays altogether.
  */
 #ifndef PP_SIMULATE_TRACER_SHARED_DENSITY_H
 #define PP_SIMULATE_TRACER_SHARED_DENSITY_H
