@@ -87,7 +87,7 @@ static void choose_shape(struct layout *room)
     static const double roofs[] = {0.85, 0.08, 0.07};
     double u[6];
     draw(room, SHAPE, u);
-    double area = scaled(6.0, 120.0, u[0]), ratio = scaled(0.4, 2.5, u[1]);
+    double area = scaled(5.0, 140.0, u[0]), ratio = scaled(0.25, 3.0, u[1]);
     room->width = sqrt(area * ratio);
     room->depth = sqrt(area / ratio);
     room->roof = (enum roof)ONE_OF(roofs, &u[3]);
@@ -194,7 +194,7 @@ static void put_finishes(struct layout *room)
     double u[6];
     draw(room, FINISHES, u);
     SAY(room, "  <finishes floor=\"%.2f\" walls=\"%.2f\" ceiling=\"%.2f\"/>\n",
-        between(0.1, 0.5, u[0]), between(0.3, 0.85, u[1]), between(0.5, 0.9, u[2]));
+        between(0.08, 0.5, u[0]), between(0.2, 0.9, u[1]), between(0.4, 0.9, u[2]));
 }
 
 /* ---- openings ---- */
@@ -401,7 +401,7 @@ static void put_outside(struct layout *room, bool windows)
         FACADE,
         ASIDE,
     };
-    static const double shares[] = {0.2, 0.2, 0.1, 0.2, 0.06, 0.07, 0.08, 0.04, 0.05};
+    static const double shares[] = {0.22, 0.2, 0.1, 0.22, 0.035, 0.05, 0.08, 0.045, 0.05};
     double u[6], reflectance;
     draw(room, OUTSIDE, u);
     enum kind kind = (enum kind)ONE_OF(shares, &u[0]);

@@ -4,9 +4,9 @@
  * of fixed seed (simulate/sampling/sobol.h), in groups of up to six: every prefix of the
  * sweep is spread evenly over each group, so that it can be stopped or extended anywhere.
  *
- *     shape      area 6 to 120 m2, width over depth 0.4 to 2.5, height 2.3 to 4.2 m; of
+ *     shape      area 5 to 140 m2, width over depth 0.25 to 3, height 2.3 to 4.3 m; of
  *                100 rooms 85 have a flat ceiling, 8 a single slope, 7 a ridge
- *     finishes   floor 0.1 to 0.5, walls 0.3 to 0.85, ceiling 0.5 to 0.9
+ *     finishes   floor 0.08 to 0.5, walls 0.2 to 0.9, ceiling 0.4 to 0.9
  *     openings   one to four equal windows in one wall, or also in the next or the
  *                opposite one; clerestories, French windows; rooflights, and windows in
  *                slopes; all kinds of clear glass and none, frames, dirt, reveals

@@ -58,7 +58,7 @@ static void every_room_makes_sense(void **state)
     }
 }
 
-/* The ceiling's reflectance is spread evenly between 0.5 and 0.9: a prefix of 2^k points
+/* The ceiling's reflectance is spread evenly between 0.4 and 0.9: a prefix of 2^k points
  * of a Sobol sequence has as many in each half, quarter ... as there is room for. */
 static void a_prefix_is_spread_evenly(void **state)
 {
@@ -68,7 +68,7 @@ static void a_prefix_is_spread_evenly(void **state)
         char xml[PP_ATLAS_XML];
         pp_atlas_design_room(&design, i, xml);
         double reflectance = number_of(xml, "ceiling=\"");
-        int quarter = (int)((reflectance - 0.5) / 0.1);
+        int quarter = (int)((reflectance - 0.4) / 0.125);
         quarters[quarter < 0 ? 0 : quarter > 3 ? 3 : quarter]++;
     }
     for (int i = 0; i < 4; i++) /* reflectances are printed to 0.01 */
