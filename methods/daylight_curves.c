@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "model/geometry/contour/contour.h"
+#include "methods/direct_plane.h"
 #include "methods/exact/exterior.h"
 #include "methods/method.h"
 #include "model/geometry/bounds.h"
@@ -16,110 +17,35 @@
  * micrometre at 30 m. */
 #define NO_SKY_SR 1e-9
 
-/* The distance from an upright opening at which the places before it are evaluated, over
- * the plane's diagonal, and at most (m). In a window's plane or under one the daylight
- * factor is not defined, and just before it all contours crowd together; the distance is
- * less than the thickness of a wall on the drawing. Elsewhere the plane's edge is evaluated
- * at SKY_INSET_M, so that lines meet walls as they are. */
-#define DAYLIGHT_INSET (1.0 / 500.0)
-#define DAYLIGHT_INSET_MOST_M 0.02
+/* Nearer to the plane's edge the view of the sky is taken as at this distance (m), so that
+ * lines meet walls as they are. */
 #define SKY_INSET_M 0.001
 
-/* The context of the contoured functions. */
-struct contoured_plane {
-    const struct pp_world *world;
-    const struct pp_outside_light *light; /* NULL: of the no-sky line */
-    const struct pp_method *direct;
-    const void *tools; /* the method's own */
+/* A direct component, and what is added to it everywhere. */
+struct added_to {
+    const struct pp_direct_plane *direct;
     double irc;
-    double inset_m;
 };
 
-/* The region's interior lies on the left of its rings. */
-struct pp_vec3 pp_daylight_curves_off_walls(const struct pp_region *plane, double z,
-                                            double inset_m, double x, double y)
-{
-    struct pp_vec3 moved = pp_vec(x, y, z);
-    for (int r = 0; r < plane->count; r++)
-        for (int i = 0; i < plane->rings[r].count; i++) {
-            const double *a = plane->rings[r].xy[i];
-            const double *b = plane->rings[r].xy[(i + 1) % plane->rings[r].count];
-            double dx = b[0] - a[0], dy = b[1] - a[1], length = hypot(dx, dy);
-            double share = ((x - a[0]) * dx + (y - a[1]) * dy) / (length * length);
-            share = fmin(fmax(share, 0.0), 1.0);
-            double off = hypot(a[0] + share * dx - x, a[1] + share * dy - y);
-            if (off >= inset_m)
-                continue;
-            moved.x -= dy / length * (inset_m - off);
-            moved.y += dx / length * (inset_m - off);
-        }
-    return moved;
-}
-
 /* ---- the contoured functions ---- */
-
-/* The place moved off the upright openings that it lies before. */
-static struct pp_vec3 off_openings(const struct pp_world *world, double inset_m,
-                                   struct pp_vec3 place)
-{
-    for (int i = 0; i < world->opening_count; i++) {
-        const struct pp_opening *opening = &world->openings[i];
-        if (fabs(opening->inner.normal.z) > 0.1)
-            continue;
-        double low = INFINITY, high = -INFINITY;
-        for (int k = 0; k < opening->inner.count; k++) {
-            double along = pp_vec_dot(opening->along, opening->inner.vertices[k]);
-            low = fmin(low, along);
-            high = fmax(high, along);
-        }
-        double along = pp_vec_dot(opening->along, place);
-        double off = pp_vec_dot(pp_vec_sub(place, opening->inner.vertices[0]),
-                                opening->inner.normal);
-        if (along > low && along < high && off >= 0.0 && off < inset_m) {
-            place.x += (inset_m - off) * opening->inner.normal.x;
-            place.y += (inset_m - off) * opening->inner.normal.y;
-        }
-    }
-    return place;
-}
 
 static enum pp_status daylight_at(void *context, double x, double y, double *value,
                                   struct pp_error *err)
 {
-    const struct contoured_plane *contoured = context;
-    const struct pp_world *world = contoured->world;
-    const struct pp_method *method = contoured->direct;
-    struct pp_receiver receiver = {
-        .position =
-            off_openings(world, contoured->inset_m,
-                         pp_daylight_curves_off_walls(
-                             &world->plane, world->working_plane_m, SKY_INSET_M, x, y)),
-        .normal = pp_vec(0, 0, 1)};
-    *value = contoured->irc;
-    for (int i = 0; i < world->opening_count; i++) {
-        const struct pp_opening *opening = &world->openings[i];
-        struct pp_part part = {0};
-        enum pp_status status = (method->evaluate_roughly ? method->evaluate_roughly
-                                                          : method->evaluate)(
-            world, contoured->light, opening, &receiver, contoured->tools, &part, err);
-        if (status == PP_OK && part.why)
-            status = pp_fail(err, PP_BAD_INPUT, "%s: the opening on line %d %s",
-                             method->name, opening->line, part.why);
-        if (status != PP_OK)
-            return status;
-        *value += (part.sky + part.external)
-                  * pp_allowance_factor(method->allowances, opening);
-    }
-    return PP_OK;
+    const struct added_to *added = context;
+    double sky = 0.0, external = 0.0;
+    enum pp_status status =
+        pp_direct_plane_at(added->direct, x, y, &sky, &external, err);
+    *value = added->irc + sky + external;
+    return status;
 }
 
 static enum pp_status sky_seen_at(void *context, double x, double y, double *value,
                                   struct pp_error *err)
 {
-    const struct contoured_plane *contoured = context;
-    const struct pp_world *world = contoured->world;
-    struct pp_vec3 eye = pp_daylight_curves_off_walls(
-        &world->plane, world->working_plane_m, contoured->inset_m, x, y);
+    const struct pp_world *world = context;
+    struct pp_vec3 eye = pp_direct_plane_off_walls(
+        &world->plane, world->working_plane_m, SKY_INSET_M, x, y);
     return pp_exterior_sky_solid_angle(value, world, eye, err);
 }
 
@@ -290,42 +216,29 @@ static enum pp_status add_contours(struct pp_daylight_plan *plan,
 }
 
 static enum pp_status add_no_sky_line(struct pp_daylight_plan *plan,
-                                      struct contoured_plane *contoured,
-                                      double tolerance, struct pp_error *err)
+                                      const struct pp_world *world, double tolerance,
+                                      struct pp_error *err)
 {
     struct pp_field *field;
-    enum pp_status status = pp_field_create(&field, &contoured->world->plane,
-                                            sky_seen_at, contoured, tolerance, err);
+    enum pp_status status = pp_field_create(&field, &world->plane, sky_seen_at,
+                                            (void *)world, tolerance, err);
     if (status != PP_OK)
         return status;
     status = pp_contour_curves(field, NO_SKY_SR, &plan->no_sky, err);
     if (status == PP_OK)
         status = pp_contour_below(field, NO_SKY_SR, &plan->dark, err);
     pp_field_destroy(field);
-    double share =
-        pp_curve_list_area(&plan->dark) / pp_region_area(&contoured->world->plane);
+    double share = pp_curve_list_area(&plan->dark) / pp_region_area(&world->plane);
     plan->sky_share = fmin(fmax(1.0 - share, 0.0), 1.0);
     return status;
 }
 
-static double diagonal_of(const struct pp_region *plane)
-{
-    struct pp_bounds2 box = pp_bounds2_empty();
-    for (int r = 0; r < plane->count; r++)
-        for (int i = 0; i < plane->rings[r].count; i++)
-            pp_bounds2_add(&box, plane->rings[r].xy[i][0], plane->rings[r].xy[i][1]);
-    return plane->count ? hypot(box.high[0] - box.low[0], box.high[1] - box.low[1])
-                        : 0.0;
-}
-
 double pp_daylight_curves_tolerance(const struct pp_region *plane)
 {
-    return fmax(1e-3, diagonal_of(plane) / 5000.0);
-}
-
-static double inset_of(const struct pp_region *plane)
-{
-    return fmin(DAYLIGHT_INSET * diagonal_of(plane), DAYLIGHT_INSET_MOST_M);
+    const struct pp_bounds2 box = pp_region_bounds(plane);
+    double diagonal =
+        plane->count ? hypot(box.high[0] - box.low[0], box.high[1] - box.low[1]) : 0.0;
+    return fmax(1e-3, diagonal / 5000.0);
 }
 
 /* The contours of any function, and the no-sky line. */
@@ -334,32 +247,12 @@ static enum pp_status add_all(struct pp_daylight_plan *plan,
                               const struct contours_wanted *wanted,
                               struct pp_error *err)
 {
-    struct contoured_plane sky = {.world = world, .inset_m = SKY_INSET_M};
     enum pp_status status = add_contours(plan, wanted, err);
     if (status == PP_OK)
-        status = add_no_sky_line(plan, &sky, wanted->tolerance, err);
+        status = add_no_sky_line(plan, world, wanted->tolerance, err);
     if (status != PP_OK)
         pp_daylight_plan_clear(plan);
     return status;
-}
-
-/* Why the method does not cover the room. */
-static enum pp_status check_method(const struct pp_method *method,
-                                   const struct pp_world *world,
-                                   const struct pp_outside_light *light,
-                                   struct pp_error *err)
-{
-    const char *why =
-        method->refuses_room ? method->refuses_room(world, light, NULL) : NULL;
-    if (why)
-        return pp_fail(err, PP_BAD_INPUT, "%s: %s", method->name, why);
-    for (int i = 0; i < world->opening_count && method->refuses; i++) {
-        why = method->refuses(world, light, &world->openings[i], NULL);
-        if (why)
-            return pp_fail(err, PP_BAD_INPUT, "%s: the opening on line %d %s",
-                           method->name, world->openings[i].line, why);
-    }
-    return PP_OK;
 }
 
 enum pp_status pp_daylight_curves_by(struct pp_daylight_plan *plan,
@@ -377,30 +270,20 @@ enum pp_status pp_daylight_curves_by(struct pp_daylight_plan *plan,
                        irc);
     snprintf(plan->name, sizeof plan->name, "%s%s%s", direct->name, irc_name ? "+" : "",
              irc_name ? irc_name : "");
-    void *tools = NULL;
-    enum pp_status status = check_method(direct, world, light, err);
-    if (status == PP_OK && direct->prepare_for_plane)
-        status = direct->prepare_for_plane(&tools, world, light, err);
-    else if (status == PP_OK && direct->prepare)
-        status = direct->prepare(&tools, world, light, err);
+    struct pp_direct_plane *plane;
+    enum pp_status status = pp_direct_plane_create(&plane, world, light, direct, err);
     if (status != PP_OK)
         return status;
-    struct contoured_plane contoured = {.world = world,
-                                        .light = light,
-                                        .direct = direct,
-                                        .tools = tools,
-                                        .irc = irc_name ? irc : 0.0,
-                                        .inset_m = inset_of(&world->plane)};
+    struct added_to added = {.direct = plane, .irc = irc_name ? irc : 0.0};
     const struct contours_wanted wanted = {
         .plane = &world->plane,
         .values = daylight_at,
-        .context = &contoured,
+        .context = &added,
         .tolerance = pp_daylight_curves_tolerance(&world->plane),
         .levels = levels,
         .level_count = level_count};
     status = add_all(plan, world, &wanted, err);
-    if (direct->destroy_tools)
-        direct->destroy_tools(tools);
+    pp_direct_plane_destroy(plane);
     return status;
 }
 
@@ -435,9 +318,8 @@ enum pp_status pp_daylight_curves_no_sky(struct pp_daylight_plan *plan,
                                          struct pp_error *err)
 {
     *plan = (struct pp_daylight_plan){0};
-    struct contoured_plane contoured = {.world = world, .inset_m = SKY_INSET_M};
-    enum pp_status status = add_no_sky_line(
-        plan, &contoured, pp_daylight_curves_tolerance(&world->plane), err);
+    enum pp_status status =
+        add_no_sky_line(plan, world, pp_daylight_curves_tolerance(&world->plane), err);
     if (status != PP_OK)
         pp_daylight_plan_clear(plan);
     return status;

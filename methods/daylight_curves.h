@@ -6,9 +6,8 @@
  * which no sky is seen directly, whatever the sky's luminance and the glass.
  *
  * Curves are accurate to a millimetre, or to 1/5000 of the plane's diagonal where that
- * is more; they begin and end on the plane's edge or are closed. Nearer to an
- * upright opening than 20 mm or 1/500 of that diagonal, the daylight factor is taken as at
- * that distance, nearer to a wall than 1 mm as there.
+ * is more; they begin and end on the plane's edge or are closed. Close to walls and
+ * openings direct_plane.h says where figures are taken.
  * The direct component of `exact` is evaluated to 1e-6 of the open sky; that of unevenly lit
  * diffusing panes by fixed rules, to a relative error of 1e-5, or some 1e-4 close to the pane.
  */
@@ -61,12 +60,5 @@ enum pp_status pp_daylight_curves_no_sky(struct pp_daylight_plan *plan,
 
 /* The accuracy (m) of curves over a plane. */
 double pp_daylight_curves_tolerance(const struct pp_region *plane);
-
-/* The point at height z over (x, y), moved inside the plane so that it is at least
- * inset_m from the walls: along the inward normals of the edges that are nearer. On the
- * edge itself, in a window's plane or under one, the view of the outside is not
- * defined. */
-struct pp_vec3 pp_daylight_curves_off_walls(const struct pp_region *plane, double z,
-                                            double inset_m, double x, double y);
 
 #endif

@@ -182,16 +182,18 @@ static enum pp_status trace_plane(struct pp_traced_plane **plane,
 {
     struct pp_study_options of_points = *options;
     of_points.error = fmin(error_of_points * options->error, 1.0);
-    enum pp_status status = pp_traced_plane_create(
-        plane, &report->more_receivers, &report->receiver_count, report->world, err);
+    enum pp_status status =
+        pp_traced_plane_create(plane, &report->more_receivers, &report->receiver_count,
+                               report->world, &report->light, err);
     report->receivers = report->more_receivers;
     if (status == PP_OK)
         status = pp_study_report_traced(report, &of_points, by_clock, err);
-    if (status == PP_OK) {
-        const struct pp_column *column = pp_report_find(report, PP_DF, traced);
-        pp_traced_plane_fill(*plane, column->points, column->common);
-    }
-    return status;
+    if (status != PP_OK)
+        return status;
+    const struct pp_column *factors = pp_report_find(report, PP_DF, traced);
+    const struct pp_column *external = pp_report_find(report, PP_ERC, traced);
+    return pp_traced_plane_fill(*plane, factors->points, external->points,
+                                factors->common, err);
 }
 
 /* The room's points and the grid's have the error that is asked for. Each run has half of

@@ -3,12 +3,14 @@
 
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
+#include "methods/direct_plane.h"
+#include "methods/method.h"
 #include "model/base/array.h"
 #include "model/geometry/bounds.h"
 #include "model/results/common_error.h"
 #include "model/room/position.h"
+#include "studies/moving_fit.h"
 
 /* About as many squares cover the plane before those near openings are halved, and no
  * square is larger (m). */
@@ -21,17 +23,14 @@ enum { HALVINGS = 2 };
 /* The radius of the weights, in sides of the square that the place would have. */
 static const double reach_sides = 2.6;
 
-/* Daylight factors are no lower than this to the logarithm. */
-static const double lowest_factor = 1e-7;
-
 /* A place is never nearer to the plane's edge than this (m). */
 static const double inset_m = 0.005;
 
-enum { TERMS = 6, NEIGHBOURS_LEAST = 10, NEIGHBOURS_MOST = 128 };
+enum { NEIGHBOURS_LEAST = 10, NEIGHBOURS_MOST = 128 };
 
 struct plane_point {
     double x, y;
-    double log_value, log_error;
+    double rest, error;
     bool known;
 };
 
@@ -42,8 +41,10 @@ struct plane_screen {
 
 struct pp_traced_plane {
     const struct pp_world *world;
-    double side_m; /* of the squares before any is halved */
-    double common; /* the share of the points' variance that is common */
+    struct pp_direct_plane *direct; /* by `exact` */
+    double external; /* traced externally reflected light over that of `exact` */
+    double side_m;   /* of the squares before any is halved */
+    double common;   /* the share of the points' variance that is common */
     struct plane_point *points;
     int count;
     struct plane_screen *screens;
@@ -266,6 +267,7 @@ static enum pp_status sort_into_cells(struct pp_traced_plane *plane,
 enum pp_status pp_traced_plane_create(struct pp_traced_plane **plane,
                                       struct pp_receiver **points, int *count,
                                       const struct pp_world *world,
+                                      const struct pp_outside_light *light,
                                       struct pp_error *err)
 {
     *plane = NULL;
@@ -274,7 +276,10 @@ enum pp_status pp_traced_plane_create(struct pp_traced_plane **plane,
     if (!made)
         return pp_fail_memory(err);
     made->world = world;
-    enum pp_status status = find_screens(made, err);
+    enum pp_status status =
+        pp_direct_plane_create(&made->direct, world, light, &pp_method_exact, err);
+    if (status == PP_OK)
+        status = find_screens(made, err);
     if (status == PP_OK)
         status = find_openings(made, err);
     if (status == PP_OK)
@@ -303,6 +308,7 @@ void pp_traced_plane_destroy(struct pp_traced_plane *plane)
 {
     if (!plane)
         return;
+    pp_direct_plane_destroy(plane->direct);
     free(plane->points);
     free(plane->screens);
     free(plane->openings);
@@ -311,18 +317,60 @@ void pp_traced_plane_destroy(struct pp_traced_plane *plane)
     free(plane);
 }
 
-void pp_traced_plane_fill(struct pp_traced_plane *plane,
-                          const struct pp_reading *readings, double common)
+/* ---- what is fitted ---- */
+
+/* The part that is known everywhere. */
+static enum pp_status known_at(const struct pp_traced_plane *plane, double x, double y,
+                               double *value, struct pp_error *err)
+{
+    double sky, external;
+    enum pp_status status =
+        pp_direct_plane_at(plane->direct, x, y, &sky, &external, err);
+    *value = status == PP_OK ? sky + plane->external * external : 0.0;
+    return status;
+}
+
+/* The factor that takes the externally reflected light of `exact` nearest to the traced, by
+ * least squares of what they differ over the daylight factor. */
+static enum pp_status match_external(struct pp_traced_plane *plane,
+                                     const struct pp_reading *factors,
+                                     const struct pp_reading *external,
+                                     struct pp_error *err)
+{
+    double products = 0.0, weights = 0.0;
+    for (int i = 0; i < plane->count; i++) {
+        double sky, by_exact;
+        enum pp_status status =
+            pp_direct_plane_at(plane->direct, plane->points[i].x, plane->points[i].y,
+                               &sky, &by_exact, err);
+        if (status != PP_OK)
+            return status;
+        if (!(factors[i].value > 0.0 && isfinite(external[i].value)))
+            continue;
+        double of_factor = by_exact / factors[i].value;
+        products += of_factor * external[i].value / factors[i].value;
+        weights += of_factor * of_factor;
+    }
+    plane->external = weights > 0.0 ? products / weights : 0.0;
+    return PP_OK;
+}
+
+enum pp_status pp_traced_plane_fill(struct pp_traced_plane *plane,
+                                    const struct pp_reading *factors,
+                                    const struct pp_reading *external, double common,
+                                    struct pp_error *err)
 {
     plane->common = common;
-    for (int i = 0; i < plane->count; i++) {
+    enum pp_status status = match_external(plane, factors, external, err);
+    for (int i = 0; i < plane->count && status == PP_OK; i++) {
         struct plane_point *point = &plane->points[i];
-        double value = fmax(readings[i].value, lowest_factor);
-        point->known = isfinite(readings[i].value);
-        point->log_value = log(value);
-        point->log_error =
-            isfinite(readings[i].std_error) ? readings[i].std_error / value : 0.0;
+        double known;
+        status = known_at(plane, point->x, point->y, &known, err);
+        point->known = isfinite(factors[i].value);
+        point->rest = factors[i].value - known;
+        point->error = isfinite(factors[i].std_error) ? factors[i].std_error : 0.0;
     }
+    return status;
 }
 
 /* ---- between the points ---- */
@@ -330,6 +378,7 @@ void pp_traced_plane_fill(struct pp_traced_plane *plane,
 struct neighbours {
     int count;
     const struct plane_point *list[NEIGHBOURS_MOST];
+    double offset[NEIGHBOURS_MOST][2]; /* from the place, over the radius */
     double weight[NEIGHBOURS_MOST];
 };
 
@@ -346,84 +395,22 @@ static void find_neighbours(struct neighbours *found,
             for (int k = plane->cells[j * plane->columns + i]; k >= 0;
                  k = plane->next[k]) {
                 const struct plane_point *point = &plane->points[k];
-                double away = hypot(point->x - at[0], point->y - at[1]) / radius;
-                if (away >= 1.0 || !point->known || found->count == NEIGHBOURS_MOST
-                    || !is_in_sight(plane, at, point))
+                double *offset = found->offset[found->count];
+                offset[0] = (point->x - at[0]) / radius;
+                offset[1] = (point->y - at[1]) / radius;
+                double away = hypot(offset[0], offset[1]);
+                if (away >= 1.0 || !point->known || !is_in_sight(plane, at, point))
                     continue;
                 double weight = 1.0 - away * away;
                 found->list[found->count] = point;
                 found->weight[found->count++] = weight * weight;
+                if (found->count == NEIGHBOURS_MOST)
+                    return;
             }
 }
 
-/* Solves the symmetric positive system by Cholesky's method, for the unknowns that are not
- * all but determined by those before: their coefficients are 0. */
-static void solve(double matrix[TERMS][TERMS], double right[TERMS])
-{
-    double scale[TERMS];
-    for (int i = 0; i < TERMS; i++)
-        scale[i] = matrix[i][i];
-    bool used[TERMS];
-    for (int i = 0; i < TERMS; i++) {
-        for (int k = 0; k < i; k++)
-            if (used[k])
-                matrix[i][i] -= matrix[i][k] * matrix[i][k];
-        used[i] = matrix[i][i] > 1e-6 * scale[i];
-        if (!used[i])
-            continue;
-        matrix[i][i] = sqrt(matrix[i][i]);
-        for (int j = i + 1; j < TERMS; j++) {
-            for (int k = 0; k < i; k++)
-                if (used[k])
-                    matrix[j][i] -= matrix[j][k] * matrix[i][k];
-            matrix[j][i] /= matrix[i][i];
-        }
-    }
-    for (int i = 0; i < TERMS; i++) {
-        for (int k = 0; k < i; k++)
-            if (used[k])
-                right[i] -= matrix[i][k] * right[k];
-        right[i] = used[i] ? right[i] / matrix[i][i] : 0.0;
-    }
-    for (int i = TERMS - 1; i >= 0; i--) {
-        for (int k = i + 1; k < TERMS; k++)
-            if (used[i] && used[k])
-                right[i] -= matrix[k][i] * right[k];
-        right[i] = used[i] ? right[i] / matrix[i][i] : 0.0;
-    }
-}
-
-static void terms_of(double terms[TERMS], const struct plane_point *point,
-                     const double at[2], double radius)
-{
-    double x = (point->x - at[0]) / radius, y = (point->y - at[1]) / radius;
-    const double values[TERMS] = {1.0, x, y, x * x, x * y, y * y};
-    memcpy(terms, values, sizeof values);
-}
-
-/* The fit's value at the place is a sum of the points' values; weights in place of the
- * weights: its coefficients. */
-static void to_coefficients(struct neighbours *found, const double at[2], double radius)
-{
-    double matrix[TERMS][TERMS] = {{0.0}}, right[TERMS] = {1.0}, terms[TERMS];
-    for (int n = 0; n < found->count; n++) {
-        terms_of(terms, found->list[n], at, radius);
-        for (int i = 0; i < TERMS; i++)
-            for (int j = 0; j <= i; j++)
-                matrix[i][j] += found->weight[n] * terms[i] * terms[j];
-    }
-    solve(matrix, right);
-    for (int n = 0; n < found->count; n++) {
-        double sum = 0.0;
-        terms_of(terms, found->list[n], at, radius);
-        for (int i = 0; i < TERMS; i++)
-            sum += right[i] * terms[i];
-        found->weight[n] *= sum;
-    }
-}
-
-/* The logarithm of the daylight factor and its standard error; false: nothing is known. */
-static bool fit(const struct pp_traced_plane *plane, double x, double y, double *value,
+/* What is fitted, and its standard error; false: nothing is known. */
+static bool fit(const struct pp_traced_plane *plane, double x, double y, double *rest,
                 double *error)
 {
     const double at[2] = {x, y};
@@ -435,36 +422,40 @@ static bool fit(const struct pp_traced_plane *plane, double x, double y, double 
         if (found.count >= NEIGHBOURS_LEAST)
             break;
     }
+    *rest = *error = 0.0;
     if (found.count == 0)
         return false;
-    to_coefficients(&found, at, radius);
-    double sum = 0.0, errors = 0.0, variance = 0.0;
+    pp_moving_fit_coefficients(found.weight, (const double(*)[2])found.offset,
+                               found.count);
+    double errors = 0.0, variance = 0.0;
     for (int n = 0; n < found.count; n++) {
-        double share = found.weight[n] * found.list[n]->log_error;
-        sum += found.weight[n] * found.list[n]->log_value;
+        double share = found.weight[n] * found.list[n]->error;
+        *rest += found.weight[n] * found.list[n]->rest;
         errors += share;
         variance += share * share;
     }
-    *value = sum;
     *error = pp_common_error(errors, variance, plane->common);
     return true;
 }
 
-enum pp_status pp_traced_plane_value(void *plane, double x, double y, double *value,
+enum pp_status pp_traced_plane_value(void *of_points, double x, double y, double *value,
                                      struct pp_error *err)
 {
-    double log_value, log_error;
-    (void)err;
-    *value = fit(plane, x, y, &log_value, &log_error) ? exp(log_value) : 0.0;
-    return PP_OK;
+    const struct pp_traced_plane *plane = of_points;
+    double rest, error, known = 0.0;
+    *value = 0.0;
+    if (!fit(plane, x, y, &rest, &error))
+        return PP_OK;
+    enum pp_status status = known_at(plane, x, y, &known, err);
+    *value = fmax(known + rest, 0.0);
+    return status;
 }
 
-enum pp_status pp_traced_plane_error(void *plane, double x, double y, double *value,
+enum pp_status pp_traced_plane_error(void *of_points, double x, double y, double *value,
                                      struct pp_error *err)
 {
-    double log_value, log_error;
+    double rest;
     (void)err;
-    *value =
-        fit(plane, x, y, &log_value, &log_error) ? exp(log_value) * log_error : 0.0;
+    fit(of_points, x, y, &rest, value);
     return PP_OK;
 }

@@ -18,6 +18,7 @@
 #include "studies/criteria/criteria.h"
 #include "model/geometry/contour/contour.h"
 #include "methods/daylight_curves.h"
+#include "methods/direct_plane.h"
 #include "methods/exact/direct.h"
 #include "model/room/section.h"
 
@@ -38,8 +39,8 @@ static enum pp_status sky_factor_at(void *context, double x, double y, double *v
     const struct pp_world *world = context;
     const struct pp_glass none = pp_glass_none();
     const struct pp_receiver receiver = {
-        .position = pp_daylight_curves_off_walls(&world->plane, world->working_plane_m,
-                                                 INSET_M, x, y),
+        .position = pp_direct_plane_off_walls(&world->plane, world->working_plane_m,
+                                              INSET_M, x, y),
         .normal = pp_vec(0.0, 0.0, 1.0)};
     const struct pp_outside_light light = legal_light();
     struct pp_direct sum = {.rough = true};

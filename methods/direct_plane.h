@@ -1,0 +1,40 @@
+/* direct_plane.h - the direct component by a method at any place of a room's working plane,
+ * facing up.
+ *
+ * Before an upright opening, in its plane or under it, the direct component is not defined:
+ * nearer to one than 20 mm or 1/500 of the plane's diagonal, whichever is less, it is taken
+ * as at that distance, nearer to a wall than 1 mm as there.
+ */
+#ifndef PP_METHODS_DIRECT_PLANE_H
+#define PP_METHODS_DIRECT_PLANE_H
+
+#include "model/base/error.h"
+#include "model/light/outside_light.h"
+#include "model/room/world.h"
+
+struct pp_method; /* methods/method.h */
+struct pp_direct_plane;
+
+/* By a method that speaks for a point and does not count. World and light must live as
+ * long. On success *plane is the caller's. A method that does not cover the room is
+ * PP_BAD_INPUT, with the reason. */
+enum pp_status pp_direct_plane_create(struct pp_direct_plane **plane,
+                                      const struct pp_world *world,
+                                      const struct pp_outside_light *light,
+                                      const struct pp_method *method,
+                                      struct pp_error *err);
+void pp_direct_plane_destroy(struct pp_direct_plane *plane); /* NULL is allowed */
+
+/* The sky and the externally reflected component (fractions), with glass, frame and dirt. */
+enum pp_status pp_direct_plane_at(const struct pp_direct_plane *plane, double x,
+                                  double y, double *sky, double *external,
+                                  struct pp_error *err);
+
+/* The point at height z over (x, y), moved inside the region so that it is at least
+ * inset_m from the walls: along the inward normals of the edges that are nearer. On the
+ * edge itself, in a window's plane or under one, the view of the outside is not
+ * defined. */
+struct pp_vec3 pp_direct_plane_off_walls(const struct pp_region *region, double z,
+                                         double inset_m, double x, double y);
+
+#endif
