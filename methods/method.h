@@ -158,6 +158,8 @@ extern const struct pp_method pp_method_bre_min;
 extern const struct pp_method pp_method_bre_table;
 extern const struct pp_method pp_method_split_flux;
 extern const struct pp_method pp_method_sphere;
+extern const struct pp_method pp_method_arndt;
+extern const struct pp_method pp_method_dresler;
 extern const struct pp_method pp_method_nomogram;
 
 /* The daylight factor as a whole: */

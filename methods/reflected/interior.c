@@ -154,3 +154,13 @@ struct pp_interior_parts pp_interior_split_without(const struct pp_world *world,
 {
     return split(world, z, left_out, true);
 }
+
+double pp_interior_section_m2(const struct pp_world *world, double z)
+{
+    double sum_m2 = 0.0;
+    for (int i = 0; i < world->face_count; i++) {
+        const struct pp_polygon *face = &world->surfaces[i].outline;
+        sum_m2 += area_below(face, z) * face->normal.z;
+    }
+    return sum_m2;
+}

@@ -1,0 +1,65 @@
+/* arndt.c - `arndt`: average internally reflected component, the room as one surface of
+ * one reflectance.
+ *
+ * The oldest of the room formulae [ARN38], as given in the literature on daylight; its
+ * own text was not seen. All light that enters is reflected for the first time by the
+ * mean reflectance R, wherever it falls, and goes round from there as in an integrating
+ * sphere. `sphere` and `bre` are this formula with the first reflection told apart by the
+ * part of the room on which the light falls. For any sky, any slope and any number of
+ * openings, which add up; a diffusing pane is as clear glass, as where its light falls
+ * makes no difference.
+ *
+ * The formula contains the opening's glass and, through Ag, the frame; no dirt, no
+ * deterioration of decorations.
+ */
+#include <stddef.h>
+
+#include "methods/reflected/entering_light.h"
+#include "methods/reflected/interior.h"
+#include "methods/method.h"
+#include "methods/refusals.h"
+
+static const struct pp_formula_quantity quantities[] = {
+    PP_ENTERING_LIGHT_QUANTITIES, PP_INTERIOR_QUANTITIES, {0}};
+
+static const struct pp_formula average = {
+    .symbol = "irc",
+    .sum = "tau Ag (C + C_g) R / (A (1 - R))",
+    .unit = PP_UNIT_SHARE,
+    .source = "ARN38",
+    .what = "average internally reflected component",
+    .quantities = quantities,
+};
+
+static const struct pp_formula *const formulae[] = {PP_ENTERING_LIGHT_FORMULAE,
+                                                    &average, NULL};
+
+static enum pp_status evaluate(const struct pp_world *world,
+                               const struct pp_outside_light *light,
+                               const struct pp_opening *opening,
+                               const struct pp_receiver *receiver, const void *tools,
+                               struct pp_part *part, struct pp_error *err)
+{
+    (void)receiver, (void)tools;
+    enum pp_status status = pp_entering_light(&part->sheet, world, light, opening, err);
+    if (status != PP_OK)
+        return status;
+    struct pp_interior all = pp_interior_all(world);
+    pp_interior_put(&part->sheet, &all);
+    part->value = pp_worksheet_work(
+        &part->sheet, &average,
+        "opening on line %d: average internally reflected component", opening->line);
+    return PP_OK;
+}
+
+const struct pp_method pp_method_arndt = {
+    .name = "arndt",
+    .summary = "average internally reflected component, one mean reflectance for all",
+    .source = "ARN38",
+    .formulae = formulae,
+    .gives = PP_GIVES_INTERNAL,
+    .speaks_for = PP_FOR_ROOM,
+    .allowances = PP_ALLOWS_OWN_GLASS | PP_ALLOWS_FRAME,
+    .refuses_room = pp_refusals_luminous_room,
+    .evaluate = evaluate,
+};

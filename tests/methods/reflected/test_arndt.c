@@ -1,0 +1,79 @@
+/* test_arndt.c - the formula of one mean reflectance. */
+#include "methods/method.h"
+
+#include "tests/methods/box_method.h"
+
+/* By hand: what enters, reflected once by R and then without end. */
+static void window_is_the_sum_of_all_reflections_by_the_mean(void **state)
+{
+    (void)state;
+    struct box_room box;
+    struct box_method_symbols s =
+        box_method_awkward_room(&box, pp_glass_clear_single());
+    double enters = s.tau * s.Ag * (s.C + s.rho_g / 2);
+    double sum = 0.0, flux = enters * s.R;
+    for (int i = 0; i < 400; i++, flux *= s.R)
+        sum += flux;
+    assert_relative(box_method_value(&pp_method_arndt, &box, 0), sum / s.A, 1e-12);
+}
+
+/* Where all is of one reflectance, it makes no difference on what the light falls first,
+ * but for the opening, which is too small to be noticed here. */
+static void room_of_one_colour_is_that_of_the_sphere(void **state)
+{
+    (void)state;
+    struct box_room box;
+    box_room_build(&box, 3.3, 4.9, 2.6, 0.43, 0.43, 0.43);
+    box_room_south(&box, 0.7, 1.3, 1e-3, 1e-3);
+    assert_relative(box_method_value(&pp_method_arndt, &box, 0),
+                    box_method_value(&pp_method_sphere, &box, 0), 1e-7);
+}
+
+/* A floor of 0.1 under a ceiling of 0.9 is what the light meets first: the mean of 0.5 is
+ * too much. */
+static void dark_floor_is_overrated(void **state)
+{
+    (void)state;
+    struct box_room box;
+    box_room_build(&box, 3.3, 4.9, 2.6, 0.1, 0.5, 0.9);
+    box_room_south(&box, 0.7, 0.9, 1.9, 1.1);
+    assert_true(box_method_value(&pp_method_arndt, &box, 0)
+                > 1.2 * box_method_value(&pp_method_sphere, &box, 0));
+}
+
+static void diffusing_pane_is_as_clear_glass_of_its_transmittance(void **state)
+{
+    (void)state;
+    struct box_room box;
+    box_method_awkward_room(&box, pp_glass_clear_single());
+    double clear = box_method_value(&pp_method_arndt, &box, 0);
+    double tau = box.openings[0].glass.diffuse;
+    box.openings[0].glass = pp_glass_diffusing(0.52);
+    assert_relative(box_method_value(&pp_method_arndt, &box, 0), clear * 0.52 / tau,
+                    1e-12);
+}
+
+/* Level glass has the whole sky before it, and no ground. */
+static void rooflight_lets_the_whole_sky_in(void **state)
+{
+    (void)state;
+    struct box_room box;
+    box_room_build(&box, 3.3, 4.9, 2.6, 0.4, 0.4, 0.4);
+    box_room_open(&box, BOX_CEILING, pp_vec(1.0, 2.4, 2.6), 1.1, 0.7)->glass =
+        pp_glass_none();
+    double A = 2 * 3.3 * 4.9 + 2 * 8.2 * 2.6, R = 0.4 - 0.3 * 0.77 / A;
+    assert_relative(box_method_value(&pp_method_arndt, &box, 0),
+                    0.77 * R / (A * (1 - R)), 1e-12);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(window_is_the_sum_of_all_reflections_by_the_mean),
+        cmocka_unit_test(room_of_one_colour_is_that_of_the_sphere),
+        cmocka_unit_test(dark_floor_is_overrated),
+        cmocka_unit_test(diffusing_pane_is_as_clear_glass_of_its_transmittance),
+        cmocka_unit_test(rooflight_lets_the_whole_sky_in),
+    };
+    return cmocka_run_group_tests_name("arndt", tests, NULL, NULL);
+}
